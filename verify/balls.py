@@ -1,0 +1,108 @@
+"""Ball arithmetic: the only module that imports flint.
+
+A ball is an `arb`. Every operation that can leave the real numbers (division, square root) checks
+its result, so a value that comes out of a program is finite and encloses the exact one.
+Comparisons of balls certify their true side only: ``not a < b`` proves nothing.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from fractions import Fraction
+from typing import Any
+
+from flint import arb, ctx, fmpq
+
+from verify.program import UndefinedError
+
+Ball = arb
+
+
+@contextmanager
+def precision(bits: int) -> Iterator[None]:
+    """Work with ``bits`` bits of precision inside a ``with`` block."""
+    with ctx.workprec(bits):
+        yield
+
+
+def from_fraction(value: Fraction) -> arb:
+    """The ball around an exact rational, at the current precision."""
+    return arb(fmpq(value.numerator, value.denominator))
+
+
+def pi() -> arb:
+    """The ball around pi, at the current precision."""
+    return arb.pi()
+
+
+def _finite(function: Callable[..., arb], name: str) -> Callable[..., arb]:
+    def checked(*operands: arb) -> arb:
+        result = function(*operands)
+        if not result.is_finite():
+            raise UndefinedError(f"{name} of {', '.join(map(str, operands))} is not finite")
+        return result
+
+    return checked
+
+
+def _cos_pi(x: arb) -> arb:
+    return x.cos_pi()
+
+
+_OPERATIONS: dict[str, Callable[..., arb]] = {
+    "add": operator.add,
+    "sub": operator.sub,
+    "mul": operator.mul,
+    "div": _finite(operator.truediv, "the quotient"),
+    "neg": operator.neg,
+    "sqrt": _finite(arb.sqrt, "the square root"),
+    "min": arb.min,
+    "max": arb.max,
+    "cos": arb.cos,
+    "cos_pi": _cos_pi,
+}
+
+
+class BallArithmetic:
+    """The arithmetic of `verify.program` on balls."""
+
+    def rational(self, value: Fraction) -> Any:
+        """The ball around an exact rational."""
+        return from_fraction(value)
+
+    def operation(self, name: str) -> Callable[..., arb]:
+        """The ball operation of this name."""
+        return _OPERATIONS[name]
+
+
+def less(a: arb, b: arb) -> bool:
+    """True only if every number in a is smaller than every number in b."""
+    return bool(a < b)
+
+
+def less_equal(a: arb, b: arb) -> bool:
+    """True only if no number in a is larger than any number in b."""
+    return bool(a <= b)
+
+
+def sign(ball: arb) -> int:
+    """1 if no number in the ball is negative, -1 if none is positive, 0 if unknown (or zero)."""
+    return int(ball >= 0) - int(ball <= 0)
+
+
+def ends(ball: arb) -> tuple[Fraction, Fraction]:
+    """The exact ends of a ball."""
+    middle, radius = _dyadic(ball.mid()), _dyadic(ball.rad())
+    return middle - radius, middle + radius
+
+
+def _dyadic(ball: arb) -> Fraction:
+    mantissa, exponent = ball.man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+
+
+def accuracy_bits(ball: arb) -> int:
+    """How many relative bits of the ball are known; very large for an exact one."""
+    return int(ball.rel_accuracy_bits())

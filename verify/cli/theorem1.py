@@ -1,0 +1,103 @@
+"""Decide Theorem 1 at given parameters: constants, every inequality of the proof, verdict."""
+
+from __future__ import annotations
+
+import json
+import sys
+from argparse import ArgumentParser, Namespace
+from fractions import Fraction
+
+from verify.files import write_all
+from verify.inputs import InputError, angle, integer, rational, shown
+from verify.prover import UNDECIDED
+from verify.terms import Term, as_term
+from verify.theorem1 import SELECTIONS, Outcome, decide
+from verify.views.document import document
+from verify.views.table import lines
+
+MAX_PRECISION = 1 << 22
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """The options; every number is kept as the text that was written."""
+    number = "exact: 0.03, 3/100 or 3e-2"
+    parser.add_argument("--r", required=True, help=f"restitution coefficient in ]0,1[ ({number})")
+    parser.add_argument("--theta0", metavar="ANGLE", help="[k*]pi[/n] or radians, in ]pi/2, pi]")
+    parser.add_argument("--neg-cos", metavar="C", help="-cos of the angle, in ]0, 1] (default 1)")
+    parser.add_argument(
+        "--delta-theta", default="1/10", help="allowed deviation of the final -cos (default 1/10)"
+    )
+    parser.add_argument(
+        "--V0", default="1", help="lower bound of the squared relative speeds (default 1)"
+    )
+    parser.add_argument("--constants", default="all", help="printed, repaired or all (default)")
+    parser.add_argument("--precision", default="128", help="starting bits (default 128)")
+    parser.add_argument("--max-precision", default="65536", help="last bits (default 65536)")
+    parser.add_argument("--json", action="store_true", help="one JSON document on stdout")
+    parser.add_argument("--out", metavar="DIR", help="write statement.json and certificate.json")
+
+
+def read_parameters(options: Namespace) -> dict[str, Term]:
+    """The parameters as exact terms.
+
+    Raises:
+        InputError: for a number outside its range, or two angles.
+    """
+    if options.theta0 is not None and options.neg_cos is not None:
+        raise InputError("--theta0 and --neg-cos both give the angle; write only one of them")
+    r = rational("--r", options.r)
+    if not 0 < r < 1:
+        raise InputError(f"--r: {shown(options.r)} is not in ]0,1[; write for example 0.03")
+    if options.theta0 is not None:
+        c = angle("--theta0", options.theta0)
+    else:
+        text = "1" if options.neg_cos is None else options.neg_cos
+        value = rational("--neg-cos", text)
+        if not 0 < value <= 1:
+            raise InputError(f"--neg-cos: {shown(text)} is not in ]0,1]; write for example 9/10")
+        c = as_term(value)
+    return {
+        "r": as_term(r),
+        "c": c,
+        "V_0": as_term(_positive("--V0", options.V0)),
+        "delta_theta": as_term(_positive("--delta-theta", options.delta_theta)),
+    }
+
+
+def _positive(option: str, text: str) -> Fraction:
+    value = rational(option, text)
+    if value <= 0:
+        raise InputError(f"{option}: {shown(text)} is not positive; write for example 1/10")
+    return value
+
+
+def run(options: Namespace) -> int:
+    """Print the table or the document, write the files, return the exit code."""
+    parameters = read_parameters(options)
+    if options.constants not in SELECTIONS:
+        raise InputError(
+            f"--constants: {shown(options.constants)} is unknown; write printed, repaired or all"
+        )
+    bits = integer("--precision", options.precision, 2, MAX_PRECISION)
+    last = integer("--max-precision", options.max_precision, 2, MAX_PRECISION)
+    if last < bits:
+        raise InputError(
+            f"--max-precision: {last} is below --precision {bits}; write at least {bits}"
+        )
+    outcome = decide(parameters, options.constants, bits, last)
+    if options.out is not None:
+        _write(options.out, outcome)
+    if options.json:
+        print(json.dumps(document(outcome), ensure_ascii=False, indent=1))
+    else:
+        sys.stdout.write("".join(f"{line}\n" for line in lines(outcome)))
+    return outcome.exit_code
+
+
+def _write(directory: str, outcome: Outcome) -> None:
+    from verify.wire import files  # hashlib is loaded only where it is used
+
+    if any(decision.verdict == UNDECIDED for _, decision in outcome.all_rows) or outcome.spent:
+        print("verify: undecided rows have no certificate; nothing was written", file=sys.stderr)
+        return
+    write_all("--out", directory, files(outcome))

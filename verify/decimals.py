@@ -1,0 +1,88 @@
+"""Decimal texts of rational numbers: rounded outward for machines, short for people."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+#: Digits of a decimal text whose last place is far below the width that 128 bits earn.
+DIGITS = 40
+
+
+def decimal_exponent(value: Fraction) -> int:
+    """The integer e with 10^e <= |value| < 10^(e+1), for a non-zero value."""
+    numerator, denominator = abs(value.numerator), value.denominator
+    exponent = (numerator.bit_length() - denominator.bit_length() - 1) * 30103 // 100000 - 1
+    power = 10 ** abs(exponent)
+    if exponent < 0:
+        numerator *= power
+    else:
+        denominator *= power
+    while numerator >= 10 * denominator:
+        denominator *= 10
+        exponent += 1
+    return exponent
+
+
+def round_decimal(value: Fraction, digits: int, up: bool) -> tuple[int, int]:
+    """The mantissa m and exponent e of m * 10^e, at most ``digits`` digits, rounded one way.
+
+    Exactly representable values are not changed; the mantissa has no trailing zeros.
+    """
+    if value == 0:
+        return 0, 0
+    exponent = decimal_exponent(value) - digits + 1
+    numerator, denominator = value.numerator, value.denominator
+    if exponent < 0:
+        numerator *= 10**-exponent
+    else:
+        denominator *= 10**exponent
+    mantissa = -(-numerator // denominator) if up else numerator // denominator
+    while mantissa and mantissa % 10 == 0:
+        mantissa //= 10
+        exponent += 1
+    return mantissa, exponent
+
+
+def decimal_text(mantissa: int, exponent: int) -> str:
+    """The decimal m * 10^e, plain where that is short and with an exponent elsewhere."""
+    sign, digits = ("-" if mantissa < 0 else ""), str(abs(mantissa))
+    point = len(digits) + exponent
+    if mantissa == 0:
+        return "0"
+    if 0 < point <= 25 and exponent >= 0:
+        return f"{sign}{digits}{'0' * exponent}"
+    if 0 < point <= len(digits):
+        return f"{sign}{digits[:point]}.{digits[point:]}"
+    if -4 < point <= 0:
+        return f"{sign}0.{'0' * -point}{digits}"
+    tail = f".{digits[1:]}" if digits[1:] else ""
+    return f"{sign}{digits[0]}{tail}e{point - 1}"
+
+
+def outward(ends: tuple[Fraction, Fraction], digits: int = DIGITS) -> list[str]:
+    """Two decimal texts that enclose the two ends."""
+    low, high = ends
+    return [
+        decimal_text(*round_decimal(low, digits, up=False)),
+        decimal_text(*round_decimal(high, digits, up=True)),
+    ]
+
+
+def short(ends: tuple[Fraction, Fraction], digits: int = 8) -> str:
+    """The digits on which the two ends agree, at most ``digits``, followed by … if cut off."""
+    low, high = ends
+    for count in range(digits, 0, -1):
+        texts = [_truncated(end, count) for end in ends]
+        if texts[0] == texts[1]:
+            exact = low == high and Fraction(texts[0]) == low
+            return texts[0] if exact else f"{texts[0]}…"
+    return f"[{', '.join(outward(ends, 3))}]"
+
+
+def _truncated(value: Fraction, digits: int) -> str:
+    return decimal_text(*round_decimal(value, digits, up=value < 0))
+
+
+def rational_text(value: Fraction) -> str:
+    """``p/q``, or ``p`` for an integer."""
+    return str(value)

@@ -1,0 +1,328 @@
+"""The constants of the initial data: delta_x, x_0, Delta_theta, eta_bar, zeta_bar, d_bar.
+
+`printed` transcribes the paper. `repaired` is the list of what the later steps need: each constant
+may be any positive rational below its bound, and every sum inside a min of the paper is read as
+the bounds that it is meant to provide.
+
+In both sets d_bar is a function of the initial normal speed, min(const, slope * eta_{c,0}^2); the
+constant named ``d_bar`` is its value at |eta_{c,0}| = eta_bar, its largest on the set.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from verify.paper.parameters import V_0, c, delta_theta
+from verify.paper.preliminaries import (
+    V_1,
+    C_eta,
+    alpha_0,
+    delta_1,
+    delta_2,
+    delta_3,
+    delta_4,
+    delta_5,
+    h_4,
+    h_5,
+)
+from verify.statement import PRINTED, REPAIRED, Change, Constant, Obligation
+from verify.terms import Claim, Term, as_term, maximum, minimum, sqrt, symbol
+
+DELTA = "EQUATSS4.1DefinDeltxDelty"
+X_0 = "EQUATSS4.1DescrDoIniColla"
+ETA = "EQUATSS4.1DefinBorne_Eta_"
+ZETA = "EQUATSS4.1DefinBorne_Zeta"
+D_0 = "EQUATSS4.1DefinBorne_d_0_"
+
+_LETTERS = {
+    "V_1": ("V₁", "V_1"),
+    "delta_x": ("δ_x", r"\delta_x"),
+    "delta_y": ("δ_y", r"\delta_y"),
+    "x_0": ("|x₀|", "|x_0|"),
+    "Delta_theta": ("|Δθ|", r"|\Delta\theta|"),
+    "eta_bar": ("η̄", r"\overline{\eta}"),
+    "zeta_bar": ("ζ̄", r"\overline{\zeta}"),
+    "d_slope": ("k_d", "k_d"),
+    "d_const": ("c_d", "c_d"),
+    "d_bar": ("d̄", r"\overline{d}"),
+    "T_star": ("T*", "T^*"),
+}
+_LABELS = {
+    "V_1": "EQUATSS4.1Recurrence_Cnd5",
+    "delta_x": DELTA,
+    "delta_y": DELTA,
+    "x_0": X_0,
+    "Delta_theta": X_0,
+    "eta_bar": ETA,
+    "zeta_bar": ZETA,
+    "d_slope": D_0,
+    "d_const": D_0,
+    "d_bar": D_0,
+    "T_star": "THEORSS4.1ExistenCollapse",
+}
+
+
+class ConstantSet:
+    """The constants of one set as symbols, and the quantities of the proof built from them."""
+
+    def __init__(self, group: str) -> None:
+        self.group = group
+        self.printed = group == PRINTED
+        self.V_1 = V_1 if self.printed else self._symbol("V_1")
+        self.delta_x = self._symbol("delta_x")
+        self.delta_y = self._symbol("delta_y")
+        self.x_0 = self._symbol("x_0")
+        self.Delta_theta = self._symbol("Delta_theta")
+        self.eta_bar = self._symbol("eta_bar")
+        self.zeta_bar = self._symbol("zeta_bar")
+        self.d_slope = self._symbol("d_slope")
+        self.d_const = self._symbol("d_const")
+        self.d_bar = self._symbol("d_bar")
+        self.T_star = self._symbol("T_star")
+        self.speed = sqrt(self.V_1)
+        self.unit = V_0 / self.speed
+
+    def _symbol(self, name: str) -> Term:
+        return symbol(f"{self.group}.{name}")
+
+    @property
+    def initial_slack(self) -> Term | int:
+        """How far the initial -cos may be from c: the paper fixes it, the repair leaves a share."""
+        return 0 if self.printed else self.Delta_theta / 4
+
+    @property
+    def d_later(self) -> Term:
+        """The paper's bound on d_n for n >= 1, at |eta_c| = eta_bar."""
+        return 3 * self.speed / V_0 * self.eta_bar
+
+    @property
+    def d_any(self) -> Term:
+        """A bound on d_n for every n."""
+        return maximum(self.d_bar, self.d_later)
+
+    @property
+    def tau_crude(self) -> Term:
+        """The bound 2 eta / V_0 on tau_n."""
+        return 2 * self.eta_bar / V_0
+
+    @property
+    def drift(self) -> Term:
+        """A bound on |(-cos theta_n) - c| for every n: `EQUATSS4.1Recurrence_Cnd8` summed."""
+        tail = self.d_bar + 14 / (1 - C_eta) * (self.speed / V_0) * self.eta_bar
+        return tail if self.printed else self.initial_slack + tail
+
+    @property
+    def norm_drift(self) -> Term:
+        """The sum over all collisions in `EQUATSS4.1Recurrence_Cnd6` and `..._Cnd7`."""
+        return 4 * (self.speed + 2) / (1 - C_eta) * self.eta_bar
+
+    def row(
+        self,
+        name: str,
+        label: str,
+        says: str,
+        claim: Claim,
+        uses: Iterable[str] = (),
+        corrected_by: str | None = None,
+    ) -> Obligation:
+        """One row of this set; rows of the printed set are corrected by repaired ones."""
+        return Obligation(
+            f"{self.group}.{name}",
+            self.group,
+            label,
+            "printed" if self.printed else "needed",
+            says,
+            claim,
+            tuple(uses),
+            f"{REPAIRED}.{corrected_by or name}" if self.printed else None,
+        )
+
+    def bounds(self) -> dict[str, tuple[Term, ...]]:
+        """The entries of the min that defines or bounds each constant, in the paper's order."""
+        return _printed_bounds(self) if self.printed else _repaired_bounds(self)
+
+    def constants(self) -> Iterator[Constant]:
+        """The set's constants, each after those it uses."""
+        for name, entries in self.bounds().items():
+            term = entries[0] if len(entries) == 1 else minimum(*entries)
+            yield Constant(
+                f"{self.group}.{name}",
+                *_LETTERS[name],
+                _LABELS[name],
+                term,
+                chosen=not self.printed and name not in {"delta_y", "d_bar"},
+                direction="up" if name == "T_star" else "down",
+                base=V_0 if name == "V_1" else None,
+            )
+
+
+def _printed_bounds(k: ConstantSet) -> dict[str, tuple[Term, ...]]:
+    return {
+        "delta_x": (delta_1, delta_2, delta_3, delta_4, delta_5),
+        "delta_y": (k.delta_x,),
+        "x_0": ((1 - h_4) * k.delta_x, V_0 / k.V_1 * (delta_2**2 * h_5 / 12)),
+        "Delta_theta": (c / 2, h_4 / 8 * k.delta_x, delta_theta),
+        "eta_bar": (
+            as_term(1),
+            (sqrt(2) - 1) / 16 * k.unit,
+            V_0 / (33 * k.speed) * k.Delta_theta,
+            (1 - C_eta) * (k.V_1 - V_0) / (12 * (k.speed + 2)),
+            k.unit
+            * (2 / (15 * alpha_0) + h_4 * delta_2 / 6 + h_4 / (12 * alpha_0) + h_4 / 24)
+            * k.delta_x,
+        ),
+        "zeta_bar": (
+            2 * (sqrt(2) - 1),
+            V_0 * h_5 / (3 * k.V_1 * (alpha_0 + 8 * k.V_1 / V_0)) * delta_2**2,
+            (1 + 4 * delta_2 + V_0 / k.V_1) / 16 * h_4 * k.delta_x,
+        ),
+        "d_slope": (k.zeta_bar / (2 * k.V_1),),
+        "d_const": (
+            (sqrt(2) - 1) / 4,
+            k.Delta_theta / 3,
+            (1 + delta_2 * h_4) * k.delta_x / 5,
+            (1 + 2 * delta_2) / 4 * h_4 * k.delta_x,
+        ),
+        "d_bar": (k.d_const, k.d_slope * k.eta_bar**2),
+        "T_star": (2 / (V_0 * (1 - C_eta)) * k.eta_bar * k.zeta_bar,),
+    }
+
+
+def _repaired_bounds(k: ConstantSet) -> dict[str, tuple[Term, ...]]:
+    share = h_4 * k.delta_x
+    return {
+        "V_1": (V_1,),
+        "delta_x": (
+            delta_1,
+            delta_2,
+            delta_3,
+            delta_4,
+            delta_5,
+            V_0 / k.V_1 * (delta_2**2 * h_5 / 12),
+        ),
+        "delta_y": (k.delta_x,),
+        "x_0": ((1 - h_4) * k.delta_x, V_0 / k.V_1 * (delta_2**2 * h_5 / 12)),
+        "Delta_theta": (c / 2, share / 8, delta_theta),
+        "eta_bar": (
+            as_term(1),
+            (sqrt(2) - 1) / 16 * k.unit,
+            (1 - C_eta) / 28 * k.unit * k.Delta_theta,
+            (1 - C_eta) * (k.V_1 - V_0) / (12 * (k.speed + 2)),
+            k.unit / (12 * alpha_0) * share,
+            k.unit * (delta_2 / 6) * share,
+            k.unit / 24 * share,
+        ),
+        "zeta_bar": (
+            2 * (sqrt(2) - 1),
+            V_0 * h_5 / (3 * k.V_1 * (alpha_0 + 8 * k.V_1 / V_0)) * delta_2**2,
+            share / 16,
+            delta_2 / 4 * share,
+            V_0 / k.V_1 / 16 * share,
+        ),
+        "d_slope": (k.zeta_bar / (2 * k.V_1),),
+        "d_const": (
+            (sqrt(2) - 1) / 4,
+            k.Delta_theta / 4,
+            delta_2 / 2 * share,
+            share / 8,
+        ),
+        "d_bar": (k.d_const, k.d_slope * k.eta_bar**2),
+        "T_star": (2 / (V_0 * (1 - C_eta)) * k.eta_bar * k.zeta_bar,),
+    }
+
+
+def rows(k: ConstantSet) -> Iterator[Obligation]:
+    """Both halves of each definition: every constant is positive and below each of its bounds."""
+    symbols = {
+        "delta_x": k.delta_x,
+        "x_0": k.x_0,
+        "Delta_theta": k.Delta_theta,
+        "eta_bar": k.eta_bar,
+        "zeta_bar": k.zeta_bar,
+        "d_slope": k.d_slope,
+        "d_const": k.d_const,
+        "d_bar": k.d_bar,
+    }
+    yield k.row("V_1-above-V_0", _LABELS["V_1"], "0 < V₀ < V₁", V_0 < k.V_1)
+    yield k.row(
+        "V_1-ratio",
+        _LABELS["V_1"],
+        "V₁/V₀ = (1-h₅/2)/(1-h₅), of which ≤ is needed",
+        k.V_1 / V_0 <= (1 - h_5 / 2) / (1 - h_5),
+    )
+    for name, entries in k.bounds().items():
+        if name not in symbols:
+            continue
+        letter = _LETTERS[name][0]
+        yield k.row(f"{name}-positive", _LABELS[name], f"0 < {letter}", 0 < symbols[name])
+        for index, entry in enumerate(entries, 1):
+            yield k.row(
+                f"{name}-entry-{index}",
+                _LABELS[name],
+                f"{letter} is at most entry {index} of its min",
+                symbols[name] <= entry,
+            )
+
+
+CHANGES = (
+    Change(
+        "EQUATSS4.1ThExiCondiTheta",
+        "-cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r)",
+        "-cos θ₀ > 2r^(1/3)(1+r^(1/3))/(1+r)",
+        "h₅ > 0 is equivalent to >; with < the construction has h₅ < 0.",
+    ),
+    Change(
+        DELTA,
+        "δ_x = δ_y = min(δ₁, …, δ₅)",
+        "also at most (V₀/V₁) δ₂² h₅/12",
+        "Cnd9 must give |x_n| ≤ (V₀/V₁) δ₂² h₅/12 for every n, not only for n = 0.",
+    ),
+    Change(
+        X_0,
+        "ω_{c,0}·ω_{s,0} = cos θ₀",
+        "|cos θ_init - cos θ₀| ≤ |Δθ|/4",
+        "with the angle fixed the set has no interior.",
+    ),
+    Change(
+        ETA,
+        "entry V₀/(33 V₁^{1/2}) |Δθ|",
+        "(1-C_η)/28 · V₀/V₁^{1/2} · |Δθ|",
+        "the tail of Cnd8 is 14 (V₁^{1/2}/V₀) η̄/(1-C_η); half of |Δθ| is left for it.",
+    ),
+    Change(
+        ETA,
+        "entry V₀/V₁^{1/2} (2/(15α₀) + h₄δ₂/6 + h₄/(12α₀) + h₄/24) δ_x",
+        "V₀/V₁^{1/2} h₄δ_x times each of 1/(12α₀), δ₂/6, 1/24",
+        "each later step needs its own bound; their sum is larger than each of them.",
+    ),
+    Change(
+        ZETA,
+        "entry (1 + 4δ₂ + V₀/V₁) h₄δ_x/16",
+        "h₄δ_x/16 times each of 1, 4δ₂, V₀/V₁",
+        "the same.",
+    ),
+    Change(
+        D_0,
+        "entries |Δθ|/3, (1+δ₂h₄)δ_x/5, (1+2δ₂)h₄δ_x/4",
+        "|Δθ|/4, δ₂h₄δ_x/2, h₄δ_x/8",
+        "the same; and a quarter of |Δθ| is left for the initial angle.",
+    ),
+    Change(
+        "EQUATSS4.1EvoluNormeVitRl",
+        "(1+r)²/2 (W_c·ω)²",
+        "(1+r)²/4 (W_c·ω)²",
+        "the square of the impulse; the printed bound 2|W_c·ω|² holds with either.",
+    ),
+    Change(
+        "EQUATSS4.1Recurrence_Cnd6",
+        "|W_{c,n}|² - |W_{s,0}|² ≤ …, upper bounds only",
+        "the absolute values of the differences",
+        "V₀ ≤ |W|² needs a bound from below; the same constant serves.",
+    ),
+    Change(
+        "THEORSS4.1ExistenCollapse",
+        "(nothing)",
+        "Σ τ_n ≤ 2 η̄ ζ̄/(V₀(1-C_η)) ≤ T*, and |Δθ| ≤ δ_θ for the limit angle",
+        "the finite collapse time and the final angle are claimed and not concluded.",
+    ),
+)

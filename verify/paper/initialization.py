@@ -1,0 +1,191 @@
+"""The initialization: the conditions Cnd1 to Cnd10 and CndT hold for n = 0.
+
+Each row is judged at the worst state of the initial set: |eta_{c,0}| = eta_bar, d_0 = d_bar (or
+d_0 = slope * eta_{c,0}^2 where the step divides by eta_{c,0}), zeta_0 = zeta_bar.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from verify.paper.initial_data import ConstantSet
+from verify.paper.parameters import V_0, c
+from verify.paper.preliminaries import alpha_0, h_4, phi_minus
+from verify.statement import Obligation
+from verify.terms import as_term, maximum, sqrt
+
+DATA = "EQUATSS4.1DescrDoIniColla"
+CND = "EQUATSS4.1Recurrence_Cnd"
+ZETA_0 = "EQUATSS4.1BorneParam_ZK0_"
+D_1 = "EQUATSS4.1BorneDista_d_1_"
+
+
+def rows(k: ConstantSet) -> Iterator[Obligation]:
+    """Yield the rows of the initialization, in the paper's order."""
+    yield from _not_empty(k)
+    yield k.row("init-Cnd1", f"{CND}1", "η_{c,0} < 0 by assumption", -k.eta_bar < 0)
+    yield k.row("init-Cnd2", f"{CND}2", "|η_{c,0}| ≤ η̄ by construction", k.eta_bar <= k.eta_bar)
+    yield from _zeta(k)
+    yield from _norms(k)
+    yield from _no_outer_collision(k)
+    yield from _angle(k)
+    yield from _ratios(k)
+
+
+def _not_empty(k: ConstantSet) -> Iterator[Obligation]:
+    lower = V_0 + (k.V_1 - V_0) / 3
+    upper = k.V_1 - (k.V_1 - V_0) / 3
+    yield k.row("set-norms", DATA, "the interval of |W|² is not empty", lower < upper)
+    yield k.row("set-eta_c", DATA, "|η_{c,0}| = η̄ leaves room for |W_{c,0}|²", k.eta_bar**2 < lower)
+    yield k.row(
+        "set-eta_s",
+        DATA,
+        "η_{s,0} ≤ (α₀/2) η̄ leaves room for |W_{s,0}|²",
+        (alpha_0 / 2 * k.eta_bar) ** 2 < lower,
+    )
+    yield k.row(
+        "set-eta_s-positive",
+        DATA,
+        "η_{s,0} = φ⁻ (-η_{c,0}) > 0 is in the set: a post-collisional pair",
+        0 < phi_minus * k.eta_bar,
+    )
+    if k.printed:
+        yield k.row(
+            "set-interior",
+            DATA,
+            "a non-trivial interior: the width that the set leaves for -cos of the angle",
+            0 < as_term(0),
+        )
+    else:
+        yield k.row(
+            "set-interior",
+            DATA,
+            "a non-trivial interior: the width that the set leaves for -cos of the angle",
+            0 < k.Delta_theta / 4,
+            ["interior"],
+        )
+        yield k.row("set-x_0", DATA, "… and for η_{s,0}/(-η_{c,0}), on both sides of φ⁻", 0 < k.x_0)
+
+
+def _zeta(k: ConstantSet) -> Iterator[Obligation]:
+    if k.printed:
+        # Bounded by 2 is true and gives 2 |W|^2/eta^2; the display needs 2x, which is also true.
+        yield k.row(
+            "init-zeta-bound-2",
+            ZETA_0,
+            "x(2+x)/(1+x)² ≤ 2 (and not 2x) gives the factor 2d₀: 2 ≤ 2d₀ at d₀ = d̄",
+            2 <= 2 * k.d_bar,
+            corrected_by="init-Cnd4",
+        )
+    yield k.row("init-Cnd3", f"{CND}3", "ζ₀ < 1", k.zeta_bar < 1, ["zeta-from-distance"])
+    yield k.row(
+        "init-Cnd4",
+        f"{CND}4",
+        "ζ₀ ≤ 2 d₀ |W_{c,0}|²/η_{c,0}² ≤ ζ̄, with d₀ = k_d η_{c,0}²",
+        2 * k.V_1 * k.d_slope <= k.zeta_bar,
+        ["zeta-from-distance"],
+    )
+    yield k.row(
+        "init-Cnd4-room",
+        ZETA_0,
+        "|W_{c,0}|² ≤ V₁ - (V₁-V₀)/3 ≤ V₁",
+        k.V_1 - (k.V_1 - V_0) / 3 <= k.V_1,
+    )
+
+
+def _norms(k: ConstantSet) -> Iterator[Obligation]:
+    third = (k.V_1 - V_0) / 3
+    yield k.row("init-Cnd5-lower", f"{CND}5", "V₀ ≤ |W|² at n = 0", V_0 <= V_0 + third)
+    yield k.row("init-Cnd5-upper", f"{CND}5", "|W|² ≤ V₁ at n = 0", k.V_1 - third <= k.V_1)
+    empty_sum = 4 * (k.speed + 2) * 0
+    yield k.row("init-Cnd6", f"{CND}6", "trivial since n = 0 (it is Cnd7, n even)", 0 <= empty_sum)
+
+
+def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
+    cnd = f"{CND}T"
+    yield k.row("init-d_0-below-one", cnd, "1 + d₀ ≤ 2, used in the bound on τ₀", k.d_bar <= 1)
+    tau_0 = k.tau_crude * k.zeta_bar
+    obtuse = sqrt(2 + 2 * (c - k.initial_slack))
+    yield k.row("init-obtuse", cnd, "|ω_{1,0} - ω_{2,0}| ≥ √2 since cos θ < 0", sqrt(2) <= obtuse)
+    yield k.row(
+        "init-CndT",
+        cnd,
+        "√2 - d₀ - 2V₁^{1/2} τ₀ > 1",
+        1 < sqrt(2) - k.d_bar - 2 * k.speed * tau_0,
+        ["time", "root-crude", "outer-distance"],
+    )
+
+
+def _angle(k: ConstantSet) -> Iterator[Obligation]:
+    yield k.row(
+        "init-tau-small",
+        D_1,
+        "V₁ τ₀² ≤ V₁^{1/2} τ₀ ≤ 1",
+        k.speed * k.tau_crude <= 1,
+        ["time"],
+    )
+    yield k.row(
+        "init-d_1",
+        D_1,
+        "d₁ ≤ (3/2) V₁^{1/2} τ₀ ≤ 3 (V₁^{1/2}/V₀)(-η_{c,0})",
+        as_term(Fraction(3, 2)) * k.speed * k.tau_crude <= k.d_later,
+        ["time", "distance"],
+    )
+    yield k.row(
+        "init-Cnd8",
+        f"{CND}8",
+        "d₀ + d₁ + 4V₁^{1/2} τ₀ ≤ d₀ + 11 (V₁^{1/2}/V₀)(-η_{c,0})",
+        k.d_bar + k.d_later + 4 * k.speed * k.tau_crude <= k.d_bar + 11 * k.speed / V_0 * k.eta_bar,
+        ["law-angle", "angle-step"],
+    )
+
+
+def _ratios(k: ConstantSet) -> Iterator[Obligation]:
+    cnd = f"{CND}10"
+    quarter = h_4 * k.delta_x / 4
+    yield k.row("init-Cnd9", f"{CND}9", "|x₀| ≤ δ_x by assumption", k.x_0 <= k.delta_x)
+    yield k.row(
+        "init-ratio",
+        cnd,
+        "|η_{s,0}/η_{c,0}| ≤ φ⁻ + |x₀| ≤ α₀/2",
+        phi_minus + k.x_0 <= alpha_0 / 2,
+    )
+    yield k.row(
+        "init-y-term-1",
+        cnd,
+        "first term of y₀: d₁ α₀/2 ≤ h₄δ_x/4",
+        k.d_later * (alpha_0 / 2) <= quarter,
+        ["y-step", "distance"],
+    )
+    yield k.row(
+        "init-y-term-2", cnd, "second term of y₀: |x₀| ≤ (1-h₄)δ_x", k.x_0 <= (1 - h_4) * k.delta_x
+    )
+    yield k.row(
+        "init-y-term-3",
+        cnd,
+        "third term of y₀: max(d₀, 2ζ₀) ≤ h₄δ_x/4",
+        maximum(k.d_bar, 2 * k.zeta_bar) <= quarter,
+        ["y-step", "root-product"],
+    )
+    yield k.row(
+        "init-y-term-4",
+        cnd,
+        "fourth term of y₀: the variation of the angle ≤ h₄δ_x/4",
+        k.initial_slack + k.d_bar + 11 * k.speed / V_0 * k.eta_bar <= quarter,
+        ["y-step", "angle-step"],
+    )
+    yield k.row(
+        "init-y-term-5",
+        cnd,
+        "fifth term of y₀: V₁ τ₀/(-η_{c,0}) ≤ 4V₁ d₀/η_{c,0}² · (-η_{c,0}) ≤ h₄δ_x/4",
+        4 * k.V_1 * k.d_slope * k.eta_bar <= quarter,
+        ["y-step", "time"],
+    )
+    yield k.row(
+        "init-Cnd10",
+        cnd,
+        "|y₀| ≤ |x₀| + 4 · h₄δ_x/4 ≤ δ_y",
+        k.x_0 + 4 * quarter <= k.delta_y,
+        ["law-eta-c", "y-step"],
+    )

@@ -1,0 +1,17 @@
+"""The parameters of the theorem `THEORSS4.1ExistenCollapse`.
+
+``r`` is the restitution coefficient, ``c`` is -cos(theta_0), ``delta_theta`` the allowed deviation
+of the final angle (in -cos), ``V_0`` the lower bound on the squared relative speeds.
+"""
+
+from __future__ import annotations
+
+from verify.terms import symbol
+
+THEOREM = "THEORSS4.1ExistenCollapse"
+PARAMETERS = ("r", "c", "V_0", "delta_theta")
+
+r = symbol("r")
+c = symbol("c")
+V_0 = symbol("V_0")
+delta_theta = symbol("delta_theta")

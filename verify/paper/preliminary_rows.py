@@ -1,0 +1,126 @@
+"""The observations at the start of the proof: signs and orders of the first constants."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from verify.paper.initial_data import ConstantSet
+from verify.paper.parameters import THEOREM, V_0, r
+from verify.paper.preliminaries import (
+    C_eta,
+    alpha_0,
+    delta_1,
+    delta_2,
+    delta_3,
+    delta_4,
+    delta_5,
+    discriminant,
+    gap,
+    h_4,
+    h_5,
+    phi_minus,
+    phi_plus,
+)
+from verify.statement import Obligation
+from verify.terms import as_term, sqrt
+
+RESTITUTION = "EQUATSS4.1ThExiCondi_r_1_"
+STABLE = "EQUATSS4.1DerivFonctF_1P-"
+ANGLE = "EQUATSS4.1ThExiCondiTheta"
+C_ETA = "EQUATSS4.1Quantite_C_eta_"
+
+
+def rows(k: ConstantSet) -> Iterator[Obligation]:
+    """Yield the rows on alpha_0, the fixed points, delta_1 to delta_5, C_eta, h_4 and h_5."""
+    yield k.row("alpha-positive", THEOREM, "α₀ is positive", 0 < alpha_0)
+    yield k.row("alpha-below-one", THEOREM, "α₀ is smaller than 1", alpha_0 < 1)
+    yield from _fixed_points(k)
+    yield k.row("phi-below-half", THEOREM, "φ⁻ < α₀/2 by definition", phi_minus < alpha_0 / 2)
+    yield k.row("delta_1-positive", THEOREM, "0 < δ₁", 0 < delta_1)
+    yield k.row("gap-below-one", THEOREM, "-1 < φ⁻ - α₀", -1 < phi_minus - alpha_0)
+    yield k.row("gap-positive", THEOREM, "φ⁻ - α₀ < 0", phi_minus - alpha_0 < 0)
+    yield k.row("delta_2-positive", THEOREM, "0 < δ₂", 0 < delta_2)
+    yield k.row("delta_3-positive", THEOREM, "0 < δ₃", 0 < delta_3)
+    yield k.row("C_eta-positive", C_ETA, "0 < C_η", 0 < C_eta)
+    yield k.row("C_eta-below-one", C_ETA, "C_η < 1", C_eta < 1)
+    yield k.row("h_4-positive", STABLE, "0 < h₄", 0 < h_4)
+    yield k.row("h_4-below-one", STABLE, "h₄ < 1", h_4 < 1)
+    yield k.row("delta_4-positive", STABLE, "0 < δ₄", 0 < delta_4)
+    yield k.row("delta_4-below-gap", STABLE, "δ₄ < α₀ - φ⁻", delta_4 < gap)
+    value = r / (alpha_0 - (phi_minus + delta_4)) ** 2
+    yield k.row("delta_4-upper", STABLE, "the equation of δ₄, one half", value <= 1 - h_4)
+    yield k.row("delta_4-lower", STABLE, "the equation of δ₄, other half", 1 - h_4 <= value)
+    yield from _second_assumption(k)
+    yield k.row("V_0-positive", "EQUATSS4.1Recurrence_Cnd5", "0 < V₀", 0 < V_0)
+
+
+def _fixed_points(k: ConstantSet) -> Iterator[Obligation]:
+    root = sqrt(discriminant)
+    if k.printed:
+        # r = 1/20 < r_stabi, c = 1/2: alpha_0^2 = (21/80)^2 is below 4r = 1/5.
+        yield k.row(
+            "r_stabi-gives-fixed-points",
+            RESTITUTION,
+            "r < r_stabi alone ensures the two fixed points: at r = 1/20, -cos θ₀ = 1/2",
+            as_term(Fraction(1, 5)) < as_term(Fraction(21, 80)) ** 2,
+            corrected_by="fixed-points-exist",
+        )
+    yield k.row(
+        "fixed-points-exist",
+        RESTITUTION,
+        "F₁ has two fixed points: α₀² > 4r (from the angle, not from r < r_stabi)",
+        4 * r < alpha_0**2,
+    )
+    yield k.row("phi-positive", THEOREM, "φ⁻ is positive", 0 < phi_minus)
+    yield k.row("phi-ordered", THEOREM, "φ⁻ is the smaller one", phi_minus < phi_plus)
+    for name, letter, phi in (("minus", "φ⁻", phi_minus), ("plus", "φ⁺", phi_plus)):
+        image = r / (alpha_0 - phi)
+        says = f"{letter} is a fixed point of F₁, one half"
+        yield k.row(f"phi-{name}-fixed-upper", THEOREM, says, image <= phi)
+        says = f"{letter} is a fixed point of F₁, other half"
+        yield k.row(f"phi-{name}-fixed-lower", THEOREM, says, phi <= image)
+    printed_form = (alpha_0 - root) / 2
+    says = "φ⁻ = (α₀-√(α₀²-4r))/2, one half"
+    yield k.row("phi-form-upper", THEOREM, says, phi_minus <= printed_form)
+    says = "φ⁻ = (α₀-√(α₀²-4r))/2, other half"
+    yield k.row("phi-form-lower", THEOREM, says, printed_form <= phi_minus)
+    slope = r / (alpha_0 - phi_minus) ** 2
+    yield k.row("phi-minus-stable", STABLE, "φ⁻ is stable: |F₁'(φ⁻)| < 1", slope < 1)
+    yield k.row(
+        "phi-plus-unstable",
+        STABLE,
+        "only φ⁻ is stable: |F₁'(φ⁺)| > 1",
+        1 < r / (alpha_0 - phi_plus) ** 2,
+    )
+    if k.printed:
+        yield k.row(
+            "phi-minus-called-unstable",
+            "EQUATSS4.1Recurrence_Cnd9",
+            "the wording 'the unstable fixed point φ⁻': |F₁'(φ⁻)| > 1",
+            1 < slope,
+            corrected_by="phi-minus-stable",
+        )
+
+
+def _second_assumption(k: ConstantSet) -> Iterator[Obligation]:
+    if k.printed:
+        # r = 1/60, c = 38/61 satisfy the hypothesis as printed; then alpha_0 = 19/60, the fixed
+        # points are 1/15 and 1/4, and phi_minus / (alpha_0 - phi_minus)^2 = 16/15.
+        yield k.row(
+            "second-assumption-as-printed",
+            ANGLE,
+            "-cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r) ensures φ⁻/(α₀-φ⁻)² < 1: "
+            "at r = 1/60, -cos θ₀ = 38/61",
+            as_term(Fraction(1, 15)) / as_term(Fraction(1, 4)) ** 2 < 1,
+            corrected_by="second-ratio",
+        )
+    ratio = phi_minus / gap**2
+    yield k.row("second-ratio", ANGLE, "φ⁻/(α₀-φ⁻)² is strictly smaller than 1", ratio < 1)
+    yield k.row("h_5-positive", ANGLE, "0 < h₅", 0 < h_5)
+    yield k.row("h_5-below-one", ANGLE, "h₅ < 1", h_5 < 1)
+    yield k.row("delta_5-positive", ANGLE, "0 < δ₅", 0 < delta_5)
+    yield k.row("delta_5-below-gap", ANGLE, "δ₅ < α₀ - φ⁻", delta_5 < gap)
+    value = phi_minus / (alpha_0 - (phi_minus + delta_5)) ** 2
+    yield k.row("delta_5-upper", ANGLE, "the equation of δ₅, one half", value <= 1 - h_5)
+    yield k.row("delta_5-lower", ANGLE, "the equation of δ₅, other half", 1 - h_5 <= value)

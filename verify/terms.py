@@ -1,0 +1,202 @@
+"""Exact terms and claims: the language in which the paper is transcribed.
+
+A term *builds* an expression and computes nothing; ``a < b`` builds a claim and decides nothing.
+Numbers enter as integers or fractions. A float is refused, because it is already rounded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import Union
+
+Number = Union["Term", int, Fraction]
+
+
+class Term:
+    """An immutable expression: an operation and its arguments.
+
+    Leaves are ``rational`` (one Fraction) and ``symbol`` (one name); the other operations are
+    ``add sub mul div neg pow sqrt min max cos cos_pi``, where ``pow`` has an integer exponent and
+    ``cos_pi(x)`` is cos(pi x). Two terms are equal when they are written alike.
+    """
+
+    __slots__ = ("_hash", "args", "op")
+
+    def __init__(self, op: str, *args: Term | Fraction | int | str) -> None:
+        self.op = op
+        self.args = args
+        self._hash = hash((op, args))
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    def __eq__(self, other: object) -> bool:
+        if self is other:
+            return True
+        if not isinstance(other, Term) or self._hash != other._hash:
+            return False
+        return self.op == other.op and self.args == other.args
+
+    def __repr__(self) -> str:
+        return f"Term({self.op!r}, {', '.join(map(repr, self.args))})"
+
+    def __add__(self, other: Number) -> Term:
+        return Term("add", self, as_term(other))
+
+    def __radd__(self, other: Number) -> Term:
+        return Term("add", as_term(other), self)
+
+    def __sub__(self, other: Number) -> Term:
+        return Term("sub", self, as_term(other))
+
+    def __rsub__(self, other: Number) -> Term:
+        return Term("sub", as_term(other), self)
+
+    def __mul__(self, other: Number) -> Term:
+        return Term("mul", self, as_term(other))
+
+    def __rmul__(self, other: Number) -> Term:
+        return Term("mul", as_term(other), self)
+
+    def __truediv__(self, other: Number) -> Term:
+        return Term("div", self, as_term(other))
+
+    def __rtruediv__(self, other: Number) -> Term:
+        return Term("div", as_term(other), self)
+
+    def __pow__(self, exponent: int) -> Term:
+        if type(exponent) is not int or exponent < 1:
+            raise TypeError(f"a power needs a positive integer exponent, not {exponent!r}")
+        return Term("pow", self, exponent)
+
+    def __neg__(self) -> Term:
+        return Term("neg", self)
+
+    def __lt__(self, other: Number) -> Claim:
+        return Claim("<", self, as_term(other))
+
+    def __le__(self, other: Number) -> Claim:
+        return Claim("<=", self, as_term(other))
+
+    def __gt__(self, other: Number) -> Claim:
+        return Claim("<", as_term(other), self)
+
+    def __ge__(self, other: Number) -> Claim:
+        return Claim("<=", as_term(other), self)
+
+    def __bool__(self) -> bool:
+        raise TypeError("a term has no truth value; build a claim and let the prover decide it")
+
+    @property
+    def children(self) -> tuple[Term, ...]:
+        """The arguments that are terms themselves."""
+        return tuple(arg for arg in self.args if isinstance(arg, Term))
+
+    @property
+    def name(self) -> str:
+        """The name of a symbol."""
+        name = self.args[0]
+        if self.op != "symbol" or not isinstance(name, str):
+            raise TypeError(f"{self!r} is not a symbol")
+        return name
+
+    @property
+    def value(self) -> Fraction:
+        """The value of a rational leaf."""
+        value = self.args[0]
+        if self.op != "rational" or not isinstance(value, Fraction):
+            raise TypeError(f"{self!r} is not a rational leaf")
+        return value
+
+    @property
+    def exponent(self) -> int:
+        """The exponent of a power."""
+        exponent = self.args[-1]
+        if self.op != "pow" or not isinstance(exponent, int):
+            raise TypeError(f"{self!r} is not a power")
+        return exponent
+
+
+class Claim:
+    """The sentence ``lhs < rhs`` or ``lhs <= rhs``; building it decides nothing."""
+
+    __slots__ = ("lhs", "relation", "rhs")
+
+    def __init__(self, relation: str, lhs: Term, rhs: Term) -> None:
+        self.relation = relation
+        self.lhs = lhs
+        self.rhs = rhs
+
+    def __repr__(self) -> str:
+        return f"Claim({self.relation!r}, {self.lhs!r}, {self.rhs!r})"
+
+    def __bool__(self) -> bool:
+        raise TypeError("a claim has no truth value; chain two claims as two rows")
+
+
+def as_term(number: Number) -> Term:
+    """Return the term for an integer, a fraction or a term.
+
+    Raises:
+        TypeError: for a float (and anything else), saying what to write instead.
+    """
+    if isinstance(number, Term):
+        return number
+    if type(number) is int or type(number) is Fraction:
+        return Term("rational", Fraction(number))
+    if isinstance(number, float):
+        raise TypeError(
+            f"the float {number!r} is already rounded: write a fraction such as Fraction('0.03')"
+        )
+    raise TypeError(f"{number!r} is not an exact number: write an int, a Fraction or a term")
+
+
+def symbol(name: str) -> Term:
+    """A named quantity whose definition or value is given elsewhere."""
+    return Term("symbol", name)
+
+
+def sqrt(number: Number) -> Term:
+    """The non-negative square root."""
+    return Term("sqrt", as_term(number))
+
+
+def minimum(*numbers: Number) -> Term:
+    """The least of at least two numbers, each entry kept visible."""
+    return Term("min", *map(as_term, numbers))
+
+
+def maximum(*numbers: Number) -> Term:
+    """The greatest of at least two numbers."""
+    return Term("max", *map(as_term, numbers))
+
+
+def cos(radians: Number) -> Term:
+    """The cosine of an angle in radians."""
+    return Term("cos", as_term(radians))
+
+
+def cos_pi(half_turns: Number) -> Term:
+    """cos(pi x)."""
+    return Term("cos_pi", as_term(half_turns))
+
+
+def symbols_of(term: Term) -> Iterator[str]:
+    """Yield the names that occur in a term, with repetitions."""
+    if term.op == "symbol":
+        yield term.name
+    for child in term.children:
+        yield from symbols_of(child)
+
+
+def substitute(term: Term, name: str, value: Term) -> Term:
+    """Return the term with every occurrence of a symbol replaced."""
+    if term.op == "symbol":
+        return value if term.name == name else term
+    if not any(isinstance(arg, Term) for arg in term.args):
+        return term
+    return Term(
+        term.op,
+        *(substitute(arg, name, value) if isinstance(arg, Term) else arg for arg in term.args),
+    )

@@ -1,0 +1,117 @@
+"""The JSON document of ``theorem1 --json``."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from verify.decimals import outward, rational_text
+from verify.prover import PROVED, REFUTED, Decision, Ends
+from verify.statement import HYPOTHESES, Constant, Obligation
+from verify.terms import Term, symbol
+from verify.theorem1 import Outcome
+from verify.typeset import Typesetter
+
+#: The constants of a set that are the minimum of several entries.
+SHOWN = ("delta_x", "delta_y", "x_0", "Delta_theta", "eta_bar", "zeta_bar", "d_bar")
+
+
+def verdict_text(outcome: Outcome) -> str:
+    """The verdict, with the number of assumptions on which a proof rests."""
+    if outcome.verdict != PROVED:
+        return outcome.verdict
+    return f"{PROVED}, given {len(outcome.assumptions)} listed estimates"
+
+
+def document(outcome: Outcome) -> dict[str, Any]:
+    """The outcome as one JSON document; every number is a string."""
+    digits = max(40, int(outcome.prover.start_bits * 0.30103) + 3)
+    definitions = outcome.prover.definitions
+    typesetter = letters(outcome)
+    parameters = {
+        "r": "r",
+        "neg_cos_theta0": "c",
+        "delta_theta": "delta_theta",
+        "V_0": "V_0",
+    }
+
+    def pair(ends: Ends | None) -> list[str] | None:
+        return None if ends is None else outward(ends, digits)
+
+    def enclosure(name: str) -> list[str] | None:
+        return pair(outcome.prover.enclose(symbol(name)))
+
+    def exact_or_pair(term: Term, name: str) -> Any:
+        return rational_text(term.value) if term.op == "rational" else enclosure(name)
+
+    def row(obligation: Obligation, decision: Decision) -> dict[str, Any]:
+        entry = {
+            "name": obligation.name,
+            "label": obligation.label,
+            "statement": sentence(obligation, typesetter),
+            "role": obligation.role,
+            "verdict": decision.verdict,
+            "lhs": pair(decision.lhs),
+            "rhs": pair(decision.rhs),
+        }
+        if decision.verdict == REFUTED and obligation.corrected_by:
+            entry["corrected_by"] = obligation.corrected_by
+        return entry
+
+    def one_set(group: str) -> dict[str, Any]:
+        own = [c for c in outcome.statement.constants if c.name.startswith(f"{group}.")]
+        return {
+            "verdict": outcome.set_verdict(group),
+            "constants": {c.short_name: enclosure(c.name) for c in own},
+            "minima": {
+                c.short_name: {
+                    "entries": [pair(ends) for ends in entries],
+                    "minimum": least(entries),
+                }
+                for c in own
+                if c.term.op == "min"
+                for entries in [entry_ends(outcome, c)]
+            },
+            "obligations": [row(*pair_) for pair_ in outcome.rows[group]],
+        }
+
+    shared = [c.name for c in outcome.statement.constants if "." not in c.name]
+    found = {name: enclosure(name) for name in ["V_0", *shared]}
+    return {
+        "command": "theorem1",
+        "verdict": verdict_text(outcome),
+        "parameters": {
+            key: exact_or_pair(definitions[name], name) for key, name in parameters.items()
+        },
+        "assumptions": [
+            {"label": a.label, "statement": a.sentence, "name": a.name} for a in outcome.assumptions
+        ],
+        "hypotheses": [row(*pair_) for pair_ in outcome.rows[HYPOTHESES]],
+        "constants": {name: value for name, value in found.items() if value is not None},
+        "sets": {group: one_set(group) for group in outcome.groups if group in outcome.rows},
+    }
+
+
+def letters(outcome: Outcome) -> Typesetter:
+    """A typesetter in the paper's letters."""
+    names = {c.name: c.letter for c in outcome.statement.constants}
+    return Typesetter(names | {"V_0": "V₀", "delta_theta": "δ_θ", "c": "(-cos θ₀)"})
+
+
+def sentence(row: Obligation, typesetter: Typesetter) -> str:
+    """The step in the paper's words, then the claim that is decided."""
+    return f"{row.says}: {typesetter.claim(row.claim)}"
+
+
+def entry_ends(outcome: Outcome, constant: Constant) -> list[Ends | None]:
+    """Enclosures of the entries of a constant's min."""
+    return [outcome.prover.enclose(entry) for entry in constant.term.children]
+
+
+def least(entries: list[Ends | None]) -> int | None:
+    """The index of the entry that is certainly the least, if the enclosures show one."""
+    known = [ends for ends in entries if ends is not None]
+    if len(known) < len(entries):
+        return None
+    index = min(range(len(known)), key=lambda i: known[i][1])
+    others = known[:index] + known[index + 1 :]
+    return index if all(known[index][1] <= ends[0] for ends in others) else None

@@ -240,8 +240,10 @@ def _compare(
 
 
 def direction(term: Term, name: str, sign: Callable[[Term], int]) -> int | None:
-    """How a term moves with a symbol: 1 it cannot fall as the symbol rises, -1 it cannot rise,
-    0 it does not depend on it, None unknown.
+    """How a term moves with a symbol.
+
+    The result is 1 if the term cannot fall as the symbol rises, -1 if it cannot rise, 0 if it
+    does not depend on the symbol, None if that is unknown.
 
     ``sign`` returns 1 for a term known to be non-negative, -1 for non-positive, 0 otherwise.
     """

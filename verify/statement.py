@@ -14,9 +14,9 @@ GROUPS = (HYPOTHESES, PRINTED, REPAIRED)
 
 @dataclass(frozen=True, slots=True)
 class Constant:
-    """A named constant of the paper.
+    r"""A named constant of the paper.
 
-    ``letter`` and ``tex`` are how people read it, ``label`` the paper's ``\\label`` nearest to its
+    ``letter`` and ``tex`` are how people read it, ``label`` the paper's ``\label`` nearest to its
     definition. A constant with ``chosen`` is a rational number that the prover may choose: its
     ``term`` is then only the bound, and ``direction`` says on which side of the bound the choice
     lies (``down`` or ``up``).

@@ -181,6 +181,17 @@ def title(outcome: Outcome) -> str:
 
 
 def encode(document: Mapping[str, Any]) -> bytes:
-    """The bytes of a document: sorted keys, one line per value, a final line feed."""
-    text = json.dumps(document, ensure_ascii=False, indent=1, sort_keys=True)
-    return (text + "\n").encode()
+    """The bytes of a document: sorted keys, one line per entry of a list, a final line feed."""
+    parts = []
+    for key in sorted(document):
+        value = document[key]
+        if isinstance(value, list) and value:
+            text = "[\n" + ",\n".join(map(_compact, value)) + "\n]"
+        else:
+            text = _compact(value)
+        parts.append(f"{_compact(key)}: {text}")
+    return ("{\n" + ",\n".join(parts) + "\n}\n").encode()
+
+
+def _compact(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, sort_keys=True)

@@ -1,4 +1,4 @@
-"""The first constants of the proof: alpha_0, the fixed points, delta_1 to delta_5, C_eta, h_4, h_5, V_1.
+"""The first constants: alpha_0, the fixed points, delta_1 to delta_5, C_eta, h_4, h_5, V_1.
 
 All but V_1 = V_1(V_0, h_5) depend on r and c alone.
 """

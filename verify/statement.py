@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from fractions import Fraction
 
 from verify.terms import Claim, Term
 
@@ -38,8 +39,17 @@ class Constant:
 
 
 @dataclass(frozen=True, slots=True)
+class Variable:
+    """A universally quantified symbol of an obligation: a number in an open interval."""
+
+    name: str
+    lower: Fraction | None = None
+    upper: Fraction | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class Obligation:
-    """One inequality that has to be decided.
+    """One claim that has to be decided, for all values of its variables.
 
     ``role`` is ``printed`` (what the paper says) or ``needed`` (what the theorem rests on),
     ``says`` the step in the paper's words, ``uses`` the names of the assumptions that the step
@@ -54,6 +64,7 @@ class Obligation:
     claim: Claim
     uses: tuple[str, ...] = ()
     corrected_by: str | None = None
+    variables: tuple[Variable, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -119,7 +119,7 @@ class Term:
 
 
 class Claim:
-    """The sentence ``lhs < rhs`` or ``lhs <= rhs``; building it decides nothing."""
+    """The sentence ``lhs < rhs``, ``lhs <= rhs`` or ``lhs = rhs``; building it decides nothing."""
 
     __slots__ = ("lhs", "relation", "rhs")
 
@@ -150,6 +150,11 @@ def as_term(number: Number) -> Term:
             f"the float {number!r} is already rounded: write a fraction such as Fraction('0.03')"
         )
     raise TypeError(f"{number!r} is not an exact number: write an int, a Fraction or a term")
+
+
+def equal(lhs: Number, rhs: Number) -> Claim:
+    """The claim ``lhs = rhs``; ``==`` compares how terms are written."""
+    return Claim("=", as_term(lhs), as_term(rhs))
 
 
 def symbol(name: str) -> Term:

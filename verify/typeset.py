@@ -33,8 +33,10 @@ class Typesetter:
         self._latex = latex
 
     def claim(self, claim: Claim) -> str:
-        """``lhs < rhs`` or ``lhs ≤ rhs``."""
-        relation = {"<": "<", "<=": r"\le" if self._latex else "≤"}[claim.relation]
+        """``lhs < rhs``, ``lhs ≤ rhs`` or ``lhs = rhs``."""
+        relation = claim.relation
+        if relation == "<=":
+            relation = r"\le" if self._latex else "≤"
         return f"{self.term(claim.lhs)} {relation} {self.term(claim.rhs)}"
 
     def term(self, term: Term) -> str:

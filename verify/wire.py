@@ -112,7 +112,13 @@ def statement_document(
                 "says": row.says,
                 "claim": claim_document(row.claim, decision.verdict == PROVED),
                 "uses": list(row.uses),
-                "variables": {},
+                "variables": {
+                    variable.name: [
+                        None if bound is None else rational_text(bound)
+                        for bound in (variable.lower, variable.upper)
+                    ]
+                    for variable in row.variables
+                },
             }
             for row, decision in rows
         ],

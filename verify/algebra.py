@@ -1,22 +1,20 @@
 """Identities between terms, decided by expansion.
 
-A term is read as a quotient of polynomials in its symbols and in one atom for each square root
-(and each min, max or cosine, which stay opaque). The square of a root's atom is replaced by its
-argument. What is left of ``lhs - rhs`` is zero only if the two sides agree wherever both are
-defined.
+A term is read as a quotient of polynomials, with integer coefficients, in its symbols and in one
+atom for each square root (and each min, max or cosine, which stay opaque). The square of a root's
+atom is replaced by its argument. What is left of ``lhs - rhs`` is zero only if the two sides agree
+wherever both are defined.
 """
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from verify.terms import Term
 
 Monomial = tuple[tuple[int, int], ...]
-Polynomial = dict[Monomial, Fraction]
+Polynomial = dict[Monomial, int]
 Quotient = tuple[Polynomial, Polynomial]
 
-_ONE: Polynomial = {(): Fraction(1)}
+_ONE: Polynomial = {(): 1}
 
 #: Beyond this many terms an expansion is given up; the identities of the paper need a few dozen.
 LIMIT = 4000
@@ -28,6 +26,8 @@ class TooLargeError(ArithmeticError):
 
 def is_identity(lhs: Term, rhs: Term) -> bool:
     """True only if lhs = rhs wherever both are defined; False says nothing."""
+    if lhs == rhs:
+        return True
     atoms = _Atoms()
     try:
         a, b = atoms.quotient(lhs), atoms.quotient(rhs)
@@ -45,14 +45,16 @@ class _Atoms:
 
     def quotient(self, term: Term) -> Quotient:
         if term.op == "rational":
-            return {(): term.value} if term.value else {}, _ONE
+            value = term.value
+            numerator: Polynomial = {(): value.numerator} if value else {}
+            return numerator, _ONE if value.denominator == 1 else {(): value.denominator}
         if term.op == "sqrt":
             square = self.quotient(term.children[0])
             atom = self._number(term)
             self._squares[atom] = square
-            return {((atom, 1),): Fraction(1)}, _ONE
+            return {((atom, 1),): 1}, _ONE
         if term.op in ("symbol", "min", "max", "cos", "cos_pi"):
-            return {((self._number(term), 1),): Fraction(1)}, _ONE
+            return {((self._number(term), 1),): 1}, _ONE
         return self._combine(term)
 
     def _combine(self, term: Term) -> Quotient:
@@ -103,7 +105,7 @@ def _sum(a: Polynomial, b: Polynomial, sign: int) -> Polynomial:
     for monomial, coefficient in b.items():
         value = total.get(monomial, 0) + sign * coefficient
         if value:
-            total[monomial] = Fraction(value)
+            total[monomial] = value
         else:
             del total[monomial]
     return total
@@ -121,5 +123,5 @@ def _product(a: Polynomial, b: Polynomial) -> Polynomial:
             for atom, power in monomial_b:
                 powers[atom] = powers.get(atom, 0) + power
             monomial = tuple(sorted(powers.items()))
-            total[monomial] = total.get(monomial, Fraction(0)) + coefficient_a * coefficient_b
+            total[monomial] = total.get(monomial, 0) + coefficient_a * coefficient_b
     return {monomial: value for monomial, value in total.items() if value}

@@ -93,14 +93,15 @@ def sign(ball: arb) -> int:
 
 
 def ends(ball: arb) -> tuple[Fraction, Fraction]:
-    """The exact ends of a ball."""
-    middle, radius = _dyadic(ball.mid()), _dyadic(ball.rad())
-    return middle - radius, middle + radius
+    """Rational numbers that enclose a ball: its ends, rounded outward to the precision."""
+    return _dyadic(ball.lower()), _dyadic(ball.upper())
 
 
 def _dyadic(ball: arb) -> Fraction:
-    mantissa, exponent = ball.man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    mantissa, exponent = map(int, ball.man_exp())
+    if exponent >= 0:
+        return Fraction(mantissa << exponent)
+    return Fraction(mantissa, 1 << -exponent)
 
 
 def accuracy_bits(ball: arb) -> int:

@@ -45,10 +45,10 @@ def round_decimal(value: Fraction, digits: int, up: bool) -> tuple[int, int]:
 
 def decimal_text(mantissa: int, exponent: int) -> str:
     """The decimal m * 10^e, plain where that is short and with an exponent elsewhere."""
-    sign, digits = ("-" if mantissa < 0 else ""), str(abs(mantissa))
-    point = len(digits) + exponent
     if mantissa == 0:
         return "0"
+    sign, digits = ("-" if mantissa < 0 else ""), str(abs(mantissa))
+    point = len(digits) + exponent
     if 0 < point <= 25 and exponent >= 0:
         return f"{sign}{digits}{'0' * exponent}"
     if 0 < point <= len(digits):
@@ -71,16 +71,31 @@ def outward(ends: tuple[Fraction, Fraction], digits: int = DIGITS) -> list[str]:
 def short(ends: tuple[Fraction, Fraction], digits: int = 8) -> str:
     """The digits on which the two ends agree, at most ``digits``, followed by … if cut off."""
     low, high = ends
-    for count in range(digits, 0, -1):
-        texts = [_truncated(end, count) for end in ends]
-        if texts[0] == texts[1]:
-            exact = low == high and Fraction(texts[0]) == low
-            return texts[0] if exact else f"{texts[0]}…"
-    return f"[{', '.join(outward(ends, 3))}]"
+    if low == high:
+        mantissa, exponent = round_decimal(low, digits, up=low < 0)
+        mark = "" if mantissa * Fraction(10) ** exponent == low else "…"
+        return decimal_text(mantissa, exponent) + mark
+    if low < 0 < high or not (low and high) or decimal_exponent(low) != decimal_exponent(high):
+        return f"[{', '.join(outward(ends, 3))}]"
+    exponent = decimal_exponent(low) - digits + 1
+    a, b = (_towards_zero(end, exponent) for end in ends)
+    while a != b:
+        a, b, exponent = _cut(a), _cut(b), exponent + 1
+    return f"{decimal_text(a, exponent)}…" if a else f"[{', '.join(outward(ends, 3))}]"
 
 
-def _truncated(value: Fraction, digits: int) -> str:
-    return decimal_text(*round_decimal(value, digits, up=value < 0))
+def _towards_zero(value: Fraction, exponent: int) -> int:
+    numerator, denominator = abs(value.numerator), value.denominator
+    if exponent < 0:
+        numerator *= 10**-exponent
+    else:
+        denominator *= 10**exponent
+    quotient = numerator // denominator
+    return -quotient if value < 0 else quotient
+
+
+def _cut(mantissa: int) -> int:
+    return -(-mantissa // 10) if mantissa < 0 else mantissa // 10
 
 
 def rational_text(value: Fraction) -> str:

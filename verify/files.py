@@ -1,10 +1,10 @@
-"""Writing results: all of them, or none."""
+"""Writing results: files, all of them or none, and documents."""
 
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Mapping
+from typing import Any
 
 from verify.inputs import InputError
 
@@ -15,6 +15,8 @@ def write_all(option: str, directory: str, contents: Mapping[str, bytes]) -> Non
     Raises:
         InputError: if the directory or a file cannot be written, naming the option.
     """
+    import tempfile  # slow to load, and most runs write nothing
+
     temporary: dict[str, str] = {}
     try:
         os.makedirs(directory, exist_ok=True)
@@ -35,3 +37,10 @@ def write_all(option: str, directory: str, contents: Mapping[str, bytes]) -> Non
         for path in temporary:
             if os.path.exists(path):
                 os.unlink(path)
+
+
+def print_document(document: Mapping[str, Any]) -> None:
+    """Print one JSON document on stdout."""
+    import json  # loaded only where it is used
+
+    print(json.dumps(document, ensure_ascii=False, indent=1))

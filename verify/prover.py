@@ -7,9 +7,8 @@ certificate is written that somebody else can check.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from verify import balls
 from verify.algebra import is_identity
@@ -46,8 +45,7 @@ class BudgetError(ArithmeticError):
     """The last precision was spent without a result."""
 
 
-@dataclass(frozen=True, slots=True)
-class Decision:
+class Decision(NamedTuple):
     """A verdict with its evidence.
 
     ``method`` is ``interval`` (the enclosures decide), ``exact`` (rational values decide) or
@@ -87,6 +85,7 @@ class Prover:
         self.definitions: dict[str, Term] = {}
         self._program = Program(())
         self._balls: dict[int, Run] = {}
+        self._enclosures: dict[Term, Ends | None] = {}
         self._exact = Machine(self._program, ExactArithmetic()).run(())
         for name in statement.parameters:
             self._define(name, parameters[name])
@@ -109,10 +108,14 @@ class Prover:
     def ball(self, term: Term, bits: int) -> Any:
         """The ball of a term at this precision, or None where it is undefined."""
         with balls.precision(bits):
-            run = self._balls.get(bits)
-            if run is None:
-                run = self._balls[bits] = Machine(self._program, balls.BallArithmetic()).run(())
-            return run[term]
+            return self._run(bits)[term]
+
+    def _run(self, bits: int) -> Run:
+        """The values at this precision, which must be the current one."""
+        run = self._balls.get(bits)
+        if run is None:
+            run = self._balls[bits] = Machine(self._program, balls.BallArithmetic()).run(())
+        return run
 
     def exact(self, term: Term) -> Fraction | None:
         """The value of a term where it is computed within the rational numbers."""
@@ -129,49 +132,56 @@ class Prover:
 
     def enclose(self, term: Term) -> Ends | None:
         """The ends of an enclosure of a term, with `REPORTED_BITS` relative bits if possible."""
+        if term not in self._enclosures:
+            self._enclosures[term] = self._enclose(term)
+        return self._enclosures[term]
+
+    def _enclose(self, term: Term) -> Ends | None:
         exact = self.exact(term)
         if exact is not None:
             return exact, exact
         best = None
         for bits in self.ladder():
-            ball = self.ball(term, bits)
-            if ball is not None:
-                best = ball
-                if balls.accuracy_bits(ball) >= min(REPORTED_BITS, bits // 2):
-                    break
-        return None if best is None else balls.ends(best)
+            with balls.precision(bits):
+                ball = self._run(bits)[term]
+                if ball is not None:
+                    best = balls.ends(ball)
+                    if balls.accuracy_bits(ball) >= min(REPORTED_BITS, bits // 2):
+                        break
+        return best
 
     def decide(self, claim: Claim) -> Decision:
         """Decide a claim, or say ``undecided`` when the last precision is spent."""
         for bits in self.ladder():
-            found = self._decide_at(claim, bits)
+            with balls.precision(bits):
+                found = self._decide_at(claim, self._run(bits))
             if found is not None:
                 break
         verdict, method, steps, closing = found or (UNDECIDED, "", (), "")
         lhs, rhs = self.enclose(claim.lhs), self.enclose(claim.rhs)
         return Decision(verdict, method, bits, lhs, rhs, steps, closing)
 
-    def _decide_at(self, claim: Claim, bits: int) -> tuple[str, str, tuple[Step, ...], str] | None:
-        lhs, rhs = self.ball(claim.lhs, bits), self.ball(claim.rhs, bits)
+    def _decide_at(self, claim: Claim, run: Run) -> tuple[str, str, tuple[Step, ...], str] | None:
+        lhs, rhs = run[claim.lhs], run[claim.rhs]
         if lhs is None or rhs is None:
             return None
-        verdict = _compare(claim.relation, lhs, rhs, balls.less, balls.less_equal)
+        verdict = _compare(claim.relation, lhs, rhs)
         if verdict is not None:
             return verdict, "interval", (), ""
         a, b = self.exact(claim.lhs), self.exact(claim.rhs)
         if a is not None and b is not None:
             verdict = PROVED if (a < b or (a == b and claim.relation == "<=")) else REFUTED
             return verdict, "exact", (), ""
-        found = self._rewrite(claim, bits, MAX_STEPS)
+        found = self._rewrite(claim, run, MAX_STEPS)
         if found is not None:
             return PROVED, "rewrite", *found
         if claim.relation == "<":
-            found = self._rewrite(Claim("<=", claim.rhs, claim.lhs), bits, MAX_STEPS)
+            found = self._rewrite(Claim("<=", claim.rhs, claim.lhs), run, MAX_STEPS)
             if found is not None:
                 return REFUTED, "rewrite", *found
         return None
 
-    def _rewrite(self, claim: Claim, bits: int, budget: int) -> tuple[tuple[Step, ...], str] | None:
+    def _rewrite(self, claim: Claim, run: Run, budget: int) -> tuple[tuple[Step, ...], str] | None:
         """Search for steps that end in a claim decided by balls or by an identity."""
         if claim.relation == "<=" and is_identity(claim.lhs, claim.rhs):
             return (), "identity"
@@ -180,17 +190,17 @@ class Prover:
             return None
         definition = self.definitions[name]
         if definition.op != "min":
-            return self._continue(claim, (name, None), definition, bits, budget)
-        if not self._harder_when_larger(claim, name, bits):
+            return self._continue(claim, (name, None), definition, run, budget)
+        if not self._harder_when_larger(claim, name, run):
             return None
         for index, entry in enumerate(definition.children):
-            found = self._continue(claim, (name, index), entry, bits, budget)
+            found = self._continue(claim, (name, index), entry, run, budget)
             if found is not None:
                 return found
         return None
 
     def _continue(
-        self, claim: Claim, step: Step, value: Term, bits: int, budget: int
+        self, claim: Claim, step: Step, value: Term, run: Run, budget: int
     ) -> tuple[tuple[Step, ...], str] | None:
         name = step[0]
         next_claim = Claim(
@@ -198,13 +208,12 @@ class Prover:
             substitute(claim.lhs, name, value),
             substitute(claim.rhs, name, value),
         )
-        lhs, rhs = self.ball(next_claim.lhs, bits), self.ball(next_claim.rhs, bits)
-        verdict = _compare(claim.relation, lhs, rhs, balls.less, balls.less_equal)
+        verdict = _compare(claim.relation, run[next_claim.lhs], run[next_claim.rhs])
         if verdict == REFUTED:
             return None
         if verdict == PROVED:
             return (step,), "interval"
-        rest = self._rewrite(next_claim, bits, budget - 1)
+        rest = self._rewrite(next_claim, run, budget - 1)
         return None if rest is None else ((step, *rest[0]), rest[1])
 
     def _latest(self, claim: Claim) -> str | None:
@@ -212,11 +221,11 @@ class Prover:
         names = {*symbols_of(claim.lhs), *symbols_of(claim.rhs)}
         return next((name for name in reversed(self.definitions) if name in names), None)
 
-    def _harder_when_larger(self, claim: Claim, name: str, bits: int) -> bool:
+    def _harder_when_larger(self, claim: Claim, name: str, run: Run) -> bool:
         """Whether raising a constant, all else fixed, can only raise lhs and lower rhs."""
 
         def sign(term: Term) -> int:
-            ball = self.ball(term, bits)
+            ball = run[term]
             return 0 if ball is None else balls.sign(ball)
 
         rises = direction(claim.lhs, name, sign)
@@ -224,19 +233,15 @@ class Prover:
         return rises in (0, 1) and falls in (0, -1)
 
 
-def _compare(
-    relation: str,
-    lhs: Any,
-    rhs: Any,
-    less: Callable[[Any, Any], bool],
-    less_equal: Callable[[Any, Any], bool],
-) -> str | None:
+def _compare(relation: str, lhs: Any, rhs: Any) -> str | None:
     """The verdict that two enclosures give, if any."""
     if lhs is None or rhs is None:
         return None
     if relation == "<":
-        return PROVED if less(lhs, rhs) else REFUTED if less_equal(rhs, lhs) else None
-    return PROVED if less_equal(lhs, rhs) else REFUTED if less(rhs, lhs) else None
+        holds, fails = balls.less(lhs, rhs), balls.less_equal(rhs, lhs)
+    else:
+        holds, fails = balls.less_equal(lhs, rhs), balls.less(rhs, lhs)
+    return PROVED if holds else REFUTED if fails else None
 
 
 def direction(term: Term, name: str, sign: Callable[[Term], int]) -> int | None:

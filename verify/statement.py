@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from fractions import Fraction
+from typing import NamedTuple
 
 from verify.terms import Claim, Term
 
@@ -13,8 +13,7 @@ REPAIRED = "repaired"
 GROUPS = (HYPOTHESES, PRINTED, REPAIRED)
 
 
-@dataclass(frozen=True, slots=True)
-class Constant:
+class Constant(NamedTuple):
     r"""A named constant of the paper.
 
     ``letter`` and ``tex`` are how people read it, ``label`` the paper's ``\label`` nearest to its
@@ -38,8 +37,7 @@ class Constant:
         return self.name.rpartition(".")[2]
 
 
-@dataclass(frozen=True, slots=True)
-class Variable:
+class Variable(NamedTuple):
     """A universally quantified symbol of an obligation: a number in an open interval."""
 
     name: str
@@ -47,8 +45,7 @@ class Variable:
     upper: Fraction | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Obligation:
+class Obligation(NamedTuple):
     """One claim that has to be decided, for all values of its variables.
 
     ``role`` is ``printed`` (what the paper says) or ``needed`` (what the theorem rests on),
@@ -67,8 +64,7 @@ class Obligation:
     variables: tuple[Variable, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Assumption:
+class Assumption(NamedTuple):
     """An estimate for every state, or a law, that is used and not proved here."""
 
     name: str
@@ -76,8 +72,7 @@ class Assumption:
     sentence: str
 
 
-@dataclass(frozen=True, slots=True)
-class Change:
+class Change(NamedTuple):
     """One line of the table `paper | needed | why`."""
 
     label: str
@@ -86,8 +81,7 @@ class Change:
     why: str
 
 
-@dataclass(frozen=True, slots=True)
-class Statement:
+class Statement(NamedTuple):
     """Named constants, obligations and assumptions over the symbols of the parameters.
 
     Constants stand in an order in which each uses only parameters and earlier constants.
@@ -98,7 +92,7 @@ class Statement:
     constants: tuple[Constant, ...]
     obligations: tuple[Obligation, ...]
     assumptions: tuple[Assumption, ...]
-    changes: tuple[Change, ...] = field(default=())
+    changes: tuple[Change, ...] = ()
 
     def of_group(self, *groups: str) -> Statement:
         """The same statement with only the obligations, and set constants, of some groups."""

@@ -6,9 +6,9 @@ Numbers enter as integers or fractions. A float is refused, because it is alread
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
-from typing import Union
+from typing import Any, Union
 
 Number = Union["Term", int, Fraction]
 
@@ -34,7 +34,7 @@ class Term:
     def __eq__(self, other: object) -> bool:
         if self is other:
             return True
-        if not isinstance(other, Term) or self._hash != other._hash:
+        if type(other) is not Term or self._hash != other._hash:
             return False
         return self.op == other.op and self.args == other.args
 
@@ -91,7 +91,7 @@ class Term:
     @property
     def children(self) -> tuple[Term, ...]:
         """The arguments that are terms themselves."""
-        return tuple(arg for arg in self.args if isinstance(arg, Term))
+        return _CHILDREN[self.op](self.args)
 
     @property
     def name(self) -> str:
@@ -116,6 +116,27 @@ class Term:
         if self.op != "pow" or not isinstance(exponent, int):
             raise TypeError(f"{self!r} is not a power")
         return exponent
+
+
+def _no_children(_args: tuple[Any, ...]) -> tuple[Term, ...]:
+    return ()
+
+
+def _first_child(args: tuple[Any, ...]) -> tuple[Term, ...]:
+    return args[:1]
+
+
+def _all_children(args: tuple[Any, ...]) -> tuple[Term, ...]:
+    return args
+
+
+_CHILDREN: dict[str, Callable[[tuple[Any, ...]], tuple[Term, ...]]] = {
+    "rational": _no_children,
+    "symbol": _no_children,
+    "pow": _first_child,
+} | dict.fromkeys(
+    ("add", "sub", "mul", "div", "neg", "sqrt", "min", "max", "cos", "cos_pi"), _all_children
+)
 
 
 class Claim:
@@ -199,9 +220,8 @@ def substitute(term: Term, name: str, value: Term) -> Term:
     """Return the term with every occurrence of a symbol replaced."""
     if term.op == "symbol":
         return value if term.name == name else term
-    if not any(isinstance(arg, Term) for arg in term.args):
+    children = term.children
+    if not children:
         return term
-    return Term(
-        term.op,
-        *(substitute(arg, name, value) if isinstance(arg, Term) else arg for arg in term.args),
-    )
+    replaced = [substitute(child, name, value) for child in children]
+    return Term(term.op, *replaced, *term.args[len(children) :])

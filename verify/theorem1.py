@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 
 from verify.paper.theorem1 import theorem
 from verify.prover import (
@@ -29,7 +28,6 @@ SELECTIONS = {
 }
 
 
-@dataclass
 class Outcome:
     """What was found at one choice of the parameters.
 
@@ -37,11 +35,12 @@ class Outcome:
     not hold, or where the precision did not suffice to choose its constants.
     """
 
-    selection: str
-    statement: Statement
-    prover: Prover
-    rows: dict[str, Rows] = field(default_factory=dict)
-    spent: str = ""
+    def __init__(self, selection: str, statement: Statement, prover: Prover) -> None:
+        self.selection = selection
+        self.statement = statement
+        self.prover = prover
+        self.rows: dict[str, Rows] = {}
+        self.spent = ""
 
     @property
     def groups(self) -> tuple[str, ...]:

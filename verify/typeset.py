@@ -17,7 +17,7 @@ _LEVELS = {
     "pow": _POWER,
 }
 _SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
-_NAMES = {"min": "min", "max": "max", "cos": "cos"}
+_BINARY = ("add", "sub", "mul", "div")
 
 
 class Typesetter:
@@ -31,6 +31,7 @@ class Typesetter:
     def __init__(self, letters: Mapping[str, str], latex: bool = False) -> None:
         self._letters = letters
         self._latex = latex
+        self._texts: dict[Term, str] = {}
 
     def claim(self, claim: Claim) -> str:
         """``lhs < rhs``, ``lhs ≤ rhs`` or ``lhs = rhs``."""
@@ -41,23 +42,28 @@ class Typesetter:
 
     def term(self, term: Term) -> str:
         """The term, with as few parentheses as its reading needs."""
+        text = self._texts.get(term)
+        if text is None:
+            text = self._texts[term] = self._write(term)
+        return text
+
+    def _write(self, term: Term) -> str:
         op = term.op
-        if op == "rational":
-            return self._rational(term.value)
+        if op in _BINARY:
+            return self._binary(op, *term.children)
         if op == "symbol":
             return self._letters.get(term.name, term.name)
-        if op == "sqrt":
-            return self._root(term.children[0])
-        if op == "cos_pi":
-            pi = r" \pi" if self._latex else "π"
-            return self._call("cos", self._inside(term.children[0], _PRODUCT) + pi)
-        if op in _NAMES:
-            return self._call(_NAMES[op], ", ".join(map(self.term, term.children)))
+        if op == "rational":
+            return self._rational(term.value)
         if op == "neg":
             return f"-{self._inside(term.children[0], _PRODUCT)}"
         if op == "pow":
             return self._power(self._inside(term.children[0], _ATOM), term.exponent)
-        left, right = term.children
+        if op == "sqrt":
+            return self._root(term.children[0])
+        return self._function(op, term)
+
+    def _binary(self, op: str, left: Term, right: Term) -> str:
         if op == "add":
             return f"{self._inside(left, _SUM)} + {self._inside(right, _PRODUCT)}"
         if op == "sub":
@@ -90,7 +96,12 @@ class Typesetter:
             return rf"\sqrt{{{self.term(term)}}}"
         return f"√{self._inside(term, _ATOM)}"
 
-    def _call(self, name: str, arguments: str) -> str:
+    def _function(self, op: str, term: Term) -> str:
+        if op == "cos_pi":
+            pi = r" \pi" if self._latex else "π"
+            name, arguments = "cos", self._inside(term.children[0], _PRODUCT) + pi
+        else:
+            name, arguments = op, ", ".join(map(self.term, term.children))
         if self._latex:
             return rf"\{name}\left({arguments}\right)"
         return f"{name}({arguments})"

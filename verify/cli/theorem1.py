@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from argparse import ArgumentParser, Namespace
 from fractions import Fraction
 
-from verify.files import write_all
+from verify.files import print_document, write_all
 from verify.inputs import InputError, angle, integer, rational, shown
 from verify.prover import UNDECIDED
 from verify.terms import Term, as_term
 from verify.theorem1 import SELECTIONS, Outcome, decide
-from verify.views.document import document
 from verify.views.table import lines
 
 MAX_PRECISION = 1 << 22
@@ -88,7 +86,9 @@ def run(options: Namespace) -> int:
     if options.out is not None:
         _write(options.out, outcome)
     if options.json:
-        print(json.dumps(document(outcome), ensure_ascii=False, indent=1))
+        from verify.views.document import document  # loaded only where it is used
+
+        print_document(document(outcome))
     else:
         sys.stdout.write("".join(f"{line}\n" for line in lines(outcome)))
     return outcome.exit_code

@@ -10,7 +10,7 @@ from verify.statement import HYPOTHESES, PRINTED, REPAIRED, Constant, Obligation
 from verify.terms import symbol
 from verify.theorem1 import Outcome
 from verify.typeset import Typesetter
-from verify.views.document import entry_ends, least, letters, verdict_text
+from verify.views.words import entry_ends, least, letters, verdict_text
 
 _SIGNS = {"<": "<", "<=": "≤"}
 _TITLES = {

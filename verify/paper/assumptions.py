@@ -96,7 +96,7 @@ ASSUMPTIONS = (
         "EQUATSS4.1Recurrence_Cnd6",
         "The changes of |W_c|², |W_s|² at one collision are bounded, from above and from below, "
         "by law-norms with |W_{s,n}·ω_{s,n+1}| ≤ V₁^{1/2} and |a| ≤ (1+d_n)(-η_{c,n}); with "
-        "-η_{c,n} ≤ C_η^n (-η_{c,0}) they add up to a geometric sum.",
+        "-η_{c,n} ≤ C_η^n (-η_{c,0}) they add up to the geometric sum Σ C_η^k < 1/(1-C_η).",
     ),
     Assumption(
         "zeta-step",

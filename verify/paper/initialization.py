@@ -52,6 +52,20 @@ def _not_empty(k: ConstantSet) -> Iterator[Obligation]:
     )
     if k.printed:
         yield k.row(
+            "set-eta_s-from-x_0",
+            DATA,
+            "η_{s,0} > 0 from the bound on x₀: 0 < φ⁻ - |x₀|",
+            0 < phi_minus - k.x_0,
+            corrected_by="set-eta_s-positive",
+        )
+        yield k.row(
+            "set-distance",
+            DATA,
+            "d₀ > 0: the set as printed has only d₀ ≤ d̄ and so contains d₀ = 0, a triple contact",
+            0 < as_term(0),
+            corrected_by="distance-stays-positive",
+        )
+        yield k.row(
             "set-interior",
             DATA,
             "a non-trivial interior: the width that the set leaves for -cos of the angle",

@@ -74,6 +74,7 @@ def _fixed_points(k: ConstantSet) -> Iterator[Obligation]:
     )
     yield k.row("phi-positive", THEOREM, "φ⁻ is positive", 0 < phi_minus)
     yield k.row("phi-ordered", THEOREM, "φ⁻ is the smaller one", phi_minus < phi_plus)
+    yield k.row("phi-below-pole", THEOREM, "F₁ is defined at φ⁺: φ⁺ < α₀", phi_plus < alpha_0)
     for name, letter, phi in (("minus", "φ⁻", phi_minus), ("plus", "φ⁺", phi_plus)):
         image = r / (alpha_0 - phi)
         says = f"{letter} is a fixed point of F₁, one half"
@@ -116,6 +117,7 @@ def _second_assumption(k: ConstantSet) -> Iterator[Obligation]:
             corrected_by="second-ratio",
         )
     ratio = phi_minus / gap**2
+    yield k.row("second-ratio-positive", ANGLE, "φ⁻/(α₀-φ⁻)² is positive", 0 < ratio)
     yield k.row("second-ratio", ANGLE, "φ⁻/(α₀-φ⁻)² is strictly smaller than 1", ratio < 1)
     yield k.row("h_5-positive", ANGLE, "0 < h₅", 0 < h_5)
     yield k.row("h_5-below-one", ANGLE, "h₅ < 1", h_5 < 1)

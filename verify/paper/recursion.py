@@ -65,6 +65,25 @@ def _norms(k: ConstantSet) -> Iterator[Obligation]:
     yield k.row(
         "tau-small", TAU, "V₁ τ_n² ≤ V₁^{1/2} τ_n ≤ 1", k.speed * k.tau_crude <= 1, ["time"]
     )
+    coefficient = ((1 + r) / 2) ** 2
+    if k.printed:
+        yield k.row(
+            "norm-law-as-printed",
+            NORM,
+            "the coefficient of (W_{c,n}·ω_{s,n+1})² is (1+r)²/2: it is the square of (1+r)/2",
+            (1 + r) ** 2 / 2 <= coefficient,
+            corrected_by="norm-law",
+        )
+    else:
+        yield k.row(
+            "norm-law",
+            NORM,
+            "the coefficient of (W_{c,n}·ω_{s,n+1})² is the square of (1+r)/2, (1+r)²/4",
+            coefficient <= (1 + r) ** 2 / 4,
+        )
+    yield k.row("norm-factor-1", cnd6, "1+r ≤ 2", 1 + r <= 2)
+    yield k.row("norm-factor-2", cnd6, "(1+r)²/4 ≤ (1+r)²/2 ≤ 2", (1 + r) ** 2 / 2 <= 2)
+    yield k.row("norm-factor-3", cnd6, "|W_{s,n+1}|² - |W_{c,n}|² ≤ 0: r² - 1 ≤ 0", r**2 - 1 <= 0)
     yield k.row(
         "norm-c-upper",
         cnd6,
@@ -221,18 +240,41 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
         ratio / delta_2**2 * k.delta_x <= h_5 / 12,
         ["zeta-step"],
     )
+    square = (gap - k.delta_y) ** 2
+    yield k.row(
+        "zeta-term-2-denominator",
+        cnd,
+        "second term: (V₁/V₀) |x_n|/(φ⁻-α₀+y_n)² ≤ (V₁/V₀) |x_n|/δ₂²",
+        ratio * k.delta_x / square <= ratio / delta_2**2 * k.delta_x,
+        ["zeta-step"],
+    )
     yield k.row(
         "zeta-ratio",
         cnd,
         "η_{s,n}/(-η_{c,n}) ≤ φ⁻ + |x_n| ≤ α₀/2, as |x_n| ≤ δ₁",
         phi_minus + k.delta_x <= alpha_0 / 2,
     )
+    third, fourth = ratio * (alpha_0 / 2) / delta_2**2, ratio**2 * 4 / delta_2**2
+    yield k.row(
+        "zeta-term-3",
+        cnd,
+        "third term: at most (V₁/V₀)(α₀/2)/δ₂²",
+        ratio * (phi_minus + k.delta_x) / square <= third,
+        ["zeta-step"],
+    )
+    yield k.row(
+        "zeta-term-4",
+        cnd,
+        "fourth term: at most 4V₁²/(V₀²δ₂²)",
+        ratio**2 * 4 / square <= fourth,
+        ["zeta-step"],
+    )
     last_two = ratio / (2 * delta_2**2) * (alpha_0 + 8 * ratio)
     yield k.row(
         "zeta-terms-3-4",
         cnd,
         "third and fourth term: the sum of their bounds is V₁/(2V₀δ₂²)(α₀ + 8V₁/V₀)",
-        ratio * (alpha_0 / 2) / delta_2**2 + ratio**2 * 4 / delta_2**2 <= last_two,
+        third + fourth <= last_two,
         ["zeta-step"],
     )
     yield k.row(
@@ -243,12 +285,19 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
         ["zeta-step"],
     )
     yield k.row("zeta-remainder", cnd, "h₅/12 + h₅/6 = h₅/4", h_5 / 12 + h_5 / 6 <= h_5 / 4)
+    yield k.row(
+        "zeta-remainders",
+        cnd,
+        "the three remainder terms together are at most h₅/4, at |x_n| = δ_x",
+        ratio / delta_2**2 * k.delta_x + last_two * k.zeta_bar <= h_5 / 4,
+        ["zeta-step"],
+    )
     yield k.row("zeta-y-bound", f"{CND}10", "|y_n| ≤ δ₅ by Cnd10", k.delta_y <= delta_5)
     yield k.row(
         "zeta-main-y",
         cnd,
         "main term: φ⁻/(φ⁻-α₀+y_n)² ≤ 1-h₅",
-        phi_minus / (gap - k.delta_y) ** 2 <= 1 - h_5,
+        phi_minus / square <= 1 - h_5,
         ["zeta-step"],
     )
     yield k.row(
@@ -260,7 +309,6 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
     )
     yield k.row("zeta-sum", cnd, "(1-h₅/2) + h₅/4 = 1-h₅/4", (1 - h_5 / 2) + h_5 / 4 <= 1 - h_5 / 4)
     yield k.row("zeta-factor-below-one", cnd, "1-h₅/4 < 1", 1 - h_5 / 4 < 1)
-    square = (gap - k.delta_y) ** 2
     total = (
         ratio * (phi_minus + k.delta_x) / square
         + (ratio * (alpha_0 / 2) / square + ratio**2 * 4 / square) * k.zeta_bar
@@ -268,10 +316,11 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
     yield k.row(
         "zeta-total",
         cnd,
-        "ζ_{n+1} ≤ (sum of the four terms) ζ_n ≤ ζ_n, at |x_n| = δ_x and |y_n| = δ_y",
-        total <= 1,
+        "ζ_{n+1} ≤ (1-h₅/4) ζ_n: the four terms together, at |x_n| = δ_x and |y_n| = δ_y",
+        total <= 1 - h_5 / 4,
         ["zeta-step"],
     )
+    yield k.row("Cnd3", f"{CND}3", "ζ_{n+1} ≤ (1-h₅/4) ζ̄ < 1", (1 - h_5 / 4) * k.zeta_bar < 1)
 
 
 def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
@@ -282,6 +331,13 @@ def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
         "Cnd8 and Cnd2 imply cos θ_{n+1} < 0",
         k.drift < c,
         ["angle-step"],
+    )
+    yield k.row(
+        "obtuse-distance",
+        cnd,
+        "|ω_{c,n+1} - ω_{s,n+1}| ≥ √2",
+        sqrt(2) <= sqrt(2 + 2 * (c - k.drift)),
+        ["outer-distance", "angle-step"],
     )
     total = 3 * k.speed / V_0 * k.eta_bar + 4 * k.speed / V_0 * k.eta_bar
     half = (sqrt(2) - 1) / 2

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from errno import EISDIR
 from typing import Any
 
 from verify.inputs import InputError
@@ -26,6 +27,9 @@ def write_all(option: str, directory: str, contents: Mapping[str, bytes]) -> Non
             with os.fdopen(handle, "wb") as file:
                 file.write(content)
             os.chmod(path, 0o644)
+        for target in temporary.values():
+            if os.path.isdir(target):
+                raise IsADirectoryError(EISDIR, os.strerror(EISDIR), target)
         for path, target in temporary.items():
             os.replace(path, target)
     except (OSError, ValueError) as error:

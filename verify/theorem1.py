@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from fractions import Fraction
 
+from verify import balls
 from verify.paper.theorem1 import theorem
+from verify.program import Machine, Program
 from verify.prover import (
     DEFAULT_MAX_PRECISION,
     DEFAULT_PRECISION,
@@ -127,3 +130,27 @@ def decide(
 
 def _decide_rows(prover: Prover, statement: Statement) -> Rows:
     return [(row, prover.decide(row.claim)) for row in statement.obligations]
+
+
+def constants_enclosure(bits: int) -> Callable[[Mapping[str, Fraction]], dict[str, balls.Ball]]:
+    """A function that encloses all constants of the printed proof, for many parameters.
+
+    The program is compiled once, here. The function takes the values of r, c, V_0 and delta_theta
+    and returns a ball for each constant that exists there.
+    """
+    statement = theorem().of_group(PRINTED)
+    program = Program(statement.parameters)
+    for constant in statement.constants:
+        program.define(constant.name, constant.term)
+    slots = [(constant.name, program.slots[constant.name]) for constant in statement.constants]
+    with balls.precision(bits):
+        machine = Machine(program, balls.BallArithmetic())
+        machine.load()
+
+    def enclose(parameters: Mapping[str, Fraction]) -> dict[str, balls.Ball]:
+        with balls.precision(bits):
+            inputs = [balls.from_fraction(parameters[name]) for name in statement.parameters]
+            values = machine.run(inputs).values
+        return {name: values[slot] for name, slot in slots if values[slot] is not None}
+
+    return enclose

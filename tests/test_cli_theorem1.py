@@ -1,0 +1,324 @@
+"""The command `theorem1` as scripts see it."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from verify.cli import main
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
+    code = main(["theorem1", *words])
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+def document(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, dict[str, Any]]:
+    code, out, err = run(capsys, *words, "--json")
+    assert err == ""
+    return code, json.loads(out, parse_float=_no_float)
+
+
+def _no_float(text: str) -> None:
+    raise AssertionError(f"{text} is a JSON float")
+
+
+def test_the_main_job(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, "--r", "0.03")
+    assert (code, err) == (0, "")
+    assert out.splitlines()[-1] == "Verdict: proved, given 20 listed estimates"
+    assert "Taken on trust, and not proved by this program (20):" in out
+    assert "corrected by repaired.zeta-x-bound" in out
+
+
+def test_the_document_has_the_promised_shape(capsys: pytest.CaptureFixture[str]) -> None:
+    code, doc = document(capsys, "--r", "0.03")
+    assert code == 0
+    assert doc["command"] == "theorem1"
+    assert doc["verdict"] == f"proved, given {len(doc['assumptions'])} listed estimates"
+    assert doc["parameters"] == {
+        "r": "3/100",
+        "neg_cos_theta0": "1",
+        "delta_theta": "1/10",
+        "V_0": "1",
+    }
+    assert set(doc["constants"]) == {
+        "alpha_0", "phi_minus", "phi_plus", "delta_1", "delta_2", "delta_3", "delta_4", "delta_5",
+        "C_eta", "h_4", "h_5", "V_0", "V_1",
+    }  # fmt: skip
+    for hypothesis in doc["hypotheses"]:
+        assert {"label", "statement", "role", "verdict"} <= set(hypothesis)
+    assert [doc["sets"][name]["verdict"] for name in ("printed", "repaired")] == [
+        "refuted",
+        "proved",
+    ]
+    for name, one_set in doc["sets"].items():
+        assert {
+            "delta_x", "delta_y", "x_0", "Delta_theta", "eta_bar", "zeta_bar", "d_bar",
+        } <= set(one_set["constants"])  # fmt: skip
+        assert len(one_set["obligations"]) >= 60
+        for row in one_set["obligations"]:
+            assert row["role"] == ("printed" if name == "printed" else "needed")
+            assert row["label"]
+            assert row["statement"]
+            check_pair(row["lhs"])
+            check_pair(row["rhs"])
+            assert (row["verdict"] == "refuted") == ("corrected_by" in row)
+        for pair in one_set["constants"].values():
+            check_pair(pair)
+    assert doc["sets"]["printed"]["minima"]["eta_bar"]["minimum"] == 2
+
+
+def check_pair(pair: list[str]) -> None:
+    """Outward rounded, and to a relative width of at most 1e-25."""
+    low, high = map(Fraction, pair)
+    assert low <= high
+    assert high - low <= max(abs(low), abs(high)) / 10**25
+
+
+def test_more_precision_earns_more_digits(capsys: pytest.CaptureFixture[str]) -> None:
+    _, doc = document(capsys, "--r", "0.03", "--precision", "1000")
+    low, high = map(Fraction, doc["constants"]["phi_minus"])
+    assert 0 < high - low < Fraction(1, 10**290)
+
+
+@pytest.mark.parametrize("text", ["0.03", "3/100", "3e-2", "+0.03", "300e-4", ".03", "6/200"])
+def test_every_way_to_write_a_number(capsys: pytest.CaptureFixture[str], text: str) -> None:
+    code, doc = document(capsys, "--r", text, "--constants", "repaired")
+    assert (code, doc["parameters"]["r"]) == (0, "3/100")
+    assert list(doc["sets"]) == ["repaired"]
+
+
+@pytest.mark.parametrize(
+    ("theta", "expected"),
+    [
+        ("pi", "1"),
+        ("1*pi/1", "1"),
+        ("2*pi/3", "1/2"),
+        ("4*pi/6", "1/2"),
+        ("5*pi/6", None),
+        ("2.9", None),
+    ],
+)
+def test_angles(capsys: pytest.CaptureFixture[str], theta: str, expected: str | None) -> None:
+    _, doc = document(capsys, "--r", "1/1000", "--theta0", theta)
+    value = doc["parameters"]["neg_cos_theta0"]
+    if expected is None:
+        check_pair(value)
+    else:
+        assert value == expected
+
+
+@pytest.mark.parametrize(
+    ("words", "code"),
+    [
+        (["--r", "0.03", "--constants", "printed"], 1),
+        (["--r", "0.03", "--constants", "repaired"], 0),
+        (["--r", "1/1000"], 0),
+        (["--r", "1/100"], 0),
+        (["--r", "1/20"], 0),
+        (["--r", "11/200"], 0),
+        (["--r", "1e-6", "--neg-cos", "1/20"], 0),
+        (["--r", "1e-300"], 0),
+        (["--r", "0.0557280900008412143633053250"], 0),
+        (["--r", "0.06"], 1),
+        (["--r", "1/64", "--neg-cos", "8/13"], 1),
+        (["--r", "1/64", "--neg-cos", "0." + "615384" * 80, "--precision", "9",
+          "--max-precision", "64"], 1),
+        (["--r", "1/64", "--neg-cos", "0.61538461538461538461538461538461538461538462",
+          "--precision", "20", "--max-precision", "60"], 3),
+        (["--r", "0.03", "--precision", "2"], 0),
+    ],
+)  # fmt: skip
+def test_exit_codes(capsys: pytest.CaptureFixture[str], words: list[str], code: int) -> None:
+    assert run(capsys, *words)[0] == code
+
+
+def test_a_false_hypothesis_is_named_with_both_sides(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "--r", "0.06")
+    assert code == 1
+    assert "Hypothesis EQUATSS4.1ThExiCondiTheta does not hold" in out
+    assert "Hypothesis EQUATSS4.1ThExiCondi_r_1_ does not hold: r < r_stabi = 9 - 4√5" in out
+    code, doc = document(capsys, "--r", "1/2")
+    assert (code, doc["verdict"], doc["sets"]) == (1, "refuted", {})
+    assert set(doc["constants"]) == {"V_0", "alpha_0"}
+
+
+BAD = [
+    (["--r", "0"], "--r"),
+    (["--r", "1"], "--r"),
+    (["--r", "-0.1"], "--r"),
+    (["--r", "1.5"], "--r"),
+    (["--r", "nan"], "--r"),
+    (["--r", "inf"], "--r"),
+    (["--r", "0,03"], "--r"),
+    (["--r", "1_0"], "--r"),
+    (["--r", "٠.٠٣"], "--r"),
+    (["--r", "½"], "--r"),
+    (["--r", ""], "--r"),
+    (["--r", "."], "--r"),
+    (["--r", "1/0"], "--r"),
+    (["--r", "3/-100"], "--r"),
+    (["--r", "0." + "3" * 5000], "--r"),
+    (["--r", "1e99999999"], "--r"),
+    (["--r", "1e-99999999"], "--r"),
+    (["--r", "1e" + "9" * 3000], "--r"),
+    (["--r", " 0.03"], "--r"),
+    (["--r", "0x1"], "--r"),
+    ([], "--r"),
+    (["--r", "0.03", "--theta0", "pi/2"], "--theta0"),
+    (["--r", "0.03", "--theta0", "3*pi/2"], "--theta0"),
+    (["--r", "0.03", "--theta0", "pi/0"], "--theta0"),
+    (["--r", "0.03", "--theta0", "2pi/3"], "--theta0"),
+    (["--r", "0.03", "--theta0", "3.15"], "--theta0"),
+    (["--r", "0.03", "--theta0", "1.57"], "--theta0"),
+    (["--r", "0.03", "--theta0", "-2"], "--theta0"),
+    (["--r", "0.03", "--theta0", "3.1415926535897932384626433832795028842"], "--theta0"),
+    (["--r", "0.03", "--neg-cos", "0"], "--neg-cos"),
+    (["--r", "0.03", "--neg-cos", "1.0001"], "--neg-cos"),
+    (["--r", "0.03", "--neg-cos", "1", "--theta0", "pi"], "--theta0"),
+    (["--r", "0.03", "--V0", "0"], "--V0"),
+    (["--r", "0.03", "--V0", "-1"], "--V0"),
+    (["--r", "0.03", "--delta-theta", "0"], "--delta-theta"),
+    (["--r", "0.03", "--delta-theta", "x"], "--delta-theta"),
+    (["--r", "0.03", "--constants", "both"], "--constants"),
+    (["--r", "0.03", "--precision", "1"], "--precision"),
+    (["--r", "0.03", "--precision", "1e3"], "--precision"),
+    (["--r", "0.03", "--precision", "256", "--max-precision", "128"], "--max-precision"),
+    (["--r", "0.03", "--prec", "128"], "--prec"),
+    (["--r", "0.03", "surplus"], "surplus"),
+    (["--r", "0.03", "--out", "/proc/nowhere"], "--out"),
+    (["--r", "0.03", "--out", "a\0b"], "--out"),
+]
+
+
+@pytest.mark.parametrize(("words", "option"), BAD)
+def test_bad_input_is_one_line_that_names_the_option(
+    capsys: pytest.CaptureFixture[str], words: list[str], option: str
+) -> None:
+    code, out, err = run(capsys, *words)
+    assert (code, out) == (2, "")
+    assert err.count("\n") == 1
+    assert option in err
+    assert "Traceback" not in err
+    assert len(err) < 300
+
+
+def test_an_unknown_command_and_no_command(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["theorem2"]) == 2
+    assert "theorem1" in capsys.readouterr().err
+    assert main([]) == 2
+    assert main(["--help"]) == 0
+    assert main(["--version"]) == 0
+
+
+def test_500_digits_are_read_exactly(capsys: pytest.CaptureFixture[str]) -> None:
+    text = "0.03" + "0" * 490 + "1234567"
+    code, doc = document(capsys, "--r", text)
+    assert code == 0
+    assert Fraction(doc["parameters"]["r"]) == Fraction(text)
+
+
+def test_files_are_written_only_on_request_and_are_the_same_each_time(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run(capsys, "--r", "0.03")[0] == 0
+    assert list(tmp_path.iterdir()) == []
+    for name in ("one", "two/deep"):
+        assert run(capsys, "--r", "0.03", "--out", name)[0] == 0
+        assert sorted(p.name for p in (tmp_path / name).iterdir()) == [
+            "certificate.json",
+            "statement.json",
+        ]
+    for file in ("certificate.json", "statement.json"):
+        assert (tmp_path / "one" / file).read_bytes() == (tmp_path / "two/deep" / file).read_bytes()
+    assert run(capsys, "--r", "0.03", "--precision", "300", "--out", "three")[0] == 0
+    statement = "statement.json"
+    assert (tmp_path / "one" / statement).read_bytes() == (
+        tmp_path / "three" / statement
+    ).read_bytes()
+
+
+def test_undecided_rows_write_nothing(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    near = "0.61538461538461538461538461538461538461538462"
+    words = ["--r", "1/64", "--neg-cos", near, "--precision", "20", "--max-precision", "60"]
+    code, _, err = run(capsys, *words, "--out", str(tmp_path / "x"))
+    assert code == 3
+    assert "nothing was written" in err
+    assert not (tmp_path / "x").exists()
+
+
+def test_a_refused_folder_is_left_as_it_was(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    (tmp_path / "certificate.json").mkdir()
+    (tmp_path / "statement.json").write_text("mine")
+    code, _, err = run(capsys, "--r", "0.03", "--out", str(tmp_path))
+    assert (code, err.count("\n")) == (2, 1)
+    assert (tmp_path / "statement.json").read_text() == "mine"
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+def python(*words: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, *words],
+        cwd=ROOT,
+        env=os.environ | environment,
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+
+
+def test_nothing_heavy_is_imported() -> None:
+    code = (
+        "import sys\n"
+        "from verify.cli import main\n"
+        "assert main(['theorem1', '--r', '0.03']) == 0\n"
+        "print(sorted(m for m in ('sympy', 'mpmath', 'pytest', 'numpy', 'tempfile', 'hashlib',"
+        " 'json', 'matplotlib', 'hypothesis', 'multiprocessing') if m in sys.modules))\n"
+    )
+    assert python("-c", code).stdout.splitlines()[-1] == "[]"
+
+
+def test_the_process_exits_with_the_verdict_when_a_bound_breaks() -> None:
+    """What CI relies on: with a bound broken on purpose the main job exits 1."""
+    code = (
+        "import sys\n"
+        "from verify.paper import initial_data\n"
+        "bounds = initial_data._repaired_bounds\n"
+        "def broken(k):\n"
+        "    table = bounds(k)\n"
+        "    table['zeta_bar'] = tuple(2 * entry for entry in table['zeta_bar'])\n"
+        "    return table\n"
+        "initial_data._repaired_bounds = broken\n"
+        "from verify.cli import main\n"
+        "sys.exit(main(['theorem1', '--r', '0.03']))\n"
+    )
+    result = python("-c", code)
+    assert result.returncode == 1
+    assert result.stdout.splitlines()[-1] == "Verdict: refuted"
+
+
+def test_a_reader_who_leaves_early_sees_no_traceback() -> None:
+    result = subprocess.run(
+        f"{sys.executable} -m verify theorem1 --r 0.03 | head -n 1",
+        shell=True,
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert result.stderr == ""

@@ -1,0 +1,164 @@
+"""The characteristic polynomial (appendix), its factor Q, and the symmetry of its coefficients."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from verify.paper.spectrum.collision_matrices import COLUMN, ROW
+from verify.paper.spectrum.matrices import (
+    Matrix,
+    Vector,
+    determinant,
+    form,
+    identity_minus,
+    vector,
+)
+from verify.paper.spectrum.printed import Q_LABEL, THEOREM, Printed, r, root_3
+from verify.paper.spectrum.rows import Section, symbols
+from verify.statement import Obligation
+from verify.terms import Term, as_term, equal, substitute, symbol
+
+APPENDIX = "APPENSS___PolynChara_Alim"
+CHARACTERISTIC = "EQUATSS3.5Alim_PolynCarac"
+
+lam = symbol("lambda")
+
+_FIRST = vector(lam + (12 * r**2 + 72 * r - 4) / 64, 0, -lam + (-12 * r + 4) / 16, 0)
+_SECOND = (
+    root_3 * (-4 * r**2 - 24 * r - 20) / 64,
+    lam - 1,
+    root_3 * (4 * r + 4) / 16,
+)
+_THIRD = (
+    (r**3 - 17 * r**2 - 13 * r + 5) / 64,
+    -(root_3 * (r + 1) / 8),
+    lam + (-(r**2) + 16 * r + 1) / 16,
+)
+_FOURTH = (
+    root_3 * (16 * r**2 - 16) / 64,
+    as_term(0),
+    -(root_3 * lam) + root_3 * (-16 * r) / 16,
+)
+
+#: The four matrices whose determinants the appendix displays.
+DETERMINANTS: tuple[Matrix, ...] = (
+    (
+        _FIRST,
+        vector(*_SECOND, lam - 1),
+        vector(*_THIRD, root_3 * (r + 1) / 8),
+        vector(
+            root_3 * (r**3 - r**2 - 13 * r - 11) / 64,
+            -((3 * r + 3) / 8),
+            -(root_3 * (r**2 - 1) / 16),
+            lam + (-5 + 3 * r) / 8,
+        ),
+    ),
+    (
+        _FIRST,
+        vector(*_SECOND, lam - 1),
+        vector(*_THIRD, root_3 * (r + 1) / 8),
+        vector(*_FOURTH, lam - 1),
+    ),
+    (
+        _FIRST,
+        vector(*_SECOND, 2 * (lam - 1)),
+        vector(*_THIRD, 0),
+        vector(*_FOURTH, lam - 1),
+    ),
+    (_FIRST, vector(*_SECOND, 2), vector(*_THIRD, 0), vector(*_FOURTH, 1)),
+)
+
+_section = Section("characteristic polynomial")
+
+
+def rows(paper: Printed) -> Iterator[Obligation]:
+    """Yield the rows of the appendix, of the factorisation and of the remark on a_1 and a_2."""
+    yield from _appendix(paper)
+    yield _section.needed(
+        "characteristic",
+        CHARACTERISTIC,
+        "det(λI - 𝔄) = (λ-1) Q(λ)",
+        equal(determinant(identity_minus(lam, paper.matrix)), (lam - 1) * paper.q(lam)),
+    )
+    yield _section.needed(
+        "Q-at-1", THEOREM, "Q(1) = 27(1+r)³/32", equal(paper.q(1), 27 * (1 + r) ** 3 / 32)
+    )
+    yield _section.needed(
+        "Q-at-1-positive", THEOREM, "1 is not a root of Q", 0 < 27 * (1 + r) ** 3 / 32
+    )
+    yield from _symmetry(paper)
+
+
+def _appendix(paper: Printed) -> Iterator[Obligation]:
+    start = identity_minus(lam, paper.matrix)
+    first, second, third, fourth = DETERMINANTS
+    steps = (
+        ("L₁-L₃ and L₂+L₄ give the first displayed determinant", _rows_combined(start), first),
+        ("L₄-√3 L₃ gives the second one", _last_row_reduced(first), second),
+        ("C₄+C₂ gives the third one", _columns_added(second), third),
+        ("λ-1 is taken out of the fourth column", _last_column(fourth, lam - 1), third),
+    )
+    for number, (says, computed, displayed) in enumerate(steps, 1):
+        yield _section.printed(
+            f"appendix-step-{number}",
+            APPENDIX,
+            f"{says}: u A v = u B v for all u, v",
+            equal(form(ROW, computed, COLUMN), form(ROW, displayed, COLUMN)),
+        )
+    value = (lam - 1) * paper.q(lam)
+    for number, matrix in enumerate(DETERMINANTS[:3], 1):
+        yield _section.printed(
+            f"appendix-determinant-{number}",
+            APPENDIX,
+            f"the displayed determinant {number} is (λ-1) Q(λ)",
+            equal(determinant(matrix), value),
+        )
+    yield _section.printed(
+        "appendix-determinant-4",
+        APPENDIX,
+        "the last displayed determinant is Q(λ)",
+        equal(determinant(fourth), paper.q(lam)),
+    )
+
+
+def _rows_combined(matrix: Matrix) -> Matrix:
+    first, second, third, fourth = matrix
+    return (_sum(first, third, as_term(-1)), _sum(second, fourth, as_term(1)), third, fourth)
+
+
+def _last_row_reduced(matrix: Matrix) -> Matrix:
+    return (*matrix[:3], _sum(matrix[3], matrix[2], -root_3))
+
+
+def _columns_added(matrix: Matrix) -> Matrix:
+    return tuple((a, b, c, d + b) for a, b, c, d in matrix)
+
+
+def _last_column(matrix: Matrix, factor: Term) -> Matrix:
+    return tuple((a, b, c, factor * d) for a, b, c, d in matrix)
+
+
+def _sum(row: Vector, other: Vector, factor: Term) -> Vector:
+    return tuple(a + factor * b for a, b in zip(row, other, strict=True))
+
+
+def _symmetry(paper: Printed) -> Iterator[Obligation]:
+    _, a_1, a_2, _ = paper.coefficients
+    inverse = substitute(a_1, "r", 1 / r)
+    displayed = (-11 + 171 * r - 9 * r**2 + r**3) / (64 * r**3)
+    says = "the remark after the proof"
+    yield _section.printed(
+        "symmetry-1", Q_LABEL, f"{says}: a₁(1/r) as displayed", equal(inverse, displayed)
+    )
+    yield _section.printed(
+        "symmetry-2", Q_LABEL, f"{says}: it is a₂(r)/r³", equal(displayed, a_2 / r**3)
+    )
+    mu = symbols("mu")[0]
+    reversed_ = r**3 * mu**3 * paper.q(1 / mu, 1 / r)
+    yield _section.printed(
+        "symmetry-of-Q",
+        Q_LABEL,
+        "the symmetry behind it: r³ μ³ Q_{1/r}(1/μ) = Q_r(μ)",
+        equal(reversed_, paper.q(mu)),
+        mu=(0, None),
+    )

@@ -1,0 +1,228 @@
+"""The matrices A_a, A_b, A_c and their product, rebuilt from the definition and as printed.
+
+The text fixes the basis by omega_1_perp . omega_2 > 0 and omega_2_perp . omega_1 > 0. The printed
+matrices belong to the opposite omega_2_perp.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from verify.paper.spectrum import triangle
+from verify.paper.spectrum.matrices import (
+    ZERO,
+    Matrix,
+    apply,
+    dot,
+    form,
+    plus,
+    product,
+    times,
+    total,
+    vector,
+)
+from verify.paper.spectrum.printed import MATRIX_LABEL, THEOREM, Printed, r, root_3
+from verify.paper.spectrum.rows import Section, symbols
+from verify.statement import Obligation
+from verify.terms import Term, as_term, equal
+
+LAW_A = "EQUATSS3.5VitesColli_0-1_"
+LAW_B = "EQUATSS3.5DefinMatrix_A_b"
+LAW_C = "EQUATSS3.5DefinMatrix_A_c"
+DEFINITION = "DEFINSS3.5MatriLimitVites"
+SPACE_F = "EQUATSS3.5DefinSs-Ev__F__"
+EIGENSPACE = "EQUATSS3.5Alim_EspPp_L=1_"
+
+A_A: Matrix = (
+    vector(-r, 0, 0, 0),
+    vector(0, 1, 0, 0),
+    vector(-((1 + r) / 4), 0, 1, 0),
+    vector(root_3 * (1 + r) / 4, 0, 0, 1),
+)
+A_B: Matrix = (
+    vector(1, 0, -((1 + r) / 4), 0),
+    vector(0, 1, -(root_3 * (1 + r) / 4), 0),
+    vector(0, 0, -r, 0),
+    vector(0, 0, 0, 1),
+)
+A_C: Matrix = (
+    vector((7 - r) / 8, root_3 * (1 + r) / 8, -((1 + r) / 8), -(root_3 * (1 + r) / 8)),
+    vector(root_3 * (1 + r) / 8, (5 - 3 * r) / 8, root_3 * (1 + r) / 8, 3 * (1 + r) / 8),
+    vector(-((1 + r) / 8), root_3 * (1 + r) / 8, (7 - r) / 8, -(root_3 * (1 + r) / 8)),
+    vector(-(root_3 * (1 + r) / 8), 3 * (1 + r) / 8, -(root_3 * (1 + r) / 8), (5 - 3 * r) / 8),
+)
+
+#: Two matrices are equal if u A v is the same for all u and v.
+ROW = symbols("u_1 u_2 u_3 u_4")
+COLUMN = symbols("v_1 v_2 v_3 v_4")
+
+#: The change of sign of the fourth coordinate.
+_FLIP = vector(1, 1, 1, -1)
+
+_section = Section("collision matrices")
+
+
+def rows(paper: Printed) -> Iterator[Obligation]:
+    """Yield the rows up to the printed 4x4 matrix."""
+    yield from _laws()
+    yield from _triangle()
+    yield from _spaces()
+    yield from _printed_factors()
+    yield from _product(paper)
+
+
+def _laws() -> Iterator[Obligation]:
+    v_0, v_1, v_2, w, g = symbols("v_0 v_1 v_2 w g")
+    half = (1 + r) / 2 * g * w
+    says = "post-collisional relative velocities, one coordinate, g = normal component"
+    wide = {"g": (None, None)}
+    for name, label, after, before in (
+        ("law-01-W1", LAW_A, (v_1 - half) - (v_0 + half), (v_1 - v_0) - (1 + r) * g * w),
+        ("law-01-W2", LAW_A, v_2 - (v_0 + half), (v_2 - v_0) - half),
+        ("law-02-W1", LAW_B, v_1 - (v_0 + half), (v_1 - v_0) - half),
+        ("law-02-W2", LAW_B, (v_2 - half) - (v_0 + half), (v_2 - v_0) - (1 + r) * g * w),
+        ("law-12-W1", LAW_C, (v_1 - half) - v_0, (v_1 - v_0) - half),
+        ("law-12-W2", LAW_C, (v_2 + half) - v_0, (v_2 - v_0) + half),
+    ):
+        yield _section.needed(name, label, says, equal(after, before), ["collision-law"], **wide)
+
+
+def _triangle() -> Iterator[Obligation]:
+    c = symbols("c")[0]
+    yield _section.needed(
+        "triangle",
+        DEFINITION,
+        "|ω₂-ω₁|² = 2 - 2c is 1 exactly if c = ω₁·ω₂ is 1/2",
+        equal((2 - 2 * c) - 1, 2 * (as_term(1) / 2 - c)),
+        c=(None, None),
+    )
+    t = triangle
+    for name, says, u, v, value in (
+        ("unit-omega_3", "ω₃ = ω₂-ω₁ is a unit vector", t.omega_3, t.omega_3, 1),
+        ("omega_1-omega_3", "2 ω₁·ω₃ = -1", t.omega_1, t.omega_3, -1),
+        ("omega_2-omega_3", "2 ω₂·ω₃ = 1", t.omega_2, t.omega_3, 1),
+        ("unit-perp_1", "ω₁⊥ is a unit vector", t.omega_1_perp, t.omega_1_perp, 1),
+        ("unit-perp_2", "ω₂⊥ is a unit vector", t.omega_2_perp, t.omega_2_perp, 1),
+        ("orthogonal-perp_1", "ω₁⊥ is orthogonal to ω₁", t.omega_1_perp, t.omega_1, 0),
+        ("orthogonal-perp_2", "ω₂⊥ is orthogonal to ω₂", t.omega_2_perp, t.omega_2, 0),
+    ):
+        factor = 2 if says.startswith("2") else 1
+        yield _section.needed(name, DEFINITION, says, equal(factor * t.inner(u, v), value))
+    yield _section.needed(
+        "orientation-1",
+        MATRIX_LABEL,
+        "ω₁⊥·ω₂ > 0, as stated",
+        0 < t.inner(t.omega_1_perp, t.omega_2),
+    )
+    yield _section.needed(
+        "orientation-2-stated",
+        MATRIX_LABEL,
+        "the vector that the text calls ω₂⊥ has ω₂⊥·ω₁ > 0",
+        0 < t.inner(t.omega_2_perp_stated, t.omega_1),
+    )
+    yield _section.needed(
+        "orientation-2",
+        MATRIX_LABEL,
+        "the ω₂⊥ of the printed matrices has ω₂⊥·ω₁ < 0",
+        t.inner(t.omega_2_perp, t.omega_1) < 0,
+    )
+
+
+def _spaces() -> Iterator[Obligation]:
+    p, q = symbols("p_1 p_2 p_3 p_4"), symbols("q_1 q_2")
+    uses = ["any-dimension"]
+    image = triangle.triple((vector(0, 0, q[0]), vector(0, 0, q[1])))
+    weights = symbols("u_1 u_2 u_3 u_4 u_5 u_6")
+    components = [component for vector_ in image for component in vector_]
+    yield _section.needed(
+        "identity-on-E",
+        SPACE_F,
+        "𝔄_∞ fixes (q₁e, q₂e) for every e orthogonal to ω₁ and ω₂ (components weighted by u)",
+        equal(dot(weights, components), weights[2] * q[0] + weights[5] * q[1]),
+        uses,
+    )
+    image = triangle.triple((vector(p[0], p[1], 0), vector(p[2], p[3], 0)))
+    yield _section.needed(
+        "F-invariant",
+        THEOREM,
+        "the image of F has no component outside F",
+        equal(plus(times(weights[0], image[0][2]), times(weights[1], image[1][2])), 0),
+        uses,
+    )
+
+
+def _printed_factors() -> Iterator[Obligation]:
+    stated = triangle.basis(triangle.omega_2_perp_stated)
+    right = triangle.basis(triangle.omega_2_perp)
+    for letter, collision, matrix in (
+        ("a", triangle.collision_a, A_A),
+        ("b", triangle.collision_b, A_B),
+        ("c", triangle.collision_c, A_C),
+    ):
+        printed = form(ROW, matrix, COLUMN)
+        yield _section.printed(
+            f"A_{letter}-stated",
+            EIGENSPACE,
+            f"the printed A_{letter}, in the basis as the text states it (ω₂⊥·ω₁ > 0): "
+            "u A v = u A_printed v for all u, v",
+            equal(form(ROW, triangle.matrix_of(collision, stated), COLUMN), printed),
+            f"A_{letter}",
+        )
+        yield _section.needed(
+            f"A_{letter}",
+            EIGENSPACE,
+            f"the printed A_{letter}, in the basis with ω₂⊥·ω₁ < 0: "
+            "u A v = u A_printed v for all u, v",
+            equal(form(ROW, triangle.matrix_of(collision, right), COLUMN), printed),
+        )
+
+
+def _product(paper: Printed) -> Iterator[Obligation]:
+    for i, row in enumerate(product(A_C, product(A_B, A_A)), 1):
+        for j, entry in enumerate(row, 1):
+            yield _section.needed(
+                f"entry-{i}-{j}",
+                MATRIX_LABEL,
+                f"entry ({i},{j}) of A_c A_b A_a is the printed one",
+                equal(entry, paper.matrix[i - 1][j - 1]),
+            )
+    stated = triangle.matrix_of(triangle.triple, triangle.basis(triangle.omega_2_perp_stated))
+    right = triangle.matrix_of(triangle.triple, triangle.basis(triangle.omega_2_perp))
+    printed = form(ROW, paper.matrix, COLUMN)
+    yield _section.printed(
+        "matrix-stated",
+        MATRIX_LABEL,
+        "the printed matrix, in the basis as the text states it (ω₂⊥·ω₁ > 0): "
+        "u 𝔄 v = u 𝔄_printed v for all u, v",
+        equal(form(ROW, stated, COLUMN), printed),
+        "matrix",
+    )
+    yield _section.needed(
+        "matrix",
+        MATRIX_LABEL,
+        "the printed matrix is 𝔄_∞ on F, in the basis with ω₂⊥·ω₁ < 0: "
+        "u 𝔄 v = u 𝔄_printed v for all u, v",
+        equal(form(ROW, right, COLUMN), printed),
+    )
+    yield _section.needed(
+        "matrix-flipped",
+        MATRIX_LABEL,
+        "in the basis as the text states it the matrix is D 𝔄_printed D, D = diag(1,1,1,-1)",
+        equal(form(ROW, stated, COLUMN), form(ROW, flipped(paper.matrix), COLUMN)),
+    )
+
+
+def flipped(matrix: Matrix) -> Matrix:
+    """The matrix D A D, D = diag(1, 1, 1, -1): in the basis as the text states it."""
+    return tuple(
+        tuple(entry if entry == ZERO or a == b else -entry for entry, b in zip(row, _FLIP, strict=True))
+        for row, a in zip(matrix, _FLIP, strict=True)
+    )
+
+
+def image(paper: Printed, *state: Term) -> tuple[Term, ...]:
+    """The image of (x, y, z, t) by the printed matrix."""
+    return apply(paper.matrix, state)
+
+
+__all__ = ["A_A", "A_B", "A_C", "COLUMN", "EIGENSPACE", "ROW", "flipped", "image", "rows", "total"]

@@ -32,6 +32,11 @@ def from_fraction(value: Fraction) -> arb:
     return arb(fmpq(value.numerator, value.denominator))
 
 
+def hull(a: arb, b: arb) -> arb:
+    """A ball that contains both balls and all that lies between them."""
+    return a.union(b)
+
+
 def pi() -> arb:
     """The ball around pi, at the current precision."""
     return arb.pi()

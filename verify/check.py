@@ -342,9 +342,15 @@ class Checker:
                     base.failures[symbol] = str(why)
         if not box:
             return self._scopes[bits]
-        known = {s: self._scopes[bits].known[s] for s in self.definitions if s in self._scopes[bits].known}
+        known = {
+            s: self._scopes[bits].known[s]
+            for s in self.definitions
+            if s in self._scopes[bits].known
+        }
         for symbol, ends in box.items():
             if None not in ends:
-                low, high = (from_ratio(bits, *end.as_integer_ratio()) for end in ends if end is not None)
+                low, high = (
+                    from_ratio(bits, *end.as_integer_ratio()) for end in ends if end is not None
+                )
                 known[symbol] = hull(bits, low, high)
         return Scope(self, bits, known)

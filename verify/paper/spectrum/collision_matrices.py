@@ -215,7 +215,10 @@ def _product(paper: Printed) -> Iterator[Obligation]:
 def flipped(matrix: Matrix) -> Matrix:
     """The matrix D A D, D = diag(1, 1, 1, -1): in the basis as the text states it."""
     return tuple(
-        tuple(entry if entry == ZERO or a == b else -entry for entry, b in zip(row, _FLIP, strict=True))
+        tuple(
+            entry if entry == ZERO or a == b else -entry
+            for entry, b in zip(row, _FLIP, strict=True)
+        )
         for row, a in zip(matrix, _FLIP, strict=True)
     )
 

@@ -81,6 +81,8 @@ def determinant(matrix: Matrix) -> Term:
 def identity_minus(scalar: Term, matrix: Matrix) -> Matrix:
     """The matrix ``scalar I - A``."""
     return tuple(
-        tuple(plus(scalar if i == j else ZERO, ZERO if a == ZERO else -a) for j, a in enumerate(row))
+        tuple(
+            plus(scalar if i == j else ZERO, ZERO if a == ZERO else -a) for j, a in enumerate(row)
+        )
         for i, row in enumerate(matrix)
     )

@@ -80,5 +80,3 @@ class Printed:
         """The second derivative of Q in its argument."""
         _, _, a_2, a_3 = self.coefficients
         return times(a_3, 6 * as_term(x)) + 2 * a_2
-
-

@@ -1,0 +1,148 @@
+"""The readable report beside a certificate, in Markdown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from verify.decimals import outward, short
+from verify.prover import REFUTED, Decision, Ends
+from verify.statement import HYPOTHESES, PRINTED, REPAIRED, Constant, Obligation
+from verify.terms import symbol
+from verify.theorem1 import Outcome
+from verify.views.words import entry_ends, least, letters, verdict_text
+
+_SIGNS = {"<": "<", "<=": "≤", "=": "="}
+
+
+def report(outcome: Outcome) -> str:
+    """The whole report, ending with a line feed."""
+    return "\n".join(_lines(outcome)) + "\n"
+
+
+def _lines(outcome: Outcome) -> Iterator[str]:
+    typesetter = letters(outcome)
+    values = ", ".join(
+        f"{typesetter.term(symbol(name))} = {typesetter.term(outcome.prover.definitions[name])}"
+        for name in outcome.statement.parameters
+    )
+    yield f"# Theorem 1 at {values}"
+    yield ""
+    yield f"Verdict: **{verdict_text(outcome)}**."
+    if REPAIRED in outcome.rows:
+        yield ""
+        yield from theorem_in_numbers(outcome)
+    yield ""
+    yield "Check it with nothing but Python: `python3 -I verify/check.py` and this folder."
+    if PRINTED in outcome.rows:
+        yield from _section("What the printed proof gets wrong here")
+        yield from defects(outcome)
+    yield from _section("What was changed")
+    yield from _table(
+        ("Label", "Paper", "Needed", "Why"),
+        ((f"`{c.label}`", c.paper, c.needed, c.why) for c in outcome.statement.changes),
+    )
+    yield from _section("Constants")
+    yield from _table(("Constant", "Value", "Definition or bound"), _constants(outcome))
+    for group in (HYPOTHESES, *outcome.groups):
+        if group in outcome.rows:
+            yield from _section(f"All rows: {group}")
+            yield from _table(
+                ("Verdict", "Label", "Step", "Claim", "Left", "Right"),
+                (_row(outcome, row, decision) for row, decision in outcome.rows[group]),
+            )
+    yield from _section("Taken on trust")
+    yield from (f"- `{a.label}`: {a.sentence}" for a in outcome.assumptions)
+
+
+def theorem_in_numbers(outcome: Outcome) -> Iterator[str]:
+    """The theorem with the repaired constants as the short decimals that they are."""
+    definitions = outcome.prover.definitions
+
+    def value(name: str) -> str:
+        number = definitions[f"repaired.{name}"].value
+        return outward((number, number))[0]
+
+    typesetter = letters(outcome)
+    r, c, v_0, delta = (typesetter.term(definitions[name]) for name in outcome.statement.parameters)
+    third = (definitions["repaired.V_1"].value - definitions["V_0"].value) / 3
+    low, high = definitions["V_0"].value + third, definitions["repaired.V_1"].value - third
+    phi = outcome.prover.enclose(definitions["phi_minus"])
+    yield (
+        f"Let r = {r}. Three particles, 0 and 1 in contact and just collided, with "
+        f"0 < -η_c ≤ {value('eta_bar')}, |η_s/(-η_c) - φ⁻| ≤ {value('x_0')} and η_s > 0 "
+        f"(φ⁻ = {_short(phi)}), 0 < d ≤ min({value('d_const')}, {value('d_slope')} η_c²), "
+        f"|W_c|² and |W_s|² in [{low}, {high}], and |cos θ + {c}| ≤ "
+        f"{value('Delta_theta')}/4, collide for ever in the order 0-2, 0-1, 0-2, …, within the "
+        f"time {value('T_star')} (unit of length: a diameter; |W|² ≥ V₀ = {v_0}), and -cos of "
+        f"the final angle differs from {c} by at most {value('Delta_theta')} ≤ δ_θ = {delta}."
+    )
+
+
+def defects(outcome: Outcome) -> Iterator[str]:
+    """The refuted printed rows, in the paper's order, each with its two sides."""
+    rows = [
+        (row, decision)
+        for group in (HYPOTHESES, PRINTED)
+        for row, decision in outcome.rows[group]
+        if row.role == "printed" and decision.verdict == REFUTED
+    ]
+    yield from _table(
+        ("Label", "Step as printed", "Claim that would be needed", "Left", "Right", "Corrected by"),
+        (
+            (
+                f"`{row.label}`",
+                row.says,
+                letters(outcome).claim(row.claim),
+                _short(decision.lhs),
+                _short(decision.rhs),
+                f"`{row.corrected_by}`",
+            )
+            for row, decision in rows
+        ),
+    )
+
+
+def _constants(outcome: Outcome) -> Iterator[tuple[str, ...]]:
+    typesetter = letters(outcome)
+    for constant in outcome.statement.constants:
+        ends = outcome.prover.enclose(symbol(constant.name))
+        if ends is None:
+            continue
+        group = "" if "." not in constant.name else f" ({constant.name.partition('.')[0]})"
+        relation = {True: "≤ " if constant.direction == "down" else "≥ ", False: "= "}
+        text = relation[constant.chosen] + typesetter.term(constant.term)
+        yield constant.letter + group, _short(ends), text + _minimum(outcome, constant)
+
+
+def _minimum(outcome: Outcome, constant: Constant) -> str:
+    if constant.term.op != "min":
+        return ""
+    index = least(entry_ends(outcome, constant))
+    return "" if index is None else f" (entry {index + 1} is the least)"
+
+
+def _row(outcome: Outcome, row: Obligation, decision: Decision) -> tuple[str, ...]:
+    return (
+        decision.verdict,
+        f"`{row.label}`",
+        row.says,
+        letters(outcome).claim(row.claim),
+        _short(decision.lhs),
+        f"{_SIGNS[row.claim.relation]} {_short(decision.rhs)}",
+    )
+
+
+def _short(ends: Ends | None) -> str:
+    return "undefined" if ends is None else short(ends)
+
+
+def _section(title: str) -> Iterator[str]:
+    yield from ("", f"## {title}", "")
+
+
+def _table(head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> Iterator[str]:
+    yield f"| {' | '.join(head)} |"
+    yield f"|{'---|' * len(head)}"
+    for row in rows:
+        cells = (cell.replace("|", "\\|") for cell in row)
+        yield f"| {' | '.join(cells)} |"

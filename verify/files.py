@@ -43,6 +43,20 @@ def write_all(option: str, directory: str, contents: Mapping[str, bytes]) -> Non
                 os.unlink(path)
 
 
+def read_bytes(option: str, path: str) -> bytes:
+    """The content of a file.
+
+    Raises:
+        InputError: if it cannot be read, naming the option.
+    """
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise InputError(f"{option}: {path!r} cannot be read ({reason}); name a file") from error
+
+
 def print_document(document: Mapping[str, Any]) -> None:
     """Print one JSON document on stdout."""
     import json  # loaded only where it is used

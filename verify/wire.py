@@ -45,6 +45,7 @@ Both are written with sorted keys and without anything that depends on the day o
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from hashlib import sha256
@@ -53,12 +54,19 @@ from typing import Any
 from verify.decimals import outward, rational_text
 from verify.prover import PROVED, Decision, Prover
 from verify.statement import Obligation, Statement
-from verify.terms import Claim, Term
+from verify.terms import Claim, Term, as_term, symbol
 from verify.theorem1 import Outcome
 from verify.typeset import Typesetter
 
 STATEMENT_FORMAT = "verify-statement/1"
 CERTIFICATE_FORMAT = "verify-certificate/1"
+
+OPERATIONS = ("add", "sub", "mul", "div", "neg", "pow", "sqrt", "min", "max", "cos", "cos_pi")
+
+
+class WireError(ValueError):
+    """A document that does not have the described form."""
+
 
 #: Digits of the enclosures in a certificate: few enough that every version of FLINT agrees on
 #: them, because they come from at least `verify.prover.REPORTED_BITS` relative bits.
@@ -74,6 +82,26 @@ def term_document(term: Term) -> Any:
     if term.op == "pow":
         return ["pow", term_document(term.children[0]), str(term.exponent)]
     return [term.op, *map(term_document, term.children)]
+
+
+def term_from_document(document: Any) -> Term:
+    """The term that a JSON document stands for.
+
+    Raises:
+        WireError: for anything that is not a term.
+    """
+    if isinstance(document, str) and document:
+        if document[0].isalpha():
+            return symbol(document)
+        if re.fullmatch(r"-?[0-9]+(/[0-9]*[1-9][0-9]*)?", document):
+            return as_term(Fraction(document))
+    if isinstance(document, list) and document and document[0] in OPERATIONS:
+        op, *arguments = document
+        if op == "pow":
+            base, exponent = arguments
+            return term_from_document(base) ** int(exponent)
+        return Term(op, *map(term_from_document, arguments))
+    raise WireError(f"{str(document)[:40]!r} is not a term")
 
 
 def claim_document(claim: Claim, proved: bool) -> Any:

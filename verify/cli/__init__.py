@@ -15,6 +15,8 @@ from verify.inputs import InputError
 #: The commands in the order a newcomer needs them.
 COMMANDS = {
     "theorem1": "decide Theorem 1 (collapse of three particles) at given parameters",
+    "check": "check a certificate, and that its statement is the right one",
+    "certify": "make the committed certificates anew, or compare them",
 }
 
 USAGE_ERROR = 2

@@ -12,19 +12,17 @@ from verify.paper.spectrum import triangle
 from verify.paper.spectrum.matrices import (
     ZERO,
     Matrix,
-    apply,
     dot,
     form,
     plus,
     product,
     times,
-    total,
     vector,
 )
 from verify.paper.spectrum.printed import MATRIX_LABEL, THEOREM, Printed, r, root_3
 from verify.paper.spectrum.rows import Section, symbols
 from verify.statement import Obligation
-from verify.terms import Term, as_term, equal
+from verify.terms import as_term, equal
 
 LAW_A = "EQUATSS3.5VitesColli_0-1_"
 LAW_B = "EQUATSS3.5DefinMatrix_A_b"
@@ -141,12 +139,15 @@ def _spaces() -> Iterator[Obligation]:
         equal(dot(weights, components), weights[2] * q[0] + weights[5] * q[1]),
         uses,
     )
-    image = triangle.triple((vector(p[0], p[1], 0), vector(p[2], p[3], 0)))
+    image = triangle.triple((vector(p[0], p[1], q[0]), vector(p[2], p[3], q[1])))
     yield _section.needed(
         "F-invariant",
         THEOREM,
-        "the image of F has no component outside F",
-        equal(plus(times(weights[0], image[0][2]), times(weights[1], image[1][2])), 0),
+        "𝔄_∞ changes no component outside F, so that the image of F is contained in F",
+        equal(
+            plus(times(weights[0], image[0][2]), times(weights[1], image[1][2])),
+            weights[0] * q[0] + weights[1] * q[1],
+        ),
         uses,
     )
 
@@ -166,7 +167,7 @@ def _printed_factors() -> Iterator[Obligation]:
             f"the printed A_{letter}, in the basis as the text states it (ω₂⊥·ω₁ > 0): "
             "u A v = u A_printed v for all u, v",
             equal(form(ROW, triangle.matrix_of(collision, stated), COLUMN), printed),
-            f"A_{letter}",
+            None if letter == "b" else f"A_{letter}",
         )
         yield _section.needed(
             f"A_{letter}",
@@ -221,11 +222,3 @@ def flipped(matrix: Matrix) -> Matrix:
         )
         for row, a in zip(matrix, _FLIP, strict=True)
     )
-
-
-def image(paper: Printed, *state: Term) -> tuple[Term, ...]:
-    """The image of (x, y, z, t) by the printed matrix."""
-    return apply(paper.matrix, state)
-
-
-__all__ = ["A_A", "A_B", "A_C", "COLUMN", "EIGENSPACE", "ROW", "flipped", "image", "rows", "total"]

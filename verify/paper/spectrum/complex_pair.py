@@ -1,0 +1,306 @@
+"""The roots in closed form, hence the moduli, the multiplicities and the eigenspaces.
+
+With m = (-lambda_0)^(1/3), which runs through ]0,1[ as r does,
+
+    r = m (4m^2 - m + 1) / (m^2 - m + 4),  Q(lambda) = (lambda + m^3) ((lambda - x)^2 + w),
+
+where x and w > 0 are rational functions of m. So everything about the roots, for every r, is a
+claim about polynomials in m.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from verify.paper.spectrum.characteristic import lam
+from verify.paper.spectrum.collision_matrices import EIGENSPACE, ROW, flipped
+from verify.paper.spectrum.matrices import (
+    Matrix,
+    Vector,
+    apply,
+    determinant,
+    dot,
+    identity_minus,
+    vector,
+)
+from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
+from verify.paper.spectrum.real_root import REAL_ROOT
+from verify.paper.spectrum.rows import Section, symbols
+from verify.statement import Obligation
+from verify.terms import Term, as_term, equal, substitute, symbol
+
+COMPLEX_PAIR = "EQUATSS3.5Alim_ContrRacCx"
+
+m = symbol("m")
+
+numerator = 4 * m**2 - m + 1
+denominator = m**2 - m + 4
+
+#: r as a function of m.
+r_of_m = m * numerator / denominator
+#: The square of the modulus of a complex root of mu^3 + h mu^2 + h mu + r; its cube belongs to Q.
+modulus = numerator / denominator
+#: Minus the sum of the two complex roots of mu^3 + h mu^2 + h mu + r.
+trace = (m**2 - 4 * m + 1) / denominator
+
+#: The real part of the complex roots of Q.
+real_part = trace * (3 * modulus - trace**2) / 2
+_quartic = 5 * m**4 - 4 * m**3 + 18 * m**2 - 4 * m + 5
+#: The square of their imaginary part.
+imaginary_square = (
+    27 * (m + 1) ** 4 * (m**2 - m + 1) ** 2 * _quartic / (4 * denominator**6)
+)
+
+#: The eigenspace of 1.
+FIXED: Vector = vector(0, 1, 0, 1)
+
+#: An eigenvector for lambda_0 = -m^3.
+REAL_EIGENVECTOR: Vector = (
+    as_term(1),
+    -(root_3 * m * (m + 1) / denominator),
+    (m**2 - 4 * m + 1) / denominator,
+    root_3 * (m - 1) * (m + 1) / denominator,
+)
+
+_section = Section("roots")
+
+
+def rows(paper: Printed) -> Iterator[Obligation]:
+    """Yield the rows on the roots, their moduli, the multiplicities and the eigenvectors."""
+    yield from _parametrisation()
+    yield from _factorisation(paper)
+    yield from _moduli()
+    yield from _multiplicities(paper)
+    yield from _eigenspace(paper)
+    yield from _eigenvectors(paper)
+
+
+def _parametrisation() -> Iterator[Obligation]:
+    n = symbol("n")
+    uses = ["intermediate-value"]
+    yield _section.needed(
+        "m-denominator", REAL_ROOT, "the denominator of r(m) is positive", 0 < denominator
+    )
+    yield _section.needed(
+        "m-at-0", REAL_ROOT, "r(0) = 0", equal(substitute(r_of_m, "m", as_term(0)), 0), uses
+    )
+    yield _section.needed(
+        "m-at-1", REAL_ROOT, "r(1) = 1", equal(substitute(r_of_m, "m", as_term(1)), 1), uses
+    )
+    rising = (
+        m**2 * n**2 - m**2 * n + 4 * m**2 - m * n**2 + 4 * m * n - m + 4 * n**2 - n + 1
+    )
+    other = substitute(denominator, "m", n)
+    yield _section.needed(
+        "m-difference",
+        REAL_ROOT,
+        "r(m) - r(n) is m - n times a quotient of polynomials",
+        equal(
+            r_of_m - substitute(r_of_m, "m", n), 4 * (m - n) * rising / (denominator * other)
+        ),
+        uses,
+    )
+    yield _section.needed(
+        "m-increasing", REAL_ROOT, "its numerator is positive, so that r(m) increases", 0 < rising, uses
+    )
+
+
+def _factorisation(paper: Printed) -> Iterator[Obligation]:
+    every = ["every-r"]
+    yield _section.needed(
+        "Q-factorised",
+        COMPLEX_PAIR,
+        "Q(λ) = (λ+m³)((λ-x)²+w) at r = r(m)",
+        equal(
+            paper.q(lam, r_of_m), (lam + m**3) * ((lam - real_part) ** 2 + imaginary_square)
+        ),
+        every,
+    )
+    yield _section.needed(
+        "w-quartic", COMPLEX_PAIR, "w > 0, its factor of degree 4", 0 < _quartic, ["signs"]
+    )
+    yield _section.needed(
+        "w-square", COMPLEX_PAIR, "w > 0, its squared factor", 0 < m**2 - m + 1, ["signs"]
+    )
+    says = "-r < λ₀ = -m³ at r = r(m), both sides times the denominator"
+    yield _section.needed(
+        "root-above-minus-r", REAL_ROOT, says, m**3 * denominator < m * numerator, every
+    )
+    says = "λ₀ < -r³, that is r < m, at r = r(m), both sides times the denominator"
+    yield _section.needed(
+        "root-below-minus-r3", REAL_ROOT, says, m * numerator < m * denominator, every
+    )
+
+
+def _moduli() -> Iterator[Obligation]:
+    every = ["every-r"]
+    yield _section.needed(
+        "modulus",
+        COMPLEX_PAIR,
+        "|λ±|² = x² + w is the cube of a rational function of m",
+        equal(real_part**2 + imaginary_square, modulus**3),
+        every,
+    )
+    yield _section.needed(
+        "viete",
+        COMPLEX_PAIR,
+        "Viète: |λ₀| |λ±|² = r³",
+        equal(m**3 * modulus**3, r_of_m**3),
+        every,
+    )
+    yield _section.needed(
+        "modulus-from-viete",
+        COMPLEX_PAIR,
+        "|λ±|² = r³/|λ₀|",
+        equal(modulus**3, r_of_m**3 / m**3),
+        every,
+    )
+    yield _section.needed(
+        "modulus-below-1",
+        COMPLEX_PAIR,
+        "|λ±| < 1: the cube root of |λ±|² is smaller than 1, times the denominator",
+        numerator < denominator,
+        every,
+    )
+    yield _section.needed(
+        "modulus-ratio",
+        COMPLEX_PAIR,
+        "|λ±|²/|λ₀|² = r³/|λ₀|³",
+        equal(modulus**3 / (m**3) ** 2, r_of_m**3 / (m**3) ** 3),
+        every,
+    )
+    yield _section.needed(
+        "modulus-above-real-root",
+        COMPLEX_PAIR,
+        "|λ₀| < |λ±|: the cube roots of the squares, times the denominator",
+        m**2 * denominator < numerator,
+        every,
+    )
+    yield _section.needed("real-root-nonzero", COMPLEX_PAIR, "0 < |λ₀| = m³", 0 < m**3, every)
+
+
+def _multiplicities(paper: Printed) -> Iterator[Obligation]:
+    start = vector(2, root_3, -1, root_3)
+    powers = krylov(start, paper.matrix)
+    value = -(243 * (1 + r) ** 7 / 8192)
+    uses = ["linear-algebra"]
+    yield _section.needed(
+        "cyclic",
+        THEOREM,
+        "the row f = (2,√3,-1,√3) is cyclic: det(f; f𝔄; f𝔄²; f𝔄³) = -243(1+r)⁷/8192",
+        equal(determinant(powers), value),
+        uses,
+    )
+    yield _section.needed(
+        "geometric-multiplicity",
+        THEOREM,
+        "it is not 0, so every eigenvalue has geometric multiplicity 1",
+        value < as_term(0),
+        uses,
+    )
+
+
+def krylov(start: Vector, matrix: Matrix) -> Matrix:
+    """The rows f, fA, fA^2, fA^3."""
+    rows_ = [start]
+    columns = tuple(zip(*matrix, strict=True))
+    for _ in range(3):
+        rows_.append(tuple(dot(rows_[-1], column) for column in columns))
+    return tuple(rows_)
+
+
+def _eigenspace(paper: Printed) -> Iterator[Obligation]:
+    uses = ["linear-algebra"]
+    yield _section.needed(
+        "eigenspace",
+        EIGENSPACE,
+        "𝔄 (0,1,0,1) = (0,1,0,1) in the basis with ω₂⊥·ω₁ < 0 (components weighted by u)",
+        equal(dot(ROW, apply(paper.matrix, FIXED)), ROW[1] + ROW[3]),
+        uses,
+    )
+    minor = tuple(row[:3] for row in identity_minus(as_term(1), paper.matrix)[:3])
+    value = 27 * (1 + r) ** 3 / 64
+    yield _section.needed(
+        "eigenspace-minor",
+        EIGENSPACE,
+        "the minor of I - 𝔄 of the first three rows and columns is 27(1+r)³/64",
+        equal(determinant(minor), value),
+        uses,
+    )
+    yield _section.needed(
+        "eigenspace-dimension",
+        EIGENSPACE,
+        "it is not 0, so the eigenspace of 1 is the span of (0,1,0,1)",
+        0 < value,
+        uses,
+    )
+    stated = flipped(paper.matrix)
+    yield _section.printed(
+        "eigenspace-stated",
+        EIGENSPACE,
+        "(0,1,0,1) is fixed, in the basis as the text states it (ω₂⊥·ω₁ > 0)",
+        equal(dot(ROW, apply(stated, FIXED)), ROW[1] + ROW[3]),
+        "eigenspace-flipped",
+    )
+    opposite = vector(0, 1, 0, -1)
+    yield _section.needed(
+        "eigenspace-flipped",
+        EIGENSPACE,
+        "in the basis as the text states it, (0,1,0,-1) is fixed",
+        equal(dot(ROW, apply(stated, opposite)), ROW[1] - ROW[3]),
+    )
+    left = vector(1, root_3, -1, root_3)
+    state = symbols("x y z t")
+    yield _section.needed(
+        "angular-momentum",
+        THEOREM,
+        "l = (1,√3,-1,√3) is a left eigenvector for 1: l 𝔄 v = l v for all v",
+        equal(dot(left, apply(paper.matrix, state)), dot(left, state)),
+    )
+
+
+def _eigenvectors(paper: Printed) -> Iterator[Obligation]:
+    mu = symbol("mu")
+    cubic = mu**3 + h * mu**2 + h * mu + r
+    z = mu + h
+    half = as_term(Fraction(1, 2))
+    rising = root_3 / 3 * (mu**2 + (h - half) * mu + (h - 1) / 2)
+    middle = root_3 / 6 * (z - 1)
+    eigenvector = (as_term(1), middle - rising, z, middle + rising)
+    quotients = (
+        as_term(-1),
+        root_3 / 3 * mu * (mu - 1),
+        -mu,
+        -(root_3 / 3 * (mu - 1) * (mu + 1)),
+    )
+    for i, (image, entry, factor) in enumerate(
+        zip(apply(paper.matrix, eigenvector), eigenvector, quotients, strict=True), 1
+    ):
+        yield _section.needed(
+            f"eigenvector-{i}",
+            THEOREM,
+            "an eigenvector for λ = μ³ where μ³+hμ²+hμ+r = 0, h = (1+r)/4: "
+            f"component {i} of 𝔄v - μ³v is a multiple of that cubic",
+            equal(image - mu**3 * entry, cubic * factor),
+        )
+    at_m: Matrix = tuple(
+        tuple(substitute(entry, "r", r_of_m) for entry in row) for row in paper.matrix
+    )
+    yield _section.needed(
+        "eigenvector-real",
+        THEOREM,
+        "the eigenvector for λ₀ = -m³ in closed form (components weighted by u)",
+        equal(
+            dot(ROW, apply(at_m, REAL_EIGENVECTOR)),
+            -(m**3) * dot(ROW, REAL_EIGENVECTOR),
+        ),
+        ["every-r"],
+    )
+    twentieth = as_term(Fraction(1, 20))
+    root = as_term(Fraction(-1, 125))
+    yield _section.needed(
+        "exact-root", REAL_ROOT, "at r = 1/20 the real root is -1/125", equal(paper.q(root, twentieth), 0)
+    )
+
+

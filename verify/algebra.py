@@ -42,8 +42,15 @@ class _Atoms:
     def __init__(self) -> None:
         self._numbers: dict[Term, int] = {}
         self._squares: dict[int, Quotient] = {}
+        self._known: dict[Term, Quotient] = {}
 
     def quotient(self, term: Term) -> Quotient:
+        found = self._known.get(term)
+        if found is None:
+            found = self._known[term] = self._read(term)
+        return found
+
+    def _read(self, term: Term) -> Quotient:
         if term.op == "rational":
             value = term.value
             numerator: Polynomial = {(): value.numerator} if value else {}

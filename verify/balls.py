@@ -37,6 +37,37 @@ def hull(a: arb, b: arb) -> arb:
     return a.union(b)
 
 
+def around(centre: arb, bits: int) -> arb:
+    """All numbers that differ from those of a ball by a relative error of at most 2^-bits."""
+    return centre * arb(1, 2.0**-bits)
+
+
+def middle(ball: arb) -> arb:
+    """The midpoint of a ball, an exact number."""
+    return ball.mid()
+
+
+def inside(inner: arb, outer: arb) -> bool:
+    """True only if a finite ball lies in the interior of another one."""
+    return bool(inner.is_finite() and outer.contains_interior(inner))
+
+
+def integer_in(ball: arb) -> int | None:
+    """The only integer in a ball; None if there is none, or more than one."""
+    integer = ball.unique_fmpz()
+    return None if integer is None else int(integer)
+
+
+def root(ball: arb) -> arb:
+    """The square root of a ball of positive numbers."""
+    return _OPERATIONS["sqrt"](ball)
+
+
+def argument(re: arb, im: arb) -> arb:
+    """The argument in ]-pi, pi] of a complex number."""
+    return arb.atan2(im, re)
+
+
 def pi() -> arb:
     """The ball around pi, at the current precision."""
     return arb.pi()

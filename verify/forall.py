@@ -18,7 +18,7 @@ from verify.polynomials import NotPolynomialError, bernstein, coefficients
 from verify.program import ExactArithmetic, Machine, Program
 from verify.prover import PROVED, REFUTED, UNDECIDED, Decision, Ends
 from verify.statement import Obligation, Variable
-from verify.terms import Claim, Term
+from verify.terms import Claim
 
 BITS = 128
 
@@ -58,7 +58,7 @@ class Finding(NamedTuple):
         return self.decision.closing or self.decision.method
 
 
-def decide(row: Obligation) -> Finding:
+def decide_row(row: Obligation) -> Finding:
     """Decide one row."""
     claim, variables = row.claim, row.variables
     if not variables:
@@ -203,7 +203,7 @@ _NUMBERS = tuple(map(Fraction, ("0", "1", "-1", "2", "-3", "10", "-10", "5", "-7
 
 
 def refuting_point(claim: Claim, variables: tuple[Variable, ...]) -> Point | None:
-    """A point where the claim is false, with values as simple as possible; None if none is found."""
+    """A point where the claim is false, with simple values; None if none is found."""
     fails = _failure_test(claim, variables)
     candidates = [_candidates(variable) for variable in variables]
     for values in _points(candidates):
@@ -236,9 +236,7 @@ def _candidates(variable: Variable) -> tuple[Fraction, ...]:
 def _points(candidates: list[tuple[Fraction, ...]]) -> Iterator[list[Fraction]]:
     """Points that mix the candidates of the variables in many ways, always the same ones."""
     for attempt in range(MAX_POINTS):
-        yield [
-            values[(attempt * (i + 1) + 2 * i) % len(values)] for i, values in enumerate(candidates)
-        ]
+        yield [values[attempt * (i + 1) % len(values)] for i, values in enumerate(candidates)]
 
 
 def _failure_test(

@@ -38,7 +38,14 @@ class Outcome:
     not hold, or where the precision did not suffice to choose its constants.
     """
 
-    def __init__(self, selection: str, statement: Statement, prover: Prover) -> None:
+    def __init__(
+        self,
+        parameters: Mapping[str, Term],
+        selection: str,
+        statement: Statement,
+        prover: Prover,
+    ) -> None:
+        self.parameters = parameters
         self.selection = selection
         self.statement = statement
         self.prover = prover
@@ -112,7 +119,7 @@ def decide(
     statement = theorem().of_group(HYPOTHESES, *SELECTIONS[selection])
     common = theorem().of_group(HYPOTHESES)
     prover = Prover(common, parameters, start_bits, max_bits)
-    outcome = Outcome(selection, statement, prover)
+    outcome = Outcome(parameters, selection, statement, prover)
     outcome.rows[HYPOTHESES] = _decide_rows(prover, common)
     if outcome.hypotheses_verdict != PROVED:
         return outcome

@@ -15,7 +15,10 @@ from verify.inputs import InputError
 #: The commands in the order a newcomer needs them.
 COMMANDS = {
     "theorem1": "decide Theorem 1 (collapse of three particles) at given parameters",
+    "spectrum": "prove the spectral claims for every r, enclose the spectrum at one",
     "check": "check a certificate, and that its statement is the right one",
+    "bench": "measure speed against error",
+    "stress": "run the numerically hard cases",
     "certify": "make the committed certificates anew, or compare them",
 }
 

@@ -16,7 +16,6 @@ from fractions import Fraction
 from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.collision_matrices import EIGENSPACE, ROW, flipped
 from verify.paper.spectrum.matrices import (
-    Matrix,
     Vector,
     apply,
     determinant,
@@ -25,10 +24,10 @@ from verify.paper.spectrum.matrices import (
     vector,
 )
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
-from verify.paper.spectrum.real_root import REAL_ROOT
+from verify.paper.spectrum.real_root import DISCRIMINANT, REAL_ROOT
 from verify.paper.spectrum.rows import Section, symbols
 from verify.statement import Obligation
-from verify.terms import Term, as_term, equal, substitute, symbol
+from verify.terms import as_term, equal, substitute, symbol
 
 COMPLEX_PAIR = "EQUATSS3.5Alim_ContrRacCx"
 
@@ -48,9 +47,7 @@ trace = (m**2 - 4 * m + 1) / denominator
 real_part = trace * (3 * modulus - trace**2) / 2
 _quartic = 5 * m**4 - 4 * m**3 + 18 * m**2 - 4 * m + 5
 #: The square of their imaginary part.
-imaginary_square = (
-    27 * (m + 1) ** 4 * (m**2 - m + 1) ** 2 * _quartic / (4 * denominator**6)
-)
+imaginary_square = 27 * (m + 1) ** 4 * (m**2 - m + 1) ** 2 * _quartic / (4 * denominator**6)
 
 #: The eigenspace of 1.
 FIXED: Vector = vector(0, 1, 0, 1)
@@ -71,7 +68,7 @@ def rows(paper: Printed) -> Iterator[Obligation]:
     yield from _parametrisation()
     yield from _factorisation(paper)
     yield from _moduli()
-    yield from _multiplicities(paper)
+    yield from _multiplicities()
     yield from _eigenspace(paper)
     yield from _eigenvectors(paper)
 
@@ -88,21 +85,21 @@ def _parametrisation() -> Iterator[Obligation]:
     yield _section.needed(
         "m-at-1", REAL_ROOT, "r(1) = 1", equal(substitute(r_of_m, "m", as_term(1)), 1), uses
     )
-    rising = (
-        m**2 * n**2 - m**2 * n + 4 * m**2 - m * n**2 + 4 * m * n - m + 4 * n**2 - n + 1
-    )
+    rising = m**2 * n**2 - m**2 * n + 4 * m**2 - m * n**2 + 4 * m * n - m + 4 * n**2 - n + 1
     other = substitute(denominator, "m", n)
     yield _section.needed(
         "m-difference",
         REAL_ROOT,
         "r(m) - r(n) is m - n times a quotient of polynomials",
-        equal(
-            r_of_m - substitute(r_of_m, "m", n), 4 * (m - n) * rising / (denominator * other)
-        ),
+        equal(r_of_m - substitute(r_of_m, "m", n), 4 * (m - n) * rising / (denominator * other)),
         uses,
     )
     yield _section.needed(
-        "m-increasing", REAL_ROOT, "its numerator is positive, so that r(m) increases", 0 < rising, uses
+        "m-increasing",
+        REAL_ROOT,
+        "its numerator is positive, so that r(m) increases",
+        0 < rising,
+        uses,
     )
 
 
@@ -112,9 +109,7 @@ def _factorisation(paper: Printed) -> Iterator[Obligation]:
         "Q-factorised",
         COMPLEX_PAIR,
         "Q(λ) = (λ+m³)((λ-x)²+w) at r = r(m)",
-        equal(
-            paper.q(lam, r_of_m), (lam + m**3) * ((lam - real_part) ** 2 + imaginary_square)
-        ),
+        equal(paper.q(lam, r_of_m), (lam + m**3) * ((lam - real_part) ** 2 + imaginary_square)),
         every,
     )
     yield _section.needed(
@@ -180,34 +175,15 @@ def _moduli() -> Iterator[Obligation]:
     yield _section.needed("real-root-nonzero", COMPLEX_PAIR, "0 < |λ₀| = m³", 0 < m**3, every)
 
 
-def _multiplicities(paper: Printed) -> Iterator[Obligation]:
-    start = vector(2, root_3, -1, root_3)
-    powers = krylov(start, paper.matrix)
-    value = -(243 * (1 + r) ** 7 / 8192)
-    uses = ["linear-algebra"]
-    yield _section.needed(
-        "cyclic",
-        THEOREM,
-        "the row f = (2,√3,-1,√3) is cyclic: det(f; f𝔄; f𝔄²; f𝔄³) = -243(1+r)⁷/8192",
-        equal(determinant(powers), value),
-        uses,
-    )
+def _multiplicities() -> Iterator[Obligation]:
     yield _section.needed(
         "geometric-multiplicity",
         THEOREM,
-        "it is not 0, so every eigenvalue has geometric multiplicity 1",
-        value < as_term(0),
-        uses,
+        "the discriminant Q(1)² disc(Q) of the characteristic polynomial is not 0: four distinct "
+        "eigenvalues, each of geometric multiplicity 1",
+        (27 * (1 + r) ** 3 / 32) ** 2 * DISCRIMINANT < as_term(0),
+        ["polynomials", "linear-algebra"],
     )
-
-
-def krylov(start: Vector, matrix: Matrix) -> Matrix:
-    """The rows f, fA, fA^2, fA^3."""
-    rows_ = [start]
-    columns = tuple(zip(*matrix, strict=True))
-    for _ in range(3):
-        rows_.append(tuple(dot(rows_[-1], column) for column in columns))
-    return tuple(rows_)
 
 
 def _eigenspace(paper: Printed) -> Iterator[Obligation]:
@@ -284,23 +260,21 @@ def _eigenvectors(paper: Printed) -> Iterator[Obligation]:
             f"component {i} of 𝔄v - μ³v is a multiple of that cubic",
             equal(image - mu**3 * entry, cubic * factor),
         )
-    at_m: Matrix = tuple(
-        tuple(substitute(entry, "r", r_of_m) for entry in row) for row in paper.matrix
-    )
-    yield _section.needed(
-        "eigenvector-real",
-        THEOREM,
-        "the eigenvector for λ₀ = -m³ in closed form (components weighted by u)",
-        equal(
-            dot(ROW, apply(at_m, REAL_EIGENVECTOR)),
-            -(m**3) * dot(ROW, REAL_EIGENVECTOR),
-        ),
-        ["every-r"],
-    )
+    for i, (entry, value) in enumerate(zip(eigenvector, REAL_EIGENVECTOR, strict=True), 1):
+        if i > 1:
+            at_m = substitute(substitute(entry, "r", r_of_m), "mu", -m)
+            yield _section.needed(
+                f"eigenvector-real-{i}",
+                THEOREM,
+                f"component {i} of the eigenvector for λ₀ = -m³: μ = -m at r = r(m)",
+                equal(at_m, value),
+                ["every-r"],
+            )
     twentieth = as_term(Fraction(1, 20))
     root = as_term(Fraction(-1, 125))
     yield _section.needed(
-        "exact-root", REAL_ROOT, "at r = 1/20 the real root is -1/125", equal(paper.q(root, twentieth), 0)
+        "exact-root",
+        REAL_ROOT,
+        "at r = 1/20 the real root is -1/125",
+        equal(paper.q(root, twentieth), 0),
     )
-
-

@@ -19,14 +19,14 @@ def vector(*entries: Number) -> Vector:
 
 
 def plus(a: Term, b: Term) -> Term:
-    """a + b."""
+    """A + b."""
     if a == ZERO:
         return b
     return a if b == ZERO else a + b
 
 
 def times(a: Term, b: Term) -> Term:
-    """a b."""
+    """A b."""
     if ZERO in (a, b):
         return ZERO
     if a == ONE:

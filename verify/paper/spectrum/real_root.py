@@ -26,6 +26,11 @@ MINIMUM = (
     + as_term(Fraction(71, 12288))
 )
 
+_quartic_in_r = 5 * r**4 - 76 * r**3 + 2142 * r**2 - 76 * r + 5
+
+#: The discriminant of Q in closed form.
+DISCRIMINANT = -27 * (r + 1) ** 8 * _quartic_in_r / 2**24
+
 _section = Section("real root")
 
 
@@ -103,11 +108,7 @@ def _quartic() -> Iterator[Obligation]:
         "q(s+ε) = q(s) + ε q'(s) + ε² q''(s)/2 + ε³(4s-24) + ε⁴, with q'' as displayed",
         equal(
             q(s + eps),
-            q(s)
-            + eps * q_prime(s)
-            + eps**2 * q_second(s) / 2
-            + eps**3 * (4 * s - 24)
-            + eps**4,
+            q(s) + eps * q_prime(s) + eps**2 * q_second(s) / 2 + eps**3 * (4 * s - 24) + eps**4,
         ),
         **real,
     )
@@ -172,18 +173,13 @@ def _increasing(paper: Printed) -> Iterator[Obligation]:
         ["signs"],
     )
     a_0, a_1, a_2, _ = paper.coefficients
-    quartic = 5 * r**4 - 76 * r**3 + 2142 * r**2 - 76 * r + 5
     yield _section.needed(
         "Q-discriminant",
         THEOREM,
         "the discriminant of Q is -27(r+1)⁸(5r⁴-76r³+2142r²-76r+5)/2²⁴",
         equal(
-            a_2**2 * a_1**2
-            - 4 * a_1**3
-            - 4 * a_2**3 * a_0
-            + 18 * a_2 * a_1 * a_0
-            - 27 * a_0**2,
-            -27 * (r + 1) ** 8 * quartic / 2**24,
+            a_2**2 * a_1**2 - 4 * a_1**3 - 4 * a_2**3 * a_0 + 18 * a_2 * a_1 * a_0 - 27 * a_0**2,
+            DISCRIMINANT,
         ),
         ["polynomials"],
     )
@@ -192,7 +188,7 @@ def _increasing(paper: Printed) -> Iterator[Obligation]:
         THEOREM,
         "its quartic factor is a sum of two squares",
         equal(
-            quartic,
+            _quartic_in_r,
             5 * (r**2 - as_term(Fraction(38, 5)) * r + 1) ** 2 + as_term(Fraction(9216, 5)) * r**2,
         ),
         r=(None, None),
@@ -201,7 +197,7 @@ def _increasing(paper: Printed) -> Iterator[Obligation]:
         "Q-discriminant-negative",
         THEOREM,
         "the discriminant is negative: one real root and a genuine complex pair",
-        -27 * (r + 1) ** 8 * quartic / 2**24 < as_term(0),
+        DISCRIMINANT < as_term(0),
         ["polynomials"],
     )
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 
 from verify.statement import Obligation, Variable
-from verify.terms import Claim, Number, Term, symbol, symbols_of
+from verify.terms import Claim, Term, symbol
 
 Bound = int | Fraction | None
 Interval = tuple[Bound, Bound]
@@ -38,6 +38,9 @@ LETTERS = {
     "mu": "μ",
     "epsilon": "ε",
     "alpha": "α",
+    "cosine": "cos",
+    "eta_s": "η_s",
+    "eta_c": "η_c",
     **{f"{letter}_{i}": letter + "₀₁₂₃₄₅₆"[i] for letter in "cpquvw" for i in range(7)},
 }
 
@@ -84,7 +87,7 @@ class Section:
         corrected_by: str | None,
         intervals: dict[str, Interval],
     ) -> Obligation:
-        names = dict.fromkeys([*symbols_of(claim.lhs), *symbols_of(claim.rhs)])
+        names = _names(claim)
         unused = set(intervals) - set(names)
         if unused:
             raise ValueError(f"row {name} has intervals for symbols that it does not use: {unused}")
@@ -93,6 +96,21 @@ class Section:
         return Obligation(
             name, self.group, label, role, says, claim, tuple(uses), corrected_by, variables
         )
+
+
+def _names(claim: Claim) -> set[str]:
+    """The names of the symbols that occur in a claim."""
+    names: set[str] = set()
+    seen: set[Term] = set()
+    waiting = [claim.lhs, claim.rhs]
+    while waiting:
+        term = waiting.pop()
+        if term.op == "symbol":
+            names.add(term.name)
+        elif term not in seen:
+            seen.add(term)
+            waiting += term.children
+    return names
 
 
 def _variable(name: str, intervals: dict[str, Interval]) -> Variable:

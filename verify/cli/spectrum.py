@@ -1,0 +1,76 @@
+"""Prove the spectral claims of Sections 4.1, 4.2 and 5 for every r; enclose the spectrum at one."""
+
+from __future__ import annotations
+
+import sys
+from argparse import ArgumentParser, Namespace
+from fractions import Fraction
+
+from verify.files import print_document, write_all
+from verify.inputs import InputError, integer, rational, shown
+from verify.spectrum import Outcome, decide
+from verify.views.spectrum import document, lines, point_document, point_lines
+
+MAX_PRECISION = 1 << 22
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """The options; every number is kept as the text that was written."""
+    parser.add_argument(
+        "--r", metavar="R", help="enclose the spectrum at R in ]0,1[, or for all r in A..B"
+    )
+    parser.add_argument("--precision", default="128", help="bits of the enclosures (default 128)")
+    parser.add_argument("--json", action="store_true", help="one JSON document on stdout")
+    parser.add_argument("--out", metavar="DIR", help="write statement.json and certificate.json")
+
+
+def read_r(text: str) -> list[Fraction]:
+    """The one number, or the two ends of the interval.
+
+    Raises:
+        InputError: for a number outside ]0,1[, an empty or a reversed interval.
+    """
+    ends = [rational("--r", part) for part in text.split("..", 1)]
+    for end in ends:
+        if not 0 < end < 1:
+            raise InputError(f"--r: {shown(text)} is not in ]0,1[; write for example 0.03")
+    if len(ends) == 2 and ends[0] >= ends[1]:
+        kind = "empty" if ends[0] == ends[1] else "reversed"
+        raise InputError(
+            f"--r: the interval {shown(text)} is {kind}; write the smaller end first, as 0.02..0.04"
+        )
+    return ends
+
+
+def run(options: Namespace) -> int:
+    """Print the rows or the document, write the files, return the exit code."""
+    r = None if options.r is None else read_r(options.r)
+    bits = integer("--precision", options.precision, 2, MAX_PRECISION)
+    outcome = decide()
+    if options.out is not None:
+        _write(options.out, outcome)
+    spectrum = None
+    if r is not None:
+        from verify import eigenvalues  # loaded only where it is used
+
+        spectrum = eigenvalues.at(r[0], bits) if len(r) == 1 else eigenvalues.over(*r, bits)
+    if options.json:
+        found = document(outcome)
+        if r is not None and spectrum is not None:
+            found |= point_document(r, spectrum, bits)
+        print_document(found)
+    else:
+        text = [*lines(outcome)]
+        if r is not None and spectrum is not None:
+            text += point_lines(r, spectrum)
+        sys.stdout.write("".join(f"{line}\n" for line in text))
+    return outcome.exit_code
+
+
+def _write(directory: str, outcome: Outcome) -> None:
+    from verify.spectrum_files import files  # hashlib is loaded only where it is used
+
+    if outcome.undecided:
+        print("verify: undecided rows have no certificate; nothing was written", file=sys.stderr)
+        return
+    write_all("--out", directory, files(outcome))

@@ -1,0 +1,157 @@
+"""Enclosures over a whole cell of parameters: balls, sharpened by the mean value theorem.
+
+A value of the program is a function f of the parameters on a cell. It is kept as a ball around f
+at the cell's centre, a ball around f on the cell, and balls around the partial derivatives on the
+cell. By the mean value theorem f on the cell lies in
+
+    f(centre) + sum of (derivative ball) * (parameter - centre),
+
+whose width shrinks with the square of the cell's, while that of plain balls shrinks linearly and
+grows with each repeated occurrence of a parameter. Both enclosures hold, so their intersection
+does. A min or max is not differentiable where two entries meet; it is Lipschitz, and the theorem
+holds with the hull of the entries' derivatives in place of the derivative.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from verify import balls
+from verify.balls import Ball
+from verify.program import UndefinedError
+
+#: Bits that are plenty for pictures: cells are far wider than 2^-64.
+BITS = 64
+
+Side = tuple[Fraction, Fraction]
+
+
+class Slope(NamedTuple):
+    """A function on a cell; ``slopes`` is None where no derivative is known."""
+
+    centre: Ball
+    range: Ball
+    slopes: tuple[Ball, ...] | None
+
+
+class SlopeArithmetic:
+    """The arithmetic of `verify.program` on functions of the parameters of one cell.
+
+    Args:
+        cell: the interval of each parameter that varies.
+    """
+
+    def __init__(self, cell: Sequence[Side]) -> None:
+        self._zero = balls.from_fraction(Fraction(0))
+        self._one = balls.from_fraction(Fraction(1))
+        self._operations = {
+            "add": self._add,
+            "sub": self._sub,
+            "mul": self._mul,
+            "div": self._div,
+            "neg": self._neg,
+            "sqrt": self._sqrt,
+            "min": self._min,
+            "max": self._max,
+        }
+        self._flat = (self._zero,) * len(cell)
+        self._offsets: tuple[Ball, ...] = ()
+        self.move(cell)
+
+    def move(self, cell: Sequence[Side]) -> list[Slope]:
+        """Go on with another cell of as many parameters; return the parameters on it."""
+        inputs, offsets = [], []
+        for index, (low, high) in enumerate(cell):
+            centre = balls.from_fraction((low + high) / 2)
+            side = balls.hull(balls.from_fraction(low), balls.from_fraction(high))
+            slopes = list(self._flat)
+            slopes[index] = self._one
+            inputs.append(Slope(centre, side, tuple(slopes)))
+            offsets.append(side - centre)
+        self._offsets = tuple(offsets)
+        return inputs
+
+    def rational(self, value: Fraction) -> Slope:
+        """The constant function."""
+        ball = balls.from_fraction(value)
+        return Slope(ball, ball, self._flat)
+
+    def operation(self, name: str) -> Callable[..., Slope]:
+        """The operation of this name.
+
+        Raises:
+            UndefinedError: for the cosines, which need no plot.
+        """
+        if name not in self._operations:
+            raise UndefinedError(f"no slopes for {name}")
+        return self._operations[name]
+
+    def _sharpened(self, centre: Ball, plain: Ball, slopes: tuple[Ball, ...] | None) -> Slope:
+        if not (centre.is_finite() and plain.is_finite()):
+            raise UndefinedError("a value is not finite on this cell")
+        if slopes is None:
+            return Slope(centre, plain, None)
+        total = centre
+        for slope, offset in zip(slopes, self._offsets, strict=True):
+            total = total + slope * offset
+        if not total.is_finite():
+            return Slope(centre, plain, None)
+        return Slope(centre, plain.intersection(total), slopes)
+
+    def _add(self, a: Slope, b: Slope) -> Slope:
+        slopes = None
+        if a.slopes is not None and b.slopes is not None:
+            slopes = tuple([x + y for x, y in zip(a.slopes, b.slopes, strict=True)])
+        return self._sharpened(a.centre + b.centre, a.range + b.range, slopes)
+
+    def _sub(self, a: Slope, b: Slope) -> Slope:
+        slopes = None
+        if a.slopes is not None and b.slopes is not None:
+            slopes = tuple([x - y for x, y in zip(a.slopes, b.slopes, strict=True)])
+        return self._sharpened(a.centre - b.centre, a.range - b.range, slopes)
+
+    def _neg(self, a: Slope) -> Slope:
+        return Slope(-a.centre, -a.range, a.slopes and tuple([-x for x in a.slopes]))
+
+    def _mul(self, a: Slope, b: Slope) -> Slope:
+        slopes = None
+        if a.slopes is not None and b.slopes is not None:
+            f, g = a.range, b.range
+            slopes = tuple([x * g + f * y for x, y in zip(a.slopes, b.slopes, strict=True)])
+        return self._sharpened(a.centre * b.centre, a.range * b.range, slopes)
+
+    def _div(self, a: Slope, b: Slope) -> Slope:
+        quotient, g = a.range / b.range, b.range
+        slopes = None
+        if a.slopes is not None and b.slopes is not None:
+            pairs = zip(a.slopes, b.slopes, strict=True)
+            slopes = tuple([(x - quotient * y) / g for x, y in pairs])
+        return self._sharpened(a.centre / b.centre, quotient, slopes)
+
+    def _sqrt(self, a: Slope) -> Slope:
+        root = a.range.sqrt()
+        slopes = None
+        if a.slopes is not None and balls.less(self._zero, root):
+            twice = root + root
+            slopes = tuple([x / twice for x in a.slopes])
+        return self._sharpened(a.centre.sqrt(), root, slopes)
+
+    def _min(self, a: Slope, b: Slope) -> Slope:
+        if balls.less_equal(a.range, b.range):
+            return a
+        if balls.less_equal(b.range, a.range):
+            return b
+        return self._sharpened(
+            Ball.min(a.centre, b.centre), Ball.min(a.range, b.range), _either(a, b)
+        )
+
+    def _max(self, a: Slope, b: Slope) -> Slope:
+        return self._neg(self._min(self._neg(a), self._neg(b)))
+
+
+def _either(a: Slope, b: Slope) -> tuple[Ball, ...] | None:
+    if a.slopes is None or b.slopes is None:
+        return None
+    return tuple([balls.hull(x, y) for x, y in zip(a.slopes, b.slopes, strict=True)])

@@ -27,7 +27,6 @@ REFUTED_AT_3_100 = {
     "norm-law-as-printed",
     "Cnd5-lower-as-printed",
     "zeta-time-square",
-    "zeta-factor-as-printed",
     "zeta-x-bound",
     "zeta-term-2",
     "zeta-remainders",

@@ -41,7 +41,7 @@ def coefficients(term: Term, name: str) -> Coefficients:
     if op == "div" and len(parts[1]) == 1:
         return [a / parts[1][0] for a in parts[0]]
     if op in ("add", "sub"):
-        return _sum(*parts, 1 if op == "add" else -1)
+        return _sum(parts[0], parts[1], 1 if op == "add" else -1)
     raise NotPolynomialError(f"{op} is not an operation of polynomials")
 
 

@@ -53,7 +53,7 @@ def run(options: Namespace) -> int:
     if r is not None:
         from verify import eigenvalues  # loaded only where it is used
 
-        spectrum = eigenvalues.at(r[0], bits) if len(r) == 1 else eigenvalues.over(*r, bits)
+        spectrum = eigenvalues.at(r[0], bits) if len(r) == 1 else eigenvalues.over(r[0], r[1], bits)
     if options.json:
         found = document(outcome)
         if r is not None and spectrum is not None:

@@ -49,8 +49,8 @@ ASSUMPTIONS = (
     Assumption(
         "zeta-from-distance",
         "EQUATSS4.1BorneParam_ZK0_",
-        "x(2+x)/(1+x)² ≤ 2x for x ≥ 0 and ≥ 3x/4 for 0 ≤ x ≤ 1, hence "
-        "(3/4) d |W_c|²/η_c² ≤ ζ ≤ 2 d |W_c|²/η_c².",
+        "x(2+x)/(1+x)² ≤ 2x for x ≥ 0 and ≥ 3x/4 for 0 ≤ x ≤ 1, hence ζ ≤ 2 d |W_c|²/η_c² "
+        "and, if d ≤ 1, (3/4) d |W_c|²/η_c² ≤ ζ.",
     ),
     Assumption(
         "root-crude",
@@ -109,7 +109,7 @@ ASSUMPTIONS = (
         "x-step",
         "EQUATSS4.1DefinReste_x_n_",
         "x_{n+1} = r(1+d_n)√(1-ζ_n)/(α₀-φ⁻-y_n) - φ⁻; and |r/(α₀-φ⁻-y) - φ⁻| ≤ K|y| if "
-        "r/(α₀-φ⁻-δ)² ≤ K and |y| ≤ δ (mean value theorem).",
+        "0 ≤ δ < α₀-φ⁻, r/(α₀-φ⁻-δ)² ≤ K and |y| ≤ δ (mean value theorem).",
     ),
     Assumption(
         "y-step",
@@ -126,7 +126,8 @@ ASSUMPTIONS = (
     Assumption(
         "interior",
         "THEORSS4.1ExistenCollapse",
-        "The initial data, open in the contact surface |x₁-x₀| = 1, η_s > 0, sweep out a set "
-        "with interior when they flow for a short time before the next collision.",
+        "The initial data whose inequalities are strict form a non-empty open part of the contact "
+        "surface |x₁-x₀| = 1, η_s > 0; flowing for a short time before the next collision, they "
+        "sweep out an open set.",
     ),
 )

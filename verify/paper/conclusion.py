@@ -25,7 +25,7 @@ def rows(k: ConstantSet) -> Iterator[Obligation]:
         THEOREM,
         "d₀ > 0 is in the set, and d_{n+1} > 0: no triple collision",
         0 < k.d_bar,
-        ["distance"],
+        ["distance", "law-eta-s", "time", "induction"],
     )
     yield k.row(
         "final-angle",
@@ -39,5 +39,5 @@ def rows(k: ConstantSet) -> Iterator[Obligation]:
         THEOREM,
         "the collapse time Σ τ_n ≤ 2η̄ζ̄/(V₀(1-C_η)) ≤ T* is finite",
         2 / (V_0 * (1 - C_eta)) * k.eta_bar * k.zeta_bar <= k.T_star,
-        ["time", "induction", "collision-map-roles"],
+        ["time", "induction", "collision-map", "collision-map-roles"],
     )

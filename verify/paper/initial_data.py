@@ -284,6 +284,25 @@ CHANGES = (
         "with the angle fixed the set has no interior.",
     ),
     Change(
+        X_0,
+        "d₀ ≤ d̄(-η_{c,0})",
+        "0 < d₀ ≤ d̄(-η_{c,0})",
+        "d₀ = 0 is a triple contact; the collision mapping needs d > 0.",
+    ),
+    Change(
+        X_0,
+        "a post-collisional configuration (in words)",
+        "η_{s,0} > 0",
+        "the bound x₀ does not give it where |x₀| ≥ φ⁻, and without it the pair that just met "
+        "may meet again.",
+    ),
+    Change(
+        "EQUATSS4.1Recurrence_Cnd5",
+        "(nothing)",
+        "0 < d_n ≤ 1 among the conditions of the recursion",
+        "1+d_n ≤ 2 is used in every step, and d_n > 0 by the mapping.",
+    ),
+    Change(
         ETA,
         "entry V₀/(33 V₁^{1/2}) |Δθ|",
         "(1-C_η)/28 · V₀/V₁^{1/2} · |Δθ|",

@@ -52,13 +52,6 @@ def _not_empty(k: ConstantSet) -> Iterator[Obligation]:
     )
     if k.printed:
         yield k.row(
-            "set-eta_s-from-x_0",
-            DATA,
-            "η_{s,0} > 0 from the bound on x₀: 0 < φ⁻ - |x₀|",
-            0 < phi_minus - k.x_0,
-            corrected_by="set-eta_s-positive",
-        )
-        yield k.row(
             "set-distance",
             DATA,
             "d₀ > 0: the set as printed has only d₀ ≤ d̄ and so contains d₀ = 0, a triple contact",
@@ -92,7 +85,9 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
             2 <= 2 * k.d_bar,
             corrected_by="init-Cnd4",
         )
-    yield k.row("init-Cnd3", f"{CND}3", "ζ₀ < 1", k.zeta_bar < 1, ["zeta-from-distance"])
+    yield k.row(
+        "init-Cnd3", f"{CND}3", "ζ₀ < 1", k.zeta_bar < 1, ["zeta-from-distance", "collision-map"]
+    )
     yield k.row(
         "init-Cnd4",
         f"{CND}4",
@@ -127,7 +122,7 @@ def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
         cnd,
         "√2 - d₀ - 2V₁^{1/2} τ₀ > 1",
         1 < sqrt(2) - k.d_bar - 2 * k.speed * tau_0,
-        ["time", "root-crude", "outer-distance"],
+        ["time", "root-crude", "outer-distance", "collision-map"],
     )
 
 
@@ -192,9 +187,9 @@ def _ratios(k: ConstantSet) -> Iterator[Obligation]:
     yield k.row(
         "init-y-term-5",
         cnd,
-        "fifth term of y₀: V₁ τ₀/(-η_{c,0}) ≤ 4V₁ d₀/η_{c,0}² · (-η_{c,0}) ≤ h₄δ_x/4",
-        4 * k.V_1 * k.d_slope * k.eta_bar <= quarter,
-        ["y-step", "time"],
+        "fifth term of y₀: V₁ τ₀/(-η_{c,0}) ≤ 4V₁ d₀/η_{c,0}² = 4V₁ k_d ≤ h₄δ_x/4",
+        4 * k.V_1 * k.d_slope <= quarter,
+        ["y-step", "time", "zeta-from-distance"],
     )
     yield k.row(
         "init-Cnd10",

@@ -49,16 +49,17 @@ def rows(k: ConstantSet) -> Iterator[Obligation]:
 def _norms(k: ConstantSet) -> Iterator[Obligation]:
     cnd5, cnd6 = f"{CND}5", f"{CND}6"
     step = 4 * (k.speed + 2)
-    yield k.row("d-below-one", cnd6, "1 + d_n ≤ 2 for every n", k.d_any <= 1, ["distance"])
+    yield k.row("d-below-one", cnd6, "1 + d_n ≤ 2 for every n", k.d_any <= 1, ["distance", "time"])
     if k.printed:
-        # The display bounds d_{n+1} by eta_{c,n}; for d_n it needs eta_{c,n} = C_eta eta_{c,n-1}
-        # to be at least eta_{c,n-1}.
+        # tau_n <= (1 + zeta_n/2) d_n/(-eta_{c,n}) and tau_n <= 2 (-eta_{c,n}) zeta_n/V_0, so the
+        # right-hand side is at most d_n times the number below; the display is about d_{n+1}.
         yield k.row(
             "d-index",
             TAU,
-            "d_n ≤ 3(V₁^{1/2}/V₀)(-η_{c,n}): the display gives it with -η_{c,n-1}, "
-            "and -η_{c,n} may be C_η(-η_{c,n-1})",
-            k.eta_bar <= C_eta * k.eta_bar,
+            "d_n ≤ |η_{s,n}|τ_n + |W_{s,n}|²τ_n²/2 (it bounds d_{n+1}): "
+            "as τ_n ≤ (1+ζ_n/2) d_n/(-η_{c,n}) it needs 1 ≤ (1+ζ̄/2)(φ⁻+δ_x+(V₁/V₀)ζ̄)",
+            1 <= (1 + k.zeta_bar / 2) * (phi_minus + k.delta_x + k.V_1 / V_0 * k.zeta_bar),
+            ["time", "root-fine", "zeta-from-distance"],
             corrected_by="d-below-one",
         )
     yield k.row("eta-below-one", cnd6, "η² ≤ η ≤ 1", k.eta_bar <= 1)
@@ -121,13 +122,13 @@ def _norms(k: ConstantSet) -> Iterator[Obligation]:
         ["norm-step"],
     )
     if k.printed:
-        # Cnd6 and Cnd7 bound |W_n|^2 from above only: |W_n|^2 = 0 satisfies both.
         yield k.row(
             "Cnd5-lower-as-printed",
             cnd5,
-            "V₀ ≤ |W|² deduced from the upper bounds Cnd6, Cnd7: they allow |W|² = 0",
-            V_0 <= as_term(0),
-            ["norm-step"],
+            "V₀ ≤ |W_{s,n+1}|² at |W_{c,n}|² = V₀, -η_{c,n} = C_η η̄: Cnd6 and Cnd7 are upper "
+            "bounds, and the law subtracts (1-r²)(1+d_n)²(1-ζ_n)η_{c,n}²",
+            V_0 <= V_0 - (1 - r**2) * (1 - k.zeta_bar) * (C_eta * k.eta_bar) ** 2,
+            ["law-norms"],
             corrected_by="Cnd5-lower",
         )
     yield k.row(
@@ -186,6 +187,7 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
             cnd,
             "bounding τ/(-η_{c,n}) by 4ζ_n²/|W_{c,n}|⁴, at |W_{c,n}|² = V₀, ζ_n = min(ζ̄, V₀/16)",
             zeta / (2 * V_0) <= 4 * zeta**2 / V_0**2,
+            ["time"],
             corrected_by="zeta-time-square",
         )
     else:
@@ -195,17 +197,6 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
             "(τ_n/(-η_{c,n}))² ≤ 4ζ_n²/|W_{c,n}|⁴",
             (k.tau_crude * k.zeta_bar) ** 2 <= 4 * k.zeta_bar**2 / V_0**2 * k.eta_bar**2,
             ["time"],
-        )
-    if k.printed:
-        small = minimum(k.zeta_bar, k.d_later)
-        yield k.row(
-            "zeta-factor-as-printed",
-            cnd,
-            "the first and third term without 1+d_n: (1+ζ_n/2)(1+d_n) ≤ 1+ζ_n "
-            "at ζ_n = min(ζ̄, d_n), d_n = 3(V₁^{1/2}/V₀)η̄",
-            (1 + small / 2) * (1 + k.d_later) <= 1 + small,
-            ["zeta-step"],
-            corrected_by="zeta-dropped-factor",
         )
     yield k.row(
         "zeta-dropped-factor",
@@ -225,7 +216,7 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
         cnd,
         "second term at n = 0: (V₁/V₀) |x₀|/δ₂² ≤ h₅/12",
         ratio / delta_2**2 * k.x_0 <= h_5 / 12,
-        ["zeta-step"],
+        ["zeta-step", "time"],
     )
     yield k.row(
         "zeta-x-bound",
@@ -320,7 +311,13 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
         total <= 1 - h_5 / 4,
         ["zeta-step"],
     )
-    yield k.row("Cnd3", f"{CND}3", "ζ_{n+1} ≤ (1-h₅/4) ζ̄ < 1", (1 - h_5 / 4) * k.zeta_bar < 1)
+    yield k.row(
+        "Cnd3",
+        f"{CND}3",
+        "ζ_{n+1} ≤ (1-h₅/4) ζ̄ < 1",
+        (1 - h_5 / 4) * k.zeta_bar < 1,
+        ["collision-map"],
+    )
 
 
 def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
@@ -361,7 +358,7 @@ def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
         cnd,
         "√2 - d_{n+1} - 2V₁^{1/2} τ_{n+1} > 1",
         1 < sqrt(2) - total,
-        ["outer-distance", "distance", "time"],
+        ["outer-distance", "distance", "time", "collision-map"],
     )
 
 
@@ -494,7 +491,7 @@ def _entries_alone(k: ConstantSet) -> Iterator[Obligation]:
     bounds = k.bounds()
     eta_5 = bounds["eta_bar"][4]
     zeta_3 = bounds["zeta_bar"][2]
-    d_3, d_4 = bounds["d_const"][2:4]
+    d_4 = bounds["d_const"][3]
     share = h_4 * k.delta_x
     d_eta = 3 * k.speed / V_0 * eta_5
     zeta_label, d_label = "EQUATSS4.1DefinBorne_Zeta", "EQUATSS4.1DefinBorne_d_0_"
@@ -510,7 +507,7 @@ def _entries_alone(k: ConstantSet) -> Iterator[Obligation]:
          2 * zeta_3 / delta_2 <= share / 2, "x-term-1"),
         ("zeta-y-4", zeta_label, "entry 3 of ζ̄: 2(V₁/V₀)ζ̄ ≤ h₄δ_x/8",
          2 * k.V_1 / V_0 * zeta_3 <= share / 8, "y-term-4"),
-        ("d-y-3", d_label, "entry 3 of d̄: d₀ ≤ h₄δ_x/4", d_3 <= share / 4, "init-y-term-3"),
+        ("d-y-3", d_label, "entry 4 of d̄: d₀ ≤ h₄δ_x/4", d_4 <= share / 4, "init-y-term-3"),
         ("d-x-1", d_label, "entry 4 of d̄: d₀/δ₂ ≤ h₄δ_x/2", d_4 / delta_2 <= share / 2,
          "x-term-1"),
     ):  # fmt: skip

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from verify.decimals import outward, short
+from verify.decimals import short
 from verify.prover import REFUTED, Decision, Ends
 from verify.statement import HYPOTHESES, PRINTED, REPAIRED, Constant, Obligation
 from verify.terms import symbol
 from verify.theorem1 import Outcome
-from verify.views.words import entry_ends, least, letters, verdict_text
+from verify.views.words import entry_ends, least, letters, theorem_in_numbers, verdict_text
 
 _SIGNS = {"<": "<", "<=": "≤", "=": "="}
 
@@ -30,7 +30,7 @@ def _lines(outcome: Outcome) -> Iterator[str]:
     yield f"Verdict: **{verdict_text(outcome)}**."
     if REPAIRED in outcome.rows:
         yield ""
-        yield from theorem_in_numbers(outcome)
+        yield theorem_in_numbers(outcome)
     yield ""
     yield "Check it with nothing but Python: `python3 -I verify/check.py` and this folder."
     if PRINTED in outcome.rows:
@@ -52,30 +52,6 @@ def _lines(outcome: Outcome) -> Iterator[str]:
             )
     yield from _section("Taken on trust")
     yield from (f"- `{a.label}`: {a.sentence}" for a in outcome.assumptions)
-
-
-def theorem_in_numbers(outcome: Outcome) -> Iterator[str]:
-    """The theorem with the repaired constants as the short decimals that they are."""
-    definitions = outcome.prover.definitions
-
-    def value(name: str) -> str:
-        number = definitions[f"repaired.{name}"].value
-        return outward((number, number))[0]
-
-    typesetter = letters(outcome)
-    r, c, v_0, delta = (typesetter.term(definitions[name]) for name in outcome.statement.parameters)
-    third = (definitions["repaired.V_1"].value - definitions["V_0"].value) / 3
-    low, high = definitions["V_0"].value + third, definitions["repaired.V_1"].value - third
-    phi = outcome.prover.enclose(definitions["phi_minus"])
-    yield (
-        f"Let r = {r}. Three particles, 0 and 1 in contact and just collided, with "
-        f"0 < -η_c ≤ {value('eta_bar')}, |η_s/(-η_c) - φ⁻| ≤ {value('x_0')} and η_s > 0 "
-        f"(φ⁻ = {_short(phi)}), 0 < d ≤ min({value('d_const')}, {value('d_slope')} η_c²), "
-        f"|W_c|² and |W_s|² in [{low}, {high}], and |cos θ + {c}| ≤ "
-        f"{value('Delta_theta')}/4, collide for ever in the order 0-2, 0-1, 0-2, …, within the "
-        f"time {value('T_star')} (unit of length: a diameter; |W|² ≥ V₀ = {v_0}), and -cos of "
-        f"the final angle differs from {c} by at most {value('Delta_theta')} ≤ δ_θ = {delta}."
-    )
 
 
 def defects(outcome: Outcome) -> Iterator[str]:

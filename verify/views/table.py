@@ -10,7 +10,7 @@ from verify.statement import HYPOTHESES, PRINTED, REPAIRED, Constant, Obligation
 from verify.terms import symbol
 from verify.theorem1 import Outcome
 from verify.typeset import Typesetter
-from verify.views.words import entry_ends, least, letters, verdict_text
+from verify.views.words import entry_ends, least, letters, theorem_in_numbers, verdict_text
 
 _SIGNS = {"<": "<", "<=": "≤"}
 _TITLES = {
@@ -48,6 +48,9 @@ def _set(outcome: Outcome, group: str, typesetter: Typesetter) -> Iterator[str]:
     for constant in outcome.statement.constants:
         if constant.name.startswith(f"{group}."):
             yield from _constant(outcome, constant, typesetter)
+    if group == REPAIRED:
+        yield ""
+        yield f"  {theorem_in_numbers(outcome)}"
     yield ""
     for row, decision in outcome.rows[group]:
         yield from _row(row, decision, typesetter)

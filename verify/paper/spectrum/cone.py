@@ -13,7 +13,7 @@ from verify.paper.spectrum import triangle
 from verify.paper.spectrum.collision_matrices import A_A, A_B, flipped
 from verify.paper.spectrum.matrices import Vector, apply, dot, vector
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
-from verify.paper.spectrum.rows import Section, symbols
+from verify.paper.spectrum.rows import REAL, Section, symbols
 from verify.statement import Obligation
 from verify.terms import Term, as_term, equal, sqrt
 
@@ -94,14 +94,13 @@ def _signs() -> Iterator[Obligation]:
     yield _section.needed(
         "cone-sign-z", THEOREM, "(r²-16r-1)/16 < 0, for every r in ]0,1[", k_z < as_term(0)
     )
-    wide = {"r": (None, None)}
     yield _section.printed(
         "cone-sign-x-range",
         THEOREM,
         "'for r small enough': the first one is negative exactly for -1 < r < 5",
         equal(k_x, (r + 1) * (r - 5) / 16),
         uses=["signs"],
-        **wide,
+        r=REAL,
     )
     root = sqrt(65)
     yield _section.printed(
@@ -110,7 +109,7 @@ def _signs() -> Iterator[Obligation]:
         "the second one exactly for 8-√65 < r < 8+√65",
         equal(k_z, (r - (8 - root)) * (r - (8 + root)) / 16),
         uses=["signs"],
-        **wide,
+        r=REAL,
     )
     yield _section.printed(
         "cone-sign-z-below", THEOREM, "8-√65 < 0, so that ]0,1[ lies in it", 8 - root < as_term(0)
@@ -163,7 +162,7 @@ def _last_condition(paper: Printed) -> Iterator[Obligation]:
         "'for r small enough': it is negative exactly for -1 < r < 3",
         equal(factor, (r - 3) * (r + 1) / 32),
         uses=["signs"],
-        r=(None, None),
+        r=REAL,
     )
     at = (-a, y, -(h * a) - b, t)
     image = apply(paper.matrix, at)[2]

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.printed import THEOREM, Printed, r
-from verify.paper.spectrum.rows import Section, symbols
+from verify.paper.spectrum.rows import REAL, Section, symbols
 from verify.statement import Obligation
 from verify.terms import Number, Term, as_term, equal, symbol
 
@@ -101,7 +101,6 @@ def _derivatives(paper: Printed) -> Iterator[Obligation]:
 
 def _quartic() -> Iterator[Obligation]:
     s, eps = symbols("s epsilon")
-    real = {"s": (None, None)}
     yield _section.needed(
         "q-derivatives",
         THEOREM,
@@ -110,7 +109,7 @@ def _quartic() -> Iterator[Obligation]:
             q(s + eps),
             q(s) + eps * q_prime(s) + eps**2 * q_second(s) / 2 + eps**3 * (4 * s - 24) + eps**4,
         ),
-        **real,
+        s=REAL,
     )
     yield _section.printed(
         "q-discriminant",
@@ -126,7 +125,7 @@ def _quartic() -> Iterator[Obligation]:
         THEOREM,
         "so q'' is positive: q''(s) = 12(s-6)² + 624",
         equal(q_second(s), 12 * (s - 6) ** 2 + 624),
-        **real,
+        s=REAL,
     )
     says = "q decreases up to some s₀ and increases from there: q' increases and changes sign"
     yield _section.printed(
@@ -191,7 +190,7 @@ def _increasing(paper: Printed) -> Iterator[Obligation]:
             _quartic_in_r,
             5 * (r**2 - as_term(Fraction(38, 5)) * r + 1) ** 2 + as_term(Fraction(9216, 5)) * r**2,
         ),
-        r=(None, None),
+        r=REAL,
     )
     yield _section.needed(
         "Q-discriminant-negative",
@@ -214,7 +213,7 @@ def _values(paper: Printed) -> Iterator[Obligation]:
         REAL_ROOT,
         "r⁴+2r³-2r-1 vanishes at r = 1: it is r-1 times (r+1)³",
         equal(bracket, (r - 1) * (r + 1) ** 3),
-        r=(None, None),
+        r=REAL,
     )
     yield _section.needed(
         "Q-minus-r-factored",
@@ -235,7 +234,7 @@ def _values(paper: Printed) -> Iterator[Obligation]:
         REAL_ROOT,
         "its bracket vanishes at r = 1 and at r = -1",
         equal(bracket, -9 * (r - 1) * (r + 1) ** 3 * factor),
-        r=(None, None),
+        r=REAL,
     )
     yield _section.needed(
         "Q-minus-r3-factored",
@@ -248,7 +247,7 @@ def _values(paper: Printed) -> Iterator[Obligation]:
         REAL_ROOT,
         "7r²-13r+7 is always positive: 7(r-13/14)² + 27/28",
         equal(factor, 7 * (r - as_term(Fraction(13, 14))) ** 2 + as_term(Fraction(27, 28))),
-        r=(None, None),
+        r=REAL,
     )
     yield _section.needed(
         "Q-minus-r3-positive", REAL_ROOT, "Q(-r³) > 0, so λ₀ < -r³", 0 < at_r3, uses

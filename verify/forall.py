@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 from verify import balls
 from verify.algebra import is_identity
-from verify.polynomials import NotPolynomialError, bernstein, coefficients
+from verify.polynomials import NotPolynomialError, bernstein, coefficients, formal_degree
 from verify.program import ExactArithmetic, Machine, Program
 from verify.prover import PROVED, REFUTED, UNDECIDED, Decision, Ends
 from verify.statement import Obligation, Variable
@@ -137,17 +137,19 @@ def _identity(claim: Claim, _variables: tuple[Variable, ...]) -> Finding | None:
 
 
 def _bernstein(claim: Claim, variables: tuple[Variable, ...]) -> Finding | None:
-    """The least degree for which the Bernstein coefficients of rhs - lhs show the claim."""
+    """A degree for which the Bernstein coefficients of rhs - lhs show the claim."""
     if claim.relation == "=" or len(variables) != 1:
         return None
     lower, upper = variables[0].lower, variables[0].upper
     if lower is None or upper is None:
         return None
+    difference = claim.rhs - claim.lhs
     try:
-        polynomial = coefficients(claim.rhs - claim.lhs, variables[0].name)
+        polynomial = coefficients(difference, variables[0].name)
     except NotPolynomialError:
         return None
-    least = max(len(polynomial) - 1, 0)
+    # At least the formal degree, so that a reader of the certificate need not cancel terms.
+    least = formal_degree(difference)
     for degree in range(least, least + MAX_ELEVATION + 1):
         values = bernstein(polynomial, lower, upper, degree)
         if min(values) >= 0 and (claim.relation == "<=" or any(values)):

@@ -45,6 +45,19 @@ def coefficients(term: Term, name: str) -> Coefficients:
     raise NotPolynomialError(f"{op} is not an operation of polynomials")
 
 
+def formal_degree(term: Term) -> int:
+    """A bound on the degree of a polynomial: its degree before any terms cancel."""
+    parts = [formal_degree(child) for child in term.children]
+    match term.op:
+        case "symbol":
+            return 1
+        case "pow":
+            return parts[0] * term.exponent
+        case "mul":
+            return sum(parts)
+    return max(parts, default=0)
+
+
 def bernstein(
     polynomial: Coefficients, lower: Fraction, upper: Fraction, degree: int
 ) -> Coefficients:

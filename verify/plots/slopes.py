@@ -39,14 +39,11 @@ class Slope(NamedTuple):
 class SlopeArithmetic:
     """The arithmetic of `verify.program` on functions of the parameters of one cell.
 
-    Args:
-        cell: the interval of each parameter that varies.
+    ``inputs`` are the parameters themselves.
     """
 
     def __init__(self, cell: Sequence[Side]) -> None:
-        self._zero = balls.from_fraction(Fraction(0))
-        self._one = balls.from_fraction(Fraction(1))
-        self._operations = {
+        self._operations: dict[str, Callable[..., Slope]] = {
             "add": self._add,
             "sub": self._sub,
             "mul": self._mul,
@@ -56,22 +53,16 @@ class SlopeArithmetic:
             "min": self._min,
             "max": self._max,
         }
-        self._flat = (self._zero,) * len(cell)
-        self._offsets: tuple[Ball, ...] = ()
-        self.move(cell)
-
-    def move(self, cell: Sequence[Side]) -> list[Slope]:
-        """Go on with another cell of as many parameters; return the parameters on it."""
-        inputs, offsets = [], []
+        zero, one = (balls.from_fraction(Fraction(n)) for n in (0, 1))
+        self._flat = (zero,) * len(cell)
+        self._offsets = []
+        self.inputs = []
         for index, (low, high) in enumerate(cell):
             centre = balls.from_fraction((low + high) / 2)
             side = balls.hull(balls.from_fraction(low), balls.from_fraction(high))
-            slopes = list(self._flat)
-            slopes[index] = self._one
-            inputs.append(Slope(centre, side, tuple(slopes)))
-            offsets.append(side - centre)
-        self._offsets = tuple(offsets)
-        return inputs
+            slopes = tuple(one if i == index else zero for i in range(len(cell)))
+            self.inputs.append(Slope(centre, side, slopes))
+            self._offsets.append(side - centre)
 
     def rational(self, value: Fraction) -> Slope:
         """The constant function."""
@@ -79,11 +70,7 @@ class SlopeArithmetic:
         return Slope(ball, ball, self._flat)
 
     def operation(self, name: str) -> Callable[..., Slope]:
-        """The operation of this name.
-
-        Raises:
-            UndefinedError: for the cosines, which need no plot.
-        """
+        """The operation of this name; a cosine has none, as no plot needs it."""
         if name not in self._operations:
             raise UndefinedError(f"no slopes for {name}")
         return self._operations[name]
@@ -113,17 +100,18 @@ class SlopeArithmetic:
         return self._sharpened(a.centre - b.centre, a.range - b.range, slopes)
 
     def _neg(self, a: Slope) -> Slope:
-        return Slope(-a.centre, -a.range, a.slopes and tuple([-x for x in a.slopes]))
+        slopes = None if a.slopes is None else tuple([-x for x in a.slopes])
+        return Slope(-a.centre, -a.range, slopes)
 
     def _mul(self, a: Slope, b: Slope) -> Slope:
+        f, g = a.range, b.range
         slopes = None
         if a.slopes is not None and b.slopes is not None:
-            f, g = a.range, b.range
             slopes = tuple([x * g + f * y for x, y in zip(a.slopes, b.slopes, strict=True)])
-        return self._sharpened(a.centre * b.centre, a.range * b.range, slopes)
+        return self._sharpened(a.centre * b.centre, _product(f, g), slopes)
 
     def _div(self, a: Slope, b: Slope) -> Slope:
-        quotient, g = a.range / b.range, b.range
+        quotient, g = _quotient(a.range, b.range), b.range
         slopes = None
         if a.slopes is not None and b.slopes is not None:
             pairs = zip(a.slopes, b.slopes, strict=True)
@@ -133,7 +121,7 @@ class SlopeArithmetic:
     def _sqrt(self, a: Slope) -> Slope:
         root = a.range.sqrt()
         slopes = None
-        if a.slopes is not None and balls.less(self._zero, root):
+        if a.slopes is not None and root > 0:
             twice = root + root
             slopes = tuple([x / twice for x in a.slopes])
         return self._sharpened(a.centre.sqrt(), root, slopes)
@@ -143,15 +131,27 @@ class SlopeArithmetic:
             return a
         if balls.less_equal(b.range, a.range):
             return b
+        slopes = None
+        if a.slopes is not None and b.slopes is not None:
+            pairs = zip(a.slopes, b.slopes, strict=True)
+            slopes = tuple([balls.hull(x, y) for x, y in pairs])
         return self._sharpened(
-            Ball.min(a.centre, b.centre), Ball.min(a.range, b.range), _either(a, b)
+            Ball.min(a.centre, b.centre), Ball.min(a.range, b.range), slopes
         )
 
     def _max(self, a: Slope, b: Slope) -> Slope:
         return self._neg(self._min(self._neg(a), self._neg(b)))
 
 
-def _either(a: Slope, b: Slope) -> tuple[Ball, ...] | None:
-    if a.slopes is None or b.slopes is None:
-        return None
-    return tuple([balls.hull(x, y) for x, y in zip(a.slopes, b.slopes, strict=True)])
+def _product(a: Ball, b: Ball) -> Ball:
+    """The product; that of positive numbers by its ends, as balls would make it wider."""
+    if a >= 0 and b >= 0:
+        return balls.hull(a.lower() * b.lower(), a.upper() * b.upper())
+    return a * b
+
+
+def _quotient(a: Ball, b: Ball) -> Ball:
+    """The quotient, in the same way."""
+    if a >= 0 and b > 0:
+        return balls.hull(a.lower() / b.upper(), a.upper() / b.lower())
+    return a / b

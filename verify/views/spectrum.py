@@ -20,6 +20,9 @@ from verify.typeset import Typesetter
 #: A longer formula is left to the statement file; what the row says names it.
 MAX_FORMULA = 400
 
+#: Bits beyond the precision asked for, so that rounding the ends of a ball costs nothing.
+EXTRA_BITS = 16
+
 _TYPESETTER = Typesetter(LETTERS)
 
 
@@ -67,7 +70,11 @@ def sentence(row: Obligation) -> str:
 
 def point_document(r: list[Fraction], spectrum: Spectrum, bits: int) -> dict[str, Any]:
     """The part of the document that belongs to one r, or to all r between two."""
-    digits = max(40, int(bits * 0.30103) + 3)
+    with balls.precision(bits + EXTRA_BITS):  # at which the ends of balls are rounded
+        return _point(r, spectrum, max(40, int(bits * 0.30103) + 3))
+
+
+def _point(r: list[Fraction], spectrum: Spectrum, digits: int) -> dict[str, Any]:
 
     def pair(ball: Ball) -> list[str]:
         return outward(balls.ends(ball), digits)

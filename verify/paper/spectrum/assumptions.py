@@ -84,7 +84,9 @@ ASSUMPTIONS = (
     Assumption(
         "spectral-radius",
         RATE,
-        "The rate of convergence that a limiting matrix gives is its spectral radius.",
+        "The rate of convergence that a limiting matrix gives is its spectral radius. The rows "
+        "judge that rate alone: with a forcing term that is only summable the recursion need not "
+        "converge exponentially at all.",
     ),
     Assumption(
         "zhou-kadanoff",

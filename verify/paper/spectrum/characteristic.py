@@ -14,7 +14,7 @@ from verify.paper.spectrum.matrices import (
     vector,
 )
 from verify.paper.spectrum.printed import Q_LABEL, THEOREM, Printed, r, root_3
-from verify.paper.spectrum.rows import Section, symbols
+from verify.paper.spectrum.rows import Section
 from verify.statement import Obligation
 from verify.terms import Term, as_term, equal, substitute, symbol
 
@@ -144,21 +144,20 @@ def _sum(row: Vector, other: Vector, factor: Term) -> Vector:
 
 def _symmetry(paper: Printed) -> Iterator[Obligation]:
     _, a_1, a_2, _ = paper.coefficients
-    inverse = substitute(a_1, "r", 1 / r)
-    displayed = (-11 + 171 * r - 9 * r**2 + r**3) / (64 * r**3)
-    says = "the remark after the proof"
+    p = symbol("p")
+    displayed = -11 + 171 * r - 9 * r**2 + r**3
+    product = r * p
+    quotient = -11 * (product**2 + product + 1) + 171 * r * (product + 1) - 9 * r**2
     yield _section.printed(
-        "symmetry-1", Q_LABEL, f"{says}: a₁(1/r) as displayed", equal(inverse, displayed)
-    )
-    yield _section.printed(
-        "symmetry-2", Q_LABEL, f"{says}: it is a₂(r)/r³", equal(displayed, a_2 / r**3)
-    )
-    mu = symbols("mu")[0]
-    reversed_ = r**3 * mu**3 * paper.q(1 / mu, 1 / r)
-    yield _section.printed(
-        "symmetry-of-Q",
+        "symmetry-1",
         Q_LABEL,
-        "the symmetry behind it: r³ μ³ Q_{1/r}(1/μ) = Q_r(μ)",
-        equal(reversed_, paper.q(mu)),
-        mu=(0, None),
+        "the remark after the proof: a₁(1/r) = (-11+171r-9r²+r³)/(64r³); with p in place of 1/r "
+        "and times 64r³, the difference is a multiple of rp-1",
+        equal(64 * r**3 * substitute(a_1, "r", p) - displayed, (product - 1) * quotient),
+    )
+    yield _section.printed(
+        "symmetry-2",
+        Q_LABEL,
+        "the remark after the proof: it is a₂(r)/r³, times 64r³",
+        equal(displayed, 64 * a_2),
     )

@@ -104,8 +104,8 @@ def _triangle() -> Iterator[Obligation]:
         ("orthogonal-perp_1", "ω₁⊥ is orthogonal to ω₁", t.omega_1_perp, t.omega_1, 0),
         ("orthogonal-perp_2", "ω₂⊥ is orthogonal to ω₂", t.omega_2_perp, t.omega_2, 0),
     ):
-        factor = 2 if says.startswith("2") else 1
-        yield _section.needed(name, DEFINITION, says, equal(factor * t.inner(u, v), value))
+        factor = as_term(2 if says.startswith("2") else 1)
+        yield _section.needed(name, DEFINITION, says, equal(times(factor, t.inner(u, v)), value))
     yield _section.needed(
         "orientation-1",
         MATRIX_LABEL,

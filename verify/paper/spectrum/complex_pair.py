@@ -145,30 +145,16 @@ def _moduli() -> Iterator[Obligation]:
         every,
     )
     yield _section.needed(
-        "modulus-from-viete",
-        COMPLEX_PAIR,
-        "|λ±|² = r³/|λ₀|",
-        equal(modulus**3, r_of_m**3 / m**3),
-        every,
-    )
-    yield _section.needed(
         "modulus-below-1",
         COMPLEX_PAIR,
-        "|λ±| < 1: the cube root of |λ±|² is smaller than 1, times the denominator",
+        "|λ±|² = r³/|λ₀| < 1: its cube root r/m is smaller than 1, times the denominator",
         numerator < denominator,
-        every,
-    )
-    yield _section.needed(
-        "modulus-ratio",
-        COMPLEX_PAIR,
-        "|λ±|²/|λ₀|² = r³/|λ₀|³",
-        equal(modulus**3 / (m**3) ** 2, r_of_m**3 / (m**3) ** 3),
         every,
     )
     yield _section.needed(
         "modulus-above-real-root",
         COMPLEX_PAIR,
-        "|λ₀| < |λ±|: the cube roots of the squares, times the denominator",
+        "|λ±|²/|λ₀|² = r³/|λ₀|³ > 1: its cube root r/m³ exceeds 1, times m² and the denominator",
         m**2 * denominator < numerator,
         every,
     )

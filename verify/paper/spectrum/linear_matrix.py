@@ -135,8 +135,9 @@ def _rate() -> Iterator[Obligation]:
     yield _section.needed(
         "rate-complex",
         RATE,
-        "complex case: the square of the spectral radius is r, so the rate is √r; and max((1+r)/2 "
-        "|cos θ|, √r) is a rate in both cases",
+        "complex case: the square of the spectral radius is r, so the rate is √r, and max((1+r)/2 "
+        "|cos θ|, √r) is a rate in both cases; where the first Zhou-Kadanoff condition holds this "
+        "case does not occur (existence-real)",
         equal((trace / 2) ** 2 + (4 * r - trace**2) / 4, r),
         uses,
     )
@@ -145,9 +146,9 @@ def _rate() -> Iterator[Obligation]:
     yield _section.needed(
         "rate-existence",
         "EQUATSS3.4ZKCl1CondiExist",
-        "y + r/y - 2√r = (y-√r)²/y, s = √r: in a nearly-linear collapse y_{n+1} ≤ α - r/y_n with "
-        "y_n > 0, which is impossible for ever if α < 2√r",
-        equal(y + s**2 / y - 2 * s, (y - s) ** 2 / y),
+        "y + r/y ≥ 2√r for y > 0, times y, s = √r: in a nearly-linear collapse y_{n+1} ≤ α - r/y_n "
+        "with y_n > 0, which is impossible for ever if α < 2√r",
+        equal(y**2 + s**2 - 2 * s * y, (y - s) ** 2),
         ["zhou-kadanoff"],
         y=(0, None),
     )

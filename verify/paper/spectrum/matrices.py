@@ -34,6 +34,11 @@ def times(a: Term, b: Term) -> Term:
     return a if b == ONE else a * b
 
 
+def minus(a: Term, b: Term) -> Term:
+    """The difference a - b."""
+    return a if b == ZERO else plus(a, -b)
+
+
 def total(terms: Iterable[Term]) -> Term:
     """The sum."""
     result = ZERO
@@ -81,8 +86,6 @@ def determinant(matrix: Matrix) -> Term:
 def identity_minus(scalar: Term, matrix: Matrix) -> Matrix:
     """The matrix ``scalar I - A``."""
     return tuple(
-        tuple(
-            plus(scalar if i == j else ZERO, ZERO if a == ZERO else -a) for j, a in enumerate(row)
-        )
+        tuple(minus(scalar if i == j else ZERO, a) for j, a in enumerate(row))
         for i, row in enumerate(matrix)
     )

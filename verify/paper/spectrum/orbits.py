@@ -13,7 +13,7 @@ from fractions import Fraction
 
 from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.collision_matrices import A_A, A_B, A_C
-from verify.paper.spectrum.complex_pair import FIXED, REAL_EIGENVECTOR, m, r_of_m
+from verify.paper.spectrum.complex_pair import FIXED, REAL_EIGENVECTOR, m, modulus, r_of_m
 from verify.paper.spectrum.cone import BOUND, NORMAL_12, STATE, a, b, normal_12
 from verify.paper.spectrum.matrices import Vector, apply, dot, plus, times, vector
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
@@ -254,7 +254,7 @@ def _formal_paragraph(paper: Printed) -> Iterator[Obligation]:
     c_ = sequence(c_0, c_1, c_2, 4)
     at_m = [substitute(value, "r", r_of_m) for value in c_]
     h_m = substitute(h, "r", r_of_m)
-    weights = (r_of_m / m, h_m - m, as_term(1))
+    weights = (modulus, h_m - m, as_term(1))
     yield _section.needed(
         "spiral-plane",
         THEOREM,
@@ -297,14 +297,14 @@ def _formal_paragraph(paper: Printed) -> Iterator[Obligation]:
 
 
 def _full_dynamics() -> Iterator[Obligation]:
-    g, cosine = symbols("g cosine")
+    g, cosine, p, q = symbols("g cosine p q")
     uses = ["no-triangular-collapse"]
     yield _section.needed(
         "full-jump",
         ORDER,
-        "a collision of i with k, normal component g, changes (v_j-v_i)·e by -(1+r)/2 g times "
-        "the cosine of the angle at i: n·e is minus that cosine",
-        equal(-(-((1 + r) / 2 * g) * -cosine), -((1 + r) / 2) * g * cosine),
+        "a collision of i with k, normal component g < 0, changes (v_j-v_i)·e by -(1+r)/2 g times "
+        "the cosine of the angle at i: p = v_j·e, q = v_i·e, and n·e is minus that cosine",
+        equal((p - (q - (1 + r) / 2 * g * -cosine)) - (p - q), -((1 + r) / 2 * g * cosine)),
         uses,
         g=(None, 0),
     )

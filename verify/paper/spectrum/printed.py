@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from verify.paper.spectrum.matrices import Matrix, Vector, times, vector
 from verify.terms import Number, Term, as_term, sqrt, substitute, symbol
@@ -54,8 +54,7 @@ COEFFICIENTS: Vector = vector(
 )
 
 
-@dataclass(frozen=True, slots=True)
-class Printed:
+class Printed(NamedTuple):
     """What the paper displays as the result: every row takes the matrix and Q from here."""
 
     matrix: Matrix = MATRIX

@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from verify.paper.spectrum import matrices
-from verify.paper.spectrum.matrices import ZERO, Matrix, Vector, plus, times, total, vector
+from verify.paper.spectrum.matrices import ZERO, Matrix, Vector, minus, plus, times, total, vector
 from verify.paper.spectrum.printed import r, root_3
 from verify.terms import Term, as_term
 
@@ -44,12 +44,9 @@ def inner(u: Vector, v: Vector) -> Term:
     )
 
 
-def _minus(u: Vector, factor: Term, v: Vector) -> Vector:
+def _shifted(u: Vector, factor: Term, v: Vector) -> Vector:
     """The vector u - factor v."""
-    return tuple(
-        a if b == ZERO or factor == ZERO else plus(a, -times(factor, b))
-        for a, b in zip(u, v, strict=True)
-    )
+    return tuple(minus(a, times(factor, b)) for a, b in zip(u, v, strict=True))
 
 
 def collision_a(state: Pair) -> Pair:
@@ -57,8 +54,8 @@ def collision_a(state: Pair) -> Pair:
     w_1, w_2 = state
     normal = inner(w_1, omega_1)
     return (
-        _minus(w_1, times(1 + r, normal), omega_1),
-        _minus(w_2, times((1 + r) / 2, normal), omega_1),
+        _shifted(w_1, times(1 + r, normal), omega_1),
+        _shifted(w_2, times((1 + r) / 2, normal), omega_1),
     )
 
 
@@ -67,18 +64,18 @@ def collision_b(state: Pair) -> Pair:
     w_1, w_2 = state
     normal = inner(w_2, omega_2)
     return (
-        _minus(w_1, times((1 + r) / 2, normal), omega_2),
-        _minus(w_2, times(1 + r, normal), omega_2),
+        _shifted(w_1, times((1 + r) / 2, normal), omega_2),
+        _shifted(w_2, times(1 + r, normal), omega_2),
     )
 
 
 def collision_c(state: Pair) -> Pair:
     """`EQUATSS3.5DefinMatrix_A_c`: 1 and 2 collide along omega_3."""
     w_1, w_2 = state
-    normal = inner(_minus(w_1, matrices.ONE, w_2), omega_3)
+    normal = inner(_shifted(w_1, matrices.ONE, w_2), omega_3)
     return (
-        _minus(w_1, times((1 + r) / 2, normal), omega_3),
-        _minus(w_2, -times((1 + r) / 2, normal), omega_3),
+        _shifted(w_1, times((1 + r) / 2, normal), omega_3),
+        _shifted(w_2, times(-((1 + r) / 2), normal), omega_3),
     )
 
 

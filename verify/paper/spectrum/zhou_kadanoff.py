@@ -90,14 +90,18 @@ def _critical_existence() -> Iterator[Obligation]:
         as_term(1) < 7 + 4 * root_3,
         ["signs"],
     )
-    yield from _decimal("r_exist", r_exist, Fraction("0.07179677"))
+    yield from _decimal("r_exist", r_exist, "0.07179677")
 
 
-def _decimal(name: str, value: Term, printed: Fraction) -> Iterator[Obligation]:
-    unit = Fraction(5, 10**9)
-    says = f"{name} ≈ {float(printed)}, half a unit of the last digit"
-    yield _section.printed(f"{name}-above", TEXT, says, as_term(printed - unit) < value)
-    yield _section.printed(f"{name}-below", TEXT, says, value < as_term(printed + unit))
+def _decimal(name: str, value: Term, printed: str) -> Iterator[Obligation]:
+    half_a_unit = Fraction(5, 10**9)
+    says = f"{name} ≈ {printed}, within half a unit of the last digit"
+    yield _section.printed(
+        f"{name}-above", TEXT, says, as_term(Fraction(printed) - half_a_unit) < value
+    )
+    yield _section.printed(
+        f"{name}-below", TEXT, says, value < as_term(Fraction(printed) + half_a_unit)
+    )
 
 
 def _stability() -> Iterator[Obligation]:
@@ -130,20 +134,21 @@ def _stability() -> Iterator[Obligation]:
     yield _section.needed(
         "threshold",
         TEXT,
-        "2s(1+s)/(1+s³) = 2s/(1-s+s²)",
-        equal(threshold(s), 2 * s / (1 - s + s**2)),
+        "2s(1+s)/(1+s³) is 2s/(1-s+s²): 1-s+s² times 1+s is 1+s³",
+        equal((1 + s) * (1 - s + s**2), 1 + s**3),
     )
+    yield _section.needed("threshold-denominator", TEXT, "1-s+s² > 0", 0 < 1 - s + s**2, ["signs"])
     yield _section.needed(
         "threshold-difference",
         TEXT,
-        "the function increases: its difference at s and k is s-k times a positive quotient",
+        "the function increases: its difference at s and k, times both denominators, is s-k times "
+        "a positive number",
         equal(
-            threshold(s) - threshold(k),
-            2 * (s - k) * ((1 - s) + s * (1 - k)) / ((1 - s + s**2) * (1 - k + k**2)),
+            2 * s * (1 - k + k**2) - 2 * k * (1 - s + s**2),
+            2 * (s - k) * ((1 - s) + s * (1 - k)),
         ),
         ["signs"],
     )
-    yield _section.needed("threshold-denominator", TEXT, "1-s+s² > 0", 0 < 1 - s + s**2, ["signs"])
     yield _section.needed("threshold-0", TEXT, "it is 0 at r = 0", equal(threshold(0), 0))
     yield _section.needed("threshold-1", TEXT, "it is 2 at r = 1", equal(threshold(1), 2))
 
@@ -152,8 +157,10 @@ def _critical_stability() -> Iterator[Obligation]:
     yield _section.needed(
         "stabi-equation",
         TEXT,
-        "1 - 2s/(1-s+s²) = (s²-3s+1)/(1-s+s²): the threshold is 1 where 1-s+s² = 2s",
-        equal(1 - 2 * s / (1 - s + s**2), (s**2 - 3 * s + 1) / (1 - s + s**2)),
+        "the threshold is 1 where 1-s+s² = 2s, that is where this vanishes, and above 1 where it "
+        "is negative",
+        equal((1 - s + s**2) - 2 * s, s**2 - 3 * s + 1),
+        ["signs"],
     )
     yield _section.needed(
         "stabi-factors",
@@ -179,7 +186,7 @@ def _critical_stability() -> Iterator[Obligation]:
     )
     yield _section.needed("stabi-sum", TEXT, "= (72-32√5)/8", equal(first, (72 - 32 * root_5) / 8))
     yield _section.needed("stabi-value", TEXT, "= 9-4√5", equal((72 - 32 * root_5) / 8, r_stabi))
-    yield from _decimal("r_stabi", r_stabi, Fraction("0.05572809"))
+    yield from _decimal("r_stabi", r_stabi, "0.05572809")
     yield _section.needed(
         "stabi-polynomial",
         TEXT,

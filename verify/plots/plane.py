@@ -1,0 +1,128 @@
+"""The plane of the parameters, cut into cells, and each cell judged as a whole.
+
+The sides of a cell are intervals of s = r^(1/3) and of c = -cos theta_0. In s both thresholds are
+smooth down to r = 0: the stability threshold is 2s(1+s)/(1+s^3), that of existence is
+4 s^(3/2)/(1+s^3).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from functools import cache
+from typing import NamedTuple
+
+from verify import balls
+from verify.paper.hypotheses import hypotheses
+from verify.plots.constructions import as_formulas, definitions
+from verify.plots.field import Cell, Field, area, bisected
+from verify.plots.slopes import BITS, Side
+from verify.prover import PROVED, REFUTED, UNDECIDED, Ends
+from verify.terms import Claim, symbol
+
+#: Just beyond (3-√5)/2 = 0.38196…, the cube root of r_stabi = 9-4√5.
+WIDTH = Fraction(49, 128)
+
+INPUTS = ("s", "c")
+CUBE = ("r", symbol("s") ** 3)
+
+
+#: An interval of the first coordinate, and an enclosure of the second one on it.
+Box = tuple[Side, Ends]
+
+
+class Judged(NamedTuple):
+    """A cell where the hypothesis ``stability`` was ``proved``, or left ``undecided``.
+
+    ``verdicts`` has a verdict for each row, for all points of the cell at once, and ``size`` an
+    enclosure of eta_bar (None where there is none, or where it was not asked for).
+    """
+
+    cell: Cell
+    admissible: str
+    verdicts: dict[str, str]
+    size: Ends | None
+
+
+@cache
+def stability() -> Claim:
+    """The hypothesis that the construction needs."""
+    return next(row.claim for row in hypotheses() if row.name == "hypotheses.stability")
+
+
+def judge(
+    group: str,
+    share: Fraction,
+    claims: dict[str, Claim],
+    wanted: Iterable[str],
+    depth: int,
+) -> list[Judged]:
+    """Cut the plane until every wanted row is decided on each cell, at most ``depth`` times a side.
+
+    Cells on which the hypothesis is refuted are left out. A verdict on a cell holds on its
+    halves, so only what is undecided is asked again.
+    """
+    field = Field(INPUTS, (CUBE, *definitions(as_formulas(group, share))))
+    slots = field.slots(claims)
+    gate = field.slots({"stability": stability()})["stability"]
+    wanted = set(wanted)
+    found: list[Judged] = []
+    todo: list[tuple[Cell, int, str, dict[str, str]]] = [
+        (((Fraction(0), WIDTH), (Fraction(0), Fraction(1))), 0, UNDECIDED, {})
+    ]
+    with balls.precision(BITS):
+        while todo:
+            cell, level, admissible, known = todo.pop()
+            values = field.on(cell)
+            if admissible == UNDECIDED:
+                admissible = values.judge(gate)
+            if admissible == REFUTED:
+                continue
+            verdicts = dict(known)
+            if admissible == PROVED:
+                for name, slot in slots.items():
+                    if verdicts.get(name, UNDECIDED) == UNDECIDED:
+                        verdicts[name] = values.judge(slot)
+            unclear = admissible != PROVED or any(verdicts[n] == UNDECIDED for n in wanted)
+            if unclear and level < depth:
+                for half in bisected(cell, 0):
+                    for quarter in bisected(half, 1):
+                        todo.append((quarter, level + 1, admissible, verdicts))
+                continue
+            size = None
+            if admissible == PROVED:
+                slope = values[symbol(f"{group}.eta_bar")]
+                size = None if slope is None else balls.ends(slope.range)
+            found.append(Judged(cell, admissible, verdicts, size))
+    return sorted(found, key=lambda judged: judged.cell)
+
+
+def thresholds(cells: int) -> dict[str, list[Box]]:
+    """Enclosures of the two thresholds of c over intervals of s: boxes that contain the curves."""
+    s = symbol("s")
+    root = symbol("q")  # q = s^(1/2), so that the second one is rational too
+    curves = {
+        "stability": (2 * s * (1 + s) / (1 + s**3), "s", WIDTH),
+        "existence": (4 * root**3 / (1 + root**6), "q", Fraction(619, 1000)),
+    }
+    result: dict[str, list[Box]] = {}
+    with balls.precision(BITS):
+        for name, (term, letter, end) in curves.items():
+            field = Field((letter,), ())
+            boxes: list[Box] = []
+            for index in range(cells):
+                side = (end * index / cells, end * (index + 1) / cells)
+                slope = field.on((side,))[term]
+                if slope is not None:
+                    power = 1 if letter == "s" else 2
+                    boxes.append(((side[0] ** power, side[1] ** power), balls.ends(slope.range)))
+            result[name] = boxes
+    return result
+
+
+def share_of(cells: Sequence[Judged], name: str, verdict: str) -> Fraction:
+    """The share of the surely admissible cells, by area in (s, c), with a verdict on a row."""
+    inside = [judged for judged in cells if judged.admissible == PROVED]
+    total = sum((area(judged.cell) for judged in inside), Fraction(0))
+    part = (area(judged.cell) for judged in inside if judged.verdicts[name] == verdict)
+    return sum(part, Fraction(0)) / total if total else Fraction(0)

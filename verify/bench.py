@@ -76,7 +76,8 @@ def theorem_program(outcome: Outcome) -> tuple[Program, list[int]]:
     for name, term in outcome.prover.definitions.items():
         program.define(name, term)
     sides = [t for row, _ in outcome.all_rows for t in (row.claim.lhs, row.claim.rhs)]
-    return program, [*program.slots.values(), *(program.add(term) for term in sides)]
+    slots = {*program.slots.values(), *(program.add(term) for term in sides)}
+    return program, sorted(slots)
 
 
 def relative_width(ends: Ends) -> Fraction:
@@ -102,13 +103,8 @@ def precision_tables(
         widths: dict[str, Fraction] = {}
         for _ in range(rounds):
             for engine in engines:
-                seconds, values = _timed_run(engine, program, bits)
+                seconds, widths[engine.name] = _timed_run(engine, program, slots, bits)
                 times[engine.name].append(seconds)
-                widths[engine.name] = max(
-                    relative_width(engine.ends(values[slot]))
-                    for slot in set(slots)
-                    if values[slot] is not None
-                )
         for name, seconds_list in times.items():
             raw[f"{name} {bits}"] = seconds_list
             measured[name, bits] = median(seconds_list), widths[name]
@@ -129,13 +125,17 @@ def precision_tables(
     return precision, _equal_width_table(program, slots, measured, precisions, rounds)
 
 
-def _timed_run(engine: Any, program: Program, bits: int) -> tuple[float, list[Any]]:
+def _timed_run(
+    engine: Any, program: Program, slots: Sequence[int], bits: int
+) -> tuple[float, Fraction]:
+    """The seconds of one run, and the largest relative width of its enclosures."""
     with engine.at(bits):
         machine = load(program, engine)
         start = perf_counter()
         values = machine.run(()).values
         seconds = perf_counter() - start
-    return seconds, values
+        widths = [relative_width(engine.ends(values[s])) for s in slots if values[s] is not None]
+    return seconds, max(widths)
 
 
 def _equal_width_table(
@@ -152,17 +152,14 @@ def _equal_width_table(
         width = measured["mpmath iv", bits][1]
         extra = bits
         while True:
-            _, values = _timed_run(arb, program, extra)
-            found = max(
-                relative_width(arb.ends(values[s])) for s in set(slots) if values[s] is not None
-            )
+            _, found = _timed_run(arb, program, slots, extra)
             if found <= width:
                 break
             extra += 4
         ratios = []
         for _ in range(rounds):
-            ours = min(_timed_run(arb, program, extra)[0] for _ in range(3))
-            theirs = min(_timed_run(mpmath, program, bits)[0] for _ in range(3))
+            ours = min(_timed_run(arb, program, slots, extra)[0] for _ in range(3))
+            theirs = min(_timed_run(mpmath, program, slots, bits)[0] for _ in range(3))
             ratios.append(theirs / ours)
         rows.append([bits, extra, scientific(width), scientific(found), f"{median(ratios):.1f}"])
     return {
@@ -238,7 +235,9 @@ def double_tables() -> tuple[Table, Table]:
 def _correct_digits(outcome: Outcome, name: str, value: float | None) -> float:
     if value is None:
         return 0.0
-    true = balls.ends(outcome.prover.ball(outcome.prover.definitions[name], REFERENCE_BITS))[0]
+    with balls.precision(REFERENCE_BITS):
+        ball = outcome.prover.ball(outcome.prover.definitions[name], REFERENCE_BITS)
+        true = balls.ends(ball)[0]
     error = abs(Fraction(value) / true - 1)
     return 16.0 if error == 0 else min(16.0, max(0.0, -_log10(error)))
 

@@ -6,8 +6,10 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
+from verify import spectrum, spectrum_wire
 from verify.terms import Term, as_term, cos_pi
 from verify.theorem1 import Outcome, decide
+from verify.views import spectrum_markdown
 from verify.views.markdown import report
 from verify.wire import files
 
@@ -51,12 +53,20 @@ POINTS = (
 )
 
 
-def folder_files(outcome: Outcome) -> dict[str, bytes]:
-    """The three files of a certificate folder."""
+def theorem1_files(outcome: Outcome) -> dict[str, bytes]:
+    """The three files of a certificate of Theorem 1."""
     return files(outcome) | {"report.md": report(outcome).encode()}
+
+
+def spectrum_files() -> dict[str, bytes]:
+    """The three files of the certificate of the spectral claims."""
+    outcome = spectrum.decide()
+    text = spectrum_markdown.report(outcome)
+    return spectrum_wire.files(outcome) | {"report.md": text.encode()}
 
 
 def all_folders() -> Iterator[tuple[str, dict[str, bytes]]]:
     """Every folder with its files, made anew."""
     for point in POINTS:
-        yield point.folder, folder_files(decide(point.parameters))
+        yield point.folder, theorem1_files(decide(point.parameters))
+    yield "spectrum", spectrum_files()

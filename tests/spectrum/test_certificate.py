@@ -17,7 +17,7 @@ import pytest
 import sympy
 
 from verify.spectrum import decide
-from verify.spectrum_files import files
+from verify.spectrum_wire import files
 
 ROOT = Path(__file__).resolve().parents[2]
 BITS = 400

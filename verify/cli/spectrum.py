@@ -68,7 +68,7 @@ def run(options: Namespace) -> int:
 
 
 def _write(directory: str, outcome: Outcome) -> None:
-    from verify.spectrum_files import files  # hashlib is loaded only where it is used
+    from verify.spectrum_wire import files  # hashlib is loaded only where it is used
 
     if outcome.undecided:
         print("verify: undecided rows have no certificate; nothing was written", file=sys.stderr)

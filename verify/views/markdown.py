@@ -34,23 +34,23 @@ def _lines(outcome: Outcome) -> Iterator[str]:
     yield ""
     yield "Check it with nothing but Python: `python3 -I verify/check.py` and this folder."
     if PRINTED in outcome.rows:
-        yield from _section("What the printed proof gets wrong here")
+        yield from section("What the printed proof gets wrong here")
         yield from defects(outcome)
-    yield from _section("What was changed")
-    yield from _table(
+    yield from section("What was changed")
+    yield from table(
         ("Label", "Paper", "Needed", "Why"),
         ((f"`{c.label}`", c.paper, c.needed, c.why) for c in outcome.statement.changes),
     )
-    yield from _section("Constants")
-    yield from _table(("Constant", "Value", "Definition or bound"), _constants(outcome))
+    yield from section("Constants")
+    yield from table(("Constant", "Value", "Definition or bound"), _constants(outcome))
     for group in (HYPOTHESES, *outcome.groups):
         if group in outcome.rows:
-            yield from _section(f"All rows: {group}")
-            yield from _table(
+            yield from section(f"All rows: {group}")
+            yield from table(
                 ("Verdict", "Label", "Step", "Claim", "Left", "Right"),
                 (_row(outcome, row, decision) for row, decision in outcome.rows[group]),
             )
-    yield from _section("Taken on trust")
+    yield from section("Taken on trust")
     yield from (f"- `{a.label}`: {a.sentence}" for a in outcome.assumptions)
 
 
@@ -62,7 +62,7 @@ def defects(outcome: Outcome) -> Iterator[str]:
         for row, decision in outcome.rows[group]
         if row.role == "printed" and decision.verdict == REFUTED
     ]
-    yield from _table(
+    yield from table(
         ("Label", "Step as printed", "Claim that would be needed", "Left", "Right", "Corrected by"),
         (
             (
@@ -112,11 +112,13 @@ def _short(ends: Ends | None) -> str:
     return "undefined" if ends is None else short(ends)
 
 
-def _section(title: str) -> Iterator[str]:
+def section(title: str) -> Iterator[str]:
+    """A heading between empty lines."""
     yield from ("", f"## {title}", "")
 
 
-def _table(head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> Iterator[str]:
+def table(head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> Iterator[str]:
+    """A table; bars inside a cell are escaped."""
     yield f"| {' | '.join(head)} |"
     yield f"|{'---|' * len(head)}"
     for row in rows:

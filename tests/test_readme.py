@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from tests.points import parameters
 from verify.prover import PROVED, REFUTED
 from verify.statement import HYPOTHESES, PRINTED, REPAIRED
 from verify.theorem1 import decide
 from verify.views.markdown import defects
-
-from tests.points import parameters
 
 README = Path(__file__).resolve().parent.parent / "README.md"
 BEGIN, END = "<!-- defects: begin -->\n", "<!-- defects: end -->\n"

@@ -2,50 +2,18 @@
 
 from __future__ import annotations
 
-import operator
 import random
-from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
 import pytest
-from mpmath import iv
 
 from tests.points import ADMISSIBLE, parameters
-from verify.program import Machine, Program, UndefinedError
+from verify.engines import CheckerEngine, MpmathEngine, load
+from verify.program import Program
 from verify.prover import Prover
 from verify.terms import as_term
 from verify.theorem1 import Outcome, decide
-
-
-class IntervalArithmetic:
-    """mpmath's `iv`: good for + - * / and square roots."""
-
-    def rational(self, value: Fraction) -> Any:
-        return iv.mpf(value.numerator) / iv.mpf(value.denominator)
-
-    def operation(self, name: str) -> Callable[..., Any]:
-        return {
-            "add": operator.add,
-            "sub": operator.sub,
-            "mul": operator.mul,
-            "div": operator.truediv,
-            "neg": operator.neg,
-            "sqrt": _root,
-            "min": lambda a, b: iv.mpf([min(a.a, b.a), min(a.b, b.b)]),
-            "max": lambda a, b: iv.mpf([max(a.a, b.a), max(a.b, b.b)]),
-        }[name]
-
-
-def _root(x: Any) -> Any:
-    if not x.a >= 0:
-        raise UndefinedError
-    return iv.sqrt(x)
-
-
-def exact(end: tuple[int, int, int, int]) -> Fraction:
-    sign, mantissa, exponent, _ = end
-    return (-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** exponent
 
 
 def random_points(count: int) -> list[tuple[str, str, str, str]]:
@@ -70,31 +38,28 @@ def test_interval_arithmetic_and_rationals_agree_with_balls(
     point: tuple[str, str, str, str],
 ) -> None:
     outcome = decide(parameters(*point))
-    saved = iv.prec
-    iv.prec = 128
-    try:
-        compare_with_intervals(outcome)
-    finally:
-        iv.prec = saved
+    for engine in (MpmathEngine(), CheckerEngine()):
+        compare(outcome, engine)
     compare_with_rationals(outcome)
 
 
-def compare_with_intervals(outcome: Outcome) -> None:
+def compare(outcome: Outcome, engine: Any) -> None:
     prover = outcome.prover
     program = Program(())
     for name, term in prover.definitions.items():
         program.define(name, term)
-    run = Machine(program, IntervalArithmetic()).run(())
     terms = [t for row, _ in outcome.all_rows for t in (row.claim.lhs, row.claim.rhs)]
     compared = 0
-    for term in (*prover.definitions.values(), *terms):
-        ends, other = prover.enclose(term), run[term]
-        if ends is None or other is None:
-            continue
-        low, high = map(exact, other._mpi_)
-        assert low <= ends[1]
-        assert ends[0] <= high
-        compared += 1
+    with engine.at(128):
+        run = load(program, engine).run(())
+        for term in (*prover.definitions.values(), *terms):
+            ends, other = prover.enclose(term), run[term]
+            if ends is None or other is None:
+                continue
+            low, high = engine.ends(other)
+            assert low <= ends[1]
+            assert ends[0] <= high
+            compared += 1
     assert compared > 500
 
 

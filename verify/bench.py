@@ -16,7 +16,7 @@ from statistics import median
 from time import perf_counter
 from typing import Any
 
-from verify import balls
+from verify import balls, eigenvalues
 from verify.engines import (
     ArbEngine,
     CheckerEngine,
@@ -59,6 +59,8 @@ def run(quick: bool, progress: Progress) -> dict[str, Table]:
     tables = {}
     progress("precision against time and width")
     tables["precision"], tables["equal_width"] = precision_tables(outcome, precisions, rounds)
+    progress("the spectrum at a point")
+    tables["spectrum"] = spectrum_table(precisions, rounds)
     progress("precision against the share of rows decided")
     tables["decided"] = decided_table(outcome, precisions)
     progress("doubles against a 4096-bit enclosure")
@@ -169,6 +171,24 @@ def _equal_width_table(
     }
 
 
+def spectrum_table(precisions: Sequence[int], rounds: int) -> Table:
+    """Time and largest relative width of the spectrum at r = 3/100."""
+    rows: list[list[Any]] = []
+    r = Fraction(3, 100)
+    for bits in precisions:
+        seconds = median(_seconds(lambda b=bits: eigenvalues.at(r, b)) for _ in range(rounds))
+        found = eigenvalues.at(r, bits)
+        parts = (found.lambda_0, found.plus.re, found.plus.im, found.modulus, found.argument)
+        with balls.precision(2 * bits):
+            width = max(relative_width(balls.ends(ball)) for ball in parts)
+        rows.append([bits, milliseconds(seconds), scientific(width)])
+    return {
+        "title": "Eigenvalues at r = 3/100: time and largest relative width",
+        "columns": ["bits", "ms", "width"],
+        "rows": rows,
+    }
+
+
 def decided_table(outcome: Outcome, precisions: Sequence[int]) -> Table:
     """Which share of the rows is decided at one precision alone."""
     rows: list[list[Any]] = []
@@ -211,6 +231,7 @@ def double_tables() -> tuple[Table, Table]:
         for constant in outcome.statement.constants:
             value = values[program.slots[constant.name]]
             worst.append((_correct_digits(outcome, constant.name, value), constant.short_name))
+        worst.append((_textbook_digits(outcome), "textbook φ⁻"))
         worst.sort()
         shown = ", ".join(f"{name}: {count:.1f}" for count, name in worst[:6])
         digits.append([point, shown, f"{median(count for count, _ in worst):.1f}"])
@@ -240,6 +261,14 @@ def _correct_digits(outcome: Outcome, name: str, value: float | None) -> float:
         true = balls.ends(ball)[0]
     error = abs(Fraction(value) / true - 1)
     return 16.0 if error == 0 else min(16.0, max(0.0, -_log10(error)))
+
+
+def _textbook_digits(outcome: Outcome) -> float:
+    """Correct digits of (alpha_0 - sqrt(alpha_0^2 - 4r))/2, the printed formula, in doubles."""
+    r, c = (float(outcome.parameters[name].value) for name in ("r", "c"))
+    alpha = (1 + r) / 2 * c
+    root = DoubleEngine().operation("sqrt")(max(0.0, alpha * alpha - 4 * r))
+    return _correct_digits(outcome, "phi_minus", (alpha - root) / 2)
 
 
 def _double_verdict(claim: Claim, values: Sequence[Any], program: Program) -> str:

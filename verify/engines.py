@@ -52,43 +52,41 @@ class ArbEngine(balls.BallArithmetic):
 
 
 class CheckerEngine:
-    """The interval arithmetic of `verify/check.py`, on Python integers."""
+    """The interval arithmetic of `verify/check.py`, on fractions with bounded numerators."""
 
     name = "checker"
 
     def __init__(self) -> None:
-        self._bits = 53
+        self._scope = check.Terms().scope(53, {})
 
-    def rational(self, value: Fraction) -> Any:
+    def rational(self, value: Fraction) -> Ends:
         """An interval around an exact rational."""
-        return check.from_ratio(self._bits, value.numerator, value.denominator)
+        return self._scope.outward((value, value))
 
-    def operation(self, name: str) -> Callable[..., Any]:
+    def operation(self, name: str) -> Callable[..., Ends]:
         """The checker's operation of this name."""
-        function, bits = check.INTERVALS[name], self._bits
+        function, scope = check.OPERATIONS[name], self._scope
 
-        def apply(*operands: Any) -> Any:
+        def apply(*operands: Ends) -> Ends:
             try:
-                return function(bits, *operands)
+                return scope.outward(function(scope, *operands))
             except check.Refused as error:
                 raise UndefinedError(str(error)) from error
 
         return apply
 
-    def ends(self, value: Any) -> Ends:
-        """The ends of an interval."""
-        low, high, exponent = value
-        scale = Fraction(2) ** exponent
-        return low * scale, high * scale
+    def ends(self, value: Ends) -> Ends:
+        """The interval itself."""
+        return value
 
     @contextmanager
     def at(self, bits: int) -> Iterator[None]:
         """Work with so many bits inside a ``with``."""
-        saved, self._bits = self._bits, bits
+        saved, self._scope = self._scope, check.Terms().scope(bits, {})
         try:
             yield
         finally:
-            self._bits = saved
+            self._scope = saved
 
 
 class MpmathEngine:

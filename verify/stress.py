@@ -11,12 +11,12 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from importlib.resources import files
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from verify import balls
+from verify import balls, eigenvalues
 from verify.engines import CheckerEngine, Ends, load
 from verify.inputs import angle, rational
 from verify.program import Program
@@ -27,6 +27,9 @@ from verify.theorem1 import Outcome, decide
 
 #: The independent computation has this many bits more than the precision that was needed.
 EXTRA_BITS = 512
+
+#: The bits asked for at a point of the spectrum.
+POINT_BITS = 128
 
 #: In the short form, cases whose name ends like this are left out.
 LONG = re.compile(r"(-300|-1e-(40|50|60|100|300))$")
@@ -99,7 +102,7 @@ def run_theorem1(case: Case) -> Finding:
     lost, textbook = _digits_lost(outcome, bits)
     right = (
         outcome.verdict == case.expect
-        and _hypotheses_are_exact(outcome)
+        and hypotheses_are_exact(outcome)
         and _constants_agree(outcome, bits + EXTRA_BITS)
     )
     return Finding(case, outcome.verdict, bits, lost, textbook, right)
@@ -123,7 +126,7 @@ def _digits_lost(outcome: Outcome, bits: int) -> tuple[float, float | None]:
     return worst, None if prover.exact(textbook) is not None else loss(textbook)
 
 
-def _hypotheses_are_exact(outcome: Outcome) -> bool:
+def hypotheses_are_exact(outcome: Outcome) -> bool:
     """The verdicts on the thresholds, against the signs of polynomials in exact rationals."""
     r, c = outcome.prover.definitions["r"], outcome.prover.definitions["c"]
     if c.op != "rational":
@@ -161,4 +164,39 @@ def meets(a: Ends, b: Ends) -> bool:
     return a[0] <= b[1] and b[0] <= a[1]
 
 
-RUNNERS: dict[str, Any] = {"theorem1": run_theorem1}
+def run_spectrum(case: Case) -> Finding:
+    """Enclose the spectrum, and check the enclosures by exact rational arithmetic.
+
+    Q is taken in its cyclic form, which is not the one that the enclosures come from:
+    Q(x) = (x+r)^3 + h^3 x^2 + h^3 x - 3 h^2 x (x+r) with h = (1+r)/4. It increases, so it changes
+    its sign between the ends of the real root's enclosure; the sum and the product of its roots
+    must lie in what the enclosures give.
+    """
+    r = number(case.arguments["r"])
+    found = eigenvalues.at(r, POINT_BITS)
+    with balls.precision(2 * POINT_BITS):
+        real, part, modulus = (
+            balls.ends(b) for b in (found.lambda_0, found.plus.re, found.modulus)
+        )
+        parts = (found.lambda_0, found.plus.re, found.plus.im, found.modulus, found.argument)
+        known = min(balls.accuracy_bits(ball) for ball in parts)
+    h = (1 + r) / 4
+
+    def q(x: Fraction) -> Fraction:
+        return (x + r) ** 3 + h**3 * x**2 + h**3 * x - 3 * h**2 * x * (x + r)
+
+    total, product = -(3 * r + h**3 - 3 * h**2), -(r**3)
+    right = (
+        q(real[0]) <= 0 <= q(real[1])
+        and meets((real[0] + 2 * part[0], real[1] + 2 * part[1]), (total, total))
+        and meets((real[0] * modulus[1] ** 2, real[1] * modulus[0] ** 2), (product, product))
+        and case.expect == "enclosed"
+    )
+    lost = max(0, POINT_BITS - known) * 0.30103
+    return Finding(case, case.expect, POINT_BITS, lost, None, right)
+
+
+RUNNERS: dict[str, Callable[[Case], Finding]] = {
+    "theorem1": run_theorem1,
+    "spectrum": run_spectrum,
+}

@@ -19,6 +19,7 @@ COMMANDS = {
     "check": "check a certificate, and that its statement is the right one",
     "bench": "measure speed against error",
     "stress": "run the numerically hard cases",
+    "report": "write the report: a page with plots, its Markdown twin, a LaTeX table",
     "certify": "make the committed certificates anew, or compare them",
 }
 

@@ -24,7 +24,7 @@ END = Fraction("0.055728")
 #: The share of its bound at which each repaired constant stands, as on the map of the region.
 SHARE = Fraction(1, 2)
 
-TIGHTEST = 24
+TIGHTEST = 14
 
 #: An enclosure is drawn if its ends differ by at most this factor.
 FACTOR = 2
@@ -32,8 +32,10 @@ FACTOR = 2
 
 def intervals() -> list[Side]:
     """Intervals of r that shrink by a fixed factor towards both ends."""
-    steps = [END / 2 * Fraction(4, 5) ** k for k in range(36, -1, -1)]
-    return list(pairwise([*steps, *(END - x for x in reversed(steps[:-1]))]))
+    distances = [END / 2]
+    while distances[-1] > END / 4000:
+        distances.append(distances[-1] - min(distances[-1] / 5, END / 80))
+    return list(pairwise([*reversed(distances), *(END - x for x in distances[1:])]))
 
 
 class Row(NamedTuple):

@@ -1,0 +1,33 @@
+"""The measurements have the promised shape; their times are not judged here."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+
+import pytest
+
+from verify.bench import relative_width, scientific
+from verify.cli import main
+
+
+def test_the_quick_form(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["bench", "--quick", "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    tables = document["tables"]
+    assert {"precision", "equal_width", "spectrum", "decided", "doubles", "processes"} <= set(
+        tables
+    )
+    for table in tables.values():
+        assert all(len(row) == len(table["columns"]) for row in table["rows"])
+    widths = [float(row[2]) for row in tables["precision"]["rows"]]
+    assert widths == sorted(widths, reverse=True)
+    assert all(float(row[3]) <= float(row[2]) for row in tables["equal_width"]["rows"])
+    assert any(row[2] > 0 for row in tables["double_verdicts"]["rows"])
+
+
+def test_widths_are_rounded_up() -> None:
+    assert relative_width((Fraction(1), Fraction(1))) == 0
+    assert relative_width((Fraction(2), Fraction(3))) == Fraction(1, 2)
+    assert relative_width((Fraction(-1), Fraction(1))) == 1
+    assert Fraction(scientific(Fraction(1, 3))) >= Fraction(1, 3)

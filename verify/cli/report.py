@@ -1,0 +1,73 @@
+"""Write the report: certificates/index.html with its twin, the picture and a LaTeX table."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from argparse import ArgumentParser, Namespace
+
+from verify.files import write_all
+from verify.inputs import InputError
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """The options."""
+    parser.add_argument(
+        "--directory",
+        default="certificates",
+        help="where the certificates are and the report goes (default certificates)",
+    )
+    parser.add_argument(
+        "--compare",
+        action="store_true",
+        help="write nothing and draw nothing (matplotlib is not needed): exit 1 if anything but "
+        "the drawings themselves would change",
+    )
+
+
+def run(options: Namespace) -> int:
+    """Write or compare the files; return 0, 1 if a compared one differs, or the checker's code."""
+    from verify.report import CertificateError  # loads flint
+    from verify.views.page.build import files
+
+    try:
+        made = files(options.directory, draw=not options.compare, progress=_progress)
+    except CertificateError as error:
+        print(f"verify: {error}", file=sys.stderr)
+        return error.code
+    if not options.compare:
+        write_all("--directory", options.directory, made)
+        for name in made:
+            print(f"written  {os.path.join(options.directory, name)}")
+        return 0
+    differing = 0
+    for name, content in made.items():
+        path = os.path.join(options.directory, name)
+        same = without_drawings(_read(path)) == without_drawings(content)
+        differing += not same
+        print(f"{'same' if same else 'DIFFERS':<8} {path}")
+    return 1 if differing else 0
+
+
+def without_drawings(page: bytes) -> bytes:
+    """The page without what is inside its SVG elements, which depends on the drawing library.
+
+    Captions stay, and with them the numbers of cells, of verdicts and of boxes.
+    """
+    return re.sub(rb"<svg .*?</svg>\n?", b"", page, flags=re.DOTALL)
+
+
+def _progress(what: str) -> None:
+    if sys.stderr.isatty():
+        print(f"{what} …", file=sys.stderr)
+
+
+def _read(path: str) -> bytes:
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except OSError as error:
+        raise InputError(
+            f"--compare: {path!r} cannot be read; write it with verify report"
+        ) from error

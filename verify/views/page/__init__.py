@@ -1,0 +1,1 @@
+"""The report as a page: what it says (`content`), and how that is written (`html`, `text`)."""

@@ -1,0 +1,145 @@
+"""What a page is made of, before it is HTML or Markdown.
+
+The same blocks are written twice, so that the two pages cannot say different things.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple, Union
+
+from verify.plots.figure import Figure
+
+
+class Text(NamedTuple):
+    """A sentence, in the plain letters in which the paper's files have it."""
+
+    text: str
+
+
+class Strong(NamedTuple):
+    """Words that matter."""
+
+    text: str
+
+
+class Code(NamedTuple):
+    """A label, a name or a command."""
+
+    text: str
+
+
+class Math(NamedTuple):
+    """A formula as MathML and as text."""
+
+    mathml: str
+    text: str
+
+
+class Number(NamedTuple):
+    """An enclosure: its short form, and both ends as they stand in the certificate."""
+
+    short: str
+    ends: tuple[str, str]
+
+
+class Verdict(NamedTuple):
+    """``proved``, ``refuted`` or ``undecided``."""
+
+    word: str
+
+
+class Link(NamedTuple):
+    """A reference to a place on the page, or to a file beside it."""
+
+    target: str
+    text: str
+
+
+Inline = Union[Text, Strong, Code, Math, Number, Verdict, Link]
+Cell = Sequence[Inline]
+
+
+class Heading(NamedTuple):
+    """The start of a section."""
+
+    name: str
+    text: str
+
+
+class Paragraph(NamedTuple):
+    """Some words."""
+
+    content: Cell
+
+
+class Box(NamedTuple):
+    """A paragraph set apart: a theorem."""
+
+    title: str
+    content: Cell
+
+
+class Facts(NamedTuple):
+    """The result in a few lines, each with a verdict."""
+
+    facts: Sequence[tuple[str, Cell]]
+
+
+class Items(NamedTuple):
+    """A list."""
+
+    items: Sequence[Cell]
+
+
+class Commands(NamedTuple):
+    """Lines to type."""
+
+    lines: Sequence[str]
+
+
+class Table(NamedTuple):
+    """A table; a long one is folded away behind its title."""
+
+    title: str
+    head: Sequence[str]
+    rows: Sequence[Sequence[Cell]]
+    folded: bool = False
+
+
+class Step(NamedTuple):
+    """One refuted step of the printed proof, with its repair."""
+
+    name: str
+    label: str
+    says: str
+    claim: Math
+    lhs: Number | None
+    rhs: Number | None
+    margin: Cell
+    repair: Cell
+
+
+class Steps(NamedTuple):
+    """Refuted steps."""
+
+    steps: Sequence[Step]
+
+
+class Source(NamedTuple):
+    """A text to copy, folded away behind its title."""
+
+    title: str
+    text: str
+
+
+class Drawing(NamedTuple):
+    """A figure, with its panels drawn if something could draw them."""
+
+    figure: Figure
+    panels: Sequence[str]
+
+
+Block = Union[
+    Heading, Paragraph, Box, Facts, Items, Commands, Table, Steps, Source, Drawing
+]

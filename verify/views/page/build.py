@@ -1,0 +1,49 @@
+"""The files of the report."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from html import escape
+
+from verify.paper.parameters import THEOREM
+from verify.plots import figures
+from verify.plots.drawing import Panel, standalone, svg
+from verify.report import read
+from verify.views.page.content import SUBTITLE, TITLE, content, latex
+from verify.views.page.html import html
+from verify.views.page.text import markdown
+
+PICTURE_PANEL = (460, 400)
+
+
+def files(directory: str, draw: bool, progress: Callable[[str], None]) -> dict[str, bytes]:
+    """Every file of the report; without drawings the page has none, and there is no picture.
+
+    Raises:
+        InputError: for files that cannot be used, or where nothing can draw.
+        CertificateError: for a certificate that is not accepted.
+    """
+    progress("checking the certificates")
+    material = read(directory)
+    progress("enclosing what the plots show")
+    shown = figures(material.measurements.get("bench", {}).get("precision"))
+    drawings: dict[str, list[str]] = {}
+    made: dict[str, bytes] = {}
+    if draw:
+        for figure in shown:
+            progress(f"drawing {figure.name}")
+            drawings[figure.name] = [
+                svg(f"{figure.name}-{index}", [panel], escape(f"{figure.title}: {panel.title}"))
+                for index, panel in enumerate(figure.panels)
+            ]
+        width, height = PICTURE_PANEL
+        panels = [Panel(p.title, p.draw, width, height) for p in shown[0].panels]
+        made["picture.svg"] = standalone(svg("picture", panels, escape(shown[0].title))).encode()
+    blocks = content(material, drawings, shown)
+    main, *_ = material.about(THEOREM)
+    return {
+        "index.html": html(TITLE, SUBTITLE, blocks).encode(),
+        "index.md": markdown(TITLE, blocks).encode(),
+        "constants.tex": latex(main).encode(),
+        **made,
+    }

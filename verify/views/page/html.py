@@ -1,0 +1,198 @@
+"""The page in HTML: one file, no script, nothing from the network."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from html import escape
+
+from verify.views.page.blocks import (
+    Block,
+    Box,
+    Cell,
+    Code,
+    Commands,
+    Drawing,
+    Facts,
+    Heading,
+    Inline,
+    Items,
+    Link,
+    Math,
+    Number,
+    Paragraph,
+    Source,
+    Step,
+    Steps,
+    Strong,
+    Table,
+    Text,
+    Verdict,
+)
+from verify.views.page.style import STYLE
+
+
+def html(title: str, subtitle: str, blocks: Sequence[Block]) -> str:
+    """The whole page, ending with a line feed."""
+    lines = [
+        "<!DOCTYPE html>",
+        '<html lang="en">',
+        "<head>",
+        '<meta charset="utf-8">',
+        '<meta name="viewport" content="width=device-width, initial-scale=1">',
+        '<meta name="color-scheme" content="light dark">',
+        '<link rel="icon" href="data:,">',
+        f"<title>{escape(title)}</title>",
+        f"<style>{STYLE}</style>",
+        "</head>",
+        "<body>",
+        f"<header><h1>{escape(title)}</h1><p>{prose(subtitle)}</p></header>",
+        "<main>",
+    ]
+    headings = [block for block in blocks if isinstance(block, Heading)]
+    first = blocks.index(headings[0])
+    for block in blocks[:first]:
+        lines += _block(block)
+    links = (f'<a href="#{h.name}">{escape(h.text)}</a>' for h in headings)
+    lines.append(f'<nav aria-label="Sections">{" ".join(links)}</nav>')
+    for block in blocks[first:]:
+        lines += _block(block)
+    lines += ["</main>", "</body>", "</html>"]
+    return "\n".join(lines) + "\n"
+
+
+_SCRIPT = re.compile(r"([_^])(?:\{([^{}]*)\}|\(([^()]*)\)|([^\W\d_]+|[0-9]+|[⁺⁻]))")
+_POWER_OF_TEN = re.compile(r"(?<![\w.])([0-9]+(?:\.[0-9]+)?…?)e(-?[0-9]+)(?![\w])")
+
+
+def prose(text: str) -> str:
+    """A sentence with its subscripts, superscripts and powers of ten set as such."""
+    return _powers(_SCRIPT.sub(_script, escape(text, quote=False)))
+
+
+def _script(match: re.Match[str]) -> str:
+    tag = "sub" if match[1] == "_" else "sup"
+    return f"<{tag}>{match[2] or match[3] or match[4]}</{tag}>"
+
+
+def _powers(text: str) -> str:
+    def power(match: re.Match[str]) -> str:
+        exponent = match[2].replace("-", "−")
+        digits = "" if match[1] == "1" else f"{match[1]}·"
+        return f'<data value="{match[0]}">{digits}10<sup>{exponent}</sup></data>'
+
+    return _POWER_OF_TEN.sub(power, text)
+
+
+def _block(block: Block) -> Iterator[str]:
+    match block:
+        case Heading(name, text):
+            yield f'<h2 id="{name}">{escape(text)}</h2>'
+        case Paragraph(content):
+            yield f"<p>{_cell(content)}</p>"
+        case Box(title, content):
+            yield f'<section class="theorem"><h3>{escape(title)}</h3><p>{_cell(content)}</p></section>'
+        case Facts(facts):
+            yield '<ul class="facts">'
+            for word, content in facts:
+                yield f"<li>{_verdict(word)}<span>{_cell(content)}</span></li>"
+            yield "</ul>"
+        case Items(items):
+            yield f"<ul>{''.join(f'<li>{_cell(item)}</li>' for item in items)}</ul>"
+        case Commands(lines):
+            yield f"<pre><code>{escape(chr(10).join(lines))}</code></pre>"
+        case Table():
+            yield from _table(block)
+        case Steps(steps):
+            yield '<div class="steps">'
+            for step in steps:
+                yield from _step(step)
+            yield "</div>"
+        case Source(title, text):
+            yield f"<details><summary>{escape(title)}</summary>"
+            yield f"<pre><code>{escape(text)}</code></pre></details>"
+        case Drawing():
+            yield from _drawing(block)
+
+
+def _table(table: Table) -> Iterator[str]:
+    rows = [[_cell(cell) for cell in row] for row in table.rows]
+    grid = _grid(table.head, rows)
+    if table.folded:
+        yield f"<details><summary>{prose(table.title)}</summary>{grid}</details>"
+    else:
+        yield f"<h3>{prose(table.title)}</h3>{grid}"
+
+
+def _grid(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    cells = "".join(f'<th scope="col">{prose(name)}</th>' for name in head)
+    lines = ["<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows]
+    body = "\n".join(lines)
+    return (
+        f'<div class="scroll" tabindex="0"><table><thead><tr>{cells}</tr></thead>'
+        f"<tbody>\n{body}\n</tbody></table></div>"
+    )
+
+
+def _step(step: Step) -> Iterator[str]:
+    yield f'<article id="{step.name}">'
+    yield f"<p>{_verdict('refuted')} <code>{escape(step.label)}</code></p>"
+    yield f"<p>{prose(step.says)}</p>"
+    yield f'<p class="claim">{step.claim.mathml}</p>'
+    if step.lhs is not None and step.rhs is not None:
+        yield (
+            f"<dl><div><dt>left</dt><dd>{_inline(step.lhs)}</dd></div>"
+            f"<div><dt>right</dt><dd>{_inline(step.rhs)}</dd></div>"
+            f"<div><dt>margin</dt><dd>{_cell(step.margin)}</dd></div></dl>"
+        )
+    yield f'<p class="repair">{_cell(step.repair)}</p>'
+    yield "</article>"
+
+
+def _drawing(block: Drawing) -> Iterator[str]:
+    figure = block.figure
+    yield f'<figure id="plot-{figure.name}"><h3>{prose(figure.title)}</h3><div class="panels">'
+    yield from block.panels
+    yield f"</div><figcaption>{prose(figure.caption)}</figcaption>"
+    if figure.rows:
+        rows = [[prose(cell) for cell in row] for row in figure.rows[1:]]
+        grid = _grid(figure.rows[0], rows)
+        yield f"<details><summary>The numbers, row by row</summary>{grid}</details>"
+    yield "</figure>"
+
+
+def _cell(content: Cell) -> str:
+    return "".join(map(_inline, content))
+
+
+def _inline(part: Inline) -> str:
+    match part:
+        case Text(text):
+            return prose(text)
+        case Strong(text):
+            return f"<strong>{prose(text)}</strong>"
+        case Code(text):
+            return f"<code>{escape(text)}</code>"
+        case Math(mathml, _):
+            return f'<span class="math">{mathml}</span>'
+        case Number():
+            return _number(part)
+        case Verdict(word):
+            return _verdict(word)
+        case Link(target, text):
+            return f'<a href="{escape(target)}">{prose(text)}</a>'
+
+
+def _number(number: Number) -> str:
+    low, high = number.ends
+    shown = _powers(escape(number.short))
+    if low == high == number.short:
+        return f'<data class="exact" value="{low}">{shown}</data>'
+    return (
+        f'<details class="number"><summary><data value="{low} {high}">{shown}</data></summary>'
+        f"<code>[{low}, {high}]</code></details>"
+    )
+
+
+def _verdict(word: str) -> str:
+    return f'<b class="verdict {word}">{word}</b>'

@@ -1,0 +1,92 @@
+"""The style sheet of the page: system fonts, both colour schemes, a phone, a screen, paper."""
+
+from __future__ import annotations
+
+from verify.plots.drawing import STANDALONE
+
+
+def _colours(scheme: str) -> str:
+    return ";".join(f"--{name}:{colour}" for name, colour in STANDALONE[scheme].items())
+
+
+STYLE = (
+    ":root{color-scheme:light dark;--soft:#f4f5f6;--line:#dfe2e6;--link:#2757a8;"
+    + _colours("light")
+    + "}@media (prefers-color-scheme:dark){:root{--soft:#1c2229;--line:#333b44;--link:#9dbcf2;"
+    + _colours("dark")
+    + "}}"
+    + """
+*{box-sizing:border-box}
+html{-webkit-text-size-adjust:100%;scroll-padding-top:1rem}
+body{margin:0;background:var(--paper);color:var(--ink);
+ font:1rem/1.55 system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif}
+header,main{max-width:64rem;margin:0 auto;padding:0 1.1rem}
+header{padding-top:1.6rem}
+header p{color:var(--ink);opacity:.8;margin:.2rem 0 1rem;max-width:46rem}
+h1{font-size:1.75rem;line-height:1.2;margin:0;letter-spacing:-.01em;text-wrap:balance}
+h2{font-size:1.3rem;line-height:1.25;margin:3rem 0 .8rem;padding-top:.9rem;
+ border-top:1px solid var(--line)}
+h3{font-size:1.02rem;line-height:1.3;margin:1.6rem 0 .5rem}
+p,ul{max-width:46rem}
+a{color:var(--link)}
+nav{display:flex;flex-wrap:wrap;gap:.3rem 1.1rem;margin:1.4rem 0 0;font-size:.93rem}
+code,pre{font-family:ui-monospace,SFMono-Regular,Menlo,Consolas,monospace;font-size:.85em}
+code{overflow-wrap:anywhere}
+pre{background:var(--soft);border-radius:.4rem;padding:.8rem 1rem;overflow-x:auto;max-width:100%}
+pre code{overflow-wrap:normal;font-size:.85rem}
+sub,sup{line-height:0;font-size:.75em}
+math{font-size:1.05em}
+.math,.claim{display:inline-block;max-width:100%;overflow-x:auto;overflow-y:hidden;
+ vertical-align:middle;padding:.1rem 0}
+.claim{display:block;padding:.35rem 0}
+.facts{list-style:none;padding:0;margin:1rem 0;display:grid;gap:.6rem;max-width:52rem}
+.facts li{display:grid;grid-template-columns:5.6rem 1fr;gap:.8rem;align-items:baseline}
+.verdict{display:inline-block;font-size:.8rem;line-height:1;font-weight:600;padding:.3rem .5rem;
+ border-radius:.3rem;border:1px solid currentColor;text-align:center}
+.proved{color:var(--proved)}.refuted{color:var(--refuted)}.undecided{color:var(--faint)}
+.theorem{background:var(--soft);border-left:.25rem solid var(--proved);border-radius:.4rem;
+ padding:.9rem 1.1rem;margin:1.2rem 0;max-width:52rem}
+.theorem h3{margin:0 0 .3rem}.theorem p{margin:0}
+.scroll{overflow-x:auto;margin:.6rem 0;border:1px solid var(--line);border-radius:.4rem}
+table{border-collapse:collapse;width:100%;font-size:.9rem;line-height:1.4;
+ font-variant-numeric:tabular-nums}
+th,td{text-align:left;vertical-align:top;padding:.45rem .7rem;border-bottom:1px solid var(--line)}
+th{background:var(--soft);font-weight:600;white-space:nowrap}
+tbody tr:last-child td{border-bottom:0}
+td{min-width:6rem;max-width:26rem}
+td .math{max-width:24rem}
+details{margin:.6rem 0}
+summary{cursor:pointer}
+details>summary{font-weight:600}
+.number{display:inline-block;margin:0;vertical-align:top;max-width:100%}
+.number>summary{font-weight:400;white-space:nowrap;list-style:none;
+ text-decoration:underline dotted var(--faint);text-underline-offset:.2em}
+.number>summary::-webkit-details-marker{display:none}
+.steps{display:grid;gap:.9rem;grid-template-columns:repeat(auto-fill,minmax(min(100%,27rem),1fr))}
+article{border:1px solid var(--line);border-radius:.5rem;padding:.8rem 1rem;min-width:0;
+ break-inside:avoid}
+article p{margin:.35rem 0}
+article dl{display:flex;flex-wrap:wrap;gap:.3rem 1.4rem;margin:.4rem 0}
+dt{font-size:.8rem;color:var(--ink);opacity:.75}
+dd{margin:0;font-variant-numeric:tabular-nums}
+.repair{border-top:1px solid var(--line);padding-top:.45rem;font-size:.93rem}
+figure{margin:1.4rem 0 2.2rem;break-inside:avoid}
+figure h3{margin:0 0 .4rem}
+.panels{display:grid;gap:.6rem;grid-template-columns:repeat(auto-fit,minmax(min(100%,19rem),1fr))}
+.panels svg{width:100%;max-width:34rem;height:auto;display:block}
+figcaption{font-size:.9rem;line-height:1.5;max-width:52rem;margin-top:.5rem}
+@media print{
+ :root{color-scheme:light}
+ body{font-size:10pt}
+ header,main{max-width:none;padding:0}
+ nav{display:none}
+ h2{break-after:avoid}h3{break-after:avoid}
+ .scroll{overflow:visible;border:0}
+ table{font-size:8pt}
+ td,td .math{max-width:none;min-width:0}
+ .claim,.math{overflow:visible}
+ .panels{grid-template-columns:repeat(2,1fr)}
+ tr{break-inside:avoid}
+}
+"""
+)

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess
 import sys
+import time
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -149,6 +151,8 @@ def test_a_false_hypothesis_is_named_with_both_sides(capsys: pytest.CaptureFixtu
     assert code == 1
     assert "Hypothesis EQUATSS4.1ThExiCondiTheta does not hold" in out
     assert "Hypothesis EQUATSS4.1ThExiCondi_r_1_ does not hold: r < r_stabi = 9 - 4√5" in out
+    assert "its threshold = 1.0278276" in out
+    assert "both sides are equal" in run(capsys, "--r", "1/64", "--neg-cos", "8/13")[1]
     code, doc = document(capsys, "--r", "1/2")
     assert (code, doc["verdict"], doc["sets"]) == (1, "refuted", {})
     assert set(doc["constants"]) == {"V_0", "alpha_0"}
@@ -197,6 +201,13 @@ BAD = [
     (["--r", "0.03", "--precision", "256", "--max-precision", "128"], "--max-precision"),
     (["--r", "0.03", "--prec", "128"], "--prec"),
     (["--r", "0.03", "surplus"], "surplus"),
+    (["--r", "0.03", "two\nlines"], "two"),
+    (["--r", "0.03", "--r", "0.04"], "--r"),
+    (["--r", "0.03", "--delta-theta", "-1/10"], "--delta-theta"),
+    (["--r", "0.03", "--theta0", "-pi"], "--theta0"),
+    (["--r", "0.03", "--theta0", "π"], "5*pi/6"),
+    (["--r", "0." + "1" * 3900 + "e-4000"], "--r"),
+    (["--r", "0.03", "--out", "a/" * 3000], "--out"),
     (["--r", "0.03", "--out", "/proc/nowhere"], "--out"),
     (["--r", "0.03", "--out", "a\0b"], "--out"),
 ]
@@ -218,6 +229,9 @@ def test_an_unknown_command_and_no_command(capsys: pytest.CaptureFixture[str]) -
     assert main(["theorem2"]) == 2
     assert "theorem1" in capsys.readouterr().err
     assert main([]) == 2
+    assert capsys.readouterr().err.count("\n") == 1
+    assert main(["x" * 100000]) == 2
+    assert len(capsys.readouterr().err) < 300
     assert main(["--help"]) == 0
     assert main(["--version"]) == 0
 
@@ -255,7 +269,7 @@ def test_undecided_rows_write_nothing(capsys: pytest.CaptureFixture[str], tmp_pa
     words = ["--r", "1/64", "--neg-cos", near, "--precision", "20", "--max-precision", "60"]
     code, _, err = run(capsys, *words, "--out", str(tmp_path / "x"))
     assert code == 3
-    assert "nothing was written" in err
+    assert "no certificate to write" in err
     assert not (tmp_path / "x").exists()
 
 
@@ -280,6 +294,66 @@ def python(*words: str, **environment: str) -> subprocess.CompletedProcess[str]:
         check=False,
         timeout=60,
     )
+
+
+@pytest.mark.parametrize(
+    "environment",
+    [
+        {"PYTHONIOENCODING": "ascii"},
+        {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
+        {"PYTHONINTMAXSTRDIGITS": "640"},
+        {"PYTHONOPTIMIZE": "2"},
+    ],
+)
+def test_any_environment(environment: dict[str, str]) -> None:
+    result = python("-m", "verify", "theorem1", "--r", "0.03", **environment)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert "δ_x" in result.stdout
+
+
+def shell(command: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        ["bash", "-c", command.replace("verify", f"{sys.executable} -m verify")],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+
+
+@pytest.mark.parametrize(
+    ("command", "code"),
+    [
+        ("verify theorem1 --r 0.03 >/dev/full", 2),
+        ("verify theorem1 --r 0.03 --json >&-", 2),
+        ("verify --help >/dev/full", 2),
+        ("verify theorem1 --help >/dev/full", 2),
+        ("verify theorem1 --r 0.06 | true; exit ${PIPESTATUS[0]}", 141),
+        ("verify theorem1 --r nan 2>&-", 2),
+    ],
+)
+def test_output_that_cannot_be_written(command: str, code: int) -> None:
+    result = shell(command)
+    assert "Traceback" not in result.stderr
+    assert result.stderr.count("\n") <= 1
+    if "| true" not in command or result.returncode == 141:
+        assert result.returncode == code
+        assert result.stdout == ""
+
+
+def test_a_process_that_is_interrupted_says_so_in_one_line() -> None:
+    process = subprocess.Popen(
+        [sys.executable, "-m", "verify", "theorem1", "--r", "0.03", "--precision", "65536"],
+        cwd=ROOT,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    time.sleep(1)
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=30)
+    assert (process.returncode, err) == (130, "verify: interrupted\n")
 
 
 def test_nothing_heavy_is_imported() -> None:

@@ -211,6 +211,43 @@ def test_irrational_angles(angle: object) -> None:
     assert decide(point).verdict == PROVED
 
 
+@pytest.mark.parametrize(
+    ("r", "c"),
+    [
+        ("1/25", "25/26"),
+        ("1/200", "36/67"),
+        ("1/85", "97/172"),
+        ("7/240", "16/19"),
+        ("4/125", "35/43"),
+    ],
+)
+def test_a_choice_that_meets_its_bound_exactly(r: str, c: str) -> None:
+    """Rational fixed points, at which a rounded constant equals its bound."""
+    assert decide(parameters(r, c)).verdict == PROVED
+
+
+def test_the_choices_do_not_depend_on_the_last_precision() -> None:
+    """V_1 - V_0 is within 10^-300 of a decimal with three digits."""
+    h = decide(parameters("1/25", "25/26")).prover
+    ratio = h.exact(h.definitions["V_1"])
+    assert ratio is not None
+    v_0 = str(Fraction("0.249") / (ratio - 1) + Fraction(1, 10**300))
+    chosen = [
+        decide(parameters("1/25", "25/26", v_0), "repaired", 128, last)
+        .prover.definitions["repaired.V_1"]
+        .value
+        for last in (256, 512, 65536)
+    ]
+    assert chosen[0] == chosen[1] == chosen[2]
+
+
+def test_undecided_printed_rows_are_left_out_of_the_certificate() -> None:
+    """At delta_2 = 1/44 two sides are equal by a coincidence that no rule sees."""
+    outcome = decide(parameters("1/11000", "348/3667"))
+    assert outcome.verdict == PROVED
+    assert len(outcome.all_rows) - len(outcome.decided_rows) == 1
+
+
 def test_a_spent_budget_is_undecided() -> None:
     near = str(Fraction(8, 13) + Fraction(1, 10**300))
     outcome = decide(parameters("1/64", near), "repaired", 64, 64)

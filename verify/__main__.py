@@ -1,10 +1,13 @@
 """``python -m verify``."""
 
 import gc
-
-from verify.cli import main
+import sys
 
 if __name__ == "__main__":
     # A short-lived process that builds trees and drops nothing: collecting would find no garbage.
     gc.disable()
-    raise SystemExit(main())
+    try:
+        from verify.cli import main
+    except KeyboardInterrupt:
+        sys.exit(130)
+    sys.exit(main())

@@ -8,6 +8,8 @@ wherever both are defined.
 
 from __future__ import annotations
 
+from functools import cache
+
 from verify.terms import Term
 
 Monomial = tuple[tuple[int, int], ...]
@@ -24,6 +26,7 @@ class TooLargeError(ArithmeticError):
     """An expansion has more terms than the limit."""
 
 
+@cache
 def is_identity(lhs: Term, rhs: Term) -> bool:
     """True only if lhs = rhs wherever both are defined; False says nothing."""
     if lhs == rhs:

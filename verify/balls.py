@@ -63,6 +63,11 @@ def root(ball: arb) -> arb:
     return _OPERATIONS["sqrt"](ball)
 
 
+def cube_root(ball: arb) -> arb:
+    """The cube root of a ball of positive numbers."""
+    return ball.root(3)
+
+
 def argument(re: arb, im: arb) -> arb:
     """The argument in ]-pi, pi] of a complex number."""
     return arb.atan2(im, re)

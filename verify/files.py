@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from errno import EISDIR
 from typing import Any
 
-from verify.inputs import InputError
+from verify.inputs import InputError, shown
 
 
 def write_all(option: str, directory: str, contents: Mapping[str, bytes]) -> None:
@@ -16,31 +16,37 @@ def write_all(option: str, directory: str, contents: Mapping[str, bytes]) -> Non
     Raises:
         InputError: if the directory or a file cannot be written, naming the option.
     """
-    import tempfile  # slow to load, and most runs write nothing
-
     temporary: dict[str, str] = {}
+    made = False
     try:
+        made = not os.path.isdir(directory)
         os.makedirs(directory, exist_ok=True)
         for name, content in contents.items():
-            handle, path = tempfile.mkstemp(prefix=f".{name}.", dir=directory)
+            path = os.path.join(directory, f".{name}.{os.getpid()}")
             temporary[path] = os.path.join(directory, name)
-            with os.fdopen(handle, "wb") as file:
+            with open(path, "xb") as file:
                 file.write(content)
-            os.chmod(path, 0o644)
         for target in temporary.values():
             if os.path.isdir(target):
                 raise IsADirectoryError(EISDIR, os.strerror(EISDIR), target)
         for path, target in temporary.items():
             os.replace(path, target)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
+        made = False
+    except (OSError, ValueError, RecursionError) as error:
         raise InputError(
-            f"{option}: {directory!r} cannot be written ({reason}); name a folder that can"
+            f"{option}: {shown(directory)} cannot be written ({_reason(error)}); "
+            "name a folder that can"
         ) from error
     finally:
         for path in temporary:
             if os.path.exists(path):
                 os.unlink(path)
+        if made and os.path.isdir(directory) and not os.listdir(directory):
+            os.rmdir(directory)
+
+
+def _reason(error: Exception) -> str:
+    return getattr(error, "strerror", None) or str(error)
 
 
 def read_bytes(option: str, path: str) -> bytes:
@@ -53,8 +59,9 @@ def read_bytes(option: str, path: str) -> bytes:
         with open(path, "rb") as file:
             return file.read()
     except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise InputError(f"{option}: {path!r} cannot be read ({reason}); name a file") from error
+        raise InputError(
+            f"{option}: {shown(path)} cannot be read ({_reason(error)}); name a file"
+        ) from error
 
 
 def print_document(document: Mapping[str, Any]) -> None:

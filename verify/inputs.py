@@ -12,6 +12,9 @@ MAX_LENGTH = 4000
 #: Larger decimal exponents are refused: 1e99999999 would fill the memory.
 MAX_EXPONENT = 4000
 
+#: Numerators and denominators are smaller than 10^4200, so that any reader of JSON can read them.
+MAX_DIGITS = 4200
+
 _RATIONAL = re.compile(r"([+-]?[0-9]+)/([0-9]+)")
 _DECIMAL = re.compile(r"([+-]?)([0-9]*)\.?([0-9]*)(?:[eE]([+-]?[0-9]+))?")
 _PI = re.compile(r"(?:([0-9]+)\*)?pi(?:/([0-9]+))?")
@@ -46,7 +49,13 @@ def rational(option: str, text: str) -> Fraction:
             f"write an exponent between -{MAX_EXPONENT} and {MAX_EXPONENT}"
         )
     digits = int(match[1] + (match[2] + match[3]))
-    return digits * Fraction(10) ** (int(exponent_text) - len(match[3]))
+    value = digits * Fraction(10) ** (int(exponent_text) - len(match[3]))
+    if max(abs(value.numerator), value.denominator) >= 10**MAX_DIGITS:
+        raise InputError(
+            f"{option}: {shown(text)} has more than {MAX_DIGITS} digits as a fraction; "
+            "write fewer digits or a smaller exponent"
+        )
+    return value
 
 
 def angle(option: str, text: str) -> Term:
@@ -68,11 +77,12 @@ def angle(option: str, text: str) -> Term:
         if turns in (1, Fraction(2, 3)):
             return as_term(1 if turns == 1 else Fraction(1, 2))
         return -cos_pi(turns)
-    if "pi" in text:
+    try:
+        radians = rational(option, text)
+    except InputError as error:
         raise InputError(
             f"{option}: {shown(text)} is not an angle; write it like pi, 5*pi/6 or 2.9 (radians)"
-        )
-    radians = rational(option, text)
+        ) from error
     if not _between_half_pi_and_pi(radians):
         raise InputError(_outside(option, text))
     return -cos(radians)

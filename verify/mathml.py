@@ -66,11 +66,11 @@ class MathML:
             base = self._inside(term.children[0], _ATOM, power=True)
             return f"<msup>{base}<mn>{term.exponent}</mn></msup>"
         if op == "neg":
-            return f"<mo>−</mo>{self._inside(term.children[0], _PRODUCT)}"
+            return f"<mo>−</mo>{self._after_sign(term.children[0], _PRODUCT)}"
         if op in ("add", "sub"):
             left, right = term.children
             sign = "+" if op == "add" else "−"
-            return f"{self._inside(left, _SUM)}<mo>{sign}</mo>{self._inside(right, _PRODUCT)}"
+            return f"{self._inside(left, _SUM)}<mo>{sign}</mo>{self._after_sign(right, _PRODUCT)}"
         if op == "mul":
             return self._product(*term.children)
         return self._function(op, term)
@@ -78,13 +78,19 @@ class MathML:
     def _product(self, left: Term, right: Term) -> str:
         # Two numbers side by side would read as one.
         sign = "⋅" if _starts_with_digit(right) else "&#x2062;"
-        return f"{self._inside(left, _PRODUCT)}<mo>{sign}</mo>{self._inside(right, _NEGATION)}"
+        return f"{self._inside(left, _PRODUCT)}<mo>{sign}</mo>{self._after_sign(right, _NEGATION)}"
 
     def _function(self, op: str, term: Term) -> str:
         arguments = "<mo>,</mo>".join(map(self._term, term.children))
         if op == "cos_pi":
             op, arguments = "cos", f"{self._inside(term.children[0], _PRODUCT)}<mi>π</mi>"
         return f"<mi>{op}</mi><mo>&#x2061;</mo>{_fenced(arguments)}"
+
+    def _after_sign(self, term: Term, level: int) -> str:
+        """The same after an operator, where a minus sign must not stand first."""
+        if _starts_with_minus(term):
+            return f"<mrow>{_fenced(self._term(term))}</mrow>"
+        return self._inside(term, level)
 
     def _inside(self, term: Term, level: int, power: bool = False) -> str:
         own = _LEVELS.get(term.op, _ATOM)
@@ -169,9 +175,13 @@ def _rational(value: Fraction) -> str:
 def _starts_with_digit(term: Term) -> bool:
     if term.op in ("mul", "pow", "add", "sub"):
         return term.op in ("mul", "pow") and _starts_with_digit(term.children[0])
-    return term.op == "rational" or (
-        term.op == "div" and term.children[0].op == "rational"
-    )
+    return term.op == "rational" or (term.op == "div" and term.children[0].op == "rational")
+
+
+def _starts_with_minus(term: Term) -> bool:
+    if term.op == "mul":
+        return _starts_with_minus(term.children[0])
+    return term.op == "neg" or (term.op == "rational" and term.value < 0)
 
 
 def _fenced(inner: str) -> str:

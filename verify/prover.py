@@ -84,6 +84,7 @@ class Prover:
         self.max_bits = max_bits
         self.definitions: dict[str, Term] = {}
         self._program = Program(())
+        self._parameters = frozenset(statement.parameters)
         self._balls: dict[int, Run] = {}
         self._enclosures: dict[Term, Ends | None] = {}
         self._exact = Machine(self._program, ExactArithmetic()).run(())
@@ -146,7 +147,7 @@ class Prover:
                 ball = self._run(bits)[term]
                 if ball is not None:
                     best = balls.ends(ball)
-                    if balls.accuracy_bits(ball) >= min(REPORTED_BITS, bits // 2):
+                    if balls.accuracy_bits(ball) >= REPORTED_BITS:
                         break
         return best
 
@@ -160,6 +161,12 @@ class Prover:
         verdict, method, steps, closing = found or (UNDECIDED, "", (), "")
         lhs, rhs = self.enclose(claim.lhs), self.enclose(claim.rhs)
         return Decision(verdict, method, bits, lhs, rhs, steps, closing)
+
+    def proves_at(self, claim: Claim, bits: int) -> bool:
+        """Whether a claim is proved at one precision, whatever the ladder."""
+        with balls.precision(bits):
+            found = self._decide_at(claim, self._run(bits))
+        return found is not None and found[0] == PROVED
 
     def _decide_at(self, claim: Claim, run: Run) -> tuple[str, str, tuple[Step, ...], str] | None:
         lhs, rhs = run[claim.lhs], run[claim.rhs]
@@ -217,8 +224,8 @@ class Prover:
         return None if rest is None else ((step, *rest[0]), rest[1])
 
     def _latest(self, claim: Claim) -> str | None:
-        """The name in a claim that was defined last."""
-        names = {*symbols_of(claim.lhs), *symbols_of(claim.rhs)}
+        """The name in a claim that was defined last; parameters are left as they are."""
+        names = {*symbols_of(claim.lhs), *symbols_of(claim.rhs)} - self._parameters
         return next((name for name in reversed(self.definitions) if name in names), None)
 
     def _harder_when_larger(self, claim: Claim, name: str, run: Run) -> bool:
@@ -305,10 +312,10 @@ def choose(prover: Prover, constant: Constant) -> Fraction:
     """
     bound = constant.term if constant.base is None else constant.term - constant.base
     ends = prover.exact(bound)
+    bits = CHOICE_BITS
     if ends is not None:
         low = high = ends
     else:
-        bits = CHOICE_BITS
         while (ball := prover.ball(bound, bits)) is None or balls.accuracy_bits(ball) < 64:
             bits *= 2
             if bits > prover.max_bits:
@@ -323,17 +330,19 @@ def choose(prover: Prover, constant: Constant) -> Fraction:
             raise ValueError(f"the base of {constant.name} is not rational")
         base = exact_base
     value = base + candidates[0]
-    if candidates[0] == candidates[1] or _on_safe_side(prover, value, constant):
+    if candidates[0] == candidates[1] or _on_safe_side(prover, value, constant, bits):
         return value
     return base + candidates[1]
 
 
-def _on_safe_side(prover: Prover, value: Fraction, constant: Constant) -> bool:
+def _on_safe_side(prover: Prover, value: Fraction, constant: Constant, bits: int) -> bool:
     """Whether a candidate that the bound's ball straddles is proved to be allowed."""
     if constant.direction == "up":
-        return prover.decide(constant.term <= as_term(value)).verdict == PROVED
-    entries = constant.term.children if constant.term.op == "min" else (constant.term,)
-    return all(prover.decide(as_term(value) <= entry).verdict == PROVED for entry in entries)
+        claims = [constant.term <= as_term(value)]
+    else:
+        entries = constant.term.children if constant.term.op == "min" else (constant.term,)
+        claims = [as_term(value) <= entry for entry in entries]
+    return all(prover.proves_at(claim, bits) for claim in claims)
 
 
 def round_to_digits(value: Fraction, up: bool, digits: int = CHOSEN_DIGITS) -> Fraction:

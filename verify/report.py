@@ -184,7 +184,10 @@ def _folder(directory: str, name: str) -> Folder:
             tuple(_constant(c, certificate) for c in statement["constants"]),
             tuple(_row(row, proofs[row["name"]]) for row in statement["obligations"]),
             tuple(statement["assumptions"]),
-            {file: sha256(content).hexdigest() for file, content in zip(NAMES, contents, strict=True)},
+            {
+                file: sha256(content).hexdigest()
+                for file, content in zip(NAMES, contents, strict=True)
+            },
             said,
         )
     except (ValueError, KeyError, TypeError, WireError) as error:

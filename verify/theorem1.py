@@ -86,6 +86,11 @@ class Outcome:
         return [pair for rows in self.rows.values() for pair in rows]
 
     @property
+    def decided_rows(self) -> Rows:
+        """The rows that have a verdict: those that a certificate can have."""
+        return [(row, found) for row, found in self.all_rows if found.verdict != UNDECIDED]
+
+    @property
     def exit_code(self) -> int:
         """0 proved, 1 refuted, 3 undecided."""
         return {PROVED: 0, REFUTED: 1, UNDECIDED: 3}[self.verdict]

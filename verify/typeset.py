@@ -99,7 +99,7 @@ class Typesetter:
     def _function(self, op: str, term: Term) -> str:
         if op == "cos_pi":
             pi = r" \pi" if self._latex else "π"
-            name, arguments = "cos", self._inside(term.children[0], _PRODUCT) + pi
+            name, arguments = "cos", self._inside(term.children[0], _ATOM) + pi
         else:
             name, arguments = op, ", ".join(map(self.term, term.children))
         if self._latex:

@@ -198,7 +198,7 @@ def _pair(ends: tuple[Fraction, Fraction] | None) -> list[str]:
 
 def files(outcome: Outcome) -> dict[str, bytes]:
     """The two files of a decided outcome."""
-    rows, prover, statement = outcome.all_rows, outcome.prover, outcome.statement
+    rows, prover, statement = outcome.decided_rows, outcome.prover, outcome.statement
     first = encode(statement_document(statement, prover.definitions, rows, title(outcome)))
     second = encode(certificate_document(prover, statement, rows, first))
     return {"statement.json": first, "certificate.json": second}

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
-from argparse import ArgumentParser
+from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
+from errno import EBADF
 from importlib import import_module
+from io import TextIOWrapper
 from typing import NoReturn
 
 from verify import __version__
-from verify.inputs import InputError
+from verify.inputs import InputError, shown
 
 #: The commands in the order a newcomer needs them.
 COMMANDS = {
@@ -25,50 +28,103 @@ COMMANDS = {
 
 USAGE_ERROR = 2
 INTERRUPTED = 130
+PIPE_CLOSED = 141
+
+#: What follows an option although it starts with a minus sign.
+_NEGATIVE = re.compile(r"-([0-9.]|pi|inf|nan)")
 
 
 class Parser(ArgumentParser):
-    """An argument parser whose errors are one line."""
+    """An argument parser whose errors are one line, and that takes each option once."""
 
     def error(self, message: str) -> NoReturn:
         """Raise instead of printing the usage."""
-        raise InputError(f"{message}; see {self.prog} --help")
+        text = " ".join(message.split())
+        raise InputError(f"{text[:200]}; see {self.prog} --help")
+
+    def print_help(self, file: object = None) -> None:  # noqa: ARG002
+        """Print the help; argparse would hide that stdout cannot be written."""
+        print(self.format_help(), end="")
+
+    def parse(self, words: Sequence[str]) -> Namespace:
+        """Parse the words after the command.
+
+        Raises:
+            InputError: for an unknown, repeated or incomplete option.
+        """
+        joined: list[str] = []
+        for word in words:
+            last = joined[-1] if joined else ""
+            if last.startswith("--") and "=" not in last and _NEGATIVE.match(word):
+                joined[-1] = f"{last}={word}"
+            else:
+                joined.append(word)
+        names = [word.split("=")[0] for word in joined if word.startswith("--")]
+        for name in names:
+            if names.count(name) > 1:
+                raise InputError(f"{shown(name)} is given more than once; write it once")
+        return self.parse_args(joined)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code: 0, 1, 2, 3 or 4 (see the README)."""
     words = list(sys.argv[1:] if arguments is None else arguments)
+    # The lengths of inputs are capped where they are read; what is computed may be longer.
+    sys.set_int_max_str_digits(0)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):
+            stream.reconfigure(encoding="utf-8", errors="backslashreplace")
     try:
-        return _dispatch(words)
+        if sys.stdout is None:
+            raise OSError(EBADF, os.strerror(EBADF))
+        code = _dispatch(words)
+        sys.stdout.flush()
     except InputError as error:
-        print(f"verify: {error}", file=sys.stderr)
-        return USAGE_ERROR
+        return _fail(str(error), USAGE_ERROR)
     except KeyboardInterrupt:
-        print("verify: interrupted; nothing was written", file=sys.stderr)
-        return INTERRUPTED
+        return _fail("interrupted", INTERRUPTED)
     except BrokenPipeError:
-        # The reader of the output has left; what it read was right.
+        _silence_stdout()
+        return PIPE_CLOSED
+    except OSError as error:
+        _silence_stdout()
+        return _fail(f"stdout cannot be written ({error.strerror})", USAGE_ERROR)
+    return code
+
+
+def _fail(message: str, code: int) -> int:
+    if sys.stderr is not None:
+        print(f"verify: {message}", file=sys.stderr)
+    return code
+
+
+def _silence_stdout() -> None:
+    """What is still in the buffer goes nowhere, so that the end of Python is quiet."""
+    if sys.stdout is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 0
 
 
 def _dispatch(words: list[str]) -> int:
-    if not words or words[0] in ("-h", "--help"):
+    known = ", ".join(COMMANDS)
+    if not words:
+        raise InputError(f"no command; write one of: {known}")
+    name = words[0]
+    if name in ("-h", "--help"):
         print(_help())
-        return 0 if words else USAGE_ERROR
-    if words[0] == "--version":
+        return 0
+    if name == "--version":
         print(f"verify {__version__}")
         return 0
-    name = words[0]
     if name not in COMMANDS:
-        known = ", ".join(COMMANDS)
-        raise InputError(f"{name!r} is not a command; write one of: {known}")
+        raise InputError(f"{shown(name)} is not a command; write one of: {known}")
     command = import_module(f"verify.cli.{name}")
     parser = Parser(prog=f"verify {name}", description=command.__doc__, allow_abbrev=False)
     command.add_arguments(parser)
-    code = command.run(parser.parse_args(words[1:]))
-    sys.stdout.flush()
-    return int(code)
+    try:
+        options = parser.parse(words[1:])
+    except SystemExit:  # --help has printed what it has to say
+        return 0
+    return int(command.run(options))
 
 
 def _help() -> str:
@@ -83,4 +139,5 @@ _EXIT_CODES = """exit codes:
   1  something asked for is refuted
   2  the input cannot be used
   3  undecided within the precision budget
-  4  a malformed certificate, or one that does not belong to its statement"""
+  4  a malformed certificate, or one that does not belong to its statement
+  130 interrupted; 141 the reader of the output has left"""

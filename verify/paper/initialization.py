@@ -13,7 +13,7 @@ from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import V_0, c
 from verify.paper.preliminaries import alpha_0, h_4, phi_minus
 from verify.statement import Obligation
-from verify.terms import as_term, maximum, sqrt
+from verify.terms import as_term, sqrt
 
 DATA = "EQUATSS4.1DescrDoIniColla"
 CND = "EQUATSS4.1Recurrence_Cnd"
@@ -171,10 +171,17 @@ def _ratios(k: ConstantSet) -> Iterator[Obligation]:
         "init-y-term-2", cnd, "second term of y₀: |x₀| ≤ (1-h₄)δ_x", k.x_0 <= (1 - h_4) * k.delta_x
     )
     yield k.row(
-        "init-y-term-3",
+        "init-y-term-3-d",
         cnd,
-        "third term of y₀: max(d₀, 2ζ₀) ≤ h₄δ_x/4",
-        maximum(k.d_bar, 2 * k.zeta_bar) <= quarter,
+        "third term of y₀, at most max(d₀, 2ζ₀): d₀ ≤ h₄δ_x/4",
+        k.d_bar <= quarter,
+        ["y-step", "root-product"],
+    )
+    yield k.row(
+        "init-y-term-3-zeta",
+        cnd,
+        "third term of y₀, at most max(d₀, 2ζ₀): 2ζ₀ ≤ h₄δ_x/4",
+        2 * k.zeta_bar <= quarter,
         ["y-step", "root-product"],
     )
     yield k.row(

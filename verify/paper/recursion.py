@@ -25,7 +25,7 @@ from verify.paper.preliminaries import (
     phi_minus,
 )
 from verify.statement import Obligation
-from verify.terms import as_term, maximum, minimum, sqrt
+from verify.terms import as_term, minimum, sqrt
 
 CND = "EQUATSS4.1Recurrence_Cnd"
 TAU = "EQUATSS4.1_Controle_Tau_n"
@@ -49,7 +49,8 @@ def rows(k: ConstantSet) -> Iterator[Obligation]:
 def _norms(k: ConstantSet) -> Iterator[Obligation]:
     cnd5, cnd6 = f"{CND}5", f"{CND}6"
     step = 4 * (k.speed + 2)
-    yield k.row("d-below-one", cnd6, "1 + d_n ≤ 2 for every n", k.d_any <= 1, ["distance", "time"])
+    yield k.row("d_0-below-one", cnd6, "1 + d_n ≤ 2 for n = 0", k.d_bar <= 1)
+    yield k.row("d-below-one", cnd6, "1 + d_n ≤ 2 for n ≥ 1", k.d_later <= 1, ["distance", "time"])
     if k.printed:
         # tau_n <= (1 + zeta_n/2) d_n/(-eta_{c,n}) and tau_n <= 2 (-eta_{c,n}) zeta_n/V_0, so the
         # right-hand side is at most d_n times the number below; the display is about d_{n+1}.
@@ -405,13 +406,19 @@ def _angle(k: ConstantSet) -> Iterator[Obligation]:
 
 def _x(k: ConstantSet) -> Iterator[Obligation]:
     cnd = f"{CND}9"
-    yield k.row(
-        "x-term-1",
-        cnd,
-        "max(d_n, 2ζ_n)/δ₂ ≤ h₄δ_x/2",
-        maximum(k.d_any, 2 * k.zeta_bar) / delta_2 <= h_4 * k.delta_x / 2,
-        ["x-step", "root-product"],
-    )
+    half = h_4 * k.delta_x / 2
+    for name, letter, size in (
+        ("d_0", "d₀", k.d_bar),
+        ("d", "d_n, n ≥ 1", k.d_later),
+        ("zeta", "2ζ_n", 2 * k.zeta_bar),
+    ):
+        yield k.row(
+            f"x-term-1-{name}",
+            cnd,
+            f"first term, at most max(d_n, 2ζ_n)/δ₂: {letter}, divided by δ₂, is ≤ h₄δ_x/2",
+            size / delta_2 <= half,
+            ["x-step", "root-product"],
+        )
     if k.printed:
         yield from _entries_alone(k)
     yield k.row("x-y-bound", f"{CND}10", "|y_n| ≤ δ₄ by Cnd10", k.delta_y <= delta_4)
@@ -452,13 +459,14 @@ def _y(k: ConstantSet) -> Iterator[Obligation]:
         k.d_later * (alpha_0 / 2) <= eighth,
         ["y-step", "distance"],
     )
-    yield k.row(
-        "y-term-2",
-        cnd,
-        "max(d_{n+1}, 2ζ_{n+1}) ≤ h₄δ_x/8",
-        maximum(k.d_later, 2 * k.zeta_bar) <= eighth,
-        ["y-step", "root-product"],
-    )
+    for name, letter, size in (("d", "d_{n+1}", k.d_later), ("zeta", "2ζ_{n+1}", 2 * k.zeta_bar)):
+        yield k.row(
+            f"y-term-2-{name}",
+            cnd,
+            f"second term, at most max(d_{{n+1}}, 2ζ_{{n+1}}): {letter} ≤ h₄δ_x/8",
+            size <= eighth,
+            ["y-step", "root-product"],
+        )
     yield k.row(
         "y-term-3",
         cnd,
@@ -498,17 +506,17 @@ def _entries_alone(k: ConstantSet) -> Iterator[Obligation]:
     for name, label, says, claim, correction in (
         ("eta-y-1", ETA, "entry 5 of η̄: d_{n+2} α₀/2 ≤ h₄δ_x/8", d_eta * alpha_0 / 2 <= share / 8,
          "y-term-1"),
-        ("eta-y-2", ETA, "entry 5 of η̄: d_{n+1} ≤ h₄δ_x/8", d_eta <= share / 8, "y-term-2"),
+        ("eta-y-2", ETA, "entry 5 of η̄: d_{n+1} ≤ h₄δ_x/8", d_eta <= share / 8, "y-term-2-d"),
         ("eta-x-1", ETA, "entry 5 of η̄: d_n/δ₂ ≤ h₄δ_x/2", d_eta / delta_2 <= share / 2,
-         "x-term-1"),
+         "x-term-1-d"),
         ("zeta-y-2", zeta_label, "entry 3 of ζ̄: 2ζ_{n+1} ≤ h₄δ_x/8", 2 * zeta_3 <= share / 8,
-         "y-term-2"),
+         "y-term-2-zeta"),
         ("zeta-x-1", zeta_label, "entry 3 of ζ̄: 2ζ_n/δ₂ ≤ h₄δ_x/2",
-         2 * zeta_3 / delta_2 <= share / 2, "x-term-1"),
+         2 * zeta_3 / delta_2 <= share / 2, "x-term-1-zeta"),
         ("zeta-y-4", zeta_label, "entry 3 of ζ̄: 2(V₁/V₀)ζ̄ ≤ h₄δ_x/8",
          2 * k.V_1 / V_0 * zeta_3 <= share / 8, "y-term-4"),
-        ("d-y-3", d_label, "entry 4 of d̄: d₀ ≤ h₄δ_x/4", d_4 <= share / 4, "init-y-term-3"),
+        ("d-y-3", d_label, "entry 4 of d̄: d₀ ≤ h₄δ_x/4", d_4 <= share / 4, "init-y-term-3-d"),
         ("d-x-1", d_label, "entry 4 of d̄: d₀/δ₂ ≤ h₄δ_x/2", d_4 / delta_2 <= share / 2,
-         "x-term-1"),
+         "x-term-1-d_0"),
     ):  # fmt: skip
         yield k.row(f"alone-{name}", label, f"{says}, alone", claim, corrected_by=correction)

@@ -66,7 +66,8 @@ def rows(group: str, share: Fraction) -> Rows:
     """The rows of a set, sorted into the two kinds."""
     statement = as_formulas(group, share)
     prover = Prover(statement, SAMPLE)
-    open_rows, algebraic = [], []
+    open_rows: list[Obligation] = []
+    algebraic: list[Obligation] = []
     for row in statement.obligations:
         decision = prover.decide(row.claim)
         used = {name for name, _ in decision.steps}

@@ -21,31 +21,30 @@ COLOURS = {
     "faint": "#010204",
     "proved": "#010205",
     "refuted": "#010206",
+    "proved-area": "#010209",
+    "refuted-area": "#01020a",
     "undecided": "#010207",
     "paper": "#010208",
     **{f"series-{i}": f"#01021{i}" for i in range(1, 8)},
 }
 
-#: The same colours in a picture that stands alone.
-STANDALONE = {
-    "light": {
-        "ink": "#1c2128", "faint": "#8a929c", "proved": "#0b7a5b", "refuted": "#b3372a",
-        "undecided": "#c3c8ce", "paper": "#ffffff", "series-1": "#3566b8", "series-2": "#b8741a",
-        "series-3": "#0b7a5b", "series-4": "#8a4fa3", "series-5": "#b3372a", "series-6": "#4b8fa0",
-        "series-7": "#77803a",
-    },
-    "dark": {
-        "ink": "#e4e7ea", "faint": "#7d8691", "proved": "#3fbf97", "refuted": "#ef7a6a",
-        "undecided": "#4a525c", "paper": "#14181d", "series-1": "#7ea6ee", "series-2": "#e0a658",
-        "series-3": "#3fbf97", "series-4": "#c592dc", "series-5": "#ef7a6a", "series-6": "#7cc3d3",
-        "series-7": "#b9c36c",
-    },
-}  # fmt: skip
+_LIGHT = """
+ink #1c2128, faint #8a929c, undecided #c3c8ce, paper #ffffff, proved #0b7a5b, refuted #b3372a,
+proved-area #0b7a5b, refuted-area #b3372a, series-1 #3566b8, series-2 #b8741a, series-3 #0b7a5b,
+series-4 #8a4fa3, series-5 #b3372a, series-6 #4b8fa0, series-7 #77803a"""
+_DARK = """
+ink #e4e7ea, faint #7d8691, undecided #4a525c, paper #14181d, proved #3fbf97, refuted #ef7a6a,
+proved-area #23805f, refuted-area #a8453a, series-1 #7ea6ee, series-2 #e0a658, series-3 #3fbf97,
+series-4 #c592dc, series-5 #ef7a6a, series-6 #7cc3d3, series-7 #b9c36c"""
+
+#: What the variables stand for, in either scheme.
+SCHEMES = {
+    scheme: dict(pair.split() for pair in text.split(","))
+    for scheme, text in (("light", _LIGHT), ("dark", _DARK))
+}
 
 #: How matplotlib writes a box; the same is said with half as many numbers.
-_RECTANGLE = re.compile(
-    r"M (\S+) (\S+) L (\S+) \2 L \3 (\S+) L \1 \4 (?:L \1 \2 )?z ?"
-)
+_RECTANGLE = re.compile(r"M (\S+) (\S+) L (\S+) \2 L \3 (\S+) L \1 \4 (?:L \1 \2 )?z ?")
 
 Draw = Callable[[Any], None]
 Boxes = Iterable[tuple[float, float, float, float]]
@@ -124,7 +123,7 @@ def standalone(drawing: str) -> str:
     """The drawing as a file of its own, with both sets of colours."""
     rules = {
         scheme: ";".join(f"--{name}:{colour}" for name, colour in colours.items())
-        for scheme, colours in STANDALONE.items()
+        for scheme, colours in SCHEMES.items()
     }
     style = (
         f"<style>svg{{{rules['light']};background:var(--paper)}}"
@@ -179,7 +178,7 @@ def boxes(
     from matplotlib.path import Path
 
     points: list[tuple[float, float]] = []
-    codes: list[int] = []
+    codes: list[Any] = []
     for left, right, low, high in corners:
         points += [(left, low), (right, low), (right, high), (left, high), (left, low)]
         codes += [Path.MOVETO, *[Path.LINETO] * 3, Path.CLOSEPOLY]

@@ -13,6 +13,9 @@ from verify.terms import Claim, Term
 
 Cell = tuple[Side, ...]
 
+#: A relation, and where the two sides of a claim are kept.
+Slots = tuple[str, int, int]
+
 
 class Field:
     """A program over parameters that vary.
@@ -37,8 +40,8 @@ class Field:
         self.leaves.update(self._program.leaves[len(self.leaves) :])
         return slot
 
-    def slots(self, claims: Mapping[str, Claim]) -> dict[str, tuple[str, int, int]]:
-        """Where the two sides of each claim are kept, after its relation."""
+    def slots(self, claims: Mapping[str, Claim]) -> dict[str, Slots]:
+        """Each claim, compiled."""
         return {
             name: (claim.relation, self.slot(claim.lhs), self.slot(claim.rhs))
             for name, claim in claims.items()
@@ -84,7 +87,7 @@ class Values:
         except UndefinedError:
             return None
 
-    def judge(self, row: tuple[str, int, int]) -> str:
+    def judge(self, row: Slots) -> str:
         """Whether a claim (see `Field.slots`) holds, or fails, at every point of the cell.
 
         The sign of the difference decides: its slopes cancel what both sides share.
@@ -100,7 +103,7 @@ class Values:
         holds, fails = (strictly, weakly) if relation == "<" else (weakly, strictly)
         return PROVED if holds == 1 else REFUTED if fails == -1 else UNDECIDED
 
-    def ratio(self, row: tuple[str, int, int]) -> Ends | None:
+    def ratio(self, row: Slots) -> Ends | None:
         """An enclosure of lhs/rhs on the cell."""
         lhs, rhs = self.at(row[1]), self.at(row[2])
         quotient = None if lhs is None or rhs is None else self.apply("div", lhs, rhs)
@@ -117,11 +120,3 @@ def bisected(cell: Cell, index: int) -> tuple[Cell, Cell]:
         sides[index] = part
         halves.append(tuple(sides))
     return halves[0], halves[1]
-
-
-def area(cell: Cell) -> Fraction:
-    """The product of the sides."""
-    result = Fraction(1)
-    for low, high in cell:
-        result *= high - low
-    return result

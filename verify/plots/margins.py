@@ -90,8 +90,7 @@ def figure() -> Figure:
     proved = [row for row in repaired if row.verdicts == {PROVED}]
     table = [("Drawn step (from the largest ratio)", "set", "left/right at r ≈ 0.0279, at most")]
     for name, part in (("printed, refuted", refuted), ("printed", others), ("repaired", tightest)):
-        for row in part:
-            table.append((row.says, name, decimal_up(_middle(row))))
+        table += ((row.says, name, decimal_up(_middle(row))) for row in part)
     return Figure(
         "margins",
         "How close each step is, over r at θ₀ = π",
@@ -133,7 +132,8 @@ def _draw_printed(axis: Any) -> None:
 def _draw_repaired(axis: Any) -> None:
     boxes(axis, _boxes(ratios(REPAIRED, SHARE)[:TIGHTEST]), "proved", edge=0.8)
     _frame(axis)
-    axis.set_ylim(0.1, 2)
+    axis.set_yscale("linear")
+    axis.set_ylim(0.5, 1.05)
 
 
 def _boxes(part: list[Row]) -> list[tuple[float, float, float, float]]:

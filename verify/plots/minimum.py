@@ -12,7 +12,7 @@ from verify.plots.constructions import as_formulas, definitions
 from verify.plots.drawing import COLOURS, Panel, boxes, merged
 from verify.plots.field import Cell, Field, Values, bisected
 from verify.plots.figure import Figure
-from verify.plots.plane import CUBE, INPUTS, WIDTH, stability
+from verify.plots.plane import CUBE, INPUTS, PLANE, stability
 from verify.plots.region import frame
 from verify.plots.slopes import BITS
 from verify.prover import PROVED, REFUTED, UNDECIDED
@@ -20,6 +20,9 @@ from verify.statement import PRINTED, REPAIRED
 from verify.terms import Term
 
 DEPTH = 7
+
+#: The colour of each entry; the third one is the usual answer.
+SHADES = ("series-2", "series-4", "proved-area", "series-1", "series-6", "series-7", "series-5")
 
 
 @cache
@@ -30,9 +33,7 @@ def least_entries(group: str) -> list[tuple[Cell, int | None]]:
     bound = next(c.term for c in statement.constants if c.name == f"{group}.eta_bar")
     gate = field.slots({"stability": stability()})["stability"]
     found: list[tuple[Cell, int | None]] = []
-    todo: list[tuple[Cell, int]] = [
-        (((Fraction(0), WIDTH), (Fraction(0), Fraction(1))), 0)
-    ]
+    todo: list[tuple[Cell, int]] = [(PLANE, 0)]
     with balls.precision(BITS):
         while todo:
             cell, level = todo.pop()
@@ -94,6 +95,6 @@ def _draw(axis: Any, group: str) -> None:
         if index is None:
             boxes(axis, part, "undecided", name=UNDECIDED)
         else:
-            boxes(axis, part, f"series-{index + 1}", name=f"entry {index + 1}")
+            boxes(axis, part, SHADES[index], name=f"entry {index + 1}")
     frame(axis, labels=False)
     axis.legend(loc="lower right", labelcolor=COLOURS["ink"])

@@ -7,7 +7,7 @@ smooth down to r = 0: the stability threshold is 2s(1+s)/(1+s^3), that of existe
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from typing import NamedTuple
@@ -15,7 +15,7 @@ from typing import NamedTuple
 from verify import balls
 from verify.paper.hypotheses import hypotheses
 from verify.plots.constructions import as_formulas, definitions
-from verify.plots.field import Cell, Field, area, bisected
+from verify.plots.field import Cell, Field, Slots, bisected
 from verify.plots.slopes import BITS, Side
 from verify.prover import PROVED, REFUTED, UNDECIDED, Ends
 from verify.terms import Claim, symbol
@@ -27,6 +27,9 @@ INPUTS = ("s", "c")
 CUBE = ("r", symbol("s") ** 3)
 
 
+#: All of them: r up to just beyond r_stabi, any angle.
+PLANE: Cell = ((Fraction(0), WIDTH), (Fraction(0), Fraction(1)))
+
 #: An interval of the first coordinate, and an enclosure of the second one on it.
 Box = tuple[Side, Ends]
 
@@ -35,13 +38,15 @@ class Judged(NamedTuple):
     """A cell where the hypothesis ``stability`` was ``proved``, or left ``undecided``.
 
     ``verdicts`` has a verdict for each row, for all points of the cell at once, and ``size`` an
-    enclosure of eta_bar (None where there is none, or where it was not asked for).
+    enclosure of eta_bar (None where there is none); ``weight`` is the cell's area in the plane
+    as drawn, in units of the smallest cell.
     """
 
     cell: Cell
     admissible: str
     verdicts: dict[str, str]
     size: Ends | None
+    weight: int
 
 
 @cache
@@ -65,38 +70,46 @@ def judge(
     field = Field(INPUTS, (CUBE, *definitions(as_formulas(group, share))))
     slots = field.slots(claims)
     gate = field.slots({"stability": stability()})["stability"]
-    wanted = set(wanted)
+    asked = set(wanted)
     found: list[Judged] = []
-    todo: list[tuple[Cell, int, str, dict[str, str]]] = [
-        (((Fraction(0), WIDTH), (Fraction(0), Fraction(1))), 0, UNDECIDED, {})
-    ]
+    todo = [Judged(PLANE, UNDECIDED, {}, None, 4**depth)]
     with balls.precision(BITS):
         while todo:
-            cell, level, admissible, known = todo.pop()
-            values = field.on(cell)
-            if admissible == UNDECIDED:
-                admissible = values.judge(gate)
-            if admissible == REFUTED:
+            now = _judged(field, gate, slots, todo.pop())
+            if now.admissible == REFUTED:
                 continue
-            verdicts = dict(known)
-            if admissible == PROVED:
-                for name, slot in slots.items():
-                    if verdicts.get(name, UNDECIDED) == UNDECIDED:
-                        verdicts[name] = values.judge(slot)
-            unclear = admissible != PROVED or any(verdicts[n] == UNDECIDED for n in wanted)
-            if unclear and level < depth:
-                for half in bisected(cell, 0):
-                    for quarter in bisected(half, 1):
-                        todo.append((quarter, level + 1, admissible, verdicts))
+            clear = now.admissible == PROVED and UNDECIDED not in map(now.verdicts.get, asked)
+            if clear or now.weight == 1:
+                found.append(now._replace(size=_size(field, group, now)))
                 continue
-            size = None
-            if admissible == PROVED:
-                slope = values[symbol(f"{group}.eta_bar")]
-                size = None if slope is None else balls.ends(slope.range)
-            found.append(Judged(cell, admissible, verdicts, size))
+            for half in bisected(now.cell, 0):
+                quarters = bisected(half, 1)
+                todo += (now._replace(cell=part, weight=now.weight // 4) for part in quarters)
     return sorted(found, key=lambda judged: judged.cell)
 
 
+def _judged(field: Field, gate: Slots, slots: Mapping[str, Slots], before: Judged) -> Judged:
+    """What is undecided so far, asked on the cell; the rest is known from a larger cell."""
+    values = field.on(before.cell)
+    admissible = before.admissible
+    if admissible == UNDECIDED:
+        admissible = values.judge(gate)
+    verdicts = dict(before.verdicts)
+    if admissible == PROVED:
+        for name, slot in slots.items():
+            if verdicts.get(name, UNDECIDED) == UNDECIDED:
+                verdicts[name] = values.judge(slot)
+    return before._replace(admissible=admissible, verdicts=verdicts)
+
+
+def _size(field: Field, group: str, judged: Judged) -> Ends | None:
+    if judged.admissible != PROVED:
+        return None
+    slope = field.on(judged.cell)[symbol(f"{group}.eta_bar")]
+    return None if slope is None else balls.ends(slope.range)
+
+
+@cache
 def thresholds(cells: int) -> dict[str, list[Box]]:
     """Enclosures of the two thresholds of c over intervals of s: boxes that contain the curves."""
     s = symbol("s")
@@ -121,8 +134,8 @@ def thresholds(cells: int) -> dict[str, list[Box]]:
 
 
 def share_of(cells: Sequence[Judged], name: str, verdict: str) -> Fraction:
-    """The share of the surely admissible cells, by area in (s, c), with a verdict on a row."""
+    """The share of the surely admissible cells, by area as drawn, with a verdict on a row."""
     inside = [judged for judged in cells if judged.admissible == PROVED]
-    total = sum((area(judged.cell) for judged in inside), Fraction(0))
-    part = (area(judged.cell) for judged in inside if judged.verdicts[name] == verdict)
-    return sum(part, Fraction(0)) / total if total else Fraction(0)
+    total = sum(judged.weight for judged in inside)
+    part = sum(judged.weight for judged in inside if judged.verdicts[name] == verdict)
+    return Fraction(part, total) if total else Fraction(0)

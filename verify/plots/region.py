@@ -1,4 +1,4 @@
-"""Over the region of the parameters: where the printed steps fail, where the repaired set closes."""
+"""Over the region: where the printed steps fail, and where the repaired construction closes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from typing import Any
 from verify.decimals import decimal_exponent
 from verify.plots.constructions import rows
 from verify.plots.drawing import Panel, boxes, merged
-from verify.plots.field import area
 from verify.plots.figure import Figure
 from verify.plots.plane import WIDTH, Judged, judge, share_of, thresholds
 from verify.prover import PROVED, REFUTED, UNDECIDED
@@ -23,9 +22,13 @@ SHARE = Fraction(1, 2)
 #: Values of r at which the axis of s = r^(1/3) is marked.
 TICKS = ("0.0001", "0.001", "0.005", "0.01", "0.02", "0.03", "0.05")
 
-#: The steps whose failure depends on where one is; the others are refuted throughout.
-CANDIDATES = ("angle-absorbed", "y-term-3", "x-term-1", "x-term-1-later", "zeta-x-bound",
-              "zeta-total")  # fmt: skip
+#: The steps that have a map of their own, as a short title.
+MAPS = {
+    "zeta-x-bound": "|xₙ| ≤ (V₀/V₁) δ₂² h₅/12",
+    "zeta-total": "ζₙ₊₁ ≤ (1 − h₅/4) ζₙ",
+    "angle-absorbed": "the angle stays within |Δθ|",
+    "x-term-1": "max(dₙ, 2ζₙ)/δ₂ ≤ h₄δₓ/2",
+}
 
 
 @cache
@@ -46,7 +49,7 @@ def printed_cells() -> list[Judged]:
 @cache
 def shown() -> tuple[Obligation, ...]:
     """The printed steps that have a map of their own."""
-    names = [f"{PRINTED}.{name}" for name in CANDIDATES]
+    names = [f"{PRINTED}.{name}" for name in MAPS]
     return tuple(row for row in rows(PRINTED, Fraction(1)).open if row.name in names)
 
 
@@ -68,12 +71,12 @@ def picture() -> Figure:
     least = min(refuted_steps(judged) for judged in failing)
     most = max(refuted_steps(judged) for judged in failing)
     open_rows, algebraic = rows(REPAIRED, SHARE)
+    share = Fraction(_area(closing), _area(repaired))
     caption = (
         f"Each box is a cell of parameters judged as a whole, by enclosures over all its points. "
         f"Left: {len(failing)} of {len(printed)} cells have printed steps refuted at every point "
         f"({least} to {most} of them, darker for more). Right: on {len(closing)} of "
-        f"{len(repaired)} cells ({_percent(_area(closing), _area(repaired))} of the area) all "
-        f"{len(open_rows)} inequalities of the repaired construction that are not identities are "
+        f"{len(repaired)} cells ({_percent(share)} of the area) all {len(open_rows)} inequalities of the repaired construction that are not identities are "
         f"proved at every point, with each constant at half of its bound; the other "
         f"{len(algebraic)} hold by algebra. The colour is the size of the set, a lower bound of "
         f"η̄ from {_least_size(closing)} (light) to {_greatest_size(closing)} (dark). Grey: undecided "
@@ -85,16 +88,19 @@ def picture() -> Figure:
         "region",
         "Where the printed proof fails, and where the repaired one closes",
         caption,
-        (Panel("As printed: steps refuted", _draw_printed), Panel("Repaired: closes", _draw_closing)),
+        (
+            Panel("As printed: steps refuted", _draw_printed),
+            Panel("Repaired: closes", _draw_closing),
+        ),
     )
 
 
-def _percent(part: Fraction, whole: Fraction) -> str:
-    return f"{int(100 * part / whole)} %"
+def _percent(share: Fraction) -> str:
+    return f"{int(100 * share)} %"
 
 
-def _area(cells: Iterable[Judged]) -> Fraction:
-    return sum((area(judged.cell) for judged in cells), Fraction(0))
+def _area(cells: Iterable[Judged]) -> int:
+    return sum(judged.weight for judged in cells)
 
 
 def _least_size(cells: Iterable[Judged]) -> str:
@@ -134,7 +140,7 @@ def _draw_printed(axis: Any) -> None:
     for step in range(4):
         part = [j for j in cells if refuted_steps(j) and
                 min(3, 4 * (refuted_steps(j) - low) // max(1, high - low + 1)) == step]  # fmt: skip
-        boxes(axis, merged(map(_corners, part)), "refuted", 0.4 + 0.2 * step)
+        boxes(axis, merged(map(_corners, part)), "refuted-area", 0.4 + 0.2 * step)
     frame(axis)
 
 
@@ -146,7 +152,7 @@ def _draw_closing(axis: Any) -> None:
     for index, level in enumerate(levels):
         part = [judged for judged in closing if _level(judged) == level]
         opacity = 0.2 + 0.8 * (index + 1) / len(levels)
-        boxes(axis, merged(map(_corners, part)), "proved", opacity)
+        boxes(axis, merged(map(_corners, part)), "proved-area", opacity)
     frame(axis)
 
 
@@ -174,19 +180,20 @@ def defects() -> Figure:
     """One map for each printed step whose failure depends on the parameters."""
     cells = printed_cells()
     panels = [
-        Panel(row.name.removeprefix("printed."), _map(row.name), 300, 240) for row in shown()
+        Panel(MAPS[row.name.removeprefix("printed.")], _map(row.name), 400, 300) for row in shown()
     ]
-    table = [("Step", "refuted", "proved", "undecided")]
+    table: list[tuple[str, ...]] = [("Step", "refuted", "proved", "undecided")]
     for row in rows(PRINTED, Fraction(1)).open:
         if any(judged.verdicts.get(row.name) == REFUTED for judged in cells):
             shares = [share_of(cells, row.name, v) for v in (REFUTED, PROVED, UNDECIDED)]
-            table.append((row.says, *(_percent(share, Fraction(1)) for share in shares)))
+            table.append((row.says, *(_percent(share) for share in shares)))
     inside = sum(judged.admissible == PROVED for judged in cells)
     caption = (
         f"Each map has the {len(cells)} cells of the plane, of which {inside} are surely "
         f"admissible. Red: the step is refuted at every point of the cell; green: it is proved "
         f"there; grey: undecided at this size of cells. The table has the share of each verdict, "
-        f"by area in the plane as drawn, for all {len(table) - 1} steps that are refuted somewhere."
+        f"by area in the plane as drawn and rounded down, for all {len(table) - 1} steps that are "
+        f"refuted somewhere."
     )
     return Figure("defects", "Where each defective step fails", caption, panels, table)
 
@@ -195,7 +202,8 @@ def _map(name: str) -> Callable[[Any], None]:
     def draw(axis: Any) -> None:
         for verdict in (UNDECIDED, PROVED, REFUTED):
             part = [j for j in printed_cells() if j.verdicts.get(name, UNDECIDED) == verdict]
-            boxes(axis, merged(map(_corners, part)), verdict)
+            colour = verdict if verdict == UNDECIDED else f"{verdict}-area"
+            boxes(axis, merged(map(_corners, part)), colour)
         frame(axis, labels=False)
         axis.set_xticks(axis.get_xticks()[1::2], TICKS[1::2])
         axis.set_xlabel("r")

@@ -66,7 +66,10 @@ def figure() -> Figure:
         f"and the unit circle, which they reach only as r → 1. Right: λ₀ (orange) between its bounds "
         f"-r and -r³ (grey), as boxes too. That λ₀ lies between them for every r is proved in the "
         f"spectral claims, not by this drawing.",
-        (Panel("Complex plane", _draw_plane, 400, 380), Panel("The real root", _draw_real, 400, 380)),
+        (
+            Panel("Complex plane", _draw_plane, 400, 380),
+            Panel("The real root", _draw_real, 400, 380),
+        ),
     )
 
 
@@ -75,7 +78,9 @@ def _draw_plane(axis: Any) -> None:
 
     axis.add_patch(Circle((0, 0), 1, fill=False, edgecolor=COLOURS["faint"], linewidth=1))
     pair = [
-        _box(cell.re, (sign * cell.im[0], sign * cell.im[1])) for cell in roots() for sign in (1, -1)
+        _box(cell.re, (sign * cell.im[0], sign * cell.im[1]))
+        for cell in roots()
+        for sign in (1, -1)
     ]
     boxes(axis, pair, "series-1", edge=0.8)
     thin = (Fraction(-1, 500), Fraction(1, 500))

@@ -135,9 +135,7 @@ class SlopeArithmetic:
         if a.slopes is not None and b.slopes is not None:
             pairs = zip(a.slopes, b.slopes, strict=True)
             slopes = tuple([balls.hull(x, y) for x, y in pairs])
-        return self._sharpened(
-            Ball.min(a.centre, b.centre), Ball.min(a.range, b.range), slopes
-        )
+        return self._sharpened(Ball.min(a.centre, b.centre), Ball.min(a.range, b.range), slopes)
 
     def _max(self, a: Slope, b: Slope) -> Slope:
         return self._neg(self._min(self._neg(a), self._neg(b)))

@@ -54,12 +54,11 @@ def document(outcome: Outcome) -> dict[str, Any]:
             "constants": {c.short_name: enclosure(c.name) for c in own},
             "minima": {
                 c.short_name: {
-                    "entries": [pair(ends) for ends in entries],
-                    "minimum": least(entries),
+                    "entries": [pair(ends) for ends in entry_ends(outcome, c)],
+                    "minimum": least(outcome, c),
                 }
                 for c in own
                 if c.term.op == "min"
-                for entries in [entry_ends(outcome, c)]
             },
             "obligations": [row(*pair_) for pair_ in outcome.rows[group]],
         }

@@ -9,7 +9,7 @@ from verify.prover import REFUTED, Decision, Ends
 from verify.statement import HYPOTHESES, PRINTED, REPAIRED, Constant, Obligation
 from verify.terms import symbol
 from verify.theorem1 import Outcome
-from verify.views.words import entry_ends, least, letters, theorem_in_numbers, verdict_text
+from verify.views.words import least, letters, theorem_in_numbers, verdict_text
 
 _SIGNS = {"<": "<", "<=": "≤", "=": "="}
 
@@ -93,7 +93,7 @@ def _constants(outcome: Outcome) -> Iterator[tuple[str, ...]]:
 def _minimum(outcome: Outcome, constant: Constant) -> str:
     if constant.term.op != "min":
         return ""
-    index = least(entry_ends(outcome, constant))
+    index = least(outcome, constant)
     return "" if index is None else f" (entry {index + 1} is the least)"
 
 

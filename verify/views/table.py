@@ -5,12 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from verify.decimals import outward, short
-from verify.prover import REFUTED, Decision, Ends
+from verify.prover import REFUTED, UNDECIDED, Decision, Ends
 from verify.statement import HYPOTHESES, PRINTED, REPAIRED, Constant, Obligation
 from verify.terms import symbol
 from verify.theorem1 import Outcome
 from verify.typeset import Typesetter
-from verify.views.words import entry_ends, least, letters, theorem_in_numbers, verdict_text
+from verify.views.words import (
+    entry_ends,
+    least,
+    letters,
+    theorem_in_numbers,
+    thresholds,
+    verdict_text,
+)
 
 _SIGNS = {"<": "<", "<=": "≤"}
 _TITLES = {
@@ -27,6 +34,8 @@ def lines(outcome: Outcome) -> Iterator[str]:
         value = typesetter.term(outcome.prover.definitions[name])
         yield f"  {typesetter.term(symbol(name))} = {value}"
     yield ""
+    yield from _summary(outcome)
+    yield ""
     yield "Hypotheses"
     for row, decision in outcome.rows[HYPOTHESES]:
         yield from _row(row, decision, typesetter)
@@ -39,6 +48,7 @@ def lines(outcome: Outcome) -> Iterator[str]:
         if group in outcome.rows:
             yield from _set(outcome, group, typesetter)
     yield from _assumptions(outcome)
+    yield ""
     yield from _verdict(outcome)
 
 
@@ -75,19 +85,18 @@ def _constant(outcome: Outcome, constant: Constant, typesetter: Typesetter) -> I
     text = typesetter.term(constant.term)
     yield f"  {constant.letter:<6} {short(ends):<14} {bound if constant.chosen else '= '}{text}"
     if constant.term.op == "min":
-        entries = entry_ends(outcome, constant)
-        minimum = least(entries)
-        for index, entry in enumerate(entries):
+        minimum = least(outcome, constant)
+        for index, entry in enumerate(entry_ends(outcome, constant)):
             mark = "<- the minimum" if index == minimum else ""
             yield f"           entry {index + 1}: {_short(entry)} {mark}".rstrip()
 
 
 def _row(row: Obligation, decision: Decision, typesetter: Typesetter) -> Iterator[str]:
-    label = row.label.removeprefix("EQUATSS4.1").removeprefix("Recurrence_")
     role = "" if row.role == "needed" or row.group == PRINTED else " (as printed)"
-    yield f"  {decision.verdict:<9} {label:<18} {row.says}{role}"
-    numbers = f"{_short(decision.lhs)} {_SIGNS[row.claim.relation]} {_short(decision.rhs)}"
+    name = row.name.partition(".")[2]
+    yield f"  {decision.verdict:<9} {row.says}{role}   [{name}, {row.label}]"
     yield f"            {typesetter.claim(row.claim)}"
+    numbers = f"{_short(decision.lhs)} {_SIGNS[row.claim.relation]} {_short(decision.rhs)}"
     yield f"            {numbers}   margin {_margin(decision)}"
     if decision.verdict == REFUTED and row.corrected_by:
         yield f"            corrected by {row.corrected_by}"
@@ -99,7 +108,7 @@ def _short(ends: Ends | None) -> str:
 
 def _margin(decision: Decision) -> str:
     """A lower bound of rhs - lhs; 0 where the two sides are proved equal or one is a bound."""
-    if decision.lhs is None or decision.rhs is None:
+    if decision.lhs is None or decision.rhs is None or decision.verdict == UNDECIDED:
         return "unknown"
     if decision.method == "rewrite":
         return "0 (structural)"
@@ -113,12 +122,25 @@ def _assumptions(outcome: Outcome) -> Iterator[str]:
         yield f"  {assumption.label}: {assumption.sentence}"
 
 
+def _summary(outcome: Outcome) -> Iterator[str]:
+    """The verdicts, and the names of what is refuted, for the first screen."""
+    yield from _verdict(outcome)
+    for group in outcome.groups:
+        refuted = [
+            row.name.partition(".")[2]
+            for row, decision in outcome.rows.get(group, [])
+            if decision.verdict == REFUTED
+        ]
+        if refuted:
+            yield f"Refuted, {group}: {', '.join(refuted)}"
+
+
 def _verdict(outcome: Outcome) -> Iterator[str]:
-    yield ""
     for row, decision in outcome.rows[HYPOTHESES]:
         if row.role == "needed" and decision.verdict == REFUTED:
-            numbers = f"{_short(decision.lhs)} {_SIGNS[row.claim.relation]} {_short(decision.rhs)}"
-            yield f"Hypothesis {row.label} does not hold: {row.says} ({numbers} is false)"
+            equal = decision.lhs is not None and decision.lhs == decision.rhs
+            why = "both sides are equal" if equal else thresholds(outcome)
+            yield f"Hypothesis {row.label} does not hold: {row.says} ({why})"
     if outcome.spent:
         yield f"Precision budget spent: {outcome.spent}"
     for group in outcome.groups:

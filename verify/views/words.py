@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
+from verify import balls
 from verify.decimals import outward, short
 from verify.prover import PROVED, Ends
 from verify.statement import Constant, Obligation
 from verify.theorem1 import Outcome
 from verify.typeset import Typesetter
+
+#: Bits of the thresholds that are only shown; the hypotheses are decided without them.
+THRESHOLD_BITS = 192
 
 
 def verdict_text(outcome: Outcome) -> str:
@@ -32,14 +38,29 @@ def entry_ends(outcome: Outcome, constant: Constant) -> list[Ends | None]:
     return [outcome.prover.enclose(entry) for entry in constant.term.children]
 
 
-def least(entries: list[Ends | None]) -> int | None:
-    """The index of the entry that is certainly the least, if the enclosures show one."""
-    known = [ends for ends in entries if ends is not None]
+def least(outcome: Outcome, constant: Constant) -> int | None:
+    """The index of the first entry that is proved to be at most each other one."""
+    entries = constant.term.children
+    ends = [outcome.prover.enclose(entry) for entry in entries]
+    known = [(pair[1], index) for index, pair in enumerate(ends) if pair is not None]
     if len(known) < len(entries):
         return None
-    index = min(range(len(known)), key=lambda i: known[i][1])
-    others = known[:index] + known[index + 1 :]
-    return index if all(known[index][1] <= ends[0] for ends in others) else None
+    index = min(known)[1]
+    claims = (entries[index] <= other for other in entries if other is not entries[index])
+    return index if all(outcome.prover.decide(c).verdict == PROVED for c in claims) else None
+
+
+def thresholds(outcome: Outcome) -> str:
+    """Where r and -cos(theta_0) would have to lie, in numbers."""
+    r, c = (outcome.prover.definitions[name] for name in ("r", "c"))
+    with balls.precision(THRESHOLD_BITS):
+        stabi = short(balls.ends(9 - 4 * balls.root(balls.from_fraction(Fraction(5)))))
+        root = balls.cube_root(balls.from_fraction(r.value))
+        bound = short(balls.ends(2 * root * (1 + root) / (1 + balls.from_fraction(r.value))))
+    found = outcome.prover.enclose(c)
+    own = "undefined" if found is None else short(found)
+    r_text = short((r.value, r.value))
+    return f"r = {r_text}, r_stabi = {stabi}; -cos θ₀ = {own}, its threshold = {bound}"
 
 
 def theorem_in_numbers(outcome: Outcome) -> str:

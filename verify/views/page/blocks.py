@@ -6,7 +6,7 @@ The same blocks are written twice, so that the two pages cannot say different th
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple, Union
+from typing import NamedTuple
 
 from verify.plots.figure import Figure
 
@@ -56,7 +56,7 @@ class Link(NamedTuple):
     text: str
 
 
-Inline = Union[Text, Strong, Code, Math, Number, Verdict, Link]
+Inline = Text | Strong | Code | Math | Number | Verdict | Link
 Cell = Sequence[Inline]
 
 
@@ -140,6 +140,4 @@ class Drawing(NamedTuple):
     panels: Sequence[str]
 
 
-Block = Union[
-    Heading, Paragraph, Box, Facts, Items, Commands, Table, Steps, Source, Drawing
-]
+Block = Heading | Paragraph | Box | Facts | Items | Commands | Table | Steps | Source | Drawing

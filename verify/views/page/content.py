@@ -18,7 +18,6 @@ from verify.statement import HYPOTHESES, PRINTED, REPAIRED
 from verify.terms import Claim, Term
 from verify.theorem1 import decide
 from verify.typeset import Typesetter
-from verify.views.markdown import theorem_in_numbers
 from verify.views.page.blocks import (
     Block,
     Box,
@@ -41,6 +40,7 @@ from verify.views.page.blocks import (
     Text,
     Verdict,
 )
+from verify.views.words import theorem_in_numbers
 
 TITLE = "Three particles collapse: what is proved"
 SUBTITLE = (
@@ -157,7 +157,7 @@ def _result(material: Material, main: Folder) -> Iterator[Block]:
         *_spectrum_facts(material),
     ])  # fmt: skip
     outcome = decide(main.parameters)
-    yield Box("Theorem 1, in numbers", [Text(" ".join(theorem_in_numbers(outcome)))])
+    yield Box("Theorem 1, in numbers", [Text(theorem_in_numbers(outcome))])
 
 
 def _spectrum_facts(material: Material) -> Iterator[tuple[str, Cell]]:
@@ -189,9 +189,12 @@ def _recheck(material: Material) -> Iterator[Block]:
              "of the project:"),
     ])  # fmt: skip
     yield Commands(
-        ['for folder in certificates/*/statement.json; do python3 -I verify/check.py '
-         '"$(dirname "$folder")" | tail -n 1; done']
-    )  # fmt: skip
+        [
+            "for file in certificates/*/statement.json",
+            'do python3 -I verify/check.py "${file%/*}" | tail -n 1',
+            "done",
+        ]
+    )
     yield Paragraph([
         Text("With the program installed, "), Code("verify check --statement FOLDER"),
         Text(" also makes the statement anew and compares it byte for byte, and "),
@@ -322,7 +325,7 @@ def _constant(writer: Writer, constant: Constant, definition: Math) -> list[Cell
 
 def _points(material: Material) -> Iterator[Block]:
     yield Heading("points", "The same at other points")
-    rows = []
+    rows: list[list[Cell]] = []
     for folder in material.about(THEOREM):
         values = {constant.name: constant for constant in folder.constants}
         printed = _printed(folder)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from html import escape
+from typing import Any
 
 from verify.views.page.blocks import (
     Block,
@@ -61,7 +62,7 @@ def html(title: str, subtitle: str, blocks: Sequence[Block]) -> str:
     return "\n".join(lines) + "\n"
 
 
-_SCRIPT = re.compile(r"([_^])(?:\{([^{}]*)\}|\(([^()]*)\)|([^\W\d_]+|[0-9]+|[⁺⁻]))")
+_SCRIPT = re.compile(r"([_^])(?:\{([^{}]*)\}|\(([^()]*)\)|([^\W\d_]+|[0-9]+|[⁺⁻±∞]))")
 _POWER_OF_TEN = re.compile(r"(?<![\w.])([0-9]+(?:\.[0-9]+)?…?)e(-?[0-9]+)(?![\w])")
 
 
@@ -85,34 +86,48 @@ def _powers(text: str) -> str:
 
 
 def _block(block: Block) -> Iterator[str]:
-    match block:
-        case Heading(name, text):
-            yield f'<h2 id="{name}">{escape(text)}</h2>'
-        case Paragraph(content):
-            yield f"<p>{_cell(content)}</p>"
-        case Box(title, content):
-            yield f'<section class="theorem"><h3>{escape(title)}</h3><p>{_cell(content)}</p></section>'
-        case Facts(facts):
-            yield '<ul class="facts">'
-            for word, content in facts:
-                yield f"<li>{_verdict(word)}<span>{_cell(content)}</span></li>"
-            yield "</ul>"
-        case Items(items):
-            yield f"<ul>{''.join(f'<li>{_cell(item)}</li>' for item in items)}</ul>"
-        case Commands(lines):
-            yield f"<pre><code>{escape(chr(10).join(lines))}</code></pre>"
-        case Table():
-            yield from _table(block)
-        case Steps(steps):
-            yield '<div class="steps">'
-            for step in steps:
-                yield from _step(step)
-            yield "</div>"
-        case Source(title, text):
-            yield f"<details><summary>{escape(title)}</summary>"
-            yield f"<pre><code>{escape(text)}</code></pre></details>"
-        case Drawing():
-            yield from _drawing(block)
+    return _WRITERS[type(block)](block)
+
+
+def _heading(block: Heading) -> Iterator[str]:
+    yield f'<h2 id="{block.name}">{escape(block.text)}</h2>'
+
+
+def _paragraph(block: Paragraph) -> Iterator[str]:
+    yield f"<p>{_cell(block.content)}</p>"
+
+
+def _box(block: Box) -> Iterator[str]:
+    title = escape(block.title)
+    yield f'<section class="theorem"><h3>{title}</h3><p>{_cell(block.content)}</p></section>'
+
+
+def _facts(block: Facts) -> Iterator[str]:
+    yield '<ul class="facts">'
+    for word, content in block.facts:
+        yield f"<li>{_verdict(word)}<span>{_cell(content)}</span></li>"
+    yield "</ul>"
+
+
+def _items(block: Items) -> Iterator[str]:
+    yield f"<ul>{''.join(f'<li>{_cell(item)}</li>' for item in block.items)}</ul>"
+
+
+def _commands(block: Commands) -> Iterator[str]:
+    lines = "\n".join(block.lines)
+    yield f"<pre><code>{escape(lines)}</code></pre>"
+
+
+def _source(block: Source) -> Iterator[str]:
+    yield f"<details><summary>{escape(block.title)}</summary>"
+    yield f"<pre><code>{escape(block.text)}</code></pre></details>"
+
+
+def _steps(block: Steps) -> Iterator[str]:
+    yield '<div class="steps">'
+    for step in block.steps:
+        yield from _step(step)
+    yield "</div>"
 
 
 def _table(table: Table) -> Iterator[str]:
@@ -143,7 +158,7 @@ def _step(step: Step) -> Iterator[str]:
         yield (
             f"<dl><div><dt>left</dt><dd>{_inline(step.lhs)}</dd></div>"
             f"<div><dt>right</dt><dd>{_inline(step.rhs)}</dd></div>"
-            f"<div><dt>margin</dt><dd>{_cell(step.margin)}</dd></div></dl>"
+            f"<div><dt>right − left</dt><dd>{_cell(step.margin)}</dd></div></dl>"
         )
     yield f'<p class="repair">{_cell(step.repair)}</p>'
     yield "</article>"
@@ -196,3 +211,17 @@ def _number(number: Number) -> str:
 
 def _verdict(word: str) -> str:
     return f'<b class="verdict {word}">{word}</b>'
+
+
+_WRITERS: dict[type, Callable[[Any], Iterator[str]]] = {
+    Heading: _heading,
+    Paragraph: _paragraph,
+    Box: _box,
+    Facts: _facts,
+    Items: _items,
+    Commands: _commands,
+    Table: _table,
+    Steps: _steps,
+    Source: _source,
+    Drawing: _drawing,
+}

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from verify.plots.drawing import STANDALONE
+from verify.plots.drawing import SCHEMES
 
 
 def _colours(scheme: str) -> str:
-    return ";".join(f"--{name}:{colour}" for name, colour in STANDALONE[scheme].items())
+    return ";".join(f"--{name}:{colour}" for name, colour in SCHEMES[scheme].items())
 
 
 STYLE = (
@@ -35,7 +35,9 @@ code{overflow-wrap:anywhere}
 pre{background:var(--soft);border-radius:.4rem;padding:.8rem 1rem;overflow-x:auto;max-width:100%}
 pre code{overflow-wrap:normal;font-size:.85rem}
 sub,sup{line-height:0;font-size:.75em}
-math{font-size:1.05em}
+math{font-size:1.05em;font-family:"STIX Two Math","Latin Modern Math","Cambria Math",math,serif}
+.claim math,td math{math-style:normal}
+.number:not([open])::details-content{display:none}
 .math,.claim{display:inline-block;max-width:100%;overflow-x:auto;overflow-y:hidden;
  vertical-align:middle;padding:.1rem 0}
 .claim{display:block;padding:.35rem 0}

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any
 
 from verify.views.page.blocks import (
     Block,
@@ -36,25 +37,58 @@ def markdown(title: str, blocks: Iterable[Block]) -> str:
 
 
 def _block(block: Block) -> Iterator[str]:
-    match block:
-        case Heading(_, text):
-            yield f"## {text}"
-        case Paragraph(content):
-            yield _cell(content)
-        case Box(title, content):
-            yield f"> **{title}.** {_cell(content)}"
-        case Facts(facts):
-            yield from (f"- **{word}**: {_cell(content)}" for word, content in facts)
-        case Items(items):
-            yield from (f"- {_cell(item)}" for item in items)
-        case Commands(lines):
-            yield from ("```sh", *lines, "```")
-        case Table(title, head, rows, _):
-            yield f"### {title}"
-            yield ""
-            yield from _table(head, [[_cell(cell) for cell in row] for row in rows])
-        case Steps(steps):
-            yield from _table(_STEP_HEAD, [_step(step) for step in steps])
+    return _WRITERS[type(block)](block)
+
+
+def _heading(block: Heading) -> Iterator[str]:
+    yield f"## {block.text}"
+
+
+def _paragraph(block: Paragraph) -> Iterator[str]:
+    yield _cell(block.content)
+
+
+def _box(block: Box) -> Iterator[str]:
+    yield f"> **{block.title}.** {_cell(block.content)}"
+
+
+def _facts(block: Facts) -> Iterator[str]:
+    yield from (f"- **{word}**: {_cell(content)}" for word, content in block.facts)
+
+
+def _items(block: Items) -> Iterator[str]:
+    yield from (f"- {_cell(item)}" for item in block.items)
+
+
+def _commands(block: Commands) -> Iterator[str]:
+    yield from ("```sh", *block.lines, "```")
+
+
+def _titled_table(block: Table) -> Iterator[str]:
+    yield f"### {block.title}"
+    yield ""
+    yield from _table(block.head, [[_cell(cell) for cell in row] for row in block.rows])
+
+
+def _steps(block: Steps) -> Iterator[str]:
+    yield from _table(_STEP_HEAD, [_step(step) for step in block.steps])
+
+
+def _source(block: Source) -> Iterator[str]:
+    yield from (f"### {block.title}", "", "```latex", *block.text.splitlines(), "```")
+
+
+def _drawing(block: Drawing) -> Iterator[str]:
+    figure = block.figure
+    yield f"### {figure.title}"
+    yield ""
+    yield f"{figure.caption} (The drawing is in `index.html`.)"
+    if figure.rows:
+        yield ""
+        yield from _table(figure.rows[0], figure.rows[1:])
+
+
+_STEP_HEAD, [_step(step) for step in steps])
         case Source(title, text):
             yield from (f"### {title}", "", "```latex", *text.splitlines(), "```")
         case Drawing(figure, _):
@@ -66,7 +100,7 @@ def _block(block: Block) -> Iterator[str]:
                 yield from _table(figure.rows[0], figure.rows[1:])
 
 
-_STEP_HEAD = ("Label", "Step as printed", "Claim", "Left", "Right", "Margin", "Repair")
+_STEP_HEAD = ("Label", "Step as printed", "Claim", "Left", "Right", "Right - left", "Repair")
 
 
 def _step(step: Step) -> list[str]:
@@ -109,3 +143,17 @@ def _inline(part: Inline) -> str:
             return word
         case Link(target, text):
             return f"[{text}]({target})" if not target.startswith("#") else text
+
+
+_WRITERS: dict[type, Callable[[Any], Iterator[str]]] = {
+    Heading: _heading,
+    Paragraph: _paragraph,
+    Box: _box,
+    Facts: _facts,
+    Items: _items,
+    Commands: _commands,
+    Table: _titled_table,
+    Steps: _steps,
+    Source: _source,
+    Drawing: _drawing,
+}

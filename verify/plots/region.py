@@ -75,14 +75,15 @@ def picture() -> Figure:
     caption = (
         f"Each box is a cell of parameters judged as a whole, by enclosures over all its points. "
         f"Left: {len(failing)} of {len(printed)} cells have printed steps refuted at every point "
-        f"({least} to {most} of them, darker for more). Right: on {len(closing)} of "
-        f"{len(repaired)} cells ({_percent(share)} of the area) all {len(open_rows)} inequalities of the repaired construction that are not identities are "
-        f"proved at every point, with each constant at half of its bound; the other "
-        f"{len(algebraic)} hold by algebra. The colour is the size of the set, a lower bound of "
-        f"η̄ from {_least_size(closing)} (light) to {_greatest_size(closing)} (dark). Grey: undecided "
-        f"at this size of cells. The lower curve is the threshold of existence 4√r/(1+r), the "
-        f"upper one that of stability 2r^(1/3)(1+r^(1/3))/(1+r), which the proof needs: both "
-        f"are drawn as enclosures. V₀ = 1, δ_θ = 1/10."
+        f"({least} to {most} of them). Right: on {len(closing)} of {len(repaired)} cells "
+        f"({_percent(share)} of the area) all {len(open_rows)} inequalities of the repaired "
+        f"construction that are not identities are proved at every point, with each constant at "
+        f"half of its bound; the other {len(algebraic)} hold by algebra. The colour is the size "
+        f"of the set, a lower bound of η̄ from {_least_size(closing)} (light) to "
+        f"{_greatest_size(closing)} (dark). Grey: undecided at this size of cells. The lower curve "
+        f"is the threshold of existence 4√r/(1+r), the upper one that of stability "
+        f"2r^(1/3)(1+r^(1/3))/(1+r), which the proof needs: both are drawn as enclosures. V₀ = 1, "
+        f"δ_θ = 1/10."
     )
     return Figure(
         "region",

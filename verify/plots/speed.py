@@ -22,7 +22,7 @@ class Point(NamedTuple):
 
 
 def points(table: Mapping[str, Any]) -> dict[str, list[Point]]:
-    """The measurements of each engine, from the columns ``<engine>: ms`` and ``<engine>: width``."""
+    """The measurements of each engine: its columns are ``<engine>: ms`` and ``<engine>: width``."""
     columns = list(table["columns"])
     engines = [name.removesuffix(": ms") for name in columns if name.endswith(": ms")]
     found: dict[str, list[Point]] = {}

@@ -88,18 +88,6 @@ def _drawing(block: Drawing) -> Iterator[str]:
         yield from _table(figure.rows[0], figure.rows[1:])
 
 
-_STEP_HEAD, [_step(step) for step in steps])
-        case Source(title, text):
-            yield from (f"### {title}", "", "```latex", *text.splitlines(), "```")
-        case Drawing(figure, _):
-            yield f"### {figure.title}"
-            yield ""
-            yield f"{figure.caption} (The drawing is in `index.html`.)"
-            if figure.rows:
-                yield ""
-                yield from _table(figure.rows[0], figure.rows[1:])
-
-
 _STEP_HEAD = ("Label", "Step as printed", "Claim", "Left", "Right", "Right - left", "Repair")
 
 

@@ -3,13 +3,13 @@
     python3 -I verify/check.py FOLDER                     (statement.json and certificate.json)
     python3 -I verify/check.py STATEMENT CERTIFICATE
 
-Believed are Python's integers, ``fractions``, ``json``, ``re`` and ``hashlib``, and these lines; no
-word of the certificate is. ``verify/wire.py`` describes both files. An obligation without variables
-claims that its two sides are defined as real numbers and stand in the relation; one with variables
-claims that for all values in their open intervals, and its negation claims one point there where
-both sides are defined and the relation fails. Every rule establishes this or raises `Refused`;
-what is not in the format raises `Malformed`. Nothing is searched for, there is no floating point,
-and sizes are bounded, so that checking ends.
+Believed are Python's integers, ``fractions``, ``json``, ``re``, ``hashlib``, and these lines; not
+the certificate. ``verify/wire.py`` describes both files. An obligation without variables claims
+that its two sides are defined as real numbers and stand in the relation; one with variables claims
+that for all values in their open intervals, and its negation claims one point there where both
+sides are defined and the relation fails. Every rule establishes this or raises `Refused`; what is
+not in the format raises `Malformed`. Nothing is searched for, there is no floating point, and
+sizes are bounded, so that checking ends.
 
 Exit codes: 0 all is proved and no needed row is a negation; 1 something is not proved; 2 unusable
 command line; 4 a file is malformed, or the two do not belong together.
@@ -22,8 +22,8 @@ import os
 import re
 import sys
 from collections.abc import Callable, Sequence
-from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
+from functools import cache
 from hashlib import sha256
 from itertools import pairwise, product
 from math import isqrt
@@ -34,36 +34,38 @@ MAX_HEIGHT = 200  # of a term, with the definitions of its symbols
 MAX_BITS, MAX_SIZE = 1 << 16, 1 << 18  # of precision; of a numerator with its denominator
 MAX_WORK = 10_000_000  # about the number of microseconds
 
-# A shape is a pattern for a text, a range for an integer, a dict for an object with just these
-# keys (ANY: with any keys), a list for a list of any length, a tuple for one of this length, a set
-# for null or what is in the set, None for a value that is looked at later.
+# The signature. A shape is a pattern for a text, a range for an integer, a dict for an object with
+# just these keys (ANY: with any keys), a list for a list of any length, a tuple for one of this
+# length, a set for null or what is in the set, None for a value that is looked at later.
 ANY, TEXT, NAME = "any", ".*", "[A-Za-z][A-Za-z0-9_.-]{0,99}"
-RATIONAL = "-?[0-9]{1,4300}(/0*[1-9][0-9]{0,4290})?"  # int() reads at most 4300 digits
-DECIMAL = r"-?[0-9]{1,400}(\.[0-9]{1,400})?(e-?[0-9]{1,5})?"
+RATIONAL = "-?(0|[1-9][0-9]{0,4299})(/[1-9][0-9]{0,4299})?"  # int() reads at most 4300 digits
+DECIMAL = r"-?(0|[1-9][0-9]{0,99})(\.[0-9]{1,99})?(e-?[0-9]{1,5})?"
 PAIR = (DECIMAL, DECIMAL)
-OBLIGATION = {"name": NAME, "label": TEXT, "role": "needed|printed", "says": TEXT, "claim": None}
-OBLIGATION |= {"uses": [NAME], "variables": {ANY: ({RATIONAL}, {RATIONAL})}}
-STATEMENT = {"format": "verify-statement/1", "theorem": TEXT, "title": TEXT}
-STATEMENT |= {"parameters": {ANY: None}, "obligations": [OBLIGATION]}
+Shape = dict[str, Any]
+ROW: Shape = {"name": NAME, "label": TEXT, "role": "needed|printed", "says": TEXT, "claim": None}
+ROW |= {"uses": [NAME], "variables": {ANY: ({RATIONAL}, {RATIONAL})}}
+STATEMENT: Shape = {"format": "verify-statement/1", "theorem": TEXT, "title": TEXT}
+STATEMENT |= {"parameters": {ANY: None}, "obligations": [ROW]}
 STATEMENT |= {"constants": [{"name": NAME, "label": TEXT, "tex": TEXT, "term": None}]}
 STATEMENT |= {"assumptions": [{"name": NAME, "label": TEXT, "sentence": TEXT}]}
-CERTIFICATE = {"format": "verify-certificate/1", "statement_sha256": "[0-9a-f]{64}"}
+CERTIFICATE: Shape = {"format": "verify-certificate/1", "statement_sha256": "[0-9a-f]{64}"}
 CERTIFICATE |= {"enclosures": {ANY: PAIR}, "proofs": [None]}
-PROOF = {"rule": NAME, "bits": range(2, MAX_BITS + 1)}
+PROOF: Shape = {"rule": NAME, "bits": range(2, MAX_BITS + 1)}
 
-#: How many terms an operation has; min and max have two or more, and pow has an exponent besides.
+#: How many terms an operation has (0: two or more); pow has an exponent besides.
 ARITY = {"add": 2, "sub": 2, "mul": 2, "div": 2, "neg": 1, "sqrt": 1, "cos": 1, "cos_pi": 1}
+ARITY |= {"min": 0, "max": 0}
 OPPOSITE = {"<": "<=", "<=": "<", "=": "!="}  # what a failure says about the two sides swapped
-HOLDS: dict[str, Callable[..., bool]] = {  # for all numbers in [a, b] and all in [c, d]
-    "<": lambda a, b, c, d: b < c,
-    "<=": lambda a, b, c, d: b <= c,
-    "=": lambda a, b, c, d: b <= c and d <= a,
-    "!=": lambda a, b, c, d: b < c or d < a,
+HOLDS: dict[str, Callable[[Interval, Interval], bool]] = {  # between all numbers of intervals
+    "<": lambda x, y: x[1] < y[0],
+    "<=": lambda x, y: x[1] <= y[0],
+    "=": lambda x, y: x[1] <= y[0] and y[1] <= x[0],
+    "!=": lambda x, y: x[1] < y[0] or y[1] < x[0],
 }
-Node = tuple[str, tuple[int, ...], tuple[int, ...]]
 Interval = tuple[Fraction, Fraction]
-Polynomial = dict[tuple[tuple[int, int], ...], Fraction]  # sorted (atom, power) to coefficient
-ZERO, ONE = Fraction(0), Fraction(1)
+Polynomial = dict[tuple[int, ...], Any]  # sorted atoms, with repetitions, to rational coefficient
+ONE = (Fraction(1), Fraction(1))
+rational = cache(Fraction)  # the value of a text
 
 
 class Malformed(Exception):  # noqa: N818
@@ -75,13 +77,12 @@ class Refused(Exception):  # noqa: N818
 
 
 class Goal(NamedTuple):
-    """lhs relation rhs for all values of the variables in their intervals, or for some."""
+    """lhs relation rhs for all values (or for some) of the variables between their ends."""
 
     relation: str
     lhs: int
     rhs: int
-    variables: dict[str, int]
-    box: dict[int, Any]
+    box: dict[int, Any]  # symbol to a pair of ends, which may be None
     some: bool
 
 
@@ -92,13 +93,14 @@ def need(condition: object, kind: type[Exception], message: str, *values: Any) -
 
 
 def shown(value: Any) -> str:
-    """An interval as decimals, a name as it is, and another value in short."""
+    """An interval in decimals, a text as it is, and another value as Python writes it; cut."""
     if isinstance(value, tuple):
-        down, up = (Context(17, way) for way in (ROUND_FLOOR, ROUND_CEILING))
-        low, high = (end.as_integer_ratio() for end in value)
-        return f"[{down.divide(*low)}, {up.divide(*high)}]"
+        bits = max(end.numerator.bit_length() - end.denominator.bit_length() for end in value)
+        k = 20 - bits * 3 // 10
+        low, high = (end * Fraction(10) ** k for end in value)
+        return f"[{low // 1}e{-k}, {-(-high // 1)}e{-k}]"
     text = value if isinstance(value, str) and value.isprintable() else ascii(value)
-    return text if len(text) < 90 else f"{text[:60]}... ({len(text)} characters)"
+    return text if len(text) < 200 else f"{text[:160]}... ({len(text)} characters)"
 
 
 class Scope:
@@ -159,9 +161,10 @@ class Scope:
             size, shift = n.bit_length() + d.bit_length(), bits - n.bit_length() + d.bit_length()
             self.terms.spend(size)
             need(size <= MAX_SIZE, Refused, "found a number of {} bits", size)
-            up, back = max(shift, 0), max(-shift, 0)
-            short = sign * ((n << up) // (d << back) << back)
-            ends.append(end if size <= 2 * bits else Fraction(short, 1 << up))
+            if size > 2 * bits:
+                up, back = max(shift, 0), max(-shift, 0)
+                end = Fraction(sign * ((n << up) // (d << back) << back), 1 << up)
+            ends.append(end)
         return ends[0], ends[1]
 
     def mul(self, x: Interval, y: Interval) -> Interval:
@@ -181,14 +184,14 @@ class Scope:
         if n == 1 or n % 2:
             return x if n == 1 else self.mul(x, self.power(x, n - 1))
         low, high = self.outward(self.power(x, n // 2))
-        root = (low, high) if low >= 0 else (max(ZERO, -high), max(-low, high))
+        root = (low, high) if low >= 0 else (max(0 * low, -high), max(-low, high))
         return self.mul(root, root)
 
     def sqrt(self, x: Interval) -> Interval:
         """The root of n/d is that of 4^bits nd, which lies between integers, over 2^bits d."""
         need(x[0] >= 0, Refused, "found a square root of {}, which reaches below 0", x)
         ends = []
-        for n, d in (end.as_integer_ratio() for end in x):
+        for n, d in map(Fraction.as_integer_ratio, x):
             square = n * d << 2 * self.bits
             root = isqrt(square)
             ends += [Fraction(root + i, d << self.bits) for i in (0, root * root < square)]
@@ -202,11 +205,11 @@ class Scope:
         cos are bounded by 1).
         """
         need(max(-x[0], x[1]) <= 8, Refused, "found a cosine of {}, which reaches beyond 8", x)
-        square, total, error = self.power(x, 2), (ONE, ONE), Fraction(1, 1 << self.bits)
+        square, total, error = self.power(x, 2), ONE, Fraction(1, 1 << self.bits)
         for k in range(self.bits // 2 + 21, 0, -1):
             low, high = (end * Fraction(1, 2 * k * (2 * k - 1)) for end in self.mul(square, total))
             total = self.outward((1 - high, 1 - low), 32)
-        return max(total[0] - error, -ONE), min(total[1] + error, ONE)
+        return max(total[0] - error, -ONE[0]), min(total[1] + error, ONE[0])
 
     def cos_pi(self, x: Interval) -> Interval:
         """cos(pi x) = cos(pi (x - 2k)), with k = floor(low end / 2), and Machin's formula for pi.
@@ -223,7 +226,7 @@ class Scope:
                 scaled, k = scaled // (n * n), k + 1
             error += abs(factor) * (k + 1)
         pi = Fraction(total - error, 1 << bits), Fraction(total + error, 1 << bits)
-        turns = x[0].numerator // (2 * x[0].denominator) * 2
+        turns = x[0] // 2 * 2
         return self.cos(self.mul((x[0] - turns, x[1] - turns), pi))
 
     def expand(self, term: int) -> Polynomial:
@@ -231,9 +234,9 @@ class Scope:
         if term not in self.polynomials:
             op, subterms, rest = self.terms.nodes[term]
             parts = [self.expand(arg) for arg in subterms if op != "symbol"]
-            p = {((2 * term, 1),): 1}
+            p: Polynomial = {(2 * term,): 1}
             if op == "rational":
-                p = {(): Fraction(*rest) if rest[1] > 1 else rest[0]} if rest[0] else {}
+                p = plus({}, {(): Fraction(*rest) if rest[1] > 1 else rest[0]}, 1)
             elif op in ("add", "sub", "neg"):
                 p = plus(parts[0] if parts[1:] else {}, parts[-1], 1 if op == "add" else -1)
             elif op in ("mul", "pow"):
@@ -241,9 +244,9 @@ class Scope:
                 for factor in parts[1:] or parts * (rest[0] - 1):
                     p = self.times(p, factor)
             elif op == "div":
-                self.div((ONE, ONE), self.enclose(subterms[1]))
+                self.div(ONE, self.enclose(subterms[1]))
                 self.relations[2 * subterms[1] + 1] = parts[1]
-                p = self.times(parts[0], {((2 * subterms[1] + 1, 1),): 1})
+                p = self.times(parts[0], {(2 * subterms[1] + 1,): 1})
             elif subterms:
                 self.enclose(term)
                 self.relations |= {2 * term: parts[0]} if op == "sqrt" else {}
@@ -254,38 +257,33 @@ class Scope:
         """The product."""
         total: Polynomial = {}
         for (m, c), (n, d) in product(a.items(), b.items()):
-            self.terms.spend(c.numerator.bit_length() + d.numerator.bit_length(), 8)
-            powers = dict(m)
-            for atom, k in n:
-                powers[atom] = powers.get(atom, 0) + k
-            add(total, powers, c * d)
-        return {monomial: coefficient for monomial, coefficient in total.items() if coefficient}
+            self.terms.spend(c.numerator.bit_length() + d.numerator.bit_length(), 9 + len(m + n))
+            monomial = tuple(sorted(m + n))
+            total[monomial] = total.get(monomial, 0) + c * d
+        return plus({}, total, 1)
 
     def vanishes(self, p: Polynomial) -> bool:
         """Whether p is 0 once squares of roots are replaced and inverses are multiplied away."""
-        for atom in sorted(self.relations, reverse=True):
-            top = max((k for monomial in p for a, k in monomial if a == atom), default=0)
-            if top > 1 - atom % 2:
-                total: Polynomial = {}
-                for monomial, coefficient in p.items():
-                    powers = dict(monomial)
-                    k = powers.pop(atom, 0)
-                    powers |= {atom: 1} if k % 2 and atom % 2 == 0 else {}
-                    part = {tuple(sorted(powers.items())): coefficient}
-                    for _ in range(top - k if atom % 2 else k // 2):
-                        part = self.times(part, self.relations[atom])
-                    total = plus(total, part, 1)
-                p = total
+        known = self.relations
+        while atoms := {a for m in p for a in m if a in known and (a % 2 or m.count(a) > 1)}:
+            atom = max(atoms)
+            total: Polynomial = {}
+            top = max(monomial.count(atom) for monomial in p)
+            for monomial, coefficient in p.items():
+                k = monomial.count(atom)
+                times, left = (top - k, 0) if atom % 2 else divmod(k, 2)
+                rest = [a for a in monomial if a != atom] + [atom] * left
+                part: Polynomial = {tuple(sorted(rest)): coefficient}
+                for _ in range(times):
+                    part = self.times(part, known[atom])
+                for m, c in part.items():
+                    total[m] = total.get(m, 0) + c
+            p = plus({}, total, 1)
         return not p
 
 
-def add(total, powers, coefficient):
-    monomial = tuple(sorted(powers.items()))
-    total[monomial] = total.get(monomial, 0) + coefficient
-
-
-def plus(a: Polynomial, b: Polynomial, factor: Fraction) -> Polynomial:
-    """a + factor * b."""
+def plus(a: Polynomial, b: Polynomial, factor: int) -> Polynomial:
+    """The sum of a and of b times an integer."""
     total = dict(a)
     for monomial, coefficient in b.items():
         total[monomial] = total.get(monomial, 0) + factor * coefficient
@@ -314,9 +312,9 @@ class Terms:
     """
 
     def __init__(self) -> None:
-        self.nodes: list[Node] = []
+        self.nodes: list[tuple[str, tuple[int, ...], tuple[int, ...]]] = []
         self.heights: list[int] = []
-        self.index: dict[Node, int] = {}
+        self.index: dict[object, int] = {}
         self.leaves: dict[str, int] = {}  # the names in scope, and the rationals read so far
         self.scopes: dict[int, Scope] = {}
         self.work = MAX_WORK
@@ -330,52 +328,51 @@ class Terms:
         """The term of an operation and its arguments."""
         node = op, tuple(subterms), rest
         if node not in self.index:
+            height = 1 + max((self.heights[term] for term in subterms), default=0)
+            need(height <= MAX_HEIGHT, Malformed, "found a term of more than {} levels", MAX_HEIGHT)
+            self.heights.append(height)
             self.index[node] = len(self.nodes)
             self.nodes.append(node)
-            self.heights.append(1 + max((self.heights[term] for term in subterms), default=0))
-            need(self.heights[-1] <= MAX_HEIGHT, Refused, "found a term of {} levels", MAX_HEIGHT)
         return self.index[node]
 
     def define(self, name: str, *definition: int) -> int:
         """A new name in scope: a variable, or a constant with its definition."""
         shaped("name", name, NAME)
-        need(name not in self.leaves, Malformed, "the name {} is in use already", name)
+        need(name not in self.leaves, Malformed, "found the name {}, which is in use", name)
         self.leaves[name] = self.node("symbol", definition, len(self.nodes))
         return self.leaves[name]
 
     def read(self, where: str, value: Any) -> int:
         """The term that is written over the names in scope."""
-        if isinstance(value, str) and value in self.leaves:
-            return self.leaves[value]
         if isinstance(value, str):
-            shaped(where, value, RATIONAL)
-            self.leaves[value] = self.node("rational", (), *Fraction(value).as_integer_ratio())
+            if value not in self.leaves:
+                shaped(where, value, RATIONAL)
+                self.leaves[value] = self.node("rational", (), *rational(value).as_integer_ratio())
             return self.leaves[value]
-        need(isinstance(value, list), Malformed, "x")
-        op, rest = value[0] if value else None, []
+        op, *args = value if isinstance(value, list) and value else [""]
         if op == "pow":
-            shaped(where, value, ("pow", None, "[1-9][0-9]{0,2}"))
-            rest = [int(value.pop())]
-        count = len(value) - 1
-        arity = ARITY | {"pow": 1} | dict.fromkeys(("min", "max"), max(2, count))
-        good = isinstance(op, str) and arity.get(op) == count
-        need(good, Malformed, "{}: found {} of {} terms, expected an operation", where, op, count)
-        return self.node(op, [self.read(where, arg) for arg in value[1:]], *rest)
+            shaped(where, args, (None, "[1-9][0-9]{0,2}"))
+            return self.node(op, [self.read(where, args[0])], int(args[1]))
+        arity = ARITY.get(op, -1) if isinstance(op, str) else -1
+        good = len(args) == arity if arity else len(args) > 1
+        need(good, Malformed, "{}: found {}, expected a term", where, value)
+        return self.node(op, [self.read(where, arg) for arg in args])
 
-    def substitute(self, term: int, done: dict[int, int]) -> int:
-        """The term after replacing what ``done`` replaces; ``done`` learns the subterms."""
-        op, subterms, rest = self.nodes[term]
-        if term not in done and op != "symbol":
-            done[term] = self.node(op, [self.substitute(arg, done) for arg in subterms], *rest)
-        return done.get(term, term)
+    def substitute(self, goal: Goal, done: dict[int, int]) -> Goal:
+        """The goal after replacing some symbols by terms."""
 
-    def replace(self, goal: Goal, done: dict[int, int]) -> Goal:
-        """The goal after replacing symbols by terms."""
-        lhs, rhs = self.substitute(goal.lhs, done), self.substitute(goal.rhs, done)
-        return goal._replace(lhs=lhs, rhs=rhs)
+        def new(term: int) -> int:
+            self.spend(0)
+            op, subterms, rest = self.nodes[term]
+            if term not in done and op != "symbol":
+                done[term] = self.node(op, [new(arg) for arg in subterms], *rest)
+            return done.get(term, term)
+
+        return goal._replace(lhs=new(goal.lhs), rhs=new(goal.rhs))
 
     def scope(self, bits: int, box: dict[int, Any]) -> Scope:
         """The enclosures at a precision, for given intervals of symbols (None: unbounded)."""
+        self.spend(0)
         if bits not in self.scopes:
             self.scopes[bits] = Scope(self, bits, {})
         known = {symbol: ends for symbol, ends in box.items() if None not in ends}
@@ -385,8 +382,8 @@ class Terms:
         """The enclosures of the two sides, for all values of the variables, decide."""
         scope = self.scope(proof["bits"], goal.box)
         x, y = scope.enclose(goal.lhs), scope.enclose(goal.rhs)
-        message = f"found {{}} and {{}}, expected {goal.relation} between them"
-        need(HOLDS[goal.relation](*x, *y), Refused, message, x, y)
+        message = "found {} and {}, expected {} between them"
+        need(HOLDS[goal.relation](x, y), Refused, message, x, y, goal.relation)
 
     def exact(self, goal: Goal, _: dict[str, Any]) -> None:
         """The same with so many bits that rational values are exact."""
@@ -397,7 +394,7 @@ class Terms:
         scope = self.scope(proof["bits"], goal.box)
         same = scope.vanishes(plus(scope.expand(goal.lhs), scope.expand(goal.rhs), -1))
         need(same, Refused, "found sides that differ, expected an identity")
-        need(goal.relation in ("<=", "="), Refused, "found equal sides, not lhs {} rhs", goal.relation)
+        need(goal.relation in ("<=", "="), Refused, "found equal sides, not {}", goal.relation)
 
     def rewrite(self, goal: Goal, proof: dict[str, Any]) -> None:
         """Symbols are replaced; then the goal is proved by an interval or an identity.
@@ -409,71 +406,76 @@ class Terms:
         for name, index in proof["steps"]:
             symbol = self.leaves.get(name, 0)
             op, definition, _ = self.nodes[symbol]
-            need(op == "symbol" and definition, Malformed, "found a step for {}, no constant", name)
+            need(op == "symbol" and definition, Malformed, "found {}, expected a constant", name)
             new = definition[0]
             if index is not None:
                 op, entries, _ = self.nodes[new]
-                good = op in ("min", "max") and index < len(entries) and goal.relation in ("<", "<=")
-                need(good, Refused, "found entry {} of {}, which has no such entry", index, name)
-                new, up, scope = entries[index], 1 if op == "min" else -1, self.scope(proof["bits"], goal.box)
+                good = op in ("min", "max") and index < len(entries) and "<" in goal.relation
+                need(good, Refused, "found entry {} of {}, which has none such", index, name)
+                new, up = entries[index], 1 if op == "min" else -1
+                scope = self.scope(proof["bits"], goal.box)
                 ends = *scope.enclose(symbol), *scope.enclose(new)
                 scope = self.scope(proof["bits"], goal.box | {symbol: (min(ends), max(ends))})
                 scope.enclose(goal.lhs), scope.enclose(goal.rhs)
                 lhs, rhs = (scope.moves(symbol, side, {}) for side in (goal.lhs, goal.rhs))
-                good = lhs <= {up} and rhs <= {-up}
-                need(good, Refused, "found entry {} of {}, which may make the claim easier", index, name)
-            goal = self.replace(goal, {symbol: new})
+                message = "found entry {} of {}, which may make the claim easier"
+                need(lhs <= {up} and rhs <= {-up}, Refused, message, index, name)
+            goal = self.substitute(goal, {symbol: new})
         (self.interval if proof["closing"] == "interval" else self.identity)(goal, proof)
 
     def bernstein(self, goal: Goal, proof: dict[str, Any]) -> None:
-        """rhs - lhs is a polynomial in one variable with no negative Bernstein coefficient.
+        """For one variable, rhs - lhs is a polynomial with no negative Bernstein coefficient.
 
-        For x = (a + b s)/(1 + s), which runs through ]a, b[ for s > 0, the polynomial p(x) of
-        degree at most n becomes (1 + s)^n p(x) = sum of c_k (a + b s)^k (1 + s)^(n - k), which is
-        not negative if no coefficient of it in s is, and positive if one is.
+        With x = (a + b s)/(1 + s), which runs through ]a, b[ for s > 0, the sum of the c_k x^k is
+        that of the c_k (a + b s)^k (1 + s)^(n - k), whose coefficients these are, over (1 + s)^n:
+        not negative if none of them is, and positive if there is one besides.
         """
-        n, scope = proof["degree"], self.scope(proof["bits"], goal.box)
-        good = len(goal.box) == 1 == len(scope.known) and goal.relation in ("<", "<=")
-        need(good, Refused, "expected an inequality in one variable with a bounded interval")
+        scope, n = self.scope(proof["bits"], goal.box), proof["degree"]
+        good = len(goal.box) == len(scope.known) == 1 and "<" in goal.relation
+        need(good, Refused, "found no inequality in one variable with a bounded interval")
         ((x, (a, b)),) = goal.box.items()
         total: Polynomial = {}
-        for monomial, coefficient in plus(scope.expand(goal.rhs), scope.expand(goal.lhs), -ONE).items():
-            part, k = {(): coefficient}, dict(monomial).get(2 * x, 0)
-            need(k <= n, Refused, "found a power {}, expected at most {}", k, n)
-            for atom, power in monomial:
-                low, high = scope.enclose(atom // 2)
-                need(low == high or atom == 2 * x, Refused, "found a coefficient that is not rational")
-                value = Fraction(low.denominator, low.numerator) if atom % 2 else low
-                for _ in range(power):
-                    part = scope.times(part, {(): a, ((2*x, 1),): b} if atom == 2 * x else {(): value})
-            for _ in range(n - k):
-                part = scope.times(part, {(): ONE, ((2*x, 1),): ONE})
-            total = plus(total, part, ONE)
-        good = all(c > 0 for c in total.values()) and (goal.relation == "<=" or total)
-        need(good, Refused, "found Bernstein coefficients {}, expected", )
+        p = plus(scope.expand(goal.rhs), scope.expand(goal.lhs), -1)
+        for monomial, coefficient in p.items():
+            part: Polynomial = {(): coefficient}
+            need(monomial.count(2 * x) <= n, Refused, "found a degree above {}", n)
+            for atom in monomial + (-2,) * (n - monomial.count(2 * x)):
+                factor: Polynomial = {(): a, (x,): b} if atom == 2 * x else {(): 1, (x,): 1}
+                if atom not in (-2, 2 * x):
+                    low, high = scope.enclose(atom // 2)
+                    need(low == high, Refused, "found a coefficient in {}", (low, high))
+                    factor = {(): Fraction(low.denominator, low.numerator) if atom % 2 else low}
+                part = scope.times(part, factor)
+            total = plus(total, part, 1)
+        least = min(total.values(), default=0)
+        positive = least >= 0 and (total or goal.relation == "<=")
+        need(positive, Refused, "found {} as the least coefficient of {}", least, len(total))
 
     def cuts(self, goal: Goal, proof: dict[str, Any]) -> None:
         """Enclosures decide between neighbouring cuts, which lead from end to end of intervals."""
         sides = []
-        need(proof["cuts"].keys() == goal.variables.keys(), Malformed, "found cuts of {}, expected of")
-        for name, cuts in proof["cuts"].items():
-            points = [Fraction(cut) for cut in cuts]
-            pieces, ends = list(pairwise(points)), goal.box[goal.variables[name]]
+        symbols = {self.leaves.get(name, -1): cuts for name, cuts in proof["cuts"].items()}
+        need(symbols.keys() == goal.box.keys(), Refused, "found cuts of {}", [*proof["cuts"]])
+        for symbol, texts in symbols.items():
+            points = [rational(cut) for cut in texts]
+            pieces, ends = list(pairwise(points)), goal.box[symbol]
             good = pieces and (points[0], points[-1]) == ends and all(a < b for a, b in pieces)
-            need(good, Refused, "the cuts of {} do not increase from end to end", name)
-            sides.append([(goal.variables[name], piece) for piece in pieces])
+            need(good, Refused, "found cuts {} that do not increase from end to end", texts)
+            sides.append([(symbol, piece) for piece in pieces])
         for box in product(*sides):
             self.interval(goal._replace(box=dict(box)), proof)
 
     def witness(self, goal: Goal, proof: dict[str, Any]) -> None:
         """Enclosures decide at one point inside the intervals."""
         done = {}
-        for name, text in proof["point"].items():
-            value, (low, high) = Fraction(text), goal.box[goal.variables[name]]
+        point = {self.leaves.get(name, -1): text for name, text in proof["point"].items()}
+        need(point.keys() == goal.box.keys(), Refused, "found a point with {}", [*proof["point"]])
+        for symbol, (low, high) in goal.box.items():
+            value = rational(point[symbol])
             inside = (low is None or low < value) and (high is None or value < high)
-            need(inside, Refused, "found {} = {}, expected a value inside its interval", name, text)
-            done[goal.variables[name]] = self.node("rational", (), *value.as_integer_ratio())
-        self.interval(self.replace(goal, done)._replace(box={}), proof)
+            need(inside, Refused, "found {}, expected a value inside", (value, value))
+            done[symbol] = self.node("rational", (), *value.as_integer_ratio())
+        self.interval(self.substitute(goal, done)._replace(box={}), proof)
 
     def square(self, goal: Goal, proof: dict[str, Any]) -> None:
         """Both sides are not negative, and their squares stand in the same relation."""
@@ -485,9 +487,9 @@ class Terms:
 
     def prove(self, goal: Goal, proof: Any, shape: dict[str, Any]) -> None:
         """Afterwards the goal is proved."""
-        rule = proof.get("rule") if isinstance(proof, dict) else None
+        rule: Any = proof.get("rule") if isinstance(proof, dict) else proof
         good = isinstance(rule, str) and rule in RULES
-        need(good, Malformed, "found the rule {}, expected one of {}", rule, ", ".join(RULES))
+        need(good, Malformed, "rule: found {}, expected one of {}", rule, [*RULES])
         shaped("proof", proof, shape | RULES[rule][1])
         good = goal.some == (rule == "witness")
         need(good, Refused, "found {}, expected witness for not-for-all, and only for that", rule)
@@ -508,54 +510,47 @@ RULES: dict[str, tuple[Callable[[Terms, Goal, dict[str, Any]], None], dict[str, 
 
 def shaped(where: str, value: Any, shape: Any) -> None:
     """Afterwards a JSON value has a shape."""
-    if isinstance(shape, str):
-        good = isinstance(value, str) and re.fullmatch(shape, value) and value.isprintable()
-        need(good, Malformed, "{}: found {}, expected the pattern {}", where, value, shape)
-    elif isinstance(shape, range):
+    kind, good, found = type(shape), shape is None, value
+    entries: dict[Any, Any] = {}
+    if kind is str and isinstance(value, str):
+        good = re.fullmatch(shape, value) is not None
+    elif kind is dict and isinstance(value, dict):
+        entries = dict.fromkeys(value, shape[ANY]) if ANY in shape else shape
+        good, found = value.keys() == entries.keys(), [*value]
+    elif kind in (list, tuple) and isinstance(value, list):
+        entries = dict(enumerate(shape if kind is tuple else shape * len(value)))
+        good = len(entries) == len(value)
+    elif kind is range:
         good = type(value) is int and value in shape
-        need(good, Malformed, "{}: found {}, expected an integer in {}", where, value, shape)
-    elif isinstance(shape, set):
-        for inner in shape if value is not None else ():
-            shaped(where, value, inner)
-    elif isinstance(shape, dict):
-        need(isinstance(value, dict), Malformed, "{}: found {}, expected an object", where, value)
-        keys, found = sorted(value if ANY in shape else shape), sorted(value)
-        need(found == keys, Malformed, "{}: found the keys {}, expected {}", where, found, keys)
-        for key in value:
-            shaped(f"{where}: {key}", value[key], shape[ANY if ANY in shape else key])
-    elif shape is not None:
-        need(isinstance(value, list), Malformed, "{}: found {}, expected a list", where, value)
-        inner = list(shape) if isinstance(shape, tuple) else shape * len(value)
-        good = len(value) == len(inner)
-        need(good, Malformed, "{}: found {}, expected {} entries", where, value, len(inner))
-        for number, entry in enumerate(value):
-            shaped(f"{where} {number}", entry, inner[number])
-
-
-OTHERS = bytes(set(range(256)) - set(b'[]{}"'))
+    elif kind is set and value is not None:
+        return shaped(where, value, *shape)
+    need(good or kind is set, Malformed, "{}: found {}, expected {}", where, found, shape)
+    for key, inner in entries.items():
+        shaped(f"{where}: {key}", value[key], inner)
+    return None
 
 
 def parse(where: str, data: bytes, shape: dict[str, Any]) -> Any:
-    """The document in a JSON file, where plain integers are the only numbers."""
+    """The document in a JSON file, where natural numbers below 10^9 are the only numbers."""
 
     def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        keys = [key for key, _ in pairs]
-        need(len(set(keys)) == len(keys), Malformed, "{}: found a key twice in {}", where, keys)
+        need(len(dict(pairs)) == len(pairs), Malformed, "{}: found a key twice: {}", where, pairs)
         return dict(pairs)
 
-    def integer(text: str) -> int:
-        good = re.fullmatch("[0-9]{1,9}", text)
-        need(good, Malformed, "{}: found the number {}, expected numbers as texts", where, text)
+    def number(text: str) -> int:
+        good = re.fullmatch("0|[1-9][0-9]{0,8}", text)
+        need(good, Malformed, "{}: found {}, expected numbers as texts", where, text)
         return int(text)
 
     need(len(data) <= MAX_BYTES, Malformed, "{}: found more than {} bytes", where, MAX_BYTES)
-    flat = re.sub(rb"\\.", b"", data, flags=re.S).translate(None, OTHERS).replace(b'""', b"")
-    brackets = re.sub(rb'"[^"]*"', b"", flat)
+    others = bytes(set(range(256)) - set(b'[]{}"'))
+    flat = re.sub(rb"\\.", b"", data, flags=re.DOTALL).translate(None, others)
+    flat = re.sub(rb'"[^"]*"', b"", flat.replace(b'""', b""))
     for _ in range(MAX_NESTING):
-        brackets = brackets.replace(b"[]", b"").replace(b"{}", b"")
+        flat = flat.replace(b"[]", b"").replace(b"{}", b"")
     message = "{}: found brackets without partner, or more than {} inside each other"
-    need(not brackets, Malformed, message, where, MAX_NESTING)
-    hooks = {"parse_int": integer, "parse_float": integer, "parse_constant": integer}
+    need(not flat, Malformed, message, where, MAX_NESTING)
+    hooks: Any = {"parse_int": number, "parse_float": number, "parse_constant": number}
     try:
         value = json.loads(data.decode(), object_pairs_hook=unique, **hooks)
     except ValueError as error:
@@ -564,103 +559,104 @@ def parse(where: str, data: bytes, shape: dict[str, Any]) -> Any:
     return value
 
 
-def overlap(x: Interval, texts: list[str]) -> None:
-    """Afterwards the certificate's enclosure and the one computed here are not disjoint."""
-    low, high = map(Decimal, texts)
-    (a, b), (c, d) = (end.as_integer_ratio() for end in (low, high))
-    need(low <= high, Malformed, "found the enclosure {}, expected its ends in order", (low, high))
-    need(a * x[1].denominator <= b * x[1].numerator and x[0].numerator * d <= c * x[0].denominator, Refused, "found {}, expected about {}", (low, high), x)
-
-
-def read_goal(terms: Terms, row: dict[str, Any]) -> tuple[Goal, tuple[int, int], str]:
-    """What an obligation claims, the two sides as they are written, and the claim in words."""
-    claim, negated, variables, box = row["claim"], False, {}, {}
+def claimed(terms: Terms, row: dict[str, Any]) -> tuple[Goal, dict[str, int], str]:
+    """What an obligation claims: a goal, the sides that have enclosures, and the claim in words."""
+    claim, negated, box = row["claim"], False, {}
     for name, texts in row["variables"].items():
-        low, high = (None if text is None else Fraction(text) for text in texts)
-        empty = low is not None and high is not None and low >= high
-        need(not empty, Malformed, "found no value between {} for {}", texts, name)
-        variables[name] = terms.define(name)
-        box[variables[name]] = (low, high)
-    while isinstance(claim, list) and claim[:1] == ["not"] and len(claim) == 2:
+        low, high = (None if text is None else rational(text) for text in texts)
+        good = low is None or high is None or low < high
+        need(good, Malformed, "found the variable {} between {}", name, texts)
+        box[terms.define(name)] = (low, high)
+    while isinstance(claim, list) and len(claim) == 2 and claim[0] == "not":
         claim, negated = claim[1], not negated
     shaped("claim", claim, ("<|<=|=", None, None))
-    relation, lhs, rhs = claim[0], terms.read("claim", claim[1]), terms.read("claim", claim[2])
-    for name in variables:
-        del terms.leaves[name]
-    words = f"lhs {relation} rhs" + (f" for all {', '.join(variables)}" if variables else "")
+    relation, lhs, rhs = claim[0], terms.read("lhs", claim[1]), terms.read("rhs", claim[2])
+    words = f"lhs {relation} rhs" + (f" for all {', '.join(row['variables'])}" if box else "")
+    goal = Goal(relation, lhs, rhs, box, False)
     if negated:
-        goal = Goal(OPPOSITE[relation], rhs, lhs, variables, box, bool(variables))
-        return goal, (lhs, rhs), f"not ({words})"
-    return Goal(relation, lhs, rhs, variables, box, False), (lhs, rhs), words
+        goal, words = Goal(OPPOSITE[relation], rhs, lhs, box, bool(box)), f"not ({words})"
+    return goal, {} if box else {"lhs": lhs, "rhs": rhs}, words
+
+
+def overlap(found: list[str], x: Interval) -> None:
+    """Afterwards an enclosure of the certificate has a number in common with one from here."""
+    low, high = map(rational, found)
+    need(low <= high, Malformed, "found the enclosure {}, whose ends are in no order", found)
+    need(low <= x[1] and x[0] <= high, Refused, "found {}, expected {}", (low, high), x)
 
 
 def check(first: bytes, second: bytes) -> tuple[bool, list[str]]:
-    """Whether the certificate in ``second`` proves the statement in ``first``, and the report."""
+    """Whether the certificate in ``second`` proves the statement in ``first``, and a report."""
     statement = parse("statement", first, STATEMENT)
     certificate = parse("certificate", second, CERTIFICATE)
     digest, given = sha256(first).hexdigest(), certificate["statement_sha256"]
     need(given == digest, Malformed, "statement_sha256: found {}, expected {}", given, digest)
-    rows, proofs, terms = statement["obligations"], certificate["proofs"], Terms()
+    rows, proofs, lines = statement["obligations"], certificate["proofs"], []
+    names, assumed = (
+        [item["name"] for item in items] for items in (rows, statement["assumptions"])
+    )
+    last = {name: i for i, name in enumerate(names + assumed)}
+    twice = [name for i, name in enumerate(names + assumed) if last[name] != i]
+    need(rows and not twice, Malformed, "found {} obligations, and twice {}", len(rows), twice)
+    found = [proof.get("obligation") if isinstance(proof, dict) else proof for proof in proofs]
+    need(found == names, Malformed, "found proofs of {}, expected of {}", found, names)
+    terms, constants, bits = Terms(), statement["constants"], 128
     for name, term in statement["parameters"].items():
         terms.define(name, terms.read(f"parameter {name}", term))
-    for item in statement["constants"]:
+    for item in constants:
         terms.define(item["name"], terms.read(f"constant {item['name']}", item["term"]))
-    names, known = ([item["name"] for item in statement[key]] for key in ("obligations", "assumptions"))
-    for name in [name for name in names + known if names.count(name) + known.count(name) > 1]:
-        need(False, Malformed, "found the name {} twice", name)
-    need(rows, Malformed, "found no obligation, which proves nothing")
-    found = [proof.get("obligation") if isinstance(proof, dict) else None for proof in proofs]
-    need(found == names, Malformed, "proofs: found {}, expected {}", found, names)
-    constants, enclosures = [c["name"] for c in statement["constants"]], certificate["enclosures"]
-    need(sorted(constants) == sorted(enclosures), Malformed, "enclosures: found {}, expected {}", sorted(enclosures), sorted(constants))
-    lines, good = [], True
+    odd = certificate["enclosures"].keys() ^ {item["name"] for item in constants}
+    need(not odd, Malformed, "enclosures: found too much or too little: {}", sorted(odd))
     for row, proof in zip(rows, proofs, strict=True):
-        words = ""
+        why = words = ""
         try:
-            need(set(row["uses"]) <= set(known), Malformed, "found uses {}, expected {}", row["uses"], known)
-            goal, sides, words = read_goal(terms, row)
-            shape = PROOF | {"obligation": NAME} | ({} if goal.box else {"lhs": PAIR, "rhs": PAIR})
+            unknown = set(row["uses"]) - set(assumed)
+            need(not unknown, Malformed, "found {}, expected names of assumptions", unknown)
+            goal, sides, words = claimed(terms, row)
+            shape = PROOF | {"obligation": NAME} | dict.fromkeys(sides, PAIR)
             terms.prove(goal, proof, shape)
-            for side, key in zip(sides, ("lhs", "rhs") if not goal.box else (), strict=False):
-                overlap(terms.scope(proof["bits"], {}).enclose(side), proof[key])
-            verdict = "refuted" if words.startswith("not") and row["role"] == "needed" else "proved"
-        except Malformed as error: raise Malformed(f"obligation {row['name']}: {error}") from error
-        except Refused as why:
-            verdict = f"failed: {why}"
-        good = good and verdict == "proved"
-        lines.append(f"{verdict}  {row['name']}  [{row['label']}]  {words}")
-    for constant in statement["constants"]:
-        try: overlap(terms.scope(128,{}).enclose(terms.leaves[constant["name"]]), enclosures[constant["name"]])
-        except Refused as why:
-            lines.append()
-    lines += [f"assumed  {item['label']}: {item['sentence']}" for item in statement["assumptions"]]
-    return good, [*lines, "PROVED" if good else "NOT PROVED"]
+            bits = max(bits, proof["bits"])
+            for side, term in sides.items():
+                overlap(proof[side], terms.scope(proof["bits"], {}).enclose(term))
+            good = row["role"] != "needed" or not words.startswith("not")
+            need(good, Refused, "found the negation proved, and it is needed")
+        except Malformed as error:
+            raise Malformed(f"obligation {row['name']}: {error}") from error
+        except Refused as error:
+            why = f": {error}"
+        for name in row["variables"]:
+            del terms.leaves[name]
+        verdict = "REFUSED" if why else "proved "
+        lines.append(f"{verdict} {row['name']} [{row['label']}] {words}{why}")
+    for item in constants:
+        try:
+            x = terms.scope(bits, {}).enclose(terms.leaves[item["name"]])
+            overlap(certificate["enclosures"][item["name"]], x)
+        except Refused as error:
+            lines.append(f"REFUSED constant {item['name']} [{item['label']}]: {error}")
+    proved = not any(line.startswith("REFUSED") for line in lines)
+    lines += [f"assumed {item['label']}: {item['sentence']}" for item in statement["assumptions"]]
+    return proved, [*lines, "PROVED" if proved else "NOT PROVED"]
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Check the files named on the command line, print the report, and return the exit code."""
+    """Check the files that the command line names, print the report, and return the exit code."""
     names = ("statement.json", "certificate.json")
-    paths = [os.path.join(arguments[0], name) for name in names] if len(arguments) == 1 else arguments
+    paths = [os.path.join(*arguments, name) for name in names] if len(arguments) == 1 else arguments
     try:
-        if len(paths) != 2: raise ValueError("expected a folder, or a statement and a certificate")
-        contents = []
-        for path in paths:
-            with open(path, "rb") as file:
-                contents.append(file.read(MAX_BYTES + 1))
-    except (OSError, ValueError) as error:
-        print(f"check: {error}", file=sys.stderr)
-        return 2
-    try:
-        proved, lines = check(*contents)
+        need(len(paths) == 2, OSError, "found {} words, expected a folder or two files", len(paths))
+        with open(paths[0], "rb") as first, open(paths[1], "rb") as second:
+            proved, lines = check(first.read(MAX_BYTES + 1), second.read(MAX_BYTES + 1))
         code = 0 if proved else 1
     except Malformed as error:
         code, lines = 4, [f"malformed: {error}", "NOT PROVED"]
-    except KeyboardInterrupt: return 130
-    encoding = sys.stdout.encoding
-    text = "\n".join(lines)+"\n"
+    except (OSError, KeyboardInterrupt) as error:
+        print(f"check: {str(error) or 'interrupted'}", file=sys.stderr)
+        return 2 if isinstance(error, OSError) else 130
+    text = "\n".join(line if line.isprintable() else ascii(line) for line in lines)
+    encoding = sys.stdout.encoding or "ascii"
     try:
-        sys.stdout.write(text)
-        sys.stdout.flush()
+        print(text.encode(encoding, "backslashreplace").decode(encoding), flush=True)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return code

@@ -42,6 +42,12 @@ class MathML:
         inner = f"{self._term(claim.lhs)}{relation}{self._term(claim.rhs)}"
         return formula(f"<mo>¬</mo>{_fenced(inner)}" if negated else inner)
 
+    def entries(self, term: Term, before: str) -> str:
+        """A min with each entry on a line of its own."""
+        first = formula(f"<mo>{before}</mo><mi>min</mi>")
+        lines = (formula(self._term(entry)) for entry in term.children)
+        return f"{first} of<br>{'<br>'.join(lines)}"
+
     def term(self, term: Term, before: str = "") -> str:
         """A whole formula for a term, after a sign such as ≤."""
         return formula((f"<mo>{escape(before)}</mo>" if before else "") + self._term(term))
@@ -144,7 +150,7 @@ def _one(tokens: list[str]) -> tuple[str, list[str]]:
         return f"<mrow>{inner}</mrow>", rest[1:]
     if head == "\\overline":
         inner, rest = _one(rest)
-        return f'<mover accent="true">{inner}<mo stretchy="false">¯</mo></mover>', rest
+        return f"<mover>{inner}<mo>¯</mo></mover>", rest
     if head == "\\cos":
         return "<mi>cos</mi><mo>&#x2061;</mo>", rest
     if head.startswith("\\"):

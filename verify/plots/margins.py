@@ -32,10 +32,16 @@ FACTOR = 2
 
 def intervals() -> list[Side]:
     """Intervals of r that shrink by a fixed factor towards both ends."""
+    left, right = (_distances(Fraction(1, part)) for part in (5, 14))
+    return list(pairwise([*reversed(left), *(END - x for x in right[1:])]))
+
+
+def _distances(share: Fraction) -> list[Fraction]:
+    """Distances from an end, from the middle on; each step is at most a share of what is left."""
     distances = [END / 2]
     while distances[-1] > END / 4000:
-        distances.append(distances[-1] - min(distances[-1] / 5, END / 80))
-    return list(pairwise([*reversed(distances), *(END - x for x in distances[1:])]))
+        distances.append(distances[-1] - min(distances[-1] * share, END / 80))
+    return distances
 
 
 class Row(NamedTuple):

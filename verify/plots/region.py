@@ -27,7 +27,7 @@ MAPS = {
     "zeta-x-bound": "|xₙ| ≤ (V₀/V₁) δ₂² h₅/12",
     "zeta-total": "ζₙ₊₁ ≤ (1 − h₅/4) ζₙ",
     "angle-absorbed": "the angle stays within |Δθ|",
-    "x-term-1": "max(dₙ, 2ζₙ)/δ₂ ≤ h₄δₓ/2",
+    "x-term-1-d": "dₙ/δ₂ ≤ h₄δₓ/2",
 }
 
 
@@ -79,8 +79,8 @@ def picture() -> Figure:
         f"({_percent(share)} of the area) all {len(open_rows)} inequalities of the repaired "
         f"construction that are not identities are proved at every point, with each constant at "
         f"half of its bound; the other {len(algebraic)} hold by algebra. The colour is the size "
-        f"of the set, a lower bound of η̄ from {_least_size(closing)} (light) to "
-        f"{_greatest_size(closing)} (dark). Grey: undecided at this size of cells. The lower curve "
+        f"of the set, a lower bound of η̄ from {_least_size(closing)} (faint) to "
+        f"{_greatest_size(closing)} (full). Grey: undecided at this size of cells. The lower curve "
         f"is the threshold of existence 4√r/(1+r), the upper one that of stability "
         f"2r^(1/3)(1+r^(1/3))/(1+r), which the proof needs: both are drawn as enclosures. V₀ = 1, "
         f"δ_θ = 1/10."

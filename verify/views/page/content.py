@@ -51,6 +51,9 @@ SUBTITLE = (
 #: Formulas with more letters than this stay in the statement file.
 LONGEST = 400
 
+#: A min with more entries than this is written one entry a line.
+MANY = 2
+
 #: A table with more rows than this is folded.
 UNFOLDED = 16
 
@@ -104,6 +107,8 @@ class Writer:
     def term(self, term: Term, before: str = "") -> Math:
         """A term after a relation."""
         text = f"{before} {self._text.term(term)}".strip()
+        if term.op == "min" and len(term.children) > MANY:
+            return Math(self._mathml.entries(term, before), text)
         return Math(self._mathml.term(term, before), text)
 
     def plain(self, term: Term) -> str:

@@ -62,7 +62,7 @@ def html(title: str, subtitle: str, blocks: Sequence[Block]) -> str:
     return "\n".join(lines) + "\n"
 
 
-_SCRIPT = re.compile(r"([_^])(?:\{([^{}]*)\}|\(([^()]*)\)|([^\W\d_]+|[0-9]+|[⁺⁻±∞]))")
+_SCRIPT = re.compile(r"([_^])(?:\{([^{}]*)\}|\(([^()]*)\)|([^\W\d_⁰¹²³⁴-⁹₀-₉]+|[0-9]+|[⁺⁻±∞]))")
 _POWER_OF_TEN = re.compile(r"(?<![\w.])([0-9]+(?:\.[0-9]+)?…?)e(-?[0-9]+)(?![\w])")
 
 
@@ -160,7 +160,7 @@ def _step(step: Step) -> Iterator[str]:
             f"<div><dt>right</dt><dd>{_inline(step.rhs)}</dd></div>"
             f"<div><dt>right − left</dt><dd>{_cell(step.margin)}</dd></div></dl>"
         )
-    yield f'<p class="repair">{_cell(step.repair)}</p>'
+    yield f'<div class="repair">{_cell(step.repair)}</div>'
     yield "</article>"
 
 

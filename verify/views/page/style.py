@@ -39,7 +39,7 @@ math{font-size:1.05em;font-family:"STIX Two Math","Latin Modern Math","Cambria M
 .claim math,td math{math-style:normal}
 .number:not([open])::details-content{display:none}
 .math,.claim{display:inline-block;max-width:100%;overflow-x:auto;overflow-y:hidden;
- vertical-align:middle;padding:.1rem 0}
+ vertical-align:middle;padding:.15rem 0}
 .claim{display:block;padding:.35rem 0}
 .facts{list-style:none;padding:0;margin:1rem 0;display:grid;gap:.6rem;max-width:52rem}
 .facts li{display:grid;grid-template-columns:5.6rem 1fr;gap:.8rem;align-items:baseline}
@@ -56,7 +56,7 @@ th,td{text-align:left;vertical-align:top;padding:.45rem .7rem;border-bottom:1px 
 th{background:var(--soft);font-weight:600;white-space:nowrap}
 tbody tr:last-child td{border-bottom:0}
 td{min-width:6rem;max-width:26rem}
-td .math{max-width:24rem}
+td .math{max-width:none;overflow:visible}
 details{margin:.6rem 0}
 summary{cursor:pointer}
 details>summary{font-weight:600}
@@ -71,7 +71,7 @@ article p{margin:.35rem 0}
 article dl{display:flex;flex-wrap:wrap;gap:.3rem 1.4rem;margin:.4rem 0}
 dt{font-size:.8rem;color:var(--ink);opacity:.75}
 dd{margin:0;font-variant-numeric:tabular-nums}
-.repair{border-top:1px solid var(--line);padding-top:.45rem;font-size:.93rem}
+.repair{margin-top:.5rem;border-top:1px solid var(--line);padding-top:.45rem;font-size:.93rem}
 figure{margin:1.4rem 0 2.2rem;break-inside:avoid}
 figure h3{margin:0 0 .4rem}
 .panels{display:grid;gap:.6rem;grid-template-columns:repeat(auto-fit,minmax(min(100%,19rem),1fr))}
@@ -85,7 +85,7 @@ figcaption{font-size:.9rem;line-height:1.5;max-width:52rem;margin-top:.5rem}
  h2{break-after:avoid}h3{break-after:avoid}
  .scroll{overflow:visible;border:0}
  table{font-size:8pt}
- td,td .math{max-width:none;min-width:0}
+ td{max-width:none;min-width:0}
  .claim,.math{overflow:visible}
  .panels{grid-template-columns:repeat(2,1fr)}
  tr{break-inside:avoid}

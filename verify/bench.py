@@ -12,6 +12,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
+from functools import partial
 from statistics import median
 from time import perf_counter
 from typing import Any
@@ -96,7 +97,7 @@ def precision_tables(
 ) -> tuple[Table, Table]:
     """Time and largest relative width of each engine at each precision, and at equal widths."""
     program, slots = theorem_program(outcome)
-    engines = [ArbEngine(), CheckerEngine(), MpmathEngine()]
+    engines: list[Any] = [ArbEngine(), CheckerEngine(), MpmathEngine()]
     rows: list[list[Any]] = []
     raw: dict[str, list[float]] = {}
     measured: dict[tuple[str, int], tuple[float, Fraction]] = {}
@@ -110,17 +111,11 @@ def precision_tables(
         for name, seconds_list in times.items():
             raw[f"{name} {bits}"] = seconds_list
             measured[name, bits] = median(seconds_list), widths[name]
-        rows.append(
-            [bits]
-            + [
-                text
-                for engine in engines
-                for text in (
-                    milliseconds(measured[engine.name, bits][0]),
-                    scientific(measured[engine.name, bits][1]),
-                )
-            ]
-        )
+        row: list[Any] = [bits]
+        for engine in engines:
+            seconds, width = measured[engine.name, bits]
+            row += [milliseconds(seconds), scientific(width)]
+        rows.append(row)
     columns = ["bits"] + [f"{e.name}: {what}" for e in engines for what in ("ms", "width")]
     title = "Constants and rows of Theorem 1 at r = 3/100: time and largest relative width"
     precision = {"title": title, "columns": columns, "rows": rows, "raw_seconds": raw}
@@ -176,7 +171,7 @@ def spectrum_table(precisions: Sequence[int], rounds: int) -> Table:
     rows: list[list[Any]] = []
     r = Fraction(3, 100)
     for bits in precisions:
-        seconds = median(_seconds(lambda b=bits: eigenvalues.at(r, b)) for _ in range(rounds))
+        seconds = median(_seconds(partial(eigenvalues.at, r, bits)) for _ in range(rounds))
         found = eigenvalues.at(r, bits)
         parts = (found.lambda_0, found.plus.re, found.plus.im, found.modulus, found.argument)
         with balls.precision(2 * bits):

@@ -105,7 +105,7 @@ class MpmathEngine:
 
     def operation(self, name: str) -> Callable[..., Any]:
         """The interval operation of this name."""
-        return {
+        table: dict[str, Callable[..., Any]] = {
             "add": operator.add,
             "sub": operator.sub,
             "mul": operator.mul,
@@ -114,7 +114,8 @@ class MpmathEngine:
             "sqrt": self._sqrt,
             "min": lambda a, b: self._iv.mpf([min(a.a, b.a), min(a.b, b.b)]),
             "max": lambda a, b: self._iv.mpf([max(a.a, b.a), max(a.b, b.b)]),
-        }[name]
+        }
+        return table[name]
 
     def _divide(self, a: Any, b: Any) -> Any:
         if not (b.a > 0 or b.b < 0):
@@ -143,7 +144,7 @@ class MpmathEngine:
 
 def _exact(end: tuple[int, int, int, int]) -> Fraction:
     sign, mantissa, exponent, _ = end
-    return (-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** exponent
+    return Fraction(-int(mantissa) if sign else int(mantissa)) * Fraction(2) ** exponent
 
 
 class DoubleEngine:
@@ -157,7 +158,7 @@ class DoubleEngine:
 
     def operation(self, name: str) -> Callable[..., float]:
         """The operation of this name on doubles."""
-        return {
+        table: dict[str, Callable[..., float]] = {
             "add": operator.add,
             "sub": operator.sub,
             "mul": operator.mul,
@@ -168,7 +169,8 @@ class DoubleEngine:
             "max": max,
             "cos": math.cos,
             "cos_pi": lambda x: math.cos(math.pi * x),
-        }[name]
+        }
+        return table[name]
 
     def ends(self, value: float) -> Ends:
         """The double itself, twice."""

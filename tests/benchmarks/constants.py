@@ -11,6 +11,7 @@ from statistics import median
 from time import perf_counter
 
 from flint import arb, ctx, fmpq
+
 from verify.theorem1 import constants_enclosure
 
 BITS = 128

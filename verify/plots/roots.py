@@ -63,7 +63,8 @@ def figure() -> Figure:
         f"{CELLS} intervals of m, where λ₀ = -m³ is the real root and r = m(4m²-m+1)/(m²-m+4). "
         f"Left: each box contains a root for every r of its interval (the widest is "
         f"{float(widest):.2g} wide); λ₀ in orange, the complex pair in blue, and the unit circle, "
-        f"which they reach only as r → 1. Right: λ₀ (orange) between its bounds -r and -r³ (grey), as boxes too. That λ₀ lies between them for every r is proved in the "
+        f"which they reach only as r → 1. Right: λ₀ (orange) between its bounds -r "
+        f"and -r³ (grey), as boxes too. That λ₀ lies between them for every r is proved in the "
         f"spectral claims, not by this drawing.",
         (
             Panel("Complex plane", _draw_plane, 400, 380),

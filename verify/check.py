@@ -171,7 +171,7 @@ class Scope:
     def mul(self, x: Interval, y: Interval) -> Interval:
         """A product is linear in each factor, so that its extremes are products of ends."""
         (a, b), (c, d) = x, y
-        ends = (a * c, b * d) if a >= 0 and c >= 0 else (a * c, a * d, b * c, b * d)
+        ends = (a * c, b * d) if a.numerator >= 0 <= c.numerator else (a * c, a * d, b * c, b * d)
         return min(ends), max(ends)
 
     def div(self, x: Interval, y: Interval) -> Interval:
@@ -511,13 +511,13 @@ RULES: dict[str, tuple[Callable[[Terms, Goal, dict[str, Any]], None], dict[str, 
 
 def shaped(where: str, value: Any, shape: Any) -> None:
     """Afterwards a JSON value has a shape."""
-    kind, good, found = type(shape), shape is None, value
+    kind, good = type(shape), shape is None
     entries: dict[Any, Any] = {}
     if kind is str and isinstance(value, str):
         good = re.fullmatch(shape, value) is not None
     elif kind is dict and isinstance(value, dict):
         entries = dict.fromkeys(value, shape[ANY]) if ANY in shape else shape
-        good, found = value.keys() == entries.keys(), [*value]
+        good = value.keys() == entries.keys()
     elif kind in (list, tuple) and isinstance(value, list):
         entries = dict(enumerate(shape if kind is tuple else shape * len(value)))
         good = len(entries) == len(value)
@@ -525,10 +525,12 @@ def shaped(where: str, value: Any, shape: Any) -> None:
         good = type(value) is int and value in shape
     elif kind is set and value is not None:
         return shaped(where, value, *shape)
+    found = [*value] if isinstance(value, dict) else value
     need(good or kind is set, Malformed, "{}: found {}, expected {}", where, found, shape)
     for key, inner in entries.items():
-        if inner is not None and not (inner is TEXT and isinstance(value[key], str)):
-            shaped(f"{where}: {key}", value[key], inner)
+        item = value[key]
+        if not (isinstance(inner, str) and isinstance(item, str) and re.fullmatch(inner, item)):
+            shaped(f"{where}: {key}", item, inner)
     return None
 
 

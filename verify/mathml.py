@@ -44,9 +44,9 @@ class MathML:
 
     def entries(self, term: Term, before: str) -> str:
         """A min with each entry on a line of its own."""
-        first = formula(f"<mo>{before}</mo><mi>min</mi>")
         lines = (formula(self._term(entry)) for entry in term.children)
-        return f"{first} of<br>{'<br>'.join(lines)}"
+        entries = "".join(f'<span class="entry">{line}</span>' for line in lines)
+        return f"{formula(f'<mo>{escape(before)}</mo><mi>min</mi>')} of{entries}"
 
     def term(self, term: Term, before: str = "") -> str:
         """A whole formula for a term, after a sign such as ≤."""

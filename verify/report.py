@@ -253,10 +253,3 @@ def _obligations() -> Iterator[Obligation]:
     statements: tuple[Statement, ...] = (theorem(), spectrum.theorem())
     for statement in statements:
         yield from statement.obligations
-
-
-def decimal(value: Fraction) -> str:
-    """A rational number with a short decimal, exactly."""
-    from verify.decimals import outward
-
-    return outward((value, value))[0]

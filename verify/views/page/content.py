@@ -137,10 +137,21 @@ def _printed(folder: Folder) -> list[Row]:
 
 def _at(folder: Folder) -> str:
     """The point in words."""
-    text = Typesetter({})
     r, c = (folder.parameters[name] for name in ("r", "c"))
-    angle = "θ₀ = π" if c.op == "rational" and c.value == 1 else f"-cos θ₀ = {text.term(c)}"
-    return f"r = {text.term(r)}, {angle}"
+    if c.op == "neg" and c.children[0].op == "cos_pi":
+        turns = c.children[0].children[0].value
+        angle = f"θ₀ = {turns.numerator}π/{turns.denominator}"
+    elif c.op == "rational":
+        angle = "θ₀ = π" if c.value == 1 else f"-cos θ₀ = {_readable(c.value)}"
+    else:
+        angle = f"-cos θ₀ = {Typesetter({}).term(c)}"
+    return f"r = {_readable(r.value)}, {angle}"
+
+
+def _readable(value: Fraction) -> str:
+    """A fraction where it is short, else a decimal where that is exact."""
+    low, high = outward((value, value), 20)
+    return low if value.denominator > 1000 and low == high else str(value)
 
 
 def _result(material: Material, main: Folder) -> Iterator[Block]:
@@ -340,11 +351,11 @@ def _points(material: Material) -> Iterator[Block]:
             [Text(f"{_count(folder.of_group(REPAIRED), 'proved')} proved")],
             [Text(f"{_count(printed, 'refuted')} of {len(printed)}")],
             *(_cell(_number(values[f"repaired.{name}"].texts))
-              for name in ("delta_x", "eta_bar", "zeta_bar", "d_bar", "T_star")),
+              for name in ("delta_x", "eta_bar", "zeta_bar", "T_star")),
         ])  # fmt: skip
     yield Table(
         "Certificates of Theorem 1",
-        ("Point", "Verdict", "Repaired rows", "Printed steps refuted", "δ_x", "η̄", "ζ̄", "d̄", "T*"),
+        ("Point", "Verdict", "Repaired rows", "Printed steps refuted", "δ_x", "η̄", "ζ̄", "T*"),
         rows,
     )
 

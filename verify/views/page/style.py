@@ -55,8 +55,10 @@ table{border-collapse:collapse;width:100%;font-size:.9rem;line-height:1.4;
 th,td{text-align:left;vertical-align:top;padding:.45rem .7rem;border-bottom:1px solid var(--line)}
 th{background:var(--soft);font-weight:600;white-space:nowrap}
 tbody tr:last-child td{border-bottom:0}
-td{min-width:6rem;max-width:26rem}
+td{min-width:4.5rem;max-width:26rem}
 td .math{max-width:none;overflow:visible}
+td code{white-space:nowrap}
+.entry{display:block;padding:.18rem 0 0 1rem}
 details{margin:.6rem 0}
 summary{cursor:pointer}
 details>summary{font-weight:600}
@@ -85,6 +87,7 @@ figcaption{font-size:.9rem;line-height:1.5;max-width:52rem;margin-top:.5rem}
  h2{break-after:avoid}h3{break-after:avoid}
  .scroll{overflow:visible;border:0}
  table{font-size:8pt}
+ td code{white-space:normal}
  td{max-width:none;min-width:0}
  .claim,.math{overflow:visible}
  .panels{grid-template-columns:repeat(2,1fr)}

@@ -22,13 +22,17 @@ import json
 import os
 import re
 import sys
+from collections import namedtuple
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cache
 from hashlib import sha256
-from itertools import pairwise, product
+from itertools import pairwise, product, zip_longest
 from math import isqrt
-from typing import Any, NamedTuple
+
+TYPE_CHECKING = False  # a type checker takes it for True
+if TYPE_CHECKING:
+    from typing import Any
 
 MAX_BYTES, MAX_NESTING = 1 << 22, 100  # of a file
 MAX_HEIGHT = 200  # of a term, with the definitions of its symbols
@@ -42,16 +46,15 @@ ANY, TEXT, NAME = "any", "(?s).*", "[A-Za-z][A-Za-z0-9_.-]{0,99}"
 RATIONAL = "-?(0|[1-9][0-9]{0,4299})(/[1-9][0-9]{0,4299})?"  # int() reads at most 4300 digits
 DECIMAL = r"-?(0|[1-9][0-9]{0,99})(\.[0-9]{1,99})?(e-?[0-9]{1,5})?"
 PAIR = (DECIMAL, DECIMAL)
-Shape = dict[str, Any]
-ROW: Shape = {"name": NAME, "label": TEXT, "role": "needed|printed", "says": TEXT, "claim": None}
-ROW |= {"uses": [NAME], "variables": {ANY: ({RATIONAL}, {RATIONAL})}}
-STATEMENT: Shape = {"format": "verify-statement/1", "theorem": TEXT, "title": TEXT}
+ROW: dict[str, Any] = {"name": NAME, "label": TEXT, "role": "needed|printed", "says": TEXT}
+ROW |= {"claim": None, "uses": [NAME], "variables": {ANY: ({RATIONAL}, {RATIONAL})}}
+STATEMENT: dict[str, Any] = {"format": "verify-statement/1", "theorem": TEXT, "title": TEXT}
 STATEMENT |= {"parameters": {ANY: None}, "obligations": [ROW]}
 STATEMENT |= {"constants": [{"name": NAME, "label": TEXT, "tex": TEXT, "term": None}]}
 STATEMENT |= {"assumptions": [{"name": NAME, "label": TEXT, "sentence": TEXT}]}
-CERTIFICATE: Shape = {"format": "verify-certificate/1", "statement_sha256": "[0-9a-f]{64}"}
+CERTIFICATE: dict[str, Any] = {"format": "verify-certificate/1", "statement_sha256": "[0-9a-f]{64}"}
 CERTIFICATE |= {"enclosures": {ANY: PAIR}, "proofs": [None]}
-PROOF: Shape = {"rule": NAME, "bits": range(2, MAX_BITS + 1)}
+PROOF: dict[str, Any] = {"rule": NAME, "bits": range(2, MAX_BITS + 1)}
 
 #: How many terms an operation has (0: two or more); pow has an exponent besides.
 ARITY = {"add": 2, "sub": 2, "mul": 2, "div": 2, "neg": 1, "sqrt": 1, "cos": 1, "cos_pi": 1}
@@ -64,8 +67,11 @@ HOLDS: dict[str, Callable[[Interval, Interval], bool]] = {  # between all number
     "!=": lambda x, y: x[1] < y[0] or y[1] < x[0],
 }
 Interval = tuple[Fraction, Fraction]
-Polynomial = dict[tuple[int, ...], Any]  # sorted atoms, with repetitions, to rational coefficient
+Polynomial = dict[tuple[int, ...], Fraction | int]  # sorted atoms, repeated, to coefficient
 ONE = (Fraction(1), Fraction(1))
+#: lhs relation rhs for all values (or for some) of the symbols in the box, between the two ends
+#: which it gives them, or None.
+Goal = namedtuple("Goal", "relation lhs rhs box some")
 rational = cache(Fraction)  # the value of a text
 
 
@@ -77,16 +83,6 @@ class Refused(Exception):  # noqa: N818
     """The evidence does not prove the obligation."""
 
 
-class Goal(NamedTuple):
-    """lhs relation rhs for all values (or for some) of the variables between their ends."""
-
-    relation: str
-    lhs: int
-    rhs: int
-    box: dict[int, Any]  # symbol to a pair of ends, which may be None
-    some: bool
-
-
 def need(condition: object, kind: type[Exception], message: str, *values: Any) -> None:
     """Afterwards the condition holds. The values are put into the message about its failure."""
     if not condition:
@@ -95,7 +91,7 @@ def need(condition: object, kind: type[Exception], message: str, *values: Any) -
 
 def shown(value: Any) -> str:
     """An interval in decimals, a text as it is, and another value as Python writes it; cut."""
-    if isinstance(value, tuple):
+    if isinstance(value, tuple) and isinstance(value[0], Fraction):
         bits = max(end.numerator.bit_length() - end.denominator.bit_length() for end in value)
         k = 20 - bits * 3 // 10
         low, high = (end * Fraction(10) ** k for end in value)
@@ -159,10 +155,10 @@ class Scope:
         bits, ends = self.bits + more, []
         for sign, end in ((1, x[0]), (-1, x[1])):
             n, d = sign * end.numerator, end.denominator
-            size, shift = n.bit_length() + d.bit_length(), bits - n.bit_length() + d.bit_length()
+            size = n.bit_length() + d.bit_length()
             self.terms.spend(size)
-            need(size <= MAX_SIZE, Refused, "found a number of {} bits", size)
             if size > 2 * bits:
+                shift = bits - n.bit_length() + d.bit_length()
                 up, back = max(shift, 0), max(-shift, 0)
                 end = Fraction(sign * ((n << up) // (d << back) << back), 1 << up)
             ends.append(end)
@@ -321,9 +317,10 @@ class Terms:
         self.work = MAX_WORK
 
     def spend(self, bits: int, times: int = 1) -> None:
-        """Count operations with so many bits; give up when they are too many."""
+        """Count operations with so many bits; give up when these, or they, are too many."""
         self.work -= times * (4 + (bits * bits >> 20))
-        need(self.work >= 0, Refused, "found too much work, expected at most {}", MAX_WORK)
+        if self.work < 0 or bits > MAX_SIZE:
+            raise Refused(f"found too much work, or a number of too many bits: {bits}")
 
     def node(self, op: str, subterms: Sequence[int], *rest: int) -> int:
         """The term of an operation and its arguments."""
@@ -596,26 +593,26 @@ def check(first: bytes, second: bytes) -> tuple[bool, list[str]]:
     digest, given = sha256(first).hexdigest(), certificate["statement_sha256"]
     need(given == digest, Malformed, "statement_sha256: found {}, expected {}", given, digest)
     rows, proofs, lines = statement["obligations"], certificate["proofs"], []
-    names, assumed = (
-        [item["name"] for item in items] for items in (rows, statement["assumptions"])
-    )
-    last = {name: i for i, name in enumerate(names + assumed)}
-    twice = [name for i, name in enumerate(names + assumed) if last[name] != i]
-    need(rows and not twice, Malformed, "found {} obligations, and twice {}", len(rows), twice)
+    names = [item["name"] for item in rows]
+    assumed = {item["name"]: item for item in statement["assumptions"]}
+    need(rows, Malformed, "obligations: found none, which proves nothing")
+    for key, distinct in (("obligations", set(names)), ("assumptions", assumed)):
+        need(len(distinct) == len(statement[key]), Malformed, "{}: found a name twice", key)
     found = [proof.get("obligation") if isinstance(proof, dict) else proof for proof in proofs]
-    need(found == names, Malformed, "found proofs of {}, expected of {}", found, names)
+    odd = [pair for pair in zip_longest(found, names) if pair[0] != pair[1]]
+    need(not odd, Malformed, "proofs: found and expected in turn {}", odd)
     terms, constants, bits = Terms(), statement["constants"], 128
     for name, term in statement["parameters"].items():
         terms.define(name, terms.read(f"parameter {name}", term))
     for item in constants:
         terms.define(item["name"], terms.read(f"constant {item['name']}", item["term"]))
-    odd = certificate["enclosures"].keys() ^ {item["name"] for item in constants}
-    need(not odd, Malformed, "enclosures: found too much or too little: {}", sorted(odd))
+    keys = certificate["enclosures"].keys() ^ {item["name"] for item in constants}
+    need(not keys, Malformed, "enclosures: found too many or too few names: {}", sorted(keys))
     for row, proof in zip(rows, proofs, strict=True):
         why = words = ""
         try:
-            unknown = set(row["uses"]) - set(assumed)
-            need(not unknown, Malformed, "found {}, expected names of assumptions", unknown)
+            unknown = set(row["uses"]) - assumed.keys()
+            need(not unknown, Malformed, "uses: found {}, which no assumption has", unknown)
             goal, sides, words = claimed(terms, row)
             shape = PROOF | {"obligation": NAME} | dict.fromkeys(sides, PAIR)
             terms.prove(goal, proof, shape)
@@ -645,7 +642,6 @@ def check(first: bytes, second: bytes) -> tuple[bool, list[str]]:
 
 def main(arguments: Sequence[str]) -> int:
     """Check the files that the command line names, print the report, and return the exit code."""
-    gc.disable()  # almost no garbage is cyclic here, and looking for it takes time
     names = ("statement.json", "certificate.json")
     paths = [os.path.join(*arguments, name) for name in names] if len(arguments) == 1 else arguments
     try:
@@ -668,4 +664,5 @@ def main(arguments: Sequence[str]) -> int:
 
 
 if __name__ == "__main__":
+    gc.disable()  # almost no garbage is cyclic here, and looking for it takes time
     sys.exit(main(sys.argv[1:]))

@@ -13,6 +13,10 @@ from typing import Any, Union
 Number = Union["Term", int, Fraction]
 
 
+#: Every term that was built, by operation and arguments.
+_TERMS: dict[tuple[str, tuple[Any, ...]], Term] = {}
+
+
 class Term:
     """An immutable expression: an operation and its arguments.
 
@@ -21,22 +25,20 @@ class Term:
     ``cos_pi(x)`` is cos(pi x). Two terms are equal when they are written alike.
     """
 
-    __slots__ = ("_hash", "args", "op")
+    __slots__ = ("args", "op")
 
-    def __init__(self, op: str, *args: Term | Fraction | int | str) -> None:
-        self.op = op
-        self.args = args
-        self._hash = hash((op, args))
+    op: str
+    args: tuple[Any, ...]
 
-    def __hash__(self) -> int:
-        return self._hash
-
-    def __eq__(self, other: object) -> bool:
-        if self is other:
-            return True
-        if type(other) is not Term or self._hash != other._hash:
-            return False
-        return self.op == other.op and self.args == other.args
+    def __new__(cls, op: str, *args: Term | Fraction | int | str) -> Term:
+        """The one term that is written like this: terms that are equal are the same object."""
+        key = (op, args)
+        term = _TERMS.get(key)
+        if term is None:
+            term = _TERMS[key] = super().__new__(cls)
+            term.op = op
+            term.args = args
+        return term
 
     def __repr__(self) -> str:
         return f"Term({self.op!r}, {', '.join(map(repr, self.args))})"
@@ -156,6 +158,9 @@ class Claim:
         raise TypeError("a claim has no truth value; chain two claims as two rows")
 
 
+_INTEGERS: dict[int, Term] = {}
+
+
 def as_term(number: Number) -> Term:
     """Return the term for an integer, a fraction or a term.
 
@@ -164,8 +169,13 @@ def as_term(number: Number) -> Term:
     """
     if isinstance(number, Term):
         return number
-    if type(number) is int or type(number) is Fraction:
-        return Term("rational", Fraction(number))
+    if type(number) is int:
+        term = _INTEGERS.get(number)
+        if term is None:
+            term = _INTEGERS[number] = Term("rational", Fraction(number))
+        return term
+    if type(number) is Fraction:
+        return Term("rational", number)
     if isinstance(number, float):
         raise TypeError(
             f"the float {number!r} is already rounded: write a fraction such as Fraction('0.03')"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from concurrent.futures import ProcessPoolExecutor
 from fractions import Fraction
 from functools import cache
 from math import log10
@@ -31,18 +32,31 @@ MAPS = {
 }
 
 
-@cache
+def printed_cells() -> list[Judged]:
+    """The plane, judged for the printed set."""
+    return _both()[0]
+
+
 def repaired_cells() -> list[Judged]:
     """The plane, judged for the repaired set at half of each bound."""
+    return _both()[1]
+
+
+@cache
+def _both() -> tuple[list[Judged], list[Judged]]:
+    """Both, each in a process of its own: that is twice as fast, and flint's precision is global."""
+    with ProcessPoolExecutor(2) as pool:
+        printed, repaired = pool.submit(_judge_printed), pool.submit(_judge_repaired)
+        return printed.result(), repaired.result()
+
+
+def _judge_repaired() -> list[Judged]:
     claims = {row.name: row.claim for row in rows(REPAIRED, SHARE).open}
     return judge(REPAIRED, SHARE, claims, claims, DEPTH)
 
 
-@cache
-def printed_cells() -> list[Judged]:
-    """The plane, judged for the printed set."""
-    open_rows = rows(PRINTED, Fraction(1)).open
-    claims = {row.name: row.claim for row in open_rows}
+def _judge_printed() -> list[Judged]:
+    claims = {row.name: row.claim for row in rows(PRINTED, Fraction(1)).open}
     return judge(PRINTED, Fraction(1), claims, [row.name for row in shown()], DEPTH)
 
 

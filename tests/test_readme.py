@@ -2,26 +2,37 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Iterable
 from pathlib import Path
 
 from tests.points import parameters
 from verify.prover import PROVED, REFUTED
 from verify.statement import HYPOTHESES, PRINTED, REPAIRED
 from verify.theorem1 import decide
-from verify.views.markdown import defects
+from verify.views.markdown import defects, table
 
 README = Path(__file__).resolve().parent.parent / "README.md"
-BEGIN, END = "<!-- defects: begin -->\n", "<!-- defects: end -->\n"
+DATA = README.parent / "certificates" / "data" / "bench.json"
 
 
 def expected(text: str) -> str:
-    before, rest = text.split(BEGIN)
-    after = rest.split(END)[1]
-    table = "\n".join(defects(decide(parameters("3/100", "1"))))
-    return f"{before}{BEGIN}{table}\n{END}{after}"
+    text = between(text, "defects", defects(decide(parameters("3/100", "1"))))
+    for name in ("precision", "equal_width", "double_verdicts"):
+        measured = json.loads(DATA.read_text(encoding="utf-8"))["tables"][name]
+        rows = [tuple(map(str, row)) for row in measured["rows"]]
+        text = between(text, name, table(tuple(measured["columns"]), rows))
+    return text
 
 
-def test_the_table_of_defects_is_what_the_program_finds() -> None:
+def between(text: str, name: str, lines: Iterable[str]) -> str:
+    begin, end = f"<!-- {name}: begin -->\n", f"<!-- {name}: end -->\n"
+    before, rest = text.split(begin)
+    content = "\n".join(lines)
+    return f"{before}{begin}{content}\n{end}{rest.split(end)[1]}"
+
+
+def test_the_tables_are_what_the_program_found() -> None:
     text = README.read_text(encoding="utf-8")
     assert text == expected(text)
 

@@ -586,53 +586,55 @@ def overlap(found: list[str], x: Interval) -> None:
     need(low <= x[1] and x[0] <= high, Refused, "found {}, expected {}", (low, high), x)
 
 
+def judged(terms: Terms, row: dict[str, Any], proof: Any, assumed: dict[str, Any]) -> str:
+    """The line of the report for an obligation."""
+    why = words = ""
+    try:
+        unknown = set(row["uses"]) - assumed.keys()
+        need(not unknown, Malformed, "uses: found {}, which no assumption has", unknown)
+        goal, sides, words = claimed(terms, row)
+        terms.prove(goal, proof, PROOF | {"obligation": NAME} | dict.fromkeys(sides, PAIR))
+        for side, term in sides.items():
+            overlap(proof[side], terms.scope(proof["bits"], {}).enclose(term))
+        wanted = row["role"] != "needed" or not words.startswith("not")
+        need(wanted, Refused, "the negation is proved, but the row is needed")
+    except Malformed as error:
+        raise Malformed(f"obligation {row['name']}: {error}") from error
+    except Refused as error:
+        why = f": {error}"
+    for name in row["variables"]:
+        del terms.leaves[name]
+    verdict = "REFUSED" if why else "proved "
+    return f"{verdict} {row['name']} [{row['label']}] {words}{why}"
+
+
 def check(first: bytes, second: bytes) -> tuple[bool, list[str]]:
     """Whether the certificate in ``second`` proves the statement in ``first``, and a report."""
     statement = parse("statement", first, STATEMENT)
     certificate = parse("certificate", second, CERTIFICATE)
     digest, given = sha256(first).hexdigest(), certificate["statement_sha256"]
     need(given == digest, Malformed, "statement_sha256: found {}, expected {}", given, digest)
-    rows, proofs, lines = statement["obligations"], certificate["proofs"], []
-    names = [item["name"] for item in rows]
-    assumed = {item["name"]: item for item in statement["assumptions"]}
+    rows, proofs, terms = statement["obligations"], certificate["proofs"], Terms()
     need(rows, Malformed, "obligations: found none, which proves nothing")
-    for key, distinct in (("obligations", set(names)), ("assumptions", assumed)):
-        need(len(distinct) == len(statement[key]), Malformed, "{}: found a name twice", key)
+    assumed = {item["name"]: item for item in statement["assumptions"]}
+    for key in ("obligations", "assumptions"):
+        names = [item["name"] for item in statement[key]]
+        need(len(set(names)) == len(names), Malformed, "{}: found a name twice in {}", key, names)
     found = [proof.get("obligation") if isinstance(proof, dict) else proof for proof in proofs]
-    odd = [pair for pair in zip_longest(found, names) if pair[0] != pair[1]]
-    need(not odd, Malformed, "proofs: found and expected in turn {}", odd)
-    terms, constants, bits = Terms(), statement["constants"], 128
+    odd = [pair for pair in zip_longest(found, (row["name"] for row in rows)) if pair[0] != pair[1]]
+    need(not odd, Malformed, "proofs: found and expected are {}", odd)
     for name, term in statement["parameters"].items():
         terms.define(name, terms.read(f"parameter {name}", term))
-    for item in constants:
+    for item in statement["constants"]:
         terms.define(item["name"], terms.read(f"constant {item['name']}", item["term"]))
-    keys = certificate["enclosures"].keys() ^ {item["name"] for item in constants}
+    enclosures = certificate["enclosures"]
+    keys = enclosures.keys() ^ {item["name"] for item in statement["constants"]}
     need(not keys, Malformed, "enclosures: found too many or too few names: {}", sorted(keys))
-    for row, proof in zip(rows, proofs, strict=True):
-        why = words = ""
+    lines = [judged(terms, row, proof, assumed) for row, proof in zip(rows, proofs, strict=True)]
+    scope = terms.scope(max(128, *(proof["bits"] for proof in proofs)), {})
+    for item in statement["constants"]:
         try:
-            unknown = set(row["uses"]) - assumed.keys()
-            need(not unknown, Malformed, "uses: found {}, which no assumption has", unknown)
-            goal, sides, words = claimed(terms, row)
-            shape = PROOF | {"obligation": NAME} | dict.fromkeys(sides, PAIR)
-            terms.prove(goal, proof, shape)
-            bits = max(bits, proof["bits"])
-            for side, term in sides.items():
-                overlap(proof[side], terms.scope(proof["bits"], {}).enclose(term))
-            good = row["role"] != "needed" or not words.startswith("not")
-            need(good, Refused, "found the negation proved, and it is needed")
-        except Malformed as error:
-            raise Malformed(f"obligation {row['name']}: {error}") from error
-        except Refused as error:
-            why = f": {error}"
-        for name in row["variables"]:
-            del terms.leaves[name]
-        verdict = "REFUSED" if why else "proved "
-        lines.append(f"{verdict} {row['name']} [{row['label']}] {words}{why}")
-    for item in constants:
-        try:
-            x = terms.scope(bits, {}).enclose(terms.leaves[item["name"]])
-            overlap(certificate["enclosures"][item["name"]], x)
+            overlap(enclosures[item["name"]], scope.enclose(terms.leaves[item["name"]]))
         except Refused as error:
             lines.append(f"REFUSED constant {item['name']} [{item['label']}]: {error}")
     proved = not any(line.startswith("REFUSED") for line in lines)

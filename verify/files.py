@@ -1,8 +1,9 @@
-"""Writing results: files, all of them or none, and documents."""
+"""Writing results: files, all of them or none, documents, and progress."""
 
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Mapping
 from errno import EISDIR
 from typing import Any
@@ -62,6 +63,12 @@ def read_bytes(option: str, path: str) -> bytes:
         raise InputError(
             f"{option}: {shown(path)} cannot be read ({_reason(error)}); name a file"
         ) from error
+
+
+def progress(text: str) -> None:
+    """Say on stderr what is being done, if somebody watches."""
+    if sys.stderr is not None and sys.stderr.isatty():
+        print(f"{text} …", file=sys.stderr)
 
 
 def print_document(document: Mapping[str, Any]) -> None:

@@ -36,11 +36,22 @@ class MathML:
         self._letters = dict(letters)
         self._texts: dict[Term, str] = {}
 
-    def claim(self, claim: Claim, negated: bool = False) -> str:
-        """A whole formula for a claim, or for the fact that it does not hold."""
-        relation = f"<mo>{_SIGNS[claim.relation]}</mo>"
-        inner = f"{self._term(claim.lhs)}{relation}{self._term(claim.rhs)}"
-        return formula(f"<mo>¬</mo>{_fenced(inner)}" if negated else inner)
+    def claim(self, claim: Claim) -> str:
+        """A claim as several formulas in a row, so that lines can break before each sign.
+
+        Browsers do not break lines inside of a formula.
+        """
+        left, right = self._summands(claim.lhs), self._summands(claim.rhs)
+        right[0] = f'<mo form="infix">{_SIGNS[claim.relation]}</mo>{right[0]}'
+        return " ".join(map(formula, (*left, *right)))
+
+    def _summands(self, term: Term) -> list[str]:
+        if term.op not in ("add", "sub"):
+            return [self._term(term)]
+        left, right = term.children
+        sign = "+" if term.op == "add" else "−"
+        last = self._after_sign(right, _PRODUCT)
+        return [*self._summands(left), f'<mo form="infix">{sign}</mo>{last}']
 
     def entries(self, term: Term, before: str) -> str:
         """A min with each entry on a line of its own."""

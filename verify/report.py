@@ -7,7 +7,6 @@ import os
 import subprocess
 import sys
 from collections.abc import Iterator
-from fractions import Fraction
 from functools import cache
 from hashlib import sha256
 from pathlib import Path

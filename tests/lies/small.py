@@ -52,8 +52,18 @@ ROWS: list[tuple[str, Json, dict[str, Json], Document]] = [
         {},
         {"rule": "rewrite", "bits": 128, "closing": "interval", "steps": [["lowest", None]]},
     ),
-    ("rewrite-entry", ["<=", "lowest", ["mul", "r", "s"]], {}, IDENTITY | {"steps": [["lowest", 0]]}),
-    ("rewrite-root", ["<=", ["pow", "root2", "2"], "2"], {}, IDENTITY | {"steps": [["root2", None]]}),
+    (
+        "rewrite-entry",
+        ["<=", "lowest", ["mul", "r", "s"]],
+        {},
+        IDENTITY | {"steps": [["lowest", 0]]},
+    ),
+    (
+        "rewrite-root",
+        ["<=", ["pow", "root2", "2"], "2"],
+        {},
+        IDENTITY | {"steps": [["root2", None]]},
+    ),
     (
         "identity",
         ["=", ["mul", SUM, ["sub", "root3", "root2"]], "1"],
@@ -62,8 +72,11 @@ ROWS: list[tuple[str, Json, dict[str, Json], Document]] = [
     ),
     (
         "identity-box",
-        ["=", ["div", "1", ["add", "x", "root2"]], ["div", ["sub", "root2", "x"],
-         ["sub", "2", ["pow", "x", "2"]]]],
+        [
+            "=",
+            ["div", "1", ["add", "x", "root2"]],
+            ["div", ["sub", "root2", "x"], ["sub", "2", ["pow", "x", "2"]]],
+        ],
         X,
         IDENTITY | {"steps": BOTH[:1]},
     ),
@@ -194,7 +207,8 @@ def honest() -> tuple[Document, Document]:
         ],
     }
     certificate = {"format": "verify-certificate/1", "enclosures": enclosures, "proofs": proofs}
-    return json.loads(json.dumps([statement, certificate]))  # nothing is shared
+    first, second = json.loads(json.dumps([statement, certificate]))  # nothing is shared
+    return first, second
 
 
 def encode(document: Json) -> bytes:

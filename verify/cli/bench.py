@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import json
-import sys
 from argparse import ArgumentParser, Namespace
 
-from verify.files import print_document, write_all
+from verify.files import progress
 from verify.inputs import InputError
-from verify.views.columns import print_tables
+from verify.views import columns
 
 
 def add_arguments(parser: ArgumentParser) -> None:
     """The options."""
-    parser.add_argument("--quick", action="store_true", help="fewer precisions and repetitions")
-    parser.add_argument("--json", action="store_true", help="one JSON document on stdout")
-    parser.add_argument("--out", metavar="DIR", help="write bench.json there")
+    columns.add_arguments(parser, "bench")
 
 
 def run(options: Namespace) -> int:
@@ -29,17 +25,5 @@ def run(options: Namespace) -> int:
         raise InputError(
             f"bench needs {error.name}; install the extra: pip install -e '.[bench]'"
         ) from error
-
-    def progress(text: str) -> None:
-        if sys.stderr.isatty():
-            print(f"{text} …", file=sys.stderr)
-
-    document = {"command": "bench", "tables": bench.run(options.quick, progress)}
-    if options.out is not None:
-        text = json.dumps(document, ensure_ascii=False, indent=1, sort_keys=True) + "\n"
-        write_all("--out", options.out, {"bench.json": text.encode()})
-    if options.json:
-        print_document(document)
-    else:
-        print_tables(document)
+    columns.publish("bench", bench.run(options.quick, progress), options)
     return 0

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import os
-import sys
 from argparse import ArgumentParser, Namespace
 
 from verify.certify import all_folders
-from verify.files import write_all
+from verify.files import progress, write_all
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -25,8 +24,7 @@ def run(options: Namespace) -> int:
     differing = 0
     for folder, contents in all_folders():
         path = os.path.join(options.directory, folder)
-        if sys.stderr.isatty():
-            print(f"{path} …", file=sys.stderr)
+        progress(path)
         if not options.compare:
             write_all("--directory", path, contents)
             print(f"written  {path}")

@@ -2,39 +2,27 @@
 
 from __future__ import annotations
 
-import json
-import sys
 from argparse import ArgumentParser, Namespace
 from typing import Any
 
 from verify import stress
-from verify.files import print_document, write_all
+from verify.files import progress
 from verify.stress import Finding
-from verify.views.columns import print_tables
+from verify.views import columns
 
 
 def add_arguments(parser: ArgumentParser) -> None:
     """The options."""
-    parser.add_argument("--quick", action="store_true", help="leave out the longest cases")
-    parser.add_argument("--json", action="store_true", help="one JSON document on stdout")
-    parser.add_argument("--out", metavar="DIR", help="write stress.json there")
+    columns.add_arguments(parser, "stress")
 
 
 def run(options: Namespace) -> int:
     """Run the cases; return 0 if every answer is right, else 1."""
     findings = []
     for finding in stress.run(options.quick):
+        progress(finding.case.name)
         findings.append(finding)
-        if sys.stderr.isatty():
-            print(f"{finding.case.name} …", file=sys.stderr)
-    document = {"command": "stress", "tables": {"cases": table(findings)}}
-    if options.out is not None:
-        text = json.dumps(document, ensure_ascii=False, indent=1, sort_keys=True) + "\n"
-        write_all("--out", options.out, {"stress.json": text.encode()})
-    if options.json:
-        print_document(document)
-    else:
-        print_tables(document)
+    columns.publish("stress", {"cases": table(findings)}, options)
     return 0 if all(finding.right for finding in findings) else 1
 
 

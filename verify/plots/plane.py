@@ -123,8 +123,9 @@ def thresholds(cells: int) -> dict[str, list[Box]]:
         for name, (term, letter, end) in curves.items():
             field = Field((letter,), ())
             boxes: list[Box] = []
-            for index in range(cells):
-                side = (end * index / cells, end * (index + 1) / cells)
+            count = cells if letter == "s" else 2 * cells
+            for index in range(count):
+                side = (end * index / count, end * (index + 1) / count)
                 slope = field.on((side,))[term]
                 if slope is not None:
                     power = 1 if letter == "s" else 2

@@ -44,7 +44,7 @@ def repaired_cells() -> list[Judged]:
 
 @cache
 def _both() -> tuple[list[Judged], list[Judged]]:
-    """Both, each in a process of its own: that is twice as fast, and flint's precision is global."""
+    """Both, each in a process of its own, as the precision of balls is global to one."""
     with ProcessPoolExecutor(2) as pool:
         printed, repaired = pool.submit(_judge_printed), pool.submit(_judge_repaired)
         return printed.result(), repaired.result()

@@ -1,15 +1,37 @@
-"""Measured tables in columns, for a terminal."""
+"""Measured tables: in columns for a terminal, as one JSON document for scripts and files."""
 
 from __future__ import annotations
 
+import json
+from argparse import ArgumentParser, Namespace
 from typing import Any
 
+from verify.files import print_document, write_all
 
-def print_tables(document: dict[str, Any]) -> None:
-    """Print every table of a document in columns."""
-    for table in document["tables"].values():
-        rows = [table["columns"], *[[str(cell) for cell in row] for row in table["rows"]]]
-        widths = [max(len(row[i]) for row in rows) for i in range(len(table["columns"]))]
-        print(f"\n{table['title']}")
-        for row in rows:
-            print("  " + "  ".join(c.ljust(w) for c, w in zip(row, widths, strict=True)).rstrip())
+
+def add_arguments(parser: ArgumentParser, name: str) -> None:
+    """The options of a command that measures."""
+    parser.add_argument("--quick", action="store_true", help="a short form, for CI")
+    parser.add_argument("--json", action="store_true", help="one JSON document on stdout")
+    parser.add_argument("--out", metavar="DIR", help=f"write {name}.json there")
+
+
+def publish(name: str, tables: dict[str, Any], options: Namespace) -> None:
+    """Write and print what a command measured, as its options ask."""
+    document = {"command": name, "tables": tables}
+    if options.out is not None:
+        text = json.dumps(document, ensure_ascii=False, indent=1, sort_keys=True) + "\n"
+        write_all("--out", options.out, {f"{name}.json": text.encode()})
+    if options.json:
+        print_document(document)
+    else:
+        for table in tables.values():
+            _print_table(table)
+
+
+def _print_table(table: dict[str, Any]) -> None:
+    rows = [table["columns"], *[[str(cell) for cell in row] for row in table["rows"]]]
+    widths = [max(len(row[i]) for row in rows) for i in range(len(table["columns"]))]
+    print(f"\n{table['title']}")
+    for row in rows:
+        print("  " + "  ".join(c.ljust(w) for c, w in zip(row, widths, strict=True)).rstrip())

@@ -153,7 +153,7 @@ def _step(step: Step) -> Iterator[str]:
     yield f'<article id="{step.name}">'
     yield f"<p>{_verdict('refuted')} <code>{escape(step.label)}</code></p>"
     yield f"<p>{prose(step.says)}</p>"
-    yield f'<p class="claim">{step.claim.mathml}</p>'
+    yield f'<p class="claim"><span class="math">{step.claim.mathml}</span></p>'
     if step.lhs is not None and step.rhs is not None:
         yield (
             f"<dl><div><dt>left</dt><dd>{_inline(step.lhs)}</dd></div>"

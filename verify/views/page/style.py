@@ -12,7 +12,7 @@ def _colours(scheme: str) -> str:
 STYLE = (
     ":root{color-scheme:light dark;--soft:#f4f5f6;--line:#dfe2e6;--link:#2757a8;"
     + _colours("light")
-    + "}@media (prefers-color-scheme:dark){:root{--soft:#1c2229;--line:#333b44;--link:#9dbcf2;"
+    + "}@media screen and (prefers-color-scheme:dark){:root{--soft:#1c2229;--line:#333b44;--link:#9dbcf2;"
     + _colours("dark")
     + "}}"
     + """
@@ -38,9 +38,9 @@ sub,sup{line-height:0;font-size:.75em}
 math{font-size:1.05em;font-family:"STIX Two Math","Latin Modern Math","Cambria Math",math,serif}
 .claim math,td math{math-style:normal}
 .number:not([open])::details-content{display:none}
-.math,.claim{display:inline-block;max-width:100%;overflow-x:auto;overflow-y:hidden;
- vertical-align:middle;padding:.15rem 0}
-.claim{display:block;padding:.35rem 0}
+.claim,.repair{overflow-x:auto;overflow-y:hidden}
+.claim{padding:.35rem 0}
+.claim .math,.claim{line-height:2}
 .facts{list-style:none;padding:0;margin:1rem 0;display:grid;gap:.6rem;max-width:52rem}
 .facts li{display:grid;grid-template-columns:5.6rem 1fr;gap:.8rem;align-items:baseline}
 .verdict{display:inline-block;font-size:.8rem;line-height:1;font-weight:600;padding:.3rem .5rem;
@@ -56,7 +56,6 @@ th,td{text-align:left;vertical-align:top;padding:.45rem .7rem;border-bottom:1px 
 th{background:var(--soft);font-weight:600;white-space:nowrap}
 tbody tr:last-child td{border-bottom:0}
 td{min-width:4.5rem;max-width:26rem}
-td .math{max-width:none;overflow:visible}
 td code{white-space:nowrap}
 .entry{display:block;padding:.18rem 0 0 1rem}
 details{margin:.6rem 0}
@@ -88,8 +87,10 @@ figcaption{font-size:.9rem;line-height:1.5;max-width:52rem;margin-top:.5rem}
  .scroll{overflow:visible;border:0}
  table{font-size:8pt}
  td code{white-space:normal}
- td{max-width:none;min-width:0}
- .claim,.math{overflow:visible}
+ th{white-space:normal}td{max-width:none;min-width:0;overflow-wrap:anywhere}
+ td math{font-size:.9em}td .verdict{padding:.15rem .3rem}
+ .number>summary{white-space:normal}
+ .claim,.repair{overflow:visible}
  .panels{grid-template-columns:repeat(2,1fr)}
  tr{break-inside:avoid}
 }

@@ -34,7 +34,7 @@ TYPE_CHECKING = False  # a type checker takes it for True
 if TYPE_CHECKING:
     from typing import Any
 
-MAX_BYTES, MAX_NESTING = 1 << 22, 100  # of a file
+MAX_BYTES, MAX_NESTING = 1 << 24, 100  # of a file
 MAX_HEIGHT = 200  # of a term, with the definitions of its symbols
 MAX_BITS, MAX_SIZE = 1 << 16, 1 << 18  # of precision; of a numerator with its denominator
 MAX_WORK = 10_000_000  # about the number of microseconds
@@ -631,10 +631,11 @@ def check(first: bytes, second: bytes) -> tuple[bool, list[str]]:
     keys = enclosures.keys() ^ {item["name"] for item in statement["constants"]}
     need(not keys, Malformed, "enclosures: found too many or too few names: {}", sorted(keys))
     lines = [judged(terms, row, proof, assumed) for row, proof in zip(rows, proofs, strict=True)]
-    scope = terms.scope(max(128, *(proof["bits"] for proof in proofs)), {})
+    bits = max(128, *(proof["bits"] for proof in proofs))
     for item in statement["constants"]:
         try:
-            overlap(enclosures[item["name"]], scope.enclose(terms.leaves[item["name"]]))
+            x = terms.scope(bits, {}).enclose(terms.leaves[item["name"]])
+            overlap(enclosures[item["name"]], x)
         except Refused as error:
             lines.append(f"REFUSED constant {item['name']} [{item['label']}]: {error}")
     proved = not any(line.startswith("REFUSED") for line in lines)
@@ -649,13 +650,18 @@ def main(arguments: Sequence[str]) -> int:
     try:
         need(len(paths) == 2, OSError, "found {} words, expected a folder or two files", len(paths))
         with open(paths[0], "rb") as first, open(paths[1], "rb") as second:
-            proved, lines = check(first.read(MAX_BYTES + 1), second.read(MAX_BYTES + 1))
+            contents = first.read(MAX_BYTES + 1), second.read(MAX_BYTES + 1)
+    except (OSError, ValueError) as error:
+        print(f"check: {error}", file=sys.stderr)
+        return 2
+    try:
+        proved, lines = check(*contents)
         code = 0 if proved else 1
     except Malformed as error:
         code, lines = 4, [f"malformed: {error}", "NOT PROVED"]
-    except (OSError, KeyboardInterrupt) as error:
-        print(f"check: {str(error) or 'interrupted'}", file=sys.stderr)
-        return 2 if isinstance(error, OSError) else 130
+    except KeyboardInterrupt:
+        print("check: interrupted", file=sys.stderr)
+        return 130
     text = "\n".join(line if line.isprintable() else ascii(line) for line in lines)
     encoding = sys.stdout.encoding or "ascii"
     try:

@@ -43,7 +43,7 @@ class MathML:
         """
         left, right = self._summands(claim.lhs), self._summands(claim.rhs)
         right[0] = f'<mo form="infix">{_SIGNS[claim.relation]}</mo>{right[0]}'
-        return " ".join(map(formula, (*left, *right)))
+        return "<wbr>".join(map(formula, (*left, *right)))
 
     def _summands(self, term: Term) -> list[str]:
         if term.op not in ("add", "sub"):

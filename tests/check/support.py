@@ -65,8 +65,8 @@ def verdict(claim: Any, rule: str, **fields: Any) -> str:
     except check.Malformed as error:
         return f"malformed: {error}"
     assert lines[-1] == ("PROVED" if proved else "NOT PROVED")
-    assert lines[0].startswith("proved " if proved else "REFUSED")
-    return "proved" if proved else lines[0]
+    assert lines[0].startswith(("proved  row [LABEL] ", "REFUSED row [LABEL] "))
+    return "proved" if proved else next(line for line in lines if line.startswith("REFUSED"))
 
 
 def proves(claim: Any, rule: str, **fields: Any) -> bool:

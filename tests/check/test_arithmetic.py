@@ -115,7 +115,7 @@ def test_square_roots(first: tuple, bits: int) -> None:
 @given(numbers.map(abs), precisions)
 def test_square_roots_are_close(a: Fraction, bits: int) -> None:
     low, high = result(bits, "sqrt", (a, a))
-    assert (high - low) * 2 ** (bits - 3) <= high
+    assert (high - low) * Fraction(2) ** (bits - 3) <= high
 
 
 @derandomised
@@ -150,7 +150,7 @@ def test_cosine(text: str, bits: int) -> None:
     with mpmath.workdps(230):
         assert encloses((low, high), mpmath.cos(precise(a)))
     assert -1 <= low <= high <= 1
-    assert (high - low) * 2 ** (bits - 8) <= 1
+    assert (high - low) * Fraction(2) ** (bits - 8) <= 1
 
 
 @derandomised
@@ -178,7 +178,7 @@ def test_cosine_of_multiples_of_pi(text: str, bits: int) -> None:
     with mpmath.workdps(230):
         assert encloses((low, high), mpmath.cospi(precise(a)))
     assert -1 <= low <= high <= 1
-    assert (high - low) * 2 ** (bits - 8) <= 1
+    assert (high - low) * Fraction(2) ** (bits - 8) <= 1
 
 
 @derandomised

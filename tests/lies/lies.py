@@ -488,7 +488,7 @@ for name, code, index, symbol in (
 ):
     change = steps(index, symbol)
     change.__name__ = name
-    lie(code, "rewrite-entry")(change)
+    lie(code, "" if index in (-1, 0.0) else "rewrite-entry")(change)  # JSON refuses the number
 
 
 @lie(4, "identity-box")
@@ -588,7 +588,7 @@ def a_degree_too_huge(s, c):
     proof(c, "bernstein")["degree"] = 10**8
 
 
-@lie(4, "bernstein")
+@lie(4, "")
 def a_degree_below_zero(s, c):
     proof(c, "bernstein")["degree"] = -1
 
@@ -1022,7 +1022,7 @@ def a_key_of_an_inner_object_twice(first, second):
     return first, second.replace(b'"root2":', b'"root2": ["1", "2"], "root2":', 1)
 
 
-@raw(4, "proofs")
+@raw(4, "twice")
 def a_key_twice_with_an_escape(first, second):
     return first, second.replace(b'"proofs":', b'"\\u0070roofs": [], "proofs":', 1)
 
@@ -1148,10 +1148,10 @@ def a_text_of_3_mb_as_a_number(first, second):
 
 
 @raw(4, "")
-def a_file_of_10_mb(first, second):
-    return bind(first + b" " * 10_000_000, second)
+def a_file_of_20_mb(first, second):
+    return bind(first + b" " * 20_000_000, second)
 
 
 @raw(4, "")
-def a_certificate_of_10_mb(first, second):
-    return first, second + b"\n" * 10_000_000
+def a_certificate_of_20_mb(first, second):
+    return first, second + b"\n" * 20_000_000

@@ -140,7 +140,8 @@ def value(term: Json, names: dict[str, Any]) -> Any:
         return value(rest[0], names) ** int(rest[1])
     args = [value(arg, names) for arg in rest]
     if op in ("min", "max"):
-        return {"min": min, "max": max}[op](args, key=real)
+        key = None if all(isinstance(arg, Fraction) for arg in args) else real
+        return {"min": min, "max": max}[op](args, key=key)
     if op in ("sqrt", "cos", "cos_pi"):
         return {"sqrt": mpmath.sqrt, "cos": mpmath.cos, "cos_pi": mpmath.cospi}[op](real(args[0]))
     if any(isinstance(arg, mpmath.mpf) for arg in args):

@@ -98,10 +98,11 @@ class Values:
         if difference is None:
             return UNDECIDED
         ball = difference.range
-        strictly = int(ball > 0) - int(ball < 0)
-        weakly = balls.sign(ball)
-        holds, fails = (strictly, weakly) if relation == "<" else (weakly, strictly)
-        return PROVED if holds == 1 else REFUTED if fails == -1 else UNDECIDED
+        if relation == "<":
+            holds, fails = ball > 0, ball <= 0
+        else:
+            holds, fails = ball >= 0, ball < 0
+        return PROVED if holds else REFUTED if fails else UNDECIDED
 
     def ratio(self, row: Slots) -> Ends | None:
         """An enclosure of lhs/rhs on the cell."""

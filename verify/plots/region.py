@@ -155,7 +155,7 @@ def _draw_printed(axis: Any) -> None:
     for step in range(4):
         part = [j for j in cells if refuted_steps(j) and
                 min(3, 4 * (refuted_steps(j) - low) // max(1, high - low + 1)) == step]  # fmt: skip
-        boxes(axis, merged(map(_corners, part)), "refuted-area", 0.4 + 0.2 * step)
+        boxes(axis, merged(map(_corners, part)), "refuted-area", (0.4, 0.6, 0.8, 1)[step])
     frame(axis)
 
 
@@ -166,7 +166,7 @@ def _draw_closing(axis: Any) -> None:
     levels = sorted({_level(judged) for judged in closing})
     for index, level in enumerate(levels):
         part = [judged for judged in closing if _level(judged) == level]
-        opacity = 0.2 + 0.8 * (index + 1) / len(levels)
+        opacity = 1 - 0.8 * (len(levels) - 1 - index) / len(levels)
         boxes(axis, merged(map(_corners, part)), "proved-area", opacity)
     frame(axis)
 

@@ -26,6 +26,7 @@ from verify.program import UndefinedError
 BITS = 64
 
 Side = tuple[Fraction, Fraction]
+Slopes = tuple[Ball, ...]
 
 
 class Slope(NamedTuple):
@@ -33,7 +34,7 @@ class Slope(NamedTuple):
 
     centre: Ball
     range: Ball
-    slopes: tuple[Ball, ...] | None
+    slopes: Slopes | None
 
 
 class SlopeArithmetic:
@@ -75,27 +76,29 @@ class SlopeArithmetic:
             raise UndefinedError(f"no slopes for {name}")
         return self._operations[name]
 
-    def _sharpened(self, centre: Ball, plain: Ball, slopes: tuple[Ball, ...] | None) -> Slope:
-        if not (centre.is_finite() and plain.is_finite()):
-            raise UndefinedError("a value is not finite on this cell")
+    def _sharpened(self, centre: Ball, plain: Ball, slopes: Slopes | None) -> Slope:
         if slopes is None:
             return Slope(centre, plain, None)
         total = centre
         for slope, offset in zip(slopes, self._offsets, strict=True):
             total = total + slope * offset
-        if not total.is_finite():
-            return Slope(centre, plain, None)
         return Slope(centre, plain.intersection(total), slopes)
 
     def _add(self, a: Slope, b: Slope) -> Slope:
-        slopes = None
-        if a.slopes is not None and b.slopes is not None:
+        if a.slopes is None or b.slopes is None:
+            slopes = None
+        elif b.slopes is self._flat:
+            slopes = a.slopes
+        else:
             slopes = tuple([x + y for x, y in zip(a.slopes, b.slopes, strict=True)])
         return self._sharpened(a.centre + b.centre, a.range + b.range, slopes)
 
     def _sub(self, a: Slope, b: Slope) -> Slope:
-        slopes = None
-        if a.slopes is not None and b.slopes is not None:
+        if a.slopes is None or b.slopes is None:
+            slopes = None
+        elif b.slopes is self._flat:
+            slopes = a.slopes
+        else:
             slopes = tuple([x - y for x, y in zip(a.slopes, b.slopes, strict=True)])
         return self._sharpened(a.centre - b.centre, a.range - b.range, slopes)
 
@@ -105,26 +108,35 @@ class SlopeArithmetic:
 
     def _mul(self, a: Slope, b: Slope) -> Slope:
         f, g = a.range, b.range
-        slopes = None
-        if a.slopes is not None and b.slopes is not None:
+        if a.slopes is None or b.slopes is None:
+            slopes = None
+        elif a.slopes is self._flat:
+            slopes = tuple([f * y for y in b.slopes])
+        elif b.slopes is self._flat:
+            slopes = tuple([x * g for x in a.slopes])
+        else:
             slopes = tuple([x * g + f * y for x, y in zip(a.slopes, b.slopes, strict=True)])
         return self._sharpened(a.centre * b.centre, _product(f, g), slopes)
 
     def _div(self, a: Slope, b: Slope) -> Slope:
-        quotient, g = _quotient(a.range, b.range), b.range
-        slopes = None
-        if a.slopes is not None and b.slopes is not None:
+        g = b.range
+        quotient = _finite(_quotient(a.range, g))
+        if a.slopes is None or b.slopes is None:
+            slopes = None
+        elif b.slopes is self._flat:
+            slopes = tuple([x / g for x in a.slopes])
+        else:
             pairs = zip(a.slopes, b.slopes, strict=True)
             slopes = tuple([(x - quotient * y) / g for x, y in pairs])
-        return self._sharpened(a.centre / b.centre, quotient, slopes)
+        return self._sharpened(_finite(a.centre / b.centre), quotient, slopes)
 
     def _sqrt(self, a: Slope) -> Slope:
-        root = a.range.sqrt()
+        root = _finite(a.range.sqrt())
         slopes = None
         if a.slopes is not None and root > 0:
             twice = root + root
             slopes = tuple([x / twice for x in a.slopes])
-        return self._sharpened(a.centre.sqrt(), root, slopes)
+        return self._sharpened(_finite(a.centre.sqrt()), root, slopes)
 
     def _min(self, a: Slope, b: Slope) -> Slope:
         if balls.less_equal(a.range, b.range):
@@ -139,6 +151,13 @@ class SlopeArithmetic:
 
     def _max(self, a: Slope, b: Slope) -> Slope:
         return self._neg(self._min(self._neg(a), self._neg(b)))
+
+
+def _finite(ball: Ball) -> Ball:
+    """The result of an operation that can leave the real numbers; all others stay finite."""
+    if not ball.is_finite():
+        raise UndefinedError("a value is not finite on this cell")
+    return ball
 
 
 def _product(a: Ball, b: Ball) -> Ball:

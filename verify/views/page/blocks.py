@@ -17,6 +17,12 @@ class Text(NamedTuple):
     text: str
 
 
+class Raw(NamedTuple):
+    """What somebody else wrote: its underscores are no subscripts."""
+
+    text: str
+
+
 class Strong(NamedTuple):
     """Words that matter."""
 
@@ -56,7 +62,7 @@ class Link(NamedTuple):
     text: str
 
 
-Inline = Text | Strong | Code | Math | Number | Verdict | Link
+Inline = Text | Raw | Strong | Code | Math | Number | Verdict | Link
 Cell = Sequence[Inline]
 
 

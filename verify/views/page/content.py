@@ -32,6 +32,7 @@ from verify.views.page.blocks import (
     Math,
     Number,
     Paragraph,
+    Raw,
     Source,
     Step,
     Steps,
@@ -394,7 +395,7 @@ def _measurements(material: Material) -> Iterator[Block]:
         yield Paragraph([Text("As measured and committed; made anew by "), Code(command),
                          Text(".")])  # fmt: skip
         for table in tables.values():
-            rows = [[[Text(str(value))] for value in row] for row in table["rows"]]
+            rows = [[[Raw(str(value))] for value in row] for row in table["rows"]]
             yield Table(table["title"], table["columns"], rows, len(rows) > UNFOLDED)
 
 
@@ -440,7 +441,7 @@ def latex(folder: Folder) -> str:
     values = {constant.name: constant for constant in folder.constants}
     for name, constant in values.items():
         group, _, short_name = name.rpartition(".")
-        if group == REPAIRED and f"{PRINTED}.{short_name}" in values:
+        if group == REPAIRED and {short_name, f"{PRINTED}.{short_name}"} & values.keys():
             continue
         repaired = constant if group == REPAIRED else values.get(f"{REPAIRED}.{short_name}")
         first = "" if group == REPAIRED else _tex_number(constant)

@@ -22,6 +22,7 @@ from verify.views.page.blocks import (
     Math,
     Number,
     Paragraph,
+    Raw,
     Source,
     Step,
     Steps,
@@ -184,6 +185,8 @@ def _inline(part: Inline) -> str:
     match part:
         case Text(text):
             return prose(text)
+        case Raw(text):
+            return _powers(escape(text))
         case Strong(text):
             return f"<strong>{prose(text)}</strong>"
         case Code(text):
@@ -203,9 +206,10 @@ def _number(number: Number) -> str:
     shown = _powers(escape(number.short))
     if low == high == number.short:
         return f'<data class="exact" value="{low}">{shown}</data>'
+    value, both = (low, low) if low == high else (f"{low} {high}", f"[{low}, {high}]")
     return (
-        f'<details class="number"><summary><data value="{low} {high}">{shown}</data></summary>'
-        f"<code>[{low}, {high}]</code></details>"
+        f'<details class="number"><summary><data value="{value}">{shown}</data></summary>'
+        f"<code>{both}</code></details>"
     )
 
 

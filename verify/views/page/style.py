@@ -12,7 +12,8 @@ def _colours(scheme: str) -> str:
 STYLE = (
     ":root{color-scheme:light dark;--soft:#f4f5f6;--line:#dfe2e6;--link:#2757a8;"
     + _colours("light")
-    + "}@media screen and (prefers-color-scheme:dark){:root{--soft:#1c2229;--line:#333b44;--link:#9dbcf2;"
+    + "}@media screen and (prefers-color-scheme:dark){"
+    + ":root{--soft:#1c2229;--line:#333b44;--link:#9dbcf2;"
     + _colours("dark")
     + "}}"
     + """
@@ -35,7 +36,8 @@ code{overflow-wrap:anywhere}
 pre{background:var(--soft);border-radius:.4rem;padding:.8rem 1rem;overflow-x:auto;max-width:100%}
 pre code{overflow-wrap:normal;font-size:.85rem}
 sub,sup{line-height:0;font-size:.75em}
-math{font-size:1.05em;font-family:"STIX Two Math","Latin Modern Math","Cambria Math",math,serif}
+math{font-size:1.05em;
+ font-family:"STIX Two Math","Latin Modern Math","Cambria Math",math,serif}
 .claim math,td math{math-style:normal}
 .number:not([open])::details-content{display:none}
 .claim,.repair{overflow-x:auto;overflow-y:hidden}

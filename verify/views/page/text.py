@@ -20,6 +20,7 @@ from verify.views.page.blocks import (
     Math,
     Number,
     Paragraph,
+    Raw,
     Source,
     Step,
     Steps,
@@ -117,7 +118,7 @@ def _cell(content: Cell) -> str:
 
 def _inline(part: Inline) -> str:
     match part:
-        case Text(text):
+        case Text(text) | Raw(text):
             return text
         case Strong(text):
             return f"**{text}**"

@@ -1,0 +1,61 @@
+"""One report, built once, from certificates made here and with coarse plots."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from verify.certify import all_folders
+from verify.files import write_all
+from verify.plots import minimum, region
+from verify.views.page.build import files
+
+TABLE = {
+    "title": "Time and width",
+    "columns": ["bits", "arb: ms", "arb: width", "iv: ms", "iv: width"],
+    "rows": [
+        [53, "1.5", "3.1e-12", "20", "4.0e-12"],
+        [128, 2, "1.0e-35", "25", "2e-35"],
+        [4096, "30", "1.0e-1230", "—", "—"],
+    ],
+}
+BENCH: dict[str, Any] = {"command": "bench", "tables": {"precision": TABLE}}
+
+
+def matplotlib_is_missing() -> bool:
+    try:
+        import matplotlib  # noqa: F401
+    except ImportError:
+        return True
+    return False
+
+
+NEEDS_MATPLOTLIB = pytest.mark.skipif(
+    matplotlib_is_missing(), reason="matplotlib is not installed: pip install '.[report]'"
+)
+
+
+@pytest.fixture(scope="session")
+def coarse() -> Iterator[None]:
+    """Plots of few cells: what is tested does not depend on their size."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(region, "DEPTH", 4)
+        patch.setattr(minimum, "DEPTH", 4)
+        yield
+
+
+@pytest.fixture(scope="session")
+def made(tmp_path_factory: pytest.TempPathFactory, coarse: None) -> Path:
+    """A folder of certificates and measurements with its report, undrawn without matplotlib."""
+    directory = tmp_path_factory.mktemp("certificates")
+    for folder, contents in all_folders():
+        write_all("--directory", str(directory / folder), contents)
+    (directory / "data").mkdir()
+    (directory / "data" / "bench.json").write_text(json.dumps(BENCH), encoding="utf-8")
+    report = files(str(directory), draw=not matplotlib_is_missing(), progress=lambda _: None)
+    write_all("--directory", str(directory), report)
+    return directory

@@ -1,0 +1,84 @@
+"""Formulas as MathML."""
+
+from __future__ import annotations
+
+import re
+import xml.etree.ElementTree as ET
+from fractions import Fraction
+
+import pytest
+
+from verify.mathml import MathML, letter
+from verify.paper.spectrum.theorem import theorem as spectrum
+from verify.paper.theorem1 import theorem
+from verify.terms import Term, as_term, cos_pi, equal, minimum, sqrt, symbol
+
+a, b, c = map(symbol, "abc")
+WRITER = MathML({"eta": r"\overline{\eta}", "phi": r"\varphi^-"})
+
+
+def read(term: Term) -> str:
+    """The letters and signs of a formula in a row, a fraction and a power marked."""
+    text = WRITER.term(term).replace("<mfrac>", "[").replace("</mfrac>", "]")
+    text = text.replace("<msup>", "{").replace("</msup>", "}")
+    return re.sub(r"<[^>]*>", "", text).replace("&#x2062;", "").replace("&#x2061;", "")
+
+
+@pytest.mark.parametrize(
+    ("term", "text"),
+    [
+        (a + b - c, "a+b−c"),
+        (a - (b + c), "a−(b+c)"),
+        (a - (b - c), "a−(b−c)"),
+        (a * (b + c), "a(b+c)"),
+        ((a + b) / (a - b), "[a+ba−b]"),
+        ((a + b) ** 2, "{(a+b)2}"),
+        ((a / b) ** 2, "{([ab])2}"),
+        ((a**2) ** 3, "{({a2})3}"),
+        (-(a + b), "−(a+b)"),
+        (-(0 - a), "−(0−a)"),
+        (a + (-b), "a+(−b)"),
+        (a * (-b), "a(−b)"),
+        (a * (-b * c), "a(−bc)"),
+        (a - as_term(-1), "a−(−1)"),
+        (2 * as_term(3), "2⋅3"),
+        (2 * as_term(3) ** 2, "2⋅{32}"),
+        (2 * a, "2a"),
+        (as_term(Fraction(-3, 4)) ** 2, "{(−[34])2}"),
+        (minimum(a, b + c), "min(a,b+c)"),
+        (sqrt(a - b), "a−b"),
+        (cos_pi(Fraction(5, 6)), "cos([56]π)"),
+        (symbol("phi"), "{φ−}"),
+        (symbol("delta_theta"), "δθ"),
+    ],
+)
+def test_parentheses_and_signs(term: Term, text: str) -> None:
+    assert read(term) == text
+
+
+def test_letters_of_constants() -> None:
+    assert letter(r"|x_0|").startswith("<mo")
+    assert "<mover>" in letter(r"\overline{\eta}")
+    with pytest.raises(ValueError, match="not a letter"):
+        letter(r"\alpha & 1")
+
+
+def test_every_formula_of_the_paper_is_well_formed() -> None:
+    letters = {constant.name: constant.tex for constant in theorem().constants}
+    writer = MathML(letters | {"c": r"(-\cos\theta_0)"})
+    obligations = theorem().obligations + spectrum().obligations
+    assert len(obligations) > 300
+    for row in obligations:
+        text = writer.claim(row.claim).replace("<wbr>", "")
+        ET.fromstring(f"<p>{text}</p>")
+        assert not re.search(r"<mo[^>]*>[+−]</mo>(<mrow>)*<mo>−</mo>", text)
+
+
+def test_lines_can_break_before_each_sign() -> None:
+    text = WRITER.claim(equal(a + b - c, a))
+    assert text.count("<wbr>") == 3
+    assert text.count("<math>") == 4
+
+
+def test_two_minus_signs_never_meet() -> None:
+    assert read(Term("neg", Term("neg", a))) == "−(−a)"

@@ -1,0 +1,326 @@
+"""The page says what the certificates say, and nothing else."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from collections import Counter
+from fractions import Fraction
+from html import unescape
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.report.conftest import NEEDS_MATPLOTLIB, TABLE
+from verify.cli import main
+from verify.cli.report import without_drawings
+from verify.report import NAMES
+from verify.views.page.build import files
+from verify.views.page.html import prose
+
+MAIN = "theorem1-r-3-100"
+VOID = {"meta", "link", "br", "wbr", "img", "hr", "input"}
+#: What a paragraph cannot contain: the parser of a browser closes it there.
+BLOCKS = {"details", "div", "p", "ul", "table", "figure", "article", "section", "dl", "pre", "h3"}
+
+
+class Reader(HTMLParser):
+    """Checks nesting and collects ids, references, and the values of `data`."""
+
+    def __init__(self) -> None:
+        super().__init__(convert_charrefs=True)
+        self.open: list[str] = []
+        self.ids: list[str] = []
+        self.references: list[str] = []
+        self.values: list[str] = []
+        self.tags: Counter[str] = Counter()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags[tag] += 1
+        assert not (tag in BLOCKS and "p" in self.open), f"<{tag}> inside of <p>"
+        for name, value in attrs:
+            if name == "id":
+                self.ids.append(str(value))
+            if name in ("href", "src", "xlink:href"):
+                self.references.append(str(value))
+            if name == "value" and tag == "data":
+                self.values.append(str(value))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.handle_starttag(tag, attrs)
+        if tag not in VOID:
+            self.handle_endtag(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open, f"</{tag}> closes nothing"
+        assert self.open.pop() == tag, f"</{tag}> closes another element"
+
+
+@pytest.fixture(scope="module")
+def page(made: Path) -> str:
+    return (made / "index.html").read_text(encoding="utf-8")
+
+
+@pytest.fixture(scope="module")
+def reader(page: str) -> Reader:
+    result = Reader()
+    result.feed(page)
+    result.close()
+    return result
+
+
+def documents(made: Path, folder: str = MAIN) -> tuple[dict[str, Any], dict[str, Any]]:
+    statement, certificate = (
+        json.loads((made / folder / name).read_text(encoding="utf-8")) for name in NAMES
+    )
+    return statement, certificate
+
+
+def test_the_page_is_well_formed(reader: Reader) -> None:
+    assert reader.open == []
+    assert [name for name, times in Counter(reader.ids).items() if times > 1] == []
+
+
+def test_the_page_needs_nothing_but_itself(page: str, reader: Reader, made: Path) -> None:
+    assert reader.tags["script"] == 0
+    for reference in reader.references:
+        if reference.startswith("#"):
+            assert reference[1:] in reader.ids, reference
+        elif reference != "data:,":
+            assert not re.match(r"[a-z]+:|//", reference), reference
+            assert (made / reference).is_file(), reference
+    addresses = set(re.findall(r"https?://[^\"'<> ]*", page))
+    assert addresses <= {"http://www.w3.org/2000/svg", "http://www.w3.org/1999/xlink"}
+
+
+def test_the_ends_of_the_constants_are_those_of_the_certificate(made: Path, reader: Reader) -> None:
+    _, certificate = documents(made)
+    values = set(reader.values)
+    for name, (low, high) in certificate["enclosures"].items():
+        assert (low if low == high else f"{low} {high}") in values, name
+
+
+def test_both_sides_of_every_row_are_those_of_the_certificate(made: Path, reader: Reader) -> None:
+    statement, certificate = documents(made)
+    values = set(reader.values) | {"0", "1"}
+    for proof in certificate["proofs"]:
+        for side in ("lhs", "rhs"):
+            low, high = proof[side]
+            assert (low if low == high else f"{low} {high}") in values, proof["obligation"]
+    assert len(statement["obligations"]) == len(certificate["proofs"])
+
+
+def test_what_is_shown_is_a_part_of_what_is_certified(page: str) -> None:
+    """Each short decimal is the beginning of both of its ends."""
+    found = re.findall(r'<data value="(\S+) (\S+)">([^…<]*(?:<sup>[^<]*</sup>)?)…', page)
+    assert len(found) > 300
+    for low, high, shown in found:
+        text = re.sub(r"·10<sup>(.*)</sup>", r"e\1", shown).replace("−", "-")
+        value, ends = Fraction(text), [abs(Fraction(low)), abs(Fraction(high))]
+        place = Fraction(1, 10 ** len(text.partition("e")[0].partition(".")[2]))
+        place *= Fraction(10) ** int(text.partition("e")[2] or 0)
+        assert all(abs(value) <= end <= abs(value) + place for end in ends), shown
+
+
+def test_refuted_rows_come_first_each_with_its_repair(made: Path, page: str) -> None:
+    statement, _ = documents(made)
+    refuted = [row for row in statement["obligations"] if row["claim"][0] == "not"]
+    places = [page.index(f'<article id="{row["name"]}">') for row in refuted]
+    assert places == sorted(places)
+    assert places[-1] < page.index("printed steps that hold")
+    for row in refuted:
+        article = page[page.index(f'<article id="{row["name"]}">') :].partition("</article>")[0]
+        assert re.search(r'<b class="verdict proved">proved</b> <code>\S+</code>', article), row
+    assert f"{len(refuted)} of its" in page
+
+
+def test_the_first_screen_has_the_result(page: str) -> None:
+    first = page.partition("<figure")[0]
+    for words in ("The theorem holds with repaired constants", "does not close", "in numbers"):
+        assert words in first
+    assert '<data value="5.2e-7">5.2·10<sup>−7</sup></data>' in first
+
+
+def test_assumptions_and_digests_are_listed(made: Path, page: str) -> None:
+    from hashlib import sha256
+
+    for folder in sorted(path.parent.name for path in made.glob("*/statement.json")):
+        for name in NAMES:
+            assert sha256((made / folder / name).read_bytes()).hexdigest() in page
+    for folder in (MAIN, "spectrum"):
+        statement, _ = documents(made, folder)
+        for assumption in statement["assumptions"]:
+            assert prose(assumption["sentence"]) in page
+
+
+def test_the_measurements_are_shown(made: Path, page: str) -> None:
+    assert TABLE["title"] in page
+    assert 'value="1.0e-1230"' in page
+    assert "plot-speed" in page
+
+
+def test_the_twin_says_the_same(made: Path, page: str) -> None:
+    twin = (made / "index.md").read_text(encoding="utf-8")
+    headings = [unescape(text) for text in re.findall(r"<h2[^>]*>([^<]*)</h2>", page)]
+    assert headings == re.findall(r"^## (.*)$", twin, flags=re.MULTILINE)
+    captions = re.findall(r"<figcaption>(.*?)</figcaption>", page, flags=re.DOTALL)
+    assert len(captions) == twin.count("(The drawing is in `index.html`.)")
+    statement, _ = documents(made)
+    for row in statement["obligations"]:
+        assert row["says"].replace("|", "\\|") in twin
+
+
+def test_the_latex_table_has_the_constants(made: Path) -> None:
+    text = (made / "constants.tex").read_text(encoding="utf-8")
+    assert r"$\overline{\eta}$ & $[0.0001889745,\, 0.00018897451]$ & $5.2\cdot 10^{-7}$" in text
+    statement, _ = documents(made)
+    names = {c["name"].removeprefix("repaired.").removeprefix("printed.")
+             for c in statement["constants"]}  # fmt: skip
+    assert text.count("\\\\\n") == len(names) + 1
+    assert text.count("{") == text.count("}")
+
+
+def test_prose() -> None:
+    assert prose("η_{c,n+1}² < V₁^{1/2}") == "η<sub>c,n+1</sub>² &lt; V₁<sup>1/2</sup>"
+    assert prose("r^(1/3)") == "r<sup>1/3</sup>"
+    assert prose("η_c²") == "η<sub>c</sub>²"
+    assert prose("1e-7") == '<data value="1e-7">10<sup>−7</sup></data>'
+    assert prose("<script>") == "&lt;script&gt;"
+
+
+def test_a_second_build_is_the_same(made: Path) -> None:
+    again = files(str(made), draw=False, progress=lambda _: None)
+    for name, content in again.items():
+        assert without_drawings((made / name).read_bytes()) == without_drawings(content), name
+
+
+@NEEDS_MATPLOTLIB
+def test_a_second_build_is_the_same_to_the_byte(made: Path) -> None:
+    for name, content in files(str(made), draw=True, progress=lambda _: None).items():
+        assert (made / name).read_bytes() == content, name
+
+
+def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
+    code = main(["report", *words])
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+@pytest.fixture
+def copy(made: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(made, tmp_path / "certificates"))
+
+
+def test_compare_accepts_and_writes_nothing(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    before = {path: path.read_bytes() for path in copy.rglob("*") if path.is_file()}
+    code, out, err = run(capsys, "--compare", "--directory", str(copy))
+    assert (code, err) == (0, "")
+    assert out.count("same") == 3
+    assert before == {path: path.read_bytes() for path in copy.rglob("*") if path.is_file()}
+
+
+@pytest.mark.parametrize("name", ["index.html", "index.md", "constants.tex"])
+def test_compare_sees_one_digit(copy: Path, capsys: pytest.CaptureFixture[str], name: str) -> None:
+    text = (copy / name).read_text(encoding="utf-8")
+    assert "0.000637" in text
+    (copy / name).write_text(text.replace("0.000637", "0.000638", 1), encoding="utf-8")
+    code, out, _ = run(capsys, "--compare", "--directory", str(copy))
+    assert code == 1
+    assert "DIFFERS" in out
+
+
+def test_compare_sees_a_caption_but_no_path(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    page = copy / "index.html"
+    text = page.read_text(encoding="utf-8")
+    figure = text.index("<figcaption>")
+    changed = re.sub(r"[0-9]{2,}", "7", text[figure:], count=1)
+    page.write_text(text[:figure] + changed, encoding="utf-8")
+    assert run(capsys, "--compare", "--directory", str(copy))[0] == 1
+    page.write_text(re.sub(r"<svg .*?</svg>\n", "", text, flags=re.DOTALL), encoding="utf-8")
+    assert run(capsys, "--compare", "--directory", str(copy))[0] == 0
+
+
+def test_compare_without_a_page(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (copy / "index.md").unlink()
+    code, _, err = run(capsys, "--compare", "--directory", str(copy))
+    assert code == 2
+    assert "index.md" in err
+
+
+def test_a_certificate_that_the_checker_refuses_is_not_shown(
+    copy: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = copy / MAIN / "certificate.json"
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace("0.36", "0.37").replace('"bits": 128', '"bits": 2', 1))
+    (copy / MAIN / "statement.json").write_text("{}", encoding="utf-8")
+    before = (copy / "index.html").read_bytes()
+    code, out, err = run(capsys, "--directory", str(copy))
+    assert code in (1, 4)
+    assert out == ""
+    assert err.startswith("verify: ")
+    assert MAIN in err
+    assert (copy / "index.html").read_bytes() == before
+
+
+def test_a_weaker_statement_is_not_shown(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """It checks, but it is not the one that the program makes from its parameters."""
+    from verify.wire import encode
+
+    statement, certificate = documents(copy)
+    name = statement["obligations"].pop()["name"]
+    certificate["proofs"] = [p for p in certificate["proofs"] if p["obligation"] != name]
+    first = encode(statement)
+    from hashlib import sha256
+
+    certificate["statement_sha256"] = sha256(first).hexdigest()
+    (copy / MAIN / NAMES[0]).write_bytes(first)
+    (copy / MAIN / NAMES[1]).write_bytes(encode(certificate))
+    code, _, err = run(capsys, "--directory", str(copy))
+    assert code == 1
+    assert "not the one that the program makes" in err
+
+
+@pytest.mark.parametrize(
+    "content",
+    ["", "[]", "{}", '{"tables": {"a": {"title": "t", "columns": ["x"], "rows": [[1, 2]]}}}',
+     '{"tables": {"a": {"columns": [], "rows": []}}}'],
+)  # fmt: skip
+def test_unusable_measurements(
+    copy: Path, capsys: pytest.CaptureFixture[str], content: str
+) -> None:
+    (copy / "data" / "bench.json").write_text(content, encoding="utf-8")
+    code, _, err = run(capsys, "--compare", "--directory", str(copy))
+    assert code == 2
+    assert "bench.json" in err
+    assert err.count("\n") == 1
+
+
+def test_absent_measurements_and_spectrum_are_no_error(made: Path, tmp_path: Path) -> None:
+    shutil.copytree(made / MAIN, tmp_path / MAIN)
+    pages = files(str(tmp_path), draw=False, progress=lambda _: None)
+    reader = Reader()
+    reader.feed(pages["index.html"].decode())
+    assert "spectrum" not in reader.ids
+    assert "plot-speed" not in reader.ids
+    assert reader.open == []
+
+
+@pytest.mark.parametrize("kind", ["missing", "empty", "file"])
+def test_a_directory_without_certificates(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], kind: str
+) -> None:
+    path = tmp_path / "x"
+    if kind == "empty":
+        path.mkdir()
+    elif kind == "file":
+        path.write_text("")
+    code, out, err = run(capsys, "--directory", str(path))
+    assert (code, out) == (2, "")
+    assert err.startswith("verify: --directory")
+    assert err.count("\n") == 1

@@ -1,0 +1,132 @@
+"""The figures: what their captions and tables say, and how they are drawn."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from fractions import Fraction
+from itertools import pairwise
+
+import pytest
+
+from tests.report.conftest import NEEDS_MATPLOTLIB, TABLE
+from verify import balls
+from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
+from verify.paper.spectrum.printed import Printed
+from verify.plots import figures, margins, minimum, region, roots, speed
+from verify.plots.drawing import COLOURS, SCHEMES, Panel, merged, standalone, svg
+from verify.program import ExactArithmetic, Machine, Program
+from verify.prover import PROVED, REFUTED
+from verify.statement import PRINTED, REPAIRED
+from verify.terms import as_term
+
+pytestmark = pytest.mark.usefixtures("coarse")
+
+
+def test_every_cell_of_the_maps_is_accounted_for() -> None:
+    for cells in (region.printed_cells(), region.repaired_cells()):
+        for judged in cells:
+            (left, right), (low, high) = judged.cell
+            assert left < right
+            assert low < high
+        assert len({judged.cell for judged in cells}) == len(cells)
+
+
+def test_captions_count_what_is_drawn() -> None:
+    caption = region.picture().caption
+    closing = [judged for judged in region.repaired_cells() if region.closes(judged)]
+    assert f"on {len(closing)} of {len(region.repaired_cells())} cells" in caption
+    assert all(REFUTED not in judged.verdicts.values() for judged in region.repaired_cells())
+
+
+def test_the_printed_proof_fails_wherever_it_is_decided() -> None:
+    inside = [j for j in region.printed_cells() if j.admissible == PROVED]
+    assert inside
+    assert all(region.refuted_steps(judged) for judged in inside)
+
+
+def test_margins_are_on_the_right_side() -> None:
+    refuted, others = margins.printed_rows()
+    assert len(refuted) > 10
+    assert all(row.verdicts.isdisjoint({REFUTED}) for row in others)
+    for row in margins.ratios(REPAIRED, margins.SHARE):
+        assert REFUTED not in row.verdicts
+        assert all(low <= 1 for _, (low, _) in row.ratios)
+    cuts = margins.intervals()
+    assert all(left[1] == right[0] for left, right in pairwise(cuts))
+    assert 0 < cuts[0][0] < cuts[-1][1] < margins.END
+
+
+def test_the_least_entry_is_the_least() -> None:
+    for group in (PRINTED, REPAIRED):
+        assert {index for _, index in minimum.least_entries(group)} <= {None, 2}
+
+
+def test_the_roots_are_roots() -> None:
+    """At a rational m: Q(-m^3) = 0, and Q(λ) = (λ+m^3)((λ-x)^2+w)."""
+    program = Program(())
+    value = as_term(Fraction(3, 7))
+    program.define("m", value)
+    run = Machine(program, ExactArithmetic()).run(())
+    r, x, w = run[r_of_m], run[real_part], run[imaginary_square]
+    q = Printed().q
+    for point in (Fraction(-27, 343), Fraction(2), Fraction(-1, 3)):
+        expected = (point + Fraction(27, 343)) * ((point - x) ** 2 + w)
+        assert run[q(as_term(point), as_term(r))] == expected
+    cell = next(c for c in roots.roots() if c.side[0] <= Fraction(3, 7) < c.side[1])
+    assert cell.r[0] <= r <= cell.r[1]
+    assert cell.re[0] <= x <= cell.re[1]
+    assert cell.im[0] ** 2 <= w <= cell.im[1] ** 2
+    assert cell.real[0] <= Fraction(-27, 343) <= cell.real[1]
+
+
+def test_speed_takes_any_engines_and_skips_what_was_not_measured() -> None:
+    points = speed.points(TABLE)
+    assert {engine: len(runs) for engine, runs in points.items()} == {"arb": 3, "iv": 2}
+    assert speed.figure({"title": "", "columns": ["bits"], "rows": [[1]]}) is None
+    found = speed.figure(TABLE)
+    assert found is not None
+    assert "Each of the 5 points" in found.caption
+
+
+def test_neighbours_are_merged_into_the_same_area() -> None:
+    zero, one, two, three = map(Fraction, range(4))
+    cells = [(zero, one, zero, one), (one, two, zero, one), (zero, two, one, two),
+             (two, three, zero, one)]  # fmt: skip
+    boxes = list(merged(cells))
+    assert sum((b - a) * (d - c) for a, b, c, d in boxes) == 5
+    assert len(boxes) < len(cells)
+
+
+def test_both_schemes_have_all_colours() -> None:
+    assert set(SCHEMES["light"]) == set(SCHEMES["dark"]) == set(COLOURS)
+
+
+@NEEDS_MATPLOTLIB
+def test_drawings_are_well_formed_and_take_their_colours_from_the_page() -> None:
+    for figure in figures(TABLE):
+        for index, panel in enumerate(figure.panels):
+            text = svg(f"f{index}", [panel], "a plot")
+            ET.fromstring(text)
+            assert "#0102" not in text
+            assert "var(--ink)" in text
+            assert "<text" in text
+
+
+@NEEDS_MATPLOTLIB
+def test_a_picture_that_stands_alone_brings_its_colours() -> None:
+    def draw(axis: object) -> None:
+        axis.plot([0, 1], [0, 1], color=COLOURS["ink"])  # type: ignore[attr-defined]
+
+    text = standalone(svg("picture", [Panel("", draw)], "a line"))
+    ET.fromstring(text)
+    assert "prefers-color-scheme:dark" in text
+    assert f"--ink:{SCHEMES['light']['ink']}" in text
+
+
+def test_precision_is_left_as_it_was() -> None:
+    from flint import ctx
+
+    before = ctx.prec
+    region.thresholds(8)
+    assert ctx.prec == before
+    assert balls.precision is not None

@@ -544,11 +544,11 @@ def parse(where: str, data: bytes, shape: dict[str, Any]) -> Any:
         return int(text)
 
     need(len(data) <= MAX_BYTES, Malformed, "{}: found more than {} bytes", where, MAX_BYTES)
-    others = bytes(set(range(256)) - set(b'[]{}"'))
-    flat = re.sub(rb"\\.", b"", data, flags=re.DOTALL).translate(None, others)
+    table, others = bytes.maketrans(b"{}", b"[]"), bytes(set(range(256)) - set(b'[]{}"'))
+    flat = re.sub(rb"\\.", b"", data, flags=re.DOTALL).translate(table, others)
     flat = re.sub(rb'"[^"]*"', b"", flat.replace(b'""', b""))
     for _ in range(MAX_NESTING):
-        flat = flat.replace(b"[]", b"").replace(b"{}", b"")
+        flat = flat.replace(b"[]", b"")
     message = "{}: found brackets without partner, or more than {} inside each other"
     need(not flat, Malformed, message, where, MAX_NESTING)
     hooks: Any = {"parse_int": number, "parse_float": number, "parse_constant": number}

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 from verify.files import read_bytes
 from verify.inputs import InputError, rational
+from verify.paper.parameters import THEOREM
 from verify.paper.spectrum import theorem as spectrum
 from verify.paper.theorem1 import theorem
 from verify.prover import Ends
@@ -140,6 +141,11 @@ def read(directory: str) -> Material:
             measurements[name] = _tables(path, content)
             digests[f"data/{name}.json"] = sha256(content).hexdigest()
     folders = tuple(_folder(directory, name) for name in names)
+    if not any(folder.theorem == THEOREM for folder in folders):
+        raise InputError(
+            f"--directory: {directory!r} has no certificate of {THEOREM}; make it with "
+            f"verify certify"
+        )
     return Material(folders, measurements, digests)
 
 

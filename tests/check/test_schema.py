@@ -1,4 +1,4 @@
-"""The JSON Schemas: valid, strict everywhere, true of every certificate, and as strict as the checker."""
+"""The JSON Schemas: valid, strict, true of every certificate, and as strict as the checker."""
 
 from __future__ import annotations
 
@@ -71,9 +71,9 @@ VALUES = [None, True, 0, 7, -1, 10**6, "", "x", "1/2", "1/0", [], ["x"], {}, {"x
 def paths(value: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
     if path:
         yield path
-    pairs = value.items() if isinstance(value, dict) else enumerate(value)
-    for key, inner in pairs if isinstance(value, dict | list) else ():
-        yield from paths(inner, (*path, key))
+    if isinstance(value, dict | list):
+        for key, inner in value.items() if isinstance(value, dict) else enumerate(value):
+            yield from paths(inner, (*path, key))
 
 
 def edited(document: Any, path: tuple[Any, ...], value: Any) -> Any:

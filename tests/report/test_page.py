@@ -166,6 +166,7 @@ def test_the_measurements_are_shown(made: Path, page: str) -> None:
 
 def test_the_twin_says_the_same(made: Path, page: str) -> None:
     twin = (made / "index.md").read_text(encoding="utf-8")
+    assert not re.search(r"\*\* *[a-z ]+ \*\*", twin)
     headings = [unescape(text) for text in re.findall(r"<h2[^>]*>([^<]*)</h2>", page)]
     assert headings == re.findall(r"^## (.*)$", twin, flags=re.MULTILINE)
     captions = re.findall(r"<figcaption>(.*?)</figcaption>", page, flags=re.DOTALL)
@@ -311,11 +312,13 @@ def test_absent_measurements_and_spectrum_are_no_error(made: Path, tmp_path: Pat
     assert reader.open == []
 
 
-@pytest.mark.parametrize("kind", ["missing", "empty", "file"])
+@pytest.mark.parametrize("kind", ["missing", "empty", "file", "spectrum alone"])
 def test_a_directory_without_certificates(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], kind: str
+    made: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], kind: str
 ) -> None:
     path = tmp_path / "x"
+    if kind == "spectrum alone":
+        shutil.copytree(made / "spectrum", path / "spectrum")
     if kind == "empty":
         path.mkdir()
     elif kind == "file":

@@ -19,7 +19,7 @@ from verify.prover import PROVED, REFUTED, UNDECIDED
 from verify.statement import PRINTED, REPAIRED
 from verify.terms import Term
 
-DEPTH = 7
+DEPTH = 6
 
 #: The colour of each entry; the third one is the usual answer.
 SHADES = ("series-2", "series-4", "proved-area", "series-1", "series-6", "series-7", "series-5")

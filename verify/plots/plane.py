@@ -15,9 +15,10 @@ from typing import NamedTuple
 from verify import balls
 from verify.paper.hypotheses import hypotheses
 from verify.plots.constructions import as_formulas, definitions
-from verify.plots.field import Cell, Field, Slots, bisected
+from verify.plots.field import Cell, Field, Slots, Values, bisected
 from verify.plots.slopes import BITS, Side
 from verify.prover import PROVED, REFUTED, UNDECIDED, Ends
+from verify.statement import REPAIRED
 from verify.terms import Claim, symbol
 
 #: Just beyond (3-√5)/2 = 0.38196…, the cube root of r_stabi = 9-4√5.
@@ -25,7 +26,6 @@ WIDTH = Fraction(49, 128)
 
 INPUTS = ("s", "c")
 CUBE = ("r", symbol("s") ** 3)
-
 
 #: All of them: r up to just beyond r_stabi, any angle.
 PLANE: Cell = ((Fraction(0), WIDTH), (Fraction(0), Fraction(1)))
@@ -38,8 +38,8 @@ class Judged(NamedTuple):
     """A cell where the hypothesis ``stability`` was ``proved``, or left ``undecided``.
 
     ``verdicts`` has a verdict for each row, for all points of the cell at once, and ``size`` an
-    enclosure of eta_bar (None where there is none); ``weight`` is the cell's area in the plane
-    as drawn, in units of the smallest cell.
+    enclosure of the repaired eta_bar, where all wanted rows are decided; ``weight`` is the cell's
+    area in the plane as drawn, in units of the smallest cell.
     """
 
     cell: Cell
@@ -71,16 +71,20 @@ def judge(
     slots = field.slots(claims)
     gate = field.slots({"stability": stability()})["stability"]
     asked = set(wanted)
+    eta_bar = symbol(f"{group}.eta_bar")
     found: list[Judged] = []
     todo = [Judged(PLANE, UNDECIDED, {}, None, 4**depth)]
     with balls.precision(BITS):
         while todo:
-            now = _judged(field, gate, slots, todo.pop())
+            before = todo.pop()
+            values = field.on(before.cell)
+            now = _judged(values, gate, slots, before)
             if now.admissible == REFUTED:
                 continue
             clear = now.admissible == PROVED and UNDECIDED not in map(now.verdicts.get, asked)
             if clear or now.weight == 1:
-                found.append(now._replace(size=_size(field, group, now)))
+                size = values[eta_bar] if group == REPAIRED and clear else None
+                found.append(now._replace(size=None if size is None else balls.ends(size.range)))
                 continue
             for half in bisected(now.cell, 0):
                 quarters = bisected(half, 1)
@@ -88,9 +92,8 @@ def judge(
     return sorted(found, key=lambda judged: judged.cell)
 
 
-def _judged(field: Field, gate: Slots, slots: Mapping[str, Slots], before: Judged) -> Judged:
+def _judged(values: Values, gate: Slots, slots: Mapping[str, Slots], before: Judged) -> Judged:
     """What is undecided so far, asked on the cell; the rest is known from a larger cell."""
-    values = field.on(before.cell)
     admissible = before.admissible
     if admissible == UNDECIDED:
         admissible = values.judge(gate)
@@ -100,13 +103,6 @@ def _judged(field: Field, gate: Slots, slots: Mapping[str, Slots], before: Judge
             if verdicts.get(name, UNDECIDED) == UNDECIDED:
                 verdicts[name] = values.judge(slot)
     return before._replace(admissible=admissible, verdicts=verdicts)
-
-
-def _size(field: Field, group: str, judged: Judged) -> Ends | None:
-    if judged.admissible != PROVED:
-        return None
-    slope = field.on(judged.cell)[symbol(f"{group}.eta_bar")]
-    return None if slope is None else balls.ends(slope.range)
 
 
 @cache

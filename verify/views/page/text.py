@@ -121,7 +121,7 @@ def _inline(part: Inline) -> str:
         case Text(text) | Raw(text):
             return text
         case Strong(text):
-            return f"**{text}**"
+            return f"**{text.rstrip()}**{' ' if text.endswith(' ') else ''}"
         case Code(text):
             return f"`{text}`"
         case Math(_, text):

@@ -445,9 +445,9 @@ class Terms:
                     factor = {(): Fraction(low.denominator, low.numerator) if atom % 2 else low}
                 part = scope.times(part, factor)
             total = plus(total, part, 1)
-        least = min(total.values(), default=0)
+        least = Fraction(min(total.values(), default=0))
         positive = least >= 0 and (total or goal.relation == "<=")
-        need(positive, Refused, "found {} as the least coefficient of {}", least, len(total))
+        need(positive, Refused, "found {} as the least coefficient", (least, least))
 
     def cuts(self, goal: Goal, proof: dict[str, Any]) -> None:
         """Enclosures decide between neighbouring cuts, which lead from end to end of intervals."""

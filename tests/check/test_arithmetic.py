@@ -163,8 +163,9 @@ def test_cosine_of_intervals(first: tuple, bits: int) -> None:
 
 @pytest.mark.parametrize("text", ["8.0001", "-8.0001", "100", "1e4000"])
 def test_cosine_of_a_large_argument_is_an_error(text: str) -> None:
-    with pytest.raises(Refused, match="beyond 8"):
-        result(64, "cos", (Fraction(text), Fraction(text)))
+    for ends in ((text, text), (min(text, "0"), max(text, "0"))):
+        with pytest.raises(Refused, match=r"^found a cosine of .*, which reaches beyond 8"):
+            result(64, "cos", (Fraction(ends[0]), Fraction(ends[1])))
 
 
 @pytest.mark.parametrize("bits", [2, 30, 64, 128, 400])
@@ -179,6 +180,16 @@ def test_cosine_of_multiples_of_pi(text: str, bits: int) -> None:
         assert encloses((low, high), mpmath.cospi(precise(a)))
     assert -1 <= low <= high <= 1
     assert (high - low) * Fraction(2) ** (bits - 8) <= 1
+
+
+@pytest.mark.parametrize("bits", [2, 10, 64, 1000])
+def test_pi(bits: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Scope, "cos", lambda _, x: x)
+    low, high = scope(bits).cos_pi((Fraction(1), Fraction(1)))
+    with mpmath.workdps(400):
+        assert precise(low) < mpmath.pi < precise(high)
+    assert (high - low) * Fraction(2) ** (bits + 16) <= 1
+    assert scope(bits).cos_pi((Fraction(7), Fraction(7))) == (low, high)
 
 
 @derandomised
@@ -214,6 +225,8 @@ def test_rounded_numbers_are_short(a: Fraction, bits: int) -> None:
 
 def test_short_numbers_are_not_rounded() -> None:
     a = Fraction(2**63 - 1, 2**63 + 1)
+    assert scope(64).outward((a, a)) == (a, a)
+    a = Fraction(2**64 - 1, 2**63 + 1)
     assert scope(64).outward((a, a)) == (a, a)
     b = Fraction(2**64 + 1, 2**64 - 1)
     assert scope(64).outward((b, b)) != (b, b)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import copy
+import io
 import json
+import os
 import sys
 from collections.abc import Callable
 from hashlib import sha256
@@ -209,6 +211,7 @@ CLAIM = ("obligations", 0, "claim")
         (put("constants", 0, "term", value=["pow", "2", "1000"]), "1: found 1000, expected"),
         (put("constants", 0, "term", value=["pow", "2", 2]), "1: found 2, expected [1-9]"),
         (put("constants", 0, "term", value=["pow", "2", "r"]), "1: found r, expected [1-9]"),
+        (put("constants", 0, "term", value=["pow", "x", "2"]), "constant a: found x, expected"),
         (put("constants", 0, "term", value="1/0"), "constant a: found 1/0, expected -?(0|"),
         (put("constants", 0, "term", value="01"), "constant a: found 01, expected -?(0|"),
         (put("constants", 0, "term", value="1_0"), "constant a: found 1_0, expected -?(0|"),
@@ -449,9 +452,20 @@ def test_unusable_command_lines(words: list[str], capsys: pytest.CaptureFixture[
 def test_too_long_a_file_is_not_read_whole(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    monkeypatch.setattr(check, "MAX_BYTES", len(bind(*pair())[0]))
+    assert check.main([write(tmp_path, bind(*pair()))]) == 0
+    monkeypatch.setattr(check, "MAX_BYTES", len(bind(*pair())[0]) - 1)
+    assert check.main([write(tmp_path, bind(*pair()))]) == 4
+    assert "malformed: statement: found more than" in capsys.readouterr().out
+    first, second = bind(*pair())
+    monkeypatch.setattr(check, "MAX_BYTES", len(first))
+    assert check.main([write(tmp_path, (first, second + b" " * len(first)))]) == 4
+    assert "malformed: certificate: found more than" in capsys.readouterr().out
+    seen: list[int] = []
     monkeypatch.setattr(check, "MAX_BYTES", 1000)
-    assert check.main([write(tmp_path, (b" " * 5000, b"{}"))]) == 4
-    assert "found more than 1000 bytes" in capsys.readouterr().out
+    monkeypatch.setattr(check, "check", lambda *files: (seen.extend(map(len, files)), [""]))
+    check.main([write(tmp_path, (b" " * 5000, b" " * 5000))])
+    assert seen == [1001, 1001]
 
 
 def test_texts_cannot_forge_lines(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -481,6 +495,39 @@ def test_output_in_any_encoding(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
         assert expected in path.read_bytes()
 
 
+def test_output_without_encoding(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    statement, certificate = pair()
+    statement["assumptions"][0]["sentence"] = "0 < η"
+    out = io.StringIO()
+    monkeypatch.setattr(sys, "stdout", out)
+    assert check.main([write(tmp_path, bind(statement, certificate))]) == 0
+    assert r"0 < \u03b7" in out.getvalue()
+
+
+class ClosedPipe(io.StringIO):
+    """A standard output whose reader has left, over a real file."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__()
+        self.number = number
+
+    def fileno(self) -> int:
+        return self.number
+
+    def flush(self) -> None:
+        raise BrokenPipeError
+
+
+def test_a_reader_may_leave(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder = write(tmp_path, bind(*pair()))
+    with (tmp_path / "out").open("w") as file:
+        monkeypatch.setattr(sys, "stdout", ClosedPipe(file.fileno()))
+        assert check.main([folder]) == 0
+        monkeypatch.undo()
+        os.write(file.fileno(), b"lost")
+    assert (tmp_path / "out").read_bytes() == b""
+
+
 def test_an_interrupt_is_quiet(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -497,6 +544,28 @@ def test_the_budget_is_one_for_all(monkeypatch: pytest.MonkeyPatch) -> None:
     lines = report()
     assert [line.split(":")[0] for line in lines if line.startswith("REFUSED")]
     assert lines[-1] == "NOT PROVED"
+
+
+def test_polynomials_cost_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a product costs grows with its terms, with their lengths and with their numbers."""
+    costs = []
+    for base, n in (("x", 2), ("x", 100), (["add", "x", "1"], 30), (["mul", "9" * 1000, "x"], 30)):
+        terms = check.Terms()
+        terms.define("x")
+        terms.scope(64, {}).expand(terms.read("term", ["pow", base, str(n)]))
+        costs.append(check.MAX_WORK - terms.work)
+    assert costs[0] < 200
+    assert 20 * 1000 < costs[1] < 60 * 1000
+    assert 20 * 1000 < costs[2] < 200 * 1000
+    assert costs[3] > 5 * costs[1]
+    monkeypatch.setattr(check, "MAX_WORK", 10_000)
+    edit = put("obligations", 1, "claim", value=["=", ["pow", ["add", "x", "1"], "99"], "x"])
+
+    def both(statement: Document, certificate: Document) -> None:
+        edit(statement, certificate)
+        certificate["proofs"][1] |= {"rule": "rewrite", "steps": [], "closing": "identity"}
+
+    assert "found too much work" in report(both)[1]
 
 
 @pytest.mark.parametrize(

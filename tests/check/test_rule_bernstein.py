@@ -68,6 +68,20 @@ def test_negative_ends() -> None:
     assert not holds(["<", "0", ["pow", "x", "3"]], 3, {"x": ["-5", "0"]})
 
 
+@pytest.mark.parametrize(("bound", "good"), [("119/100", True), ("121/100", False)])
+def test_coefficients_keep_their_size(bound: str, good: bool) -> None:
+    """x/a + b x^2 - 3/2 is at most 3 + 1/5 - 2 = 6/5, and at least 6/5 at x = 1."""
+    constants = {"zero": "0", "a": "1/3", "b": ["div", "1", "5"], "c": ["div", "2", "1"]}
+    sum_ = ["add", ["div", "x", "a"], ["mul", "b", ["pow", "x", "2"]]]
+    claim = ["<=", bound, ["sub", sum_, "c"]]
+    assert holds(claim, 2, {"x": ["1", "2"]}, constants=constants) is good
+    other = ["<=", ["sub", sum_, "c"], ["neg", ["sub", "0", "6/5"]]]
+    assert holds(other, 2, constants=constants)
+    assert holds(other, 3, {"x": ["-1", "1"]}, constants=constants)
+    assert not holds(other, 2, {"x": ["0", "101/100"]}, constants=constants)
+    assert not holds(other, 1, constants=constants)
+
+
 def test_constants_of_rational_value() -> None:
     constants = {"a": "1/3", "b": ["sqrt", ["mul", "a", "3/4"]]}
     claim = ["<=", "0", ["add", ["mul", "b", "x"], ["div", "x", "a"]]]

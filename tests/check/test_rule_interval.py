@@ -124,6 +124,13 @@ def test_enclosures_belong_to_the_sides_as_they_are_written() -> None:
     assert not proves(claim, "interval", lhs=one, rhs=two)
 
 
+def test_wide_enclosures_overlap_with_close_ones() -> None:
+    close = ["1.4142135623730950488", "1.4142135623730950489"]
+    assert proves(["<", SQRT_2, "3"], "interval", bits=2, lhs=close, rhs=["3", "3"])
+    assert proves(["<", SQRT_2, "3"], "interval", bits=2, lhs=["1", close[1]], rhs=["3", "9"])
+    assert proves(["<", SQRT_2, "3"], "interval", bits=2, lhs=[close[0], "2"], rhs=["-1", "3"])
+
+
 def test_tiny_and_huge_numbers() -> None:
     tiny, huge = "1/1" + "0" * 4000, "1" + "0" * 4000
     assert proves(["<", ["mul", tiny, tiny], tiny], "interval")

@@ -182,6 +182,8 @@ def test_only_constants_have_definitions(name: str) -> None:
         (["<=", ["max", "low", "1/9"], ["max", "b", "1/9"]], ["low", 0], True),
         (["<=", ["sub", "low", "low"], ["sub", "b", "b"]], ["low", 0], False),
         (["<=", ["cos", "b"], ["cos", "low"]], ["low", 0], False),
+        (["<=", ["cos", "low"], ["cos", "b"]], ["low", 0], False),
+        (["<=", ["cos_pi", "low"], ["cos_pi", "b"]], ["low", 0], False),
         (["<=", ["mul", "low", ["sub", "low", "b"]], "0"], ["low", 0], False),
         (["<=", ["mul", "low", ["sub", "low", "1/9"]], ["mul", "b", ["sub", "b", "1/9"]]],
          ["low", 0], True),
@@ -224,9 +226,15 @@ def test_another_constant_keeps_its_value() -> None:
     assert not rewrites(["<=", "low", ["sub", "5/2", "k"]], [["low", 1], ["k", None]], "identity",
                         constants=constants)  # fmt: skip
 
+    assert rewrites(["<=", "low", ["add", "3/2", "k"]], [["low", 1]], "interval",
+                    constants=constants)  # fmt: skip
+
 
 def test_entries_under_variables() -> None:
     constants, unit = {"low": ["min", "1/4", "2"]}, {"x": ["0", "1"]}
+    for ends, good in ((["-1", "0"], True), (["-1", "1"], False), (["-1", "1/9"], False)):
+        claim = ["<=", ["mul", "x", "2"], ["mul", "x", "low"]]
+        assert rewrites(claim, [["low", 1]], constants=constants, variables={"x": ends}) is good
     assert rewrites(["<=", ["mul", "x", "low"], ["mul", "x", "2"]], [["low", 1]],
                     constants=constants, variables=unit)  # fmt: skip
     sign = {"x": ["-1", "1"]}

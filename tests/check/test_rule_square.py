@@ -52,6 +52,8 @@ def test_variables() -> None:
     assert squares(claim, INTERVAL, variables=unit)
     assert not squares(claim, INTERVAL, variables={"x": ["0", "2"]})
     assert not squares(["<=", "x", "1"], INTERVAL, variables={"x": ["-3", "1"]})
+    assert not squares(["<=", "x", "2"], INTERVAL, variables={"x": ["-1", "1"]})
+    assert squares(["<=", "x", "2"], INTERVAL, variables={"x": ["0", "1"]})
 
 
 def test_nesting() -> None:

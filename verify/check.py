@@ -1,18 +1,18 @@
-"""Check that a certificate proves a statement. This file is all that has to be trusted.
+"""Check that certificates prove their statements. This file is all that has to be trusted.
 
-    python3 -I verify/check.py FOLDER                     (statement.json and certificate.json)
+    python3 -I verify/check.py FOLDER [FOLDER ...]        (statement.json and certificate.json)
     python3 -I verify/check.py STATEMENT CERTIFICATE
 
 Believed are Python's integers, ``fractions``, ``json``, ``re``, ``hashlib``, and these lines; not
-the certificate. ``verify/wire.py`` describes both files. An obligation without variables claims
-that its two sides are defined as real numbers and stand in the relation; one with variables claims
-that for all values in their open intervals, and its negation claims one point there where both
-sides are defined and the relation fails. Every rule establishes this or raises `Refused`; what is
-not in the format raises `Malformed`. Nothing is searched for, there is no floating point, and
-sizes are bounded, so that checking ends.
+the certificate. ``certificates/README.md`` describes both files. As in the kernels of HOL, a fact
+can only be made by a rule, from facts. A fact says: for all real values of the variables in scope
+that satisfy the givens in scope, both sides are defined and stand in the relation. Each rule
+establishes this, for the reason that its docstring gives, or raises `Refused`; what is not in the
+format, or asks for too much work, raises `Malformed`. Nothing is searched for, there is no
+floating point, and no tolerance.
 
-Exit codes: 0 all is proved and no needed row is a negation; 1 something is not proved; 2 unusable
-command line; 4 a file is malformed, or the two do not belong together.
+Exit codes: 0 all is proved; 1 a needed row is refuted, or a proof is refused; 2 a file cannot be
+read; 4 a file is malformed, or the two do not belong together.
 """
 
 from __future__ import annotations
@@ -22,65 +22,148 @@ import json
 import os
 import re
 import sys
-from collections import namedtuple
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from hashlib import sha256
-from itertools import pairwise, product, zip_longest
+from itertools import pairwise
 from math import isqrt
+from typing import Any, NamedTuple
 
-TYPE_CHECKING = False  # a type checker takes it for True
-if TYPE_CHECKING:
-    from typing import Any
-
-MAX_BYTES, MAX_NESTING = 1 << 24, 100  # of a file
-MAX_HEIGHT = 200  # of a term, with the definitions of its symbols
-MAX_BITS, MAX_SIZE = 1 << 16, 1 << 18  # of precision; of a numerator with its denominator
-MAX_WORK = 10_000_000  # about the number of microseconds
-
-# The signature. A shape is a pattern for a text, a range for an integer, a dict for an object with
-# just these keys (ANY: with any keys), a list for a list of any length, a tuple for one of this
-# length, a set for null or what is in the set, None for a value that is looked at later.
-ANY, TEXT, NAME = "any", "(?s).*", "[A-Za-z][A-Za-z0-9_.-]{0,99}"
-RATIONAL = "-?(0|[1-9][0-9]{0,4299})(/[1-9][0-9]{0,4299})?"  # int() reads at most 4300 digits
-DECIMAL = r"-?(0|[1-9][0-9]{0,99})(\.[0-9]{1,99})?(e-?[0-9]{1,5})?"
-PAIR = (DECIMAL, DECIMAL)
-ROW: dict[str, Any] = {"name": NAME, "label": TEXT, "role": "needed|printed", "says": TEXT}
-ROW |= {"claim": None, "uses": [NAME], "variables": {ANY: ({RATIONAL}, {RATIONAL})}}
-STATEMENT: dict[str, Any] = {"format": "verify-statement/1", "theorem": TEXT, "title": TEXT}
-STATEMENT |= {"parameters": {ANY: None}, "obligations": [ROW]}
-STATEMENT |= {"constants": [{"name": NAME, "label": TEXT, "tex": TEXT, "term": None}]}
-STATEMENT |= {"assumptions": [{"name": NAME, "label": TEXT, "sentence": TEXT}]}
-CERTIFICATE: dict[str, Any] = {"format": "verify-certificate/1", "statement_sha256": "[0-9a-f]{64}"}
-CERTIFICATE |= {"enclosures": {ANY: PAIR}, "proofs": [None]}
-PROOF: dict[str, Any] = {"rule": NAME, "bits": range(2, MAX_BITS + 1)}
-
-#: How many terms an operation has (0: two or more); pow has an exponent besides.
-ARITY = {"add": 2, "sub": 2, "mul": 2, "div": 2, "neg": 1, "sqrt": 1, "cos": 1, "cos_pi": 1}
-ARITY |= {"min": 0, "max": 0}
-OPPOSITE = {"<": "<=", "<=": "<", "=": "!="}  # what a failure says about the two sides swapped
-HOLDS: dict[str, Callable[[Interval, Interval], bool]] = {  # between all numbers of intervals
-    "<": lambda x, y: x[1] < y[0],
-    "<=": lambda x, y: x[1] <= y[0],
-    "=": lambda x, y: x[1] <= y[0] and y[1] <= x[0],
-    "!=": lambda x, y: x[1] < y[0] or y[1] < x[0],
-}
-Interval = tuple[Fraction, Fraction]
-Polynomial = dict[tuple[int, ...], Fraction | int]  # sorted atoms, repeated, to coefficient
-ONE = (Fraction(1), Fraction(1))
-#: lhs relation rhs for all values (or for some) of the symbols in the box, between the two ends
-#: which it gives them, or None.
-Goal = namedtuple("Goal", "relation lhs rhs box some")
-rational = cache(Fraction)  # the value of a text
+MAX_BYTES = 1 << 22  # of a file
+MAX_NESTING = 100  # of brackets in a file, and of contexts
+MAX_HEIGHT = 200  # of a term
+MAX_BITS = 1 << 16  # of precision
+MAX_SIZE = 1 << 19  # bits of a numerator with its denominator
+MAX_WORK = 6_000_000  # about the number of microseconds
 
 
 class Malformed(Exception):  # noqa: N818
-    """A file is not in the format, or the two files do not belong together."""
+    """A file is not in the format, asks for too much work, or does not belong to the other."""
 
 
 class Refused(Exception):  # noqa: N818
-    """The evidence does not prove the obligation."""
+    """The evidence does not prove the claim."""
+
+
+class Interval(NamedTuple):
+    """All real numbers from one end to the other, both included."""
+
+    low: Fraction
+    high: Fraction
+
+
+class Node(NamedTuple):
+    """A term: an operation, its subterms (numbers of nodes), and what else it needs.
+
+    A ``rational`` has a numerator and a denominator, a ``pow`` its exponent, a ``name`` a number of
+    its own.
+    """
+
+    op: str
+    subterms: tuple[int, ...]
+    rest: tuple[int, ...] = ()
+
+
+class Claim(NamedTuple):
+    """The sentence ``lhs relation rhs``; ``!=`` occurs only as the negation of ``=``."""
+
+    relation: str
+    lhs: int
+    rhs: int
+
+
+class Applies(NamedTuple):
+    """The values satisfy all givens of a context: what is proved there holds for them."""
+
+    context: Context
+    at: dict[int, int]
+
+
+class Always(NamedTuple):
+    """Whatever starts so and goes on so satisfies all givens of the context for ever."""
+
+    context: Context
+    start: dict[int, int]
+    next: dict[int, int]
+
+
+class Given(NamedTuple):
+    """What a context assumes; ``kind`` is plain, carried or standing."""
+
+    name: str
+    claim: Claim
+    kind: str
+
+
+class Context:
+    """Variables with what is given about them, inside another context.
+
+    ``point`` has a term over the parent's names for each variable. ``positive`` and
+    ``nonnegative`` are the terms t for which 0 < t or 0 <= t is a fact of this very context.
+    """
+
+    def __init__(self, name: str, parent: Context | None) -> None:
+        self.name, self.parent = name, parent
+        self.depth: int = 0 if parent is None else parent.depth + 1
+        need(self.depth <= MAX_NESTING, Malformed, "found more than {} contexts", MAX_NESTING)
+        self.variables: dict[str, int] = {}
+        self.givens: list[Given] = []
+        self.point: dict[int, int] = {}
+        self.positive: set[int] = set()
+        self.nonnegative: set[int] = set()
+        self.is_open = parent is None
+
+    def chain(self) -> Iterator[Context]:
+        """This context and those around it, from the inside out."""
+        here: Context | None = self
+        while here is not None:
+            yield here
+            here = here.parent
+
+    def is_inside(self, other: Context) -> bool:
+        """Whether this is the other context, or lies in it."""
+        return any(here is other for here in self.chain())
+
+
+class Fact(NamedTuple):
+    """A claim that is proved, or given, in a context."""
+
+    claim: Claim
+    context: Context
+
+
+class Place(NamedTuple):
+    """Where a claim is to be proved: a context, and the hypotheses of the branches around it."""
+
+    context: Context
+    hypotheses: tuple[Claim, ...] = ()
+
+    def branch(self, *more: Claim) -> Place:
+        """The same place inside a branch that adds hypotheses."""
+        return Place(self.context, self.hypotheses + more)
+
+
+Polynomial = dict[tuple[tuple[int, int], ...], int | Fraction]  # sorted (atom, exponent) pairs
+Quotient = tuple[Polynomial, Polynomial]
+Proof = dict[str, Any]
+
+ONE: Polynomial = {(): 1}
+UNIT = Interval(Fraction(1), Fraction(1))
+#: How many terms an operation has (None: two or more); pow has an exponent besides.
+ARITY = {"add": 2, "sub": 2, "mul": 2, "div": 2, "neg": 1, "sqrt": 1, "cos": 1, "cos_pi": 1}
+ARITY_OR_MORE: dict[str, int | None] = {**ARITY, "min": None, "max": None}
+#: The operations that a polynomial cannot look into, and that an equation may replace.
+ATOMS = ("name", "sqrt", "min", "max", "cos", "cos_pi")
+#: The negation of a claim is this relation between the two sides, swapped.
+NEGATION = {"<": "<=", "<=": "<", "=": "!="}
+#: Whether a relation holds between all numbers of two intervals.
+HOLDS: dict[str, Callable[[Interval, Interval], bool]] = {
+    "<": lambda x, y: x.high < y.low,
+    "<=": lambda x, y: x.high <= y.low,
+    "=": lambda x, y: x.low == x.high == y.low == y.high,
+    "!=": lambda x, y: x.high < y.low or y.high < x.low,
+}
 
 
 def need(condition: object, kind: type[Exception], message: str, *values: Any) -> None:
@@ -91,583 +174,1590 @@ def need(condition: object, kind: type[Exception], message: str, *values: Any) -
 
 def shown(value: Any) -> str:
     """An interval in decimals, a text as it is, and another value as Python writes it; cut."""
-    if isinstance(value, tuple) and isinstance(value[0], Fraction):
-        bits = max(end.numerator.bit_length() - end.denominator.bit_length() for end in value)
-        k = 20 - bits * 3 // 10
-        low, high = (end * Fraction(10) ** k for end in value)
-        return f"[{low // 1}e{-k}, {-(-high // 1)}e{-k}]"
+    if isinstance(value, Interval):
+        return f"[{decimal(value.low)}, {decimal(value.high)}]"
     text = value if isinstance(value, str) and value.isprintable() else ascii(value)
     return text if len(text) < 200 else f"{text[:160]}... ({len(text)} characters)"
 
 
-class Scope:
-    """Intervals around terms at one precision, for given ones of some symbols; and polynomials.
+def decimal(value: Fraction) -> str:
+    """About twenty digits of a number, for a message."""
+    bits = value.numerator.bit_length() - value.denominator.bit_length()
+    exponent = bits * 3 // 10 - 20
+    return f"{value / Fraction(10) ** exponent // 1}e{exponent}" if value else "0"
 
-    The result of an operation on intervals encloses its results for all real numbers in them. A
-    polynomial has the value of its term. An atom is 2t for a term t that is a symbol, root,
-    minimum, maximum or cosine, and 2t+1 for the inverse of a term t. ``relations`` has the
-    polynomials of squares of roots and of inverses of inverses, in smaller atoms.
+
+# --- terms, names, contexts and facts ------------------------------------------------------------
+
+
+class Kernel:
+    """The terms, names, contexts and facts of a statement and its certificate.
+
+    Each distinct term is stored once and is its number in ``nodes``, above those of its subterms;
+    the number of a defined name is above that of its definition. ``homes`` has the innermost
+    context of the names in a term.
     """
 
-    def __init__(self, terms: Terms, bits: int, known: dict[int, Interval]) -> None:
-        self.terms, self.bits, self.known = terms, bits, known
-        self.polynomials: dict[int, Polynomial] = {}
-        self.relations: dict[int, Polynomial] = {}
+    def __init__(self) -> None:
+        self.nodes: list[Node] = []
+        self.index: dict[Node, int] = {}
+        self.heights: list[int] = []
+        self.homes: list[Context] = []
+        self.is_ground: list[bool] = []
+        self.outermost = Context("", None)
+        self.contexts: dict[str, Context] = {}
+        self.names: dict[str, int] = {}  # variables and constants
+        self.definitions: dict[int, int] = {}
+        self.defined: set[int] = set()  # constants whose definition is known to have a value
+        self.facts: dict[str, Fact] = {}
+        self.refused: set[str] = set()
+        self.taken: set[str] = {"goal"}
+        self.grounds: dict[int, Enclosing] = {}
+        self.prefix = ""  # of the names of a cited statement, while that is read
+        self.shared: dict[str, Any] = {}  # shared terms that are not read yet
+        self.abbreviations: dict[str, int] = {}  # and those that are
+        self.work = MAX_WORK
 
-    def enclose(self, term: int) -> Interval:
-        """An interval around the value of a term; refused where it may be undefined."""
-        if term not in self.known:
-            op, subterms, rest = self.terms.nodes[term]
-            need(op != "symbol" or subterms, Refused, "found a variable without bounds")
-            if op == "symbol":
-                x = self.terms.scope(self.bits, {}).enclose(subterms[0])
+    def spend(self, bits: int, times: int = 1) -> None:
+        """Count operations on numbers of so many bits; give up when it is too much."""
+        self.work -= times * (2 + (bits >> 8) + (bits * bits >> 20))
+        need(self.work >= 0, Malformed, "found more work than the limit of {}", MAX_WORK)
+        need(bits <= MAX_SIZE, Malformed, "found a number of {} bits", bits)
+
+    def node(self, op: str, subterms: Sequence[int], *rest: int) -> int:
+        """The number of the term of an operation and its arguments."""
+        node = Node(op, tuple(subterms), rest)
+        if node not in self.index:
+            height = 1 + max((self.heights[term] for term in subterms), default=0)
+            message = "found a term of more than {} levels"
+            need(height <= MAX_HEIGHT, Malformed, message, MAX_HEIGHT)
+            home, ground = self.outermost, True
+            for term in subterms:
+                other = self.homes[term]
+                good = home.is_inside(other) or other.is_inside(home)
+                need(good, Malformed, "found names of {} and {} in a term", home.name, other.name)
+                home = other if other.depth > home.depth else home
+                ground = ground and self.is_ground[term]
+            self.add(node, height, home, ground)
+        return self.index[node]
+
+    def add(self, node: Node, height: int, home: Context, ground: bool) -> int:
+        """Store a new node."""
+        self.spend(0, 2)
+        self.index[node] = len(self.nodes)
+        self.nodes.append(node)
+        self.heights.append(height)
+        self.homes.append(home)
+        self.is_ground.append(ground)
+        return self.index[node]
+
+    def rational(self, value: Fraction) -> int:
+        """The term of a number."""
+        return self.node("rational", (), value.numerator, value.denominator)
+
+    def introduce(self, name: str) -> None:
+        """Take a name, which nothing else may have."""
+        need(name not in self.taken, Malformed, "found the name {} twice", name)
+        self.taken.add(name)
+
+    def new_name(self, name: str, context: Context, definition: int | None = None) -> int:
+        """A new variable of a context, or a constant in it with its definition."""
+        self.introduce(name)
+        ground = definition is not None and self.is_ground[definition] and context is self.outermost
+        term = self.add(Node("name", (), (len(self.nodes),)), 1, context, ground)
+        self.names[name] = term
+        if definition is not None:
+            self.definitions[term] = definition
+        return term
+
+    def install(self, name: str, claim: Claim, context: Context) -> None:
+        """Make a fact of a claim: only for rules, givens and cited theorems."""
+        self.facts[name] = Fact(claim, context)
+        if self.nodes[claim.lhs] == Node("rational", (), (0, 1)):
+            tables = {"<": [context.positive], "<=": [context.nonnegative]}
+            for table in tables.get(claim.relation, []):
+                table.add(claim.rhs)
+
+    def fact(self, name: str, place: Place) -> Claim:
+        """The usable fact of this name; ``@k`` is the k-th hypothesis of the branches around."""
+        if name.startswith("@"):
+            k = int(name[1:])
+            need(k <= len(place.hypotheses), Malformed, "found {}, which no branch adds", name)
+            return place.hypotheses[k - 1]
+        need(name not in self.refused, Refused, "found {}, whose proof was refused", name)
+        need(name in self.facts, Malformed, "found {}, which is no fact so far", name)
+        claim, context = self.facts[name]
+        message = "found {}, which is a fact of {} only"
+        need(place.context.is_inside(context), Malformed, message, name, context.name)
+        return claim
+
+    def knows(self, relation: str, term: int, place: Place) -> bool:
+        """Whether 0 < t, or 0 <= t, is a usable fact as it stands."""
+        for claim in place.hypotheses:
+            zero = self.nodes[claim.lhs] == Node("rational", (), (0, 1))
+            if zero and claim.relation == relation and claim.rhs == term:
+                return True
+        chain = place.context.chain()
+        if relation == "<":
+            return any(term in context.positive for context in chain)
+        return any(term in context.nonnegative for context in chain)
+
+    def below(self, terms: Iterable[int], is_leaf: Callable[[int], bool]) -> list[int]:
+        """The terms, their subterms and definitions down to leaves, which are left out, ascending.
+
+        A term comes after its subterms, and a defined name after its definition.
+        """
+        seen, waiting = set(), list(terms)
+        while waiting:
+            term = waiting.pop()
+            if term not in seen and not is_leaf(term):
+                seen.add(term)
+                self.spend(0)
+                waiting += self.nodes[term].subterms
+                if term in self.definitions:
+                    waiting.append(self.definitions[term])
+        return sorted(seen)
+
+    def substitute(self, claim: Claim, context: Context, at: Mapping[int, int]) -> Claim:
+        """The claim at terms for the variables of a context, whose constants are unfolded."""
+        new = dict(at)
+
+        def is_leaf(term: int) -> bool:
+            return term in at or self.homes[term] is not context
+
+        for term in self.below((claim.lhs, claim.rhs), is_leaf):
+            node = self.nodes[term]
+            if term in self.definitions:
+                definition = self.definitions[term]
+                new[term] = new.get(definition, definition)
             else:
-                x = OPERATIONS[op](self, *map(self.enclose, subterms), *rest)
-            self.known[term] = self.outward(x)
-        return self.known[term]
+                args = [new.get(arg, arg) for arg in node.subterms]
+                new[term] = self.node(node.op, args, *node.rest)
+        return Claim(claim.relation, new.get(claim.lhs, claim.lhs), new.get(claim.rhs, claim.rhs))
 
-    def sign(self, term: int) -> int:
-        """1 if a term is nowhere negative, -1 if it is nowhere positive, 0 if that is unknown."""
-        low, high = self.enclose(term)
-        return 1 if low >= 0 else -1 if high <= 0 else 0
+    # --- the rules; each returns only if its claim is proved at the place -----------------------
 
-    def moves(self, symbol: int, term: int, seen: dict[int, set[int]]) -> set[int]:
-        """How a term may move as the symbol rises in its interval: 1 up, -1 down, 0 unknown.
+    def interval(self, place: Place, claim: Claim, proof: Proof) -> None:
+        """The enclosures of the two sides decide.
 
-        A product moves with each factor times the sign of the other one, as a(t)b(t) - a(s)b(s) =
-        (a(t) - a(s)) b(t) + a(s) (b(t) - b(s)); 1/b moves against b, which does not vanish.
+        The two sides are evaluated with intervals in which the values of their names lie, for all
+        values in scope: those that the bounding facts show, and those of definitions. So both
+        sides are defined, and their values lie in the two intervals.
         """
-        if term not in seen:
-            op, subterms, rest = self.terms.nodes[term]
-            signs = {"sub": [1, -1], "neg": [-1], "cos": [0], "cos_pi": [0], "symbol": []}.get(op)
-            if op in ("mul", "div"):
-                a, b = map(self.sign, subterms)
-                signs = [b, a if op == "mul" else -a]
-            elif op == "pow" and rest[0] % 2 == 0:
-                signs = [self.sign(subterms[0])]
-            pairs = zip(subterms, [1] * len(subterms) if signs is None else signs, strict=False)
-            moves = {s * m for arg, s in pairs for m in self.moves(symbol, arg, seen)}
-            seen[term] = {1} if term == symbol else moves
-        return seen[term]
+        scope = self.enclosing(place, proof)
+        x, y = scope.enclose(claim.lhs), scope.enclose(claim.rhs)
+        message = "found {} and {}, expected {} between them"
+        need(HOLDS[claim.relation](x, y), Refused, message, x, y, claim.relation)
 
-    def outward(self, x: Interval, more: int = 0) -> Interval:
-        """x, or an interval around it with shorter ends."""
-        bits, ends = self.bits + more, []
-        for sign, end in ((1, x[0]), (-1, x[1])):
-            n, d = sign * end.numerator, end.denominator
-            size = n.bit_length() + d.bit_length()
-            self.terms.spend(size)
-            if size > 2 * bits:
-                shift = bits - n.bit_length() + d.bit_length()
-                up, back = max(shift, 0), max(-shift, 0)
-                end = Fraction(sign * ((n << up) // (d << back) << back), 1 << up)
-            ends.append(end)
-        return ends[0], ends[1]
+    def cuts(self, place: Place, claim: Claim, proof: Proof) -> None:
+        """A defined term lies between neighbouring cuts, or beyond the first or last one.
 
-    def mul(self, x: Interval, y: Interval) -> Interval:
-        """A product is linear in each factor, so that its extremes are products of ends."""
-        (a, b), (c, d) = x, y
-        ends = (a * c, b * d) if a.numerator >= 0 <= c.numerator else (a * c, a * d, b * c, b * d)
-        return min(ends), max(ends)
-
-    def div(self, x: Interval, y: Interval) -> Interval:
-        """On an interval without 0 the inverse falls."""
-        need(y[0] > 0 or y[1] < 0, Refused, "found a division by {}, which contains 0", y)
-        low, high = (Fraction(end.denominator, end.numerator) for end in y)
-        return self.mul(x, (high, low))
-
-    def power(self, x: Interval, n: int) -> Interval:
-        """x^n for n >= 1: x^(m+1) is x * x^m, and x^(2m) is the square of |x^m|."""
-        if n == 1 or n % 2:
-            return x if n == 1 else self.mul(x, self.power(x, n - 1))
-        low, high = self.outward(self.power(x, n // 2))
-        root = (low, high) if low >= 0 else (max(0 * low, -high), max(-low, high))
-        return self.mul(root, root)
-
-    def sqrt(self, x: Interval) -> Interval:
-        """The root of n/d is that of 4^bits nd, which lies between integers, over 2^bits d."""
-        need(x[0] >= 0, Refused, "found a square root of {}, which reaches below 0", x)
-        ends = []
-        for n, d in map(Fraction.as_integer_ratio, x):
-            square = n * d << 2 * self.bits
-            root = isqrt(square)
-            ends += [Fraction(root + i, d << self.bits) for i in (0, root * root < square)]
-        return ends[0], ends[3]
-
-    def cos(self, x: Interval) -> Interval:
-        """The cosine of |x| <= 8, cut to [-1, 1].
-
-        The sum over k <= m of (-1)^k x^(2k)/(2k)!, here 1 - x^2/2 (1 - x^2/12 (1 - ...)), is off by
-        at most 8^n/n! < (8e/n)^n < 2^-n for n = 2m + 2 >= 44 (Taylor's theorem: the derivatives of
-        cos are bounded by 1).
+        For each value of the term one of the branches has true hypotheses.
         """
-        need(max(-x[0], x[1]) <= 8, Refused, "found a cosine of {}, which reaches beyond 8", x)
-        square, total, error = self.power(x, 2), ONE, Fraction(1, 1 << self.bits)
-        for k in range(self.bits // 2 + 21, 0, -1):
-            low, high = (end * Fraction(1, 2 * k * (2 * k - 1)) for end in self.mul(square, total))
-            total = self.outward((1 - high, 1 - low), 32)
-        return max(total[0] - error, -ONE[0]), min(total[1] + error, ONE[0])
+        term = self.read("term", proof["term"], place.context)
+        Clearing(self, place, ()).clear(term)
+        points = [rational(text) for text in proof["at"]]
+        good = points and all(a < b for a, b in pairwise(points))
+        need(good, Refused, "found cuts {} that do not increase", proof["at"])
+        ends = [None, *map(self.rational, points), None]
+        branches = list(pairwise(ends))
+        self.same_number(proof["branches"], branches)
+        for (low, high), inner in zip(branches, proof["branches"], strict=True):
+            hypotheses = [] if low is None else [Claim("<=", low, term)]
+            hypotheses += [] if high is None else [Claim("<=", term, high)]
+            self.prove(place.branch(*hypotheses), claim, inner)
 
-    def cos_pi(self, x: Interval) -> Interval:
-        """cos(pi x) = cos(pi (x - 2k)), with k = floor(low end / 2), and Machin's formula for pi.
+    def cases(self, place: Place, claim: Claim, proof: Proof) -> None:
+        """A minimum is one of its entries, the least (a maximum the greatest).
 
-        pi is 16 arctan(1/5) - 4 arctan(1/239), and arctan(1/n) is the alternating, decreasing sum
-        of (-1)^k / ((2k+1) n^(2k+1)). ``scaled`` is floor(2^bits / n^(2k+1)), as nested floors are
-        one floor, so that each term, and the rest of the sum, is off by less than 2^-bits.
+        For all values one of the branches, which say so of each entry, has true hypotheses.
         """
-        bits, total, error = self.bits + 32, 0, 0
-        for factor, n in ((16, 5), (-4, 239)):
-            scaled, k = (1 << bits) // n, 0
-            while scaled:
-                total += factor * (-1 if k % 2 else 1) * (scaled // (2 * k + 1))
-                scaled, k = scaled // (n * n), k + 1
-            error += abs(factor) * (k + 1)
-        pi = Fraction(total - error, 1 << bits), Fraction(total + error, 1 << bits)
-        turns = x[0] // 2 * 2
-        return self.cos(self.mul((x[0] - turns, x[1] - turns), pi))
+        term = self.read("of", proof["of"], place.context)
+        op, entries, _ = self.nodes[term]
+        need(op in ("min", "max"), Refused, "of: found {}, expected min or max", op)
+        Clearing(self, place, ()).clear(term)
+        self.same_number(proof["branches"], entries)
+        for i, (entry, inner) in enumerate(zip(entries, proof["branches"], strict=True)):
+            hypotheses = [Claim("=", term, entry)]
+            for other in entries[:i] + entries[i + 1 :]:
+                sides = (entry, other) if op == "min" else (other, entry)
+                hypotheses.append(Claim("<=", *sides))
+            self.prove(place.branch(*hypotheses), claim, inner)
 
-    def expand(self, term: int) -> Polynomial:
-        """The polynomial of a term; refused where the term may be undefined."""
-        if term not in self.polynomials:
-            op, subterms, rest = self.terms.nodes[term]
-            parts = [self.expand(arg) for arg in subterms if op != "symbol"]
-            p: Polynomial = {(2 * term,): 1}
-            if op == "rational":
-                p = plus({}, {(): Fraction(*rest) if rest[1] > 1 else rest[0]}, 1)
-            elif op in ("add", "sub", "neg"):
-                p = plus(parts[0] if parts[1:] else {}, parts[-1], 1 if op == "add" else -1)
-            elif op in ("mul", "pow"):
-                p = parts[0]
-                for factor in parts[1:] or parts * (rest[0] - 1):
-                    p = self.times(p, factor)
-            elif op == "div":
-                self.div(ONE, self.enclose(subterms[1]))
-                self.relations[2 * subterms[1] + 1] = parts[1]
-                p = self.times(parts[0], {(2 * subterms[1] + 1,): 1})
-            elif subterms:
-                self.enclose(term)
-                self.relations |= {2 * term: parts[0]} if op == "sqrt" else {}
-            self.polynomials[term] = p
-        return self.polynomials[term]
+    def entry(self, place: Place, claim: Claim, proof: Proof) -> None:
+        """A minimum is at most each of its entries (a maximum at least)."""
+        op, entries, other = self.extremum(place, claim, proof, {"lhs": "min", "rhs": "max"})
+        need(claim.relation == "<=", Refused, "found {}, expected <=", claim.relation)
+        need(other in entries, Refused, "found a side that is no entry of the {}", op)
+
+    def least(self, place: Place, claim: Claim, proof: Proof) -> None:
+        """What is less than each entry is less than their minimum (for a maximum: greater)."""
+        _, entries, other = self.extremum(place, claim, proof, {"lhs": "max", "rhs": "min"})
+        need(claim.relation in ("<", "<="), Refused, "found {}, expected < or <=", claim.relation)
+        self.same_number(proof["branches"], entries)
+        for entry, inner in zip(entries, proof["branches"], strict=True):
+            sides = (entry, other) if proof["side"] == "lhs" else (other, entry)
+            self.prove(place, Claim(claim.relation, *sides), inner)
+
+    def extremum(
+        self, place: Place, claim: Claim, proof: Proof, expected: dict[str, str]
+    ) -> tuple[str, tuple[int, ...], int]:
+        """The min or max on a side of a claim with its defined entries, and the other side."""
+        term, other = claim.lhs, claim.rhs
+        if proof["side"] == "rhs":
+            term, other = other, term
+        clearing = Clearing(self, place, ())
+        clearing.clear(term), clearing.clear(other)
+        if proof["equation"] is not None:
+            equation = self.fact(proof["equation"], place)
+            good = equation.relation == "=" and equation.lhs == term
+            need(good, Refused, "found {}, which says nothing of this side", proof["equation"])
+            term = equation.rhs
+            clearing.clear(term)
+        op, entries, _ = self.nodes[term]
+        wanted = expected[proof["side"]]
+        need(op == wanted, Refused, "found {} on the {}, expected {}", op, proof["side"], wanted)
+        return op, entries, other
+
+    def root(self, place: Place, claim: Claim, __: Proof) -> None:
+        """The root of a positive number is positive."""
+        op, radicands, _ = self.nodes[claim.rhs]
+        zero = self.nodes[claim.lhs] == Node("rational", (), (0, 1))
+        need(zero and claim.relation == "<" and op == "sqrt", Refused, "expected 0 < a root")
+        known = self.knows("<", radicands[0], place)
+        need(known, Refused, "found a radicand that is not known to be positive")
+
+    def sum(self, place: Place, claim: Claim, proof: Proof) -> None:
+        """The negation of the claim would make a positive number zero; or: an identity.
+
+        With the two sides cleared to N/D and N'/D', D and D' > 0, the goal G = N D' - N' D has the
+        sign of lhs - rhs. If < failed G would be >= 0, if <= failed it would be > 0. Addends are
+        sums of products of G and of what facts say is >= 0 or > 0; an equation is worth 0. If all
+        that adds up to the zero polynomial, and an addend is > 0, the negation is impossible. The
+        claim = holds if G is identically a sum of multiples of equations.
+        """
+        clearing = Clearing(self, place, proof["using"])
+        goal = clearing.difference(claim.lhs, claim.rhs)
+        zeros: Polynomial = {}
+        for name, cofactor in proof["equations"]:
+            relation, lhs, rhs = self.fact(name, place)
+            need(relation == "=", Refused, "found {}, which is no equation", name)
+            factor, _ = clearing.clear(self.read("cofactor", cofactor, place.context))
+            product = self.times(clearing.difference(lhs, rhs), factor)
+            zeros = self.plus(zeros, product, 1)
+        if claim.relation == "=":
+            need(not proof["addends"], Refused, "found addends, but = has no negation")
+            rest = clearing.reduce(self.plus(goal, zeros, -1))
+            need(not rest, Refused, "found sides that differ, in {} monomials", len(rest))
+            return
+        need(claim.relation != "!=", Refused, "found !=, expected <, <= or =")
+        clearing.goal = goal, claim.relation == "<="
+        total, strict = clearing.value(["add", *proof["addends"]])
+        rest = clearing.reduce(self.plus(total, zeros, 1))
+        need(not rest, Refused, "found a sum that is not 0, in {} monomials", len(rest))
+        need(strict, Refused, "found no addend that is positive")
+
+    def instance(self, place: Place, claim: Claim | Applies, proof: Proof) -> None:
+        """What holds for all values that satisfy the givens holds for these.
+
+        The fact that is instanced is a fact of the context; the values are defined terms at the
+        place, which lies in the parent of that context, so that all else in the fact is in scope
+        and has the same meaning here; and the givens at these values are proved here.
+        """
+        if isinstance(claim, Applies):
+            self.givens_hold(place, claim.context, claim.at, proof["givens"])
+            return
+        name = proof["of"]
+        need(name not in self.refused, Refused, "found {}, whose proof was refused", name)
+        need(name in self.facts, Malformed, "found {}, which is no fact so far", name)
+        fact = self.facts[name]
+        at = self.values("at", proof["at"], fact.context, place)
+        self.givens_hold(place, fact.context, at, proof["givens"])
+        same = self.substitute(fact.claim, fact.context, at) == claim
+        need(same, Refused, "found another claim than {} at these values", name)
+
+    def givens_hold(
+        self, place: Place, context: Context, at: Mapping[int, int], premises: list[Any]
+    ) -> None:
+        """Afterwards the values are defined here, and all givens of the context hold for them."""
+        outside = context.parent
+        need(outside is not None, Refused, "found a fact of no context, which needs no instance")
+        good = outside is not None and place.context.is_inside(outside)
+        need(good, Refused, "found a place outside the parent of {}", context.name)
+        clearing = Clearing(self, place, ())
+        for term in at.values():
+            clearing.clear(term)
+        self.same_number(premises, context.givens)
+        for given, premise in zip(context.givens, premises, strict=True):
+            self.premise(place, self.substitute(given.claim, context, at), premise)
+
+    def premise(self, place: Place, claim: Claim, premise: Any) -> None:
+        """Afterwards the claim is proved: the premise names this very fact, or is a proof."""
+        if isinstance(premise, str):
+            same = self.fact(premise, place) == claim
+            need(same, Refused, "found {}, which is another claim than is needed", premise)
+        else:
+            self.prove(place, claim, premise)
+
+    def induction(self, place: Place, claim: Always, proof: Proof) -> None:
+        """What holds at the start, and at the next state whenever at this one, holds always.
+
+        By induction on n all givens hold of the n-th state: those that are carried by the two
+        proofs, the standing ones because this is assumed of every state. Hence so do all facts.
+        """
+        context = claim.context
+        need(context.parent is place.context, Refused, "found {} elsewhere", context.name)
+        carried = [given for given in context.givens if given.kind == "carried"]
+        plain = [given.name for given in context.givens if given.kind == "plain"]
+        need(not plain, Refused, "found givens that are neither carried nor standing: {}", plain)
+        inside = Place(context)
+        for key, at, here in (("start", claim.start, place), ("next", claim.next, inside)):
+            clearing = Clearing(self, here, ())
+            for term in at.values():
+                clearing.clear(term)
+            self.same_number(proof[key], carried)
+            for given, premise in zip(carried, proof[key], strict=True):
+                self.premise(here, self.substitute(given.claim, context, at), premise)
+
+    def witness(self, place: Place, claim: Claim, proof: Proof) -> None:
+        """Not for all values: at these, which satisfy the givens, the negation holds.
+
+        The values are terms of the parent context, which has a point, so that there are values.
+        """
+        context = place.context
+        need(context.parent is not None, Refused, "found a witness, but no variable")
+        outside = Place(context.parent or context)
+        at = self.values("at", proof["at"], context, outside)
+        self.givens_hold(outside, context, at, proof["givens"])
+        self.prove(outside, negated(self.substitute(claim, context, at)), proof["negation"])
+
+    def prove(self, place: Place, claim: Claim, proof: Any) -> None:
+        """Afterwards the claim is a fact at the place."""
+        rule = rule_of(proof, RULES)
+        need(rule not in ("witness", "induction"), Refused, "found {} inside a proof", rule)
+        RULES[rule][0](self, place, claim, proof)
+
+    def define(self, place: Place, term: int, proof: Any) -> None:
+        """Afterwards a term has a value at the place: it clears, or it has an enclosure."""
+        if rule_of(proof, DEFINING) == "define":
+            Clearing(self, place, ()).clear(term)
+        else:
+            self.enclosing(place, proof).enclose(term)
+
+    def open(self, context: Context, premises: list[Any]) -> None:
+        """Afterwards the givens are facts of the context: it has a point, so it is not empty."""
+        need(not context.is_open, Malformed, "found {}, which is open already", context.name)
+        outside = Place(context.parent or context)
+        need(outside.context.is_open, Malformed, "found {}, expected its parent", context.name)
+        clearing = Clearing(self, outside, ())
+        for term in context.point.values():
+            clearing.clear(term)
+        self.same_number(premises, context.givens)
+        for given, premise in zip(context.givens, premises, strict=True):
+            self.premise(outside, self.substitute(given.claim, context, context.point), premise)
+            inside = Clearing(self, Place(context), ())
+            inside.clear(given.claim.lhs), inside.clear(given.claim.rhs)
+            self.install(given.name, given.claim, context)
+        context.is_open = True
+
+    def enclosing(self, place: Place, proof: Proof) -> Enclosing:
+        """Enclosures at the precision of a proof, with bounds on names from usable facts."""
+        bits = proof["bits"]
+        if bits not in self.grounds:
+            self.grounds[bits] = Enclosing(self, bits, None)
+        if not proof["bounds"]:
+            return self.grounds[bits]
+        scope = Enclosing(self, bits, self.grounds[bits])
+        for name, lower, upper in proof["bounds"]:
+            need(name in self.names, Malformed, "bounds: found {}, which is no name", name)
+            term, found = self.names[name], []
+            good = term not in scope.known and not self.is_ground[term]
+            need(good, Refused, "found bounds of {}, whose value is known", name)
+            for fact, side in ((lower, 2), (upper, 1)):
+                claim = self.fact(fact, place)
+                other = {claim.lhs: claim.rhs} if side == 1 else {claim.rhs: claim.lhs}
+                if claim.relation == "=":
+                    other = {claim.lhs: claim.rhs, claim.rhs: claim.lhs}
+                need(term in other, Refused, "found {}, which does not bound {}", fact, name)
+                found.append(scope.enclose(other[term])[2 - side])
+            need(found[0] <= found[1], Refused, "found bounds of {} that exclude each other", name)
+            scope.known[term] = Interval(*found)
+        return scope
+
+    def same_number(self, found: Sequence[Any], expected: Sequence[Any]) -> None:
+        """Afterwards there is one entry for each."""
+        good = len(found) == len(expected)
+        need(good, Malformed, "found {} proofs, expected {}", len(found), len(expected))
+
+    # --- polynomials ----------------------------------------------------------------------------
+
+    def plus(self, a: Polynomial, b: Polynomial, factor: int) -> Polynomial:
+        """The sum of a and of b times an integer."""
+        total = dict(a)
+        for monomial, coefficient in b.items():
+            value = total.get(monomial, 0) + factor * coefficient
+            self.spend(value.numerator.bit_length() + value.denominator.bit_length())
+            if value:
+                total[monomial] = value
+            else:
+                total.pop(monomial, None)
+        return total
 
     def times(self, a: Polynomial, b: Polynomial) -> Polynomial:
         """The product."""
         total: Polynomial = {}
-        for (m, c), (n, d) in product(a.items(), b.items()):
-            self.terms.spend(c.numerator.bit_length() + d.numerator.bit_length(), 9 + len(m + n))
-            monomial = tuple(sorted(m + n))
-            total[monomial] = total.get(monomial, 0) + c * d
-        return plus({}, total, 1)
+        for m, c in a.items():
+            for n, d in b.items():
+                bits = c.numerator.bit_length() + c.denominator.bit_length()
+                bits += d.numerator.bit_length() + d.denominator.bit_length()
+                self.spend(bits, 2 + len(m) + len(n))
+                exponents = dict(m)
+                for atom, exponent in n:
+                    exponents[atom] = exponents.get(atom, 0) + exponent
+                monomial = tuple(sorted(exponents.items()))
+                total[monomial] = total.get(monomial, 0) + c * d
+        return {monomial: value for monomial, value in total.items() if value}
 
-    def vanishes(self, p: Polynomial) -> bool:
-        """Whether p is 0 once squares of roots are replaced and inverses are multiplied away."""
-        known = self.relations
-        while atoms := {a for m in p for a in m if a in known and (a % 2 or m.count(a) > 1)}:
-            atom = max(atoms)
-            total: Polynomial = {}
-            top = max(monomial.count(atom) for monomial in p)
-            for monomial, coefficient in p.items():
-                k = monomial.count(atom)
-                times, left = (top - k, 0) if atom % 2 else divmod(k, 2)
-                rest = [a for a in monomial if a != atom] + [atom] * left
-                part: Polynomial = {tuple(sorted(rest)): coefficient}
-                for _ in range(times):
-                    part = self.times(part, known[atom])
-                for m, c in part.items():
-                    total[m] = total.get(m, 0) + c
-            p = plus({}, total, 1)
-        return not p
+    def power(self, base: Polynomial, exponent: int) -> Polynomial:
+        """The power with a natural exponent."""
+        result = ONE
+        for _ in range(exponent):
+            result = self.times(result, base)
+        return result
+
+    # --- reading terms and claims ---------------------------------------------------------------
+
+    def read(self, where: str, value: Any, context: Context) -> int:
+        """The term that is written over the names in scope."""
+        term = self.parse(where, value)
+        good = context.is_inside(self.homes[term])
+        message = "{}: found a name of {}, which is not in scope"
+        need(good, Malformed, message, where, self.homes[term].name)
+        return term
+
+    def parse(self, where: str, value: Any) -> int:
+        """The term that is written over any names."""
+        if isinstance(value, str):
+            return self.parse_leaf(where, value)
+        op, *args = value if isinstance(value, list) and value else [""]
+        if op == "pow":
+            tuple_of(anything, exponent)(where, args)
+            return self.node(op, [self.parse(where, args[0])], int(args[1]))
+        known = isinstance(op, str) and op in ARITY_OR_MORE
+        need(known, Malformed, "{}: found {}, expected a term", where, value)
+        arity = ARITY_OR_MORE[op]
+        good = len(args) > 1 if arity is None else len(args) == arity
+        need(good, Malformed, "{}: found {}, expected other numbers of terms", where, value)
+        return self.node(op, [self.parse(where, arg) for arg in args])
+
+    def parse_leaf(self, where: str, value: str) -> int:
+        """The term of a name, of an abbreviation, or of a rational number."""
+        name = self.prefix + value
+        if name in self.names:
+            return self.names[name]
+        if name in self.shared:
+            self.abbreviations[name] = self.parse(name, self.shared.pop(name))
+        if name in self.abbreviations:
+            return self.abbreviations[name]
+        good = re.fullmatch(RATIONAL, value)
+        need(good, Malformed, "{}: found {}, which is no name so far and no number", where, value)
+        number = rational(value)
+        self.spend(number.numerator.bit_length() + number.denominator.bit_length())
+        return self.rational(number)
+
+    def read_claim(self, where: str, value: Any, context: Context) -> Claim:
+        """The claim that compares two terms."""
+        good = isinstance(value, list) and len(value) == 3 and isinstance(value[0], str)
+        good = good and value[0] in NEGATION
+        need(good, Malformed, "{}: found {}, expected [<, <= or =, lhs, rhs]", where, value)
+        lhs, rhs = (self.read(where, side, context) for side in value[1:])
+        return Claim(value[0], lhs, rhs)
+
+    def values(self, where: str, value: Any, context: Context, place: Place) -> dict[int, int]:
+        """The terms, over the names at a place, that a table has for the variables of a context."""
+        table(anything)(where, value)
+        names = {name.rpartition(":")[2]: term for name, term in context.variables.items()}
+        odd = sorted(names.keys() ^ value.keys())
+        need(not odd, Malformed, "{}: found too many or too few variables: {}", where, odd)
+        return {names[name]: self.read(where, text, place.context) for name, text in value.items()}
 
 
-def plus(a: Polynomial, b: Polynomial, factor: int) -> Polynomial:
-    """The sum of a and of b times an integer."""
-    total = dict(a)
-    for monomial, coefficient in b.items():
-        total[monomial] = total.get(monomial, 0) + factor * coefficient
-    return {monomial: coefficient for monomial, coefficient in total.items() if coefficient}
+def negated(claim: Claim) -> Claim:
+    """The negation of a claim whose sides are defined."""
+    return Claim(NEGATION[claim.relation], claim.rhs, claim.lhs)
+
+
+class Clearing:
+    """Terms without fractions, at a place, after replacing atoms by what equations say they are.
+
+    A cleared term is a pair of polynomials N and D in atoms, where D > 0 and the term is defined
+    and equal to N/D, for all values in scope. ``squares`` has, for each root among the atoms, its
+    radicand; roots come after those in their radicands.
+    """
+
+    def __init__(self, kernel: Kernel, place: Place, using: Sequence[str]) -> None:
+        self.kernel, self.place = kernel, place
+        self.replaced: dict[int, int] = {}
+        for name in using:
+            relation, atom, term = kernel.fact(name, place)
+            good = relation == "=" and kernel.nodes[atom].op in ATOMS
+            need(good, Refused, "using: found {}, expected an equation for an atom", name)
+            need(atom not in self.replaced, Refused, "using: found {} for an atom again", name)
+            self.replaced[atom] = term
+        self.cleared: dict[int, Quotient] = {}
+        self.squares: dict[int, Quotient] = {}
+        self.busy: set[int] = set()
+        self.goal: tuple[Polynomial, bool] = {}, False
+
+    def clear(self, term: int) -> Quotient:
+        """The cleared term."""
+        if term not in self.cleared:
+            need(term not in self.busy, Refused, "using: found equations in a circle")
+            need(len(self.busy) < 2 * MAX_HEIGHT, Malformed, "found equations that are too deep")
+            self.busy.add(term)
+            if term in self.replaced:
+                result = self.clear(self.replaced[term])
+            else:
+                node = self.kernel.nodes[term]
+                result = CLEARED[node.op](self, term, node)
+            self.busy.discard(term)
+            self.cleared[term] = result
+        return self.cleared[term]
+
+    def atom(self, term: int, node: Node) -> Quotient:
+        """A name that has a value, or a root, minimum, maximum or cosine of cleared terms."""
+        kernel = self.kernel
+        if node.op == "name":
+            good = term in kernel.defined or term not in kernel.definitions
+            need(good, Refused, "found a constant before its definition is proved to have a value")
+        if node.op == "sqrt":
+            radicand = node.subterms[0]
+            op, _, rest = kernel.nodes[radicand]
+            known = op == "rational" and rest[0] >= 0
+            known = known or kernel.knows("<", radicand, self.place)
+            known = known or kernel.knows("<=", radicand, self.place)
+            need(known, Refused, "found the root of a term that is not known to be >= 0")
+        parts = [self.clear(part) for part in node.subterms]
+        if node.op == "sqrt":
+            self.squares[term] = parts[0]
+        return {((term, 1),): 1}, ONE
+
+    def number(self, _: int, node: Node) -> Quotient:
+        """A rational number."""
+        n, d = node.rest
+        return {(): n if d == 1 else Fraction(n, d)} if n else {}, ONE
+
+    def added(self, _: int, node: Node) -> Quotient:
+        """A sum or difference; equal denominators are kept."""
+        (n, d), (m, e) = map(self.clear, node.subterms)
+        sign, times = 1 if node.op == "add" else -1, self.kernel.times
+        if d == e:
+            return self.kernel.plus(n, m, sign), d
+        return self.kernel.plus(times(n, e), times(m, d), sign), times(d, e)
+
+    def negative(self, _: int, node: Node) -> Quotient:
+        """The negative of a term."""
+        n, d = self.clear(node.subterms[0])
+        return self.kernel.plus({}, n, -1), d
+
+    def multiplied(self, _: int, node: Node) -> Quotient:
+        """A product."""
+        (n, d), (m, e) = map(self.clear, node.subterms)
+        return self.kernel.times(n, m), self.kernel.times(d, e)
+
+    def raised(self, _: int, node: Node) -> Quotient:
+        """A power."""
+        n, d = self.clear(node.subterms[0])
+        return self.kernel.power(n, *node.rest), self.kernel.power(d, *node.rest)
+
+    def divided(self, _: int, node: Node) -> Quotient:
+        """A quotient, where the divisor is a number, or known to be positive or negative."""
+        kernel, divisor = self.kernel, node.subterms[1]
+        (n, d), (m, e) = map(self.clear, node.subterms)
+        node = kernel.nodes[divisor]
+        if node.op == "rational" and node.rest[0]:
+            return kernel.times(n, {(): Fraction(node.rest[1], node.rest[0])}), d
+        opposite = kernel.index.get(Node("neg", (divisor,)), -1)
+        sign = 1 if kernel.knows("<", divisor, self.place) else -1
+        known = sign == 1 or kernel.knows("<", opposite, self.place)
+        need(known, Refused, "found a division by a term that is not known to be > 0 or < 0")
+        n, m = kernel.plus({}, n, sign), kernel.plus({}, m, sign)
+        return kernel.times(n, e), kernel.times(d, m)
+
+    def difference(self, lhs: int, rhs: int) -> Polynomial:
+        """A polynomial with the sign of lhs - rhs: N D' - N' D."""
+        (n, d), (m, e) = self.clear(lhs), self.clear(rhs)
+        return self.kernel.plus(self.kernel.times(n, e), self.kernel.times(m, d), -1)
+
+    def value(self, item: Any) -> tuple[Polynomial, bool]:
+        """A polynomial that is >= 0 for all values in scope, and whether it is > 0 for all."""
+        if isinstance(item, str):
+            return self.goal if item == "goal" else self.known(item)
+        good = isinstance(item, list) and item and isinstance(item[0], str) and item[0] in VALUES
+        need(good, Malformed, "found {}, expected a value that is >= 0", item)
+        kind = item[0]
+        if kind in ("square", "root"):
+            tuple_of(anything, anything)(kind, item)
+            term = self.kernel.read(kind, item[1], self.place.context)
+            root = self.kernel.nodes[term].op == "sqrt" or kind == "square"
+            need(root, Refused, "root: found another term")
+            n, _ = self.clear(term)
+            return (self.kernel.times(n, n) if kind == "square" else n), False
+        if kind == "pow":
+            tuple_of(anything, anything, exponent)("pow", item)
+            p, strict = self.value(item[1])
+            return self.kernel.power(p, int(item[2])), strict
+        parts = [self.value(part) for part in item[1:]]
+        total: Polynomial = {} if kind == "add" else ONE
+        for p, _ in parts:
+            total = self.kernel.plus(total, p, 1) if kind == "add" else self.kernel.times(total, p)
+        flags = [strict for _, strict in parts]
+        return total, any(flags) if kind == "add" else all(flags)
+
+    def known(self, name: str) -> tuple[Polynomial, bool]:
+        """A number >= 0, or the difference of the sides of a usable inequality."""
+        if re.fullmatch(RATIONAL, name):
+            number = rational(name)
+            need(number >= 0, Refused, "found {}, expected a number >= 0", name)
+            return {(): number} if number else {}, number > 0
+        relation, lhs, rhs = self.kernel.fact(name, self.place)
+        need(relation in ("<", "<="), Refused, "found {}, which is no inequality", name)
+        return self.difference(rhs, lhs), relation == "<"
+
+    def reduce(self, p: Polynomial) -> Polynomial:
+        """The polynomial, times a positive one, after replacing squares of roots, latest first."""
+        for atom in reversed(self.squares):
+            top = max((dict(monomial).get(atom, 0) // 2 for monomial in p), default=0)
+            if top:
+                n, d = self.squares[atom]
+                total: Polynomial = {}
+                for monomial, coefficient in p.items():
+                    half, odd = divmod(dict(monomial).get(atom, 0), 2)
+                    left = [pair for pair in monomial if pair[0] != atom] + [(atom, 1)] * odd
+                    part: Polynomial = {tuple(sorted(left)): coefficient}
+                    for factor, times in ((n, half), (d, top - half)):
+                        part = self.kernel.times(part, self.kernel.power(factor, times))
+                    total = self.kernel.plus(total, part, 1)
+                p = total
+        return p
+
+
+#: How each operation is cleared.
+CLEARED: dict[str, Callable[[Clearing, int, Node], Quotient]] = {
+    **dict.fromkeys(ATOMS, Clearing.atom),
+    "rational": Clearing.number,
+    "add": Clearing.added,
+    "sub": Clearing.added,
+    "neg": Clearing.negative,
+    "mul": Clearing.multiplied,
+    "pow": Clearing.raised,
+    "div": Clearing.divided,
+}
+VALUES = ("square", "root", "add", "mul", "pow")
+
+
+# --- enclosures ----------------------------------------------------------------------------------
+
+
+class Enclosing:
+    """Intervals around terms at one precision, for given ones of some names.
+
+    The result of an operation on intervals encloses its results for all real numbers in them.
+    ``base`` has the enclosures of terms without variables.
+    """
+
+    def __init__(self, kernel: Kernel, bits: int, base: Enclosing | None) -> None:
+        self.kernel, self.bits, self.base = kernel, bits, base
+        self.known: dict[int, Interval] = {}
+        self.pi_known: Interval | None = None
+
+    def enclose(self, term: int) -> Interval:
+        """An interval around the value of a term; refused where it may be undefined."""
+        kernel, base = self.kernel, self.base
+
+        def is_leaf(part: int) -> bool:
+            return part in self.known or (base is not None and kernel.is_ground[part])
+
+        for part in kernel.below((term,), is_leaf):
+            op, subterms, rest = kernel.nodes[part]
+            if part in kernel.definitions:
+                self.known[part] = self.value(kernel.definitions[part])
+                continue
+            need(op != "name", Refused, "found a variable without bounds")
+            x = OPERATIONS[op](self, *[self.value(arg) for arg in subterms], *rest)
+            self.known[part] = self.outward(x)
+        return self.value(term)
+
+    def value(self, term: int) -> Interval:
+        """The interval of a term that is evaluated already, or has no variables."""
+        if term in self.known or self.base is None:
+            return self.known[term]
+        return self.base.enclose(term)
+
+    def outward(self, x: Interval, more: int = 0) -> Interval:
+        """x, or an interval around it with shorter ends."""
+        return Interval(self.shorter(x[0], more), -self.shorter(-x[1], more))
+
+    def shorter(self, end: Fraction, more: int) -> Fraction:
+        """The number, or one with a shorter numerator and denominator that is a little smaller."""
+        n, d = end.numerator, end.denominator
+        size = n.bit_length() + d.bit_length()
+        self.kernel.spend(size)
+        if size <= 2 * (self.bits + more):
+            return end
+        shift = self.bits + more - n.bit_length() + d.bit_length()
+        if shift < 0:
+            return Fraction((n // (d << -shift)) << -shift)
+        return Fraction((n << shift) // d, 1 << shift)
+
+    def add(self, x: Interval, y: Interval) -> Interval:
+        """Sums rise with both terms."""
+        return Interval(x.low + y.low, x.high + y.high)
+
+    def sub(self, x: Interval, y: Interval) -> Interval:
+        """Differences rise with the first term and fall with the second."""
+        return Interval(x.low - y.high, x.high - y.low)
+
+    def neg(self, x: Interval) -> Interval:
+        """Negatives fall."""
+        return Interval(-x.high, -x.low)
+
+    def mul(self, x: Interval, y: Interval) -> Interval:
+        """A product is linear in each factor, so that its extremes are products of ends."""
+        (a, b), (c, d) = x, y
+        if a.numerator >= 0 and c.numerator >= 0:
+            return Interval(a * c, b * d)
+        ends = (a * c, a * d, b * c, b * d)
+        return Interval(min(ends), max(ends))
+
+    def div(self, x: Interval, y: Interval) -> Interval:
+        """On an interval without 0 the inverse falls."""
+        need(y.low > 0 or y.high < 0, Refused, "found a division by {}, which contains 0", y)
+        return self.mul(x, Interval(1 / y.high, 1 / y.low))
+
+    def power(self, x: Interval, n: int) -> Interval:
+        """Odd powers rise; an even power is that of the absolute value, and rises with it."""
+        low, high = x
+        if n % 2 == 0 and low < 0:
+            low, high = max(Fraction(0), -high), max(-low, high)
+        return Interval(self.powers(low, n).low, self.powers(high, n).high)
+
+    def powers(self, end: Fraction, n: int) -> Interval:
+        """An interval around a power of one number."""
+        if n == 1:
+            return Interval(end, end)
+        half = self.outward(self.powers(end, n // 2))
+        square = self.mul(half, half) if half.low >= 0 else self.mul(self.neg(half), self.neg(half))
+        return self.mul(square, Interval(end, end)) if n % 2 else square
+
+    def sqrt(self, x: Interval) -> Interval:
+        """The root of n/d is that of 4^bits nd, which lies between integers, over 2^bits d."""
+        need(x.low >= 0, Refused, "found a square root of {}, which reaches below 0", x)
+        ends = []
+        for n, d in map(Fraction.as_integer_ratio, x):
+            square = n * d << 2 * self.bits
+            self.kernel.spend(square.bit_length())
+            root = isqrt(square)
+            ends += [Fraction(root + i, d << self.bits) for i in (0, root * root < square)]
+        return Interval(ends[0], ends[3])
+
+    def least(self, *xs: Interval) -> Interval:
+        """A minimum rises with each entry."""
+        return Interval(min(x.low for x in xs), min(x.high for x in xs))
+
+    def greatest(self, *xs: Interval) -> Interval:
+        """A maximum rises with each entry."""
+        return Interval(max(x.low for x in xs), max(x.high for x in xs))
+
+    def rational(self, n: int, d: int) -> Interval:
+        """A rational number."""
+        return Interval(Fraction(n, d), Fraction(n, d))
+
+    def cos(self, x: Interval) -> Interval:
+        """A cosine of x is a cosine of pi times x/pi."""
+        return self.cos_pi(self.outward(self.div(x, self.pi())))
+
+    def cos_pi(self, x: Interval) -> Interval:
+        """Between its ends cos(pi x) has its extremes at the integers k, where it is (-1)^k."""
+        first, last = -(-x.low // 1), x.high // 1
+        extremes = [(-1) ** (k % 2) for k in (first, first + 1) if k <= last]
+        ends = [self.cos_pi_at(end) for end in x]
+        return Interval(
+            min([end.low for end in ends] + [Fraction(e) for e in extremes]),
+            max([end.high for end in ends] + [Fraction(e) for e in extremes]),
+        )
+
+    def cos_pi_at(self, x: Fraction) -> Interval:
+        """cos(pi x), cut to [-1, 1], where x may be shifted by an even number into [-1, 1].
+
+        For |y| <= 4 the sum over k <= m of (-1)^k y^(2k)/(2k)!, here 1 - y^2/2 (1 - y^2/12 (...)),
+        is off by at most 4^n/n! < (4e/n)^n < 2^-n for n = 2m + 2 >= 22 (Taylor's theorem: the
+        derivatives of cos are bounded by 1).
+        """
+        turned = x - (x + 1) // 2 * 2
+        y = self.mul(Interval(turned, turned), self.pi())
+        shift = self.bits + 32
+        square, t = self.power(y, 2), (1 << shift, 1 << shift)  # in units of 2^-shift from here on
+        low, high = square.low * (1 << shift) // 1, -(-square.high * (1 << shift) // 1)
+        for k in range(self.bits // 2 + 11, 0, -1):
+            self.kernel.spend(shift, 2)
+            products = [low * t[0], low * t[1], high * t[0], high * t[1]]
+            divisor = 2 * k * (2 * k - 1) << shift
+            t = (1 << shift) + -max(products) // divisor, (1 << shift) - min(products) // divisor
+        ends = Fraction(t[0] - (1 << 32), 1 << shift), Fraction(t[1] + (1 << 32), 1 << shift)
+        return Interval(max(ends[0], -UNIT.low), min(ends[1], UNIT.high))
+
+    def pi(self) -> Interval:
+        """Machin's formula, pi = 16 arctan(1/5) - 4 arctan(1/239).
+
+        arctan(1/n) is the alternating, decreasing sum of (-1)^k / ((2k+1) n^(2k+1)). ``scaled`` is
+        floor(2^bits / n^(2k+1)), as nested floors are one floor, so that each term, and the rest
+        of the sum, is off by less than 2^-bits.
+        """
+        if self.pi_known is None:
+            bits, total, error = self.bits + 32, 0, 0
+            for factor, n in ((16, 5), (-4, 239)):
+                scaled, k = (1 << bits) // n, 0
+                while scaled:
+                    self.kernel.spend(0, 1 + bits // 2000)
+                    total += factor * (-1 if k % 2 else 1) * (scaled // (2 * k + 1))
+                    scaled, k = scaled // (n * n), k + 1
+                error += abs(factor) * (k + 1)
+            ends = [Fraction(total + sign * error, 1 << bits) for sign in (-1, 1)]
+            self.pi_known = Interval(*ends)
+        return self.pi_known
 
 
 OPERATIONS: dict[str, Callable[..., Interval]] = {
-    "rational": lambda _, p, q: (Fraction(p, q), Fraction(p, q)),
-    "add": lambda _, x, y: (x[0] + y[0], x[1] + y[1]),
-    "sub": lambda _, x, y: (x[0] - y[1], x[1] - y[0]),
-    "neg": lambda _, x: (-x[1], -x[0]),
-    "min": lambda _, *xs: (min(x[0] for x in xs), min(x[1] for x in xs)),
-    "max": lambda _, *xs: (max(x[0] for x in xs), max(x[1] for x in xs)),
-    "mul": Scope.mul, "div": Scope.div, "pow": Scope.power, "sqrt": Scope.sqrt,
-    "cos": Scope.cos, "cos_pi": Scope.cos_pi,
-}  # fmt: skip
-
-
-class Terms:
-    """The terms of a statement, the work that may still be done, and the rules.
-
-    Each distinct subterm is stored once; a term is its index in ``nodes``, above those of its
-    subterms. A ``rational`` has numerator and denominator, a ``pow`` its exponent, a ``symbol`` a
-    number of its own and, unless it is a variable, its definition as a subterm. Rules are methods
-    that return only if their goal is proved.
-    """
-
-    def __init__(self) -> None:
-        self.nodes: list[tuple[str, tuple[int, ...], tuple[int, ...]]] = []
-        self.heights: list[int] = []
-        self.index: dict[object, int] = {}
-        self.leaves: dict[str, int] = {}  # the names in scope, and the rationals read so far
-        self.scopes: dict[int, Scope] = {}
-        self.work = MAX_WORK
-
-    def spend(self, bits: int, times: int = 1) -> None:
-        """Count operations with so many bits; give up when these, or they, are too many."""
-        self.work -= times * (4 + (bits * bits >> 20))
-        if self.work < 0 or bits > MAX_SIZE:
-            raise Refused(f"found too much work, or a number of too many bits: {bits}")
-
-    def node(self, op: str, subterms: Sequence[int], *rest: int) -> int:
-        """The term of an operation and its arguments."""
-        node = op, tuple(subterms), rest
-        if node not in self.index:
-            height = 1 + max((self.heights[term] for term in subterms), default=0)
-            need(height <= MAX_HEIGHT, Malformed, "found a term of more than {} levels", MAX_HEIGHT)
-            self.heights.append(height)
-            self.index[node] = len(self.nodes)
-            self.nodes.append(node)
-        return self.index[node]
-
-    def define(self, name: str, *definition: int) -> int:
-        """A new name in scope: a variable, or a constant with its definition."""
-        shaped("name", name, NAME)
-        need(name not in self.leaves, Malformed, "found the name {}, which is in use", name)
-        self.leaves[name] = self.node("symbol", definition, len(self.nodes))
-        return self.leaves[name]
-
-    def read(self, where: str, value: Any) -> int:
-        """The term that is written over the names in scope."""
-        if isinstance(value, str):
-            if value not in self.leaves:
-                shaped(where, value, RATIONAL)
-                self.leaves[value] = self.node("rational", (), *rational(value).as_integer_ratio())
-            return self.leaves[value]
-        op, *args = value if isinstance(value, list) and value else [""]
-        if op == "pow":
-            shaped(where, args, (None, "[1-9][0-9]{0,2}"))
-            return self.node(op, [self.read(where, args[0])], int(args[1]))
-        arity = ARITY.get(op, -1) if isinstance(op, str) else -1
-        good = len(args) == arity if arity else len(args) > 1
-        need(good, Malformed, "{}: found {}, expected a term", where, value)
-        return self.node(op, [self.read(where, arg) for arg in args])
-
-    def substitute(self, goal: Goal, done: dict[int, int]) -> Goal:
-        """The goal after replacing some symbols by terms."""
-
-        def new(term: int) -> int:
-            self.spend(0)
-            op, subterms, rest = self.nodes[term]
-            if term not in done and op != "symbol":
-                done[term] = self.node(op, [new(arg) for arg in subterms], *rest)
-            return done.get(term, term)
-
-        return goal._replace(lhs=new(goal.lhs), rhs=new(goal.rhs))
-
-    def scope(self, bits: int, box: dict[int, Any]) -> Scope:
-        """The enclosures at a precision, for given intervals of symbols (None: unbounded)."""
-        self.spend(0)
-        if bits not in self.scopes:
-            self.scopes[bits] = Scope(self, bits, {})
-        known = {symbol: ends for symbol, ends in box.items() if None not in ends}
-        return Scope(self, bits, known) if known else self.scopes[bits]
-
-    def interval(self, goal: Goal, proof: dict[str, Any]) -> None:
-        """The enclosures of the two sides, for all values of the variables, decide."""
-        scope = self.scope(proof["bits"], goal.box)
-        x, y = scope.enclose(goal.lhs), scope.enclose(goal.rhs)
-        message = "found {} and {}, expected {} between them"
-        need(HOLDS[goal.relation](x, y), Refused, message, x, y, goal.relation)
-
-    def exact(self, goal: Goal, _: dict[str, Any]) -> None:
-        """The same with so many bits that rational values are exact."""
-        self.interval(goal, {"bits": MAX_BITS})
-
-    def identity(self, goal: Goal, proof: dict[str, Any]) -> None:
-        """The two sides are defined, and the same function of symbols and roots."""
-        scope = self.scope(proof["bits"], goal.box)
-        same = scope.vanishes(plus(scope.expand(goal.lhs), scope.expand(goal.rhs), -1))
-        need(same, Refused, "found sides that differ, expected an identity")
-        need(goal.relation in ("<=", "="), Refused, "found equal sides, not {}", goal.relation)
-
-    def rewrite(self, goal: Goal, proof: dict[str, Any]) -> None:
-        """Symbols are replaced; then the goal is proved by an interval or an identity.
-
-        A symbol may be replaced by its definition. It may be replaced by an entry of the min that
-        defines it if raising it, from its value up to the entry, cannot lower lhs or raise rhs:
-        the goal at the entry implies the goal. For an entry of a max it is lowered instead.
-        """
-        for name, index in proof["steps"]:
-            symbol = self.leaves.get(name, 0)
-            op, definition, _ = self.nodes[symbol]
-            need(op == "symbol" and definition, Malformed, "found {}, expected a constant", name)
-            new = definition[0]
-            if index is not None:
-                op, entries, _ = self.nodes[new]
-                good = op in ("min", "max") and index < len(entries) and "<" in goal.relation
-                need(good, Refused, "found entry {} of {}, which has none such", index, name)
-                new, up = entries[index], 1 if op == "min" else -1
-                scope = self.scope(proof["bits"], goal.box)
-                ends = *scope.enclose(symbol), *scope.enclose(new)
-                scope = self.scope(proof["bits"], goal.box | {symbol: (min(ends), max(ends))})
-                scope.enclose(goal.lhs), scope.enclose(goal.rhs)
-                lhs, rhs = (scope.moves(symbol, side, {}) for side in (goal.lhs, goal.rhs))
-                message = "found entry {} of {}, which may make the claim easier"
-                need(lhs <= {up} and rhs <= {-up}, Refused, message, index, name)
-            goal = self.substitute(goal, {symbol: new})
-        (self.interval if proof["closing"] == "interval" else self.identity)(goal, proof)
-
-    def bernstein(self, goal: Goal, proof: dict[str, Any]) -> None:
-        """For one variable, rhs - lhs is a polynomial with no negative Bernstein coefficient.
-
-        With x = (a + b s)/(1 + s), which runs through ]a, b[ for s > 0, the sum of the c_k x^k is
-        that of the c_k (a + b s)^k (1 + s)^(n - k), whose coefficients these are, over (1 + s)^n:
-        not negative if none of them is, and positive if there is one besides.
-        """
-        scope, n = self.scope(proof["bits"], goal.box), proof["degree"]
-        good = len(goal.box) == len(scope.known) == 1 and "<" in goal.relation
-        need(good, Refused, "found no inequality in one variable with a bounded interval")
-        ((x, (a, b)),) = goal.box.items()
-        total: Polynomial = {}
-        p = plus(scope.expand(goal.rhs), scope.expand(goal.lhs), -1)
-        for monomial, coefficient in p.items():
-            part: Polynomial = {(): coefficient}
-            need(monomial.count(2 * x) <= n, Refused, "found a degree above {}", n)
-            for atom in monomial + (-2,) * (n - monomial.count(2 * x)):
-                factor: Polynomial = {(): a, (x,): b} if atom == 2 * x else {(): 1, (x,): 1}
-                if atom not in (-2, 2 * x):
-                    low, high = scope.enclose(atom // 2)
-                    need(low == high, Refused, "found a coefficient in {}", (low, high))
-                    factor = {(): Fraction(low.denominator, low.numerator) if atom % 2 else low}
-                part = scope.times(part, factor)
-            total = plus(total, part, 1)
-        least = Fraction(min(total.values(), default=0))
-        positive = least >= 0 and (total or goal.relation == "<=")
-        need(positive, Refused, "found {} as the least coefficient", (least, least))
-
-    def cuts(self, goal: Goal, proof: dict[str, Any]) -> None:
-        """Enclosures decide between neighbouring cuts, which lead from end to end of intervals."""
-        sides = []
-        symbols = {self.leaves.get(name, -1): cuts for name, cuts in proof["cuts"].items()}
-        need(symbols.keys() == goal.box.keys(), Refused, "found cuts of {}", [*proof["cuts"]])
-        for symbol, texts in symbols.items():
-            points = [rational(cut) for cut in texts]
-            pieces, ends = list(pairwise(points)), goal.box[symbol]
-            good = pieces and (points[0], points[-1]) == ends and all(a < b for a, b in pieces)
-            need(good, Refused, "found cuts {} that do not increase from end to end", texts)
-            sides.append([(symbol, piece) for piece in pieces])
-        for box in product(*sides):
-            self.interval(goal._replace(box=dict(box)), proof)
-
-    def witness(self, goal: Goal, proof: dict[str, Any]) -> None:
-        """Enclosures decide at one point inside the intervals."""
-        done = {}
-        point = {self.leaves.get(name, -1): text for name, text in proof["point"].items()}
-        need(point.keys() == goal.box.keys(), Refused, "found a point with {}", [*proof["point"]])
-        for symbol, (low, high) in goal.box.items():
-            value = rational(point[symbol])
-            inside = (low is None or low < value) and (high is None or value < high)
-            need(inside, Refused, "found {}, expected a value inside", (value, value))
-            done[symbol] = self.node("rational", (), *value.as_integer_ratio())
-        self.interval(self.substitute(goal, done)._replace(box={}), proof)
-
-    def square(self, goal: Goal, proof: dict[str, Any]) -> None:
-        """Both sides are not negative, and their squares stand in the same relation."""
-        scope = self.scope(proof["bits"], goal.box)
-        for x in (scope.enclose(goal.lhs), scope.enclose(goal.rhs)):
-            need(x[0] >= 0, Refused, "found {}, expected a side that is not negative", x)
-        lhs, rhs = (self.node("pow", [term], 2) for term in (goal.lhs, goal.rhs))
-        self.prove(goal._replace(lhs=lhs, rhs=rhs), proof["then"], PROOF)
-
-    def prove(self, goal: Goal, proof: Any, shape: dict[str, Any]) -> None:
-        """Afterwards the goal is proved."""
-        rule: Any = proof.get("rule") if isinstance(proof, dict) else proof
-        good = isinstance(rule, str) and rule in RULES
-        need(good, Malformed, "rule: found {}, expected one of {}", rule, [*RULES])
-        shaped("proof", proof, shape | RULES[rule][1])
-        good = goal.some == (rule == "witness")
-        need(good, Refused, "found {}, expected witness for not-for-all, and only for that", rule)
-        RULES[rule][0](self, goal, proof)
-
-
-#: Each rule with the shapes of its fields.
-RULES: dict[str, tuple[Callable[[Terms, Goal, dict[str, Any]], None], dict[str, Any]]] = {
-    "interval": (Terms.interval, {}),
-    "exact": (Terms.exact, {}),
-    "rewrite": (Terms.rewrite, {"steps": [(NAME, {range(1000)})], "closing": "interval|identity"}),
-    "bernstein": (Terms.bernstein, {"degree": range(257)}),
-    "cuts": (Terms.cuts, {"cuts": {ANY: [RATIONAL]}}),
-    "witness": (Terms.witness, {"point": {ANY: RATIONAL}}),
-    "square": (Terms.square, {"then": None}),
+    "rational": Enclosing.rational,
+    "add": Enclosing.add,
+    "sub": Enclosing.sub,
+    "neg": Enclosing.neg,
+    "mul": Enclosing.mul,
+    "div": Enclosing.div,
+    "pow": Enclosing.power,
+    "sqrt": Enclosing.sqrt,
+    "min": Enclosing.least,
+    "max": Enclosing.greatest,
+    "cos": Enclosing.cos,
+    "cos_pi": Enclosing.cos_pi,
 }
 
 
-def shaped(where: str, value: Any, shape: Any) -> None:
-    """Afterwards a JSON value has a shape."""
-    kind, good = type(shape), shape is None
-    entries: dict[Any, Any] = {}
-    if kind is str and isinstance(value, str):
-        good = re.fullmatch(shape, value) is not None
-    elif kind is dict and isinstance(value, dict):
-        entries = dict.fromkeys(value, shape[ANY]) if ANY in shape else shape
-        good = value.keys() == entries.keys()
-    elif kind in (list, tuple) and isinstance(value, list):
-        entries = dict(enumerate(shape if kind is tuple else shape * len(value)))
-        good = len(entries) == len(value)
-    elif kind is range:
-        good = type(value) is int and value in shape
-    elif kind is set and value is not None:
-        return shaped(where, value, *shape)
-    found = [*value] if isinstance(value, dict) else value
-    need(good or kind is set, Malformed, "{}: found {}, expected {}", where, found, shape)
-    for key, inner in entries.items():
-        item = value[key]
-        if not (isinstance(inner, str) and isinstance(item, str) and re.fullmatch(inner, item)):
-            shaped(f"{where}: {key}", item, inner)
-    return None
+# --- shapes of JSON values -----------------------------------------------------------------------
+
+Shape = Callable[[str, Any], None]
+
+NAME = "[A-Za-z][A-Za-z0-9_.-]{0,99}"
+RATIONAL = "-?(0|[1-9][0-9]{0,4299})(/[1-9][0-9]{0,4299})?"  # int() reads at most 4300 digits
+DECIMAL = r"-?(0|[1-9][0-9]{0,99})(\.[0-9]{1,99})?(e-?[0-9]{1,5})?"
+rational = cache(Fraction)  # the value of a text
 
 
-def parse(where: str, data: bytes, shape: dict[str, Any]) -> Any:
+def anything(_: str, __: Any) -> None:
+    """Any value, which is looked at later."""
+
+
+def text(pattern: str, expected: str) -> Shape:
+    """A text that matches a pattern."""
+
+    def check_text(where: str, value: Any) -> None:
+        good = isinstance(value, str) and re.fullmatch(pattern, value)
+        need(good, Malformed, "{}: found {}, expected {}", where, value, expected)
+
+    return check_text
+
+
+def integer(low: int, high: int) -> Shape:
+    """A whole number between two others."""
+
+    def check_integer(where: str, value: Any) -> None:
+        good = type(value) is int and low <= value <= high
+        need(good, Malformed, "{}: found {}, expected {} to {}", where, value, low, high)
+
+    return check_integer
+
+
+def optional(shape: Shape) -> Shape:
+    """Null, or a value of this shape."""
+
+    def check_optional(where: str, value: Any) -> None:
+        if value is not None:
+            shape(where, value)
+
+    return check_optional
+
+
+def array(shape: Shape) -> Shape:
+    """A list of any length."""
+
+    def check_array(where: str, value: Any) -> None:
+        need(isinstance(value, list), Malformed, "{}: found {}, expected a list", where, value)
+        for i, item in enumerate(value, 1):
+            shape(f"{where} {i}", item)
+
+    return check_array
+
+
+def tuple_of(*shapes: Shape) -> Shape:
+    """A list with one entry for each shape."""
+
+    def check_tuple(where: str, value: Any) -> None:
+        good = isinstance(value, list) and len(value) == len(shapes)
+        need(good, Malformed, "{}: found {}, expected {} entries", where, value, len(shapes))
+        for i, (item, shape) in enumerate(zip(value, shapes, strict=True), 1):
+            shape(f"{where} {i}", item)
+
+    return check_tuple
+
+
+def table(shape: Shape) -> Shape:
+    """An object with any names as keys."""
+
+    def check_table(where: str, value: Any) -> None:
+        need(isinstance(value, dict), Malformed, "{}: found {}, expected an object", where, value)
+        for key, item in value.items():
+            name(where, key)
+            shape(f"{where}.{key}", item)
+
+    return check_table
+
+
+def record(**shapes: Shape) -> Shape:
+    """An object with just these keys."""
+
+    def check_record(where: str, value: Any) -> None:
+        need(isinstance(value, dict), Malformed, "{}: found {}, expected an object", where, value)
+        odd = sorted(value.keys() ^ shapes.keys())
+        need(not odd, Malformed, "{}: found too many or too few keys: {}", where, odd)
+        for key, shape in shapes.items():
+            shape(f"{where}.{key}", value[key])
+
+    return check_record
+
+
+any_text = text("(?s).*", "a text")
+name = text(NAME, "a name")
+reference = text(f"@[1-9][0-9]{{0,2}}|({NAME}:)*{NAME}", "the name of a fact")
+context_name = text(f"({NAME}:)*{NAME}", "the name of a context")
+number = text(RATIONAL, "a rational number")
+exponent = text("[1-9][0-9]{0,2}", "an exponent from 1 to 999")
+bits = integer(2, MAX_BITS)
+ends = tuple_of(text(DECIMAL, "a decimal number"), text(DECIMAL, "a decimal number"))
+
+CONSTANT = record(name=name, label=any_text, letter=any_text, tex=any_text, term=anything)
+GIVEN = record(
+    name=name,
+    claim=anything,
+    kind=text("plain|carried|standing", "plain, carried or standing"),
+    assumption=optional(name),
+)
+CONTEXT = record(
+    name=name,
+    parent=optional(name),
+    says=any_text,
+    variables=array(record(name=name, letter=any_text, tex=any_text)),
+    givens=array(GIVEN),
+    point=table(anything),
+    constants=array(CONSTANT),
+)
+ROW = record(
+    name=name,
+    context=optional(name),
+    group=any_text,
+    label=any_text,
+    role=text("needed|printed", "needed or printed"),
+    severity=optional(any_text),
+    says=any_text,
+    claim=anything,
+    verdict=text("proved|refuted|undecided", "proved, refuted or undecided"),
+    uses=array(name),
+    corrected_by=optional(any_text),
+)
+ASSUMPTION = record(name=name, kind=any_text, label=any_text, sentence=any_text)
+CITE = record(name=name, theorem=any_text, statement_sha256=text("[0-9a-f]{64}", "a digest"))
+STATEMENT = record(
+    format=text("verify-statement/2", "verify-statement/2"),
+    theorem=any_text,
+    title=any_text,
+    parameters=table(anything),
+    terms=table(anything),
+    constants=array(CONSTANT),
+    contexts=array(CONTEXT),
+    obligations=array(ROW),
+    assumptions=array(ASSUMPTION),
+    cites=array(CITE),
+)
+CERTIFICATE = record(
+    format=text("verify-certificate/2", "verify-certificate/2"),
+    statement_sha256=text("[0-9a-f]{64}", "a digest"),
+    terms=table(anything),
+    steps=array(anything),
+    enclosures=record(
+        constants=table(record(bits=bits, ends=ends)),
+        rows=table(record(bits=bits, lhs=ends, rhs=ends)),
+    ),
+)
+
+rule, proofs = text(NAME, "a rule"), array(anything)
+side = text("lhs|rhs", "lhs or rhs")
+bounds = array(tuple_of(context_name, reference, reference))
+#: Each rule with the shape of its proofs.
+RULES: dict[str, tuple[Callable[..., None], Shape]] = {
+    "interval": (Kernel.interval, record(rule=rule, bits=bits, bounds=bounds)),
+    "cuts": (
+        Kernel.cuts,
+        record(rule=rule, term=anything, at=array(number), branches=proofs),
+    ),
+    "sum": (
+        Kernel.sum,
+        record(
+            rule=rule,
+            using=array(reference),
+            addends=array(anything),
+            equations=array(tuple_of(reference, anything)),
+        ),
+    ),
+    "entry": (Kernel.entry, record(rule=rule, side=side, equation=optional(reference))),
+    "least": (
+        Kernel.least,
+        record(rule=rule, side=side, equation=optional(reference), branches=proofs),
+    ),
+    "cases": (Kernel.cases, record(rule=rule, of=anything, branches=proofs)),
+    "root": (Kernel.root, record(rule=rule)),
+    "instance": (
+        Kernel.instance,
+        record(rule=rule, of=context_name, at=table(anything), givens=proofs),
+    ),
+}
+#: The rules that show that a term has a value, and those with whole steps of their own.
+DEFINING: dict[str, tuple[Callable[..., None], Shape]] = {
+    "define": (Kernel.define, record(rule=rule)),
+    "interval": RULES["interval"],
+}
+APPLYING = {"instance": (Kernel.instance, record(rule=rule, givens=proofs))}
+REPEATING = {"induction": (Kernel.induction, record(rule=rule, start=proofs, next=proofs))}
+FAILING = {
+    "witness": (
+        Kernel.witness,
+        record(rule=rule, at=table(anything), givens=proofs, negation=anything),
+    )
+}
+
+
+def rule_of(proof: Any, rules: Mapping[str, tuple[Callable[..., None], Shape]]) -> str:
+    """The rule of a proof, which is one of these, and whose proof has its shape."""
+    found = proof.get("rule") if isinstance(proof, dict) else proof
+    good = isinstance(proof, dict) and isinstance(found, str) and found in rules
+    need(good, Malformed, "rule: found {}, expected one of {}", found, [*rules])
+    rules[str(found)][1](str(found), proof)
+    return str(found)
+
+
+# --- statements, certificates, and the report ----------------------------------------------------
+
+
+class Row(NamedTuple):
+    """An obligation of a statement."""
+
+    name: str
+    context: Context
+    role: str
+    verdict: str
+    claim: Claim | Applies | Always
+    words: str
+
+
+class Statement(NamedTuple):
+    """What a statement claims, read into a kernel."""
+
+    title: str
+    constants: list[str]  # those of the root, with the parameters
+    rows: dict[str, Row]
+    assumptions: dict[str, str]
+    cites: list[tuple[str, str]]  # theorem and digest
+
+
+class Reader:
+    """Reads a statement, and those that it cites, into a kernel."""
+
+    def __init__(self, kernel: Kernel, available: Mapping[str, bytes]) -> None:
+        self.kernel, self.available = kernel, available
+        self.own: dict[str, tuple[Context, int]] = {}  # constants that are to be defined
+
+    def read(self, document: dict[str, Any], prefix: str = "") -> Statement:
+        """The statement; if it is cited, its contexts are open and its proved rows are facts."""
+        kernel = self.kernel
+        for cite in document["cites"]:
+            self.cite(cite, prefix)
+        kernel.prefix = prefix
+        assumptions = {item["name"]: item["sentence"] for item in document["assumptions"]}
+        good = len(assumptions) == len(document["assumptions"])
+        need(good, Malformed, "assumptions: found a name twice")
+        terms = {
+            name: kernel.read(f"parameter {name}", term, kernel.outermost)
+            for name, term in document["parameters"].items()
+        }
+        for name, term in terms.items():
+            self.constant(name, term, kernel.outermost, prefix)
+        kernel.shared |= {prefix + name: term for name, term in document["terms"].items()}
+        for name in document["terms"]:
+            kernel.introduce(prefix + name)
+        self.constants(document["constants"], kernel.outermost, prefix)
+        for item in document["contexts"]:
+            self.context(item, prefix, assumptions)
+        for name in document["terms"]:
+            kernel.parse_leaf("terms", name)
+        rows = {}
+        for item in document["obligations"]:
+            row = self.row(item, prefix, assumptions)
+            rows[row.name] = row
+            kernel.introduce(prefix + row.name)
+            if prefix and row.verdict == "proved" and isinstance(row.claim, Claim):
+                kernel.install(prefix + row.name, row.claim, row.context)
+        kernel.prefix = ""
+        constants = [*terms, *(item["name"] for item in document["constants"])]
+        cites = [(cite["theorem"], cite["statement_sha256"]) for cite in document["cites"]]
+        return Statement(document["title"], constants, rows, assumptions, cites)
+
+    def cite(self, cite: dict[str, Any], prefix: str) -> None:
+        """Read a cited statement, whose names get its name and a colon before them."""
+        digest = cite["statement_sha256"]
+        message = "cites: found {}, whose statement is not at hand"
+        need(digest in self.available, Malformed, message, digest)
+        self.kernel.introduce(prefix + cite["name"])
+        document = parsed("cited statement", self.available[digest], STATEMENT)
+        good = document["theorem"] == cite["theorem"]
+        need(good, Malformed, "cites: found {} under another title", cite["theorem"])
+        self.read(document, f"{prefix}{cite['name']}:")
+
+    def constants(self, items: list[dict[str, Any]], context: Context, prefix: str) -> None:
+        """Introduce constants in order, each over earlier names."""
+        for item in items:
+            term = self.kernel.read(f"constant {item['name']}", item["term"], context)
+            self.constant(item["name"], term, context, prefix)
+
+    def constant(self, short: str, definition: int, context: Context, prefix: str) -> None:
+        """Introduce one constant; that its definition has a value is proved by a step."""
+        full = prefix + short
+        term = self.kernel.new_name(full, context, definition)
+        if prefix:
+            self.kernel.defined.add(term)
+            self.kernel.install(full, Claim("=", term, definition), context)
+        else:
+            self.own[full] = context, definition
+
+    def context(self, item: dict[str, Any], prefix: str, assumptions: Mapping[str, str]) -> None:
+        """Introduce a context with its variables, givens, point and constants."""
+        kernel, full = self.kernel, prefix + item["name"]
+        parent = self.find(item["parent"], prefix)
+        kernel.introduce(full)
+        context = kernel.contexts[full] = Context(full, parent)
+        for variable in item["variables"]:
+            term = kernel.new_name(prefix + variable["name"], context)
+            context.variables[prefix + variable["name"]] = term
+        for given in item["givens"]:
+            claim = kernel.read_claim(f"given {given['name']}", given["claim"], context)
+            known = given["assumption"] in (assumptions if given["kind"] == "standing" else [None])
+            message = "given {}: found the assumption {} of a {} given"
+            need(known, Malformed, message, given["name"], given["assumption"], given["kind"])
+            kernel.introduce(prefix + given["name"])
+            context.givens.append(Given(prefix + given["name"], claim, given["kind"]))
+        context.point = kernel.values("point", item["point"], context, Place(parent))
+        if prefix:
+            context.is_open = True
+            for given in context.givens:
+                kernel.install(given.name, given.claim, context)
+        self.constants(item["constants"], context, prefix)
+
+    def find(self, name: str | None, prefix: str) -> Context:
+        """The context of this name, or the root."""
+        if name is None:
+            return self.kernel.outermost
+        need(prefix + name in self.kernel.contexts, Malformed, "found no context {} so far", name)
+        return self.kernel.contexts[prefix + name]
+
+    def row(self, item: dict[str, Any], prefix: str, assumptions: Mapping[str, str]) -> Row:
+        """An obligation."""
+        unknown = sorted(set(item["uses"]) - assumptions.keys())
+        need(not unknown, Malformed, "uses: found {}, which are no assumptions", unknown)
+        context = self.find(item["context"], prefix)
+        claim, words = self.claim(item["name"], item["claim"], context, prefix)
+        good = isinstance(claim, Claim) or item["verdict"] == "proved"
+        need(good, Malformed, "{}: found {} of such a claim", item["name"], item["verdict"])
+        where = "" if context is self.kernel.outermost else f" for all of {context.name}"
+        words = f"{words}{where}" if item["verdict"] == "proved" else f"not ({words}{where})"
+        words = f"{item['name']} [{item['label']}] {words}"
+        return Row(item["name"], context, item["role"], item["verdict"], claim, words)
+
+    def claim(
+        self, where: str, value: Any, context: Context, prefix: str
+    ) -> tuple[Claim | Applies | Always, str]:
+        """What an obligation claims, and in words."""
+        kernel, place = self.kernel, Place(context)
+        kind = value[0] if isinstance(value, list) and value else value
+        if kind == "applies":
+            tuple_of(anything, context_name, table(anything))(where, value)
+            other = self.find(value[1], prefix)
+            at = kernel.values(where, value[2], other, place)
+            return Applies(other, at), f"the theorems of {other.name} apply"
+        if kind == "always":
+            tuple_of(anything, context_name, table(anything), table(anything))(where, value)
+            other = self.find(value[1], prefix)
+            start = kernel.values(where, value[2], other, place)
+            following = kernel.values(where, value[3], other, Place(other))
+            return Always(other, start, following), f"{other.name} always"
+        claim = kernel.read_claim(where, value, context)
+        return claim, f"lhs {claim.relation} rhs"
+
+
+STEPS: dict[str, Shape] = {
+    "obligation": record(obligation=name, proof=anything),
+    "lemma": record(lemma=name, context=optional(context_name), claim=anything, proof=anything),
+    "constant": record(constant=name, proof=anything),
+    "define": record(define=name, context=optional(context_name), term=anything, proof=anything),
+    "open": record(open=name, givens=proofs),
+}
+
+
+class Checking:
+    """A certificate, step by step."""
+
+    def __init__(self, kernel: Kernel, reader: Reader, statement: Statement) -> None:
+        self.kernel, self.reader, self.statement = kernel, reader, statement
+        self.lines: list[str] = []
+        self.complaints: list[str] = []
+        self.done: set[str] = set()
+
+    def step(self, step: Any) -> None:
+        """Afterwards the step has made its fact, or its refusal is in the report."""
+        kinds = [kind for kind in STEPS if isinstance(step, dict) and kind in step]
+        need(len(kinds) == 1, Malformed, "steps: found {}, expected one of {}", step, [*STEPS])
+        kind = kinds[0]
+        STEPS[kind]("step", step)
+        what = f"{kind} {step[kind]}"
+        try:
+            STEP[kind](self, step)
+        except Malformed as error:
+            raise Malformed(f"{what}: {error}") from error
+        except Refused as error:
+            self.kernel.refused.add(step[kind])
+            row = self.statement.rows.get(step[kind])
+            what = row.words if row and kind == "obligation" else what
+            self.complaints.append(f"REFUSED {what}: {error}")
+            self.lines.append(self.complaints[-1])
+
+    def place(self, context: Context) -> Place:
+        """The context, which must be open."""
+        good = context.name not in self.kernel.refused
+        need(good, Refused, "found {}, which could not be opened", context.name)
+        need(context.is_open, Malformed, "found {}, which is not open so far", context.name)
+        return Place(context)
+
+    def once(self, item: str) -> None:
+        """Each item of the statement is dealt with once."""
+        need(item not in self.done, Malformed, "found a second step")
+        self.done.add(item)
+
+    def obligation(self, step: dict[str, Any]) -> None:
+        """Prove a row of the statement, or its negation if it is refuted."""
+        name, kernel = step["obligation"], self.kernel
+        need(name in self.statement.rows, Malformed, "found no such row")
+        self.once(name)
+        row = self.statement.rows[name]
+        need(row.verdict != "undecided", Malformed, "found a proof of an undecided row")
+        place, claim, proof = self.place(row.context), row.claim, step["proof"]
+        if isinstance(claim, Applies):
+            APPLYING[rule_of(proof, APPLYING)][0](kernel, place, claim, proof)
+        elif isinstance(claim, Always):
+            REPEATING[rule_of(proof, REPEATING)][0](kernel, place, claim, proof)
+        elif row.verdict == "proved":
+            kernel.prove(place, claim, proof)
+            kernel.install(name, claim, row.context)
+        elif isinstance(proof, dict) and proof.get("rule") == "witness":
+            FAILING[rule_of(proof, FAILING)][0](kernel, place, claim, proof)
+        else:
+            kernel.prove(place, negated(claim), proof)
+        self.lines.append(f"proved  {row.words}")
+
+    def lemma(self, step: dict[str, Any]) -> None:
+        """Prove a claim of the certificate."""
+        kernel, context = self.kernel, self.context(step["context"])
+        kernel.introduce(step["lemma"])
+        claim = kernel.read_claim("claim", step["claim"], context)
+        kernel.prove(self.place(context), claim, step["proof"])
+        kernel.install(step["lemma"], claim, context)
+
+    def constant(self, step: dict[str, Any]) -> None:
+        """Show that the definition of a constant of the statement has a value."""
+        name = step["constant"]
+        need(name in self.reader.own, Malformed, "found no such constant")
+        self.once(name)
+        context, definition = self.reader.own[name]
+        self.make_defined(name, self.kernel.names[name], definition, context, step["proof"])
+
+    def define(self, step: dict[str, Any]) -> None:
+        """Introduce a constant of the certificate."""
+        context = self.context(step["context"])
+        definition = self.kernel.read("term", step["term"], context)
+        term = self.kernel.new_name(step["define"], context, definition)
+        self.make_defined(step["define"], term, definition, context, step["proof"])
+
+    def make_defined(
+        self, name: str, term: int, definition: int, context: Context, proof: Any
+    ) -> None:
+        """Make a fact of a definition that has a value."""
+        self.kernel.define(self.place(context), definition, proof)
+        self.kernel.defined.add(term)
+        self.kernel.install(name, Claim("=", term, definition), context)
+
+    def open(self, step: dict[str, Any]) -> None:
+        """Show that there are values that satisfy the givens of a context."""
+        name = step["open"]
+        need(name in self.kernel.contexts, Malformed, "found no such context")
+        self.once(name)
+        context = self.kernel.contexts[name]
+        self.place(context.parent or context)
+        self.kernel.open(context, step["givens"])
+
+    def context(self, name: str | None) -> Context:
+        """The context of this name, or the root."""
+        return self.reader.find(name, "")
+
+    def finish(self, enclosures: dict[str, Any]) -> None:
+        """Afterwards nothing of the statement is left, and all enclosures are right."""
+        decided = {name for name, row in self.statement.rows.items() if row.verdict != "undecided"}
+        expected = (
+            decided
+            | self.reader.own.keys()
+            | {name for name in self.kernel.contexts if ":" not in name}
+        )
+        left = sorted(expected - self.done)
+        need(not left, Malformed, "steps: found none for {}", left)
+        for name, row in self.statement.rows.items():
+            if row.role == "needed" and row.verdict == "undecided":
+                self.complaints.append(f"REFUSED {name}: a needed row is undecided")
+                self.lines.append(self.complaints[-1])
+        rows = {
+            name: row.claim
+            for name, row in self.statement.rows.items()
+            if name in decided and isinstance(row.claim, Claim) and self.is_ground(row.claim)
+        }
+        terms = {name: self.kernel.names[name] for name in self.statement.constants}
+        for key, wanted in (("constants", terms), ("rows", rows)):
+            odd = sorted(enclosures[key].keys() ^ wanted.keys())
+            message = "enclosures of {}: found too many or too few: {}"
+            need(not odd, Malformed, message, key, odd)
+        for name, found in enclosures["constants"].items():
+            self.enclosed(name, terms[name], found["ends"], found["bits"])
+        for name, found in enclosures["rows"].items():
+            self.enclosed(name, rows[name].lhs, found["lhs"], found["bits"])
+            self.enclosed(name, rows[name].rhs, found["rhs"], found["bits"])
+
+    def is_ground(self, claim: Claim) -> bool:
+        """Whether a claim has no variables."""
+        return self.kernel.is_ground[claim.lhs] and self.kernel.is_ground[claim.rhs]
+
+    def enclosed(self, name: str, term: int, found: list[str], bits: int) -> None:
+        """Afterwards the value lies between the ends, or the complaint is in the report."""
+        for end in found:
+            exponent = abs(int(end.partition("e")[2] or 0))
+            self.kernel.spend(4 * (exponent + len(end)))
+        given = Interval(*map(rational, found))
+        need(given.low <= given.high, Malformed, "{}: found ends in no order: {}", name, given)
+        try:
+            x = self.kernel.enclosing(Place(self.kernel.outermost), {"bits": bits, "bounds": []})
+            inner = x.enclose(term)
+            good = given.low <= inner.low and inner.high <= given.high
+            need(good, Refused, "found the enclosure {}, expected one around {}", given, inner)
+        except Refused as error:
+            self.complaints.append(f"REFUSED enclosure of {name}: {error}")
+            self.lines.append(self.complaints[-1])
+
+
+STEP: dict[str, Callable[[Checking, dict[str, Any]], None]] = {
+    "obligation": Checking.obligation,
+    "lemma": Checking.lemma,
+    "constant": Checking.constant,
+    "define": Checking.define,
+    "open": Checking.open,
+}
+
+
+class Folder(NamedTuple):
+    """A statement and its certificate, and statements that lie beside them to be cited."""
+
+    path: str
+    statement: bytes
+    certificate: bytes
+    cited: list[bytes]
+
+
+class Report(NamedTuple):
+    """What was found about one statement: PROVED, REFUTED or REFUSED, and the lines about it."""
+
+    verdict: str
+    lines: list[str]
+    summary: str
+    digest: str
+    cites: list[tuple[str, str]]
+
+
+def parsed(where: str, data: bytes, shape: Shape) -> Any:
     """The document in a JSON file, where natural numbers below 10^9 are the only numbers."""
 
     def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        need(len(dict(pairs)) == len(pairs), Malformed, "{}: found a key twice: {}", where, pairs)
+        keys = [key for key, _ in pairs]
+        need(len({*keys}) == len(keys), Malformed, "{}: found a key twice in {}", where, keys)
         return dict(pairs)
 
-    def number(text: str) -> int:
+    def natural(text: str) -> int:
         good = re.fullmatch("0|[1-9][0-9]{0,8}", text)
         need(good, Malformed, "{}: found {}, expected numbers as texts", where, text)
         return int(text)
 
     need(len(data) <= MAX_BYTES, Malformed, "{}: found more than {} bytes", where, MAX_BYTES)
-    table, others = bytes.maketrans(b"{}", b"[]"), bytes(set(range(256)) - set(b'[]{}"'))
-    flat = re.sub(rb"\\.", b"", data, flags=re.DOTALL).translate(table, others)
-    flat = re.sub(rb'"[^"]*"', b"", flat.replace(b'""', b""))
-    for _ in range(MAX_NESTING):
-        flat = flat.replace(b"[]", b"")
-    message = "{}: found brackets without partner, or more than {} inside each other"
-    need(not flat, Malformed, message, where, MAX_NESTING)
-    hooks: Any = {"parse_int": number, "parse_float": number, "parse_constant": number}
+    hooks: Any = {"parse_int": natural, "parse_float": natural, "parse_constant": natural}
     try:
         value = json.loads(data.decode(), object_pairs_hook=unique, **hooks)
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise Malformed(f"{where}: {error}") from error
-    shaped(where, value, shape)
+    level = [value]
+    for _ in range(MAX_NESTING):
+        lists = [item.values() if isinstance(item, dict) else item for item in level]
+        level = [item for inner in lists for item in inner if isinstance(item, dict | list)]
+    need(not level, Malformed, "{}: found more than {} nested brackets", where, MAX_NESTING)
+    shape(where, value)
     return value
 
 
-def claimed(terms: Terms, row: dict[str, Any]) -> tuple[Goal, dict[str, int], str]:
-    """What an obligation claims: a goal, the sides that have enclosures, and the claim in words."""
-    claim, negated, box = row["claim"], False, {}
-    for name, texts in row["variables"].items():
-        low, high = (None if text is None else rational(text) for text in texts)
-        good = low is None or high is None or low < high
-        need(good, Malformed, "found the variable {} between {}", name, texts)
-        box[terms.define(name)] = (low, high)
-    while isinstance(claim, list) and len(claim) == 2 and claim[0] == "not":
-        claim, negated = claim[1], not negated
-    shaped("claim", claim, ("<|<=|=", None, None))
-    relation, lhs, rhs = claim[0], terms.read("lhs", claim[1]), terms.read("rhs", claim[2])
-    words = f"lhs {relation} rhs" + (f" for all {', '.join(row['variables'])}" if box else "")
-    goal = Goal(relation, lhs, rhs, box, False)
-    if negated:
-        goal, words = Goal(OPPOSITE[relation], rhs, lhs, box, bool(box)), f"not ({words})"
-    return goal, {} if box else {"lhs": lhs, "rhs": rhs}, words
+def check(first: bytes, second: bytes, available: Mapping[str, bytes]) -> Report:
+    """Whether the certificate in ``second`` proves the statement in ``first``, and a report.
+
+    ``available`` has the bytes of statements that may be cited, by their digests.
+    """
+    document = parsed("statement", first, STATEMENT)
+    certificate = parsed("certificate", second, CERTIFICATE)
+    digest, found = sha256(first).hexdigest(), certificate["statement_sha256"]
+    need(found == digest, Malformed, "statement_sha256: found {}, expected {}", found, digest)
+    kernel = Kernel()
+    reader = Reader(kernel, available)
+    statement = reader.read(document)
+    needed = [row for row in statement.rows.values() if row.role == "needed"]
+    need(needed, Malformed, "obligations: found no needed row, which proves nothing")
+    kernel.shared |= certificate["terms"]
+    for name in certificate["terms"]:
+        kernel.introduce(name)
+    checking = Checking(kernel, reader, statement)
+    for step in certificate["steps"]:
+        checking.step(step)
+    checking.finish(certificate["enclosures"])
+    refuted = any(row.verdict == "refuted" for row in needed)
+    verdict = "REFUSED" if checking.complaints else "REFUTED" if refuted else "PROVED"
+    lines = checking.lines + [f"assumed {name}: {s}" for name, s in statement.assumptions.items()]
+    return Report(verdict, lines, summary(statement), digest, statement.cites)
 
 
-def overlap(found: list[str], x: Interval) -> None:
-    """Afterwards an enclosure of the certificate has a number in common with one from here."""
-    low, high = map(rational, found)
-    need(low <= high, Malformed, "found the enclosure {}, whose ends are in no order", found)
-    need(low <= x[1] and x[0] <= high, Refused, "found {}, expected {}", (low, high), x)
+def summary(statement: Statement) -> str:
+    """The title, how many rows of each kind there are, and the assumptions."""
+    counts = []
+    for verdict in ("proved", "refuted", "undecided"):
+        for role in ("needed", "printed"):
+            n = sum((row.role, row.verdict) == (role, verdict) for row in statement.rows.values())
+            counts.append(f"{n} {role} {verdict}")
+    given = ", ".join(statement.assumptions) or "nothing"
+    return f"{statement.title}: {', '.join(counts)}; given {given}"
 
 
-def judged(terms: Terms, row: dict[str, Any], proof: Any, assumed: dict[str, Any]) -> str:
-    """The line of the report for an obligation."""
-    why = words = ""
-    try:
-        unknown = set(row["uses"]) - assumed.keys()
-        need(not unknown, Malformed, "uses: found {}, which no assumption has", unknown)
-        goal, sides, words = claimed(terms, row)
-        terms.prove(goal, proof, PROOF | {"obligation": NAME} | dict.fromkeys(sides, PAIR))
-        for side, term in sides.items():
-            overlap(proof[side], terms.scope(proof["bits"], {}).enclose(term))
-        wanted = row["role"] != "needed" or not words.startswith("not")
-        need(wanted, Refused, "the negation is proved, but the row is needed")
-    except Malformed as error:
-        raise Malformed(f"obligation {row['name']}: {error}") from error
-    except Refused as error:
-        why = f": {error}"
-    for name in row["variables"]:
-        del terms.leaves[name]
-    verdict = "REFUSED" if why else "proved "
-    return f"{verdict} {row['name']} [{row['label']}] {words}{why}"
+def last_line(report: Report, closed: Mapping[str, Report]) -> str:
+    """The verdict, and what it is about; a citation is closed by a proof in the same run."""
+    waiting, opened, given = [*report.cites], [], []
+    while waiting:
+        theorem, digest = waiting.pop()
+        if digest in closed:
+            waiting += closed[digest].cites
+            given.append(f"; and what {theorem} is given")
+        else:
+            opened.append(f"; citing {theorem}, which was not checked here ({digest})")
+    return f"{report.verdict}: {report.summary}{''.join(given + opened)}"
 
 
-def check(first: bytes, second: bytes) -> tuple[bool, list[str]]:
-    """Whether the certificate in ``second`` proves the statement in ``first``, and a report."""
-    statement = parse("statement", first, STATEMENT)
-    certificate = parse("certificate", second, CERTIFICATE)
-    digest, given = sha256(first).hexdigest(), certificate["statement_sha256"]
-    need(given == digest, Malformed, "statement_sha256: found {}, expected {}", given, digest)
-    rows, proofs, terms = statement["obligations"], certificate["proofs"], Terms()
-    need(rows, Malformed, "obligations: found none, which proves nothing")
-    assumed = {item["name"]: item for item in statement["assumptions"]}
-    for key in ("obligations", "assumptions"):
-        names = [item["name"] for item in statement[key]]
-        need(len(set(names)) == len(names), Malformed, "{}: found a name twice in {}", key, names)
-    found = [proof.get("obligation") if isinstance(proof, dict) else proof for proof in proofs]
-    odd = [pair for pair in zip_longest(found, (row["name"] for row in rows)) if pair[0] != pair[1]]
-    need(not odd, Malformed, "proofs: found and expected are {}", odd)
-    for name, term in statement["parameters"].items():
-        terms.define(name, terms.read(f"parameter {name}", term))
-    for item in statement["constants"]:
-        terms.define(item["name"], terms.read(f"constant {item['name']}", item["term"]))
-    enclosures = certificate["enclosures"]
-    keys = enclosures.keys() ^ {item["name"] for item in statement["constants"]}
-    need(not keys, Malformed, "enclosures: found too many or too few names: {}", sorted(keys))
-    lines = [judged(terms, row, proof, assumed) for row, proof in zip(rows, proofs, strict=True)]
-    bits = max(128, *(proof["bits"] for proof in proofs))
-    for item in statement["constants"]:
+def read_file(path: str) -> bytes:
+    """The bytes of a file, and one more than is allowed at most."""
+    with open(path, "rb") as file:
+        return file.read(MAX_BYTES + 1)
+
+
+def read_folders(arguments: Sequence[str]) -> list[Folder]:
+    """For each folder its name, its two files, and the statements that lie there to be cited."""
+    found = []
+    names = ("statement.json", "certificate.json")
+    pairs = [(path, *(os.path.join(path, name) for name in names)) for path in arguments]
+    if len(arguments) == 2 and not any(map(os.path.isdir, arguments)):
+        pairs = [(arguments[1], arguments[0], arguments[1])]
+    for path, first, second in pairs:
+        folder = os.path.join(os.path.dirname(first), "cited")
+        cited = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
+        others = [read_file(os.path.join(folder, name)) for name in cited]
+        found.append(Folder(path, read_file(first), read_file(second), others))
+    return found
+
+
+def check_folders(folders: Sequence[Folder]) -> tuple[int, list[str]]:
+    """The exit code and the report about folders, of which some may cite others."""
+    everything = [data for folder in folders for data in (folder.statement, *folder.cited)]
+    available = {sha256(data).hexdigest(): data for data in everything}
+    reports: list[tuple[str, Report | Malformed]] = []
+    for path, first, second, _ in folders:
         try:
-            x = terms.scope(bits, {}).enclose(terms.leaves[item["name"]])
-            overlap(enclosures[item["name"]], x)
-        except Refused as error:
-            lines.append(f"REFUSED constant {item['name']} [{item['label']}]: {error}")
-    proved = not any(line.startswith("REFUSED") for line in lines)
-    lines += [f"assumed {item['label']}: {item['sentence']}" for item in statement["assumptions"]]
-    return proved, [*lines, "PROVED" if proved else "NOT PROVED"]
+            reports.append((path, check(first, second, available)))
+        except (Malformed, RecursionError) as error:
+            reports.append((path, Malformed(str(error))))
+    found = [report for _, report in reports if isinstance(report, Report)]
+    closed = {report.digest: report for report in found if report.verdict == "PROVED"}
+    code, lines = 0, []
+    for path, report in reports:
+        if len(reports) > 1:
+            lines.append(f"{path}:")
+        if isinstance(report, Malformed):
+            code, lines = 4, [*lines, f"MALFORMED: {report}"]
+        else:
+            code = max(code, 0 if report.verdict == "PROVED" else 1)
+            lines += [*report.lines, last_line(report, closed)]
+    return code, lines
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Check the files that the command line names, print the report, and return the exit code."""
-    names = ("statement.json", "certificate.json")
-    paths = [os.path.join(*arguments, name) for name in names] if len(arguments) == 1 else arguments
+    """Check what the command line names, print the report, and return the exit code."""
     try:
-        need(len(paths) == 2, OSError, "found {} words, expected a folder or two files", len(paths))
-        with open(paths[0], "rb") as first, open(paths[1], "rb") as second:
-            contents = first.read(MAX_BYTES + 1), second.read(MAX_BYTES + 1)
+        need(arguments, OSError, "found no folder; write: check.py FOLDER")
+        folders = read_folders(arguments)
+        code, lines = check_folders(folders)
     except (OSError, ValueError) as error:
         print(f"check: {error}", file=sys.stderr)
         return 2
-    try:
-        proved, lines = check(*contents)
-        code = 0 if proved else 1
-    except Malformed as error:
-        code, lines = 4, [f"malformed: {error}", "NOT PROVED"]
     except KeyboardInterrupt:
         print("check: interrupted", file=sys.stderr)
         return 130
+    return output(lines, code)
+
+
+def output(lines: list[str], code: int) -> int:
+    """Print the report, and return the exit code; 141 if its reader has left, 2 if it cannot be."""
     text = "\n".join(line if line.isprintable() else ascii(line) for line in lines)
-    encoding = sys.stdout.encoding or "ascii"
     try:
+        if sys.stdout is None:
+            raise OSError("stdout is closed")
+        encoding = sys.stdout.encoding or "ascii"
         print(text.encode(encoding, "backslashreplace").decode(encoding), flush=True)
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except OSError as error:
+        if sys.stdout is not None:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if isinstance(error, BrokenPipeError):
+            return 141
+        if sys.stderr is not None:
+            print(f"check: the report cannot be written ({error})", file=sys.stderr)
+        return 2
     return code
 
 

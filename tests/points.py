@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from verify.terms import Term, as_term
+from verify.language.terms import Term, as_term
 
 #: (r, c) inside the admissible region: the corners, the middle, and next to both thresholds.
 ADMISSIBLE = [

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import pytest
 
-from verify.bench import relative_width, scientific
+from verify.measure.bench import relative_width, scientific
 from verify.cli import main
 
 

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from verify.decimals import decimal_exponent, decimal_text, outward, round_decimal, short
+from verify.prover.decimals import decimal_exponent, decimal_text, outward, round_decimal, short
 
 settings.register_profile("deterministic", derandomize=True, deadline=None, max_examples=200)
 settings.load_profile("deterministic")

@@ -6,10 +6,10 @@ from fractions import Fraction
 
 import pytest
 
-from verify.algebra import is_identity
-from verify.prover import PROVED, REFUTED, UNDECIDED, Prover, direction, round_to_digits
-from verify.statement import Constant, Statement
-from verify.terms import Claim, Term, as_term, maximum, minimum, sqrt, symbol
+from verify.prover.algebra import is_identity
+from verify.prover.ground import PROVED, REFUTED, UNDECIDED, Prover, direction, round_to_digits
+from verify.language.statement import Constant, Statement
+from verify.language.terms import Claim, Term, as_term, maximum, minimum, sqrt, symbol
 
 a, b, m, n = (symbol(name) for name in "abmn")
 

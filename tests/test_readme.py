@@ -7,9 +7,9 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from tests.points import parameters
-from verify.prover import PROVED, REFUTED
-from verify.statement import HYPOTHESES, PRINTED, REPAIRED
-from verify.theorem1 import decide
+from verify.prover.ground import PROVED, REFUTED
+from verify.language.statement import HYPOTHESES, PRINTED, REPAIRED
+from verify.jobs.theorem1 import decide
 from verify.views.markdown import defects, table
 
 README = Path(__file__).resolve().parent.parent / "README.md"

@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 
 from tests.points import ADMISSIBLE, parameters
-from verify.engines import CheckerEngine, MpmathEngine, load
-from verify.program import Program
-from verify.prover import Prover
-from verify.terms import as_term
-from verify.theorem1 import Outcome, decide
+from verify.measure.engines import CheckerEngine, MpmathEngine, load
+from verify.prover.program import Program
+from verify.prover.ground import Prover
+from verify.language.terms import as_term
+from verify.jobs.theorem1 import Outcome, decide
 
 
 def random_points(count: int) -> list[tuple[str, str, str, str]]:

@@ -7,13 +7,13 @@ import json
 import pytest
 
 from tests.points import parameters
-from verify import stress
+from verify.measure import stress
 from verify.cli import main
-from verify.eigenvalues import Spectrum
-from verify.prover import Prover
-from verify.statement import HYPOTHESES
-from verify.stress import Case, run_spectrum, run_theorem1
-from verify.theorem1 import decide
+from verify.prover.eigenvalues import Spectrum
+from verify.prover.ground import Prover
+from verify.language.statement import HYPOTHESES
+from verify.measure.stress import Case, run_spectrum, run_theorem1
+from verify.jobs.theorem1 import decide
 
 
 def test_every_short_case_is_right() -> None:

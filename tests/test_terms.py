@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from verify.terms import as_term, substitute, symbol, symbols_of
+from verify.language.terms import as_term, substitute, symbol, symbols_of
 
 x, y = symbol("x"), symbol("y")
 

@@ -8,12 +8,12 @@ from functools import cache
 import pytest
 
 from tests.points import ADMISSIBLE, parameters
-from verify import theorem1
+from verify.jobs import theorem1
 from verify.paper.theorem1 import theorem
-from verify.prover import PROVED, REFUTED, UNDECIDED, Prover
-from verify.statement import HYPOTHESES, PRINTED, REPAIRED
-from verify.terms import Claim, as_term, cos, cos_pi
-from verify.theorem1 import Outcome, decide
+from verify.prover.ground import PROVED, REFUTED, UNDECIDED, Prover
+from verify.language.statement import HYPOTHESES, PRINTED, REPAIRED
+from verify.language.terms import Claim, as_term, cos, cos_pi
+from verify.jobs.theorem1 import Outcome, decide
 
 #: What the printed proof gets wrong at r = 3/100, theta_0 = pi; the README lists them.
 REFUTED_AT_3_100 = {

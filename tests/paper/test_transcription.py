@@ -17,8 +17,8 @@ from tests.paper import transcription
 from tests.points import parameters
 from tests.test_second_opinion import random_points
 from verify.paper.theorem1 import theorem
-from verify.statement import HYPOTHESES, PRINTED
-from verify.theorem1 import Outcome, decide
+from verify.language.statement import HYPOTHESES, PRINTED
+from verify.jobs.theorem1 import Outcome, decide
 
 #: Rows of the blind transcription that have no row with the same two sides here: the number of the
 #: row there, and either the row here that carries the step or the assumption that does.

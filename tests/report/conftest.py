@@ -9,9 +9,9 @@ from typing import Any
 
 import pytest
 
-from verify.certify import all_folders
-from verify.files import write_all
-from verify.plots import minimum, region
+from verify.jobs.certificates import all_folders
+from verify.cli.files import write_all
+from verify.views.plots import minimum, region
 from verify.views.page.build import files
 
 TABLE = {

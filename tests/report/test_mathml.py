@@ -8,10 +8,10 @@ from fractions import Fraction
 
 import pytest
 
-from verify.mathml import MathML, letter
+from verify.views.mathml import MathML, letter
 from verify.paper.spectrum.theorem import theorem as spectrum
 from verify.paper.theorem1 import theorem
-from verify.terms import Term, as_term, cos_pi, equal, minimum, sqrt, symbol
+from verify.language.terms import Term, as_term, cos_pi, equal, minimum, sqrt, symbol
 
 a, b, c = map(symbol, "abc")
 WRITER = MathML({"eta": r"\overline{\eta}", "phi": r"\varphi^-"})

@@ -17,7 +17,7 @@ import pytest
 from tests.report.conftest import NEEDS_MATPLOTLIB, TABLE
 from verify.cli import main
 from verify.cli.report import without_drawings
-from verify.report import NAMES
+from verify.jobs.report import NAMES
 from verify.views.page.build import files
 from verify.views.page.html import prose
 
@@ -271,7 +271,7 @@ def test_a_certificate_that_the_checker_refuses_is_not_shown(
 
 def test_a_weaker_statement_is_not_shown(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """It checks, but it is not the one that the program makes from its parameters."""
-    from verify.wire import encode
+    from verify.wire.wire import encode
 
     statement, certificate = documents(copy)
     name = statement["obligations"].pop()["name"]

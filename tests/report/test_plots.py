@@ -9,15 +9,15 @@ from itertools import pairwise
 import pytest
 
 from tests.report.conftest import NEEDS_MATPLOTLIB, TABLE
-from verify import balls
+from verify.prover import balls
 from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
 from verify.paper.spectrum.printed import Printed
-from verify.plots import figures, margins, minimum, region, roots, speed
-from verify.plots.drawing import COLOURS, SCHEMES, Panel, merged, standalone, svg
-from verify.program import ExactArithmetic, Machine, Program
-from verify.prover import PROVED, REFUTED
-from verify.statement import PRINTED, REPAIRED
-from verify.terms import as_term
+from verify.views.plots import figures, margins, minimum, region, roots, speed
+from verify.views.plots.drawing import COLOURS, SCHEMES, Panel, merged, standalone, svg
+from verify.prover.program import ExactArithmetic, Machine, Program
+from verify.prover.ground import PROVED, REFUTED
+from verify.language.statement import PRINTED, REPAIRED
+from verify.language.terms import as_term
 
 pytestmark = pytest.mark.usefixtures("coarse")
 

@@ -7,14 +7,14 @@ from random import Random
 
 import pytest
 
-from verify import balls
-from verify.plots.constructions import FIXED, as_formulas, definitions, rows
-from verify.plots.field import Field, Values
-from verify.plots.plane import CUBE, INPUTS, WIDTH, Judged, judge, thresholds
-from verify.plots.slopes import BITS
-from verify.prover import PROVED, REFUTED, UNDECIDED, Prover
-from verify.statement import PRINTED, REPAIRED
-from verify.terms import as_term, maximum, minimum, sqrt, symbol
+from verify.prover import balls
+from verify.views.plots.constructions import FIXED, as_formulas, definitions, rows
+from verify.views.plots.field import Field, Values
+from verify.views.plots.plane import CUBE, INPUTS, WIDTH, Judged, judge, thresholds
+from verify.views.plots.slopes import BITS
+from verify.prover.ground import PROVED, REFUTED, UNDECIDED, Prover
+from verify.language.statement import PRINTED, REPAIRED
+from verify.language.terms import as_term, maximum, minimum, sqrt, symbol
 
 HALF = Fraction(1, 2)
 

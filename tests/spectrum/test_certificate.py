@@ -16,8 +16,8 @@ import mpmath
 import pytest
 import sympy
 
-from verify.spectrum import decide
-from verify.spectrum_wire import files
+from verify.jobs.spectrum import decide
+from verify.wire.spectrum_wire import files
 
 ROOT = Path(__file__).resolve().parents[2]
 BITS = 400

@@ -12,10 +12,10 @@ from typing import Any
 
 import pytest
 
-from verify import spectrum
+from verify.jobs import spectrum
 from verify.cli import main
 from verify.paper.spectrum.printed import MATRIX, Printed
-from verify.terms import as_term
+from verify.language.terms import as_term
 
 ROOT = Path(__file__).resolve().parents[2]
 CLAIM_KEYS = {"name", "label", "statement", "role", "verdict", "method", "uses"}

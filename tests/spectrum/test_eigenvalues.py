@@ -10,11 +10,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from verify import balls, eigenvalues
-from verify.balls import Ball
-from verify.eigenvalues import Spectrum, at, over
+from verify.prover import balls
+from verify.prover import eigenvalues
+from verify.prover.balls import Ball
+from verify.prover.eigenvalues import Spectrum, at, over
 from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX
-from verify.program import ExactArithmetic, Machine, Program
+from verify.prover.program import ExactArithmetic, Machine, Program
 
 HARD = [
     Fraction(1, 20),

@@ -6,11 +6,11 @@ from fractions import Fraction
 
 import pytest
 
-from verify.forall import decide_row
+from verify.prover.forall import decide_row
 from verify.paper.spectrum.rows import Section, symbols
-from verify.polynomials import NotPolynomialError, bernstein, coefficients
-from verify.prover import PROVED, REFUTED, UNDECIDED
-from verify.terms import Claim, as_term, equal, maximum, sqrt
+from verify.prover.polynomials import NotPolynomialError, bernstein, coefficients
+from verify.prover.ground import PROVED, REFUTED, UNDECIDED
+from verify.language.terms import Claim, as_term, equal, maximum, sqrt
 
 x, y, r, k = symbols("x y r k")
 TINY = Fraction(1, 10**30)

@@ -8,13 +8,13 @@ from fractions import Fraction
 import pytest
 import sympy
 
-from verify.forall import decide_row
+from verify.prover.forall import decide_row
 from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX, Printed
 from verify.paper.spectrum.theorem import theorem
-from verify.prover import PROVED, REFUTED
-from verify.spectrum import Outcome, decide
-from verify.statement import Obligation
-from verify.terms import Term, as_term
+from verify.prover.ground import PROVED, REFUTED
+from verify.jobs.spectrum import Outcome, decide
+from verify.language.statement import Obligation
+from verify.language.terms import Term, as_term
 
 #: The sentences that are false as printed, and the rows that correct them.
 FALSE = {

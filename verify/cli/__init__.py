@@ -13,7 +13,7 @@ from io import TextIOWrapper
 from typing import NoReturn
 
 from verify import __version__
-from verify.inputs import InputError, shown
+from verify.cli.inputs import InputError, shown
 
 #: The commands in the order a newcomer needs them.
 COMMANDS = {

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
-from verify.files import progress
-from verify.inputs import InputError
+from verify.cli.files import progress
+from verify.cli.inputs import InputError
 from verify.views import columns
 
 
@@ -17,8 +17,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(options: Namespace) -> int:
     """Measure, print the tables, and return 0."""
     try:
-        from verify import bench
-        from verify.engines import MpmathEngine
+        from verify.measure import bench
+        from verify.measure.engines import MpmathEngine
 
         MpmathEngine()
     except ImportError as error:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from argparse import ArgumentParser, Namespace
 
-from verify.certify import all_folders
-from verify.files import progress, write_all
+from verify.jobs.certificates import all_folders
+from verify.cli.files import progress, write_all
 
 
 def add_arguments(parser: ArgumentParser) -> None:

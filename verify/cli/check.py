@@ -7,8 +7,8 @@ import sys
 from argparse import ArgumentParser, Namespace
 
 from verify import check
-from verify.files import read_bytes
-from verify.inputs import InputError
+from verify.cli.files import read_bytes
+from verify.cli.inputs import InputError
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -35,7 +35,7 @@ def run(options: Namespace) -> int:
         return 0
     code = int(check.main(options.path))
     if options.statement and code == 0:
-        from verify.regenerate import is_right_statement  # loads flint
+        from verify.jobs.regenerate import is_right_statement  # loads flint
 
         statement, _ = _paths(options.path)
         right = is_right_statement(read_bytes("path", statement))

@@ -7,8 +7,8 @@ import re
 import sys
 from argparse import ArgumentParser, Namespace
 
-from verify.files import write_all
-from verify.inputs import InputError
+from verify.cli.files import write_all
+from verify.cli.inputs import InputError
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -28,7 +28,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(options: Namespace) -> int:
     """Write or compare the files; return 0, 1 if a compared one differs, or the checker's code."""
-    from verify.report import CertificateError  # loads flint
+    from verify.jobs.report import CertificateError  # loads flint
     from verify.views.page.build import files
 
     try:

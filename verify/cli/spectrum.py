@@ -6,9 +6,9 @@ import sys
 from argparse import ArgumentParser, Namespace
 from fractions import Fraction
 
-from verify.files import print_document, write_all
-from verify.inputs import InputError, integer, rational, shown
-from verify.spectrum import Outcome, decide
+from verify.cli.files import print_document, write_all
+from verify.cli.inputs import InputError, integer, rational, shown
+from verify.jobs.spectrum import Outcome, decide
 from verify.views.spectrum import document, lines, point_document, point_lines
 
 MAX_PRECISION = 1 << 22
@@ -51,7 +51,7 @@ def run(options: Namespace) -> int:
         _write(options.out, outcome)
     spectrum = None
     if r is not None:
-        from verify import eigenvalues  # loaded only where it is used
+        from verify.prover import eigenvalues  # loaded only where it is used
 
         spectrum = eigenvalues.at(r[0], bits) if len(r) == 1 else eigenvalues.over(r[0], r[1], bits)
     if options.json:
@@ -68,7 +68,7 @@ def run(options: Namespace) -> int:
 
 
 def _write(directory: str, outcome: Outcome) -> None:
-    from verify.spectrum_wire import files  # hashlib is loaded only where it is used
+    from verify.wire.spectrum_wire import files  # hashlib is loaded only where it is used
 
     if outcome.undecided:
         print("verify: undecided rows have no certificate; nothing was written", file=sys.stderr)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import Any
 
-from verify import stress
-from verify.files import progress
-from verify.stress import Finding
+from verify.measure import stress
+from verify.cli.files import progress
+from verify.measure.stress import Finding
 from verify.views import columns
 
 

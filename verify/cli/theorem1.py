@@ -6,11 +6,11 @@ import sys
 from argparse import ArgumentParser, Namespace
 from fractions import Fraction
 
-from verify.files import print_document, write_all
-from verify.inputs import InputError, angle, integer, rational, shown
-from verify.prover import UNDECIDED
-from verify.terms import Term, as_term
-from verify.theorem1 import SELECTIONS, Outcome, decide
+from verify.cli.files import print_document, write_all
+from verify.cli.inputs import InputError, angle, integer, rational, shown
+from verify.prover.ground import UNDECIDED
+from verify.language.terms import Term, as_term
+from verify.jobs.theorem1 import SELECTIONS, Outcome, decide
 from verify.views.table import lines
 
 MAX_PRECISION = 1 << 16
@@ -95,7 +95,7 @@ def run(options: Namespace) -> int:
 
 
 def _write(directory: str, outcome: Outcome) -> None:
-    from verify.wire import files  # hashlib is loaded only where it is used
+    from verify.wire.wire import files  # hashlib is loaded only where it is used
 
     if outcome.verdict == UNDECIDED:
         print("verify: undecided, so there is no certificate to write", file=sys.stderr)

@@ -7,7 +7,7 @@ verdict.
 
 from __future__ import annotations
 
-from verify.statement import Assumption
+from verify.language.statement import Assumption
 
 ASSUMPTIONS = (
     Assumption(

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import THEOREM, V_0, delta_theta, r
 from verify.paper.preliminaries import C_eta
-from verify.statement import Obligation
-from verify.terms import sqrt
+from verify.language.statement import Obligation
+from verify.language.terms import sqrt
 
 
 def rows(k: ConstantSet) -> Iterator[Obligation]:

@@ -25,8 +25,8 @@ from verify.paper.preliminaries import (
     h_4,
     h_5,
 )
-from verify.statement import PRINTED, REPAIRED, Change, Constant, Obligation
-from verify.terms import Claim, Term, as_term, maximum, minimum, sqrt, symbol
+from verify.language.statement import PRINTED, REPAIRED, Change, Constant, Obligation
+from verify.language.terms import Claim, Term, as_term, maximum, minimum, sqrt, symbol
 
 DELTA = "EQUATSS4.1DefinDeltxDelty"
 X_0 = "EQUATSS4.1DescrDoIniColla"

@@ -12,8 +12,8 @@ from fractions import Fraction
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import V_0, c
 from verify.paper.preliminaries import alpha_0, h_4, phi_minus
-from verify.statement import Obligation
-from verify.terms import as_term, sqrt
+from verify.language.statement import Obligation
+from verify.language.terms import as_term, sqrt
 
 DATA = "EQUATSS4.1DescrDoIniColla"
 CND = "EQUATSS4.1Recurrence_Cnd"

@@ -6,7 +6,7 @@ of the final angle (in -cos), ``V_0`` the lower bound on the squared relative sp
 
 from __future__ import annotations
 
-from verify.terms import symbol
+from verify.language.terms import symbol
 
 THEOREM = "THEORSS4.1ExistenCollapse"
 PARAMETERS = ("r", "c", "V_0", "delta_theta")

@@ -22,8 +22,8 @@ from verify.paper.preliminaries import (
     phi_minus,
     phi_plus,
 )
-from verify.statement import Obligation
-from verify.terms import as_term, sqrt
+from verify.language.statement import Obligation
+from verify.language.terms import as_term, sqrt
 
 RESTITUTION = "EQUATSS4.1ThExiCondi_r_1_"
 STABLE = "EQUATSS4.1DerivFonctF_1P-"

@@ -24,8 +24,8 @@ from verify.paper.preliminaries import (
     h_5,
     phi_minus,
 )
-from verify.statement import Obligation
-from verify.terms import as_term, minimum, sqrt
+from verify.language.statement import Obligation
+from verify.language.terms import as_term, minimum, sqrt
 
 CND = "EQUATSS4.1Recurrence_Cnd"
 TAU = "EQUATSS4.1_Controle_Tau_n"

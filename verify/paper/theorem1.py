@@ -10,7 +10,7 @@ from verify.paper.hypotheses import hypotheses
 from verify.paper.initial_data import CHANGES, ConstantSet
 from verify.paper.parameters import PARAMETERS, THEOREM
 from verify.paper.preliminaries import CONSTANTS
-from verify.statement import PRINTED, REPAIRED, Statement
+from verify.language.statement import PRINTED, REPAIRED, Statement
 
 
 @cache

@@ -6,7 +6,7 @@ import json
 from argparse import ArgumentParser, Namespace
 from typing import Any
 
-from verify.files import print_document, write_all
+from verify.cli.files import print_document, write_all
 
 
 def add_arguments(parser: ArgumentParser, name: str) -> None:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from verify.decimals import outward, rational_text
-from verify.prover import REFUTED, Decision, Ends
-from verify.statement import HYPOTHESES, Obligation
-from verify.terms import Term, symbol
-from verify.theorem1 import Outcome
+from verify.prover.decimals import outward, rational_text
+from verify.prover.ground import REFUTED, Decision, Ends
+from verify.language.statement import HYPOTHESES, Obligation
+from verify.language.terms import Term, symbol
+from verify.jobs.theorem1 import Outcome
 from verify.views.words import entry_ends, least, letters, sentence, verdict_text
 
 

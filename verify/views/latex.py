@@ -6,10 +6,10 @@ import json
 from collections.abc import Iterator
 from typing import Any
 
-from verify.inputs import InputError
-from verify.terms import Claim
-from verify.typeset import Typesetter
-from verify.wire import WireError, term_from_document
+from verify.cli.inputs import InputError
+from verify.language.terms import Claim
+from verify.views.typeset import Typesetter
+from verify.wire.wire import WireError, term_from_document
 
 _PREAMBLE = r"""\documentclass{article}
 \usepackage[landscape,margin=1cm]{geometry}

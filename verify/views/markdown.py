@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from verify.decimals import short
-from verify.prover import REFUTED, Decision, Ends
-from verify.statement import HYPOTHESES, PRINTED, REPAIRED, Constant, Obligation
-from verify.terms import symbol
-from verify.theorem1 import Outcome
+from verify.prover.decimals import short
+from verify.prover.ground import REFUTED, Decision, Ends
+from verify.language.statement import HYPOTHESES, PRINTED, REPAIRED, Constant, Obligation
+from verify.language.terms import symbol
+from verify.jobs.theorem1 import Outcome
 from verify.views.words import least, letters, theorem_in_numbers, verdict_text
 
 _SIGNS = {"<": "<", "<=": "≤", "=": "="}

@@ -6,16 +6,16 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from verify import balls
-from verify.balls import Ball
-from verify.decimals import outward, rational_text, short
-from verify.eigenvalues import Complex, Spectrum
-from verify.forall import Finding
+from verify.prover import balls
+from verify.prover.balls import Ball
+from verify.prover.decimals import outward, rational_text, short
+from verify.prover.eigenvalues import Complex, Spectrum
+from verify.prover.forall import Finding
 from verify.paper.spectrum.rows import LETTERS
-from verify.prover import PROVED, REFUTED
-from verify.spectrum import Outcome
-from verify.statement import Obligation
-from verify.typeset import Typesetter
+from verify.prover.ground import PROVED, REFUTED
+from verify.jobs.spectrum import Outcome
+from verify.language.statement import Obligation
+from verify.views.typeset import Typesetter
 
 #: A longer formula is left to the statement file; what the row says names it.
 MAX_FORMULA = 400

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from verify.forall import Finding
-from verify.prover import REFUTED
-from verify.spectrum import Outcome
-from verify.statement import Obligation
+from verify.prover.forall import Finding
+from verify.prover.ground import REFUTED
+from verify.jobs.spectrum import Outcome
+from verify.language.statement import Obligation
 from verify.views.markdown import section, table
 from verify.views.spectrum import sentence, verdict_text
 

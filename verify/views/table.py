@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.decimals import outward, short
-from verify.prover import REFUTED, UNDECIDED, Decision, Ends
-from verify.statement import HYPOTHESES, PRINTED, REPAIRED, Constant, Obligation
-from verify.terms import symbol
-from verify.theorem1 import Outcome
-from verify.typeset import Typesetter
+from verify.prover.decimals import outward, short
+from verify.prover.ground import REFUTED, UNDECIDED, Decision, Ends
+from verify.language.statement import HYPOTHESES, PRINTED, REPAIRED, Constant, Obligation
+from verify.language.terms import symbol
+from verify.jobs.theorem1 import Outcome
+from verify.views.typeset import Typesetter
 from verify.views.words import (
     entry_ends,
     least,

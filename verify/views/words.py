@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from verify import balls
-from verify.decimals import outward, short
-from verify.prover import PROVED, Ends
-from verify.statement import Constant, Obligation
-from verify.theorem1 import Outcome
-from verify.typeset import Typesetter
+from verify.prover import balls
+from verify.prover.decimals import outward, short
+from verify.prover.ground import PROVED, Ends
+from verify.language.statement import Constant, Obligation
+from verify.jobs.theorem1 import Outcome
+from verify.views.typeset import Typesetter
 
 #: Bits of the thresholds that are only shown; the hypotheses are decided without them.
 THRESHOLD_BITS = 192

@@ -13,7 +13,7 @@ from verify.paper.spectrum.orbits import COLLAPSE
 from verify.paper.spectrum.printed import THEOREM
 from verify.paper.spectrum.real_root import REAL_ROOT
 from verify.paper.spectrum.zhou_kadanoff import EXISTENCE
-from verify.statement import Assumption
+from verify.language.statement import Assumption
 
 ASSUMPTIONS = (
     Assumption(

@@ -15,8 +15,8 @@ from verify.paper.spectrum.matrices import (
 )
 from verify.paper.spectrum.printed import Q_LABEL, THEOREM, Printed, r, root_3
 from verify.paper.spectrum.rows import Section
-from verify.statement import Obligation
-from verify.terms import Term, as_term, equal, substitute, symbol
+from verify.language.statement import Obligation
+from verify.language.terms import Term, as_term, equal, substitute, symbol
 
 APPENDIX = "APPENSS___PolynChara_Alim"
 CHARACTERISTIC = "EQUATSS3.5Alim_PolynCarac"

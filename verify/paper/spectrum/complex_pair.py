@@ -26,8 +26,8 @@ from verify.paper.spectrum.matrices import (
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
 from verify.paper.spectrum.real_root import DISCRIMINANT, REAL_ROOT
 from verify.paper.spectrum.rows import Section, symbols
-from verify.statement import Obligation
-from verify.terms import as_term, equal, substitute, symbol
+from verify.language.statement import Obligation
+from verify.language.terms import as_term, equal, substitute, symbol
 
 COMPLEX_PAIR = "EQUATSS3.5Alim_ContrRacCx"
 

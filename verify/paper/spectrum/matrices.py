@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from verify.terms import Number, Term, as_term
+from verify.language.terms import Number, Term, as_term
 
 Vector = tuple[Term, ...]
 Matrix = tuple[Vector, ...]

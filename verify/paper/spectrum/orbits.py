@@ -18,8 +18,8 @@ from verify.paper.spectrum.cone import BOUND, NORMAL_12, STATE, a, b, normal_12
 from verify.paper.spectrum.matrices import Vector, apply, dot, plus, times, vector
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
 from verify.paper.spectrum.rows import Interval, Section, symbols
-from verify.statement import Obligation
-from verify.terms import Term, as_term, equal, substitute, symbol
+from verify.language.statement import Obligation
+from verify.language.terms import Term, as_term, equal, substitute, symbol
 
 COLLAPSE = "DEFINSS3.5CollapseTriangu"
 ORDER = "EQUATSS3.5ConclusionEta1>"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from verify.paper.spectrum.matrices import Matrix, Vector, times, vector
-from verify.terms import Number, Term, as_term, sqrt, substitute, symbol
+from verify.language.terms import Number, Term, as_term, sqrt, substitute, symbol
 
 THEOREM = "THEORSS3.5SpectMatricVitLm"
 MATRIX_LABEL = "EQUATSS3.5MatrixAlim_ResF"

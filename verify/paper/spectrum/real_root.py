@@ -8,8 +8,8 @@ from fractions import Fraction
 from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.printed import THEOREM, Printed, r
 from verify.paper.spectrum.rows import REAL, Section, symbols
-from verify.statement import Obligation
-from verify.terms import Number, Term, as_term, equal, symbol
+from verify.language.statement import Obligation
+from verify.language.terms import Number, Term, as_term, equal, symbol
 
 REAL_ROOT = "EQUATSS3.5Alim_ContrRacRL"
 

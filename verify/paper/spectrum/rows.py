@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 
-from verify.statement import Obligation, Variable
-from verify.terms import Claim, Term, symbol
+from verify.language.statement import Obligation, Variable
+from verify.language.terms import Claim, Term, symbol
 
 Bound = int | Fraction | None
 Interval = tuple[Bound, Bound]

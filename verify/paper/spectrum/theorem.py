@@ -14,7 +14,7 @@ from verify.paper.spectrum import (
 )
 from verify.paper.spectrum.assumptions import ASSUMPTIONS
 from verify.paper.spectrum.printed import THEOREM, Printed
-from verify.statement import Statement
+from verify.language.statement import Statement
 
 
 def theorem(paper: Printed | None = None) -> Statement:

@@ -13,7 +13,7 @@ from fractions import Fraction
 from verify.paper.spectrum import matrices
 from verify.paper.spectrum.matrices import ZERO, Matrix, Vector, minus, plus, times, total, vector
 from verify.paper.spectrum.printed import r, root_3
-from verify.terms import Term, as_term
+from verify.language.terms import Term, as_term
 
 Pair = tuple[Vector, Vector]
 Collision = Callable[[Pair], Pair]

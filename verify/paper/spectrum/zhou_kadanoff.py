@@ -11,8 +11,8 @@ from fractions import Fraction
 
 from verify.paper.spectrum.printed import r, root_3
 from verify.paper.spectrum.rows import Section, symbols
-from verify.statement import Obligation
-from verify.terms import Number, Term, as_term, equal, sqrt
+from verify.language.statement import Obligation
+from verify.language.terms import Number, Term, as_term, equal, sqrt
 
 EXISTENCE = "EQUATSS3.4ZKCl1CondiExist"
 STABILITY = "EQUATSS3.4ZKCl2CondiStabi"

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from verify.plots.figure import Figure
+from verify.views.plots.figure import Figure
 
 
 class Text(NamedTuple):

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from html import escape
 
 from verify.paper.parameters import THEOREM
-from verify.plots import figures
-from verify.plots.drawing import Panel, standalone, svg
-from verify.report import read
+from verify.views.plots import figures
+from verify.views.plots.drawing import Panel, standalone, svg
+from verify.jobs.report import read
 from verify.views.page.content import SUBTITLE, TITLE, content, latex
 from verify.views.page.html import html
 from verify.views.page.text import markdown

@@ -7,17 +7,17 @@ from fractions import Fraction
 from typing import Any
 
 from verify import __version__
-from verify.decimals import outward, short
-from verify.mathml import MathML
+from verify.prover.decimals import outward, short
+from verify.views.mathml import MathML
 from verify.paper.parameters import THEOREM
 from verify.paper.spectrum.rows import LETTERS
 from verify.paper.theorem1 import theorem
-from verify.plots.figure import Figure
-from verify.report import Constant, Folder, Material, Row, corrections
-from verify.statement import HYPOTHESES, PRINTED, REPAIRED
-from verify.terms import Claim, Term
-from verify.theorem1 import decide
-from verify.typeset import Typesetter
+from verify.views.plots.figure import Figure
+from verify.jobs.report import Constant, Folder, Material, Row, corrections
+from verify.language.statement import HYPOTHESES, PRINTED, REPAIRED
+from verify.language.terms import Claim, Term
+from verify.jobs.theorem1 import decide
+from verify.views.typeset import Typesetter
 from verify.views.page.blocks import (
     Block,
     Box,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from verify.plots.drawing import SCHEMES
+from verify.views.plots.drawing import SCHEMES
 
 
 def _colours(scheme: str) -> str:

@@ -1,0 +1,141 @@
+"""Exact reading of what people type: every number stays the number that was written."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+
+from verify.language.terms import Term, as_term, cos, cos_pi
+
+#: Longer texts are refused before any arithmetic.
+MAX_LENGTH = 4000
+#: Larger decimal exponents are refused: 1e99999999 would fill the memory.
+MAX_EXPONENT = 4000
+
+#: Numerators and denominators are smaller than 10^4200, so that any reader of JSON can read them.
+MAX_DIGITS = 4200
+
+_RATIONAL = re.compile(r"([+-]?[0-9]+)/([0-9]+)")
+_DECIMAL = re.compile(r"([+-]?)([0-9]*)\.?([0-9]*)(?:[eE]([+-]?[0-9]+))?")
+_PI = re.compile(r"(?:([0-9]+)\*)?pi(?:/([0-9]+))?")
+
+
+class InputError(ValueError):
+    """A text that cannot be used: the message says what, where and what to write instead."""
+
+
+def rational(option: str, text: str) -> Fraction:
+    """Read ``3/100``, ``0.03`` or ``3e-2`` exactly.
+
+    Raises:
+        InputError: for anything else, naming the option.
+    """
+    _check_length(option, text)
+    match = _RATIONAL.fullmatch(text)
+    if match:
+        denominator = int(match[2])
+        if denominator == 0:
+            raise InputError(f"{option}: {shown(text)} divides by zero; write p/q with q > 0")
+        return Fraction(int(match[1]), denominator)
+    match = _DECIMAL.fullmatch(text)
+    if not match or not (match[2] or match[3]):
+        raise InputError(
+            f"{option}: {shown(text)} is not an exact number; write it like 0.03, 3/100 or 3e-2"
+        )
+    exponent_text = match[4] or "0"
+    if len(exponent_text.lstrip("+-0")) > 6 or abs(int(exponent_text)) > MAX_EXPONENT:
+        raise InputError(
+            f"{option}: the exponent of {shown(text)} is too large; "
+            f"write an exponent between -{MAX_EXPONENT} and {MAX_EXPONENT}"
+        )
+    digits = int(match[1] + (match[2] + match[3]))
+    value = digits * Fraction(10) ** (int(exponent_text) - len(match[3]))
+    if max(abs(value.numerator), value.denominator) >= 10**MAX_DIGITS:
+        raise InputError(
+            f"{option}: {shown(text)} has more than {MAX_DIGITS} digits as a fraction; "
+            "write fewer digits or a smaller exponent"
+        )
+    return value
+
+
+def angle(option: str, text: str) -> Term:
+    """Read an angle in ]pi/2, pi] and return -cos of it as a term.
+
+    The angle is ``[k*]pi[/n]`` or a decimal in radians. Where its cosine is rational the term is
+    that rational.
+
+    Raises:
+        InputError: for another form, or an angle outside the interval.
+    """
+    _check_length(option, text)
+    match = _PI.fullmatch(text)
+    if match:
+        turns = Fraction(int(match[1] or 1), 1) / _positive(option, text, int(match[2] or 1))
+        if not Fraction(1, 2) < turns <= 1:
+            raise InputError(_outside(option, text))
+        # The only rational cosines of rational multiples of pi here (Niven's theorem).
+        if turns in (1, Fraction(2, 3)):
+            return as_term(1 if turns == 1 else Fraction(1, 2))
+        return -cos_pi(turns)
+    try:
+        radians = rational(option, text)
+    except InputError as error:
+        raise InputError(
+            f"{option}: {shown(text)} is not an angle; write it like pi, 5*pi/6 or 2.9 (radians)"
+        ) from error
+    if not _between_half_pi_and_pi(radians):
+        raise InputError(_outside(option, text))
+    return -cos(radians)
+
+
+def integer(option: str, text: str, least: int, most: int) -> int:
+    """Read a whole number between two bounds.
+
+    Raises:
+        InputError: for anything else.
+    """
+    if not re.fullmatch(r"[0-9]{1,9}", text) or not least <= int(text) <= most:
+        raise InputError(
+            f"{option}: {shown(text)} is not usable; write a whole number from {least} to {most}"
+        )
+    return int(text)
+
+
+def _check_length(option: str, text: str) -> None:
+    if len(text) > MAX_LENGTH:
+        raise InputError(
+            f"{option}: {shown(text)} has {len(text)} characters; write at most {MAX_LENGTH}"
+        )
+
+
+def _positive(option: str, text: str, number: int) -> int:
+    if number == 0:
+        raise InputError(f"{option}: {shown(text)} divides by zero; write pi/n with n > 0")
+    return number
+
+
+def _outside(option: str, text: str) -> str:
+    return f"{option}: {shown(text)} is not in ]pi/2, pi]; write an obtuse angle such as 5*pi/6"
+
+
+def _between_half_pi_and_pi(radians: Fraction) -> bool:
+    """Decide pi/2 < x <= pi for a rational x; pi is irrational, so some precision decides."""
+    from verify.prover import balls  # flint is loaded only where it is used
+
+    if radians <= 0:
+        return False
+    bits = 64
+    while True:
+        with balls.precision(bits):
+            x, pi = balls.from_fraction(radians), balls.pi()
+            for bound in (pi, pi / 2):
+                if not (balls.less(x, bound) or balls.less(bound, x)):
+                    break
+            else:
+                return balls.less(pi / 2, x) and balls.less(x, pi)
+        bits *= 2
+
+
+def shown(text: str) -> str:
+    """A text as an error message quotes it: in quotes, and cut if long."""
+    return repr(text if len(text) <= 40 else f"{text[:20]}...{text[-10:]}")

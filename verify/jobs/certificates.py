@@ -1,0 +1,73 @@
+"""The committed certificates: which points they are at, and how their files are made."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import NamedTuple
+
+from verify.jobs import spectrum
+from verify.wire import spectrum_wire
+from verify.language.terms import Term, as_term, cos_pi
+from verify.jobs.theorem1 import Outcome, decide
+from verify.views import spectrum_markdown
+from verify.views.markdown import report
+from verify.wire.wire import files
+
+
+class Point(NamedTuple):
+    """A folder of `certificates/` and the parameters of Theorem 1 that it is about."""
+
+    folder: str
+    r: str
+    neg_cos: Term
+    why: str
+
+    @property
+    def parameters(self) -> dict[str, Term]:
+        """All parameters, with V_0 = 1 and delta_theta = 1/10."""
+        return {
+            "r": as_term(Fraction(self.r)),
+            "c": self.neg_cos,
+            "V_0": as_term(1),
+            "delta_theta": as_term(Fraction(1, 10)),
+        }
+
+
+POINTS = (
+    Point("theorem1-r-3-100", "3/100", as_term(1), "the main job"),
+    Point("theorem1-r-1-1000", "1/1000", as_term(1), "strong dissipation"),
+    Point("theorem1-r-near-stabi", "0.055728", as_term(1), "r next to 9 - 4√5 = 0.05572809…"),
+    Point(
+        "theorem1-angle-near-threshold",
+        "1/64",
+        as_term(Fraction("0.615384616")),
+        "-cos θ₀ next to its threshold 8/13 = 0.61538461538…",
+    ),
+    Point("theorem1-r-1e-6-wide", "1/1000000", as_term(Fraction(1, 20)), "nearly a right angle"),
+    Point(
+        "theorem1-theta-5pi-6",
+        "1/100",
+        -cos_pi(Fraction(5, 6)),
+        "an angle whose cosine is irrational",
+    ),
+)
+
+
+def theorem1_files(outcome: Outcome) -> dict[str, bytes]:
+    """The three files of a certificate of Theorem 1."""
+    return files(outcome) | {"report.md": report(outcome).encode()}
+
+
+def spectrum_files() -> dict[str, bytes]:
+    """The three files of the certificate of the spectral claims."""
+    outcome = spectrum.decide()
+    text = spectrum_markdown.report(outcome)
+    return spectrum_wire.files(outcome) | {"report.md": text.encode()}
+
+
+def all_folders() -> Iterator[tuple[str, dict[str, bytes]]]:
+    """Every folder with its files, made anew."""
+    for point in POINTS:
+        yield point.folder, theorem1_files(decide(point.parameters))
+    yield "spectrum", spectrum_files()

@@ -1,0 +1,366 @@
+"""Speed against error, measured: the job `bench`.
+
+Times are medians of repeated runs in one process, engines taken in turn; a ratio is a median of
+ratios of neighbouring runs, so that a machine that changes speed between two rounds does little
+harm. Errors are exact: widths of enclosures, and distances from a 4096-bit enclosure.
+"""
+
+from __future__ import annotations
+
+import resource
+import subprocess
+import sys
+from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
+from functools import partial
+from statistics import median
+from time import perf_counter
+from typing import Any
+
+from verify.prover import balls
+from verify.prover import eigenvalues
+from verify.measure.engines import (
+    ArbEngine,
+    CheckerEngine,
+    DoubleEngine,
+    Ends,
+    MpmathEngine,
+    load,
+)
+from verify.prover.program import Program, UndefinedError
+from verify.prover.ground import PROVED, REFUTED, UNDECIDED, Prover
+from verify.language.terms import Claim, Term, as_term
+from verify.jobs.theorem1 import Outcome, constants_enclosure, decide
+
+PRECISIONS = (53, 64, 96, 128, 192, 256, 512, 1024, 2048, 4096)
+REFERENCE_BITS = 4096
+
+#: Points at which doubles are judged: an easy one, and three at which an ordinary script fails.
+DOUBLE_POINTS = {
+    "r = 3/100, c = 1": ("3/100", "1"),
+    "r = 1e-16, c = 1": ("1e-16", "1"),
+    "r = 0.0557280900008, c = 1 (next to 9-4√5)": ("0.0557280900008", "1"),
+    "r = 1/64, c = 8/13 + 1e-15": ("1/64", str(Fraction(8, 13) + Fraction(1, 10**15))),
+}
+
+Table = dict[str, Any]
+Progress = Callable[[str], None]
+
+
+def parameters(r: str, c: str) -> dict[str, Term]:
+    """The parameters with V_0 = 1 and delta_theta = 1/10."""
+    texts = {"r": r, "c": c, "V_0": "1", "delta_theta": "1/10"}
+    return {name: as_term(Fraction(text)) for name, text in texts.items()}
+
+
+def run(quick: bool, progress: Progress) -> dict[str, Table]:
+    """All tables. ``quick`` takes fewer precisions and repetitions."""
+    precisions = (53, 128, 512) if quick else PRECISIONS
+    rounds = 3 if quick else 11
+    outcome = decide(parameters("3/100", "1"))
+    tables = {}
+    progress("precision against time and width")
+    tables["precision"], tables["equal_width"] = precision_tables(outcome, precisions, rounds)
+    progress("the spectrum at a point")
+    tables["spectrum"] = spectrum_table(precisions, rounds)
+    progress("precision against the share of rows decided")
+    tables["decided"] = decided_table(outcome, precisions)
+    progress("doubles against a 4096-bit enclosure")
+    tables["doubles"], tables["double_verdicts"] = double_tables()
+    progress("throughput")
+    tables["throughput"] = throughput_table(100 if quick else 1000, rounds)
+    progress("whole processes")
+    tables["processes"] = process_table(3 if quick else 15)
+    return tables
+
+
+def theorem_program(outcome: Outcome) -> tuple[Program, list[int]]:
+    """The constants and both sides of every row as one program without inputs."""
+    program = Program(())
+    for name, term in outcome.prover.definitions.items():
+        program.define(name, term)
+    sides = [t for row, _ in outcome.all_rows for t in (row.claim.lhs, row.claim.rhs)]
+    slots = {*program.slots.values(), *(program.add(term) for term in sides)}
+    return program, sorted(slots)
+
+
+def relative_width(ends: Ends) -> Fraction:
+    """The width over the smaller absolute end; 0 for an exact number."""
+    low, high = ends
+    least = min(abs(low), abs(high))
+    if low == high:
+        return Fraction(0)
+    return (high - low) / least if least and low * high > 0 else Fraction(1)
+
+
+def precision_tables(
+    outcome: Outcome, precisions: Sequence[int], rounds: int
+) -> tuple[Table, Table]:
+    """Time and largest relative width of each engine at each precision, and at equal widths."""
+    program, slots = theorem_program(outcome)
+    engines: list[Any] = [ArbEngine(), CheckerEngine(), MpmathEngine()]
+    rows: list[list[Any]] = []
+    raw: dict[str, list[float]] = {}
+    measured: dict[tuple[str, int], tuple[float, Fraction]] = {}
+    for bits in precisions:
+        times: dict[str, list[float]] = {engine.name: [] for engine in engines}
+        widths: dict[str, Fraction] = {}
+        for _ in range(rounds):
+            for engine in engines:
+                seconds, widths[engine.name] = _timed_run(engine, program, slots, bits)
+                times[engine.name].append(seconds)
+        for name, seconds_list in times.items():
+            raw[f"{name} {bits}"] = seconds_list
+            measured[name, bits] = median(seconds_list), widths[name]
+        row: list[Any] = [bits]
+        for engine in engines:
+            seconds, width = measured[engine.name, bits]
+            row += [milliseconds(seconds), scientific(width)]
+        rows.append(row)
+    columns = ["bits"] + [f"{e.name}: {what}" for e in engines for what in ("ms", "width")]
+    title = "Constants and rows of Theorem 1 at r = 3/100: time and largest relative width"
+    precision = {"title": title, "columns": columns, "rows": rows, "raw_seconds": raw}
+    return precision, _equal_width_table(program, slots, measured, precisions, rounds)
+
+
+def _timed_run(
+    engine: Any, program: Program, slots: Sequence[int], bits: int
+) -> tuple[float, Fraction]:
+    """The seconds of one run, and the largest relative width of its enclosures."""
+    with engine.at(bits):
+        machine = load(program, engine)
+        start = perf_counter()
+        values = machine.run(()).values
+        seconds = perf_counter() - start
+        widths = [relative_width(engine.ends(values[s])) for s in slots if values[s] is not None]
+    return seconds, max(widths)
+
+
+def _equal_width_table(
+    program: Program,
+    slots: Sequence[int],
+    measured: dict[tuple[str, int], tuple[float, Fraction]],
+    precisions: Sequence[int],
+    rounds: int,
+) -> Table:
+    """Arb with as many extra bits as mpmath's width takes, timed against it in turn."""
+    arb, mpmath = ArbEngine(), MpmathEngine()
+    rows = []
+    for bits in precisions:
+        width = measured["mpmath iv", bits][1]
+        extra = bits
+        while True:
+            _, found = _timed_run(arb, program, slots, extra)
+            if found <= width:
+                break
+            extra += 4
+        ratios = []
+        for _ in range(rounds):
+            ours = min(_timed_run(arb, program, slots, extra)[0] for _ in range(3))
+            theirs = min(_timed_run(mpmath, program, slots, bits)[0] for _ in range(3))
+            ratios.append(theirs / ours)
+        rows.append([bits, extra, scientific(width), scientific(found), f"{median(ratios):.1f}"])
+    return {
+        "title": "At equal width: how many times faster Arb is than mpmath iv",
+        "columns": ["mpmath bits", "Arb bits", "mpmath width", "Arb width", "speed ratio"],
+        "rows": rows,
+    }
+
+
+def spectrum_table(precisions: Sequence[int], rounds: int) -> Table:
+    """Time and largest relative width of the spectrum at r = 3/100."""
+    rows: list[list[Any]] = []
+    r = Fraction(3, 100)
+    for bits in precisions:
+        seconds = median(_seconds(partial(eigenvalues.at, r, bits)) for _ in range(rounds))
+        found = eigenvalues.at(r, bits)
+        parts = (found.lambda_0, found.plus.re, found.plus.im, found.modulus, found.argument)
+        with balls.precision(2 * bits):
+            width = max(relative_width(balls.ends(ball)) for ball in parts)
+        rows.append([bits, milliseconds(seconds), scientific(width)])
+    return {
+        "title": "Eigenvalues at r = 3/100: time and largest relative width",
+        "columns": ["bits", "ms", "width"],
+        "rows": rows,
+    }
+
+
+def decided_table(outcome: Outcome, precisions: Sequence[int]) -> Table:
+    """Which share of the rows is decided at one precision alone."""
+    rows: list[list[Any]] = []
+    claims = [row.claim for row, _ in outcome.all_rows]
+    first = None
+    for bits in precisions:
+        verdicts = _verdicts_at(outcome, claims, bits)
+        decided = sum(verdict != UNDECIDED for verdict in verdicts)
+        if decided == len(claims) and first is None:
+            first = bits
+        start = perf_counter()
+        _verdicts_at(outcome, claims, bits)
+        seconds = perf_counter() - start
+        rows.append([bits, f"{decided} of {len(claims)}", milliseconds(seconds)])
+    return {
+        "title": f"Rows of Theorem 1 at r = 3/100 decided at one precision (all from {first} bits)",
+        "columns": ["bits", "decided", "ms"],
+        "rows": rows,
+    }
+
+
+def _verdicts_at(outcome: Outcome, claims: Iterable[Claim], bits: int) -> list[str]:
+    prover = Prover(outcome.statement._replace(constants=()), outcome.parameters, bits, bits)
+    for constant in outcome.statement.constants:
+        chosen = outcome.prover.definitions[constant.name]
+        prover.define(constant._replace(term=chosen, chosen=False))
+    return [prover.decide(claim).verdict for claim in claims]
+
+
+def double_tables() -> tuple[Table, Table]:
+    """What plain doubles get wrong: digits of constants, and verdicts."""
+    digits: list[list[Any]] = []
+    verdicts: list[list[Any]] = []
+    engine = DoubleEngine()
+    for point, (r, c) in DOUBLE_POINTS.items():
+        outcome = decide(parameters(r, c), "printed")
+        program, _ = theorem_program(outcome)
+        values = load(program, engine).run(()).values
+        worst: list[tuple[float, str]] = []
+        for constant in outcome.statement.constants:
+            value = values[program.slots[constant.name]]
+            worst.append((_correct_digits(outcome, constant.name, value), constant.short_name))
+        worst.append((_textbook_digits(outcome), "textbook φ⁻"))
+        worst.sort()
+        shown = ", ".join(f"{name}: {count:.1f}" for count, name in worst[:6])
+        digits.append([point, shown, f"{median(count for count, _ in worst):.1f}"])
+        wrong = [
+            f"{row.name.partition('.')[2]} ({verdict} for {decision.verdict})"
+            for row, decision in outcome.all_rows
+            for verdict in [_double_verdict(row.claim, values, program)]
+            if verdict != decision.verdict
+        ]
+        verdicts.append([point, len(outcome.all_rows), len(wrong), ", ".join(wrong[:8])])
+    title = "Correct digits of the constants in plain doubles (16 at best)"
+    return (
+        {"title": title, "columns": ["point", "worst constants", "median"], "rows": digits},
+        {
+            "title": "Verdicts that plain doubles get wrong",
+            "columns": ["point", "rows", "wrong", "which (at most eight)"],
+            "rows": verdicts,
+        },
+    )
+
+
+def _correct_digits(outcome: Outcome, name: str, value: float | None) -> float:
+    if value is None:
+        return 0.0
+    with balls.precision(REFERENCE_BITS):
+        ball = outcome.prover.ball(outcome.prover.definitions[name], REFERENCE_BITS)
+        true = balls.ends(ball)[0]
+    error = abs(Fraction(value) / true - 1)
+    return 16.0 if error == 0 else min(16.0, max(0.0, -_log10(error)))
+
+
+def _textbook_digits(outcome: Outcome) -> float:
+    """Correct digits of (alpha_0 - sqrt(alpha_0^2 - 4r))/2, the printed formula, in doubles."""
+    r, c = (float(outcome.parameters[name].value) for name in ("r", "c"))
+    alpha = (1 + r) / 2 * c
+    root = DoubleEngine().operation("sqrt")(max(0.0, alpha * alpha - 4 * r))
+    return _correct_digits(outcome, "phi_minus", (alpha - root) / 2)
+
+
+def _double_verdict(claim: Claim, values: Sequence[Any], program: Program) -> str:
+    try:
+        lhs, rhs = values[program.add(claim.lhs)], values[program.add(claim.rhs)]
+    except (UndefinedError, IndexError):
+        return UNDECIDED
+    if lhs is None or rhs is None:
+        return UNDECIDED
+    holds = lhs < rhs if claim.relation == "<" else lhs <= rhs
+    return PROVED if holds else REFUTED
+
+
+def throughput_table(count: int, rounds: int) -> Table:
+    """Parameter points per second, in one process."""
+    points = [str(Fraction(k, 20 * count)) for k in range(1, count + 1)]
+    enclose = constants_enclosure(128)
+    exact = [{name: t.value for name, t in parameters(r, "1").items()} for r in points]
+    constants = median(_seconds(lambda: [enclose(p) for p in exact]) for _ in range(rounds))
+    some = points[:: max(1, count // 20)]
+    full = median(
+        _seconds(lambda: [decide(parameters(r, "1")) for r in some]) for _ in range(rounds)
+    )
+    return {
+        "title": "Throughput in one process at 128 bits",
+        "columns": ["work", "points per second"],
+        "rows": [
+            ["all constants of the printed proof", round(count / constants)],
+            ["constants, choices and all rows of both sets", round(len(some) / full)],
+        ],
+    }
+
+
+def process_table(rounds: int) -> Table:
+    """CPU of whole processes, as ratios to an empty one and to one that imports flint."""
+    commands = {
+        "python -c pass": ["-c", "pass"],
+        "python -c 'import flint'": ["-c", "import flint"],
+        "verify theorem1 --r 0.03": ["-m", "verify", "theorem1", "--r", "0.03"],
+        "verify theorem1 --r 0.03 --json": ["-m", "verify", "theorem1", "--r", "0.03", "--json"],
+        "verify spectrum": ["-m", "verify", "spectrum"],
+    }
+    times: dict[str, list[float]] = {name: [] for name in commands}
+    for _ in range(rounds):
+        for name, words in commands.items():
+            times[name].append(_cpu([sys.executable, *words]))
+    empty, flint = times["python -c pass"], times["python -c 'import flint'"]
+    rows = [
+        [
+            name,
+            milliseconds(median(seconds)),
+            f"{median(a / b for a, b in zip(seconds, empty, strict=True)):.2f}",
+            f"{median(a / b for a, b in zip(seconds, flint, strict=True)):.2f}",
+        ]
+        for name, seconds in times.items()
+    ]
+    return {
+        "title": "CPU time of whole processes",
+        "columns": ["command", "ms", "times an empty process", "times importing flint"],
+        "rows": rows,
+        "raw_seconds": times,
+    }
+
+
+def _cpu(words: Sequence[str]) -> float:
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run(  # noqa: S603 - our own commands
+        words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False
+    )
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def _seconds(work: Callable[[], object]) -> float:
+    start = perf_counter()
+    work()
+    return perf_counter() - start
+
+
+def milliseconds(seconds: float) -> str:
+    """A time in milliseconds with three digits."""
+    return f"{seconds * 1e3:.3g}"
+
+
+def scientific(width: Fraction) -> str:
+    """A width as a power of ten, rounded up."""
+    if width == 0:
+        return "0"
+    from verify.prover.decimals import decimal_text, round_decimal
+
+    return decimal_text(*round_decimal(width, 2, up=True))
+
+
+def _log10(value: Fraction) -> float:
+    """The decimal logarithm of a positive rational of any size, to a few digits."""
+    import math
+
+    shift = value.numerator.bit_length() - value.denominator.bit_length()
+    return math.log10(float(value / Fraction(2) ** shift)) + shift * math.log10(2)

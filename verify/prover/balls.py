@@ -1,0 +1,150 @@
+"""Ball arithmetic: the only module that imports flint.
+
+A ball is an `arb`. Every operation that can leave the real numbers (division, square root) checks
+its result, so a value that comes out of a program is finite and encloses the exact one.
+Comparisons of balls certify their true side only: ``not a < b`` proves nothing.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from fractions import Fraction
+from typing import Any
+
+from flint import arb, ctx, fmpq
+
+from verify.prover.program import UndefinedError
+
+Ball = arb
+
+
+@contextmanager
+def precision(bits: int) -> Iterator[None]:
+    """Work with ``bits`` bits of precision inside a ``with`` block."""
+    with ctx.workprec(bits):
+        yield
+
+
+def from_fraction(value: Fraction) -> arb:
+    """The ball around an exact rational, at the current precision."""
+    return arb(fmpq(value.numerator, value.denominator))
+
+
+def hull(a: arb, b: arb) -> arb:
+    """A ball that contains both balls and all that lies between them."""
+    return a.union(b)
+
+
+def around(centre: arb, bits: int) -> arb:
+    """All numbers that differ from those of a ball by a relative error of at most 2^-bits."""
+    return centre * arb(1, 2.0**-bits)
+
+
+def middle(ball: arb) -> arb:
+    """The midpoint of a ball, an exact number."""
+    return ball.mid()
+
+
+def inside(inner: arb, outer: arb) -> bool:
+    """True only if a finite ball lies in the interior of another one."""
+    return bool(inner.is_finite() and outer.contains_interior(inner))
+
+
+def integer_in(ball: arb) -> int | None:
+    """The only integer in a ball; None if there is none, or more than one."""
+    integer = ball.unique_fmpz()
+    return None if integer is None else int(integer)
+
+
+def root(ball: arb) -> arb:
+    """The square root of a ball of positive numbers."""
+    return _OPERATIONS["sqrt"](ball)
+
+
+def cube_root(ball: arb) -> arb:
+    """The cube root of a ball of positive numbers."""
+    return ball.root(3)
+
+
+def argument(re: arb, im: arb) -> arb:
+    """The argument in ]-pi, pi] of a complex number."""
+    return arb.atan2(im, re)
+
+
+def pi() -> arb:
+    """The ball around pi, at the current precision."""
+    return arb.pi()
+
+
+def _finite(function: Callable[..., arb], name: str) -> Callable[..., arb]:
+    def checked(*operands: arb) -> arb:
+        result = function(*operands)
+        if not result.is_finite():
+            raise UndefinedError(f"{name} of {', '.join(map(str, operands))} is not finite")
+        return result
+
+    return checked
+
+
+def _cos_pi(x: arb) -> arb:
+    return x.cos_pi()
+
+
+_OPERATIONS: dict[str, Callable[..., arb]] = {
+    "add": operator.add,
+    "sub": operator.sub,
+    "mul": operator.mul,
+    "div": _finite(operator.truediv, "the quotient"),
+    "neg": operator.neg,
+    "sqrt": _finite(arb.sqrt, "the square root"),
+    "min": arb.min,
+    "max": arb.max,
+    "cos": arb.cos,
+    "cos_pi": _cos_pi,
+}
+
+
+class BallArithmetic:
+    """The arithmetic of `verify.prover.program` on balls."""
+
+    def rational(self, value: Fraction) -> Any:
+        """The ball around an exact rational."""
+        return from_fraction(value)
+
+    def operation(self, name: str) -> Callable[..., arb]:
+        """The ball operation of this name."""
+        return _OPERATIONS[name]
+
+
+def less(a: arb, b: arb) -> bool:
+    """True only if every number in a is smaller than every number in b."""
+    return bool(a < b)
+
+
+def less_equal(a: arb, b: arb) -> bool:
+    """True only if no number in a is larger than any number in b."""
+    return bool(a <= b)
+
+
+def sign(ball: arb) -> int:
+    """1 if no number in the ball is negative, -1 if none is positive, 0 if unknown (or zero)."""
+    return int(ball >= 0) - int(ball <= 0)
+
+
+def ends(ball: arb) -> tuple[Fraction, Fraction]:
+    """Rational numbers that enclose a ball: its ends, rounded outward to the precision."""
+    return _dyadic(ball.lower()), _dyadic(ball.upper())
+
+
+def _dyadic(ball: arb) -> Fraction:
+    mantissa, exponent = map(int, ball.man_exp())
+    if exponent >= 0:
+        return Fraction(mantissa << exponent)
+    return Fraction(mantissa, 1 << -exponent)
+
+
+def accuracy_bits(ball: arb) -> int:
+    """How many relative bits of the ball are known; very large for an exact one."""
+    return int(ball.rel_accuracy_bits())

@@ -1,0 +1,205 @@
+"""Terms and claims as MathML, which browsers typeset themselves.
+
+The letters of a symbol are given as the small part of LaTeX in which `verify.language.statement.Constant`
+has them: Greek names, one subscript and superscript, bars, an overline.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+from html import escape
+
+from verify.language.terms import Claim, Term
+
+_SUM, _PRODUCT, _NEGATION, _ATOM = range(4)
+_LEVELS = {"add": _SUM, "sub": _SUM, "mul": _PRODUCT, "neg": _NEGATION}
+_SIGNS = {"<": "&lt;", "<=": "≤", "=": "="}
+
+_GREEK = {
+    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "Delta": "Δ", "epsilon": "ε",
+    "zeta": "ζ", "eta": "η", "theta": "θ", "kappa": "κ", "lambda": "λ", "mu": "μ", "phi": "φ",
+    "varphi": "φ", "omega": "ω", "tau": "τ",
+}  # fmt: skip
+_TOKEN = re.compile(r"\\[A-Za-z]+|[A-Za-z]|[0-9]+|[_^{}|*+()-]")
+
+
+class MathML:
+    """Writes terms with given letters.
+
+    Args:
+        letters: for each symbol its letter in LaTeX; others are read as ``alpha_0`` or ``x_0``.
+    """
+
+    def __init__(self, letters: Mapping[str, str]) -> None:
+        self._letters = dict(letters)
+        self._texts: dict[Term, str] = {}
+
+    def claim(self, claim: Claim) -> str:
+        """A claim as several formulas in a row, so that lines can break before each sign.
+
+        Browsers do not break lines inside of a formula.
+        """
+        left, right = self._summands(claim.lhs), self._summands(claim.rhs)
+        right[0] = f'<mo form="infix">{_SIGNS[claim.relation]}</mo>{right[0]}'
+        return "<wbr>".join(map(formula, (*left, *right)))
+
+    def _summands(self, term: Term) -> list[str]:
+        if term.op not in ("add", "sub"):
+            return [self._term(term)]
+        left, right = term.children
+        sign = "+" if term.op == "add" else "−"
+        last = self._after_sign(right, _PRODUCT)
+        return [*self._summands(left), f'<mo form="infix">{sign}</mo>{last}']
+
+    def entries(self, term: Term, before: str) -> str:
+        """A min with each entry on a line of its own."""
+        lines = (formula(self._term(entry)) for entry in term.children)
+        entries = "".join(f'<span class="entry">{line}</span>' for line in lines)
+        return f"{formula(f'<mo>{escape(before)}</mo><mi>min</mi>')} of{entries}"
+
+    def term(self, term: Term, before: str = "") -> str:
+        """A whole formula for a term, after a sign such as ≤."""
+        return formula((f"<mo>{escape(before)}</mo>" if before else "") + self._term(term))
+
+    def _term(self, term: Term) -> str:
+        text = self._texts.get(term)
+        if text is None:
+            text = self._texts[term] = f"<mrow>{self._write(term)}</mrow>"
+        return text
+
+    def _write(self, term: Term) -> str:
+        op = term.op
+        if op == "symbol":
+            return letter(self._letters.get(term.name, _spelled(term.name)))
+        if op == "rational":
+            return _rational(term.value)
+        if op == "div":
+            return f"<mfrac>{self._term(term.children[0])}{self._term(term.children[1])}</mfrac>"
+        if op == "sqrt":
+            return f"<msqrt>{self._term(term.children[0])}</msqrt>"
+        if op == "pow":
+            base = self._inside(term.children[0], _ATOM, power=True)
+            return f"<msup>{base}<mn>{term.exponent}</mn></msup>"
+        if op == "neg":
+            return f"<mo>−</mo>{self._after_sign(term.children[0], _PRODUCT)}"
+        if op in ("add", "sub"):
+            left, right = term.children
+            sign = "+" if op == "add" else "−"
+            return f"{self._inside(left, _SUM)}<mo>{sign}</mo>{self._after_sign(right, _PRODUCT)}"
+        if op == "mul":
+            return self._product(*term.children)
+        return self._function(op, term)
+
+    def _product(self, left: Term, right: Term) -> str:
+        # Two numbers side by side would read as one.
+        sign = "⋅" if _starts_with_digit(right) else "&#x2062;"
+        return f"{self._inside(left, _PRODUCT)}<mo>{sign}</mo>{self._after_sign(right, _NEGATION)}"
+
+    def _function(self, op: str, term: Term) -> str:
+        arguments = "<mo>,</mo>".join(map(self._term, term.children))
+        if op == "cos_pi":
+            op, arguments = "cos", f"{self._inside(term.children[0], _PRODUCT)}<mi>π</mi>"
+        return f"<mi>{op}</mi><mo>&#x2061;</mo>{_fenced(arguments)}"
+
+    def _after_sign(self, term: Term, level: int) -> str:
+        """The same after an operator, where a minus sign must not stand first."""
+        if _starts_with_minus(term):
+            return f"<mrow>{_fenced(self._term(term))}</mrow>"
+        return self._inside(term, level)
+
+    def _inside(self, term: Term, level: int, power: bool = False) -> str:
+        own = _LEVELS.get(term.op, _ATOM)
+        if term.op == "rational" and term.value < 0:
+            own = _NEGATION
+        if power and (
+            term.op in ("div", "pow") or (term.op == "rational" and term.value.denominator > 1)
+        ):
+            own = _NEGATION
+        text = self._term(term)
+        return text if own >= level else f"<mrow>{_fenced(text)}</mrow>"
+
+
+def formula(inner: str) -> str:
+    """A formula in a line of text."""
+    return f"<math><mrow>{inner}</mrow></math>"
+
+
+def letter(tex: str) -> str:
+    r"""The MathML of a letter such as ``\varphi^-``, ``\overline{\eta}`` or ``|x_0|``.
+
+    Raises:
+        ValueError: for other LaTeX.
+    """
+    tokens = _TOKEN.findall(tex)
+    if "".join(tokens) != tex.replace(" ", ""):
+        raise ValueError(f"{tex!r} is not a letter")
+    inner, rest = _row(tokens)
+    if rest:
+        raise ValueError(f"{tex!r} closes a brace that is not open")
+    return inner
+
+
+def _row(tokens: list[str]) -> tuple[str, list[str]]:
+    parts: list[str] = []
+    while tokens and tokens[0] != "}":
+        if tokens[0] in "_^":
+            kind = "msub" if tokens[0] == "_" else "msup"
+            script, tokens = _one(tokens[1:])
+            parts[-1] = f"<{kind}>{parts[-1]}{script}</{kind}>"
+        else:
+            part, tokens = _one(tokens)
+            parts.append(part)
+    return "".join(parts), tokens
+
+
+def _one(tokens: list[str]) -> tuple[str, list[str]]:
+    head, *rest = tokens
+    if head == "{":
+        inner, rest = _row(rest)
+        return f"<mrow>{inner}</mrow>", rest[1:]
+    if head == "\\overline":
+        inner, rest = _one(rest)
+        return f"<mover>{inner}<mo>¯</mo></mover>", rest
+    if head == "\\cos":
+        return "<mi>cos</mi><mo>&#x2061;</mo>", rest
+    if head.startswith("\\"):
+        return f"<mi>{_GREEK[head[1:]]}</mi>", rest
+    if head.isdigit():
+        return f"<mn>{head}</mn>", rest
+    if head.isalpha():
+        return f"<mi>{head}</mi>", rest
+    fence = ' stretchy="false"' if head in "|()" else ""
+    return f"<mo{fence}>{head.replace('-', '−')}</mo>", rest
+
+
+def _spelled(name: str) -> str:
+    """``alpha_0`` or ``W_s`` as LaTeX; longer words stay upright."""
+    parts = [f"\\{part}" if part in _GREEK else part for part in name.split(".")[-1].split("_")]
+    head, *rest = parts
+    return head if not rest else f"{head}_{{{''.join(rest)}}}"
+
+
+def _rational(value: Fraction) -> str:
+    sign = "<mo>−</mo>" if value < 0 else ""
+    if value.denominator == 1:
+        return f"{sign}<mn>{abs(value.numerator)}</mn>"
+    top, bottom = abs(value.numerator), value.denominator
+    return f"{sign}<mfrac><mn>{top}</mn><mn>{bottom}</mn></mfrac>"
+
+
+def _starts_with_digit(term: Term) -> bool:
+    if term.op in ("mul", "pow", "add", "sub"):
+        return term.op in ("mul", "pow") and _starts_with_digit(term.children[0])
+    return term.op == "rational" or (term.op == "div" and term.children[0].op == "rational")
+
+
+def _starts_with_minus(term: Term) -> bool:
+    if term.op == "mul":
+        return _starts_with_minus(term.children[0])
+    return term.op == "neg" or (term.op == "rational" and term.value < 0)
+
+
+def _fenced(inner: str) -> str:
+    return f"<mo>(</mo>{inner}<mo>)</mo>"

@@ -1,0 +1,19 @@
+"""Plots of certified enclosures: every band and box is drawn from balls over a whole cell."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from verify.views.plots import margins, minimum, region, roots, speed
+from verify.views.plots.figure import Figure
+
+
+def figures(precision: Mapping[str, Any] | None) -> list[Figure]:
+    """Every figure of the report; the first one is also the picture of the README.
+
+    ``precision`` is the table of that name of the committed measurements, if there is one.
+    """
+    found = [region.picture(), region.defects(), margins.figure(), minimum.figure(), roots.figure()]
+    last = None if precision is None else speed.figure(precision)
+    return found if last is None else [*found, last]

@@ -1,0 +1,22 @@
+"""A figure of the report: what it shows, said in words, and how it is drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from verify.views.plots.drawing import Panel
+
+
+class Figure(NamedTuple):
+    """Panels with one caption.
+
+    ``caption`` has every number that the reader is told, ``rows`` a small table below it (its
+    first row is the head). Both come from the enclosures alone: they are the same whatever draws.
+    """
+
+    name: str
+    title: str
+    caption: str
+    panels: Sequence[Panel]
+    rows: Sequence[Sequence[str]] = ()

@@ -1,0 +1,83 @@
+"""Speed against error, from the committed measurements."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from math import log10
+from typing import Any, NamedTuple
+
+from verify.prover.decimals import round_decimal
+from verify.cli.inputs import InputError, rational
+from verify.views.plots.drawing import COLOURS, Panel
+from verify.views.plots.figure import Figure
+
+
+class Point(NamedTuple):
+    """One run of one engine: its precision, its time in milliseconds, its relative width."""
+
+    bits: str
+    milliseconds: Fraction
+    width: Fraction
+
+
+def points(table: Mapping[str, Any]) -> dict[str, list[Point]]:
+    """The measurements of each engine: its columns are ``<engine>: ms`` and ``<engine>: width``."""
+    columns = list(table["columns"])
+    engines = [name.removesuffix(": ms") for name in columns if name.endswith(": ms")]
+    found: dict[str, list[Point]] = {}
+    for engine in engines:
+        if f"{engine}: width" not in columns:
+            continue
+        places = [columns.index(f"{engine}: {what}") for what in ("ms", "width")]
+        for row in table["rows"]:
+            try:
+                time, width = (rational(engine, str(row[place])) for place in places)
+            except InputError:  # not measured there
+                continue
+            if time > 0 and width > 0:
+                found.setdefault(engine, []).append(Point(str(row[0]), time, width))
+    return found
+
+
+def figure(table: Mapping[str, Any]) -> Figure | None:
+    """The plot, or nothing where the table has no such columns."""
+    engines = points(table)
+    if not engines:
+        return None
+    count = sum(map(len, engines.values()))
+    return Figure(
+        "speed",
+        "Speed against error",
+        f"{table['title']}. Each of the {count} points is a measured time (a median; lower is "
+        f"faster) and a rigorous bound: the largest relative width of an enclosure, the same "
+        f"work at several precisions (smaller, to the right, is sharper). Only the times depend "
+        f"on the machine.",
+        (Panel("", lambda axis: _draw(axis, engines), 420, 330),),
+    )
+
+
+def _draw(axis: Any, engines: dict[str, list[Point]]) -> None:
+    for index, (engine, runs) in enumerate(engines.items(), 1):
+        axis.plot(
+            [_digits(run.width) for run in runs],
+            [float(run.milliseconds) for run in runs],
+            color=COLOURS[f"series-{1 + (index - 1) % 7}"],
+            marker="osD^v<>"[(index - 1) % 7],
+            markersize=4,
+            linewidth=1.2,
+            label=engine,
+        )
+    axis.set_xscale("log")
+    axis.set_yscale("log")
+    axis.set_xlabel("digits of the widest enclosure, -log₁₀ of its relative width")
+    axis.set_ylabel("milliseconds")
+    axis.legend(labelcolor=COLOURS["ink"])
+    for side in ("top", "right"):
+        axis.spines[side].set_visible(False)
+
+
+def _digits(width: Fraction) -> float:
+    """-log10 of a width that may be far below the smallest double."""
+    mantissa, exponent = round_decimal(width, 3, up=True)
+    return max(0.1, -(log10(mantissa) + exponent))

@@ -22,7 +22,7 @@ import json
 import os
 import re
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from hashlib import sha256
@@ -35,6 +35,8 @@ MAX_NESTING = 100  # of brackets in a file, and of contexts
 MAX_HEIGHT = 200  # of a term
 MAX_BITS = 1 << 16  # of precision
 MAX_SIZE = 1 << 19  # bits of a numerator with its denominator
+MAX_DEGREE = 1 << 20  # of a name or another atom in a polynomial
+MAX_SHOWN = 1 << 12  # bits before or after the point, in messages
 MAX_WORK = 6_000_000  # about the number of microseconds
 
 
@@ -101,12 +103,14 @@ class Context:
 
     ``point`` has a term over the parent's names for each variable. ``positive`` and
     ``nonnegative`` are the terms t for which 0 < t or 0 <= t is a fact of this very context.
+    ``around`` are the contexts in which it lies, by depth, and itself.
     """
 
     def __init__(self, name: str, parent: Context | None) -> None:
         self.name, self.parent = name, parent
         self.depth: int = 0 if parent is None else parent.depth + 1
         need(self.depth <= MAX_NESTING, Malformed, "found more than {} contexts", MAX_NESTING)
+        self.around: tuple[Context, ...] = (self,) if parent is None else (*parent.around, self)
         self.variables: dict[str, int] = {}
         self.givens: list[Given] = []
         self.point: dict[int, int] = {}
@@ -114,16 +118,9 @@ class Context:
         self.nonnegative: set[int] = set()
         self.is_open = parent is None
 
-    def chain(self) -> Iterator[Context]:
-        """This context and those around it, from the inside out."""
-        here: Context | None = self
-        while here is not None:
-            yield here
-            here = here.parent
-
     def is_inside(self, other: Context) -> bool:
         """Whether this is the other context, or lies in it."""
-        return any(here is other for here in self.chain())
+        return other.depth <= self.depth and self.around[other.depth] is other
 
 
 class Fact(NamedTuple):
@@ -180,11 +177,21 @@ def shown(value: Any) -> str:
     return text if len(text) < 200 else f"{text[:160]}... ({len(text)} characters)"
 
 
+def size(value: int | Fraction) -> int:
+    """The bits of a number."""
+    return value.numerator.bit_length() + value.denominator.bit_length()
+
+
 def decimal(value: Fraction) -> str:
-    """About twenty digits of a number, for a message."""
-    bits = value.numerator.bit_length() - value.denominator.bit_length()
+    """About twenty digits of a number, or its size, for a message."""
+    n, d = value.numerator, value.denominator
+    bits = n.bit_length() - d.bit_length()
+    if abs(bits) > MAX_SHOWN:
+        return f"{'-' if n < 0 else ''}2^{bits}"
     exponent = bits * 3 // 10 - 20
-    return f"{value / Fraction(10) ** exponent // 1}e{exponent}" if value else "0"
+    factor: int = 10 ** abs(exponent)
+    digits = n * factor // d if exponent < 0 else n // (d * factor)
+    return f"{digits}e{exponent}" if n else "0"
 
 
 # --- terms, names, contexts and facts ------------------------------------------------------------
@@ -200,7 +207,7 @@ class Kernel:
 
     def __init__(self) -> None:
         self.nodes: list[Node] = []
-        self.index: dict[Node, int] = {}
+        self.index: dict[tuple[Any, ...], int] = {}  # of the nodes, by their keys
         self.heights: list[int] = []
         self.homes: list[Context] = []
         self.is_ground: list[bool] = []
@@ -227,7 +234,8 @@ class Kernel:
     def node(self, op: str, subterms: Sequence[int], *rest: int) -> int:
         """The number of the term of an operation and its arguments."""
         node = Node(op, tuple(subterms), rest)
-        if node not in self.index:
+        found = self.index.get(key(node))
+        if found is None:
             height = 1 + max((self.heights[term] for term in subterms), default=0)
             message = "found a term of more than {} levels"
             need(height <= MAX_HEIGHT, Malformed, message, MAX_HEIGHT)
@@ -238,18 +246,18 @@ class Kernel:
                 need(good, Malformed, "found names of {} and {} in a term", home.name, other.name)
                 home = other if other.depth > home.depth else home
                 ground = ground and self.is_ground[term]
-            self.add(node, height, home, ground)
-        return self.index[node]
+            return self.add(node, height, home, ground)
+        return found
 
     def add(self, node: Node, height: int, home: Context, ground: bool) -> int:
         """Store a new node."""
-        self.spend(0, 2)
-        self.index[node] = len(self.nodes)
+        self.spend(0, 4 + len(node.subterms))
+        self.index[key(node)] = len(self.nodes)
         self.nodes.append(node)
         self.heights.append(height)
         self.homes.append(home)
         self.is_ground.append(ground)
-        return self.index[node]
+        return len(self.nodes) - 1
 
     def rational(self, value: Fraction) -> int:
         """The term of a number."""
@@ -281,9 +289,9 @@ class Kernel:
     def fact(self, name: str, place: Place) -> Claim:
         """The usable fact of this name; ``@k`` is the k-th hypothesis of the branches around."""
         if name.startswith("@"):
-            k = int(name[1:])
-            need(k <= len(place.hypotheses), Malformed, "found {}, which no branch adds", name)
-            return place.hypotheses[k - 1]
+            good = re.fullmatch(HYPOTHESIS, name) and int(name[1:]) <= len(place.hypotheses)
+            need(good, Malformed, "found {}, which no branch adds", name)
+            return place.hypotheses[int(name[1:]) - 1]
         need(name not in self.refused, Refused, "found {}, whose proof was refused", name)
         need(name in self.facts, Malformed, "found {}, which is no fact so far", name)
         claim, context = self.facts[name]
@@ -293,14 +301,15 @@ class Kernel:
 
     def knows(self, relation: str, term: int, place: Place) -> bool:
         """Whether 0 < t, or 0 <= t, is a usable fact as it stands."""
+        self.spend(0, 1 + len(place.hypotheses))
         for claim in place.hypotheses:
             zero = self.nodes[claim.lhs] == Node("rational", (), (0, 1))
             if zero and claim.relation == relation and claim.rhs == term:
                 return True
-        chain = place.context.chain()
+        around = place.context.around
         if relation == "<":
-            return any(term in context.positive for context in chain)
-        return any(term in context.nonnegative for context in chain)
+            return any(term in context.positive for context in around)
+        return any(term in context.nonnegative for context in around)
 
     def below(self, terms: Iterable[int], is_leaf: Callable[[int], bool]) -> list[int]:
         """The terms, their subterms and definitions down to leaves, which are left out, ascending.
@@ -312,7 +321,7 @@ class Kernel:
             term = waiting.pop()
             if term not in seen and not is_leaf(term):
                 seen.add(term)
-                self.spend(0)
+                self.spend(0, 1 + len(self.nodes[term].subterms))
                 waiting += self.nodes[term].subterms
                 if term in self.definitions:
                     waiting.append(self.definitions[term])
@@ -363,6 +372,7 @@ class Kernel:
         branches = list(pairwise(ends))
         self.same_number(proof["branches"], branches)
         for (low, high), inner in zip(branches, proof["branches"], strict=True):
+            self.spend(0, 2 + len(place.hypotheses))
             hypotheses = [] if low is None else [Claim("<=", low, term)]
             hypotheses += [] if high is None else [Claim("<=", term, high)]
             self.prove(place.branch(*hypotheses), claim, inner)
@@ -378,6 +388,7 @@ class Kernel:
         Clearing(self, place, ()).clear(term)
         self.same_number(proof["branches"], entries)
         for i, (entry, inner) in enumerate(zip(entries, proof["branches"], strict=True)):
+            self.spend(0, 2 * len(entries) + len(place.hypotheses))
             hypotheses = [Claim("=", term, entry)]
             for other in entries[:i] + entries[i + 1 :]:
                 sides = (entry, other) if op == "min" else (other, entry)
@@ -533,9 +544,7 @@ class Kernel:
 
     def prove(self, place: Place, claim: Claim, proof: Any) -> None:
         """Afterwards the claim is a fact at the place."""
-        rule = rule_of(proof, RULES)
-        need(rule not in ("witness", "induction"), Refused, "found {} inside a proof", rule)
-        RULES[rule][0](self, place, claim, proof)
+        RULES[rule_of(proof, RULES)][0](self, place, claim, proof)
 
     def define(self, place: Place, term: int, proof: Any) -> None:
         """Afterwards a term has a value at the place: it clears, or it has an enclosure."""
@@ -593,10 +602,12 @@ class Kernel:
 
     def plus(self, a: Polynomial, b: Polynomial, factor: int) -> Polynomial:
         """The sum of a and of b times an integer."""
+        self.spend(0, 1 + len(a))
         total = dict(a)
         for monomial, coefficient in b.items():
-            value = total.get(monomial, 0) + factor * coefficient
-            self.spend(value.numerator.bit_length() + value.denominator.bit_length())
+            before = total.get(monomial, 0)
+            self.spend(size(before) + size(coefficient))
+            value = before + factor * coefficient
             if value:
                 total[monomial] = value
             else:
@@ -605,17 +616,19 @@ class Kernel:
 
     def times(self, a: Polynomial, b: Polynomial) -> Polynomial:
         """The product."""
+        self.spend(0, 1 + len(a))
         total: Polynomial = {}
         for m, c in a.items():
             for n, d in b.items():
-                bits = c.numerator.bit_length() + c.denominator.bit_length()
-                bits += d.numerator.bit_length() + d.denominator.bit_length()
-                self.spend(bits, 2 + len(m) + len(n))
+                self.spend(0, 1 + len(m) + len(n))
                 exponents = dict(m)
                 for atom, exponent in n:
                     exponents[atom] = exponents.get(atom, 0) + exponent
+                    need(exponents[atom] <= MAX_DEGREE, Malformed, "found a degree above 2^20")
                 monomial = tuple(sorted(exponents.items()))
-                total[monomial] = total.get(monomial, 0) + c * d
+                before = total.get(monomial, 0)
+                self.spend(size(before) + size(c) + size(d))
+                total[monomial] = before + c * d
         return {monomial: value for monomial, value in total.items() if value}
 
     def power(self, base: Polynomial, exponent: int) -> Polynomial:
@@ -662,7 +675,7 @@ class Kernel:
         good = re.fullmatch(RATIONAL, value)
         need(good, Malformed, "{}: found {}, which is no name so far and no number", where, value)
         number = rational(value)
-        self.spend(number.numerator.bit_length() + number.denominator.bit_length())
+        self.spend(size(number))
         return self.rational(number)
 
     def read_claim(self, where: str, value: Any, context: Context) -> Claim:
@@ -680,6 +693,13 @@ class Kernel:
         odd = sorted(names.keys() ^ value.keys())
         need(not odd, Malformed, "{}: found too many or too few variables: {}", where, odd)
         return {names[name]: self.read(where, text, place.context) for name, text in value.items()}
+
+
+def key(node: Node) -> tuple[Any, ...]:
+    """What tells a node from others, with a hash that a file cannot foresee."""
+    if node.op == "rational":
+        return (*map(hex, node.rest),)
+    return node.op, *node.subterms, *node.rest
 
 
 def negated(claim: Claim) -> Claim:
@@ -715,10 +735,11 @@ class Clearing:
             need(term not in self.busy, Refused, "using: found equations in a circle")
             need(len(self.busy) < 2 * MAX_HEIGHT, Malformed, "found equations that are too deep")
             self.busy.add(term)
+            node = self.kernel.nodes[term]
+            self.kernel.spend(0, 2 + len(node.subterms))
             if term in self.replaced:
                 result = self.clear(self.replaced[term])
             else:
-                node = self.kernel.nodes[term]
                 result = CLEARED[node.op](self, term, node)
             self.busy.discard(term)
             self.cleared[term] = result
@@ -750,6 +771,7 @@ class Clearing:
     def added(self, _: int, node: Node) -> Quotient:
         """A sum or difference; equal denominators are kept."""
         (n, d), (m, e) = map(self.clear, node.subterms)
+        self.kernel.spend(0, len(d))
         sign, times = 1 if node.op == "add" else -1, self.kernel.times
         if d == e:
             return self.kernel.plus(n, m, sign), d
@@ -777,7 +799,7 @@ class Clearing:
         node = kernel.nodes[divisor]
         if node.op == "rational" and node.rest[0]:
             return kernel.times(n, {(): Fraction(node.rest[1], node.rest[0])}), d
-        opposite = kernel.index.get(Node("neg", (divisor,)), -1)
+        opposite = kernel.index.get(key(Node("neg", (divisor,))), -1)
         sign = 1 if kernel.knows("<", divisor, self.place) else -1
         known = sign == 1 or kernel.knows("<", opposite, self.place)
         need(known, Refused, "found a division by a term that is not known to be > 0 or < 0")
@@ -827,6 +849,7 @@ class Clearing:
     def reduce(self, p: Polynomial) -> Polynomial:
         """The polynomial, times a positive one, after replacing squares of roots, latest first."""
         for atom in reversed(self.squares):
+            self.kernel.spend(0, 1 + sum(map(len, p)))
             top = max((dict(monomial).get(atom, 0) // 2 for monomial in p), default=0)
             if top:
                 n, d = self.squares[atom]
@@ -884,8 +907,10 @@ class Enclosing:
                 self.known[part] = self.value(kernel.definitions[part])
                 continue
             need(op != "name", Refused, "found a variable without bounds")
-            x = OPERATIONS[op](self, *[self.value(arg) for arg in subterms], *rest)
-            self.known[part] = self.outward(x)
+            xs = [self.value(arg) for arg in subterms]
+            for low, high in xs:
+                kernel.spend(size(low) + size(high), 2)
+            self.known[part] = self.outward(OPERATIONS[op](self, *xs, *rest))
         return self.value(term)
 
     def value(self, term: int) -> Interval:
@@ -901,9 +926,8 @@ class Enclosing:
     def shorter(self, end: Fraction, more: int) -> Fraction:
         """The number, or one with a shorter numerator and denominator that is a little smaller."""
         n, d = end.numerator, end.denominator
-        size = n.bit_length() + d.bit_length()
-        self.kernel.spend(size)
-        if size <= 2 * (self.bits + more):
+        self.kernel.spend(size(end))
+        if size(end) <= 2 * (self.bits + more):
             return end
         shift = self.bits + more - n.bit_length() + d.bit_length()
         if shift < 0:
@@ -1049,6 +1073,7 @@ OPERATIONS: dict[str, Callable[..., Interval]] = {
 Shape = Callable[[str, Any], None]
 
 NAME = "[A-Za-z][A-Za-z0-9_.-]{0,99}"
+HYPOTHESIS = "@[1-9][0-9]{0,2}"
 RATIONAL = "-?(0|[1-9][0-9]{0,4299})(/[1-9][0-9]{0,4299})?"  # int() reads at most 4300 digits
 DECIMAL = r"-?(0|[1-9][0-9]{0,99})(\.[0-9]{1,99})?(e-?[0-9]{1,5})?"
 rational = cache(Fraction)  # the value of a text
@@ -1138,7 +1163,7 @@ def record(**shapes: Shape) -> Shape:
 
 any_text = text("(?s).*", "a text")
 name = text(NAME, "a name")
-reference = text(f"@[1-9][0-9]{{0,2}}|({NAME}:)*{NAME}", "the name of a fact")
+reference = text(f"{HYPOTHESIS}|({NAME}:)*{NAME}", "the name of a fact")
 context_name = text(f"({NAME}:)*{NAME}", "the name of a context")
 number = text(RATIONAL, "a rational number")
 exponent = text("[1-9][0-9]{0,2}", "an exponent from 1 to 999")
@@ -1326,6 +1351,7 @@ class Reader:
         message = "cites: found {}, whose statement is not at hand"
         need(digest in self.available, Malformed, message, digest)
         self.kernel.introduce(prefix + cite["name"])
+        self.kernel.spend(0, 100 + len(self.available[digest]) // 8)
         document = parsed("cited statement", self.available[digest], STATEMENT)
         good = document["theorem"] == cite["theorem"]
         need(good, Malformed, "cites: found {} under another title", cite["theorem"])
@@ -1672,13 +1698,17 @@ def summary(statement: Statement) -> str:
 def last_line(report: Report, closed: Mapping[str, Report]) -> str:
     """The verdict, and what it is about; a citation is closed by a proof in the same run."""
     waiting, opened, given = [*report.cites], [], []
+    seen: set[str] = set()
     while waiting:
         theorem, digest = waiting.pop()
+        if digest in seen:
+            continue
+        seen.add(digest)
         if digest in closed:
             waiting += closed[digest].cites
             given.append(f"; and what {theorem} is given")
         else:
-            opened.append(f"; citing {theorem}, which was not checked here ({digest})")
+            opened.append(f"; citing {theorem}, which is not proved here ({digest})")
     return f"{report.verdict}: {report.summary}{''.join(given + opened)}"
 
 

@@ -1,88 +1,87 @@
-"""``cuts``: enclosures decide between neighbouring cuts."""
+"""``cuts``: a term lies between neighbouring cuts, or beyond the first or last one."""
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
 
-from tests.check.support import proves, verdict
-from verify import check
-
-UNIT = {"x": ["0", "1"]}
-HUMP = ["mul", "x", ["sub", "1", "x"]]
-QUARTERS = ["0", "1/4", "1/2", "3/4", "1"]
-
-
-def holds(claim: Any, cuts: Any, variables: Any = UNIT) -> bool:
-    return proves(claim, "cuts", cuts=cuts, variables=variables)
-
-
-def test_more_cuts_decide_more() -> None:
-    claim = ["<=", HUMP, "1/2"]
-    assert not holds(claim, {"x": ["0", "1"]})
-    assert holds(claim, {"x": ["0", "1/2", "1"]})
-    assert holds(["<=", HUMP, "3/8"], {"x": QUARTERS})
-    assert not holds(["<=", HUMP, "37499999/100000000"], {"x": QUARTERS})
-    assert holds(["<", HUMP, "37500001/100000000"], {"x": QUARTERS})
-    assert not holds(["<", HUMP, "3/8"], {"x": QUARTERS})
-
-
-@pytest.mark.parametrize(
-    "cuts",
-    [
-        [],
-        ["0"],
-        ["1"],
-        ["0", "0"],
-        ["0", "1/4", "1/2", "3/4"],
-        ["1/4", "1/2", "3/4", "1"],
-        ["0", "1/4", "1/2", "3/4", "999/1000"],
-        ["1/1000", "1/4", "1/2", "3/4", "1"],
-        ["1", "3/4", "1/2", "1/4", "0"],
-        ["0", "1/2", "1/4", "3/4", "1"],
-        ["0", "1/4", "1/4", "1/2", "3/4", "1"],
-        ["-1", "1/4", "1/2", "3/4", "2"],
-    ],
+from tests.check.support import (
+    BOUNDS,
+    IDENTITY,
+    cuts,
+    ground,
+    in_box,
+    interval,
+    total,
 )
-def test_the_cuts_must_cover_in_order(cuts: list[str]) -> None:
-    found = verdict(["<=", "x", "2"], "cuts", cuts={"x": cuts}, variables=UNIT)
-    assert "increase from end to end" in found
+
+LEFT, RIGHT = interval(("x", "x-low", "@1")), interval(("x", "@1", "x-high"))
+BUMP = "x*(1 - x) <= 1/2"
 
 
-def test_two_variables() -> None:
-    box = {"x": ["0", "1"], "y": ["1", "2"]}
-    claim = ["<=", ["mul", HUMP, "y"], "3/4"]
-    assert holds(claim, {"x": QUARTERS, "y": ["1", "2"]}, box)
-    assert not holds(claim, {"x": ["0", "1"], "y": ["1", "3/2", "2"]}, box)
-    corner = ["<", ["add", "x", "y"], "11/4"]  # false only near (1, 2)
-    assert not holds(corner, {"x": QUARTERS, "y": ["1", "5/4", "3/2", "7/4", "2"]}, box)
+def test_a_split_box() -> None:
+    assert "REFUSED" in in_box(BUMP, interval(BOUNDS))
+    assert in_box(BUMP, cuts("x", ["1/2"], LEFT, RIGHT)) == "proved"
 
 
-@pytest.mark.parametrize("names", [[], ["y"], ["x", "y"], ["x", "k"], ["k"]])
-def test_each_variable_has_cuts_and_nothing_else(names: list[str]) -> None:
-    cuts = {name: ["0", "1"] for name in names}
-    found = verdict(["<=", "x", "2"], "cuts", cuts=cuts, variables=UNIT, constants={"k": "1/2"})
-    assert "found cuts of" in found
+def test_inner_branches_have_both_ends() -> None:
+    inner = interval(("x", "@1", "@2"))
+    assert in_box(BUMP, cuts("x", ["1/3", "2/3"], LEFT, inner, RIGHT)) == "proved"
+    swapped = interval(("x", "@2", "@1"))
+    assert "does not bound" in in_box(BUMP, cuts("x", ["1/3", "2/3"], LEFT, swapped, RIGHT))
 
 
-def test_unbounded_variables_have_no_cuts() -> None:
-    assert not holds(["<=", "0", "1"], {"x": ["0", "1"]}, {"x": ["0", None]})
-    assert not holds(["<=", "0", "1"], {"x": ["0", "1"]}, {"x": [None, "1"]})
+def test_cuts_inside_cuts_number_the_hypotheses_on() -> None:
+    inner = cuts("x", ["1/4"], interval(("x", "x-low", "@2")), interval(("x", "@2", "@1")))
+    assert in_box(BUMP, cuts("x", ["1/2"], inner, RIGHT)) == "proved"
+    wrong = cuts("x", ["1/4"], interval(("x", "x-low", "@3")), interval(("x", "@2", "@1")))
+    assert "found @3, which no branch adds" in in_box(BUMP, cuts("x", ["1/2"], wrong, RIGHT))
 
 
-def test_too_many_boxes_end(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(check, "MAX_WORK", 100_000)
-    points = ["0", *(f"{i}/400" for i in range(1, 400)), "1"]
-    box = {name: ["0", "1"] for name in "abcdef"}
-    cuts = dict.fromkeys("abcdef", points)
-    for claim in (["<=", ["sub", "a", "5"], "b"], ["<=", "0", "1"], ["<=", "a", "1"]):
-        assert "too much work" in verdict(claim, "cuts", cuts=cuts, variables=box)
+def test_a_term_may_be_cut() -> None:
+    """t^2 >= 0, as a product of what is known of t on each side of 0."""
+    square = total("goal", ["mul", "@1", "@1"])
+    claim, t = "0 <= (x*x - 1/2)*(x*x - 1/2)", "x*x - 1/2"
+    assert in_box(claim, cuts(t, ["0"], square, square)) == "proved"
+    odd = total("goal", ["mul", "@1", "x-low"])
+    claim = "0 <= (x*x - 1/2)*x"
+    assert "REFUSED" in in_box(claim, cuts(t, ["0"], odd, odd))
 
 
-def test_undefined_inside() -> None:
-    claim = ["<=", ["sqrt", "x"], "2"]
-    assert holds(claim, {"x": QUARTERS})
-    ends = {"x": ["-1/1000", "1"]}
-    assert not holds(claim, {"x": ["-1/1000", "1/2", "1"]}, ends)
-    assert not holds(["<", "0", ["div", "1", "x"]], {"x": QUARTERS})
+@pytest.mark.parametrize("at", [["1/2", "1/2"], ["1/2", "1/3"], ["1/2", "2/4"], []])
+def test_cuts_increase(at: list[str]) -> None:
+    branches = [interval(BOUNDS)] * (len(at) + 1)
+    assert "that do not increase" in in_box("x <= 1", cuts("x", at, *branches))
+
+
+@pytest.mark.parametrize("count", [0, 1, 3])
+def test_each_part_has_a_branch(count: int) -> None:
+    found = in_box("x <= 1", cuts("x", ["1/2"], *[interval(BOUNDS)] * count))
+    assert f"found {count} proofs, expected 2" in found
+
+
+@pytest.mark.parametrize("at", ["1/0", "x", "0.5", "", "1e2", "+1", " 1", "01"])
+def test_cuts_are_numbers(at: str) -> None:
+    found = in_box("x <= 1", cuts("x", [at], LEFT, RIGHT))
+    assert "cuts.at 1: found" in found
+
+
+def test_the_term_is_defined() -> None:
+    found = in_box("x <= 1", cuts("1/x", ["1"], interval(BOUNDS), interval(BOUNDS)))
+    assert "found a division by a term that is not known to be > 0 or < 0" in found
+    found = in_box("x <= 1", cuts("sqrt(x - 1)", ["1"], interval(BOUNDS), interval(BOUNDS)))
+    assert "found the root of a term that is not known to be >= 0" in found
+
+
+def test_every_branch_has_to_hold() -> None:
+    proof = cuts("x", ["1/2"], LEFT, RIGHT)
+    assert "REFUSED" in in_box("x <= 3/4", proof)
+    assert "REFUSED" in in_box("1/4 <= x", proof)
+
+
+def test_a_hypothesis_ends_with_its_branch() -> None:
+    proof = cuts("x", ["1/2"], cuts("x", ["1/4"], LEFT, interval(("x", "@2", "@1"))), interval(("x", "@2", "x-high")))
+    assert "found @2, which no branch adds" in in_box("x <= 1", proof)
+
+
+def test_numbers_may_be_cut() -> None:
+    assert ground("sqrt(2)**2 = 2", cuts("sqrt(2)", ["1"], IDENTITY, IDENTITY)) == "proved"

@@ -1,138 +1,170 @@
-"""``interval``: enclosures decide."""
+"""``interval``: the enclosures of the two sides decide."""
 
 from __future__ import annotations
 
+from copy import deepcopy as copy
+
 import pytest
 
-from tests.check.support import proves, verdict
+from tests.check.support import BOUNDS, Pair, box, cuts, ground, in_box, interval, verdict
 
-ROOT_2 = "1.4142135623730950488016887242096980785696718753769480731766797379907"
-BELOW = f"{ROOT_2[0]}{ROOT_2[2:]}/1{'0' * (len(ROOT_2) - 2)}"
-ABOVE = f"{int(ROOT_2[0] + ROOT_2[2:]) + 1}/1{'0' * (len(ROOT_2) - 2)}"
-SQRT_2 = ["sqrt", "2"]
+UNIT = interval(BOUNDS)
 
 
-@pytest.mark.parametrize("relation", ["<", "<="])
-def test_near_misses_in_the_last_digit(relation: str) -> None:
-    assert proves([relation, SQRT_2, ABOVE], "interval", bits=256)
-    assert proves([relation, BELOW, SQRT_2], "interval", bits=256)
-    assert not proves([relation, SQRT_2, BELOW], "interval", bits=256)
-    assert not proves([relation, ABOVE, SQRT_2], "interval", bits=256)
+@pytest.mark.parametrize(
+    "claim",
+    ["1 < 2", "1 <= 1", "1/3 = 2/6", "sqrt(2) < 3/2", "0 < cos(1)", "cos_pi(1/3) <= 3/4",
+     "min(1, 2) = 1", "max(1, sqrt(2)) < 2", "1/(1 - sqrt(2)) < 0", "(0-2)**3 < 0",
+     "(0-2)**2 = 4", "-(0-1) = 1", "-sqrt(4) < -1"],
+)  # fmt: skip
+def test_true_claims_about_numbers(claim: str) -> None:
+    assert ground(claim, interval()) == "proved"
 
 
-def test_too_few_bits_do_not_decide() -> None:
-    assert not proves(["<", SQRT_2, ABOVE], "interval", bits=64)
+@pytest.mark.parametrize(
+    ("claim", "reason"),
+    [
+        ("1 < 1", "expected < between them"),
+        ("2 <= 1", "expected <= between them"),
+        ("1 = 2", "expected = between them"),
+        ("sqrt(2) = sqrt(2)", "expected = between them"),
+        ("sqrt(2)**2 <= 2", "expected <= between them"),
+        ("0 < sqrt(0-1)", "found a square root of [-1"),
+        ("0 <= 1/(1 - 1)", "found a division by [0, 0], which contains 0"),
+        ("min(1, 1/(1-1)) <= 1", "found a division by"),
+        ("2 <= max(2, sqrt(0-1))", "found a square root of"),
+        ("cos(22/7) <= -1", "expected <= between them"),
+    ],
+)
+def test_false_or_undefined_claims_about_numbers(claim: str, reason: str) -> None:
+    assert reason in ground(claim, interval())
 
 
-def test_strict_and_not_strict() -> None:
-    assert proves(["<=", "1/3", "1/3"], "interval")
-    assert not proves(["<", "1/3", "1/3"], "interval")
-    assert proves(["<=", SQRT_2, SQRT_2], "interval") is False
+def test_the_negation_of_an_equation() -> None:
+    def found(claim: str) -> str:
+        pair = Pair().row("row", claim, interval(), verdict="refuted", role="printed")
+        return verdict(pair.row("other", "0 <= 1", interval()))
 
-
-def test_equality_needs_single_points() -> None:
-    assert proves(["=", ["add", "1/3", "1/6"], "1/2"], "interval")
-    assert not proves(["=", "1/3", "1/2"], "interval")
-    assert not proves(["=", SQRT_2, SQRT_2], "interval")
-    assert not proves(["=", "0", "1"], "interval")
-    assert not proves(["=", "1", "0"], "interval")
+    assert found("sqrt(2) = 1") == found("1 = sqrt(2)") == "proved"
+    assert "expected != between them" in found("1 = 1")
+    assert "expected != between them" in found("sqrt(4) = 2")
 
 
 @pytest.mark.parametrize(
     ("claim", "good"),
-    [
-        (["not", ["<", "2", "1"]], True),
-        (["not", ["<", "1", "1"]], True),
-        (["not", ["<", "1", "2"]], False),
-        (["not", ["<=", "2", "1"]], True),
-        (["not", ["<=", "1", "1"]], False),
-        (["not", ["=", "1", "2"]], True),
-        (["not", ["=", "2", "1"]], True),
-        (["not", ["=", "1", "1"]], False),
-        (["not", ["=", SQRT_2, SQRT_2]], False),
-        (["not", ["=", SQRT_2, "7/5"]], True),
-        (["not", ["not", ["<", "1", "2"]]], True),
-        (["not", ["not", ["<", "2", "1"]]], False),
-        (["not", ["not", ["not", ["<", "2", "1"]]]], True),
-    ],
-)
-def test_negations(claim: object, good: bool) -> None:
-    assert proves(claim, "interval") is good
+    [("x <= 1", True), ("0 <= x", True), ("x < 1", False), ("0 < x", False), ("x*x <= 1", True),
+     ("x - x <= 1", True), ("x - x <= 0", False), ("1/(1 + x) <= 1", True), ("1/x <= 2", False),
+     ("0 <= 1/x", False), ("sqrt(x) <= 1", True), ("0 < 1 + sqrt(x)", True)],
+)  # fmt: skip
+def test_claims_about_a_variable(claim: str, good: bool) -> None:
+    assert (in_box(claim, UNIT) == "proved") == good
 
 
-def test_every_operation() -> None:
-    term = ["sub", ["mul", ["neg", "3"], ["div", "1", "4"]], ["pow", ["min", "1", "2", "1/2"], "2"]]
-    assert proves(["=", term, "-1"], "interval")
-    assert proves(["<", ["max", "1", SQRT_2, "-5"], "3/2"], "interval")
-    assert proves(["<=", ["cos", "0"], "1"], "interval")
-    assert proves(["<", ["cos", "29/10"], "-97/100"], "interval")
-    assert not proves(["<", ["cos", "29/10"], "-98/100"], "interval")
-    assert proves(["<", ["cos_pi", "5/6"], "-866/1000"], "interval")
-    assert not proves(["<", ["cos_pi", "5/6"], "-867/1000"], "interval")
-    assert proves(["<=", ["cos_pi", "1"], "0"], "interval")
-
-
-def test_variables_range_over_their_whole_interval() -> None:
-    unit = {"x": ["0", "1"]}
-    assert proves(["<", "x", "2"], "interval", variables=unit)
-    assert proves(["<=", "x", "1"], "interval", variables=unit)
-    assert not proves(["<", "x", "1"], "interval", variables=unit)
-    assert not proves(["<=", "x", "999/1000"], "interval", variables=unit)
-    assert not proves(["<=", "1/1000", "x"], "interval", variables=unit)
-    assert "without bounds" in verdict(["<", "x", "2"], "interval", variables={"x": [None, "1"]})
-
-
-def test_a_negation_over_variables_is_not_the_opposite_inequality() -> None:
-    claim = ["not", ["<", "x", "1/2"]]
-    assert "expected witness" in verdict(claim, "interval", variables={"x": ["0", "1"]})
-
-
-def test_what_is_undefined_is_refused() -> None:
-    zero = ["sub", "1/3", "1/3"]
-    assert "contains 0" in verdict(["<", ["div", "1", zero], "2"], "interval")
-    assert "below 0" in verdict(["<", ["sqrt", "-1"], "2"], "interval")
-    assert "contains 0" in verdict(["<", "0", "k"], "interval", constants={"k": ["div", "1", zero]})
-    unused = verdict(["<", "0", "1"], "interval", constants={"k": ["sqrt", ["neg", "2"]]})
-    assert "below 0" in unused or "constant k" in unused
+def test_a_variable_needs_bounds() -> None:
+    assert "found a variable without bounds" in in_box("x <= 1", interval())
 
 
 @pytest.mark.parametrize(
-    ("lhs", "rhs", "good"),
+    ("bounds", "reason"),
     [
-        (["1.4142135623730950488", "1.4142135623730950489"], ["3/2", "3/2"], None),
-        (["1.4142135623730950488", "1.4142135623730950489"], ["1.5", "1.5"], True),
-        (["1.4142135623730950489", "1.4142135623730950490"], ["1.5", "1.5"], False),
-        (["1.4142135623730950487", "1.4142135623730950488"], ["1.5", "1.5"], False),
-        (["1.4142135623730950488", "1.4142135623730950489"], ["1.5000000001", "1.6"], False),
-        (["-1e5", "1e5"], ["-1e-5", "2e0"], True),
+        (("x", "x-high", "x-high"), "found x-high, which does not bound x"),
+        (("x", "x-low", "x-low"), "found x-low, which does not bound x"),
+        (("x", "x-high", "x-low"), "which does not bound x"),
+        (("x", "y-low", "x-high"), "found y-low, which does not bound x"),
+        (("box", "x-low", "x-high"), "bounds: found box, which is no name"),
+        (("nobody", "x-low", "x-high"), "bounds: found nobody, which is no name"),
+        (("x", "nothing", "x-high"), "found nothing, which is no fact so far"),
+        (("x", "row", "x-high"), "found row, which is no fact so far"),
+        (("x", "@1", "x-high"), "found @1, which no branch adds"),
+        (("x", "x-low", "goal"), "found goal, which is no fact so far"),
     ],
 )
-def test_enclosures_of_the_certificate_are_compared(
-    lhs: list[str], rhs: list[str], good: bool | None
-) -> None:
-    found = verdict(["<", SQRT_2, "3/2"], "interval", bits=128, lhs=lhs, rhs=rhs)
-    if good is None:
-        assert found.startswith("malformed")
-    else:
-        assert (found == "proved") is good
+def test_bounds_are_facts_about_the_name(bounds: tuple[str, str, str], reason: str) -> None:
+    assert reason in in_box("x <= 1", interval(bounds), ("0", "1"), ("0", "1"))
 
 
-def test_enclosures_belong_to_the_sides_as_they_are_written() -> None:
-    one, two = ["1", "1"], ["2", "2"]
-    claim = ["not", ["<", "2", "1"]]
-    assert proves(claim, "interval", lhs=two, rhs=one)
-    assert not proves(claim, "interval", lhs=one, rhs=two)
+def test_a_name_is_bounded_once() -> None:
+    assert "whose value is known" in in_box("x <= 1", interval(BOUNDS, BOUNDS))
 
 
-def test_wide_enclosures_overlap_with_close_ones() -> None:
-    close = ["1.4142135623730950488", "1.4142135623730950489"]
-    assert proves(["<", SQRT_2, "3"], "interval", bits=2, lhs=close, rhs=["3", "3"])
-    assert proves(["<", SQRT_2, "3"], "interval", bits=2, lhs=["1", close[1]], rhs=["3", "9"])
-    assert proves(["<", SQRT_2, "3"], "interval", bits=2, lhs=[close[0], "2"], rhs=["-1", "3"])
+def test_a_constant_is_not_bounded() -> None:
+    pair = Pair().constant("c", "2").lemma("low", "1 <= c", interval())
+    pair.lemma("high", "c <= 3", interval())
+    bounds = interval(("c", "low", "high"))
+    assert "found bounds of c, whose value is known" in verdict(pair.row("row", "1 <= c", bounds))
 
 
-def test_tiny_and_huge_numbers() -> None:
-    tiny, huge = "1/1" + "0" * 4000, "1" + "0" * 4000
-    assert proves(["<", ["mul", tiny, tiny], tiny], "interval")
-    assert proves(["<", ["sqrt", tiny], ["mul", "1/9", ["div", "10", ["sqrt", huge]]]], "interval")
-    assert not proves(["<", ["sqrt", tiny], ["div", "1", ["sqrt", huge]]], "interval")
+def test_bounds_that_exclude_each_other() -> None:
+    """Between the cuts 3 and 4 lies no x of the box; such a branch is not proved by intervals."""
+    proof = cuts("x", ["3"], UNIT, interval(("x", "@1", "x-high")))
+    assert "found bounds of x that exclude each other" in in_box("x <= 1", proof)
+
+
+def test_a_bound_may_be_a_term_in_names_bounded_earlier() -> None:
+    pair = Pair().context(
+        "c",
+        {"x": "0", "y": "0"},
+        {"a": "0 <= x", "b": "x <= 1", "c-low": "x - 1 <= y", "c-high": "y <= 2*x"},
+    )
+    good, bad = ("x", "a", "b"), ("y", "c-low", "c-high")
+    for bounds, found in (
+        ([good, bad], "proved"),
+        ([bad, good], "found a variable without bounds"),
+    ):
+        proof = interval(*bounds)
+        answer = verdict(copy(pair).row("row", "y <= 2", proof, "c"))
+        assert found in answer
+    assert verdict(copy(pair).row("row", "-1 <= y", interval(good, bad), "c")) == "proved"
+    assert "REFUSED" in verdict(copy(pair).row("row", "y <= 199/100", interval(good, bad), "c"))
+
+
+def test_equations_bound_on_both_sides() -> None:
+    for claim in ("x = 2", "2 = x"):
+        pair = Pair().context("c", {"x": "2"}, {"is": claim})
+        assert verdict(pair.row("row", "x <= 2", interval(("x", "is", "is")), "c")) == "proved"
+        pair = Pair().context("c", {"x": "2"}, {"is": claim})
+        assert "REFUSED" in verdict(pair.row("row", "x < 2", interval(("x", "is", "is")), "c"))
+
+
+def test_definitions_are_unfolded() -> None:
+    pair = box(("0", "1")).inner("box", "d", "x**2 + 1").define("e", "d*d", context="box")
+    assert verdict(copy(pair).row("row", "1 <= d*d", UNIT, "box")) == "proved"
+    pair.lemma("lemma", "e <= 4", UNIT, "box")
+    assert "proved" == verdict(pair.row("row", "d <= 2", UNIT, "box"))
+
+
+def test_a_name_with_a_definition_may_have_bounds() -> None:
+    pair = box(("0", "1")).inner("box", "d", "x - x")
+    pair.lemma("low", "0 <= d", ZERO, "box").lemma("high", "d <= 0", ZERO, "box")
+    assert verdict(copy(pair).row("row", "d <= 0", interval(("d", "low", "high")), "box")) == (
+        "proved"
+    )
+    assert "REFUSED" in verdict(pair.row("row", "d <= 0", UNIT, "box"))
+
+
+ZERO = {"rule": "sum", "using": ["d"], "addends": ["goal"], "equations": []}
+
+
+def test_precision_decides() -> None:
+    claim = f"sqrt(2)*sqrt(2) <= 2 + 1/{10**30}"
+    assert "REFUSED" in ground(claim, interval(bits=64))
+    assert ground(claim, interval(bits=128)) == "proved"
+
+
+@pytest.mark.parametrize("bits", [0, 1, 65537, 99999999, True, "64", None, []])
+def test_bits_have_bounds(bits: object) -> None:
+    assert f"interval.bits: found {bits}, expected 2 to 65536" in ground(
+        "1 < 2", interval(bits=bits)
+    )
+
+
+def test_odd_powers_are_monotone() -> None:
+    claim = "x**3 <= 1"
+    bounds = ("-2", "1")
+    assert in_box(claim, UNIT, bounds) == "proved"
+    assert in_box("-8 <= x**3", UNIT, bounds) == "proved"
+    assert "REFUSED" in in_box("-7 <= x**3", UNIT, bounds)
+    assert "REFUSED" in in_box("x**3 <= 0", UNIT, bounds)
+    assert in_box("0 <= x**2", UNIT, bounds) == in_box("x**2 <= 4", UNIT, bounds) == "proved"
+    assert "REFUSED" in in_box("x**2 <= 1", UNIT, bounds)
+    assert "REFUSED" in in_box("1/1000 <= x**2", UNIT, bounds)

@@ -1,4 +1,4 @@
-"""``witness``: a point where a claim for all values fails."""
+"""``witness``: not for all values, as the negation holds at these."""
 
 from __future__ import annotations
 
@@ -6,77 +6,107 @@ from typing import Any
 
 import pytest
 
-from tests.check.support import proves, verdict
+from tests.check.support import (
+    IDENTITY, INTERVAL, Pair, answer, box, interval, total, verdict, witness,
+)  # fmt: skip
 
-BOX = {"x": ["0", "2"]}
-CLAIM = ["not", ["<", ["pow", "x", "2"], "2"]]
+IN = [INTERVAL, INTERVAL]
 
 
-def refutes(claim: Any, point: Any, variables: Any = BOX, **fields: Any) -> bool:
-    return proves(claim, "witness", point=point, variables=variables, **fields)
+def refutes(claim: Any, proof: Any, context: str | None = "box") -> str:
+    pair = box(("0", "1")).row("needed", "0 <= 1", INTERVAL)
+    return verdict(pair.row("row", claim, proof, context, "refuted", "printed"))
 
 
 @pytest.mark.parametrize(
-    ("value", "good"),
-    [("3/2", True), ("7/5", False), ("141421356237/100000000000", False),
-     ("141421356238/100000000000", True), ("1999/1000", True), ("2", False), ("3", False),
-     ("0", False), ("-3/2", False)],
+    ("claim", "at", "reason"),
+    [
+        ("x < 1", "1", "proved"),
+        ("x <= 1/2", "1", "proved"),
+        ("x = 1/2", "1", "proved"),
+        ("0 < x", "0", "proved"),
+        ("x <= 1", "1", "expected < between them"),
+        ("x <= 1", "2", "expected <= between them"),
+        ("0 <= x", "-1", "expected <= between them"),
+        ("x < 1", "1/2", "expected <= between them"),
+        ("x = 1/2", "1/2", "expected != between them"),
+        ("1/x < 1", "0", "division by [0, 0]"),
+        ("sqrt(x - 1) <= 0", "0", "found a square root of [-1"),
+    ],
+)
+def test_witnesses(claim: str, at: str, reason: str) -> None:
+    assert reason in refutes(claim, witness({"x": at}, IN, INTERVAL))
+
+
+@pytest.mark.parametrize(
+    ("proof", "reason"),
+    [
+        (witness({}, IN, INTERVAL), "too many or too few variables: ['x']"),
+        (witness({"x": "1", "y": "1"}, IN, INTERVAL), "too many or too few variables: ['y']"),
+        (witness({"x": "x"}, IN, INTERVAL), "found a name of box, which is not in scope"),
+        (witness({"x": "1"}, IN[:1], INTERVAL), "found 1 proofs, expected 2"),
+        (witness({"x": "1"}, [], INTERVAL), "found 0 proofs, expected 2"),
+        (witness({"x": "1"}, ["x-low", "x-high"], INTERVAL), "which is a fact of box only"),
+        (witness({"x": "1"}, IN, None), "rule: found None"),
+        (witness({"x": "1"}, IN, "x-high"), "rule: found x-high"),
+        (witness({"x": "1"}, IN, witness({"x": "1"}, IN, INTERVAL)), "rule: found witness"),
+        (witness({"x": ["div", "1", ["sub", "1", "1"]]}, IN, INTERVAL), "division"),
+        (INTERVAL, "found a variable without bounds"),
+    ],
 )  # fmt: skip
-def test_points(value: str, good: bool) -> None:
-    assert refutes(CLAIM, {"x": value}) is good
+def test_near_misses(proof: Any, reason: str) -> None:
+    assert reason in refutes("x < 1", proof)
 
 
-@pytest.mark.parametrize(("relation", "good"), [("<", True), ("<=", False), ("=", False)])
-def test_on_the_border(relation: str, good: bool) -> None:
-    assert refutes(["not", [relation, "x", "1"]], {"x": "1"}) is good
+def test_without_variables_the_negation_itself_is_proved() -> None:
+    assert refutes("1 < 1", INTERVAL, None) == "proved"
+    assert "expected <= between them" in refutes("1 < 2", INTERVAL, None)
+    assert "found a witness, but no variable" in refutes("1 < 1", witness({}, [], INTERVAL), None)
 
 
-def test_equations() -> None:
-    assert refutes(["not", ["=", ["pow", "x", "2"], "x"]], {"x": "1/2"})
-    assert not refutes(["not", ["=", ["pow", "x", "2"], "x"]], {"x": "1"})
-    root = ["not", ["=", ["sqrt", "x"], "x"]]
-    assert refutes(root, {"x": "1/2"})
-    assert not refutes(root, {"x": "1"})
+def test_the_negation_for_all_values_refutes_too() -> None:
+    """A context has a point, so what fails everywhere does not hold everywhere."""
+    bounds = interval(("x", "x-low", "x-high"))
+    assert refutes("2 <= x", bounds) == "proved"
+    assert refutes("x < 0", total("goal", "x-low")) == "proved"
+    assert "expected < between them" in refutes("1 <= x", bounds)
 
 
-def test_the_ends_are_not_inside() -> None:
-    claim = ["not", ["<", "x", "1"]]
-    assert "inside" in verdict(claim, "witness", point={"x": "2"}, variables=BOX)
-    assert "inside" in verdict(["not", ["<", "0", "x"]], "witness", point={"x": "0"}, variables=BOX)
-    assert refutes(claim, {"x": "2"}, {"x": ["0", None]})
-    assert refutes(["not", ["<", "0", "x"]], {"x": "0"}, {"x": [None, "1"]})
-    assert refutes(["not", ["<", "0", "x"]], {"x": "-7"}, {"x": [None, None]})
+def test_a_proved_row_has_no_witness() -> None:
+    pair = box(("0", "1")).row("row", "x <= 1", witness({"x": "1"}, IN, INTERVAL), "box")
+    assert "rule: found witness, expected one of" in verdict(pair)
 
 
-@pytest.mark.parametrize("point", [{}, {"y": "1"}, {"x": "3/2", "y": "1"}, {"x": "3/2", "k": "1"}])
-def test_each_variable_has_a_value_and_nothing_else(point: dict[str, str]) -> None:
-    found = verdict(CLAIM, "witness", point=point, variables=BOX, constants={"k": "1"})
-    assert "found a point with" in found
+def test_a_refuted_row_is_no_fact() -> None:
+    pair = box(("0", "1"))
+    pair.row("row", "x < 1", witness({"x": "1"}, IN, INTERVAL), "box", "refuted", "printed")
+    pair.row("next", "x < 1", total("goal", "row"), "box")
+    assert "found row, which is no fact so far" in verdict(pair)
 
 
-def test_two_variables() -> None:
-    box = BOX | {"y": [None, None]}
-    claim = ["not", ["<=", ["add", "x", "y"], "3"]]
-    assert refutes(claim, {"x": "1", "y": "201/100"}, box)
-    assert not refutes(claim, {"x": "1", "y": "2"}, box)
-    assert not refutes(claim, {"x": "201/100", "y": "1"}, box)
+def test_a_needed_row_that_is_refuted_refutes() -> None:
+    pair = box(("0", "1"))
+    pair.row("row", "x < 1", witness({"x": "1"}, IN, INTERVAL), "box", "refuted")
+    code, lines = answer(pair)
+    assert (code, lines[0]) == (1, "proved  row [L] not (lhs < rhs for all of box)")
+    assert lines[-1].startswith("REFUTED: T's title: 0 needed proved, 0 printed proved, 1 needed re")
 
 
-def test_undefined_at_the_point() -> None:
-    claim = ["not", ["<", ["div", "1", ["sub", "x", "1"]], "0"]]
-    assert refutes(claim, {"x": "3/2"})
-    assert "contains 0" in verdict(claim, "witness", point={"x": "1"}, variables=BOX)
+def test_values_over_the_parent() -> None:
+    """For some y in [x, 2x], whatever x in [1, 2]: not y < 3/2 x."""
+    pair = box(("1", "2"))
+    givens = {"y-low": "x <= y", "y-high": "y <= 2*x"}
+    premises = [total("goal"), total("goal", "x-low", "1")]
+    pair.context("inner", {"y": "x"}, givens, premises, "box").row("needed", "0 <= 1", INTERVAL)
+    proof = witness({"y": "2*x"}, [total("goal", "x-low", "1"), total("goal")],
+                    total("goal", ["mul", "1/2", "x-low"], "1/2"))  # fmt: skip
+    pair.row("row", "y < 3/2*x", proof, "inner", "refuted", "printed")
+    assert verdict(pair) == "proved"
+    pair.steps[-1]["proof"]["at"]["y"] = ["mul", "3", "x"]
+    assert "REFUSED" in verdict(pair)
+    pair.steps[-1]["proof"]["at"]["y"] = "y"
+    assert "not in scope" in verdict(pair)
 
 
-def test_a_point_does_not_prove_a_claim_for_all_values() -> None:
-    found = verdict(["<", "x", "1"], "witness", point={"x": "1/2"}, variables=BOX)
-    assert "expected witness" in found
-    assert not proves(["not", ["<", "2", "1"]], "witness", point={})
-    double = ["not", ["not", ["<", "x", "1"]]]
-    assert not refutes(double, {"x": "1/2"})
-    assert refutes(["not", double], {"x": "3/2"})
-
-
-def test_a_row_may_not_define_what_another_needs() -> None:
-    found = verdict(["<", "x", "1"], "interval", variables={})
-    assert found.startswith("malformed")
+def test_the_two_sides_are_defined_at_the_witness() -> None:
+    assert "division" in refutes("1/x = 1/x", witness({"x": "0"}, IN, IDENTITY))

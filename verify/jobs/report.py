@@ -19,7 +19,8 @@ from verify.paper.spectrum import theorem as spectrum
 from verify.paper.theorem1 import theorem
 from verify.prover.ground import Ends
 from verify.jobs.regenerate import is_right_statement
-from verify.language.statement import GROUPS, Obligation, Statement
+from verify.paper.groups import GROUPS
+from verify.language.statement import Obligation, Statement
 from verify.language.terms import Claim, Term
 from verify.wire.wire import WireError, term_from_document
 

@@ -2,109 +2,103 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 
-from verify.prover import balls
-from verify.paper.theorem1 import theorem
-from verify.prover.program import Machine, Program
-from verify.prover.ground import (
-    DEFAULT_MAX_PRECISION,
-    DEFAULT_PRECISION,
+from verify.language.statement import (
+    NEEDED,
     PROVED,
-    REFUTED,
-    UNDECIDED,
-    BudgetError,
-    Decision,
-    Prover,
+    Choice,
+    Constant,
+    Obligation,
+    Statement,
 )
-from verify.language.statement import HYPOTHESES, PRINTED, REPAIRED, Assumption, Obligation, Statement
 from verify.language.terms import Term
+from verify.paper.groups import HYPOTHESES, PRINTED, SELECTIONS
+from verify.paper.theorem1 import theorem
+from verify.prover import balls
+from verify.prover.choose import BudgetError, choose
+from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Ground
+from verify.prover.outcome import Decision, Outcome, conjunction
+from verify.prover.program import Machine, Program
+from verify.prover.session import Session
+from verify.views.typeset import Typesetter
 
-Rows = list[tuple[Obligation, Decision]]
 
-#: The groups that each value of ``--constants`` asks for.
-SELECTIONS = {
-    "printed": (PRINTED,),
-    "repaired": (REPAIRED,),
-    "all": (PRINTED, REPAIRED),
-}
-
-
-class Outcome:
-    """What was found at one choice of the parameters.
-
-    ``rows`` has the decided rows of each group; a set is missing where a needed hypothesis does
-    not hold, or where the precision did not suffice to choose its constants.
-    """
+class PointRun:
+    """Theorem 1 at one choice of the parameters, decided step by step."""
 
     def __init__(
-        self,
-        parameters: Mapping[str, Term],
-        selection: str,
-        statement: Statement,
-        prover: Prover,
+        self, parameters: Mapping[str, Term], selection: str, start_bits: int, max_bits: int
     ) -> None:
-        self.parameters = parameters
-        self.selection = selection
-        self.statement = statement
-        self.prover = prover
-        self.rows: dict[str, Rows] = {}
+        self.parameters, self.selection = parameters, selection
+        self.session = Session()
+        self.ground = Ground(self.session, start_bits, max_bits)
+        self.constants: list[Constant] = []
+        self.decisions: dict[str, Decision] = {}
+        self.rows: list[Obligation] = []
         self.spent = ""
+        for name in theorem().parameters:
+            self.ground.define(Constant(name, name, name, "", parameters[name]))
 
-    @property
-    def groups(self) -> tuple[str, ...]:
-        """The sets asked for."""
-        return SELECTIONS[self.selection]
+    def run(self) -> Outcome:
+        """Decide the hypotheses, and where they hold every row of the sets asked for."""
+        parts = theorem().parts
+        self._decide(parts[HYPOTHESES].obligations)
+        if self._hypotheses_hold() and self._define(theorem().common):
+            for group in SELECTIONS[self.selection]:
+                if self._define(parts[group].constants):
+                    self._decide(self._asked(parts[group].obligations))
+        return self._outcome()
 
-    @property
-    def hypotheses_verdict(self) -> str:
-        """The verdict on the needed hypotheses."""
-        return conjunction(d for row, d in self.rows[HYPOTHESES] if row.role == "needed")
+    def _hypotheses_hold(self) -> bool:
+        needed = (self.decisions[row.name] for row in self.rows if row.role == NEEDED)
+        return conjunction(needed) == PROVED
 
-    def set_verdict(self, group: str) -> str:
-        """The verdict on all rows of one set."""
-        return conjunction(decision for _, decision in self.rows[group])
+    def _asked(self, rows: tuple[Obligation, ...]) -> tuple[Obligation, ...]:
+        """The rows; those of the printed set are needed where that alone is asked for."""
+        if self.selection != PRINTED:
+            return rows
+        return tuple(row._replace(role=NEEDED) for row in rows)
 
-    @property
-    def verdict(self) -> str:
-        """The verdict on what was asked: the needed rows, or the printed set alone."""
-        if self.hypotheses_verdict != PROVED:
-            return self.hypotheses_verdict
-        asked = PRINTED if self.selection == "printed" else REPAIRED
-        return self.set_verdict(asked) if asked in self.rows else UNDECIDED
+    def _define(self, constants: tuple[Constant | Choice, ...]) -> bool:
+        """Add constants, or say what the precision does not suffice for."""
+        for item in constants:
+            try:
+                constant = choose(self.ground, item) if isinstance(item, Choice) else item
+            except BudgetError as error:
+                self.spent = str(error)
+                return False
+            if not self.ground.define(constant):
+                self.spent = f"{constant.name} has no value at {self.ground.max_bits} bits"
+                return False
+            self.constants.append(constant)
+        return True
 
-    @property
-    def assumptions(self) -> tuple[Assumption, ...]:
-        """The assumptions that the rows shown take on trust."""
-        used = {name for rows in self.rows.values() for row, _ in rows for name in row.uses}
-        return tuple(a for a in self.statement.assumptions if a.name in used)
+    def _decide(self, rows: tuple[Obligation, ...]) -> None:
+        for row in rows:
+            self.rows.append(row)
+            self.decisions[row.name] = self.ground.decide(row)
 
-    @property
-    def all_rows(self) -> Rows:
-        """All rows, in the statement's order."""
-        return [pair for rows in self.rows.values() for pair in rows]
-
-    @property
-    def decided_rows(self) -> Rows:
-        """The rows that have a verdict: those that a certificate can have."""
-        return [(row, found) for row, found in self.all_rows if found.verdict != UNDECIDED]
-
-    @property
-    def exit_code(self) -> int:
-        """0 proved, 1 refuted, 3 undecided."""
-        return {PROVED: 0, REFUTED: 1, UNDECIDED: 3}[self.verdict]
-
-
-def conjunction(decisions: Iterable[Decision]) -> str:
-    """``refuted`` if one is, else ``undecided`` if one is, else ``proved``; never of nothing."""
-    verdicts = {decision.verdict for decision in decisions}
-    if not verdicts:
-        raise ValueError("an empty list of obligations proves nothing")
-    for verdict in (REFUTED, UNDECIDED):
-        if verdict in verdicts:
-            return verdict
-    return PROVED
+    def _outcome(self) -> Outcome:
+        used = {name for row in self.rows for name in row.uses}
+        values = {name: self.parameters[name] for name in theorem().parameters}
+        statement = Statement(
+            theorem=theorem().name,
+            title=_title(self.selection, values),
+            parameters=values,
+            constants=tuple(self.constants),
+            contexts=(),
+            obligations=tuple(self.rows),
+            assumptions=tuple(a for a in theorem().assumptions if a.name in used),
+        )
+        enclosures = {}
+        for name in (*values, *(constant.name for constant in self.constants)):
+            found = self.ground.enclose(self.ground.definitions[name])
+            if found is not None:
+                enclosures[name] = found
+        steps = tuple(self.session.steps)
+        return Outcome(statement, self.decisions, steps, enclosures, self.spent)
 
 
 def decide(
@@ -113,7 +107,7 @@ def decide(
     start_bits: int = DEFAULT_PRECISION,
     max_bits: int = DEFAULT_MAX_PRECISION,
 ) -> Outcome:
-    """Decide the hypotheses, and where they hold every row of the sets asked for.
+    """Decide Theorem 1 at a point.
 
     Args:
         parameters: r, c, V_0, delta_theta as terms without symbols.
@@ -121,27 +115,14 @@ def decide(
         start_bits: the first precision.
         max_bits: the last one.
     """
-    statement = theorem().of_group(HYPOTHESES, *SELECTIONS[selection])
-    common = theorem().of_group(HYPOTHESES)
-    prover = Prover(common, parameters, start_bits, max_bits)
-    outcome = Outcome(parameters, selection, statement, prover)
-    outcome.rows[HYPOTHESES] = _decide_rows(prover, common)
-    if outcome.hypotheses_verdict != PROVED:
-        return outcome
-    for group in outcome.groups:
-        part = theorem().of_group(group)
-        try:
-            for constant in part.constants[len(common.constants) :]:
-                prover.define(constant)
-        except BudgetError as error:
-            outcome.spent = str(error)
-            continue
-        outcome.rows[group] = _decide_rows(prover, part)
-    return outcome
+    return PointRun(parameters, selection, start_bits, max_bits).run()
 
 
-def _decide_rows(prover: Prover, statement: Statement) -> Rows:
-    return [(row, prover.decide(row.claim)) for row in statement.obligations]
+def _title(selection: str, parameters: Mapping[str, Term]) -> str:
+    """What the statement is about, in one line."""
+    typesetter = Typesetter({})
+    values = ", ".join(f"{name} = {typesetter.term(term)}" for name, term in parameters.items())
+    return f"{theorem().name} ({selection} constants) at {values}"
 
 
 def constants_enclosure(bits: int) -> Callable[[Mapping[str, Fraction]], dict[str, balls.Ball]]:
@@ -150,18 +131,19 @@ def constants_enclosure(bits: int) -> Callable[[Mapping[str, Fraction]], dict[st
     The program is compiled once, here. The function takes the values of r, c, V_0 and delta_theta
     and returns a ball for each constant that exists there.
     """
-    statement = theorem().of_group(PRINTED)
-    program = Program(statement.parameters)
-    for constant in statement.constants:
+    names = theorem().parameters
+    constants = (*theorem().common, *theorem().parts[PRINTED].bounds)
+    program = Program(names)
+    for constant in constants:
         program.define(constant.name, constant.term)
-    slots = [(constant.name, program.slots[constant.name]) for constant in statement.constants]
+    slots = [(constant.name, program.slots[constant.name]) for constant in constants]
     with balls.precision(bits):
         machine = Machine(program, balls.BallArithmetic())
         machine.load()
 
     def enclose(parameters: Mapping[str, Fraction]) -> dict[str, balls.Ball]:
         with balls.precision(bits):
-            inputs = [balls.from_fraction(parameters[name]) for name in statement.parameters]
+            inputs = [balls.from_fraction(parameters[name]) for name in names]
             values = machine.run(inputs).values
         return {name: values[slot] for name, slot in slots if values[slot] is not None}
 

@@ -1,25 +1,33 @@
-"""A statement: what is claimed, and nothing about how it is proved."""
+"""A statement: what is claimed, and nothing about how it is proved.
+
+A statement has named constants, contexts (variables with what is given about them) and
+obligations; and, listed beside them, what is believed. Everything here is data: two statements
+that say the same are equal.
+"""
 
 from __future__ import annotations
 
-from fractions import Fraction
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 from verify.language.terms import Claim, Term
 
-HYPOTHESES = "hypotheses"
+NEEDED = "needed"
 PRINTED = "printed"
-REPAIRED = "repaired"
-GROUPS = (HYPOTHESES, PRINTED, REPAIRED)
+
+PROVED = "proved"
+REFUTED = "refuted"
+UNDECIDED = "undecided"
+
+NOTHING: Mapping[str, Term] = MappingProxyType({})
 
 
 class Constant(NamedTuple):
-    r"""A named constant of the paper.
+    r"""A named constant.
 
     ``letter`` and ``tex`` are how people read it, ``label`` the paper's ``\label`` nearest to its
-    definition. A constant with ``chosen`` is a rational number that the prover may choose: its
-    ``term`` is then only the bound, and ``direction`` says on which side of the bound the choice
-    lies (``down`` or ``up``).
+    definition.
     """
 
     name: str
@@ -27,9 +35,6 @@ class Constant(NamedTuple):
     tex: str
     label: str
     term: Term
-    chosen: bool = False
-    direction: str = "down"
-    base: Term | None = None
 
     @property
     def short_name(self) -> str:
@@ -37,20 +42,77 @@ class Constant(NamedTuple):
         return self.name.rpartition(".")[2]
 
 
+class Choice(NamedTuple):
+    """A constant that may be any rational number on one side of a bound.
+
+    The ``constant`` has the bound as its term; the choice is rounded from it ``down`` or ``up``
+    (above ``base``, where that is given).
+    """
+
+    constant: Constant
+    direction: str = "down"
+    base: Term | None = None
+
+
 class Variable(NamedTuple):
-    """A universally quantified symbol of an obligation: a number in an open interval."""
+    """A universally quantified number of a context."""
 
     name: str
-    lower: Fraction | None = None
-    upper: Fraction | None = None
+    letter: str
+    tex: str
+
+
+class Given(NamedTuple):
+    """What a context assumes of its variables.
+
+    ``kind`` is plain; or, in a context for an induction, carried (shown at the start and from
+    state to state) or standing (an assumption gives it for every state).
+    """
+
+    name: str
+    claim: Claim
+    kind: str = "plain"
+    assumption: str | None = None
+
+
+class Context(NamedTuple):
+    """Variables with what is given about them, inside another context (None: the outermost).
+
+    Givens are in an order in which each is defined by those before it. ``point`` has values, over
+    the names of the parent, at which all givens hold.
+    """
+
+    name: str
+    variables: tuple[Variable, ...]
+    givens: tuple[Given, ...]
+    point: Mapping[str, Term]
+    parent: str | None = None
+    says: str = ""
+    constants: tuple[Constant, ...] = ()
+
+
+class Applies(NamedTuple):
+    """The claim that these values satisfy all givens of a context, so that its theorems hold."""
+
+    context: str
+    at: Mapping[str, Term]
+
+
+class Always(NamedTuple):
+    """The claim that from this start, with this next state, the givens hold for ever."""
+
+    context: str
+    start: Mapping[str, Term]
+    next: Mapping[str, Term]
 
 
 class Obligation(NamedTuple):
-    """One claim that has to be decided, for all values of its variables.
+    """One claim that has to be decided, for all values of the variables in scope.
 
     ``role`` is ``printed`` (what the paper says) or ``needed`` (what the theorem rests on),
     ``says`` the step in the paper's words, ``uses`` the names of the assumptions that the step
-    takes on trust, ``corrected_by`` the name of the row that replaces a refuted one.
+    takes on trust, ``severity`` how bad it is if it is false, ``corrected_by`` the name of the row
+    that replaces it then.
     """
 
     name: str
@@ -58,18 +120,24 @@ class Obligation(NamedTuple):
     label: str
     role: str
     says: str
-    claim: Claim
+    claim: Claim | Applies | Always
     uses: tuple[str, ...] = ()
     corrected_by: str | None = None
-    variables: tuple[Variable, ...] = ()
+    severity: str | None = None
+    context: str | None = None
 
 
 class Assumption(NamedTuple):
-    """An estimate for every state, or a law, that is used and not proved here."""
+    """What is used and not proved here.
+
+    ``kind`` is definition (of the model), general mathematics, calculus, or glue (a sentence of
+    the argument, which names its facts).
+    """
 
     name: str
     label: str
     sentence: str
+    kind: str = "glue"
 
 
 class Change(NamedTuple):
@@ -81,27 +149,26 @@ class Change(NamedTuple):
     why: str
 
 
-class Statement(NamedTuple):
-    """Named constants, obligations and assumptions over the symbols of the parameters.
+class Cite(NamedTuple):
+    """Another statement, whose theorems may be used; ``content`` is its file."""
 
-    Constants stand in an order in which each uses only parameters and earlier constants.
+    name: str
+    theorem: str
+    content: bytes
+
+
+class Statement(NamedTuple):
+    """Constants, contexts, obligations and assumptions.
+
+    Constants stand in an order in which each uses only parameters and earlier constants; contexts
+    come after their parents.
     """
 
     theorem: str
-    parameters: tuple[str, ...]
+    title: str
+    parameters: Mapping[str, Term]
     constants: tuple[Constant, ...]
+    contexts: tuple[Context, ...]
     obligations: tuple[Obligation, ...]
     assumptions: tuple[Assumption, ...]
-    changes: tuple[Change, ...] = ()
-
-    def of_group(self, *groups: str) -> Statement:
-        """The same statement with only the obligations, and set constants, of some groups."""
-        dropped = tuple(f"{group}." for group in GROUPS if group not in groups)
-        return Statement(
-            self.theorem,
-            self.parameters,
-            tuple(c for c in self.constants if not c.name.startswith(dropped)),
-            tuple(o for o in self.obligations if o.group in groups),
-            self.assumptions,
-            self.changes,
-        )
+    cites: tuple[Cite, ...] = ()

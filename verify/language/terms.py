@@ -6,11 +6,13 @@ Numbers enter as integers or fractions. A float is refused, because it is alread
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any, Union
 
 Number = Union["Term", int, Fraction]
+
+RELATIONS = ("<", "<=", "=")
 
 
 #: Every term that was built, by operation and arguments.
@@ -142,17 +144,33 @@ _CHILDREN: dict[str, Callable[[tuple[Any, ...]], tuple[Term, ...]]] = {
 
 
 class Claim:
-    """The sentence ``lhs < rhs``, ``lhs <= rhs`` or ``lhs = rhs``; building it decides nothing."""
+    """The sentence ``lhs < rhs``, ``lhs <= rhs`` or ``lhs = rhs``; building it decides nothing.
+
+    Two claims are equal when they are written alike.
+    """
 
     __slots__ = ("lhs", "relation", "rhs")
 
     def __init__(self, relation: str, lhs: Term, rhs: Term) -> None:
+        if relation not in RELATIONS:
+            raise ValueError(f"{relation!r} is not a relation; write one of {', '.join(RELATIONS)}")
         self.relation = relation
         self.lhs = lhs
         self.rhs = rhs
 
     def __repr__(self) -> str:
         return f"Claim({self.relation!r}, {self.lhs!r}, {self.rhs!r})"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Claim) and self.key == other.key
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+    @property
+    def key(self) -> tuple[str, Term, Term]:
+        """The relation and the two sides."""
+        return self.relation, self.lhs, self.rhs
 
     def __bool__(self) -> bool:
         raise TypeError("a claim has no truth value; chain two claims as two rows")
@@ -226,12 +244,25 @@ def symbols_of(term: Term) -> Iterator[str]:
         yield from symbols_of(child)
 
 
-def substitute(term: Term, name: str, value: Term) -> Term:
-    """Return the term with every occurrence of a symbol replaced."""
-    if term.op == "symbol":
-        return value if term.name == name else term
-    children = term.children
-    if not children:
-        return term
-    replaced = [substitute(child, name, value) for child in children]
-    return Term(term.op, *replaced, *term.args[len(children) :])
+def substitute(term: Term, values: Mapping[str, Term]) -> Term:
+    """The term with every occurrence of some names replaced, all at once."""
+    done: dict[Term, Term] = {}
+
+    def new(part: Term) -> Term:
+        found = done.get(part)
+        if found is None:
+            if part.op == "symbol":
+                found = values.get(part.name, part)
+            else:
+                children = part.children
+                args = [new(child) for child in children]
+                found = Term(part.op, *args, *part.args[len(children) :]) if children else part
+            done[part] = found
+        return found
+
+    return new(term)
+
+
+def substitute_claim(claim: Claim, values: Mapping[str, Term]) -> Claim:
+    """The claim with every occurrence of some names replaced, all at once."""
+    return Claim(claim.relation, substitute(claim.lhs, values), substitute(claim.rhs, values))

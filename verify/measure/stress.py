@@ -22,7 +22,7 @@ from verify.measure.engines import CheckerEngine, Ends, load
 from verify.cli.inputs import angle, rational
 from verify.prover.program import Program
 from verify.prover.ground import PROVED, REFUTED
-from verify.language.statement import HYPOTHESES
+from verify.paper.groups import HYPOTHESES
 from verify.language.terms import Term, as_term, sqrt, symbol
 from verify.jobs.theorem1 import Outcome, decide
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from verify.language.statement import Obligation
+from verify.language.terms import sqrt
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import THEOREM, V_0, delta_theta, r
 from verify.paper.preliminaries import C_eta
-from verify.language.statement import Obligation
-from verify.language.terms import sqrt
 
 
 def rows(k: ConstantSet) -> Iterator[Obligation]:

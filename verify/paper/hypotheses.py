@@ -14,9 +14,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.paper.parameters import V_0, c, delta_theta, r
-from verify.language.statement import HYPOTHESES, Obligation
+from verify.language.statement import Obligation
 from verify.language.terms import Claim, as_term
+from verify.paper.groups import HYPOTHESES
+from verify.paper.parameters import V_0, c, delta_theta, r
 
 RESTITUTION = "EQUATSS4.1ThExiCondi_r_1_"
 ANGLE = "EQUATSS4.1ThExiCondiTheta"

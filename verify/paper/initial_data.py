@@ -12,6 +12,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from verify.language.statement import Change, Choice, Constant, Obligation
+from verify.language.terms import Claim, Term, as_term, maximum, minimum, sqrt, symbol
+from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.parameters import V_0, c, delta_theta
 from verify.paper.preliminaries import (
     V_1,
@@ -25,8 +28,6 @@ from verify.paper.preliminaries import (
     h_4,
     h_5,
 )
-from verify.language.statement import PRINTED, REPAIRED, Change, Constant, Obligation
-from verify.language.terms import Claim, Term, as_term, maximum, minimum, sqrt, symbol
 
 DELTA = "EQUATSS4.1DefinDeltxDelty"
 X_0 = "EQUATSS4.1DescrDoIniColla"
@@ -141,19 +142,16 @@ class ConstantSet:
         """The entries of the min that defines or bounds each constant, in the paper's order."""
         return _printed_bounds(self) if self.printed else _repaired_bounds(self)
 
-    def constants(self) -> Iterator[Constant]:
+    def constants(self) -> Iterator[Constant | Choice]:
         """The set's constants, each after those it uses."""
         for name, entries in self.bounds().items():
             term = entries[0] if len(entries) == 1 else minimum(*entries)
-            yield Constant(
-                f"{self.group}.{name}",
-                *_LETTERS[name],
-                _LABELS[name],
-                term,
-                chosen=not self.printed and name not in {"delta_y", "d_bar"},
-                direction="up" if name == "T_star" else "down",
-                base=V_0 if name == "V_1" else None,
-            )
+            constant = Constant(f"{self.group}.{name}", *_LETTERS[name], _LABELS[name], term)
+            if self.printed or name in {"delta_y", "d_bar"}:
+                yield constant
+            else:
+                base = V_0 if name == "V_1" else None
+                yield Choice(constant, "up" if name == "T_star" else "down", base)
 
 
 def _printed_bounds(k: ConstantSet) -> dict[str, tuple[Term, ...]]:

@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.statement import Obligation
+from verify.language.terms import as_term, sqrt
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import V_0, c
 from verify.paper.preliminaries import alpha_0, h_4, phi_minus
-from verify.language.statement import Obligation
-from verify.language.terms import as_term, sqrt
 
 DATA = "EQUATSS4.1DescrDoIniColla"
 CND = "EQUATSS4.1Recurrence_Cnd"

@@ -5,9 +5,9 @@ All but V_1 = V_1(V_0, h_5) depend on r and c alone.
 
 from __future__ import annotations
 
-from verify.paper.parameters import THEOREM, V_0, c, r
 from verify.language.statement import Constant
 from verify.language.terms import sqrt, symbol
+from verify.paper.parameters import THEOREM, V_0, c, r
 
 alpha_0 = symbol("alpha_0")
 phi_minus = symbol("phi_minus")

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.statement import Obligation
+from verify.language.terms import as_term, sqrt
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import THEOREM, V_0, r
 from verify.paper.preliminaries import (
@@ -22,8 +24,6 @@ from verify.paper.preliminaries import (
     phi_minus,
     phi_plus,
 )
-from verify.language.statement import Obligation
-from verify.language.terms import as_term, sqrt
 
 RESTITUTION = "EQUATSS4.1ThExiCondi_r_1_"
 STABLE = "EQUATSS4.1DerivFonctF_1P-"

@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.statement import Obligation
+from verify.language.terms import as_term, minimum, sqrt
 from verify.paper.initial_data import ETA, ConstantSet
 from verify.paper.parameters import V_0, c, r
 from verify.paper.preliminaries import (
@@ -24,8 +26,6 @@ from verify.paper.preliminaries import (
     h_5,
     phi_minus,
 )
-from verify.language.statement import Obligation
-from verify.language.terms import as_term, minimum, sqrt
 
 CND = "EQUATSS4.1Recurrence_Cnd"
 TAU = "EQUATSS4.1_Controle_Tau_n"

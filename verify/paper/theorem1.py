@@ -3,27 +3,52 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import NamedTuple
 
+from verify.language.statement import Assumption, Change, Choice, Constant, Obligation
 from verify.paper import conclusion, initial_data, initialization, preliminary_rows, recursion
 from verify.paper.assumptions import ASSUMPTIONS
+from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.hypotheses import hypotheses
 from verify.paper.initial_data import CHANGES, ConstantSet
 from verify.paper.parameters import PARAMETERS, THEOREM
 from verify.paper.preliminaries import CONSTANTS
-from verify.language.statement import PRINTED, REPAIRED, Statement
+
+
+class Part(NamedTuple):
+    """The constants and the rows of one group."""
+
+    group: str
+    constants: tuple[Constant | Choice, ...]
+    obligations: tuple[Obligation, ...]
+
+    @property
+    def bounds(self) -> tuple[Constant, ...]:
+        """The constants, with the bound where one may be chosen."""
+        return tuple(c.constant if isinstance(c, Choice) else c for c in self.constants)
+
+
+class Theorem(NamedTuple):
+    """Theorem 1 over the symbols r, c, V_0 and delta_theta.
+
+    ``common`` are the constants of both sets; they exist where the hypotheses hold.
+    """
+
+    name: str
+    parameters: tuple[str, ...]
+    common: tuple[Constant, ...]
+    parts: dict[str, Part]
+    assumptions: tuple[Assumption, ...]
+    changes: tuple[Change, ...]
 
 
 @cache
-def theorem() -> Statement:
-    """The statement over the symbols r, c, V_0 and delta_theta, built once per process."""
-    sets = (ConstantSet(PRINTED), ConstantSet(REPAIRED))
+def theorem() -> Theorem:
+    """The theorem, built once per process."""
     sections = (preliminary_rows, initial_data, initialization, recursion, conclusion)
-    return Statement(
-        theorem=THEOREM,
-        parameters=PARAMETERS,
-        constants=CONSTANTS + tuple(c for k in sets for c in k.constants()),
-        obligations=tuple(hypotheses())
-        + tuple(row for k in sets for section in sections for row in section.rows(k)),
-        assumptions=ASSUMPTIONS,
-        changes=CHANGES,
-    )
+    parts = {HYPOTHESES: Part(HYPOTHESES, (), tuple(hypotheses()))}
+    for group in (PRINTED, REPAIRED):
+        k = ConstantSet(group)
+        rows = tuple(row for section in sections for row in section.rows(k))
+        parts[group] = Part(group, tuple(k.constants()), rows)
+    return Theorem(THEOREM, PARAMETERS, CONSTANTS, parts, ASSUMPTIONS, CHANGES)

@@ -133,6 +133,11 @@ def sign(ball: arb) -> int:
     return int(ball >= 0) - int(ball <= 0)
 
 
+def strict_sign(ball: arb) -> int:
+    """1 if every number in the ball is positive, -1 if every one is negative, else 0."""
+    return int(ball > 0) - int(ball < 0)
+
+
 def ends(ball: arb) -> tuple[Fraction, Fraction]:
     """Rational numbers that enclose a ball: its ends, rounded outward to the precision."""
     return _dyadic(ball.lower()), _dyadic(ball.upper())

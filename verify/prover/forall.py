@@ -12,13 +12,13 @@ from itertools import pairwise, product
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from verify.prover import balls
-from verify.prover.algebra import is_identity
-from verify.prover.polynomials import NotPolynomialError, bernstein, coefficients, formal_degree
-from verify.prover.program import ExactArithmetic, Machine, Program
-from verify.prover.ground import PROVED, REFUTED, UNDECIDED, Decision, Ends
 from verify.language.statement import Obligation, Variable
 from verify.language.terms import Claim
+from verify.prover import balls
+from verify.prover.algebra import is_identity
+from verify.prover.ground import PROVED, REFUTED, UNDECIDED, Decision, Ends
+from verify.prover.polynomials import NotPolynomialError, bernstein, coefficients, formal_degree
+from verify.prover.program import ExactArithmetic, Machine, Program
 
 BITS = 128
 

@@ -153,15 +153,33 @@ class Run:
 
 
 class ExactArithmetic:
-    """Rational numbers; a square root exists where it is rational, a cosine never."""
+    """Rational numbers; a square root exists where it is rational, a cosine never.
 
-    def rational(self, value: Fraction) -> Fraction:
+    With ``max_bits`` a number whose numerator and denominator together are longer has no value.
+    """
+
+    def __init__(self, max_bits: int | None = None) -> None:
+        self._max_bits = max_bits
+
+    def rational(self, value: Fraction) -> Fraction | None:
         """The number itself."""
-        return value
+        return value if self._is_short(value) else None
 
-    def operation(self, name: str) -> Callable[..., Fraction]:
+    def operation(self, name: str) -> Callable[..., Fraction | None]:
         """The exact operation of this name."""
-        return _EXACT.get(name, _irrational)
+        function = _EXACT.get(name, _irrational)
+        if self._max_bits is None:
+            return function
+
+        def short(*operands: Fraction) -> Fraction | None:
+            value = function(*operands)
+            return value if self._is_short(value) else None
+
+        return short
+
+    def _is_short(self, value: Fraction) -> bool:
+        size = value.numerator.bit_length() + value.denominator.bit_length()
+        return self._max_bits is None or size <= self._max_bits
 
 
 def _divide(a: Fraction, b: Fraction) -> Fraction:

@@ -6,7 +6,8 @@ from typing import Any
 
 from verify.prover.decimals import outward, rational_text
 from verify.prover.ground import REFUTED, Decision, Ends
-from verify.language.statement import HYPOTHESES, Obligation
+from verify.paper.groups import HYPOTHESES
+from verify.language.statement import Obligation
 from verify.language.terms import Term, symbol
 from verify.jobs.theorem1 import Outcome
 from verify.views.words import entry_ends, least, letters, sentence, verdict_text

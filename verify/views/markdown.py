@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator
 
 from verify.prover.decimals import short
 from verify.prover.ground import REFUTED, Decision, Ends
-from verify.language.statement import HYPOTHESES, PRINTED, REPAIRED, Constant, Obligation
+from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
+from verify.language.statement import Constant, Obligation
 from verify.language.terms import symbol
 from verify.jobs.theorem1 import Outcome
 from verify.views.words import least, letters, theorem_in_numbers, verdict_text

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from verify.prover.decimals import outward, short
 from verify.prover.ground import REFUTED, UNDECIDED, Decision, Ends
-from verify.language.statement import HYPOTHESES, PRINTED, REPAIRED, Constant, Obligation
+from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
+from verify.language.statement import Constant, Obligation
 from verify.language.terms import symbol
 from verify.jobs.theorem1 import Outcome
 from verify.views.typeset import Typesetter

@@ -6,6 +6,7 @@ argument in words, the argument is one of these sentences.
 
 from __future__ import annotations
 
+from verify.language.statement import Assumption
 from verify.paper.spectrum.collision_matrices import DEFINITION, LAW_A, SPACE_F
 from verify.paper.spectrum.complex_pair import COMPLEX_PAIR
 from verify.paper.spectrum.linear_matrix import RATE
@@ -13,7 +14,6 @@ from verify.paper.spectrum.orbits import COLLAPSE
 from verify.paper.spectrum.printed import THEOREM
 from verify.paper.spectrum.real_root import REAL_ROOT
 from verify.paper.spectrum.zhou_kadanoff import EXISTENCE
-from verify.language.statement import Assumption
 
 ASSUMPTIONS = (
     Assumption(

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from verify.language.statement import Obligation
+from verify.language.terms import Term, as_term, equal, substitute, symbol
 from verify.paper.spectrum.collision_matrices import COLUMN, ROW
 from verify.paper.spectrum.matrices import (
     Matrix,
@@ -15,8 +17,6 @@ from verify.paper.spectrum.matrices import (
 )
 from verify.paper.spectrum.printed import Q_LABEL, THEOREM, Printed, r, root_3
 from verify.paper.spectrum.rows import Section
-from verify.language.statement import Obligation
-from verify.language.terms import Term, as_term, equal, substitute, symbol
 
 APPENDIX = "APPENSS___PolynChara_Alim"
 CHARACTERISTIC = "EQUATSS3.5Alim_PolynCarac"

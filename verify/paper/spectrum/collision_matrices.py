@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from verify.language.statement import Obligation
+from verify.language.terms import as_term, equal
 from verify.paper.spectrum import triangle
 from verify.paper.spectrum.matrices import (
     ZERO,
@@ -21,8 +23,6 @@ from verify.paper.spectrum.matrices import (
 )
 from verify.paper.spectrum.printed import MATRIX_LABEL, THEOREM, Printed, r, root_3
 from verify.paper.spectrum.rows import Section, symbols
-from verify.language.statement import Obligation
-from verify.language.terms import as_term, equal
 
 LAW_A = "EQUATSS3.5VitesColli_0-1_"
 LAW_B = "EQUATSS3.5DefinMatrix_A_b"

@@ -13,6 +13,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.statement import Obligation
+from verify.language.terms import as_term, equal, substitute, symbol
 from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.collision_matrices import EIGENSPACE, ROW, flipped
 from verify.paper.spectrum.matrices import (
@@ -26,8 +28,6 @@ from verify.paper.spectrum.matrices import (
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
 from verify.paper.spectrum.real_root import DISCRIMINANT, REAL_ROOT
 from verify.paper.spectrum.rows import Section, symbols
-from verify.language.statement import Obligation
-from verify.language.terms import as_term, equal, substitute, symbol
 
 COMPLEX_PAIR = "EQUATSS3.5Alim_ContrRacCx"
 

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from verify.language.statement import Obligation
+from verify.language.terms import Term, as_term, equal, sqrt
 from verify.paper.spectrum import triangle
 from verify.paper.spectrum.collision_matrices import A_A, A_B, flipped
 from verify.paper.spectrum.matrices import Vector, apply, dot, vector
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
 from verify.paper.spectrum.rows import REAL, Section, symbols
-from verify.language.statement import Obligation
-from verify.language.terms import Term, as_term, equal, sqrt
 
 BOUND = "EQUATSS3.5Minor_z'__Triag"
 

@@ -8,12 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.statement import Obligation
+from verify.language.terms import as_term, equal, maximum
 from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.matrices import Matrix, apply, determinant, dot, identity_minus, vector
 from verify.paper.spectrum.printed import r
 from verify.paper.spectrum.rows import Interval, Section, symbols
-from verify.language.statement import Obligation
-from verify.language.terms import as_term, equal, maximum
 
 LAW = "EQUATSS3.4EvoluVNormLinea"
 LIMIT = "EQUATSS3.4MatriLimitLinea"

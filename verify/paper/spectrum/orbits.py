@@ -11,6 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.statement import Obligation
+from verify.language.terms import Term, as_term, equal, substitute, symbol
 from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.collision_matrices import A_A, A_B, A_C
 from verify.paper.spectrum.complex_pair import FIXED, REAL_EIGENVECTOR, m, modulus, r_of_m
@@ -18,8 +20,6 @@ from verify.paper.spectrum.cone import BOUND, NORMAL_12, STATE, a, b, normal_12
 from verify.paper.spectrum.matrices import Vector, apply, dot, plus, times, vector
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
 from verify.paper.spectrum.rows import Interval, Section, symbols
-from verify.language.statement import Obligation
-from verify.language.terms import Term, as_term, equal, substitute, symbol
 
 COLLAPSE = "DEFINSS3.5CollapseTriangu"
 ORDER = "EQUATSS3.5ConclusionEta1>"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from verify.paper.spectrum.matrices import Matrix, Vector, times, vector
 from verify.language.terms import Number, Term, as_term, sqrt, substitute, symbol
+from verify.paper.spectrum.matrices import Matrix, Vector, times, vector
 
 THEOREM = "THEORSS3.5SpectMatricVitLm"
 MATRIX_LABEL = "EQUATSS3.5MatrixAlim_ResF"

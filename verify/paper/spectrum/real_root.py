@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.statement import Obligation
+from verify.language.terms import Number, Term, as_term, equal, symbol
 from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.printed import THEOREM, Printed, r
 from verify.paper.spectrum.rows import REAL, Section, symbols
-from verify.language.statement import Obligation
-from verify.language.terms import Number, Term, as_term, equal, symbol
 
 REAL_ROOT = "EQUATSS3.5Alim_ContrRacRL"
 

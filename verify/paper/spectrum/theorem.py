@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from verify.language.statement import Statement
 from verify.paper.spectrum import (
     characteristic,
     collision_matrices,
@@ -14,7 +15,6 @@ from verify.paper.spectrum import (
 )
 from verify.paper.spectrum.assumptions import ASSUMPTIONS
 from verify.paper.spectrum.printed import THEOREM, Printed
-from verify.language.statement import Statement
 
 
 def theorem(paper: Printed | None = None) -> Statement:

@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
+from verify.language.terms import Term, as_term
 from verify.paper.spectrum import matrices
 from verify.paper.spectrum.matrices import ZERO, Matrix, Vector, minus, plus, times, total, vector
 from verify.paper.spectrum.printed import r, root_3
-from verify.language.terms import Term, as_term
 
 Pair = tuple[Vector, Vector]
 Collision = Callable[[Pair], Pair]

@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.paper.spectrum.printed import r, root_3
-from verify.paper.spectrum.rows import Section, symbols
 from verify.language.statement import Obligation
 from verify.language.terms import Number, Term, as_term, equal, sqrt
+from verify.paper.spectrum.printed import r, root_3
+from verify.paper.spectrum.rows import Section, symbols
 
 EXISTENCE = "EQUATSS3.4ZKCl1CondiExist"
 STABILITY = "EQUATSS3.4ZKCl2CondiStabi"

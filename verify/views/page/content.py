@@ -14,7 +14,7 @@ from verify.paper.spectrum.rows import LETTERS
 from verify.paper.theorem1 import theorem
 from verify.views.plots.figure import Figure
 from verify.jobs.report import Constant, Folder, Material, Row, corrections
-from verify.language.statement import HYPOTHESES, PRINTED, REPAIRED
+from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
 from verify.language.terms import Claim, Term
 from verify.jobs.theorem1 import decide
 from verify.views.typeset import Typesetter

@@ -15,7 +15,7 @@ from verify.views.plots.field import Field
 from verify.views.plots.figure import Figure
 from verify.views.plots.slopes import BITS, Side
 from verify.prover.ground import PROVED, REFUTED, Ends
-from verify.language.statement import PRINTED, REPAIRED
+from verify.paper.groups import PRINTED, REPAIRED
 from verify.language.terms import as_term
 
 #: r_stabi = 9 - 4√5 = 0.0557280900008…; the axis ends just below it.

@@ -16,7 +16,7 @@ from verify.views.plots.plane import CUBE, INPUTS, PLANE, stability
 from verify.views.plots.region import frame
 from verify.views.plots.slopes import BITS
 from verify.prover.ground import PROVED, REFUTED, UNDECIDED
-from verify.language.statement import PRINTED, REPAIRED
+from verify.paper.groups import PRINTED, REPAIRED
 from verify.language.terms import Term
 
 DEPTH = 6

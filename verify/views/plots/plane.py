@@ -18,7 +18,7 @@ from verify.views.plots.constructions import as_formulas, definitions
 from verify.views.plots.field import Cell, Field, Slots, Values, bisected
 from verify.views.plots.slopes import BITS, Side
 from verify.prover.ground import PROVED, REFUTED, UNDECIDED, Ends
-from verify.language.statement import REPAIRED
+from verify.paper.groups import REPAIRED
 from verify.language.terms import Claim, symbol
 
 #: Just beyond (3-√5)/2 = 0.38196…, the cube root of r_stabi = 9-4√5.

@@ -15,7 +15,8 @@ from verify.views.plots.drawing import Panel, boxes, merged
 from verify.views.plots.figure import Figure
 from verify.views.plots.plane import WIDTH, Judged, judge, share_of, thresholds
 from verify.prover.ground import PROVED, REFUTED, UNDECIDED
-from verify.language.statement import PRINTED, REPAIRED, Obligation
+from verify.paper.groups import PRINTED, REPAIRED
+from verify.language.statement import Obligation
 
 DEPTH = 7
 SHARE = Fraction(1, 2)

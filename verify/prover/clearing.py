@@ -1,0 +1,134 @@
+"""Terms as quotients of polynomials in atoms, the way the checker clears them. Not trusted.
+
+An atom is a name, or a root, minimum, maximum or cosine. Names may be replaced by their
+definitions. Polynomials are FLINT's, so that they can be divided and factored.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
+
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+
+from verify.language.terms import Term, as_term
+
+Polynomial = fmpq_mpoly
+Quotient = tuple[fmpq_mpoly, fmpq_mpoly]
+
+ATOMS = ("symbol", "sqrt", "min", "max", "cos", "cos_pi")
+
+
+def atoms_of(terms: Iterable[Term], replaced: Mapping[Term, Term]) -> list[Term]:
+    """The atoms of terms after replacing, each after those inside it."""
+    found: dict[Term, None] = {}
+    seen: set[Term] = set()
+
+    def visit(term: Term) -> None:
+        if term in seen:
+            return
+        seen.add(term)
+        if term in replaced:
+            visit(replaced[term])
+            return
+        for child in term.children:
+            visit(child)
+        if term.op in ATOMS:
+            found[term] = None
+
+    for term in terms:
+        visit(term)
+    return list(found)
+
+
+class Clearing:
+    """Terms as quotients N/D of polynomials in the atoms of some terms."""
+
+    def __init__(self, terms: Iterable[Term], replaced: Mapping[Term, Term]) -> None:
+        self.replaced = replaced
+        self.atoms = atoms_of(terms, replaced)
+        names = tuple(f"x{i}" for i in range(len(self.atoms)))
+        self.context = fmpq_mpoly_ctx.get(names, Ordering.lex)
+        self.generators = dict(zip(self.atoms, self.context.gens(), strict=True))
+        self.one = self.context.constant(1)
+        self._known: dict[Term, Quotient] = {}
+
+    def clear(self, term: Term) -> Quotient:
+        """Numerator and denominator of a term whose atoms are known."""
+        found = self._known.get(term)
+        if found is None:
+            found = self._known[term] = self._clear(term)
+        return found
+
+    def _clear(self, term: Term) -> Quotient:
+        if term in self.replaced:
+            return self.clear(self.replaced[term])
+        if term.op in ATOMS:
+            return self.generators[term], self.one
+        if term.op == "rational":
+            return self.context.constant(_fmpq(term.value)), self.one
+        (n, d), *others = map(self.clear, term.children)
+        if term.op == "neg":
+            return -n, d
+        if term.op == "pow":
+            return n**term.exponent, d**term.exponent
+        m, e = others[0]
+        if term.op == "mul":
+            return n * m, d * e
+        if term.op == "div":
+            divisor = term.children[1]
+            if divisor.op == "rational":
+                return n * _fmpq(1 / divisor.value), d
+            return n * e, d * m
+        sign = 1 if term.op == "add" else -1
+        return (n + sign * m, d) if d == e else (n * e + sign * m * d, d * e)
+
+    def difference(self, lhs: Term, rhs: Term) -> Polynomial:
+        """N D' - N' D, which has the sign of lhs - rhs where both denominators are positive."""
+        (n, d), (m, e) = self.clear(lhs), self.clear(rhs)
+        return n * e - m * d
+
+    def reduce(self, polynomial: Polynomial) -> Polynomial:
+        """The polynomial, times denominators, after replacing squares of roots, latest first."""
+        for index in reversed(range(len(self.atoms))):
+            atom = self.atoms[index]
+            if atom.op == "sqrt" and polynomial.degrees()[index] > 1:
+                polynomial = self._eliminate(polynomial, index, self.clear(atom.children[0]))
+        return polynomial
+
+    def _eliminate(self, polynomial: Polynomial, index: int, square: Quotient) -> Polynomial:
+        n, d = square
+        x = self.context.gens()[index]
+        top = int(polynomial.degrees()[index]) // 2
+        total = self.context.constant(0)
+        for power, part in self.coefficients(polynomial, index):
+            half, odd = divmod(power, 2)
+            total += part * x**odd * n**half * d ** (top - half)
+        return total
+
+    def coefficients(self, polynomial: Polynomial, index: int) -> Iterator[tuple[int, Polynomial]]:
+        """The coefficient of each power of one atom."""
+        parts: dict[int, dict[tuple[int, ...], fmpq]] = {}
+        for monomial, value in polynomial.to_dict().items():
+            rest = (*monomial[:index], 0, *monomial[index + 1 :])
+            parts.setdefault(int(monomial[index]), {})[rest] = value
+        for power, part in sorted(parts.items()):
+            yield power, self.context.from_dict(part)
+
+    def term(self, polynomial: Polynomial) -> Term:
+        """A polynomial as a term, expanded."""
+        total: Term | None = None
+        for monomial, value in polynomial.to_dict().items():
+            part: Term | None = None
+            for atom, exponent in zip(self.atoms, monomial, strict=True):
+                if exponent:
+                    factor = atom if exponent == 1 else atom ** int(exponent)
+                    part = factor if part is None else part * factor
+            number = as_term(Fraction(int(value.p), int(value.q)))
+            part = number if part is None else part if value == 1 else number * part
+            total = part if total is None else total + part
+        return as_term(0) if total is None else total
+
+
+def _fmpq(value: Fraction) -> fmpq:
+    return fmpq(value.numerator, value.denominator)

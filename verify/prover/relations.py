@@ -1,0 +1,67 @@
+"""What a relation means: the only place where `<`, `<=` and `=` are given a meaning."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from verify.language.terms import Claim
+
+
+class Meaning(NamedTuple):
+    """When a relation holds, and when it fails, between two values of an ordered type.
+
+    ``less`` and ``less_equal`` certify their true side only, so that balls can be compared.
+    """
+
+    holds: Callable[[Any, Any], bool]
+    fails: Callable[[Any, Any], bool]
+
+
+def _at_most(x: Any, y: Any) -> bool:
+    return bool(x <= y)
+
+
+def _below(x: Any, y: Any) -> bool:
+    return bool(x < y)
+
+
+def _equal(x: Any, y: Any) -> bool:
+    return bool(x <= y) and bool(y <= x)
+
+
+def _different(x: Any, y: Any) -> bool:
+    return bool(x < y) or bool(y < x)
+
+
+MEANINGS = {
+    "<": Meaning(_below, lambda x, y: _at_most(y, x)),
+    "<=": Meaning(_at_most, lambda x, y: _below(y, x)),
+    "=": Meaning(_equal, _different),
+}
+
+
+def holds(relation: str, x: Any, y: Any) -> bool:
+    """True only if the relation holds between all numbers of x and y.
+
+    Raises:
+        KeyError: for an unknown relation.
+    """
+    return MEANINGS[relation].holds(x, y)
+
+
+def fails(relation: str, x: Any, y: Any) -> bool:
+    """True only if the relation fails between all numbers of x and y.
+
+    Raises:
+        KeyError: for an unknown relation.
+    """
+    return MEANINGS[relation].fails(x, y)
+
+
+def negation(claim: Claim) -> Claim | None:
+    """The claim that holds where this one fails, unless that takes two claims."""
+    swapped = {"<": "<=", "<=": "<"}
+    if claim.relation not in swapped:
+        return None
+    return Claim(swapped[claim.relation], claim.rhs, claim.lhs)

@@ -1,0 +1,17 @@
+"""The rule *induction*: what holds at the start and goes on holds always."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from verify.prover.proof import Kind, Kinds, Premise
+
+
+class Induction(NamedTuple):
+    """For each carried given, why it holds at the start and at the next state."""
+
+    start: tuple[Premise, ...]
+    next: tuple[Premise, ...]
+
+
+KINDS: Kinds = {"start": Kind.PREMISES, "next": Kind.PREMISES}

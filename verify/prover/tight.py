@@ -1,0 +1,211 @@
+"""Claims that hold with equality, or that no enclosure decides: by replacing names, and algebra.
+
+A name may be replaced by its definition. A name that is a minimum is replaced by one of its
+entries; that this makes the claim harder is then proved: with the claim as P(m) <= 0 for a
+polynomial P, and the entry as N/D,
+
+    D^k P(m) = D^k P(N/D) - (N - m D) Q,
+
+where N - m D >= 0 is the fact that the minimum is at most its entry, and the sign of Q is decided
+by enclosures.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from verify.language.terms import Claim, Term, substitute_claim, symbol, symbols_of
+from verify.prover.clearing import Clearing, Polynomial
+from verify.prover.proof import Proof, Value
+from verify.prover.rules import Entry, Interval, Sum
+from verify.prover.session import ZERO
+
+if TYPE_CHECKING:
+    from verify.prover.ground import Ground
+
+#: How many names are replaced at most; the longest proof that the paper needs replaces four.
+MAX_STEPS = 8
+
+
+class Tight:
+    """Proofs of claims of one relation `<=` (or of equations) at one precision."""
+
+    def __init__(self, ground: Ground, bits: int) -> None:
+        self.ground, self.bits = ground, bits
+        self.session = ground.session
+        self.order = {name: i for i, name in enumerate(ground.definitions)}
+
+    def prove(self, claim: Claim, budget: int = MAX_STEPS) -> Proof | None:
+        """A proof, whose lemmas are written down; None if none is found."""
+        return self._search(claim, claim, (), budget)
+
+    def _search(
+        self, claim: Claim, current: Claim, using: tuple[str, ...], budget: int
+    ) -> Proof | None:
+        """Go on after replacing the names in ``using``: ``current`` is the claim after that."""
+        if claim.relation != "<" and self._is_identity(current):
+            return self._identity(claim, using)
+        name = self._latest(current)
+        if budget == 0 or name is None:
+            return None
+        definition = self.ground.definitions[name]
+        if definition.op != "min":
+            following = substitute_claim(current, {name: definition})
+            return self._search(claim, following, (*using, name), budget - 1)
+        if claim.relation == "=":
+            return None
+        for entry in definition.children:
+            if claim == Claim("<=", symbol(name), entry):
+                return self._entry(name, entry)
+            harder = substitute_claim(current, {name: entry})
+            if self.ground.may_hold(harder, self.bits):
+                found = self._lowered(claim, harder, using, name, entry, budget)
+                if found is not None:
+                    return found
+        return None
+
+    def _latest(self, claim: Claim) -> str | None:
+        """The name in a claim that was defined last, if its definition has names, or is no number."""
+        names = {*symbols_of(claim.lhs), *symbols_of(claim.rhs)}
+        known = [n for n in names if n in self.order]
+        return max(known, key=self.order.__getitem__, default=None)
+
+    # --- identities -----------------------------------------------------------------------------
+
+    def _is_identity(self, claim: Claim) -> bool:
+        clearing = Clearing((claim.lhs, claim.rhs), {})
+        difference = clearing.difference(claim.lhs, claim.rhs)
+        return not clearing.reduce(difference).to_dict()
+
+    def _identity(self, claim: Claim, using: tuple[str, ...]) -> Proof | None:
+        if not self._cleared(claim.lhs, claim.rhs, *self._definitions(using)):
+            return None
+        return Sum((), using) if claim.relation == "=" else Sum(("goal",), using)
+
+    # --- minima ---------------------------------------------------------------------------------
+
+    def _entry(self, name: str, entry: Term) -> Proof | None:
+        definition = self.ground.definitions[name]
+        return Entry("lhs", name) if self._cleared(definition, entry) else None
+
+    def _lowered(
+        self,
+        claim: Claim,
+        harder: Claim,
+        using: tuple[str, ...],
+        name: str,
+        entry: Term,
+        budget: int,
+    ) -> Proof | None:
+        """A proof from the claim at an entry, and that the minimum is at most this entry."""
+        m = symbol(name)
+        at_entry = substitute_claim(claim, {name: entry})
+        definitions = self._definitions(using)
+        if not self._cleared(claim.lhs, claim.rhs, entry, *definitions):
+            return None
+        terms = (claim.lhs, claim.rhs, at_entry.lhs, at_entry.rhs, m, entry)
+        clearing = Clearing(terms, self.session.replaced(using))
+        goal = clearing.difference(claim.lhs, claim.rhs)
+        n, d = clearing.clear(entry)
+        index = clearing.atoms.index(m)
+        if n.degrees()[index] or d.degrees()[index]:
+            return None
+        degree = int(goal.degrees()[index])
+        bottom = clearing.context.constant(0)
+        for power, part in clearing.coefficients(goal, index):
+            bottom += part * n**power * d ** (degree - power)
+        quotient, rest = divmod(goal * d**degree - bottom, clearing.generators[m] * d - n)
+        if rest.to_dict():
+            return None
+        fact = self._entry_fact(name, entry)
+        factor = self._value(clearing, d**degree)
+        slope = self._value(clearing, quotient, zero=True)
+        if fact is None or factor is None or slope is None:
+            return None
+        return self._assemble(clearing, bottom, at_entry, (factor, fact, slope), using, budget)
+
+    def _assemble(
+        self,
+        clearing: Clearing,
+        bottom: Polynomial,
+        at_entry: Claim,
+        values: tuple[Value, Value, Value],
+        using: tuple[str, ...],
+        budget: int,
+    ) -> Proof | None:
+        """D^k goal + (N - m D) Q - D^k P(N/D) = 0, where the last is 0 or shown by a lemma."""
+        factor, fact, slope = values
+        addends: list[Value] = [("mul", factor, "goal"), ("mul", fact, slope)]
+        if not clearing.reduce(bottom).to_dict():
+            return Sum(tuple(addends), using)
+        lemma = self._lemma(at_entry, budget)
+        if lemma is None:
+            return None
+        other = clearing.difference(at_entry.lhs, at_entry.rhs)
+        common = bottom.gcd(other)
+        left, right = (self._value(clearing, p / common) for p in (other, bottom))
+        if left is None or right is None:
+            return None
+        scaled: list[Value] = [("mul", left, addend) for addend in addends]
+        return Sum((*scaled, ("mul", right, lemma)), using)
+
+    def _lemma(self, claim: Claim, budget: int) -> str | None:
+        found = self.ground.lemma(claim)
+        if found is None and self.ground.may_hold(claim, self.bits):
+            proof = self.prove(claim, budget - 1)
+            found = None if proof is None else self.session.lemma(claim, proof)
+        return found
+
+    def _entry_fact(self, name: str, entry: Term) -> str | None:
+        claim = Claim("<=", symbol(name), entry)
+        known = self.session.known(claim, None)
+        if known is not None:
+            return known
+        proof = self._entry(name, entry)
+        return None if proof is None else self.session.lemma(claim, proof)
+
+    # --- facts that the rule needs --------------------------------------------------------------
+
+    def _value(self, clearing: Clearing, p: Polynomial, *, zero: bool = False) -> Value | None:
+        """A polynomial that is positive (or not negative) as a value of a sum."""
+        if p.is_constant():
+            number = clearing.term(p)
+            return str(number.value) if number.value > 0 or (zero and number.value == 0) else None
+        return self.ground.positive(clearing.term(p))
+
+    def _definitions(self, using: tuple[str, ...]) -> list[Term]:
+        return [self.ground.definitions[name] for name in using]
+
+    def _cleared(self, *terms: Term) -> bool:
+        """Afterwards each divisor and radicand has the fact that it needs; or False."""
+        seen: set[Term] = set()
+        waiting = list(terms)
+        while waiting:
+            term = waiting.pop()
+            if term in seen:
+                continue
+            seen.add(term)
+            waiting += term.children
+            if term.op == "sqrt" and not self._radicand(term.children[0]):
+                return False
+            if term.op == "div" and not self._divisor(term.children[1]):
+                return False
+        return True
+
+    def _radicand(self, term: Term) -> bool:
+        if term.op == "rational":
+            return term.value >= 0
+        known = self.session.known(Claim("<=", ZERO, term), None)
+        return known is not None or self.ground.positive(term) is not None or self._is_zero(term)
+
+    def _is_zero(self, term: Term) -> bool:
+        if self.ground.exact(term) != 0:
+            return False
+        self.session.lemma(Claim("<=", ZERO, term), Interval(1 << 16))
+        return True
+
+    def _divisor(self, term: Term) -> bool:
+        if term.op == "rational":
+            return term.value != 0
+        sign = self.ground.sign(term)
+        return sign != 0 and self.ground.positive(term if sign > 0 else -term) is not None

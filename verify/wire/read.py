@@ -1,0 +1,173 @@
+"""The outcome that two files stand for; the inverse of `verify.wire.write`.
+
+Nothing is checked here but the form: `verify/check.py` checks.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from verify.language.statement import (
+    Assumption,
+    Cite,
+    Constant,
+    Context,
+    Given,
+    Obligation,
+    Statement,
+    Variable,
+)
+from verify.prover.outcome import Decision, Enclosure, Outcome
+from verify.prover.proof import (
+    ConstantStep,
+    DefinitionStep,
+    Kind,
+    LemmaStep,
+    ObligationStep,
+    OpenStep,
+    Step,
+)
+from verify.prover.rules import RULES
+from verify.wire.terms import TermReader, WireError
+
+
+def read(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]) -> Outcome:
+    """The outcome; ``cited`` has the contents of cited statements by their digests.
+
+    Raises:
+        WireError: for files that are not in the format.
+    """
+    try:
+        return _outcome(json.loads(statement), json.loads(certificate), cited)
+    except (KeyError, TypeError, ValueError, AttributeError, IndexError, RecursionError) as error:
+        raise WireError(f"not a statement with its certificate: {error}") from error
+
+
+def _outcome(first: Any, second: Any, cited: Mapping[str, bytes]) -> Outcome:
+    reader = TermReader(first["terms"], second["terms"])
+    statement = read_statement(first, reader, cited)
+    steps = tuple(_step(item, reader) for item in second["steps"])
+    proofs = {step.name: step.proof for step in steps if isinstance(step, ObligationStep)}
+    sides = second["enclosures"]["rows"]
+    decisions = {
+        row["name"]: Decision(
+            row["verdict"],
+            proofs.get(row["name"]),
+            _sides(sides[row["name"]]) if row["name"] in sides else None,
+        )
+        for row in first["obligations"]
+    }
+    enclosures = {
+        name: Enclosure(found["bits"], (_ends(found["ends"]),))
+        for name, found in second["enclosures"]["constants"].items()
+    }
+    return Outcome(statement, decisions, steps, enclosures)
+
+
+def _sides(found: Any) -> Enclosure:
+    return Enclosure(found["bits"], (_ends(found["lhs"]), _ends(found["rhs"])))
+
+
+def _ends(texts: Any) -> tuple[Fraction, Fraction]:
+    low, high = map(Fraction, texts)
+    return low, high
+
+
+def read_statement(document: Any, reader: TermReader, cited: Mapping[str, bytes]) -> Statement:
+    """The statement that a JSON value stands for."""
+    return Statement(
+        theorem=document["theorem"],
+        title=document["title"],
+        parameters=reader.table(document["parameters"]),
+        constants=tuple(_constant(item, reader) for item in document["constants"]),
+        contexts=tuple(_context(item, reader) for item in document["contexts"]),
+        obligations=tuple(_row(item, reader) for item in document["obligations"]),
+        assumptions=tuple(Assumption(**item) for item in document["assumptions"]),
+        cites=tuple(
+            Cite(item["name"], item["theorem"], cited[item["statement_sha256"]])
+            for item in document["cites"]
+        ),
+    )
+
+
+def _constant(item: Any, reader: TermReader) -> Constant:
+    return Constant(**item | {"term": reader.term(item["term"])})
+
+
+def _context(item: Any, reader: TermReader) -> Context:
+    givens = (Given(**g | {"claim": reader.comparison(g["claim"])}) for g in item["givens"])
+    changed = {
+        "variables": tuple(Variable(**variable) for variable in item["variables"]),
+        "givens": tuple(givens),
+        "point": reader.table(item["point"]),
+        "constants": tuple(_constant(constant, reader) for constant in item["constants"]),
+    }
+    return Context(**item | changed)
+
+
+def _row(item: Any, reader: TermReader) -> Obligation:
+    fields = {key: value for key, value in item.items() if key != "verdict"}
+    changed = {"claim": reader.claim(item["claim"]), "uses": tuple(item["uses"])}
+    return Obligation(**fields | changed)
+
+
+def _step(item: Any, reader: TermReader) -> Step:
+    if "open" in item:
+        return OpenStep(item["open"], tuple(_premise(p, reader) for p in item["givens"]))
+    proof = _proof(item["proof"], reader)
+    if "constant" in item:
+        return ConstantStep(item["constant"], proof)
+    if "obligation" in item:
+        return ObligationStep(item["obligation"], proof)
+    if "lemma" in item:
+        claim = reader.comparison(item["claim"])
+        return LemmaStep(item["lemma"], item["context"], claim, proof)
+    return DefinitionStep(item["define"], item["context"], reader.term(item["term"]), proof)
+
+
+def _premise(item: Any, reader: TermReader) -> Any:
+    return item if isinstance(item, str) else _proof(item, reader)
+
+
+def _proof(item: Any, reader: TermReader) -> Any:
+    fields = item.keys() - {"rule"}
+    for proof_class, (rule, kinds) in RULES.items():
+        if rule == item["rule"] and kinds.keys() == fields:
+            values = {name: _field(kind, item[name], reader) for name, kind in kinds.items()}
+            return proof_class(**values)
+    raise WireError(f"a proof by {item['rule']} has other fields than {sorted(fields)}")
+
+
+def _field(kind: Kind, value: Any, reader: TermReader) -> Any:
+    match kind:
+        case Kind.TERM:
+            return reader.term(value)
+        case Kind.TERMS:
+            return reader.table(value)
+        case Kind.PROOF:
+            return _proof(value, reader)
+        case Kind.PREMISES:
+            return tuple(_premise(item, reader) for item in value)
+        case Kind.VALUES:
+            return tuple(_value(item, reader) for item in value)
+        case Kind.COFACTORS:
+            return tuple((name, reader.term(term)) for name, term in value)
+        case Kind.RATIONALS:
+            return tuple(map(Fraction, value))
+        case Kind.BOUNDS:
+            return tuple(map(tuple, value))
+    return tuple(value) if isinstance(value, list) else value
+
+
+def _value(value: Any, reader: TermReader) -> Any:
+    if isinstance(value, str):
+        return value
+    op, *rest = value
+    if op in ("square", "root"):
+        return op, reader.term(rest[0])
+    if op == "pow":
+        return op, _value(rest[0], reader), int(rest[1])
+    return op, *(_value(item, reader) for item in rest)

@@ -1,0 +1,284 @@
+"""An outcome as the two files of a certificate: what is claimed, and what was hard to find.
+
+`verify.wire.read` is the inverse.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from hashlib import sha256
+from typing import Any
+
+from verify.language.statement import (
+    UNDECIDED,
+    Always,
+    Applies,
+    Constant,
+    Context,
+    Obligation,
+    Statement,
+)
+from verify.language.terms import Claim, Term
+from verify.prover.decimals import decimal_text, round_decimal
+from verify.prover.outcome import Enclosure, Ends, Outcome
+from verify.prover.proof import (
+    ConstantStep,
+    DefinitionStep,
+    Kind,
+    LemmaStep,
+    ObligationStep,
+    Step,
+)
+from verify.prover.rules import RULES
+from verify.wire.terms import TermWriter
+
+STATEMENT_FORMAT = "verify-statement/2"
+CERTIFICATE_FORMAT = "verify-certificate/2"
+
+
+def write(outcome: Outcome) -> dict[str, bytes]:
+    """The files of a certificate, by their names in its folder.
+
+    Besides statement and certificate there are the statements that are cited.
+    """
+    statement = outcome.statement
+    writer = TermWriter("t", statement_terms(statement), {})
+    first = encode(_statement(outcome, writer))
+    used = [term for step in outcome.steps for term in _step_terms(step)]
+    second = encode(_certificate(outcome, first, TermWriter("u", used, writer.names)))
+    cited = {f"cited/{digest(cite.content)}.json": cite.content for cite in statement.cites}
+    return {"statement.json": first, "certificate.json": second} | cited
+
+
+def digest(content: bytes) -> str:
+    """The digest by which a statement is cited and a certificate tied to its statement."""
+    return sha256(content).hexdigest()
+
+
+# --- the statement -------------------------------------------------------------------------------
+
+
+def statement_terms(statement: Statement) -> Iterator[Term]:
+    """Every term that is written down in a statement."""
+    yield from statement.parameters.values()
+    constants = list(statement.constants)
+    for context in statement.contexts:
+        constants += context.constants
+        yield from context.point.values()
+        for given in context.givens:
+            yield from _claim_terms(given.claim)
+    for constant in constants:
+        yield constant.term
+    for row in statement.obligations:
+        yield from _claim_terms(row.claim)
+
+
+def _claim_terms(claim: Claim | Applies | Always) -> Iterator[Term]:
+    if isinstance(claim, Claim):
+        yield from (claim.lhs, claim.rhs)
+    elif isinstance(claim, Applies):
+        yield from claim.at.values()
+    else:
+        yield from (*claim.start.values(), *claim.next.values())
+
+
+def _statement(outcome: Outcome, writer: TermWriter) -> dict[str, Any]:
+    statement = outcome.statement
+    return {
+        "format": STATEMENT_FORMAT,
+        "theorem": statement.theorem,
+        "title": statement.title,
+        "parameters": writer.table(statement.parameters),
+        "terms": writer.shared(),
+        "constants": [_constant(constant, writer) for constant in statement.constants],
+        "contexts": [_context(context, writer) for context in statement.contexts],
+        "obligations": [_row(row, found.verdict, writer) for row, found in outcome.rows],
+        "assumptions": [assumption._asdict() for assumption in statement.assumptions],
+        "cites": [
+            {
+                "name": cite.name,
+                "theorem": cite.theorem,
+                "statement_sha256": digest(cite.content),
+            }
+            for cite in statement.cites
+        ],
+    }
+
+
+def _constant(constant: Constant, writer: TermWriter) -> dict[str, Any]:
+    return constant._asdict() | {"term": writer.term(constant.term)}
+
+
+def _context(context: Context, writer: TermWriter) -> dict[str, Any]:
+    return context._asdict() | {
+        "variables": [variable._asdict() for variable in context.variables],
+        "givens": [g._asdict() | {"claim": writer.claim(g.claim)} for g in context.givens],
+        "point": writer.table(context.point),
+        "constants": [_constant(constant, writer) for constant in context.constants],
+    }
+
+
+def _row(row: Obligation, verdict: str, writer: TermWriter) -> dict[str, Any]:
+    return row._asdict() | {
+        "claim": writer.claim(row.claim),
+        "uses": list(row.uses),
+        "verdict": verdict,
+    }
+
+
+# --- the certificate -----------------------------------------------------------------------------
+
+
+def _certificate(outcome: Outcome, statement: bytes, writer: TermWriter) -> dict[str, Any]:
+    rows = {
+        name: {"bits": found.sides.bits, "lhs": _pair(found.sides, 0), "rhs": _pair(found.sides, 1)}
+        for name, found in outcome.decisions.items()
+        if found.sides is not None and found.verdict != UNDECIDED
+    }
+    return {
+        "format": CERTIFICATE_FORMAT,
+        "statement_sha256": digest(statement),
+        "terms": writer.shared(),
+        "steps": [_step(step, writer) for step in outcome.steps],
+        "enclosures": {
+            "constants": {
+                name: {"bits": found.bits, "ends": _pair(found, 0)}
+                for name, found in outcome.enclosures.items()
+            },
+            "rows": rows,
+        },
+    }
+
+
+def _pair(enclosure: Enclosure, side: int) -> list[str]:
+    return decimals(enclosure.ends[side])
+
+
+def decimals(ends: Ends) -> list[str]:
+    """The decimal texts of two numbers that have at most forty decimal digits."""
+    return [decimal_text(*round_decimal(end, 40, up=False)) for end in ends]
+
+
+def _step(step: Step, writer: TermWriter) -> dict[str, Any]:
+    if isinstance(step, ConstantStep):
+        return {"constant": step.name, "proof": proof_document(step.proof, writer)}
+    if isinstance(step, ObligationStep):
+        return {"obligation": step.name, "proof": proof_document(step.proof, writer)}
+    if isinstance(step, LemmaStep):
+        return {
+            "lemma": step.name,
+            "context": step.context,
+            "claim": writer.claim(step.claim),
+            "proof": proof_document(step.proof, writer),
+        }
+    if isinstance(step, DefinitionStep):
+        return {
+            "define": step.name,
+            "context": step.context,
+            "term": writer.term(step.term),
+            "proof": proof_document(step.proof, writer),
+        }
+    return {"open": step.name, "givens": [_premise(item, writer) for item in step.givens]}
+
+
+def _premise(item: Any, writer: TermWriter) -> Any:
+    return item if isinstance(item, str) else proof_document(item, writer)
+
+
+def proof_document(proof: Any, writer: TermWriter) -> dict[str, Any]:
+    """A proof as JSON: its rule and its fields."""
+    rule, kinds = RULES[type(proof)]
+    document: dict[str, Any] = {"rule": rule}
+    for name, kind in kinds.items():
+        document[name] = _field(kind, getattr(proof, name), writer)
+    return document
+
+
+def _field(kind: Kind, value: Any, writer: TermWriter) -> Any:
+    match kind:
+        case Kind.TERM:
+            return writer.term(value)
+        case Kind.TERMS:
+            return writer.table(value)
+        case Kind.PROOF:
+            return proof_document(value, writer)
+        case Kind.PREMISES:
+            return [_premise(item, writer) for item in value]
+        case Kind.VALUES:
+            return [_value(item, writer) for item in value]
+        case Kind.COFACTORS:
+            return [[name, writer.term(term)] for name, term in value]
+        case Kind.RATIONALS:
+            return [str(item) for item in value]
+        case Kind.BOUNDS:
+            return [list(item) for item in value]
+    return list(value) if isinstance(value, tuple) else value
+
+
+def _value(value: Any, writer: TermWriter) -> Any:
+    if isinstance(value, str):
+        return value
+    op, *rest = value
+    if op in ("square", "root"):
+        return [op, writer.term(rest[0])]
+    if op == "pow":
+        return [op, _value(rest[0], writer), str(rest[1])]
+    return [op, *(_value(item, writer) for item in rest)]
+
+
+def _step_terms(step: Step) -> Iterator[Term]:
+    """Every term that is written down in a step."""
+    if isinstance(step, LemmaStep):
+        yield from (step.claim.lhs, step.claim.rhs)
+    if isinstance(step, DefinitionStep):
+        yield step.term
+    proofs = step.givens if not hasattr(step, "proof") else (step.proof,)
+    for proof in proofs:
+        yield from _proof_terms(proof)
+
+
+def _proof_terms(proof: Any) -> Iterator[Term]:
+    if isinstance(proof, str):
+        return
+    for name, kind in RULES[type(proof)][1].items():
+        value = getattr(proof, name)
+        if kind == Kind.TERM:
+            yield value
+        elif kind == Kind.TERMS:
+            yield from value.values()
+        elif kind == Kind.COFACTORS:
+            yield from (term for _, term in value)
+        elif kind == Kind.VALUES:
+            for item in value:
+                yield from _value_terms(item)
+        elif kind in (Kind.PROOF, Kind.PREMISES):
+            for item in (value,) if kind == Kind.PROOF else value:
+                yield from _proof_terms(item)
+
+
+def _value_terms(value: Any) -> Iterator[Term]:
+    if isinstance(value, Term):
+        yield value
+    elif isinstance(value, tuple):
+        for item in value:
+            yield from _value_terms(item)
+
+
+def encode(document: Mapping[str, Any]) -> bytes:
+    """The bytes of a document: sorted keys, one line per entry of a list or table."""
+    parts = [f"{_compact(key)}: {_lines(document[key])}" for key in sorted(document)]
+    return ("{\n" + ",\n".join(parts) + "\n}\n").encode()
+
+
+def _lines(value: Any) -> str:
+    if isinstance(value, list) and value:
+        return "[\n" + ",\n".join(map(_compact, value)) + "\n]"
+    if isinstance(value, dict) and value:
+        rows = (f"{_compact(key)}: {_compact(value[key])}" for key in sorted(value))
+        return "{\n" + ",\n".join(rows) + "\n}"
+    return _compact(value)
+
+
+def _compact(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, sort_keys=True)

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from enum import Enum
-from typing import Any, NamedTuple, Union
+from typing import Any, NamedTuple
 
 from verify.language.terms import Claim, Term
 
 #: A number that is >= 0 for all values in scope: a rational or the name of a fact as a text,
 #: "goal", or a tuple: ("add" | "mul", value, …), ("pow", value, exponent), ("square" | "root",
 #: term).
-Value = Union[str, tuple[object, ...]]
+Value = str | tuple[object, ...]
 
 
 class Kind(Enum):
@@ -38,7 +38,7 @@ Kinds = Mapping[str, Kind]
 Proof = tuple[Any, ...]
 
 #: What shows that a given holds: the name of a fact, or a proof.
-Premise = Union[str, Proof]
+Premise = str | Proof
 
 
 class ConstantStep(NamedTuple):
@@ -80,4 +80,4 @@ class OpenStep(NamedTuple):
     givens: tuple[Premise, ...]
 
 
-Step = Union[ConstantStep, DefinitionStep, LemmaStep, ObligationStep, OpenStep]
+Step = ConstantStep | DefinitionStep | LemmaStep | ObligationStep | OpenStep

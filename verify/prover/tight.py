@@ -65,7 +65,7 @@ class Tight:
         return None
 
     def _latest(self, claim: Claim) -> str | None:
-        """The name in a claim that was defined last, if its definition has names, or is no number."""
+        """The name in a claim that was defined last."""
         names = {*symbols_of(claim.lhs), *symbols_of(claim.rhs)}
         known = [n for n in names if n in self.order]
         return max(known, key=self.order.__getitem__, default=None)
@@ -99,11 +99,10 @@ class Tight:
     ) -> Proof | None:
         """A proof from the claim at an entry, and that the minimum is at most this entry."""
         m = symbol(name)
-        at_entry = substitute_claim(claim, {name: entry})
         definitions = self._definitions(using)
         if not self._cleared(claim.lhs, claim.rhs, entry, *definitions):
             return None
-        terms = (claim.lhs, claim.rhs, at_entry.lhs, at_entry.rhs, m, entry)
+        terms = (claim.lhs, claim.rhs, harder.lhs, harder.rhs, m, entry)
         clearing = Clearing(terms, self.session.replaced(using))
         goal = clearing.difference(claim.lhs, claim.rhs)
         n, d = clearing.clear(entry)
@@ -122,13 +121,13 @@ class Tight:
         slope = self._value(clearing, quotient, zero=True)
         if fact is None or factor is None or slope is None:
             return None
-        return self._assemble(clearing, bottom, at_entry, (factor, fact, slope), using, budget)
+        return self._assemble(clearing, bottom, harder, (factor, fact, slope), using, budget)
 
     def _assemble(
         self,
         clearing: Clearing,
         bottom: Polynomial,
-        at_entry: Claim,
+        harder: Claim,
         values: tuple[Value, Value, Value],
         using: tuple[str, ...],
         budget: int,
@@ -138,10 +137,10 @@ class Tight:
         addends: list[Value] = [("mul", factor, "goal"), ("mul", fact, slope)]
         if not clearing.reduce(bottom).to_dict():
             return Sum(tuple(addends), using)
-        lemma = self._lemma(at_entry, budget)
+        lemma = self._lemma(harder, budget)
         if lemma is None:
             return None
-        other = clearing.difference(at_entry.lhs, at_entry.rhs)
+        other = clearing.difference(harder.lhs, harder.rhs)
         common = bottom.gcd(other)
         left, right = (self._value(clearing, p / common) for p in (other, bottom))
         if left is None or right is None:

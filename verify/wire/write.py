@@ -28,6 +28,7 @@ from verify.prover.proof import (
     Kind,
     LemmaStep,
     ObligationStep,
+    OpenStep,
     Step,
 )
 from verify.prover.rules import RULES
@@ -233,8 +234,7 @@ def _step_terms(step: Step) -> Iterator[Term]:
         yield from (step.claim.lhs, step.claim.rhs)
     if isinstance(step, DefinitionStep):
         yield step.term
-    proofs = step.givens if not hasattr(step, "proof") else (step.proof,)
-    for proof in proofs:
+    for proof in step.givens if isinstance(step, OpenStep) else (step.proof,):
         yield from _proof_terms(proof)
 
 

@@ -6,7 +6,8 @@ definitions. Polynomials are FLINT's, so that they can be divided and factored.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+import operator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
@@ -117,17 +118,27 @@ class Clearing:
 
     def term(self, polynomial: Polynomial) -> Term:
         """A polynomial as a term, expanded."""
-        total: Term | None = None
-        for monomial, value in polynomial.to_dict().items():
-            part: Term | None = None
-            for atom, exponent in zip(self.atoms, monomial, strict=True):
-                if exponent:
-                    factor = atom if exponent == 1 else atom ** int(exponent)
-                    part = factor if part is None else part * factor
-            number = as_term(Fraction(int(value.p), int(value.q)))
-            part = number if part is None else part if value == 1 else number * part
-            total = part if total is None else total + part
-        return as_term(0) if total is None else total
+        parts = [self._monomial(m, value) for m, value in polynomial.to_dict().items()]
+        return _balanced(parts, operator.add) if parts else as_term(0)
+
+    def _monomial(self, exponents: tuple[int, ...], value: fmpq) -> Term:
+        number = Fraction(int(value.p), int(value.q))
+        factors = [
+            atom if exponent == 1 else atom ** int(exponent)
+            for atom, exponent in zip(self.atoms, exponents, strict=True)
+            if exponent
+        ]
+        if number != 1 or not factors:
+            factors.insert(0, as_term(number))
+        return _balanced(factors, operator.mul)
+
+
+def _balanced(terms: list[Term], operation: Callable[[Term, Term], Term]) -> Term:
+    """Terms put together in a tree of small height."""
+    while len(terms) > 1:
+        pairs = [operation(a, b) for a, b in zip(terms[::2], terms[1::2], strict=False)]
+        terms = pairs + terms[len(pairs) * 2 :]
+    return terms[0]
 
 
 def _fmpq(value: Fraction) -> fmpq:

@@ -51,7 +51,7 @@ def decimal_text(mantissa: int, exponent: int) -> str:
     point = len(digits) + exponent
     if 0 < point <= 25 and exponent >= 0:
         return f"{sign}{digits}{'0' * exponent}"
-    if 0 < point <= len(digits):
+    if 0 < point < len(digits):
         return f"{sign}{digits[:point]}.{digits[point:]}"
     if -4 < point <= 0:
         return f"{sign}0.{'0' * -point}{digits}"

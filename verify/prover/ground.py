@@ -37,6 +37,9 @@ CHECKER_BITS = 32
 
 MAX_BITS = 1 << 16
 
+#: A claim that is not decided with so many bits may hold with equality: algebra is tried then.
+TIGHT_BITS = 1024
+
 #: Enclosures are written with this many digits, which come from at least this many relative bits,
 #: so that every version of FLINT agrees on them.
 DIGITS = 27
@@ -163,20 +166,40 @@ class Ground:
 
     def prove(self, claim: Claim) -> tuple[str, Proof | None]:
         """A verdict with its proof; the lemmas that it needs are written down."""
+        bits = self.start_bits
+        found = self._decide_at(claim, bits)
+        if found is None and not self._decides_by(claim, TIGHT_BITS):
+            found = self._decide_tight(claim, bits)
+        for bits in self.ladder():
+            if found is not None:
+                return found
+            found = self._decide_at(claim, bits)
+        return found or (UNDECIDED, None)
+
+    def _decide_at(self, claim: Claim, bits: int) -> tuple[str, Proof] | None:
+        """What the enclosures at one precision, or exact values, decide."""
+        verdict = self._compare(claim, bits)
+        if verdict is not None:
+            return verdict, Interval(_for_checker(bits))
+        a, b = self.exact(claim.lhs), self.exact(claim.rhs)
+        if a is not None and b is not None:
+            verdict = PROVED if holds(claim.relation, a, b) else REFUTED
+            return verdict, Interval(MAX_BITS)
+        return None
+
+    def _decides_by(self, claim: Claim, bits: int) -> bool:
+        """Whether enclosures decide at a higher precision, so that no algebra is needed."""
+        return bits <= self.max_bits and self._compare(claim, bits) is not None
+
+    def _decide_tight(self, claim: Claim, bits: int) -> tuple[str, Proof] | None:
+        """What algebra decides."""
         from verify.prover.tight import Tight  # loaded only where enclosures do not decide
 
-        for bits in self.ladder():
-            verdict = self._compare(claim, bits)
-            if verdict is not None:
-                return verdict, Interval(_for_checker(bits))
-            a, b = self.exact(claim.lhs), self.exact(claim.rhs)
-            if a is not None and b is not None:
-                return (PROVED if holds(claim.relation, a, b) else REFUTED), Interval(MAX_BITS)
-            for wanted, tried in ((PROVED, claim), (REFUTED, negation(claim))):
-                found = None if tried is None else Tight(self, bits).prove(tried)
-                if found is not None:
-                    return wanted, found
-        return UNDECIDED, None
+        for verdict, wanted in ((PROVED, claim), (REFUTED, negation(claim))):
+            proof = None if wanted is None else Tight(self, bits).prove(wanted)
+            if proof is not None:
+                return verdict, proof
+        return None
 
     def lemma(self, claim: Claim) -> str | None:
         """The name of a fact, proved by enclosures if it is not known; None if they do not."""

@@ -26,6 +26,9 @@ if TYPE_CHECKING:
 #: How many names are replaced at most; the longest proof that the paper needs replaces four.
 MAX_STEPS = 8
 
+#: The factors of a proof are polynomials of at most this many monomials.
+MAX_MONOMIALS = 200
+
 
 class Tight:
     """Proofs of claims of one relation `<=` (or of equations) at one precision."""
@@ -170,6 +173,8 @@ class Tight:
         if p.is_constant():
             number = clearing.term(p)
             return str(number.value) if number.value > 0 or (zero and number.value == 0) else None
+        if len(p.to_dict()) > MAX_MONOMIALS:
+            return None
         return self.ground.positive(clearing.term(p))
 
     def _definitions(self, using: tuple[str, ...]) -> list[Term]:

@@ -911,7 +911,9 @@ class Enclosing:
             for low, high in xs:
                 kernel.spend(size(low) + size(high), 2)
             self.known[part] = self.outward(OPERATIONS[op](self, *xs, *rest))
-        return self.value(term)
+        low, high = self.value(term)
+        kernel.spend(size(low) + size(high), 2)
+        return Interval(low, high)
 
     def value(self, term: int) -> Interval:
         """The interval of a term that is evaluated already, or has no variables."""
@@ -926,8 +928,9 @@ class Enclosing:
     def shorter(self, end: Fraction, more: int) -> Fraction:
         """The number, or one with a shorter numerator and denominator that is a little smaller."""
         n, d = end.numerator, end.denominator
-        self.kernel.spend(size(end))
-        if size(end) <= 2 * (self.bits + more):
+        length = size(end)
+        self.kernel.spend(length)
+        if length <= 2 * (self.bits + more):
             return end
         shift = self.bits + more - n.bit_length() + d.bit_length()
         if shift < 0:
@@ -1026,8 +1029,8 @@ class Enclosing:
         for k in range(self.bits // 2 + 11, 0, -1):
             self.kernel.spend(shift, 2)
             products = [low * t[0], low * t[1], high * t[0], high * t[1]]
-            divisor = 2 * k * (2 * k - 1) << shift
-            t = (1 << shift) + -max(products) // divisor, (1 << shift) - min(products) // divisor
+            d, least, most = 2 * k * (2 * k - 1), min(products) >> shift, -max(products) >> shift
+            t = (1 << shift) + most // d, (1 << shift) - least // d
         ends = Fraction(t[0] - (1 << 32), 1 << shift), Fraction(t[1] + (1 << 32), 1 << shift)
         return Interval(max(ends[0], -UNIT.low), min(ends[1], UNIT.high))
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import json
 from collections.abc import Mapping, Sequence
+from copy import deepcopy
 from hashlib import sha256
 from typing import Any
 
@@ -132,6 +133,7 @@ class Pair:
         self.steps: list[Json] = []
         self.terms: Document = {}
         self.enclosures: Document = {"constants": {}, "rows": {}}
+        self.others: Document | None = None  # wide enclosures, if they are not to be made anew
 
     def parameter(self, name: str, value: Json, proof: Json = DEFINE) -> Pair:
         """A parameter and its step."""
@@ -232,12 +234,17 @@ class Pair:
 
     def step(self, **fields: Json) -> Pair:
         """A step."""
-        self.steps.append(fields)
+        self.steps.append(deepcopy(fields))
+        return self
+
+    def freeze(self) -> Pair:
+        """Keep the wide enclosures as they are now, whatever becomes of the statement."""
+        self.others = wide(self.statement)
         return self
 
     def certificate(self) -> Document:
         """The certificate, with wide enclosures where none are given."""
-        enclosures = wide(self.statement)
+        enclosures = deepcopy(self.others) if self.others else wide(self.statement)
         for key, given in self.enclosures.items():
             enclosures[key] |= given
         return {

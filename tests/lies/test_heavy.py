@@ -1,0 +1,49 @@
+"""Every file of at most 4 MB is answered within bounds of time and memory."""
+
+from __future__ import annotations
+
+import resource
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.lies.heavy import HEAVY
+from verify import check
+
+SECONDS = 10
+MEMORY = 500 << 20
+#: What is true, and small enough to be proved.
+TRUE = {
+    "cosines-of-long-numbers-at-few-bits", "a-long-label", "many-contexts", "cuts-in-cuts",
+    "names-of-a-deep-context-in-a-long-minimum", "very-many-cuts", "instances-with-many-givens",
+    "equations-that-replace-in-a-chain", "very-many-intervals",
+    "an-enclosure-of-one-row-after-the-other",
+}  # fmt: skip
+
+
+def bounded() -> None:
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+
+
+@pytest.mark.parametrize("name", HEAVY)
+def test_heavy(name: str, tmp_path: Path) -> None:
+    first, second = HEAVY[name]()
+    (tmp_path / "statement.json").write_bytes(first)
+    (tmp_path / "certificate.json").write_bytes(second)
+    done = subprocess.run(
+        [sys.executable, "-I", check.__file__, str(tmp_path)],
+        capture_output=True,
+        encoding="utf-8",
+        preexec_fn=bounded,
+        check=False,
+    )
+    last = done.stdout.splitlines()[-1:]
+    assert done.stderr == ""
+    assert last
+    word = last[0].partition(":")[0]
+    assert (done.returncode, word) in [(0, "PROVED"), (1, "REFUSED"), (4, "MALFORMED")]
+    assert (word == "PROVED") == (name in TRUE)
+    assert name in TRUE or len(last[0]) < 1000

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
+from verify.jobs.parameters import is_obtuse
 from verify.language.terms import Term, as_term, cos, cos_pi
 
 #: Longer texts are refused before any arithmetic.
@@ -83,7 +84,7 @@ def angle(option: str, text: str) -> Term:
         raise InputError(
             f"{option}: {shown(text)} is not an angle; write it like pi, 5*pi/6 or 2.9 (radians)"
         ) from error
-    if not _between_half_pi_and_pi(radians):
+    if not is_obtuse(radians):
         raise InputError(_outside(option, text))
     return -cos(radians)
 
@@ -116,24 +117,6 @@ def _positive(option: str, text: str, number: int) -> int:
 
 def _outside(option: str, text: str) -> str:
     return f"{option}: {shown(text)} is not in ]pi/2, pi]; write an obtuse angle such as 5*pi/6"
-
-
-def _between_half_pi_and_pi(radians: Fraction) -> bool:
-    """Decide pi/2 < x <= pi for a rational x; pi is irrational, so some precision decides."""
-    from verify.prover import balls  # flint is loaded only where it is used
-
-    if radians <= 0:
-        return False
-    bits = 64
-    while True:
-        with balls.precision(bits):
-            x, pi = balls.from_fraction(radians), balls.pi()
-            for bound in (pi, pi / 2):
-                if not (balls.less(x, bound) or balls.less(bound, x)):
-                    break
-            else:
-                return balls.less(pi / 2, x) and balls.less(x, pi)
-        bits *= 2
 
 
 def shown(text: str) -> str:

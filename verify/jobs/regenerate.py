@@ -1,37 +1,52 @@
-"""Is a statement the one that the program makes from its parameters?
+"""Is a statement the one that the program makes, and calls proved?
 
 A certificate for a weaker theorem checks, because the checker does not know the paper. This module
-does: it reads only the parameters out of the statement and makes everything else anew.
+does: it takes only the parameters from the statement and makes everything else anew.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import Any
 
-from verify.jobs import spectrum
-from verify.wire import spectrum_wire
+from verify.jobs import spectrum, theorem1
+from verify.jobs.parameters import are_allowed
+from verify.language.statement import PROVED
 from verify.language.terms import Term
-from verify.jobs.theorem1 import SELECTIONS, decide
-from verify.wire.wire import files, term_from_document
+from verify.paper.groups import REPAIRED
+from verify.prover.outcome import Outcome
+from verify.wire.terms import TermReader
+from verify.wire.write import write
+
+#: The sets of constants with which Theorem 1 is proved; the printed set alone proves nothing.
+SELECTIONS = ("all", REPAIRED)
 
 
 def is_right_statement(content: bytes) -> bool:
-    """Whether the bytes are those of the statement made anew from the parameters in it."""
+    """Whether the bytes are those of a statement that the program makes and calls proved.
+
+    The parameters in it must be allowed ones. What is compared has a verdict on the needed rows,
+    and that verdict is `proved`.
+    """
     try:
-        document = json.loads(content)
-        parameters = {
-            name: term_from_document(term) for name, term in document["parameters"].items()
-        }
-        return content in _statements(parameters)
-    except (KeyError, TypeError, ValueError, AttributeError, RecursionError):
+        parameters = _parameters(json.loads(content))
+    except (KeyError, TypeError, ValueError, AttributeError, IndexError, RecursionError):
         return False
+    return any(
+        outcome.verdict == PROVED and write(outcome)["statement.json"] == content
+        for outcome in _outcomes(parameters)
+    )
 
 
-def _statements(parameters: dict[str, Term]) -> Iterator[bytes]:
-    """The statements that the program makes from these parameters."""
+def _parameters(document: Any) -> dict[str, Term]:
+    return TermReader().table(document["parameters"])
+
+
+def _outcomes(parameters: Mapping[str, Term]) -> Iterator[Outcome]:
+    """The outcomes that the program makes for these parameters."""
     if not parameters:
-        yield spectrum_wire.files(spectrum.decide())["statement.json"]
-        return
-    for selection in SELECTIONS:
-        yield files(decide(parameters, selection))["statement.json"]
+        yield spectrum.decide()
+    elif are_allowed(parameters):
+        for selection in SELECTIONS:
+            yield theorem1.decide(parameters, selection)

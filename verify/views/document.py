@@ -1,81 +1,135 @@
-"""The JSON document of ``theorem1 --json``."""
+"""The JSON document of ``theorem1 --json``, and the shape that rows have in every document."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from verify.prover.decimals import outward, rational_text
-from verify.prover.ground import REFUTED, Decision, Ends
+from verify.language.statement import REFUTED, Assumption, Obligation
+from verify.language.terms import Claim, Term
 from verify.paper.groups import HYPOTHESES
-from verify.language.statement import Obligation
-from verify.language.terms import Term, symbol
-from verify.jobs.theorem1 import Outcome
-from verify.views.words import entry_ends, least, letters, sentence, verdict_text
+from verify.prover.decimals import outward, rational_text
+from verify.prover.outcome import Decision, Ends, Outcome
+from verify.views.typeset import Typesetter
+from verify.views.words import (
+    constants_of,
+    ends_of,
+    entry_ends,
+    group_verdict,
+    groups,
+    headline,
+    in_numbers,
+    least,
+    letters,
+    sentence,
+    sides_of,
+)
+
+FORMAT = "verify-theorem1/1"
+
+#: The names of the parameters in the document, and in the statement.
+PARAMETERS = {"r": "r", "neg_cos_theta0": "c", "delta_theta": "delta_theta", "V_0": "V_0"}
 
 
 def document(outcome: Outcome) -> dict[str, Any]:
     """The outcome as one JSON document; every number is a string."""
-    digits = max(40, int(outcome.prover.start_bits * 0.30103) + 3)
-    definitions = outcome.prover.definitions
     typesetter = letters(outcome)
-    parameters = {
-        "r": "r",
-        "neg_cos_theta0": "c",
-        "delta_theta": "delta_theta",
-        "V_0": "V_0",
+    names = ["V_0", *(constant.name for constant in constants_of(outcome, ""))]
+    return {
+        "format": FORMAT,
+        "command": "theorem1",
+        "verdict": headline(outcome),
+        "parameters": {key: _parameter(outcome, name) for key, name in PARAMETERS.items()},
+        "theorem": in_numbers(outcome) or outcome.statement.title,
+        "assumptions": [assumption_document(a) for a in outcome.assumptions],
+        "hypotheses": _rows(outcome, HYPOTHESES, typesetter),
+        "constants": {name: pair(ends_of(outcome, name)) for name in names},
+        "sets": {
+            group: _set(outcome, group, typesetter)
+            for group in groups(outcome)
+            if group != HYPOTHESES
+        },
+        "spent": outcome.spent or None,
     }
 
-    def pair(ends: Ends | None) -> list[str] | None:
-        return None if ends is None else outward(ends, digits)
 
-    def enclosure(name: str) -> list[str] | None:
-        return pair(outcome.prover.enclose(symbol(name)))
+def pair(ends: Ends | None) -> list[str] | None:
+    """An enclosure as two decimal texts, outward rounded."""
+    return None if ends is None else outward(ends)
 
-    def exact_or_pair(term: Term, name: str) -> Any:
-        return rational_text(term.value) if term.op == "rational" else enclosure(name)
 
-    def row(obligation: Obligation, decision: Decision) -> dict[str, Any]:
-        entry = {
-            "name": obligation.name,
-            "label": obligation.label,
-            "statement": sentence(obligation, typesetter),
-            "role": obligation.role,
-            "verdict": decision.verdict,
-            "lhs": pair(decision.lhs),
-            "rhs": pair(decision.rhs),
-        }
-        if decision.verdict == REFUTED and obligation.corrected_by:
-            entry["corrected_by"] = obligation.corrected_by
-        return entry
+def _parameter(outcome: Outcome, name: str) -> str | list[str] | None:
+    term = outcome.statement.parameters[name]
+    if term.op == "rational":
+        return rational_text(term.value)
+    return pair(ends_of(outcome, name))
 
-    def one_set(group: str) -> dict[str, Any]:
-        own = [c for c in outcome.statement.constants if c.name.startswith(f"{group}.")]
-        return {
-            "verdict": outcome.set_verdict(group),
-            "constants": {c.short_name: enclosure(c.name) for c in own},
-            "minima": {
-                c.short_name: {
-                    "entries": [pair(ends) for ends in entry_ends(outcome, c)],
-                    "minimum": least(outcome, c),
-                }
-                for c in own
-                if c.term.op == "min"
-            },
-            "obligations": [row(*pair_) for pair_ in outcome.rows[group]],
-        }
 
-    shared = [c.name for c in outcome.statement.constants if "." not in c.name]
-    found = {name: enclosure(name) for name in ["V_0", *shared]}
+def _set(outcome: Outcome, group: str, typesetter: Typesetter) -> dict[str, Any]:
+    own = constants_of(outcome, group)
     return {
-        "command": "theorem1",
-        "verdict": verdict_text(outcome),
-        "parameters": {
-            key: exact_or_pair(definitions[name], name) for key, name in parameters.items()
+        "verdict": group_verdict(outcome, group),
+        "constants": {c.short_name: pair(ends_of(outcome, c.name)) for c in own},
+        "minima": {
+            c.short_name: {
+                "entries": [pair(ends) for ends in entry_ends(outcome, c)],
+                "minimum": least(outcome, c),
+            }
+            for c in own
+            if c.term.op == "min"
         },
-        "assumptions": [
-            {"label": a.label, "statement": a.sentence, "name": a.name} for a in outcome.assumptions
-        ],
-        "hypotheses": [row(*pair_) for pair_ in outcome.rows[HYPOTHESES]],
-        "constants": {name: value for name, value in found.items() if value is not None},
-        "sets": {group: one_set(group) for group in outcome.groups if group in outcome.rows},
+        "obligations": _rows(outcome, group, typesetter),
+    }
+
+
+def _rows(outcome: Outcome, group: str, typesetter: Typesetter) -> list[dict[str, Any]]:
+    rows = outcome.of_group(group)
+    return [row_document(row, found, sentence(row, typesetter), typesetter) for row, found in rows]
+
+
+def row_document(
+    row: Obligation, decision: Decision, statement: str, typesetter: Typesetter
+) -> dict[str, Any]:
+    """A row in the one shape that rows have; ``statement`` is what it says and claims, in a line.
+
+    A row that is wrong has the key ``corrected_by``; one without variables has ``lhs`` and ``rhs``;
+    one that is refuted by an example has it as ``witness``.
+    """
+    found: dict[str, Any] = {
+        "name": row.name,
+        "group": row.group,
+        "label": row.label,
+        "role": row.role,
+        "severity": row.severity if decision.verdict == REFUTED else None,
+        "says": row.says,
+        "claim": typesetter.claim(row.claim),
+        "statement": statement,
+        "verdict": decision.verdict,
+        "method": decision.method or None,
+        "bits": decision.bits,
+        "uses": list(row.uses),
+    }
+    if decision.verdict == REFUTED:
+        found["corrected_by"] = row.corrected_by
+    if row.context is None and isinstance(row.claim, Claim):
+        sides = sides_of(row, decision)
+        found["lhs"], found["rhs"] = (None, None) if sides is None else map(pair, sides)
+    if decision.witness:
+        found["witness"] = {
+            name: value_text(term, typesetter) for name, term in decision.witness.items()
+        }
+    return found
+
+
+def value_text(term: Term, typesetter: Typesetter) -> str:
+    """A rational as ``p/q``, another value as a formula."""
+    return rational_text(term.value) if term.op == "rational" else typesetter.term(term)
+
+
+def assumption_document(assumption: Assumption) -> dict[str, str]:
+    """An assumption: its name and label, its kind, and the sentence."""
+    return {
+        "name": assumption.name,
+        "label": assumption.label,
+        "kind": assumption.kind,
+        "statement": assumption.sentence,
     }

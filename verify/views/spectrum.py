@@ -12,7 +12,7 @@ from verify.prover.decimals import outward, rational_text, short
 from verify.prover.eigenvalues import Complex, Spectrum
 from verify.prover.forall import Finding
 from verify.paper.spectrum.rows import LETTERS
-from verify.prover.ground import PROVED, REFUTED
+from verify.language.statement import PROVED, REFUTED
 from verify.jobs.spectrum import Outcome
 from verify.language.statement import Obligation
 from verify.views.typeset import Typesetter

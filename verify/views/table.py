@@ -2,149 +2,155 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
+from verify.language.statement import PRINTED, PROVED, REFUTED, Constant, Obligation
+from verify.language.terms import Claim, symbol
+from verify.paper.groups import HYPOTHESES, REPAIRED
+from verify.paper.groups import PRINTED as PRINTED_SET
 from verify.prover.decimals import outward, short
-from verify.prover.ground import REFUTED, UNDECIDED, Decision, Ends
-from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
-from verify.language.statement import Constant, Obligation
-from verify.language.terms import symbol
-from verify.jobs.theorem1 import Outcome
+from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views.typeset import Typesetter
 from verify.views.words import (
+    constants_of,
+    ends_of,
     entry_ends,
+    failed_hypotheses,
+    given,
+    group_verdict,
+    groups,
+    in_numbers,
     least,
     letters,
-    theorem_in_numbers,
-    thresholds,
-    verdict_text,
+    short_name,
+    sides_of,
+    summary,
 )
 
-_SIGNS = {"<": "<", "<=": "≤"}
+_SIGNS = {"<": "<", "<=": "≤", "=": "="}
 _TITLES = {
-    PRINTED: "The constants as printed",
+    PRINTED_SET: "The constants as printed",
     REPAIRED: "The repaired constants",
 }
 
 
 def lines(outcome: Outcome) -> Iterator[str]:
-    """The report, line by line."""
+    """The report, line by line; the last line is the result with everything it is about."""
     typesetter = letters(outcome)
+    sets = [group for group in groups(outcome) if group != HYPOTHESES]
     yield f"Theorem 1 ({outcome.statement.theorem})"
-    for name in outcome.statement.parameters:
-        value = typesetter.term(outcome.prover.definitions[name])
-        yield f"  {typesetter.term(symbol(name))} = {value}"
+    for name, term in outcome.statement.parameters.items():
+        yield f"  {typesetter.term(symbol(name))} = {typesetter.term(term)}"
     yield ""
-    yield from _summary(outcome)
+    yield from _first_screen(outcome, sets)
     yield ""
     yield "Hypotheses"
-    for row, decision in outcome.rows[HYPOTHESES]:
+    for row, decision in outcome.of_group(HYPOTHESES):
         yield from _row(row, decision, typesetter)
-    yield ""
-    yield "Constants"
-    for constant in outcome.statement.constants:
-        if "." not in constant.name:
-            yield from _constant(outcome, constant, typesetter)
-    for group in outcome.groups:
-        if group in outcome.rows:
-            yield from _set(outcome, group, typesetter)
+    common = constants_of(outcome, "")
+    if common:
+        yield from ("", "Constants")
+    for constant in common:
+        yield from _constant(outcome, constant, typesetter)
+    for group in sets:
+        yield from _set(outcome, group, typesetter)
     yield from _assumptions(outcome)
     yield ""
-    yield from _verdict(outcome)
+    yield from _verdicts(outcome, sets)
 
 
 def _set(outcome: Outcome, group: str, typesetter: Typesetter) -> Iterator[str]:
+    rows = outcome.of_group(group)
     yield ""
-    yield f"{_TITLES[group]}: {outcome.set_verdict(group)}"
-    for constant in outcome.statement.constants:
-        if constant.name.startswith(f"{group}."):
-            yield from _constant(outcome, constant, typesetter)
-    if group == REPAIRED:
-        yield ""
-        yield f"  {theorem_in_numbers(outcome)}"
+    yield f"{_TITLES.get(group, group)}: {group_verdict(outcome, group)}"
+    for constant in constants_of(outcome, group):
+        yield from _constant(outcome, constant, typesetter)
+    numbers = in_numbers(outcome) if group == REPAIRED else None
+    if numbers is not None:
+        yield from ("", f"  {numbers}")
     yield ""
-    for row, decision in outcome.rows[group]:
+    for row, decision in rows:
         yield from _row(row, decision, typesetter)
-    counts: dict[str, int] = {}
-    for _, decision in outcome.rows[group]:
-        counts[decision.verdict] = counts.get(decision.verdict, 0) + 1
+    verdicts = Counter(decision.verdict for _, decision in rows)
     yield ""
-    yield "  " + ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
+    yield "  " + ", ".join(f"{count} {verdict}" for verdict, count in verdicts.items())
     if group == REPAIRED:
-        yield ""
-        yield "What was changed: label | paper | needed | why"
-        for change in outcome.statement.changes:
-            yield f"  {change.label} | {change.paper} | {change.needed} | {change.why}"
+        yield from _changes()
+
+
+def _changes() -> Iterator[str]:
+    from verify.paper.theorem1 import theorem
+
+    yield ""
+    yield "What was changed: label | paper | needed | why"
+    for change in theorem().changes:
+        yield f"  {change.label} | {change.paper} | {change.needed} | {change.why}"
 
 
 def _constant(outcome: Outcome, constant: Constant, typesetter: Typesetter) -> Iterator[str]:
-    ends = outcome.prover.enclose(symbol(constant.name))
-    if ends is None:
-        yield f"  {constant.letter:<6} does not exist"
+    value = _short(ends_of(outcome, constant.name))
+    if constant.term.op == "rational":  # chosen; the rows have its bounds
+        yield f"  {constant.letter:<6} {value}"
         return
-    bound = "at most " if constant.direction == "down" else "at least "
-    text = typesetter.term(constant.term)
-    yield f"  {constant.letter:<6} {short(ends):<14} {bound if constant.chosen else '= '}{text}"
+    yield f"  {constant.letter:<6} {value:<14} = {typesetter.term(constant.term)}"
     if constant.term.op == "min":
         minimum = least(outcome, constant)
-        for index, entry in enumerate(entry_ends(outcome, constant)):
-            mark = "<- the minimum" if index == minimum else ""
-            yield f"           entry {index + 1}: {_short(entry)} {mark}".rstrip()
+        for number, entry in enumerate(entry_ends(outcome, constant), 1):
+            mark = "<- the minimum" if number == minimum else ""
+            yield f"           entry {number}: {_short(entry)} {mark}".rstrip()
 
 
 def _row(row: Obligation, decision: Decision, typesetter: Typesetter) -> Iterator[str]:
-    role = "" if row.role == "needed" or row.group == PRINTED else " (as printed)"
-    name = row.name.partition(".")[2]
-    yield f"  {decision.verdict:<9} {row.says}{role}   [{name}, {row.label}]"
+    role = " (as printed)" if row.role == PRINTED and row.group == HYPOTHESES else ""
+    yield f"  {decision.verdict:<9} {row.says}{role}   [{short_name(row)}, {row.label}]"
     yield f"            {typesetter.claim(row.claim)}"
-    numbers = f"{_short(decision.lhs)} {_SIGNS[row.claim.relation]} {_short(decision.rhs)}"
-    yield f"            {numbers}   margin {_margin(decision)}"
-    if decision.verdict == REFUTED and row.corrected_by:
-        yield f"            corrected by {row.corrected_by}"
+    sides = sides_of(row, decision)
+    if sides is not None and isinstance(row.claim, Claim):
+        numbers = f"{short(sides[0])} {_SIGNS[row.claim.relation]} {short(sides[1])}"
+        yield f"            {numbers}   {_margin(decision, sides)}"
+    if decision.verdict == REFUTED:
+        if row.severity:
+            yield f"            {row.severity}"
+        if row.corrected_by:
+            yield f"            corrected by {row.corrected_by}"
 
 
 def _short(ends: Ends | None) -> str:
     return "undefined" if ends is None else short(ends)
 
 
-def _margin(decision: Decision) -> str:
-    """A lower bound of rhs - lhs; 0 where the two sides are proved equal or one is a bound."""
-    if decision.lhs is None or decision.rhs is None or decision.verdict == UNDECIDED:
-        return "unknown"
-    if decision.method == "rewrite":
-        return "0 (structural)"
-    return outward((decision.rhs[0] - decision.lhs[1],) * 2, 3)[0]
+def _margin(decision: Decision, sides: tuple[Ends, Ends]) -> str:
+    """A lower bound of rhs - lhs, or of lhs - rhs if refuted; or the rule where there is none."""
+    (low, high), (other_low, other_high) = sides
+    gap = other_low - high if decision.verdict == PROVED else low - other_high
+    if gap < 0 or decision.method != "interval":
+        return f"by {decision.method}"
+    sign = "" if decision.verdict == PROVED else "-"
+    return f"margin {sign}{outward((gap, gap), 3)[0]}"
 
 
 def _assumptions(outcome: Outcome) -> Iterator[str]:
     yield ""
-    yield f"Taken on trust, and not proved by this program ({len(outcome.assumptions)}):"
+    yield f"Taken on trust, and not proved by this program: {given(outcome.assumptions)}"
     for assumption in outcome.assumptions:
-        yield f"  {assumption.label}: {assumption.sentence}"
+        yield f"  {assumption.label} ({assumption.kind}): {assumption.sentence}"
 
 
-def _summary(outcome: Outcome) -> Iterator[str]:
-    """The verdicts, and the names of what is refuted, for the first screen."""
-    yield from _verdict(outcome)
-    for group in outcome.groups:
-        refuted = [
-            row.name.partition(".")[2]
-            for row, decision in outcome.rows.get(group, [])
-            if decision.verdict == REFUTED
-        ]
+def _first_screen(outcome: Outcome, sets: list[str]) -> Iterator[str]:
+    """The verdicts, and the names of what is refuted."""
+    yield from _verdicts(outcome, sets)
+    for group in sets:
+        refuted = [short_name(r) for r, d in outcome.of_group(group) if d.verdict == REFUTED]
         if refuted:
             yield f"Refuted, {group}: {', '.join(refuted)}"
 
 
-def _verdict(outcome: Outcome) -> Iterator[str]:
-    for row, decision in outcome.rows[HYPOTHESES]:
-        if row.role == "needed" and decision.verdict == REFUTED:
-            equal = decision.lhs is not None and decision.lhs == decision.rhs
-            why = "both sides are equal" if equal else thresholds(outcome)
-            yield f"Hypothesis {row.label} does not hold: {row.says} ({why})"
+def _verdicts(outcome: Outcome, sets: list[str]) -> Iterator[str]:
+    for row, why in failed_hypotheses(outcome):
+        yield f"Hypothesis {row.label} does not hold: {row.says} ({why})"
     if outcome.spent:
         yield f"Precision budget spent: {outcome.spent}"
-    for group in outcome.groups:
-        if group in outcome.rows:
-            yield f"{_TITLES[group]}: {outcome.set_verdict(group)}"
-    yield f"Verdict: {verdict_text(outcome)}"
+    for group in sets:
+        yield f"{_TITLES.get(group, group)}: {group_verdict(outcome, group)}"
+    yield f"Verdict: {summary(outcome)}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
+from verify.language.statement import Always, Applies
 from verify.language.terms import Claim, Term
 
 _SUM, _PRODUCT, _NEGATION, _POWER, _ATOM = range(5)
@@ -33,12 +34,21 @@ class Typesetter:
         self._latex = latex
         self._texts: dict[Term, str] = {}
 
-    def claim(self, claim: Claim) -> str:
-        """``lhs < rhs``, ``lhs ≤ rhs`` or ``lhs = rhs``."""
+    def claim(self, claim: Claim | Applies | Always) -> str:
+        """``lhs < rhs``, ``lhs ≤ rhs`` or ``lhs = rhs``; or the values put into a context."""
+        if isinstance(claim, Applies):
+            return f"{claim.context} at {self._values(claim.at)}"
+        if isinstance(claim, Always):
+            first, then = self._values(claim.start), self._values(claim.next)
+            return f"{claim.context} always, from {first}, then {then}"
         relation = claim.relation
         if relation == "<=":
             relation = r"\le" if self._latex else "≤"
         return f"{self.term(claim.lhs)} {relation} {self.term(claim.rhs)}"
+
+    def _values(self, values: Mapping[str, Term]) -> str:
+        pairs = ((self._letters.get(name, name), self.term(t)) for name, t in values.items())
+        return ", ".join(f"{letter} = {text}" for letter, text in pairs)
 
     def term(self, term: Term) -> str:
         """The term, with as few parentheses as its reading needs."""

@@ -1,31 +1,114 @@
-"""What the table and the document of `theorem1` both say."""
+"""What all views of an outcome say: headline, counts, letters, and the theorem in numbers.
+
+Everything is taken from the outcome, fresh or read back; nothing is decided here.
+"""
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterable
 from fractions import Fraction
 
-from verify.prover import balls
+from verify.language.statement import (
+    NEEDED,
+    PRINTED,
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Assumption,
+    Constant,
+    Obligation,
+)
+from verify.language.terms import Claim, Term
+from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.prover.decimals import outward, short
-from verify.prover.ground import PROVED, Ends
-from verify.language.statement import Constant, Obligation
-from verify.jobs.theorem1 import Outcome
+from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 from verify.views.typeset import Typesetter
 
-#: Bits of the thresholds that are only shown; the hypotheses are decided without them.
-THRESHOLD_BITS = 192
+#: The headline while a proof rests on sentences about every state that are not proved here.
+CONDITIONALLY_PROVED = "conditionally proved"
+
+#: The kinds of assumptions that every reader grants; a proof from these alone is not conditional.
+GRANTED = ("definition", "general mathematics")
+
+#: Bits of the thresholds and entries of minima that are only shown.
+SHOWN_BITS = 192
+
+#: Digits of the entries of minima, as many as enclosures of constants have.
+SHOWN_DIGITS = 27
+
+
+# --- verdicts ------------------------------------------------------------------------------------
+
+
+def headline(outcome: Outcome) -> str:
+    """The verdict in one or two words: what is proved from estimates is *conditionally* proved."""
+    if outcome.verdict != PROVED:
+        return outcome.verdict
+    kinds = {assumption.kind for assumption in outcome.assumptions}
+    return PROVED if kinds <= set(GRANTED) else CONDITIONALLY_PROVED
 
 
 def verdict_text(outcome: Outcome) -> str:
-    """The verdict, with the number of assumptions on which a proof rests."""
+    """The headline, with the number of assumptions on which a proof rests."""
     if outcome.verdict != PROVED:
         return outcome.verdict
-    return f"{PROVED}, given {len(outcome.assumptions)} listed estimates"
+    return f"{headline(outcome)}, given {given(outcome.assumptions)}"
+
+
+def given(assumptions: Iterable[Assumption]) -> str:
+    """How many assumptions there are, of which kinds."""
+    kinds = Counter(assumption.kind for assumption in assumptions)
+    total = sum(kinds.values())
+    if total == 0:
+        return "no assumptions"
+    parts = ", ".join(f"{count} {kind}" for kind, count in kinds.items())
+    return f"{total} {'assumption' if total == 1 else 'assumptions'} ({parts})"
+
+
+def summary(outcome: Outcome) -> str:
+    """The whole result in one line: verdict, theorem, parameters, rows, assumptions."""
+    parts = [counts(outcome, role) for role in (NEEDED, PRINTED)]
+    rows = "; ".join(part for part in parts if part)
+    return (
+        f"{headline(outcome)}: {outcome.statement.title}: {rows}; "
+        f"given {given(outcome.assumptions)}"
+    )
+
+
+def counts(outcome: Outcome, role: str) -> str:
+    """The rows of one role by verdict; empty if there are none."""
+    found = Counter(decision.verdict for row, decision in outcome.rows if row.role == role)
+    total = sum(found.values())
+    parts = ", ".join(f"{found[v]} {v}" for v in (PROVED, REFUTED, UNDECIDED) if found[v])
+    return f"{total} {role} ({parts})" if total else ""
+
+
+def group_verdict(outcome: Outcome, group: str) -> str:
+    """The verdict on all rows of one group, whatever their role."""
+    return conjunction(decision for _, decision in outcome.of_group(group))
+
+
+def groups(outcome: Outcome) -> list[str]:
+    """The groups of rows, in the order in which they are shown."""
+    return list(dict.fromkeys(row.group for row in outcome.statement.obligations))
+
+
+# --- rows ----------------------------------------------------------------------------------------
 
 
 def letters(outcome: Outcome) -> Typesetter:
     """A typesetter in the paper's letters."""
     names = {c.name: c.letter for c in outcome.statement.constants}
+    for context in outcome.statement.contexts:
+        names |= {v.name: v.letter for v in context.variables}
+        names |= {c.name: c.letter for c in context.constants}
     return Typesetter(names | {"V_0": "V₀", "delta_theta": "δ_θ", "c": "(-cos θ₀)"})
+
+
+def short_name(row: Obligation) -> str:
+    """The name of a row without its group."""
+    return row.name.removeprefix(f"{row.group}.")
 
 
 def sentence(row: Obligation, typesetter: Typesetter) -> str:
@@ -33,49 +116,104 @@ def sentence(row: Obligation, typesetter: Typesetter) -> str:
     return f"{row.says}: {typesetter.claim(row.claim)}"
 
 
+def sides_of(row: Obligation, decision: Decision) -> tuple[Ends, Ends] | None:
+    """Enclosures of both sides, where the claim compares numbers and these are known."""
+    if decision.sides is None or not isinstance(row.claim, Claim):
+        return None
+    lhs, rhs = decision.sides.ends
+    return lhs, rhs
+
+
+# --- constants -----------------------------------------------------------------------------------
+
+
+def definitions(outcome: Outcome) -> dict[str, Term]:
+    """What each parameter and each constant without variables stands for."""
+    statement = outcome.statement
+    return {**statement.parameters, **{c.name: c.term for c in statement.constants}}
+
+
+def ends_of(outcome: Outcome, name: str) -> Ends | None:
+    """The enclosure of a parameter or a constant, if there is one."""
+    found = outcome.enclosures.get(name)
+    return None if found is None else found.ends[0]
+
+
+def constants_of(outcome: Outcome, group: str) -> list[Constant]:
+    """The constants of one group; those of the group "" are common to all."""
+    found = outcome.statement.constants
+    return [c for c in found if c.name.rpartition(".")[0] == group]
+
+
 def entry_ends(outcome: Outcome, constant: Constant) -> list[Ends | None]:
-    """Enclosures of the entries of a constant's min."""
-    return [outcome.prover.enclose(entry) for entry in constant.term.children]
+    """Enclosures of the entries of a constant's min, from those of the constants in them."""
+    from verify.prover import balls  # flint is loaded only where it is used
+    from verify.prover.program import Machine, Program
+
+    known = outcome.enclosures
+    entries = constant.term.children
+    with balls.precision(SHOWN_BITS):
+        machine = Machine(Program(known), balls.BallArithmetic())
+        ends = (found.ends[0] for found in known.values())
+        run = machine.run(balls.hull(*map(balls.from_fraction, pair)) for pair in ends)
+        values = [run[entry] for entry in entries]
+        return [None if value is None else _rounded(balls.ends(value)) for value in values]
+
+
+def _rounded(ends: Ends) -> Ends:
+    low, high = map(Fraction, outward(ends, SHOWN_DIGITS))
+    return low, high
 
 
 def least(outcome: Outcome, constant: Constant) -> int | None:
-    """The index of the first entry that is proved to be at most each other one."""
-    entries = constant.term.children
-    ends = [outcome.prover.enclose(entry) for entry in entries]
-    known = [(pair[1], index) for index, pair in enumerate(ends) if pair is not None]
-    if len(known) < len(entries):
+    """The number, from 1, of the entry that its enclosure shows to be the minimum."""
+    known = [pair for pair in (entry_ends(outcome, constant)) if pair is not None]
+    if len(known) < len(constant.term.children):
         return None
-    index = min(known)[1]
-    claims = (entries[index] <= other for other in entries if other is not entries[index])
-    return index if all(outcome.prover.decide(c).verdict == PROVED for c in claims) else None
+    for number, (_, high) in enumerate(known, 1):
+        others = known[: number - 1] + known[number:]
+        if all(high <= low for low, _ in others):
+            return number
+    return None
+
+
+# --- sentences in numbers ------------------------------------------------------------------------
 
 
 def thresholds(outcome: Outcome) -> str:
     """Where r and -cos(theta_0) would have to lie, in numbers."""
-    r, c = (outcome.prover.definitions[name] for name in ("r", "c"))
-    with balls.precision(THRESHOLD_BITS):
+    from verify.prover import balls  # flint is loaded only where it is used
+
+    r = outcome.statement.parameters["r"].value
+    with balls.precision(SHOWN_BITS):
         stabi = short(balls.ends(9 - 4 * balls.root(balls.from_fraction(Fraction(5)))))
-        root = balls.cube_root(balls.from_fraction(r.value))
-        bound = short(balls.ends(2 * root * (1 + root) / (1 + balls.from_fraction(r.value))))
-    found = outcome.prover.enclose(c)
+        root = balls.cube_root(balls.from_fraction(r))
+        bound = short(balls.ends(2 * root * (1 + root) / (1 + balls.from_fraction(r))))
+    found = ends_of(outcome, "c")
     own = "undefined" if found is None else short(found)
-    r_text = short((r.value, r.value))
-    return f"r = {r_text}, r_stabi = {stabi}; -cos θ₀ = {own}, its threshold = {bound}"
+    return f"r = {short((r, r))}, r_stabi = {stabi}; -cos θ₀ = {own}, its threshold = {bound}"
+
+
+def in_numbers(outcome: Outcome) -> str | None:
+    """The theorem with its repaired constants, where these are proved to serve; else None."""
+    if group_verdict(outcome, REPAIRED) != PROVED or outcome.verdict != PROVED:
+        return None
+    return theorem_in_numbers(outcome)
 
 
 def theorem_in_numbers(outcome: Outcome) -> str:
     """The theorem with the repaired constants as the short decimals that they are."""
-    definitions = outcome.prover.definitions
+    known = definitions(outcome)
 
     def value(name: str) -> str:
-        number = definitions[f"repaired.{name}"].value
+        number = known[f"{REPAIRED}.{name}"].value
         return outward((number, number))[0]
 
     typesetter = letters(outcome)
-    r, c, v_0, delta = (typesetter.term(definitions[name]) for name in outcome.statement.parameters)
-    third = (definitions["repaired.V_1"].value - definitions["V_0"].value) / 3
-    low, high = definitions["V_0"].value + third, definitions["repaired.V_1"].value - third
-    phi = outcome.prover.enclose(definitions["phi_minus"])
+    r, c, v_0, delta = (typesetter.term(term) for term in outcome.statement.parameters.values())
+    third = (known[f"{REPAIRED}.V_1"].value - known["V_0"].value) / 3
+    low, high = known["V_0"].value + third, known[f"{REPAIRED}.V_1"].value - third
+    phi = ends_of(outcome, "phi_minus")
     root = "undefined" if phi is None else short(phi)
     return (
         f"Let r = {r}. Three particles, 0 and 1 in contact and just collided, with "
@@ -86,3 +224,14 @@ def theorem_in_numbers(outcome: Outcome) -> str:
         f"time {value('T_star')} (unit of length: a diameter; |W|² ≥ V₀ = {v_0}), and -cos of "
         f"the final angle differs from {c} by at most {value('Delta_theta')} ≤ δ_θ = {delta}."
     )
+
+
+def failed_hypotheses(outcome: Outcome) -> list[tuple[Obligation, str]]:
+    """The needed hypotheses that do not hold, each with the reason in numbers."""
+    found = []
+    for row, decision in outcome.of_group(HYPOTHESES):
+        if row.role == NEEDED and decision.verdict == REFUTED:
+            sides = sides_of(row, decision)
+            equal = sides is not None and sides[0] == sides[1] and sides[0][0] == sides[0][1]
+            found.append((row, "both sides are equal" if equal else thresholds(outcome)))
+    return found

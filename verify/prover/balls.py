@@ -88,8 +88,17 @@ def _finite(function: Callable[..., arb], name: str) -> Callable[..., arb]:
     return checked
 
 
+def _cos(x: arb) -> arb:
+    return x.cos() + _last_bit()
+
+
 def _cos_pi(x: arb) -> arb:
-    return x.cos_pi()
+    return x.cos_pi() + _last_bit()
+
+
+def _last_bit() -> arb:
+    """What a cosine may be off by in an arithmetic that knows no exact ones."""
+    return arb(0, 1) * arb(2) ** -ctx.prec
 
 
 _OPERATIONS: dict[str, Callable[..., arb]] = {
@@ -101,7 +110,7 @@ _OPERATIONS: dict[str, Callable[..., arb]] = {
     "sqrt": _finite(arb.sqrt, "the square root"),
     "min": arb.min,
     "max": arb.max,
-    "cos": arb.cos,
+    "cos": _cos,
     "cos_pi": _cos_pi,
 }
 

@@ -46,7 +46,7 @@ class Tight:
         self, claim: Claim, current: Claim, using: tuple[str, ...], budget: int
     ) -> Proof | None:
         """Go on after replacing the names in ``using``: ``current`` is the claim after that."""
-        if claim.relation != "<" and self._is_identity(current):
+        if claim.relation != "<" and self._is_identity(claim, using):
             return self._identity(claim, using)
         name = self._latest(current)
         if budget == 0 or name is None:
@@ -75,8 +75,8 @@ class Tight:
 
     # --- identities -----------------------------------------------------------------------------
 
-    def _is_identity(self, claim: Claim) -> bool:
-        clearing = Clearing((claim.lhs, claim.rhs), {})
+    def _is_identity(self, claim: Claim, using: tuple[str, ...]) -> bool:
+        clearing = Clearing((claim.lhs, claim.rhs), self.session.replaced(using))
         difference = clearing.difference(claim.lhs, claim.rhs)
         return not clearing.reduce(difference).to_dict()
 
@@ -113,6 +113,8 @@ class Tight:
         if n.degrees()[index] or d.degrees()[index]:
             return None
         degree = int(goal.degrees()[index])
+        if degree < 1:
+            return None
         bottom = clearing.context.constant(0)
         for power, part in clearing.coefficients(goal, index):
             bottom += part * n**power * d ** (degree - power)
@@ -139,7 +141,7 @@ class Tight:
         factor, fact, slope = values
         addends: list[Value] = [("mul", factor, "goal"), ("mul", fact, slope)]
         if not clearing.reduce(bottom).to_dict():
-            return Sum(tuple(addends), using)
+            return Sum(tuple(addends), using) if harder.relation == "<=" else None
         lemma = self._lemma(harder, budget)
         if lemma is None:
             return None

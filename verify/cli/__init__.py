@@ -13,6 +13,7 @@ from io import TextIOWrapper
 from typing import NoReturn
 
 from verify import __version__
+from verify.cli.files import OwnError
 from verify.cli.inputs import InputError, shown
 
 #: The commands in the order a newcomer needs them.
@@ -27,6 +28,7 @@ COMMANDS = {
 }
 
 USAGE_ERROR = 2
+OWN_ERROR = 5
 INTERRUPTED = 130
 PIPE_CLOSED = 141
 
@@ -67,7 +69,7 @@ class Parser(ArgumentParser):
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run one command and return its exit code: 0, 1, 2, 3 or 4 (see the README)."""
+    """Run one command and return its exit code (see `_EXIT_CODES`)."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     # The lengths of inputs are capped where they are read; what is computed may be longer.
     sys.set_int_max_str_digits(0)
@@ -81,6 +83,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.flush()
     except InputError as error:
         return _fail(str(error), USAGE_ERROR)
+    except OwnError as error:
+        return _fail(str(error), OWN_ERROR)
     except KeyboardInterrupt:
         return _fail("interrupted", INTERRUPTED)
     except BrokenPipeError:
@@ -136,8 +140,9 @@ def _help() -> str:
 
 _EXIT_CODES = """exit codes:
   0  everything asked for is proved
-  1  something asked for is refuted
+  1  something asked for is refuted, or a certificate is refused
   2  the input cannot be used
-  3  undecided within the precision budget
-  4  a malformed certificate, or one that does not belong to its statement
+  3  undecided within the precision or work budget
+  4  a malformed certificate, one that does not belong to its statement, or a foreign theorem
+  5  our own error: the checker does not accept what --out would write
   130 interrupted; 141 the reader of the output has left"""

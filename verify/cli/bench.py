@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
-from verify.cli.files import progress
+from verify.cli.files import progress, test_folder
 from verify.cli.inputs import InputError
 from verify.views import columns
 
@@ -25,5 +25,6 @@ def run(options: Namespace) -> int:
         raise InputError(
             f"bench needs {error.name}; install the extra: pip install -e '.[bench]'"
         ) from error
+    test_folder("--out", options.out, "bench.json")
     columns.publish("bench", bench.run(options.quick, progress), options)
     return 0

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 from argparse import ArgumentParser, Namespace
+from collections.abc import Mapping
 
-from verify.jobs.certificates import all_folders
-from verify.cli.files import progress, write_all
+from verify.cli.files import accept, progress, test_folder, write_all
+from verify.cli.inputs import InputError, shown
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -21,20 +22,36 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(options: Namespace) -> int:
     """Write or compare every file; return 0, or 1 if a compared file differs."""
+    if not options.compare:
+        test_folder("--directory", options.directory, "statement.json")
+    elif not os.path.isdir(options.directory):
+        raise InputError(
+            f"--directory: {shown(options.directory)} is not a folder; name the certificates"
+        )
+    from verify.jobs.certificates import all_folders  # loads flint
+
     differing = 0
-    for folder, contents in all_folders():
+    for folder, outcome, contents in all_folders():
         path = os.path.join(options.directory, folder)
         progress(path)
-        if not options.compare:
-            write_all("--directory", path, contents)
-            print(f"written  {path}")
+        if options.compare:
+            differing += _compare(path, contents)
             continue
-        for name, content in contents.items():
-            file = os.path.join(path, name)
-            same = _read(file) == content
-            differing += not same
-            print(f"{'same' if same else 'DIFFERS':<8} {file}")
+        accept(contents, outcome.verdict)
+        write_all("--directory", path, contents)
+        print(f"written  {path}")
     return 1 if differing else 0
+
+
+def _compare(path: str, contents: Mapping[str, bytes]) -> int:
+    """Say of each file whether it is the same; return how many are not."""
+    differing = 0
+    for name, content in contents.items():
+        file = os.path.join(path, name)
+        same = _read(file) == content
+        differing += not same
+        print(f"{'same' if same else 'DIFFERS':<8} {file}")
+    return differing
 
 
 def _read(path: str) -> bytes | None:

@@ -1,57 +1,192 @@
-"""Check a certificate with verify/check.py, and that its statement is the right one."""
+"""Check certificates with verify/check.py; and that a theorem is the program's own."""
 
 from __future__ import annotations
 
 import os
 import sys
 from argparse import ArgumentParser, Namespace
+from collections.abc import Mapping, Sequence
+from hashlib import sha256
+from typing import Any, NamedTuple
 
 from verify import check
-from verify.cli.files import read_bytes
-from verify.cli.inputs import InputError
+from verify.cli.files import print_document, progress
+from verify.cli.inputs import InputError, shown
+
+FORMAT = "verify-check/1"
+
+NAMES = ("statement.json", "certificate.json")
+
+MALFORMED = "MALFORMED"
+
+#: The exit code of each verdict; of several folders the largest counts.
+EXIT_CODES = {"PROVED": 0, "REFUTED": 1, "REFUSED": 1, MALFORMED: 4}
+
+FOREIGN = 4
 
 
 def add_arguments(parser: ArgumentParser) -> None:
     """The options."""
     parser.add_argument(
-        "path", nargs="+", help="a folder, or its statement.json and certificate.json"
+        "path", nargs="+", help="folders, or one statement.json and its certificate.json"
     )
     parser.add_argument(
         "--statement",
         action="store_true",
-        help="also make the statement anew from its parameters, and compare it byte for byte",
+        help="also make each statement anew from its parameters, and compare it byte for byte",
     )
+    parser.add_argument("--json", action="store_true", help="one JSON document on stdout")
     parser.add_argument(
         "--latex", action="store_true", help="print the statement as LaTeX instead of checking it"
     )
 
 
+class Judged(NamedTuple):
+    """What the checker found in one folder.
+
+    ``own`` says whether the statement is one that the program makes and calls proved; None where
+    that was not asked, or the checker does not say PROVED.
+    """
+
+    folder: check.Folder
+    verdict: str
+    lines: list[str]
+    report: check.Report | None
+    own: bool | None = None
+
+    @property
+    def code(self) -> int:
+        """The exit code of this folder alone."""
+        return FOREIGN if self.own is False else EXIT_CODES[self.verdict]
+
+
 def run(options: Namespace) -> int:
-    """Check, and return the checker's exit code (1 if the statement is not the right one)."""
+    """Check, and return the worst exit code of all folders."""
+    folders = read_folders(options.path)
     if options.latex:
-        from verify.views.latex import statement_source  # loaded only where it is used
-
-        sys.stdout.write(statement_source(*_documents(options.path)))
-        return 0
-    code = int(check.main(options.path))
-    if options.statement and code == 0:
-        from verify.jobs.regenerate import is_right_statement  # loads flint
-
-        statement, _ = _paths(options.path)
-        right = is_right_statement(read_bytes("path", statement))
-        print("STATEMENT " + ("AS GENERATED" if right else "NOT AS GENERATED"))
-        return 0 if right else 1
-    return code
+        return _print_latex(folders)
+    found = judge(folders)
+    if options.statement:
+        found = [_compared(judged) for judged in found]
+    if options.json:
+        print_document({"format": FORMAT, "command": "check", "folders": list(map(_row, found))})
+    else:
+        sys.stdout.write("".join(f"{line}\n" for line in _lines(found)))
+    return max(judged.code for judged in found)
 
 
-def _paths(words: list[str]) -> tuple[str, str]:
-    if len(words) == 1:
-        return tuple(os.path.join(words[0], f"{n}.json") for n in ("statement", "certificate"))  # type: ignore[return-value]
-    if len(words) != 2:
-        raise InputError("path: write a folder, or its statement.json and certificate.json")
-    return words[0], words[1]
+def _print_latex(folders: Sequence[check.Folder]) -> int:
+    from verify.views.latex import statement_source  # loaded only where it is used
+    from verify.wire.read import read
+    from verify.wire.terms import WireError
+
+    for folder in folders:
+        cited = {sha256(data).hexdigest(): data for data in folder.cited}
+        try:
+            outcome = read(folder.statement, folder.certificate, cited)
+        except WireError as error:
+            print(f"verify: {folder.path}: {error}"[:300], file=sys.stderr)
+            return EXIT_CODES[MALFORMED]
+        sys.stdout.write(statement_source(outcome))
+    return 0
 
 
-def _documents(words: list[str]) -> tuple[bytes, bytes]:
-    statement, certificate = _paths(words)
-    return read_bytes("path", statement), read_bytes("path", certificate)
+def read_folders(paths: Sequence[str]) -> list[check.Folder]:
+    """What is to be checked; each file is read once, here.
+
+    Raises:
+        InputError: for a path that is missing or no folder of a certificate.
+    """
+    pair = len(paths) == 2 and not any(map(os.path.isdir, paths))
+    for path in paths:
+        if not pair and not os.path.isdir(path):
+            what = "is a file" if os.path.exists(path) else "does not exist"
+            raise InputError(
+                f"path: {shown(path)} {what}; name a folder with {' and '.join(NAMES)}"
+            )
+        for name in paths if pair else [os.path.join(path, name) for name in NAMES]:
+            if not os.path.isfile(name):
+                raise InputError(f"path: {shown(name)} does not exist; name a certificate's folder")
+    try:
+        return check.read_folders(paths)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise InputError(
+            f"path: {shown(paths[0])} cannot be read ({reason}); name a folder"
+        ) from error
+
+
+def judge(folders: Sequence[check.Folder]) -> list[Judged]:
+    """Check folders of which some may cite others, as `verify/check.py` does."""
+    everything = [data for folder in folders for data in (folder.statement, *folder.cited)]
+    available = {sha256(data).hexdigest(): data for data in everything}
+    found = []
+    for folder in folders:
+        progress(folder.path)
+        found.append(_judged(folder, available))
+    reports = [judged.report for judged in found if judged.report is not None]
+    closed = {report.digest: report for report in reports if report.verdict == "PROVED"}
+    return [
+        judged
+        if judged.report is None
+        else judged._replace(lines=[*judged.lines, check.last_line(judged.report, closed)])
+        for judged in found
+    ]
+
+
+def _judged(folder: check.Folder, available: Mapping[str, bytes]) -> Judged:
+    try:
+        report = check.check(folder.statement, folder.certificate, available)
+    except (check.Malformed, RecursionError) as error:
+        return Judged(folder, MALFORMED, [f"{MALFORMED}: {error}"], None)
+    return Judged(folder, report.verdict, report.lines, report)
+
+
+def _compared(judged: Judged) -> Judged:
+    """With the answer whether a proved theorem is the program's own, from the same bytes."""
+    if judged.verdict != "PROVED":
+        return judged
+    from verify.jobs.regenerate import is_right_statement  # loads flint
+
+    return judged._replace(own=is_right_statement(judged.folder.statement))
+
+
+def _lines(found: Sequence[Judged]) -> list[str]:
+    lines = []
+    for judged in found:
+        if len(found) > 1:
+            lines.append(f"{judged.folder.path}:")
+        lines += judged.lines
+        if judged.own is not None:
+            verb = "is" if judged.own else "is not"
+            lines.append(f"STATEMENT: it {verb} the one that the program makes and calls proved")
+    return [line if line.isprintable() else ascii(line) for line in lines]
+
+
+def _row(judged: Judged) -> dict[str, Any]:
+    """One folder of the document."""
+    row: dict[str, Any] = {"path": judged.folder.path, "verdict": judged.verdict.lower()}
+    row |= {"title": None, "needed": None, "printed": None, "assumptions": []}
+    if judged.report is not None:
+        row |= _content(judged.folder.statement)
+    row["complaints"] = [
+        line for line in judged.lines if line.startswith(("REFUSED ", f"{MALFORMED}: "))
+    ]
+    row["summary"] = judged.lines[-1]
+    return row if judged.own is None else row | {"own_statement": judged.own}
+
+
+def _content(statement: bytes) -> dict[str, Any]:
+    """What a statement that the checker has read is about."""
+    import json  # loaded only where it is used
+
+    from verify.language.statement import PROVED, REFUTED, UNDECIDED, Assumption
+    from verify.views.document import assumption_document
+
+    document = json.loads(statement)
+    found: dict[str, Any] = {"title": document["title"]}
+    for role in ("needed", "printed"):
+        rows = [row["verdict"] for row in document["obligations"] if row["role"] == role]
+        found[role] = {verdict: rows.count(verdict) for verdict in (PROVED, REFUTED, UNDECIDED)}
+    assumptions = (Assumption(**item) for item in document["assumptions"])
+    return found | {"assumptions": list(map(assumption_document, assumptions))}

@@ -1,14 +1,40 @@
-"""Writing results: files, all of them or none, documents, and progress."""
+"""Writing results: files, all of them or none, certificates, documents, and progress."""
 
 from __future__ import annotations
 
 import os
 import sys
 from collections.abc import Mapping
+from contextlib import suppress
 from errno import EISDIR
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from verify.cli.inputs import InputError, shown
+from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED
+
+if TYPE_CHECKING:
+    from verify.prover.outcome import Outcome
+
+#: Numbers with more digits, above or below the fraction bar, are not in the checker's format.
+CHECKER_DIGITS = 4300
+
+
+class OwnError(RuntimeError):
+    """What this program made is not accepted by its own checker."""
+
+
+def test_folder(option: str, directory: str | None, *names: str) -> None:
+    """Before the work: afterwards files of these names can be written into the directory.
+
+    Nothing stays on the disk. None is a directory that nobody asked for.
+
+    Raises:
+        InputError: if they cannot, naming the option.
+    """
+    if directory is not None:
+        with _Writing(option, directory) as writing:
+            for name in names:
+                writing.add(name, b"")
 
 
 def write_all(option: str, directory: str, contents: Mapping[str, bytes]) -> None:
@@ -17,33 +43,127 @@ def write_all(option: str, directory: str, contents: Mapping[str, bytes]) -> Non
     Raises:
         InputError: if the directory or a file cannot be written, naming the option.
     """
-    temporary: dict[str, str] = {}
-    made = False
-    try:
-        made = not os.path.isdir(directory)
-        os.makedirs(directory, exist_ok=True)
+    with _Writing(option, directory) as writing:
         for name, content in contents.items():
-            path = os.path.join(directory, f".{name}.{os.getpid()}")
-            temporary[path] = os.path.join(directory, name)
-            with open(path, "xb") as file:
-                file.write(content)
-        for target in temporary.values():
-            if os.path.isdir(target):
-                raise IsADirectoryError(EISDIR, os.strerror(EISDIR), target)
-        for path, target in temporary.items():
+            writing.add(name, content)
+        writing.finish()
+
+
+class _Writing:
+    """Files on their way into a directory: what is not finished disappears."""
+
+    def __init__(self, option: str, directory: str) -> None:
+        self._option, self._directory = option, directory
+        self._temporary: dict[str, str] = {}
+        self._made: list[str] = []
+
+    def __enter__(self) -> _Writing:
+        return self
+
+    def add(self, name: str, content: bytes) -> None:
+        """Write a file beside its place."""
+        target = os.path.join(self._directory, name)
+        folder, last = os.path.split(target)
+        self._make(folder)
+        if os.path.isdir(target):
+            raise IsADirectoryError(EISDIR, os.strerror(EISDIR), target)
+        path = os.path.join(folder, f".{last}.{os.getpid()}")
+        self._temporary[path] = target
+        with open(path, "xb") as file:
+            file.write(content)
+
+    def _make(self, folder: str) -> None:
+        missing = []
+        while folder and not os.path.isdir(folder):
+            missing.append(folder)
+            folder = os.path.dirname(folder)
+        for path in reversed(missing):
+            os.mkdir(path)
+            self._made.append(path)
+
+    def finish(self) -> None:
+        """Put every file into its place."""
+        for path, target in self._temporary.items():
             os.replace(path, target)
-        made = False
-    except (OSError, ValueError, RecursionError) as error:
-        raise InputError(
-            f"{option}: {shown(directory)} cannot be written ({_reason(error)}); "
-            "name a folder that can"
-        ) from error
-    finally:
-        for path in temporary:
-            if os.path.exists(path):
+
+    def __exit__(self, _kind: object, error: BaseException | None, _trace: object) -> None:
+        for path in self._temporary:
+            with suppress(OSError):
                 os.unlink(path)
-        if made and os.path.isdir(directory) and not os.listdir(directory):
-            os.rmdir(directory)
+        for path in reversed(self._made):
+            with suppress(OSError):  # not empty: its files are in their places
+                os.rmdir(path)
+        if isinstance(error, OSError | ValueError | RecursionError):
+            raise InputError(
+                f"{self._option}: {shown(self._directory)} cannot be written ({_reason(error)}); "
+                "name a folder that can"
+            ) from error
+
+
+def write_certificate(option: str, directory: str, outcome: Outcome) -> None:
+    """Write an outcome as a certificate that `verify/check.py` accepts, or say why not.
+
+    Nothing is written, with a line on stderr, where a needed row is undecided.
+
+    Raises:
+        InputError: if the directory cannot be written, or the checker cannot read the parameters.
+        OwnError: if the checker does not accept what would be written.
+    """
+    from verify.wire.write import write  # hashlib and json are loaded only where they are used
+
+    if outcome.spent or any(
+        row.role == NEEDED and found.verdict == UNDECIDED for row, found in outcome.rows
+    ):
+        print("verify: a needed row is undecided; no certificate was written", file=sys.stderr)
+        return
+    _readable(option, outcome)
+    files = write(outcome)
+    accept(files, outcome.verdict)
+    write_all(option, directory, files)
+
+
+def accept(files: Mapping[str, bytes], verdict: str) -> None:
+    """Afterwards the checker accepts a certificate, with this verdict.
+
+    Raises:
+        OwnError: if it does not.
+    """
+    from hashlib import sha256
+
+    from verify import check
+
+    others = (content for name, content in files.items() if name.startswith("cited/"))
+    cited = {sha256(content).hexdigest(): content for content in others}
+    try:
+        report = check.check(files["statement.json"], files["certificate.json"], cited)
+    except (check.Malformed, RecursionError) as error:
+        found = f"MALFORMED: {error}"
+    else:
+        if report.verdict == {PROVED: "PROVED", REFUTED: "REFUTED"}[verdict]:
+            return
+        refused = [line for line in report.lines if line.startswith("REFUSED")]
+        found = refused[0] if refused else f"{report.verdict}, expected {verdict}"
+    raise OwnError(f"our own checker does not accept the certificate ({found:.200})")
+
+
+def _readable(option: str, outcome: Outcome) -> None:
+    """Raise InputError where a parameter has led to a number that the checker cannot read."""
+    from verify.wire.write import statement_terms
+
+    largest, waiting, seen = 0, [*statement_terms(outcome.statement)], set()
+    while waiting:
+        term = waiting.pop()
+        if term in seen:
+            continue
+        seen.add(term)
+        waiting += term.children
+        if term.op == "rational":
+            largest = max(largest, abs(term.value.numerator), term.value.denominator)
+    if largest >= 10**CHECKER_DIGITS:
+        raise InputError(
+            f"{option}: a number in the certificate would have more than {CHECKER_DIGITS} digits, "
+            "which the checker does not read; write parameters with fewer digits"
+        )
 
 
 def _reason(error: Exception) -> str:

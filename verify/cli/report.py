@@ -7,8 +7,8 @@ import re
 import sys
 from argparse import ArgumentParser, Namespace
 
-from verify.cli.files import write_all
-from verify.cli.inputs import InputError
+from verify.cli.files import progress, test_folder, write_all
+from verify.cli.inputs import InputError, shown
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -28,11 +28,17 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(options: Namespace) -> int:
     """Write or compare the files; return 0, 1 if a compared one differs, or the checker's code."""
+    if not os.path.isdir(options.directory):
+        raise InputError(
+            f"--directory: {shown(options.directory)} is not a folder; name the certificates"
+        )
+    if not options.compare:
+        test_folder("--directory", options.directory, "index.html", "index.md")
     from verify.jobs.report import CertificateError  # loads flint
     from verify.views.page.build import files
 
     try:
-        made = files(options.directory, draw=not options.compare, progress=_progress)
+        made = files(options.directory, draw=not options.compare, progress=progress)
     except CertificateError as error:
         print(f"verify: {error}", file=sys.stderr)
         return error.code
@@ -56,11 +62,6 @@ def without_drawings(page: bytes) -> bytes:
     Captions stay, and with them the numbers of cells, of verdicts and of boxes.
     """
     return re.sub(rb"<svg .*?</svg>\n?", b"", page, flags=re.DOTALL)
-
-
-def _progress(what: str) -> None:
-    if sys.stderr.isatty():
-        print(f"{what} …", file=sys.stderr)
 
 
 def _read(path: str) -> bytes:

@@ -6,10 +6,10 @@ import sys
 from argparse import ArgumentParser, Namespace
 from fractions import Fraction
 
-from verify.cli.files import print_document, write_all
+from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.inputs import InputError, integer, rational, shown
-from verify.jobs.spectrum import Outcome, decide
-from verify.views.spectrum import document, lines, point_document, point_lines
+from verify.jobs.spectrum import decide
+from verify.views.spectrum import document, last_line, lines, point_document, point_lines
 
 MAX_PRECISION = 1 << 22
 
@@ -46,9 +46,10 @@ def run(options: Namespace) -> int:
     """Print the rows or the document, write the files, return the exit code."""
     r = None if options.r is None else read_r(options.r)
     bits = integer("--precision", options.precision, 2, MAX_PRECISION)
+    test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = decide()
     if options.out is not None:
-        _write(options.out, outcome)
+        write_certificate("--out", options.out, outcome)
     spectrum = None
     if r is not None:
         from verify.prover import eigenvalues  # loaded only where it is used
@@ -63,14 +64,6 @@ def run(options: Namespace) -> int:
         text = [*lines(outcome)]
         if r is not None and spectrum is not None:
             text += point_lines(r, spectrum)
+        text += ["", last_line(outcome)]
         sys.stdout.write("".join(f"{line}\n" for line in text))
     return outcome.exit_code
-
-
-def _write(directory: str, outcome: Outcome) -> None:
-    from verify.wire.spectrum_wire import files  # hashlib is loaded only where it is used
-
-    if outcome.undecided:
-        print("verify: undecided rows have no certificate; nothing was written", file=sys.stderr)
-        return
-    write_all("--out", directory, files(outcome))

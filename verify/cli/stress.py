@@ -5,8 +5,8 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import Any
 
+from verify.cli.files import progress, test_folder
 from verify.measure import stress
-from verify.cli.files import progress
 from verify.measure.stress import Finding
 from verify.views import columns
 
@@ -18,6 +18,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(options: Namespace) -> int:
     """Run the cases; return 0 if every answer is right, else 1."""
+    test_folder("--out", options.out, "stress.json")
     findings = []
     for finding in stress.run(options.quick):
         progress(finding.case.name)

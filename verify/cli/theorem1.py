@@ -6,11 +6,11 @@ import sys
 from argparse import ArgumentParser, Namespace
 from fractions import Fraction
 
-from verify.cli.files import print_document, write_all
+from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.inputs import InputError, angle, integer, rational, shown
-from verify.prover.ground import UNDECIDED
+from verify.jobs.theorem1 import decide
 from verify.language.terms import Term, as_term
-from verify.jobs.theorem1 import SELECTIONS, Outcome, decide
+from verify.paper.groups import SELECTIONS
 from verify.views.table import lines
 
 MAX_PRECISION = 1 << 16
@@ -82,9 +82,10 @@ def run(options: Namespace) -> int:
         raise InputError(
             f"--max-precision: {last} is below --precision {bits}; write at least {bits}"
         )
+    test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = decide(parameters, options.constants, bits, last)
     if options.out is not None:
-        _write(options.out, outcome)
+        write_certificate("--out", options.out, outcome)
     if options.json:
         from verify.views.document import document  # loaded only where it is used
 
@@ -92,15 +93,3 @@ def run(options: Namespace) -> int:
     else:
         sys.stdout.write("".join(f"{line}\n" for line in lines(outcome)))
     return outcome.exit_code
-
-
-def _write(directory: str, outcome: Outcome) -> None:
-    from verify.wire.wire import files  # hashlib is loaded only where it is used
-
-    if outcome.verdict == UNDECIDED:
-        print("verify: undecided, so there is no certificate to write", file=sys.stderr)
-        return
-    undecided = len(outcome.all_rows) - len(outcome.decided_rows)
-    if undecided:
-        print(f"verify: the certificate leaves out {undecided} undecided rows", file=sys.stderr)
-    write_all("--out", directory, files(outcome))

@@ -6,13 +6,11 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
-from verify.jobs import spectrum
-from verify.wire import spectrum_wire
+from verify.jobs import spectrum, theorem1
 from verify.language.terms import Term, as_term, cos_pi
-from verify.jobs.theorem1 import Outcome, decide
-from verify.views import spectrum_markdown
+from verify.prover.outcome import Outcome
 from verify.views.markdown import report
-from verify.wire.wire import files
+from verify.wire.write import write
 
 
 class Point(NamedTuple):
@@ -54,20 +52,15 @@ POINTS = (
 )
 
 
-def theorem1_files(outcome: Outcome) -> dict[str, bytes]:
-    """The three files of a certificate of Theorem 1."""
-    return files(outcome) | {"report.md": report(outcome).encode()}
+def files(outcome: Outcome) -> dict[str, bytes]:
+    """The files of a folder: statement, certificate, what is cited, and a report for people."""
+    return write(outcome) | {"report.md": report(outcome).encode()}
 
 
-def spectrum_files() -> dict[str, bytes]:
-    """The three files of the certificate of the spectral claims."""
-    outcome = spectrum.decide()
-    text = spectrum_markdown.report(outcome)
-    return spectrum_wire.files(outcome) | {"report.md": text.encode()}
-
-
-def all_folders() -> Iterator[tuple[str, dict[str, bytes]]]:
-    """Every folder with its files, made anew."""
+def all_folders() -> Iterator[tuple[str, Outcome, dict[str, bytes]]]:
+    """Every folder with its outcome and its files, made anew."""
     for point in POINTS:
-        yield point.folder, theorem1_files(decide(point.parameters))
-    yield "spectrum", spectrum_files()
+        outcome = theorem1.decide(point.parameters)
+        yield point.folder, outcome, files(outcome)
+    outcome = spectrum.decide()
+    yield "spectrum", outcome, files(outcome)

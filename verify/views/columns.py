@@ -18,7 +18,7 @@ def add_arguments(parser: ArgumentParser, name: str) -> None:
 
 def publish(name: str, tables: dict[str, Any], options: Namespace) -> None:
     """Write and print what a command measured, as its options ask."""
-    document = {"command": name, "tables": tables}
+    document = {"format": f"verify-{name}/1", "command": name, "tables": tables}
     if options.out is not None:
         text = json.dumps(document, ensure_ascii=False, indent=1, sort_keys=True) + "\n"
         write_all("--out", options.out, {f"{name}.json": text.encode()})

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from verify.language.statement import REFUTED, Assumption, Obligation
+from verify.language.statement import REFUTED, Assumption, Constant, Obligation
 from verify.language.terms import Claim, Term
 from verify.paper.groups import HYPOTHESES
 from verify.prover.decimals import outward, rational_text
@@ -13,15 +13,15 @@ from verify.views.typeset import Typesetter
 from verify.views.words import (
     constants_of,
     ends_of,
-    entry_ends,
     group_verdict,
     groups,
     headline,
     in_numbers,
-    least,
     letters,
+    minimum_of,
     sentence,
     sides_of,
+    witness_of,
 )
 
 FORMAT = "verify-theorem1/1"
@@ -69,27 +69,23 @@ def _set(outcome: Outcome, group: str, typesetter: Typesetter) -> dict[str, Any]
     return {
         "verdict": group_verdict(outcome, group),
         "constants": {c.short_name: pair(ends_of(outcome, c.name)) for c in own},
-        "minima": {
-            c.short_name: {
-                "entries": [pair(ends) for ends in entry_ends(outcome, c)],
-                "minimum": least(outcome, c),
-            }
-            for c in own
-            if c.term.op == "min"
-        },
+        "minima": {c.short_name: _minimum(outcome, c) for c in own if c.term.op == "min"},
         "obligations": _rows(outcome, group, typesetter),
     }
 
 
+def _minimum(outcome: Outcome, constant: Constant) -> dict[str, Any]:
+    minimum = minimum_of(outcome, constant)
+    return {"entries": [pair(ends) for ends in minimum.entries], "minimum": minimum.least}
+
+
 def _rows(outcome: Outcome, group: str, typesetter: Typesetter) -> list[dict[str, Any]]:
     rows = outcome.of_group(group)
-    return [row_document(row, found, sentence(row, typesetter), typesetter) for row, found in rows]
+    return [row_document(row, decision, typesetter) for row, decision in rows]
 
 
-def row_document(
-    row: Obligation, decision: Decision, statement: str, typesetter: Typesetter
-) -> dict[str, Any]:
-    """A row in the one shape that rows have; ``statement`` is what it says and claims, in a line.
+def row_document(row: Obligation, decision: Decision, typesetter: Typesetter) -> dict[str, Any]:
+    """A row in the one shape that rows have; its ``statement`` says and claims it in one line.
 
     A row that is wrong has the key ``corrected_by``; one without variables has ``lhs`` and ``rhs``;
     one that is refuted by an example has it as ``witness``.
@@ -102,7 +98,7 @@ def row_document(
         "severity": row.severity if decision.verdict == REFUTED else None,
         "says": row.says,
         "claim": typesetter.claim(row.claim),
-        "statement": statement,
+        "statement": sentence(row, typesetter),
         "verdict": decision.verdict,
         "method": decision.method or None,
         "bits": decision.bits,
@@ -114,9 +110,8 @@ def row_document(
         sides = sides_of(row, decision)
         found["lhs"], found["rhs"] = (None, None) if sides is None else map(pair, sides)
     if decision.witness:
-        found["witness"] = {
-            name: value_text(term, typesetter) for name, term in decision.witness.items()
-        }
+        values = witness_of(row, decision)
+        found["witness"] = {name: value_text(term, typesetter) for name, term in values.items()}
     return found
 
 

@@ -6,66 +6,34 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
+from verify.language.statement import NEEDED, REFUTED, Obligation
+from verify.language.terms import symbol
 from verify.prover import balls
 from verify.prover.balls import Ball
 from verify.prover.decimals import outward, rational_text, short
 from verify.prover.eigenvalues import Complex, Spectrum
-from verify.prover.forall import Finding
-from verify.paper.spectrum.rows import LETTERS
-from verify.language.statement import PROVED, REFUTED
-from verify.jobs.spectrum import Outcome
-from verify.language.statement import Obligation
+from verify.prover.outcome import Decision, Outcome
+from verify.views.document import assumption_document, row_document, value_text
 from verify.views.typeset import Typesetter
+from verify.views.words import given, groups, headline, letters, sentence, summary, witness_of
 
-#: A longer formula is left to the statement file; what the row says names it.
-MAX_FORMULA = 400
+FORMAT = "verify-spectrum/1"
 
 #: Bits beyond the precision asked for, so that rounding the ends of a ball costs nothing.
 EXTRA_BITS = 16
 
-_TYPESETTER = Typesetter(LETTERS)
-
-
-def verdict_text(outcome: Outcome) -> str:
-    """The verdict, with the number of sentences on which a proof rests."""
-    if outcome.verdict != PROVED:
-        return outcome.verdict
-    return f"{PROVED}, given {len(outcome.assumptions)} listed assumptions"
-
 
 def document(outcome: Outcome) -> dict[str, Any]:
     """The outcome as one JSON document; every number is a string."""
+    typesetter = letters(outcome)
     return {
+        "format": FORMAT,
         "command": "spectrum",
-        "verdict": verdict_text(outcome),
-        "assumptions": [
-            {"label": a.label, "statement": a.sentence, "name": a.name} for a in outcome.assumptions
-        ],
-        "claims": [_claim(row, finding) for row, finding in outcome.rows],
+        "verdict": headline(outcome),
+        "theorem": outcome.statement.title,
+        "assumptions": [assumption_document(a) for a in outcome.assumptions],
+        "claims": [row_document(row, decision, typesetter) for row, decision in outcome.rows],
     }
-
-
-def _claim(row: Obligation, finding: Finding) -> dict[str, Any]:
-    entry: dict[str, Any] = {
-        "name": row.name,
-        "label": row.label,
-        "statement": sentence(row),
-        "role": row.role,
-        "verdict": finding.verdict,
-        "method": finding.method,
-        "uses": list(row.uses),
-    }
-    if finding.verdict == REFUTED:
-        entry["witness"] = {name: rational_text(v) for name, v in finding.point.items()}
-        if row.corrected_by:
-            entry["corrected_by"] = row.corrected_by
-    return entry
-
-
-def sentence(row: Obligation) -> str:
-    """What the row says, then the claim that is decided, where it is short."""
-    formula = _TYPESETTER.claim(row.claim)
-    return f"{row.says}: {formula}" if len(formula) <= MAX_FORMULA else row.says
 
 
 def point_document(r: list[Fraction], spectrum: Spectrum, bits: int) -> dict[str, Any]:
@@ -106,45 +74,44 @@ def _point(r: list[Fraction], spectrum: Spectrum, digits: int) -> dict[str, Any]
 
 
 def lines(outcome: Outcome) -> Iterator[str]:
-    """The report for a reader at a terminal, line by line."""
+    """The report for a reader at a terminal, line by line; `last_line` comes after it."""
+    typesetter = letters(outcome)
     yield "Spectral claims, for every r in ]0,1["
-    group = ""
-    for row, finding in outcome.rows:
-        if row.group != group:
-            group = row.group
-            yield ""
-            yield group.capitalize() if group[0].islower() else group
-        yield from _row(row, finding)
+    for group in groups(outcome):
+        yield ""
+        yield group.capitalize() if group[0].islower() else group
+        for row, decision in outcome.of_group(group):
+            yield from _row(row, decision, typesetter)
     yield ""
-    yield f"Taken on trust, and not proved by this program ({len(outcome.assumptions)}):"
+    yield f"Taken on trust, and not proved by this program: {given(outcome.assumptions)}"
     for assumption in outcome.assumptions:
-        yield f"  {assumption.name} ({assumption.label}): {assumption.sentence}"
-    yield ""
-    for role in ("needed", "printed"):
-        counts: dict[str, int] = {}
-        for row, finding in outcome.rows:
-            if row.role == role:
-                counts[finding.verdict] = counts.get(finding.verdict, 0) + 1
-        yield f"{role}: " + ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
-    yield f"Verdict: {verdict_text(outcome)}"
+        yield f"  {assumption.name} ({assumption.kind}, {assumption.label}): {assumption.sentence}"
+    if outcome.spent:
+        yield f"Work budget spent: {outcome.spent}"
 
 
-def _row(row: Obligation, finding: Finding) -> Iterator[str]:
-    role = "" if row.role == "needed" else " (as printed)"
-    yield f"  {finding.verdict:<9} {row.name:<24} {row.label}{role}"
-    yield f"            {sentence(row)}"
-    details = finding.method or "no method found"
-    if finding.degree:
-        details += f", degree {finding.degree}"
+def last_line(outcome: Outcome) -> str:
+    """The result with everything it is about."""
+    return f"Verdict: {summary(outcome)}"
+
+
+def _row(row: Obligation, decision: Decision, typesetter: Typesetter) -> Iterator[str]:
+    role = "" if row.role == NEEDED else " (as printed)"
+    yield f"  {decision.verdict:<9} {row.name:<24} {row.label}{role}"
+    yield f"            {sentence(row, typesetter)}"
+    details = decision.method or "no rule that was found"
     if row.uses:
         details += f"; with {', '.join(row.uses)}"
     yield f"            by {details}"
-    if finding.verdict == REFUTED:
-        if finding.point:
-            point = ", ".join(
-                f"{LETTERS.get(name, name)} = {value}" for name, value in finding.point.items()
-            )
-            yield f"            false at {point}"
+    if decision.verdict == REFUTED:
+        values = (
+            f"{typesetter.term(symbol(name))} = {value_text(term, typesetter)}"
+            for name, term in witness_of(row, decision).items()
+        )
+        if decision.witness:
+            yield f"            false at {', '.join(values)}"
+        if row.severity:
+            yield f"            {row.severity}"
         if row.corrected_by:
             yield f"            corrected by {row.corrected_by}"
 

@@ -15,14 +15,13 @@ from verify.views.typeset import Typesetter
 from verify.views.words import (
     constants_of,
     ends_of,
-    entry_ends,
     failed_hypotheses,
     given,
     group_verdict,
     groups,
     in_numbers,
-    least,
     letters,
+    minimum_of,
     short_name,
     sides_of,
     summary,
@@ -95,9 +94,9 @@ def _constant(outcome: Outcome, constant: Constant, typesetter: Typesetter) -> I
         return
     yield f"  {constant.letter:<6} {value:<14} = {typesetter.term(constant.term)}"
     if constant.term.op == "min":
-        minimum = least(outcome, constant)
-        for number, entry in enumerate(entry_ends(outcome, constant), 1):
-            mark = "<- the minimum" if number == minimum else ""
+        minimum = minimum_of(outcome, constant)
+        for number, entry in enumerate(minimum.entries, 1):
+            mark = "<- the minimum" if number == minimum.least else ""
             yield f"           entry {number}: {_short(entry)} {mark}".rstrip()
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 from fractions import Fraction
+from typing import NamedTuple
 
 from verify.language.statement import (
     NEEDED,
@@ -19,7 +20,7 @@ from verify.language.statement import (
     Constant,
     Obligation,
 )
-from verify.language.terms import Claim, Term
+from verify.language.terms import Claim, Term, symbols_of
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.prover.decimals import outward, short
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
@@ -30,6 +31,12 @@ CONDITIONALLY_PROVED = "conditionally proved"
 
 #: The kinds of assumptions that every reader grants; a proof from these alone is not conditional.
 GRANTED = ("definition", "general mathematics")
+
+#: How the parameters of Theorem 1 are written.
+LETTERS = {"V_0": "V₀", "delta_theta": "δ_θ", "c": "(-cos θ₀)"}
+
+#: A longer formula is left to the statement file where a row is told in one line.
+MAX_FORMULA = 400
 
 #: Bits of the thresholds and entries of minima that are only shown.
 SHOWN_BITS = 192
@@ -103,7 +110,8 @@ def letters(outcome: Outcome) -> Typesetter:
     for context in outcome.statement.contexts:
         names |= {v.name: v.letter for v in context.variables}
         names |= {c.name: c.letter for c in context.constants}
-    return Typesetter(names | {"V_0": "V₀", "delta_theta": "δ_θ", "c": "(-cos θ₀)"})
+    parameters = {name: LETTERS.get(name, name) for name in outcome.statement.parameters}
+    return Typesetter(names | parameters)
 
 
 def short_name(row: Obligation) -> str:
@@ -112,8 +120,17 @@ def short_name(row: Obligation) -> str:
 
 
 def sentence(row: Obligation, typesetter: Typesetter) -> str:
-    """The step in the paper's words, then the claim that is decided."""
-    return f"{row.says}: {typesetter.claim(row.claim)}"
+    """The step in the paper's words, then the claim that is decided, where that is short."""
+    formula = typesetter.claim(row.claim)
+    return f"{row.says}: {formula}" if len(formula) <= MAX_FORMULA else row.says
+
+
+def witness_of(row: Obligation, decision: Decision) -> dict[str, Term]:
+    """The values at which a claim about all values is false, of the variables that it has."""
+    if not isinstance(row.claim, Claim):
+        return dict(decision.witness)
+    used = {*symbols_of(row.claim.lhs), *symbols_of(row.claim.rhs)}
+    return {name: term for name, term in decision.witness.items() if name in used}
 
 
 def sides_of(row: Obligation, decision: Decision) -> tuple[Ends, Ends] | None:
@@ -145,19 +162,28 @@ def constants_of(outcome: Outcome, group: str) -> list[Constant]:
     return [c for c in found if c.name.rpartition(".")[0] == group]
 
 
-def entry_ends(outcome: Outcome, constant: Constant) -> list[Ends | None]:
-    """Enclosures of the entries of a constant's min, from those of the constants in them."""
+class Minimum(NamedTuple):
+    """The entries of a min, and the number (from 1) of the one that is shown to be the least."""
+
+    entries: list[Ends | None]
+    least: int | None
+
+
+def minimum_of(outcome: Outcome, constant: Constant) -> Minimum:
+    """The entries of a constant's min, enclosed from the enclosures of the constants in them."""
     from verify.prover import balls  # flint is loaded only where it is used
     from verify.prover.program import Machine, Program
 
-    known = outcome.enclosures
     entries = constant.term.children
+    names = sorted({name for entry in entries for name in symbols_of(entry)})
     with balls.precision(SHOWN_BITS):
-        machine = Machine(Program(known), balls.BallArithmetic())
-        ends = (found.ends[0] for found in known.values())
-        run = machine.run(balls.hull(*map(balls.from_fraction, pair)) for pair in ends)
+        machine = Machine(Program(names), balls.BallArithmetic())
+        known = [ends_of(outcome, name) for name in names]
+        inputs = [None if k is None else balls.hull(*map(balls.from_fraction, k)) for k in known]
+        run = machine.run(inputs)
         values = [run[entry] for entry in entries]
-        return [None if value is None else _rounded(balls.ends(value)) for value in values]
+        ends = [None if value is None else _rounded(balls.ends(value)) for value in values]
+    return Minimum(ends, _least(ends))
 
 
 def _rounded(ends: Ends) -> Ends:
@@ -165,16 +191,18 @@ def _rounded(ends: Ends) -> Ends:
     return low, high
 
 
-def least(outcome: Outcome, constant: Constant) -> int | None:
-    """The number, from 1, of the entry that its enclosure shows to be the minimum."""
-    known = [pair for pair in (entry_ends(outcome, constant)) if pair is not None]
-    if len(known) < len(constant.term.children):
-        return None
+def _least(entries: list[Ends | None]) -> int | None:
+    known = [pair for pair in entries if pair is not None]
     for number, (_, high) in enumerate(known, 1):
         others = known[: number - 1] + known[number:]
-        if all(high <= low for low, _ in others):
+        if len(known) == len(entries) and all(high <= low for low, _ in others):
             return number
     return None
+
+
+def least(outcome: Outcome, constant: Constant) -> int | None:
+    """The number, from 1, of the entry that is shown to be the minimum."""
+    return minimum_of(outcome, constant).least
 
 
 # --- sentences in numbers ------------------------------------------------------------------------

@@ -21,6 +21,7 @@ ASSUMPTIONS = (
         LAW_A,
         "A collision of i and j along ω with normal component g = (v_i-v_j)·ω takes (1+r)/2 g ω "
         "from v_i and gives it to v_j (EQUATSS2.1VitesPost-Colli).",
+        "definition",
     ),
     Assumption(
         "any-dimension",
@@ -34,6 +35,7 @@ ASSUMPTIONS = (
         "Sums and products of positive numbers are positive; the square of a number is not "
         "negative; a linear form with coefficients ≥ 0, one of them > 0 at an argument < 0, is "
         "negative where all its arguments are; positive numbers stand as their squares do.",
+        "general mathematics",
     ),
     Assumption(
         "intermediate-value",
@@ -53,6 +55,7 @@ ASSUMPTIONS = (
         THEOREM,
         "A real cubic with leading coefficient 1 and negative discriminant has one real root and "
         "two complex conjugated ones; a polynomial whose discriminant is not 0 has distinct roots.",
+        "general mathematics",
     ),
     Assumption(
         "linear-algebra",
@@ -60,12 +63,14 @@ ASSUMPTIONS = (
         "Eigenvalues are the roots of the characteristic polynomial; n distinct ones of an n×n "
         "matrix have geometric multiplicity 1; a matrix with a minor of size n-1 that is not 0 has "
         "a kernel of dimension at most 1.",
+        "general mathematics",
     ),
     Assumption(
         "monotone",
         THEOREM,
         "A function with positive second derivative whose first derivative changes sign decreases "
         "strictly up to a point and increases strictly from there.",
+        "calculus",
     ),
     Assumption(
         "linear-model",
@@ -73,6 +78,7 @@ ASSUMPTIONS = (
         "The sentences on orbits concern the linear model: the velocities just before each triple "
         "0-1, 0-2, 1-2 are the images of the previous ones by the limiting matrix, and a collision "
         "takes place only if the normal component that it meets is negative.",
+        "definition",
     ),
     Assumption(
         "spiral",

@@ -153,7 +153,7 @@ def _symmetry(paper: Printed) -> Iterator[Obligation]:
         Q_LABEL,
         "the remark after the proof: a₁(1/r) = (-11+171r-9r²+r³)/(64r³); with p in place of 1/r "
         "and times 64r³, the difference is a multiple of rp-1",
-        equal(64 * r**3 * substitute(a_1, "r", p) - displayed, (product - 1) * quotient),
+        equal(64 * r**3 * substitute(a_1, {"r": p}) - displayed, (product - 1) * quotient),
     )
     yield _section.printed(
         "symmetry-2",

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from verify.language.statement import Obligation
 from verify.language.terms import as_term, equal
 from verify.paper.spectrum import triangle
+from verify.paper.spectrum.contexts import ANY
 from verify.paper.spectrum.matrices import (
     ZERO,
     Matrix,
@@ -73,7 +74,6 @@ def _laws() -> Iterator[Obligation]:
     v_0, v_1, v_2, w, g = symbols("v_0 v_1 v_2 w g")
     half = (1 + r) / 2 * g * w
     says = "post-collisional relative velocities, one coordinate, g = normal component"
-    wide = {"g": (None, None)}
     for name, label, after, before in (
         ("law-01-W1", LAW_A, (v_1 - half) - (v_0 + half), (v_1 - v_0) - (1 + r) * g * w),
         ("law-01-W2", LAW_A, v_2 - (v_0 + half), (v_2 - v_0) - half),
@@ -82,7 +82,7 @@ def _laws() -> Iterator[Obligation]:
         ("law-12-W1", LAW_C, (v_1 - half) - v_0, (v_1 - v_0) - half),
         ("law-12-W2", LAW_C, (v_2 + half) - v_0, (v_2 - v_0) + half),
     ):
-        yield _section.needed(name, label, says, equal(after, before), ["collision-law"], **wide)
+        yield _section.needed(name, label, says, equal(after, before), ["collision-law"])
 
 
 def _triangle() -> Iterator[Obligation]:
@@ -92,7 +92,7 @@ def _triangle() -> Iterator[Obligation]:
         DEFINITION,
         "|ω₂-ω₁|² = 2 - 2c is 1 exactly if c = ω₁·ω₂ is 1/2",
         equal((2 - 2 * c) - 1, 2 * (as_term(1) / 2 - c)),
-        c=(None, None),
+        within=ANY,
     )
     t = triangle
     for name, says, u, v, value in (

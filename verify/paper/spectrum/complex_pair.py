@@ -80,18 +80,18 @@ def _parametrisation() -> Iterator[Obligation]:
         "m-denominator", REAL_ROOT, "the denominator of r(m) is positive", 0 < denominator
     )
     yield _section.needed(
-        "m-at-0", REAL_ROOT, "r(0) = 0", equal(substitute(r_of_m, "m", as_term(0)), 0), uses
+        "m-at-0", REAL_ROOT, "r(0) = 0", equal(substitute(r_of_m, {"m": as_term(0)}), 0), uses
     )
     yield _section.needed(
-        "m-at-1", REAL_ROOT, "r(1) = 1", equal(substitute(r_of_m, "m", as_term(1)), 1), uses
+        "m-at-1", REAL_ROOT, "r(1) = 1", equal(substitute(r_of_m, {"m": as_term(1)}), 1), uses
     )
     rising = m**2 * n**2 - m**2 * n + 4 * m**2 - m * n**2 + 4 * m * n - m + 4 * n**2 - n + 1
-    other = substitute(denominator, "m", n)
+    other = substitute(denominator, {"m": n})
     yield _section.needed(
         "m-difference",
         REAL_ROOT,
         "r(m) - r(n) is m - n times a quotient of polynomials",
-        equal(r_of_m - substitute(r_of_m, "m", n), 4 * (m - n) * rising / (denominator * other)),
+        equal(r_of_m - substitute(r_of_m, {"m": n}), 4 * (m - n) * rising / (denominator * other)),
         uses,
     )
     yield _section.needed(
@@ -248,7 +248,7 @@ def _eigenvectors(paper: Printed) -> Iterator[Obligation]:
         )
     for i, (entry, value) in enumerate(zip(eigenvector, REAL_EIGENVECTOR, strict=True), 1):
         if i > 1:
-            at_m = substitute(substitute(entry, "r", r_of_m), "mu", -m)
+            at_m = substitute(entry, {"r": r_of_m, "mu": -m})
             yield _section.needed(
                 f"eigenvector-real-{i}",
                 THEOREM,

@@ -13,9 +13,10 @@ from verify.language.statement import Obligation
 from verify.language.terms import Term, as_term, equal, sqrt
 from verify.paper.spectrum import triangle
 from verify.paper.spectrum.collision_matrices import A_A, A_B, flipped
+from verify.paper.spectrum.contexts import ANY, CONE
 from verify.paper.spectrum.matrices import Vector, apply, dot, vector
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
-from verify.paper.spectrum.rows import REAL, Section, symbols
+from verify.paper.spectrum.rows import Section, symbols
 
 BOUND = "EQUATSS3.5Minor_z'__Triag"
 
@@ -100,7 +101,7 @@ def _signs() -> Iterator[Obligation]:
         "'for r small enough': the first one is negative exactly for -1 < r < 5",
         equal(k_x, (r + 1) * (r - 5) / 16),
         uses=["signs"],
-        r=REAL,
+        within=ANY,
     )
     root = sqrt(65)
     yield _section.printed(
@@ -109,7 +110,7 @@ def _signs() -> Iterator[Obligation]:
         "the second one exactly for 8-√65 < r < 8+√65",
         equal(k_z, (r - (8 - root)) * (r - (8 + root)) / 16),
         uses=["signs"],
-        r=REAL,
+        within=ANY,
     )
     yield _section.printed(
         "cone-sign-z-below", THEOREM, "8-√65 < 0, so that ]0,1[ lies in it", 8 - root < as_term(0)
@@ -138,7 +139,7 @@ def _bounds(paper: Printed) -> Iterator[Obligation]:
             f"the first bound of {letter}' is larger than the second one, as printed",
             second < first,
             f"{name}-bound-2-equal",
-            x=(None, 0),
+            within=CONE,
         )
         yield _section.needed(
             f"{name}-bound-2-equal",
@@ -162,7 +163,7 @@ def _last_condition(paper: Printed) -> Iterator[Obligation]:
         "'for r small enough': it is negative exactly for -1 < r < 3",
         equal(factor, (r - 3) * (r + 1) / 32),
         uses=["signs"],
-        r=REAL,
+        within=ANY,
     )
     at = (-a, y, -(h * a) - b, t)
     image = apply(paper.matrix, at)[2]
@@ -191,4 +192,5 @@ def _last_condition(paper: Printed) -> Iterator[Obligation]:
         "give this y",
         solved < t,
         "cone-y-flipped",
+        within=CONE,
     )

@@ -6,14 +6,14 @@ C is the cosine of the limiting angle; the trace of the matrix is -(1+r)/2 C.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 
 from verify.language.statement import Obligation
 from verify.language.terms import as_term, equal, maximum
 from verify.paper.spectrum.characteristic import lam
+from verify.paper.spectrum.contexts import LINEAR
 from verify.paper.spectrum.matrices import Matrix, apply, determinant, dot, identity_minus, vector
 from verify.paper.spectrum.printed import r
-from verify.paper.spectrum.rows import Interval, Section, symbols
+from verify.paper.spectrum.rows import Section, symbols
 
 LAW = "EQUATSS3.4EvoluVNormLinea"
 LIMIT = "EQUATSS3.4MatriLimitLinea"
@@ -68,7 +68,6 @@ def _real_eigenvalues() -> Iterator[Obligation]:
             RATE,
             f"real case: (Tr {sign} d)/2 is an eigenvalue if d² = Tr²-4det",
             equal(value**2 - trace * value + r, (d**2 - _square) / 4),
-            d=(0, None),
         )
     yield _section.needed(
         "linear-real-bound",
@@ -112,11 +111,8 @@ def _rate() -> Iterator[Obligation]:
         "which is positive (linear-real-bound); so the printed rate holds",
         equal((alpha + d) / 2, alpha - (alpha - d) / 2),
         uses,
-        alpha=(0, None),
-        d=(0, None),
     )
     # Complex case: |Tr| = 2 s k with s = sqrt(r), k < 1; -cos(theta) = 4sk/(1+s^2).
-    half: Interval = (0, Fraction(1, 2))
     yield _section.printed(
         "rate-complex-stated",
         RATE,
@@ -124,7 +120,7 @@ def _rate() -> Iterator[Obligation]:
         "rate, where s = √r and |cos θ| = 4sk/(1+s²)",
         s <= maximum((1 + s**2) / 2 * (4 * s * k / (1 + s**2)), s**2),
         "rate-complex",
-        k=half,
+        within=LINEAR,
     )
     yield _section.needed(
         "rate-complex-cosine",
@@ -150,5 +146,5 @@ def _rate() -> Iterator[Obligation]:
         "with y_n > 0, which is impossible for ever if α < 2√r",
         equal(y**2 + s**2 - 2 * s * y, (y - s) ** 2),
         ["zhou-kadanoff"],
-        y=(0, None),
+        within=LINEAR,
     )

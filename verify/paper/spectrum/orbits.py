@@ -17,9 +17,10 @@ from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.collision_matrices import A_A, A_B, A_C
 from verify.paper.spectrum.complex_pair import FIXED, REAL_EIGENVECTOR, m, modulus, r_of_m
 from verify.paper.spectrum.cone import BOUND, NORMAL_12, STATE, a, b, normal_12
+from verify.paper.spectrum.contexts import APPROACH, LARGE, LINE, SMALL
 from verify.paper.spectrum.matrices import Vector, apply, dot, plus, times, vector
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
-from verify.paper.spectrum.rows import Interval, Section, symbols
+from verify.paper.spectrum.rows import Section, symbols
 
 COLLAPSE = "DEFINSS3.5CollapseTriangu"
 ORDER = "EQUATSS3.5ConclusionEta1>"
@@ -156,7 +157,7 @@ def _first_condition_alone(paper: Printed) -> Iterator[Obligation]:
     # Five successive ones occur at r = 1/100.
     known = [as_term(-1), as_term(Fraction(-1, 400)), as_term(Fraction(-9, 10000))]
     hundredth = as_term(Fraction(1, 100))
-    at = [substitute(value, "r", hundredth) for value in (a_0, a_1, a_2)]
+    at = [substitute(value, {"r": hundredth}) for value in (a_0, a_1, a_2)]
     for _ in range(3):
         known.append(-(at[2] * known[-1]) - at[1] * known[-2] - at[0] * known[-3])
     says = "five are possible: r = 1/100, x₀ = -1, x₁ = -1/400, x₂ = -9/10000 give"
@@ -225,11 +226,9 @@ def _cone_c2(c_: list[Term], uses: list[str]) -> Iterator[Obligation]:
         equal(image, r * (as_term(1) / 2 + k) * c_0 + ((5 * r + 1) / 8 + k * h) * c_1 + k * c_[3]),
         uses,
     )
-    large: Interval = (Fraction(1, 3), 1)
     yield _section.needed(
-        "C2-large-r-sign", BOUND, "3r - 1 > 0 for r > 1/3", 0 < 3 * r - 1, uses, r=large
+        "C2-large-r-sign", BOUND, "3r - 1 > 0 for r > 1/3", 0 < 3 * r - 1, uses, within=LARGE
     )
-    small: Interval = (0, Fraction(1, 3))
     start = -((1 - 3 * r) / 4)
     at = sequence(start, start, as_term(1), 6)
     says = "for r < 1/3 two are possible: c₀ = c₁ = -(1-3r)/4, c₂ = 1 give"
@@ -241,7 +240,7 @@ def _cone_c2(c_: list[Term], uses: list[str]) -> Iterator[Obligation]:
         ("y-next", "y' < t'", -tangential(*at[3:6])),
     ):
         yield _section.needed(
-            f"C2-two-{name}", BOUND, f"{says} {what}", value < as_term(0), r=small
+            f"C2-two-{name}", BOUND, f"{says} {what}", value < as_term(0), within=SMALL
         )
 
 
@@ -252,8 +251,8 @@ def tangential(first: Term, second: Term, third: Term) -> Term:
 
 def _formal_paragraph(paper: Printed) -> Iterator[Obligation]:
     c_ = sequence(c_0, c_1, c_2, 4)
-    at_m = [substitute(value, "r", r_of_m) for value in c_]
-    h_m = substitute(h, "r", r_of_m)
+    at_m = [substitute(value, {"r": r_of_m}) for value in c_]
+    h_m = substitute(h, {"r": r_of_m})
     weights = (modulus, h_m - m, as_term(1))
     yield _section.needed(
         "spiral-plane",
@@ -276,7 +275,7 @@ def _formal_paragraph(paper: Printed) -> Iterator[Obligation]:
         -entry if fixed == as_term(0) else plus(-entry, times(k, fixed))
         for entry, fixed in zip(REAL_EIGENVECTOR, FIXED, strict=True)
     ]
-    first_row = [substitute(entry, "r", r_of_m) for entry in paper.matrix[0]]
+    first_row = [substitute(entry, {"r": r_of_m}) for entry in paper.matrix[0]]
     yield _section.printed(
         "manifold",
         THEOREM,
@@ -284,7 +283,7 @@ def _formal_paragraph(paper: Printed) -> Iterator[Obligation]:
         "orbits of E₁ + ker(𝔄-λ₀) with x = -1 keep x' < 0 (r = r(m))",
         dot(first_row, orbit) < as_term(0),
         "manifold-empty",
-        k=(None, None),
+        within=LINE,
     )
     yield _section.needed(
         "manifold-empty",
@@ -292,7 +291,7 @@ def _formal_paragraph(paper: Printed) -> Iterator[Obligation]:
         "these orbits have x' = m³ > 0: they leave the cone at once, and the manifold is empty",
         equal(dot(first_row, orbit), m**3),
         ["every-r"],
-        k=(None, None),
+        within=LINE,
     )
 
 
@@ -306,7 +305,7 @@ def _full_dynamics() -> Iterator[Obligation]:
         "the cosine of the angle at i: p = v_j·e, q = v_i·e, and n·e is minus that cosine",
         equal((p - (q - (1 + r) / 2 * g * -cosine)) - (p - q), -((1 + r) / 2 * g * cosine)),
         uses,
-        g=(None, 0),
+        within=APPROACH,
     )
     p_1, p_2, q_1, q_2 = symbols("p_1 p_2 q_1 q_2")
     yield _section.needed(

@@ -64,7 +64,7 @@ class Printed(NamedTuple):
         """Q at a point, where another term may stand for r."""
         x = as_term(x)
         a_0, a_1, a_2, a_3 = (
-            coefficient if restitution is None else substitute(coefficient, "r", restitution)
+            coefficient if restitution is None else substitute(coefficient, {"r": restitution})
             for coefficient in self.coefficients
         )
         return times(a_3, x**3) + a_2 * x**2 + a_1 * x + a_0

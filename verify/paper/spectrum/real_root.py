@@ -8,8 +8,9 @@ from fractions import Fraction
 from verify.language.statement import Obligation
 from verify.language.terms import Number, Term, as_term, equal, symbol
 from verify.paper.spectrum.characteristic import lam
+from verify.paper.spectrum.contexts import ANY, SHIFTED
 from verify.paper.spectrum.printed import THEOREM, Printed, r
-from verify.paper.spectrum.rows import REAL, Section, symbols
+from verify.paper.spectrum.rows import Section, symbols
 
 REAL_ROOT = "EQUATSS3.5Alim_ContrRacRL"
 
@@ -109,7 +110,7 @@ def _quartic() -> Iterator[Obligation]:
             q(s + eps),
             q(s) + eps * q_prime(s) + eps**2 * q_second(s) / 2 + eps**3 * (4 * s - 24) + eps**4,
         ),
-        s=REAL,
+        within=ANY,
     )
     yield _section.printed(
         "q-discriminant",
@@ -125,7 +126,7 @@ def _quartic() -> Iterator[Obligation]:
         THEOREM,
         "so q'' is positive: q''(s) = 12(s-6)² + 624",
         equal(q_second(s), 12 * (s - 6) ** 2 + 624),
-        s=REAL,
+        within=ANY,
     )
     says = "q decreases up to some s₀ and increases from there: q' increases and changes sign"
     yield _section.printed(
@@ -137,7 +138,11 @@ def _quartic() -> Iterator[Obligation]:
     yield _section.needed("q-1", THEOREM, "q(1) = -71", equal(q(1), -71))
     yield _section.needed("q-2", THEOREM, "q(2) = -1520", equal(q(2), -1520))
     yield _section.needed(
-        "q-negative", THEOREM, "q(s) < 0 for 1 < s < 2 (and at both ends)", q(s) < 0, s=(1, 2)
+        "q-negative",
+        THEOREM,
+        "q(s) < 0 for 1 < s < 2 (and at both ends)",
+        q(s) < 0,
+        within=SHIFTED,
     )
     u = r + 1
     yield _section.needed(
@@ -190,7 +195,7 @@ def _increasing(paper: Printed) -> Iterator[Obligation]:
             _quartic_in_r,
             5 * (r**2 - as_term(Fraction(38, 5)) * r + 1) ** 2 + as_term(Fraction(9216, 5)) * r**2,
         ),
-        r=REAL,
+        within=ANY,
     )
     yield _section.needed(
         "Q-discriminant-negative",
@@ -213,7 +218,7 @@ def _values(paper: Printed) -> Iterator[Obligation]:
         REAL_ROOT,
         "r⁴+2r³-2r-1 vanishes at r = 1: it is r-1 times (r+1)³",
         equal(bracket, (r - 1) * (r + 1) ** 3),
-        r=REAL,
+        within=ANY,
     )
     yield _section.needed(
         "Q-minus-r-factored",
@@ -234,7 +239,7 @@ def _values(paper: Printed) -> Iterator[Obligation]:
         REAL_ROOT,
         "its bracket vanishes at r = 1 and at r = -1",
         equal(bracket, -9 * (r - 1) * (r + 1) ** 3 * factor),
-        r=REAL,
+        within=ANY,
     )
     yield _section.needed(
         "Q-minus-r3-factored",
@@ -247,7 +252,7 @@ def _values(paper: Printed) -> Iterator[Obligation]:
         REAL_ROOT,
         "7r²-13r+7 is always positive: 7(r-13/14)² + 27/28",
         equal(factor, 7 * (r - as_term(Fraction(13, 14))) ** 2 + as_term(Fraction(27, 28))),
-        r=REAL,
+        within=ANY,
     )
     yield _section.needed(
         "Q-minus-r3-positive", REAL_ROOT, "Q(-r³) > 0, so λ₀ < -r³", 0 < at_r3, uses

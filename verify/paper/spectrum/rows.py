@@ -1,36 +1,16 @@
 """How a row is written down: its name, its label, what it says, its claim.
 
-A row holds for all values of the symbols that occur in its claim. Each symbol lies in its usual
-interval, unless the row gives another one.
+A row holds for all values of the symbols that occur in its claim: of those of the context that it
+names, in their intervals there.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from fractions import Fraction
+from collections.abc import Iterable, Iterator
 
-from verify.language.statement import Obligation, Variable
-from verify.language.terms import Claim, Term, symbol
-
-Bound = int | Fraction | None
-Interval = tuple[Bound, Bound]
-
-UNIT: Interval = (0, 1)
-POSITIVE: Interval = (0, None)
-REAL: Interval = (None, None)
-
-#: The usual interval of a symbol; those that are not listed are any real numbers.
-INTERVALS: dict[str, Interval] = {
-    "r": UNIT,  # the restitution coefficient
-    "m": UNIT,  # the cube root of -lambda_0, see `complex_pair`
-    "n": UNIT,
-    "s": UNIT,  # a root of r
-    "k": UNIT,
-    "a": POSITIVE,
-    "b": POSITIVE,
-    "c": POSITIVE,
-    "g": POSITIVE,
-}
+from verify.language.statement import NEEDED, PRINTED, Obligation
+from verify.language.terms import Claim, Term, substitute_claim, symbol
+from verify.paper.spectrum.contexts import NUMBERS, SCOPES
 
 LETTERS = {
     "lambda": "λ",
@@ -58,10 +38,13 @@ class Section:
         says: str,
         claim: Claim,
         uses: Iterable[str] = (),
-        **intervals: Interval,
+        within: str = NUMBERS,
     ) -> Obligation:
-        """A row on which the conclusions rest."""
-        return self._row(name, label, "needed", says, claim, uses, None, intervals)
+        """A row on which the conclusions rest, for all values in the context ``within``."""
+        claim, context = _placed(claim, within)
+        return Obligation(
+            name, self.group, label, NEEDED, says, claim, tuple(uses), context=context
+        )
 
     def printed(
         self,
@@ -71,55 +54,37 @@ class Section:
         claim: Claim,
         corrected_by: str | None = None,
         uses: Iterable[str] = (),
-        **intervals: Interval,
+        within: str = NUMBERS,
     ) -> Obligation:
         """A row of the paper on which nothing rests, or which is false as printed."""
-        return self._row(name, label, "printed", says, claim, uses, corrected_by, intervals)
-
-    def _row(
-        self,
-        name: str,
-        label: str,
-        role: str,
-        says: str,
-        claim: Claim,
-        uses: Iterable[str],
-        corrected_by: str | None,
-        intervals: dict[str, Interval],
-    ) -> Obligation:
-        names = _names(claim)
-        unused = set(intervals) - set(names)
-        if unused:
-            raise ValueError(f"row {name} has intervals for symbols that it does not use: {unused}")
-        known = INTERVALS | intervals
-        variables = tuple(_variable(symbol_name, known) for symbol_name in sorted(names))
+        claim, context = _placed(claim, within)
         return Obligation(
-            name, self.group, label, role, says, claim, tuple(uses), corrected_by, variables
-        )
+            name, self.group, label, PRINTED, says, claim, tuple(uses), corrected_by,
+            context=context,
+        )  # fmt: skip
 
 
-def _names(claim: Claim) -> set[str]:
-    """The names of the symbols that occur in a claim."""
-    names: set[str] = set()
+def _placed(claim: Claim, within: str) -> tuple[Claim, str | None]:
+    """The claim over the variables of a context, and its context: none for a ground claim."""
+    names = set(names_of(claim))
+    if not names:
+        return claim, None
+    scope = SCOPES[within]
+    variables = {name: symbol(scope.variable(name)) for name in names}
+    return (claim if within == NUMBERS else substitute_claim(claim, variables)), within
+
+
+def names_of(claim: Claim) -> Iterator[str]:
+    """The names that occur in a claim, each once."""
     seen: set[Term] = set()
     waiting = [claim.lhs, claim.rhs]
     while waiting:
         term = waiting.pop()
-        if term.op == "symbol":
-            names.add(term.name)
-        elif term not in seen:
+        if term not in seen:
             seen.add(term)
             waiting += term.children
-    return names
-
-
-def _variable(name: str, intervals: dict[str, Interval]) -> Variable:
-    low, high = intervals.get(name, REAL)
-    return Variable(
-        name,
-        None if low is None else Fraction(low),
-        None if high is None else Fraction(high),
-    )
+            if term.op == "symbol":
+                yield term.name
 
 
 def symbols(names: str) -> tuple[Term, ...]:

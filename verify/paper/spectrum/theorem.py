@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from verify.language.statement import Statement
+from collections.abc import Iterable
+
+from verify.language.statement import Context, Obligation, Statement
+from verify.language.terms import Claim
 from verify.paper.spectrum import (
     characteristic,
     collision_matrices,
@@ -14,7 +17,11 @@ from verify.paper.spectrum import (
     zhou_kadanoff,
 )
 from verify.paper.spectrum.assumptions import ASSUMPTIONS
+from verify.paper.spectrum.contexts import SCOPES
 from verify.paper.spectrum.printed import THEOREM, Printed
+from verify.paper.spectrum.rows import LETTERS, names_of
+
+TITLE = "Spectral claims of Section 5, its appendix and Sections 4.1-4.2, for every r in ]0,1["
 
 
 def theorem(paper: Printed | None = None) -> Statement:
@@ -23,4 +30,14 @@ def theorem(paper: Printed | None = None) -> Statement:
     sections = (collision_matrices, characteristic, real_root, complex_pair, cone, orbits)
     rows = [row for section in sections for row in section.rows(paper)]
     rows += [*linear_matrix.rows(), *zhou_kadanoff.rows()]
-    return Statement(THEOREM, (), (), tuple(rows), ASSUMPTIONS)
+    return Statement(THEOREM, TITLE, {}, (), tuple(contexts(rows)), tuple(rows), ASSUMPTIONS)
+
+
+def contexts(rows: Iterable[Obligation]) -> list[Context]:
+    """The contexts of some rows, with the symbols that occur in them."""
+    names: dict[str, set[str]] = {}
+    for row in rows:
+        if row.context is not None and isinstance(row.claim, Claim):
+            found = {name.rpartition(".")[2] for name in names_of(row.claim)}
+            names.setdefault(row.context, set()).update(found)
+    return [SCOPES[name].context(names[name], LETTERS) for name in SCOPES if name in names]

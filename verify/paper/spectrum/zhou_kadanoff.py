@@ -11,6 +11,7 @@ from fractions import Fraction
 
 from verify.language.statement import Obligation
 from verify.language.terms import Number, Term, as_term, equal, sqrt
+from verify.paper.spectrum.contexts import SMALLER
 from verify.paper.spectrum.printed import r, root_3
 from verify.paper.spectrum.rows import Section, symbols
 
@@ -114,7 +115,6 @@ def _stability() -> Iterator[Obligation]:
         ["signs"],
     )
     p, v = symbols("p v")
-    unit = {"p": (0, 1), "v": (0, 1)}
     yield _section.needed(
         "stability-eigenvalues",
         STABILITY,
@@ -122,7 +122,7 @@ def _stability() -> Iterator[Obligation]:
         "α - (r^{1/3}+r^{2/3}) = p(1-v)(1-pv²), r^{1/3} = pv",
         equal(p + p**2 * v**3 - (p * v + (p * v) ** 2), p * (1 - v) * (1 - p * v**2)),
         ["signs"],
-        **unit,
+        within=SMALLER,
     )
     yield _section.needed(
         "stability-implies-existence",

@@ -1,0 +1,147 @@
+"""For which numbers the rows are claimed: one context for most of them, small ones for the others.
+
+In the context `numbers` each symbol lies in its usual interval. The names of the variables of
+another context begin with its name, as in ``small.r``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from typing import NamedTuple
+
+from verify.language.statement import Context, Given, Variable
+from verify.language.terms import Claim, Term, as_term, symbol
+
+Bound = int | Fraction | None
+Interval = tuple[Bound, Bound]
+
+UNIT: Interval = (0, 1)
+POSITIVE: Interval = (0, None)
+NEGATIVE: Interval = (None, 0)
+REAL: Interval = (None, None)
+
+#: The usual interval of a symbol; those that are not listed are any real numbers.
+USUAL: Mapping[str, Interval] = {
+    "r": UNIT,  # the restitution coefficient
+    "m": UNIT,  # the cube root of -lambda_0, see `complex_pair`
+    "n": UNIT,
+    "s": UNIT,  # a root of r
+    "k": UNIT,
+    "v": UNIT,
+    "a": POSITIVE,
+    "b": POSITIVE,
+    "c": POSITIVE,
+    "d": POSITIVE,
+    "alpha": POSITIVE,
+}
+
+#: How symbols are written in LaTeX, where that is not their name.
+TEX = {
+    "lambda": r"\lambda",
+    "kappa": r"\kappa",
+    "mu": r"\mu",
+    "epsilon": r"\varepsilon",
+    "alpha": r"\alpha",
+    "cosine": r"\cos\theta",
+    "eta_s": r"\eta_s",
+    "eta_c": r"\eta_c",
+}
+
+
+class Scope(NamedTuple):
+    """A context before its variables are known; ``intervals`` differ from the usual ones."""
+
+    name: str
+    says: str
+    intervals: Mapping[str, Interval]
+
+    def variable(self, name: str) -> str:
+        """The name that a symbol has as a variable of this context."""
+        return name if self.name == NUMBERS else f"{self.name}.{name}"
+
+    def context(self, names: Iterable[str], letters: Mapping[str, str]) -> Context:
+        """The context with these symbols, each in its interval, and a point inside."""
+        chosen = sorted(names)
+        ends = {name: self.intervals.get(name, USUAL.get(name, REAL)) for name in chosen}
+        return Context(
+            self.name,
+            tuple(
+                Variable(self.variable(name), letters.get(name, name), TEX.get(name, name))
+                for name in chosen
+            ),
+            tuple(g for name in chosen for g in _givens(self.variable(name), ends[name])),
+            {self.variable(name): _between(ends[name]) for name in chosen},
+            says=self.says,
+        )
+
+
+NUMBERS = "numbers"
+ANY = "any"
+CONE = "cone"
+SMALL = "small"
+LARGE = "large"
+SHIFTED = "shifted"
+LINE = "line"
+LINEAR = "linear"
+SMALLER = "smaller"
+APPROACH = "approach"
+
+SCOPES = {
+    scope.name: scope
+    for scope in (
+        Scope(
+            NUMBERS,
+            "r, m, n, s, k, v are any numbers in ]0,1[; a, b, c, d, α are positive; all other "
+            "letters are any real numbers",
+            {},
+        ),
+        Scope(ANY, "r, s, c and ε are any real numbers", {"r": REAL, "s": REAL, "c": REAL}),
+        Scope(
+            CONE,
+            "r is in ]0,1[, x negative, a, b and g are positive, y and t any real numbers",
+            {"x": NEGATIVE, "g": POSITIVE},
+        ),
+        Scope(SMALL, "r is in ]0,1/3[", {"r": (0, Fraction(1, 3))}),
+        Scope(LARGE, "r is in ]1/3,1[", {"r": (Fraction(1, 3), 1)}),
+        Scope(SHIFTED, "s, which stands for r+1, is in ]1,2[", {"s": (1, 2)}),
+        Scope(
+            LINE,
+            "m is in ]0,1[; k, the place in a line of starting points, is any real number",
+            {"k": REAL},
+        ),
+        Scope(
+            LINEAR,
+            "s is in ]0,1[, k in ]0,1/2[, y positive",
+            {"k": (0, Fraction(1, 2)), "y": POSITIVE},
+        ),
+        Scope(SMALLER, "p and v are in ]0,1[", {"p": UNIT}),
+        Scope(
+            APPROACH,
+            "r is in ]0,1[, g negative, p, q and the cosine are any real numbers",
+            {"g": NEGATIVE},
+        ),
+    )
+}
+
+
+def _givens(variable: str, interval: Interval) -> list[Given]:
+    """That a variable lies strictly between the ends that there are."""
+    low, high = interval
+    x = symbol(variable)
+    givens = []
+    if low is not None:
+        givens.append(Given(f"{variable}.low", Claim("<", as_term(low), x)))
+    if high is not None:
+        givens.append(Given(f"{variable}.high", Claim("<", x, as_term(high))))
+    return givens
+
+
+def _between(interval: Interval) -> Term:
+    """A simple number in an interval."""
+    low, high = interval
+    if low is not None and high is not None:
+        return as_term((Fraction(low) + high) / 2)
+    if low is not None:
+        return as_term(low + 1)
+    return as_term(0 if high is None else high - 1)

@@ -1,0 +1,86 @@
+"""Claims on a box, by enclosures: on all of it, or on parts into which its sides are cut."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any
+
+from verify.language.terms import symbol
+from verify.prover import balls
+from verify.prover.goal import Bounds, Goal
+from verify.prover.program import Machine
+from verify.prover.proof import Proof
+from verify.prover.relations import holds
+from verify.prover.rules import Cuts, Interval
+
+BITS = 128
+
+#: More bits for the checker, whose intervals may be a little wider than balls; as many as ground
+#: claims get at first, so that it encloses constants once.
+CHECKER_BITS = 224
+
+#: A part of the box is the result of at most this many cuts, and there are at most so many parts.
+MAX_DEPTH = 16
+MAX_PARTS = 2048
+
+
+class Boxes:
+    """A claim on parts of its box; ``enclose`` encloses a constant by its name."""
+
+    def __init__(self, goal: Goal, enclose: Callable[[str, int], Any]) -> None:
+        self.goal, self.parts = goal, 0
+        program, self._sides = goal.program()
+        with balls.precision(BITS):
+            self._machine = Machine(program, balls.BallArithmetic())
+            self._constants = [enclose(name, BITS) for name in goal.constants]
+
+    def holds(self, bounds: Mapping[str, Bounds]) -> bool:
+        """Whether the enclosures on a box show the claim."""
+        with balls.precision(BITS):
+            inputs = [_ball(bound) for bound in bounds.values()]
+            values = self._machine.run([*inputs, *self._constants]).values
+            x, y = (values[slot] for slot in self._sides)
+            return x is not None and y is not None and holds(self.goal.claim.relation, x, y)
+
+    def cover(self, bounds: Mapping[str, Bounds], depth: int) -> Proof | None:
+        """A proof on a box that is the result of so many cuts."""
+        self.parts += 1
+        if self.holds(bounds):
+            named = ((name, b.low_fact, b.high_fact) for name, b in bounds.items())
+            return Interval(CHECKER_BITS, tuple(named))
+        if depth == MAX_DEPTH or self.parts >= MAX_PARTS:
+            return None
+        name = [*bounds][depth % len(bounds)]
+        old, hypothesis = bounds[name], f"@{depth + 1}"
+        low, high = old.ends or (Fraction(0), Fraction(0))
+        cut = (low + high) / 2
+        below = {**bounds, name: old._replace(high=cut, high_fact=hypothesis)}
+        above = {**bounds, name: old._replace(low=cut, low_fact=hypothesis)}
+        branches = []
+        for part in (below, above):
+            proof = self.cover(part, depth + 1)
+            if proof is None:
+                return None
+            branches.append(proof)
+        return Cuts(symbol(name), (cut,), tuple(branches))
+
+
+def _ball(bounds: Bounds) -> Any:
+    low, high = bounds.ends or (Fraction(0), Fraction(0))
+    return balls.hull(balls.from_fraction(low), balls.from_fraction(high))
+
+
+def interval(goal: Goal, enclose: Callable[[str, int], Any]) -> Interval | None:
+    """A proof by the enclosures on the whole box."""
+    if goal.box is None or not Boxes(goal, enclose).holds(goal.variables):
+        return None
+    named = ((name, b.low_fact, b.high_fact) for name, b in goal.variables.items())
+    return Interval(CHECKER_BITS, tuple(named))
+
+
+def cuts(goal: Goal, enclose: Callable[[str, int], Any]) -> Proof | None:
+    """A proof by the enclosures on parts of the box."""
+    if goal.box is None or not goal.box or goal.claim.relation == "=":
+        return None
+    return Boxes(goal, enclose).cover(goal.variables, 0)

@@ -1,0 +1,94 @@
+"""What a search gets: a claim, its context, and the facts that bound its variables."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from typing import NamedTuple
+
+from verify.language.statement import Context, Given
+from verify.language.terms import Claim, Term
+from verify.prover.program import Program
+
+
+class Bounds(NamedTuple):
+    """The numbers between which a variable lies, and the facts that say so."""
+
+    low: Fraction | None = None
+    high: Fraction | None = None
+    low_fact: str = ""
+    high_fact: str = ""
+
+    @property
+    def ends(self) -> tuple[Fraction, Fraction] | None:
+        """Both numbers, if there are both."""
+        return None if self.low is None or self.high is None else (self.low, self.high)
+
+
+class Goal(NamedTuple):
+    """A claim that is to be proved for all values in a context.
+
+    ``variables`` has the bounds of the variables that occur in it, ``definitions`` the terms of
+    names that stand for terms with variables, each after those in it, ``constants`` the other
+    names.
+    """
+
+    claim: Claim
+    context: str | None
+    variables: Mapping[str, Bounds]
+    constants: tuple[str, ...]
+    definitions: Mapping[str, Term]
+
+    def program(self) -> tuple[Program, tuple[int, int]]:
+        """A program whose inputs are variables and constants, and the slots of the two sides."""
+        program = Program((*self.variables, *self.constants))
+        for name, term in self.definitions.items():
+            program.define(name, term)
+        return program, (program.add(self.claim.lhs), program.add(self.claim.rhs))
+
+    @property
+    def box(self) -> dict[str, tuple[Fraction, Fraction]] | None:
+        """The ends of all variables, if all are bounded."""
+        box = {name: bounds.ends for name, bounds in self.variables.items()}
+        return {name: ends for name, ends in box.items() if ends} if all(box.values()) else None
+
+
+def names_of(*terms: Term) -> Iterator[str]:
+    """The names in terms, each once, in an order that depends on the terms only."""
+    seen: set[Term] = set()
+    waiting = [*reversed(terms)]
+    while waiting:
+        term = waiting.pop()
+        if term not in seen:
+            seen.add(term)
+            waiting += reversed(term.children)
+            if term.op == "symbol":
+                yield term.name
+
+
+def bounds_of(context: Context) -> dict[str, Bounds]:
+    """For each variable of a context the best bounds by numbers among its givens."""
+    found = {variable.name: Bounds() for variable in context.variables}
+    for given in context.givens:
+        for name, bounds in _bounds(given):
+            if name in found:
+                found[name] = _narrowed(found[name], bounds)
+    return found
+
+
+def _bounds(given: Given) -> Iterator[tuple[str, Bounds]]:
+    relation, lhs, rhs = given.claim.key
+    if lhs.op == "rational" and rhs.op == "symbol":
+        yield rhs.name, Bounds(low=lhs.value, low_fact=given.name)
+    if lhs.op == "symbol" and rhs.op == "rational":
+        yield lhs.name, Bounds(high=rhs.value, high_fact=given.name)
+        if relation == "=":
+            yield lhs.name, Bounds(low=rhs.value, low_fact=given.name)
+
+
+def _narrowed(old: Bounds, new: Bounds) -> Bounds:
+    if new.low is not None and (old.low is None or old.low < new.low):
+        old = old._replace(low=new.low, low_fact=new.low_fact)
+    if new.high is not None and (old.high is None or new.high < old.high):
+        old = old._replace(high=new.high, high_fact=new.high_fact)
+    return old

@@ -1,0 +1,267 @@
+"""Claims for all values of the variables in scope: identities, signs, enclosures, polynomials.
+
+Nothing here is trusted. What is found is written down as the steps of a certificate.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+from verify.language.statement import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Applies,
+    Constant,
+    Context,
+    Obligation,
+)
+from verify.language.terms import Claim, Term, as_term, substitute, substitute_claim
+from verify.prover import boxes
+from verify.prover.bernstein import bernstein
+from verify.prover.clearing import Clearing
+from verify.prover.goal import Bounds, Goal, bounds_of, names_of
+from verify.prover.ground import Ground
+from verify.prover.outcome import Decision
+from verify.prover.points import refuting_point
+from verify.prover.proof import Proof
+from verify.prover.relations import negation
+from verify.prover.rules import Applying, Define, Root, Sum, Witness
+from verify.prover.session import ZERO
+from verify.prover.signs import signs
+
+
+class Universal:
+    """Proves claims in contexts, with the facts that are known there.
+
+    Args:
+        ground: decides what has no variables; its session takes the steps.
+    """
+
+    def __init__(self, ground: Ground) -> None:
+        self.ground, self.session = ground, ground.session
+        self.contexts: dict[str, Context] = {}
+        self._bounds: dict[str, Bounds] = {}
+        self._homes: dict[str, str] = {}
+        self._local: dict[str, Term] = {}
+        self._clear: set[tuple[str | None, Term]] = set()
+
+    # --- contexts -------------------------------------------------------------------------------
+
+    def open(self, context: Context) -> bool:
+        """Show that the givens hold at the context's point; False if that is not found."""
+        if context.parent is not None and context.parent not in self.contexts:
+            return False
+        premises = self.premises(context, context.point, context.parent)
+        if premises is None:
+            return False
+        self.contexts[context.name] = context
+        self.session.open(context, premises)
+        self._bounds |= bounds_of(context)
+        self._homes |= {variable.name: context.name for variable in context.variables}
+        return all(self.define(constant, context.name) for constant in context.constants)
+
+    def define(self, constant: Constant, context: str) -> bool:
+        """Add a constant of a context; False if its value is not seen to be defined."""
+        if not self.clears((constant.term,), context):
+            return False
+        self.session.constant(constant, Define(), context)
+        self._homes[constant.name] = context
+        self._local[constant.name] = constant.term
+        return True
+
+    def premises(
+        self, context: Context, at: Mapping[str, Term], place: str | None
+    ) -> tuple[str, ...] | None:
+        """Facts of a place which say that the givens of a context hold at these values."""
+        if not self.clears(at.values(), place):
+            return None
+        values, names = _unfolded(context, at), []
+        for given in context.givens:
+            name = self.fact(substitute_claim(given.claim, values), place)
+            if name is None:
+                return None
+            names.append(name)
+        return tuple(names)
+
+    def goal(self, claim: Claim, context: str | None) -> Goal:
+        """The claim with what is known of the names in it."""
+        definitions = self._definitions_in(claim)
+        names = dict.fromkeys(names_of(claim.lhs, claim.rhs, *definitions.values()))
+        variables = {name: self._bounds[name] for name in names if name in self._bounds}
+        constants = (name for name in names if name not in variables and name not in definitions)
+        return Goal(claim, context, variables, tuple(constants), definitions)
+
+    def _definitions_in(self, claim: Claim) -> dict[str, Term]:
+        """The constants of contexts in a claim, in the order in which they were defined."""
+        found = {name for name in names_of(claim.lhs, claim.rhs) if name in self._local}
+        for name in reversed(self._local):
+            if name in found:
+                found |= {other for other in names_of(self._local[name]) if other in self._local}
+        return {name: term for name, term in self._local.items() if name in found}
+
+    # --- facts ----------------------------------------------------------------------------------
+
+    def fact(self, claim: Claim, context: str | None) -> str | None:
+        """The name of a fact, which is proved now if it is not known; None if that fails."""
+        known = self.session.known(claim, context)
+        if known is not None:
+            return known
+        home = self._home(claim, context)
+        if home is None:
+            return self._ground_fact(claim)
+        proof = self.prove(self.goal(claim, home))
+        return None if proof is None else self.session.lemma(claim, proof, home)
+
+    def _ground_fact(self, claim: Claim) -> str | None:
+        verdict, proof = self.ground.prove(claim)
+        return self.session.lemma(claim, proof) if verdict == PROVED and proof else None
+
+    def _home(self, claim: Claim, context: str | None) -> str | None:
+        """The outermost context in which the names of a claim are in scope."""
+        homes = {self._homes.get(name) for name in names_of(claim.lhs, claim.rhs)}
+        return next((place for place in self.session.chain(context) if place in homes), None)
+
+    def clears(self, terms: Iterable[Term], context: str | None) -> bool:
+        """Afterwards each divisor and radicand has the fact that it needs; or False."""
+        return all(self._clears(term, context) for term in terms)
+
+    def _clears(self, term: Term, context: str | None) -> bool:
+        if (context, term) in self._clear:
+            return True
+        if not self.clears(term.children, context):
+            return False
+        if term.op == "div" and not self._divisor(term.children[1], context):
+            return False
+        if term.op == "sqrt" and not self._radicand(term.children[0], context):
+            return False
+        self._clear.add((context, term))
+        return True
+
+    def _divisor(self, term: Term, context: str | None) -> bool:
+        if term.op == "rational":
+            return term.value != 0
+        return any(self.fact(Claim("<", ZERO, t), context) for t in (term, -term))
+
+    def _radicand(self, term: Term, context: str | None) -> bool:
+        if term.op == "rational":
+            return term.value >= 0
+        return any(self.fact(Claim(relation, ZERO, term), context) for relation in ("<", "<="))
+
+    # --- proofs ---------------------------------------------------------------------------------
+
+    def prove(self, goal: Goal) -> Proof | None:
+        """A proof of the first kind that is found; the lemmas that it needs are written down."""
+        return next((proof for proof in self._proofs(goal) if proof is not None), None)
+
+    def _proofs(self, goal: Goal) -> Iterator[Proof | None]:
+        sides = goal.claim.lhs, goal.claim.rhs
+        yield self._identity(goal)
+        if goal.claim.relation == "=":
+            return
+        yield boxes.interval(goal, self._enclose)
+        if not self.clears(sides, goal.context):
+            return
+        if goal.claim.lhs == ZERO and goal.claim.rhs.op == "sqrt":
+            yield self._root(goal)
+        yield signs(goal, lambda claim: self.session.known(claim, goal.context))
+        yield bernstein(goal)
+        yield boxes.cuts(goal, self._enclose)
+
+    def _identity(self, goal: Goal) -> Proof | None:
+        claim, known = goal.claim, self.session.definitions
+        if claim.relation == "<":
+            return None
+        definitions = self._definitions((*goal.constants, *goal.definitions))
+        for using in {(): None, definitions: None}:
+            clearing = Clearing((claim.lhs, claim.rhs), self.session.replaced(using))
+            difference = clearing.difference(claim.lhs, claim.rhs)
+            if not clearing.reduce(difference).to_dict():
+                terms = claim.lhs, claim.rhs, *(known[name] for name in using)
+                if not self.clears(terms, goal.context):
+                    return None
+                return Sum(() if claim.relation == "=" else ("goal",), using)
+        return None
+
+    def _definitions(self, names: Iterable[str]) -> tuple[str, ...]:
+        """The names that have definitions, and those in their definitions."""
+        found: dict[str, None] = {}
+        waiting = [*names]
+        while waiting:
+            name = waiting.pop()
+            if name in self.session.definitions and name not in found:
+                found[name] = None
+                waiting += names_of(self.session.definitions[name])
+        return tuple(sorted(found))
+
+    def _root(self, goal: Goal) -> Proof | None:
+        radicand = goal.claim.rhs.children[0]
+        return Root() if self.fact(Claim("<", ZERO, radicand), goal.context) else None
+
+    def _enclose(self, name: str, bits: int) -> Any:
+        """A constant without variables, enclosed; None for any other."""
+        if name not in self.ground.definitions:
+            return None
+        return self.ground.ball(Term("symbol", name), bits)
+
+    # --- decisions ------------------------------------------------------------------------------
+
+    def decide(self, row: Obligation) -> Decision:
+        """Decide a row of an open context and write its proof down, or leave it undecided."""
+        claim = row.claim
+        if isinstance(claim, Applies):
+            return self._apply(row, claim)
+        if not isinstance(claim, Claim) or row.context not in self.contexts:
+            return Decision(UNDECIDED)
+        goal = self.goal(claim, row.context)
+        verdict, proof = PROVED, self.prove(goal)
+        if proof is None:
+            verdict, proof = REFUTED, self._refute(goal, self.contexts[row.context])
+        if proof is None:
+            return Decision(UNDECIDED)
+        self.session.prove_row(row, proof, holds=verdict == PROVED)
+        return Decision(verdict, proof)
+
+    def _apply(self, row: Obligation, claim: Applies) -> Decision:
+        """Show that the givens of another context hold at the values of a claim."""
+        context = self.contexts.get(claim.context)
+        reached = row.context is None or row.context in self.contexts
+        if context is None or not reached or context.parent not in self.session.chain(row.context):
+            return Decision(UNDECIDED)
+        premises = self.premises(context, claim.at, row.context)
+        if premises is None:
+            return Decision(UNDECIDED)
+        proof = Applying(premises)
+        self.session.prove_row(row, proof)
+        return Decision(PROVED, proof)
+
+    def _refute(self, goal: Goal, context: Context) -> Witness | None:
+        """Values for the variables of the context at which the claim is false."""
+        point = refuting_point(goal, self._enclose)
+        if point is None:
+            return None
+        found = {name: as_term(value) for name, value in point.items()}
+        at = {**context.point, **{name: found[name] for name in found if name in context.point}}
+        premises = self.premises(context, at, context.parent)
+        false = substitute_claim(goal.claim, _unfolded(context, at))
+        negative = self._negation(false, context.parent)
+        if premises is None or negative is None:
+            return None
+        return Witness(at, premises, negative)
+
+    def _negation(self, claim: Claim, context: str | None) -> Proof | None:
+        """A proof that a claim is false, for all values in a context."""
+        if self._home(claim, context) is None:
+            verdict, proof = self.ground.prove(claim)
+            return proof if verdict == REFUTED else None
+        other = negation(claim)
+        return None if other is None else self.prove(self.goal(other, context))
+
+
+def _unfolded(context: Context, at: Mapping[str, Term]) -> dict[str, Term]:
+    """The values of the variables of a context, and those of its constants."""
+    values = dict(at)
+    for constant in context.constants:
+        values[constant.name] = substitute(constant.term, values)
+    return values

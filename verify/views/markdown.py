@@ -1,18 +1,34 @@
-"""The readable report beside a certificate, in Markdown."""
+"""The readable report beside a certificate, in Markdown, for every theorem."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from verify.language.statement import NEEDED, PRINTED, REFUTED, Constant, Obligation
+from verify.language.terms import Claim, symbol
+from verify.paper.groups import PRINTED as PRINTED_SET
+from verify.paper.groups import REPAIRED
+from verify.paper.parameters import THEOREM
+from verify.paper.theorem1 import theorem
 from verify.prover.decimals import short
-from verify.prover.ground import REFUTED, Decision, Ends
-from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
-from verify.language.statement import Constant, Obligation
-from verify.language.terms import symbol
-from verify.jobs.theorem1 import Outcome
-from verify.views.words import least, letters, theorem_in_numbers, verdict_text
+from verify.prover.outcome import Decision, Ends, Outcome
+from verify.views.typeset import Typesetter
+from verify.views.words import (
+    ends_of,
+    groups,
+    in_numbers,
+    letters,
+    minimum_of,
+    sides_of,
+    verdict_text,
+)
 
 _SIGNS = {"<": "<", "<=": "≤", "=": "="}
+
+#: A longer formula is left to the statement file; what the row says names it.
+LONGEST = 400
+
+Row = tuple[Obligation, Decision]
 
 
 def report(outcome: Outcome) -> str:
@@ -21,96 +37,136 @@ def report(outcome: Outcome) -> str:
 
 
 def _lines(outcome: Outcome) -> Iterator[str]:
-    typesetter = letters(outcome)
-    values = ", ".join(
-        f"{typesetter.term(symbol(name))} = {typesetter.term(outcome.prover.definitions[name])}"
-        for name in outcome.statement.parameters
-    )
-    yield f"# Theorem 1 at {values}"
+    yield f"# {outcome.statement.title}"
     yield ""
     yield f"Verdict: **{verdict_text(outcome)}**."
-    if REPAIRED in outcome.rows:
-        yield ""
-        yield theorem_in_numbers(outcome)
+    numbers = in_numbers(outcome) if REPAIRED in groups(outcome) else None
+    if numbers is not None:
+        yield from ("", numbers)
     yield ""
     yield "Check it with nothing but Python: `python3 -I verify/check.py` and this folder."
-    if PRINTED in outcome.rows:
-        yield from section("What the printed proof gets wrong here")
+    if any(_is_defect(*pair) for pair in outcome.rows):
+        yield from section("What is printed and refuted here")
         yield from defects(outcome)
-    yield from section("What was changed")
-    yield from table(
-        ("Label", "Paper", "Needed", "Why"),
-        ((f"`{c.label}`", c.paper, c.needed, c.why) for c in outcome.statement.changes),
-    )
-    yield from section("Constants")
-    yield from table(("Constant", "Value", "Definition or bound"), _constants(outcome))
-    for group in (HYPOTHESES, *outcome.groups):
-        if group in outcome.rows:
-            yield from section(f"All rows: {group}")
-            yield from table(
-                ("Verdict", "Label", "Step", "Claim", "Left", "Right"),
-                (_row(outcome, row, decision) for row, decision in outcome.rows[group]),
-            )
+    if outcome.statement.theorem == THEOREM:
+        yield from section("What was changed")
+        yield from table(
+            ("Label", "Paper", "Needed", "Why"),
+            ((f"`{c.label}`", c.paper, c.needed, c.why) for c in theorem().changes),
+        )
+    if outcome.statement.constants:
+        yield from section("Constants")
+        yield from table(("Constant", "Value", "Definition or bound"), _constants(outcome))
+    for group in groups(outcome):
+        yield from section(f"All rows: {group}")
+        yield from _rows(outcome, outcome.of_group(group))
     yield from section("Taken on trust")
-    yield from (f"- `{a.label}`: {a.sentence}" for a in outcome.assumptions)
+    yield from (f"- `{a.label}` ({a.kind}): {a.sentence}" for a in outcome.assumptions)
+
+
+# --- rows ----------------------------------------------------------------------------------------
+
+
+def _is_defect(row: Obligation, decision: Decision) -> bool:
+    return row.role == PRINTED and decision.verdict == REFUTED
 
 
 def defects(outcome: Outcome) -> Iterator[str]:
-    """The refuted printed rows, in the paper's order, each with its two sides."""
-    rows = [
-        (row, decision)
-        for group in (HYPOTHESES, PRINTED)
-        for row, decision in outcome.rows[group]
-        if row.role == "printed" and decision.verdict == REFUTED
-    ]
+    """The refuted printed rows, in the paper's order, each with its two sides or its witness."""
+    typesetter = letters(outcome)
     yield from table(
-        ("Label", "Step as printed", "Claim that would be needed", "Left", "Right", "Corrected by"),
+        ("Label", "As printed", "Claim that would be needed", "False", "Corrected by"),
         (
             (
                 f"`{row.label}`",
                 row.says,
-                letters(outcome).claim(row.claim),
-                _short(decision.lhs),
-                _short(decision.rhs),
-                f"`{row.corrected_by}`",
+                _claim(row, typesetter),
+                _evidence(row, decision, typesetter),
+                f"`{row.corrected_by}`" if row.corrected_by else "",
+            )
+            for row, decision in outcome.rows
+            if _is_defect(row, decision)
+        ),
+    )
+
+
+def _evidence(row: Obligation, decision: Decision, typesetter: Typesetter) -> str:
+    """The numbers that show a row, or the values at which it is false."""
+    sides = sides_of(row, decision)
+    if sides is not None and isinstance(row.claim, Claim):
+        sign = _SIGNS[row.claim.relation]
+        return f"{short(sides[0])} {sign} {short(sides[1])}"
+    return "at " + values(decision, typesetter) if decision.witness else ""
+
+
+def values(decision: Decision, typesetter: Typesetter) -> str:
+    """The values at which a claim about all values is false."""
+    pairs = decision.witness.items()
+    return ", ".join(f"{typesetter.term(symbol(n))} = {typesetter.term(t)}" for n, t in pairs)
+
+
+def _rows(outcome: Outcome, rows: Iterable[Row]) -> Iterator[str]:
+    typesetter = letters(outcome)
+    yield from table(
+        ("Verdict", "Label", "Step", "Claim", "Left and right", "By"),
+        (
+            (
+                decision.verdict + ("" if row.role == NEEDED else f" ({row.role})"),
+                f"`{row.label}`",
+                row.says,
+                _claim(row, typesetter),
+                _evidence(row, decision, typesetter),
+                decision.method,
             )
             for row, decision in rows
         ),
     )
 
 
+def _claim(row: Obligation, typesetter: Typesetter) -> str:
+    text = typesetter.claim(row.claim)
+    return text if len(text) <= LONGEST else "(long: see the statement file)"
+
+
+# --- constants -----------------------------------------------------------------------------------
+
+
 def _constants(outcome: Outcome) -> Iterator[tuple[str, ...]]:
     typesetter = letters(outcome)
+    bounds = bound_of_each() if outcome.statement.theorem == THEOREM else {}
     for constant in outcome.statement.constants:
-        ends = outcome.prover.enclose(symbol(constant.name))
-        if ends is None:
-            continue
-        group = "" if "." not in constant.name else f" ({constant.name.partition('.')[0]})"
-        relation = {True: "≤ " if constant.direction == "down" else "≥ ", False: "= "}
-        text = relation[constant.chosen] + typesetter.term(constant.term)
-        yield constant.letter + group, _short(ends), text + _minimum(outcome, constant)
+        group = constant.name.rpartition(".")[0]
+        sign, bound = bounds.get(constant.name, ("=", constant))
+        text = f"{sign} {typesetter.term(bound.term)}{_minimum(outcome, constant)}"
+        letter = constant.letter + (f" ({group})" if group else "")
+        yield letter, _short(ends_of(outcome, constant.name)), text
+
+
+def bound_of_each() -> dict[str, tuple[str, Constant]]:
+    """For each constant of Theorem 1 its definition after =, or its bound after ≤ or ≥."""
+    found = {constant.name: ("=", constant) for constant in theorem().common}
+    for part in (theorem().parts[group] for group in (PRINTED_SET, REPAIRED)):
+        for item in part.constants:
+            if isinstance(item, Constant):
+                found[item.name] = ("=", item)
+            else:
+                sign = "≤" if item.direction == "down" else "≥"
+                found[item.constant.name] = (sign, item.constant)
+    return found
 
 
 def _minimum(outcome: Outcome, constant: Constant) -> str:
     if constant.term.op != "min":
         return ""
-    index = least(outcome, constant)
-    return "" if index is None else f" (entry {index + 1} is the least)"
-
-
-def _row(outcome: Outcome, row: Obligation, decision: Decision) -> tuple[str, ...]:
-    return (
-        decision.verdict,
-        f"`{row.label}`",
-        row.says,
-        letters(outcome).claim(row.claim),
-        _short(decision.lhs),
-        f"{_SIGNS[row.claim.relation]} {_short(decision.rhs)}",
-    )
+    number = minimum_of(outcome, constant).least
+    return "" if number is None else f" (entry {number} is the least)"
 
 
 def _short(ends: Ends | None) -> str:
     return "undefined" if ends is None else short(ends)
+
+
+# --- Markdown ------------------------------------------------------------------------------------
 
 
 def section(title: str) -> Iterator[str]:

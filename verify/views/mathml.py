@@ -1,7 +1,7 @@
 """Terms and claims as MathML, which browsers typeset themselves.
 
-The letters of a symbol are given as the small part of LaTeX in which `verify.language.statement.Constant`
-has them: Greek names, one subscript and superscript, bars, an overline.
+The letters of a symbol are given as the small part of LaTeX in which a `Constant` has them: Greek
+names, one subscript and superscript, bars, an overline.
 """
 
 from __future__ import annotations

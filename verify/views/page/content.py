@@ -7,17 +7,26 @@ from fractions import Fraction
 from typing import Any
 
 from verify import __version__
-from verify.prover.decimals import outward, short
-from verify.views.mathml import MathML
-from verify.paper.parameters import THEOREM
-from verify.paper.spectrum.rows import LETTERS
-from verify.paper.theorem1 import theorem
-from verify.views.plots.figure import Figure
-from verify.jobs.report import Constant, Folder, Material, Row, corrections
+from verify.jobs.report import Folder, Material
+from verify.language.statement import (
+    NEEDED,
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Always,
+    Applies,
+    Constant,
+    Obligation,
+)
+from verify.language.statement import PRINTED as PRINTED_ROLE
+from verify.language.terms import Claim, Term, symbol
 from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
-from verify.language.terms import Claim, Term
-from verify.jobs.theorem1 import decide
-from verify.views.typeset import Typesetter
+from verify.paper.parameters import THEOREM
+from verify.paper.theorem1 import theorem
+from verify.prover.decimals import outward, short
+from verify.prover.outcome import Decision, Ends, Outcome
+from verify.views.markdown import bound_of_each, values
+from verify.views.mathml import MathML
 from verify.views.page.blocks import (
     Block,
     Box,
@@ -41,7 +50,21 @@ from verify.views.page.blocks import (
     Text,
     Verdict,
 )
-from verify.views.words import theorem_in_numbers
+from verify.views.plots.figure import Figure
+from verify.views.typeset import Typesetter
+from verify.views.words import (
+    constants_of,
+    counts,
+    ends_of,
+    given,
+    headline,
+    in_numbers,
+    letters,
+    sides_of,
+)
+from verify.wire.write import decimals
+
+Row = tuple[Obligation, Decision]
 
 TITLE = "Three particles collapse: what is proved"
 SUBTITLE = (
@@ -64,7 +87,7 @@ def content(
 ) -> list[Block]:
     """The blocks of the page; ``drawings`` has the panels of each figure that was drawn."""
     drawn = [Drawing(figure, drawings.get(figure.name, ())) for figure in figures]
-    main, *_ = material.about(THEOREM)
+    main = material.about(THEOREM)[0].outcome
     writer = Writer(main)
     return [
         *_result(material, main),
@@ -89,56 +112,66 @@ def content(
 
 
 class Writer:
-    """Formulas and numbers of one certificate."""
+    """Formulas and numbers of one outcome."""
 
-    def __init__(self, folder: Folder) -> None:
-        self.folder = folder
-        known = {constant.name: constant for constant in theorem().constants}
-        plain = {name: constant.letter for name, constant in known.items()} | dict(LETTERS)
-        self._text = Typesetter(plain | {"V_0": "V₀", "delta_theta": "δ_θ", "c": "(-cos θ₀)"})
-        tex = {constant.name: constant.tex for constant in folder.constants}
-        self._mathml = MathML(tex | ({"c": r"(-\cos\theta_0)"} if folder.parameters else {}))
-        self.rows = {row.name: row for row in folder.rows}
+    def __init__(self, outcome: Outcome) -> None:
+        self.outcome = outcome
+        self.typesetter = letters(outcome)
+        statement = outcome.statement
+        tex = {constant.name: constant.tex for constant in statement.constants}
+        for context in statement.contexts:
+            tex |= {variable.name: variable.tex for variable in context.variables}
+            tex |= {constant.name: constant.tex for constant in context.constants}
+        self._mathml = MathML(tex | ({"c": r"(-\cos\theta_0)"} if statement.parameters else {}))
+        self.rows = {row.name: (row, found) for row, found in outcome.rows}
 
-    def claim(self, claim: Claim) -> Math | None:
+    def claim(self, claim: Claim | Applies | Always) -> Math | Text | None:
         """A claim, unless it is too long to be read."""
-        text = self._text.claim(claim)
-        return None if len(text) > LONGEST else Math(self._mathml.claim(claim), text)
+        text = self.typesetter.claim(claim)
+        if len(text) > LONGEST:
+            return None
+        return Math(self._mathml.claim(claim), text) if isinstance(claim, Claim) else Text(text)
 
     def term(self, term: Term, before: str = "") -> Math:
         """A term after a relation."""
-        text = f"{before} {self._text.term(term)}".strip()
+        text = f"{before} {self.typesetter.term(term)}".strip()
         if term.op == "min" and len(term.children) > MANY:
             return Math(self._mathml.entries(term, before), text)
         return Math(self._mathml.term(term, before), text)
 
-    def plain(self, term: Term) -> str:
-        """A term in one line."""
-        return self._text.term(term)
 
-
-def _number(texts: tuple[str, str] | None) -> Number | None:
-    if texts is None:
+def _number(ends: Ends | None, digits: int = 8) -> Number | None:
+    """An enclosure with both ends as they stand in the certificate."""
+    if ends is None:
         return None
-    low, high = (Fraction(text) for text in texts)
-    return Number(short((low, high)), texts)
+    low, high = decimals(ends)
+    return Number(short(ends, digits), (low, high))
+
+
+def _sides(row: Obligation, found: Decision) -> tuple[Number | None, Number | None]:
+    sides = sides_of(row, found)
+    return (None, None) if sides is None else (_number(sides[0]), _number(sides[1]))
 
 
 def _cell(*parts: Math | Number | Text | None) -> Cell:
     return [part for part in parts if part is not None]
 
 
-def _count(rows: Iterable[Row], verdict: str) -> int:
-    return sum(row.verdict == verdict for row in rows)
+def _with(rows: Iterable[Row], verdict: str) -> list[Row]:
+    return [(row, found) for row, found in rows if found.verdict == verdict]
 
 
-def _printed(folder: Folder) -> list[Row]:
-    return [row for row in folder.of_group(HYPOTHESES, PRINTED) if row.role == "printed"]
+def _of_role(rows: Iterable[Row], role: str) -> list[Row]:
+    return [(row, found) for row, found in rows if row.role == role]
 
 
-def _at(folder: Folder) -> str:
+def _printed(outcome: Outcome) -> list[Row]:
+    return _of_role(outcome.of_group(HYPOTHESES, PRINTED), PRINTED_ROLE)
+
+
+def _at(outcome: Outcome) -> str:
     """The point in words."""
-    r, c = (folder.parameters[name] for name in ("r", "c"))
+    r, c = (outcome.statement.parameters[name] for name in ("r", "c"))
     if c.op == "neg" and c.children[0].op == "cos_pi":
         turns = c.children[0].children[0].value
         angle = f"θ₀ = {turns.numerator}π/{turns.denominator}"
@@ -155,44 +188,49 @@ def _readable(value: Fraction) -> str:
     return low if value.denominator > 1000 and low == high else str(value)
 
 
-def _result(material: Material, main: Folder) -> Iterator[Block]:
+def _result(material: Material, main: Outcome) -> Iterator[Block]:
     repaired, printed = main.of_group(REPAIRED), _printed(main)
-    refuted = _count(printed, "refuted")
+    proved, refuted = _with(repaired, PROVED), _with(printed, REFUTED)
     yield Facts([
-        ("proved", [
+        (headline(main), [
             Strong("The theorem holds with repaired constants. "),
-            Text(f"At {_at(main)} all {_count(repaired, 'proved')} inequalities that close the "
-                 f"proof are proved, given {len(main.assumptions)} estimates that are "),
+            Text(f"At {_at(main)} all {len(proved)} inequalities that close the proof are "
+                 f"proved, given {given(main.assumptions)}, "),
             Link("#trust", "listed below"), Text("."),
         ]),
-        ("refuted", [
+        (REFUTED, [
             Strong("The proof as printed does not close. "),
-            Text(f"{refuted} of its {len(printed)} steps, taken one by one, are refuted there; "
-                 "each is "),
+            Text(f"{len(refuted)} of its {len(printed)} steps, taken one by one, are refuted "
+                 "there; each is "),
             Link("#printed", "listed with both sides and its repair"), Text("."),
         ]),
         *_spectrum_facts(material),
     ])  # fmt: skip
-    outcome = decide(main.parameters)
-    yield Box("Theorem 1, in numbers", [Text(theorem_in_numbers(outcome))])
+    numbers = in_numbers(main)
+    if numbers is not None:
+        yield Box("Theorem 1, in numbers", [Text(numbers)])
 
 
 def _spectrum_facts(material: Material) -> Iterator[tuple[str, Cell]]:
     for folder in _others(material):
-        needed = [row for row in folder.rows if row.role == "needed"]
-        refuted = [row for row in folder.rows if row.refuted]
-        word = "proved" if folder.proved else "refuted"
-        yield word, [
-            Strong("The spectral claims. "),
-            Text(f"All {len(needed)} needed claims are proved for every r in ]0,1[, given "
-                 f"{len(folder.assumptions)} listed assumptions; {len(refuted)} of the "
-                 f"{len(folder.rows) - len(needed)} printed ones are refuted ("),
-            Link("#spectrum", "list"), Text(")."),
+        outcome = folder.outcome
+        printed = _of_role(outcome.rows, PRINTED_ROLE)
+        yield headline(outcome), [
+            Strong(f"{_title(outcome)}. "),
+            Text(f"Claims: {counts(outcome, NEEDED)}, given {given(outcome.assumptions)}; "
+                 f"{len(_with(printed, REFUTED))} of {len(printed)} printed ones are refuted ("),
+            Link(f"#{folder.name}", "list"), Text(")."),
         ]  # fmt: skip
 
 
+def _title(outcome: Outcome) -> str:
+    """The title of a theorem as the start of a sentence."""
+    title = outcome.statement.title
+    return title[:1].upper() + title[1:]
+
+
 def _others(material: Material) -> list[Folder]:
-    return [folder for folder in material.folders if folder.theorem != THEOREM]
+    return [f for f in material.folders if f.outcome.statement.theorem != THEOREM]
 
 
 def _recheck(material: Material) -> Iterator[Block]:
@@ -220,82 +258,89 @@ def _recheck(material: Material) -> Iterator[Block]:
 
 
 def _printed_proof(writer: Writer) -> Iterator[Block]:
-    printed = _printed(writer.folder)
-    refuted = [row for row in printed if row.refuted]
-    holding = [row for row in printed if not row.refuted]
+    printed = _printed(writer.outcome)
+    refuted, holding = _with(printed, REFUTED), _with(printed, PROVED)
+    undecided = _with(printed, UNDECIDED)
     yield Heading("printed", f"The printed proof: {len(refuted)} steps refuted")
     yield Paragraph([Text(
-        f"At {_at(writer.folder)}, in the paper's order. Each step is judged at the worst state "
+        f"At {_at(writer.outcome)}, in the paper's order. Each step is judged at the worst state "
         f"that the printed set allows. A refuted one comes with certified enclosures of both sides "
         f"(the digits shown are those on which both ends agree; touch a number for its ends) and "
         f"with the row that takes its place. A step that names its own r and θ₀ is an implication, "
         f"refuted by an exact counterexample."
     )])  # fmt: skip
-    yield Steps([_step(writer, row) for row in refuted])
+    yield Steps([_step(writer, *pair) for pair in refuted])
     yield _rows_table(writer, f"The {len(holding)} printed steps that hold", holding)
-    repaired = writer.folder.of_group(REPAIRED)
+    if undecided:
+        yield _rows_table(writer, f"The {len(undecided)} undecided printed steps", undecided)
+    repaired = writer.outcome.of_group(REPAIRED)
     yield _rows_table(writer, f"The {len(repaired)} rows of the repaired proof", repaired)
-    needed = [row for row in writer.folder.of_group(HYPOTHESES) if row.role == "needed"]
+    needed = _of_role(writer.outcome.of_group(HYPOTHESES), NEEDED)
     yield _rows_table(writer, f"The {len(needed)} hypotheses", needed)
 
 
-def _step(writer: Writer, row: Row) -> Step:
+def _step(writer: Writer, row: Obligation, found: Decision) -> Step:
     claim = writer.claim(row.claim)
+    lhs, rhs = _sides(row, found)
     return Step(
         row.name,
         row.label,
         row.says,
-        claim or Math("", "in the statement file"),
-        _number(row.lhs),
-        _number(row.rhs),
-        _margin(row),
+        claim if isinstance(claim, Math) else Math("", "in the statement file"),
+        lhs,
+        rhs,
+        _margin(writer, row, found),
         _repair(writer, row),
     )
 
 
-def _margin(row: Row) -> Cell:
-    """An enclosure of right - left, from the certified ends of both."""
-    if row.sides is None:
-        return [Text("(for all values)")]
-    lhs, rhs = row.sides
+def _margin(writer: Writer, row: Obligation, found: Decision) -> Cell:
+    """An enclosure of right - left, from the certified ends of both; or where the claim fails."""
+    sides = sides_of(row, found)
+    if sides is None:
+        return [Text(f"(false at {values(found, writer.typesetter)})" if found.witness else "")]
+    lhs, rhs = sides
     margin = (rhs[0] - lhs[1], rhs[1] - lhs[0])
     low, high = outward(margin, 20)
     return [Number(short(margin, 4), (low, high))]
 
 
-def _repair(writer: Writer, row: Row) -> Cell:
-    name = corrections().get(row.name)
-    other = writer.rows.get(name) if name else None
-    if name is None or other is None:
+def _repair(writer: Writer, row: Obligation) -> Cell:
+    other = writer.rows.get(row.corrected_by or "")
+    if other is None:
         return [Text("No repair is needed: nothing rests on it.")]
-    parts: list[Any] = [Verdict(other.verdict), Text(" "), Code(name), Text(f": {other.says}")]
-    claim = writer.claim(other.claim)
+    needed, found = other
+    parts: list[Any] = [
+        Verdict(found.verdict), Text(" "), Code(needed.name), Text(f": {needed.says}")
+    ]  # fmt: skip
+    claim = writer.claim(needed.claim)
     if claim is not None:
         parts += [Text(", "), claim]
-    sides = [_number(other.lhs), _number(other.rhs)]
-    if sides[0] is not None and sides[1] is not None:
-        sign = "≤" if other.claim.relation == "<=" else other.claim.relation
-        parts += [Text(": "), sides[0], Text(f" {sign} "), sides[1]]
+    lhs, rhs = _sides(needed, found)
+    if lhs is not None and rhs is not None and isinstance(needed.claim, Claim):
+        sign = "≤" if needed.claim.relation == "<=" else needed.claim.relation
+        parts += [Text(": "), lhs, Text(f" {sign} "), rhs]
     return parts
 
 
 def _rows_table(writer: Writer, title: str, rows: Sequence[Row], folded: bool = True) -> Table:
-    sides = any(row.lhs is not None for row in rows)
+    sides = any(sides_of(row, found) is not None for row, found in rows)
     head = ["Verdict", "Label", "Step", "Claim", *(("Left", "Right") if sides else ("Proof",))]
-    return Table(title, head, [_row(writer, row, sides) for row in rows], folded)
+    return Table(title, head, [_row(writer, *pair, sides) for pair in rows], folded)
 
 
-def _row(writer: Writer, row: Row, sides: bool) -> list[Cell]:
+def _row(writer: Writer, row: Obligation, found: Decision, sides: bool) -> list[Cell]:
     claim = writer.claim(row.claim)
     first: list[Cell] = [
-        [Verdict(row.verdict)],
+        [Verdict(found.verdict)],
         [Code(row.label)],
         [Text(row.says)],
         [Text("(long: see the statement file)") if claim is None else claim],
     ]
     if not sides:
-        return [*first, [Text(row.rule)]]
-    return [*first, _cell(_number(row.lhs)), _cell(_number(row.rhs))]
+        return [*first, [Text(found.method)]]
+    lhs, rhs = _sides(row, found)
+    return [*first, _cell(lhs), _cell(rhs)]
 
 
 def _changes() -> Iterator[Block]:
@@ -311,13 +356,13 @@ def _changes() -> Iterator[Block]:
 
 
 def _constants(writer: Writer) -> Iterator[Block]:
-    folder = writer.folder
-    yield Heading("constants", f"Constants at {_at(folder)}")
+    outcome = writer.outcome
+    yield Heading("constants", f"Constants at {_at(outcome)}")
     yield Paragraph([Text(
         "Certified enclosures; touch a number for both ends. The repaired constants are chosen: "
         "short decimals on the safe side of their bounds, so they are exact."
     )])  # fmt: skip
-    definitions = {constant.name: constant for constant in theorem().constants}
+    bounds = bound_of_each()
     groups = {
         "": "The first constants",
         PRINTED: "The set as printed",
@@ -325,33 +370,31 @@ def _constants(writer: Writer) -> Iterator[Block]:
     }
     for group, title in groups.items():
         rows = []
-        for constant in folder.constants:
-            if constant.name.rpartition(".")[0] != group:
-                continue
-            known = definitions[constant.name]
-            sign = "=" if not known.chosen else "≤" if known.direction == "down" else "≥"
-            rows.append(_constant(writer, constant, writer.term(known.term, sign)))
+        for constant in constants_of(outcome, group):
+            sign, bound = bounds[constant.name]
+            rows.append(_constant(writer, constant, writer.term(bound.term, sign)))
         yield Table(title, ("Constant", "Value", "Definition or bound", "Label"), rows)
-    yield Source("The constants as a LaTeX table (also in constants.tex)", latex(folder))
+    yield Source("The constants as a LaTeX table (also in constants.tex)", latex(outcome))
 
 
 def _constant(writer: Writer, constant: Constant, definition: Math) -> list[Cell]:
-    letter = writer.term(Term("symbol", constant.name))
-    return [[letter], _cell(_number(constant.texts)), [definition], [Code(constant.label)]]
+    letter = writer.term(symbol(constant.name))
+    number = _number(ends_of(writer.outcome, constant.name))
+    return [[letter], _cell(number), [definition], [Code(constant.label)]]
 
 
 def _points(material: Material) -> Iterator[Block]:
     yield Heading("points", "The same at other points")
     rows: list[list[Cell]] = []
     for folder in material.about(THEOREM):
-        values = {constant.name: constant for constant in folder.constants}
-        printed = _printed(folder)
+        outcome = folder.outcome
+        printed = _printed(outcome)
         rows.append([
-            [Link(f"{folder.name}/report.md", _at(folder))],
-            [Verdict("proved" if folder.proved else "refuted")],
-            [Text(f"{_count(folder.of_group(REPAIRED), 'proved')} proved")],
-            [Text(f"{_count(printed, 'refuted')} of {len(printed)}")],
-            *(_cell(_number(values[f"repaired.{name}"].texts))
+            [Link(f"{folder.name}/report.md", _at(outcome))],
+            [Verdict(headline(outcome))],
+            [Text(f"{len(_with(outcome.of_group(REPAIRED), PROVED))} proved")],
+            [Text(f"{len(_with(printed, REFUTED))} of {len(printed)}")],
+            *(_cell(_number(ends_of(outcome, f"{REPAIRED}.{name}")))
               for name in ("delta_x", "eta_bar", "zeta_bar", "T_star")),
         ])  # fmt: skip
     yield Table(
@@ -362,25 +405,24 @@ def _points(material: Material) -> Iterator[Block]:
 
 
 def _spectral(material: Material) -> Iterator[Block]:
-    folders = _others(material)
-    if folders:
-        yield Heading("spectrum", "The spectral claims, for every r in ]0,1[")
-    for folder in folders:
-        writer = Writer(folder)
-        refuted = [row for row in folder.rows if row.refuted]
+    for folder in _others(material):
+        outcome = folder.outcome
+        yield Heading(folder.name, _title(outcome))
+        writer = Writer(outcome)
+        refuted = _with(outcome.rows, REFUTED)
+        others = [(row, found) for row, found in outcome.rows if found.verdict != REFUTED]
         if refuted:
             yield Paragraph([Text(
                 f"{len(refuted)} printed claims are refuted; each has a point at which it is false "
                 "in the certificate, and the claim that takes its place:"
             )])  # fmt: skip
-            yield Steps([_step(writer, row) for row in refuted])
-        labels = dict.fromkeys(row.label for row in folder.rows if not row.refuted)
+            yield Steps([_step(writer, *pair) for pair in refuted])
         yield Paragraph([Text(
-            f"{len(folder.rows) - len(refuted)} claims are proved, each by a rule of the checker "
-            "(identities of polynomials, Bernstein coefficients, boxes). By label of the paper:"
+            f"{len(_with(others, PROVED))} claims are proved, each by a rule of the checker, and "
+            f"{len(_with(others, UNDECIDED))} are undecided. By label of the paper:"
         )])  # fmt: skip
-        for label in labels:
-            rows = [row for row in folder.rows if row.label == label and not row.refuted]
+        for label in dict.fromkeys(row.label for row, _ in others):
+            rows = [(row, found) for row, found in others if row.label == label]
             yield _rows_table(writer, f"{label} ({len(rows)})", rows)
 
 
@@ -407,11 +449,15 @@ def _assumptions(material: Material) -> Iterator[Block]:
     )])  # fmt: skip
     seen: set[str] = set()
     for folder in material.folders:
-        if folder.theorem not in seen:
-            seen.add(folder.theorem)
-            yield Paragraph([Strong("For "), Code(folder.theorem), Text(":")])
+        statement = folder.outcome.statement
+        if statement.theorem not in seen:
+            seen.add(statement.theorem)
+            yield Paragraph([Strong("For "), Code(statement.theorem), Text(":")])
             yield Items(
-                [[Code(a["label"]), Text(f": {a['sentence']}")] for a in folder.assumptions]
+                [
+                    [Code(a.label), Text(f" ({a.kind}): {a.sentence}")]
+                    for a in folder.outcome.assumptions
+                ]
             )
 
 
@@ -428,31 +474,33 @@ def _digests(material: Material) -> Iterator[Block]:
     yield Table("Files", ("File", "SHA-256"), rows, folded=True)
 
 
-def latex(folder: Folder) -> str:
+def latex(outcome: Outcome) -> str:
     """The constants as a LaTeX table: enclosures of the first and printed ones, repaired values."""
     lines = [
-        f"% {folder.title}",
+        f"% {outcome.statement.title}",
         "% Enclosures: the true value lies between the two ends.",
         r"\begin{tabular}{lll}",
         r"\hline",
         r"constant & as printed & repaired \\",
         r"\hline",
     ]
-    values = {constant.name: constant for constant in folder.constants}
-    for name, constant in values.items():
-        group, _, short_name = name.rpartition(".")
-        if group == REPAIRED and {short_name, f"{PRINTED}.{short_name}"} & values.keys():
-            continue
-        repaired = constant if group == REPAIRED else values.get(f"{REPAIRED}.{short_name}")
-        first = "" if group == REPAIRED else _tex_number(constant)
-        second = "" if repaired is None else _tex_number(repaired)
-        lines.append(rf"${constant.tex}$ & {first} & {second} \\")
+    repaired = {c.short_name: c.name for c in constants_of(outcome, REPAIRED)}
+    first = [*constants_of(outcome, ""), *constants_of(outcome, PRINTED)]
+    known = {constant.short_name for constant in first}
+    only = [c for c in constants_of(outcome, REPAIRED) if c.short_name not in known]
+    for constant in (*first, *only):
+        printed = "" if constant in only else _tex_number(outcome, constant.name)
+        other = _tex_number(outcome, repaired.get(constant.short_name, ""))
+        lines.append(rf"${constant.tex}$ & {printed} & {other} \\")
     return "\n".join([*lines, r"\hline", r"\end{tabular}"]) + "\n"
 
 
-def _tex_number(constant: Constant) -> str:
+def _tex_number(outcome: Outcome, name: str) -> str:
     """An exact decimal, or an interval of 8 digits that contains the enclosure."""
-    low, high = outward(constant.ends, 8)
+    ends = ends_of(outcome, name)
+    if ends is None:
+        return ""
+    low, high = outward(ends, 8)
     if low == high:
         return f"${_tex_decimal(low)}$"
     return rf"$[{_tex_decimal(low)},\, {_tex_decimal(high)}]$"

@@ -5,15 +5,23 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from verify.jobs.covers import DEPTH
 from verify.views.plots import margins, minimum, region, roots, speed
 from verify.views.plots.figure import Figure
 
 
-def figures(precision: Mapping[str, Any] | None) -> list[Figure]:
+def figures(precision: Mapping[str, Any] | None, depth: int = DEPTH) -> list[Figure]:
     """Every figure of the report; the first one is also the picture of the README.
 
-    ``precision`` is the table of that name of the committed measurements, if there is one.
+    ``precision`` is the table of that name of the committed measurements, if there is one;
+    ``depth`` says how often a side of the plane is halved.
     """
-    found = [region.picture(), region.defects(), margins.figure(), minimum.figure(), roots.figure()]
+    found = [
+        region.picture(depth),
+        region.defects(depth),
+        margins.figure(),
+        minimum.figure(depth - 1),
+        roots.figure(),
+    ]
     last = None if precision is None else speed.figure(precision)
     return found if last is None else [*found, last]

@@ -3,85 +3,21 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from functools import cache
-from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import Any
 
-from verify.prover import balls
-from verify.prover.decimals import decimal_text, round_decimal
-from verify.views.plots.constructions import as_formulas, definitions, rows
-from verify.views.plots.drawing import COLOURS, Panel, boxes
-from verify.views.plots.field import Field
-from verify.views.plots.figure import Figure
-from verify.views.plots.slopes import BITS, Side
-from verify.prover.ground import PROVED, REFUTED, Ends
+from verify.jobs.covers import END, FACTOR, SHARE, WHOLE, Ratios, intervals, ratios
+from verify.language.statement import PROVED, REFUTED
 from verify.paper.groups import PRINTED, REPAIRED
-from verify.language.terms import as_term
-
-#: r_stabi = 9 - 4√5 = 0.0557280900008…; the axis ends just below it.
-END = Fraction("0.055728")
-
-#: The share of its bound at which each repaired constant stands, as on the map of the region.
-SHARE = Fraction(1, 2)
+from verify.prover.decimals import decimal_text, round_decimal
+from verify.views.plots.drawing import COLOURS, Panel, boxes
+from verify.views.plots.figure import Figure
 
 TIGHTEST = 14
 
-#: An enclosure is drawn if its ends differ by at most this factor.
-FACTOR = 2
 
-
-def intervals() -> list[Side]:
-    """Intervals of r that shrink by a fixed factor towards both ends."""
-    left, right = (_distances(Fraction(1, part)) for part in (5, 14))
-    return list(pairwise([*reversed(left), *(END - x for x in right[1:])]))
-
-
-def _distances(share: Fraction) -> list[Fraction]:
-    """Distances from an end, from the middle on; each step is at most a share of what is left."""
-    distances = [END / 2]
-    while distances[-1] > END / 4000:
-        distances.append(distances[-1] - min(distances[-1] * share, END / 80))
-    return distances
-
-
-class Row(NamedTuple):
-    """A row with its ratio lhs/rhs on each cell of r where it is enclosed, and its verdicts."""
-
-    says: str
-    ratios: list[tuple[Side, Ends]]
-    verdicts: set[str]
-
-
-@cache
-def ratios(group: str, share: Fraction) -> list[Row]:
-    """The rows of a set whose two sides are positive, from the largest ratio to the smallest."""
-    definition = (("c", as_term(1)), *definitions(as_formulas(group, share)))
-    field = Field(("r",), definition)
-    open_rows = rows(group, share).open
-    slots = field.slots({row.name: row.claim for row in open_rows})
-    found = {row.name: Row(row.says, [], set()) for row in open_rows}
-    with balls.precision(BITS):
-        for side in intervals():
-            values = field.on((side,))
-            for name, slot in slots.items():
-                found[name].verdicts.add(values.judge(slot))
-                ends = values.ratio(slot)
-                lhs, rhs = values.at(slot[1]), values.at(slot[2])
-                positive = lhs is not None and rhs is not None and lhs.range > 0 and rhs.range > 0
-                if positive and ends is not None and ends[1] < FACTOR * ends[0]:
-                    found[name].ratios.append((side, ends))
-    drawn = [row for row in found.values() if len(row.ratios) > 10]
-    return sorted(drawn, key=_middle, reverse=True)
-
-
-def _middle(row: Row) -> Fraction:
-    """The ratio halfway between the ends, or where it is next enclosed."""
-    return min(row.ratios, key=lambda pair: abs(pair[0][0] - END / 2))[1][1]
-
-
-def printed_rows() -> tuple[list[Row], list[Row]]:
+def printed_rows() -> tuple[list[Ratios], list[Ratios]]:
     """The printed rows that are refuted somewhere, and the tightest of the others."""
-    every = ratios(PRINTED, Fraction(1))
+    every = ratios(PRINTED, WHOLE)
     refuted = [row for row in every if REFUTED in row.verdicts]
     others = [row for row in every if REFUTED not in row.verdicts]
     return refuted, others[:TIGHTEST]
@@ -92,11 +28,11 @@ def figure() -> Figure:
     refuted, others = printed_rows()
     repaired = ratios(REPAIRED, SHARE)
     tightest = repaired[:TIGHTEST]
-    count = sum(len(row.ratios) for row in (*refuted, *others, *tightest))
+    count = sum(len(row.boxes) for row in (*refuted, *others, *tightest))
     proved = [row for row in repaired if row.verdicts == {PROVED}]
     table = [("Drawn step (from the largest ratio)", "set", "left/right at r ≈ 0.0279, at most")]
     for name, part in (("printed, refuted", refuted), ("printed", others), ("repaired", tightest)):
-        table += ((row.says, name, decimal_up(_middle(row))) for row in part)
+        table += ((row.says, name, decimal_up(row.middle)) for row in part)
     return Figure(
         "margins",
         "How close each step is, over r at θ₀ = π",
@@ -142,11 +78,11 @@ def _draw_repaired(axis: Any) -> None:
     axis.set_ylim(0.5, 1.05)
 
 
-def _boxes(part: list[Row]) -> list[tuple[float, float, float, float]]:
+def _boxes(part: list[Ratios]) -> list[tuple[float, float, float, float]]:
     return [
         (float(left), float(right), float(low), float(high))
         for row in part
-        for (left, right), (low, high) in row.ratios
+        for (left, right), (low, high) in row.boxes
     ]
 
 

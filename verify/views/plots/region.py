@@ -3,29 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from concurrent.futures import ProcessPoolExecutor
 from fractions import Fraction
-from functools import cache
 from math import log10
 from typing import Any
 
+from verify.jobs.constructions import rows
+from verify.jobs.covers import (
+    SHARE,
+    WHOLE,
+    WIDTH,
+    closes,
+    mapped,
+    maps,
+    refuted_steps,
+    share_of,
+    thresholds,
+)
+from verify.language.statement import PROVED, REFUTED, UNDECIDED
+from verify.paper.groups import PRINTED, REPAIRED
+from verify.prover.cover import Judged
 from verify.prover.decimals import decimal_exponent
-from verify.views.plots.constructions import rows
 from verify.views.plots.drawing import Panel, boxes, merged
 from verify.views.plots.figure import Figure
-from verify.views.plots.plane import WIDTH, Judged, judge, share_of, thresholds
-from verify.prover.ground import PROVED, REFUTED, UNDECIDED
-from verify.paper.groups import PRINTED, REPAIRED
-from verify.language.statement import Obligation
-
-DEPTH = 7
-SHARE = Fraction(1, 2)
 
 #: Values of r at which the axis of s = r^(1/3) is marked.
 TICKS = ("0.0001", "0.001", "0.005", "0.01", "0.02", "0.03", "0.05")
 
 #: The steps that have a map of their own, as a short title.
-MAPS = {
+TITLES = {
     "zeta-x-bound": "|xₙ| ≤ (V₀/V₁) δ₂² h₅/12",
     "zeta-total": "ζₙ₊₁ ≤ (1 − h₅/4) ζₙ",
     "angle-absorbed": "the angle stays within |Δθ|",
@@ -33,54 +38,9 @@ MAPS = {
 }
 
 
-def printed_cells() -> list[Judged]:
-    """The plane, judged for the printed set."""
-    return _both()[0]
-
-
-def repaired_cells() -> list[Judged]:
-    """The plane, judged for the repaired set at half of each bound."""
-    return _both()[1]
-
-
-@cache
-def _both() -> tuple[list[Judged], list[Judged]]:
-    """Both, each in a process of its own, as the precision of balls is global to one."""
-    with ProcessPoolExecutor(2) as pool:
-        printed, repaired = pool.submit(_judge_printed), pool.submit(_judge_repaired)
-        return printed.result(), repaired.result()
-
-
-def _judge_repaired() -> list[Judged]:
-    claims = {row.name: row.claim for row in rows(REPAIRED, SHARE).open}
-    return judge(REPAIRED, SHARE, claims, claims, DEPTH)
-
-
-def _judge_printed() -> list[Judged]:
-    claims = {row.name: row.claim for row in rows(PRINTED, Fraction(1)).open}
-    return judge(PRINTED, Fraction(1), claims, [row.name for row in shown()], DEPTH)
-
-
-@cache
-def shown() -> tuple[Obligation, ...]:
-    """The printed steps that have a map of their own."""
-    names = [f"{PRINTED}.{name}" for name in MAPS]
-    return tuple(row for row in rows(PRINTED, Fraction(1)).open if row.name in names)
-
-
-def closes(judged: Judged) -> bool:
-    """Whether every row is proved on the whole cell."""
-    return judged.admissible == PROVED and all(v == PROVED for v in judged.verdicts.values())
-
-
-def refuted_steps(judged: Judged) -> int:
-    """How many printed steps are refuted on the whole cell."""
-    return list(judged.verdicts.values()).count(REFUTED)
-
-
-def picture() -> Figure:
+def picture(depth: int) -> Figure:
     """The map of the README: the printed proof beside the repaired one."""
-    printed, repaired = printed_cells(), repaired_cells()
+    printed, repaired = maps(depth)
     failing = [judged for judged in printed if refuted_steps(judged)]
     closing = [judged for judged in repaired if closes(judged)]
     least = min(refuted_steps(judged) for judged in failing)
@@ -105,8 +65,8 @@ def picture() -> Figure:
         "Where the printed proof fails, and where the repaired one closes",
         caption,
         (
-            Panel("As printed: steps refuted", _draw_printed),
-            Panel("Repaired: closes", _draw_closing),
+            Panel("As printed: steps refuted", lambda axis: _draw_printed(axis, printed)),
+            Panel("Repaired: closes", lambda axis: _draw_closing(axis, repaired)),
         ),
     )
 
@@ -144,12 +104,11 @@ def _level(judged: Judged) -> int:
 
 
 def _corners(judged: Judged) -> tuple[Fraction, Fraction, Fraction, Fraction]:
-    (left, right), (low, high) = judged.cell
+    (left, right), (low, high) = judged.box
     return left, right, low, high
 
 
-def _draw_printed(axis: Any) -> None:
-    cells = printed_cells()
+def _draw_printed(axis: Any, cells: list[Judged]) -> None:
     boxes(axis, merged(_corners(j) for j in cells if not refuted_steps(j)), "undecided")
     counts = sorted({refuted_steps(judged) for judged in cells} - {0})
     low, high = counts[0], counts[-1]
@@ -160,8 +119,7 @@ def _draw_printed(axis: Any) -> None:
     frame(axis)
 
 
-def _draw_closing(axis: Any) -> None:
-    cells = repaired_cells()
+def _draw_closing(axis: Any, cells: list[Judged]) -> None:
     boxes(axis, merged(_corners(j) for j in cells if not closes(j)), "undecided")
     closing = [judged for judged in cells if closes(judged)]
     levels = sorted({_level(judged) for judged in closing})
@@ -192,18 +150,19 @@ def frame(axis: Any, labels: bool = True) -> None:
         axis.spines[side_name].set_visible(False)
 
 
-def defects() -> Figure:
+def defects(depth: int) -> Figure:
     """One map for each printed step whose failure depends on the parameters."""
-    cells = printed_cells()
+    cells = maps(depth).printed
     panels = [
-        Panel(MAPS[row.name.removeprefix("printed.")], _map(row.name), 400, 300) for row in shown()
+        Panel(TITLES[row.name.removeprefix(f"{PRINTED}.")], _map(row.name, cells), 400, 300)
+        for row in mapped()
     ]
     table: list[tuple[str, ...]] = [("Step", "refuted", "proved", "undecided")]
-    for row in rows(PRINTED, Fraction(1)).open:
+    for row in rows(PRINTED, WHOLE).open:
         if any(judged.verdicts.get(row.name) == REFUTED for judged in cells):
             shares = [share_of(cells, row.name, v) for v in (REFUTED, PROVED, UNDECIDED)]
             table.append((row.says, *(_percent(share) for share in shares)))
-    inside = sum(judged.admissible == PROVED for judged in cells)
+    inside = sum(judged.condition == PROVED for judged in cells)
     caption = (
         f"Each map has the {len(cells)} cells of the plane, of which {inside} are surely "
         f"admissible. Red: the step is refuted at every point of the cell; green: it is proved "
@@ -214,10 +173,10 @@ def defects() -> Figure:
     return Figure("defects", "Where each defective step fails", caption, panels, table)
 
 
-def _map(name: str) -> Callable[[Any], None]:
+def _map(name: str, cells: list[Judged]) -> Callable[[Any], None]:
     def draw(axis: Any) -> None:
         for verdict in (UNDECIDED, PROVED, REFUTED):
-            part = [j for j in printed_cells() if j.verdicts.get(name, UNDECIDED) == verdict]
+            part = [j for j in cells if j.verdicts.get(name, UNDECIDED) == verdict]
             colour = verdict if verdict == UNDECIDED else f"{verdict}-area"
             boxes(axis, merged(map(_corners, part)), colour)
         frame(axis, labels=False)

@@ -3,55 +3,12 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
-from verify.prover import balls
-from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
+from verify.jobs.covers import ROOT_CELLS, roots
+from verify.prover.outcome import Ends
 from verify.views.plots.drawing import COLOURS, Panel, boxes
-from verify.views.plots.field import Field
 from verify.views.plots.figure import Figure
-from verify.views.plots.slopes import BITS, Side
-from verify.prover.ground import Ends
-from verify.language.terms import Term, sqrt, symbol
-
-CELLS = 240
-
-m = symbol("m")
-
-
-class Roots(NamedTuple):
-    """Enclosures over one interval of m."""
-
-    side: Side
-    r: Ends
-    real: Ends
-    re: Ends
-    im: Ends
-    minus_r: Ends
-    minus_r_cubed: Ends
-
-
-@cache
-def roots() -> list[Roots]:
-    """Boxes that contain r, the roots and both bounds at every m of their intervals."""
-    terms: tuple[Term, ...] = (
-        r_of_m, -(m**3), real_part, sqrt(imaginary_square), -r_of_m, -(r_of_m**3)
-    )  # fmt: skip
-    field = Field(("m",), ())
-    found = []
-    with balls.precision(BITS):
-        for index in range(CELLS):
-            side = (Fraction(index, CELLS), Fraction(index + 1, CELLS))
-            values = field.on((side,))
-            ends = []
-            for term in terms:
-                slope = values[term]
-                if slope is None:
-                    raise ValueError("a root of Q has no enclosure")
-                ends.append(balls.ends(slope.range))
-            found.append(Roots(side, *ends))
-    return found
 
 
 def figure() -> Figure:
@@ -60,7 +17,8 @@ def figure() -> Figure:
     return Figure(
         "roots",
         "The roots of Q for every r in ]0,1[",
-        f"{CELLS} intervals of m, where λ₀ = -m³ is the real root and r = m(4m²-m+1)/(m²-m+4). "
+        f"{ROOT_CELLS} intervals of m, where λ₀ = -m³ is the real root and "
+        f"r = m(4m²-m+1)/(m²-m+4). "
         f"Left: each box contains a root for every r of its interval (the widest is "
         f"{float(widest):.2g} wide); λ₀ in orange, the complex pair in blue, and the unit circle, "
         f"which they reach only as r → 1. Right: λ₀ (orange) between its bounds -r "

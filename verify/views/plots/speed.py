@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from fractions import Fraction
 from math import log10
 from typing import Any, NamedTuple
 
 from verify.prover.decimals import round_decimal
-from verify.cli.inputs import InputError, rational
 from verify.views.plots.drawing import COLOURS, Panel
 from verify.views.plots.figure import Figure
+
+_DECIMAL = re.compile(r"[0-9]{1,40}(\.[0-9]{1,40})?(e[+-]?[0-9]{1,5})?")
 
 
 class Point(NamedTuple):
@@ -31,13 +33,15 @@ def points(table: Mapping[str, Any]) -> dict[str, list[Point]]:
             continue
         places = [columns.index(f"{engine}: {what}") for what in ("ms", "width")]
         for row in table["rows"]:
-            try:
-                time, width = (rational(engine, str(row[place])) for place in places)
-            except InputError:  # not measured there
-                continue
-            if time > 0 and width > 0:
+            time, width = (_number(str(row[place])) for place in places)
+            if time is not None and width is not None and time > 0 and width > 0:
                 found.setdefault(engine, []).append(Point(str(row[0]), time, width))
     return found
+
+
+def _number(text: str) -> Fraction | None:
+    """A decimal of bounded size; None for what was not measured."""
+    return Fraction(text) if _DECIMAL.fullmatch(text) else None
 
 
 def figure(table: Mapping[str, Any]) -> Figure | None:

@@ -22,7 +22,7 @@ from verify.prover import balls
 from verify.prover.balls import Ball
 from verify.prover.program import UndefinedError
 
-#: Bits that are plenty for pictures: cells are far wider than 2^-64.
+#: Bits that are plenty for covers: their boxes are far wider than 2^-64.
 BITS = 64
 
 Side = tuple[Fraction, Fraction]
@@ -71,7 +71,7 @@ class SlopeArithmetic:
         return Slope(ball, ball, self._flat)
 
     def operation(self, name: str) -> Callable[..., Slope]:
-        """The operation of this name; a cosine has none, as no plot needs it."""
+        """The operation of this name; a cosine has none, as no cover needs it."""
         if name not in self._operations:
             raise UndefinedError(f"no slopes for {name}")
         return self._operations[name]

@@ -1,1 +1,1 @@
-"""."""
+"""Measurements: speed against error, and hard cases."""

@@ -7,6 +7,7 @@ harm. Errors are exact: widths of enclosures, and distances from a 4096-bit encl
 
 from __future__ import annotations
 
+import math
 import resource
 import subprocess
 import sys
@@ -17,8 +18,9 @@ from statistics import median
 from time import perf_counter
 from typing import Any
 
-from verify.prover import balls
-from verify.prover import eigenvalues
+from verify.jobs.theorem1 import constants_enclosure, decide
+from verify.language.statement import PROVED, REFUTED, UNDECIDED
+from verify.language.terms import Claim, Term, as_term
 from verify.measure.engines import (
     ArbEngine,
     CheckerEngine,
@@ -27,10 +29,12 @@ from verify.measure.engines import (
     MpmathEngine,
     load,
 )
+from verify.prover import balls, eigenvalues
+from verify.prover.decimals import decimal_text, round_decimal
+from verify.prover.outcome import Outcome
 from verify.prover.program import Program, UndefinedError
-from verify.prover.ground import PROVED, REFUTED, UNDECIDED, Prover
-from verify.language.terms import Claim, Term, as_term
-from verify.jobs.theorem1 import Outcome, constants_enclosure, decide
+from verify.prover.relations import fails, holds
+from verify.views.words import definitions
 
 PRECISIONS = (53, 64, 96, 128, 192, 256, 512, 1024, 2048, 4096)
 REFERENCE_BITS = 4096
@@ -76,12 +80,24 @@ def run(quick: bool, progress: Progress) -> dict[str, Table]:
 
 def theorem_program(outcome: Outcome) -> tuple[Program, list[int]]:
     """The constants and both sides of every row as one program without inputs."""
-    program = Program(())
-    for name, term in outcome.prover.definitions.items():
-        program.define(name, term)
-    sides = [t for row, _ in outcome.all_rows for t in (row.claim.lhs, row.claim.rhs)]
+    program = definitions_program(outcome)
+    sides = [t for _, claim in claims_of(outcome) for t in (claim.lhs, claim.rhs)]
     slots = {*program.slots.values(), *(program.add(term) for term in sides)}
     return program, sorted(slots)
+
+
+def definitions_program(outcome: Outcome) -> Program:
+    """Parameters and constants as one program without inputs."""
+    program = Program(())
+    for name, term in definitions(outcome).items():
+        program.define(name, term)
+    return program
+
+
+def claims_of(outcome: Outcome) -> list[tuple[str, Claim]]:
+    """The rows that compare numbers."""
+    found = ((row.name, row.claim) for row, _ in outcome.rows)
+    return [(name, claim) for name, claim in found if isinstance(claim, Claim)]
 
 
 def relative_width(ends: Ends) -> Fraction:
@@ -186,58 +202,54 @@ def spectrum_table(precisions: Sequence[int], rounds: int) -> Table:
 
 
 def decided_table(outcome: Outcome, precisions: Sequence[int]) -> Table:
-    """Which share of the rows is decided at one precision alone."""
+    """Which share of the rows the enclosures at one precision decide."""
+    program, _ = theorem_program(outcome)
+    claims = [claim for _, claim in claims_of(outcome)]
     rows: list[list[Any]] = []
-    claims = [row.claim for row, _ in outcome.all_rows]
-    first = None
     for bits in precisions:
-        verdicts = _verdicts_at(outcome, claims, bits)
-        decided = sum(verdict != UNDECIDED for verdict in verdicts)
-        if decided == len(claims) and first is None:
-            first = bits
         start = perf_counter()
-        _verdicts_at(outcome, claims, bits)
+        decided = _decided_at(program, claims, bits)
         seconds = perf_counter() - start
         rows.append([bits, f"{decided} of {len(claims)}", milliseconds(seconds)])
     return {
-        "title": f"Rows of Theorem 1 at r = 3/100 decided at one precision (all from {first} bits)",
+        "title": "Rows of Theorem 1 at r = 3/100 that enclosures at one precision decide",
         "columns": ["bits", "decided", "ms"],
         "rows": rows,
     }
 
 
-def _verdicts_at(outcome: Outcome, claims: Iterable[Claim], bits: int) -> list[str]:
-    prover = Prover(outcome.statement._replace(constants=()), outcome.parameters, bits, bits)
-    for constant in outcome.statement.constants:
-        chosen = outcome.prover.definitions[constant.name]
-        prover.define(constant._replace(term=chosen, chosen=False))
-    return [prover.decide(claim).verdict for claim in claims]
+def _decided_at(program: Program, claims: Iterable[Claim], bits: int) -> int:
+    with balls.precision(bits):
+        values = load(program, balls.BallArithmetic()).run(()).values
+        pairs = [(c.relation, values[program.add(c.lhs)], values[program.add(c.rhs)])
+                 for c in claims]  # fmt: skip
+        return sum(
+            lhs is not None
+            and rhs is not None
+            and (holds(relation, lhs, rhs) or fails(relation, lhs, rhs))
+            for relation, lhs, rhs in pairs
+        )
 
 
 def double_tables() -> tuple[Table, Table]:
     """What plain doubles get wrong: digits of constants, and verdicts."""
     digits: list[list[Any]] = []
     verdicts: list[list[Any]] = []
-    engine = DoubleEngine()
     for point, (r, c) in DOUBLE_POINTS.items():
         outcome = decide(parameters(r, c), "printed")
         program, _ = theorem_program(outcome)
-        values = load(program, engine).run(()).values
-        worst: list[tuple[float, str]] = []
-        for constant in outcome.statement.constants:
-            value = values[program.slots[constant.name]]
-            worst.append((_correct_digits(outcome, constant.name, value), constant.short_name))
-        worst.append((_textbook_digits(outcome), "textbook φ⁻"))
-        worst.sort()
+        values = load(program, DoubleEngine()).run(()).values
+        worst = sorted(_digits(outcome, program, values))
         shown = ", ".join(f"{name}: {count:.1f}" for count, name in worst[:6])
         digits.append([point, shown, f"{median(count for count, _ in worst):.1f}"])
+        claims = claims_of(outcome)
         wrong = [
-            f"{row.name.partition('.')[2]} ({verdict} for {decision.verdict})"
-            for row, decision in outcome.all_rows
-            for verdict in [_double_verdict(row.claim, values, program)]
-            if verdict != decision.verdict
+            f"{name.partition('.')[2]} ({verdict} for {outcome.decisions[name].verdict})"
+            for name, claim in claims
+            for verdict in [_double_verdict(claim, values, program)]
+            if verdict != outcome.decisions[name].verdict
         ]
-        verdicts.append([point, len(outcome.all_rows), len(wrong), ", ".join(wrong[:8])])
+        verdicts.append([point, len(claims), len(wrong), ", ".join(wrong[:8])])
     title = "Correct digits of the constants in plain doubles (16 at best)"
     return (
         {"title": title, "columns": ["point", "worst constants", "median"], "rows": digits},
@@ -249,22 +261,37 @@ def double_tables() -> tuple[Table, Table]:
     )
 
 
-def _correct_digits(outcome: Outcome, name: str, value: float | None) -> float:
+def _digits(
+    outcome: Outcome, program: Program, values: Sequence[float | None]
+) -> list[tuple[float, str]]:
+    """The correct digits of each constant, and of the printed formula for phi_minus."""
+    with balls.precision(REFERENCE_BITS):
+        exact = load(program, balls.BallArithmetic()).run(()).values
+        true = {
+            name: balls.ends(exact[slot])[0]
+            for name, slot in program.slots.items()
+            if exact[slot] is not None
+        }
+    found = [
+        (_correct_digits(values[program.slots[constant.name]], true[constant.name]),
+         constant.short_name)
+        for constant in outcome.statement.constants
+    ]  # fmt: skip
+    textbook = _textbook(*(float(outcome.statement.parameters[name].value) for name in ("r", "c")))
+    return [*found, (_correct_digits(textbook, true["phi_minus"]), "textbook φ⁻")]
+
+
+def _correct_digits(value: float | None, true: Fraction) -> float:
     if value is None:
         return 0.0
-    with balls.precision(REFERENCE_BITS):
-        ball = outcome.prover.ball(outcome.prover.definitions[name], REFERENCE_BITS)
-        true = balls.ends(ball)[0]
     error = abs(Fraction(value) / true - 1)
     return 16.0 if error == 0 else min(16.0, max(0.0, -_log10(error)))
 
 
-def _textbook_digits(outcome: Outcome) -> float:
-    """Correct digits of (alpha_0 - sqrt(alpha_0^2 - 4r))/2, the printed formula, in doubles."""
-    r, c = (float(outcome.parameters[name].value) for name in ("r", "c"))
+def _textbook(r: float, c: float) -> float:
+    """(alpha_0 - sqrt(alpha_0^2 - 4r))/2, the printed formula, in doubles."""
     alpha = (1 + r) / 2 * c
-    root = DoubleEngine().operation("sqrt")(max(0.0, alpha * alpha - 4 * r))
-    return _correct_digits(outcome, "phi_minus", (alpha - root) / 2)
+    return (alpha - math.sqrt(max(0.0, alpha * alpha - 4 * r))) / 2
 
 
 def _double_verdict(claim: Claim, values: Sequence[Any], program: Program) -> str:
@@ -274,8 +301,7 @@ def _double_verdict(claim: Claim, values: Sequence[Any], program: Program) -> st
         return UNDECIDED
     if lhs is None or rhs is None:
         return UNDECIDED
-    holds = lhs < rhs if claim.relation == "<" else lhs <= rhs
-    return PROVED if holds else REFUTED
+    return PROVED if holds(claim.relation, lhs, rhs) else REFUTED
 
 
 def throughput_table(count: int, rounds: int) -> Table:
@@ -353,14 +379,10 @@ def scientific(width: Fraction) -> str:
     """A width as a power of ten, rounded up."""
     if width == 0:
         return "0"
-    from verify.prover.decimals import decimal_text, round_decimal
-
     return decimal_text(*round_decimal(width, 2, up=True))
 
 
 def _log10(value: Fraction) -> float:
     """The decimal logarithm of a positive rational of any size, to a few digits."""
-    import math
-
     shift = value.numerator.bit_length() - value.denominator.bit_length()
     return math.log10(float(value / Fraction(2) ** shift)) + shift * math.log10(2)

@@ -1,7 +1,7 @@
 """The same programs in four arithmetics: Arb, the checker's own, mpmath's `iv`, plain doubles.
 
-Each engine is an arithmetic of `verify.prover.program` together with the exact ends of its numbers. The
-double engine has no error bound: its two ends are the same number, and that is the point.
+Each engine is an arithmetic of `verify.prover.program` together with the exact ends of its numbers.
+The double engine has no error bound: its two ends are the same number, and that is the point.
 """
 
 from __future__ import annotations
@@ -58,36 +58,41 @@ class CheckerEngine:
     name = "checker"
 
     def __init__(self) -> None:
-        self._scope = check.Terms().scope(53, {})
+        self._enclosing = _enclosing(53)
 
-    def rational(self, value: Fraction) -> Ends:
+    def rational(self, value: Fraction) -> check.Interval:
         """An interval around an exact rational."""
-        return self._scope.outward((value, value))
+        return self._enclosing.outward(check.Interval(value, value))
 
-    def operation(self, name: str) -> Callable[..., Ends]:
+    def operation(self, name: str) -> Callable[..., check.Interval]:
         """The checker's operation of this name."""
-        function, scope = check.OPERATIONS[name], self._scope
+        function, enclosing = check.OPERATIONS[name], self._enclosing
 
-        def apply(*operands: Ends) -> Ends:
+        def apply(*operands: check.Interval) -> check.Interval:
             try:
-                return scope.outward(function(scope, *operands))
+                return enclosing.outward(function(enclosing, *operands))
             except check.Refused as error:
                 raise UndefinedError(str(error)) from error
 
         return apply
 
-    def ends(self, value: Ends) -> Ends:
-        """The interval itself."""
-        return value
+    def ends(self, value: check.Interval) -> Ends:
+        """The ends of the interval."""
+        return value.low, value.high
 
     @contextmanager
     def at(self, bits: int) -> Iterator[None]:
-        """Work with so many bits inside a ``with``."""
-        saved, self._scope = self._scope, check.Terms().scope(bits, {})
+        """Work with so many bits inside a ``with``; the counting of work begins anew."""
+        saved, self._enclosing = self._enclosing, _enclosing(bits)
         try:
             yield
         finally:
-            self._scope = saved
+            self._enclosing = saved
+
+
+def _enclosing(bits: int) -> check.Enclosing:
+    """The checker's arithmetic at a number of bits, in an empty kernel."""
+    return check.Enclosing(check.Kernel(), bits, None)
 
 
 class MpmathEngine:

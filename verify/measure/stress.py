@@ -16,15 +16,18 @@ from fractions import Fraction
 from importlib.resources import files
 from typing import NamedTuple
 
-from verify.prover import balls
-from verify.prover import eigenvalues
-from verify.measure.engines import CheckerEngine, Ends, load
 from verify.cli.inputs import angle, rational
-from verify.prover.program import Program
-from verify.prover.ground import PROVED, REFUTED
+from verify.jobs.theorem1 import decide
+from verify.language.statement import PROVED, REFUTED
+from verify.language.terms import as_term, sqrt, symbol
+from verify.measure.bench import definitions_program
+from verify.measure.engines import CheckerEngine, Ends, load
 from verify.paper.groups import HYPOTHESES
-from verify.language.terms import Term, as_term, sqrt, symbol
-from verify.jobs.theorem1 import Outcome, decide
+from verify.prover import balls, eigenvalues
+from verify.prover.ground import MAX_BITS
+from verify.prover.outcome import Outcome
+from verify.prover.program import ExactArithmetic
+from verify.prover.proof import OpenStep
 
 #: The independent computation has this many bits more than the precision that was needed.
 EXTRA_BITS = 512
@@ -49,9 +52,9 @@ class Case(NamedTuple):
 class Finding(NamedTuple):
     """What a run of a case showed.
 
-    ``bits`` is the precision at which everything was decided, ``lost`` the decimal digits that
-    the worst constant lost there, ``textbook`` those that the textbook formula loses (None where
-    there is none), ``right`` whether every comparison agreed.
+    ``bits`` is the largest precision that the certificate asks for (exact values apart), ``lost``
+    the decimal digits that the worst constant lost there, ``textbook`` those that the textbook
+    formula loses (None where there is none), ``right`` whether every comparison agreed.
     """
 
     case: Case
@@ -99,37 +102,48 @@ def run_theorem1(case: Case) -> Finding:
         "delta_theta": as_term(number(arguments.get("delta_theta", "1/10"))),
     }
     outcome = decide(parameters, "repaired")
-    bits = max(decision.bits for _, decision in outcome.all_rows)
+    bits = precision_needed(outcome)
     lost, textbook = _digits_lost(outcome, bits)
     right = (
         outcome.verdict == case.expect
         and hypotheses_are_exact(outcome)
-        and _constants_agree(outcome, bits + EXTRA_BITS)
+        and constants_agree(outcome, bits + EXTRA_BITS)
     )
     return Finding(case, outcome.verdict, bits, lost, textbook, right)
 
 
+def precision_needed(outcome: Outcome) -> int:
+    """The largest precision with which a step evaluates, unless that stands for exact values."""
+    proofs = (step.proof for step in outcome.steps if not isinstance(step, OpenStep))
+    bits = (int(getattr(proof, "bits", 0)) for proof in proofs)
+    return max((b for b in bits if b < MAX_BITS), default=MAX_BITS)
+
+
 def _digits_lost(outcome: Outcome, bits: int) -> tuple[float, float | None]:
     """Decimal digits lost by the worst constant, and by phi_minus in the textbook form."""
-    prover = outcome.prover
+    program = definitions_program(outcome)
+    with balls.precision(bits):
+        run = load(program, balls.BallArithmetic()).run(())
+        losses = [_loss(run.values[slot], bits) for slot in program.slots.values()]
+        worst = max((lost for lost in losses if lost is not None), default=0.0)
+        if "alpha_0" not in program.slots:
+            return worst, None
+        alpha, r = symbol("alpha_0"), symbol("r")
+        textbook = (alpha - sqrt(alpha * alpha - 4 * r)) / 2
+        lost = _loss(run[textbook], bits)
+    exact = load(program, ExactArithmetic()).run(())[textbook]
+    return worst, lost if exact is None else None
 
-    def loss(term: Term) -> float | None:
-        ball = prover.ball(term, bits)
-        if ball is None:
-            return None
-        known = min(bits, max(0, balls.accuracy_bits(ball)))
-        return (bits - known) * 0.30103
 
-    losses = [loss(term) for term in prover.definitions.values()]
-    alpha, r = symbol("alpha_0"), symbol("r")
-    textbook = (alpha - sqrt(alpha * alpha - 4 * r)) / 2
-    worst = max(lost for lost in losses if lost is not None)
-    return worst, None if prover.exact(textbook) is not None else loss(textbook)
+def _loss(ball: balls.Ball | None, bits: int) -> float | None:
+    if ball is None:
+        return None
+    return (bits - min(bits, max(0, balls.accuracy_bits(ball)))) * 0.30103
 
 
 def hypotheses_are_exact(outcome: Outcome) -> bool:
     """The verdicts on the thresholds, against the signs of polynomials in exact rationals."""
-    r, c = outcome.prover.definitions["r"], outcome.prover.definitions["c"]
+    r, c = outcome.statement.parameters["r"], outcome.statement.parameters["c"]
     if c.op != "rational":
         return True
     x = (1 + r.value) / 2 * c.value
@@ -138,26 +152,20 @@ def hypotheses_are_exact(outcome: Outcome) -> bool:
         "hypotheses.stability": x**3 - 3 * r.value * x - r.value * (1 + r.value) > 0,
         "hypotheses.r-below-stabi": r.value**2 - 18 * r.value + 1 > 0,
     }
-    verdicts = {row.name: decision.verdict for row, decision in outcome.rows[HYPOTHESES]}
+    verdicts = {row.name: found.verdict for row, found in outcome.of_group(HYPOTHESES)}
     return all(verdicts[name] == (PROVED if sign else REFUTED) for name, sign in signs.items())
 
 
-def _constants_agree(outcome: Outcome, bits: int) -> bool:
+def constants_agree(outcome: Outcome, bits: int) -> bool:
     """Every constant's enclosure meets the checker's, which has many more bits."""
-    prover = outcome.prover
-    program = Program(())
-    for name, term in prover.definitions.items():
-        program.define(name, term)
-    engine = CheckerEngine()
+    program, engine = definitions_program(outcome), CheckerEngine()
     with engine.at(bits):
         values = load(program, engine).run(()).values
-    for name, slot in program.slots.items():
-        ours = prover.enclose(prover.definitions[name])
-        if ours is None or values[slot] is None:
-            continue
-        if not meets(ours, engine.ends(values[slot])):
-            return False
-    return True
+    return all(
+        meets(found.ends[0], engine.ends(values[program.slots[name]]))
+        for name, found in outcome.enclosures.items()
+        if values[program.slots[name]] is not None
+    )
 
 
 def meets(a: Ends, b: Ends) -> bool:

@@ -1,6 +1,6 @@
 """Enclose the whole spectrum at 1000 values of r in one process, at 128 bits.
 
-Run ``python tests/benchmarks/spectrum.py``; it prints how many values per second are enclosed as
+Run ``python tests/measure/benchmarks/spectrum.py``; it prints how many values per second are enclosed as
 balls, and how many are also written as decimal texts.
 """
 

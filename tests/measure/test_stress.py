@@ -7,13 +7,11 @@ import json
 import pytest
 
 from tests.points import parameters
-from verify.measure import stress
 from verify.cli import main
-from verify.prover.eigenvalues import Spectrum
-from verify.prover.ground import Prover
-from verify.language.statement import HYPOTHESES
-from verify.measure.stress import Case, run_spectrum, run_theorem1
 from verify.jobs.theorem1 import decide
+from verify.measure import stress
+from verify.measure.stress import Case, run_spectrum, run_theorem1
+from verify.prover.eigenvalues import Spectrum
 
 
 def test_every_short_case_is_right() -> None:
@@ -35,25 +33,22 @@ def test_a_wrong_verdict_is_seen() -> None:
     assert not run_theorem1(CASE._replace(expect="refuted")).right
 
 
-def test_a_wrong_enclosure_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
-    honest = Prover.enclose
-
-    def shifted(self: Prover, term: object) -> object:
-        ends = honest(self, term)  # type: ignore[arg-type]
-        return None if ends is None else (ends[0] * 2, ends[1] * 2)
-
-    monkeypatch.setattr(Prover, "enclose", shifted)
-    assert not run_theorem1(CASE).right
+def test_a_wrong_enclosure_is_seen() -> None:
+    outcome = decide(parameters("3/100", "1"), "repaired")
+    assert stress.constants_agree(outcome, 600)
+    found = outcome.enclosures["phi_minus"]
+    low, high = found.ends[0]
+    shifted = found._replace(ends=((low * 2, high * 2),))
+    wrong = outcome._replace(enclosures={**outcome.enclosures, "phi_minus": shifted})
+    assert not stress.constants_agree(wrong, 600)
 
 
 def test_a_wrong_hypothesis_is_seen() -> None:
     outcome = decide(parameters("1/64", "8/13"), "repaired")
     assert stress.hypotheses_are_exact(outcome)
-    rows = outcome.rows[HYPOTHESES]
-    outcome.rows[HYPOTHESES] = [
-        (row, found._replace(verdict="proved") if row.name.endswith("stability") else found)
-        for row, found in rows
-    ]
+    name = "hypotheses.stability"
+    wrong = outcome.decisions[name]._replace(verdict="proved")
+    outcome = outcome._replace(decisions={**outcome.decisions, name: wrong})
     assert not stress.hypotheses_are_exact(outcome)
 
 

@@ -7,8 +7,8 @@ from fractions import Fraction
 
 import pytest
 
-from verify.measure.bench import relative_width, scientific
 from verify.cli import main
+from verify.measure.bench import relative_width, scientific
 
 
 def test_the_quick_form(capsys: pytest.CaptureFixture[str]) -> None:

@@ -10,11 +10,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from verify.prover import balls
-from verify.prover import eigenvalues
+from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX
+from verify.prover import balls, eigenvalues
 from verify.prover.balls import Ball
 from verify.prover.eigenvalues import Spectrum, at, over
-from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX
 from verify.prover.program import ExactArithmetic, Machine, Program
 
 HARD = [

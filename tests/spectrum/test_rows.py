@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import operator
+from collections import Counter
 from fractions import Fraction
 
 import pytest
 import sympy
 
-from verify.prover.forall import decide_row
+from verify.jobs.spectrum import decide
+from verify.language.statement import PROVED, REFUTED, Context, Statement
+from verify.language.terms import Claim, Term, as_term, symbol
 from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX, Printed
+from verify.paper.spectrum.rows import names_of
 from verify.paper.spectrum.theorem import theorem
-from verify.prover.ground import PROVED, REFUTED
-from verify.jobs.spectrum import Outcome, decide
-from verify.language.statement import Obligation
-from verify.language.terms import Term, as_term
+from verify.prover.outcome import Outcome
+from verify.prover.prove import prove
 
 #: The sentences that are false as printed, and the rows that correct them.
 FALSE = {
@@ -37,9 +39,13 @@ def outcome() -> Outcome:
     return decide()
 
 
-@pytest.fixture(scope="module")
-def rows() -> dict[str, Obligation]:
-    return {row.name: row for row in theorem().obligations}
+def test_the_numbers_of_rows_and_verdicts(outcome: Outcome) -> None:
+    counts = Counter((row.role, found.verdict) for row, found in outcome.rows)
+    assert counts == {
+        ("needed", PROVED): 191,
+        ("printed", PROVED): 27,
+        ("printed", REFUTED): 9,
+    }
 
 
 def test_every_needed_row_is_proved(outcome: Outcome) -> None:
@@ -56,7 +62,11 @@ def test_exactly_these_sentences_are_refuted(outcome: Outcome) -> None:
 
 
 def test_names_are_unique_and_assumptions_exist(outcome: Outcome) -> None:
+    contexts = outcome.statement.contexts
     names = [row.name for row, _ in outcome.rows]
+    names += [context.name for context in contexts]
+    names += [variable.name for context in contexts for variable in context.variables]
+    names += [given.name for context in contexts for given in context.givens]
     assert len(names) == len(set(names))
     known = {a.name for a in outcome.statement.assumptions}
     assert {a.name for a in outcome.assumptions} == known
@@ -85,19 +95,59 @@ def to_sympy(term: Term, values: dict[str, sympy.Expr]) -> sympy.Expr:
     return OPERATIONS[term.op](*parts)
 
 
+def context_of(statement: Statement, name: str | None) -> Context:
+    return next(context for context in statement.contexts if context.name == name)
+
+
+#: For which numbers rows are claimed that are not claimed for the usual ones.
+INTERVALS = {
+    "q-convex": {},
+    "cone-sign-x-range": {},
+    "triangle": {},
+    "cone-x-bound-2": {"r": (0, 1), "x": (None, 0), "y": None, "t": None},
+    "cone-y-stated": {"a": (0, None), "b": (0, None), "g": (0, None), "r": (0, 1), "t": None},
+    "q-negative": {"s": (1, 2)},
+    "C2-large-r-sign": {"r": (Fraction(1, 3), 1)},
+    "C2-two-y": {"r": (0, Fraction(1, 3))},
+    "manifold": {"k": None, "m": (0, 1)},
+    "full-jump": {"g": (None, 0), "r": (0, 1), "p": None, "q": None, "cosine": None},
+    "rate-complex-stated": {"k": (0, Fraction(1, 2)), "s": (0, 1)},
+    "rate-existence": {"s": (0, 1), "y": (0, None)},
+    "stability-eigenvalues": {"p": (0, 1), "v": (0, 1)},
+    "linear-real-plus": {"C": None, "d": (0, None), "r": (0, 1)},
+    "law-01-W1": {"r": (0, 1), "g": None, "w": None, "v_0": None, "v_1": None},
+}
+
+
+@pytest.mark.parametrize("name", INTERVALS)
+def test_a_row_is_claimed_for_its_numbers(outcome: Outcome, name: str) -> None:
+    row = next(row for row, _ in outcome.rows if row.name == name)
+    givens = {g.name: g.claim for g in context_of(outcome.statement, row.context).givens}
+    assert isinstance(row.claim, Claim)
+    expected = INTERVALS[name]
+    names = {variable.rpartition(".")[2]: variable for variable in names_of(row.claim)}
+    if expected:
+        assert set(names) == set(expected)
+    for short, variable in names.items():
+        low, high = expected.get(short) or (None, None)
+        claims = (
+            None if low is None else Claim("<", as_term(low), symbol(variable)),
+            None if high is None else Claim("<", symbol(variable), as_term(high)),
+        )
+        assert (givens.get(f"{variable}.low"), givens.get(f"{variable}.high")) == claims
+
+
 @pytest.mark.parametrize("name", FALSE)
 def test_each_witness_is_exact(outcome: Outcome, name: str) -> None:
     """At the point, inside the intervals, the claim fails in exact arithmetic over Q(sqrt 3)."""
-    row, finding = next(pair for pair in outcome.rows if pair[0].name == name)
-    assert set(finding.point) == {variable.name for variable in row.variables}
-    for variable in row.variables:
-        value = finding.point[variable.name]
-        assert variable.lower is None or variable.lower < value
-        assert variable.upper is None or value < variable.upper
-    values = {
-        key: sympy.Rational(value.numerator, value.denominator)
-        for key, value in finding.point.items()
-    }
+    row, decision = next(pair for pair in outcome.rows if pair[0].name == name)
+    context = context_of(outcome.statement, row.context)
+    assert isinstance(row.claim, Claim)
+    assert set(decision.witness) == {variable.name for variable in context.variables}
+    values = {key: to_sympy(term, {}) for key, term in decision.witness.items()}
+    for given in context.givens:
+        assert given.claim.relation == "<"
+        assert to_sympy(given.claim.lhs, values) < to_sympy(given.claim.rhs, values)
     lhs, rhs = (
         sympy.expand(to_sympy(side, values), deep=True) for side in (row.claim.lhs, row.claim.rhs)
     )
@@ -137,17 +187,15 @@ def test_a_broken_coefficient_of_q_is_found(power: int, sign: int) -> None:
     assert verdicts["Q-factorised"] == REFUTED
 
 
-def test_a_broken_leaf_of_the_printed_formulas_is_found(rows: dict[str, Obligation]) -> None:
+def test_a_broken_leaf_of_the_printed_formulas_is_found() -> None:
     """Each number in the printed coefficients of Q matters, not only their sums."""
     for power in range(3):
         for broken in altered(COEFFICIENTS[power]):
             changed = (*COEFFICIENTS[:power], broken, *COEFFICIENTS[power + 1 :])
-            row = next(
-                row
-                for row in theorem(Printed(coefficients=changed)).obligations
-                if row.name == "characteristic"
-            )
-            assert decide_row(row).verdict == REFUTED
+            stated = theorem(Printed(coefficients=changed))
+            rows = [row for row in stated.obligations if row.name == "characteristic"]
+            outcome = prove(stated._replace(obligations=tuple(rows)))
+            assert outcome.decisions["characteristic"].verdict == REFUTED
 
 
 def altered(term: Term) -> list[Term]:

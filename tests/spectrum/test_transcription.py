@@ -11,9 +11,9 @@ import pytest
 import sympy
 
 from tests.spectrum.test_rows import to_sympy
+from verify.language.terms import Term
 from verify.paper.spectrum import characteristic, collision_matrices, cone, printed, real_root
 from verify.paper.spectrum.theorem import theorem
-from verify.language.terms import Term
 
 SYMBOLS = {name: sympy.Symbol(name, real=True) for name in ("r", "x", "y", "t", "lambda")}
 TOKEN = re.compile(r"\\[a-z]+|[0-9]+|[a-z]|\S")

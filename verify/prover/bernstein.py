@@ -27,10 +27,12 @@ def bernstein(goal: Goal) -> Sum | None:
         return None
     ((name, bounds),) = goal.variables.items()
     clearing = Clearing((lhs, rhs), {symbol(n): term for n, term in goal.definitions.items()})
+    if "=" in (bounds.low_relation, bounds.high_relation):
+        return None  # an equation is no number >= 0
     if bounds.ends is None or [atom.args for atom in clearing.atoms] != [(name,)]:
         return None
     polynomial = _coefficients(clearing.difference(rhs, lhs))
-    values = _degree(polynomial, *bounds.ends, strict=relation == "<")
+    values = _degree(polynomial, bounds, strict=relation == "<")
     return None if values is None else _sum(values, bounds, tuple(goal.definitions))
 
 
@@ -43,16 +45,24 @@ def _coefficients(polynomial: Polynomial) -> list[Fraction]:
 
 
 def _degree(
-    polynomial: Sequence[Fraction], low: Fraction, high: Fraction, *, strict: bool
+    polynomial: Sequence[Fraction], bounds: Bounds, *, strict: bool
 ) -> list[Fraction] | None:
     """Coefficients that show the claim, for the least degree that has such."""
+    low, high = bounds.ends or (Fraction(0), Fraction(1))
     shifted = shift(polynomial, low, high - low)
     least = len(polynomial) - 1
     for degree in range(least, least + MAX_ELEVATION + 1):
         values = coefficients(shifted, degree)
-        if min(values) >= 0 and (any(values) or not strict):
+        if min(values) >= 0 and (not strict or _is_strict(values, bounds)):
             return values
     return None
+
+
+def _is_strict(values: Sequence[Fraction], bounds: Bounds) -> bool:
+    """Whether some coefficient, and its powers of x-a and b-x, are positive."""
+    first = 0 if bounds.high_relation == "<" else len(values) - 1
+    last = len(values) - 1 if bounds.low_relation == "<" else 0
+    return any(values[first : last + 1])
 
 
 def coefficients(polynomial: Sequence[Fraction], degree: int) -> list[Fraction]:

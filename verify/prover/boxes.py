@@ -8,6 +8,8 @@ from typing import Any
 
 from verify.language.terms import symbol
 from verify.prover import balls
+from verify.prover.ends import Ends, EndsArithmetic
+from verify.prover.ends import interval as interval_between
 from verify.prover.goal import Bounds, Goal
 from verify.prover.program import Machine
 from verify.prover.proof import Proof
@@ -26,22 +28,23 @@ MAX_PARTS = 2048
 
 
 class Boxes:
-    """A claim on parts of its box; ``enclose`` encloses a constant by its name."""
+    """A claim `<` or `<=` on parts of its box; ``enclose`` encloses a constant by its name."""
 
     def __init__(self, goal: Goal, enclose: Callable[[str, int], Any]) -> None:
-        self.goal, self.parts = goal, 0
+        self._relation, self.parts = goal.claim.relation, 0
         program, self._sides = goal.program()
         with balls.precision(BITS):
-            self._machine = Machine(program, balls.BallArithmetic())
-            self._constants = [enclose(name, BITS) for name in goal.constants]
+            self._machine = Machine(program, EndsArithmetic())
+            known = (enclose(name, BITS) for name in goal.constants)
+            self._constants = [None if ball is None else (ball, ball) for ball in known]
 
     def holds(self, bounds: Mapping[str, Bounds]) -> bool:
         """Whether the enclosures on a box show the claim."""
         with balls.precision(BITS):
-            inputs = [_ball(bound) for bound in bounds.values()]
+            inputs = [_interval(bound) for bound in bounds.values()]
             values = self._machine.run([*inputs, *self._constants]).values
             x, y = (values[slot] for slot in self._sides)
-            return x is not None and y is not None and holds(self.goal.claim.relation, x, y)
+            return x is not None and y is not None and holds(self._relation, x[1], y[0])
 
     def cover(self, bounds: Mapping[str, Bounds], depth: int) -> Proof | None:
         """A proof on a box that is the result of so many cuts."""
@@ -66,14 +69,18 @@ class Boxes:
         return Cuts(symbol(name), (cut,), tuple(branches))
 
 
-def _ball(bounds: Bounds) -> Any:
+def _interval(bounds: Bounds) -> Ends:
     low, high = bounds.ends or (Fraction(0), Fraction(0))
-    return balls.hull(balls.from_fraction(low), balls.from_fraction(high))
+    return interval_between(low, high)
 
 
 def interval(goal: Goal, enclose: Callable[[str, int], Any]) -> Interval | None:
     """A proof by the enclosures on the whole box."""
-    if goal.box is None or not Boxes(goal, enclose).holds(goal.variables):
+    if (
+        goal.box is None
+        or goal.claim.relation == "="
+        or not Boxes(goal, enclose).holds(goal.variables)
+    ):
         return None
     named = ((name, b.low_fact, b.high_fact) for name, b in goal.variables.items())
     return Interval(CHECKER_BITS, tuple(named))

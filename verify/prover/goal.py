@@ -12,12 +12,14 @@ from verify.prover.program import Program
 
 
 class Bounds(NamedTuple):
-    """The numbers between which a variable lies, and the facts that say so."""
+    """The numbers between which a variable lies, and the facts that say so, with their relation."""
 
     low: Fraction | None = None
     high: Fraction | None = None
     low_fact: str = ""
     high_fact: str = ""
+    low_relation: str = "<"
+    high_relation: str = "<"
 
     @property
     def ends(self) -> tuple[Fraction, Fraction] | None:
@@ -79,16 +81,22 @@ def bounds_of(context: Context) -> dict[str, Bounds]:
 def _bounds(given: Given) -> Iterator[tuple[str, Bounds]]:
     relation, lhs, rhs = given.claim.key
     if lhs.op == "rational" and rhs.op == "symbol":
-        yield rhs.name, Bounds(low=lhs.value, low_fact=given.name)
-    if lhs.op == "symbol" and rhs.op == "rational":
-        yield lhs.name, Bounds(high=rhs.value, high_fact=given.name)
+        yield rhs.name, Bounds(low=lhs.value, low_fact=given.name, low_relation=relation)
         if relation == "=":
-            yield lhs.name, Bounds(low=rhs.value, low_fact=given.name)
+            yield rhs.name, Bounds(high=lhs.value, high_fact=given.name, high_relation=relation)
+    if lhs.op == "symbol" and rhs.op == "rational":
+        yield lhs.name, Bounds(high=rhs.value, high_fact=given.name, high_relation=relation)
+        if relation == "=":
+            yield lhs.name, Bounds(low=rhs.value, low_fact=given.name, low_relation=relation)
 
 
 def _narrowed(old: Bounds, new: Bounds) -> Bounds:
     if new.low is not None and (old.low is None or old.low < new.low):
-        old = old._replace(low=new.low, low_fact=new.low_fact)
+        old = Bounds(
+            new.low, old.high, new.low_fact, old.high_fact, new.low_relation, old.high_relation
+        )
     if new.high is not None and (old.high is None or new.high < old.high):
-        old = old._replace(high=new.high, high_fact=new.high_fact)
+        old = Bounds(
+            old.low, new.high, old.low_fact, new.high_fact, old.low_relation, new.high_relation
+        )
     return old

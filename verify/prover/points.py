@@ -35,6 +35,15 @@ def refuting_point(goal: Goal, enclose: Callable[[str, int], Any]) -> dict[str, 
 
 
 def _candidates(bounds: Bounds) -> tuple[Fraction, ...]:
+    inside, ends = _inside(bounds), []
+    if bounds.low is not None and bounds.low_relation != "<":
+        ends.append(bounds.low)
+    if bounds.high is not None and bounds.high_relation != "<":
+        ends.append(bounds.high)
+    return (*ends, *inside)
+
+
+def _inside(bounds: Bounds) -> tuple[Fraction, ...]:
     low, high = bounds.low, bounds.high
     if low is not None and high is not None:
         return tuple(low + (high - low) * part for part in _FRACTIONS)

@@ -27,7 +27,7 @@ from verify.prover.outcome import Decision
 from verify.prover.points import refuting_point
 from verify.prover.proof import Proof
 from verify.prover.relations import negation
-from verify.prover.rules import Applying, Define, Root, Sum, Witness
+from verify.prover.rules import Applying, Define, Entry, Least, Root, Sum, Witness
 from verify.prover.session import ZERO
 from verify.prover.signs import signs
 
@@ -88,7 +88,7 @@ class Universal:
     def goal(self, claim: Claim, context: str | None) -> Goal:
         """The claim with what is known of the names in it."""
         definitions = self._definitions_in(claim)
-        names = dict.fromkeys(names_of(claim.lhs, claim.rhs, *definitions.values()))
+        names = sorted(names_of(claim.lhs, claim.rhs, *definitions.values()))
         variables = {name: self._bounds[name] for name in names if name in self._bounds}
         constants = (name for name in names if name not in variables and name not in definitions)
         return Goal(claim, context, variables, tuple(constants), definitions)
@@ -165,6 +165,7 @@ class Universal:
             return
         if goal.claim.lhs == ZERO and goal.claim.rhs.op == "sqrt":
             yield self._root(goal)
+        yield self._extremum(goal)
         yield signs(goal, lambda claim: self.session.known(claim, goal.context))
         yield bernstein(goal)
         yield boxes.cuts(goal, self._enclose)
@@ -198,6 +199,20 @@ class Universal:
     def _root(self, goal: Goal) -> Proof | None:
         radicand = goal.claim.rhs.children[0]
         return Root() if self.fact(Claim("<", ZERO, radicand), goal.context) else None
+
+    def _extremum(self, goal: Goal) -> Proof | None:
+        """A minimum is at most its entries; what is less than all of them is less than it."""
+        lhs, rhs, relation = goal.claim.lhs, goal.claim.rhs, goal.claim.relation
+        for side, term, other, small in (("lhs", lhs, rhs, "min"), ("rhs", rhs, lhs, "max")):
+            if term.op == small and other in term.children and relation == "<=":
+                return Entry(side)
+            if term.op in ("min", "max") and term.op != small:
+                sides = ((e, other) if side == "lhs" else (other, e) for e in term.children)
+                claims = [Claim(relation, *pair) for pair in sides]
+                proofs = [self.prove(self.goal(claim, goal.context)) for claim in claims]
+                found = tuple(proof for proof in proofs if proof is not None)
+                return Least(side, found) if len(found) == len(proofs) else None
+        return None
 
     def _enclose(self, name: str, bits: int) -> Any:
         """A constant without variables, enclosed; None for any other."""

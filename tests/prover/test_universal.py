@@ -290,6 +290,24 @@ def test_theorems_apply_where_the_givens_hold() -> None:
     assert prove(stated).verdict == UNDECIDED
 
 
+@pytest.mark.parametrize("sides", [(x, x), (r, r + 1)])
+def test_an_unknown_relation_is_an_error(sides: tuple[Term, Term]) -> None:
+    claim = Claim("<=", *sides)
+    claim.relation = ">="
+    with pytest.raises(ValueError, match="relation"):
+        prove(statement(row(claim)))
+
+
+@pytest.mark.parametrize("given", [equal(r, HALF), equal(HALF, r)])
+def test_a_given_equation_bounds_on_both_sides(given: Claim) -> None:
+    contexts = (context({"given": given}, {"r": HALF}),)
+    rows = row(r * r <= as_term(Fraction(1, 4))), row(1 - r < r + TINY, name="other")
+    assert checked(statement(*rows, contexts=contexts)).verdict == PROVED
+    found = checked(statement(row(1 - r < r), contexts=contexts)).decisions["row"]
+    assert found.verdict == REFUTED
+    assert found.witness == {"r": as_term(HALF)}
+
+
 def test_a_mutated_proof_is_refused() -> None:
     """The checker looks at what the search wrote down."""
     outcome = prove(statement(row(r**2 < r)))

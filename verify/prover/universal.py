@@ -26,7 +26,7 @@ from verify.prover.ground import Ground
 from verify.prover.outcome import Decision
 from verify.prover.points import refuting_point
 from verify.prover.proof import Proof
-from verify.prover.relations import negation
+from verify.prover.relations import MEANINGS, negation
 from verify.prover.rules import Applying, Define, Entry, Least, Root, Sum, Witness
 from verify.prover.session import ZERO
 from verify.prover.signs import signs
@@ -152,7 +152,13 @@ class Universal:
     # --- proofs ---------------------------------------------------------------------------------
 
     def prove(self, goal: Goal) -> Proof | None:
-        """A proof of the first kind that is found; the lemmas that it needs are written down."""
+        """A proof of the first kind that is found; the lemmas that it needs are written down.
+
+        Raises:
+            ValueError: for an unknown relation.
+        """
+        if goal.claim.relation not in MEANINGS:
+            raise ValueError(f"{goal.claim.relation!r} is not a relation")
         return next((proof for proof in self._proofs(goal) if proof is not None), None)
 
     def _proofs(self, goal: Goal) -> Iterator[Proof | None]:

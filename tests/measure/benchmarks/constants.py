@@ -1,7 +1,7 @@
 """Enclose the printed constants at 1000 values of r: the program against straight-line code.
 
-Run ``python tests/measure/benchmarks/constants.py``; it prints both times and their ratio, each the median
-of several alternating runs. The two must give overlapping balls.
+Run ``python tests/measure/benchmarks/constants.py``; it prints both times and their ratio, each
+the median of several alternating runs. The two must give overlapping balls.
 """
 
 from __future__ import annotations

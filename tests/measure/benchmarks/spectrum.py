@@ -1,7 +1,7 @@
 """Enclose the whole spectrum at 1000 values of r in one process, at 128 bits.
 
-Run ``python tests/measure/benchmarks/spectrum.py``; it prints how many values per second are enclosed as
-balls, and how many are also written as decimal texts.
+Run ``python tests/measure/benchmarks/spectrum.py``; it prints how many values per second are
+enclosed as balls, and how many are also written as decimal texts.
 """
 
 from __future__ import annotations

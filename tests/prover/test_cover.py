@@ -7,84 +7,85 @@ from random import Random
 
 import pytest
 
+from verify.jobs.constructions import FIXED, at_point, definitions, formulas, rows
+from verify.jobs.covers import SHARE, WHOLE, WIDTH, judge, plane, thresholds
+from verify.language.statement import PROVED, REFUTED, UNDECIDED
+from verify.language.terms import Claim, Term, as_term, equal, maximum, minimum, sqrt, symbol
+from verify.paper.groups import PRINTED, REPAIRED
 from verify.prover import balls
-from verify.views.plots.constructions import FIXED, as_formulas, definitions, rows
-from verify.views.plots.field import Field, Values
-from verify.views.plots.plane import CUBE, INPUTS, WIDTH, Judged, judge, thresholds
-from verify.views.plots.slopes import BITS
-from verify.prover.ground import PROVED, REFUTED, UNDECIDED, Prover
-from verify.language.statement import PRINTED, REPAIRED
-from verify.language.terms import as_term, maximum, minimum, sqrt, symbol
-
-HALF = Fraction(1, 2)
+from verify.prover.cover import Field, Judged, Values, cover, parts, refined
+from verify.prover.ground import Ground
+from verify.prover.slopes import BITS
 
 
-def prover(group: str, share: Fraction, s: Fraction, c: Fraction) -> Prover:
-    return Prover(as_formulas(group, share), FIXED | {"r": as_term(s**3), "c": as_term(c)})
+def ground(group: str, share: Fraction, s: Fraction, c: Fraction) -> Ground:
+    return at_point(group, share, FIXED | {"r": as_term(s**3), "c": as_term(c)})
+
+
+def verdict(ground: Ground, claim: Claim) -> str:
+    return ground.prove(claim)[0]
 
 
 def inside(judged: Judged, random: Random) -> tuple[Fraction, Fraction]:
     """A point of a cell, now and then a corner."""
     point = [low + (high - low) * Fraction(random.choice([0, 1, 3, 7, 8]), 8)
-             for low, high in judged.cell]  # fmt: skip
+             for low, high in judged.box]  # fmt: skip
     return point[0], point[1]
 
 
-@pytest.mark.parametrize(("group", "share"), [(PRINTED, Fraction(1)), (REPAIRED, HALF)])
+@pytest.mark.parametrize(("group", "share"), [(PRINTED, WHOLE), (REPAIRED, SHARE)])
 def test_constants_lie_in_their_enclosures(group: str, share: Fraction) -> None:
     random = Random(1)
-    statement = as_formulas(group, share)
-    field = Field(INPUTS, (CUBE, *definitions(statement)))
-    seen = 0
-    for judged in random.sample(judge(group, share, {}, (), 5), 12):
-        if judged.admissible != PROVED:
+    field, seen = plane(group, share), 0
+    for judged in random.sample(judge(group, share, (), 5), 12):
+        if judged.condition != PROVED:
             continue
         s, c = inside(judged, random)
-        exact = prover(group, share, s, c)
+        exact = ground(group, share, s, c)
         with balls.precision(BITS):
-            values = field.on(judged.cell)
-            for constant in statement.constants:
-                slope, ends = values[symbol(constant.name)], exact.enclose(symbol(constant.name))
-                if slope is not None and ends is not None:
-                    low, high = balls.ends(slope.range)
-                    assert low <= ends[1], constant.name
-                    assert ends[0] <= high, constant.name
+            values = field.on(judged.box)
+            for constant in formulas(group, share):
+                letter = symbol(constant.name)
+                ends, found = values.ends(letter), exact.enclose(letter)
+                if ends is not None and found is not None:
+                    assert ends[0] <= found.ends[0][1], constant.name
+                    assert found.ends[0][0] <= ends[1], constant.name
                     seen += 1
     assert seen > 100
 
 
-@pytest.mark.parametrize(("group", "share"), [(PRINTED, Fraction(1)), (REPAIRED, HALF)])
+@pytest.mark.parametrize(("group", "share"), [(PRINTED, WHOLE), (REPAIRED, SHARE)])
 def test_verdicts_on_cells_hold_at_their_points(group: str, share: Fraction) -> None:
     random = Random(2)
-    claims = {row.name: row.claim for row in rows(group, share).open}
-    cells = [j for j in judge(group, share, claims, claims, 4) if j.admissible == PROVED]
+    claims = rows(group, share).claims
+    cells = [j for j in judge(group, share, claims, 4) if j.condition == PROVED]
     decided = {PROVED: 0, REFUTED: 0}
     for judged in random.sample(cells, 6):
         s, c = inside(judged, random)
-        exact = prover(group, share, s, c)
+        exact = ground(group, share, s, c)
         for name, claim in claims.items():
             if judged.verdicts[name] != UNDECIDED:
-                assert exact.decide(claim).verdict == judged.verdicts[name], (name, judged.cell)
+                assert verdict(exact, claim) == judged.verdicts[name], (name, judged.box)
                 decided[judged.verdicts[name]] += 1
     assert decided[PROVED] > 100
     assert (decided[REFUTED] > 10) == (group == PRINTED)
 
 
 def test_algebraic_rows_hold_elsewhere_too() -> None:
-    for group, share in ((PRINTED, Fraction(1)), (REPAIRED, HALF)):
-        exact = prover(group, share, Fraction(1, 5), Fraction(9, 10))
+    for group, share in ((PRINTED, WHOLE), (REPAIRED, SHARE)):
+        exact = ground(group, share, Fraction(1, 5), Fraction(9, 10))
         for row in rows(group, share).algebraic:
-            assert exact.decide(row.claim).verdict == PROVED, row.name
+            assert verdict(exact, row.claim) == PROVED, row.name
 
 
 def on(cell: tuple[tuple[Fraction, Fraction], ...]) -> Values:
     return Field(("x", "y")[: len(cell)], ()).on(cell)
 
 
-def ends(values: Values, term: object) -> tuple[Fraction, Fraction]:
-    slope = values[term]  # type: ignore[index]
-    assert slope is not None
-    return balls.ends(slope.range)
+def ends(values: Values, term: Term) -> tuple[Fraction, Fraction]:
+    found = values.ends(term)
+    assert found is not None
+    return found
 
 
 def test_slopes_beat_plain_balls_and_stay_right() -> None:
@@ -167,8 +168,52 @@ def test_thresholds_contain_the_exact_points() -> None:
 
 
 def test_the_formula_of_phi_plus_is_the_larger_root() -> None:
-    statement = as_formulas(PRINTED, Fraction(1))
-    exact = prover(PRINTED, Fraction(1), Fraction(1, 4), Fraction(9, 10))
-    known = dict(definitions(statement))
-    assert exact.decide(known["phi_plus"] <= symbol("phi_plus")).verdict != REFUTED
-    assert exact.decide(symbol("phi_plus") <= known["phi_plus"]).verdict != REFUTED
+    exact = ground(PRINTED, WHOLE, Fraction(1, 4), Fraction(9, 10))
+    known = dict(definitions(formulas(PRINTED, WHOLE)))
+    assert verdict(exact, equal(known["phi_plus"], symbol("phi_plus"))) == PROVED
+
+
+def test_an_equation_is_refuted_and_proved_by_the_sign_of_the_difference() -> None:
+    x = symbol("x")
+    field = Field(("x",), ())
+    slots = field.slots(
+        {"same": equal(as_term(1), 1), "other": equal(x, x + 1), "some": equal(x, 1)}
+    )
+    with balls.precision(BITS):
+        values = field.on(((Fraction(1), Fraction(2)),))
+        assert [values.judge(slots[n]) for n in ("same", "other", "some")] == [
+            PROVED, REFUTED, UNDECIDED
+        ]  # fmt: skip
+
+
+def area(box: tuple[tuple[Fraction, Fraction], ...]) -> Fraction:
+    (a, b), (c, d) = box
+    return (b - a) * (d - c)
+
+
+SQUARE = ((Fraction(0), Fraction(1)), (Fraction(0), Fraction(1)))
+
+
+def test_the_boxes_of_a_cover_are_the_whole_box() -> None:
+    field = Field(("x", "y"), ())
+    found = refined(field, SQUARE, 3, None, lambda values, _: (None, False))
+    assert len(found) == 64
+    assert sum(area(box) for box, _, _ in found) == 1
+    assert sum(area(part) for part in parts(SQUARE)) == 1
+
+
+def test_a_cover_leaves_out_only_where_the_condition_fails() -> None:
+    x, y = symbol("x"), symbol("y")
+    disc, claims = x * x + y * y < 1, {"inside": x < 1, "half": x < Fraction(1, 2)}
+    found = cover(Field(("x", "y"), ()), SQUARE, 5, disc, claims, claims)
+    for judged in found:
+        (left, right), (low, high) = judged.box
+        assert left**2 + low**2 < 1
+        if judged.condition == PROVED:
+            assert right**2 + high**2 < 1
+            assert judged.verdicts["inside"] == PROVED
+        if judged.verdicts.get("half") == PROVED:
+            assert right < Fraction(1, 2)
+    decided = sum(area(j.box) for j in found if j.condition == PROVED)
+    assert Fraction(7, 10) < decided < Fraction(315, 400)
+    assert sum(judged.weight for judged in found) <= 4**5

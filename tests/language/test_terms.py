@@ -41,5 +41,6 @@ def test_equality_is_how_a_term_is_written() -> None:
 
 def test_substitution_replaces_every_occurrence() -> None:
     term = x**2 + y / x
-    assert substitute(term, "x", y) == y**2 + y / y
+    assert substitute(term, {"x": y}) == y**2 + y / y
+    assert substitute(term, {"x": y, "y": x}) == y**2 + x / y
     assert set(symbols_of(term)) == {"x", "y"}

@@ -13,12 +13,13 @@ from typing import Any
 import pytest
 from mpmath import mp, mpf
 
+from tests.measure.test_second_opinion import random_points
 from tests.paper import transcription
 from tests.points import parameters
-from tests.test_second_opinion import random_points
+from verify.jobs.theorem1 import decide
+from verify.paper.groups import HYPOTHESES, PRINTED
 from verify.paper.theorem1 import theorem
-from verify.language.statement import HYPOTHESES, PRINTED
-from verify.jobs.theorem1 import Outcome, decide
+from verify.prover.outcome import Outcome
 
 #: Rows of the blind transcription that have no row with the same two sides here: the number of the
 #: row there, and either the row here that carries the step or the assumption that does.
@@ -155,9 +156,8 @@ def test_the_constants_are_the_same(point: tuple[str, str, str, str]) -> None:
     compared = 0
     for constant in outcome.statement.constants:
         if constant.short_name in theirs:
-            ends = outcome.prover.enclose(outcome.prover.definitions[constant.name])
-            assert ends is not None
-            assert close(theirs[constant.short_name], ends[0])
+            low, _ = outcome.enclosures[constant.name].ends[0]
+            assert close(theirs[constant.short_name], low)
             compared += 1
     assert compared == 19
 
@@ -171,7 +171,7 @@ def close(a: Any, b: Any) -> bool:
 def test_every_blind_row_is_here_or_accounted_for(point: tuple[str, str, str, str]) -> None:
     outcome = decide(parameters(*point), "printed")
     ours = named_sides(outcome).values()
-    names = {row.name for row in theorem().obligations}
+    names = {row.name for part in theorem().parts.values() for row in part.obligations}
     assumptions = {assumption.name for assumption in theorem().assumptions}
     _, rows = blind(point)
     missing = []
@@ -208,10 +208,9 @@ def test_rows_with_the_same_sides_are_not_confused() -> None:
 
 def named_sides(outcome: Outcome) -> dict[str, tuple[Fraction, Fraction]]:
     return {
-        row.name: (decision.lhs[0], decision.rhs[0])
-        for group in (HYPOTHESES, PRINTED)
-        for row, decision in outcome.rows[group]
-        if decision.lhs is not None and decision.rhs is not None
+        row.name: (decision.sides.ends[0][0], decision.sides.ends[1][0])
+        for row, decision in outcome.of_group(HYPOTHESES, PRINTED)
+        if decision.sides is not None
     }
 
 

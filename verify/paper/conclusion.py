@@ -9,6 +9,7 @@ from verify.language.terms import sqrt
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import THEOREM, V_0, delta_theta, r
 from verify.paper.preliminaries import C_eta
+from verify.paper.rows import BREAKS
 
 
 def rows(k: ConstantSet) -> Iterator[Obligation]:
@@ -23,7 +24,7 @@ def rows(k: ConstantSet) -> Iterator[Obligation]:
     yield k.row(
         "distance-stays-positive",
         THEOREM,
-        "d₀ > 0 is in the set, and d_{n+1} > 0: no triple collision",
+        "the set leaves room for d₀ > 0, which the model asks for, and then d_{n+1} > 0",
         0 < k.d_bar,
         ["distance", "law-eta-s", "time", "induction"],
     )
@@ -33,6 +34,7 @@ def rows(k: ConstantSet) -> Iterator[Obligation]:
         "|(-cos θ̄) - (-cos θ₀)| ≤ δ_θ for the final angle",
         k.drift <= delta_theta,
         ["angle-step", "induction"],
+        if_false=BREAKS,
     )
     yield k.row(
         "collapse-time",

@@ -17,7 +17,8 @@ from collections.abc import Iterator
 from verify.language.statement import Obligation
 from verify.language.terms import Claim, as_term
 from verify.paper.groups import HYPOTHESES
-from verify.paper.parameters import V_0, c, delta_theta, r
+from verify.paper.parameters import THEOREM, V_0, c, delta_theta, r
+from verify.paper.rows import SLIP, misprint, needed
 
 RESTITUTION = "EQUATSS4.1ThExiCondi_r_1_"
 ANGLE = "EQUATSS4.1ThExiCondiTheta"
@@ -27,52 +28,50 @@ _alpha = (1 + r) / 2 * c
 
 def hypotheses() -> Iterator[Obligation]:
     """Yield the hypotheses, each with its role."""
+    yield from _restitution()
+    yield from _angle()
+    yield _needed("V_0-positive", "EQUATSS4.1Recurrence_Cnd5", "0 < V₀", 0 < V_0)
+    yield _needed("delta-theta-positive", THEOREM, "0 < δ_θ", 0 < delta_theta)
 
-    def hypothesis(
-        name: str,
-        label: str,
-        role: str,
-        says: str,
-        claim: Claim,
-        corrected_by: str | None = None,
-    ) -> Obligation:
-        full = f"{HYPOTHESES}.{name}"
-        return Obligation(full, HYPOTHESES, label, role, says, claim, (), corrected_by)
 
-    yield hypothesis("r-positive", RESTITUTION, "needed", "0 < r", 0 < r)
-    yield hypothesis("r-below-one", RESTITUTION, "needed", "r < 1", r < 1)
-    yield hypothesis(
-        "r-below-stabi", RESTITUTION, "needed", "r < r_stabi = 9 - 4√5", 18 * r - r**2 < as_term(1)
-    )
-    yield hypothesis("angle-obtuse", ANGLE, "needed", "0 < -cos θ₀", 0 < c)
-    yield hypothesis("angle-real", ANGLE, "needed", "-cos θ₀ ≤ 1", c <= 1)
-    yield hypothesis(
-        "angle-as-printed",
+def _needed(name: str, label: str, says: str, claim: Claim) -> Obligation:
+    return needed(f"{HYPOTHESES}.{name}", label, says, claim, group=HYPOTHESES)
+
+
+def _restitution() -> Iterator[Obligation]:
+    """0 < r < r_stabi = 9 - 4√5 (`EQUATSS4.1ThExiCondi_r_1_`)."""
+    yield _needed("r-positive", RESTITUTION, "0 < r", 0 < r)
+    yield _needed("r-below-one", RESTITUTION, "r < 1", r < 1)
+    says = "r < r_stabi = 9 - 4√5"
+    yield _needed("r-below-stabi", RESTITUTION, says, 18 * r - r**2 < as_term(1))
+
+
+def _angle() -> Iterator[Obligation]:
+    """0 < -cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r), as printed (`EQUATSS4.1ThExiCondiTheta`).
+
+    The construction needs > (as in `EQUATSS3.4ZKCl2CondiStabi`), so the two exclude each other:
+    wherever the constants exist, the printed hypothesis does not hold.
+    """
+    yield _needed("angle-obtuse", ANGLE, "0 < -cos θ₀", 0 < c)
+    yield _needed("angle-real", ANGLE, "-cos θ₀ ≤ 1", c <= 1)
+    yield misprint(
+        f"{HYPOTHESES}.angle-as-printed",
         ANGLE,
-        "printed",
-        "-cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r), as printed",
+        "-cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r), as printed (all other rows are judged outside it)",
         _alpha**3 < 3 * r * _alpha + r * (1 + r),
-        f"{HYPOTHESES}.stability",
+        group=HYPOTHESES,
+        severity=SLIP,
+        corrected_by=f"{HYPOTHESES}.stability",
     )
-    yield hypothesis(
+    yield _needed(
         "existence",
         "EQUATSS3.4ZKCl1CondiExist",
-        "needed",
         "-cos θ₀ > 4√r/(1+r): the fixed points φ⁻ < φ⁺ exist",
         4 * r < _alpha**2,
     )
-    yield hypothesis(
+    yield _needed(
         "stability",
         ANGLE,
-        "needed",
         "-cos θ₀ > 2r^(1/3)(1+r^(1/3))/(1+r), as the construction needs it",
         3 * r * _alpha + r * (1 + r) < _alpha**3,
-    )
-    yield hypothesis("V_0-positive", "EQUATSS4.1Recurrence_Cnd5", "needed", "0 < V₀", 0 < V_0)
-    yield hypothesis(
-        "delta-theta-positive",
-        "THEORSS4.1ExistenCollapse",
-        "needed",
-        "0 < δ_θ",
-        0 < delta_theta,
     )

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from verify.language.statement import Change, Choice, Constant, Obligation
+from verify.language.statement import Choice, Constant, Obligation
 from verify.language.terms import Claim, Term, as_term, maximum, minimum, sqrt, symbol
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.parameters import V_0, c, delta_theta
@@ -28,6 +28,7 @@ from verify.paper.preliminaries import (
     h_4,
     h_5,
 )
+from verify.paper.rows import misprint, needed, printed
 
 DELTA = "EQUATSS4.1DefinDeltxDelty"
 X_0 = "EQUATSS4.1DescrDoIniColla"
@@ -124,19 +125,60 @@ class ConstantSet:
         says: str,
         claim: Claim,
         uses: Iterable[str] = (),
-        corrected_by: str | None = None,
+        *,
+        if_false: str | None = None,
     ) -> Obligation:
-        """One row of this set; rows of the printed set are corrected by repaired ones."""
-        return Obligation(
-            f"{self.group}.{name}",
-            self.group,
+        """A row that both sets have, each about its own constants.
+
+        ``if_false`` is the severity of a row that may be refuted for the printed constants; the
+        row of the same name corrects it.
+        """
+        full = f"{self.group}.{name}"
+        if not self.printed:
+            return needed(full, label, says, claim, uses, group=self.group)
+        if if_false is None:
+            return printed(full, label, says, claim, uses, group=self.group)
+        return misprint(
+            full,
             label,
-            "printed" if self.printed else "needed",
             says,
             claim,
-            tuple(uses),
-            f"{REPAIRED}.{corrected_by or name}" if self.printed else None,
+            uses,
+            group=self.group,
+            severity=if_false,
+            corrected_by=f"{REPAIRED}.{name}",
         )
+
+    def misprint(
+        self,
+        name: str,
+        label: str,
+        says: str,
+        claim: Claim,
+        uses: Iterable[str] = (),
+        *,
+        severity: str,
+        corrected_by: str,
+    ) -> Iterator[Obligation]:
+        """A row that only the printed set has, corrected by the repaired row of a name."""
+        if self.printed:
+            yield misprint(
+                f"{self.group}.{name}",
+                label,
+                says,
+                claim,
+                uses,
+                group=self.group,
+                severity=severity,
+                corrected_by=f"{REPAIRED}.{corrected_by}",
+            )
+
+    def repair(
+        self, name: str, label: str, says: str, claim: Claim, uses: Iterable[str] = ()
+    ) -> Iterator[Obligation]:
+        """A row that only the repaired set has."""
+        if not self.printed:
+            yield needed(f"{self.group}.{name}", label, says, claim, uses, group=self.group)
 
     def bounds(self) -> dict[str, tuple[Term, ...]]:
         """The entries of the min that defines or bounds each constant, in the paper's order."""
@@ -158,188 +200,137 @@ def _printed_bounds(k: ConstantSet) -> dict[str, tuple[Term, ...]]:
     return {
         "delta_x": (delta_1, delta_2, delta_3, delta_4, delta_5),
         "delta_y": (k.delta_x,),
-        "x_0": ((1 - h_4) * k.delta_x, V_0 / k.V_1 * (delta_2**2 * h_5 / 12)),
+        "x_0": ((1 - h_4) * k.delta_x, _x_bound(k)),
         "Delta_theta": (c / 2, h_4 / 8 * k.delta_x, delta_theta),
-        "eta_bar": (
-            as_term(1),
-            (sqrt(2) - 1) / 16 * k.unit,
-            V_0 / (33 * k.speed) * k.Delta_theta,
-            (1 - C_eta) * (k.V_1 - V_0) / (12 * (k.speed + 2)),
-            k.unit
-            * (2 / (15 * alpha_0) + h_4 * delta_2 / 6 + h_4 / (12 * alpha_0) + h_4 / 24)
-            * k.delta_x,
-        ),
-        "zeta_bar": (
-            2 * (sqrt(2) - 1),
-            V_0 * h_5 / (3 * k.V_1 * (alpha_0 + 8 * k.V_1 / V_0)) * delta_2**2,
-            (1 + 4 * delta_2 + V_0 / k.V_1) / 16 * h_4 * k.delta_x,
-        ),
+        "eta_bar": _eta_bar_printed(k),
+        "zeta_bar": _zeta_bar_printed(k),
         "d_slope": (k.zeta_bar / (2 * k.V_1),),
-        "d_const": (
-            (sqrt(2) - 1) / 4,
-            k.Delta_theta / 3,
-            (1 + delta_2 * h_4) * k.delta_x / 5,
-            (1 + 2 * delta_2) / 4 * h_4 * k.delta_x,
-        ),
+        "d_const": _d_const_printed(k),
         "d_bar": (k.d_const, k.d_slope * k.eta_bar**2),
-        "T_star": (2 / (V_0 * (1 - C_eta)) * k.eta_bar * k.zeta_bar,),
+        "T_star": (_collapse_time(k),),
     }
 
 
 def _repaired_bounds(k: ConstantSet) -> dict[str, tuple[Term, ...]]:
-    share = h_4 * k.delta_x
     return {
         "V_1": (V_1,),
-        "delta_x": (
-            delta_1,
-            delta_2,
-            delta_3,
-            delta_4,
-            delta_5,
-            V_0 / k.V_1 * (delta_2**2 * h_5 / 12),
-        ),
+        "delta_x": (delta_1, delta_2, delta_3, delta_4, delta_5, _x_bound(k)),
         "delta_y": (k.delta_x,),
-        "x_0": ((1 - h_4) * k.delta_x, V_0 / k.V_1 * (delta_2**2 * h_5 / 12)),
-        "Delta_theta": (c / 2, share / 8, delta_theta),
-        "eta_bar": (
-            as_term(1),
-            (sqrt(2) - 1) / 16 * k.unit,
-            (1 - C_eta) / 28 * k.unit * k.Delta_theta,
-            (1 - C_eta) * (k.V_1 - V_0) / (12 * (k.speed + 2)),
-            k.unit / (12 * alpha_0) * share,
-            k.unit * (delta_2 / 6) * share,
-            k.unit / 24 * share,
-        ),
-        "zeta_bar": (
-            2 * (sqrt(2) - 1),
-            V_0 * h_5 / (3 * k.V_1 * (alpha_0 + 8 * k.V_1 / V_0)) * delta_2**2,
-            share / 16,
-            delta_2 / 4 * share,
-            V_0 / k.V_1 / 16 * share,
-        ),
+        "x_0": ((1 - h_4) * k.delta_x, _x_bound(k)),
+        "Delta_theta": (c / 2, h_4 * k.delta_x / 8, delta_theta),
+        "eta_bar": _eta_bar_repaired(k),
+        "zeta_bar": _zeta_bar_repaired(k),
         "d_slope": (k.zeta_bar / (2 * k.V_1),),
-        "d_const": (
-            (sqrt(2) - 1) / 4,
-            k.Delta_theta / 4,
-            delta_2 / 2 * share,
-            share / 8,
-        ),
+        "d_const": _d_const_repaired(k),
         "d_bar": (k.d_const, k.d_slope * k.eta_bar**2),
-        "T_star": (2 / (V_0 * (1 - C_eta)) * k.eta_bar * k.zeta_bar,),
+        "T_star": (_collapse_time(k),),
     }
+
+
+def _x_bound(k: ConstantSet) -> Term:
+    """(V₀/V₁) δ₂² h₅/12: in the print for x₀ alone, in the repair for every x_n."""
+    return V_0 / k.V_1 * (delta_2**2 * h_5 / 12)
+
+
+def _eta_bar_printed(k: ConstantSet) -> tuple[Term, ...]:
+    """The five entries of `EQUATSS4.1DefinBorne_Eta_`; the last is a sum."""
+    return (
+        as_term(1),
+        (sqrt(2) - 1) / 16 * k.unit,
+        V_0 / (33 * k.speed) * k.Delta_theta,
+        (1 - C_eta) * (k.V_1 - V_0) / (12 * (k.speed + 2)),
+        k.unit
+        * (2 / (15 * alpha_0) + h_4 * delta_2 / 6 + h_4 / (12 * alpha_0) + h_4 / 24)
+        * k.delta_x,
+    )
+
+
+def _eta_bar_repaired(k: ConstantSet) -> tuple[Term, ...]:
+    """1/33 becomes (1-C_η)/28, and the sum becomes the three bounds that the steps need."""
+    share = h_4 * k.delta_x
+    return (
+        as_term(1),
+        (sqrt(2) - 1) / 16 * k.unit,
+        (1 - C_eta) / 28 * k.unit * k.Delta_theta,
+        (1 - C_eta) * (k.V_1 - V_0) / (12 * (k.speed + 2)),
+        k.unit / (12 * alpha_0) * share,
+        k.unit * (delta_2 / 6) * share,
+        k.unit / 24 * share,
+    )
+
+
+def _zeta_bar_printed(k: ConstantSet) -> tuple[Term, ...]:
+    """The three entries of `EQUATSS4.1DefinBorne_Zeta`; the last is a sum."""
+    return (
+        2 * (sqrt(2) - 1),
+        V_0 * h_5 / (3 * k.V_1 * (alpha_0 + 8 * k.V_1 / V_0)) * delta_2**2,
+        (1 + 4 * delta_2 + V_0 / k.V_1) / 16 * h_4 * k.delta_x,
+    )
+
+
+def _zeta_bar_repaired(k: ConstantSet) -> tuple[Term, ...]:
+    """The sum becomes three bounds."""
+    share = h_4 * k.delta_x
+    return (
+        2 * (sqrt(2) - 1),
+        V_0 * h_5 / (3 * k.V_1 * (alpha_0 + 8 * k.V_1 / V_0)) * delta_2**2,
+        share / 16,
+        delta_2 / 4 * share,
+        V_0 / k.V_1 / 16 * share,
+    )
+
+
+def _d_const_printed(k: ConstantSet) -> tuple[Term, ...]:
+    """The entries of `EQUATSS4.1DefinBorne_d_0_` that do not depend on η_{c,0}."""
+    return (
+        (sqrt(2) - 1) / 4,
+        k.Delta_theta / 3,
+        (1 + delta_2 * h_4) * k.delta_x / 5,
+        (1 + 2 * delta_2) / 4 * h_4 * k.delta_x,
+    )
+
+
+def _d_const_repaired(k: ConstantSet) -> tuple[Term, ...]:
+    """A quarter of |Δθ| is left for the initial angle, and the sums become two bounds."""
+    share = h_4 * k.delta_x
+    return (
+        (sqrt(2) - 1) / 4,
+        k.Delta_theta / 4,
+        delta_2 / 2 * share,
+        share / 8,
+    )
+
+
+def _collapse_time(k: ConstantSet) -> Term:
+    """2 η̄ ζ̄/(V₀ (1-C_η)), which bounds Σ τ_n."""
+    return 2 / (V_0 * (1 - C_eta)) * k.eta_bar * k.zeta_bar
 
 
 def rows(k: ConstantSet) -> Iterator[Obligation]:
     """Both halves of each definition: every constant is positive and below each of its bounds."""
-    symbols = {
-        "delta_x": k.delta_x,
-        "x_0": k.x_0,
-        "Delta_theta": k.Delta_theta,
-        "eta_bar": k.eta_bar,
-        "zeta_bar": k.zeta_bar,
-        "d_slope": k.d_slope,
-        "d_const": k.d_const,
-        "d_bar": k.d_bar,
-    }
-    yield k.row("V_1-above-V_0", _LABELS["V_1"], "0 < V₀ < V₁", V_0 < k.V_1)
-    yield k.row(
-        "V_1-ratio",
-        _LABELS["V_1"],
-        "V₁/V₀ = (1-h₅/2)/(1-h₅), of which ≤ is needed",
-        k.V_1 / V_0 <= (1 - h_5 / 2) / (1 - h_5),
-    )
-    for name, entries in k.bounds().items():
-        if name not in symbols:
-            continue
-        letter = _LETTERS[name][0]
-        yield k.row(f"{name}-positive", _LABELS[name], f"0 < {letter}", 0 < symbols[name])
-        for index, entry in enumerate(entries, 1):
-            yield k.row(
-                f"{name}-entry-{index}",
-                _LABELS[name],
-                f"{letter} is at most entry {index} of its min",
-                symbols[name] <= entry,
-            )
+    label = _LABELS["V_1"]
+    yield k.row("V_1-above-V_0", label, "0 < V₀ < V₁", V_0 < k.V_1)
+    says = "V₁/V₀ = (1-h₅/2)/(1-h₅), of which ≤ is needed"
+    yield k.row("V_1-ratio", label, says, k.V_1 / V_0 <= (1 - h_5 / 2) / (1 - h_5))
+    bounds = k.bounds()
+    for name, constant in (
+        ("delta_x", k.delta_x),
+        ("x_0", k.x_0),
+        ("Delta_theta", k.Delta_theta),
+        ("eta_bar", k.eta_bar),
+        ("zeta_bar", k.zeta_bar),
+        ("d_slope", k.d_slope),
+        ("d_const", k.d_const),
+        ("d_bar", k.d_bar),
+    ):
+        yield from _definition(k, name, constant, bounds[name])
 
 
-CHANGES = (
-    Change(
-        "EQUATSS4.1ThExiCondiTheta",
-        "-cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r)",
-        "-cos θ₀ > 2r^(1/3)(1+r^(1/3))/(1+r)",
-        "h₅ > 0 is equivalent to >; with < the construction has h₅ < 0.",
-    ),
-    Change(
-        DELTA,
-        "δ_x = δ_y = min(δ₁, …, δ₅)",
-        "also at most (V₀/V₁) δ₂² h₅/12",
-        "Cnd9 must give |x_n| ≤ (V₀/V₁) δ₂² h₅/12 for every n, not only for n = 0.",
-    ),
-    Change(
-        X_0,
-        "ω_{c,0}·ω_{s,0} = cos θ₀",
-        "|cos θ_init - cos θ₀| ≤ |Δθ|/4",
-        "with the angle fixed the set has no interior.",
-    ),
-    Change(
-        X_0,
-        "d₀ ≤ d̄(-η_{c,0})",
-        "0 < d₀ ≤ d̄(-η_{c,0})",
-        "d₀ = 0 is a triple contact; the collision mapping needs d > 0.",
-    ),
-    Change(
-        X_0,
-        "a post-collisional configuration (in words)",
-        "η_{s,0} > 0",
-        "the bound x₀ does not give it where |x₀| ≥ φ⁻, and without it the pair that just met "
-        "may meet again.",
-    ),
-    Change(
-        "EQUATSS4.1Recurrence_Cnd5",
-        "(nothing)",
-        "0 < d_n ≤ 1 among the conditions of the recursion",
-        "1+d_n ≤ 2 is used in every step, and d_n > 0 by the mapping.",
-    ),
-    Change(
-        ETA,
-        "entry V₀/(33 V₁^{1/2}) |Δθ|",
-        "(1-C_η)/28 · V₀/V₁^{1/2} · |Δθ|",
-        "the tail of Cnd8 is 14 (V₁^{1/2}/V₀) η̄/(1-C_η); half of |Δθ| is left for it.",
-    ),
-    Change(
-        ETA,
-        "entry V₀/V₁^{1/2} (2/(15α₀) + h₄δ₂/6 + h₄/(12α₀) + h₄/24) δ_x",
-        "V₀/V₁^{1/2} h₄δ_x times each of 1/(12α₀), δ₂/6, 1/24",
-        "each later step needs its own bound; their sum is larger than each of them.",
-    ),
-    Change(
-        ZETA,
-        "entry (1 + 4δ₂ + V₀/V₁) h₄δ_x/16",
-        "h₄δ_x/16 times each of 1, 4δ₂, V₀/V₁",
-        "the same.",
-    ),
-    Change(
-        D_0,
-        "entries |Δθ|/3, (1+δ₂h₄)δ_x/5, (1+2δ₂)h₄δ_x/4",
-        "|Δθ|/4, δ₂h₄δ_x/2, h₄δ_x/8",
-        "the same; and a quarter of |Δθ| is left for the initial angle.",
-    ),
-    Change(
-        "EQUATSS4.1EvoluNormeVitRl",
-        "(1+r)²/2 (W_c·ω)²",
-        "(1+r)²/4 (W_c·ω)²",
-        "the square of the impulse; the printed bound 2|W_c·ω|² holds with either.",
-    ),
-    Change(
-        "EQUATSS4.1Recurrence_Cnd6",
-        "|W_{c,n}|² - |W_{s,0}|² ≤ …, upper bounds only",
-        "the absolute values of the differences",
-        "V₀ ≤ |W|² needs a bound from below; the same constant serves.",
-    ),
-    Change(
-        "THEORSS4.1ExistenCollapse",
-        "(nothing)",
-        "Σ τ_n ≤ 2 η̄ ζ̄/(V₀(1-C_η)) ≤ T*, and |Δθ| ≤ δ_θ for the limit angle",
-        "the finite collapse time and the final angle are claimed and not concluded.",
-    ),
-)
+def _definition(
+    k: ConstantSet, name: str, constant: Term, entries: tuple[Term, ...]
+) -> Iterator[Obligation]:
+    letter, label = _LETTERS[name][0], _LABELS[name]
+    yield k.row(f"{name}-positive", label, f"0 < {letter}", 0 < constant)
+    for index, entry in enumerate(entries, 1):
+        says = f"{letter} is at most entry {index} of its min"
+        yield k.row(f"{name}-entry-{index}", label, says, constant <= entry)

@@ -14,6 +14,7 @@ from verify.language.terms import as_term, sqrt
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import V_0, c
 from verify.paper.preliminaries import alpha_0, h_4, phi_minus
+from verify.paper.rows import BREAKS, SLIP
 
 DATA = "EQUATSS4.1DescrDoIniColla"
 CND = "EQUATSS4.1Recurrence_Cnd"
@@ -23,17 +24,22 @@ D_1 = "EQUATSS4.1BorneDista_d_1_"
 
 def rows(k: ConstantSet) -> Iterator[Obligation]:
     """Yield the rows of the initialization, in the paper's order."""
-    yield from _not_empty(k)
+    yield from _set(k)
+    yield from _interior(k)
     yield k.row("init-Cnd1", f"{CND}1", "η_{c,0} < 0 by assumption", -k.eta_bar < 0)
     yield k.row("init-Cnd2", f"{CND}2", "|η_{c,0}| ≤ η̄ by construction", k.eta_bar <= k.eta_bar)
     yield from _zeta(k)
     yield from _norms(k)
     yield from _no_outer_collision(k)
     yield from _angle(k)
-    yield from _ratios(k)
+    yield from _cnd9(k)
+    yield from _y_terms_1_and_2(k)
+    yield from _y_term_3(k)
+    yield from _y_terms_4_and_5(k)
 
 
-def _not_empty(k: ConstantSet) -> Iterator[Obligation]:
+def _set(k: ConstantSet) -> Iterator[Obligation]:
+    """The set of `EQUATSS4.1DescrDoIniColla` is not empty."""
     lower = V_0 + (k.V_1 - V_0) / 3
     upper = k.V_1 - (k.V_1 - V_0) / 3
     yield k.row("set-norms", DATA, "the interval of |W|² is not empty", lower < upper)
@@ -50,41 +56,36 @@ def _not_empty(k: ConstantSet) -> Iterator[Obligation]:
         "η_{s,0} = φ⁻ (-η_{c,0}) > 0 is in the set: a post-collisional pair",
         0 < phi_minus * k.eta_bar,
     )
-    if k.printed:
-        yield k.row(
-            "set-distance",
-            DATA,
-            "d₀ > 0: the set as printed has only d₀ ≤ d̄ and so contains d₀ = 0, a triple contact",
-            0 < as_term(0),
-            corrected_by="distance-stays-positive",
-        )
-        yield k.row(
-            "set-interior",
-            DATA,
-            "a non-trivial interior: the width that the set leaves for -cos of the angle",
-            0 < as_term(0),
-        )
-    else:
-        yield k.row(
-            "set-interior",
-            DATA,
-            "a non-trivial interior: the width that the set leaves for -cos of the angle",
-            0 < k.Delta_theta / 4,
-            ["interior"],
-        )
-        yield k.row("set-x_0", DATA, "… and for η_{s,0}/(-η_{c,0}), on both sides of φ⁻", 0 < k.x_0)
+
+
+def _interior(k: ConstantSet) -> Iterator[Obligation]:
+    """The theorem claims a non-trivial interior; the printed set has ω_{c,0}·ω_{s,0} = cos θ₀."""
+    yield k.row(
+        "set-interior",
+        DATA,
+        "a non-trivial interior: the width that the set leaves for -cos of the angle",
+        0 < as_term(k.initial_slack),
+        ["interior"],
+        if_false=BREAKS,
+    )
+    says = "… and for η_{s,0}/(-η_{c,0}), on both sides of φ⁻"
+    yield from k.repair("set-x_0", DATA, says, 0 < k.x_0)
 
 
 def _zeta(k: ConstantSet) -> Iterator[Obligation]:
-    if k.printed:
-        # Bounded by 2 is true and gives 2 |W|^2/eta^2; the display needs 2x, which is also true.
-        yield k.row(
-            "init-zeta-bound-2",
-            ZETA_0,
-            "x(2+x)/(1+x)² ≤ 2 (and not 2x) gives the factor 2d₀: 2 ≤ 2d₀ at d₀ = d̄",
-            2 <= 2 * k.d_bar,
-            corrected_by="init-Cnd4",
-        )
+    """ζ₀ = d₀(2+d₀)/(1+d₀)² |W_{c,0}|²/η_{c,0}² ≤ 2d₀ |W_{c,0}|²/η_{c,0}².
+
+    The paper bounds x(2+x)/(1+x)² by 2, which gives 2 |W|²/η²; the display needs 2x, which is also
+    true.
+    """
+    yield from k.misprint(
+        "init-zeta-bound-2",
+        ZETA_0,
+        "x(2+x)/(1+x)² ≤ 2 (and not 2x) gives the factor 2d₀: 2 ≤ 2d₀ at d₀ = d̄",
+        2 <= 2 * k.d_bar,
+        severity=SLIP,
+        corrected_by="init-Cnd4",
+    )
     yield k.row(
         "init-Cnd3", f"{CND}3", "ζ₀ < 1", k.zeta_bar < 1, ["zeta-from-distance", "collision-map"]
     )
@@ -104,6 +105,7 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
 
 
 def _norms(k: ConstantSet) -> Iterator[Obligation]:
+    """V₀ + (V₁-V₀)/3 ≤ |W_{c,0}|², |W_{s,0}|² ≤ V₁ - (V₁-V₀)/3 gives Cnd5."""
     third = (k.V_1 - V_0) / 3
     yield k.row("init-Cnd5-lower", f"{CND}5", "V₀ ≤ |W|² at n = 0", V_0 <= V_0 + third)
     yield k.row("init-Cnd5-upper", f"{CND}5", "|W|² ≤ V₁ at n = 0", k.V_1 - third <= k.V_1)
@@ -112,6 +114,7 @@ def _norms(k: ConstantSet) -> Iterator[Obligation]:
 
 
 def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
+    """|(1+d₀)ω_{c,0} - ω_{s,0} + τ(W_{c,0}-W_{s,0})| ≥ √2 - d₀ - 2V₁^{1/2}τ₀ > 1."""
     cnd = f"{CND}T"
     yield k.row("init-d_0-below-one", cnd, "1 + d₀ ≤ 2, used in the bound on τ₀", k.d_bar <= 1)
     tau_0 = k.tau_crude * k.zeta_bar
@@ -127,6 +130,7 @@ def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
 
 
 def _angle(k: ConstantSet) -> Iterator[Obligation]:
+    """d₁ ≤ (3/2) V₁^{1/2} τ₀ (`EQUATSS4.1BorneDista_d_1_`), and with it Cnd8 for n = 0."""
     yield k.row(
         "init-tau-small",
         D_1,
@@ -150,40 +154,48 @@ def _angle(k: ConstantSet) -> Iterator[Obligation]:
     )
 
 
-def _ratios(k: ConstantSet) -> Iterator[Obligation]:
-    cnd = f"{CND}10"
-    quarter = h_4 * k.delta_x / 4
+def _cnd9(k: ConstantSet) -> Iterator[Obligation]:
+    """|η_{s,0}/(-η_{c,0}) - φ⁻| ≤ |x₀|, so that η_{s,0}/(-η_{c,0}) ≤ α₀/2."""
     yield k.row("init-Cnd9", f"{CND}9", "|x₀| ≤ δ_x by assumption", k.x_0 <= k.delta_x)
     yield k.row(
         "init-ratio",
-        cnd,
+        f"{CND}10",
         "|η_{s,0}/η_{c,0}| ≤ φ⁻ + |x₀| ≤ α₀/2",
         phi_minus + k.x_0 <= alpha_0 / 2,
     )
+
+
+def _y_terms_1_and_2(k: ConstantSet) -> Iterator[Obligation]:
+    """[1/(1+d₁) - 1] η_{s,0}/η_{c,0} + [φ⁻ - η_{s,0}/(-η_{c,0})]."""
+    cnd = f"{CND}10"
     yield k.row(
         "init-y-term-1",
         cnd,
         "first term of y₀: d₁ α₀/2 ≤ h₄δ_x/4",
-        k.d_later * (alpha_0 / 2) <= quarter,
+        k.d_later * (alpha_0 / 2) <= h_4 * k.delta_x / 4,
         ["y-step", "distance"],
     )
     yield k.row(
         "init-y-term-2", cnd, "second term of y₀: |x₀| ≤ (1-h₄)δ_x", k.x_0 <= (1 - h_4) * k.delta_x
     )
-    yield k.row(
-        "init-y-term-3-d",
-        cnd,
-        "third term of y₀, at most max(d₀, 2ζ₀): d₀ ≤ h₄δ_x/4",
-        k.d_bar <= quarter,
-        ["y-step", "root-product"],
-    )
-    yield k.row(
-        "init-y-term-3-zeta",
-        cnd,
-        "third term of y₀, at most max(d₀, 2ζ₀): 2ζ₀ ≤ h₄δ_x/4",
-        2 * k.zeta_bar <= quarter,
-        ["y-step", "root-product"],
-    )
+
+
+def _y_term_3(k: ConstantSet) -> Iterator[Obligation]:
+    """[(1+d₀)√(1-ζ₀) - 1] ((1+r)/2)(-ω_{s,1}·ω_{c,1}), at most max(d₀, 2ζ₀)."""
+    for name, letter, size in (("d", "d₀", k.d_bar), ("zeta", "2ζ₀", 2 * k.zeta_bar)):
+        yield k.row(
+            f"init-y-term-3-{name}",
+            f"{CND}10",
+            f"third term of y₀, at most max(d₀, 2ζ₀): {letter} ≤ h₄δ_x/4",
+            size <= h_4 * k.delta_x / 4,
+            ["y-step", "root-product"],
+        )
+
+
+def _y_terms_4_and_5(k: ConstantSet) -> Iterator[Obligation]:
+    """((1+r)/2)(-ω_{s,1}·ω_{c,1}) - α₀, then τ₀ |W_{s,0}|²/((1+d₁) η_{c,0}); and the sum of all."""
+    cnd = f"{CND}10"
+    quarter = h_4 * k.delta_x / 4
     yield k.row(
         "init-y-term-4",
         cnd,

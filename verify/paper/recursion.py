@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from verify.language.statement import Obligation
-from verify.language.terms import as_term, minimum, sqrt
-from verify.paper.initial_data import ETA, ConstantSet
+from verify.language.terms import Claim, Term, as_term, maximum, minimum, sqrt
+from verify.paper.initial_data import D_0, ETA, ZETA, ConstantSet
 from verify.paper.parameters import V_0, c, r
 from verify.paper.preliminaries import (
     C_eta,
@@ -26,6 +26,7 @@ from verify.paper.preliminaries import (
     h_5,
     phi_minus,
 )
+from verify.paper.rows import BREAKS, HARMLESS, SLIP
 
 CND = "EQUATSS4.1Recurrence_Cnd"
 TAU = "EQUATSS4.1_Controle_Tau_n"
@@ -37,114 +38,179 @@ COSINE = "EQUATSS4.1EvoluCosinAngle"
 
 def rows(k: ConstantSet) -> Iterator[Obligation]:
     """Yield the rows of the recursion, in the paper's order."""
-    yield from _norms(k)
-    yield from _normal_component(k)
-    yield from _zeta(k)
-    yield from _no_outer_collision(k)
-    yield from _angle(k)
-    yield from _x(k)
-    yield from _y(k)
+    for paragraph in (
+        _small_distance,
+        _small_time,
+        _norm_law,
+        _norm_factors,
+        _norm_steps,
+        _norm_steps_below,
+        _norm_bounds,
+        _y_small,
+        _eta_chain,
+        _zeta_root,
+        _zeta_time,
+        _zeta_term_2,
+        _zeta_terms_3_and_4,
+        _zeta_remainders,
+        _zeta_main_term,
+        _zeta_propagates,
+        _outer_directions,
+        _no_outer_collision,
+        _angle_step,
+        _angle_sum,
+        _x_term_1,
+        _sums_alone,
+        _x_term_2,
+        _x_improved,
+        _y_terms_1_and_2,
+        _y_terms_3_and_4,
+        _y_sum,
+    ):
+        yield from paragraph(k)
 
 
-def _norms(k: ConstantSet) -> Iterator[Obligation]:
-    cnd5, cnd6 = f"{CND}5", f"{CND}6"
-    step = 4 * (k.speed + 2)
-    yield k.row("d_0-below-one", cnd6, "1 + d_n ≤ 2 for n = 0", k.d_bar <= 1)
-    yield k.row("d-below-one", cnd6, "1 + d_n ≤ 2 for n ≥ 1", k.d_later <= 1, ["distance", "time"])
-    if k.printed:
-        # tau_n <= (1 + zeta_n/2) d_n/(-eta_{c,n}) and tau_n <= 2 (-eta_{c,n}) zeta_n/V_0, so the
-        # right-hand side is at most d_n times the number below; the display is about d_{n+1}.
-        yield k.row(
-            "d-index",
-            TAU,
-            "d_n ≤ |η_{s,n}|τ_n + |W_{s,n}|²τ_n²/2 (it bounds d_{n+1}): "
-            "as τ_n ≤ (1+ζ_n/2) d_n/(-η_{c,n}) it needs 1 ≤ (1+ζ̄/2)(φ⁻+δ_x+(V₁/V₀)ζ̄)",
-            1 <= (1 + k.zeta_bar / 2) * (phi_minus + k.delta_x + k.V_1 / V_0 * k.zeta_bar),
-            ["time", "root-fine", "zeta-from-distance"],
-            corrected_by="d-below-one",
-        )
-    yield k.row("eta-below-one", cnd6, "η² ≤ η ≤ 1", k.eta_bar <= 1)
+def _small_distance(k: ConstantSet) -> Iterator[Obligation]:
+    """d_n ≤ |η_{s,n}|τ_n + |W_{s,n}|²τ_n²/2 ≤ (3/2) V₁^{1/2} τ_n ≤ 3 (V₁^{1/2}/V₀)(-η_{c,n}).
+
+    The display is about d_{n+1}. That it bounds d_n is refuted as follows: as
+    tau_n <= (1 + zeta_n/2) d_n/(-eta_{c,n}) and tau_n <= 2 (-eta_{c,n}) zeta_n/V_0, its right-hand
+    side is at most d_n times the number of the row.
+    """
+    cnd = f"{CND}6"
+    yield k.row("d_0-below-one", cnd, "1 + d_n ≤ 2 for n = 0", k.d_bar <= 1)
+    yield k.row("d-below-one", cnd, "1 + d_n ≤ 2 for n ≥ 1", k.d_later <= 1, ["distance", "time"])
+    yield from k.misprint(
+        "d-index",
+        TAU,
+        "d_n ≤ |η_{s,n}|τ_n + |W_{s,n}|²τ_n²/2 (it bounds d_{n+1}): "
+        "as τ_n ≤ (1+ζ_n/2) d_n/(-η_{c,n}) it needs 1 ≤ (1+ζ̄/2)(φ⁻+δ_x+(V₁/V₀)ζ̄)",
+        1 <= (1 + k.zeta_bar / 2) * (phi_minus + k.delta_x + k.V_1 / V_0 * k.zeta_bar),
+        ["time", "root-fine", "zeta-from-distance"],
+        severity=SLIP,
+        corrected_by="d-below-one",
+    )
+
+
+def _small_time(k: ConstantSet) -> Iterator[Obligation]:
+    """(-η_{c,n})² ≤ -η_{c,n} ≤ 1; V₁τ_n² ≤ V₁^{1/2}τ_n ≤ 1 (`EQUATSS4.1_Controle_Tau_n`)."""
+    yield k.row("eta-below-one", f"{CND}6", "η² ≤ η ≤ 1", k.eta_bar <= 1)
     yield k.row(
         "tau-small", TAU, "V₁ τ_n² ≤ V₁^{1/2} τ_n ≤ 1", k.speed * k.tau_crude <= 1, ["time"]
     )
+
+
+def _norm_law(k: ConstantSet) -> Iterator[Obligation]:
+    """|W_{c,n+1}|² = |W_{s,n}|² - (1+r) (…)(…) + ((1+r)²/2)(W_{c,n}·ω_{s,n+1})², as printed."""
     coefficient = ((1 + r) / 2) ** 2
-    if k.printed:
-        yield k.row(
-            "norm-law-as-printed",
-            NORM,
-            "the coefficient of (W_{c,n}·ω_{s,n+1})² is (1+r)²/2: it is the square of (1+r)/2",
-            (1 + r) ** 2 / 2 <= coefficient,
-            corrected_by="norm-law",
-        )
-    else:
-        yield k.row(
-            "norm-law",
-            NORM,
-            "the coefficient of (W_{c,n}·ω_{s,n+1})² is the square of (1+r)/2, (1+r)²/4",
-            coefficient <= (1 + r) ** 2 / 4,
-        )
-    yield k.row("norm-factor-1", cnd6, "1+r ≤ 2", 1 + r <= 2)
-    yield k.row("norm-factor-2", cnd6, "(1+r)²/4 ≤ (1+r)²/2 ≤ 2", (1 + r) ** 2 / 2 <= 2)
-    yield k.row("norm-factor-3", cnd6, "|W_{s,n+1}|² - |W_{c,n}|² ≤ 0: r² - 1 ≤ 0", r**2 - 1 <= 0)
+    yield from k.misprint(
+        "norm-law-as-printed",
+        NORM,
+        "the coefficient of (W_{c,n}·ω_{s,n+1})² is (1+r)²/2: it is the square of (1+r)/2 "
+        "(harmless: only that it is at most 2 is used)",
+        (1 + r) ** 2 / 2 <= coefficient,
+        severity=HARMLESS,
+        corrected_by="norm-law",
+    )
+    yield from k.repair(
+        "norm-law",
+        NORM,
+        "the coefficient of (W_{c,n}·ω_{s,n+1})² is the square of (1+r)/2, (1+r)²/4",
+        coefficient <= (1 + r) ** 2 / 4,
+    )
+
+
+def _norm_factors(k: ConstantSet) -> Iterator[Obligation]:
+    """… ≤ 2 |W_{s,n}| |W_{c,n}·ω_{s,n+1}| + 2 |W_{c,n}·ω_{s,n+1}|²."""
+    cnd = f"{CND}6"
+    yield k.row("norm-factor-1", cnd, "1+r ≤ 2", 1 + r <= 2)
+    yield k.row("norm-factor-2", cnd, "(1+r)²/4 ≤ (1+r)²/2 ≤ 2", (1 + r) ** 2 / 2 <= 2)
+    yield k.row("norm-factor-3", cnd, "|W_{s,n+1}|² - |W_{c,n}|² ≤ 0: r² - 1 ≤ 0", r**2 - 1 <= 0)
+
+
+def _norm_steps(k: ConstantSet) -> Iterator[Obligation]:
+    """… ≤ 2V₁^{1/2}(1+d_n)(-η_{c,n}) + 2(1+d_n)²η_{c,n}² ≤ 4(V₁^{1/2}+2)(-η_{c,n})."""
+    step = 4 * (k.speed + 2)
     yield k.row(
         "norm-c-upper",
-        cnd6,
+        f"{CND}6",
         "2V₁^{1/2}(1+d_n)η + 2(1+d_n)²η² ≤ 4(V₁^{1/2}+2)η, divided by η = -η_{c,n}",
         2 * k.speed * (1 + k.d_any) + 2 * (1 + k.d_any) ** 2 * k.eta_bar <= step,
         ["law-norms", "norm-step"],
     )
     yield k.row(
         "norm-s-upper",
-        cnd6,
+        f"{CND}6",
         "(1+d_n)²η² ≤ 4η, divided by η = -η_{c,n}",
         (1 + k.d_any) ** 2 * k.eta_bar <= 4,
         ["law-norms", "norm-step"],
     )
+
+
+def _norm_steps_below(k: ConstantSet) -> Iterator[Obligation]:
+    """The same bounds hold for the absolute values of the differences, which Cnd5 needs."""
+    step = 4 * (k.speed + 2)
     yield k.row(
         "norm-c-lower",
-        cnd6,
+        f"{CND}6",
         "|W_{c,n+1}|² - |W_{s,n}|² ≥ -(1+r)V₁^{1/2}(1+d_n)η ≥ -4(V₁^{1/2}+2)η",
         (1 + r) * k.speed * (1 + k.d_any) <= step,
         ["law-norms", "norm-step"],
     )
     yield k.row(
         "norm-s-lower",
-        cnd6,
+        f"{CND}6",
         "|W_{s,n+1}|² - |W_{c,n}|² ≥ -(1-r²)(1+d_n)²η² ≥ -4(V₁^{1/2}+2)η",
         (1 - r**2) * (1 + k.d_any) ** 2 * k.eta_bar <= step,
         ["law-norms", "norm-step"],
     )
+
+
+def _norm_bounds(k: ConstantSet) -> Iterator[Obligation]:
+    """Σ C_η^k < 1/(1-C_η) and η̄ ≤ (1-C_η)(V₁-V₀)/(12(V₁^{1/2}+2)) give Cnd5 for n+1.
+
+    Cnd6 and Cnd7 are printed as upper bounds; with absolute values, which the same constants
+    bound, they give both halves.
+    """
+    cnd = f"{CND}5"
     third = (k.V_1 - V_0) / 3
     yield k.row(
         "Cnd5-upper",
-        cnd5,
+        cnd,
         "|W|² ≤ V₁ - (V₁-V₀)/3 + 4(V₁^{1/2}+2)/(1-C_η) η̄ ≤ V₁",
         k.norm_drift <= third,
         ["norm-step"],
     )
-    if k.printed:
-        yield k.row(
-            "Cnd5-lower-as-printed",
-            cnd5,
-            "V₀ ≤ |W_{s,n+1}|² at |W_{c,n}|² = V₀, -η_{c,n} = C_η η̄: Cnd6 and Cnd7 are upper "
-            "bounds, and the law subtracts (1-r²)(1+d_n)²(1-ζ_n)η_{c,n}²",
-            V_0 <= V_0 - (1 - r**2) * (1 - k.zeta_bar) * (C_eta * k.eta_bar) ** 2,
-            ["law-norms"],
-            corrected_by="Cnd5-lower",
-        )
+    yield from k.misprint(
+        "Cnd5-lower-as-printed",
+        cnd,
+        "V₀ ≤ |W_{s,n+1}|² at |W_{c,n}|² = V₀, -η_{c,n} = C_η η̄: Cnd6 and Cnd7 are upper "
+        "bounds, and the law subtracts (1-r²)(1+d_n)²(1-ζ_n)η_{c,n}²",
+        V_0 <= V_0 - (1 - r**2) * (1 - k.zeta_bar) * (C_eta * k.eta_bar) ** 2,
+        ["law-norms"],
+        severity=SLIP,
+        corrected_by="Cnd5-lower",
+    )
     yield k.row(
         "Cnd5-lower",
-        cnd5,
+        cnd,
         "V₀ ≤ V₀ + (V₁-V₀)/3 - 4(V₁^{1/2}+2)/(1-C_η) η̄ ≤ |W|², by the two-sided estimates",
         V_0 + k.norm_drift <= V_0 + third,
         ["norm-step"],
     )
 
 
-def _normal_component(k: ConstantSet) -> Iterator[Obligation]:
+def _y_small(k: ConstantSet) -> Iterator[Obligation]:
+    """|y_n| ≤ δ₂ and |y_n| ≤ δ₃, by Cnd10."""
+    says = "|y_n| ≤ δ₂ by Cnd10"
+    yield k.row("y-below-delta_2", f"{CND}1", says, k.delta_y <= delta_2)
+    says = "|y_n| ≤ δ₃ by Cnd10"
+    yield k.row("y-below-delta_3", f"{CND}2", says, k.delta_y <= delta_3)
+
+
+def _eta_chain(k: ConstantSet) -> Iterator[Obligation]:
+    """-1 < -1 + δ₃ ≤ φ⁻ - α₀ + y_n ≤ -δ₂ < 0, hence Cnd1 and Cnd2 for n+1."""
     cnd1, cnd2 = f"{CND}1", f"{CND}2"
-    yield k.row("y-below-delta_2", cnd1, "|y_n| ≤ δ₂ by Cnd10", k.delta_y <= delta_2)
-    yield k.row("y-below-delta_3", cnd2, "|y_n| ≤ δ₃ by Cnd10", k.delta_y <= delta_3)
     yield k.row("eta-chain-1", cnd2, "-1 < -1 + δ₃", -1 < -1 + delta_3)
     yield k.row(
         "eta-chain-2",
@@ -170,35 +236,40 @@ def _normal_component(k: ConstantSet) -> Iterator[Obligation]:
     )
 
 
-def _zeta(k: ConstantSet) -> Iterator[Obligation]:
-    cnd = f"{CND}4"
-    ratio = k.V_1 / V_0
+def _zeta_root(k: ConstantSet) -> Iterator[Obligation]:
+    """1-√(1-ζ_n) ≤ ζ_n/2 + ζ_n²/4 as soon as ζ_n ≤ 2(√2-1)."""
     yield k.row(
         "zeta-root",
-        cnd,
+        f"{CND}4",
         "ζ_n ≤ 2(√2-1), where 1-√(1-ζ) ≤ ζ/2 + ζ²/4",
         k.zeta_bar <= 2 * (sqrt(2) - 1),
         ["root-fine"],
     )
-    if k.printed:
-        # tau/(-eta_c) >= zeta/(2 |W_c|^2); the state has |W_c|^2 = V_0 and a small zeta.
-        zeta = minimum(k.zeta_bar, V_0 / 16)
-        yield k.row(
-            "zeta-time-square",
-            cnd,
-            "bounding τ/(-η_{c,n}) by 4ζ_n²/|W_{c,n}|⁴, at |W_{c,n}|² = V₀, ζ_n = min(ζ̄, V₀/16)",
-            zeta / (2 * V_0) <= 4 * zeta**2 / V_0**2,
-            ["time"],
-            corrected_by="zeta-time-square",
-        )
-    else:
-        yield k.row(
-            "zeta-time-square",
-            cnd,
-            "(τ_n/(-η_{c,n}))² ≤ 4ζ_n²/|W_{c,n}|⁴",
-            (k.tau_crude * k.zeta_bar) ** 2 <= 4 * k.zeta_bar**2 / V_0**2 * k.eta_bar**2,
-            ["time"],
-        )
+
+
+def _zeta_time(k: ConstantSet) -> Iterator[Obligation]:
+    """'Bounding τ/(-η_{c,n}) by 4ζ_n²/|W_{c,n}|⁴', which is meant for the square; the factor 1+d_n.
+
+    tau/(-eta_c) >= zeta/(2 |W_c|^2); the state has |W_c|^2 = V_0 and a small zeta.
+    """
+    cnd = f"{CND}4"
+    zeta = minimum(k.zeta_bar, V_0 / 16)
+    yield from k.misprint(
+        "zeta-time-square",
+        cnd,
+        "bounding τ/(-η_{c,n}) by 4ζ_n²/|W_{c,n}|⁴, at |W_{c,n}|² = V₀, ζ_n = min(ζ̄, V₀/16)",
+        zeta / (2 * V_0) <= 4 * zeta**2 / V_0**2,
+        ["time"],
+        severity=SLIP,
+        corrected_by="zeta-time-square",
+    )
+    yield from k.repair(
+        "zeta-time-square",
+        cnd,
+        "(τ_n/(-η_{c,n}))² ≤ 4ζ_n²/|W_{c,n}|⁴",
+        (k.tau_crude * k.zeta_bar) ** 2 <= 4 * k.zeta_bar**2 / V_0**2 * k.eta_bar**2,
+        ["time"],
+    )
     yield k.row(
         "zeta-dropped-factor",
         cnd,
@@ -206,6 +277,12 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
         Fraction(4, 3) * (2 + k.zeta_bar) * k.eta_bar**2 <= V_0,
         ["zeta-step", "zeta-from-distance"],
     )
+
+
+def _zeta_term_2(k: ConstantSet) -> Iterator[Obligation]:
+    """(|W_{c,n+1}|²/|W_{c,n}|²) |x_n|/(φ⁻-α₀+y_n)² ≤ (V₁/V₀) |x_n|/δ₂² ≤ h₅/12."""
+    cnd = f"{CND}4"
+    bound = k.V_1 / V_0 / delta_2**2
     yield k.row(
         "zeta-denominator",
         cnd,
@@ -216,7 +293,7 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
         "zeta-x_0",
         cnd,
         "second term at n = 0: (V₁/V₀) |x₀|/δ₂² ≤ h₅/12",
-        ratio / delta_2**2 * k.x_0 <= h_5 / 12,
+        bound * k.x_0 <= h_5 / 12,
         ["zeta-step", "time"],
     )
     yield k.row(
@@ -224,56 +301,86 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
         f"{CND}9",
         "Cnd9 implies |x_n| ≤ (V₀/V₁) δ₂² h₅/12",
         k.delta_x <= V_0 / k.V_1 * (delta_2**2 * h_5 / 12),
+        if_false=BREAKS,
     )
     yield k.row(
         "zeta-term-2",
         cnd,
         "second term: (V₁/V₀) |x_n|/δ₂² ≤ h₅/12",
-        ratio / delta_2**2 * k.delta_x <= h_5 / 12,
+        bound * k.delta_x <= h_5 / 12,
         ["zeta-step"],
+        if_false=BREAKS,
     )
-    square = (gap - k.delta_y) ** 2
     yield k.row(
         "zeta-term-2-denominator",
         cnd,
         "second term: (V₁/V₀) |x_n|/(φ⁻-α₀+y_n)² ≤ (V₁/V₀) |x_n|/δ₂²",
-        ratio * k.delta_x / square <= ratio / delta_2**2 * k.delta_x,
+        k.V_1 / V_0 * k.delta_x / _ratio_square(k) <= bound * k.delta_x,
         ["zeta-step"],
     )
+
+
+def _ratio_square(k: ConstantSet) -> Term:
+    """(η_{c,n+1}/η_{c,n})² = (φ⁻-α₀+y_n)², at the least that it can be."""
+    return (gap - k.delta_y) ** 2
+
+
+def _third(k: ConstantSet) -> Term:
+    return k.V_1 / V_0 * (alpha_0 / 2) / delta_2**2
+
+
+def _fourth(k: ConstantSet) -> Term:
+    return (k.V_1 / V_0) ** 2 * 4 / delta_2**2
+
+
+def _last_two(k: ConstantSet) -> Term:
+    """V₁/(2V₀δ₂²) (α₀ + 8V₁/V₀)."""
+    ratio = k.V_1 / V_0
+    return ratio / (2 * delta_2**2) * (alpha_0 + 8 * ratio)
+
+
+def _zeta_terms_3_and_4(k: ConstantSet) -> Iterator[Obligation]:
+    """… ≤ (V₁/V₀) (α₀/2)/δ₂² and … ≤ (V₁²/V₀²) 4/δ₂², as |x_n| ≤ δ₁."""
+    cnd = f"{CND}4"
+    ratio = k.V_1 / V_0
+    square = _ratio_square(k)
     yield k.row(
         "zeta-ratio",
         cnd,
         "η_{s,n}/(-η_{c,n}) ≤ φ⁻ + |x_n| ≤ α₀/2, as |x_n| ≤ δ₁",
         phi_minus + k.delta_x <= alpha_0 / 2,
     )
-    third, fourth = ratio * (alpha_0 / 2) / delta_2**2, ratio**2 * 4 / delta_2**2
     yield k.row(
         "zeta-term-3",
         cnd,
         "third term: at most (V₁/V₀)(α₀/2)/δ₂²",
-        ratio * (phi_minus + k.delta_x) / square <= third,
+        ratio * (phi_minus + k.delta_x) / square <= _third(k),
         ["zeta-step"],
     )
     yield k.row(
         "zeta-term-4",
         cnd,
         "fourth term: at most 4V₁²/(V₀²δ₂²)",
-        ratio**2 * 4 / square <= fourth,
+        ratio**2 * 4 / square <= _fourth(k),
         ["zeta-step"],
     )
-    last_two = ratio / (2 * delta_2**2) * (alpha_0 + 8 * ratio)
+
+
+def _zeta_remainders(k: ConstantSet) -> Iterator[Obligation]:
+    """V₁/(2V₀δ₂²)(α₀ + 8V₁/V₀) ζ_n ≤ h₅/6, and the three remainder terms ≤ h₅/12 + h₅/6 = h₅/4."""
+    cnd = f"{CND}4"
     yield k.row(
         "zeta-terms-3-4",
         cnd,
         "third and fourth term: the sum of their bounds is V₁/(2V₀δ₂²)(α₀ + 8V₁/V₀)",
-        third + fourth <= last_two,
+        _third(k) + _fourth(k) <= _last_two(k),
         ["zeta-step"],
     )
     yield k.row(
         "zeta-small",
         cnd,
         "V₁/(2V₀δ₂²)(α₀ + 8V₁/V₀) ζ_n ≤ h₅/6, implied by Cnd4",
-        last_two * k.zeta_bar <= h_5 / 6,
+        _last_two(k) * k.zeta_bar <= h_5 / 6,
         ["zeta-step"],
     )
     yield k.row("zeta-remainder", cnd, "h₅/12 + h₅/6 = h₅/4", h_5 / 12 + h_5 / 6 <= h_5 / 4)
@@ -281,24 +388,37 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
         "zeta-remainders",
         cnd,
         "the three remainder terms together are at most h₅/4, at |x_n| = δ_x",
-        ratio / delta_2**2 * k.delta_x + last_two * k.zeta_bar <= h_5 / 4,
+        k.V_1 / V_0 / delta_2**2 * k.delta_x + _last_two(k) * k.zeta_bar <= h_5 / 4,
         ["zeta-step"],
+        if_false=BREAKS,
     )
+
+
+def _zeta_main_term(k: ConstantSet) -> Iterator[Obligation]:
+    """(|W_{c,n+1}|²/|W_{c,n}|²) φ⁻/(φ⁻-α₀+y_n)² ≤ (V₁/V₀)(1-h₅) ≤ 1-h₅/2."""
+    cnd = f"{CND}4"
     yield k.row("zeta-y-bound", f"{CND}10", "|y_n| ≤ δ₅ by Cnd10", k.delta_y <= delta_5)
     yield k.row(
         "zeta-main-y",
         cnd,
         "main term: φ⁻/(φ⁻-α₀+y_n)² ≤ 1-h₅",
-        phi_minus / square <= 1 - h_5,
+        phi_minus / _ratio_square(k) <= 1 - h_5,
         ["zeta-step"],
     )
     yield k.row(
         "zeta-main",
         cnd,
         "main term: (V₁/V₀)(1-h₅) ≤ 1-h₅/2",
-        ratio * (1 - h_5) <= 1 - h_5 / 2,
+        k.V_1 / V_0 * (1 - h_5) <= 1 - h_5 / 2,
         ["zeta-step"],
     )
+
+
+def _zeta_propagates(k: ConstantSet) -> Iterator[Obligation]:
+    """ζ_{n+1} ≤ (1-h₅/2) ζ_n + (h₅/4) ζ_n = (1-h₅/4) ζ_n, hence Cnd3 and Cnd4 for n+1."""
+    cnd = f"{CND}4"
+    ratio = k.V_1 / V_0
+    square = _ratio_square(k)
     yield k.row("zeta-sum", cnd, "(1-h₅/2) + h₅/4 = 1-h₅/4", (1 - h_5 / 2) + h_5 / 4 <= 1 - h_5 / 4)
     yield k.row("zeta-factor-below-one", cnd, "1-h₅/4 < 1", 1 - h_5 / 4 < 1)
     total = (
@@ -311,6 +431,7 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
         "ζ_{n+1} ≤ (1-h₅/4) ζ_n: the four terms together, at |x_n| = δ_x and |y_n| = δ_y",
         total <= 1 - h_5 / 4,
         ["zeta-step"],
+        if_false=BREAKS,
     )
     yield k.row(
         "Cnd3",
@@ -321,7 +442,8 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
     )
 
 
-def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
+def _outer_directions(k: ConstantSet) -> Iterator[Obligation]:
+    """The angle is obtuse, cos θ_{n+1} < 0, hence |ω_{c,n+1} - ω_{s,n+1}| ≥ √2."""
     cnd = f"{CND}T"
     yield k.row(
         "obtuse",
@@ -337,6 +459,11 @@ def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
         sqrt(2) <= sqrt(2 + 2 * (c - k.drift)),
         ["outer-distance", "angle-step"],
     )
+
+
+def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
+    """The distance 1-2 ≥ √2 - 3(V₁^{1/2}/V₀)(-η_{c,n}) - 4(V₁^{1/2}/V₀)(-η_{c,n+1}) > 1."""
+    cnd = f"{CND}T"
     total = 3 * k.speed / V_0 * k.eta_bar + 4 * k.speed / V_0 * k.eta_bar
     half = (sqrt(2) - 1) / 2
     yield k.row(
@@ -346,14 +473,14 @@ def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
         total <= half,
         ["outer-distance", "distance", "time"],
     )
-    if k.printed:
-        yield k.row(
-            "CndT-as-printed",
-            cnd,
-            "the distance 1-2 'is always larger than (√2-1)/2', so there is no collision",
-            as_term(1) <= half,
-            corrected_by="CndT",
-        )
+    yield from k.misprint(
+        "CndT-as-printed",
+        cnd,
+        "the distance 1-2 'is always larger than (√2-1)/2', so there is no collision",
+        as_term(1) <= half,
+        severity=SLIP,
+        corrected_by="CndT",
+    )
     yield k.row(
         "CndT",
         cnd,
@@ -363,24 +490,59 @@ def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
     )
 
 
-def _angle(k: ConstantSet) -> Iterator[Obligation]:
-    cnd = f"{CND}8"
-    if k.printed:
-        yield k.row(
-            "angle-sign",
-            COSINE,
-            "the bound on |cos θ_{n+2} - cos θ_{n+1}| with -|W_s·W_c| τ²/(1+d), at W_s·W_c < 0: "
-            "the last term enters with the wrong sign",
-            V_0 * k.tau_crude**2 <= -V_0 * k.tau_crude**2,
-            corrected_by="angle-step-time",
-        )
+def _angle_step(k: ConstantSet) -> Iterator[Obligation]:
+    """|cos θ_{n+2} - cos θ_{n+1}| ≤ d_{n+1} + d_{n+2} + 3V₁^{1/2}τ_{n+1} + V₁τ_{n+1}²."""
+    yield from k.misprint(
+        "angle-sign",
+        COSINE,
+        "|cos θ_{n+2} - cos θ_{n+1}| with - |W_s·W_c| τ²/(1+d_{n+2}) as its last term: in "
+        "dimension ≥ 3, at ω_s·W_c = ω_c·W_s = 0 > W_s·W_c, it enters with the wrong sign",
+        _angle_display(k),
+        ["law-angle"],
+        severity=SLIP,
+        corrected_by="angle-step-time",
+    )
     yield k.row(
         "angle-step-time",
-        cnd,
+        f"{CND}8",
         "V₁^{1/2} τ + 2V₁^{1/2} τ + V₁ τ² ≤ 8 (V₁^{1/2}/V₀)(-η_{c,n+1})",
         3 * k.speed * k.tau_crude + k.V_1 * k.tau_crude**2 <= 8 * k.speed / V_0 * k.eta_bar,
         ["law-angle", "angle-step"],
     )
+
+
+def _angle_display(k: ConstantSet) -> Claim:
+    """The display after `EQUATSS4.1EvoluCosinAngle` is used for n + 1, at one state.
+
+    With η = -η_{c,n+1}, C = -cos θ_{n+1} and V = (V₀+V₁)/2 the state is η = C_η η̄,
+    η_{s,n+1} = φ⁻η, d_{n+1} = k_d η², ω_s·W_c = ω_c·W_s = 0 and
+
+        |W_c|² = V + η²/(1-C²), |W_s|² = V + (φ⁻η)²/(1-C²), W_s·W_c = -V - φ⁻η²C/(1-C²):
+
+    the parts of W_c and W_s that are orthogonal to ω_s and ω_c are opposite vectors of length √V.
+    C is as far from -cos θ₀ as Cnd8 lets it be for n = 0.
+    """
+    eta, cosine = C_eta * k.eta_bar, c - 11 * k.speed / V_0 * k.eta_bar
+    spectator, distance = phi_minus * eta, k.d_slope * eta**2
+    sine_square = 1 - cosine**2
+    tangent = (V_0 + k.V_1) / 2
+    norm_c, norm_s = tangent + eta**2 / sine_square, tangent + spectator**2 / sine_square
+    product = tangent + spectator * eta * cosine / sine_square
+    zeta = distance * (2 + distance) / (1 + distance) ** 2 * norm_c / eta**2
+    time = (1 + distance) / norm_c * eta * (1 - sqrt(1 - zeta))
+    following = sqrt(1 + 2 * spectator * time + norm_s * time**2)
+    last = product * time**2 / following
+    change = (1 + distance) / following * cosine + last - cosine
+    return _absolute(change) <= _absolute((1 + distance) / following - 1) * cosine - last
+
+
+def _absolute(term: Term) -> Term:
+    return maximum(term, -term)
+
+
+def _angle_sum(k: ConstantSet) -> Iterator[Obligation]:
+    """… ≤ 3(V₁^{1/2}/V₀)(-η_{c,n}) + (3+8)(V₁^{1/2}/V₀)(-η_{c,n+1}), hence Cnd8 for n+1."""
+    cnd = f"{CND}8"
     yield k.row(
         "angle-step",
         cnd,
@@ -401,26 +563,86 @@ def _angle(k: ConstantSet) -> Iterator[Obligation]:
         "|(-cos θ_n) - (-cos θ₀)| ≤ |Δθ| for every n: the bound of Cnd8, summed",
         k.drift <= k.Delta_theta,
         ["angle-step"],
+        if_false=BREAKS,
     )
 
 
-def _x(k: ConstantSet) -> Iterator[Obligation]:
-    cnd = f"{CND}9"
+def _x_term_1(k: ConstantSet) -> Iterator[Obligation]:
+    """|r[(1+d_n)√(1-ζ_n) - 1]/(η_{c,n+1}/η_{c,n})| ≤ max(d_n, 2ζ_n)/δ₂ ≤ h₄δ_x/2."""
+    says = "first term, at most max(d_n, 2ζ_n)/δ₂: {}, divided by δ₂, is ≤ h₄δ_x/2"
+    uses = ["x-step", "root-product"]
     half = h_4 * k.delta_x / 2
-    for name, letter, size in (
-        ("d_0", "d₀", k.d_bar),
-        ("d", "d_n, n ≥ 1", k.d_later),
-        ("zeta", "2ζ_n", 2 * k.zeta_bar),
-    ):
-        yield k.row(
-            f"x-term-1-{name}",
-            cnd,
-            f"first term, at most max(d_n, 2ζ_n)/δ₂: {letter}, divided by δ₂, is ≤ h₄δ_x/2",
-            size / delta_2 <= half,
-            ["x-step", "root-product"],
-        )
-    if k.printed:
-        yield from _entries_alone(k)
+    d, zeta = k.d_later, 2 * k.zeta_bar
+    yield k.row("x-term-1-d_0", f"{CND}9", says.format("d₀"), k.d_bar / delta_2 <= half, uses)
+    yield k.row(
+        "x-term-1-d",
+        f"{CND}9",
+        says.format("d_n, n ≥ 1"),
+        d / delta_2 <= half,
+        uses,
+        if_false=BREAKS,
+    )
+    yield k.row("x-term-1-zeta", f"{CND}9", says.format("2ζ_n"), zeta / delta_2 <= half, uses)
+
+
+def _sums_alone(k: ConstantSet) -> Iterator[Obligation]:
+    """The entries with a sum, each against the steps that it is there for.
+
+    The rows show that the sum is not what the step needs. Whether the step holds all the same,
+    because another entry of the min is smaller, is the row without `alone`.
+    """
+    bounds = k.bounds()
+    share = h_4 * k.delta_x
+    yield from _eta_sum(k, 3 * k.speed / V_0 * bounds["eta_bar"][4], share)
+    yield from _zeta_sum(k, bounds["zeta_bar"][2], share)
+    yield from _d_sum(k, bounds["d_const"][3], share)
+
+
+def _alone(
+    k: ConstantSet, name: str, label: str, says: str, claim: Claim, corrected_by: str
+) -> Iterator[Obligation]:
+    yield from k.misprint(
+        f"alone-{name}",
+        label,
+        f"{says}, alone",
+        claim,
+        severity=HARMLESS,
+        corrected_by=corrected_by,
+    )
+
+
+def _eta_sum(k: ConstantSet, d: Term, share: Term) -> Iterator[Obligation]:
+    """Entry 5 of η̄, (V₀/V₁^{1/2}) (2/(15α₀) + h₄δ₂/6 + h₄/(12α₀) + h₄/24) δ_x, gives this d_n."""
+    says = "entry 5 of η̄: d_{n+2} α₀/2 ≤ h₄δ_x/8"
+    yield from _alone(k, "eta-y-1", ETA, says, d * alpha_0 / 2 <= share / 8, "y-term-1")
+    says = "entry 5 of η̄: d_{n+1} ≤ h₄δ_x/8"
+    yield from _alone(k, "eta-y-2", ETA, says, d <= share / 8, "y-term-2-d")
+    says = "entry 5 of η̄: d_n/δ₂ ≤ h₄δ_x/2"
+    yield from _alone(k, "eta-x-1", ETA, says, d / delta_2 <= share / 2, "x-term-1-d")
+
+
+def _zeta_sum(k: ConstantSet, zeta: Term, share: Term) -> Iterator[Obligation]:
+    """Entry 3 of ζ̄, (1 + 4δ₂ + V₀/V₁) h₄δ_x/16."""
+    says = "entry 3 of ζ̄: 2ζ_{n+1} ≤ h₄δ_x/8"
+    yield from _alone(k, "zeta-y-2", ZETA, says, 2 * zeta <= share / 8, "y-term-2-zeta")
+    says = "entry 3 of ζ̄: 2ζ_n/δ₂ ≤ h₄δ_x/2"
+    yield from _alone(k, "zeta-x-1", ZETA, says, 2 * zeta / delta_2 <= share / 2, "x-term-1-zeta")
+    says = "entry 3 of ζ̄: 2(V₁/V₀)ζ̄ ≤ h₄δ_x/8"
+    claim = 2 * k.V_1 / V_0 * zeta <= share / 8
+    yield from _alone(k, "zeta-y-4", ZETA, says, claim, "y-term-4")
+
+
+def _d_sum(k: ConstantSet, d: Term, share: Term) -> Iterator[Obligation]:
+    """Entry 4 of d̄, (1 + 2δ₂) h₄δ_x/4."""
+    says = "entry 4 of d̄: d₀ ≤ h₄δ_x/4"
+    yield from _alone(k, "d-y-3", D_0, says, d <= share / 4, "init-y-term-3-d")
+    says = "entry 4 of d̄: d₀/δ₂ ≤ h₄δ_x/2"
+    yield from _alone(k, "d-x-1", D_0, says, d / delta_2 <= share / 2, "x-term-1-d_0")
+
+
+def _x_term_2(k: ConstantSet) -> Iterator[Obligation]:
+    """|r/(α₀-φ⁻-y_n) - φ⁻| ≤ (1-h₄)|y_n| ≤ (1-h₄)δ_x, since |y_n| ≤ δ₄."""
+    cnd = f"{CND}9"
     yield k.row("x-y-bound", f"{CND}10", "|y_n| ≤ δ₄ by Cnd10", k.delta_y <= delta_4)
     yield k.row(
         "x-contraction",
@@ -432,6 +654,10 @@ def _x(k: ConstantSet) -> Iterator[Obligation]:
     yield k.row(
         "x-term-2", cnd, "(1-h₄)|y_n| ≤ (1-h₄)δ_x", (1 - h_4) * k.delta_y <= (1 - h_4) * k.delta_x
     )
+
+
+def _x_improved(k: ConstantSet) -> Iterator[Obligation]:
+    """|x_{n+1}| ≤ h₄δ_x/2 + (1-h₄)δ_x = (1-h₄/2)δ_x (`EQUATSS4.1Cntrlx_n+1Ameli`)."""
     better = (1 - h_4 / 2) * k.delta_x
     yield k.row(
         "x-improved",
@@ -440,10 +666,11 @@ def _x(k: ConstantSet) -> Iterator[Obligation]:
         h_4 * k.delta_x / 2 + (1 - h_4) * k.delta_x <= better,
         ["law-eta-s", "x-step"],
     )
-    yield k.row("x-propagates", cnd, "(1-h₄/2)δ_x < δ_x", better < k.delta_x)
+    yield k.row("x-propagates", f"{CND}9", "(1-h₄/2)δ_x < δ_x", better < k.delta_x)
 
 
-def _y(k: ConstantSet) -> Iterator[Obligation]:
+def _y_terms_1_and_2(k: ConstantSet) -> Iterator[Obligation]:
+    """d_{n+2} η_{s,n+1}/(-η_{c,n+1}) + max(d_{n+1}, 2ζ_{n+1})."""
     cnd = f"{CND}10"
     eighth = h_4 * k.delta_x / 8
     yield k.row(
@@ -467,12 +694,19 @@ def _y(k: ConstantSet) -> Iterator[Obligation]:
             size <= eighth,
             ["y-step", "root-product"],
         )
+
+
+def _y_terms_3_and_4(k: ConstantSet) -> Iterator[Obligation]:
+    """|(-cos θ_{n+2}) - (-cos θ₀)| + V₁ τ_{n+1}/(-η_{c,n+1})."""
+    cnd = f"{CND}10"
+    eighth = h_4 * k.delta_x / 8
     yield k.row(
         "y-term-3",
         cnd,
         "|(-cos θ_{n+2}) - (-cos θ₀)| ≤ h₄δ_x/8",
         k.drift <= eighth,
         ["y-step", "angle-step"],
+        if_false=BREAKS,
     )
     yield k.row(
         "y-term-4",
@@ -481,42 +715,15 @@ def _y(k: ConstantSet) -> Iterator[Obligation]:
         2 * k.V_1 / V_0 * k.zeta_bar <= eighth,
         ["y-step", "time"],
     )
+
+
+def _y_sum(k: ConstantSet) -> Iterator[Obligation]:
+    """|y_{n+1}| ≤ 4 · h₄δ_x/8 + (1-h₄/2)δ_x = δ_x, hence Cnd10 for n+1."""
+    eighth = h_4 * k.delta_x / 8
     yield k.row(
         "y-sum",
-        cnd,
+        f"{CND}10",
         "|y_{n+1}| ≤ 4 · h₄δ_x/8 + (1-h₄/2)δ_x = δ_x",
         eighth + eighth + eighth + eighth + (1 - h_4 / 2) * k.delta_x <= k.delta_y,
         ["law-eta-c", "y-step"],
     )
-
-
-def _entries_alone(k: ConstantSet) -> Iterator[Obligation]:
-    """The entries with a sum, each against the step that it is there for.
-
-    Where another entry of the min is smaller the step itself holds all the same; these rows show
-    that the sum is not what the step needs.
-    """
-    bounds = k.bounds()
-    eta_5 = bounds["eta_bar"][4]
-    zeta_3 = bounds["zeta_bar"][2]
-    d_4 = bounds["d_const"][3]
-    share = h_4 * k.delta_x
-    d_eta = 3 * k.speed / V_0 * eta_5
-    zeta_label, d_label = "EQUATSS4.1DefinBorne_Zeta", "EQUATSS4.1DefinBorne_d_0_"
-    for name, label, says, claim, correction in (
-        ("eta-y-1", ETA, "entry 5 of η̄: d_{n+2} α₀/2 ≤ h₄δ_x/8", d_eta * alpha_0 / 2 <= share / 8,
-         "y-term-1"),
-        ("eta-y-2", ETA, "entry 5 of η̄: d_{n+1} ≤ h₄δ_x/8", d_eta <= share / 8, "y-term-2-d"),
-        ("eta-x-1", ETA, "entry 5 of η̄: d_n/δ₂ ≤ h₄δ_x/2", d_eta / delta_2 <= share / 2,
-         "x-term-1-d"),
-        ("zeta-y-2", zeta_label, "entry 3 of ζ̄: 2ζ_{n+1} ≤ h₄δ_x/8", 2 * zeta_3 <= share / 8,
-         "y-term-2-zeta"),
-        ("zeta-x-1", zeta_label, "entry 3 of ζ̄: 2ζ_n/δ₂ ≤ h₄δ_x/2",
-         2 * zeta_3 / delta_2 <= share / 2, "x-term-1-zeta"),
-        ("zeta-y-4", zeta_label, "entry 3 of ζ̄: 2(V₁/V₀)ζ̄ ≤ h₄δ_x/8",
-         2 * k.V_1 / V_0 * zeta_3 <= share / 8, "y-term-4"),
-        ("d-y-3", d_label, "entry 4 of d̄: d₀ ≤ h₄δ_x/4", d_4 <= share / 4, "init-y-term-3-d"),
-        ("d-x-1", d_label, "entry 4 of d̄: d₀/δ₂ ≤ h₄δ_x/2", d_4 / delta_2 <= share / 2,
-         "x-term-1-d_0"),
-    ):  # fmt: skip
-        yield k.row(f"alone-{name}", label, f"{says}, alone", claim, corrected_by=correction)

@@ -8,11 +8,14 @@ from typing import NamedTuple
 from verify.language.statement import Assumption, Change, Choice, Constant, Obligation
 from verify.paper import conclusion, initial_data, initialization, preliminary_rows, recursion
 from verify.paper.assumptions import ASSUMPTIONS
+from verify.paper.causes import CAUSES, Cause
+from verify.paper.changes import CHANGES
 from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.hypotheses import hypotheses
-from verify.paper.initial_data import CHANGES, ConstantSet
+from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import PARAMETERS, THEOREM
 from verify.paper.preliminaries import CONSTANTS
+from verify.paper.remarks import REMARKS, Remark
 
 
 class Part(NamedTuple):
@@ -40,6 +43,8 @@ class Theorem(NamedTuple):
     parts: dict[str, Part]
     assumptions: tuple[Assumption, ...]
     changes: tuple[Change, ...]
+    causes: tuple[Cause, ...]
+    remarks: tuple[Remark, ...]
 
 
 @cache
@@ -51,4 +56,4 @@ def theorem() -> Theorem:
         k = ConstantSet(group)
         rows = tuple(row for section in sections for row in section.rows(k))
         parts[group] = Part(group, tuple(k.constants()), rows)
-    return Theorem(THEOREM, PARAMETERS, CONSTANTS, parts, ASSUMPTIONS, CHANGES)
+    return Theorem(THEOREM, PARAMETERS, CONSTANTS, parts, ASSUMPTIONS, CHANGES, CAUSES, REMARKS)

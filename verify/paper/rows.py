@@ -1,0 +1,76 @@
+"""How a row is written down: one call for each kind of row.
+
+The name of a row is unique in its statement; the group that it belongs to is a field. What a row
+says of itself, its severity included, is fixed here, before anything is decided.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from verify.language.statement import NEEDED, PRINTED, Always, Applies, Obligation
+from verify.language.terms import Claim
+
+#: The step is refuted, and what the paper concludes from it does not follow.
+BREAKS = "breaks the argument"
+
+#: The sentence is false, and nothing that follows rests on it; what does rests on other rows.
+HARMLESS = "false, but harmless here"
+
+#: The sentence is false as it is written, and what it plainly means is a row of its own.
+SLIP = "slip of wording"
+
+SEVERITIES = (BREAKS, HARMLESS, SLIP)
+
+
+def needed(
+    name: str,
+    label: str,
+    says: str,
+    claim: Claim | Applies | Always,
+    uses: Iterable[str] = (),
+    *,
+    group: str,
+    context: str | None = None,
+) -> Obligation:
+    """A row on which the theorem rests."""
+    return Obligation(name, group, label, NEEDED, says, claim, tuple(uses), context=context)
+
+
+def printed(
+    name: str,
+    label: str,
+    says: str,
+    claim: Claim | Applies | Always,
+    uses: Iterable[str] = (),
+    *,
+    group: str,
+    context: str | None = None,
+) -> Obligation:
+    """A row of the paper against which nothing is known."""
+    return Obligation(name, group, label, PRINTED, says, claim, tuple(uses), context=context)
+
+
+def misprint(
+    name: str,
+    label: str,
+    says: str,
+    claim: Claim | Applies | Always,
+    uses: Iterable[str] = (),
+    *,
+    group: str,
+    severity: str,
+    corrected_by: str,
+    context: str | None = None,
+) -> Obligation:
+    """A row of the paper that is refuted, at least for some parameters.
+
+    ``severity`` is how bad that is, ``corrected_by`` the name of the row that replaces it.
+
+    Raises:
+        ValueError: if the severity is not one of `SEVERITIES`.
+    """
+    if severity not in SEVERITIES:
+        raise ValueError(f"row {name}: {severity!r} is not one of {', '.join(SEVERITIES)}")
+    row = printed(name, label, says, claim, uses, group=group, context=context)
+    return row._replace(severity=severity, corrected_by=corrected_by)

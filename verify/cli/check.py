@@ -24,6 +24,8 @@ EXIT_CODES = {"PROVED": 0, "REFUTED": 1, "REFUSED": 1, MALFORMED: 4}
 
 FOREIGN = 4
 
+LONGEST_PATH = 160  # in a message
+
 
 def add_arguments(parser: ArgumentParser) -> None:
     """The options."""
@@ -106,7 +108,8 @@ def read_folders(paths: Sequence[str]) -> list[check.Folder]:
             )
         for name in paths if pair else [os.path.join(path, name) for name in NAMES]:
             if not os.path.isfile(name):
-                raise InputError(f"path: {shown(name)} does not exist; name a certificate's folder")
+                quoted = shown(name, LONGEST_PATH)
+                raise InputError(f"path: {quoted} does not exist; name a certificate's folder")
     try:
         return check.read_folders(paths)
     except (OSError, ValueError) as error:

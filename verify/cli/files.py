@@ -18,9 +18,16 @@ if TYPE_CHECKING:
 #: Numbers with more digits, above or below the fraction bar, are not in the checker's format.
 CHECKER_DIGITS = 4300
 
+#: Only numbers with this many digits can be more work than the checker is willing to do.
+LONG_NUMBER = 300
+
 
 class OwnError(RuntimeError):
     """What this program made is not accepted by its own checker."""
+
+
+class UnreadError(OwnError):
+    """The checker does not get to the end of a file: it is too large, or too much work."""
 
 
 def test_folder(option: str, directory: str | None, *names: str) -> None:
@@ -73,6 +80,8 @@ class _Writing:
             file.write(content)
 
     def _make(self, folder: str) -> None:
+        with suppress(FileNotFoundError):
+            os.stat(folder or os.curdir)  # a path that is too long fails here
         missing = []
         while folder and not os.path.isdir(folder):
             missing.append(folder)
@@ -116,9 +125,22 @@ def write_certificate(option: str, directory: str, outcome: Outcome) -> None:
     ):
         print("verify: a needed row is undecided; no certificate was written", file=sys.stderr)
         return
-    _readable(option, outcome)
+    digits = longest_number(outcome)
+    if digits > CHECKER_DIGITS:
+        raise InputError(
+            f"{option}: a number in the certificate would have {digits} digits, and the checker "
+            f"reads at most {CHECKER_DIGITS}; write parameters with fewer digits"
+        )
     files = write(outcome)
-    accept(files, outcome.verdict)
+    try:
+        accept(files, outcome.verdict)
+    except UnreadError as error:
+        if digits < LONG_NUMBER:
+            raise
+        raise InputError(
+            f"{option}: numbers of {digits} digits make the certificate more than the checker's "
+            "budget of work; write parameters with fewer digits"
+        ) from error
     write_all(option, directory, files)
 
 
@@ -137,20 +159,22 @@ def accept(files: Mapping[str, bytes], verdict: str) -> None:
     try:
         report = check.check(files["statement.json"], files["certificate.json"], cited)
     except (check.Malformed, RecursionError) as error:
-        found = f"MALFORMED: {error}"
-    else:
-        if report.verdict == {PROVED: "PROVED", REFUTED: "REFUTED"}[verdict]:
-            return
+        raise UnreadError(_not_accepted(f"MALFORMED: {error}")) from error
+    if report.verdict != {PROVED: "PROVED", REFUTED: "REFUTED"}[verdict]:
         refused = [line for line in report.lines if line.startswith("REFUSED")]
         found = refused[0] if refused else f"{report.verdict}, expected {verdict}"
-    raise OwnError(f"our own checker does not accept the certificate ({found:.200})")
+        raise OwnError(_not_accepted(found))
 
 
-def _readable(option: str, outcome: Outcome) -> None:
-    """Raise InputError where a parameter has led to a number that the checker cannot read."""
+def _not_accepted(why: str) -> str:
+    return f"our own checker does not accept the certificate ({why:.200}); nothing was written"
+
+
+def longest_number(outcome: Outcome) -> int:
+    """The largest number of digits above or below a fraction bar in a statement."""
     from verify.wire.write import statement_terms
 
-    largest, waiting, seen = 0, [*statement_terms(outcome.statement)], set()
+    largest, waiting, seen = 1, [*statement_terms(outcome.statement)], set()
     while waiting:
         term = waiting.pop()
         if term in seen:
@@ -159,11 +183,7 @@ def _readable(option: str, outcome: Outcome) -> None:
         waiting += term.children
         if term.op == "rational":
             largest = max(largest, abs(term.value.numerator), term.value.denominator)
-    if largest >= 10**CHECKER_DIGITS:
-        raise InputError(
-            f"{option}: a number in the certificate would have more than {CHECKER_DIGITS} digits, "
-            "which the checker does not read; write parameters with fewer digits"
-        )
+    return len(str(largest))
 
 
 def _reason(error: Exception) -> str:

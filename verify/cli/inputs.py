@@ -119,6 +119,6 @@ def _outside(option: str, text: str) -> str:
     return f"{option}: {shown(text)} is not in ]pi/2, pi]; write an obtuse angle such as 5*pi/6"
 
 
-def shown(text: str) -> str:
-    """A text as an error message quotes it: in quotes, and cut if long."""
-    return repr(text if len(text) <= 40 else f"{text[:20]}...{text[-10:]}")
+def shown(text: str, most: int = 40) -> str:
+    """A text as an error message quotes it: in quotes, and cut if longer than ``most``."""
+    return repr(text if len(text) <= most else f"{text[: most // 2]}...{text[-most // 4 :]}")

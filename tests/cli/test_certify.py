@@ -1,0 +1,78 @@
+"""The commands that make committed files: paths are tested before the work."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from verify.cli import main
+from verify.jobs import certificates
+from verify.prover.outcome import Outcome
+
+
+def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
+    code = main(list(map(str, words)))
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+@pytest.fixture
+def one_folder(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(certificates, "POINTS", certificates.POINTS[:1])
+
+
+@pytest.mark.usefixtures("one_folder")
+def test_what_is_written_compares_equal(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    code, out, err = run(capsys, "certify", "--directory", tmp_path / "new")
+    assert (code, err, out.count("written ")) == (0, "", 2)
+    folder = tmp_path / "new/theorem1-r-3-100"
+    assert {file.name for file in folder.iterdir()} == {
+        "statement.json", "certificate.json", "report.md",
+    }  # fmt: skip
+    code, out, _ = run(capsys, "certify", "--compare", "--directory", tmp_path / "new")
+    assert (code, out.count("same ")) == (0, 6)
+    (folder / "report.md").write_text("other")
+    (folder / "certificate.json").unlink()
+    code, out, _ = run(capsys, "certify", "--compare", "--directory", tmp_path / "new")
+    assert (code, out.count("DIFFERS ")) == (1, 2)
+    assert run(capsys, "check", "--statement", tmp_path / "new/spectrum")[0] == 0
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["certify", "--compare", "--directory", "missing"],
+        ["certify", "--directory", "file"],
+        ["report", "--compare", "--directory", "missing"],
+        ["report", "--directory", "missing"],
+        ["stress", "--quick", "--out", "file"],
+        ["bench", "--quick", "--out", "file"],
+        ["spectrum", "--out", "file"],
+        ["theorem1", "--r", "0.03", "--out", "file/deeper"],
+    ],
+)
+def test_a_path_that_cannot_be_used_is_found_before_the_work(
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    words: list[str],
+) -> None:
+    def never(*_: object, **__: object) -> Iterator[Outcome]:
+        raise AssertionError("the work was done first")
+
+    for work in (
+        "verify.jobs.certificates.all_folders",
+        "verify.cli.spectrum.decide",
+        "verify.cli.theorem1.decide",
+        "verify.measure.stress.run",
+        "verify.measure.bench.run",
+    ):
+        monkeypatch.setattr(work, never)
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "file").write_text("mine")
+    code, out, err = run(capsys, *words)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert words[-1] in err
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]

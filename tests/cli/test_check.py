@@ -1,0 +1,258 @@
+"""The command `check`: many folders, JSON, and whether a theorem is the program's own."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from verify import check
+from verify.cli import main
+from verify.jobs import theorem1
+from verify.jobs.regenerate import is_right_statement
+from verify.language.statement import UNDECIDED
+from verify.language.terms import Term, as_term, cos, cos_pi
+from verify.prover.outcome import Outcome
+from verify.wire.write import write
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "certificates/examples"
+NAMES = ("statement.json", "certificate.json")
+
+Changes = dict[str, Term]
+
+
+def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
+    code = main(["check", *map(str, words)])
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+@cache
+def outcome_at(selection: str = "all", **changes: Term) -> Outcome:
+    parameters = {
+        "r": as_term(Fraction(3, 100)),
+        "c": as_term(1),
+        "V_0": as_term(1),
+        "delta_theta": as_term(Fraction(1, 10)),
+    }
+    return theorem1.decide(parameters | changes, selection)
+
+
+def save(folder: Path, outcome: Outcome) -> Path:
+    folder.mkdir(parents=True)
+    for name, content in write(outcome).items():
+        (folder / name).write_bytes(content)
+    return folder
+
+
+# --- the checker's own report --------------------------------------------------------------------
+
+
+def test_the_lines_are_those_of_the_trusted_file(capsys: pytest.CaptureFixture[str]) -> None:
+    folders = [str(path) for path in sorted(EXAMPLES.iterdir()) if path.is_dir()]
+    for paths in ([folders[0]], folders):
+        code = check.main(paths)
+        expected = capsys.readouterr().out
+        assert run(capsys, *paths) == (code, expected, "")
+
+
+def test_one_run_closes_citations(capsys: pytest.CaptureFixture[str]) -> None:
+    alone = run(capsys, EXAMPLES / "mean-applied")[1].splitlines()[-1]
+    both = run(capsys, EXAMPLES / "mean", EXAMPLES / "mean-applied")[1].splitlines()[-1]
+    assert "which is not proved here" in alone
+    assert "which is not proved here" not in both
+
+
+def test_the_document(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    broken = tmp_path / "broken"
+    broken.mkdir()
+    for name in NAMES:
+        (broken / name).write_text("{}")
+    code, out, err = run(capsys, EXAMPLES / "mean", broken, "--json")
+    found = json.loads(out)
+    assert (code, err, found["format"]) == (4, "", "verify-check/1")
+    good, bad = found["folders"]
+    assert (good["verdict"], good["needed"]["proved"], good["complaints"]) == ("proved", 2, [])
+    assert (bad["verdict"], bad["needed"]) == ("malformed", None)
+    assert bad["complaints"] == [bad["summary"]]
+
+
+@pytest.mark.parametrize(
+    ("path", "says"),
+    [("nowhere", "does not exist"), ("file", "is a file"), (".", "statement.json")],
+)
+@pytest.mark.parametrize("option", [[], ["--json"], ["--statement"], ["--latex"]])
+def test_a_path_that_is_no_folder_of_a_certificate(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, path: str, says: str, option: list[str]
+) -> None:
+    (tmp_path / "file").write_text("mine")
+    code, out, err = run(capsys, EXAMPLES / "mean", tmp_path / path, *option)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert err.startswith("verify: path: ")
+    assert says in err
+    assert "Errno" not in err
+
+
+# --- whether the theorem is the program's own ----------------------------------------------------
+
+
+@pytest.mark.parametrize("selection", ["all", "repaired"])
+@pytest.mark.parametrize(
+    "c", [as_term(1), as_term(Fraction(9, 10)), -cos_pi(Fraction(5, 6)), -cos(Fraction(3))]
+)
+def test_what_the_program_calls_proved_is_its_own(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, selection: str, c: Term
+) -> None:
+    folder = save(tmp_path / "x", outcome_at(selection, c=c))
+    code, out, _ = run(capsys, "--statement", folder)
+    assert code == 0
+    assert out.splitlines()[-1].startswith("STATEMENT: it is the one")
+
+
+def unwritten_one() -> Term:
+    """The number 1 in a form that no decision is made with: twice the cosine of 60 degrees."""
+    return 2 * cos_pi(Fraction(1, 3))
+
+
+#: Hole (e): parameters in forms, or with values, that the program does not take.
+FOREIGN: dict[str, Callable[[], Changes]] = {
+    "V_0-as-a-cosine": lambda: {"V_0": unwritten_one()},
+    "c-as-a-cosine": lambda: {"c": unwritten_one()},
+    "r-as-a-quotient": lambda: {"r": as_term(3) / as_term(100)},
+    "V_0-zero": lambda: {"V_0": as_term(0)},
+    "V_0-negative": lambda: {"V_0": as_term(-1)},
+    "delta-theta-zero": lambda: {"delta_theta": as_term(0)},
+    "delta-theta-undefined": lambda: {"delta_theta": as_term(1) / as_term(0)},
+    "c-at-its-threshold": lambda: {"r": as_term(Fraction(1, 64)), "c": as_term(Fraction(8, 13))},
+    "c-above-one": lambda: {"c": as_term(Fraction(101, 100))},
+    "acute-angle": lambda: {"c": -cos_pi(Fraction(7, 4))},
+    "angle-beyond-pi": lambda: {"c": -cos(Fraction(32, 10))},
+    "right-angle-in-decimals": lambda: {"c": -cos(Fraction("1.5707963267948966"))},
+}
+
+
+@pytest.mark.parametrize("name", FOREIGN)
+def test_other_parameters_are_not_the_programs(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, name: str
+) -> None:
+    honest, changes = outcome_at(), FOREIGN[name]()
+    parameters = dict(honest.statement.parameters) | changes
+    forged = honest._replace(statement=honest.statement._replace(parameters=parameters))
+    assert not is_right_statement(write(forged)["statement.json"])
+    assert run(capsys, "--statement", save(tmp_path / "x", forged))[0] in (1, 4)
+
+
+@pytest.mark.parametrize(
+    "name", ["c-as-a-cosine", "r-as-a-quotient", "c-at-its-threshold", "c-above-one"]
+)
+def test_what_is_decided_there_is_not_the_programs_either(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, name: str
+) -> None:
+    folder = save(tmp_path / "x", outcome_at(**FOREIGN[name]()))
+    code, out, _ = run(capsys, "--statement", folder)
+    assert code in (1, 4)
+    assert "it is the one" not in out
+
+
+def test_undecided_needed_rows_that_are_left_out(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """Hole (e): the checker accepts a statement without a row; it is not the program's."""
+    honest = outcome_at()
+    rows = honest.statement.obligations
+    for gone in ("hypotheses.V_0-positive", rows[-1].name):
+        kept = tuple(row for row in rows if row.name != gone)
+        outcome = honest._replace(
+            statement=honest.statement._replace(obligations=kept),
+            decisions={name: found for name, found in honest.decisions.items() if name != gone},
+            steps=tuple(step for step in honest.steps if step.name != gone),
+        )
+        folder = save(tmp_path / gone, outcome)
+        assert run(capsys, folder)[0] == 0
+        code, out, _ = run(capsys, "--statement", folder)
+        assert (code, out.count("STATEMENT: it is not")) == (4, 1)
+
+
+def test_a_missing_set_is_not_proved(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """Hole (e): the hypotheses alone, as a run leaves them that spends its precision."""
+    honest = outcome_at()
+    rows = tuple(row for row in honest.statement.obligations if row.group == "hypotheses")
+    names = {row.name for row in rows}
+    steps = tuple(step for step in honest.steps if step.name in {*names, "r", "c"})
+    outcome = honest._replace(
+        statement=honest.statement._replace(obligations=rows, constants=(), assumptions=()),
+        decisions={name: honest.decisions[name] for name in names},
+        steps=tuple(step for step in honest.steps[: honest.steps.index(steps[-1]) + 1]),
+        enclosures={n: e for n, e in honest.enclosures.items() if n in honest.statement.parameters},
+    )
+    folder = save(tmp_path / "x", outcome)
+    assert run(capsys, folder)[0] == 0
+    assert run(capsys, "--statement", folder)[0] == 4
+
+
+def test_the_printed_set_alone_is_never_right(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """Hole (f): refuted, so 1; and if its false rows are left out, foreign."""
+    outcome = outcome_at("printed")
+    assert run(capsys, "--statement", save(tmp_path / "x", outcome))[0] == 1
+    true = {n: found for n, found in outcome.decisions.items() if found.verdict == "proved"}
+    rows = tuple(row for row in outcome.statement.obligations if row.name in true)
+    gone = outcome.decisions.keys() - true.keys()
+    trimmed = outcome._replace(
+        statement=outcome.statement._replace(obligations=rows),
+        decisions=true,
+        steps=tuple(step for step in outcome.steps if step.name not in gone),
+    )
+    folder = save(tmp_path / "y", trimmed)
+    assert run(capsys, folder)[0] == 0
+    assert run(capsys, "--statement", folder)[0] == 4
+
+
+def test_each_file_is_read_once(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Hole (g): what is compared is what was checked, whatever happens to the file meanwhile."""
+    folder = save(tmp_path / "x", outcome_at())
+    reads: list[str] = []
+    honest = check.read_file
+
+    def counted(path: str) -> bytes:
+        reads.append(path)
+        return honest(path)
+
+    monkeypatch.setattr(check, "read_file", counted)
+    monkeypatch.setattr("verify.cli.files.read_bytes", None)
+    assert run(capsys, "--statement", folder)[0] == 0
+    assert sorted(reads) == sorted(str(folder / name) for name in NAMES)
+
+
+def test_the_worst_code_of_several_folders(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    good = save(tmp_path / "good", outcome_at())
+    false = save(tmp_path / "false", outcome_at(r=as_term(Fraction(1, 2))))
+    assert run(capsys, good, false)[0] == 1
+    assert run(capsys, "--statement", good, false, EXAMPLES / "mean")[0] == 4
+    _, out, _ = run(capsys, "--statement", "--json", good, false, EXAMPLES / "mean")
+    rows: list[dict[str, Any]] = json.loads(out)["folders"]
+    assert [row.get("own_statement") for row in rows] == [True, None, False]
+    assert [row["verdict"] for row in rows] == ["proved", "refuted", "proved"]
+
+
+def test_a_needed_row_that_is_undecided_is_refused(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    honest = outcome_at()
+    name = "hypotheses.V_0-positive"
+    outcome = honest._replace(
+        decisions=dict(honest.decisions)
+        | {name: honest.decisions[name]._replace(verdict=UNDECIDED, proof=None, sides=None)},
+        steps=tuple(step for step in honest.steps if step.name != name),
+    )
+    assert run(capsys, "--statement", save(tmp_path / "x", outcome))[0] == 1

@@ -1,0 +1,92 @@
+"""Every JSON document has a format and a schema that describes it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+from verify.cli import main
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLE = str(ROOT / "certificates/examples/witness")
+
+DOCUMENTS = [
+    ("theorem1", ["theorem1", "--r", "0.03"]),
+    ("theorem1", ["theorem1", "--r", "0.03", "--constants", "printed"]),
+    ("theorem1", ["theorem1", "--r", "1/1000", "--theta0", "5*pi/6", "--constants", "repaired"]),
+    ("theorem1", ["theorem1", "--r", "0.5"]),
+    ("spectrum", ["spectrum"]),
+    ("spectrum", ["spectrum", "--r", "1/20"]),
+    ("spectrum", ["spectrum", "--r", "0.05..0.06"]),
+    ("check", ["check", EXAMPLE]),
+]
+
+
+def validator(name: str) -> jsonschema.Draft202012Validator:
+    path = ROOT / "certificates/schema" / f"{name}.schema.json"
+    schema = json.loads(path.read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
+
+def document(capsys: pytest.CaptureFixture[str], words: list[str]) -> dict[str, Any]:
+    main([*words, "--json"])
+    captured = capsys.readouterr()
+    assert captured.err == ""
+    found: dict[str, Any] = json.loads(captured.out, parse_float=_no_float)
+    return found
+
+
+def _no_float(text: str) -> None:
+    raise AssertionError(f"{text} is a JSON float")
+
+
+@pytest.mark.parametrize(("name", "words"), DOCUMENTS)
+def test_the_schema_describes_the_document(
+    capsys: pytest.CaptureFixture[str], name: str, words: list[str]
+) -> None:
+    found = document(capsys, words)
+    assert [error.message for error in validator(name).iter_errors(found)] == []
+
+
+def test_the_schema_refuses_other_documents(capsys: pytest.CaptureFixture[str]) -> None:
+    schema = validator("theorem1")
+    found = document(capsys, ["theorem1", "--r", "0.03"])
+    row = next(r for r in found["sets"]["printed"]["obligations"] if r["verdict"] == "refuted")
+    changes: list[tuple[dict[str, Any], str, Any]] = [
+        (found, "format", "verify-theorem1/2"),
+        (found, "verdict", "proved, given 3"),
+        (found["parameters"], "r", 0.03),
+        (found["constants"], "h_4", ["0.1", 0.2]),
+        (row, "verdict", "proved"),
+        (row, "lhs", ["1"]),
+        (row, "surplus", 1),
+    ]
+    assert schema.is_valid(found)
+    for table, key, value in changes:
+        old = table.get(key)
+        table[key] = value
+        assert not schema.is_valid(found), key
+        table[key] = old
+        if old is None:
+            del table[key]
+    assert schema.is_valid(found)
+
+
+def test_rows_have_one_shape_in_all_documents(capsys: pytest.CaptureFixture[str]) -> None:
+    shapes = []
+    for words in (["theorem1", "--r", "0.03"], ["spectrum"]):
+        found = document(capsys, words)
+        rows = found.get("claims") or [
+            *found["hypotheses"],
+            *(row for one in found["sets"].values() for row in one["obligations"]),
+        ]
+        shapes.append({key for row in rows for key in row} - {"witness"})
+        for row in rows:
+            assert (row["verdict"] == "refuted") == ("corrected_by" in row)
+            assert row["verdict"] == "refuted" or row["severity"] is None
+    assert shapes[0] == shapes[1]

@@ -851,18 +851,21 @@ class Clearing:
         for atom in reversed(self.squares):
             self.kernel.spend(0, 1 + sum(map(len, p)))
             top = max((dict(monomial).get(atom, 0) // 2 for monomial in p), default=0)
-            if top:
-                n, d = self.squares[atom]
-                total: Polynomial = {}
-                for monomial, coefficient in p.items():
-                    half, odd = divmod(dict(monomial).get(atom, 0), 2)
-                    left = [pair for pair in monomial if pair[0] != atom] + [(atom, 1)] * odd
-                    part: Polynomial = {tuple(sorted(left)): coefficient}
-                    for factor, times in ((n, half), (d, top - half)):
-                        part = self.kernel.times(part, self.kernel.power(factor, times))
-                    total = self.kernel.plus(total, part, 1)
-                p = total
+            p = self.without_squares(p, atom, top) if top else p
         return p
+
+    def without_squares(self, p: Polynomial, atom: int, top: int) -> Polynomial:
+        """The polynomial times d^top, where root^2 = n/d and the root has powers to 2 top + 1."""
+        n, d = self.squares[atom]
+        total: Polynomial = {}
+        for monomial, coefficient in p.items():
+            half, odd = divmod(dict(monomial).get(atom, 0), 2)
+            left = [pair for pair in monomial if pair[0] != atom] + [(atom, 1)] * odd
+            part: Polynomial = {tuple(sorted(left)): coefficient}
+            for factor, times in ((n, half), (d, top - half)):
+                part = self.kernel.times(part, self.kernel.power(factor, times))
+            total = self.kernel.plus(total, part, 1)
+        return total
 
 
 #: How each operation is cleared.
@@ -1767,12 +1770,20 @@ def main(arguments: Sequence[str]) -> int:
         folders = read_folders(arguments)
         code, lines = check_folders(folders)
     except (OSError, ValueError) as error:
-        print(f"check: {error}", file=sys.stderr)
-        return 2
+        return complaint(str(error), 2)
     except KeyboardInterrupt:
-        print("check: interrupted", file=sys.stderr)
-        return 130
+        return complaint("interrupted", 130)
     return output(lines, code)
+
+
+def complaint(words: str, code: int) -> int:
+    """Say why there is no report, if anybody listens, and return the exit code."""
+    try:
+        if sys.stderr is not None:
+            print(f"check: {words}", file=sys.stderr, flush=True)
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stderr.fileno())
+    return code
 
 
 def output(lines: list[str], code: int) -> int:
@@ -1788,9 +1799,7 @@ def output(lines: list[str], code: int) -> int:
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         if isinstance(error, BrokenPipeError):
             return 141
-        if sys.stderr is not None:
-            print(f"check: the report cannot be written ({error})", file=sys.stderr)
-        return 2
+        return complaint(f"the report cannot be written ({error})", 2)
     return code
 
 

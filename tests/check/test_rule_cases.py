@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from tests.check.support import IDENTITY, BOUNDS, box, cases, in_box, interval, total, verdict
+from tests.check.support import BOUNDS, IDENTITY, box, cases, in_box, interval, total, verdict
 
 BOTH = total(using=["@1"])
 
@@ -67,6 +67,8 @@ def test_a_root_of_a_minimum_stays_an_atom() -> None:
     """sqrt(min(x, 2)) = sqrt(x) where min(x, 2) = x is not seen by the polynomials."""
     pair = box(("0", "1"))
     low = total("goal", "x-low", using=["@1"])
-    pair.lemma("m-low", "0 <= min(x, 2)", cases("min(x, 2)", low, total("goal", "2", using=["@1"])), "box")
+    pair.lemma(
+        "m-low", "0 <= min(x, 2)", cases("min(x, 2)", low, total("goal", "2", using=["@1"])), "box"
+    )
     claim = "sqrt(min(x, 2)) = sqrt(x)"
     assert "differ" in verdict(pair.row("row", claim, cases("min(x, 2)", BOTH, BOTH), "box"))

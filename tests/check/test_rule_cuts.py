@@ -79,7 +79,12 @@ def test_every_branch_has_to_hold() -> None:
 
 
 def test_a_hypothesis_ends_with_its_branch() -> None:
-    proof = cuts("x", ["1/2"], cuts("x", ["1/4"], LEFT, interval(("x", "@2", "@1"))), interval(("x", "@2", "x-high")))
+    proof = cuts(
+        "x",
+        ["1/2"],
+        cuts("x", ["1/4"], LEFT, interval(("x", "@2", "@1"))),
+        interval(("x", "@2", "x-high")),
+    )
     assert "found @2, which no branch adds" in in_box("x <= 1", proof)
 
 

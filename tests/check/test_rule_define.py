@@ -6,7 +6,17 @@ from typing import Any
 
 import pytest
 
-from tests.check.support import DEFINE, IDENTITY, INTERVAL, Pair, answer, box, interval, total, verdict
+from tests.check.support import (
+    DEFINE,
+    IDENTITY,
+    INTERVAL,
+    Pair,
+    answer,
+    box,
+    interval,
+    total,
+    verdict,
+)
 
 
 @pytest.mark.parametrize(
@@ -38,7 +48,7 @@ def test_definitions(value: str, proof: Any, reason: str) -> None:
         assert reason in verdict(pair.row("row", "0 <= 1", INTERVAL))
 
 
-@pytest.mark.parametrize("rule", ["sum", "instance", "witness", "induction", "cuts", "nothing", None])
+@pytest.mark.parametrize("rule", ["sum", "instance", "witness", "induction", "cuts", None])
 def test_other_rules_do_not_define(rule: Any) -> None:
     found = verdict(Pair().constant("c", "1", {"rule": rule}).row("row", "0 <= 1", INTERVAL))
     assert f"constant c: rule: found {rule}, expected one of ['define', 'interval']" in found

@@ -1,4 +1,4 @@
-"""``induction``: what holds at the start, and at the next state whenever at this one, always does."""
+"""``induction``: what holds at the start, and at the next state whenever at one, always does."""
 
 from __future__ import annotations
 

@@ -7,7 +7,18 @@ from typing import Any
 import pytest
 
 from tests.check.support import (
-    BOUNDS, IDENTITY, INTERVAL, Pair, answer, box, cuts, in_box, instance, interval, total, verdict,
+    BOUNDS,
+    IDENTITY,
+    INTERVAL,
+    Pair,
+    answer,
+    box,
+    cuts,
+    in_box,
+    instance,
+    interval,
+    total,
+    verdict,
 )  # fmt: skip
 
 X = interval(BOUNDS)
@@ -88,7 +99,9 @@ def test_values_are_defined() -> None:
 
 
 def test_a_premise_may_be_the_name_of_this_very_fact() -> None:
-    pair = scene().context("c", {"t": "1"}, {"t-low": "0 <= t", "t-high": "t <= 1", "w": "0 <= t*t"})
+    pair = scene().context(
+        "c", {"t": "1"}, {"t-low": "0 <= t", "t-high": "t <= 1", "w": "0 <= t*t"}
+    )
     proof = instance("square", {"x": "t"}, "t-low", "t-high")
     wrong = [
         (instance("square", {"x": "t"}, "t-high", "t-low"), "which is another claim"),
@@ -140,7 +153,9 @@ def test_applies_has_a_proof_by_instance_and_no_negation() -> None:
     assert "row: found refuted of such a claim" in verdict(pair)
     pair = box(("0", "1")).row("row", claim, None, None, "undecided")
     assert "row: found undecided of such a claim" in verdict(pair)
-    pair = box(("0", "1")).row("row", ["applies", "nowhere", {}], {"rule": "instance", "givens": []})
+    pair = box(("0", "1")).row(
+        "row", ["applies", "nowhere", {}], {"rule": "instance", "givens": []}
+    )
     assert "found no context nowhere so far" in verdict(pair)
 
 

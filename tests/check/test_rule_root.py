@@ -28,7 +28,9 @@ from tests.check.support import BOUNDS, INTERVAL, ROOT, Pair, box, cuts, ground,
     ],
 )
 def test_root(claim: str, reason: str) -> None:
-    pair = Pair().context("c", {"x": "1", "y": "0"}, {"a": "0 < x", "b": "0 <= y", "c2": "0 < 1 + y"})
+    pair = Pair().context(
+        "c", {"x": "1", "y": "0"}, {"a": "0 < x", "b": "0 <= y", "c2": "0 < 1 + y"}
+    )
     assert reason in verdict(pair.row("row", claim, ROOT, "c"))
 
 

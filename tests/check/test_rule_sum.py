@@ -67,7 +67,10 @@ def test_identities(claim: str, proof: Any) -> None:
         ("y**3 <= y**2", total("goal", ["mul", ["pow", "y-low", "2"], "y-high"])),
         ("0 < x**3", total("goal", ["pow", "x-pos", "3"])),
         ("x**2 < (x + 1)**2", total("goal", ["mul", "2", "x-pos"], "1")),
-        ("x/(x + 1 + y) < 2 + x/(x + 1 + y)", total("goal", ["mul", "2", ["pow", "long-pos", "2"]])),
+        (
+            "x/(x + 1 + y) < 2 + x/(x + 1 + y)",
+            total("goal", ["mul", "2", ["pow", "long-pos", "2"]]),
+        ),
         ("0 < q", total("goal", "1", using=["q"])),
         ("0 <= sqrt(x)", total("goal", ["root", ["sqrt", "x"]])),
         ("x <= y + x", total("goal", "y-low")),

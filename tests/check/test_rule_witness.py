@@ -7,7 +7,14 @@ from typing import Any
 import pytest
 
 from tests.check.support import (
-    IDENTITY, INTERVAL, Pair, answer, box, interval, total, verdict, witness,
+    IDENTITY,
+    INTERVAL,
+    answer,
+    box,
+    interval,
+    total,
+    verdict,
+    witness,
 )  # fmt: skip
 
 IN = [INTERVAL, INTERVAL]
@@ -89,7 +96,9 @@ def test_a_needed_row_that_is_refuted_refutes() -> None:
     pair.row("row", "x < 1", witness({"x": "1"}, IN, INTERVAL), "box", "refuted")
     code, lines = answer(pair)
     assert (code, lines[0]) == (1, "proved  row [L] not (lhs < rhs for all of box)")
-    assert lines[-1].startswith("REFUTED: T's title: 0 needed proved, 0 printed proved, 1 needed re")
+    assert lines[-1].startswith(
+        "REFUTED: T's title: 0 needed proved, 0 printed proved, 1 needed re"
+    )
 
 
 def test_values_over_the_parent() -> None:

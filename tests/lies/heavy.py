@@ -6,7 +6,15 @@ from collections.abc import Callable
 from typing import Any
 
 from tests.check.support import (
-    INTERVAL, Pair, cases, cuts, entry, instance, interval, pack, total,
+    INTERVAL,
+    Pair,
+    cases,
+    cuts,
+    entry,
+    instance,
+    interval,
+    pack,
+    total,
 )  # fmt: skip
 
 Files = tuple[bytes, bytes]
@@ -127,7 +135,10 @@ def cosines_of_long_numbers_at_few_bits() -> Pair:
     pair = true(Pair())
     pair.terms = long
     return filled(
-        pair, lambda i: lemma(i, ["<", ["cos_pi", ["add", f"t{i % 100}", str(i)]], "2"], interval(bits=2))
+        pair,
+        lambda i: lemma(
+            i, ["<", ["cos_pi", ["add", f"t{i % 100}", str(i)]], "2"], interval(bits=2)
+        ),
     )
 
 
@@ -170,12 +181,10 @@ def quotients_of_the_same_long_numbers() -> Pair:
 @heavy
 def signed_products_of_intervals() -> Pair:
     pair = Pair().context("c", {"x": "0"}, {"low": "-1 <= x", "high": "x <= 1"})
-    value: Any = "x"
     pair.terms = {"t0": ["mul", "x", "x"]}
     for i in range(60):
         pair.terms[f"t{i + 1}"] = ["mul", f"t{i}", ["sub", "x", f"1/{i + 2}"]]
     proof = interval(("x", "low", "high"))
-    assert value == "x"
     return filled(true(pair), lambda i: lemma(i, ["<", "t60", f"{i + 9}"], proof, "c"))
 
 
@@ -184,7 +193,10 @@ def enclosures_with_exponents_of_99999() -> Pair:
     pair = Pair()
     for i in range(4000):
         pair.constant(f"c{i}", "1")
-        pair.enclosures["constants"][f"c{i}"] = {"bits": 64, "ends": [f"-{i}e99999", f"{i + 1}e99999"]}
+        pair.enclosures["constants"][f"c{i}"] = {
+            "bits": 64,
+            "ends": [f"-{i}e99999", f"{i + 1}e99999"],
+        }
     return true(pair)
 
 
@@ -348,9 +360,16 @@ def roots_in_roots() -> Pair:
     pair = Pair().context("c", {"x": "1"}, {"pos": "0 < x"})
     root: Any = "x"
     for i in range(30):
-        pair.lemma(f"p{i}", ["<", "0", ["add", root, "1"]], total("goal", "1", ["root", root] if i else "pos"), "c")
+        pair.lemma(
+            f"p{i}",
+            ["<", "0", ["add", root, "1"]],
+            total("goal", "1", ["root", root] if i else "pos"),
+            "c",
+        )
         root = ["sqrt", ["add", root, "1"]]
-    return pair.row("row", "0 <= x", total("goal", ["pow", ["add", ["root", root], ["root", root]], "64"]), "c")
+    return pair.row(
+        "row", "0 <= x", total("goal", ["pow", ["add", ["root", root], ["root", root]], "64"]), "c"
+    )
 
 
 @heavy
@@ -454,7 +473,9 @@ def names_of_a_deep_context_in_a_long_minimum() -> Pair:
     for i in range(99):
         pair.context(f"c{i}", {f"v{i}": "1"}, {}, [], parent)
         parent = f"c{i}"
-    pair.lemma("l", "0 <= 1", cuts(["max", *["v98", "v0"] * 200_000], ["0"], INTERVAL, INTERVAL), parent)
+    pair.lemma(
+        "l", "0 <= 1", cuts(["max", *["v98", "v0"] * 200_000], ["0"], INTERVAL, INTERVAL), parent
+    )
     return true(pair)
 
 
@@ -498,11 +519,9 @@ def branches_for_each_of_many_entries() -> Pair:
 @heavy
 def hypotheses_of_many_entries_looked_through() -> Pair:
     entries = ["x", *[str(i) for i in range(2, 2_000)]]
-    root = ["div", "x", "x"]
     inner = total("goal", *[["square", ["div", str(i), "x"]] for i in range(2_000)])
     pair = Pair().context("c", {"x": "1"}, {"low": "1 <= x"})
     branches = [inner, *[INTERVAL] * 1_998]
-    assert root
     return pair.row("row", "0 <= x", cases(["max", *entries], *branches), "c")
 
 

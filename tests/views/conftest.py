@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from verify.jobs.certificates import all_folders
 from verify.cli.files import write_all
-from verify.views.plots import minimum, region
+from verify.jobs.certificates import all_folders
 from verify.views.page.build import files
+
+#: Plots of few cells: what is tested does not depend on their size.
+DEPTH = 4
 
 TABLE = {
     "title": "Time and width",
@@ -39,23 +40,18 @@ NEEDS_MATPLOTLIB = pytest.mark.skipif(
 )
 
 
-@pytest.fixture(scope="session")
-def coarse() -> Iterator[None]:
-    """Plots of few cells: what is tested does not depend on their size."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(region, "DEPTH", 4)
-        patch.setattr(minimum, "DEPTH", 4)
-        yield
+def build(directory: Path, draw: bool) -> dict[str, bytes]:
+    return files(str(directory), draw, lambda _: None, DEPTH)
 
 
 @pytest.fixture(scope="session")
-def made(tmp_path_factory: pytest.TempPathFactory, coarse: None) -> Path:
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder of certificates and measurements with its report, undrawn without matplotlib."""
     directory = tmp_path_factory.mktemp("certificates")
-    for folder, contents in all_folders():
+    for folder, _, contents in all_folders():
         write_all("--directory", str(directory / folder), contents)
     (directory / "data").mkdir()
     (directory / "data" / "bench.json").write_text(json.dumps(BENCH), encoding="utf-8")
-    report = files(str(directory), draw=not matplotlib_is_missing(), progress=lambda _: None)
+    report = build(directory, draw=not matplotlib_is_missing())
     write_all("--directory", str(directory), report)
     return directory

@@ -20,8 +20,8 @@ from verify.prover import balls
 from verify.prover.choose import BudgetError, choose
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Ground
 from verify.prover.outcome import Decision, Outcome, conjunction
-from verify.prover.program import Machine, Program
 from verify.prover.session import Session
+from verify.prover.straight import StraightLine
 from verify.views.typeset import Typesetter
 
 
@@ -133,18 +133,15 @@ def constants_enclosure(bits: int) -> Callable[[Mapping[str, Fraction]], dict[st
     """
     names = theorem().parameters
     constants = (*theorem().common, *theorem().parts[PRINTED].bounds)
-    program = Program(names)
+    code = StraightLine(names)
     for constant in constants:
-        program.define(constant.name, constant.term)
-    slots = [(constant.name, program.slots[constant.name]) for constant in constants]
-    with balls.precision(bits):
-        machine = Machine(program, balls.BallArithmetic())
-        machine.load()
+        code.define(constant.name, constant.term)
+    found = [constant.name for constant in constants]
+    run = code.function([code.names[name] for name in found], bits)
 
     def enclose(parameters: Mapping[str, Fraction]) -> dict[str, balls.Ball]:
         with balls.precision(bits):
-            inputs = [balls.from_fraction(parameters[name]) for name in names]
-            values = machine.run(inputs).values
-        return {name: values[slot] for name, slot in slots if values[slot] is not None}
+            values = run(*(balls.from_fraction(parameters[name]) for name in names))
+        return {n: v for n, v in zip(found, values, strict=True) if v.is_finite()}
 
     return enclose

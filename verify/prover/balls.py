@@ -115,6 +115,11 @@ _OPERATIONS: dict[str, Callable[..., arb]] = {
 }
 
 
+def operation(name: str) -> Callable[..., arb]:
+    """The ball operation of this name; it raises `UndefinedError` where a result is not finite."""
+    return _OPERATIONS[name]
+
+
 class BallArithmetic:
     """The arithmetic of `verify.prover.program` on balls."""
 

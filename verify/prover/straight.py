@@ -1,0 +1,123 @@
+"""Terms compiled once into straight-line Python code for balls, and run at many inputs.
+
+The code has one line for each distinct operation. Where a value is undefined its ball is not
+finite, and so is every ball that is computed from it; a comparison with such a ball is false, so
+that it proves nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+from verify.language.terms import Claim, Term
+from verify.prover import balls
+
+_INFIX = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
+_METHODS = {"sqrt": "sqrt", "min": "min", "max": "max"}
+
+#: What a claim comes to, in the code of a row: the claim is certified, its negation is, or neither.
+HOLDS, FAILS, OPEN = 1, 2, 0
+
+_VERDICTS = {
+    "<": "1 if {a} < {b} else 2 if {b} <= {a} else 0",
+    "<=": "1 if {a} <= {b} else 2 if {b} < {a} else 0",
+    "=": "1 if {a} <= {b} and {b} <= {a} else 2 if {a} < {b} or {b} < {a} else 0",
+}
+
+
+class StraightLine:
+    """Code that grows line by line; `function` makes it callable.
+
+    Balls of rationals are computed once, at the precision of `function`.
+    """
+
+    def __init__(self, inputs: Sequence[str]) -> None:
+        self.names = {name: f"x{i}" for i, name in enumerate(inputs)}
+        self._inputs = list(self.names.values())
+        self._lines: list[str] = []
+        self._known: dict[Term, str] = {}
+        self._codes: dict[str, str] = {}
+        self._constants: dict[str, Term] = {}
+        self._helpers: dict[str, Any] = {}
+
+    def define(self, name: str, term: Term) -> None:
+        """Give a name to the value of a term over inputs and earlier names."""
+        self.names[name] = self.value(term)
+
+    def call(self, name: str, helper: Callable[..., Any], *terms: Term) -> None:
+        """Give a name to what a Python function makes of the balls of some terms."""
+        arguments = ", ".join([self.value(term) for term in terms])
+        function, variable = f"h{len(self._helpers)}", f"c{len(self._lines)}"
+        self._helpers[function] = helper
+        self._lines.append(f"{variable} = {function}({arguments})")
+        self.names[name] = variable
+
+    def value(self, term: Term) -> str:
+        """The variable that holds the value of a term.
+
+        Raises:
+            KeyError: for a name that is neither an input nor defined.
+        """
+        if term.op == "symbol":
+            return self.names[term.name]
+        found = self._known.get(term)
+        if found is None:
+            found = self._known[term] = self._value(term)
+        return found
+
+    def _value(self, term: Term) -> str:
+        if term.op == "rational":
+            name = f"q{len(self._constants)}"
+            self._constants[name] = term
+            return name
+        args = [self.value(child) for child in term.children]
+        if term.op in _INFIX:
+            return self._line(f"{args[0]} {_INFIX[term.op]} {args[1]}")
+        if term.op == "neg":
+            return self._line(f"-{args[0]}")
+        if term.op == "pow":
+            return self._power(args[0], term.exponent)
+        if term.op in ("cos", "cos_pi"):
+            self._helpers[term.op] = balls.operation(term.op)
+            return self._line(f"{term.op}({args[0]})")
+        result, *others = args
+        if term.op == "sqrt":
+            return self._line(f"{result}.sqrt()")
+        for other in others:
+            result = self._line(f"{result}.{_METHODS[term.op]}({other})")
+        return result
+
+    def _power(self, base: str, exponent: int) -> str:
+        result = base
+        for _ in range(exponent - 1):
+            result = self._line(f"{result} * {base}")
+        return result
+
+    def _line(self, code: str) -> str:
+        found = self._codes.get(code)
+        if found is None:
+            found = self._codes[code] = f"v{len(self._lines)}"
+            self._lines.append(f"{found} = {code}")
+        return found
+
+    def verdict(self, claim: Claim) -> str:
+        """The variable that holds `HOLDS`, `FAILS` or `OPEN` for a claim."""
+        a, b = self.value(claim.lhs), self.value(claim.rhs)
+        variable = f"w{len(self._lines)}"
+        self._lines.append(f"{variable} = {_VERDICTS[claim.relation].format(a=a, b=b)}")
+        return variable
+
+    def function(self, outputs: Iterable[str], bits: int) -> Callable[..., tuple[Any, ...]]:
+        """The code as a function of the inputs that returns the variables named as outputs.
+
+        It must be called at the precision given here.
+        """
+        results = ", ".join(outputs)
+        with balls.precision(bits):
+            scope = {name: balls.from_fraction(t.value) for name, t in self._constants.items()}
+        body = "".join(f"    {line}\n" for line in self._lines)
+        code = f"def run({', '.join(self._inputs)}):\n{body}    return ({results},)\n"
+        found: dict[str, Any] = {}
+        exec(code, {**scope, **self._helpers}, found)  # noqa: S102  built above, from terms alone
+        return found["run"]  # type: ignore[no-any-return]

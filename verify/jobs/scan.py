@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from verify.jobs.theorem1 import decide
 from verify.language.statement import NEEDED, PROVED, REFUTED, Choice, Constant, Obligation
 from verify.language.terms import Claim, Term, as_term
-from verify.paper.groups import GROUPS, PRINTED, REPAIRED
+from verify.paper.groups import GROUPS, HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.choose import Chooser, OpenChoiceError, entries_of
@@ -80,6 +80,8 @@ class Compiled:
         self._claims = {row.name: row.claim for row in self._rows if isinstance(row.claim, Claim)}
         self._algebraic = {name for algebra in algebras for name in algebra.verdicts}
         self._needed = [row.name for row in self._rows if row.role == NEEDED]
+        first = parts[HYPOTHESES].obligations
+        self._hypotheses = [row.name for row in first if row.role == NEEDED]
         claims = [*self._claims.values(), *(c for a in algebras for c in a.lemmas)]
         self._run = self._code.function(map(self._code.verdict, claims), BITS)
 
@@ -109,6 +111,8 @@ class Compiled:
             except OpenChoiceError:
                 return None
         verdicts = dict(zip(self._claims, values, strict=False))
+        if any(verdicts[name] != HOLDS for name in self._hypotheses):
+            return None
         left = [name for name, value in verdicts.items() if not value]
         for name in left:
             if name not in self._algebraic:

@@ -108,9 +108,9 @@ class Chooser:
         entries = entries_of(constant.term)
 
         def rounded(ball: Any, *parts: Any) -> Any:
-            low, high = balls.ends(ball)
-            if low <= 0 or balls.accuracy_bits(ball) < 64:
+            if balls.strict_sign(ball) != 1 or balls.accuracy_bits(ball) < 64:
                 raise OpenChoiceError
+            low, high = balls.ends(ball)
             far, near = (round_to_digits(end, up) for end in ((high, low) if up else (low, high)))
             value = far
             if far != near and self._is_safe(near, entries, parts, up):

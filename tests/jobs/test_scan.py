@@ -1,0 +1,59 @@
+"""Many points in one process have the verdicts of the single points."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from verify.jobs.scan import Scan, scan
+from verify.jobs.theorem1 import decide
+from verify.language.terms import as_term
+
+PARAMETERS = {
+    "r": as_term(1),
+    "c": as_term(1),
+    "V_0": as_term(1),
+    "delta_theta": as_term(Fraction(1, 10)),
+}
+
+
+def single(parameters) -> tuple[str, dict[str, str]]:
+    outcome = decide(parameters)
+    return outcome.verdict, {row.name: found.verdict for row, found in outcome.rows}
+
+
+@pytest.mark.parametrize("c", ["1", "97/100", "1/2"])
+def test_grid(c) -> None:
+    parameters = PARAMETERS | {"c": as_term(Fraction(c))}
+    for r, point in scan((Fraction(1, 1000), Fraction(6, 100)), 13, parameters):
+        here = parameters | {"r": as_term(r)}
+        assert (point.verdict, dict(point.rows)) == single(here)
+
+
+def test_points_far_apart() -> None:
+    job = Scan()
+    for r, v, deviation in (("3/100", 1, "1/10"), ("1e-9", 10**20, "1/1000"), ("1/50", "1/7", 3)):
+        here = PARAMETERS | {
+            "r": as_term(Fraction(r)),
+            "V_0": as_term(Fraction(v)),
+            "delta_theta": as_term(Fraction(deviation)),
+        }
+        point = job.at(here)
+        assert (point.verdict, dict(point.rows)) == single(here)
+
+
+def test_most_points_need_no_single_run(monkeypatch) -> None:
+    calls = []
+    monkeypatch.setattr(
+        "verify.jobs.scan.decide", lambda parameters: calls.append(1) or decide(parameters)
+    )
+    points = list(scan((Fraction(1, 1000), Fraction(55, 1000)), 200, PARAMETERS))
+    assert len(points) == 200
+    assert len(calls) <= 5
+    assert {point.verdict for _, point in points} == {"proved"}
+
+
+def test_one_point_is_no_grid() -> None:
+    with pytest.raises(ValueError, match="two points"):
+        list(scan((Fraction(1, 100), Fraction(1, 50)), 1, PARAMETERS))

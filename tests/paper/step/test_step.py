@@ -1,0 +1,212 @@
+"""The step: accepted as it is, refused with anything missing or stronger, true at random states."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+import pytest
+
+from tests.paper.step.states import BITS, Random, Values, checker, evaluate
+from verify import check
+from verify.jobs.step import decide
+from verify.jobs.theorem1 import decide as decide_point
+from verify.language.statement import PROVED
+from verify.language.terms import Claim, as_term
+from verify.paper.step import initial, numbers, state
+from verify.paper.step.theorem import step
+from verify.prover import balls
+from verify.prover.outcome import Outcome
+from verify.prover.proof import LemmaStep, ObligationStep, Step
+from verify.prover.rules import Sum
+from verify.wire.read import read
+from verify.wire.write import write
+
+
+def report(outcome: Outcome) -> check.Report:
+    files = write(outcome)
+    return check.check(files["statement.json"], files["certificate.json"], {})
+
+
+def test_the_step_is_proved_and_small() -> None:
+    outcome = decide()
+    files = write(outcome)
+    assert report(outcome).verdict == "PROVED"
+    assert outcome.verdict == PROVED
+    assert sum(map(len, files.values())) < 200_000
+    assert read(files["statement.json"], files["certificate.json"], {}) == outcome
+
+
+def test_only_four_kinds_of_sentences_are_assumed() -> None:
+    kinds = [assumption.kind for assumption in decide().assumptions]
+    assert kinds.count("general mathematics") == 3
+    assert kinds.count("definition") == 1
+    assert set(kinds) == {"general mathematics", "definition", "glue"}
+
+
+def test_glue_names_rows_that_are_there() -> None:
+    rows = {row.name for row in step().statement.obligations}
+    rows |= {g.name for c in step().statement.contexts for g in c.givens}
+    named = {
+        word.strip(".,:")
+        for assumption in decide().assumptions
+        if assumption.kind == "glue"
+        for word in assumption.sentence.split()
+        if "-" in word and word.strip(".,:").replace("-", "").isalpha()
+    }
+    prose = {"0-1", "inside-", "-cos"}
+    assert {name for name in named if name not in rows} <= prose
+
+
+def test_the_point_is_the_theorem_at_three_hundredths() -> None:
+    values = {n: as_term_of(numbers.POINT[n]) for n in ("r", "c", "V_0", "delta_theta")}
+    outcome = decide_point(values, "repaired")
+    for name, meaning in numbers.MEANING.items():
+        low, high = outcome.enclosures[meaning.name].ends[0]
+        assert low <= as_term_of(numbers.POINT[name]).value <= high
+
+
+def as_term_of(text: str) -> Any:
+    return as_term(Fraction(text))
+
+
+# --- what is refused -----------------------------------------------------------------------------
+
+
+@dataclass
+class Sums:
+    """Every sum of the certificate with its claim and context."""
+
+    step: Step
+    claim: Claim
+    context: str | None
+    proof: Sum
+
+
+@cache
+def sums() -> tuple[Sums, ...]:
+    rows = {row.name: row for row in step().statement.obligations}
+    found = []
+    for item in decide().steps:
+        if isinstance(item, LemmaStep) and isinstance(item.proof, Sum):
+            found.append(Sums(item, item.claim, item.context, item.proof))
+        if isinstance(item, ObligationStep) and isinstance(item.proof, Sum):
+            row = rows[item.name]
+            assert isinstance(row.claim, Claim)
+            found.append(Sums(item, row.claim, row.context, item.proof))
+    return tuple(found)
+
+
+def with_lies(lies: dict[str, list[LemmaStep]]) -> list[str]:
+    """Which lies are accepted, each put before the step of its name."""
+    steps = [new for old in decide().steps for new in (*lies.get(old.name, []), old)]
+    names = {lie.name for group in lies.values() for lie in group}
+    lines = report(decide()._replace(steps=tuple(steps))).lines
+    refused = {line.split()[2].rstrip(":") for line in lines if line.startswith("REFUSED lemma")}
+    return sorted(names - refused)
+
+
+def test_a_sum_without_one_of_its_addends_is_refused() -> None:
+    lies: dict[str, list[LemmaStep]] = {}
+    for number, found in enumerate(sums()):
+        for i in range(len(found.proof.addends)):
+            rest = found.proof.addends[:i] + found.proof.addends[i + 1 :]
+            proof = found.proof._replace(addends=rest)
+            lie = LemmaStep(f"lie.{number}.{i}", found.context, found.claim, proof)
+            lies.setdefault(found.step.name, []).append(lie)
+    assert sum(map(len, lies.values())) > 500
+    assert with_lies(lies) == []
+
+
+def test_a_stronger_claim_is_refused() -> None:
+    lies: dict[str, list[LemmaStep]] = {}
+    for number, found in enumerate(sums()):
+        relation, lhs, rhs = found.claim.key
+        claim = Claim(relation, lhs + Fraction(1, 1000), rhs)
+        lies[found.step.name] = [LemmaStep(f"lie.{number}", found.context, claim, found.proof)]
+    assert with_lies(lies) == []
+
+
+@pytest.mark.parametrize("context", ["parameters", "initial", "state", "plane"])
+def test_without_a_given_the_step_is_refused(context: str) -> None:
+    outcome = decide()
+    contexts = list(outcome.statement.contexts)
+    index = [c.name for c in contexts].index(context)
+    givens = contexts[index].givens
+    for i in range(0, len(givens), 4):
+        fewer = contexts[index]._replace(givens=givens[:i] + givens[i + 1 :])
+        changed = (*contexts[:index], fewer, *contexts[index + 1 :])
+        lie = outcome._replace(statement=outcome.statement._replace(contexts=changed))
+        try:
+            assert report(lie).verdict == "REFUSED", givens[i].name
+        except check.Malformed:
+            continue
+
+
+# --- states --------------------------------------------------------------------------------------
+
+
+def claims_in(*contexts: str) -> dict[str, Claim]:
+    rows = {row.name: row for row in step().statement.obligations}
+    found = {
+        given.name: given.claim
+        for context in step().statement.contexts
+        if context.name in contexts
+        for given in context.givens
+    }
+    for item in decide().steps:
+        if isinstance(item, LemmaStep) and item.context in contexts:
+            found[item.name] = item.claim
+        if isinstance(item, ObligationStep) and rows[item.name].context in contexts:
+            claim = rows[item.name].claim
+            if isinstance(claim, Claim):
+                found[item.name] = claim
+    return found
+
+
+@pytest.mark.parametrize("dimension", [2, 3, 4])
+def test_no_claim_is_violated_at_random_states(dimension: int) -> None:
+    contexts = [c for c in step().statement.contexts if c.name == state.CONTEXT]
+    names = [*numbers.POINT, *state.following(), "t", "s"]
+    claims = claims_in("parameters", state.CONTEXT, "before", "meanwhile")
+    with balls.precision(BITS):
+        draw, seen = Random(dimension, dimension), 0
+        violated = checker(contexts, claims, names)
+        for _ in range(100):
+            values = draw.state()
+            if values is None:
+                continue
+            tau = evaluate({"tau": state.tau_of(state.frame)}, values)["tau"]
+            values |= {"t": tau * draw.share(), "s": tau * draw.share()}
+            assert violated(values) == []
+            seen += 1
+    assert seen > 80
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_orbits_from_the_initial_set_satisfy_all_conditions(dimension: int) -> None:
+    contexts = [c for c in step().statement.contexts if c.name == state.CONTEXT]
+    names = [*numbers.POINT, *state.following()]
+    conditions = state.conditions()
+    with balls.precision(4 * BITS):
+        draw = Random(7, dimension)
+        starting = checker([], claims_in(initial.CONTEXT), [*names, *initial.point])
+        violated = checker(contexts, conditions, names)
+        following = state.following()
+        for _ in range(5):
+            values = draw.start()
+            assert values is not None
+            assert starting(values) == []
+            for _ in range(40):
+                assert violated(values) == []
+                values = next_state(contexts, following, {n: values[n] for n in names})
+
+
+def next_state(contexts: Any, following: Any, values: Values) -> Values:
+    terms = {c.name: c.term for context in contexts for c in context.constants}
+    known = dict(values)
+    for name, term in terms.items():
+        known |= evaluate({name: term}, known)
+    return values | evaluate(following, known)

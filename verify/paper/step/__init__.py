@@ -1,0 +1,1 @@
+"""One step of the recursion of `THEORSS4.1ExistenCollapse`, for every state."""

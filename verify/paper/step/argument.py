@@ -1,0 +1,146 @@
+"""An argument, line by line: what is claimed, and which known inequalities are multiplied for it.
+
+A line that `says` something is an obligation of the statement; the others are lemmas on the way.
+A reason is data: the prover turns it into a proof by the rule of the same name, and the checker
+accepts that or not. Nothing here decides anything.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import NamedTuple
+
+from verify.language.statement import Always, Context
+from verify.language.terms import Claim, Term
+
+#: A number that is >= 0: a rational, the name of an inequality, ``goal``, or one built from these.
+Value = str | tuple[object, ...]
+Factor = Value | int | Fraction
+
+
+def _value(factor: Factor) -> Value:
+    return str(factor) if isinstance(factor, int | Fraction) else factor
+
+
+def times(*factors: Factor) -> Value:
+    """A product of numbers that are >= 0."""
+    return ("mul", *map(_value, factors))
+
+
+def plus(*values: Factor) -> Value:
+    """A sum of numbers that are >= 0."""
+    return ("add", *map(_value, values))
+
+
+def power(value: Factor, exponent: int) -> Value:
+    """A power of a number that is >= 0."""
+    return ("pow", _value(value), exponent)
+
+
+def square(term: Term) -> Value:
+    """The square of any term."""
+    return ("square", term)
+
+
+class Sum(NamedTuple):
+    """If the claim were false these numbers, which are >= 0, would add up to 0, and one is > 0.
+
+    ``using`` names equations by which atoms are replaced, ``equations`` those that are added,
+    each times a term.
+    """
+
+    addends: tuple[Value, ...] = ()
+    using: tuple[str, ...] = ()
+    equations: tuple[tuple[str, Term], ...] = ()
+
+
+class Root(NamedTuple):
+    """The root of a positive number is positive."""
+
+
+class Entry(NamedTuple):
+    """A minimum is at most its entry."""
+
+    equation: str | None = None
+
+
+class Least(NamedTuple):
+    """What is below each entry is below the minimum on the right."""
+
+    branches: tuple[Sum, ...]
+    equation: str | None = None
+
+
+class Number(NamedTuple):
+    """Both sides are numbers: enclosures decide."""
+
+
+class At(NamedTuple):
+    """A known fact at values of its variables; ``givens`` names why they satisfy its givens."""
+
+    fact: str
+    values: Mapping[str, Term]
+    givens: tuple[str, ...]
+
+
+class Repeated(NamedTuple):
+    """Why each condition holds at the start, and at the next state."""
+
+    start: tuple[str, ...]
+    next: tuple[str, ...]
+
+
+Reason = Sum | Root | Entry | Least | Number | At | Repeated
+
+
+def proof(*addends: Factor, using: str = "", equations: tuple[tuple[str, Term], ...] = ()) -> Sum:
+    """The addends besides the negated claim itself; ``using`` has names with spaces between."""
+    return Sum(("goal", *map(_value, addends)), tuple(using.split()), equations)
+
+
+def scaled(goal: Value, *addends: Factor, using: str = "") -> Sum:
+    """The same where the negated claim enters in a product."""
+    return Sum((goal, *map(_value, addends)), tuple(using.split()))
+
+
+def identity(using: str = "", equations: tuple[tuple[str, Term], ...] = ()) -> Sum:
+    """An equation that holds after replacing atoms, or by adding multiples of equations."""
+    return Sum((), tuple(using.split()), equations)
+
+
+class Line(NamedTuple):
+    """A claim for all values in a context, with its reason."""
+
+    name: str
+    claim: Claim | Always
+    reason: Reason
+    label: str = ""
+    says: str = ""
+    uses: tuple[str, ...] = ()
+
+
+class Defined(NamedTuple):
+    """Here a constant of the context is known to have a value."""
+
+    name: str
+
+
+class Opened(NamedTuple):
+    """Here the next context opens; ``premises`` names why its givens hold at its point.
+
+    Without premises the point has numbers, and enclosures show it.
+    """
+
+    context: Context
+    premises: tuple[str, ...] | None = None
+
+
+Item = Line | Defined | Opened
+
+
+class Chapter(NamedTuple):
+    """Lines in one context, in order."""
+
+    context: str | None
+    items: tuple[Item, ...]

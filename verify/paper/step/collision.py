@@ -1,0 +1,320 @@
+"""The collision: the laws of Section 4 as identities of the collision map, angle and norms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from verify.language.terms import as_term, equal
+from verify.paper.step.argument import (
+    Defined,
+    Factor,
+    Item,
+    Line,
+    identity,
+    plus,
+    power,
+    proof,
+    scaled,
+    times,
+)
+from verify.paper.step.flight import SHIFT, absolute
+from verify.paper.step.numbers import c as limit
+from verify.paper.step.numbers import eighth, r, speed
+from verify.paper.step.state import (
+    CND,
+    A,
+    A_next,
+    B,
+    B_next,
+    C,
+    C_next,
+    D,
+    S,
+    a,
+    at_next,
+    b,
+    conditions,
+    d,
+    end,
+    eta_s,
+    eta_s_next,
+    frame,
+    inequalities,
+    kappa,
+    omega_next,
+    tau,
+    w,
+    y,
+    y_next,
+)
+from verify.paper.step.vectors import W_s
+
+COMPONENTS = "EQUATSS4.1EvoluCompoNormC"
+NORMS = "EQUATSS4.1EvoluNormeVitRl"
+ANGLE = "EQUATSS4.1EvoluCosinAngle"
+
+dot = frame.dot
+half = (1 + r) / 2
+#: -W_c.omega_s' = (1+d) sqrt(1-zeta) (-eta_c), the speed of the impact.
+impact = (1 + d) * y * S
+spin = dot(W_s, omega_next)
+turn = (1 + d) * C - tau * a - (1 + d) * tau * b - tau**2 * w
+
+
+def lines() -> Iterator[Item]:
+    """The laws, then the estimates of the angle and of the norms."""
+    yield from _laws()
+    yield from _angle()
+    yield from _norms()
+
+
+def _laws() -> Iterator[Item]:
+    for name in ("kappa", "C_next", "y_next", "eta_s_next", "A_next", "B_next"):
+        yield Defined(name)
+    for name in ("a_next", "b_next", "w_next"):
+        yield Defined(name)
+    yield Line(
+        "impact-speed",
+        equal(kappa, -impact),
+        identity("kappa tau S"),
+        COMPONENTS,
+        "W_c·ω_s' = -(1+d)√(1-ζ)(-η_c)",
+    )
+    yield Line(
+        "law-angle",
+        equal(C_next, turn / D),
+        identity("C_next"),
+        ANGLE,
+        "-cos θ' = [(1+d)(-cos θ) - τ ω_s·W_c - (1+d)τ ω_c·W_s - τ² W_s·W_c]/(1+d')",
+    )
+    yield Line(
+        "law-eta-c",
+        equal(y_next, half * impact * C_next - (eta_s + tau * B) / D),
+        identity("y_next C_next impact-speed"),
+        COMPONENTS,
+        "η_c' = η_s/(1+d') - (1+r)/2 (1+d)√(1-ζ)(-cos θ')(-η_c) + τ|W_s|²/(1+d')",
+    )
+    yield Line(
+        "law-eta-s",
+        equal(eta_s_next, r * impact),
+        identity(
+            "eta_s_next",
+            (
+                ("contact", -((1 + r) * kappa)),
+                ("kappa", as_term(-1)),
+                ("impact-speed", -r),
+            ),
+        ),
+        COMPONENTS,
+        "η_s' = r(1+d)√(1-ζ)(-η_c)",
+    )
+    yield Line(
+        "law-norm-c",
+        equal(A_next, B - (1 + r) * kappa * spin + half**2 * kappa**2),
+        identity("A_next", (("contact", half**2 * kappa**2),)),
+        NORMS,
+        "|W_c'|² = |W_s|² - (1+r)(W_c·ω_s')(W_s·ω_s') + ((1+r)²/4)(W_c·ω_s')²",
+    )
+    yield Line(
+        "law-norm-s",
+        equal(B_next, A - (1 - r**2) * kappa**2),
+        identity(
+            "B_next",
+            (("contact", (1 + r) ** 2 * kappa**2), ("kappa", 2 * (1 + r) * kappa)),
+        ),
+        NORMS,
+        "|W_s'|² = |W_c|² - (1-r²)(W_c·ω_s')²",
+    )
+
+
+def _angle() -> Iterator[Item]:
+    pairs = inequalities(frame, tau)
+    yield Line("angle-pair", pairs["cs-angle"], proof("cs-angle", using="tau"))
+    yield Line("turn", equal(D * C_next, turn), identity("C_next"))
+    yield Line(
+        "C_next-square",
+        D**2 * C_next**2 <= D**2,
+        proof(
+            "angle-pair",
+            equations=(
+                ("turn", -(D * C_next + turn)),
+                ("contact", -dot(end, end)),
+                ("D-square", as_term(1)),
+            ),
+        ),
+    )
+    yield Line(
+        "C_next-one",
+        C_next <= 1,
+        scaled(times("goal", power("D-positive", 2), plus("goal", 2)), "C_next-square"),
+        ANGLE,
+        "-cos θ' ≤ 1",
+    )
+    yield Line(
+        "C-positive",
+        0 < C,
+        scaled(
+            times("decay-speed-positive", "goal"),
+            "Cnd8-lower",
+            "obtuse",
+            times("decay-speed-positive", "d-positive"),
+            times(14, "speed-positive", "g-positive"),
+        ),
+        f"{CND}T",
+        "cos θ < 0",
+    )
+    bound = d + (D - 1) + 4 * speed * tau
+    change = times("D-one", plus("d-positive", "D-one", times(4, "speed-positive", "tau-positive")))
+    rest = (
+        times("d-one", "tau-positive", "speed-positive"),
+        "time-square",
+    )
+    for side, sign, first, second in (
+        ("upper", 1, "C-one", plus("C-positive", 1)),
+        ("lower", -1, plus("C-positive", 1), "C-one"),
+    ):
+        other = "lower" if sign == 1 else "upper"
+        yield Line(
+            f"angle-step-{side}",
+            (C_next - C if sign == 1 else C - C_next) <= bound,
+            scaled(
+                times("D-positive", "goal"),
+                change,
+                times("d-positive", first),
+                times("D-one", second),
+                times("tau-positive", f"a-{other}"),
+                times("d-sum-positive", "tau-positive", f"b-{other}"),
+                times("tau-positive", "tau-positive", f"w-{other}"),
+                *rest,
+            )._replace(equations=(("turn", as_term(-sign)),)),
+            f"{CND}8",
+            "|cos θ' - cos θ| ≤ d + d' + 4 V₁^{1/2} τ",
+        )
+    for side in ("upper", "lower"):
+        yield carried(
+            f"Cnd8-{side}",
+            f"{CND}8",
+            "|(-cos θ_n) - (-cos θ₀)| stays below the sum of all later changes",
+            f"Cnd8-{side}",
+            times("decay-speed-positive", f"angle-step-{side}"),
+            times(2, "decay-positive", "distance-speed"),
+            times(4, "decay-positive", "speed-positive", "time-crude"),
+            times(14, "decay-positive", "speed-positive", "Cnd2"),
+            using="d_next",
+        )
+    tail = times(14, "speed-positive", "C_eta-positive", "g-positive")
+    room = times("decay-speed-positive", "D-one")
+    goal = times("decay-speed-positive", "goal")
+    yield Line(
+        "C_next-positive",
+        0 < C_next,
+        scaled(goal, "next-Cnd8-lower", "obtuse", room, tail, using="d_next"),
+        f"{CND}T",
+        "cos θ' < 0",
+    )
+    for side, term in (("upper", C_next - limit), ("lower", limit - C_next)):
+        yield Line(
+            f"angle-{side}",
+            term <= eighth,
+            scaled(goal, f"next-Cnd8-{side}", "y-term-3", room, tail, using="d_next"),
+            f"{CND}10",
+            "|(-cos θ') - (-cos θ₀)| ≤ h₄δ_x/8",
+        )
+
+
+def _norms() -> Iterator[Item]:
+    pairs = inequalities(frame, tau)
+    yield Line("impact-pair", pairs["cs-impact"], proof("cs-impact", using="tau"))
+    yield Line("spin-square", spin**2 <= B, proof("impact-pair", equations=(("contact", -B),)))
+    yield from absolute(
+        "spin", spin, ("spin-square", "B-below"), f"{CND}6", "|W_s·ω_s'| ≤ V₁^{1/2}"
+    )
+    yield Line(
+        "impact-positive",
+        0 < impact,
+        proof(times("d-sum-positive", "Cnd1", "S-positive")),
+        COMPONENTS,
+        "W_c·ω_s' < 0: at the contact the pair approaches",
+    )
+    yield Line(
+        "impact-bound",
+        impact <= 2 * y,
+        proof(times("d-one", "Cnd1", "S-positive"), times(2, "Cnd1", "S-one")),
+        f"{CND}6",
+        "|W_c·ω_s'| ≤ 2(-η_c)",
+    )
+    bound = 4 * (speed + 2) * y
+    plus_r = plus(1, "r-positive")
+    square = power("impact-positive", 2)
+    below = times("impact-bound", plus("impact-positive", times(2, "Cnd1")))
+    moving = (
+        times("r-below-one", "impact-positive", "speed-positive"),
+        times(2, "speed-positive", "impact-bound"),
+    )
+    quarter = Fraction(1, 4)
+    one = times(4, "Cnd1", "y-one")
+    using = "law-norm-c law-norm-s impact-speed"
+    for name, claim, says, addends in (
+        (
+            "norm-c-upper",
+            A_next - B <= bound,
+            "|W_c'|² - |W_s|²",
+            (
+                times(plus_r, "impact-positive", "spin-upper"),
+                *moving,
+                times(quarter, "r-below-one", plus(3, "r-positive"), square),
+                below,
+                one,
+                times(4, "Cnd1"),
+            ),
+        ),
+        (
+            "norm-c-lower",
+            B - A_next <= bound,
+            "|W_s|² - |W_c'|²",
+            (
+                times(plus_r, "impact-positive", "spin-lower"),
+                *moving,
+                times(quarter, power(plus_r, 2), square),
+                times(8, "Cnd1"),
+            ),
+        ),
+        (
+            "norm-s-upper",
+            B_next - A <= bound,
+            "|W_s'|² - |W_c|²",
+            (times("r-below-one", plus_r, square), times(SHIFT, "Cnd1")),
+        ),
+        (
+            "norm-s-lower",
+            A - B_next <= bound,
+            "|W_c|² - |W_s'|²",
+            (
+                times(power("r-positive", 2), square),
+                below,
+                one,
+                times(4, plus("speed-positive", 1), "Cnd1"),
+            ),
+        ),
+    ):
+        label = f"{CND}6" if "-c-" in name else f"{CND}7"
+        says = f"{says} ≤ 4(V₁^{{1/2}}+2)(-η_c)"
+        yield Line(name, claim, proof(*addends, using=using), label, says)
+    for new, old, letter in (("A", "B", "c"), ("B", "A", "s")):
+        for side in ("upper", "lower"):
+            yield carried(
+                f"{new}-{side}",
+                f"{CND}6",
+                f"|W_{letter}'|² stays between V₀ and V₁ by the sum of all later changes",
+                f"{old}-{side}",
+                times("decay-positive", f"norm-{letter}-{side}"),
+                times("decay-positive", SHIFT, "Cnd2"),
+            )
+
+
+def carried(name: str, label: str, says: str, *addends: Factor, using: str = "") -> Line:
+    """A condition of the recursion at the next state."""
+    return Line(
+        f"next-{name}", at_next(conditions()[name]), proof(*addends, using=using), label, says
+    )

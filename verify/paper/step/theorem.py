@@ -1,0 +1,101 @@
+"""The step as a statement, and its argument in the order in which it is proved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from typing import NamedTuple
+
+from verify.language.statement import NEEDED, Always, Obligation, Statement
+from verify.paper.parameters import THEOREM
+from verify.paper.step import (
+    apart,
+    collision,
+    conclusion,
+    flight,
+    impact,
+    initial,
+    numbers,
+    plane,
+    rearranged,
+    recursion,
+    state,
+)
+from verify.paper.step.argument import Chapter, Item, Line, Opened, Repeated
+from verify.paper.step.assumptions import ASSUMPTIONS
+
+NAME = "step"
+TITLE = (
+    "One step of the recursion, for every state and all numbers that satisfy the rows of the "
+    "repaired set; and the induction on the number of collisions"
+)
+
+
+class Step(NamedTuple):
+    """The statement with its argument."""
+
+    statement: Statement
+    chapters: tuple[Chapter, ...]
+
+
+@cache
+def step() -> Step:
+    """The step, built once per process."""
+    chapters = tuple(_chapters())
+    contexts = tuple(
+        item.context for chapter in chapters for item in chapter.items if isinstance(item, Opened)
+    )
+    rows = tuple(
+        _obligation(item, chapter.context)
+        for chapter in chapters
+        for item in chapter.items
+        if isinstance(item, Line) and item.says
+    )
+    statement = Statement(NAME, TITLE, {}, (), contexts, rows, ASSUMPTIONS)
+    return Step(statement, chapters)
+
+
+def _obligation(line: Line, context: str | None) -> Obligation:
+    return Obligation(
+        line.name, NAME, line.label, NEEDED, line.says, line.claim, line.uses, context=context
+    )
+
+
+def _chapters() -> Iterator[Chapter]:
+    spaces = (numbers.context(), plane.context(), impact.context())
+    yield Chapter(None, (*rearranged.numbers(), *(Opened(space) for space in spaces)))
+    yield Chapter(impact.CONTEXT, tuple(impact.lines()))
+    yield Chapter(plane.CONTEXT, tuple(plane.lines()))
+    inside: tuple[Item, ...] = (*rearranged.lines(), *initial.inside())
+    opened = Opened(initial.context(), tuple(f"at-{name}" for name in initial.GIVENS))
+    yield Chapter(numbers.CONTEXT, (*inside, opened))
+    yield Chapter(initial.CONTEXT, tuple(initial.lines()))
+    yield Chapter(numbers.CONTEXT, tuple(initial.instances()))
+    here = state.context(initial.CONTEXT, initial.state_point)
+    yield Chapter(initial.CONTEXT, (Opened(here, initial.opening()),))
+    yield Chapter(
+        state.CONTEXT,
+        (
+            *flight.lines(),
+            *collision.lines(),
+            *recursion.lines(),
+            *conclusion.lines(),
+        ),
+    )
+    yield from apart.chapters()
+    yield Chapter(initial.CONTEXT, (_always(),))
+
+
+def _always() -> Line:
+    conditions = state.conditions()
+    return Line(
+        "always",
+        Always(state.CONTEXT, initial.start, state.following()),
+        Repeated(
+            tuple(initial.premise(name) for name in conditions),
+            tuple(f"next-{name}" for name in conditions),
+        ),
+        THEOREM,
+        "by induction on n all conditions hold after the n-th collision, for every n",
+        tuple(assumption.name for assumption in ASSUMPTIONS),
+    )

@@ -22,6 +22,7 @@ from verify.views.words import (
     in_numbers,
     letters,
     minimum_of,
+    parameters_of,
     short_name,
     sides_of,
     summary,
@@ -39,7 +40,7 @@ def lines(outcome: Outcome) -> Iterator[str]:
     typesetter = letters(outcome)
     sets = [group for group in groups(outcome) if group != HYPOTHESES]
     yield f"Theorem 1 ({outcome.statement.theorem})"
-    for name, term in outcome.statement.parameters.items():
+    for name, term in parameters_of(outcome).items():
         yield f"  {typesetter.term(symbol(name))} = {typesetter.term(term)}"
     yield ""
     yield from _first_screen(outcome, sets)

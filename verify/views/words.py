@@ -22,6 +22,7 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term, symbols_of
 from verify.paper.groups import HYPOTHESES, REPAIRED
+from verify.paper.parameters import PARAMETERS
 from verify.prover.decimals import outward, short
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 from verify.views.typeset import Typesetter
@@ -110,7 +111,7 @@ def letters(outcome: Outcome) -> Typesetter:
     for context in outcome.statement.contexts:
         names |= {v.name: v.letter for v in context.variables}
         names |= {c.name: c.letter for c in context.constants}
-    parameters = {name: LETTERS.get(name, name) for name in outcome.statement.parameters}
+    parameters = {name: LETTERS.get(name, name) for name in parameters_of(outcome)}
     return Typesetter(names | parameters)
 
 
@@ -141,13 +142,23 @@ def sides_of(row: Obligation, decision: Decision) -> tuple[Ends, Ends] | None:
     return lhs, rhs
 
 
+def parameters_of(outcome: Outcome) -> dict[str, Term]:
+    """The parameters in the order of the paper, whatever order a file has them in."""
+    found = outcome.statement.parameters
+    return {name: found[name] for name in sorted(found, key=_place)}
+
+
+def _place(name: str) -> tuple[int, str]:
+    return (PARAMETERS.index(name) if name in PARAMETERS else len(PARAMETERS)), name
+
+
 # --- constants -----------------------------------------------------------------------------------
 
 
 def definitions(outcome: Outcome) -> dict[str, Term]:
     """What each parameter and each constant without variables stands for."""
     statement = outcome.statement
-    return {**statement.parameters, **{c.name: c.term for c in statement.constants}}
+    return {**parameters_of(outcome), **{c.name: c.term for c in statement.constants}}
 
 
 def ends_of(outcome: Outcome, name: str) -> Ends | None:
@@ -238,7 +249,9 @@ def theorem_in_numbers(outcome: Outcome) -> str:
         return outward((number, number))[0]
 
     typesetter = letters(outcome)
-    r, c, v_0, delta = (typesetter.term(term) for term in outcome.statement.parameters.values())
+    given_ones = parameters_of(outcome)
+    r, c, v_0, delta = (typesetter.term(given_ones[name]) for name in PARAMETERS)
+    added = f"({c})" if c.startswith("-") else c
     third = (known[f"{REPAIRED}.V_1"].value - known["V_0"].value) / 3
     low, high = known["V_0"].value + third, known[f"{REPAIRED}.V_1"].value - third
     phi = ends_of(outcome, "phi_minus")
@@ -247,7 +260,7 @@ def theorem_in_numbers(outcome: Outcome) -> str:
         f"Let r = {r}. Three particles, 0 and 1 in contact and just collided, with "
         f"0 < -η_c ≤ {value('eta_bar')}, |η_s/(-η_c) - φ⁻| ≤ {value('x_0')} and η_s > 0 "
         f"(φ⁻ = {root}), 0 < d ≤ min({value('d_const')}, {value('d_slope')} η_c²), "
-        f"|W_c|² and |W_s|² in [{low}, {high}], and |cos θ + {c}| ≤ "
+        f"|W_c|² and |W_s|² in [{low}, {high}], and |cos θ + {added}| ≤ "
         f"{value('Delta_theta')}/4, collide for ever in the order 0-2, 0-1, 0-2, …, within the "
         f"time {value('T_star')} (unit of length: a diameter; |W|² ≥ V₀ = {v_0}), and -cos of "
         f"the final angle differs from {c} by at most {value('Delta_theta')} ≤ δ_θ = {delta}."

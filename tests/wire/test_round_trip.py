@@ -1,0 +1,104 @@
+"""What is written and read back is the same outcome, and every view says the same of it."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from functools import cache
+
+import pytest
+
+from tests.points import parameters
+from verify.jobs import spectrum, theorem1
+from verify.language.terms import cos_pi
+from verify.prover.outcome import Outcome
+from verify.views import document, markdown, table
+from verify.views import spectrum as spectral
+from verify.wire.read import read
+from verify.wire.terms import WireError
+from verify.wire.write import write
+
+OUTCOMES = ["proved", "printed", "refuted", "cosine", "spectrum"]
+
+
+@cache
+def fresh(name: str) -> Outcome:
+    point = parameters("3/100", "1")
+    match name:
+        case "proved":
+            return theorem1.decide(point)
+        case "printed":
+            return theorem1.decide(point, "printed")
+        case "refuted":
+            return theorem1.decide(parameters("1/2", "1"))
+        case "cosine":
+            angle = -cos_pi(Fraction(5, 6))
+            return theorem1.decide(parameters("1/1000", "1") | {"c": angle}, "repaired")
+    return spectrum.decide()
+
+
+@cache
+def files(name: str) -> tuple[bytes, bytes]:
+    written = write(fresh(name))
+    return written["statement.json"], written["certificate.json"]
+
+
+@pytest.mark.parametrize("name", OUTCOMES)
+def test_reading_is_the_inverse_of_writing(name: str) -> None:
+    again = read(*files(name), {})
+    assert again == fresh(name)
+    assert tuple(write(again).values()) == files(name)
+
+
+@pytest.mark.parametrize("name", OUTCOMES)
+def test_views_say_the_same_of_what_is_read_back(name: str) -> None:
+    one, two = fresh(name), read(*files(name), {})
+    views = [markdown.report, *(
+        (spectral.document, lambda o: [*spectral.lines(o)], spectral.last_line)
+        if name == "spectrum"
+        else (document.document, lambda o: [*table.lines(o)])
+    )]  # fmt: skip
+    for view in views:
+        assert view(one) == view(two)
+
+
+@pytest.mark.parametrize("name", OUTCOMES)
+def test_views_agree_on_the_verdict(name: str) -> None:
+    outcome = fresh(name)
+    if name == "spectrum":
+        found, last = spectral.document(outcome), spectral.last_line(outcome)
+    else:
+        found, last = document.document(outcome), [*table.lines(outcome)][-1]
+    assert last.startswith(f"Verdict: {found['verdict']}: {outcome.statement.title}: ")
+    assert found["verdict"] in markdown.report(outcome)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        (b'"rule": "interval"', b'"rule": "magic"'),
+        (b'"obligation": ', b'"oblation": '),
+        (b'"ends": ["', b'"ends": ["x'),
+        (b'"bits": 224, "bounds"', b'"bit": 224, "bounds"'),
+    ],
+)
+def test_other_files_are_no_outcome(old: bytes, new: bytes) -> None:
+    first, second = files("proved")
+    assert old in second
+    with pytest.raises(WireError):
+        read(first, second.replace(old, new, 1), {})
+
+
+@pytest.mark.parametrize("content", [b"", b"{}", b"[]", b"null", b"\xff", b"[" * 5000])
+def test_no_statement_at_all(content: bytes) -> None:
+    with pytest.raises(WireError):
+        read(content, files("refuted")[1], {})
+    with pytest.raises(WireError):
+        read(files("refuted")[0], content, {})
+
+
+def test_files_have_sorted_keys_and_end_with_a_line_feed() -> None:
+    for content in files("proved"):
+        assert content.endswith(b"}\n")
+        keys = list(json.loads(content))
+        assert keys == sorted(keys)

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import resource
 import subprocess
 import sys
+from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -23,23 +26,45 @@ TRUE = {
 }  # fmt: skip
 
 
+Answer = subprocess.CompletedProcess[str]
+
+
 def bounded() -> None:
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
 
 
-@pytest.mark.parametrize("name", HEAVY)
-def test_heavy(name: str, tmp_path: Path) -> None:
-    first, second = HEAVY[name]()
-    (tmp_path / "statement.json").write_bytes(first)
-    (tmp_path / "certificate.json").write_bytes(second)
-    done = subprocess.run(
-        [sys.executable, "-I", check.__file__, str(tmp_path)],
+def answer(name: str, folder: Path) -> Answer:
+    """What the checker says in a process of its own."""
+    folder.mkdir()
+    for file, data in zip(("statement.json", "certificate.json"), HEAVY[name](), strict=True):
+        (folder / file).write_bytes(data)
+    return subprocess.run(
+        [sys.executable, "-I", check.__file__, str(folder)],
         capture_output=True,
         encoding="utf-8",
         preexec_fn=bounded,
         check=False,
     )
+
+
+@pytest.fixture(scope="module")
+def answers(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[dict[str, Future[Answer]]]:
+    """The answers to all files that are asked for: as many at a time as there are processors."""
+    folder = tmp_path_factory.mktemp("heavy")
+    items = [item for item in request.session.items if isinstance(item, pytest.Function)]
+    chosen = [item.callspec.params.get("name") for item in items if hasattr(item, "callspec")]
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        names = [name for name in HEAVY if name in chosen]
+        yield {name: pool.submit(answer, name, folder / name) for name in names}
+        pool.shutdown(cancel_futures=True)
+
+
+@pytest.mark.parametrize("name", HEAVY)
+def test_heavy(name: str, answers: dict[str, Future[Answer]]) -> None:
+    done = answers[name].result()
     last = done.stdout.splitlines()[-1:]
     assert done.stderr == ""
     assert last

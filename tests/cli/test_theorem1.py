@@ -115,6 +115,24 @@ def check_pair(pair: list[str]) -> None:
     assert high - low <= max(abs(low), abs(high)) / 10**25
 
 
+def test_more_precision_earns_more_digits(capsys: pytest.CaptureFixture[str]) -> None:
+    _, doc = document(capsys, "--r", "0.03", "--precision", "1000")
+    _, usual = document(capsys, "--r", "0.03")
+    low, high = map(Fraction, doc["constants"]["phi_minus"])
+    first, last = map(Fraction, usual["constants"]["phi_minus"])
+    assert 0 < high - low < Fraction(1, 10**290)
+    assert first <= low < high <= last
+    rows = zip(doc["sets"]["repaired"]["obligations"], usual["sets"]["repaired"]["obligations"],
+               strict=True)  # fmt: skip
+    for one, two in rows:
+        assert one["verdict"] == two["verdict"]
+        for side in ("lhs", "rhs"):
+            low, high = map(Fraction, one[side])
+            first, last = map(Fraction, two[side])
+            assert first <= low <= high <= last
+            assert high - low <= max(abs(low), abs(high)) / 10**290
+
+
 @pytest.mark.parametrize("text", ["0.03", "3/100", "3e-2", "+0.03", "300e-4", ".03", "6/200"])
 def test_every_way_to_write_a_number(capsys: pytest.CaptureFixture[str], text: str) -> None:
     code, doc = document(capsys, "--r", text, "--constants", "repaired")

@@ -8,7 +8,7 @@ from functools import cache
 import pytest
 
 from tests.points import parameters
-from verify.jobs import spectrum
+from verify.jobs import spectrum, step
 from verify.jobs.regenerate import is_right_statement
 from verify.jobs.theorem1 import decide
 from verify.wire.write import encode, write
@@ -23,6 +23,7 @@ def test_the_programs_own() -> None:
     assert is_right_statement(statement())
     assert is_right_statement(statement("all"))
     assert is_right_statement(write(spectrum.decide())["statement.json"])
+    assert is_right_statement(write(step.decide())["statement.json"])
 
 
 def test_what_is_refuted_or_printed_alone_is_not() -> None:

@@ -15,6 +15,9 @@ from verify.views.table import lines
 
 MAX_PRECISION = 1 << 16
 
+#: The bits of the enclosures in an outcome; whoever starts with more sees more digits.
+ENCLOSED_BITS = 128
+
 
 def add_arguments(parser: ArgumentParser) -> None:
     """The options; every number is kept as the text that was written."""
@@ -87,9 +90,10 @@ def run(options: Namespace) -> int:
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
     if options.json:
-        from verify.views.document import document  # loaded only where it is used
+        from verify.views.document import document  # loaded only where they are used
+        from verify.views.sharper import sharpened
 
-        print_document(document(outcome))
+        print_document(document(sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome))
     else:
         sys.stdout.write("".join(f"{line}\n" for line in lines(outcome)))
     return outcome.exit_code

@@ -7,7 +7,7 @@ from typing import Any
 from verify.language.statement import REFUTED, Assumption, Constant, Obligation
 from verify.language.terms import Claim, Term
 from verify.paper.groups import HYPOTHESES
-from verify.prover.decimals import outward, rational_text
+from verify.prover.decimals import DIGITS, decimal_exponent, outward, rational_text
 from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views.typeset import Typesetter
 from verify.views.words import (
@@ -53,8 +53,14 @@ def document(outcome: Outcome) -> dict[str, Any]:
 
 
 def pair(ends: Ends | None) -> list[str] | None:
-    """An enclosure as two decimal texts, outward rounded."""
-    return None if ends is None else outward(ends)
+    """An enclosure as two decimal texts, outward rounded, and not by much."""
+    if ends is None:
+        return None
+    low, high = ends
+    width = high - low
+    if width == 0:
+        return outward(ends)
+    return outward(ends, max(DIGITS, 3 - decimal_exponent(width / max(abs(low), abs(high)))))
 
 
 def _parameter(outcome: Outcome, name: str) -> str | list[str] | None:

@@ -9,6 +9,7 @@ from verify.language.statement import PRINTED, PROVED, REFUTED, Constant, Obliga
 from verify.language.terms import Claim, symbol
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.groups import PRINTED as PRINTED_SET
+from verify.paper.theorem1 import theorem
 from verify.prover.decimals import outward, short
 from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views.typeset import Typesetter
@@ -75,17 +76,29 @@ def _set(outcome: Outcome, group: str, typesetter: Typesetter) -> Iterator[str]:
     verdicts = Counter(decision.verdict for _, decision in rows)
     yield ""
     yield "  " + ", ".join(f"{count} {verdict}" for verdict, count in verdicts.items())
+    if group == PRINTED_SET:
+        yield from _causes({row.name for row, found in rows if found.verdict == REFUTED})
     if group == REPAIRED:
         yield from _changes()
 
 
-def _changes() -> Iterator[str]:
-    from verify.paper.theorem1 import theorem
+def _causes(refuted: set[str]) -> Iterator[str]:
+    """Why rows are refuted, once for all that have one cause."""
+    yield from ("", "What is wrong, once for each cause")
+    for cause in theorem().causes:
+        shown = [name for name in cause.rows if name in refuted]
+        if shown:
+            yield f"  {', '.join(shown)}: {cause.text}"
 
+
+def _changes() -> Iterator[str]:
     yield ""
     yield "What was changed: label | paper | needed | why"
     for change in theorem().changes:
         yield f"  {change.label} | {change.paper} | {change.needed} | {change.why}"
+    yield from ("", "Remarks on the text, where no inequality decides")
+    for remark in theorem().remarks:
+        yield f"  {remark.label}: {remark.text}"
 
 
 def _constant(outcome: Outcome, constant: Constant, typesetter: Typesetter) -> Iterator[str]:
@@ -140,10 +153,13 @@ def _assumptions(outcome: Outcome) -> Iterator[str]:
 def _first_screen(outcome: Outcome, sets: list[str]) -> Iterator[str]:
     """The verdicts, and the names of what is refuted."""
     yield from _verdicts(outcome, sets)
-    for group in sets:
-        refuted = [short_name(r) for r, d in outcome.of_group(group) if d.verdict == REFUTED]
-        if refuted:
-            yield f"Refuted, {group}: {', '.join(refuted)}"
+    refuted: dict[str, list[str]] = {}
+    for row, decision in outcome.rows:
+        if decision.verdict == REFUTED and (row.role == PRINTED or row.group in sets):
+            kind = f"{row.group}, {row.severity}" if row.severity else row.group
+            refuted.setdefault(kind, []).append(short_name(row))
+    for kind, names in refuted.items():
+        yield f"Refuted, {kind}: {', '.join(names)}"
 
 
 def _verdicts(outcome: Outcome, sets: list[str]) -> Iterator[str]:

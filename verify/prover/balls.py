@@ -164,6 +164,20 @@ def _dyadic(ball: arb) -> Fraction:
     return Fraction(mantissa, 1 << -exponent)
 
 
+def widened_ends(ball: arb, bits: int) -> tuple[int, int, int]:
+    """Integers a, b and d > 0: the interval from a/d to b/d contains the ball, and more.
+
+    It also contains all numbers that differ from those of the ball by 2^-bits of its midpoint.
+    """
+    middle, exponent = map(int, ball.mid().man_exp())
+    radius, scale = map(int, ball.rad().man_exp())
+    lowest = min(exponent - bits, scale) if radius else exponent - bits
+    wide = (abs(middle) << (exponent - bits - lowest)) + (radius << max(scale - lowest, 0))
+    centre = middle << (exponent - lowest)
+    low, high = centre - wide, centre + wide
+    return (low << lowest, high << lowest, 1) if lowest > 0 else (low, high, 1 << -lowest)
+
+
 def accuracy_bits(ball: arb) -> int:
     """How many relative bits of the ball are known; very large for an exact one."""
     return int(ball.rel_accuracy_bits())

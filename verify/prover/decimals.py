@@ -12,7 +12,7 @@ def decimal_exponent(value: Fraction) -> int:
     """The integer e with 10^e <= |value| < 10^(e+1), for a non-zero value."""
     numerator, denominator = abs(value.numerator), value.denominator
     exponent = (numerator.bit_length() - denominator.bit_length() - 1) * 30103 // 100000 - 1
-    power = 10 ** abs(exponent)
+    power = _power(abs(exponent))
     if exponent < 0:
         numerator *= power
     else:
@@ -33,14 +33,37 @@ def round_decimal(value: Fraction, digits: int, up: bool) -> tuple[int, int]:
     exponent = decimal_exponent(value) - digits + 1
     numerator, denominator = value.numerator, value.denominator
     if exponent < 0:
-        numerator *= 10**-exponent
+        numerator *= _power(-exponent)
     else:
-        denominator *= 10**exponent
+        denominator *= _power(exponent)
     mantissa = -(-numerator // denominator) if up else numerator // denominator
     while mantissa and mantissa % 10 == 0:
         mantissa //= 10
         exponent += 1
     return mantissa, exponent
+
+
+def enclosing_decimals(low: int, high: int, divisor: int, digits: int) -> tuple[Fraction, Fraction]:
+    """Decimals of about ``digits`` digits below and above two integers over a positive divisor.
+
+    They are the integers over the divisor themselves where these are such decimals.
+    """
+    size = max(abs(low), abs(high)).bit_length() - divisor.bit_length()
+    places = digits - 1 - size * 30103 // 100000
+    up, down = _power(max(places, 0)), divisor * _power(max(-places, 0))
+    scale = Fraction(_power(max(-places, 0)), up)
+    return low * up // down * scale, -(-high * up // down) * scale
+
+
+_POWERS: dict[int, int] = {}
+
+
+def _power(exponent: int) -> int:
+    """A power of ten; those of one run are few."""
+    power = _POWERS.get(exponent)
+    if power is None:
+        power = _POWERS[exponent] = 10**exponent
+    return power
 
 
 def decimal_text(mantissa: int, exponent: int) -> str:

@@ -18,7 +18,7 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term
 from verify.prover import balls
-from verify.prover.decimals import round_decimal
+from verify.prover.decimals import enclosing_decimals
 from verify.prover.outcome import Decision, Enclosure, Ends
 from verify.prover.program import ExactArithmetic, Machine, Program, Run
 from verify.prover.proof import Proof
@@ -37,8 +37,9 @@ CHECKER_BITS = 32
 
 MAX_BITS = 1 << 16
 
-#: A claim that is not decided with so many bits may hold with equality: algebra is tried then.
-TIGHT_BITS = 1024
+#: A value that has no reliable bits with this precision is taken for zero: its enclosure is narrow.
+ZERO_BITS = 4096
+
 
 #: Enclosures are written with this many digits, which come from at least this many relative bits,
 #: so that every version of FLINT agrees on them.
@@ -66,6 +67,7 @@ class Ground:
         self.definitions: dict[str, Term] = {}
         self._program = Program(())
         self._balls: dict[int, Run] = {}
+        self._enclosed: dict[Term, tuple[int, Ends] | None] = {}
         self._exact = Machine(self._program, ExactArithmetic()).run(())
         self._small = Machine(self._program, ExactArithmetic(RELIABLE_BITS)).run(())
 
@@ -134,17 +136,21 @@ class Ground:
         return Enclosure(reached, tuple(found))
 
     def _enclose(self, term: Term) -> tuple[int, Ends] | None:
-        exact, best = self._small[term], None
+        if term not in self._enclosed:
+            self._enclosed[term] = self._find_enclosure(term)
+        return self._enclosed[term]
+
+    def _find_enclosure(self, term: Term) -> tuple[int, Ends] | None:
+        small, best = self._small[term], None
+        if small is not None:
+            n, d = small.numerator, small.denominator
+            return _for_checker(self.start_bits), enclosing_decimals(n, n, d, DIGITS)
         for bits in self.ladder():
             ball = self.ball(term, bits)
-            if ball is not None:
-                if exact is None:
-                    with balls.precision(bits + GUARD_BITS):
-                        ends = balls.ends(balls.around(ball, RELIABLE_BITS - 4))
-                else:
-                    ends = exact, exact
-                best = _for_checker(bits), _outward(ends)
-                if exact is not None or balls.accuracy_bits(ball) >= RELIABLE_BITS:
+            if ball is not None and ball.is_finite():
+                wide = balls.widened_ends(ball, RELIABLE_BITS - 4)
+                best = _for_checker(bits), enclosing_decimals(*wide, DIGITS)
+                if balls.accuracy_bits(ball) >= RELIABLE_BITS or bits >= ZERO_BITS:
                     break
         return best
 
@@ -168,7 +174,7 @@ class Ground:
         """A verdict with its proof; the lemmas that it needs are written down."""
         bits = self.start_bits
         found = self._decide_at(claim, bits)
-        if found is None and not self._decides_by(claim, TIGHT_BITS):
+        if found is None:
             found = self._decide_tight(claim, bits)
         for bits in self.ladder():
             if found is not None:
@@ -193,8 +199,10 @@ class Ground:
 
     def _decide_tight(self, claim: Claim, bits: int) -> tuple[str, Proof] | None:
         """What algebra decides."""
-        from verify.prover.tight import Tight  # loaded only where enclosures do not decide
+        from verify.prover.tight import TIGHT_BITS, Tight  # loaded only where it is needed
 
+        if self._decides_by(claim, TIGHT_BITS):
+            return None
         for verdict, wanted in ((PROVED, claim), (REFUTED, negation(claim))):
             proof = None if wanted is None else Tight(self, bits).prove(wanted)
             if proof is not None:
@@ -240,10 +248,3 @@ class Ground:
 
 def _for_checker(bits: int) -> int:
     return min(bits + GUARD_BITS + CHECKER_BITS, MAX_BITS)
-
-
-def _outward(ends: Ends) -> Ends:
-    low, high = (
-        round_decimal(end, DIGITS, up=up) for end, up in zip(ends, (False, True), strict=True)
-    )
-    return low[0] * Fraction(10) ** low[1], high[0] * Fraction(10) ** high[1]

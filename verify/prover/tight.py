@@ -26,6 +26,9 @@ if TYPE_CHECKING:
 #: How many names are replaced at most; the longest proof that the paper needs replaces four.
 MAX_STEPS = 8
 
+#: A claim that so many bits do not decide may hold with equality: algebra is tried then.
+TIGHT_BITS = 1024
+
 #: The factors of a proof are polynomials of at most this many monomials.
 MAX_MONOMIALS = 200
 
@@ -154,11 +157,14 @@ class Tight:
         return Sum((*scaled, ("mul", right, lemma)), using)
 
     def _lemma(self, claim: Claim, budget: int) -> str | None:
-        found = self.ground.lemma(claim)
-        if found is None and self.ground.may_hold(claim, self.bits):
-            proof = self.prove(claim, budget - 1)
-            found = None if proof is None else self.session.lemma(claim, proof)
-        return found
+        """The name of a fact: known, or seen by enclosures, or proved by algebra."""
+        known = self.session.known(claim, None)
+        if known is not None:
+            return known
+        if self.ground.holds_at(claim, TIGHT_BITS):
+            return self.ground.lemma(claim)
+        proof = self.prove(claim, budget - 1)
+        return self.ground.lemma(claim) if proof is None else self.session.lemma(claim, proof)
 
     def _entry_fact(self, name: str, entry: Term) -> str | None:
         claim = Claim("<=", symbol(name), entry)
@@ -175,7 +181,7 @@ class Tight:
         if p.is_constant():
             number = clearing.term(p)
             return str(number.value) if number.value > 0 or (zero and number.value == 0) else None
-        if len(p.to_dict()) > MAX_MONOMIALS:
+        if len(p.to_dict()) > MAX_MONOMIALS or not clearing.reduce(p).to_dict():
             return None
         return self.ground.positive(clearing.term(p))
 

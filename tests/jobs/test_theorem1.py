@@ -33,7 +33,6 @@ REFUTED_AT_3_100 = {
     "r_stabi-gives-fixed-points",
     "phi-minus-called-unstable",
     "second-assumption-as-printed",
-    "set-distance",
     "set-interior",
     "init-zeta-bound-2",
     "d-index",

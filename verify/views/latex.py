@@ -95,7 +95,7 @@ def _claim(claim: Claim | Applies | Always, typesetter: Typesetter) -> str:
 
 
 def _values(values: Mapping[str, Term], typesetter: Typesetter) -> str:
-    pairs = values.items()
+    pairs = sorted(values.items())
     return ", ".join(f"{typesetter.term(symbol(n))} = {typesetter.term(t)}" for n, t in pairs)
 
 

@@ -97,7 +97,7 @@ def content(
         *_changes(),
         *_constants(writer),
         *_points(material),
-        *_spectral(material),
+        *_other_theorems(material),
         Heading("plots", "Plots"),
         Paragraph([Text(
             "Nothing here is a sample: each band and each box encloses the values at every point "
@@ -204,23 +204,29 @@ def _result(material: Material, main: Outcome) -> Iterator[Block]:
                  "there; each is "),
             Link("#printed", "listed with both sides and its repair"), Text("."),
         ]),
-        *_spectrum_facts(material),
+        *_other_facts(material),
     ])  # fmt: skip
     numbers = in_numbers(main)
     if numbers is not None:
         yield Box("Theorem 1, in numbers", [Text(numbers)])
 
 
-def _spectrum_facts(material: Material) -> Iterator[tuple[str, Cell]]:
+def _other_facts(material: Material) -> Iterator[tuple[str, Cell]]:
     for folder in _others(material):
         outcome = folder.outcome
-        printed = _of_role(outcome.rows, PRINTED_ROLE)
-        yield headline(outcome), [
-            Strong(f"{_title(outcome)}. "),
-            Text(f"Claims: {counts(outcome, NEEDED)}, given {given(outcome.assumptions)}; "
-                 f"{len(_with(printed, REFUTED))} of {len(printed)} printed ones are refuted ("),
-            Link(f"#{folder.name}", "list"), Text(")."),
-        ]  # fmt: skip
+        parts = [
+            f"Claims: {counts(outcome, NEEDED)}, given {given(outcome.assumptions)}",
+            counts(outcome, PRINTED_ROLE),
+        ]
+        yield (
+            headline(outcome),
+            [
+                Strong(f"{_title(outcome)}. "),
+                Text(f"{'; '.join(part for part in parts if part)} ("),
+                Link(f"#{folder.name}", "list"),
+                Text(")."),
+            ],
+        )
 
 
 def _title(outcome: Outcome) -> str:
@@ -404,7 +410,7 @@ def _points(material: Material) -> Iterator[Block]:
     )
 
 
-def _spectral(material: Material) -> Iterator[Block]:
+def _other_theorems(material: Material) -> Iterator[Block]:
     for folder in _others(material):
         outcome = folder.outcome
         yield Heading(folder.name, _title(outcome))

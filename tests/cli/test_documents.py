@@ -23,6 +23,7 @@ DOCUMENTS = [
     ("spectrum", ["spectrum", "--r", "1/20"]),
     ("spectrum", ["spectrum", "--r", "0.05..0.06"]),
     ("check", ["check", EXAMPLE]),
+    ("measurements", ["stress", "--quick"]),
 ]
 
 

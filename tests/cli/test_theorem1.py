@@ -504,7 +504,7 @@ def test_output_that_cannot_be_written(command: str, code: int) -> None:
 
 def test_a_process_that_is_interrupted_says_so_in_one_line() -> None:
     process = subprocess.Popen(
-        [sys.executable, "-m", "verify", "theorem1", "--r", "0.03", "--precision", "65536"],
+        [sys.executable, "-m", "verify", "theorem1", "--r", cut(3000)],
         cwd=ROOT,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,

@@ -1,0 +1,49 @@
+"""Reports and LaTeX sources: the same from an outcome that is fresh and from its files."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from tests.points import parameters
+from verify.jobs import spectrum, theorem1
+from verify.language.statement import REFUTED
+from verify.prover.decimals import short
+from verify.prover.outcome import Outcome
+from verify.views.latex import statement_source
+from verify.views.markdown import report
+from verify.wire.read import read
+from verify.wire.write import write
+
+
+def point() -> Outcome:
+    return theorem1.decide(parameters("3/100", "1"))
+
+
+@pytest.mark.parametrize("view", [report, statement_source])
+@pytest.mark.parametrize("decide", [point, spectrum.decide])
+def test_a_view_does_not_see_whether_an_outcome_is_fresh(
+    decide: Callable[[], Outcome], view: Callable[[Outcome], str]
+) -> None:
+    outcome = decide()
+    files = write(outcome)
+    again = read(files["statement.json"], files["certificate.json"], {})
+    text = view(outcome)
+    assert text == view(again)
+    for row, _ in outcome.rows:
+        assert row.label in text or row.label.replace("_", r"\_") in text
+    assert text.count("{") == text.count("}")
+
+
+def test_a_report_has_every_refuted_row_with_its_evidence() -> None:
+    for outcome in (point(), spectrum.decide()):
+        text = report(outcome)
+        section = text[text.index("## What is printed") :].partition("\n## ")[0]
+        refuted = [(row, d) for row, d in outcome.rows if d.verdict == REFUTED]
+        assert len(refuted) == section.count("\n| `")
+        for row, decision in refuted:
+            assert row.says.replace("|", "\\|") in section
+            assert decision.sides is not None or decision.witness
+            if decision.sides is not None:
+                assert short(decision.sides.ends[0]) in section

@@ -92,8 +92,10 @@ class Ground:
     def ball(self, term: Term, bits: int) -> Any:
         """The ball of a term at this precision, or None where it may be undefined."""
         working = bits + GUARD_BITS
+        run = self._balls.get(working)
+        if run is not None and run.knows(term):
+            return run[term]
         with balls.precision(working):
-            run = self._balls.get(working)
             if run is None:
                 machine = Machine(self._program, balls.BallArithmetic())
                 run = self._balls[working] = machine.run(())

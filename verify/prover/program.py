@@ -54,6 +54,10 @@ class Program:
             slot = self._numbering[term] = self._compile(term)
         return slot
 
+    def known(self, term: Term) -> int | None:
+        """The slot of a term that was compiled before."""
+        return self._numbering.get(term)
+
     def _compile(self, term: Term) -> int:
         op = term.op
         if op == "symbol":
@@ -141,6 +145,11 @@ class Run:
             except UndefinedError:
                 pass
         self._done = len(code)
+
+    def knows(self, term: Term) -> bool:
+        """Whether the value of a term is computed already."""
+        slot = self._machine.program.known(term)
+        return slot is not None and slot < len(self.values)
 
     def __getitem__(self, term: Term) -> Any:
         """The value of a term, or None where it is undefined."""

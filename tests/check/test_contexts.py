@@ -253,3 +253,28 @@ def test_steps(step: Any, reason: str) -> None:
     pair = box(("0", "1")).row("row", "0 <= 1", INTERVAL)
     pair.steps.append(step)
     assert reason in verdict(pair)
+
+
+@pytest.mark.parametrize(
+    "value",
+    [["neg"], ["neg", "1", "2"], ["add", "1"], ["add", "1", "2", "3"], ["div", "1"], ["min", "1"],
+     ["min"], ["max", "1"], ["sqrt"], ["sqrt", "1", "1"], ["cos"], ["cos_pi", "1", "2"],
+     ["pow", "1"], ["pow", "1", "2", "3"], ["pow", "1", ["neg", "2"]], ["name", "1"],
+     ["rational", "1", "2"], ["exp", "1"], [], [["neg"], "1"], {"neg": "1"}, None, 1, True],
+)  # fmt: skip
+def test_terms_have_an_operation_and_its_numbers_of_terms(value: Any) -> None:
+    found = verdict(Pair().constant("c", value).row("row", "0 <= 1", INTERVAL))
+    assert found.startswith("MALFORMED: constant c")
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [["<"], ["<", "0"], ["<", "0", "1", "2"], [">", "1", "0"], ["!=", "0", "1"], "0 < 1", "<", [],
+     [["<"], "0", "1"], {"<": ["0", "1"]}, ["not", ["<", "0", "1"]], ["applies"], "applies",
+     ["applies", "box"], ["applies", "box", []], ["applies", "box", {"x": "1"}, {}], ["always"],
+     ["applies", None, {"x": "1"}], ["always", "box", {"x": "1"}, []], ["always", "box"]],
+)  # fmt: skip
+def test_claims_have_a_relation_and_two_sides(claim: Any) -> None:
+    pair = box(("0", "1")).row("row", "0 <= 1", INTERVAL).freeze()
+    pair.statement["obligations"][0]["claim"] = claim
+    assert verdict(pair).startswith("MALFORMED: ")

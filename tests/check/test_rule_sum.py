@@ -223,3 +223,9 @@ def test_numbers_are_divided_by_numbers() -> None:
     assert ground(["=", "2", ["div", "6", "3"]], IDENTITY) == "proved"
     assert ground(["=", ["div", "1", "-2"], "-1/2"], IDENTITY) == "proved"
     assert "division by" in ground(["=", ["div", "1", "0"], ["div", "1", "0"]], IDENTITY)
+
+
+def test_the_negation_of_an_equation_is_no_sum() -> None:
+    pair = Pair().row("next", "0 <= 1", INTERVAL)
+    pair.row("row", "1 = 0", total("goal", "1"), None, "refuted", "printed")
+    assert "found !=, expected <, <= or =" in verdict(pair)

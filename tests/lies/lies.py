@@ -192,6 +192,42 @@ for claim_name, claim in FALSE.items():
         register(f"{claim_name}-by-{proof_name}", 0, "", false_files)
 
 
+# --- whole proofs of what is false, each with one wrong step -----------------------------
+
+
+def proof_of(claim: str, proof: Json, low: str = "-1") -> Callable[[], Files]:
+    return lambda: box((low, "1")).row("row", claim, proof, "box").files()
+
+
+def a_bound_by_a_maximum() -> Files:
+    pair = box(("0", "1")).lemma("le", "x <= max(x, 2)", entry("rhs"), "box")
+    return pair.row("row", "2 <= x", entry("rhs", "le"), "box").files()
+
+
+def a_divisor_that_is_the_second_term() -> Files:
+    pair = Pair().context("c", {"p": "0", "x": "1"}, {"pos": "0 < x"})
+    return pair.row("row", "1/p = 1/p", IDENTITY, "c").files()
+
+
+ROOTS = "sqrt(x) = sqrt(x)"
+WHOLE = {
+    "an-inequality-used-as-an-equation": proof_of("x = 1", total(using=["x-high"])),
+    "an-inequality-used-as-a-definition": a_bound_by_a_maximum,
+    "a-comparison-of-a-term-with-itself-as-a-sign": proof_of(
+        ROOTS, cases("max(x, x)", IDENTITY, IDENTITY)
+    ),
+    "a-sign-of-another-term": proof_of(ROOTS, cases("max(0, 0)", IDENTITY, IDENTITY)),
+    "a-divisor-that-is-the-second-term": a_divisor_that_is_the_second_term,
+    "a-weak-sign-of-a-divisor": proof_of("x/x = 1", IDENTITY, "0"),
+    "the-negative-of-what-is-known": proof_of("sqrt(-x) = sqrt(-x)", IDENTITY, "0"),
+    "an-operation-taken-for-a-case": proof_of(
+        "1 <= x", cases("1 + 1", *[total("goal", equations=[("@1", "-1")])] * 2)
+    ),
+}
+for whole_name, whole in WHOLE.items():
+    register(whole_name, INCORRECT, "", whole)
+
+
 # --- values put in the place of others ------------------------------------------------------------
 
 ODD: dict[str, Json] = {

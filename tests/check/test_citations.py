@@ -220,3 +220,12 @@ def test_statements_beside_a_certificate(tmp_path: Path, capsys: Any) -> None:
     assert check.main(files) == 0
     (tmp_path / "main" / "cited" / "any-name").write_bytes(b"{}")
     assert check.main([main]) == 4
+
+
+def test_that_a_cited_theorem_applies_is_no_fact() -> None:
+    other = cited()
+    proof = {"rule": "instance", "givens": [INTERVAL]}
+    other.row("applies", ["applies", "free", {"v": "1"}], proof)
+    assert last(other, citing(other))[0] == 0
+    pair = citing(other, total("goal", "c:applies"))
+    assert "found c:applies, which is no fact so far" in "\n".join(answer(other, pair)[1])

@@ -43,7 +43,7 @@ def _no_float(text: str) -> None:
 
 
 def test_the_main_job(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, err = run(capsys, "--r", "0.03")
+    code, out, err = run(capsys, "--r", "0.03", "-v")
     assert (code, err) == (0, "")
     assert "corrected by repaired.zeta-x-bound" in out
     last = out.splitlines()[-1]
@@ -54,6 +54,48 @@ def test_the_main_job(capsys: pytest.CaptureFixture[str]) -> None:
     assert "refuted); given " in last
     given = last.partition("given ")[2]
     assert f"Taken on trust, and not proved by this program: {given}" in out
+
+
+def test_the_screen_is_short_and_ends_like_the_table(capsys: pytest.CaptureFixture[str]) -> None:
+    short = run(capsys, "--r", "0.03")[1].splitlines()
+    full = run(capsys, "--r", "0.03", "--verbose")[1].splitlines()
+    assert len(short) <= 30
+    assert short[-1] == full[-1]
+    assert any(line.startswith("  zeta-x-bound  ") for line in short)
+
+
+def test_some_rows(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "--r", "0.03", "--rows", "repaired.zeta-x-bound")
+    assert code == 0
+    assert out.count("zeta-x-bound") == 1
+    code, out, err = run(capsys, "--r", "0.03", "--rows", "nothing")
+    assert (code, out) == (2, "")
+    assert "'nothing'" in err
+
+
+def test_many_points(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, "--r", "0.01..0.06", "--steps", "6")
+    assert (code, err) == (1, "")
+    last = out.splitlines()[-1]
+    assert last == "Verdict at the points of the grid, not between them: 5 proved, 1 refuted"
+    code, found = document(capsys, "--r", "0.01..0.05", "--steps", "5")
+    assert (code, found["verdict"], found["points"]) == (0, "proved", {"proved": 5})
+    assert sum(item["points"] for item in found["ranges"]) == 5
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("--r", "0.01..0.06"),
+        ("--r", "0.03", "--steps", "5"),
+        ("--r", "0.06..0.01", "--steps", "5"),
+        ("--r", "0.01..0.06", "--steps", "1"),
+        ("--r", "0.01..0.06", "--steps", "5", "--out", "x"),
+    ],
+)
+def test_unusable_grids(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, *words)
+    assert (code, out, err.count("\n")) == (2, "", 1)
 
 
 def test_the_document_has_the_promised_shape(capsys: pytest.CaptureFixture[str]) -> None:
@@ -102,7 +144,7 @@ def test_entries_of_a_minimum_are_counted_from_1(capsys: pytest.CaptureFixture[s
             check_pair(pair)
             assert Fraction(minimum["entries"][least - 1][0]) <= Fraction(pair[1])
     assert doc["sets"]["printed"]["minima"]["eta_bar"]["minimum"] == 3
-    table = run(capsys, "--r", "0.03")[1].splitlines()
+    table = run(capsys, "--r", "0.03", "-v")[1].splitlines()
     start = next(i for i, line in enumerate(table) if line.startswith("  η̄ "))
     assert table[start + 3].startswith("           entry 3: ")
     assert table[start + 3].endswith("<- the minimum")
@@ -468,7 +510,7 @@ def python(*words: str, **environment: str) -> subprocess.CompletedProcess[str]:
 def test_any_environment(environment: dict[str, str]) -> None:
     result = python("-m", "verify", "theorem1", "--r", "0.03", **environment)
     assert (result.returncode, result.stderr) == (0, "")
-    assert "δ_x" in result.stdout
+    assert "δ_θ" in result.stdout
 
 
 def shell(command: str) -> subprocess.CompletedProcess[str]:

@@ -11,23 +11,23 @@ from verify.jobs.theorem1 import decide
 from verify.language.terms import as_term
 
 PARAMETERS = {
-    "r": as_term(1),
-    "c": as_term(1),
-    "V_0": as_term(1),
-    "delta_theta": as_term(Fraction(1, 10)),
+    "r": Fraction(1),
+    "c": Fraction(1),
+    "V_0": Fraction(1),
+    "delta_theta": Fraction(1, 10),
 }
 
 
 def single(parameters) -> tuple[str, dict[str, str]]:
-    outcome = decide(parameters)
+    outcome = decide({name: as_term(value) for name, value in parameters.items()})
     return outcome.verdict, {row.name: found.verdict for row, found in outcome.rows}
 
 
 @pytest.mark.parametrize("c", ["1", "97/100", "1/2"])
 def test_grid(c) -> None:
-    parameters = PARAMETERS | {"c": as_term(Fraction(c))}
+    parameters = PARAMETERS | {"c": Fraction(c)}
     for r, point in scan((Fraction(1, 1000), Fraction(6, 100)), 13, parameters):
-        here = parameters | {"r": as_term(r)}
+        here = parameters | {"r": r}
         assert (point.verdict, dict(point.rows)) == single(here)
 
 
@@ -35,9 +35,9 @@ def test_points_far_apart() -> None:
     job = Scan()
     for r, v, deviation in (("3/100", 1, "1/10"), ("1e-9", 10**20, "1/1000"), ("1/50", "1/7", 3)):
         here = PARAMETERS | {
-            "r": as_term(Fraction(r)),
-            "V_0": as_term(Fraction(v)),
-            "delta_theta": as_term(Fraction(deviation)),
+            "r": Fraction(r),
+            "V_0": Fraction(v),
+            "delta_theta": Fraction(deviation),
         }
         point = job.at(here)
         assert (point.verdict, dict(point.rows)) == single(here)

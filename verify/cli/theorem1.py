@@ -11,7 +11,8 @@ from verify.cli.inputs import InputError, angle, integer, rational, shown
 from verify.jobs.theorem1 import decide
 from verify.language.terms import Term, as_term
 from verify.paper.groups import SELECTIONS
-from verify.views.table import lines
+from verify.prover.outcome import Outcome
+from verify.views.table import lines, screen, some_rows
 
 MAX_PRECISION = 1 << 16
 
@@ -34,6 +35,9 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--constants", default="all", help="printed, repaired or all (default)")
     parser.add_argument("--precision", default="128", help="starting bits (default 128)")
     parser.add_argument("--max-precision", default="65536", help="last bits (default 65536)")
+    parser.add_argument("--steps", help="with --r A..B: that many values of r, one verdict each")
+    parser.add_argument("-v", "--verbose", action="store_true", help="print every row")
+    parser.add_argument("--rows", metavar="NAME", help="print the rows of this name only")
     parser.add_argument("--json", action="store_true", help="one JSON document on stdout")
     parser.add_argument("--out", metavar="DIR", help="write statement.json and certificate.json")
 
@@ -46,9 +50,7 @@ def read_parameters(options: Namespace) -> dict[str, Term]:
     """
     if options.theta0 is not None and options.neg_cos is not None:
         raise InputError("--theta0 and --neg-cos both give the angle; write only one of them")
-    r = rational("--r", options.r)
-    if not 0 < r < 1:
-        raise InputError(f"--r: {shown(options.r)} is not in ]0,1[; write for example 0.03")
+    r = _restitution(options.r)
     if options.theta0 is not None:
         c = angle("--theta0", options.theta0)
     else:
@@ -65,6 +67,13 @@ def read_parameters(options: Namespace) -> dict[str, Term]:
     }
 
 
+def _restitution(text: str) -> Fraction:
+    r = rational("--r", text)
+    if not 0 < r < 1:
+        raise InputError(f"--r: {shown(text)} is not in ]0,1[; write for example 0.03")
+    return r
+
+
 def _positive(option: str, text: str) -> Fraction:
     value = rational(option, text)
     if value <= 0:
@@ -74,6 +83,8 @@ def _positive(option: str, text: str) -> Fraction:
 
 def run(options: Namespace) -> int:
     """Print the table or the document, write the files, return the exit code."""
+    if options.steps is not None or ".." in options.r:
+        return _scan(options)
     parameters = read_parameters(options)
     if options.constants not in SELECTIONS:
         raise InputError(
@@ -95,5 +106,36 @@ def run(options: Namespace) -> int:
 
         print_document(document(sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome))
     else:
-        sys.stdout.write("".join(f"{line}\n" for line in lines(outcome)))
+        text = lines(outcome) if options.verbose else screen(outcome)
+        if options.rows is not None:
+            text = iter(_some_rows(outcome, options.rows))
+        sys.stdout.write("".join(f"{line}\n" for line in text))
     return outcome.exit_code
+
+
+def _some_rows(outcome: Outcome, name: str) -> list[str]:
+    found = some_rows(outcome, name)
+    if not found:
+        raise InputError(f"--rows: there is no row {shown(name)}; write a name that -v prints")
+    return found
+
+
+def _scan(options: Namespace) -> int:
+    """Print the verdict at many values of r; the exit code is that of the worst."""
+    from verify.jobs.scan import scan  # loaded only where it is used
+    from verify.views.ranges import show_ranges
+
+    if options.steps is None or ".." not in options.r:
+        raise InputError(
+            "--r: A..B needs --steps and the other way round; write --r 0.02..0.04 --steps 9"
+        )
+    for option in ("out", "rows", "theta0"):
+        if getattr(options, option) is not None:
+            raise InputError(f"--{option}: is for one value of r; leave it out with --steps")
+    ends = [_restitution(part) for part in options.r.split("..", 1)]
+    if ends[0] >= ends[1]:
+        raise InputError(f"--r: write the smaller end of {shown(options.r)} first")
+    steps = integer("--steps", options.steps, 2, 10**7)
+    options.r = options.r.split("..", 1)[0]
+    values = {name: term.value for name, term in read_parameters(options).items()}
+    return show_ranges(scan((ends[0], ends[1]), steps, values), as_json=options.json)

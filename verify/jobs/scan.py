@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from verify.jobs.theorem1 import decide
 from verify.language.statement import NEEDED, PROVED, REFUTED, Choice, Constant, Obligation
-from verify.language.terms import Claim, Term, as_term
+from verify.language.terms import Claim, as_term
 from verify.paper.groups import GROUPS, HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
@@ -50,12 +50,12 @@ class Scan:
         self._algebras: list[Algebra] = []
         self._compiled: Compiled | None = None
 
-    def at(self, parameters: Mapping[str, Term]) -> Point:
+    def at(self, parameters: Mapping[str, Fraction]) -> Point:
         """The verdicts that `verify.jobs.theorem1.decide` finds at this point."""
         found = None if self._compiled is None else self._compiled.at(parameters)
         if found is not None:
             return found
-        outcome = decide(parameters)
+        outcome = decide({name: as_term(value) for name, value in parameters.items()})
         if outcome.of_group(REPAIRED) and len(self._algebras) < MAX_ALGEBRAS:
             self._algebras.append(Algebra(outcome))
             self._compiled = Compiled(self._algebras)
@@ -99,15 +99,12 @@ class Compiled:
         entries = entries_of(constant.term) if base is None else (bound,)
         self._code.call(constant.name, self._chooser.rounding(choice), bound, *entries)
 
-    def at(self, parameters: Mapping[str, Term]) -> Point | None:
+    def at(self, parameters: Mapping[str, Fraction]) -> Point | None:
         """The point; None where something is left open."""
-        if any(term.op != "rational" for term in parameters.values()):
-            return None
-        numbers = {name: term.value for name, term in parameters.items()}
-        self._chooser.start(numbers)
+        self._chooser.start(parameters)
         with balls.precision(BITS):
             try:
-                values = self._run(*map(balls.from_fraction, list(numbers.values())))
+                values = self._run(*map(balls.from_fraction, list(parameters.values())))
             except OpenChoiceError:
                 return None
         verdicts = dict(zip(self._claims, values, strict=False))
@@ -182,15 +179,18 @@ def _names(values: tuple[Any, ...]) -> Iterator[str]:
 
 
 def scan(
-    ends: tuple[Fraction, Fraction], steps: int, parameters: Mapping[str, Term]
+    ends: tuple[Fraction, Fraction], steps: int, parameters: Mapping[str, Fraction]
 ) -> Iterator[tuple[Fraction, Point]]:
     """The points of a grid of values of r between two ends, both included.
 
-    ``parameters`` gives the others. Raises ValueError for less than two steps.
+    ``parameters`` has r, c, V_0 and delta_theta in this order; its r is not used.
+
+    Raises:
+        ValueError: for less than two steps.
     """
     if steps < 2:
         raise ValueError("a grid has at least two points")
     job, (low, high) = Scan(), ends
     for i in range(steps):
         r = low + (high - low) * i / (steps - 1)
-        yield r, job.at({**parameters, "r": as_term(r)})
+        yield r, job.at({**parameters, "r": r})

@@ -9,6 +9,7 @@ from verify.language.statement import PRINTED, PROVED, REFUTED, Constant, Obliga
 from verify.language.terms import Claim, symbol
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.groups import PRINTED as PRINTED_SET
+from verify.paper.rows import BREAKS
 from verify.paper.theorem1 import theorem
 from verify.prover.decimals import outward, short
 from verify.prover.outcome import Decision, Ends, Outcome
@@ -34,6 +35,52 @@ _TITLES = {
     PRINTED_SET: "The constants as printed",
     REPAIRED: "The repaired constants",
 }
+
+
+def screen(outcome: Outcome) -> Iterator[str]:
+    """What fits on a screen: what is proved, given what, and which steps break the argument.
+
+    The last line is the result with everything it is about.
+    """
+    typesetter = letters(outcome)
+    values = parameters_of(outcome).items()
+    at = ", ".join(f"{typesetter.term(symbol(n))} = {typesetter.term(term)}" for n, term in values)
+    yield f"Theorem 1 ({outcome.statement.theorem}) at {at}"
+    sets = [group for group in groups(outcome) if group != HYPOTHESES]
+    numbers = in_numbers(outcome) if REPAIRED in sets else None
+    if numbers is not None:
+        yield from ("", numbers)
+    yield ""
+    yield from _breaking(outcome)
+    kinds = Counter(
+        row.severity for row, found in outcome.rows if found.verdict == REFUTED and row.severity
+    )
+    rest = [f"{count} {kind}" for kind, count in kinds.items() if kind != BREAKS]
+    if rest:
+        yield f"Also refuted: {', '.join(rest)}."
+    yield "Every row: -v; some: --rows NAME; for programs: --json; a certificate: --out DIR."
+    yield ""
+    yield from _verdicts(outcome, sets)
+
+
+def _breaking(outcome: Outcome) -> Iterator[str]:
+    """The refuted steps that break the printed argument, a line each with both numbers."""
+    rows = [p for p in outcome.rows if p[1].verdict == REFUTED and p[0].severity == BREAKS]
+    if rows:
+        yield "Refuted steps that break the printed argument (left and right side):"
+    for row, decision in rows:
+        sides = sides_of(row, decision)
+        if sides is not None and isinstance(row.claim, Claim):
+            sign = _SIGNS[row.claim.relation]
+            numbers = f"{short(sides[0], 3)} {sign} {short(sides[1], 3)}"
+            yield f"  {short_name(row):<18} {numbers:<26} {row.label}"
+
+
+def some_rows(outcome: Outcome, name: str) -> list[str]:
+    """The rows whose name, with or without its group, is this one."""
+    typesetter = letters(outcome)
+    found = [p for p in outcome.rows if name in (p[0].name, short_name(p[0]))]
+    return [line for row, decision in found for line in _row(row, decision, typesetter)]
 
 
 def lines(outcome: Outcome) -> Iterator[str]:

@@ -15,7 +15,7 @@ from verify.prover.rules import (
     interval,
     least,
     root,
-    sum,
+    sum,  # noqa: A004
     witness,
 )
 from verify.prover.rules.cases import Cases

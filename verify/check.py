@@ -141,7 +141,8 @@ class Place(NamedTuple):
         return Place(self.context, self.hypotheses + more)
 
 
-Polynomial = dict[tuple[tuple[int, int], ...], int | Fraction]  # sorted (atom, exponent) pairs
+Monomial = tuple[tuple[int, int], ...]  # sorted pairs of an atom and its exponent
+Polynomial = dict[Monomial, int | Fraction]
 Quotient = tuple[Polynomial, Polynomial]
 Proof = dict[str, Any]
 
@@ -179,6 +180,8 @@ def shown(value: Any) -> str:
 
 def size(value: int | Fraction) -> int:
     """The bits of a number."""
+    if type(value) is int:
+        return value.bit_length() + 1
     return value.numerator.bit_length() + value.denominator.bit_length()
 
 
@@ -616,20 +619,25 @@ class Kernel:
 
     def times(self, a: Polynomial, b: Polynomial) -> Polynomial:
         """The product."""
+        if ONE in (a, b):
+            return b if a == ONE else a
         self.spend(0, 1 + len(a))
         total: Polynomial = {}
         for m, c in a.items():
             for n, d in b.items():
-                self.spend(0, 1 + len(m) + len(n))
-                exponents = dict(m)
-                for atom, exponent in n:
-                    exponents[atom] = exponents.get(atom, 0) + exponent
-                    need(exponents[atom] <= MAX_DEGREE, Malformed, "found a degree above 2^20")
-                monomial = tuple(sorted(exponents.items()))
+                monomial = self.merged(m, n) if m and n else m or n
                 before = total.get(monomial, 0)
-                self.spend(size(before) + size(c) + size(d))
+                self.spend(size(before) + size(c) + size(d), 1 + len(monomial))
                 total[monomial] = before + c * d
         return {monomial: value for monomial, value in total.items() if value}
+
+    def merged(self, m: Monomial, n: Monomial) -> Monomial:
+        """The product of two monomials."""
+        exponents = dict(m)
+        for atom, exponent in n:
+            exponents[atom] = exponents.get(atom, 0) + exponent
+            need(exponents[atom] <= MAX_DEGREE, Malformed, "found a degree above 2^20")
+        return tuple(sorted(exponents.items()))
 
     def power(self, base: Polynomial, exponent: int) -> Polynomial:
         """The power with a natural exponent."""

@@ -102,7 +102,8 @@ class Context:
     """Variables with what is given about them, inside another context.
 
     ``point`` has a term over the parent's names for each variable. ``positive`` and
-    ``nonnegative`` are the terms t for which 0 < t or 0 <= t is a fact of this very context.
+    ``nonnegative`` are the terms t for which 0 < t or 0 <= t is a fact of this very context,
+    ``cleared`` and ``squares`` what was cleared in it outside of branches, as in `Clearing`.
     ``around`` are the contexts in which it lies, by depth, and itself.
     """
 
@@ -116,6 +117,8 @@ class Context:
         self.point: dict[int, int] = {}
         self.positive: set[int] = set()
         self.nonnegative: set[int] = set()
+        self.cleared: dict[int, Quotient] = {}
+        self.squares: dict[int, Quotient] = {}
         self.is_open = parent is None
 
     def is_inside(self, other: Context) -> bool:
@@ -732,8 +735,9 @@ class Clearing:
             need(good, Refused, "using: found {}, expected an equation for an atom", name)
             need(atom not in self.replaced, Refused, "using: found {} for an atom again", name)
             self.replaced[atom] = term
-        self.cleared: dict[int, Quotient] = {}
-        self.squares: dict[int, Quotient] = {}
+        alone = not using and not place.hypotheses  # what clears here will do so later, too
+        self.cleared: dict[int, Quotient] = place.context.cleared if alone else {}
+        self.squares: dict[int, Quotient] = place.context.squares if alone else {}
         self.busy: set[int] = set()
         self.goal: tuple[Polynomial, bool] = {}, False
 

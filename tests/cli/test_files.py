@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from verify.cli import files
-from verify.cli.inputs import InputError
+from verify.jobs.inputs import InputError
 
 
 def test_files_may_lie_in_folders_of_their_own(tmp_path: Path) -> None:

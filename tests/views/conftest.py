@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from verify.cli.certify import folder_files
 from verify.cli.files import write_all
 from verify.jobs.certificates import all_folders
 from verify.views.page.build import files
@@ -48,7 +49,8 @@ def build(directory: Path, draw: bool) -> dict[str, bytes]:
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder of certificates and measurements with its report, undrawn without matplotlib."""
     directory = tmp_path_factory.mktemp("certificates")
-    for folder, _, contents in all_folders():
+    for folder, outcome in all_folders():
+        contents = folder_files(outcome)
         write_all("--directory", str(directory / folder), contents)
     (directory / "data").mkdir()
     (directory / "data" / "bench.json").write_text(json.dumps(BENCH), encoding="utf-8")

@@ -14,7 +14,7 @@ from typing import NoReturn
 
 from verify import __version__
 from verify.cli.files import OwnError
-from verify.cli.inputs import InputError, shown
+from verify.jobs.inputs import InputError, shown
 
 #: The commands in the order a newcomer needs them.
 COMMANDS = {

@@ -5,8 +5,8 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 
 from verify.cli.files import progress, test_folder
-from verify.cli.inputs import InputError
-from verify.views import columns
+from verify.jobs.inputs import InputError
+from verify.cli import columns
 
 
 def add_arguments(parser: ArgumentParser) -> None:

@@ -7,7 +7,8 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Mapping
 
 from verify.cli.files import accept, progress, test_folder, write_all
-from verify.cli.inputs import InputError, shown
+from verify.jobs.inputs import InputError, shown
+from verify.prover.outcome import Outcome
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -31,9 +32,10 @@ def run(options: Namespace) -> int:
     from verify.jobs.certificates import all_folders  # loads flint
 
     differing = 0
-    for folder, outcome, contents in all_folders():
+    for folder, outcome in all_folders():
         path = os.path.join(options.directory, folder)
         progress(path)
+        contents = folder_files(outcome)
         if options.compare:
             differing += _compare(path, contents)
             continue
@@ -41,6 +43,14 @@ def run(options: Namespace) -> int:
         write_all("--directory", path, contents)
         print(f"written  {path}")
     return 1 if differing else 0
+
+
+def folder_files(outcome: Outcome) -> dict[str, bytes]:
+    """The files of a folder: statement, certificate, what is cited, and a report for people."""
+    from verify.views.markdown import report  # loaded only where they are used
+    from verify.wire.write import write
+
+    return write(outcome) | {"report.md": report(outcome).encode()}
 
 
 def _compare(path: str, contents: Mapping[str, bytes]) -> int:

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from verify import check
 from verify.cli.files import print_document, progress
-from verify.cli.inputs import InputError, shown
+from verify.jobs.inputs import InputError, shown
 
 FORMAT = "verify-check/1"
 

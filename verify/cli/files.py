@@ -9,7 +9,7 @@ from contextlib import suppress
 from errno import EISDIR
 from typing import TYPE_CHECKING, Any
 
-from verify.cli.inputs import InputError, shown
+from verify.jobs.inputs import InputError, shown
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED
 
 if TYPE_CHECKING:

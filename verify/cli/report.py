@@ -8,7 +8,7 @@ import sys
 from argparse import ArgumentParser, Namespace
 
 from verify.cli.files import progress, test_folder, write_all
-from verify.cli.inputs import InputError, shown
+from verify.jobs.inputs import InputError, shown
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -42,6 +42,8 @@ def run(options: Namespace) -> int:
     except CertificateError as error:
         print(f"verify: {error}", file=sys.stderr)
         return error.code
+    except ImportError as error:  # matplotlib, which only the drawings need
+        raise InputError(str(error)) from error
     if not options.compare:
         write_all("--directory", options.directory, made)
         for name in made:

@@ -7,7 +7,7 @@ from argparse import ArgumentParser, Namespace
 from fractions import Fraction
 
 from verify.cli.files import print_document, test_folder, write_certificate
-from verify.cli.inputs import InputError, integer, rational, shown
+from verify.jobs.inputs import InputError, integer, rational, shown
 from verify.jobs.spectrum import decide
 from verify.views.spectrum import document, last_line, lines, point_document, point_lines
 

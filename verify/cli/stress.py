@@ -8,7 +8,7 @@ from typing import Any
 from verify.cli.files import progress, test_folder
 from verify.measure import stress
 from verify.measure.stress import Finding
-from verify.views import columns
+from verify.cli import columns
 
 
 def add_arguments(parser: ArgumentParser) -> None:

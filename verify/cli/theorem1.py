@@ -7,7 +7,7 @@ from argparse import ArgumentParser, Namespace
 from fractions import Fraction
 
 from verify.cli.files import print_document, test_folder, write_certificate
-from verify.cli.inputs import InputError, angle, integer, rational, shown
+from verify.jobs.inputs import InputError, angle, integer, rational, shown
 from verify.jobs.theorem1 import decide
 from verify.language.terms import Term, as_term
 from verify.paper.groups import SELECTIONS

@@ -9,8 +9,6 @@ from typing import NamedTuple
 from verify.jobs import spectrum, theorem1
 from verify.language.terms import Term, as_term, cos_pi
 from verify.prover.outcome import Outcome
-from verify.views.markdown import report
-from verify.wire.write import write
 
 
 class Point(NamedTuple):
@@ -52,15 +50,8 @@ POINTS = (
 )
 
 
-def files(outcome: Outcome) -> dict[str, bytes]:
-    """The files of a folder: statement, certificate, what is cited, and a report for people."""
-    return write(outcome) | {"report.md": report(outcome).encode()}
-
-
-def all_folders() -> Iterator[tuple[str, Outcome, dict[str, bytes]]]:
-    """Every folder with its outcome and its files, made anew."""
+def all_folders() -> Iterator[tuple[str, Outcome]]:
+    """Every folder with its outcome, decided anew."""
     for point in POINTS:
-        outcome = theorem1.decide(point.parameters)
-        yield point.folder, outcome, files(outcome)
-    outcome = spectrum.decide()
-    yield "spectrum", outcome, files(outcome)
+        yield point.folder, theorem1.decide(point.parameters)
+    yield "spectrum", spectrum.decide()

@@ -14,6 +14,7 @@ from verify.language.statement import (
     Statement,
 )
 from verify.language.terms import Term
+from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES, PRINTED, SELECTIONS
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
@@ -22,7 +23,6 @@ from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Groun
 from verify.prover.outcome import Decision, Outcome, conjunction
 from verify.prover.session import Session
 from verify.prover.straight import StraightLine
-from verify.views.typeset import Typesetter
 
 
 class PointRun:

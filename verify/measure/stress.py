@@ -16,7 +16,7 @@ from fractions import Fraction
 from importlib.resources import files
 from typing import NamedTuple
 
-from verify.cli.inputs import angle, rational
+from verify.jobs.inputs import angle, rational
 from verify.jobs.theorem1 import decide
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import as_term, sqrt, symbol

@@ -6,10 +6,10 @@ from typing import Any
 
 from verify.language.statement import REFUTED, Assumption, Constant, Obligation
 from verify.language.terms import Claim, Term
+from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES
 from verify.prover.decimals import DIGITS, decimal_exponent, outward, rational_text
 from verify.prover.outcome import Decision, Ends, Outcome
-from verify.views.typeset import Typesetter
 from verify.views.words import (
     constants_of,
     ends_of,

@@ -14,8 +14,8 @@ from verify.language.statement import (
     Obligation,
 )
 from verify.language.terms import Claim, Term, symbol
+from verify.language.typeset import Typesetter
 from verify.prover.outcome import Decision, Outcome
-from verify.views.typeset import Typesetter
 from verify.wire.write import decimals
 
 _PREAMBLE = r"""\documentclass{article}

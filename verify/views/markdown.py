@@ -6,13 +6,13 @@ from collections.abc import Iterable, Iterator
 
 from verify.language.statement import NEEDED, PRINTED, REFUTED, Constant, Obligation
 from verify.language.terms import Claim, symbol
+from verify.language.typeset import Typesetter
 from verify.paper.groups import PRINTED as PRINTED_SET
 from verify.paper.groups import REPAIRED
 from verify.paper.parameters import THEOREM
 from verify.paper.theorem1 import theorem
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Ends, Outcome
-from verify.views.typeset import Typesetter
 from verify.views.words import (
     ends_of,
     groups,

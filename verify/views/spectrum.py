@@ -8,13 +8,13 @@ from typing import Any
 
 from verify.language.statement import NEEDED, REFUTED, Obligation
 from verify.language.terms import symbol
+from verify.language.typeset import Typesetter
 from verify.prover import balls
 from verify.prover.balls import Ball
 from verify.prover.decimals import outward, rational_text, short
 from verify.prover.eigenvalues import Complex, Spectrum
 from verify.prover.outcome import Decision, Outcome
 from verify.views.document import assumption_document, row_document, value_text
-from verify.views.typeset import Typesetter
 from verify.views.words import given, groups, headline, letters, sentence, summary, witness_of
 
 FORMAT = "verify-spectrum/1"

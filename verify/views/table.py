@@ -7,13 +7,13 @@ from collections.abc import Iterator
 
 from verify.language.statement import PRINTED, PROVED, REFUTED, Constant, Obligation
 from verify.language.terms import Claim, symbol
+from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.groups import PRINTED as PRINTED_SET
 from verify.paper.rows import BREAKS
 from verify.paper.theorem1 import theorem
 from verify.prover.decimals import outward, short
 from verify.prover.outcome import Decision, Ends, Outcome
-from verify.views.typeset import Typesetter
 from verify.views.words import (
     constants_of,
     ends_of,

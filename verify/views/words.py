@@ -21,11 +21,11 @@ from verify.language.statement import (
     Obligation,
 )
 from verify.language.terms import Claim, Term, symbols_of
+from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.parameters import PARAMETERS
 from verify.prover.decimals import outward, short
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
-from verify.views.typeset import Typesetter
 
 #: The headline while a proof rests on sentences about every state that are not proved here.
 CONDITIONALLY_PROVED = "conditionally proved"

@@ -20,6 +20,7 @@ from verify.language.statement import (
 )
 from verify.language.statement import PRINTED as PRINTED_ROLE
 from verify.language.terms import Claim, Term, symbol
+from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.parameters import THEOREM
 from verify.paper.theorem1 import theorem
@@ -51,7 +52,6 @@ from verify.views.page.blocks import (
     Verdict,
 )
 from verify.views.plots.figure import Figure
-from verify.views.typeset import Typesetter
 from verify.views.words import (
     constants_of,
     counts,

@@ -13,7 +13,10 @@ from fractions import Fraction
 from io import StringIO
 from typing import Any, NamedTuple
 
-from verify.cli.inputs import InputError
+
+class MatplotlibMissingError(ImportError):
+    """The drawings need matplotlib, which is not installed; the message says what to do."""
+
 
 #: The colours that a drawing may use: a placeholder, and the variable that it stands for.
 COLOURS = {
@@ -63,12 +66,12 @@ def pyplot() -> Any:
     """Matplotlib, set up once per call for text that stays text.
 
     Raises:
-        InputError: where it is not installed.
+        MatplotlibMissingError: where it is not installed.
     """
     try:
         import matplotlib
     except ImportError as error:
-        raise InputError(
+        raise MatplotlibMissingError(
             "the plots of the report need matplotlib; install it with: "
             "pip install 'verify-collapse[report]'"
         ) from error

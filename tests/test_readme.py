@@ -1,28 +1,43 @@
-"""The README says what the program finds; run this file to bring its table up to date."""
+"""The README says what the program finds; run this file to bring its tables up to date."""
 
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable
 from pathlib import Path
 
 from tests.points import parameters
-from verify.prover.ground import PROVED, REFUTED
-from verify.language.statement import HYPOTHESES, PRINTED, REPAIRED
+from verify.jobs import spectrum, step
 from verify.jobs.theorem1 import decide
+from verify.language.statement import PRINTED, PROVED, REFUTED
+from verify.paper.groups import REPAIRED
+from verify.paper.rows import BREAKS, HARMLESS, SLIP
+from verify.paper.theorem1 import theorem
 from verify.views.markdown import defects, table
 
-README = Path(__file__).resolve().parent.parent / "README.md"
-DATA = README.parent / "certificates" / "data" / "bench.json"
+ROOT = Path(__file__).resolve().parent.parent
+README = ROOT / "README.md"
+DATA = ROOT / "certificates" / "data" / "bench.json"
 
 
 def expected(text: str) -> str:
     text = between(text, "defects", defects(decide(parameters("3/100", "1"))))
+    text = between(text, "causes", [f"* `{'`, `'.join(c.rows)}`: {c.text}" for c in causes()])
+    remarks = theorem().remarks
+    text = between(text, "remarks", [f"* `{remark.label}`: {remark.text}" for remark in remarks])
     for name in ("precision", "equal_width", "double_verdicts"):
         measured = json.loads(DATA.read_text(encoding="utf-8"))["tables"][name]
         rows = [tuple(map(str, row)) for row in measured["rows"]]
         text = between(text, name, table(tuple(measured["columns"]), rows))
     return text
+
+
+def causes():
+    """The causes of rows that are refuted at the point of the README."""
+    found = decide(parameters("3/100", "1"))
+    refuted = {row.name for row, decision in found.rows if decision.verdict == REFUTED}
+    return [cause for cause in theorem().causes if refuted & set(cause.rows)]
 
 
 def between(text: str, name: str, lines: Iterable[str]) -> str:
@@ -38,17 +53,35 @@ def test_the_tables_are_what_the_program_found() -> None:
 
 
 def test_the_counts_are_right() -> None:
-    text = README.read_text(encoding="utf-8")
+    text = " ".join(README.read_text(encoding="utf-8").split())
     outcome = decide(parameters("3/100", "1"))
-    printed = [
-        decision.verdict
-        for group in (HYPOTHESES, PRINTED)
-        for row, decision in outcome.rows[group]
-        if row.role == "printed"
-    ]
-    assert f"{printed.count(REFUTED)} of its steps are refuted" in text
-    proved = [d.verdict for _, d in outcome.rows[REPAIRED]].count(PROVED)
-    assert f"all {proved} inequalities are proved, given {len(outcome.assumptions)}" in text
+    refuted = [row for row, d in outcome.rows if row.role == PRINTED and d.verdict == REFUTED]
+    assert f"{len(refuted)} of its rows are refuted" in text
+    count = {
+        kind: sum(row.severity == kind for row in refuted) for kind in (BREAKS, HARMLESS, SLIP)
+    }
+    assert (
+        f"{count[BREAKS]} of them break the argument, {count[HARMLESS]} are false but harmless "
+        f"there, {count[SLIP]} are slips of wording" in text
+    )
+    proved = [d.verdict for _, d in outcome.of_group(REPAIRED)]
+    assert set(proved) == {PROVED}
+    assert f"all {len(proved)} rows of the repaired set are proved" in text
+    assert f"rests on {len(outcome.assumptions)} listed sentences" in text
+    graded = [assumption.kind for assumption in step.decide().assumptions]
+    assert len(graded) == 8
+    assert "given eight sentences: a definition" in text
+    assert sorted(graded) == ["definition", *["general mathematics"] * 3, *["glue"] * 4]
+    witnesses = [d for _, d in spectrum.decide().rows if d.verdict == REFUTED]
+    assert len(witnesses) == 9
+    assert all(d.method == "witness" for d in witnesses)
+    assert "Nine rows are refuted, each with an exact witness" in text
+
+
+def test_the_files_that_it_names_exist() -> None:
+    text = README.read_text(encoding="utf-8")
+    for path in re.findall(r"`((?:verify|tests|certificates)/[\w./-]*)`", text):
+        assert (ROOT / path).exists(), path
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from verify.language.statement import PROVED, Context, Obligation
+from verify.language.statement import PROVED, Context, Obligation, Statement
 from verify.language.terms import Claim
 from verify.paper.step import argument
 from verify.paper.step.argument import Chapter, Defined, Line, Opened, Reason
@@ -36,7 +36,7 @@ def decide() -> Outcome:
 
 def prove(theorem: Step) -> Outcome:
     """An argument as the steps of a certificate; whether they prove it the checker decides."""
-    writing = Writing(theorem)
+    writing = Writing(theorem.statement)
     for chapter in theorem.chapters:
         writing.chapter(chapter)
     return Outcome(theorem.statement, writing.decisions, tuple(writing.session.steps), {})
@@ -45,12 +45,12 @@ def prove(theorem: Step) -> Outcome:
 class Writing:
     """The steps so far, and the decisions on obligations."""
 
-    def __init__(self, theorem: Step) -> None:
-        self.session = Session(theorem.statement.theorem)
-        self.rows = {row.name: row for row in theorem.statement.obligations}
+    def __init__(self, statement: Statement) -> None:
+        self.session = Session()
+        self.rows = {row.name: row for row in statement.obligations}
         self.constants = {
             constant.name: constant
-            for context in theorem.statement.contexts
+            for context in statement.contexts
             for constant in context.constants
         }
         self.decisions: dict[str, Decision] = {}
@@ -75,10 +75,14 @@ class Writing:
         proof = proof_of(line.reason)
         row: Obligation | None = self.rows.get(line.name)
         if row is not None:
-            self.decisions[row.name] = Decision(PROVED, proof)
-            self.session.prove_row(row, proof)
+            self.decide(row, proof)
         elif isinstance(line.claim, Claim):
             self.session.lemma(line.claim, proof, context, line.name)
+
+    def decide(self, row: Obligation, proof: Proof) -> None:
+        """Write down the proof of a row."""
+        self.decisions[row.name] = Decision(PROVED, proof)
+        self.session.prove_row(row, proof)
 
 
 def proof_of(reason: Reason) -> Proof:
@@ -99,3 +103,5 @@ def proof_of(reason: Reason) -> Proof:
             return Interval(NUMBER_BITS)
         case argument.Repeated():
             return Induction(reason.start, reason.next)
+        case argument.Searched():
+            raise TypeError("this proof has to be found")

@@ -91,7 +91,11 @@ class Repeated(NamedTuple):
     next: tuple[str, ...]
 
 
-Reason = Sum | Root | Entry | Least | Number | At | Repeated
+class Searched(NamedTuple):
+    """A sum that the prover has to find."""
+
+
+Reason = Searched | Sum | Root | Entry | Least | Number | At | Repeated
 
 
 def proof(*addends: Factor, using: str = "", equations: tuple[tuple[str, Term], ...] = ()) -> Sum:

@@ -1,0 +1,166 @@
+"""Theorem 1 for all parameters: accepted, true at random parameters, refused if changed."""
+
+from __future__ import annotations
+
+import random
+from fractions import Fraction
+from functools import cache
+
+import pytest
+
+from verify import check
+from verify.jobs import everywhere, step
+from verify.jobs.everywhere import decide
+from verify.language.statement import NEEDED, PROVED, Constant
+from verify.language.terms import Claim, Term
+from verify.paper.everywhere.chart import CONTEXT, constants
+from verify.paper.groups import REPAIRED
+from verify.paper.theorem1 import theorem
+from verify.prover import balls
+from verify.prover.balls import BallArithmetic
+from verify.prover.outcome import Outcome
+from verify.prover.program import Machine, Program
+from verify.prover.proof import LemmaStep, ObligationStep
+from verify.prover.relations import fails
+from verify.prover.rules import Sum
+from verify.wire.read import read
+from verify.wire.write import write
+
+
+@cache
+def cited() -> dict[str, bytes]:
+    files = write(decide())
+    return {name[6:-5]: data for name, data in files.items() if name.startswith("cited/")}
+
+
+def report(outcome: Outcome) -> check.Report:
+    files = write(outcome)
+    return check.check(files["statement.json"], files["certificate.json"], cited())
+
+
+def test_everything_is_proved_and_small() -> None:
+    outcome = decide()
+    files = write(outcome)
+    assert outcome.verdict == PROVED
+    assert {row.verdict for row in outcome.decisions.values()} == {PROVED}
+    assert report(outcome).verdict == "PROVED"
+    assert sum(map(len, files.values())) < 400_000
+    assert read(files["statement.json"], files["certificate.json"], cited()) == outcome
+
+
+def test_the_rows_are_those_of_the_theorem() -> None:
+    rows = {row.name: row for row in decide().statement.obligations}
+    for row in theorem().parts[REPAIRED].obligations:
+        if row.role == NEEDED:
+            assert rows[row.name].claim == row.claim
+            assert rows[row.name].context == CONTEXT
+
+
+def test_the_last_line_closes_the_citation(tmp_path_factory: pytest.TempPathFactory) -> None:
+    folders = []
+    for name, outcome in (("everywhere", decide()), ("step", step.decide())):
+        folder = tmp_path_factory.mktemp(name)
+        for file, data in write(outcome).items():
+            (folder / file).parent.mkdir(exist_ok=True)
+            (folder / file).write_bytes(data)
+        folders.append(str(folder))
+    code, lines = check.check_folders(check.read_folders(folders))
+    assert code == 0
+    assert not any("which is not proved here" in line for line in lines)
+    code, lines = check.check_folders(check.read_folders(folders[:1]))
+    assert "which is not proved here" in lines[-1]
+
+
+def test_every_fact_holds_at_random_parameters() -> None:
+    names = ("r", "c", "V_0", "delta_theta")
+    program = Program(names)
+    for constant in constants():
+        program.define(constant.name, constant.term)
+    claims: dict[str, Claim] = {}
+    rows = {row.name: row for row in decide().statement.obligations}
+    for item in decide().steps:
+        if isinstance(item, LemmaStep) and item.context == CONTEXT:
+            claims[item.name] = item.claim
+        if isinstance(item, ObligationStep) and rows[item.name].context == CONTEXT:
+            claim = rows[item.name].claim
+            if isinstance(claim, Claim):
+                claims[item.name] = claim
+    slots = {n: (program.add(c.lhs), program.add(c.rhs)) for n, c in claims.items()}
+    chosen = random.Random(3)
+    with balls.precision(600):
+        machine = Machine(program, BallArithmetic())
+        for _ in range(60):
+            values = machine.run([balls.from_fraction(x) for x in admissible(chosen)]).values
+            for name, (x, z) in slots.items():
+                assert not fails(claims[name].relation, values[x], values[z]), name
+
+
+def admissible(chosen: random.Random) -> tuple[Fraction, ...]:
+    """r, c, V_0 and delta_theta that satisfy the hypotheses, extremes included."""
+    root = Fraction(chosen.choice([1, 10, 100, 300, 380]), 1000)
+    r = root**3
+    least = 2 * root * (1 + root) / (1 + r)
+    share = chosen.choice([Fraction(1, 10**6), Fraction(1, 2), 1 - Fraction(1, 10**6), Fraction(1)])
+    power = Fraction(10) ** chosen.randrange(-12, 12)
+    return r, least + (1 - least) * share, power, Fraction(10) ** chosen.randrange(-6, 2)
+
+
+def test_a_sum_without_one_of_its_addends_is_refused() -> None:
+    rows = {row.name: row.claim for row in decide().statement.obligations}
+    steps, names = [], set()
+    for number, item in enumerate(decide().steps):
+        proof = getattr(item, "proof", None)
+        claim = item.claim if isinstance(item, LemmaStep) else rows.get(item.name)
+        if isinstance(proof, Sum) and isinstance(claim, Claim) and len(proof.addends) > 1:
+            context = item.context if isinstance(item, LemmaStep) else CONTEXT
+            for i in range(len(proof.addends)):
+                rest = proof.addends[:i] + proof.addends[i + 1 :]
+                name = f"lie.{number}.{i}"
+                names.add(name)
+                steps.append(LemmaStep(name, context, claim, proof._replace(addends=rest)))
+        steps.append(item)
+    assert len(names) > 400
+    lines = report(decide()._replace(steps=tuple(steps))).lines
+    refused = {line.split()[2].rstrip(":") for line in lines if line.startswith("REFUSED lemma")}
+    assert names <= refused
+
+
+def with_entry(name: str, entry: int, factor: Fraction) -> Outcome:
+    """The certificate, of a statement in which one entry of a minimum is larger."""
+    outcome = decide()
+    context = outcome.statement.contexts[0]
+
+    def changed(constant: Constant) -> Constant:
+        if constant.name != f"{REPAIRED}.{name}":
+            return constant
+        entries = list(constant.term.children)
+        entries[entry - 1] = entries[entry - 1] * factor
+        return constant._replace(term=Term("min", *entries))
+
+    own = context._replace(constants=tuple(map(changed, context.constants)))
+    return outcome._replace(statement=outcome.statement._replace(contexts=(own,)))
+
+
+@pytest.mark.parametrize(
+    ("name", "entry"),
+    [("delta_x", 6), ("Delta_theta", 2), ("eta_bar", 3), ("eta_bar", 6), ("zeta_bar", 4)],
+)
+def test_a_larger_bound_is_refused(name: str, entry: int) -> None:
+    assert report(with_entry(name, entry, Fraction(1001, 1000))).verdict == "REFUSED"
+
+
+def test_without_a_hypothesis_it_is_refused() -> None:
+    outcome = decide()
+    context = outcome.statement.contexts[0]
+    for i in range(len(context.givens)):
+        fewer = context._replace(givens=context.givens[:i] + context.givens[i + 1 :])
+        lie = outcome._replace(statement=outcome.statement._replace(contexts=(fewer,)))
+        try:
+            assert report(lie).verdict == "REFUSED"
+        except check.Malformed:
+            continue
+
+
+def test_the_search_finds_the_same_again() -> None:
+    found = everywhere.Everywhere(write(step.decide())["statement.json"]).run()
+    assert write(found) == write(decide())

@@ -1,0 +1,254 @@
+"""The job `everywhere`: Theorem 1 for all parameters at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cache
+
+from verify.jobs import step as step_job
+from verify.language.statement import UNDECIDED, Constant, Obligation
+from verify.language.terms import Claim, Term, symbol
+from verify.paper.everywhere import chart as paper
+from verify.paper.everywhere.theorem import APPLIES, BETWEEN, DEFINED, statement
+from verify.paper.groups import REPAIRED
+from verify.paper.step import numbers
+from verify.paper.step.argument import Chapter, Opened, Reason, Searched
+from verify.prover.chart import Chart
+from verify.prover.ground import Ground
+from verify.prover.outcome import Decision, Outcome
+from verify.prover.positivity import NotFoundError, Positivity, Square
+from verify.prover.proof import Proof
+from verify.prover.rules import Applying, Cases, Define, Entry, Least, Root, Sum
+from verify.prover.session import ZERO
+from verify.wire.write import write
+
+HALF = Fraction(1, 2)
+#: The variables of the ring: those of the chart, two roots, then the constants that are minima.
+MINIMA = ("delta_x", "x_0", "Delta_theta", "eta_bar", "zeta_bar", "d_const", "d_bar")
+EXACT = ("delta_y", "d_slope", "T_star")
+FACTS = {
+    "u": "u-positive",
+    "p": "p-positive",
+    "a": "rest-positive",
+    "v": "v-positive",
+    "e": paper.hypothesis("delta-theta-positive"),
+    "g4": "root-4",
+    "g5": "root-5",
+} | {name: f"{REPAIRED}.{name}-positive" for name in MINIMA}
+BELOW = {
+    "u": (Fraction(1), "u-below-one"),
+    "p": (HALF, "p-below-half"),
+    "a": (paper.REST_BELOW, "rest-small"),
+}
+ATOMS = {
+    "u": paper.u,
+    "p": paper.p,
+    "a": paper.rest,
+    "v": paper.v,
+    "e": symbol("delta_theta"),
+    "g4": paper.root_4,
+    "g5": paper.root_5,
+} | {name: symbol(f"{REPAIRED}.{name}") for name in MINIMA}
+
+
+@cache
+def decide() -> Outcome:
+    """Every row for all parameters; what is not found is left undecided."""
+    cited = write(step_job.decide())["statement.json"]
+    return Everywhere(cited).run()
+
+
+class Everywhere:
+    """The facts of the chart, and the rows that are decided so far."""
+
+    def __init__(self, cited: bytes) -> None:
+        self.statement = statement(cited)
+        self.writing = step_job.Writing(self.statement)
+        self.session = self.writing.session
+        self.ground = Ground(self.session)
+        self.search = Positivity(tuple(FACTS), FACTS, BELOW, {"a": 2**0.5 - 1.4})
+        self.chart = self._chart()
+
+    def _chart(self) -> Chart:
+        made = self.search.generators
+        seven_fifths = self.search.constant(paper.REST_ABOVE)
+        values = {term: made[name] for name, term in ATOMS.items() if name != "a"}
+        values[paper.root_two] = made["a"] + seven_fifths
+        search, one = self.search, self.search.constant(1)
+        u, p = made["u"], made["p"]
+        square = 2 * one - seven_fifths**2 - 2 * seven_fifths * made["a"]
+        search.relate("a", Square(square, one, "1"))
+        search.relate(
+            "g4", Square(2 * u * p**3, one + u * p, _one_plus("u-positive", "p-positive"))
+        )
+        search.relate("g5", Square(2 * u * p**2, one + u, _one_plus("u-positive")))
+        return Chart(self.session, paper.CONTEXT, search, ATOMS, values, paper.replacements())
+
+    def run(self) -> Outcome:
+        """The chart, the constants, the rows, and that the step applies."""
+        root = (*paper.numbers(), Opened(self.statement.contexts[0]))
+        self.writing.chapter(Chapter(None, root))
+        self.writing.chapter(Chapter(paper.CONTEXT, tuple(paper.lines())))
+        for name in (*MINIMA[:1], "delta_y", *MINIMA[1:5], "d_slope", *MINIMA[5:], "T_star"):
+            self._constant(self.writing.constants[f"{REPAIRED}.{name}"], name)
+        for row in self.statement.obligations:
+            if row.name not in self.writing.decisions and row.name not in paper.HINTS:
+                self._row(row)
+        self._lemmas()
+        for name in paper.HINTS:
+            self._row(self.writing.rows[name])
+        self._apply()
+        decisions = {
+            row.name: self.writing.decisions.get(row.name, Decision(UNDECIDED))
+            for row in self.statement.obligations
+        }
+        return Outcome(self.statement, decisions, tuple(self.session.steps), {})
+
+    # --- constants ------------------------------------------------------------------------------
+
+    def _constant(self, constant: Constant, name: str) -> None:
+        self.chart.ensure(constant.term)
+        self.session.constant(constant, Define(), paper.CONTEXT)
+        term = symbol(constant.name)
+        if name in EXACT:
+            self.chart.replaced[term] = constant.name
+            return
+        facts = []
+        branches = tuple(self.chart.prove(0 < entry) for entry in constant.term.children)
+        self._prove(f"{constant.name}-positive", Least("rhs", branches, constant.name))
+        for number, entry in enumerate(constant.term.children, 1):
+            fact = f"{constant.name}-entry-{number}"
+            self._prove(fact, Entry("lhs", constant.name))
+            facts.append((fact, entry))
+        self.search.bound(name, self.chart.entries(name, facts))
+
+    def _prove(self, name: str, proof: Proof) -> None:
+        self.writing.decide(self.writing.rows[name], proof)
+
+    def _lemmas(self) -> None:
+        for item in paper.about_d_bar():
+            if not isinstance(item.reason, Searched):
+                self.writing.chapter(Chapter(paper.CONTEXT, (item,)))
+            elif isinstance(item.claim, Claim):
+                self.chart.lemma(item.claim, item.name)
+
+    # --- rows -----------------------------------------------------------------------------------
+
+    def _row(self, row: Obligation) -> None:
+        if not isinstance(row.claim, Claim):
+            return
+        try:
+            if row.context is None:
+                self.writing.decisions[row.name] = self.ground.decide(row)
+            else:
+                self.writing.decide(row, self._proof(row.name, row.claim))
+        except NotFoundError:
+            self.writing.decisions[row.name] = Decision(UNDECIDED)
+
+    def _proof(self, name: str, claim: Claim) -> Proof:
+        hints = paper.HINTS.get(name)
+        if hints is not None:
+            return self._hinted(claim, hints)
+        for side in (claim.lhs, claim.rhs):
+            for term in _extrema(side):
+                return self._cases(claim, term)
+        for term in _new_roots(claim, self.chart):
+            return self._root(claim, term)
+        return self.chart.prove(claim)
+
+    def _hinted(self, claim: Claim, hints: tuple[Reason, ...]) -> Proof:
+        """The reasons that the paper's room gives; several are one for each entry."""
+        self.chart.ensure(claim.lhs, claim.rhs)
+        proofs = tuple(map(step_job.proof_of, hints))
+        return proofs[0] if len(proofs) == 1 else Cases(next(_extrema(claim.lhs)), proofs)
+
+    def _cases(self, claim: Claim, term: Term) -> Proof:
+        """A branch for each entry of a maximum."""
+        self.chart.ensure(term)
+        branches = (self._branch(claim, term, entry) for entry in term.children)
+        return Cases(term, tuple(branches))
+
+    def _branch(self, claim: Claim, term: Term, entry: Term) -> Sum:
+        there = Claim(
+            claim.relation, _replaced(claim.lhs, term, entry), _replaced(claim.rhs, term, entry)
+        )
+        found = self.chart.prove(there)
+        return found._replace(using=(*found.using, "@1"))
+
+    def _root(self, claim: Claim, root: Term) -> Proof:
+        """sqrt(x) <= sqrt(y) from x <= y; 0 < x sqrt(y) from the signs of both."""
+        inside = root.children[0]
+        self.chart.ensure(inside)
+        positive = self.chart.lemma(0 < inside)
+        sign = self.session.known(0 < root, paper.CONTEXT)
+        if sign is None:
+            sign = self.session.lemma(0 < root, Root(), paper.CONTEXT)
+        if claim.lhs is ZERO:
+            other = self.chart.lemma(0 < claim.rhs.children[0])
+            return Sum(("goal", ("mul", other, sign)))
+        squares = self.chart.lemma(claim.lhs.children[0] <= inside)
+        scale = [self.chart.lemma(0 < part) for part in _divisors(inside)]
+        goal = ("mul", *scale, "goal", ("add", "root-two", sign))
+        return Sum((goal, squares)) if positive else Sum()
+
+    # --- the step -------------------------------------------------------------------------------
+
+    def _apply(self) -> None:
+        given = numbers.context().givens
+        rows = numbers.rows()
+        premises = []
+        for item in given:
+            if item.name in rows:
+                premises.append(rows[item.name])
+            elif item.name in DEFINED:
+                premises.append(DEFINED[item.name])
+            else:
+                premises.append(self.chart.lemma(BETWEEN[item.name]))
+        self.writing.decide(self.writing.rows[APPLIES], Applying(tuple(premises)))
+
+
+def _one_plus(*facts: str) -> tuple[object, ...]:
+    return ("add", "1", ("mul", *facts) if len(facts) > 1 else facts[0])
+
+
+def _extrema(term: Term) -> Iterator[Term]:
+    if term.op in ("min", "max"):
+        yield term
+    for child in term.children:
+        yield from _extrema(child)
+
+
+def _new_roots(claim: Claim, chart: Chart) -> Iterator[Term]:
+    """Roots that the ring does not have."""
+    for term in (claim.rhs, claim.lhs):
+        waiting = [term]
+        while waiting:
+            part = waiting.pop()
+            if part.op == "sqrt" and part not in chart.values and part not in chart.replaced:
+                yield part
+            waiting += part.children
+
+
+def _divisors(term: Term) -> Iterator[Term]:
+    """The divisors in a term, each as often as clearing multiplies by it."""
+    found: dict[Term, None] = {}
+
+    def visit(part: Term) -> None:
+        if part.op == "div" and part.children[1].op != "rational":
+            found[part.children[1]] = None
+        for child in part.children:
+            visit(child)
+
+    visit(term)
+    return iter(found)
+
+
+def _replaced(term: Term, old: Term, new: Term) -> Term:
+    if term is old:
+        return new
+    children = term.children
+    if not children:
+        return term
+    parts = [_replaced(child, old, new) for child in children]
+    return Term(term.op, *parts, *term.args[len(children) :])

@@ -1,0 +1,1 @@
+"""`THEORSS4.1ExistenCollapse` for all parameters at once."""

@@ -1,0 +1,437 @@
+"""The parameters in a chart where every constant is short.
+
+With p = phi_plus, u = phi_minus/p^2 and v = V_1^(1/2) the parameters are r = u p^3,
+c = 2(p + u p^2)/(1 + u p^3) and V_0 = 2 v^2 (1+u)/(3+u); the stability threshold is the edge u = 1,
+and c <= 1 gives p < 1/2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from verify.language.statement import Constant, Context, Given, Variable
+from verify.language.terms import Claim, Term, as_term, equal, sqrt, symbol
+from verify.paper.groups import HYPOTHESES, REPAIRED
+from verify.paper.initial_data import ConstantSet
+from verify.paper.parameters import THEOREM, V_0, c, r
+from verify.paper.preliminaries import (
+    CONSTANTS,
+    V_1,
+    alpha_0,
+    discriminant,
+    gap,
+    h_4,
+    h_5,
+    phi_minus,
+    phi_plus,
+)
+from verify.paper.step.argument import (
+    Defined,
+    Item,
+    Least,
+    Line,
+    Number,
+    Reason,
+    Root,
+    Searched,
+    Value,
+    identity,
+    plus,
+    proof,
+    scaled,
+    times,
+)
+from verify.paper.theorem1 import theorem
+
+CONTEXT = "everywhere"
+HALF = Fraction(1, 2)
+#: What the theorem assumes; that the fixed points exist, and r < 9 - 4 sqrt 5, follows.
+ASSUMED = (
+    "r-positive",
+    "r-below-one",
+    "angle-obtuse",
+    "angle-real",
+    "stability",
+    "V_0-positive",
+    "delta-theta-positive",
+)
+DERIVED = ("existence", "r-below-stabi")
+
+k = ConstantSet(REPAIRED)
+p, m = phi_plus, phi_minus
+u, v = symbol("u"), symbol("v")
+root = sqrt(discriminant)
+root_two = sqrt(2)
+#: What is left of it above 7/5, which is between 0 and 1/50.
+REST_ABOVE, REST_BELOW = Fraction(7, 5), Fraction(1, 50)
+rest = root_two - REST_ABOVE
+root_4, root_5 = sqrt(r / (1 - h_4)), sqrt(phi_minus / (1 - h_5))
+
+U = Constant("u", "u", "u", THEOREM, m / p**2)
+V = Constant("v", "V₁^{1/2}", "V_1^{1/2}", THEOREM, k.speed)
+
+
+def constants() -> tuple[Constant, ...]:
+    """All constants of the theorem, with the unrounded minima, and u and v of the chart."""
+    own: list[Constant] = [*CONSTANTS, U]
+    for constant in theorem().parts[REPAIRED].bounds:
+        own.append(constant)
+        if constant.name == k.V_1.name:
+            own.append(V)
+    return tuple(own)
+
+
+def context() -> Context:
+    """All parameters that the theorem admits."""
+    letters = {"V_0": "V₀", "delta_theta": "δ_θ"}
+    variables = tuple(
+        Variable(name, letters.get(name, name), name) for name in theorem().parameters
+    )
+    values = {"r": "3/100", "c": "1", "V_0": "1", "delta_theta": "1/10"}
+    return Context(
+        CONTEXT,
+        variables,
+        tuple(Given(hypothesis(name), _claim(name)) for name in ASSUMED),
+        {name: as_term(Fraction(text)) for name, text in values.items()},
+        says="all parameters that the theorem admits",
+        constants=constants(),
+    )
+
+
+def numbers() -> Iterator[Item]:
+    """The square root of two."""
+    yield Line("root-two", 0 < root_two, Number())
+    yield Line("rest-positive", 0 < rest, Number())
+    yield Line("rest-small", 0 < REST_BELOW - rest, Number())
+
+
+def lines() -> Iterator[Item]:
+    """From the hypotheses to the chart."""
+    yield from _hypotheses()
+    yield from _fixed_points()
+    yield from _region()
+    yield from _first_constants()
+    yield from _norms()
+
+
+def hypothesis(name: str) -> str:
+    """The full name of a hypothesis."""
+    return f"{HYPOTHESES}.{name}"
+
+
+R, C, ONE = hypothesis("r-positive"), hypothesis("angle-obtuse"), hypothesis("r-below-one")
+PLUS_R: Value = plus(1, R)
+
+
+def _hypotheses() -> Iterator[Item]:
+    yield Defined("alpha_0")
+    yield Line("alpha-sign", 0 < alpha_0, proof(times(HALF, PLUS_R, C), using="alpha_0"))
+    yield Line(
+        "alpha-stability",
+        3 * r * alpha_0 + r * (1 + r) < alpha_0**3,
+        proof(hypothesis("stability"), using="alpha_0"),
+    )
+    yield Line(
+        "alpha-angle",
+        alpha_0 <= (1 + r) / 2,
+        proof(times(HALF, PLUS_R, hypothesis("angle-real")), using="alpha_0"),
+    )
+    yield Line(
+        "alpha-existence",
+        4 * r < alpha_0**2,
+        scaled(
+            times("alpha-sign", "goal"),
+            "alpha-stability",
+            times(R, plus("alpha-angle", times(HALF, PLUS_R))),
+        ),
+    )
+    yield Line(
+        hypothesis("existence"), _claim("existence"), proof("alpha-existence", using="alpha_0")
+    )
+    yield Line(
+        "alpha-stabi",
+        18 * r - r**2 < as_term(1),
+        scaled(
+            times(Fraction(1, 8), PLUS_R, "goal"),
+            "alpha-stability",
+            times(
+                "alpha-angle",
+                plus(
+                    times(3, "alpha-existence"),
+                    times(9, R),
+                    times("alpha-angle", plus(times(3, "alpha-sign"), "alpha-angle")),
+                ),
+            ),
+        ),
+    )
+    yield Line(hypothesis("r-below-stabi"), _claim("r-below-stabi"), proof("alpha-stabi"))
+
+
+def _claim(name: str) -> Claim:
+    rows = theorem().parts[HYPOTHESES].obligations
+    claims = {row.name: row.claim for row in rows if isinstance(row.claim, Claim)}
+    return claims[hypothesis(name)]
+
+
+def _fixed_points() -> Iterator[Item]:
+    both = "phi_minus phi_plus"
+    yield Line("discriminant-positive", 0 < discriminant, proof("alpha-existence"))
+    yield Line("discriminant-root", 0 < root, Root())
+    yield Line("phi-divisor", 0 < alpha_0 + root, proof("discriminant-root", "alpha-sign"))
+    yield Defined("phi_minus")
+    yield Defined("phi_plus")
+    yield Line("p-positive", 0 < p, proof(times(HALF, "phi-divisor"), using="phi_plus"))
+    yield Line("m-positive", 0 < m, proof(times(2, R), using="phi_minus"))
+    yield Line("r-of-m", equal(r, m * p), identity(both))
+    yield Line("alpha-of-m", equal(alpha_0, m + p), identity(both))
+    yield Line("root-of-m", equal(root, p - m), identity(both))
+    yield Line("m-below-p", 0 < p - m, proof("discriminant-root", using="root-of-m"))
+
+
+def _region() -> Iterator[Item]:
+    of_m = "r-of-m alpha-of-m"
+    yield Line(
+        "m-below-one",
+        0 < 1 - m,
+        scaled(
+            times("goal", plus(1, "m-positive")),
+            ONE,
+            times("m-positive", "m-below-p"),
+            using="r-of-m",
+        ),
+    )
+    yield Line(
+        "p-square",
+        0 < p**2 - m,
+        scaled(
+            times("goal", plus("m-below-p", times("m-positive", "m-below-one"))),
+            "alpha-stability",
+            using=of_m,
+        ),
+    )
+    yield Line("p-square-positive", 0 < p**2, proof(times("p-positive", "p-positive")))
+    yield Defined("u")
+    yield Line("u-positive", 0 < u, proof("m-positive", using="u"))
+    yield Line("u-below-one", 0 < 1 - u, proof("p-square", using="u"))
+    yield Line(
+        "p-below-one",
+        0 < 1 - p,
+        scaled(times(2, "goal"), times(2, "alpha-angle"), ONE, times(2, "m-positive"), using=of_m),
+    )
+    yield Line(
+        "p-below-half",
+        0 < HALF - p,
+        scaled(
+            times(2, "goal"),
+            times(2, "alpha-angle"),
+            times("m-positive", plus("p-below-one", 1)),
+            using=of_m,
+        ),
+    )
+    yield Line("m.chart", equal(m, u * p**2), identity("u"))
+    yield Line("r.chart", equal(r, u * p**3), identity("r-of-m m.chart"))
+    yield Line("alpha.chart", equal(alpha_0, p + u * p**2), identity("alpha-of-m m.chart"))
+    yield Line("root.chart", equal(root, p - u * p**2), identity("root-of-m m.chart"))
+    yield Line("r-sum", 0 < 1 + r, proof(1, R))
+    yield Line("c-of-alpha", equal(c, 2 * alpha_0 / (1 + r)), identity("alpha_0"))
+    yield Line(
+        "c-sum",
+        0 < 1 + u * p**3,
+        proof(1, times("u-positive", ("pow", "p-positive", 3))),
+    )
+    yield Line(
+        "c.chart",
+        equal(c, 2 * (p + u * p**2) / (1 + u * p**3)),
+        identity("c-of-alpha alpha.chart r.chart"),
+    )
+
+
+def _first_constants() -> Iterator[Item]:
+    chart = "r.chart alpha.chart m.chart"
+    terms = {
+        "delta_1": (p - u * p**2) / 2,
+        "delta_2": p / 2,
+        "delta_3": (1 - p) / 2,
+        "C_eta": (1 + p) / 2,
+    }
+    using = chart
+    for name, term in terms.items():
+        yield Defined(name)
+        yield Line(f"{name}.chart", equal(symbol(name), term), identity(f"{using} {name}"))
+        using = f"{using} {name}.chart"
+    square = times("p-positive", "p-positive")
+    yield Line("gap-square", 0 < gap**2, proof(square, using="alpha.chart m.chart"))
+    yield Defined("h_4")
+    yield Line("h_4.chart", equal(h_4, (1 - u * p) / 2), identity(f"{chart} h_4"))
+    small = plus(HALF, times(HALF, "u-positive", "p-positive"))
+    yield Line("h_4-room", 0 < 1 - h_4, proof(small, using="h_4.chart"))
+    cube = times("u-positive", ("pow", "p-positive", 3))
+    yield Line("radicand-4", 0 < r / (1 - h_4), proof(cube, using="r.chart h_4.chart"))
+    yield Line("root-4", 0 < root_4, Root())
+    yield Defined("delta_4")
+    yield Line(
+        "delta_4.chart",
+        equal(symbol("delta_4"), p - root_4),
+        identity("alpha.chart m.chart delta_4"),
+    )
+    yield Defined("h_5")
+    yield Line("h_5.chart", equal(h_5, (1 - u) / 2), identity("alpha.chart m.chart h_5"))
+    half = plus(HALF, times(HALF, "u-positive"))
+    yield Line("h_5-room", 0 < 1 - h_5, proof(half, using="h_5.chart"))
+    yield Line(
+        "radicand-5",
+        0 < m / (1 - h_5),
+        proof(times("u-positive", square), using="m.chart h_5.chart"),
+    )
+    yield Line("root-5", 0 < root_5, Root())
+    yield Defined("delta_5")
+    yield Line(
+        "delta_5.chart",
+        equal(symbol("delta_5"), p - root_5),
+        identity("alpha.chart m.chart delta_5"),
+    )
+
+
+def _norms() -> Iterator[Item]:
+    positive, first = hypothesis("V_0-positive"), k.V_1.name
+    quarter = Fraction(1, 4)
+    more = times(positive, plus(Fraction(3, 4), times(quarter, "u-positive")))
+    yield Defined("V_1")
+    yield Defined(first)
+    yield Line("V_1-sign", 0 < k.V_1, proof(more, using=f"{first} V_1 h_5.chart"))
+    yield Line("V_1-root", 0 < k.speed, Root())
+    yield Defined("v")
+    yield Line("v-positive", 0 < v, proof("V_1-root", using="v"))
+    yield Line("speed", equal(k.speed, v), identity("v"))
+    yield Line("V_1.repaired", equal(k.V_1, v**2), identity("v"))
+    yield Line("V_1.chart", equal(V_1, v**2), identity("v", ((first, as_term(-1)),)))
+    yield Line("V_0-divisor", 0 < 3 + u, proof(3, "u-positive"))
+    yield Line(
+        "V_0.chart",
+        equal(V_0, v**2 * (2 * (1 + u) / (3 + u))),
+        identity("v h_5.chart", (("V_1", as_term(-4)), (first, -2 * (1 + u)))),
+    )
+
+
+def replacements() -> dict[Term, str]:
+    """For each atom that the chart replaces the line that says so."""
+    found = {
+        r: "r.chart",
+        alpha_0: "alpha.chart",
+        m: "m.chart",
+        c: "c.chart",
+        root: "root.chart",
+        V_0: "V_0.chart",
+        V_1: "V_1.chart",
+        k.V_1: "V_1.repaired",
+        k.speed: "speed",
+        h_4: "h_4.chart",
+        h_5: "h_5.chart",
+    }
+    names = ("delta_1", "delta_2", "delta_3", "delta_4", "delta_5", "C_eta")
+    return found | {symbol(name): f"{name}.chart" for name in names}
+
+
+def row(name: str) -> str:
+    """The full name of a row, or a constant, of the repaired set."""
+    return f"{REPAIRED}.{name}"
+
+
+def about_d_bar() -> Iterator[Line]:
+    """Why the entry of d_bar with the slope is always the smaller one."""
+    size, slope, first = k.d_slope * k.eta_bar**2, row("init-Cnd4"), row("V_1-above-V_0")
+    eta2 = times(row("eta_bar-positive"), row("eta_bar-positive"))
+    zeta, angle = row("zeta_bar-positive"), row("Delta_theta-positive")
+    share = Fraction(3, 8)
+    yield Line(
+        "d_bar-zeta",
+        size <= Fraction(3, 16) * k.zeta_bar,
+        scaled(
+            times(2, "V_1-sign", "goal"),
+            times(eta2, slope),
+            times(share, zeta, first),
+            times(share, zeta, row("zeta-dropped-factor")),
+            times(HALF, zeta, zeta, eta2),
+        ),
+    )
+    V_0s, V_1s = hypothesis("V_0-positive"), "V_1-sign"
+    lost, part = row("C_eta-below-one"), Fraction(3, 28)
+    yield Line(
+        "d_bar-angle",
+        size <= k.Delta_theta / 4,
+        scaled(
+            times(8, V_1s, V_1s, "goal"),
+            times(4, V_1s, eta2, slope),
+            times(4, V_1s, eta2, row("init-Cnd3")),
+            times(2, "V_1-root", row("eta_bar-positive"), row("tau-small")),
+            times(Fraction(1, 7), V_0s, row("angle-absorbed")),
+            times(Fraction(1, 7), row("d_bar-positive"), lost, V_0s, V_0s),
+            times(part, angle, row("C_eta-positive"), V_0s, V_0s),
+            times(part, angle, first, plus(V_0s, V_1s)),
+            times(2 - part, angle, V_1s, V_1s),
+        ),
+    )
+    for number, entry in enumerate(k.bounds()["d_const"], 1):
+        if number != 2:
+            yield Line(f"d_bar-{number}", Fraction(3, 16) * k.zeta_bar <= entry, Searched())
+
+
+#: Rows that no search finds, or none that is short, in an order in which each uses those before;
+#: a maximum has a reason for each entry.
+HINTS: dict[str, tuple[Reason, ...]] = {
+    f"{REPAIRED}.norm-s-upper": (
+        proof(
+            times(4, f"{REPAIRED}.eta-below-one"),
+            times(
+                f"{REPAIRED}.eta_bar-positive",
+                f"{REPAIRED}.d_0-below-one",
+                plus(3, f"{REPAIRED}.d_bar-positive"),
+            ),
+            using="@1",
+        ),
+        proof(
+            times(4, f"{REPAIRED}.eta-below-one", *[hypothesis("V_0-positive")] * 2),
+            times(
+                f"{REPAIRED}.eta_bar-positive",
+                f"{REPAIRED}.d-below-one",
+                plus(
+                    times(3, hypothesis("V_0-positive")),
+                    times(3, "V_1-root", f"{REPAIRED}.eta_bar-positive"),
+                ),
+            ),
+            using="@1",
+        ),
+    ),
+    f"{REPAIRED}.norm-s-lower": (
+        proof(
+            times(ONE, PLUS_R, f"{REPAIRED}.norm-s-upper"),
+            times(4, R, R),
+            times(4, "V_1-root"),
+            4,
+        ),
+    ),
+    f"{REPAIRED}.norm-c-upper": (
+        proof(
+            times(2, "V_1-root", f"{REPAIRED}.d_0-below-one"),
+            times(2, f"{REPAIRED}.norm-s-upper"),
+            using="@1",
+        ),
+        proof(
+            times(2, "V_1-root", f"{REPAIRED}.d-below-one", *[hypothesis("V_0-positive")] * 2),
+            times(2, f"{REPAIRED}.norm-s-upper", hypothesis("V_0-positive")),
+            using="@1",
+        ),
+    ),
+    "redundant.d_bar-1": (
+        Least(
+            (
+                proof("d_bar-zeta", "d_bar-1"),
+                proof("d_bar-angle"),
+                proof("d_bar-zeta", "d_bar-3"),
+                proof("d_bar-zeta", "d_bar-4"),
+            ),
+            row("d_const"),
+        ),
+    ),
+}

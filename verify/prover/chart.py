@@ -1,0 +1,198 @@
+"""Claims about names that are short in a chart: cleared into one ring, and proved by sums there.
+
+The chart replaces atoms by equations that are facts; what is left are the variables of a ring, with
+facts about their signs. Nothing here is trusted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+
+from verify.language.terms import Claim, Term, as_term
+from verify.prover.positivity import Entry, NotFoundError, Polynomial, Positivity
+from verify.prover.proof import Value
+from verify.prover.rules import Sum
+from verify.prover.session import ZERO, Session
+
+Quotient = tuple[Polynomial, Polynomial]
+
+
+class Chart:
+    """The facts of a context, and a ring into which its terms are cleared.
+
+    Args:
+        session: where lemmas are written down.
+        context: where they are proved.
+        search: the ring and what is known of its variables.
+        atoms: the term of each variable of the ring.
+        values: the polynomial of each atom that is not replaced.
+        replaced: for each atom that is replaced the name of the equation.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        context: str,
+        search: Positivity,
+        atoms: Mapping[str, Term],
+        values: Mapping[Term, Polynomial],
+        replaced: Mapping[Term, str],
+    ) -> None:
+        self.session, self.context, self.search = session, context, search
+        self.atoms, self.values, self.replaced = dict(atoms), dict(values), dict(replaced)
+        self._cleared: dict[Term, Quotient] = {}
+
+    # --- clearing -------------------------------------------------------------------------------
+
+    def clear(self, term: Term) -> Quotient:
+        """Numerator and denominator, as the checker clears them."""
+        found = self._cleared.get(term)
+        if found is None:
+            found = self._cleared[term] = self._clear(term)
+        return found
+
+    def _clear(self, term: Term) -> Quotient:
+        one = self.search.constant(1)
+        if term in self.replaced:
+            return self.clear(self.session.claims[self.replaced[term]].rhs)
+        if term in self.values:
+            return self.values[term], one
+        if term.op == "rational":
+            return self.search.constant(term.value), one
+        if term.op in ("symbol", "sqrt", "min", "max"):
+            raise NotFoundError(f"{term!r} is not in the ring")
+        (n, d), *others = map(self.clear, term.children)
+        if term.op == "neg":
+            return -n, d
+        if term.op == "pow":
+            return n**term.exponent, d**term.exponent
+        m, e = others[0]
+        if term.op == "mul":
+            return n * m, d * e
+        if term.op == "div":
+            divisor = term.children[1]
+            if divisor.op == "rational":
+                return n * self.search.constant(1 / divisor.value), d
+            return n * e, d * m
+        sign = 1 if term.op == "add" else -1
+        return (n + sign * m, d) if d == e else (n * e + sign * m * d, d * e)
+
+    def difference(self, lhs: Term, rhs: Term) -> Polynomial:
+        """A polynomial with the sign of lhs - rhs."""
+        (n, d), (m, e) = self.clear(lhs), self.clear(rhs)
+        return n * e - m * d
+
+    def term(self, polynomial: Polynomial) -> Term:
+        """A polynomial of the ring as a term, expanded."""
+        total: Term | None = None
+        for monomial, value in polynomial.to_dict().items():
+            number = as_term(Fraction(int(value.p), int(value.q)))
+            part: Term | None = None
+            for name, exponent in zip(self.search.names, monomial, strict=True):
+                if exponent:
+                    atom = self.atoms[name]
+                    factor = atom if exponent == 1 else atom ** int(exponent)
+                    part = factor if part is None else part * factor
+            part = number if part is None else part if value == 1 else number * part
+            total = part if total is None else total + part
+        return ZERO if total is None else total
+
+    def using(self, *terms: Term) -> tuple[str, ...]:
+        """The equations that replace what occurs in terms."""
+        found: dict[str, None] = {}
+        seen: set[Term] = set()
+        waiting = list(terms)
+        while waiting:
+            term = waiting.pop()
+            if term in seen:
+                continue
+            seen.add(term)
+            if term in self.replaced:
+                name = self.replaced[term]
+                found[name] = None
+                waiting.append(self.session.claims[name].rhs)
+            else:
+                waiting += term.children
+        return tuple(sorted(found))
+
+    # --- proving --------------------------------------------------------------------------------
+
+    def ensure(self, *terms: Term) -> None:
+        """Afterwards each divisor and radicand in the terms is known to be positive."""
+        seen: set[Term] = set()
+
+        def visit(term: Term) -> None:
+            if term in seen:
+                return
+            seen.add(term)
+            if term in self.replaced:
+                return
+            for child in term.children:
+                visit(child)
+            if term.op == "div" or term.op == "sqrt":
+                part = term.children[-1]
+                if part.op != "rational":
+                    self.lemma(0 < part)
+
+        for term in terms:
+            visit(term)
+
+    def lemma(self, claim: Claim, name: str | None = None) -> str:
+        """The name of a fact, proved if it is not known."""
+        known = self.session.known(claim, self.context)
+        if known is not None:
+            return known
+        return self.session.lemma(claim, self.prove(claim), self.context, name)
+
+    def prove(self, claim: Claim, *, extra: Mapping[Term, str] | None = None) -> Sum:
+        """A sum that proves a claim; ``extra`` replaces more atoms, by equations of a branch.
+
+        Raises:
+            NotFoundError: if no sum is found.
+        """
+        self.ensure(claim.lhs, claim.rhs)
+        using = self.using(claim.lhs, claim.rhs)
+        if claim.relation == "=":
+            return Sum(using=using)
+        found = self.search.find(-self.difference(claim.lhs, claim.rhs))
+        if claim.relation == "<" and not found.strict:
+            raise NotFoundError("only seen to be >= 0")
+        roots = [self.atoms[name] for name in self.search.squares if self.uses(found.value, name)]
+        using = self.using(claim.lhs, claim.rhs, *roots)
+        goal: Value = ("mul", *found.factors, "goal") if found.factors else "goal"
+        addends = (goal,) if found.value == "0" else (goal, found.value)
+        return Sum(addends, (*using, *(extra or {}).values()))
+
+    def uses(self, value: Value, name: str) -> bool:
+        """Whether the positivity of a variable is used in a value."""
+        fact = self.search.positive[name]
+        if isinstance(value, str):
+            return value == fact
+        return any(self.uses(item, name) for item in value[1:] if isinstance(item, str | tuple))
+
+    # --- minima ---------------------------------------------------------------------------------
+
+    def entries(self, name: str, facts: Iterable[tuple[str, Term]]) -> list[Entry]:
+        """What facts `x <= entry` say of a variable of the ring, without common factors."""
+        found = []
+        x = self.search.generators[name]
+        for fact, entry in facts:
+            n, d = self.clear(entry)
+            common = n.gcd(d)
+            n, d = n // common, d // common
+            lemma = self._simplified(fact, n - x * d)
+            found.append(Entry(lemma, n, d))
+        return found
+
+    def _simplified(self, fact: str, polynomial: Polynomial) -> str:
+        """The fact that a polynomial is >= 0, of which the given fact is a positive multiple."""
+        claim = self.session.claims[fact]
+        rest, remainder = divmod(-self.difference(claim.lhs, claim.rhs), polynomial)
+        if not remainder.is_zero():
+            raise ValueError(f"{fact} says something else")
+        sign = self.search.find(rest)
+        short = self.term(polynomial)
+        using = self.using(claim.lhs, claim.rhs, short)
+        addends: tuple[Value, ...] = (("mul", sign.value, "goal"), fact)
+        return self.session.lemma(ZERO <= short, Sum(addends, using), self.context)

@@ -1,0 +1,431 @@
+"""Why a polynomial is positive: a sum of products of facts, found by algebra. Not trusted.
+
+The variables are positive; some lie below a number; some are known only to be at most each of
+several quotients (the entries of a minimum); squares of some are known. What is looked for is a
+factor > 0 and a value, built from the names of facts, such that
+
+    factor * polynomial = value
+
+as polynomials, up to the relations for squares. It is found by looking at coefficients (those of
+Bernstein for variables with an upper bound), by factoring, and by putting an entry in the place of
+the variable that it bounds where the polynomial falls with it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import cache
+from itertools import combinations
+from typing import NamedTuple
+
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+
+from verify.prover.proof import Value
+
+Polynomial = fmpq_mpoly
+
+#: How often degrees are raised before Bernstein coefficients are given up.
+ELEVATIONS = 3
+#: How many polynomials one search looks at, and how deep.
+BUDGET = 3000
+DEPTH = 14
+SAMPLES = 60
+
+
+class NotFoundError(ArithmeticError):
+    """No sum was found."""
+
+
+class Entry(NamedTuple):
+    """The fact that numerator - x denominator >= 0, where the denominator is positive."""
+
+    fact: str
+    numerator: Polynomial
+    denominator: Polynomial
+
+
+class Square(NamedTuple):
+    """The relation x^2 denominator = numerator, with the value of the denominator."""
+
+    numerator: Polynomial
+    denominator: Polynomial
+    value: Value
+
+
+class Found(NamedTuple):
+    """factor * polynomial = value >= 0; factors are values > 0, with their product."""
+
+    value: Value
+    strict: bool
+    factors: tuple[Value, ...] = ()
+    product: Polynomial | None = None
+
+
+class Positivity:
+    """A search in one ring.
+
+    Args:
+        names: the variables, each after those that bound it.
+        positive: for each variable the fact that it is positive.
+        below: for some a number and the fact that the number minus the variable is positive.
+        numbers: estimates of variables that stand for numbers.
+    """
+
+    def __init__(
+        self,
+        names: Sequence[str],
+        positive: Mapping[str, str],
+        below: Mapping[str, tuple[Fraction, str]],
+        numbers: Mapping[str, float] | None = None,
+    ) -> None:
+        self.names, self.numbers = tuple(names), numbers or {}
+        self.ring = fmpq_mpoly_ctx.get(self.names, Ordering.lex)
+        self.generators = dict(zip(self.names, self.ring.gens(), strict=True))
+        self.positive, self.below = positive, below
+        self.boxed = [self.names.index(name) for name in below]
+        self.entries: dict[str, list[Entry]] = {}
+        self.squares: dict[str, Square] = {}
+        self.points: list[list[float]] = []
+        self.left = BUDGET
+        self._known: dict[str, Found | None] = {}
+        self._bernstein = _Bernstein([bound for bound, _ in below.values()])
+
+    def constant(self, value: Fraction | int) -> Polynomial:
+        """A number as a polynomial."""
+        value = Fraction(value)
+        return self.ring.constant(fmpq(value.numerator, value.denominator))
+
+    # --- what is known --------------------------------------------------------------------------
+
+    def bound(self, name: str, entries: Iterable[Entry]) -> None:
+        """From now on a variable is known to be at most each entry."""
+        self.entries[name] = list(entries)
+        self._known.clear()
+        self._sample()
+
+    def relate(self, name: str, square: Square) -> None:
+        """From now on the square of a variable is known."""
+        self.squares[name] = square
+        self._known.clear()
+        self._sample()
+
+    def _sample(self) -> None:
+        """Points that satisfy all that is known, to see at once what cannot be positive."""
+        chosen, self.points = _shares(), []
+        for _ in range(SAMPLES):
+            point = dict.fromkeys(self.names, 1.0)
+            for name in self.names:
+                point[name] = self._coordinate(name, point, chosen)
+            self.points.append([point[name] for name in self.names])
+
+    def _coordinate(self, name: str, point: dict[str, float], chosen: Iterator[float]) -> float:
+        values = [point[other] for other in self.names]
+        if name in self.numbers:
+            return self.numbers[name]
+        if name in self.squares:
+            square = self.squares[name]
+            return math.sqrt(_float(square.numerator, values) / _float(square.denominator, values))
+        if name in self.entries:
+            ends = [
+                _float(entry.numerator, values) / _float(entry.denominator, values)
+                for entry in self.entries[name]
+            ]
+            return min(ends) * max(next(chosen), 2 * next(chosen) // 1)
+        if name in self.below:
+            top, share, tiny = float(self.below[name][0]), next(chosen), 10**-6 * next(chosen)
+            return top * (share, tiny, 1 - tiny)[int(3 * next(chosen))]
+        return math.pow(10, 8 * next(chosen) - 4)
+
+    def may_be_positive(self, f: Polynomial) -> bool:
+        """False if the polynomial is negative at a point that satisfies all that is known."""
+        terms = _terms(f)
+        for point in self.points:
+            parts = _parts(terms, point)
+            if sum(parts) < -1e-9 * sum(map(abs, parts)):
+                return False
+        return True
+
+    # --- the search -----------------------------------------------------------------------------
+
+    def find(self, f: Polynomial) -> Found:
+        """Why the polynomial is > 0, or >= 0.
+
+        Raises:
+            NotFoundError: if it is not seen.
+        """
+        self.left = BUDGET
+        return self._find(f, 0)
+
+    def _find(self, f: Polynomial, depth: int) -> Found:
+        reduced, factors, product = self._reduce(f)
+        if reduced.is_zero():
+            return Found("0", False, factors, product)
+        key = str(reduced)
+        if key not in self._known:
+            self.left -= 1
+            if depth > DEPTH or self.left < 0:
+                raise NotFoundError("too many polynomials")
+            self._known[key] = None
+            self._known[key] = self._search(reduced, depth)
+        found = self._known[key]
+        if found is None:
+            raise NotFoundError("seen before")
+        return found._replace(
+            factors=found.factors + factors, product=_times(found.product, product)
+        )
+
+    def _search(self, f: Polynomial, depth: int) -> Found:
+        if not self.may_be_positive(f):
+            raise NotFoundError("negative at a sample")
+        value = self._coefficients(f)
+        if value is not None:
+            return Found(value, True)
+        content, parts = f.factor()
+        if len(parts) > 1 or parts[0][1] > 1:
+            return self._product(_fraction(content), parts, depth)
+        part = parts[0][0] if content > 0 else -parts[0][0]
+        if abs(content) != 1:
+            found = self._find(part, depth + 1)
+            return found._replace(value=_mul(str(abs(_fraction(content))), found.value))
+        for name in self.squares:
+            if f.degrees()[self.names.index(name)] == 1:
+                found_root = self._conjugate(f, name, depth)
+                if found_root is not None:
+                    return found_root
+        return self._entry(f, depth)
+
+    def _product(
+        self, content: Fraction, parts: Sequence[tuple[Polynomial, int]], depth: int
+    ) -> Found:
+        sign, strict = 1 if content > 0 else -1, True
+        values: list[Value] = [] if abs(content) == 1 else [str(abs(content))]
+        factors: list[Value] = []
+        product: Polynomial | None = None
+        for part, exponent in parts:
+            k = int(exponent)
+            try:
+                found = self._find(part, depth + 1)
+            except NotFoundError:
+                found = self._find(-part, depth + 1)
+                sign = -sign if k % 2 else sign
+            values.append(_power(found.value, k))
+            factors += found.factors * k
+            for _ in range(k):
+                product = _times(product, found.product)
+            strict = strict and found.strict
+        if sign < 0:
+            raise NotFoundError("negative product")
+        return Found(_mul(*values), strict, tuple(factors), product)
+
+    def _conjugate(self, f: Polynomial, name: str, depth: int) -> Found | None:
+        """For f = p + q x with p > 0 > q: (p - q x) f = p^2 - q^2 x^2."""
+        x, q = self.generators[name], f.derivative(name)
+        p = f - q * x
+        try:
+            other = self._find(p - q * x, depth + 1)
+            if not other.strict or other.factors:
+                return None
+            found = self._find(f * (p - q * x), depth + 1)
+        except NotFoundError:
+            return None
+        factors = (*found.factors, other.value)
+        return found._replace(factors=factors, product=_times(found.product, p - q * x))
+
+    def _entry(self, f: Polynomial, depth: int) -> Found:
+        """Put an entry in the place of the last variable that has entries."""
+        for name in reversed(self.names):
+            index = self.names.index(name)
+            degree = int(f.degrees()[index])
+            if name in self.entries and degree:
+                parts = self._by_degree(f, index, degree)
+                for entry in self.entries[name]:
+                    try:
+                        return self._at_entry(name, parts, entry, depth)
+                    except NotFoundError:
+                        continue
+                break
+        raise NotFoundError("nothing left to try")
+
+    def _at_entry(self, name: str, parts: list[Polynomial], entry: Entry, depth: int) -> Found:
+        """D^k f(x) = D^k f(N/D) + (N - xD) Q, where Q must be >= 0."""
+        n, d, x = entry.numerator, entry.denominator, self.generators[name]
+        degree = len(parts) - 1
+        at_entry = slope = self.constant(0)
+        for k, part in enumerate(parts):
+            at_entry += part * n**k * d ** (degree - k)
+            for j in range(k):
+                slope -= part * d ** (degree - k) * n ** (k - 1 - j) * (x * d) ** j
+        q, h, below = (self._find(g, depth + 1) for g in (slope, at_entry, d))
+        if below.factors or not below.strict:
+            raise NotFoundError("a denominator without a plain sign")
+        values = [_mul(*h.factors, entry.fact, q.value)]
+        if h.value != "0":
+            values.append(_mul(*q.factors, h.value))
+        scale = () if below.value == "1" else (below.value,) * degree
+        factors = (*q.factors, *h.factors, *scale)
+        product = _times(_times(q.product, h.product), d**degree)
+        return Found(_add(*values), h.strict, factors, product)
+
+    def _by_degree(self, f: Polynomial, index: int, degree: int) -> list[Polynomial]:
+        parts: list[dict[tuple[int, ...], fmpq]] = [{} for _ in range(degree + 1)]
+        for monomial, value in f.to_dict().items():
+            rest = (*monomial[:index], 0, *monomial[index + 1 :])
+            parts[int(monomial[index])][rest] = value
+        return [self.ring.from_dict(part) for part in parts]
+
+    def _reduce(self, f: Polynomial) -> tuple[Polynomial, tuple[Value, ...], Polynomial | None]:
+        """F times factors, with squares replaced."""
+        factors: list[Value] = []
+        product: Polynomial | None = None
+        for name, square in self.squares.items():
+            index = self.names.index(name)
+            while (degree := int(f.degrees()[index])) > 1:
+                x, top = self.generators[name], degree // 2
+                total = self.constant(0)
+                for k, part in enumerate(self._by_degree(f, index, degree)):
+                    half, odd = divmod(k, 2)
+                    scale = square.numerator**half * square.denominator ** (top - half)
+                    total += part * x**odd * scale
+                f = total
+                if square.value != "1":
+                    factors += [square.value] * top
+                    product = _times(product, square.denominator**top)
+        return f, tuple(factors), product
+
+    # --- coefficients ---------------------------------------------------------------------------
+
+    def _coefficients(self, f: Polynomial) -> Value | None:
+        """A sum of monomials >= 0 that is the polynomial, in variables and their complements."""
+        groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpq]] = {}
+        for monomial, value in f.to_dict().items():
+            inner = tuple(int(monomial[i]) for i in self.boxed)
+            outer = tuple(0 if i in self.boxed else int(e) for i, e in enumerate(monomial))
+            groups.setdefault(outer, {})[inner] = value
+        values = []
+        for outer, group in groups.items():
+            terms = self._bernstein.terms(group)
+            if terms is None:
+                return None
+            values.append(_mul(*self._outer(outer), _add(*map(self._inner, terms))))
+        return _add(*values)
+
+    def _outer(self, monomial: tuple[int, ...]) -> Iterator[Value]:
+        for name, exponent in zip(self.names, monomial, strict=True):
+            if exponent:
+                yield _power(self.positive[name], exponent)
+
+    def _inner(self, term: tuple[Fraction, tuple[tuple[int, int], ...]]) -> Value:
+        number, exponents = term
+        values: list[Value] = [] if number == 1 else [str(number)]
+        for (name, (_, fact)), (low, high) in zip(self.below.items(), exponents, strict=True):
+            values += [_power(self.positive[name], low)] if low else []
+            values += [_power(fact, high)] if high else []
+        return _mul(*values)
+
+
+class _Bernstein:
+    """Polynomials in a few variables x with 0 < x < b, in products of x and b - x."""
+
+    def __init__(self, bounds: Sequence[Fraction]) -> None:
+        names = tuple(f"{letter}{i}" for i in range(len(bounds)) for letter in "xy")
+        self.ring = fmpq_mpoly_ctx.get(names, Ordering.lex)
+        generators = self.ring.gens()
+        self.pairs = [
+            (generators[2 * i], generators[2 * i + 1], fmpq(b.denominator, b.numerator))
+            for i, b in enumerate(bounds)
+        ]
+        self._factor = cache(self._homogeneous)
+
+    def _homogeneous(self, index: int, k: int, degree: int) -> Polynomial:
+        """x^k as a form of some degree in x and b - x, which add up to b."""
+        x, y, inverse = self.pairs[index]
+        return x**k * ((x + y) * inverse) ** (degree - k)
+
+    def _raised(self, degrees: Sequence[int]) -> Iterator[list[int]]:
+        """Degrees to try, 0 for variables that stay as they are; few variables first."""
+        some = [i for i, degree in enumerate(degrees) if degree]
+        for more in range(ELEVATIONS + 1):
+            for size in range(len(some) if more else 1, len(some) + 1):
+                for chosen in combinations(some, size):
+                    yield [d + more if i in chosen else 0 for i, d in enumerate(degrees)]
+
+    def terms(
+        self, group: Mapping[tuple[int, ...], fmpq]
+    ) -> list[tuple[Fraction, tuple[tuple[int, int], ...]]] | None:
+        """Coefficients >= 0 with the exponents of each x and b - x; None if some are negative."""
+        if all(value > 0 for value in group.values()):
+            return [
+                (_fraction(value), tuple((k, 0) for k in monomial))
+                for monomial, value in group.items()
+            ]
+        degrees = [max(monomial[i] for monomial in group) for i in range(len(self.pairs))]
+        for raised in self._raised(degrees):
+            total = self.ring.constant(0)
+            for monomial, value in group.items():
+                part = self.ring.constant(value)
+                for i, k in enumerate(monomial):
+                    if raised[i]:
+                        part *= self._factor(i, k, raised[i])
+                    elif k:
+                        part *= self.pairs[i][0] ** k
+                total += part
+            found = total.to_dict()
+            if found and all(value > 0 for value in found.values()):
+                return [
+                    (_fraction(value), tuple(zip(map(int, m[::2]), map(int, m[1::2]), strict=True)))
+                    for m, value in found.items()
+                ]
+        return None
+
+
+def _shares() -> Iterator[float]:
+    """Numbers that fill ]0, 1[ evenly."""
+    share = 0.5
+    while True:
+        yield share
+        share = (share + 0.7548776662466927) % 1
+
+
+def _terms(f: Polynomial) -> list[tuple[float, list[tuple[int, int]]]]:
+    """The coefficients of a polynomial with the exponents that are not 0."""
+    return [
+        (int(value.p) / int(value.q), [(i, int(k)) for i, k in enumerate(monomial) if k])
+        for monomial, value in f.to_dict().items()
+    ]
+
+
+def _parts(terms: list[tuple[float, list[tuple[int, int]]]], point: Sequence[float]) -> list[float]:
+    """The values of the monomials at a point."""
+    parts = []
+    for value, exponents in terms:
+        for i, k in exponents:
+            value *= point[i] ** k
+        parts.append(value)
+    return parts
+
+
+def _float(f: Polynomial, point: Sequence[float]) -> float:
+    return sum(_parts(_terms(f), point))
+
+
+def _fraction(value: fmpq) -> Fraction:
+    return Fraction(int(value.p), int(value.q))
+
+
+def _times(a: Polynomial | None, b: Polynomial | None) -> Polynomial | None:
+    return b if a is None else a if b is None else a * b
+
+
+def _mul(*values: Value) -> Value:
+    kept = [value for value in values if value != "1"]
+    return kept[0] if len(kept) == 1 else ("mul", *kept) if kept else "1"
+
+
+def _add(*values: Value) -> Value:
+    return values[0] if len(values) == 1 else ("add", *values)
+
+
+def _power(value: Value, exponent: int) -> Value:
+    return value if exponent == 1 else ("pow", value, exponent)

@@ -21,7 +21,7 @@ MEMORY = 500 << 20
 TRUE = {
     "cosines-of-long-numbers-at-few-bits", "a-long-label", "many-contexts", "cuts-in-cuts",
     "names-of-a-deep-context-in-a-long-minimum", "very-many-cuts", "instances-with-many-givens",
-    "equations-that-replace-in-a-chain", "very-many-intervals",
+    "equations-that-replace-in-a-chain", "very-many-intervals", "many-proofs-over-a-long-minimum",
     "an-enclosure-of-one-row-after-the-other",
 }  # fmt: skip
 

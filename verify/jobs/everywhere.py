@@ -10,16 +10,17 @@ from verify.jobs import step as step_job
 from verify.language.statement import UNDECIDED, Constant, Obligation
 from verify.language.terms import Claim, Term, symbol
 from verify.paper.everywhere import chart as paper
-from verify.paper.everywhere.theorem import APPLIES, BETWEEN, DEFINED, statement
+from verify.paper.everywhere.theorem import statement
 from verify.paper.groups import REPAIRED
 from verify.paper.step import numbers
 from verify.paper.step.argument import Chapter, Opened, Reason, Searched
+from verify.paper.step.theorem import COLLAPSE
 from verify.prover.chart import Chart
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.positivity import NotFoundError, Positivity, Square
 from verify.prover.proof import Proof
-from verify.prover.rules import Applying, Cases, Define, Entry, Least, Root, Sum
+from verify.prover.rules import Cases, Define, Entry, Least, Root, Sum
 from verify.prover.session import ZERO
 from verify.wire.write import write
 
@@ -195,17 +196,8 @@ class Everywhere:
     # --- the step -------------------------------------------------------------------------------
 
     def _apply(self) -> None:
-        given = numbers.context().givens
-        rows = numbers.rows()
-        premises = []
-        for item in given:
-            if item.name in rows:
-                premises.append(rows[item.name])
-            elif item.name in DEFINED:
-                premises.append(DEFINED[item.name])
-            else:
-                premises.append(self.chart.lemma(BETWEEN[item.name]))
-        self.writing.decide(self.writing.rows[APPLIES], Applying(tuple(premises)))
+        between = {name: self.chart.lemma(claim) for name, claim in numbers.BETWEEN.items()}
+        self.writing.decide(self.writing.rows[COLLAPSE], step_job.applying(between))
 
 
 def _one_plus(*facts: str) -> tuple[object, ...]:

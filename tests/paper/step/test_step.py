@@ -11,10 +11,11 @@ import pytest
 
 from tests.paper.step.states import BITS, Random, Values, checker, evaluate
 from verify import check
-from verify.jobs.step import decide
+from verify.jobs.step import decide, with_step
 from verify.jobs.theorem1 import decide as decide_point
-from verify.language.statement import PROVED
+from verify.language.statement import NEEDED, PROVED
 from verify.language.terms import Claim, as_term
+from verify.paper.groups import PRINTED
 from verify.paper.step import initial, numbers, state
 from verify.paper.step.theorem import step
 from verify.prover import balls
@@ -210,3 +211,27 @@ def next_state(contexts: Any, following: Any, values: Values) -> Values:
     for name, term in terms.items():
         known |= evaluate({name: term}, known)
     return values | evaluate(following, known)
+
+
+# --- points that cite the step -------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("point", [("3/100", "1"), ("1/1000", "3/10"), ("1/1000000", "1/20")])
+@pytest.mark.parametrize("selection", ["repaired", "all"])
+def test_a_point_run_cites_the_step(point: tuple[str, str], selection: str) -> None:
+    texts = dict(zip(("r", "c"), point, strict=True)) | {"V_0": "2", "delta_theta": "1/10"}
+    outcome = decide_point({n: as_term_of(text) for n, text in texts.items()}, selection)
+    citing = with_step(outcome)
+    files = write(citing)
+    cited = {name[6:-5]: data for name, data in files.items() if name.startswith("cited/")}
+    found = check.check(files["statement.json"], files["certificate.json"], cited)
+    assert found.verdict == "PROVED"
+    assert found.cites[0][0] == "step"
+    needed = [row for row, _ in citing.rows if row.role == NEEDED and row.group != PRINTED]
+    assert not any(row.uses for row in needed)
+
+
+def test_a_point_where_the_hypotheses_fail_cites_nothing() -> None:
+    texts = {"r": "1/2", "c": "1", "V_0": "1", "delta_theta": "1/10"}
+    outcome = decide_point({n: as_term_of(text) for n, text in texts.items()})
+    assert with_step(outcome) is outcome

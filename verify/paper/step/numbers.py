@@ -213,6 +213,20 @@ def rows() -> dict[str, str]:
     return hypotheses | {name: f"{REPAIRED}.{name}" for name in (*SIMPLE_ROWS, *ROWS)}
 
 
+#: The definitions among the givens, by the names that the constants have in the theorem.
+DEFINED = {
+    "alpha": MEANING["alpha_0"].name,
+    "same-delta": MEANING["delta_y"].name,
+    "d_bar-least": MEANING["d_bar"].name,
+}
+#: What the step needs and is no row, about the constants of the theorem.
+BETWEEN = {
+    name: substitute_claim(claim, MEANING)
+    for name, claim in (SIGNS | DEFINITIONS).items()
+    if name not in DEFINED
+}
+
+
 def renamed(claim: Claim) -> Claim:
     """A claim about the theorem's constants, said of the variables here."""
     return substitute_claim(claim, _RENAMED)

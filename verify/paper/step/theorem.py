@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import cache
 from typing import NamedTuple
 
-from verify.language.statement import NEEDED, Always, Obligation, Statement
+from verify.language.statement import NEEDED, Always, Applies, Obligation, Statement
 from verify.paper.parameters import THEOREM
 from verify.paper.step import (
     apart,
@@ -29,6 +29,9 @@ TITLE = (
     "One step of the recursion, for every state and all numbers that satisfy the rows of the "
     "repaired set; and the induction on the number of collisions"
 )
+
+#: The row that the step applies to the constants of the theorem.
+COLLAPSE = "collapse"
 
 
 class Step(NamedTuple):
@@ -53,6 +56,19 @@ def step() -> Step:
     )
     statement = Statement(NAME, TITLE, {}, (), contexts, rows, ASSUMPTIONS)
     return Step(statement, chapters)
+
+
+def collapse(group: str) -> Obligation:
+    """The row of a theorem that cites the step: its constants satisfy all that the step needs."""
+    return Obligation(
+        COLLAPSE,
+        group,
+        THEOREM,
+        NEEDED,
+        "the constants satisfy what the step needs: from each datum of the set the particles "
+        "collapse",
+        Applies(f"{NAME}:{numbers.CONTEXT}", numbers.MEANING),
+    )
 
 
 def _obligation(line: Line, context: str | None) -> Obligation:

@@ -31,6 +31,8 @@ from math import isqrt
 from typing import Any, NamedTuple
 
 MAX_BYTES = 1 << 22  # of a file
+MAX_CITED = 1 << 25  # bytes of all files that lie beside a statement to be cited
+MAX_NAME = 1000  # characters of a name with those of the citations before it
 MAX_NESTING = 100  # of brackets in a file, and of contexts
 MAX_HEIGHT = 200  # of a term
 MAX_BITS = 1 << 16  # of precision
@@ -188,6 +190,11 @@ def size(value: int | Fraction) -> int:
     return value.numerator.bit_length() + value.denominator.bit_length()
 
 
+def whole(value: int | Fraction) -> int | Fraction:
+    """The same number, as an integer if it is one."""
+    return value if type(value) is int or value.denominator > 1 else value.numerator
+
+
 def decimal(value: Fraction) -> str:
     """About twenty digits of a number, or its size, for a message."""
     n, d = value.numerator, value.denominator
@@ -271,13 +278,15 @@ class Kernel:
 
     def introduce(self, name: str) -> None:
         """Take a name, which nothing else may have."""
+        self.spend(0, 1 + len(name) // 4)
+        need(len(name) <= MAX_NAME, Malformed, "found a name of {} characters", len(name))
         need(name not in self.taken, Malformed, "found the name {} twice", name)
         self.taken.add(name)
 
     def new_name(self, name: str, context: Context, definition: int | None = None) -> int:
         """A new variable of a context, or a constant in it with its definition."""
         self.introduce(name)
-        ground = definition is not None and self.is_ground[definition] and context is self.outermost
+        ground = definition is not None and context is self.outermost
         term = self.add(Node("name", (), (len(self.nodes),)), 1, context, ground)
         self.names[name] = term
         if definition is not None:
@@ -375,9 +384,7 @@ class Kernel:
         good = points and all(a < b for a, b in pairwise(points))
         need(good, Refused, "found cuts {} that do not increase", proof["at"])
         ends = [None, *map(self.rational, points), None]
-        branches = list(pairwise(ends))
-        self.same_number(proof["branches"], branches)
-        for (low, high), inner in zip(branches, proof["branches"], strict=True):
+        for (low, high), inner in self.paired([*pairwise(ends)], proof["branches"]):
             self.spend(0, 2 + len(place.hypotheses))
             hypotheses = [] if low is None else [Claim("<=", low, term)]
             hypotheses += [] if high is None else [Claim("<=", term, high)]
@@ -392,8 +399,7 @@ class Kernel:
         op, entries, _ = self.nodes[term]
         need(op in ("min", "max"), Refused, "of: found {}, expected min or max", op)
         Clearing(self, place, ()).clear(term)
-        self.same_number(proof["branches"], entries)
-        for i, (entry, inner) in enumerate(zip(entries, proof["branches"], strict=True)):
+        for i, (entry, inner) in enumerate(self.paired(entries, proof["branches"])):
             self.spend(0, 2 * len(entries) + len(place.hypotheses))
             hypotheses = [Claim("=", term, entry)]
             for other in entries[:i] + entries[i + 1 :]:
@@ -411,8 +417,7 @@ class Kernel:
         """What is less than each entry is less than their minimum (for a maximum: greater)."""
         _, entries, other = self.extremum(place, claim, proof, {"lhs": "max", "rhs": "min"})
         need(claim.relation in ("<", "<="), Refused, "found {}, expected < or <=", claim.relation)
-        self.same_number(proof["branches"], entries)
-        for entry, inner in zip(entries, proof["branches"], strict=True):
+        for entry, inner in self.paired(entries, proof["branches"]):
             sides = (entry, other) if proof["side"] == "lhs" else (other, entry)
             self.prove(place, Claim(claim.relation, *sides), inner)
 
@@ -497,15 +502,12 @@ class Kernel:
         self, place: Place, context: Context, at: Mapping[int, int], premises: list[Any]
     ) -> None:
         """Afterwards the values are defined here, and all givens of the context hold for them."""
-        outside = context.parent
-        need(outside is not None, Refused, "found a fact of no context, which needs no instance")
-        good = outside is not None and place.context.is_inside(outside)
+        good = context.parent in place.context.around
         need(good, Refused, "found a place outside the parent of {}", context.name)
         clearing = Clearing(self, place, ())
         for term in at.values():
             clearing.clear(term)
-        self.same_number(premises, context.givens)
-        for given, premise in zip(context.givens, premises, strict=True):
+        for given, premise in self.paired(context.givens, premises):
             self.premise(place, self.substitute(given.claim, context, at), premise)
 
     def premise(self, place: Place, claim: Claim, premise: Any) -> None:
@@ -532,8 +534,7 @@ class Kernel:
             clearing = Clearing(self, here, ())
             for term in at.values():
                 clearing.clear(term)
-            self.same_number(proof[key], carried)
-            for given, premise in zip(carried, proof[key], strict=True):
+            for given, premise in self.paired(carried, proof[key]):
                 self.premise(here, self.substitute(given.claim, context, at), premise)
 
     def witness(self, place: Place, claim: Claim, proof: Proof) -> None:
@@ -559,16 +560,15 @@ class Kernel:
         else:
             self.enclosing(place, proof).enclose(term)
 
-    def open(self, context: Context, premises: list[Any]) -> None:
-        """Afterwards the givens are facts of the context: it has a point, so it is not empty."""
-        need(not context.is_open, Malformed, "found {}, which is open already", context.name)
-        outside = Place(context.parent or context)
-        need(outside.context.is_open, Malformed, "found {}, expected its parent", context.name)
+    def open(self, outside: Place, context: Context, premises: list[Any]) -> None:
+        """Afterwards the givens are facts of the context: it has a point, so it is not empty.
+
+        Outside is its parent. What they say of the point is proved there.
+        """
         clearing = Clearing(self, outside, ())
         for term in context.point.values():
             clearing.clear(term)
-        self.same_number(premises, context.givens)
-        for given, premise in zip(context.givens, premises, strict=True):
+        for given, premise in self.paired(context.givens, premises):
             self.premise(outside, self.substitute(given.claim, context, context.point), premise)
             inside = Clearing(self, Place(context), ())
             inside.clear(given.claim.lhs), inside.clear(given.claim.rhs)
@@ -599,10 +599,11 @@ class Kernel:
             scope.known[term] = Interval(*found)
         return scope
 
-    def same_number(self, found: Sequence[Any], expected: Sequence[Any]) -> None:
-        """Afterwards there is one entry for each."""
-        good = len(found) == len(expected)
-        need(good, Malformed, "found {} proofs, expected {}", len(found), len(expected))
+    def paired(self, expected: Sequence[Any], proofs: Sequence[Any]) -> Iterable[tuple[Any, Any]]:
+        """Each thing that is to be proved with its proof."""
+        good = len(proofs) == len(expected)
+        need(good, Malformed, "found {} proofs, expected {}", len(proofs), len(expected))
+        return zip(expected, proofs, strict=True)
 
     # --- polynomials ----------------------------------------------------------------------------
 
@@ -612,7 +613,7 @@ class Kernel:
         total = dict(a)
         for monomial, coefficient in b.items():
             before = total.get(monomial, 0)
-            self.spend(size(before) + size(coefficient))
+            self.spend(size(before) + size(coefficient), 1 if type(coefficient) is int else 2)
             value = before + factor * coefficient
             if value:
                 total[monomial] = value
@@ -632,7 +633,7 @@ class Kernel:
                 before = total.get(monomial, 0)
                 self.spend(size(before) + size(c) + size(d), 1 + len(monomial))
                 total[monomial] = before + c * d
-        return {monomial: value for monomial, value in total.items() if value}
+        return {monomial: whole(value) for monomial, value in total.items() if value}
 
     def merged(self, m: Monomial, n: Monomial) -> Monomial:
         """The product of two monomials."""
@@ -644,6 +645,8 @@ class Kernel:
 
     def power(self, base: Polynomial, exponent: int) -> Polynomial:
         """The power with a natural exponent."""
+        if base == ONE:
+            return ONE  # whose products are not counted as work
         result = ONE
         for _ in range(exponent):
             result = self.times(result, base)
@@ -699,7 +702,6 @@ class Kernel:
 
     def values(self, where: str, value: Any, context: Context, place: Place) -> dict[int, int]:
         """The terms, over the names at a place, that a table has for the variables of a context."""
-        table(anything)(where, value)
         names = {name.rpartition(":")[2]: term for name, term in context.variables.items()}
         odd = sorted(names.keys() ^ value.keys())
         need(not odd, Malformed, "{}: found too many or too few variables: {}", where, odd)
@@ -827,7 +829,7 @@ class Clearing:
         """A polynomial that is >= 0 for all values in scope, and whether it is > 0 for all."""
         if isinstance(item, str):
             return self.goal if item == "goal" else self.known(item)
-        good = isinstance(item, list) and item and isinstance(item[0], str) and item[0] in VALUES
+        good = isinstance(item, list) and item and item[0] in VALUES
         need(good, Malformed, "found {}, expected a value that is >= 0", item)
         kind = item[0]
         if kind in ("square", "root"):
@@ -936,18 +938,18 @@ class Enclosing:
             return self.known[term]
         return self.base.enclose(term)
 
-    def outward(self, x: Interval, more: int = 0) -> Interval:
+    def outward(self, x: Interval) -> Interval:
         """x, or an interval around it with shorter ends."""
-        return Interval(self.shorter(x[0], more), -self.shorter(-x[1], more))
+        return Interval(self.shorter(x.low), -self.shorter(-x.high))
 
-    def shorter(self, end: Fraction, more: int) -> Fraction:
+    def shorter(self, end: Fraction) -> Fraction:
         """The number, or one with a shorter numerator and denominator that is a little smaller."""
         n, d = end.numerator, end.denominator
         length = size(end)
         self.kernel.spend(length)
-        if length <= 2 * (self.bits + more):
+        if length <= 2 * self.bits:
             return end
-        shift = self.bits + more - n.bit_length() + d.bit_length()
+        shift = self.bits - n.bit_length() + d.bit_length()
         if shift < 0:
             return Fraction((n // (d << -shift)) << -shift)
         return Fraction((n << shift) // d, 1 << shift)
@@ -1021,8 +1023,8 @@ class Enclosing:
 
     def cos_pi(self, x: Interval) -> Interval:
         """Between its ends cos(pi x) has its extremes at the integers k, where it is (-1)^k."""
-        first, last = -(-x.low // 1), x.high // 1
-        extremes = [(-1) ** (k % 2) for k in (first, first + 1) if k <= last]
+        first = -(-x.low // 1)
+        extremes = [(-1) ** (k % 2) for k in (first, first + 1) if k <= x.high]
         ends = [self.cos_pi_at(end) for end in x]
         return Interval(
             min([end.low for end in ends] + [Fraction(e) for e in extremes]),
@@ -1291,7 +1293,7 @@ FAILING = {
 def rule_of(proof: Any, rules: Mapping[str, tuple[Callable[..., None], Shape]]) -> str:
     """The rule of a proof, which is one of these, and whose proof has its shape."""
     found = proof.get("rule") if isinstance(proof, dict) else proof
-    good = isinstance(proof, dict) and isinstance(found, str) and found in rules
+    good = isinstance(found, str) and found in rules
     need(good, Malformed, "rule: found {}, expected one of {}", found, [*rules])
     rules[str(found)][1](str(found), proof)
     return str(found)
@@ -1358,7 +1360,6 @@ class Reader:
             kernel.introduce(prefix + row.name)
             if prefix and row.verdict == "proved" and isinstance(row.claim, Claim):
                 kernel.install(prefix + row.name, row.claim, row.context)
-        kernel.prefix = ""
         constants = [*terms, *(item["name"] for item in document["constants"])]
         cites = [(cite["theorem"], cite["statement_sha256"]) for cite in document["cites"]]
         return Statement(document["title"], constants, rows, assumptions, cites)
@@ -1561,8 +1562,7 @@ class Checking:
         need(name in self.kernel.contexts, Malformed, "found no such context")
         self.once(name)
         context = self.kernel.contexts[name]
-        self.place(context.parent or context)
-        self.kernel.open(context, step["givens"])
+        self.kernel.open(self.place(context.parent or context), context, step["givens"])
 
     def context(self, name: str | None) -> Context:
         """The context of this name, or the root."""
@@ -1666,7 +1666,7 @@ def parsed(where: str, data: bytes, shape: Shape) -> Any:
         value = json.loads(data.decode(), object_pairs_hook=unique, **hooks)
     except (ValueError, RecursionError) as error:
         raise Malformed(f"{where}: {error}") from error
-    level = [value]
+    level = [value] if isinstance(value, dict | list) else []
     for _ in range(MAX_NESTING):
         lists = [item.values() if isinstance(item, dict) else item for item in level]
         level = [item for inner in lists for item in inner if isinstance(item, dict | list)]
@@ -1730,10 +1730,22 @@ def last_line(report: Report, closed: Mapping[str, Report]) -> str:
     return f"{report.verdict}: {report.summary}{''.join(given + opened)}"
 
 
-def read_file(path: str) -> bytes:
+def read_file(path: str, may_be_pipe: bool = False) -> bytes:
     """The bytes of a file, and one more than is allowed at most."""
+    good = may_be_pipe or os.path.isfile(path) or not os.path.exists(path)
+    need(good, OSError, "found {}, which is no file", path)
     with open(path, "rb") as file:
         return file.read(MAX_BYTES + 1)
+
+
+def read_cited(folder: str) -> list[bytes]:
+    """The bytes of the files in a folder, if there is one."""
+    found, room = [], MAX_CITED
+    for name in sorted(os.listdir(folder)) if os.path.isdir(folder) else []:
+        found.append(read_file(os.path.join(folder, name)))
+        room -= len(found[-1])
+        need(room >= 0, OSError, "found more than {} bytes in {}", MAX_CITED, folder)
+    return found
 
 
 def read_folders(arguments: Sequence[str]) -> list[Folder]:
@@ -1741,13 +1753,12 @@ def read_folders(arguments: Sequence[str]) -> list[Folder]:
     found = []
     names = ("statement.json", "certificate.json")
     pairs = [(path, *(os.path.join(path, name) for name in names)) for path in arguments]
-    if len(arguments) == 2 and not any(map(os.path.isdir, arguments)):
+    named = len(arguments) == 2 and not any(map(os.path.isdir, arguments))
+    if named:
         pairs = [(arguments[1], arguments[0], arguments[1])]
     for path, first, second in pairs:
-        folder = os.path.join(os.path.dirname(first), "cited")
-        cited = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
-        others = [read_file(os.path.join(folder, name)) for name in cited]
-        found.append(Folder(path, read_file(first), read_file(second), others))
+        others = read_cited(os.path.join(os.path.dirname(first), "cited"))
+        found.append(Folder(path, read_file(first, named), read_file(second, named), others))
     return found
 
 

@@ -7,11 +7,20 @@ from fractions import Fraction
 from functools import cache
 
 from verify.jobs import step as step_job
-from verify.language.statement import UNDECIDED, Constant, Obligation
-from verify.language.terms import Claim, Term, symbol
+from verify.language.statement import REFUTED, UNDECIDED, Constant, Obligation, Statement
+from verify.language.terms import (
+    Claim,
+    Term,
+    as_term,
+    substitute,
+    substitute_claim,
+    symbol,
+    symbols_of,
+)
 from verify.paper.everywhere import chart as paper
-from verify.paper.everywhere.theorem import statement
-from verify.paper.groups import REPAIRED
+from verify.paper.everywhere.theorem import printed_statement, statement
+from verify.paper.groups import PRINTED, REPAIRED
+from verify.paper.initial_data import ConstantSet
 from verify.paper.step import numbers
 from verify.paper.step.argument import Chapter, Opened, Reason, Searched
 from verify.paper.step.theorem import COLLAPSE
@@ -20,23 +29,16 @@ from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.positivity import NotFoundError, Positivity, Square
 from verify.prover.proof import Proof
-from verify.prover.rules import Cases, Define, Entry, Least, Root, Sum
+from verify.prover.relations import negation
+from verify.prover.rules import Cases, Define, Entry, Interval, Least, Root, Sum, Witness
 from verify.prover.session import ZERO
 from verify.wire.write import write
 
 HALF = Fraction(1, 2)
+POINT_BITS = 128
 #: The variables of the ring: those of the chart, two roots, then the constants that are minima.
 MINIMA = ("delta_x", "x_0", "Delta_theta", "eta_bar", "zeta_bar", "d_const", "d_bar")
 EXACT = ("delta_y", "d_slope", "T_star")
-FACTS = {
-    "u": "u-positive",
-    "p": "p-positive",
-    "a": "rest-positive",
-    "v": "v-positive",
-    "e": paper.hypothesis("delta-theta-positive"),
-    "g4": "root-4",
-    "g5": "root-5",
-} | {name: f"{REPAIRED}.{name}-positive" for name in MINIMA}
 BELOW = {
     "u": (Fraction(1), "u-below-one"),
     "p": (HALF, "p-below-half"),
@@ -50,31 +52,60 @@ ATOMS = {
     "e": symbol("delta_theta"),
     "g4": paper.root_4,
     "g5": paper.root_5,
-} | {name: symbol(f"{REPAIRED}.{name}") for name in MINIMA}
+}
+SIGNS = {
+    "u": "u-positive",
+    "p": "p-positive",
+    "a": "rest-positive",
+    "v": "v-positive",
+    "e": paper.hypothesis("delta-theta-positive"),
+    "g4": "root-4",
+    "g5": "root-5",
+}
+#: Points at which rows that are not true for all parameters may fail: r, -cos theta_0, V_0 and
+#: delta_theta.
+TRIED = (
+    ("3/100", "1", "1", "1/10"),
+    ("3/100", "1", "1", "1/1000"),
+    ("1/1000", "3/10", "1", "1/10"),
+    ("1/1000000", "1/20", "1", "1/10"),
+    ("11/200", "1", "1", "1/10"),
+    ("3/100", "1", "1000000", "1/10"),
+    ("3/100", "1", "1/1000000", "1/10"),
+)
 
 
 @cache
 def decide() -> Outcome:
     """Every row for all parameters; what is not found is left undecided."""
     cited = write(step_job.decide())["statement.json"]
-    return Everywhere(cited).run()
+    return Everywhere(statement(cited), REPAIRED).run()
+
+
+@cache
+def printed() -> Outcome:
+    """Every row of the printed set: true for all parameters, or false for all or for some."""
+    return Everywhere(printed_statement(), PRINTED).run()
 
 
 class Everywhere:
     """The facts of the chart, and the rows that are decided so far."""
 
-    def __init__(self, cited: bytes) -> None:
-        self.statement = statement(cited)
+    def __init__(self, statement: Statement, group: str) -> None:
+        self.statement, self.set = statement, ConstantSet(group)
+        self.hints = paper.hints(self.set)
         self.writing = step_job.Writing(self.statement)
         self.session = self.writing.session
         self.ground = Ground(self.session)
-        self.search = Positivity(tuple(FACTS), FACTS, BELOW, {"a": 2**0.5 - 1.4})
+        signs = SIGNS | {name: f"{group}.{name}-positive" for name in MINIMA}
+        self.search = Positivity(tuple(signs), signs, BELOW, {"a": 2**0.5 - 1.4})
         self.chart = self._chart()
 
     def _chart(self) -> Chart:
         made = self.search.generators
         seven_fifths = self.search.constant(paper.REST_ABOVE)
-        values = {term: made[name] for name, term in ATOMS.items() if name != "a"}
+        atoms = ATOMS | {name: symbol(f"{self.set.group}.{name}") for name in MINIMA}
+        values = {term: made[name] for name, term in atoms.items() if name != "a"}
         values[paper.root_two] = made["a"] + seven_fifths
         search, one = self.search, self.search.constant(1)
         u, p = made["u"], made["p"]
@@ -84,22 +115,25 @@ class Everywhere:
             "g4", Square(2 * u * p**3, one + u * p, _one_plus("u-positive", "p-positive"))
         )
         search.relate("g5", Square(2 * u * p**2, one + u, _one_plus("u-positive")))
-        return Chart(self.session, paper.CONTEXT, search, ATOMS, values, paper.replacements())
+        replaced = paper.replacements(self.set)
+        return Chart(self.session, paper.CONTEXT, search, atoms, values, replaced)
 
     def run(self) -> Outcome:
         """The chart, the constants, the rows, and that the step applies."""
         root = (*paper.numbers(), Opened(self.statement.contexts[0]))
         self.writing.chapter(Chapter(None, root))
-        self.writing.chapter(Chapter(paper.CONTEXT, tuple(paper.lines())))
+        self.writing.chapter(Chapter(paper.CONTEXT, tuple(paper.lines(self.set))))
         for name in (*MINIMA[:1], "delta_y", *MINIMA[1:5], "d_slope", *MINIMA[5:], "T_star"):
-            self._constant(self.writing.constants[f"{REPAIRED}.{name}"], name)
+            self._constant(self.writing.constants[f"{self.set.group}.{name}"], name)
         for row in self.statement.obligations:
-            if row.name not in self.writing.decisions and row.name not in paper.HINTS:
+            if row.name not in self.writing.decisions and row.name not in self.hints:
                 self._row(row)
-        self._lemmas()
-        for name in paper.HINTS:
+        if not self.set.printed:
+            self._lemmas()
+        for name in self.hints:
             self._row(self.writing.rows[name])
-        self._apply()
+        if not self.set.printed:
+            self._apply()
         decisions = {
             row.name: self.writing.decisions.get(row.name, Decision(UNDECIDED))
             for row in self.statement.obligations
@@ -140,15 +174,41 @@ class Everywhere:
         if not isinstance(row.claim, Claim):
             return
         try:
-            if row.context is None:
+            if not any((*symbols_of(row.claim.lhs), *symbols_of(row.claim.rhs))):
                 self.writing.decisions[row.name] = self.ground.decide(row)
             else:
                 self.writing.decide(row, self._proof(row.name, row.claim))
         except NotFoundError:
-            self.writing.decisions[row.name] = Decision(UNDECIDED)
+            self.writing.decisions[row.name] = self._refuted(row, row.claim)
+
+    def _refuted(self, row: Obligation, claim: Claim) -> Decision:
+        """A row that is false for all parameters, or at one of some points."""
+        opposite = negation(claim)
+        try:
+            found = None if opposite is None else self._proof("", opposite)
+        except NotFoundError:
+            found = self._witness(claim)
+        if found is None:
+            return Decision(UNDECIDED)
+        self.session.prove_row(row, found, holds=False)
+        return Decision(REFUTED, found)
+
+    def _witness(self, claim: Claim) -> Witness | None:
+        context = self.statement.contexts[0]
+        names = [variable.name for variable in context.variables]
+        for point in TRIED:
+            at = {name: as_term(Fraction(x)) for name, x in zip(names, point, strict=True)}
+            values = dict(at)
+            for constant in context.constants:
+                values[constant.name] = substitute(constant.term, values)
+            opposite = negation(substitute_claim(claim, values))
+            if opposite is not None and self.ground.holds_at(opposite, POINT_BITS):
+                givens = tuple(Interval(POINT_BITS) for _ in context.givens)
+                return Witness(at, givens, Interval(2 * POINT_BITS))
+        return None
 
     def _proof(self, name: str, claim: Claim) -> Proof:
-        hints = paper.HINTS.get(name)
+        hints = self.hints.get(name)
         if hints is not None:
             return self._hinted(claim, hints)
         for side in (claim.lhs, claim.rhs):
@@ -156,7 +216,23 @@ class Everywhere:
                 return self._cases(claim, term)
         for term in _new_roots(claim, self.chart):
             return self._root(claim, term)
-        return self.chart.prove(claim)
+        try:
+            return self.chart.prove(claim)
+        except NotFoundError:
+            return self._split(claim)
+
+    def _split(self, claim: Claim) -> Proof:
+        """A branch for each entry of the minimum that delta_x is."""
+        name = self.set.delta_x.name
+        if name not in {*symbols_of(claim.lhs), *symbols_of(claim.rhs)}:
+            raise NotFoundError("nothing to split")
+        term = self.session.definitions[name]
+        branches = []
+        for entry in term.children:
+            values = {name: entry}
+            found = self.chart.prove(substitute_claim(claim, values))
+            branches.append(found._replace(using=(*found.using, name, "@1")))
+        return Cases(term, tuple(branches))
 
     def _hinted(self, claim: Claim, hints: tuple[Reason, ...]) -> Proof:
         """The reasons that the paper's room gives; several are one for each entry."""
@@ -181,7 +257,7 @@ class Everywhere:
         """sqrt(x) <= sqrt(y) from x <= y; 0 < x sqrt(y) from the signs of both."""
         inside = root.children[0]
         self.chart.ensure(inside)
-        positive = self.chart.lemma(0 < inside)
+        self.chart.lemma(0 < inside)
         sign = self.session.known(0 < root, paper.CONTEXT)
         if sign is None:
             sign = self.session.lemma(0 < root, Root(), paper.CONTEXT)
@@ -191,7 +267,7 @@ class Everywhere:
         squares = self.chart.lemma(claim.lhs.children[0] <= inside)
         scale = [self.chart.lemma(0 < part) for part in _divisors(inside)]
         goal = ("mul", *scale, "goal", ("add", "root-two", sign))
-        return Sum((goal, squares)) if positive else Sum()
+        return Sum((goal, squares))
 
     # --- the step -------------------------------------------------------------------------------
 

@@ -14,6 +14,7 @@ from verify.jobs.everywhere import decide
 from verify.language.statement import NEEDED, PROVED, Constant
 from verify.language.terms import Claim, Term
 from verify.paper.everywhere.chart import CONTEXT, constants
+from verify.paper.everywhere.theorem import statement
 from verify.paper.groups import REPAIRED
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
@@ -162,5 +163,6 @@ def test_without_a_hypothesis_it_is_refused() -> None:
 
 
 def test_the_search_finds_the_same_again() -> None:
-    found = everywhere.Everywhere(write(step.decide())["statement.json"]).run()
+    cited = write(step.decide())["statement.json"]
+    found = everywhere.Everywhere(statement(cited), REPAIRED).run()
     assert write(found) == write(decide())

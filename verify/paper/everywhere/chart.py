@@ -58,7 +58,7 @@ ASSUMED = (
 )
 DERIVED = ("existence", "r-below-stabi")
 
-k = ConstantSet(REPAIRED)
+REPAIRED_SET = ConstantSet(REPAIRED)
 p, m = phi_plus, phi_minus
 u, v = symbol("u"), symbol("v")
 root = sqrt(discriminant)
@@ -69,20 +69,17 @@ rest = root_two - REST_ABOVE
 root_4, root_5 = sqrt(r / (1 - h_4)), sqrt(phi_minus / (1 - h_5))
 
 U = Constant("u", "u", "u", THEOREM, m / p**2)
-V = Constant("v", "V₁^{1/2}", "V_1^{1/2}", THEOREM, k.speed)
 
 
-def constants() -> tuple[Constant, ...]:
-    """All constants of the theorem, with the unrounded minima, and u and v of the chart."""
-    own: list[Constant] = [*CONSTANTS, U]
-    for constant in theorem().parts[REPAIRED].bounds:
-        own.append(constant)
-        if constant.name == k.V_1.name:
-            own.append(V)
+def constants(k: ConstantSet = REPAIRED_SET) -> tuple[Constant, ...]:
+    """All constants of a set, with the unrounded minima, and u and v of the chart."""
+    v = Constant("v", "V₁^{1/2}", "V_1^{1/2}", THEOREM, k.speed)
+    own = [*CONSTANTS, U, *theorem().parts[k.group].bounds]
+    own.insert([constant.name for constant in own].index(k.V_1.name) + 1, v)
     return tuple(own)
 
 
-def context() -> Context:
+def context(k: ConstantSet = REPAIRED_SET) -> Context:
     """All parameters that the theorem admits."""
     letters = {"V_0": "V₀", "delta_theta": "δ_θ"}
     variables = tuple(
@@ -95,7 +92,7 @@ def context() -> Context:
         tuple(Given(hypothesis(name), _claim(name)) for name in ASSUMED),
         {name: as_term(Fraction(text)) for name, text in values.items()},
         says="all parameters that the theorem admits",
-        constants=constants(),
+        constants=constants(k),
     )
 
 
@@ -106,13 +103,13 @@ def numbers() -> Iterator[Item]:
     yield Line("rest-small", 0 < REST_BELOW - rest, Number())
 
 
-def lines() -> Iterator[Item]:
+def lines(k: ConstantSet = REPAIRED_SET) -> Iterator[Item]:
     """From the hypotheses to the chart."""
     yield from _hypotheses()
     yield from _fixed_points()
     yield from _region()
     yield from _first_constants()
-    yield from _norms()
+    yield from _norms(k)
 
 
 def hypothesis(name: str) -> str:
@@ -293,28 +290,33 @@ def _first_constants() -> Iterator[Item]:
     )
 
 
-def _norms() -> Iterator[Item]:
+def _norms(k: ConstantSet) -> Iterator[Item]:
     positive, first = hypothesis("V_0-positive"), k.V_1.name
     quarter = Fraction(1, 4)
     more = times(positive, plus(Fraction(3, 4), times(quarter, "u-positive")))
     yield Defined("V_1")
-    yield Defined(first)
-    yield Line("V_1-sign", 0 < k.V_1, proof(more, using=f"{first} V_1 h_5.chart"))
+    if not k.printed:
+        yield Defined(first)
+    both = "V_1" if k.printed else f"{first} V_1"
+    yield Line("V_1-sign", 0 < k.V_1, proof(more, using=f"{both} h_5.chart"))
     yield Line("V_1-root", 0 < k.speed, Root())
     yield Defined("v")
     yield Line("v-positive", 0 < v, proof("V_1-root", using="v"))
     yield Line("speed", equal(k.speed, v), identity("v"))
-    yield Line("V_1.repaired", equal(k.V_1, v**2), identity("v"))
-    yield Line("V_1.chart", equal(V_1, v**2), identity("v", ((first, as_term(-1)),)))
+    same = () if k.printed else ((first, as_term(-1)),)
+    if not k.printed:
+        yield Line("V_1.repaired", equal(k.V_1, v**2), identity("v"))
+    yield Line("V_1.chart", equal(V_1, v**2), identity("v", same))
     yield Line("V_0-divisor", 0 < 3 + u, proof(3, "u-positive"))
+    same = () if k.printed else ((first, -2 * (1 + u)),)
     yield Line(
         "V_0.chart",
         equal(V_0, v**2 * (2 * (1 + u) / (3 + u))),
-        identity("v h_5.chart", (("V_1", as_term(-4)), (first, -2 * (1 + u)))),
+        identity("v h_5.chart", (("V_1", as_term(-4)), *same)),
     )
 
 
-def replacements() -> dict[Term, str]:
+def replacements(k: ConstantSet = REPAIRED_SET) -> dict[Term, str]:
     """For each atom that the chart replaces the line that says so."""
     found = {
         r: "r.chart",
@@ -324,7 +326,7 @@ def replacements() -> dict[Term, str]:
         root: "root.chart",
         V_0: "V_0.chart",
         V_1: "V_1.chart",
-        k.V_1: "V_1.repaired",
+        k.V_1: "V_1.chart" if k.printed else "V_1.repaired",
         k.speed: "speed",
         h_4: "h_4.chart",
         h_5: "h_5.chart",
@@ -340,6 +342,7 @@ def row(name: str) -> str:
 
 def about_d_bar() -> Iterator[Line]:
     """Why the entry of d_bar with the slope is always the smaller one."""
+    k = REPAIRED_SET
     size, slope, first = k.d_slope * k.eta_bar**2, row("init-Cnd4"), row("V_1-above-V_0")
     eta2 = times(row("eta_bar-positive"), row("eta_bar-positive"))
     zeta, angle = row("zeta_bar-positive"), row("Delta_theta-positive")
@@ -377,61 +380,58 @@ def about_d_bar() -> Iterator[Line]:
             yield Line(f"d_bar-{number}", Fraction(3, 16) * k.zeta_bar <= entry, Searched())
 
 
-#: Rows that no search finds, or none that is short, in an order in which each uses those before;
-#: a maximum has a reason for each entry.
-HINTS: dict[str, tuple[Reason, ...]] = {
-    f"{REPAIRED}.norm-s-upper": (
-        proof(
-            times(4, f"{REPAIRED}.eta-below-one"),
-            times(
-                f"{REPAIRED}.eta_bar-positive",
-                f"{REPAIRED}.d_0-below-one",
-                plus(3, f"{REPAIRED}.d_bar-positive"),
+def hints(k: ConstantSet = REPAIRED_SET) -> dict[str, tuple[Reason, ...]]:
+    """Rows of which no search finds a short proof, each after those that it uses.
+
+    A row with a maximum has a reason for each of its entries.
+    """
+
+    def of(name: str) -> str:
+        return f"{k.group}.{name}"
+
+    eta, V_0s = of("eta_bar-positive"), hypothesis("V_0-positive")
+    found: dict[str, tuple[Reason, ...]] = {
+        of("norm-s-upper"): (
+            proof(
+                times(4, of("eta-below-one")),
+                times(eta, of("d_0-below-one"), plus(3, of("d_bar-positive"))),
+                using="@1",
             ),
-            using="@1",
+            proof(
+                times(4, of("eta-below-one"), V_0s, V_0s),
+                times(eta, of("d-below-one"), plus(times(3, V_0s), times(3, "V_1-root", eta))),
+                using="@1",
+            ),
         ),
-        proof(
-            times(4, f"{REPAIRED}.eta-below-one", *[hypothesis("V_0-positive")] * 2),
-            times(
-                f"{REPAIRED}.eta_bar-positive",
-                f"{REPAIRED}.d-below-one",
-                plus(
-                    times(3, hypothesis("V_0-positive")),
-                    times(3, "V_1-root", f"{REPAIRED}.eta_bar-positive"),
+        of("norm-s-lower"): (
+            proof(
+                times(ONE, PLUS_R, of("norm-s-upper")),
+                times(4, R, R),
+                times(4, "V_1-root"),
+                4,
+            ),
+        ),
+        of("norm-c-upper"): (
+            proof(
+                times(2, "V_1-root", of("d_0-below-one")), times(2, of("norm-s-upper")), using="@1"
+            ),
+            proof(
+                times(2, "V_1-root", of("d-below-one"), V_0s, V_0s),
+                times(2, of("norm-s-upper"), V_0s),
+                using="@1",
+            ),
+        ),
+    }
+    if not k.printed:
+        found["redundant.d_bar-1"] = (
+            Least(
+                (
+                    proof("d_bar-zeta", "d_bar-1"),
+                    proof("d_bar-angle"),
+                    proof("d_bar-zeta", "d_bar-3"),
+                    proof("d_bar-zeta", "d_bar-4"),
                 ),
+                row("d_const"),
             ),
-            using="@1",
-        ),
-    ),
-    f"{REPAIRED}.norm-s-lower": (
-        proof(
-            times(ONE, PLUS_R, f"{REPAIRED}.norm-s-upper"),
-            times(4, R, R),
-            times(4, "V_1-root"),
-            4,
-        ),
-    ),
-    f"{REPAIRED}.norm-c-upper": (
-        proof(
-            times(2, "V_1-root", f"{REPAIRED}.d_0-below-one"),
-            times(2, f"{REPAIRED}.norm-s-upper"),
-            using="@1",
-        ),
-        proof(
-            times(2, "V_1-root", f"{REPAIRED}.d-below-one", *[hypothesis("V_0-positive")] * 2),
-            times(2, f"{REPAIRED}.norm-s-upper", hypothesis("V_0-positive")),
-            using="@1",
-        ),
-    ),
-    "redundant.d_bar-1": (
-        Least(
-            (
-                proof("d_bar-zeta", "d_bar-1"),
-                proof("d_bar-angle"),
-                proof("d_bar-zeta", "d_bar-3"),
-                proof("d_bar-zeta", "d_bar-4"),
-            ),
-            row("d_const"),
-        ),
-    ),
-}
+        )
+    return found

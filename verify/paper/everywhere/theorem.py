@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from verify.language.statement import Cite, Obligation, Statement
 from verify.paper.everywhere import redundant
 from verify.paper.everywhere.chart import CONTEXT, DERIVED, context, hypothesis
-from verify.paper.groups import HYPOTHESES, REPAIRED
+from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
+from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import THEOREM
 from verify.paper.step.theorem import NAME as STEP
 from verify.paper.step.theorem import collapse
@@ -17,6 +18,11 @@ NAME = f"{THEOREM} for all parameters"
 TITLE = (
     "For all 0 < r < 1, V_0 > 0, delta_theta > 0 and all theta_0 with 0 < -cos theta_0 <= 1 that "
     "satisfy the stability condition: every row of the repaired set, and the step applies"
+)
+PRINTED_NAME = f"{THEOREM} as printed, for all parameters"
+PRINTED_TITLE = (
+    "For all parameters that satisfy the stability condition, the rows of the printed set: which "
+    "hold, and which do not"
 )
 
 
@@ -31,6 +37,22 @@ def rows() -> Iterator[Obligation]:
     yield from redundant.rows()
     yield from redundant.active_rows()
     yield collapse(REPAIRED)._replace(context=CONTEXT)
+
+
+def printed_rows() -> Iterator[Obligation]:
+    """The rows of the printed set, each either true for all parameters or false for some."""
+    parts = theorem().parts
+    for row in parts[HYPOTHESES].obligations:
+        if row.name in map(hypothesis, DERIVED):
+            yield row._replace(context=CONTEXT, says=f"{row.says}: it follows")
+    for row in parts[PRINTED].obligations:
+        yield row._replace(context=CONTEXT, uses=())
+
+
+def printed_statement() -> Statement:
+    """The printed set, row by row."""
+    own = context(ConstantSet(PRINTED))
+    return Statement(PRINTED_NAME, PRINTED_TITLE, {}, (), (own,), tuple(printed_rows()), ())
 
 
 def statement(step: bytes) -> Statement:

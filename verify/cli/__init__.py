@@ -20,6 +20,8 @@ from verify.jobs.inputs import InputError, shown
 COMMANDS = {
     "theorem1": "decide Theorem 1 (collapse of three particles) at given parameters",
     "spectrum": "prove the spectral claims for every r, enclose the spectrum at one",
+    "explain": "print a row with the facts and the identity that prove it",
+    "graph": "draw a proof: which facts use which",
     "check": "check a certificate, and that its statement is the right one",
     "bench": "measure speed against error",
     "stress": "run the numerically hard cases",

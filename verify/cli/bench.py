@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
+from verify.cli import columns
 from verify.cli.files import progress, test_folder
 from verify.jobs.inputs import InputError
-from verify.cli import columns
 
 
 def add_arguments(parser: ArgumentParser) -> None:

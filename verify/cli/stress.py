@@ -5,10 +5,10 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import Any
 
+from verify.cli import columns
 from verify.cli.files import progress, test_folder
 from verify.measure import stress
 from verify.measure.stress import Finding
-from verify.cli import columns
 
 
 def add_arguments(parser: ArgumentParser) -> None:

@@ -23,7 +23,8 @@ ENCLOSED_BITS = 128
 def add_arguments(parser: ArgumentParser) -> None:
     """The options; every number is kept as the text that was written."""
     number = "exact: 0.03, 3/100 or 3e-2"
-    parser.add_argument("--r", required=True, help=f"restitution coefficient in ]0,1[ ({number})")
+    parser.add_argument("--all", action="store_true", help="prove it for all parameters at once")
+    parser.add_argument("--r", help=f"restitution coefficient in ]0,1[ ({number})")
     parser.add_argument("--theta0", metavar="ANGLE", help="[k*]pi[/n] or radians, in ]pi/2, pi]")
     parser.add_argument("--neg-cos", metavar="C", help="-cos of the angle, in ]0, 1] (default 1)")
     parser.add_argument(
@@ -83,6 +84,10 @@ def _positive(option: str, text: str) -> Fraction:
 
 def run(options: Namespace) -> int:
     """Print the table or the document, write the files, return the exit code."""
+    if options.all:
+        return _everywhere(options)
+    if options.r is None:
+        raise InputError("--r: is missing; write for example --r 0.03, or --all")
     if options.steps is not None or ".." in options.r:
         return _scan(options)
     parameters = read_parameters(options)
@@ -118,6 +123,31 @@ def _some_rows(outcome: Outcome, name: str) -> list[str]:
     if not found:
         raise InputError(f"--rows: there is no row {shown(name)}; write a name that -v prints")
     return found
+
+
+def _everywhere(options: Namespace) -> int:
+    """Prove Theorem 1 for all parameters; print, write, return the exit code."""
+    for option in ("r", "theta0", "neg_cos", "steps", "rows"):
+        if getattr(options, option) is not None:
+            name = option.replace("_", "-")
+            raise InputError(f"--{name}: is for one value; leave it out with --all")
+    test_folder("--out", options.out, "statement.json", "certificate.json")
+    from verify.jobs import everywhere, step  # loaded only where they are used
+    from verify.views import everywhere as view
+    from verify.views.document import assumption_document, claims_document
+
+    outcome, cited = everywhere.decide(), step.decide().assumptions
+    if options.out is not None:
+        write_certificate("--out", options.out, outcome)
+    if options.json:
+        found = claims_document(outcome, "theorem1", view.FORMAT)
+        found["assumptions"] = [assumption_document(assumption) for assumption in cited]
+        print_document(found)
+        return outcome.exit_code
+    text = [*view.rows(outcome), ""] if options.verbose else []
+    text += view.screen(outcome, cited)
+    sys.stdout.write("".join(f"{line}\n" for line in text))
+    return outcome.exit_code
 
 
 def _scan(options: Namespace) -> int:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
-from verify.jobs import spectrum, step, theorem1
+from verify.jobs import everywhere, spectrum, step, theorem1
 from verify.language.terms import Term, as_term, cos_pi
 from verify.prover.outcome import Outcome
 
@@ -55,4 +55,5 @@ def all_folders() -> Iterator[tuple[str, Outcome]]:
     for point in POINTS:
         yield point.folder, theorem1.decide(point.parameters)
     yield "step", step.decide()
+    yield "theorem1-all", everywhere.decide()
     yield "spectrum", spectrum.decide()

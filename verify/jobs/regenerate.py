@@ -10,7 +10,7 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from verify.jobs import spectrum, step, theorem1
+from verify.jobs import everywhere, spectrum, step, theorem1
 from verify.jobs.parameters import are_allowed
 from verify.language.statement import PROVED
 from verify.language.terms import Term
@@ -48,6 +48,7 @@ def _outcomes(parameters: Mapping[str, Term]) -> Iterator[Outcome]:
     if not parameters:
         yield spectrum.decide()
         yield step.decide()
+        yield everywhere.decide()
     elif are_allowed(parameters):
         for selection in SELECTIONS:
             yield theorem1.decide(parameters, selection)

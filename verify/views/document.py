@@ -52,6 +52,19 @@ def document(outcome: Outcome) -> dict[str, Any]:
     }
 
 
+def claims_document(outcome: Outcome, command: str, form: str) -> dict[str, Any]:
+    """A theorem about all values as one JSON document: its rows are its claims."""
+    typesetter = letters(outcome)
+    return {
+        "format": form,
+        "command": command,
+        "verdict": headline(outcome),
+        "theorem": outcome.statement.title,
+        "assumptions": [assumption_document(a) for a in outcome.assumptions],
+        "claims": [row_document(row, decision, typesetter) for row, decision in outcome.rows],
+    }
+
+
 def pair(ends: Ends | None) -> list[str] | None:
     """An enclosure as two decimal texts, outward rounded, and not by much."""
     if ends is None:

@@ -14,8 +14,8 @@ from verify.prover.balls import Ball
 from verify.prover.decimals import outward, rational_text, short
 from verify.prover.eigenvalues import Complex, Spectrum
 from verify.prover.outcome import Decision, Outcome
-from verify.views.document import assumption_document, row_document, value_text
-from verify.views.words import given, groups, headline, letters, sentence, summary, witness_of
+from verify.views.document import claims_document, value_text
+from verify.views.words import given, groups, letters, sentence, summary, witness_of
 
 FORMAT = "verify-spectrum/1"
 
@@ -25,15 +25,7 @@ EXTRA_BITS = 16
 
 def document(outcome: Outcome) -> dict[str, Any]:
     """The outcome as one JSON document; every number is a string."""
-    typesetter = letters(outcome)
-    return {
-        "format": FORMAT,
-        "command": "spectrum",
-        "verdict": headline(outcome),
-        "theorem": outcome.statement.title,
-        "assumptions": [assumption_document(a) for a in outcome.assumptions],
-        "claims": [row_document(row, decision, typesetter) for row, decision in outcome.rows],
-    }
+    return claims_document(outcome, "spectrum", FORMAT)
 
 
 def point_document(r: list[Fraction], spectrum: Spectrum, bits: int) -> dict[str, Any]:

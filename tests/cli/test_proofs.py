@@ -1,0 +1,101 @@
+"""The commands that show proofs: `theorem1 --all`, `explain`, `graph`."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from verify import check
+from verify.cli import main
+from verify.jobs import everywhere, step
+from verify.prover.uses import nodes
+from verify.views import graph as view
+
+
+def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
+    code = main([str(word) for word in words])
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+def test_all_parameters(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    code, out, err = run(capsys, "theorem1", "--all", "--out", tmp_path / "all")
+    assert (code, err) == (0, "")
+    assert "Theorem 1. Let 0 < r < 1" in out
+    last = out.splitlines()[-1]
+    assert last.startswith("Verdict: proved: For all 0 < r < 1")
+    assert "given 8 assumptions" in last
+    (cited,) = (tmp_path / "all/cited").iterdir()
+    step_folder = tmp_path / "step"
+    step_folder.mkdir()
+    assert run(capsys, "check", tmp_path / "all")[0] == 0
+    code, out, _ = run(capsys, "theorem1", "--all", "--json")
+    document = json.loads(out)
+    assert (code, document["verdict"], len(document["assumptions"])) == (0, "proved", 8)
+    assert {row["verdict"] for row in document["claims"]} == {"proved"}
+    assert len(cited.read_bytes()) < check.MAX_BYTES
+
+
+@pytest.mark.parametrize("words", [("--r", "0.03"), ("--steps", "3"), ("--neg-cos", "1")])
+def test_all_takes_no_values(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, "theorem1", "--all", *words)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+
+
+def test_explain(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, "explain", "tau-positive")
+    assert (code, err) == (0, "")
+    assert "goal + [d-sum-positive]·[Cnd1]·[S-one] = 0" in out
+    assert "  0 < τ" in out
+    code, out, err = run(capsys, "explain", "no-such-row")
+    assert (code, out) == (2, "")
+    assert "'no-such-row'" in err
+
+
+def test_every_fact_can_be_explained() -> None:
+    from verify.views.explain import explain
+
+    for outcome in (step.decide(), everywhere.decide()):
+        for name in nodes(outcome):
+            assert explain(outcome, name), name
+
+
+@pytest.mark.parametrize("ending", ["svg", "dot", "json"])
+def test_graph(ending: str, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    path = tmp_path / f"proof.{ending}"
+    code, out, err = run(capsys, "graph", "--out", path)
+    assert (code, err, out.startswith("written ")) == (0, "", True)
+    text = path.read_text(encoding="utf-8")
+    if ending == "svg":
+        ElementTree.fromstring(text)
+    if ending == "json":
+        found = json.loads(text)
+        names = {vertex["name"] for vertex in found["vertices"]}
+        assert all(name in names for edge in found["edges"] for name in edge)
+
+
+@pytest.mark.parametrize("words", [("--out", "x.pdf"), ("nowhere", "--out", "x.svg")])
+def test_unusable_graphs(
+    words: tuple[str, ...],
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    code, out, err = run(capsys, "graph", *words)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_proof_uses_only_what_was_proved_before() -> None:
+    for outcome in (step.decide(), everywhere.decide()):
+        seen: set[str] = set()
+        for node in nodes(outcome).values():
+            unknown = [name for name in node.uses if name not in seen and ":" not in name]
+            assert unknown == [] or node.kind == "given", (node.name, unknown)
+            seen.add(node.name)
+    found = view.graph(step.decide())
+    assert {vertex.state for vertex in found.vertices} >= {"given", "proved", "assumed"}

@@ -1,0 +1,45 @@
+"""What people see of Theorem 1 for all parameters: counts, assumptions, the theorem in words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from verify.language.statement import PROVED, Assumption
+from verify.prover.outcome import Outcome
+from verify.views.words import counts, given, letters
+
+FORMAT = "verify-theorem1-all/1"
+
+THEOREM = (
+    "Theorem 1. Let 0 < r < 1, V₀ > 0, δ_θ > 0, and let θ₀ satisfy 0 < -cos θ₀ ≤ 1 and "
+    "-cos θ₀ > 2r^(1/3)(1+r^(1/3))/(1+r). Then the constants of the repaired set exist and are "
+    "positive, and three particles that start in the set they describe collide for ever in the "
+    "order 0-2, 0-1, 0-2, …, in finite time, and -cos of the angle converges to a limit within δ_θ "
+    "of -cos θ₀. The set has interior points."
+)
+
+
+def screen(outcome: Outcome, cited: tuple[Assumption, ...]) -> Iterator[str]:
+    """What is proved, given what; ``cited`` are the assumptions of the cited step."""
+    yield "Theorem 1 for all parameters"
+    yield ""
+    yield f"Rows: {counts(outcome, 'needed')}"
+    yield f"The step, for every state, is cited: {outcome.statement.cites[0].name}"
+    yield f"Taken on trust there: {given(cited)}"
+    for assumption in cited:
+        yield f"  {assumption.name} ({assumption.kind}): {assumption.sentence}"
+    yield "Every row: -v; one with its proof: explain NAME; the graph: graph --out FILE.svg"
+    yield ""
+    if outcome.verdict == PROVED:
+        yield THEOREM
+        yield ""
+    rest = f"given {given(cited)} of the cited step"
+    yield f"Verdict: {outcome.verdict}: {outcome.statement.title}; {rest}"
+
+
+def rows(outcome: Outcome) -> Iterator[str]:
+    """Every row, with its claim and the rule that proves it."""
+    typesetter = letters(outcome)
+    for row, decision in outcome.rows:
+        yield f"  {decision.verdict:<9} {row.says}   [{row.name}, {row.label}]"
+        yield f"            {typesetter.claim(row.claim)}   by {decision.method or 'nothing'}"

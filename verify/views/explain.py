@@ -1,0 +1,134 @@
+"""One row with the facts that its proof uses and the identity that proves it, to check by hand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from verify.language.statement import Obligation
+from verify.language.terms import Term
+from verify.language.typeset import Typesetter
+from verify.prover.decimals import short
+from verify.prover.outcome import Decision, Outcome
+from verify.prover.proof import Proof, Value
+from verify.prover.rules import (
+    Applying,
+    Cases,
+    Cuts,
+    Entry,
+    Induction,
+    Instance,
+    Interval,
+    Least,
+    Root,
+    Sum,
+    Witness,
+)
+from verify.prover.uses import Node, nodes
+from verify.views.words import letters, short_name, sides_of
+
+
+def explain(outcome: Outcome, name: str) -> list[str]:
+    """The lines about a row or a lemma; none if there is no such name.
+
+    A row is found by its name, with or without its group.
+    """
+    found = nodes(outcome)
+    rows = {row.name: (row, decision) for row, decision in outcome.rows}
+    full = [row.name for row, _ in rows.values() if name in (row.name, short_name(row))]
+    typesetter = letters(outcome)
+    text: list[str] = []
+    for key in full or ([name] if name in found else []):
+        text += _about(found[key], rows.get(key), found, typesetter) if key in found else []
+    return text
+
+
+def _about(
+    node: Node,
+    row: tuple[Obligation, Decision] | None,
+    found: dict[str, Node],
+    typesetter: Typesetter,
+) -> Iterator[str]:
+    where = "" if node.context is None else f", for all values of the context {node.context}"
+    yield f"{node.kind} {node.name}{where}"
+    if row is not None:
+        yield f"  {row[0].label}: {row[0].says}"
+        yield f"  {row[1].verdict}"
+    yield f"  {typesetter.claim(node.claim)}"
+    if row is not None:
+        sides = sides_of(*row)
+        if sides is not None:
+            yield f"  left side {short(sides[0])}, right side {short(sides[1])}"
+    if node.proof is not None:
+        yield from (f"  {line}" for line in _proof(node.proof, typesetter))
+    if node.uses:
+        yield "  where"
+    for name in node.uses:
+        used = found.get(name)
+        claim = "a fact of a cited statement" if used is None else typesetter.claim(used.claim)
+        kind = "" if used is None else f"   ({used.kind})"
+        yield f"    {name}: {claim}{kind}"
+
+
+def _proof(proof: Proof, typesetter: Typesetter) -> Iterator[str]:  # noqa: C901  one case a rule
+    match proof:
+        case Interval(bits=bits):
+            yield f"by enclosures of both sides with {bits} bits"
+        case Sum(addends=addends, using=using, equations=equations):
+            yield from _sum(addends, using, equations, typesetter)
+        case Entry():
+            yield "a minimum is at most each of its entries (a maximum at least)"
+        case Root():
+            yield "the root of a positive number is positive"
+        case Cases(of=term, branches=branches) | Cuts(term=term, branches=branches):
+            yield f"in {len(branches)} cases, for {typesetter.term(term)}"
+            for i, branch in enumerate(branches, 1):
+                yield from (f"  case {i}: {line}" for line in _proof(branch, typesetter))
+        case Least(branches=branches):
+            yield f"for each of {len(branches)} entries"
+            for i, branch in enumerate(branches, 1):
+                yield from (f"  entry {i}: {line}" for line in _proof(branch, typesetter))
+        case Instance(of=name, at=at):
+            values = ", ".join(f"{key} = {typesetter.term(term)}" for key, term in at.items())
+            yield f"{name} at {values}"
+        case Applying(givens=givens):
+            yield f"each of the {len(givens)} givens holds"
+        case Induction():
+            yield "by induction: each carried given holds at the start, and at the next state"
+        case Witness(at=at):
+            values = ", ".join(f"{key} = {typesetter.term(term)}" for key, term in at.items())
+            yield f"false at {values}"
+        case _:
+            yield f"by the rule {type(proof).__name__.lower()}"
+
+
+def _sum(
+    addends: tuple[Value, ...],
+    using: tuple[str, ...],
+    equations: tuple[tuple[str, Term], ...],
+    typesetter: Typesetter,
+) -> Iterator[str]:
+    if using:
+        yield f"after replacing what these equations define: {', '.join(using)}"
+    parts = [_value(addend, typesetter) for addend in addends]
+    parts += [f"({typesetter.term(term)})·[{name}]" for name, term in equations]
+    if addends:
+        yield "if it failed, goal = (left - right), cleared of fractions, would be ≥ 0, and"
+        yield f"  {' + '.join(parts)} = 0"
+        yield "identically, with a positive addend (a name is the difference of its sides)"
+    else:
+        yield f"left - right = {' + '.join(parts) or '0'} identically, cleared of fractions"
+
+
+def _value(value: Any, typesetter: Typesetter) -> str:
+    if isinstance(value, str):
+        return value if value[0].isdigit() or value == "goal" else f"[{value}]"
+    op, *rest = value
+    if op == "square":
+        return f"({typesetter.term(rest[0])})²"
+    if op == "root":
+        return typesetter.term(rest[0])
+    if op == "pow":
+        return f"{_value(rest[0], typesetter)}^{rest[1]}"
+    inner = (" + " if op == "add" else "·").join(_value(item, typesetter) for item in rest)
+    return f"({inner})" if op == "add" else inner

@@ -1,0 +1,147 @@
+"""The graph of a proof: facts, and which facts the proof of each one uses."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from html import escape
+from typing import NamedTuple
+
+from verify.language.statement import PRINTED, PROVED, REFUTED
+from verify.prover.outcome import Outcome
+from verify.prover.uses import Node, nodes
+
+FORMAT = "verify-graph/1"
+
+_COLOURS = {
+    "given": "#b8c4d6",
+    "constant": "#d9d2e9",
+    "definition": "#d9d2e9",
+    "lemma": "#e8e8e8",
+    PROVED: "#b7dfb9",
+    REFUTED: "#f2b8b5",
+    "assumed": "#fde9b0",
+}
+
+
+class Vertex(NamedTuple):
+    """A fact or an assumption; ``state`` is its kind, or for an obligation its verdict."""
+
+    name: str
+    state: str
+    context: str
+    label: str
+
+
+class Graph(NamedTuple):
+    """Vertices, and edges from what is used to what uses it."""
+
+    vertices: list[Vertex]
+    edges: list[tuple[str, str]]
+
+
+def graph(outcome: Outcome) -> Graph:
+    """The facts of an outcome, with the assumptions that rows use and what corrects what."""
+    found = nodes(outcome)
+    rows = {row.name: (row, decision) for row, decision in outcome.rows}
+    vertices, edges = [], []
+    for node in found.values():
+        vertices.append(_vertex(node, rows.get(node.name)))
+        edges += [(used, node.name) for used in node.uses if used in found]
+    vertices += [Vertex(a.name, "assumed", "", a.label) for a in outcome.assumptions]
+    names = {vertex.name for vertex in vertices}
+    for row, decision in rows.values():
+        edges += [(name, row.name) for name in row.uses if name in names and row.name in names]
+        corrected = decision.verdict == REFUTED and row.corrected_by in names
+        if corrected and row.role == PRINTED:
+            edges.append((row.name, str(row.corrected_by)))
+    return Graph(vertices, edges)
+
+
+def _vertex(node: Node, row: object) -> Vertex:
+    if isinstance(row, tuple):
+        return Vertex(node.name, row[1].verdict, node.context or "", row[0].label)
+    return Vertex(node.name, node.kind, node.context or "", "")
+
+
+def to_json(found: Graph) -> str:
+    """One JSON document."""
+    document = {
+        "format": FORMAT,
+        "vertices": [vertex._asdict() for vertex in found.vertices],
+        "edges": [list(edge) for edge in found.edges],
+    }
+    return json.dumps(document, ensure_ascii=False, indent=1) + "\n"
+
+
+def to_dot(found: Graph) -> str:
+    """A file for Graphviz."""
+    lines = ["digraph proof {", "  rankdir=LR; node [shape=box, style=filled, fontsize=9];"]
+    for vertex in found.vertices:
+        colour = _COLOURS.get(vertex.state, "#ffffff")
+        lines.append(f'  "{vertex.name}" [fillcolor="{colour}"];')
+    lines += [f'  "{used}" -> "{user}";' for used, user in found.edges]
+    return "\n".join([*lines, "}"]) + "\n"
+
+
+def to_svg(found: Graph) -> str:
+    """A drawing: each fact to the right of what it uses, its name and label as tooltip."""
+    levels = _levels(found)
+    columns: dict[int, list[Vertex]] = {}
+    for vertex in found.vertices:
+        columns.setdefault(levels[vertex.name], []).append(vertex)
+    place = {
+        vertex.name: (20 + 190 * level, 30 + 16 * i)
+        for level, column in columns.items()
+        for i, vertex in enumerate(column)
+    }
+    width = 40 + 190 * (max(columns, default=0) + 1)
+    height = 70 + 16 * max(map(len, columns.values()), default=0)
+    size = f'viewBox="0 0 {width} {height}" width="{width}" height="{height}"'
+    parts = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" {size} font-family="sans-serif" font-size="9">',
+        f"<title>{len(found.vertices)} facts and assumptions of a proof</title>",
+        *_lines(found, place),
+        *(_box(vertex, *place[vertex.name]) for vertex in found.vertices),
+        *_legend(height),
+        "</svg>",
+    ]
+    return "\n".join(parts) + "\n"
+
+
+def _levels(found: Graph) -> dict[str, int]:
+    """How far each fact is from what it rests on; an edge to a correction does not count."""
+    above: dict[str, list[str]] = {vertex.name: [] for vertex in found.vertices}
+    for used, user in found.edges:
+        above[user].append(used)
+    levels: dict[str, int] = {}
+    for vertex in found.vertices:  # facts come after those that they use
+        known = [levels[used] for used in above[vertex.name] if used in levels]
+        levels[vertex.name] = 1 + max(known, default=-1)
+    return levels
+
+
+def _lines(found: Graph, place: dict[str, tuple[int, int]]) -> Iterable[str]:
+    for used, user in found.edges:
+        (a, b), (c, d) = place[used], place[user]
+        yield (
+            f'<path d="M{a + 150} {b + 6} C{a + 175} {b + 6} {c - 25} {d + 6} {c} {d + 6}" '
+            'fill="none" stroke="#888" stroke-width="0.3" opacity="0.6"/>'
+        )
+
+
+def _box(vertex: Vertex, x: int, y: int) -> str:
+    name = vertex.name if len(vertex.name) <= 30 else vertex.name[:28] + "…"
+    tip = escape(" ".join(part for part in (vertex.name, vertex.label, vertex.context) if part))
+    return (
+        f'<g><title>{tip}</title><rect x="{x}" y="{y}" width="150" height="12" rx="2" '
+        f'fill="{_COLOURS.get(vertex.state, "#ffffff")}"/>'
+        f'<text x="{x + 3}" y="{y + 9}">{escape(name)}</text></g>'
+    )
+
+
+def _legend(height: int) -> Iterable[str]:
+    for i, (state, colour) in enumerate(_COLOURS.items()):
+        x = 20 + 95 * i
+        yield f'<rect x="{x}" y="{height - 24}" width="10" height="10" fill="{colour}"/>'
+        yield f'<text x="{x + 14}" y="{height - 15}">{escape(state)}</text>'

@@ -1730,10 +1730,8 @@ def last_line(report: Report, closed: Mapping[str, Report]) -> str:
     return f"{report.verdict}: {report.summary}{''.join(given + opened)}"
 
 
-def read_file(path: str, may_be_pipe: bool = False) -> bytes:
+def read_file(path: str) -> bytes:
     """The bytes of a file, and one more than is allowed at most."""
-    good = may_be_pipe or os.path.isfile(path) or not os.path.exists(path)
-    need(good, OSError, "found {}, which is no file", path)
     with open(path, "rb") as file:
         return file.read(MAX_BYTES + 1)
 
@@ -1742,7 +1740,9 @@ def read_cited(folder: str) -> list[bytes]:
     """The bytes of the files in a folder, if there is one."""
     found, room = [], MAX_CITED
     for name in sorted(os.listdir(folder)) if os.path.isdir(folder) else []:
-        found.append(read_file(os.path.join(folder, name)))
+        path = os.path.join(folder, name)
+        need(os.path.isfile(path), OSError, "found {}, which is no file", path)
+        found.append(read_file(path))
         room -= len(found[-1])
         need(room >= 0, OSError, "found more than {} bytes in {}", MAX_CITED, folder)
     return found
@@ -1753,12 +1753,11 @@ def read_folders(arguments: Sequence[str]) -> list[Folder]:
     found = []
     names = ("statement.json", "certificate.json")
     pairs = [(path, *(os.path.join(path, name) for name in names)) for path in arguments]
-    named = len(arguments) == 2 and not any(map(os.path.isdir, arguments))
-    if named:
+    if len(arguments) == 2 and not any(map(os.path.isdir, arguments)):
         pairs = [(arguments[1], arguments[0], arguments[1])]
     for path, first, second in pairs:
         others = read_cited(os.path.join(os.path.dirname(first), "cited"))
-        found.append(Folder(path, read_file(first, named), read_file(second, named), others))
+        found.append(Folder(path, read_file(first), read_file(second), others))
     return found
 
 

@@ -223,7 +223,6 @@ class Kernel:
         self.index: dict[tuple[Any, ...], int] = {}  # of the nodes, by their keys
         self.heights: list[int] = []
         self.homes: list[Context] = []
-        self.is_ground: list[bool] = []
         self.outermost = Context("", None)
         self.contexts: dict[str, Context] = {}
         self.names: dict[str, int] = {}  # variables and constants
@@ -252,25 +251,27 @@ class Kernel:
             height = 1 + max((self.heights[term] for term in subterms), default=0)
             message = "found a term of more than {} levels"
             need(height <= MAX_HEIGHT, Malformed, message, MAX_HEIGHT)
-            home, ground = self.outermost, True
+            home = self.outermost
             for term in subterms:
                 other = self.homes[term]
                 good = home.is_inside(other) or other.is_inside(home)
                 need(good, Malformed, "found names of {} and {} in a term", home.name, other.name)
                 home = other if other.depth > home.depth else home
-                ground = ground and self.is_ground[term]
-            return self.add(node, height, home, ground)
+            return self.add(node, height, home)
         return found
 
-    def add(self, node: Node, height: int, home: Context, ground: bool) -> int:
+    def add(self, node: Node, height: int, home: Context) -> int:
         """Store a new node."""
         self.spend(0, 4 + len(node.subterms))
         self.index[key(node)] = len(self.nodes)
         self.nodes.append(node)
         self.heights.append(height)
         self.homes.append(home)
-        self.is_ground.append(ground)
         return len(self.nodes) - 1
+
+    def is_ground(self, term: int) -> bool:
+        """Whether all names in a term are of the root, which has no variables."""
+        return self.homes[term] is self.outermost
 
     def rational(self, value: Fraction) -> int:
         """The term of a number."""
@@ -286,8 +287,7 @@ class Kernel:
     def new_name(self, name: str, context: Context, definition: int | None = None) -> int:
         """A new variable of a context, or a constant in it with its definition."""
         self.introduce(name)
-        ground = definition is not None and context is self.outermost
-        term = self.add(Node("name", (), (len(self.nodes),)), 1, context, ground)
+        term = self.add(Node("name", (), (len(self.nodes),)), 1, context)
         self.names[name] = term
         if definition is not None:
             self.definitions[term] = definition
@@ -586,7 +586,7 @@ class Kernel:
         for name, lower, upper in proof["bounds"]:
             need(name in self.names, Malformed, "bounds: found {}, which is no name", name)
             term, found = self.names[name], []
-            good = term not in scope.known and not self.is_ground[term]
+            good = term not in scope.known and not self.is_ground(term)
             need(good, Refused, "found bounds of {}, whose value is known", name)
             for fact, side in ((lower, 2), (upper, 1)):
                 claim = self.fact(fact, place)
@@ -916,7 +916,7 @@ class Enclosing:
         kernel, base = self.kernel, self.base
 
         def is_leaf(part: int) -> bool:
-            return part in self.known or (base is not None and kernel.is_ground[part])
+            return part in self.known or (base is not None and kernel.is_ground(part))
 
         for part in kernel.below((term,), is_leaf):
             op, subterms, rest = kernel.nodes[part]
@@ -991,7 +991,7 @@ class Enclosing:
         if n == 1:
             return Interval(end, end)
         half = self.outward(self.powers(end, n // 2))
-        square = self.mul(half, half) if half.low >= 0 else self.mul(self.neg(half), self.neg(half))
+        square = self.mul(half, half)
         return self.mul(square, Interval(end, end)) if n % 2 else square
 
     def sqrt(self, x: Interval) -> Interval:
@@ -1600,7 +1600,7 @@ class Checking:
 
     def is_ground(self, claim: Claim) -> bool:
         """Whether a claim has no variables."""
-        return self.kernel.is_ground[claim.lhs] and self.kernel.is_ground[claim.rhs]
+        return self.kernel.is_ground(claim.lhs) and self.kernel.is_ground(claim.rhs)
 
     def enclosed(self, name: str, term: int, found: list[str], bits: int) -> None:
         """Afterwards the value lies between the ends, or the complaint is in the report."""

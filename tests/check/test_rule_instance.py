@@ -74,7 +74,7 @@ INVERSE = [interval(("u", "u-low", "u-low")), total("goal", "u-low")]
         ("0 <= x - 1", "box", instance("deep", {"y": "x - 1"}, total("goal", "1")), "not 0"),
         ("0 <= y + y", "inside",
          instance("deep", {"y": "y + y"}, total("goal", "x-low", "y-low", "y-low")), "proved"),
-        ("0 <= 1", None, instance("ground", {}), "found a fact of no context"),
+        ("0 <= 1", None, instance("ground", {}), "found a place outside the parent"),
     ],
 )  # fmt: skip
 def test_instances(claim: str, context: str | None, proof: Any, reason: str) -> None:

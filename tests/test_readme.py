@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from tests.points import parameters
-from verify.jobs import spectrum, step
+from verify.jobs import everywhere, spectrum, step
 from verify.jobs.theorem1 import decide
 from verify.language.statement import PRINTED, PROVED, REFUTED
 from verify.paper.groups import REPAIRED
@@ -70,7 +70,10 @@ def test_the_counts_are_right() -> None:
     assert f"rests on {len(outcome.assumptions)} listed sentences" in text
     graded = [assumption.kind for assumption in step.decide().assumptions]
     assert len(graded) == 8
-    assert "given eight sentences: a definition" in text
+    assert "Eight sentences are taken on trust there: a definition" in text
+    rows = [row for row, _ in everywhere.decide().rows if row.group == REPAIRED]
+    assert {row.name for row in rows} >= {row.name for row, _ in outcome.of_group(REPAIRED)}
+    assert f"proves the {len(proved)} rows for every r" in text
     assert sorted(graded) == ["definition", *["general mathematics"] * 3, *["glue"] * 4]
     witnesses = [d for _, d in spectrum.decide().rows if d.verdict == REFUTED]
     assert len(witnesses) == 9

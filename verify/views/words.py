@@ -61,7 +61,7 @@ def verdict_text(outcome: Outcome) -> str:
     """The headline, with the number of assumptions on which a proof rests."""
     if outcome.verdict != PROVED:
         return outcome.verdict
-    return f"{headline(outcome)}, given {given(outcome.assumptions)}"
+    return f"{headline(outcome)}, given {given_by(outcome)}"
 
 
 def given(assumptions: Iterable[Assumption]) -> str:
@@ -74,14 +74,18 @@ def given(assumptions: Iterable[Assumption]) -> str:
     return f"{total} {'assumption' if total == 1 else 'assumptions'} ({parts})"
 
 
+def given_by(outcome: Outcome) -> str:
+    """What an outcome rests on: its own assumptions, and the statements that it cites."""
+    cited = [f"what is proved and assumed in '{c.name}'" for c in outcome.statement.cites]
+    own = [given(outcome.assumptions)] if outcome.assumptions or not cited else []
+    return ", and ".join([*own, *cited])
+
+
 def summary(outcome: Outcome) -> str:
     """The whole result in one line: verdict, theorem, parameters, rows, assumptions."""
     parts = [counts(outcome, role) for role in (NEEDED, PRINTED)]
     rows = "; ".join(part for part in parts if part)
-    return (
-        f"{headline(outcome)}: {outcome.statement.title}: {rows}; "
-        f"given {given(outcome.assumptions)}"
-    )
+    return f"{headline(outcome)}: {outcome.statement.title}: {rows}; given {given_by(outcome)}"
 
 
 def counts(outcome: Outcome, role: str) -> str:
@@ -234,8 +238,10 @@ def thresholds(outcome: Outcome) -> str:
 
 
 def in_numbers(outcome: Outcome) -> str | None:
-    """The theorem with its repaired constants, where these are proved to serve; else None."""
+    """The theorem with its repaired constants, where these are numbers that serve; else None."""
     if group_verdict(outcome, REPAIRED) != PROVED or outcome.verdict != PROVED:
+        return None
+    if not outcome.statement.parameters:  # it is about all parameters
         return None
     return theorem_in_numbers(outcome)
 

@@ -57,6 +57,7 @@ from verify.views.words import (
     counts,
     ends_of,
     given,
+    given_by,
     headline,
     in_numbers,
     letters,
@@ -215,7 +216,7 @@ def _other_facts(material: Material) -> Iterator[tuple[str, Cell]]:
     for folder in _others(material):
         outcome = folder.outcome
         parts = [
-            f"Claims: {counts(outcome, NEEDED)}, given {given(outcome.assumptions)}",
+            f"Claims: {counts(outcome, NEEDED)}, given {given_by(outcome)}",
             counts(outcome, PRINTED_ROLE),
         ]
         yield (

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -88,6 +89,27 @@ def test_brackets_up_to_the_limit() -> None:
     check.parsed("file", b"[" * 100 + b"]" * 100, check.anything)
     with pytest.raises(check.Malformed, match="nested brackets"):
         check.parsed("file", b"[" * 101 + b"]" * 101, check.anything)
+
+
+def test_names_up_to_the_limit() -> None:
+    kernel = check.Kernel()
+    kernel.introduce("a" * check.MAX_NAME)
+    with pytest.raises(check.Malformed, match="a name of 1001 characters"):
+        kernel.introduce("a" * (check.MAX_NAME + 1))
+
+
+def test_files_to_be_cited_up_to_the_limit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "a").write_bytes(b"12345")
+    (tmp_path / "b").write_bytes(b"678")
+    monkeypatch.setattr(check, "MAX_CITED", 8)
+    assert check.read_cited(str(tmp_path)) == [b"12345", b"678"]
+    monkeypatch.setattr(check, "MAX_CITED", 7)
+    with pytest.raises(OSError, match="more than 7 bytes"):
+        check.read_cited(str(tmp_path))
+    (tmp_path / "a").unlink()
+    (tmp_path / "a").mkdir()
+    with pytest.raises(OSError, match="which is no file"):
+        check.read_cited(str(tmp_path))
 
 
 def test_degrees_up_to_the_limit() -> None:
@@ -287,10 +309,21 @@ def test_what_clears_in_a_branch_does_not_clear_outside() -> None:
     assert "the root of a term that is not known to be >= 0" in said
 
 
-def test_what_equations_replace_stays_as_it_is_elsewhere() -> None:
-    pair = Pair().context("c", {"x": "1"}, {"is": "x = 1"})
+def test_what_clears_in_a_branch_does_not_clear_in_another() -> None:
+    nothing = ["mul", "0", ["square", term("sqrt(x)")]]
+    branches = [total("goal", "1"), total("goal", "1", nothing)]
+    pair = box(("-1", "1")).lemma("f", "0 <= 1", cuts("x", ["0"], *branches), "box")
+    proof = cuts("x", ["0"], IDENTITY, IDENTITY)
+    said = verdict(pair.row("row", "sqrt(x)*sqrt(x) = x", proof, "box"))
+    assert said.startswith("REFUSED row")
+    assert "the root of a term that is not known to be >= 0" in said
+
+
+@pytest.mark.parametrize("using", [[], ["other"]])
+def test_what_equations_replace_stays_as_it_is_elsewhere(using: list[str]) -> None:
+    pair = Pair().context("c", {"x": "1", "y": "2"}, {"is": "x = 1", "other": "y = 2"})
     pair.lemma("f", "x*x = 1", total(using=["is"]), "c")
-    said = verdict(pair.row("row", "x*x = 1", IDENTITY, "c"))
+    said = verdict(pair.row("row", "x*x = 1", total(using=using), "c"))
     assert "found sides that differ" in said
 
 

@@ -82,6 +82,13 @@ def test_the_document(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> Non
     assert bad["complaints"] == [bad["summary"]]
 
 
+@pytest.mark.parametrize("option", ["--json", "--statement"])
+def test_latex_checks_nothing(capsys: pytest.CaptureFixture[str], option: str) -> None:
+    code, out, err = run(capsys, EXAMPLES / "mean", "--latex", option)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert err.startswith("verify: --latex: ")
+
+
 @pytest.mark.parametrize(
     ("path", "says"),
     [("nowhere", "does not exist"), ("file", "is a file"), (".", "statement.json")],

@@ -37,3 +37,15 @@ def test_a_tested_folder_is_left_as_it_was(tmp_path: Path) -> None:
     assert (tmp_path / "a").read_text() == "mine"
     with pytest.raises(InputError, match="cannot be written"):
         files.test_folder("--out", "y" * 300, "a")
+
+
+def test_an_empty_path_is_no_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for write in (lambda: files.test_folder("--out", "", "a"), lambda: _write_a("")):
+        with pytest.raises(InputError, match="--out: '' is no folder"):
+            write()
+    assert not [*tmp_path.iterdir()]
+
+
+def _write_a(directory: str) -> None:
+    files.write_all("--out", directory, {"a": b"1"})

@@ -125,6 +125,12 @@ def test_precision_errors(capsys: pytest.CaptureFixture[str], bits: str) -> None
     assert (code, out, err.count("\n")) == (2, "", 1)
 
 
+@pytest.mark.parametrize("r", ["1/20", "0.001..0.9"])
+def test_few_bits_are_enough(capsys: pytest.CaptureFixture[str], r: str) -> None:
+    code, _, err = run(capsys, "--r", r, "--precision", "2")
+    assert (code, err) == (0, "")
+
+
 def test_files_are_the_same_to_the_byte(tmp_path: Path) -> None:
     contents = []
     for name, seed in (("a", "1"), ("b", "2")):

@@ -7,6 +7,7 @@ import re
 import sys
 from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
+from contextlib import suppress
 from errno import EBADF
 from importlib import import_module
 from io import TextIOWrapper
@@ -100,7 +101,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _fail(message: str, code: int) -> int:
     if sys.stderr is not None:
-        print(f"verify: {message}", file=sys.stderr)
+        with suppress(OSError):  # nobody listens; the exit code says it still
+            print(f"verify: {message}", file=sys.stderr, flush=True)
     return code
 
 

@@ -64,6 +64,8 @@ class Judged(NamedTuple):
 
 def run(options: Namespace) -> int:
     """Check, and return the worst exit code of all folders."""
+    if options.latex and (options.json or options.statement):
+        raise InputError("--latex: checks nothing; leave it out with --json and --statement")
     folders = read_folders(options.path)
     if options.latex:
         return _print_latex(folders)

@@ -65,6 +65,8 @@ class _Writing:
         self._made: list[str] = []
 
     def __enter__(self) -> _Writing:
+        if not self._directory:
+            raise InputError(f"{self._option}: '' is no folder; write . for this one")
         return self
 
     def add(self, name: str, content: bytes) -> None:

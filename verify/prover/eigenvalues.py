@@ -63,7 +63,7 @@ def at(r: Fraction, bits: int) -> Spectrum:
     The precision is raised until that is so. This ends: a part that is not computed exactly is a
     number other than 0.
     """
-    work = max(bits, r.denominator.bit_length()) + GUARD_BITS
+    work = max(bits, ESTIMATE_BITS, r.denominator.bit_length()) + GUARD_BITS
     while True:
         with balls.precision(work):
             m = root(r, work)
@@ -76,7 +76,8 @@ def at(r: Fraction, bits: int) -> Spectrum:
 
 def over(low: Fraction, high: Fraction, bits: int) -> Spectrum:
     """Enclosures valid for all r in [low, high], where 0 < low < high < 1."""
-    work = max(bits, low.denominator.bit_length(), high.denominator.bit_length()) + GUARD_BITS
+    lengths = (r.denominator.bit_length() for r in (low, high))
+    work = max(bits, ESTIMATE_BITS, *lengths) + GUARD_BITS
     with balls.precision(work):
         first, last = root(low, work), root(high, work)
         step = (last - first) / PIECES

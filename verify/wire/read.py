@@ -42,7 +42,9 @@ def read(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]) -> Ou
     """
     try:
         return _outcome(json.loads(statement), json.loads(certificate), cited)
-    except (KeyError, TypeError, ValueError, AttributeError, IndexError, RecursionError) as error:
+    except KeyError as error:
+        raise WireError(f"not a statement with its certificate: {error} is missing") from error
+    except (TypeError, ValueError, AttributeError, IndexError, RecursionError) as error:
         raise WireError(f"not a statement with its certificate: {error}") from error
 
 

@@ -57,24 +57,28 @@ def test_the_counts_are_right() -> None:
     outcome = decide(parameters("3/100", "1"))
     refuted = [row for row, d in outcome.rows if row.role == PRINTED and d.verdict == REFUTED]
     assert f"{len(refuted)} of its rows are refuted" in text
-    count = {
-        kind: sum(row.severity == kind for row in refuted) for kind in (BREAKS, HARMLESS, SLIP)
-    }
+    kinds = (BREAKS, HARMLESS, SLIP)
+    count = {kind: sum(row.severity == kind for row in refuted) for kind in kinds}
+    alone = [row for row in refuted if ".alone-" in row.name]
+    breaking = {row.name for row in refuted if row.severity == BREAKS}
+    assert sum(bool(breaking & set(cause.rows)) for cause in causes()) == 2
+    assert f"they have {len(causes())} causes" in text
     assert (
-        f"{count[BREAKS]} of them break the argument, {count[HARMLESS]} are false but harmless "
-        f"there, {count[SLIP]} are slips of wording" in text
+        f"{count[BREAKS]} rows, of two causes, break the argument; {count[HARMLESS]} are false but "
+        f"harmless there, and {len(alone)} of these" in text
     )
+    assert f"{count[SLIP]} are slips of wording" in text
     proved = [d.verdict for _, d in outcome.of_group(REPAIRED)]
     assert set(proved) == {PROVED}
     assert f"all {len(proved)} rows of the repaired set are proved" in text
     assert f"rests on {len(outcome.assumptions)} listed sentences" in text
     graded = [assumption.kind for assumption in step.decide().assumptions]
-    assert len(graded) == 8
-    assert "Eight sentences are taken on trust there: a definition" in text
+    assert len(graded) == 9
+    assert "Nine sentences are taken on trust there: a definition" in text
     rows = [row for row, _ in everywhere.decide().rows if row.group == REPAIRED]
     assert {row.name for row in rows} >= {row.name for row, _ in outcome.of_group(REPAIRED)}
     assert f"proves the {len(proved)} rows for every r" in text
-    assert sorted(graded) == ["definition", *["general mathematics"] * 3, *["glue"] * 4]
+    assert sorted(graded) == ["definition", *["general mathematics"] * 4, *["glue"] * 4]
     witnesses = [d for _, d in spectrum.decide().rows if d.verdict == REFUTED]
     assert len(witnesses) == 9
     assert all(d.method == "witness" for d in witnesses)

@@ -26,13 +26,13 @@ def one_folder(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.usefixtures("one_folder")
 def test_what_is_written_compares_equal(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     code, out, err = run(capsys, "certify", "--directory", tmp_path / "new")
-    assert (code, err, out.count("written ")) == (0, "", 3)
+    assert (code, err, out.count("written ")) == (0, "", 4)
     folder = tmp_path / "new/theorem1-r-3-100"
     assert {file.name for file in folder.iterdir()} == {
         "statement.json", "certificate.json", "report.md",
     }  # fmt: skip
     code, out, _ = run(capsys, "certify", "--compare", "--directory", tmp_path / "new")
-    assert (code, out.count("same ")) == (0, 9)
+    assert (code, out.count("same ")) == (0, 13)
     (folder / "report.md").write_text("other")
     (folder / "certificate.json").unlink()
     code, out, _ = run(capsys, "certify", "--compare", "--directory", tmp_path / "new")

@@ -47,7 +47,10 @@ def test_the_main_job(capsys: pytest.CaptureFixture[str]) -> None:
     assert (code, err) == (0, "")
     assert "corrected by repaired.zeta-x-bound" in out
     last = out.splitlines()[-1]
-    assert last.startswith(f"Verdict: conditionally proved: {THEOREM} (all constants) at r = 3/100")
+    start = (
+        f"Verdict: conditionally proved: Rows of {THEOREM}, printed and repaired constants, at r ="
+    )
+    assert last.startswith(start)
     needed, printed = (int(n) for n in re.findall(r"(\d+) (?:needed|printed) \(", last))
     assert min(needed, printed) > 150
     assert f"{needed} needed ({needed} proved); {printed} printed (" in last
@@ -103,7 +106,7 @@ def test_the_document_has_the_promised_shape(capsys: pytest.CaptureFixture[str])
     assert code == 0
     assert (doc["format"], doc["command"]) == ("verify-theorem1/1", "theorem1")
     assert doc["verdict"] == "conditionally proved"
-    assert doc["theorem"].startswith("Let r = 3/100.")
+    assert doc["theorem"].startswith("Given the assumptions: let r = 3/100.")
     assert doc["parameters"] == {
         "r": "3/100",
         "neg_cos_theta0": "1",

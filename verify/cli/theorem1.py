@@ -10,7 +10,7 @@ from verify.cli.files import print_document, test_folder, write_certificate
 from verify.jobs.inputs import InputError, angle, integer, rational, shown
 from verify.jobs.theorem1 import decide
 from verify.language.terms import Term, as_term
-from verify.paper.groups import SELECTIONS
+from verify.paper.groups import PRINTED, SELECTIONS
 from verify.prover.outcome import Outcome
 from verify.views.table import lines, screen, some_rows
 
@@ -131,12 +131,19 @@ def _everywhere(options: Namespace) -> int:
         if getattr(options, option) is not None:
             name = option.replace("_", "-")
             raise InputError(f"--{name}: is for one value; leave it out with --all")
+    if options.constants not in SELECTIONS:
+        raise InputError(
+            f"--constants: {shown(options.constants)} is unknown; write printed or all"
+        )
     test_folder("--out", options.out, "statement.json", "certificate.json")
     from verify.jobs import everywhere, step  # loaded only where they are used
     from verify.views import everywhere as view
     from verify.views.document import assumption_document, claims_document
 
-    outcome, cited = everywhere.decide(), step.decide().assumptions
+    if options.constants == PRINTED:
+        outcome, cited = everywhere.printed(), everywhere.printed().assumptions
+    else:
+        outcome, cited = everywhere.decide(), step.decide().assumptions
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
     if options.json:
@@ -145,7 +152,8 @@ def _everywhere(options: Namespace) -> int:
         print_document(found)
         return outcome.exit_code
     text = [*view.rows(outcome), ""] if options.verbose else []
-    text += view.screen(outcome, cited)
+    printed = options.constants == PRINTED
+    text += view.printed_screen(outcome) if printed else view.screen(outcome, cited)
     sys.stdout.write("".join(f"{line}\n" for line in text))
     return outcome.exit_code
 

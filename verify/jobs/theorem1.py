@@ -122,7 +122,8 @@ def _title(selection: str, parameters: Mapping[str, Term]) -> str:
     """What the statement is about, in one line."""
     typesetter = Typesetter({})
     values = ", ".join(f"{name} = {typesetter.term(term)}" for name, term in parameters.items())
-    return f"{theorem().name} ({selection} constants) at {values}"
+    which = "printed and repaired" if selection == "all" else selection
+    return f"Rows of {theorem().name}, {which} constants, at {values}"
 
 
 def constants_enclosure(bits: int) -> Callable[[Mapping[str, Fraction]], dict[str, balls.Ball]]:

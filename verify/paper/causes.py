@@ -20,8 +20,8 @@ CAUSES = (
     Cause(
         ("hypotheses.angle-as-printed", "printed.second-assumption-as-printed"),
         "< is printed for >, which `EQUATSS3.4ZKCl2CondiStabi` has. The two conditions exclude "
-        "each other: wherever the constants exist the printed hypothesis fails (at r = 3/100 "
-        "with -cos θ₀ = 1, for one), and all other rows are judged outside it.",
+        "each other: wherever h₅ > 0, as the text asks, the printed hypothesis fails (at r = 3/100 "
+        "with -cos θ₀ = 1, for one), and the other rows are judged outside it. One slip, two rows.",
     ),
     Cause(
         ("printed.r_stabi-gives-fixed-points",),
@@ -31,8 +31,9 @@ CAUSES = (
     Cause(("printed.phi-minus-called-unstable",), "'Unstable' is printed for 'stable'."),
     Cause(
         ("printed.set-interior",),
-        "ω_{c,0}·ω_{s,0} = cos θ₀ is an equation, so the set has no interior, and the theorem "
-        "claims one. That the members of the set collapse is not concerned.",
+        "ω_{c,0}·ω_{s,0} = cos θ₀ is an equation, so this set has no interior, not even among the "
+        "data in contact, and the theorem claims one. The union of such sets over neighbouring "
+        "angles has one; the text does not form it.",
     ),
     Cause(
         ("printed.init-zeta-bound-2",),
@@ -56,8 +57,8 @@ CAUSES = (
             "printed.zeta-remainders",
             "printed.zeta-total",
         ),
-        "Of all x_n only x₀ is at most (V₀/V₁) δ₂² h₅/12; the others are bounded by δ_x, which is "
-        "larger.",
+        "Only of x₀ is it assumed that it is at most (V₀/V₁) δ₂² h₅/12; of the others the text has "
+        "the bound δ_x, which is larger.",
     ),
     Cause(("printed.CndT-as-printed",), "'1 +' is missing in front of (√2-1)/2."),
     Cause(

@@ -14,7 +14,7 @@ from verify.language.terms import as_term, sqrt
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import V_0, c
 from verify.paper.preliminaries import alpha_0, h_4, phi_minus
-from verify.paper.rows import BREAKS, SLIP
+from verify.paper.rows import HARMLESS, SLIP
 
 DATA = "EQUATSS4.1DescrDoIniColla"
 CND = "EQUATSS4.1Recurrence_Cnd"
@@ -66,7 +66,7 @@ def _interior(k: ConstantSet) -> Iterator[Obligation]:
         "a non-trivial interior: the width that the set leaves for -cos of the angle",
         0 < as_term(k.initial_slack),
         ["interior"],
-        if_false=BREAKS,
+        if_false=HARMLESS,
     )
     says = "… and for η_{s,0}/(-η_{c,0}), on both sides of φ⁻"
     yield from k.repair("set-x_0", DATA, says, 0 < k.x_0)

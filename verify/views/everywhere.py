@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.statement import PROVED, Assumption
+from verify.language.statement import PROVED, REFUTED, Assumption
 from verify.prover.outcome import Outcome
-from verify.views.words import counts, given, letters
+from verify.views.words import counts, given, letters, short_name
 
 FORMAT = "verify-theorem1-all/1"
 
 THEOREM = (
-    "Theorem 1. Let 0 < r < 1, V₀ > 0, δ_θ > 0, and let θ₀ satisfy 0 < -cos θ₀ ≤ 1 and "
-    "-cos θ₀ > 2r^(1/3)(1+r^(1/3))/(1+r). Then the constants of the repaired set exist and are "
-    "positive, and three particles that start in the set they describe collide for ever in the "
-    "order 0-2, 0-1, 0-2, …, in finite time, and -cos of the angle converges to a limit within δ_θ "
-    "of -cos θ₀. The set has interior points."
+    "Theorem 1, given these sentences. Let 0 < r < 1, V₀ > 0, δ_θ > 0, and let θ₀ satisfy "
+    "0 < -cos θ₀ ≤ 1 and -cos θ₀ > 2r^(1/3)(1+r^(1/3))/(1+r). Then the constants of the repaired "
+    "set exist and are positive, and three particles that start in the set they describe collide infinitely often, "
+    "in the order 0-2, 0-1, 0-2, …, in finite time, and -cos of the angle converges to a limit "
+    "within δ_θ of -cos θ₀. The set has interior points."
 )
 
 
@@ -35,6 +35,27 @@ def screen(outcome: Outcome, cited: tuple[Assumption, ...]) -> Iterator[str]:
         yield ""
     rest = f"given {given(cited)} of the cited step"
     yield f"Verdict: {outcome.verdict}: {outcome.statement.title}; {rest}"
+
+
+def printed_screen(outcome: Outcome) -> Iterator[str]:
+    """Which rows of the printed set fail for all parameters, and which at an example."""
+    yield "The printed set, for all parameters that satisfy the corrected hypothesis"
+    yield ""
+    typesetter = letters(outcome)
+    for row, decision in outcome.rows:
+        if decision.verdict == REFUTED and not decision.witness:
+            yield f"  fails for all: {short_name(row)}   [{row.label}]"
+    for row, decision in outcome.rows:
+        if decision.verdict == REFUTED and decision.witness:
+            values = ", ".join(
+                f"{name} = {typesetter.term(term)}"
+                for name, term in decision.witness.items()
+                if name in ("u", "p", "v", "delta_theta")
+            )
+            yield f"  fails at {values}: {short_name(row)}   [{row.label}]"
+    yield ""
+    held = sum(decision.verdict == PROVED for _, decision in outcome.rows)
+    yield f"Verdict: {held} rows hold for all parameters; {counts(outcome, 'printed')}"
 
 
 def rows(outcome: Outcome) -> Iterator[str]:

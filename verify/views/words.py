@@ -263,13 +263,15 @@ def theorem_in_numbers(outcome: Outcome) -> str:
     phi = ends_of(outcome, "phi_minus")
     root = "undefined" if phi is None else short(phi)
     return (
-        f"Let r = {r}. Three particles, 0 and 1 in contact and just collided, with "
+        f"Given the assumptions: let r = {r}. Three particles, 0 and 1 in contact and just "
+        f"collided, with "
         f"0 < -η_c ≤ {value('eta_bar')}, |η_s/(-η_c) - φ⁻| ≤ {value('x_0')} and η_s > 0 "
         f"(φ⁻ = {root}), 0 < d ≤ min({value('d_const')}, {value('d_slope')} η_c²), "
         f"|W_c|² and |W_s|² in [{low}, {high}], and |cos θ + {added}| ≤ "
-        f"{value('Delta_theta')}/4, collide for ever in the order 0-2, 0-1, 0-2, …, within the "
-        f"time {value('T_star')} (unit of length: a diameter; |W|² ≥ V₀ = {v_0}), and -cos of "
-        f"the final angle differs from {c} by at most {value('Delta_theta')} ≤ δ_θ = {delta}."
+        f"{value('Delta_theta')}/4, collide infinitely often, in the order 0-2, 0-1, 0-2, …, all "
+        f"within the time {value('T_star')} (unit of length: a diameter; |W|² ≥ V₀ = {v_0}), and "
+        f"-cos of the final angle differs from {c} by at most {value('Delta_theta')} ≤ δ_θ = "
+        f"{delta}."
     )
 
 

@@ -221,7 +221,10 @@ def _point_reasons() -> dict[str, Sum]:
 
 
 def _vectors_exist() -> Iterator[Item]:
-    """Vectors with these inner products exist, already in the plane."""
+    """Vectors with this angle, these normal components and these norms exist, already in the plane.
+
+    The other inner products of the point may need dimension 4.
+    """
     says = "there are unit vectors and velocities with these numbers"
     p, eta2 = point_frame, power("eta_bar-positive", 2)
     norm = times(Fraction(1, 6), "V_1-above-V_0")
@@ -232,9 +235,9 @@ def _vectors_exist() -> Iterator[Item]:
     reason_c = proof("set-eta_c", times(Fraction(3, 4), eta2), norm)
     reason_s = proof("set-eta_s", less, more, norm)
     angle = proof(times("angle-real", plus(1, "angle-obtuse")))
-    yield Line("at-angle", p.C**2 <= 1, angle, DATA, says, ("cauchy-schwarz",))
-    yield Line("room-c", p.y**2 < p.A, reason_c, DATA, says, ("cauchy-schwarz",))
-    yield Line("room-s", p.eta_s**2 < p.B, reason_s, DATA, says, ("cauchy-schwarz",))
+    yield Line("at-angle", p.C**2 <= 1, angle, DATA, says, ("vectors-exist",))
+    yield Line("room-c", p.y**2 < p.A, reason_c, DATA, says, ("vectors-exist",))
+    yield Line("room-s", p.eta_s**2 < p.B, reason_s, DATA, says, ("vectors-exist",))
     yield Line("at-room-c", p.y**2 <= p.A, reason_c)
     yield Line("at-room-s", p.eta_s**2 <= p.B, reason_s)
 

@@ -1,6 +1,7 @@
 """The numbers of the theorem as variables, and what the step needs to know of them.
 
-Each given is a row of the repaired set, word for word, or a definition; so the step holds for the
+Each given is a row of the hypotheses or of the repaired set, word for word, a sign that follows
+from these rows, or a definition; so the step holds for the
 constants of that set, rounded or not, and for any others that satisfy these rows.
 """
 

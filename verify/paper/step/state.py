@@ -181,7 +181,7 @@ _LETTERS = {
     "B": ("|W_s|²", "|W_s|^2"),
     "w": ("W_s·W_c", r"W_s\cdot W_c"),
     "d": ("d", "d"),
-    "g": ("C_ηⁿη_{c,0}", r"C_\eta^n\eta_{c,0}"),
+    "g": ("C_ηⁿ|η_{c,0}|", r"C_\eta^n|\eta_{c,0}|"),
     "clock": ("t_n", "t_n"),
 }
 

@@ -26,8 +26,9 @@ from verify.paper.step.assumptions import ASSUMPTIONS
 
 NAME = "step"
 TITLE = (
-    "One step of the recursion, for every state and all numbers that satisfy the rows of the "
-    "repaired set; and the induction on the number of collisions"
+    "One step of the recursion, for every state that satisfies the conditions and all numbers that "
+    "satisfy the rows of the hypotheses and of the repaired set; and the induction on the number "
+    "of collisions"
 )
 
 #: The row that the step applies to the constants of the theorem.

@@ -85,7 +85,7 @@ class Applies(NamedTuple):
 
 
 class Always(NamedTuple):
-    """Whatever starts so and goes on so satisfies all givens of the context for ever."""
+    """Whatever starts so and goes on so, as long as it does, satisfies all givens at each step."""
 
     context: Context
     start: dict[int, int]

@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from verify.language.statement import NEEDED, PRINTED, REFUTED, Constant, Obligation
+from verify.language.statement import (
+    NEEDED,
+    PRINTED,
+    REFUTED,
+    Always,
+    Applies,
+    Constant,
+    Context,
+    Obligation,
+)
 from verify.language.terms import Claim, symbol
 from verify.language.typeset import Typesetter
 from verify.paper.groups import PRINTED as PRINTED_SET
@@ -19,6 +28,7 @@ from verify.views.words import (
     in_numbers,
     letters,
     minimum_of,
+    short_name,
     sides_of,
     verdict_text,
 )
@@ -27,6 +37,7 @@ _SIGNS = {"<": "<", "<=": "≤", "=": "="}
 
 #: A longer formula is left to the statement file; what the row says names it.
 LONGEST = 400
+LONG = "(long: see the statement file)"
 
 Row = tuple[Obligation, Decision]
 
@@ -57,11 +68,43 @@ def _lines(outcome: Outcome) -> Iterator[str]:
     if outcome.statement.constants:
         yield from section("Constants")
         yield from table(("Constant", "Value", "Definition or bound"), _constants(outcome))
+    for context in outcome.statement.contexts:
+        yield from _context(context, letters(outcome))
     for group in groups(outcome):
         yield from section(f"All rows: {group}")
         yield from _rows(outcome, outcome.of_group(group))
     yield from section("Taken on trust")
     yield from (f"- `{a.label}` ({a.kind}): {a.sentence}" for a in outcome.assumptions)
+
+
+def _context(context: Context, typesetter: Typesetter) -> Iterator[str]:
+    """What a context assumes: a row of it holds for all values that satisfy its givens."""
+    inside = f", inside `{context.parent}`" if context.parent else ""
+    yield from section(f"Context `{context.name}`{inside}")
+    if context.says:
+        yield from (context.says, "")
+    yield f"Variables: {', '.join(v.letter or v.name for v in context.variables) or 'none'}."
+    if context.givens:
+        yield ""
+        yield from table(
+            ("Given", "Claim", "Kind"),
+            (
+                (f"`{g.name}`", _short_claim(g.claim, typesetter), g.assumption or g.kind)
+                for g in context.givens
+            ),
+        )
+    if context.constants:
+        yield ""
+        terms = ((c, typesetter.term(c.term)) for c in context.constants)
+        yield from table(
+            ("Constant", "Definition"),
+            ((f"{c.letter} (`{c.name}`)", t if len(t) <= LONGEST else LONG) for c, t in terms),
+        )
+
+
+def _short_claim(claim: Claim | Applies | Always, typesetter: Typesetter) -> str:
+    text = typesetter.claim(claim)
+    return text if len(text) <= LONGEST else LONG
 
 
 # --- rows ----------------------------------------------------------------------------------------
@@ -108,10 +151,11 @@ def values(decision: Decision, typesetter: Typesetter) -> str:
 def _rows(outcome: Outcome, rows: Iterable[Row]) -> Iterator[str]:
     typesetter = letters(outcome)
     yield from table(
-        ("Verdict", "Label", "Step", "Claim", "Left and right", "By"),
+        ("Verdict", "Name", "Label", "Step", "Claim", "Left and right", "By"),
         (
             (
                 decision.verdict + ("" if row.role == NEEDED else f" ({row.role})"),
+                f"`{short_name(row)}`",
                 f"`{row.label}`",
                 row.says,
                 _claim(row, typesetter),
@@ -124,8 +168,7 @@ def _rows(outcome: Outcome, rows: Iterable[Row]) -> Iterator[str]:
 
 
 def _claim(row: Obligation, typesetter: Typesetter) -> str:
-    text = typesetter.claim(row.claim)
-    return text if len(text) <= LONGEST else "(long: see the statement file)"
+    return _short_claim(row.claim, typesetter)
 
 
 # --- constants -----------------------------------------------------------------------------------

@@ -112,6 +112,14 @@ def test_files_to_be_cited_up_to_the_limit(tmp_path: Path, monkeypatch: pytest.M
         check.read_cited(str(tmp_path))
 
 
+def test_files_are_read_just_beyond_the_limit(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "a").write_bytes(b"123456")
+    monkeypatch.setattr(check, "MAX_BYTES", 4)
+    assert check.read_file(str(tmp_path / "a")) == b"12345"
+
+
 def test_degrees_up_to_the_limit() -> None:
     kernel, most = check.Kernel(), check.MAX_DEGREE
     assert kernel.merged(((1, most - 1),), ((1, 1), (2, most))) == ((1, most), (2, most))
@@ -325,6 +333,28 @@ def test_what_equations_replace_stays_as_it_is_elsewhere(using: list[str]) -> No
     pair.lemma("f", "x*x = 1", total(using=["is"]), "c")
     said = verdict(pair.row("row", "x*x = 1", total(using=using), "c"))
     assert "found sides that differ" in said
+
+
+def test_a_divisor_of_unknown_sign_has_no_opposite() -> None:
+    """Its negative is no term so far, and not the first term that was read, which is positive."""
+    pair = Pair().context("c", {"x": "1", "y": "1"}, {"p": "0 < x"})
+    said = verdict(pair.row("row", "y/y = 1", IDENTITY, "c"))
+    assert "found a division by a term" in said
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "sqrt(2)*sqrt(2) = 3",
+        "sqrt(2)*sqrt(2) = 1",
+        "sqrt(2)**4 = 2",
+        "sqrt(2)**3 = 2",
+        "sqrt(2)*sqrt(3) = 6",
+        "sqrt(2)*sqrt(2) + 1 = 2",
+    ],
+)
+def test_what_squares_of_roots_are_not(claim: str) -> None:
+    assert "found sides that differ" in ground(claim, IDENTITY)
 
 
 def test_roots_are_reduced_in_each_proof() -> None:

@@ -19,6 +19,7 @@ DOCUMENTS = [
     ("theorem1", ["theorem1", "--r", "0.03", "--constants", "printed"]),
     ("theorem1", ["theorem1", "--r", "1/1000", "--theta0", "5*pi/6", "--constants", "repaired"]),
     ("theorem1", ["theorem1", "--r", "0.5"]),
+    ("theorem1-all", ["theorem1", "--all"]),
     ("theorem1-scan", ["theorem1", "--r", "0.02..0.2", "--steps", "5"]),
     ("spectrum", ["spectrum"]),
     ("spectrum", ["spectrum", "--r", "1/20"]),

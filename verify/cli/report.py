@@ -34,6 +34,7 @@ def run(options: Namespace) -> int:
         )
     if not options.compare:
         test_folder("--directory", options.directory, "index.html", "index.md")
+        _need_matplotlib()
     from verify.jobs.report import CertificateError  # loads flint
     from verify.views.page.build import files
 
@@ -42,8 +43,6 @@ def run(options: Namespace) -> int:
     except CertificateError as error:
         print(f"verify: {error}", file=sys.stderr)
         return error.code
-    except ImportError as error:  # matplotlib, which only the drawings need
-        raise InputError(str(error)) from error
     if not options.compare:
         write_all("--directory", options.directory, made)
         for name in made:
@@ -56,6 +55,16 @@ def run(options: Namespace) -> int:
         differing += not same
         print(f"{'same' if same else 'DIFFERS':<8} {path}")
     return 1 if differing else 0
+
+
+def _need_matplotlib() -> None:
+    """Afterwards what draws is there: said before the long work, not after it."""
+    from verify.views.plots.drawing import pyplot
+
+    try:
+        pyplot()
+    except ImportError as error:
+        raise InputError(str(error)) from error
 
 
 def without_drawings(page: bytes) -> bytes:

@@ -72,8 +72,7 @@ def pyplot() -> Any:
         import matplotlib
     except ImportError as error:
         raise MatplotlibMissingError(
-            "the plots of the report need matplotlib; install it with: "
-            "pip install 'verify-collapse[report]'"
+            "the plots of the report need matplotlib; install it with: pip install -e '.[report]'"
         ) from error
     matplotlib.use("svg")
     import matplotlib.pyplot as plt

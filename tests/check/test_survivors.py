@@ -343,6 +343,19 @@ def test_a_divisor_of_unknown_sign_has_no_opposite() -> None:
 
 
 @pytest.mark.parametrize(
+    ("claim", "said"),
+    [("5/4 <= x", "proved"), ("3/2 <= x", "REFUSED"), ("x <= 7/4", "proved"),
+     ("x <= 13/8", "REFUSED")],
+)  # fmt: skip
+def test_bounds_are_the_outer_ends_of_enclosures(claim: str, said: str) -> None:
+    """At two bits the roots of 2 and 3 lie in [5/4, 3/2] and [3/2, 7/4]."""
+    givens = {"low": "sqrt(2) <= x", "high": "x <= sqrt(3)"}
+    pair = Pair().context("c", {"x": "3/2"}, givens)
+    proof = interval(("x", "low", "high"), bits=2)
+    assert verdict(pair.row("row", claim, proof, "c")).startswith(said)
+
+
+@pytest.mark.parametrize(
     "claim",
     [
         "sqrt(2)*sqrt(2) = 3",

@@ -39,6 +39,7 @@ MAX_BITS = 1 << 16  # of precision
 MAX_SIZE = 1 << 19  # bits of a numerator with its denominator
 MAX_DEGREE = 1 << 20  # of a name or another atom in a polynomial
 MAX_SHOWN = 1 << 12  # bits before or after the point, in messages
+MAX_TOLD = 4  # monomials, and factors of one, in messages
 MAX_WORK = 6_000_000  # about the number of microseconds
 
 
@@ -470,13 +471,13 @@ class Kernel:
         if claim.relation == "=":
             need(not proof["addends"], Refused, "found addends, but = has no negation")
             rest = clearing.reduce(self.plus(goal, zeros, -1))
-            need(not rest, Refused, "found sides that differ, in {} monomials", len(rest))
+            need(not rest, Refused, "found sides that differ, by {}", clearing.told(rest))
             return
         need(claim.relation != "!=", Refused, "found !=, expected <, <= or =")
         clearing.goal = goal, claim.relation == "<="
         total, strict = clearing.value(["add", *proof["addends"]])
         rest = clearing.reduce(self.plus(total, zeros, 1))
-        need(not rest, Refused, "found a sum that is not 0, in {} monomials", len(rest))
+        need(not rest, Refused, "found a sum that is not 0, but {}", clearing.told(rest))
         need(strict, Refused, "found no addend that is positive")
 
     def instance(self, place: Place, claim: Claim | Applies, proof: Proof) -> None:
@@ -867,6 +868,22 @@ class Clearing:
             top = max((dict(monomial).get(atom, 0) // 2 for monomial in p), default=0)
             p = self.without_squares(p, atom, top) if top else p
         return p
+
+    def told(self, p: Polynomial) -> str:
+        """Some monomials of a polynomial, for a message."""
+        if not p:
+            return "0"
+        names = {term: name for name, term in self.kernel.names.items()}
+        parts = []
+        for monomial, coefficient in list(p.items())[:MAX_TOLD]:
+            bits = size(coefficient)
+            factors = [str(coefficient) if bits < MAX_SHOWN else f"(a number of {bits} bits)"]
+            for atom, exponent in monomial[:MAX_TOLD]:
+                name = names.get(atom, f"{self.kernel.nodes[atom].op}(...)")
+                factors.append(name if exponent == 1 else f"{name}^{exponent}")
+            parts.append("*".join(factors))
+        left = len(p) - len(parts)
+        return " + ".join(parts) + (f" + {left} monomials" if left > 0 else "")
 
     def without_squares(self, p: Polynomial, atom: int, top: int) -> Polynomial:
         """The polynomial times d^top, where root^2 = n/d and the root has powers to 2 top + 1."""

@@ -90,8 +90,8 @@ def test_inequalities(claim: str, proof: Any) -> None:
 @pytest.mark.parametrize(
     ("claim", "proof", "reason"),
     [
-        ("x = y", IDENTITY, "found sides that differ, in 2 monomials"),
-        ("x + 1 = x", IDENTITY, "found sides that differ, in 1 monomials"),
+        ("x = y", IDENTITY, "found sides that differ, by 1*x + -1*y"),
+        ("x + 1 = x", IDENTITY, "found sides that differ, by 1"),
         ("x = x", total("1"), "found addends, but = has no negation"),
         ("x = x", total("goal"), "found addends, but = has no negation"),
         ("q*x = 1", IDENTITY, "found sides that differ"),
@@ -114,10 +114,10 @@ def test_inequalities(claim: str, proof: Any) -> None:
         ("0 < x*y", total("goal", ["mul", "x-pos", "y-low"]), "no addend that is positive"),
         ("0 < y*y", total("goal", ["square", "y"]), "no addend that is positive"),
         ("0 < r", total("goal", ["root", ["sqrt", "2"]], using=["r"]), "no addend that is pos"),
-        ("x <= x + y", total("y-low"), "found a sum that is not 0, in 1 monomials"),
+        ("x <= x + y", total("y-low"), "found a sum that is not 0, but 1*y"),
         ("x < x", total("goal"), "found no addend that is positive"),
         ("x < x", total("goal", "1"), "found a sum that is not 0"),
-        ("x < y", total("goal", "x-pos", "y-low"), "found a sum that is not 0, in 1 monomials"),
+        ("x < y", total("goal", "x-pos", "y-low"), "found a sum that is not 0, but 2*x"),
         ("x < x", total(), "found no addend that is positive"),
         ("x <= x", total(), "found no addend that is positive"),
         ("x < x", total(["mul"]), "found a sum that is not 0"),

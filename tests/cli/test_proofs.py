@@ -39,7 +39,24 @@ def test_all_parameters(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> N
     assert len(cited.read_bytes()) < check.MAX_BYTES
 
 
-@pytest.mark.parametrize("words", [("--r", "0.03"), ("--steps", "3"), ("--neg-cos", "1")])
+def test_the_printed_set_for_all_parameters(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, "theorem1", "--all", "--constants", "printed")
+    assert (code, err) == (1, "")
+    assert "  fails for all: zeta-x-bound " in out
+    assert "fails at delta_theta = 1/1000: final-angle " in out
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("--r", "0.03"),
+        ("--steps", "3"),
+        ("--neg-cos", "1"),
+        ("--V0", "2"),
+        ("--precision", "abc"),
+        ("--constants", "none"),
+    ],
+)
 def test_all_takes_no_values(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
     code, out, err = run(capsys, "theorem1", "--all", *words)
     assert (code, out, err.count("\n")) == (2, "", 1)

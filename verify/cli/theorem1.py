@@ -11,7 +11,7 @@ from verify.jobs.inputs import InputError, angle, integer, rational, shown
 from verify.jobs.theorem1 import decide
 from verify.language.terms import Term, as_term
 from verify.paper.groups import PRINTED, SELECTIONS
-from verify.prover.outcome import Outcome
+from verify.prover.outcome import EXIT_CODES, Outcome, conjunction
 from verify.views.table import lines, screen, some_rows
 
 MAX_PRECISION = 1 << 16
@@ -20,22 +20,44 @@ MAX_PRECISION = 1 << 16
 ENCLOSED_BITS = 128
 
 
+#: What options have that are not given.
+DEFAULTS = {
+    "delta_theta": "1/10",
+    "V0": "1",
+    "constants": "all",
+    "precision": "128",
+    "max_precision": "65536",
+    "verbose": False,
+}
+#: The options that only a single point has.
+POINT_OPTIONS = ("theta0", "precision", "max_precision", "rows")
+
+
 def add_arguments(parser: ArgumentParser) -> None:
     """The options; every number is kept as the text that was written."""
     number = "exact: 0.03, 3/100 or 3e-2"
-    parser.add_argument("--all", action="store_true", help="prove it for all parameters at once")
+    parser.add_argument(
+        "--all", action="store_true", help="prove it for all parameters, without --r"
+    )
     parser.add_argument("--r", help=f"restitution coefficient in ]0,1[ ({number})")
     parser.add_argument("--theta0", metavar="ANGLE", help="[k*]pi[/n] or radians, in ]pi/2, pi]")
     parser.add_argument("--neg-cos", metavar="C", help="-cos of the angle, in ]0, 1] (default 1)")
     parser.add_argument(
-        "--delta-theta", default="1/10", help="allowed deviation of the final -cos (default 1/10)"
+        "--delta-theta",
+        default=DEFAULTS["delta_theta"],
+        help="allowed deviation of the final -cos (default 1/10)",
     )
     parser.add_argument(
-        "--V0", default="1", help="lower bound of the squared relative speeds (default 1)"
+        "--V0",
+        default=DEFAULTS["V0"],
+        help="lower bound of the squared relative speeds (default 1)",
     )
-    parser.add_argument("--constants", default="all", help="printed, repaired or all (default)")
-    parser.add_argument("--precision", default="128", help="starting bits (default 128)")
-    parser.add_argument("--max-precision", default="65536", help="last bits (default 65536)")
+    parser.add_argument(
+        "--constants", default=DEFAULTS["constants"], help="printed, repaired or all (default)"
+    )
+    bits = DEFAULTS["precision"], DEFAULTS["max_precision"]
+    parser.add_argument("--precision", default=bits[0], help=f"starting bits (default {bits[0]})")
+    parser.add_argument("--max-precision", default=bits[1], help=f"last bits (default {bits[1]})")
     parser.add_argument("--steps", help="with --r A..B: that many values of r, one verdict each")
     parser.add_argument("-v", "--verbose", action="store_true", help="print every row")
     parser.add_argument("--rows", metavar="NAME", help="print the rows of this name only")
@@ -125,12 +147,20 @@ def _some_rows(outcome: Outcome, name: str) -> list[str]:
     return found
 
 
+def _leave_out(options: Namespace, command: str, names: tuple[str, ...]) -> None:
+    """Refuse options that would not be used.
+
+    Raises:
+        InputError: naming the option.
+    """
+    for name in names:
+        if getattr(options, name) != DEFAULTS.get(name):
+            raise InputError(f"--{name.replace('_', '-')}: leave it out with {command}")
+
+
 def _everywhere(options: Namespace) -> int:
     """Prove Theorem 1 for all parameters; print, write, return the exit code."""
-    for option in ("r", "theta0", "neg_cos", "steps", "rows"):
-        if getattr(options, option) is not None:
-            name = option.replace("_", "-")
-            raise InputError(f"--{name}: is for one value; leave it out with --all")
+    _leave_out(options, "--all", (*POINT_OPTIONS, "r", "neg_cos", "V0", "delta_theta", "steps"))
     if options.constants not in SELECTIONS:
         raise InputError(
             f"--constants: {shown(options.constants)} is unknown; write printed or all"
@@ -140,22 +170,21 @@ def _everywhere(options: Namespace) -> int:
     from verify.views import everywhere as view
     from verify.views.document import assumption_document, claims_document
 
-    if options.constants == PRINTED:
-        outcome, cited = everywhere.printed(), everywhere.printed().assumptions
-    else:
-        outcome, cited = everywhere.decide(), step.decide().assumptions
+    printed = options.constants == PRINTED
+    outcome = everywhere.printed() if printed else everywhere.decide()
+    cited = outcome.assumptions if printed else step.decide().assumptions
+    code = EXIT_CODES[conjunction(outcome.decisions.values())]
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
     if options.json:
         found = claims_document(outcome, "theorem1", view.FORMAT)
         found["assumptions"] = [assumption_document(assumption) for assumption in cited]
         print_document(found)
-        return outcome.exit_code
+        return code
     text = [*view.rows(outcome), ""] if options.verbose else []
-    printed = options.constants == PRINTED
     text += view.printed_screen(outcome) if printed else view.screen(outcome, cited)
     sys.stdout.write("".join(f"{line}\n" for line in text))
-    return outcome.exit_code
+    return code
 
 
 def _scan(options: Namespace) -> int:
@@ -167,9 +196,7 @@ def _scan(options: Namespace) -> int:
         raise InputError(
             "--r: A..B needs --steps and the other way round; write --r 0.02..0.04 --steps 9"
         )
-    for option in ("out", "rows", "theta0"):
-        if getattr(options, option) is not None:
-            raise InputError(f"--{option}: is for one value of r; leave it out with --steps")
+    _leave_out(options, "--steps", (*POINT_OPTIONS, "out", "constants", "verbose"))
     ends = [_restitution(part) for part in options.r.split("..", 1)]
     if ends[0] >= ends[1]:
         raise InputError(f"--r: write the smaller end of {shown(options.r)} first")

@@ -1505,7 +1505,7 @@ class Checking:
         except Refused as error:
             self.kernel.refused.add(step[kind])
             row = self.statement.rows.get(step[kind])
-            what = row.words if row and kind == "obligation" else what
+            what = row.words if row else what
             self.complaints.append(f"REFUSED {what}: {error}")
             self.lines.append(self.complaints[-1])
 

@@ -335,6 +335,13 @@ def test_what_equations_replace_stays_as_it_is_elsewhere(using: list[str]) -> No
     assert "found sides that differ" in said
 
 
+@pytest.mark.parametrize("proof", ["witness", ["witness"], None, 1, {}])
+def test_what_is_no_proof_of_a_negation(proof: Any) -> None:
+    pair = Pair().row("next", "0 <= 1", INTERVAL)
+    said = verdict(pair.row("row", "2 = 1", proof, None, "refuted", "printed"))
+    assert said.startswith("MALFORMED: obligation row: rule: found ")
+
+
 def test_a_divisor_of_unknown_sign_has_no_opposite() -> None:
     """Its negative is no term so far, and not the first term that was read, which is positive."""
     pair = Pair().context("c", {"x": "1", "y": "1"}, {"p": "0 < x"})

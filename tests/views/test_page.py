@@ -262,6 +262,7 @@ def test_compare_without_a_page(copy: Path, capsys: pytest.CaptureFixture[str]) 
     assert "index.md" in err
 
 
+@NEEDS_MATPLOTLIB
 def test_a_certificate_that_the_checker_refuses_is_not_shown(
     copy: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -278,6 +279,7 @@ def test_a_certificate_that_the_checker_refuses_is_not_shown(
     assert (copy / "index.html").read_bytes() == before
 
 
+@NEEDS_MATPLOTLIB
 def test_a_weaker_statement_is_not_shown(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """It checks, but it is not the one that the program makes from its parameters."""
     from hashlib import sha256
@@ -322,6 +324,7 @@ def test_absent_measurements_and_spectrum_are_no_error(made: Path, tmp_path: Pat
     assert reader.open == []
 
 
+@NEEDS_MATPLOTLIB
 @pytest.mark.parametrize("kind", ["missing", "empty", "file", "spectrum alone"])
 def test_a_directory_without_certificates(
     made: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], kind: str

@@ -342,6 +342,13 @@ def test_what_is_no_proof_of_a_negation(proof: Any) -> None:
     assert said.startswith("MALFORMED: obligation row: rule: found ")
 
 
+def test_each_undecided_row_is_named() -> None:
+    pair = Pair().row("a", "0 <= 1", None, None, "undecided")
+    code, lines = answer(pair.row("b", "0 <= 1", None, None, "undecided"))
+    assert code == 1
+    assert lines[:2] == [f"REFUSED {name}: a needed row is undecided" for name in "ab"]
+
+
 def test_a_divisor_of_unknown_sign_has_no_opposite() -> None:
     """Its negative is no term so far, and not the first term that was read, which is positive."""
     pair = Pair().context("c", {"x": "1", "y": "1"}, {"p": "0 < x"})

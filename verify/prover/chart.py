@@ -9,16 +9,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
-from verify.language.terms import Claim, Term, as_term
+from verify.language.terms import Claim, Term
+from verify.prover.clearing import ATOMS, Quotients, expanded
 from verify.prover.positivity import Entry, NotFoundError, Polynomial, Positivity
 from verify.prover.proof import Value
 from verify.prover.rules import Sum
 from verify.prover.session import ZERO, Session
 
-Quotient = tuple[Polynomial, Polynomial]
 
-
-class Chart:
+class Chart(Quotients):
     """The facts of a context, and a ring into which its terms are cleared.
 
     Args:
@@ -39,64 +38,36 @@ class Chart:
         values: Mapping[Term, Polynomial],
         replaced: Mapping[Term, str],
     ) -> None:
+        super().__init__()
         self.session, self.context, self.search = session, context, search
         self.atoms, self.values, self.replaced = dict(atoms), dict(values), dict(replaced)
-        self._cleared: dict[Term, Quotient] = {}
 
     # --- clearing -------------------------------------------------------------------------------
 
-    def clear(self, term: Term) -> Quotient:
-        """Numerator and denominator, as the checker clears them."""
-        found = self._cleared.get(term)
-        if found is None:
-            found = self._cleared[term] = self._clear(term)
-        return found
+    def constant(self, value: Fraction) -> Polynomial:
+        """A number as a polynomial of the ring."""
+        return self.search.constant(value)
 
-    def _clear(self, term: Term) -> Quotient:
-        one = self.search.constant(1)
-        if term in self.replaced:
-            return self.clear(self.session.claims[self.replaced[term]].rhs)
+    def replacement(self, term: Term) -> Term | None:
+        """What the equation for an atom replaces it by."""
+        name = self.replaced.get(term)
+        return None if name is None else self.session.claims[name].rhs
+
+    def atom(self, term: Term) -> Polynomial | None:
+        """The polynomial of an atom.
+
+        Raises:
+            NotFoundError: for an atom that is not in the ring.
+        """
         if term in self.values:
-            return self.values[term], one
-        if term.op == "rational":
-            return self.search.constant(term.value), one
-        if term.op in ("symbol", "sqrt", "min", "max"):
+            return self.values[term]
+        if term.op in ATOMS:
             raise NotFoundError(f"{term!r} is not in the ring")
-        (n, d), *others = map(self.clear, term.children)
-        if term.op == "neg":
-            return -n, d
-        if term.op == "pow":
-            return n**term.exponent, d**term.exponent
-        m, e = others[0]
-        if term.op == "mul":
-            return n * m, d * e
-        if term.op == "div":
-            divisor = term.children[1]
-            if divisor.op == "rational":
-                return n * self.search.constant(1 / divisor.value), d
-            return n * e, d * m
-        sign = 1 if term.op == "add" else -1
-        return (n + sign * m, d) if d == e else (n * e + sign * m * d, d * e)
-
-    def difference(self, lhs: Term, rhs: Term) -> Polynomial:
-        """A polynomial with the sign of lhs - rhs."""
-        (n, d), (m, e) = self.clear(lhs), self.clear(rhs)
-        return n * e - m * d
+        return None
 
     def term(self, polynomial: Polynomial) -> Term:
         """A polynomial of the ring as a term, expanded."""
-        total: Term | None = None
-        for monomial, value in polynomial.to_dict().items():
-            number = as_term(Fraction(int(value.p), int(value.q)))
-            part: Term | None = None
-            for name, exponent in zip(self.search.names, monomial, strict=True):
-                if exponent:
-                    atom = self.atoms[name]
-                    factor = atom if exponent == 1 else atom ** int(exponent)
-                    part = factor if part is None else part * factor
-            part = number if part is None else part if value == 1 else number * part
-            total = part if total is None else total + part
-        return ZERO if total is None else total
+        return expanded(polynomial, [self.atoms[name] for name in self.search.names])
 
     def using(self, *terms: Term) -> tuple[str, ...]:
         """The equations that replace what occurs in terms."""

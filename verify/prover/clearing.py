@@ -7,7 +7,8 @@ definitions. Polynomials are FLINT's, so that they can be divided and factored.
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
@@ -42,32 +43,43 @@ def atoms_of(terms: Iterable[Term], replaced: Mapping[Term, Term]) -> list[Term]
     return list(found)
 
 
-class Clearing:
-    """Terms as quotients N/D of polynomials in the atoms of some terms."""
+class Quotients(ABC):
+    """Terms as quotients N/D of polynomials in one ring, put together as the checker does it."""
 
-    def __init__(self, terms: Iterable[Term], replaced: Mapping[Term, Term]) -> None:
-        self.replaced = replaced
-        self.atoms = atoms_of(terms, replaced)
-        names = tuple(f"x{i}" for i in range(len(self.atoms)))
-        self.context = fmpq_mpoly_ctx.get(names, Ordering.lex)
-        self.generators = dict(zip(self.atoms, self.context.gens(), strict=True))
-        self.one = self.context.constant(1)
+    def __init__(self) -> None:
         self._known: dict[Term, Quotient] = {}
 
+    @abstractmethod
+    def constant(self, value: Fraction) -> Polynomial:
+        """A number as a polynomial of the ring."""
+
+    @abstractmethod
+    def replacement(self, term: Term) -> Term | None:
+        """What an equation replaces the term by, if one does."""
+
+    @abstractmethod
+    def atom(self, term: Term) -> Polynomial | None:
+        """The polynomial of an atom; None for an operation."""
+
     def clear(self, term: Term) -> Quotient:
-        """Numerator and denominator of a term whose atoms are known."""
+        """Numerator and denominator of a term whose atoms are in the ring."""
         found = self._known.get(term)
         if found is None:
             found = self._known[term] = self._clear(term)
         return found
 
     def _clear(self, term: Term) -> Quotient:
-        if term in self.replaced:
-            return self.clear(self.replaced[term])
-        if term.op in ATOMS:
-            return self.generators[term], self.one
+        other = self.replacement(term)
+        if other is not None:
+            return self.clear(other)
+        atom = self.atom(term)
+        if atom is not None:
+            return atom, self.constant(Fraction(1))
         if term.op == "rational":
-            return self.context.constant(_fmpq(term.value)), self.one
+            return self.constant(term.value), self.constant(Fraction(1))
+        return self._combine(term)
+
+    def _combine(self, term: Term) -> Quotient:
         (n, d), *others = map(self.clear, term.children)
         if term.op == "neg":
             return -n, d
@@ -79,7 +91,7 @@ class Clearing:
         if term.op == "div":
             divisor = term.children[1]
             if divisor.op == "rational":
-                return n * _fmpq(1 / divisor.value), d
+                return n * self.constant(1 / divisor.value), d
             return n * e, d * m
         sign = 1 if term.op == "add" else -1
         return (n + sign * m, d) if d == e else (n * e + sign * m * d, d * e)
@@ -88,6 +100,30 @@ class Clearing:
         """N D' - N' D, which has the sign of lhs - rhs where both denominators are positive."""
         (n, d), (m, e) = self.clear(lhs), self.clear(rhs)
         return n * e - m * d
+
+
+class Clearing(Quotients):
+    """Terms as quotients of polynomials in the atoms of some terms."""
+
+    def __init__(self, terms: Iterable[Term], replaced: Mapping[Term, Term]) -> None:
+        super().__init__()
+        self.replaced = replaced
+        self.atoms = atoms_of(terms, replaced)
+        names = tuple(f"x{i}" for i in range(len(self.atoms)))
+        self.context = fmpq_mpoly_ctx.get(names, Ordering.lex)
+        self.generators = dict(zip(self.atoms, self.context.gens(), strict=True))
+
+    def constant(self, value: Fraction) -> Polynomial:
+        """A number as a polynomial in the atoms."""
+        return self.context.constant(_fmpq(value))
+
+    def replacement(self, term: Term) -> Term | None:
+        """What the term is replaced by, if it is."""
+        return self.replaced.get(term)
+
+    def atom(self, term: Term) -> Polynomial | None:
+        """The generator of an atom."""
+        return self.generators[term] if term.op in ATOMS else None
 
     def reduce(self, polynomial: Polynomial) -> Polynomial:
         """The polynomial, times denominators, after replacing squares of roots, latest first."""
@@ -118,19 +154,25 @@ class Clearing:
 
     def term(self, polynomial: Polynomial) -> Term:
         """A polynomial as a term, expanded."""
-        parts = [self._monomial(m, value) for m, value in polynomial.to_dict().items()]
-        return _balanced(parts, operator.add) if parts else as_term(0)
+        return expanded(polynomial, self.atoms)
 
-    def _monomial(self, exponents: tuple[int, ...], value: fmpq) -> Term:
-        number = Fraction(int(value.p), int(value.q))
-        factors = [
-            atom if exponent == 1 else atom ** int(exponent)
-            for atom, exponent in zip(self.atoms, exponents, strict=True)
-            if exponent
-        ]
-        if number != 1 or not factors:
-            factors.insert(0, as_term(number))
-        return _balanced(factors, operator.mul)
+
+def expanded(polynomial: Polynomial, atoms: Sequence[Term]) -> Term:
+    """A polynomial as a sum of products of atoms, one for each variable of its ring."""
+    parts = [_monomial(m, value, atoms) for m, value in polynomial.to_dict().items()]
+    return _balanced(parts, operator.add) if parts else as_term(0)
+
+
+def _monomial(exponents: tuple[int, ...], value: fmpq, atoms: Sequence[Term]) -> Term:
+    number = Fraction(int(value.p), int(value.q))
+    factors = [
+        atom if exponent == 1 else atom ** int(exponent)
+        for atom, exponent in zip(atoms, exponents, strict=True)
+        if exponent
+    ]
+    if number != 1 or not factors:
+        factors.insert(0, as_term(number))
+    return _balanced(factors, operator.mul)
 
 
 def _balanced(terms: list[Term], operation: Callable[[Term, Term], Term]) -> Term:

@@ -234,14 +234,14 @@ def test_compare_accepts_and_writes_nothing(copy: Path, capsys: pytest.CaptureFi
     assert before == {path: path.read_bytes() for path in copy.rglob("*") if path.is_file()}
 
 
-@pytest.mark.parametrize("name", ["index.html", "index.md", "constants.tex"])
-def test_compare_sees_one_digit(copy: Path, capsys: pytest.CaptureFixture[str], name: str) -> None:
-    text = (copy / name).read_text(encoding="utf-8")
-    assert "0.000637" in text
-    (copy / name).write_text(text.replace("0.000637", "0.000638", 1), encoding="utf-8")
+def test_compare_sees_one_digit(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name in ("index.html", "index.md", "constants.tex"):
+        text = (copy / name).read_text(encoding="utf-8")
+        assert "0.000637" in text
+        (copy / name).write_text(text.replace("0.000637", "0.000638", 1), encoding="utf-8")
     code, out, _ = run(capsys, "--compare", "--directory", str(copy))
     assert code == 1
-    assert "DIFFERS" in out
+    assert out.count("DIFFERS") == 3
 
 
 def test_compare_sees_a_caption_but_no_path(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:

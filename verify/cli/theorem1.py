@@ -124,7 +124,8 @@ def run(options: Namespace) -> int:
             f"--max-precision: {last} is below --precision {bits}; write at least {bits}"
         )
     test_folder("--out", options.out, "statement.json", "certificate.json")
-    outcome = decide(parameters, options.constants, bits, last)
+    more = options.out or options.json or options.verbose or options.rows
+    outcome = decide(parameters, options.constants, bits, last, all_sides=bool(more))
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
     if options.json:

@@ -29,9 +29,15 @@ class PointRun:
     """Theorem 1 at one choice of the parameters, decided step by step."""
 
     def __init__(
-        self, parameters: Mapping[str, Term], selection: str, start_bits: int, max_bits: int
+        self,
+        parameters: Mapping[str, Term],
+        selection: str,
+        start_bits: int,
+        max_bits: int,
+        all_sides: bool,
     ) -> None:
         self.parameters, self.selection = parameters, selection
+        self.all_sides = all_sides
         self.session = Session()
         self.ground = Ground(self.session, start_bits, max_bits)
         self.constants: list[Constant] = []
@@ -78,7 +84,7 @@ class PointRun:
     def _decide(self, rows: tuple[Obligation, ...]) -> None:
         for row in rows:
             self.rows.append(row)
-            self.decisions[row.name] = self.ground.decide(row)
+            self.decisions[row.name] = self.ground.decide(row, all_sides=self.all_sides)
 
     def _outcome(self) -> Outcome:
         used = {name for row in self.rows for name in row.uses}
@@ -106,6 +112,8 @@ def decide(
     selection: str = "all",
     start_bits: int = DEFAULT_PRECISION,
     max_bits: int = DEFAULT_MAX_PRECISION,
+    *,
+    all_sides: bool = True,
 ) -> Outcome:
     """Decide Theorem 1 at a point.
 
@@ -114,8 +122,9 @@ def decide(
         selection: a key of `SELECTIONS`.
         start_bits: the first precision.
         max_bits: the last one.
+        all_sides: whether every row gets enclosures of its sides, not only the refuted ones.
     """
-    return PointRun(parameters, selection, start_bits, max_bits).run()
+    return PointRun(parameters, selection, start_bits, max_bits, all_sides).run()
 
 
 def _title(selection: str, parameters: Mapping[str, Term]) -> str:

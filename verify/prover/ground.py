@@ -158,17 +158,23 @@ class Ground:
 
     # --- decisions ------------------------------------------------------------------------------
 
-    def decide(self, row: Obligation) -> Decision:
-        """Decide a row and write its proof down, or leave it undecided."""
+    def decide(self, row: Obligation, *, all_sides: bool = True) -> Decision:
+        """Decide a row and write its proof down, or leave it undecided.
+
+        Without ``all_sides`` only a refuted row gets the enclosures of its sides; a certificate
+        needs them all.
+        """
         claim = row.claim
         if not isinstance(claim, Claim):
             raise TypeError(f"{row.name} compares no numbers")
         verdict, proof = self.prove(claim)
         if proof is None:
             return Decision(UNDECIDED)
-        sides = self.enclose(claim.lhs, claim.rhs)
-        if sides is None:
-            return Decision(UNDECIDED)
+        sides = None
+        if all_sides or verdict == REFUTED:
+            sides = self.enclose(claim.lhs, claim.rhs)
+            if sides is None:
+                return Decision(UNDECIDED)
         self.session.prove_row(row, proof, holds=verdict == PROVED)
         return Decision(verdict, proof, sides)
 

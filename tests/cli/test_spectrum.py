@@ -54,9 +54,10 @@ def test_the_report(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_the_document(capsys: pytest.CaptureFixture[str]) -> None:
     found = document(capsys)
-    assert set(found) == {"format", "command", "verdict", "theorem", "assumptions", "claims"}
+    about = {"format", "command", "verdict", "headline", "theorem", "assumptions", "claims"}
+    assert set(found) == about
     assert (found["format"], found["command"]) == ("verify-spectrum/1", "spectrum")
-    assert found["verdict"] in ("proved", "conditionally proved")
+    assert (found["verdict"], found["headline"]) == ("proved", "conditionally proved")
     names = {claim["name"]: claim for claim in found["claims"]}
     for claim in found["claims"]:
         assert set(claim) >= CLAIM_KEYS

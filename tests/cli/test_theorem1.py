@@ -105,7 +105,7 @@ def test_the_document_has_the_promised_shape(capsys: pytest.CaptureFixture[str])
     code, doc = document(capsys, "--r", "0.03")
     assert code == 0
     assert (doc["format"], doc["command"]) == ("verify-theorem1/1", "theorem1")
-    assert doc["verdict"] == "conditionally proved"
+    assert (doc["verdict"], doc["headline"]) == ("proved", "conditionally proved")
     assert doc["theorem"].startswith("Given the assumptions: let r = 3/100.")
     assert doc["parameters"] == {
         "r": "3/100",

@@ -37,7 +37,8 @@ def document(outcome: Outcome) -> dict[str, Any]:
     return {
         "format": FORMAT,
         "command": "theorem1",
-        "verdict": headline(outcome),
+        "verdict": outcome.verdict,
+        "headline": headline(outcome),
         "parameters": {key: _parameter(outcome, name) for key, name in PARAMETERS.items()},
         "theorem": in_numbers(outcome) or outcome.statement.title,
         "assumptions": [assumption_document(a) for a in outcome.assumptions],
@@ -58,7 +59,8 @@ def claims_document(outcome: Outcome, command: str, form: str) -> dict[str, Any]
     return {
         "format": form,
         "command": command,
-        "verdict": headline(outcome),
+        "verdict": outcome.verdict,
+        "headline": headline(outcome),
         "theorem": outcome.statement.title,
         "assumptions": [assumption_document(a) for a in outcome.assumptions],
         "claims": [row_document(row, decision, typesetter) for row, decision in outcome.rows],

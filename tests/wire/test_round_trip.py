@@ -69,7 +69,7 @@ def test_views_agree_on_the_verdict(name: str) -> None:
         found, last = spectral.document(outcome), spectral.last_line(outcome)
     else:
         found, last = document.document(outcome), [*table.lines(outcome)][-1]
-    assert last.startswith(f"Verdict: {found['verdict']}: {outcome.statement.title}: ")
+    assert last.startswith(f"Verdict: {found['headline']}: {outcome.statement.title}: ")
     assert found["headline"] in markdown.report(outcome)
 
 

@@ -130,8 +130,8 @@ class Obligation(NamedTuple):
 class Assumption(NamedTuple):
     """What is used and not proved here.
 
-    ``kind`` is definition (of the model), general mathematics, calculus, or glue (a sentence of
-    the argument, which names its facts).
+    ``kind`` is definition (of the model), law of motion, calculus, general mathematics, or glue (a
+    sentence of the argument).
     """
 
     name: str

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
 
+from verify.jobs import arguments
 from verify.jobs import step as step_job
 from verify.language.statement import REFUTED, UNDECIDED, Constant, Obligation, Statement
 from verify.language.terms import (
@@ -17,12 +18,12 @@ from verify.language.terms import (
     symbol,
     symbols_of,
 )
+from verify.paper.argument import Chapter, Opened, Reason, ToBeFound
 from verify.paper.everywhere import chart as paper
 from verify.paper.everywhere.theorem import printed_statement, statement
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.step import numbers
-from verify.paper.step.argument import Chapter, Opened, Reason, Searched
 from verify.paper.step.theorem import COLLAPSE
 from verify.prover.chart import Chart
 from verify.prover.ground import Ground
@@ -94,7 +95,7 @@ class Everywhere:
     def __init__(self, statement: Statement, group: str) -> None:
         self.statement, self.set = statement, ConstantSet(group)
         self.hints = paper.hints(self.set)
-        self.writing = step_job.Writing(self.statement)
+        self.writing = arguments.Writing(self.statement)
         self.session = self.writing.session
         self.ground = Ground(self.session)
         signs = SIGNS | {name: f"{group}.{name}-positive" for name in MINIMA}
@@ -163,7 +164,7 @@ class Everywhere:
 
     def _lemmas(self) -> None:
         for item in paper.about_d_bar():
-            if not isinstance(item.reason, Searched):
+            if not isinstance(item.reason, ToBeFound):
                 self.writing.chapter(Chapter(paper.CONTEXT, (item,)))
             elif isinstance(item.claim, Claim):
                 self.chart.lemma(item.claim, item.name)
@@ -237,7 +238,7 @@ class Everywhere:
     def _hinted(self, claim: Claim, hints: tuple[Reason, ...]) -> Proof:
         """The reasons that the paper's room gives; several are one for each entry."""
         self.chart.ensure(claim.lhs, claim.rhs)
-        proofs = tuple(map(step_job.proof_of, hints))
+        proofs = tuple(map(arguments.proof_of, hints))
         return proofs[0] if len(proofs) == 1 else Cases(next(_extrema(claim.lhs)), proofs)
 
     def _cases(self, claim: Claim, term: Term) -> Proof:

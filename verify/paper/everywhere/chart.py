@@ -12,6 +12,22 @@ from fractions import Fraction
 
 from verify.language.statement import Constant, Context, Given, Variable
 from verify.language.terms import Claim, Term, as_term, equal, sqrt, symbol
+from verify.paper.argument import (
+    ByInterval,
+    ByLeast,
+    ByRoot,
+    Defined,
+    Item,
+    Line,
+    Reason,
+    ToBeFound,
+    Value,
+    identity,
+    plus,
+    proof,
+    scaled,
+    times,
+)
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import THEOREM, V_0, c, r
@@ -25,22 +41,6 @@ from verify.paper.preliminaries import (
     h_5,
     phi_minus,
     phi_plus,
-)
-from verify.paper.step.argument import (
-    Defined,
-    Item,
-    Least,
-    Line,
-    Number,
-    Reason,
-    Root,
-    Searched,
-    Value,
-    identity,
-    plus,
-    proof,
-    scaled,
-    times,
 )
 from verify.paper.theorem1 import theorem
 
@@ -98,9 +98,9 @@ def context(k: ConstantSet = REPAIRED_SET) -> Context:
 
 def numbers() -> Iterator[Item]:
     """The square root of two."""
-    yield Line("root-two", 0 < root_two, Number())
-    yield Line("rest-positive", 0 < rest, Number())
-    yield Line("rest-small", 0 < REST_BELOW - rest, Number())
+    yield Line("root-two", 0 < root_two, ByInterval())
+    yield Line("rest-positive", 0 < rest, ByInterval())
+    yield Line("rest-small", 0 < REST_BELOW - rest, ByInterval())
 
 
 def lines(k: ConstantSet = REPAIRED_SET) -> Iterator[Item]:
@@ -174,7 +174,7 @@ def _claim(name: str) -> Claim:
 def _fixed_points() -> Iterator[Item]:
     both = "phi_minus phi_plus"
     yield Line("discriminant-positive", 0 < discriminant, proof("alpha-existence"))
-    yield Line("discriminant-root", 0 < root, Root())
+    yield Line("discriminant-root", 0 < root, ByRoot())
     yield Line("phi-divisor", 0 < alpha_0 + root, proof("discriminant-root", "alpha-sign"))
     yield Defined("phi_minus")
     yield Defined("phi_plus")
@@ -265,7 +265,7 @@ def _first_constants() -> Iterator[Item]:
     yield Line("h_4-room", 0 < 1 - h_4, proof(small, using="h_4.chart"))
     cube = times("u-positive", ("pow", "p-positive", 3))
     yield Line("radicand-4", 0 < r / (1 - h_4), proof(cube, using="r.chart h_4.chart"))
-    yield Line("root-4", 0 < root_4, Root())
+    yield Line("root-4", 0 < root_4, ByRoot())
     yield Defined("delta_4")
     yield Line(
         "delta_4.chart",
@@ -281,7 +281,7 @@ def _first_constants() -> Iterator[Item]:
         0 < m / (1 - h_5),
         proof(times("u-positive", square), using="m.chart h_5.chart"),
     )
-    yield Line("root-5", 0 < root_5, Root())
+    yield Line("root-5", 0 < root_5, ByRoot())
     yield Defined("delta_5")
     yield Line(
         "delta_5.chart",
@@ -299,7 +299,7 @@ def _norms(k: ConstantSet) -> Iterator[Item]:
         yield Defined(first)
     both = "V_1" if k.printed else f"{first} V_1"
     yield Line("V_1-sign", 0 < k.V_1, proof(more, using=f"{both} h_5.chart"))
-    yield Line("V_1-root", 0 < k.speed, Root())
+    yield Line("V_1-root", 0 < k.speed, ByRoot())
     yield Defined("v")
     yield Line("v-positive", 0 < v, proof("V_1-root", using="v"))
     yield Line("speed", equal(k.speed, v), identity("v"))
@@ -377,7 +377,7 @@ def about_d_bar() -> Iterator[Line]:
     )
     for number, entry in enumerate(k.bounds()["d_const"], 1):
         if number != 2:
-            yield Line(f"d_bar-{number}", Fraction(3, 16) * k.zeta_bar <= entry, Searched())
+            yield Line(f"d_bar-{number}", Fraction(3, 16) * k.zeta_bar <= entry, ToBeFound())
 
 
 def hints(k: ConstantSet = REPAIRED_SET) -> dict[str, tuple[Reason, ...]]:
@@ -424,7 +424,7 @@ def hints(k: ConstantSet = REPAIRED_SET) -> dict[str, tuple[Reason, ...]]:
     }
     if not k.printed:
         found["redundant.d_bar-1"] = (
-            Least(
+            ByLeast(
                 (
                     proof("d_bar-zeta", "d_bar-1"),
                     proof("d_bar-angle"),

@@ -7,13 +7,12 @@ from fractions import Fraction
 
 from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Term, as_term, equal, symbol
-from verify.paper.parameters import THEOREM
-from verify.paper.step.argument import (
+from verify.paper.argument import (
+    BySum,
     Chapter,
     Item,
     Line,
     Opened,
-    Sum,
     identity,
     plus,
     proof,
@@ -21,6 +20,7 @@ from verify.paper.step.argument import (
     square,
     times,
 )
+from verify.paper.parameters import THEOREM
 from verify.paper.step.state import (
     CND,
     CONTEXT,
@@ -116,7 +116,7 @@ def _others() -> Iterator[Item]:
     )
 
 
-def _outer_reason() -> Sum:
+def _outer_reason() -> BySum:
     v0, speed = "V_0-positive", "speed-positive"
     together = plus(
         times(2, "C-positive", "d-sum-positive"),

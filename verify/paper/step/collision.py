@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from verify.language.terms import as_term, equal
-from verify.paper.step.argument import (
+from verify.paper.argument import (
     Defined,
     Factor,
     Item,

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from verify.paper.argument import Item, Line, proof, scaled, times
 from verify.paper.parameters import THEOREM
-from verify.paper.step.argument import Item, Line, proof, scaled, times
 from verify.paper.step.numbers import C_eta, T_star, c, delta_theta
 from verify.paper.step.state import C, C_next, beta, clock, d, d_next, g
 

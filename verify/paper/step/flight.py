@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from verify.language.terms import Term, as_term, equal, sqrt
-from verify.paper.step.argument import (
+from verify.paper.argument import (
+    ByRoot,
     Defined,
     Item,
     Line,
-    Root,
     Value,
     identity,
     plus,
@@ -122,7 +122,7 @@ def _components() -> Iterator[Item]:
 def _root() -> Iterator[Item]:
     cnd3 = f"{CND}3"
     yield Defined("zeta")
-    yield Line("root-positive", 0 < sqrt(1 - zeta_of(frame)), Root())
+    yield Line("root-positive", 0 < sqrt(1 - zeta_of(frame)), ByRoot())
     yield Defined("S")
     yield Defined("tau")
     yield Line("S-positive", 0 < S, proof("root-positive", using="S"))
@@ -260,7 +260,7 @@ def _distance() -> Iterator[Item]:
         times("B-positive", "tau-positive", "tau-positive"),
     )
     yield Line("end-positive", 0 < dot(end, end), proof(1, *gains))
-    yield Line("end-root", 0 < sqrt(dot(end, end)), Root())
+    yield Line("end-root", 0 < sqrt(dot(end, end)), ByRoot())
     yield Defined("D")
     yield Defined("d_next")
     yield Line("D-positive", 0 < D, proof("end-root", using="D"))

@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from verify.language.statement import Context, Variable
 from verify.language.terms import as_term, equal, symbol
-from verify.paper.step.argument import Item, Line, identity
+from verify.paper.argument import Item, Line, identity
 
 CONTEXT = "impact"
 LAW = "EQUATSS2.2IterationSystm1"

@@ -7,20 +7,20 @@ from fractions import Fraction
 
 from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Claim, as_term, minimum, substitute_claim, symbol
-from verify.paper.step import numbers, state
-from verify.paper.step.argument import (
-    At,
-    Entry,
+from verify.paper.argument import (
+    ByEntry,
+    ByInstance,
+    ByLeast,
+    BySum,
     Factor,
     Item,
-    Least,
     Line,
-    Sum,
     plus,
     power,
     proof,
     times,
 )
+from verify.paper.step import numbers, state
 from verify.paper.step.flight import SHIFT
 from verify.paper.step.numbers import (
     V_0,
@@ -162,7 +162,7 @@ def _angle() -> Iterator[Item]:
     yield Line(
         "start-d_bar",
         d <= d_bar,
-        Least((proof("start-d-const"), proof("start-d-slope", slope)), "d_bar-least"),
+        ByLeast((proof("start-d-const"), proof("start-d-slope", slope)), "d_bar-least"),
         DATA,
         "d₀ ≤ d̄",
     )
@@ -192,12 +192,12 @@ def inside() -> Iterator[Item]:
 
 def _least_entries() -> Iterator[Item]:
     slope = times(Fraction(1, 4), "d_slope-positive", power("eta_bar-positive", 2))
-    yield Line("at-least", 0 < _least, Least((proof("d_const-positive"), proof(slope))))
+    yield Line("at-least", 0 < _least, ByLeast((proof("d_const-positive"), proof(slope))))
     for number, entry in enumerate(_least.children, 1):
-        yield Line(f"at-least-{number}", _least <= entry, Entry())
+        yield Line(f"at-least-{number}", _least <= entry, ByEntry())
 
 
-def _point_reasons() -> dict[str, Sum]:
+def _point_reasons() -> dict[str, BySum]:
     spread = proof(times(HALF, "x_0-positive", "eta_bar-positive"))
     norm = proof(times(Fraction(1, 6), "V_1-above-V_0"))
     angle = proof(times(Fraction(1, 4), "Delta_theta-positive"))
@@ -249,13 +249,13 @@ def instances() -> Iterator[Item]:
         fact = premise(name)
         if fact not in GIVENS:
             at_point = substitute_claim(claim, state_point)
-            yield Line(f"at-{fact}", at_point, At(fact, point, premises))
+            yield Line(f"at-{fact}", at_point, ByInstance(fact, point, premises))
     time = state.tau_of(point_frame)
     p = point_frame
     values = {"u_y": p.y, "u_s": p.eta_s, "u_C": p.C, "u_A": p.A, "u_B": p.B, "u_d": p.d}
     values["u_t"] = time
     for name, claim in state.inequalities(point_frame, time).items():
-        reason = At(f"{PLANE}-{name}", values, ("at-angle", "at-room-c", "at-room-s"))
+        reason = ByInstance(f"{PLANE}-{name}", values, ("at-angle", "at-room-c", "at-room-s"))
         yield Line(f"at-{name}", claim, reason)
 
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Term, as_term, symbol
-from verify.paper.step.argument import Item, Line, Value, plus, power, proof, square, times
+from verify.paper.argument import Item, Line, Value, plus, power, proof, square, times
 from verify.paper.step.state import inequalities
 from verify.paper.step.vectors import Frame
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from verify.language.terms import sqrt
-from verify.paper.step.argument import Item, Line, Number, Root, power, proof, scaled, times
+from verify.paper.argument import ByInterval, ByRoot, Item, Line, power, proof, scaled, times
 from verify.paper.step.numbers import (
     V_0,
     V_1,
@@ -32,13 +32,13 @@ small = delta_2 * share / 2
 
 def numbers() -> Iterator[Item]:
     """Bounds on the square root of two."""
-    yield Line("root-two-lower", 1 < root_two, Number())
-    yield Line("root-two-upper", root_two < Fraction(19, 12), Number())
+    yield Line("root-two-lower", 1 < root_two, ByInterval())
+    yield Line("root-two-upper", root_two < Fraction(19, 12), ByInterval())
 
 
 def lines() -> Iterator[Item]:
     """Consequences of the rows alone."""
-    yield Line("speed-positive", 0 < speed, Root())
+    yield Line("speed-positive", 0 < speed, ByRoot())
     yield Line(
         "ratio-half",
         phi_minus + (1 - h_4 / 2) * delta_x <= alpha_0 / 2,

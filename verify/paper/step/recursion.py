@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from verify.language.terms import as_term, equal
-from verify.paper.parameters import THEOREM
-from verify.paper.step.argument import (
+from verify.paper.argument import (
     Defined,
     Item,
     Line,
@@ -18,6 +17,7 @@ from verify.paper.step.argument import (
     scaled,
     times,
 )
+from verify.paper.parameters import THEOREM
 from verify.paper.step.collision import carried, half, impact
 from verify.paper.step.flight import SHIFT
 from verify.paper.step.numbers import (

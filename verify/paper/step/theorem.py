@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
-from typing import NamedTuple
 
-from verify.language.statement import NEEDED, Always, Applies, Obligation, Statement
+from verify.language.statement import NEEDED, Always, Applies, Obligation
+from verify.paper.argument import Argument, ByInduction, Chapter, Item, Line, Opened, argue
 from verify.paper.parameters import THEOREM
 from verify.paper.step import (
     apart,
@@ -21,7 +21,6 @@ from verify.paper.step import (
     recursion,
     state,
 )
-from verify.paper.step.argument import Chapter, Item, Line, Opened, Repeated
 from verify.paper.step.assumptions import ASSUMPTIONS
 
 NAME = "step"
@@ -35,28 +34,10 @@ TITLE = (
 COLLAPSE = "collapse"
 
 
-class Step(NamedTuple):
-    """The statement with its argument."""
-
-    statement: Statement
-    chapters: tuple[Chapter, ...]
-
-
 @cache
-def step() -> Step:
+def step() -> Argument:
     """The step, built once per process."""
-    chapters = tuple(_chapters())
-    contexts = tuple(
-        item.context for chapter in chapters for item in chapter.items if isinstance(item, Opened)
-    )
-    rows = tuple(
-        _obligation(item, chapter.context)
-        for chapter in chapters
-        for item in chapter.items
-        if isinstance(item, Line) and item.says
-    )
-    statement = Statement(NAME, TITLE, {}, (), contexts, rows, ASSUMPTIONS)
-    return Step(statement, chapters)
+    return argue(NAME, TITLE, _chapters(), ASSUMPTIONS)
 
 
 def collapse(group: str) -> Obligation:
@@ -69,12 +50,6 @@ def collapse(group: str) -> Obligation:
         "the constants satisfy what the step needs: from each datum of the set the particles "
         "collapse",
         Applies(f"{NAME}:{numbers.CONTEXT}", numbers.MEANING),
-    )
-
-
-def _obligation(line: Line, context: str | None) -> Obligation:
-    return Obligation(
-        line.name, NAME, line.label, NEEDED, line.says, line.claim, line.uses, context=context
     )
 
 
@@ -108,7 +83,7 @@ def _always() -> Line:
     return Line(
         "always",
         Always(state.CONTEXT, initial.start, state.following()),
-        Repeated(
+        ByInduction(
             tuple(initial.premise(name) for name in conditions),
             tuple(f"next-{name}" for name in conditions),
         ),

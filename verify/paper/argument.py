@@ -7,11 +7,18 @@ accepts that or not. Nothing here decides anything.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
-from verify.language.statement import Always, Context
+from verify.language.statement import (
+    NEEDED,
+    Always,
+    Assumption,
+    Context,
+    Obligation,
+    Statement,
+)
 from verify.language.terms import Claim, Term
 
 #: A number that is >= 0: a rational, the name of an inequality, ``goal``, or one built from these.
@@ -43,7 +50,7 @@ def square(term: Term) -> Value:
     return ("square", term)
 
 
-class Sum(NamedTuple):
+class BySum(NamedTuple):
     """If the claim were false these numbers, which are >= 0, would add up to 0, and one is > 0.
 
     ``using`` names equations by which atoms are replaced, ``equations`` those that are added,
@@ -55,28 +62,28 @@ class Sum(NamedTuple):
     equations: tuple[tuple[str, Term], ...] = ()
 
 
-class Root(NamedTuple):
+class ByRoot(NamedTuple):
     """The root of a positive number is positive."""
 
 
-class Entry(NamedTuple):
+class ByEntry(NamedTuple):
     """A minimum is at most its entry."""
 
     equation: str | None = None
 
 
-class Least(NamedTuple):
+class ByLeast(NamedTuple):
     """What is below each entry is below the minimum on the right."""
 
-    branches: tuple[Sum, ...]
+    branches: tuple[BySum, ...]
     equation: str | None = None
 
 
-class Number(NamedTuple):
+class ByInterval(NamedTuple):
     """Both sides are numbers: enclosures decide."""
 
 
-class At(NamedTuple):
+class ByInstance(NamedTuple):
     """A known fact at values of its variables; ``givens`` names why they satisfy its givens."""
 
     fact: str
@@ -84,33 +91,33 @@ class At(NamedTuple):
     givens: tuple[str, ...]
 
 
-class Repeated(NamedTuple):
+class ByInduction(NamedTuple):
     """Why each condition holds at the start, and at the next state."""
 
     start: tuple[str, ...]
     next: tuple[str, ...]
 
 
-class Searched(NamedTuple):
+class ToBeFound(NamedTuple):
     """A sum that the prover has to find."""
 
 
-Reason = Searched | Sum | Root | Entry | Least | Number | At | Repeated
+Reason = ToBeFound | BySum | ByRoot | ByEntry | ByLeast | ByInterval | ByInstance | ByInduction
 
 
-def proof(*addends: Factor, using: str = "", equations: tuple[tuple[str, Term], ...] = ()) -> Sum:
+def proof(*addends: Factor, using: str = "", equations: tuple[tuple[str, Term], ...] = ()) -> BySum:
     """The addends besides the negated claim itself; ``using`` has names with spaces between."""
-    return Sum(("goal", *map(_value, addends)), tuple(using.split()), equations)
+    return BySum(("goal", *map(_value, addends)), tuple(using.split()), equations)
 
 
-def scaled(goal: Value, *addends: Factor, using: str = "") -> Sum:
+def scaled(goal: Value, *addends: Factor, using: str = "") -> BySum:
     """The same where the negated claim enters in a product."""
-    return Sum((goal, *map(_value, addends)), tuple(using.split()))
+    return BySum((goal, *map(_value, addends)), tuple(using.split()))
 
 
-def identity(using: str = "", equations: tuple[tuple[str, Term], ...] = ()) -> Sum:
+def identity(using: str = "", equations: tuple[tuple[str, Term], ...] = ()) -> BySum:
     """An equation that holds after replacing atoms, or by adding multiples of equations."""
-    return Sum((), tuple(using.split()), equations)
+    return BySum((), tuple(using.split()), equations)
 
 
 class Line(NamedTuple):
@@ -148,3 +155,33 @@ class Chapter(NamedTuple):
 
     context: str | None
     items: tuple[Item, ...]
+
+
+class Argument(NamedTuple):
+    """A statement with its argument."""
+
+    statement: Statement
+    chapters: tuple[Chapter, ...]
+
+
+def argue(
+    theorem: str, title: str, chapters: Iterable[Chapter], assumptions: tuple[Assumption, ...]
+) -> Argument:
+    """The statement whose contexts and obligations are those of the chapters, in their order."""
+    chapters = tuple(chapters)
+    contexts = tuple(
+        item.context for chapter in chapters for item in chapter.items if isinstance(item, Opened)
+    )
+    rows = tuple(
+        _obligation(item, theorem, chapter.context)
+        for chapter in chapters
+        for item in chapter.items
+        if isinstance(item, Line) and item.says
+    )
+    return Argument(Statement(theorem, title, {}, (), contexts, rows, assumptions), chapters)
+
+
+def _obligation(line: Line, group: str, context: str | None) -> Obligation:
+    return Obligation(
+        line.name, group, line.label, NEEDED, line.says, line.claim, line.uses, context=context
+    )

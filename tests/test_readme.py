@@ -9,7 +9,7 @@ from pathlib import Path
 
 from tests.points import parameters
 from verify.jobs import everywhere, spectrum, step
-from verify.jobs.theorem1 import decide
+from verify.jobs.theorem1 import decide_point
 from verify.language.statement import PRINTED, PROVED, REFUTED
 from verify.paper.groups import REPAIRED
 from verify.paper.rows import BREAKS, HARMLESS, SLIP
@@ -22,7 +22,7 @@ DATA = ROOT / "certificates" / "data" / "bench.json"
 
 
 def expected(text: str) -> str:
-    text = between(text, "defects", defects(decide(parameters("3/100", "1"))))
+    text = between(text, "defects", defects(decide_point(parameters("3/100", "1"))))
     text = between(text, "causes", [f"* `{'`, `'.join(c.rows)}`: {c.text}" for c in causes()])
     remarks = theorem().remarks
     text = between(text, "remarks", [f"* `{remark.label}`: {remark.text}" for remark in remarks])
@@ -35,7 +35,7 @@ def expected(text: str) -> str:
 
 def causes():
     """The causes of rows that are refuted at the point of the README."""
-    found = decide(parameters("3/100", "1"))
+    found = decide_point(parameters("3/100", "1"))
     refuted = {row.name for row, decision in found.rows if decision.verdict == REFUTED}
     return [cause for cause in theorem().causes if refuted & set(cause.rows)]
 
@@ -54,7 +54,7 @@ def test_the_tables_are_what_the_program_found() -> None:
 
 def test_the_counts_are_right() -> None:
     text = " ".join(README.read_text(encoding="utf-8").split())
-    outcome = decide(parameters("3/100", "1"))
+    outcome = decide_point(parameters("3/100", "1"))
     refuted = [row for row, d in outcome.rows if row.role == PRINTED and d.verdict == REFUTED]
     assert f"{len(refuted)} of its rows are refuted" in text
     kinds = (BREAKS, HARMLESS, SLIP)
@@ -72,14 +72,14 @@ def test_the_counts_are_right() -> None:
     assert set(proved) == {PROVED}
     assert f"all {len(proved)} rows of the repaired set are proved" in text
     assert f"rests on {len(outcome.assumptions)} listed sentences" in text
-    graded = [assumption.kind for assumption in step.decide().assumptions]
+    graded = [assumption.kind for assumption in step.decide_step().assumptions]
     assert len(graded) == 9
     assert "Nine sentences are taken on trust there: a definition" in text
-    rows = [row for row, _ in everywhere.decide().rows if row.group == REPAIRED]
+    rows = [row for row, _ in everywhere.decide_everywhere().rows if row.group == REPAIRED]
     assert {row.name for row in rows} >= {row.name for row, _ in outcome.of_group(REPAIRED)}
     assert f"proves the {len(proved)} rows for every r" in text
     assert sorted(graded) == ["definition", *["general mathematics"] * 4, *["glue"] * 4]
-    witnesses = [d for _, d in spectrum.decide().rows if d.verdict == REFUTED]
+    witnesses = [d for _, d in spectrum.decide_spectrum().rows if d.verdict == REFUTED]
     assert len(witnesses) == 9
     assert all(d.method == "witness" for d in witnesses)
     assert "Nine rows are refuted, each with an exact witness" in text

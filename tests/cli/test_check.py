@@ -40,7 +40,7 @@ def outcome_at(selection: str = "all", **changes: Term) -> Outcome:
         "V_0": as_term(1),
         "delta_theta": as_term(Fraction(1, 10)),
     }
-    return theorem1.decide(parameters | changes, selection)
+    return theorem1.decide_point(parameters | changes, selection)
 
 
 def save(folder: Path, outcome: Outcome) -> Path:

@@ -75,7 +75,7 @@ def test_explain(capsys: pytest.CaptureFixture[str]) -> None:
 def test_every_fact_can_be_explained() -> None:
     from verify.views.explain import explain
 
-    for outcome in (step.decide(), everywhere.decide()):
+    for outcome in (step.decide_step(), everywhere.decide_everywhere()):
         for name in nodes(outcome):
             assert explain(outcome, name), name
 
@@ -108,11 +108,11 @@ def test_unusable_graphs(
 
 
 def test_a_proof_uses_only_what_was_proved_before() -> None:
-    for outcome in (step.decide(), everywhere.decide()):
+    for outcome in (step.decide_step(), everywhere.decide_everywhere()):
         seen: set[str] = set()
         for node in nodes(outcome).values():
             unknown = [name for name in node.uses if name not in seen and ":" not in name]
             assert unknown == [] or node.kind == "given", (node.name, unknown)
             seen.add(node.name)
-    found = view.graph(step.decide())
+    found = view.graph(step.decide_step())
     assert {vertex.state for vertex in found.vertices} >= {"given", "proved", "assumed"}

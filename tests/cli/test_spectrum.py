@@ -161,7 +161,7 @@ def test_a_broken_matrix_fails_the_command(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     broken = ((MATRIX[0][0] + as_term(Fraction(1, 64)), *MATRIX[0][1:]), *MATRIX[1:])
-    outcome = spectrum.decide(Printed(matrix=broken))
+    outcome = spectrum.decide_spectrum(Printed(matrix=broken))
     monkeypatch.setattr("verify.cli.spectrum.decide", lambda: outcome)
     code, out, _ = run(capsys)
     assert code == 1

@@ -14,7 +14,7 @@ from random import Random
 import pytest
 
 from verify import check
-from verify.jobs.theorem1 import decide
+from verify.jobs.theorem1 import decide_point
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Term, as_term, cos, cos_pi
 from verify.prover.outcome import Outcome
@@ -90,7 +90,7 @@ def points() -> list[Point]:
 
 def outcome_at(r: Fraction, c: Term) -> Outcome:
     point = {"r": as_term(r), "c": c, "V_0": as_term(1), "delta_theta": as_term(Fraction(1, 10))}
-    return decide(point)
+    return decide_point(point)
 
 
 def test_the_points_are_what_they_are_meant_to_be() -> None:

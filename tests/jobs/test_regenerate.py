@@ -10,20 +10,20 @@ import pytest
 from tests.points import parameters
 from verify.jobs import spectrum, step
 from verify.jobs.regenerate import is_right_statement
-from verify.jobs.theorem1 import decide
+from verify.jobs.theorem1 import decide_point
 from verify.wire.write import encode, write
 
 
 @cache
 def statement(selection: str = "repaired", r: str = "3/100") -> bytes:
-    return write(decide(parameters(r, "1"), selection))["statement.json"]
+    return write(decide_point(parameters(r, "1"), selection))["statement.json"]
 
 
 def test_the_programs_own() -> None:
     assert is_right_statement(statement())
     assert is_right_statement(statement("all"))
-    assert is_right_statement(write(spectrum.decide())["statement.json"])
-    assert is_right_statement(write(step.decide())["statement.json"])
+    assert is_right_statement(write(spectrum.decide_spectrum())["statement.json"])
+    assert is_right_statement(write(step.decide_step())["statement.json"])
 
 
 def test_what_is_refuted_or_printed_alone_is_not() -> None:

@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 
 from verify.jobs.scan import Scan, scan
-from verify.jobs.theorem1 import decide
+from verify.jobs.theorem1 import decide_point
 from verify.language.terms import as_term
 
 PARAMETERS = {
@@ -19,7 +19,7 @@ PARAMETERS = {
 
 
 def single(parameters) -> tuple[str, dict[str, str]]:
-    outcome = decide({name: as_term(value) for name, value in parameters.items()})
+    outcome = decide_point({name: as_term(value) for name, value in parameters.items()})
     return outcome.verdict, {row.name: found.verdict for row, found in outcome.rows}
 
 
@@ -46,7 +46,8 @@ def test_points_far_apart() -> None:
 def test_most_points_need_no_single_run(monkeypatch) -> None:
     calls = []
     monkeypatch.setattr(
-        "verify.jobs.scan.decide", lambda parameters: calls.append(1) or decide(parameters)
+        "verify.jobs.scan.decide_point",
+        lambda parameters: calls.append(1) or decide_point(parameters),
     )
     points = list(scan((Fraction(1, 1000), Fraction(55, 1000)), 200, PARAMETERS))
     assert len(points) == 200

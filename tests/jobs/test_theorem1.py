@@ -9,7 +9,7 @@ import pytest
 
 from tests.points import ADMISSIBLE, parameters
 from verify.jobs import theorem1
-from verify.jobs.theorem1 import decide
+from verify.jobs.theorem1 import decide_point
 from verify.language.statement import (
     NEEDED,
     PROVED,
@@ -60,7 +60,7 @@ REFUTED_AT_3_100 = {
 
 @cache
 def outcome_at(r: str, c: str) -> Outcome:
-    return decide(parameters(r, c))
+    return decide_point(parameters(r, c))
 
 
 @pytest.mark.parametrize(("r", "c"), ADMISSIBLE)
@@ -87,7 +87,7 @@ def test_the_list_of_defects_at_3_100() -> None:
 
 @pytest.mark.parametrize("selection", ["printed", "repaired", "all"])
 def test_a_selection_leaves_only_its_sets(selection: str) -> None:
-    outcome = decide(parameters("3/100", "1"), selection)
+    outcome = decide_point(parameters("3/100", "1"), selection)
     assert groups(outcome) == [HYPOTHESES, *SELECTIONS[selection]]
     assert outcome.exit_code == (1 if selection == "printed" else 0)
 
@@ -186,13 +186,15 @@ def chosen(outcome: Outcome) -> dict[str, Fraction]:
 
 
 def test_chosen_constants_are_short_and_do_not_depend_on_the_precision() -> None:
-    values = [chosen(decide(parameters("3/100", "1"), "repaired", b)) for b in (64, 128, 1000)]
+    values = [
+        chosen(decide_point(parameters("3/100", "1"), "repaired", b)) for b in (64, 128, 1000)
+    ]
     assert values[0] == values[1] == values[2]
     assert values[0]["V_1"] == Fraction("1.249")
 
 
 def test_equality_in_the_hypothesis_is_a_definite_no() -> None:
-    outcome = decide(parameters("1/64", "8/13"))
+    outcome = decide_point(parameters("1/64", "8/13"))
     stability = outcome.decisions["hypotheses.stability"]
     assert stability.verdict == REFUTED
     assert isinstance(stability.proof, Interval)
@@ -206,12 +208,16 @@ def test_next_to_the_thresholds_the_hypotheses_are_decided(exponent: int) -> Non
     step = Fraction(1, 10**exponent)
     root = Fraction(_isqrt(5 * 10 ** (2 * exponent + 20)), 10 ** (exponent + 10))
     below = str(9 - 4 * root - 2 * step)
-    assert decide(parameters(below, "1"), "repaired").verdict == PROVED
+    assert decide_point(parameters(below, "1"), "repaired").verdict == PROVED
     above = str(9 - 4 * root + 2 * step)
-    assert decide(parameters(above, "1"), "repaired").verdict == REFUTED
+    assert decide_point(parameters(above, "1"), "repaired").verdict == REFUTED
     # At r = 1/64 the threshold for c is exactly 8/13.
-    assert decide(parameters("1/64", str(Fraction(8, 13) + step)), "repaired").verdict == PROVED
-    assert decide(parameters("1/64", str(Fraction(8, 13) - step)), "repaired").verdict == REFUTED
+    assert (
+        decide_point(parameters("1/64", str(Fraction(8, 13) + step)), "repaired").verdict == PROVED
+    )
+    assert (
+        decide_point(parameters("1/64", str(Fraction(8, 13) - step)), "repaired").verdict == REFUTED
+    )
 
 
 def _isqrt(number: int) -> int:
@@ -225,7 +231,7 @@ def _isqrt(number: int) -> int:
     [("1e-300", "1", "1/10"), ("3/100", "1e100", "1e-100"), ("3/100", "1e-100", "1e100")],
 )
 def test_extreme_parameters(r: str, v_0: str, delta_theta: str) -> None:
-    outcome = decide(parameters(r, "1", v_0, delta_theta))
+    outcome = decide_point(parameters(r, "1", v_0, delta_theta))
     assert outcome.verdict == PROVED
     assert group_verdict(outcome, PRINTED) == REFUTED
 
@@ -233,7 +239,7 @@ def test_extreme_parameters(r: str, v_0: str, delta_theta: str) -> None:
 @pytest.mark.parametrize("angle", [-cos_pi(Fraction(5, 6)), -cos(Fraction("2.9"))])
 def test_irrational_angles(angle: object) -> None:
     point = parameters("1/100", "1") | {"c": angle}
-    assert decide(point).verdict == PROVED
+    assert decide_point(point).verdict == PROVED
 
 
 @pytest.mark.parametrize(
@@ -248,12 +254,12 @@ def test_irrational_angles(angle: object) -> None:
 )
 def test_a_choice_that_meets_its_bound_exactly(r: str, c: str) -> None:
     """Rational fixed points, at which a rounded constant equals its bound."""
-    assert decide(parameters(r, c)).verdict == PROVED
+    assert decide_point(parameters(r, c)).verdict == PROVED
 
 
 def test_the_choices_do_not_depend_on_the_last_precision() -> None:
     """V_1 - V_0 is within 10^-300 of a decimal with three digits."""
-    ratio = definitions(decide(parameters("1/25", "25/26"), "repaired"))
+    ratio = definitions(decide_point(parameters("1/25", "25/26"), "repaired"))
     ground = Ground(Session())
     for name, term in ratio.items():
         ground.define(Constant(name, name, name, "", term))
@@ -261,7 +267,7 @@ def test_the_choices_do_not_depend_on_the_last_precision() -> None:
     assert v_1 is not None
     v_0 = str(Fraction("0.249") / (v_1 - 1) + Fraction(1, 10**300))
     values = [
-        chosen(decide(parameters("1/25", "25/26", v_0), "repaired", 128, last))["V_1"]
+        chosen(decide_point(parameters("1/25", "25/26", v_0), "repaired", 128, last))["V_1"]
         for last in (256, 512, 65536)
     ]
     assert values[0] == values[1] == values[2]
@@ -269,7 +275,7 @@ def test_the_choices_do_not_depend_on_the_last_precision() -> None:
 
 def test_an_undecided_printed_row_stays_and_has_no_proof() -> None:
     """At delta_2 = 1/44 two sides are equal by a coincidence."""
-    outcome = decide(parameters("1/11000", "348/3667"))
+    outcome = decide_point(parameters("1/11000", "348/3667"))
     assert outcome.verdict == PROVED
     undecided = [(row, d) for row, d in outcome.rows if d.verdict == UNDECIDED]
     assert all(row.role == "printed" and d == Decision(UNDECIDED) for row, d in undecided)
@@ -277,7 +283,7 @@ def test_an_undecided_printed_row_stays_and_has_no_proof() -> None:
 
 def test_a_spent_budget_is_undecided() -> None:
     near = str(Fraction(8, 13) + Fraction(1, 10**300))
-    outcome = decide(parameters("1/64", near), "repaired", 64, 64)
+    outcome = decide_point(parameters("1/64", near), "repaired", 64, 64)
     assert outcome.verdict == UNDECIDED
     assert outcome.exit_code == 3
 
@@ -289,7 +295,7 @@ def test_a_broken_bound_is_refuted(monkeypatch: pytest.MonkeyPatch) -> None:
     changed = part._replace(constants=tuple(map(loosened, part.constants)))
     other: Theorem = known._replace(parts={**known.parts, REPAIRED: changed})
     monkeypatch.setattr(theorem1, "theorem", lambda: other)
-    outcome = decide(parameters("3/100", "1"))
+    outcome = decide_point(parameters("3/100", "1"))
     assert outcome.verdict == REFUTED
     assert outcome.exit_code == 1
 

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from tests.points import ADMISSIBLE, parameters
-from verify.jobs.theorem1 import decide
+from verify.jobs.theorem1 import decide_point
 from verify.measure.bench import claims_of, definitions_program, theorem_program
 from verify.measure.engines import ArbEngine, CheckerEngine, MpmathEngine, load
 from verify.prover.outcome import Ends, Outcome
@@ -37,7 +37,7 @@ POINTS = [(r, c, "1", "1/10") for r, c in ADMISSIBLE] + random_points(25)
 def test_interval_arithmetic_and_rationals_agree_with_balls(
     point: tuple[str, str, str, str],
 ) -> None:
-    outcome = decide(parameters(*point))
+    outcome = decide_point(parameters(*point))
     balls = enclosures(outcome, ArbEngine())
     for engine in (MpmathEngine(), CheckerEngine()):
         other = enclosures(outcome, engine)
@@ -53,7 +53,7 @@ def test_what_is_certified_agrees_with_the_checkers_arithmetic(
     point: tuple[str, str, str, str],
 ) -> None:
     """Enclosures of constants and of both sides of rows, against four times as many bits."""
-    outcome = decide(parameters(*point))
+    outcome = decide_point(parameters(*point))
     program, _ = theorem_program(outcome)
     engine, compared = CheckerEngine(), 0
     with engine.at(512):
@@ -93,7 +93,7 @@ def meet(a: Ends, b: Ends) -> bool:
 def test_rational_fixed_points_make_everything_but_roots_of_v_1_exact() -> None:
     """r = m p and c = 2(m+p)/(1+mp) with rational m and p: the fixed points are m and p."""
     m, p = Fraction(1, 15), Fraction(1, 3)
-    outcome = decide(parameters(str(m * p), str(2 * (m + p) / (1 + m * p))))
+    outcome = decide_point(parameters(str(m * p), str(2 * (m + p) / (1 + m * p))))
     program = definitions_program(outcome)
     values = load(program, ExactArithmetic()).run(()).values
     chart = {

@@ -8,7 +8,7 @@ import pytest
 
 from tests.points import parameters
 from verify.cli import main
-from verify.jobs.theorem1 import decide
+from verify.jobs.theorem1 import decide_point
 from verify.measure import stress
 from verify.measure.stress import Case, run_spectrum, run_theorem1
 from verify.prover.eigenvalues import Spectrum
@@ -34,7 +34,7 @@ def test_a_wrong_verdict_is_seen() -> None:
 
 
 def test_a_wrong_enclosure_is_seen() -> None:
-    outcome = decide(parameters("3/100", "1"), "repaired")
+    outcome = decide_point(parameters("3/100", "1"), "repaired")
     assert stress.constants_agree(outcome, 600)
     found = outcome.enclosures["phi_minus"]
     low, high = found.ends[0]
@@ -44,7 +44,7 @@ def test_a_wrong_enclosure_is_seen() -> None:
 
 
 def test_a_wrong_hypothesis_is_seen() -> None:
-    outcome = decide(parameters("1/64", "8/13"), "repaired")
+    outcome = decide_point(parameters("1/64", "8/13"), "repaired")
     assert stress.hypotheses_are_exact(outcome)
     name = "hypotheses.stability"
     wrong = outcome.decisions[name]._replace(verdict="proved")

@@ -14,7 +14,7 @@ import pytest
 from mpmath import mp, mpf
 
 from tests.points import parameters
-from verify.jobs.theorem1 import decide
+from verify.jobs.theorem1 import decide_point
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Obligation
 from verify.language.terms import as_term, cos_pi, symbol
 from verify.paper import groups, initial_data
@@ -39,7 +39,7 @@ CLAIM = as_term(0) < symbol("x")
 
 @cache
 def at(point: str) -> Outcome:
-    return decide(POINTS[point])
+    return decide_point(POINTS[point])
 
 
 def all_rows() -> list[Obligation]:
@@ -133,7 +133,7 @@ def test_counts_by_severity(point: str) -> None:
 
 def test_only_rows_that_are_known_to_fail_somewhere_have_a_severity() -> None:
     seen = set().union(*(refuted(at(point)) for point in POINTS))
-    seen |= refuted(decide(parameters("3/100", "1", "1", "1/1000")))
+    seen |= refuted(decide_point(parameters("3/100", "1", "1", "1/1000")))
     assert seen == {row.name for row in all_rows() if row.severity}
 
 
@@ -144,7 +144,7 @@ def test_each_row_with_a_severity_has_one_cause() -> None:
 
 def test_the_printed_final_angle_fails_for_a_small_delta_theta() -> None:
     cause = {"printed.angle-absorbed", "printed.y-term-3", "printed.final-angle"}
-    small = refuted(decide(parameters("3/100", "1", "1", "1/1000")))
+    small = refuted(decide_point(parameters("3/100", "1", "1", "1/1000")))
     assert small & cause == {"printed.angle-absorbed", "printed.final-angle"}
     assert refuted(at("3/100")) & cause == {"printed.angle-absorbed", "printed.y-term-3"}
 
@@ -166,7 +166,7 @@ def kept(monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
     def decide_with(name: str, bounds: Any) -> set[str]:
         monkeypatch.setattr(initial_data, name, bounds)
         theorem.cache_clear()
-        return refuted(decide(POINTS["3/100"], "repaired"))
+        return refuted(decide_point(POINTS["3/100"], "repaired"))
 
     yield decide_with
     monkeypatch.undo()

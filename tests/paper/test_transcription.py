@@ -16,7 +16,7 @@ from mpmath import mp, mpf
 from tests.measure.test_second_opinion import random_points
 from tests.paper import transcription
 from tests.points import parameters
-from verify.jobs.theorem1 import decide
+from verify.jobs.theorem1 import decide_point
 from verify.paper.groups import HYPOTHESES, PRINTED
 from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Outcome
@@ -151,7 +151,7 @@ POINTS = [("3/100", "1", "1", "1/10"), *random_points(12)]
 
 @pytest.mark.parametrize("point", POINTS)
 def test_the_constants_are_the_same(point: tuple[str, str, str, str]) -> None:
-    outcome = decide(parameters(*point), "printed")
+    outcome = decide_point(parameters(*point), "printed")
     theirs, _ = blind(point)
     compared = 0
     for constant in outcome.statement.constants:
@@ -169,7 +169,7 @@ def close(a: Any, b: Any) -> bool:
 
 @pytest.mark.parametrize("point", POINTS)
 def test_every_blind_row_is_here_or_accounted_for(point: tuple[str, str, str, str]) -> None:
-    outcome = decide(parameters(*point), "printed")
+    outcome = decide_point(parameters(*point), "printed")
     ours = named_sides(outcome).values()
     names = {row.name for part in theorem().parts.values() for row in part.obligations}
     assumptions = {assumption.name for assumption in theorem().assumptions}
@@ -189,7 +189,7 @@ def test_every_row_here_has_a_blind_row_or_is_accounted_for() -> None:
     accounted = HERE_ONLY | set(ELSEWHERE.values())
     missing = [
         name
-        for name, pair in named_sides(decide(parameters(*point), "printed")).items()
+        for name, pair in named_sides(decide_point(parameters(*point), "printed")).items()
         if name not in accounted
         and ".alone-" not in name
         and not any(same_claim((row.lhs, row.rhs), pair) for row in blind_rows)
@@ -200,7 +200,7 @@ def test_every_row_here_has_a_blind_row_or_is_accounted_for() -> None:
 def test_rows_with_the_same_sides_are_not_confused() -> None:
     point = POINTS[0]
     _, blind_rows = blind(point)
-    ours = named_sides(decide(parameters(*point), "printed"))
+    ours = named_sides(decide_point(parameters(*point), "printed"))
     for index, name in MEANT.items():
         row = blind_rows[index - 1]
         assert same_claim((row.lhs, row.rhs), ours[name])

@@ -13,7 +13,7 @@ import pytest
 import sympy
 
 from verify import check
-from verify.jobs.spectrum import decide
+from verify.jobs.spectrum import decide_spectrum
 from verify.language.terms import as_term
 from verify.paper.spectrum.printed import MATRIX, Printed
 from verify.prover.outcome import Outcome
@@ -28,7 +28,7 @@ Files = tuple[Document, Document]
 
 @pytest.fixture(scope="module")
 def outcome() -> Outcome:
-    return decide()
+    return decide_spectrum()
 
 
 @pytest.fixture(scope="module")
@@ -60,7 +60,7 @@ def test_the_files_are_short(contents: dict[str, bytes]) -> None:
 
 def test_refuted_needed_rows_have_a_certificate_too() -> None:
     broken = ((MATRIX[0][0] + as_term(Fraction(1, 64)), *MATRIX[0][1:]), *MATRIX[1:])
-    files = write(decide(Printed(matrix=broken)))
+    files = write(decide_spectrum(Printed(matrix=broken)))
     report = check.check(files["statement.json"], files["certificate.json"], {})
     assert report.verdict == "REFUTED", [line for line in report.lines if "REFUSED" in line]
 

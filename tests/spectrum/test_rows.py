@@ -9,7 +9,7 @@ from fractions import Fraction
 import pytest
 import sympy
 
-from verify.jobs.spectrum import decide
+from verify.jobs.spectrum import decide_spectrum
 from verify.language.statement import PROVED, REFUTED, Context, Statement
 from verify.language.terms import Claim, Term, as_term, symbol
 from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX, Printed
@@ -36,7 +36,7 @@ SIXTY_FOURTH = as_term(Fraction(1, 64))
 
 @pytest.fixture(scope="module")
 def outcome() -> Outcome:
-    return decide()
+    return decide_spectrum()
 
 
 def test_the_numbers_of_rows_and_verdicts(outcome: Outcome) -> None:
@@ -166,7 +166,7 @@ def test_each_witness_is_exact(outcome: Outcome, name: str) -> None:
 def test_a_broken_entry_of_the_matrix_is_found(i: int, j: int, sign: int) -> None:
     broken = [list(row) for row in MATRIX]
     broken[i][j] = broken[i][j] + sign * SIXTY_FOURTH
-    outcome = decide(Printed(matrix=tuple(map(tuple, broken))))
+    outcome = decide_spectrum(Printed(matrix=tuple(map(tuple, broken))))
     assert outcome.exit_code == 1
     verdicts = {row.name: f.verdict for row, f in outcome.rows}
     assert verdicts[f"entry-{i + 1}-{j + 1}"] == REFUTED
@@ -180,7 +180,7 @@ def test_a_broken_entry_of_the_matrix_is_found(i: int, j: int, sign: int) -> Non
 def test_a_broken_coefficient_of_q_is_found(power: int, sign: int) -> None:
     broken = list(COEFFICIENTS)
     broken[power] = broken[power] + sign * SIXTY_FOURTH
-    outcome = decide(Printed(coefficients=tuple(broken)))
+    outcome = decide_spectrum(Printed(coefficients=tuple(broken)))
     assert outcome.exit_code == 1
     verdicts = {row.name: f.verdict for row, f in outcome.rows}
     assert verdicts["characteristic"] == REFUTED

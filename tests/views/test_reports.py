@@ -18,11 +18,11 @@ from verify.wire.write import write
 
 
 def point() -> Outcome:
-    return theorem1.decide(parameters("3/100", "1"))
+    return theorem1.decide_point(parameters("3/100", "1"))
 
 
 @pytest.mark.parametrize("view", [report, statement_source])
-@pytest.mark.parametrize("decide", [point, spectrum.decide])
+@pytest.mark.parametrize("decide", [point, spectrum.decide_spectrum])
 def test_a_view_does_not_see_whether_an_outcome_is_fresh(
     decide: Callable[[], Outcome], view: Callable[[Outcome], str]
 ) -> None:
@@ -37,7 +37,7 @@ def test_a_view_does_not_see_whether_an_outcome_is_fresh(
 
 
 def test_a_report_has_every_refuted_row_with_its_evidence() -> None:
-    for outcome in (point(), spectrum.decide()):
+    for outcome in (point(), spectrum.decide_spectrum()):
         text = report(outcome)
         section = text[text.index("## What is printed") :].partition("\n## ")[0]
         refuted = [(row, d) for row, d in outcome.rows if d.verdict == REFUTED]

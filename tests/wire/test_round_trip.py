@@ -26,15 +26,15 @@ def fresh(name: str) -> Outcome:
     point = parameters("3/100", "1")
     match name:
         case "proved":
-            return theorem1.decide(point)
+            return theorem1.decide_point(point)
         case "printed":
-            return theorem1.decide(point, "printed")
+            return theorem1.decide_point(point, "printed")
         case "refuted":
-            return theorem1.decide(parameters("1/2", "1"))
+            return theorem1.decide_point(parameters("1/2", "1"))
         case "cosine":
             angle = -cos_pi(Fraction(5, 6))
-            return theorem1.decide(parameters("1/1000", "1") | {"c": angle}, "repaired")
-    return spectrum.decide()
+            return theorem1.decide_point(parameters("1/1000", "1") | {"c": angle}, "repaired")
+    return spectrum.decide_spectrum()
 
 
 @cache

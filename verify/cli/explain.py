@@ -28,7 +28,7 @@ def run(options: Namespace) -> int:
     else:
         from verify.jobs import step
 
-        text = explain(outcome_of(None), options.row) + explain(step.decide(), options.row)
+        text = explain(outcome_of(None), options.row) + explain(step.decide_step(), options.row)
     if not text:
         raise InputError(f"row: there is no row {shown(options.row)}; write a name of a report")
     sys.stdout.write("".join(f"{line}\n" for line in text))

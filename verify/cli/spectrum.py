@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.jobs.inputs import InputError, integer, rational, shown
-from verify.jobs.spectrum import decide
+from verify.jobs.spectrum import decide_spectrum
 from verify.views.spectrum import document, last_line, lines, point_document, point_lines
 
 MAX_PRECISION = 1 << 22
@@ -47,7 +47,7 @@ def run(options: Namespace) -> int:
     r = None if options.r is None else read_r(options.r)
     bits = integer("--precision", options.precision, 2, MAX_PRECISION)
     test_folder("--out", options.out, "statement.json", "certificate.json")
-    outcome = decide()
+    outcome = decide_spectrum()
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
     spectrum = None

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.jobs.inputs import InputError, angle, integer, rational, shown
-from verify.jobs.theorem1 import decide
+from verify.jobs.theorem1 import decide_point
 from verify.language.terms import Term, as_term
 from verify.paper.groups import PRINTED, SELECTIONS
 from verify.prover.outcome import EXIT_CODES, Outcome, conjunction
@@ -125,7 +125,7 @@ def run(options: Namespace) -> int:
         )
     test_folder("--out", options.out, "statement.json", "certificate.json")
     more = options.out or options.json or options.verbose or options.rows
-    outcome = decide(parameters, options.constants, bits, last, all_sides=bool(more))
+    outcome = decide_point(parameters, options.constants, bits, last, all_sides=bool(more))
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
     if options.json:
@@ -172,8 +172,8 @@ def _everywhere(options: Namespace) -> int:
     from verify.views.document import assumption_document, claims_document
 
     printed = options.constants == PRINTED
-    outcome = everywhere.printed() if printed else everywhere.decide()
-    cited = outcome.assumptions if printed else step.decide().assumptions
+    outcome = everywhere.decide_printed_everywhere() if printed else everywhere.decide_everywhere()
+    cited = outcome.assumptions if printed else step.decide_step().assumptions
     code = EXIT_CODES[conjunction(outcome.decisions.values())]
     if options.out is not None:
         write_certificate("--out", options.out, outcome)

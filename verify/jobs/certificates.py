@@ -53,7 +53,7 @@ POINTS = (
 def all_folders() -> Iterator[tuple[str, Outcome]]:
     """Every folder with its outcome, decided anew."""
     for point in POINTS:
-        yield point.folder, theorem1.decide(point.parameters)
-    yield "step", step.decide()
-    yield "theorem1-all", everywhere.decide()
-    yield "spectrum", spectrum.decide()
+        yield point.folder, theorem1.decide_point(point.parameters)
+    yield "step", step.decide_step()
+    yield "theorem1-all", everywhere.decide_everywhere()
+    yield "spectrum", spectrum.decide_spectrum()

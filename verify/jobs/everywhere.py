@@ -77,14 +77,14 @@ TRIED = (
 
 
 @cache
-def decide() -> Outcome:
+def decide_everywhere() -> Outcome:
     """Every row for all parameters; what is not found is left undecided."""
-    cited = write(step_job.decide())["statement.json"]
+    cited = write(step_job.decide_step())["statement.json"]
     return Everywhere(statement(cited), REPAIRED).run()
 
 
 @cache
-def printed() -> Outcome:
+def decide_printed_everywhere() -> Outcome:
     """Every row of the printed set: true for all parameters, or false for all or for some."""
     return Everywhere(printed_statement(), PRINTED).run()
 

@@ -46,9 +46,9 @@ def _parameters(document: Any) -> dict[str, Term]:
 def _outcomes(parameters: Mapping[str, Term]) -> Iterator[Outcome]:
     """The outcomes that the program makes for these parameters."""
     if not parameters:
-        yield spectrum.decide()
-        yield step.decide()
-        yield everywhere.decide()
+        yield spectrum.decide_spectrum()
+        yield step.decide_step()
+        yield everywhere.decide_everywhere()
     elif are_allowed(parameters):
         for selection in SELECTIONS:
-            yield theorem1.decide(parameters, selection)
+            yield theorem1.decide_point(parameters, selection)

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from verify.jobs.theorem1 import decide
+from verify.jobs.theorem1 import decide_point
 from verify.language.statement import NEEDED, PROVED, REFUTED, Choice, Constant, Obligation
 from verify.language.terms import Claim, as_term
 from verify.paper.groups import GROUPS, HYPOTHESES, PRINTED, REPAIRED
@@ -55,7 +55,7 @@ class Scan:
         found = None if self._compiled is None else self._compiled.at(parameters)
         if found is not None:
             return found
-        outcome = decide({name: as_term(value) for name, value in parameters.items()})
+        outcome = decide_point({name: as_term(value) for name, value in parameters.items()})
         if outcome.of_group(REPAIRED) and len(self._algebras) < MAX_ALGEBRAS:
             self._algebras.append(Algebra(outcome))
             self._compiled = Compiled(self._algebras)

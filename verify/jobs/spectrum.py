@@ -11,6 +11,6 @@ from verify.prover.prove import prove
 MAX_BITS = 1024
 
 
-def decide(paper: Printed | None = None) -> Outcome:
+def decide_spectrum(paper: Printed | None = None) -> Outcome:
     """Decide every row, for the printed matrix and polynomial or for altered ones."""
     return prove(theorem(paper), max_bits=MAX_BITS)

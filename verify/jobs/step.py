@@ -19,7 +19,7 @@ from verify.wire.write import write
 
 
 @cache
-def decide() -> Outcome:
+def decide_step() -> Outcome:
     """The step, each line with the proof that its reason describes."""
     return write_down(step())
 
@@ -49,7 +49,7 @@ def with_step(outcome: Outcome) -> Outcome:
         for old in outcome.statement.obligations
     ]
     used = {name for old in rows for name in old.uses}
-    cite = Cite(NAME, NAME, write(decide())["statement.json"])
+    cite = Cite(NAME, NAME, write(decide_step())["statement.json"])
     statement = outcome.statement._replace(
         obligations=(*rows, row),
         assumptions=tuple(a for a in outcome.statement.assumptions if a.name in used),

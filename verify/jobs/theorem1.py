@@ -107,7 +107,7 @@ class PointRun:
         return Outcome(statement, self.decisions, steps, enclosures, self.spent)
 
 
-def decide(
+def decide_point(
     parameters: Mapping[str, Term],
     selection: str = "all",
     start_bits: int = DEFAULT_PRECISION,

@@ -19,7 +19,7 @@ from time import perf_counter
 from typing import Any
 
 from verify.jobs.scan import scan
-from verify.jobs.theorem1 import constants_enclosure, decide
+from verify.jobs.theorem1 import constants_enclosure, decide_point
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term, as_term
 from verify.measure.engines import (
@@ -62,7 +62,7 @@ def run(quick: bool, progress: Progress) -> dict[str, Table]:
     """All tables. ``quick`` takes fewer precisions and repetitions."""
     precisions = (53, 128, 512) if quick else PRECISIONS
     rounds = 3 if quick else 11
-    outcome = decide(parameters("3/100", "1"))
+    outcome = decide_point(parameters("3/100", "1"))
     tables = {}
     progress("precision against time and width")
     tables["precision"], tables["equal_width"] = precision_tables(outcome, precisions, rounds)
@@ -237,7 +237,7 @@ def double_tables() -> tuple[Table, Table]:
     digits: list[list[Any]] = []
     verdicts: list[list[Any]] = []
     for point, (r, c) in DOUBLE_POINTS.items():
-        outcome = decide(parameters(r, c), "printed")
+        outcome = decide_point(parameters(r, c), "printed")
         program, _ = theorem_program(outcome)
         values = load(program, DoubleEngine()).run(()).values
         worst = sorted(_digits(outcome, program, values))
@@ -313,7 +313,7 @@ def throughput_table(count: int, rounds: int) -> Table:
     constants = median(_seconds(lambda: [enclose(p) for p in exact]) for _ in range(rounds))
     some = points[:: max(1, count // 20)]
     single = median(
-        _seconds(lambda: [decide(parameters(r, "1")) for r in some]) for _ in range(rounds)
+        _seconds(lambda: [decide_point(parameters(r, "1")) for r in some]) for _ in range(rounds)
     )
     grid = (Fraction(1, 1000), Fraction(55, 1000))
     full = median(_seconds(lambda: list(scan(grid, count, exact[0]))) for _ in range(rounds))

@@ -17,7 +17,7 @@ from importlib.resources import files
 from typing import NamedTuple
 
 from verify.jobs.inputs import angle, rational
-from verify.jobs.theorem1 import decide
+from verify.jobs.theorem1 import decide_point
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import as_term, sqrt, symbol
 from verify.measure.bench import definitions_program
@@ -101,7 +101,7 @@ def run_theorem1(case: Case) -> Finding:
         "V_0": as_term(number(arguments.get("V0", "1"))),
         "delta_theta": as_term(number(arguments.get("delta_theta", "1/10"))),
     }
-    outcome = decide(parameters, "repaired")
+    outcome = decide_point(parameters, "repaired")
     bits = precision_needed(outcome)
     lost, textbook = _digits_lost(outcome, bits)
     right = (

@@ -10,7 +10,7 @@ import pytest
 
 from verify import check
 from verify.jobs import everywhere, step
-from verify.jobs.everywhere import decide
+from verify.jobs.everywhere import decide_everywhere
 from verify.language.statement import NEEDED, PROVED, Constant
 from verify.language.terms import Claim, Term
 from verify.paper.everywhere.chart import CONTEXT, constants
@@ -30,7 +30,7 @@ from verify.wire.write import write
 
 @cache
 def cited() -> dict[str, bytes]:
-    files = write(decide())
+    files = write(decide_everywhere())
     return {name[6:-5]: data for name, data in files.items() if name.startswith("cited/")}
 
 
@@ -40,7 +40,7 @@ def report(outcome: Outcome) -> check.Report:
 
 
 def test_everything_is_proved_and_small() -> None:
-    outcome = decide()
+    outcome = decide_everywhere()
     files = write(outcome)
     assert outcome.verdict == PROVED
     assert {row.verdict for row in outcome.decisions.values()} == {PROVED}
@@ -50,7 +50,7 @@ def test_everything_is_proved_and_small() -> None:
 
 
 def test_the_rows_are_those_of_the_theorem() -> None:
-    rows = {row.name: row for row in decide().statement.obligations}
+    rows = {row.name: row for row in decide_everywhere().statement.obligations}
     for row in theorem().parts[REPAIRED].obligations:
         if row.role == NEEDED:
             assert rows[row.name].claim == row.claim
@@ -59,7 +59,7 @@ def test_the_rows_are_those_of_the_theorem() -> None:
 
 def test_the_last_line_closes_the_citation(tmp_path_factory: pytest.TempPathFactory) -> None:
     folders = []
-    for name, outcome in (("everywhere", decide()), ("step", step.decide())):
+    for name, outcome in (("everywhere", decide_everywhere()), ("step", step.decide_step())):
         folder = tmp_path_factory.mktemp(name)
         for file, data in write(outcome).items():
             (folder / file).parent.mkdir(exist_ok=True)
@@ -78,8 +78,8 @@ def test_every_fact_holds_at_random_parameters() -> None:
     for constant in constants():
         program.define(constant.name, constant.term)
     claims: dict[str, Claim] = {}
-    rows = {row.name: row for row in decide().statement.obligations}
-    for item in decide().steps:
+    rows = {row.name: row for row in decide_everywhere().statement.obligations}
+    for item in decide_everywhere().steps:
         if isinstance(item, LemmaStep) and item.context == CONTEXT:
             claims[item.name] = item.claim
         if isinstance(item, ObligationStep) and rows[item.name].context == CONTEXT:
@@ -107,9 +107,9 @@ def admissible(chosen: random.Random) -> tuple[Fraction, ...]:
 
 
 def test_a_sum_without_one_of_its_addends_is_refused() -> None:
-    rows = {row.name: row.claim for row in decide().statement.obligations}
+    rows = {row.name: row.claim for row in decide_everywhere().statement.obligations}
     steps, names = [], set()
-    for number, item in enumerate(decide().steps):
+    for number, item in enumerate(decide_everywhere().steps):
         proof = getattr(item, "proof", None)
         claim = item.claim if isinstance(item, LemmaStep) else rows.get(item.name)
         if isinstance(proof, Sum) and isinstance(claim, Claim) and len(proof.addends) > 1:
@@ -121,14 +121,14 @@ def test_a_sum_without_one_of_its_addends_is_refused() -> None:
                 steps.append(LemmaStep(name, context, claim, proof._replace(addends=rest)))
         steps.append(item)
     assert len(names) > 400
-    lines = report(decide()._replace(steps=tuple(steps))).lines
+    lines = report(decide_everywhere()._replace(steps=tuple(steps))).lines
     refused = {line.split()[2].rstrip(":") for line in lines if line.startswith("REFUSED lemma")}
     assert names <= refused
 
 
 def with_entry(name: str, entry: int, factor: Fraction) -> Outcome:
     """The certificate, of a statement in which one entry of a minimum is larger."""
-    outcome = decide()
+    outcome = decide_everywhere()
     context = outcome.statement.contexts[0]
 
     def changed(constant: Constant) -> Constant:
@@ -151,7 +151,7 @@ def test_a_larger_bound_is_refused(name: str, entry: int) -> None:
 
 
 def test_without_a_hypothesis_it_is_refused() -> None:
-    outcome = decide()
+    outcome = decide_everywhere()
     context = outcome.statement.contexts[0]
     for i in range(len(context.givens)):
         fewer = context._replace(givens=context.givens[:i] + context.givens[i + 1 :])
@@ -163,6 +163,6 @@ def test_without_a_hypothesis_it_is_refused() -> None:
 
 
 def test_the_search_finds_the_same_again() -> None:
-    cited = write(step.decide())["statement.json"]
+    cited = write(step.decide_step())["statement.json"]
     found = everywhere.Everywhere(statement(cited), REPAIRED).run()
-    assert write(found) == write(decide())
+    assert write(found) == write(decide_everywhere())

@@ -7,8 +7,8 @@ from fractions import Fraction
 import pytest
 
 from verify import check
-from verify.jobs.everywhere import printed
-from verify.jobs.theorem1 import decide
+from verify.jobs.everywhere import decide_printed_everywhere
+from verify.jobs.theorem1 import decide_point
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import as_term
 from verify.wire.read import read
@@ -18,7 +18,7 @@ POINTS = [("3/100", "1", "1", "1/10"), ("1/1000", "3/10", "7", "1/1000")]
 
 
 def test_every_row_is_decided() -> None:
-    outcome = printed()
+    outcome = decide_printed_everywhere()
     files = write(outcome)
     report = check.check(files["statement.json"], files["certificate.json"], {})
     assert report.verdict == "PROVED"
@@ -30,15 +30,15 @@ def test_every_row_is_decided() -> None:
 def test_a_point_agrees(point: tuple[str, ...]) -> None:
     names = ("r", "c", "V_0", "delta_theta")
     values = {name: as_term(Fraction(x)) for name, x in zip(names, point, strict=True)}
-    there = decide(values, "printed").decisions
-    for name, found in printed().decisions.items():
+    there = decide_point(values, "printed").decisions
+    for name, found in decide_printed_everywhere().decisions.items():
         if found.method != "witness":
             assert there[name].verdict == found.verdict, name
 
 
 def test_the_final_angle_depends_on_the_parameters() -> None:
-    found = printed().decisions["printed.final-angle"]
+    found = decide_printed_everywhere().decisions["printed.final-angle"]
     assert (found.verdict, found.method) == (REFUTED, "witness")
     names = ("r", "c", "V_0", "delta_theta")
     values = {n: as_term(Fraction(x)) for n, x in zip(names, POINTS[0], strict=True)}
-    assert decide(values, "printed").decisions["printed.final-angle"].verdict == PROVED
+    assert decide_point(values, "printed").decisions["printed.final-angle"].verdict == PROVED

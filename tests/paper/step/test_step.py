@@ -11,8 +11,8 @@ import pytest
 
 from tests.paper.step.states import BITS, Random, Values, checker, evaluate
 from verify import check
-from verify.jobs.step import decide, with_step
-from verify.jobs.theorem1 import decide as decide_point
+from verify.jobs.step import decide_step, with_step
+from verify.jobs.theorem1 import decide_point
 from verify.language.statement import NEEDED, PROVED
 from verify.language.terms import Claim, as_term
 from verify.paper.groups import PRINTED
@@ -32,7 +32,7 @@ def report(outcome: Outcome) -> check.Report:
 
 
 def test_the_step_is_proved_and_small() -> None:
-    outcome = decide()
+    outcome = decide_step()
     files = write(outcome)
     assert report(outcome).verdict == "PROVED"
     assert outcome.verdict == PROVED
@@ -41,7 +41,7 @@ def test_the_step_is_proved_and_small() -> None:
 
 
 def test_only_four_kinds_of_sentences_are_assumed() -> None:
-    kinds = [assumption.kind for assumption in decide().assumptions]
+    kinds = [assumption.kind for assumption in decide_step().assumptions]
     assert kinds.count("general mathematics") == 4
     assert kinds.count("definition") == 1
     assert set(kinds) == {"general mathematics", "definition", "glue"}
@@ -52,7 +52,7 @@ def test_glue_names_rows_that_are_there() -> None:
     rows |= {g.name for c in step().statement.contexts for g in c.givens}
     named = {
         word.strip(".,:")
-        for assumption in decide().assumptions
+        for assumption in decide_step().assumptions
         if assumption.kind == "glue"
         for word in assumption.sentence.split()
         if "-" in word and word.strip(".,:").replace("-", "").isalpha()
@@ -90,7 +90,7 @@ class Sums:
 def sums() -> tuple[Sums, ...]:
     rows = {row.name: row for row in step().statement.obligations}
     found = []
-    for item in decide().steps:
+    for item in decide_step().steps:
         if isinstance(item, LemmaStep) and isinstance(item.proof, Sum):
             found.append(Sums(item, item.claim, item.context, item.proof))
         if isinstance(item, ObligationStep) and isinstance(item.proof, Sum):
@@ -102,9 +102,9 @@ def sums() -> tuple[Sums, ...]:
 
 def with_lies(lies: dict[str, list[LemmaStep]]) -> list[str]:
     """Which lies are accepted, each put before the step of its name."""
-    steps = [new for old in decide().steps for new in (*lies.get(old.name, []), old)]
+    steps = [new for old in decide_step().steps for new in (*lies.get(old.name, []), old)]
     names = {lie.name for group in lies.values() for lie in group}
-    lines = report(decide()._replace(steps=tuple(steps))).lines
+    lines = report(decide_step()._replace(steps=tuple(steps))).lines
     refused = {line.split()[2].rstrip(":") for line in lines if line.startswith("REFUSED lemma")}
     return sorted(names - refused)
 
@@ -132,7 +132,7 @@ def test_a_stronger_claim_is_refused() -> None:
 
 @pytest.mark.parametrize("context", ["parameters", "initial", "state", "plane"])
 def test_without_a_given_the_step_is_refused(context: str) -> None:
-    outcome = decide()
+    outcome = decide_step()
     contexts = list(outcome.statement.contexts)
     index = [c.name for c in contexts].index(context)
     givens = contexts[index].givens
@@ -157,7 +157,7 @@ def claims_in(*contexts: str) -> dict[str, Claim]:
         if context.name in contexts
         for given in context.givens
     }
-    for item in decide().steps:
+    for item in decide_step().steps:
         if isinstance(item, LemmaStep) and item.context in contexts:
             found[item.name] = item.claim
         if isinstance(item, ObligationStep) and rows[item.name].context in contexts:

@@ -64,8 +64,8 @@ def test_a_path_that_cannot_be_used_is_found_before_the_work(
 
     for work in (
         "verify.jobs.certificates.all_folders",
-        "verify.cli.spectrum.decide",
-        "verify.cli.theorem1.decide",
+        "verify.cli.spectrum.decide_spectrum",
+        "verify.cli.theorem1.decide_point",
         "verify.measure.stress.run",
         "verify.measure.bench.run",
     ):

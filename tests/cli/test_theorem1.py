@@ -472,7 +472,7 @@ def test_out_is_tested_before_the_work(
     def never(*_: object) -> None:
         raise AssertionError("the work was done first")
 
-    monkeypatch.setattr("verify.cli.theorem1.decide", never)
+    monkeypatch.setattr("verify.cli.theorem1.decide_point", never)
     (tmp_path / "file").write_text("mine")
     code, _, err = run(capsys, "--r", "0.03", "--out", str(tmp_path / "file"))
     assert (code, err.count("\n")) == (2, 1)

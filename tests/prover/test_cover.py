@@ -8,12 +8,12 @@ from random import Random
 import pytest
 
 from verify.jobs.constructions import FIXED, at_point, definitions, formulas, rows
-from verify.jobs.covers import SHARE, WHOLE, WIDTH, judge, plane, thresholds
+from verify.jobs.covers import SHARE, WHOLE, WIDTH, judged_plane, plane, threshold_boxes
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term, as_term, equal, maximum, minimum, sqrt, symbol
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.prover import balls
-from verify.prover.cover import Field, Judged, Values, cover, parts, refined
+from verify.prover.cover import Field, JudgedBox, Values, cover, parts, refined
 from verify.prover.ground import Ground
 from verify.prover.slopes import BITS
 
@@ -26,7 +26,7 @@ def verdict(ground: Ground, claim: Claim) -> str:
     return ground.prove(claim)[0]
 
 
-def inside(judged: Judged, random: Random) -> tuple[Fraction, Fraction]:
+def inside(judged: JudgedBox, random: Random) -> tuple[Fraction, Fraction]:
     """A point of a cell, now and then a corner."""
     point = [low + (high - low) * Fraction(random.choice([0, 1, 3, 7, 8]), 8)
              for low, high in judged.box]  # fmt: skip
@@ -37,7 +37,7 @@ def inside(judged: Judged, random: Random) -> tuple[Fraction, Fraction]:
 def test_constants_lie_in_their_enclosures(group: str, share: Fraction) -> None:
     random = Random(1)
     field, seen = plane(group, share), 0
-    for judged in random.sample(judge(group, share, (), 5), 12):
+    for judged in random.sample(judged_plane(group, share, (), 5), 12):
         if judged.condition != PROVED:
             continue
         s, c = inside(judged, random)
@@ -58,7 +58,7 @@ def test_constants_lie_in_their_enclosures(group: str, share: Fraction) -> None:
 def test_verdicts_on_cells_hold_at_their_points(group: str, share: Fraction) -> None:
     random = Random(2)
     claims = rows(group, share).claims
-    cells = [j for j in judge(group, share, claims, 4) if j.condition == PROVED]
+    cells = [j for j in judged_plane(group, share, claims, 4) if j.condition == PROVED]
     decided = {PROVED: 0, REFUTED: 0}
     for judged in random.sample(cells, 6):
         s, c = inside(judged, random)
@@ -155,7 +155,7 @@ def test_zero_is_not_below_zero() -> None:
 
 
 def test_thresholds_contain_the_exact_points() -> None:
-    curves = thresholds(64)
+    curves = threshold_boxes(64)
 
     def height(name: str, s: Fraction) -> tuple[Fraction, Fraction]:
         return next(box for (left, right), box in curves[name] if left <= s < right)

@@ -123,5 +123,5 @@ def test_precision_is_left_as_it_was() -> None:
     from flint import ctx
 
     before = ctx.prec
-    covers.thresholds(8)
+    covers.threshold_boxes(8)
     assert ctx.prec == before

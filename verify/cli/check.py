@@ -43,7 +43,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
 
 
-class Judged(NamedTuple):
+class CheckedFolder(NamedTuple):
     """What the checker found in one folder.
 
     ``own`` says whether the statement is one that the program makes and calls proved; None where
@@ -66,10 +66,10 @@ def run(options: Namespace) -> int:
     """Check, and return the worst exit code of all folders."""
     if options.latex and (options.json or options.statement):
         raise InputError("--latex: checks nothing; leave it out with --json and --statement")
-    folders = read_folders(options.path)
+    folders = folders_at(options.path)
     if options.latex:
         return _print_latex(folders)
-    found = judge(folders)
+    found = check_folders(folders)
     if options.statement:
         found = [_compared(judged) for judged in found]
     if options.json:
@@ -95,7 +95,7 @@ def _print_latex(folders: Sequence[check.Folder]) -> int:
     return 0
 
 
-def read_folders(paths: Sequence[str]) -> list[check.Folder]:
+def folders_at(paths: Sequence[str]) -> list[check.Folder]:
     """What is to be checked; each file is read once, here.
 
     Raises:
@@ -121,7 +121,7 @@ def read_folders(paths: Sequence[str]) -> list[check.Folder]:
         ) from error
 
 
-def judge(folders: Sequence[check.Folder]) -> list[Judged]:
+def check_folders(folders: Sequence[check.Folder]) -> list[CheckedFolder]:
     """Check folders of which some may cite others, as `verify/check.py` does."""
     everything = [data for folder in folders for data in (folder.statement, *folder.cited)]
     available = {sha256(data).hexdigest(): data for data in everything}
@@ -139,15 +139,15 @@ def judge(folders: Sequence[check.Folder]) -> list[Judged]:
     ]
 
 
-def _judged(folder: check.Folder, available: Mapping[str, bytes]) -> Judged:
+def _judged(folder: check.Folder, available: Mapping[str, bytes]) -> CheckedFolder:
     try:
         report = check.check(folder.statement, folder.certificate, available)
     except (check.Malformed, RecursionError) as error:
-        return Judged(folder, MALFORMED, [f"{MALFORMED}: {error}"], None)
-    return Judged(folder, report.verdict, report.lines, report)
+        return CheckedFolder(folder, MALFORMED, [f"{MALFORMED}: {error}"], None)
+    return CheckedFolder(folder, report.verdict, report.lines, report)
 
 
-def _compared(judged: Judged) -> Judged:
+def _compared(judged: CheckedFolder) -> CheckedFolder:
     """With the answer whether a proved theorem is the program's own, from the same bytes."""
     if judged.verdict != "PROVED":
         return judged
@@ -156,7 +156,7 @@ def _compared(judged: Judged) -> Judged:
     return judged._replace(own=is_right_statement(judged.folder.statement))
 
 
-def _lines(found: Sequence[Judged]) -> list[str]:
+def _lines(found: Sequence[CheckedFolder]) -> list[str]:
     lines = []
     for judged in found:
         if len(found) > 1:
@@ -168,7 +168,7 @@ def _lines(found: Sequence[Judged]) -> list[str]:
     return [line if line.isprintable() else ascii(line) for line in lines]
 
 
-def _row(judged: Judged) -> dict[str, Any]:
+def _row(judged: CheckedFolder) -> dict[str, Any]:
     """One folder of the document."""
     row: dict[str, Any] = {"path": judged.folder.path, "verdict": judged.verdict.lower()}
     row |= {"title": None, "needed": None, "printed": None, "assumptions": []}

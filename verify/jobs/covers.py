@@ -21,7 +21,7 @@ from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.hypotheses import hypotheses
 from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
 from verify.prover import balls
-from verify.prover.cover import Box, Field, Judged, Values, cover, refined
+from verify.prover.cover import Box, Field, JudgedBox, Values, cover, refined
 from verify.prover.outcome import Ends
 from verify.prover.slopes import BITS, Side
 
@@ -70,7 +70,7 @@ def plane(group: str, share: Fraction = SHARE) -> Field:
     return Field(INPUTS, (CUBE, *definitions(formulas(group, share))))
 
 
-def judge(group: str, share: Fraction, wanted: Iterable[str], depth: int) -> list[Judged]:
+def judged_plane(group: str, share: Fraction, wanted: Iterable[str], depth: int) -> list[JudgedBox]:
     """The plane, cut until every wanted row of a set is decided on each cell.
 
     Cells on which the hypothesis is refuted are left out.
@@ -80,21 +80,21 @@ def judge(group: str, share: Fraction, wanted: Iterable[str], depth: int) -> lis
     return cover(plane(group, share), PLANE, depth, stability(), claims, wanted, size)
 
 
-def judge_printed(depth: int) -> list[Judged]:
+def judge_printed(depth: int) -> list[JudgedBox]:
     """The plane, judged for the printed set."""
-    return judge(PRINTED, WHOLE, [row.name for row in mapped()], depth)
+    return judged_plane(PRINTED, WHOLE, [row.name for row in mapped()], depth)
 
 
-def judge_repaired(depth: int) -> list[Judged]:
+def judge_repaired(depth: int) -> list[JudgedBox]:
     """The plane, judged for the repaired set at a share of each bound."""
-    return judge(REPAIRED, SHARE, rows(REPAIRED, SHARE).claims, depth)
+    return judged_plane(REPAIRED, SHARE, rows(REPAIRED, SHARE).claims, depth)
 
 
 class Maps(NamedTuple):
     """The plane, judged for both sets."""
 
-    printed: list[Judged]
-    repaired: list[Judged]
+    printed: list[JudgedBox]
+    repaired: list[JudgedBox]
 
 
 @cache
@@ -112,17 +112,17 @@ def mapped() -> tuple[Obligation, ...]:
     return tuple(row for row in rows(PRINTED, WHOLE).open if row.name in names)
 
 
-def closes(judged: Judged) -> bool:
+def closes(judged: JudgedBox) -> bool:
     """Whether every row is proved on the whole cell."""
     return judged.condition == PROVED and all(v == PROVED for v in judged.verdicts.values())
 
 
-def refuted_steps(judged: Judged) -> int:
+def refuted_steps(judged: JudgedBox) -> int:
     """How many printed steps are refuted on the whole cell."""
     return list(judged.verdicts.values()).count(REFUTED)
 
 
-def share_of(cells: Sequence[Judged], name: str, verdict: str) -> Fraction:
+def share_of(cells: Sequence[JudgedBox], name: str, verdict: str) -> Fraction:
     """The share of the surely admissible cells, by area as drawn, with a verdict on a row."""
     inside = [judged for judged in cells if judged.condition == PROVED]
     total = sum(judged.weight for judged in inside)
@@ -131,7 +131,7 @@ def share_of(cells: Sequence[Judged], name: str, verdict: str) -> Fraction:
 
 
 @cache
-def thresholds(cells: int) -> dict[str, list[Box]]:
+def threshold_boxes(cells: int) -> dict[str, list[Box]]:
     """Enclosures of the two thresholds of c over intervals of s: boxes that contain the curves."""
     s = symbol("s")
     root = symbol("q")  # q = s^(1/2), so that the second one is rational too

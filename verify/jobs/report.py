@@ -34,7 +34,7 @@ class CertificateError(Exception):
         self.code = code
 
 
-class Folder(NamedTuple):
+class CertifiedOutcome(NamedTuple):
     """One accepted certificate, read back; ``said`` is the checker's last line."""
 
     name: str
@@ -46,16 +46,16 @@ class Folder(NamedTuple):
 class Material(NamedTuple):
     """Everything that the report shows."""
 
-    folders: tuple[Folder, ...]
+    folders: tuple[CertifiedOutcome, ...]
     measurements: dict[str, dict[str, Any]]
     digests: dict[str, str]
 
-    def about(self, theorem_name: str) -> list[Folder]:
+    def about(self, theorem_name: str) -> list[CertifiedOutcome]:
         """The certificates of one theorem."""
         return [f for f in self.folders if f.outcome.statement.theorem == theorem_name]
 
 
-def read(directory: str) -> Material:
+def read_material(directory: str) -> Material:
     """Read and check every certificate folder, and the measurements if there are any.
 
     Raises:
@@ -139,7 +139,7 @@ def _tables(path: str, content: bytes) -> dict[str, Any]:
 
 def _folder(
     path: str, name: str, contents: Mapping[str, bytes], available: Mapping[str, bytes]
-) -> Folder:
+) -> CertifiedOutcome:
     statement, certificate = (contents[file] for file in NAMES)
     said = _checked(path, statement, certificate, available)
     if not is_right_statement(statement):
@@ -151,7 +151,7 @@ def _folder(
     except WireError as error:
         raise CertificateError(f"{path}: {error}", 4) from error
     digests = {file: sha256(content).hexdigest() for file, content in contents.items()}
-    return Folder(name, outcome, digests, said)
+    return CertifiedOutcome(name, outcome, digests, said)
 
 
 def _checked(

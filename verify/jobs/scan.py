@@ -32,7 +32,7 @@ MAX_ALGEBRAS = 12
 _VERDICTS = {HOLDS: PROVED, FAILS: REFUTED}
 
 
-class Point(NamedTuple):
+class ScannedPoint(NamedTuple):
     """The verdict on the needed rows at one point, and those on all rows by their names."""
 
     verdict: str
@@ -50,7 +50,7 @@ class Scan:
         self._algebras: list[Algebra] = []
         self._compiled: Compiled | None = None
 
-    def at(self, parameters: Mapping[str, Fraction]) -> Point:
+    def at(self, parameters: Mapping[str, Fraction]) -> ScannedPoint:
         """The verdicts that `verify.jobs.theorem1.decide` finds at this point."""
         found = None if self._compiled is None else self._compiled.at(parameters)
         if found is not None:
@@ -60,7 +60,7 @@ class Scan:
             self._algebras.append(Algebra(outcome))
             self._compiled = Compiled(self._algebras)
         rows = {row.name: decision.verdict for row, decision in outcome.rows}
-        return Point(outcome.verdict, rows)
+        return ScannedPoint(outcome.verdict, rows)
 
 
 class Compiled:
@@ -99,7 +99,7 @@ class Compiled:
         entries = entries_of(constant.term) if base is None else (bound,)
         self._code.call(constant.name, self._chooser.rounding(choice), bound, *entries)
 
-    def at(self, parameters: Mapping[str, Fraction]) -> Point | None:
+    def at(self, parameters: Mapping[str, Fraction]) -> ScannedPoint | None:
         """The point; None where something is left open."""
         self._chooser.start(parameters)
         with balls.precision(BITS):
@@ -119,7 +119,7 @@ class Compiled:
             return None
         refuted = any(verdicts[name] == FAILS for name in self._needed)
         rows = {name: _VERDICTS[value] for name, value in verdicts.items()}
-        return Point(REFUTED if refuted else PROVED, rows)
+        return ScannedPoint(REFUTED if refuted else PROVED, rows)
 
     def _close(self, left: list[str], verdicts: dict[str, int], lemmas: tuple[int, ...]) -> bool:
         """Fill in the rows that are left by a proof by algebra that holds here."""
@@ -180,7 +180,7 @@ def _names(values: tuple[Any, ...]) -> Iterator[str]:
 
 def scan(
     ends: tuple[Fraction, Fraction], steps: int, parameters: Mapping[str, Fraction]
-) -> Iterator[tuple[Fraction, Point]]:
+) -> Iterator[tuple[Fraction, ScannedPoint]]:
     """The points of a grid of values of r between two ends, both included.
 
     ``parameters`` has r, c, V_0 and delta_theta in this order; its r is not used.

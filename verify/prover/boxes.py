@@ -8,8 +8,7 @@ from typing import Any
 
 from verify.language.terms import symbol
 from verify.prover import balls
-from verify.prover.ends import Ends, EndsArithmetic
-from verify.prover.ends import interval as interval_between
+from verify.prover.ends import Ends, EndsArithmetic, ends_between
 from verify.prover.goal import Bounds, Goal
 from verify.prover.program import Machine
 from verify.prover.proof import Proof
@@ -71,7 +70,7 @@ class Boxes:
 
 def _interval(bounds: Bounds) -> Ends:
     low, high = bounds.ends or (Fraction(0), Fraction(0))
-    return interval_between(low, high)
+    return ends_between(low, high)
 
 
 def interval(goal: Goal, enclose: Callable[[str, int], Any]) -> Interval | None:

@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from verify.language.terms import Claim, Term
 from verify.prover.clearing import ATOMS, Quotients, expanded
-from verify.prover.positivity import Entry, NotFoundError, Polynomial, Positivity
+from verify.prover.positivity import EntryBound, NotFoundError, Polynomial, Positivity
 from verify.prover.proof import Value
 from verify.prover.rules import Sum
 from verify.prover.session import ZERO, Session
@@ -144,7 +144,7 @@ class Chart(Quotients):
 
     # --- minima ---------------------------------------------------------------------------------
 
-    def entries(self, name: str, facts: Iterable[tuple[str, Term]]) -> list[Entry]:
+    def entries(self, name: str, facts: Iterable[tuple[str, Term]]) -> list[EntryBound]:
         """What facts `x <= entry` say of a variable of the ring, without common factors."""
         found = []
         x = self.search.generators[name]
@@ -153,7 +153,7 @@ class Chart(Quotients):
             common = n.gcd(d)
             n, d = n // common, d // common
             lemma = self._simplified(fact, n - x * d)
-            found.append(Entry(lemma, n, d))
+            found.append(EntryBound(lemma, n, d))
         return found
 
     def _simplified(self, fact: str, polynomial: Polynomial) -> str:

@@ -144,7 +144,7 @@ class Values:
         return index
 
 
-class Judged(NamedTuple):
+class JudgedBox(NamedTuple):
     """A box on which a condition was ``proved``, or left ``undecided``.
 
     ``verdicts`` has a verdict for each claim, for all points of the box at once, and ``size`` an
@@ -200,7 +200,7 @@ def cover(
     claims: Mapping[str, Claim],
     wanted: Iterable[str],
     size: Term | None = None,
-) -> list[Judged]:
+) -> list[JudgedBox]:
     """Cut a box until the condition and every wanted claim is decided on each part.
 
     Parts on which the condition is refuted are left out. A verdict on a box holds on its parts, so
@@ -209,7 +209,7 @@ def cover(
     slots, asked = field.slots(claims), tuple(wanted)
     gate = field.slots({"condition": condition})["condition"]
 
-    def judge(values: Values, before: Judged) -> tuple[Judged, bool] | None:
+    def judge(values: Values, before: JudgedBox) -> tuple[JudgedBox, bool] | None:
         admissible, verdicts = before.condition, dict(before.verdicts)
         if admissible == UNDECIDED:
             admissible = values.judge(gate)
@@ -221,9 +221,9 @@ def cover(
                     verdicts[name] = values.judge(slot)
         enough = admissible == PROVED and all(verdicts[name] != UNDECIDED for name in asked)
         ends = values.ends(size) if enough and size is not None else None
-        return Judged(start, admissible, verdicts, ends, 0), enough
+        return JudgedBox(start, admissible, verdicts, ends, 0), enough
 
-    nothing = Judged(start, UNDECIDED, {}, None, 0)
+    nothing = JudgedBox(start, UNDECIDED, {}, None, 0)
     found = refined(field, start, depth, nothing, judge)
     return [known._replace(box=box, weight=weight) for box, weight, known in found]
 

@@ -66,7 +66,7 @@ def at(r: Fraction, bits: int) -> Spectrum:
     work = max(bits, ESTIMATE_BITS, r.denominator.bit_length()) + GUARD_BITS
     while True:
         with balls.precision(work):
-            m = root(r, work)
+            m = enclose_root(r, work)
             exact = rational_root(r, m)
             found = _spectrum(m, exact)
         if all(balls.accuracy_bits(ball) >= bits for ball in _balls(found)):
@@ -79,7 +79,7 @@ def over(low: Fraction, high: Fraction, bits: int) -> Spectrum:
     lengths = (r.denominator.bit_length() for r in (low, high))
     work = max(bits, ESTIMATE_BITS, *lengths) + GUARD_BITS
     with balls.precision(work):
-        first, last = root(low, work), root(high, work)
+        first, last = enclose_root(low, work), enclose_root(high, work)
         step = (last - first) / PIECES
         cuts = [first, *(first + step * i for i in range(1, PIECES)), last]
         pieces = [_spectrum(balls.hull(cuts[i], cuts[i + 1]), None) for i in range(PIECES)]
@@ -87,7 +87,7 @@ def over(low: Fraction, high: Fraction, bits: int) -> Spectrum:
         return _from_balls([_hull([-(first**3), -(last**3)]), *hulls[1:]])
 
 
-def root(r: Fraction, bits: int) -> Ball:
+def enclose_root(r: Fraction, bits: int) -> Ball:
     """A ball around m, verified, at the current precision of ``bits`` bits."""
     restitution = balls.from_fraction(r)
     u = 1 + restitution

@@ -13,7 +13,7 @@ from verify.prover.program import UndefinedError
 Ends = tuple[Ball, Ball]
 
 
-def interval(low: Fraction, high: Fraction) -> Ends:
+def ends_between(low: Fraction, high: Fraction) -> Ends:
     """The interval between two numbers, at the current precision."""
     return balls.from_fraction(low), balls.from_fraction(high)
 
@@ -89,7 +89,7 @@ def _by_ball(name: str) -> Callable[..., Ends]:
 
     def enclosed(x: Ends) -> Ends:
         low, high = balls.ends(function(balls.hull(*x)))
-        return interval(low, high)
+        return ends_between(low, high)
 
     return enclosed
 

@@ -38,7 +38,7 @@ class NotFoundError(ArithmeticError):
     """No sum was found."""
 
 
-class Entry(NamedTuple):
+class EntryBound(NamedTuple):
     """The fact that numerator - x denominator >= 0, where the denominator is positive."""
 
     fact: str
@@ -85,7 +85,7 @@ class Positivity:
         self.generators = dict(zip(self.names, self.ring.gens(), strict=True))
         self.positive, self.below = positive, below
         self.boxed = [self.names.index(name) for name in below]
-        self.entries: dict[str, list[Entry]] = {}
+        self.entries: dict[str, list[EntryBound]] = {}
         self.squares: dict[str, Square] = {}
         self.points: list[list[float]] = []
         self.left = BUDGET
@@ -99,7 +99,7 @@ class Positivity:
 
     # --- what is known --------------------------------------------------------------------------
 
-    def bound(self, name: str, entries: Iterable[Entry]) -> None:
+    def bound(self, name: str, entries: Iterable[EntryBound]) -> None:
         """From now on a variable is known to be at most each entry."""
         self.entries[name] = list(entries)
         self._known.clear()
@@ -248,7 +248,7 @@ class Positivity:
                 break
         raise NotFoundError("nothing left to try")
 
-    def _at_entry(self, name: str, parts: list[Polynomial], entry: Entry, depth: int) -> Found:
+    def _at_entry(self, name: str, parts: list[Polynomial], entry: EntryBound, depth: int) -> Found:
         """D^k f(x) = D^k f(N/D) + (N - xD) Q, where Q must be >= 0."""
         n, d, x = entry.numerator, entry.denominator, self.generators[name]
         degree = len(parts) - 1

@@ -10,7 +10,7 @@ from fractions import Fraction
 from itertools import groupby
 from typing import NamedTuple
 
-from verify.jobs.scan import Point
+from verify.jobs.scan import ScannedPoint
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.prover.outcome import EXIT_CODES
 
@@ -25,7 +25,7 @@ class Range(NamedTuple):
     refuted: tuple[str, ...]
 
 
-def show_ranges(points: Iterable[tuple[Fraction, Point]], *, as_json: bool) -> int:
+def show_ranges(points: Iterable[tuple[Fraction, ScannedPoint]], *, as_json: bool) -> int:
     """Print what was found, and return the exit code: refuted beats undecided beats proved."""
     found = list(ranges(points))
     total = Counter[str]()
@@ -64,13 +64,13 @@ def _print_document(found: list[Range], total: Counter[str], verdict: str) -> No
     print(json.dumps(document, ensure_ascii=False, indent=1))
 
 
-def ranges(points: Iterable[tuple[Fraction, Point]]) -> Iterator[Range]:
+def ranges(points: Iterable[tuple[Fraction, ScannedPoint]]) -> Iterator[Range]:
     """Neighbouring points with the same verdicts, put together."""
     for (verdict, refuted), group in groupby(points, _kind):
         here = [r for r, _ in group]
         yield Range(here[0], here[-1], len(here), verdict, refuted)
 
 
-def _kind(item: tuple[Fraction, Point]) -> tuple[str, tuple[str, ...]]:
+def _kind(item: tuple[Fraction, ScannedPoint]) -> tuple[str, tuple[str, ...]]:
     rows = item[1].rows.items()
     return item[1].verdict, tuple(name for name, verdict in rows if verdict == REFUTED)

@@ -113,7 +113,7 @@ class Table(NamedTuple):
     folded: bool = False
 
 
-class Step(NamedTuple):
+class RefutedStep(NamedTuple):
     """One refuted step of the printed proof, with its repair."""
 
     name: str
@@ -126,10 +126,10 @@ class Step(NamedTuple):
     repair: Cell
 
 
-class Steps(NamedTuple):
+class RefutedSteps(NamedTuple):
     """Refuted steps."""
 
-    steps: Sequence[Step]
+    steps: Sequence[RefutedStep]
 
 
 class Source(NamedTuple):
@@ -146,4 +146,6 @@ class Drawing(NamedTuple):
     panels: Sequence[str]
 
 
-Block = Heading | Paragraph | Box | Facts | Items | Commands | Table | Steps | Source | Drawing
+Block = (
+    Heading | Paragraph | Box | Facts | Items | Commands | Table | RefutedSteps | Source | Drawing
+)

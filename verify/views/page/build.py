@@ -6,7 +6,7 @@ from collections.abc import Callable
 from html import escape
 
 from verify.jobs.covers import DEPTH
-from verify.jobs.report import read
+from verify.jobs.report import read_material
 from verify.paper.parameters import THEOREM
 from verify.views.page.content import SUBTITLE, TITLE, content, latex
 from verify.views.page.html import html
@@ -33,7 +33,7 @@ def files(
         InputError: where nothing can draw.
     """
     progress("checking the certificates")
-    material = read(directory)
+    material = read_material(directory)
     progress("enclosing what the plots show")
     shown = figures(material.measurements.get("bench", {}).get("precision"), depth)
     drawings: dict[str, list[str]] = {}

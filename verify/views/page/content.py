@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from verify import __version__
-from verify.jobs.report import Folder, Material
+from verify.jobs.report import CertifiedOutcome, Material
 from verify.language.statement import (
     NEEDED,
     PROVED,
@@ -43,9 +43,9 @@ from verify.views.page.blocks import (
     Number,
     Paragraph,
     Raw,
+    RefutedStep,
+    RefutedSteps,
     Source,
-    Step,
-    Steps,
     Strong,
     Table,
     Text,
@@ -236,7 +236,7 @@ def _title(outcome: Outcome) -> str:
     return title[:1].upper() + title[1:]
 
 
-def _others(material: Material) -> list[Folder]:
+def _others(material: Material) -> list[CertifiedOutcome]:
     return [f for f in material.folders if f.outcome.statement.theorem != THEOREM]
 
 
@@ -276,7 +276,7 @@ def _printed_proof(writer: Writer) -> Iterator[Block]:
         f"with the row that takes its place. A step that names its own r and θ₀ is an implication, "
         f"refuted by an exact counterexample."
     )])  # fmt: skip
-    yield Steps([_step(writer, *pair) for pair in refuted])
+    yield RefutedSteps([_step(writer, *pair) for pair in refuted])
     yield _rows_table(writer, f"The {len(holding)} printed steps that hold", holding)
     if undecided:
         yield _rows_table(writer, f"The {len(undecided)} undecided printed steps", undecided)
@@ -286,10 +286,10 @@ def _printed_proof(writer: Writer) -> Iterator[Block]:
     yield _rows_table(writer, f"The {len(needed)} hypotheses", needed)
 
 
-def _step(writer: Writer, row: Obligation, found: Decision) -> Step:
+def _step(writer: Writer, row: Obligation, found: Decision) -> RefutedStep:
     claim = writer.claim(row.claim)
     lhs, rhs = _sides(row, found)
-    return Step(
+    return RefutedStep(
         row.name,
         row.label,
         row.says,
@@ -423,7 +423,7 @@ def _other_theorems(material: Material) -> Iterator[Block]:
                 f"{len(refuted)} printed claims are refuted; each has a point at which it is false "
                 "in the certificate, and the claim that takes its place:"
             )])  # fmt: skip
-            yield Steps([_step(writer, *pair) for pair in refuted])
+            yield RefutedSteps([_step(writer, *pair) for pair in refuted])
         yield Paragraph([Text(
             f"{len(_with(others, PROVED))} claims are proved, each by a rule of the checker, and "
             f"{len(_with(others, UNDECIDED))} are undecided. By label of the paper:"

@@ -23,9 +23,9 @@ from verify.views.page.blocks import (
     Number,
     Paragraph,
     Raw,
+    RefutedStep,
+    RefutedSteps,
     Source,
-    Step,
-    Steps,
     Strong,
     Table,
     Text,
@@ -124,7 +124,7 @@ def _source(block: Source) -> Iterator[str]:
     yield f"<pre><code>{escape(block.text)}</code></pre></details>"
 
 
-def _steps(block: Steps) -> Iterator[str]:
+def _steps(block: RefutedSteps) -> Iterator[str]:
     yield '<div class="steps">'
     for step in block.steps:
         yield from _step(step)
@@ -150,7 +150,7 @@ def _grid(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     )
 
 
-def _step(step: Step) -> Iterator[str]:
+def _step(step: RefutedStep) -> Iterator[str]:
     yield f'<article id="{step.name}">'
     yield f"<p>{_verdict('refuted')} <code>{escape(step.label)}</code></p>"
     yield f"<p>{prose(step.says)}</p>"
@@ -225,7 +225,7 @@ _WRITERS: dict[type, Callable[[Any], Iterator[str]]] = {
     Items: _items,
     Commands: _commands,
     Table: _table,
-    Steps: _steps,
+    RefutedSteps: _steps,
     Source: _source,
     Drawing: _drawing,
 }

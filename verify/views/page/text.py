@@ -21,9 +21,9 @@ from verify.views.page.blocks import (
     Number,
     Paragraph,
     Raw,
+    RefutedStep,
+    RefutedSteps,
     Source,
-    Step,
-    Steps,
     Strong,
     Table,
     Text,
@@ -71,7 +71,7 @@ def _titled_table(block: Table) -> Iterator[str]:
     yield from _table(block.head, [[_cell(cell) for cell in row] for row in block.rows])
 
 
-def _steps(block: Steps) -> Iterator[str]:
+def _steps(block: RefutedSteps) -> Iterator[str]:
     yield from _table(_STEP_HEAD, [_step(step) for step in block.steps])
 
 
@@ -92,7 +92,7 @@ def _drawing(block: Drawing) -> Iterator[str]:
 _STEP_HEAD = ("Label", "Step as printed", "Claim", "Left", "Right", "Right - left", "Repair")
 
 
-def _step(step: Step) -> list[str]:
+def _step(step: RefutedStep) -> list[str]:
     return [
         f"`{step.label}`",
         step.says,
@@ -142,7 +142,7 @@ _WRITERS: dict[type, Callable[[Any], Iterator[str]]] = {
     Items: _items,
     Commands: _commands,
     Table: _titled_table,
-    Steps: _steps,
+    RefutedSteps: _steps,
     Source: _source,
     Drawing: _drawing,
 }

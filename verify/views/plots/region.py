@@ -17,11 +17,11 @@ from verify.jobs.covers import (
     maps,
     refuted_steps,
     share_of,
-    thresholds,
+    threshold_boxes,
 )
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.paper.groups import PRINTED, REPAIRED
-from verify.prover.cover import Judged
+from verify.prover.cover import JudgedBox
 from verify.prover.decimals import decimal_exponent
 from verify.views.plots.drawing import Panel, boxes, merged
 from verify.views.plots.figure import Figure
@@ -75,19 +75,19 @@ def _percent(share: Fraction) -> str:
     return f"{int(100 * share)} %"
 
 
-def _area(cells: Iterable[Judged]) -> int:
+def _area(cells: Iterable[JudgedBox]) -> int:
     return sum(judged.weight for judged in cells)
 
 
-def _least_size(cells: Iterable[Judged]) -> str:
+def _least_size(cells: Iterable[JudgedBox]) -> str:
     return _power(min(_size(judged) for judged in cells))
 
 
-def _greatest_size(cells: Iterable[Judged]) -> str:
+def _greatest_size(cells: Iterable[JudgedBox]) -> str:
     return _power(max(_size(judged) for judged in cells))
 
 
-def _size(judged: Judged) -> Fraction:
+def _size(judged: JudgedBox) -> Fraction:
     """A lower bound of eta_bar on a cell on which the set closes."""
     if judged.size is None or judged.size[0] <= 0:
         raise ValueError("eta_bar is positive where the construction closes")
@@ -98,17 +98,17 @@ def _power(value: Fraction) -> str:
     return f"1e{decimal_exponent(value)}"
 
 
-def _level(judged: Judged) -> int:
+def _level(judged: JudgedBox) -> int:
     """A shade for each quarter of a decade."""
     return int(4 * log10(_size(judged)) // 1)
 
 
-def _corners(judged: Judged) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+def _corners(judged: JudgedBox) -> tuple[Fraction, Fraction, Fraction, Fraction]:
     (left, right), (low, high) = judged.box
     return left, right, low, high
 
 
-def _draw_printed(axis: Any, cells: list[Judged]) -> None:
+def _draw_printed(axis: Any, cells: list[JudgedBox]) -> None:
     boxes(axis, merged(_corners(j) for j in cells if not refuted_steps(j)), "undecided")
     counts = sorted({refuted_steps(judged) for judged in cells} - {0})
     low, high = counts[0], counts[-1]
@@ -119,7 +119,7 @@ def _draw_printed(axis: Any, cells: list[Judged]) -> None:
     frame(axis)
 
 
-def _draw_closing(axis: Any, cells: list[Judged]) -> None:
+def _draw_closing(axis: Any, cells: list[JudgedBox]) -> None:
     boxes(axis, merged(_corners(j) for j in cells if not closes(j)), "undecided")
     closing = [judged for judged in cells if closes(judged)]
     levels = sorted({_level(judged) for judged in closing})
@@ -132,7 +132,7 @@ def _draw_closing(axis: Any, cells: list[Judged]) -> None:
 
 def frame(axis: Any, labels: bool = True) -> None:
     """The axes of the plane with both thresholds."""
-    for curve in thresholds(400).values():
+    for curve in threshold_boxes(400).values():
         part = [
             (float(left), float(right), float(low), float(high))
             for (left, right), (low, high) in curve
@@ -173,7 +173,7 @@ def defects(depth: int) -> Figure:
     return Figure("defects", "Where each defective step fails", caption, panels, table)
 
 
-def _map(name: str, cells: list[Judged]) -> Callable[[Any], None]:
+def _map(name: str, cells: list[JudgedBox]) -> Callable[[Any], None]:
     def draw(axis: Any) -> None:
         for verdict in (UNDECIDED, PROVED, REFUTED):
             part = [j for j in cells if j.verdicts.get(name, UNDECIDED) == verdict]

@@ -15,7 +15,7 @@ from verify.views.plots.figure import Figure
 _DECIMAL = re.compile(r"[0-9]{1,40}(\.[0-9]{1,40})?(e[+-]?[0-9]{1,5})?")
 
 
-class Point(NamedTuple):
+class Measured(NamedTuple):
     """One run of one engine: its precision, its time in milliseconds, its relative width."""
 
     bits: str
@@ -23,11 +23,11 @@ class Point(NamedTuple):
     width: Fraction
 
 
-def points(table: Mapping[str, Any]) -> dict[str, list[Point]]:
+def points(table: Mapping[str, Any]) -> dict[str, list[Measured]]:
     """The measurements of each engine: its columns are ``<engine>: ms`` and ``<engine>: width``."""
     columns = list(table["columns"])
     engines = [name.removesuffix(": ms") for name in columns if name.endswith(": ms")]
-    found: dict[str, list[Point]] = {}
+    found: dict[str, list[Measured]] = {}
     for engine in engines:
         if f"{engine}: width" not in columns:
             continue
@@ -35,7 +35,7 @@ def points(table: Mapping[str, Any]) -> dict[str, list[Point]]:
         for row in table["rows"]:
             time, width = (_number(str(row[place])) for place in places)
             if time is not None and width is not None and time > 0 and width > 0:
-                found.setdefault(engine, []).append(Point(str(row[0]), time, width))
+                found.setdefault(engine, []).append(Measured(str(row[0]), time, width))
     return found
 
 
@@ -61,7 +61,7 @@ def figure(table: Mapping[str, Any]) -> Figure | None:
     )
 
 
-def _draw(axis: Any, engines: dict[str, list[Point]]) -> None:
+def _draw(axis: Any, engines: dict[str, list[Measured]]) -> None:
     for index, (engine, runs) in enumerate(engines.items(), 1):
         axis.plot(
             [_digits(run.width) for run in runs],

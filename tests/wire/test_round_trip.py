@@ -15,7 +15,7 @@ from verify.prover.outcome import Outcome
 from verify.views import document, markdown, table
 from verify.views import spectrum as spectral
 from verify.wire.read import read
-from verify.wire.terms import WireError
+from verify.wire.term_json import WireError
 from verify.wire.write import write
 
 OUTCOMES = ["proved", "printed", "refuted", "cosine", "spectrum"]

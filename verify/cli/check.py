@@ -82,7 +82,7 @@ def run(options: Namespace) -> int:
 def _print_latex(folders: Sequence[check.Folder]) -> int:
     from verify.views.latex import statement_source  # loaded only where it is used
     from verify.wire.read import read
-    from verify.wire.terms import WireError
+    from verify.wire.term_json import WireError
 
     for folder in folders:
         cited = {sha256(data).hexdigest(): data for data in folder.cited}

@@ -44,7 +44,7 @@ def outcome_of(folder: str | None) -> Outcome:
         progress("proving Theorem 1 for all parameters")
         return everywhere.decide_everywhere()
     from verify.wire.read import read
-    from verify.wire.terms import WireError
+    from verify.wire.term_json import WireError
     from verify.wire.write import digest
 
     names = ("statement.json", "certificate.json")

@@ -25,7 +25,7 @@ from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.step import numbers
 from verify.paper.step.theorem import COLLAPSE
-from verify.prover.chart import Chart
+from verify.prover.ring import Ring
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.positivity import NotFoundError, Positivity, Square
@@ -100,9 +100,9 @@ class Everywhere:
         self.ground = Ground(self.session)
         signs = SIGNS | {name: f"{group}.{name}-positive" for name in MINIMA}
         self.search = Positivity(tuple(signs), signs, BELOW, {"a": 2**0.5 - 1.4})
-        self.chart = self._chart()
+        self.ring = self._ring()
 
-    def _chart(self) -> Chart:
+    def _ring(self) -> Ring:
         made = self.search.generators
         seven_fifths = self.search.constant(paper.REST_ABOVE)
         atoms = ATOMS | {name: symbol(f"{self.set.group}.{name}") for name in MINIMA}
@@ -117,7 +117,7 @@ class Everywhere:
         )
         search.relate("g5", Square(2 * u * p**2, one + u, _one_plus("u-positive")))
         replaced = paper.replacements(self.set)
-        return Chart(self.session, paper.CONTEXT, search, atoms, values, replaced)
+        return Ring(self.session, paper.CONTEXT, search, atoms, values, replaced)
 
     def run(self) -> Outcome:
         """The chart, the constants, the rows, and that the step applies."""
@@ -144,20 +144,20 @@ class Everywhere:
     # --- constants ------------------------------------------------------------------------------
 
     def _constant(self, constant: Constant, name: str) -> None:
-        self.chart.ensure(constant.term)
+        self.ring.ensure(constant.term)
         self.session.constant(constant, Define(), paper.CONTEXT)
         term = symbol(constant.name)
         if name in EXACT:
-            self.chart.replaced[term] = constant.name
+            self.ring.replaced[term] = constant.name
             return
         facts = []
-        branches = tuple(self.chart.prove(0 < entry) for entry in constant.term.children)
+        branches = tuple(self.ring.prove(0 < entry) for entry in constant.term.children)
         self._prove(f"{constant.name}-positive", Least("rhs", branches, constant.name))
         for number, entry in enumerate(constant.term.children, 1):
             fact = f"{constant.name}-entry-{number}"
             self._prove(fact, Entry("lhs", constant.name))
             facts.append((fact, entry))
-        self.search.bound(name, self.chart.entries(name, facts))
+        self.search.bound(name, self.ring.entries(name, facts))
 
     def _prove(self, name: str, proof: Proof) -> None:
         self.writing.decide(self.writing.rows[name], proof)
@@ -167,7 +167,7 @@ class Everywhere:
             if not isinstance(item.reason, ToBeFound):
                 self.writing.chapter(Chapter(paper.CONTEXT, (item,)))
             elif isinstance(item.claim, Claim):
-                self.chart.lemma(item.claim, item.name)
+                self.ring.lemma(item.claim, item.name)
 
     # --- rows -----------------------------------------------------------------------------------
 
@@ -215,10 +215,10 @@ class Everywhere:
         for side in (claim.lhs, claim.rhs):
             for term in _extrema(side):
                 return self._cases(claim, term)
-        for term in _new_roots(claim, self.chart):
+        for term in _new_roots(claim, self.ring):
             return self._root(claim, term)
         try:
-            return self.chart.prove(claim)
+            return self.ring.prove(claim)
         except NotFoundError:
             return self._split(claim)
 
@@ -231,19 +231,19 @@ class Everywhere:
         branches = []
         for entry in term.children:
             values = {name: entry}
-            found = self.chart.prove(substitute_claim(claim, values))
+            found = self.ring.prove(substitute_claim(claim, values))
             branches.append(found._replace(using=(*found.using, name, "@1")))
         return Cases(term, tuple(branches))
 
     def _hinted(self, claim: Claim, hints: tuple[Reason, ...]) -> Proof:
         """The reasons that the paper's room gives; several are one for each entry."""
-        self.chart.ensure(claim.lhs, claim.rhs)
+        self.ring.ensure(claim.lhs, claim.rhs)
         proofs = tuple(map(arguments.proof_of, hints))
         return proofs[0] if len(proofs) == 1 else Cases(next(_extrema(claim.lhs)), proofs)
 
     def _cases(self, claim: Claim, term: Term) -> Proof:
         """A branch for each entry of a maximum."""
-        self.chart.ensure(term)
+        self.ring.ensure(term)
         branches = (self._branch(claim, term, entry) for entry in term.children)
         return Cases(term, tuple(branches))
 
@@ -251,29 +251,29 @@ class Everywhere:
         there = Claim(
             claim.relation, _replaced(claim.lhs, term, entry), _replaced(claim.rhs, term, entry)
         )
-        found = self.chart.prove(there)
+        found = self.ring.prove(there)
         return found._replace(using=(*found.using, "@1"))
 
     def _root(self, claim: Claim, root: Term) -> Proof:
         """sqrt(x) <= sqrt(y) from x <= y; 0 < x sqrt(y) from the signs of both."""
         inside = root.children[0]
-        self.chart.ensure(inside)
-        self.chart.lemma(0 < inside)
+        self.ring.ensure(inside)
+        self.ring.lemma(0 < inside)
         sign = self.session.known(0 < root, paper.CONTEXT)
         if sign is None:
             sign = self.session.lemma(0 < root, Root(), paper.CONTEXT)
         if claim.lhs is ZERO:
-            other = self.chart.lemma(0 < claim.rhs.children[0])
+            other = self.ring.lemma(0 < claim.rhs.children[0])
             return Sum(("goal", ("mul", other, sign)))
-        squares = self.chart.lemma(claim.lhs.children[0] <= inside)
-        scale = [self.chart.lemma(0 < part) for part in _divisors(inside)]
+        squares = self.ring.lemma(claim.lhs.children[0] <= inside)
+        scale = [self.ring.lemma(0 < part) for part in _divisors(inside)]
         goal = ("mul", *scale, "goal", ("add", "root-two", sign))
         return Sum((goal, squares))
 
     # --- the step -------------------------------------------------------------------------------
 
     def _apply(self) -> None:
-        between = {name: self.chart.lemma(claim) for name, claim in numbers.BETWEEN.items()}
+        between = {name: self.ring.lemma(claim) for name, claim in numbers.BETWEEN.items()}
         self.writing.decide(self.writing.rows[COLLAPSE], step_job.applying(between))
 
 
@@ -288,13 +288,13 @@ def _extrema(term: Term) -> Iterator[Term]:
         yield from _extrema(child)
 
 
-def _new_roots(claim: Claim, chart: Chart) -> Iterator[Term]:
+def _new_roots(claim: Claim, ring: Ring) -> Iterator[Term]:
     """Roots that the ring does not have."""
     for term in (claim.rhs, claim.lhs):
         waiting = [term]
         while waiting:
             part = waiting.pop()
-            if part.op == "sqrt" and part not in chart.values and part not in chart.replaced:
+            if part.op == "sqrt" and part not in ring.values and part not in ring.replaced:
                 yield part
             waiting += part.children
 

@@ -16,7 +16,7 @@ from verify.language.statement import PROVED
 from verify.language.terms import Term
 from verify.paper.groups import REPAIRED
 from verify.prover.outcome import Outcome
-from verify.wire.terms import TermReader
+from verify.wire.term_json import TermReader
 from verify.wire.write import write
 
 #: The sets of constants with which Theorem 1 is proved; the printed set alone proves nothing.

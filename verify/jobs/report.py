@@ -16,7 +16,7 @@ from verify.jobs.regenerate import is_right_statement
 from verify.paper.parameters import THEOREM
 from verify.prover.outcome import Outcome
 from verify.wire.read import read as read_outcome
-from verify.wire.terms import WireError
+from verify.wire.term_json import WireError
 
 NAMES = ("statement.json", "certificate.json")
 CITED = "cited"

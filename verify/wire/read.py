@@ -31,7 +31,7 @@ from verify.prover.proof import (
     Step,
 )
 from verify.prover.rules import RULES
-from verify.wire.terms import TermReader, WireError
+from verify.wire.term_json import TermReader, WireError
 
 
 def read(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]) -> Outcome:

@@ -32,7 +32,7 @@ from verify.prover.proof import (
     Step,
 )
 from verify.prover.rules import RULES
-from verify.wire.terms import TermWriter
+from verify.wire.term_json import TermWriter
 
 STATEMENT_FORMAT = "verify-statement/2"
 CERTIFICATE_FORMAT = "verify-certificate/2"

@@ -17,7 +17,7 @@ from verify.prover.rules import Sum
 from verify.prover.session import ZERO, Session
 
 
-class Chart(Quotients):
+class Ring(Quotients):
     """The facts of a context, and a ring into which its terms are cleared.
 
     Args:

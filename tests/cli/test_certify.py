@@ -66,8 +66,8 @@ def test_a_path_that_cannot_be_used_is_found_before_the_work(
         "verify.jobs.certificates.all_folders",
         "verify.cli.spectrum.decide_spectrum",
         "verify.cli.theorem1.decide_point",
-        "verify.measure.stress.run",
-        "verify.measure.bench.run",
+        "verify.measure.stress.run_cases",
+        "verify.measure.bench.run_benchmarks",
     ):
         monkeypatch.setattr(work, never)
     monkeypatch.chdir(tmp_path)

@@ -15,7 +15,7 @@ from verify.prover.eigenvalues import Spectrum
 
 
 def test_every_short_case_is_right() -> None:
-    findings = list(stress.run(quick=True))
+    findings = list(stress.run_cases(quick=True))
     assert len(findings) > 30
     assert [finding.case.name for finding in findings if not finding.right] == []
 

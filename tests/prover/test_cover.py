@@ -7,7 +7,7 @@ from random import Random
 
 import pytest
 
-from verify.jobs.constructions import FIXED, at_point, definitions, formulas, rows
+from verify.jobs.constructions import FIXED, at_point, field_definitions, formulas, sorted_rows
 from verify.jobs.covers import SHARE, WHOLE, WIDTH, judged_plane, plane, threshold_boxes
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term, as_term, equal, maximum, minimum, sqrt, symbol
@@ -57,7 +57,7 @@ def test_constants_lie_in_their_enclosures(group: str, share: Fraction) -> None:
 @pytest.mark.parametrize(("group", "share"), [(PRINTED, WHOLE), (REPAIRED, SHARE)])
 def test_verdicts_on_cells_hold_at_their_points(group: str, share: Fraction) -> None:
     random = Random(2)
-    claims = rows(group, share).claims
+    claims = sorted_rows(group, share).claims
     cells = [j for j in judged_plane(group, share, claims, 4) if j.condition == PROVED]
     decided = {PROVED: 0, REFUTED: 0}
     for judged in random.sample(cells, 6):
@@ -74,7 +74,7 @@ def test_verdicts_on_cells_hold_at_their_points(group: str, share: Fraction) -> 
 def test_algebraic_rows_hold_elsewhere_too() -> None:
     for group, share in ((PRINTED, WHOLE), (REPAIRED, SHARE)):
         exact = ground(group, share, Fraction(1, 5), Fraction(9, 10))
-        for row in rows(group, share).algebraic:
+        for row in sorted_rows(group, share).algebraic:
             assert verdict(exact, row.claim) == PROVED, row.name
 
 
@@ -169,7 +169,7 @@ def test_thresholds_contain_the_exact_points() -> None:
 
 def test_the_formula_of_phi_plus_is_the_larger_root() -> None:
     exact = ground(PRINTED, WHOLE, Fraction(1, 4), Fraction(9, 10))
-    known = dict(definitions(formulas(PRINTED, WHOLE)))
+    known = dict(field_definitions(formulas(PRINTED, WHOLE)))
     assert verdict(exact, equal(known["phi_plus"], symbol("phi_plus"))) == PROVED
 
 

@@ -14,7 +14,7 @@ from verify.language.statement import PROVED, REFUTED, Context, Statement
 from verify.language.terms import Claim, Term, as_term, symbol
 from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX, Printed
 from verify.paper.spectrum.rows import names_of
-from verify.paper.spectrum.theorem import theorem
+from verify.paper.spectrum.theorem import statement
 from verify.prover.outcome import Outcome
 from verify.prover.prove import prove
 
@@ -192,7 +192,7 @@ def test_a_broken_leaf_of_the_printed_formulas_is_found() -> None:
     for power in range(3):
         for broken in altered(COEFFICIENTS[power]):
             changed = (*COEFFICIENTS[:power], broken, *COEFFICIENTS[power + 1 :])
-            stated = theorem(Printed(coefficients=changed))
+            stated = statement(Printed(coefficients=changed))
             rows = [row for row in stated.obligations if row.name == "characteristic"]
             outcome = prove(stated._replace(obligations=tuple(rows)))
             assert outcome.decisions["characteristic"].verdict == REFUTED

@@ -41,7 +41,7 @@ def test_the_printed_proof_fails_wherever_it_is_decided() -> None:
 
 
 def test_margins_are_on_the_right_side() -> None:
-    refuted, others = margins.printed_rows()
+    refuted, others = margins.printed_ratios()
     assert len(refuted) > 10
     assert all(row.verdicts.isdisjoint({REFUTED}) for row in others)
     for row in covers.ratios(REPAIRED, covers.SHARE):

@@ -54,9 +54,9 @@ def test_reading_is_the_inverse_of_writing(name: str) -> None:
 def test_views_say_the_same_of_what_is_read_back(name: str) -> None:
     one, two = fresh(name), read(*files(name), {})
     views = [markdown.report, *(
-        (spectral.document, lambda o: [*spectral.lines(o)], spectral.last_line)
+        (spectral.spectrum_document, lambda o: [*spectral.claim_lines(o)], spectral.verdict_line)
         if name == "spectrum"
-        else (document.document, lambda o: [*table.lines(o)])
+        else (document.document, lambda o: [*table.report_lines(o)])
     )]  # fmt: skip
     for view in views:
         assert view(one) == view(two)
@@ -66,9 +66,9 @@ def test_views_say_the_same_of_what_is_read_back(name: str) -> None:
 def test_views_agree_on_the_verdict(name: str) -> None:
     outcome = fresh(name)
     if name == "spectrum":
-        found, last = spectral.document(outcome), spectral.last_line(outcome)
+        found, last = spectral.spectrum_document(outcome), spectral.verdict_line(outcome)
     else:
-        found, last = document.document(outcome), [*table.lines(outcome)][-1]
+        found, last = document.document(outcome), [*table.report_lines(outcome)][-1]
     assert last.startswith(f"Verdict: {found['headline']}: {outcome.statement.title}: ")
     assert found["headline"] in markdown.report(outcome)
 

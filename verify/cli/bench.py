@@ -26,5 +26,5 @@ def run(options: Namespace) -> int:
             f"bench needs {error.name}; install the extra: pip install -e '.[bench]'"
         ) from error
     test_folder("--out", options.out, "bench.json")
-    columns.publish("bench", bench.run(options.quick, progress), options)
+    columns.publish("bench", bench.run_benchmarks(options.quick, progress), options)
     return 0

@@ -9,7 +9,13 @@ from fractions import Fraction
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.jobs.inputs import InputError, integer, rational, shown
 from verify.jobs.spectrum import decide_spectrum
-from verify.views.spectrum import document, last_line, lines, point_document, point_lines
+from verify.views.spectrum import (
+    claim_lines,
+    point_document,
+    point_lines,
+    spectrum_document,
+    verdict_line,
+)
 
 MAX_PRECISION = 1 << 22
 
@@ -56,14 +62,14 @@ def run(options: Namespace) -> int:
 
         spectrum = eigenvalues.at(r[0], bits) if len(r) == 1 else eigenvalues.over(r[0], r[1], bits)
     if options.json:
-        found = document(outcome)
+        found = spectrum_document(outcome)
         if r is not None and spectrum is not None:
             found |= point_document(r, spectrum, bits)
         print_document(found)
     else:
-        text = [*lines(outcome)]
+        text = [*claim_lines(outcome)]
         if r is not None and spectrum is not None:
             text += point_lines(r, spectrum)
-        text += ["", last_line(outcome)]
+        text += ["", verdict_line(outcome)]
         sys.stdout.write("".join(f"{line}\n" for line in text))
     return outcome.exit_code

@@ -20,14 +20,14 @@ def run(options: Namespace) -> int:
     """Run the cases; return 0 if every answer is right, else 1."""
     test_folder("--out", options.out, "stress.json")
     findings = []
-    for finding in stress.run(options.quick):
+    for finding in stress.run_cases(options.quick):
         progress(finding.case.name)
         findings.append(finding)
-    columns.publish("stress", {"cases": table(findings)}, options)
+    columns.publish("stress", {"cases": findings_table(findings)}, options)
     return 0 if all(finding.right for finding in findings) else 1
 
 
-def table(findings: list[Finding]) -> dict[str, Any]:
+def findings_table(findings: list[Finding]) -> dict[str, Any]:
     """One row for each case."""
     return {
         "title": "Hard cases",

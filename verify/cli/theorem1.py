@@ -12,7 +12,7 @@ from verify.jobs.theorem1 import decide_point
 from verify.language.terms import Term, as_term
 from verify.paper.groups import PRINTED, SELECTIONS
 from verify.prover.outcome import EXIT_CODES, Outcome, conjunction
-from verify.views.table import lines, screen, some_rows
+from verify.views.table import report_lines, screen, some_rows
 
 MAX_PRECISION = 1 << 16
 
@@ -134,7 +134,7 @@ def run(options: Namespace) -> int:
 
         print_document(document(sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome))
     else:
-        text = lines(outcome) if options.verbose else screen(outcome)
+        text = report_lines(outcome) if options.verbose else screen(outcome)
         if options.rows is not None:
             text = iter(_some_rows(outcome, options.rows))
         sys.stdout.write("".join(f"{line}\n" for line in text))
@@ -182,7 +182,7 @@ def _everywhere(options: Namespace) -> int:
         found["assumptions"] = [assumption_document(assumption) for assumption in cited]
         print_document(found)
         return code
-    text = [*view.rows(outcome), ""] if options.verbose else []
+    text = [*view.row_lines(outcome), ""] if options.verbose else []
     text += view.printed_screen(outcome) if printed else view.screen(outcome, cited)
     sys.stdout.write("".join(f"{line}\n" for line in text))
     return code

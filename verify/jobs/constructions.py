@@ -47,7 +47,7 @@ def _formula(item: Constant | Choice, share: Fraction) -> Constant:
     return item.constant._replace(term=factor * bound)
 
 
-def definitions(constants: Iterable[Constant]) -> Iterator[tuple[str, Term]]:
+def field_definitions(constants: Iterable[Constant]) -> Iterator[tuple[str, Term]]:
     """What a field over r and c needs; r and c themselves stay to be defined before it."""
     yield from FIXED.items()
     for constant in constants:
@@ -84,7 +84,7 @@ class Rows(NamedTuple):
 
 
 @cache
-def rows(group: str, share: Fraction) -> Rows:
+def sorted_rows(group: str, share: Fraction) -> Rows:
     """The rows of a set, sorted into the two kinds."""
     ground = at_point(group, share, SAMPLE)
     kinds: tuple[list[Obligation], list[Obligation]] = ([], [])

@@ -14,7 +14,7 @@ from functools import cache
 from itertools import pairwise
 from typing import NamedTuple
 
-from verify.jobs.constructions import definitions, formulas, rows
+from verify.jobs.constructions import field_definitions, formulas, sorted_rows
 from verify.language.statement import PROVED, REFUTED, Obligation
 from verify.language.terms import Claim, Term, as_term, sqrt, symbol
 from verify.paper.groups import PRINTED, REPAIRED
@@ -67,7 +67,7 @@ def stability() -> Claim:
 
 def plane(group: str, share: Fraction = SHARE) -> Field:
     """The constants of a set over the plane."""
-    return Field(INPUTS, (CUBE, *definitions(formulas(group, share))))
+    return Field(INPUTS, (CUBE, *field_definitions(formulas(group, share))))
 
 
 def judged_plane(group: str, share: Fraction, wanted: Iterable[str], depth: int) -> list[JudgedBox]:
@@ -76,7 +76,7 @@ def judged_plane(group: str, share: Fraction, wanted: Iterable[str], depth: int)
     Cells on which the hypothesis is refuted are left out.
     """
     size = symbol(f"{group}.eta_bar")
-    claims = rows(group, share).claims
+    claims = sorted_rows(group, share).claims
     return cover(plane(group, share), PLANE, depth, stability(), claims, wanted, size)
 
 
@@ -87,7 +87,7 @@ def judge_printed(depth: int) -> list[JudgedBox]:
 
 def judge_repaired(depth: int) -> list[JudgedBox]:
     """The plane, judged for the repaired set at a share of each bound."""
-    return judged_plane(REPAIRED, SHARE, rows(REPAIRED, SHARE).claims, depth)
+    return judged_plane(REPAIRED, SHARE, sorted_rows(REPAIRED, SHARE).claims, depth)
 
 
 class Maps(NamedTuple):
@@ -109,7 +109,7 @@ def maps(depth: int = DEPTH) -> Maps:
 def mapped() -> tuple[Obligation, ...]:
     """The printed steps that have a map of their own."""
     names = [f"{PRINTED}.{name}" for name in MAPPED]
-    return tuple(row for row in rows(PRINTED, WHOLE).open if row.name in names)
+    return tuple(row for row in sorted_rows(PRINTED, WHOLE).open if row.name in names)
 
 
 def closes(judged: JudgedBox) -> bool:
@@ -207,10 +207,10 @@ class Ratios(NamedTuple):
 @cache
 def ratios(group: str, share: Fraction) -> list[Ratios]:
     """The rows of a set whose two sides are positive, from the largest ratio to the smallest."""
-    field = Field(("r",), (("c", as_term(1)), *definitions(formulas(group, share))))
-    sorted_rows = rows(group, share)
-    slots = field.slots(sorted_rows.claims)
-    found = {row.name: Ratios(row.says, [], set()) for row in sorted_rows.open}
+    field = Field(("r",), (("c", as_term(1)), *field_definitions(formulas(group, share))))
+    kinds = sorted_rows(group, share)
+    slots = field.slots(kinds.claims)
+    found = {row.name: Ratios(row.says, [], set()) for row in kinds.open}
     with balls.precision(BITS):
         for side in intervals():
             values = field.on((side,))

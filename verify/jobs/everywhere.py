@@ -25,12 +25,12 @@ from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.step import numbers
 from verify.paper.step.theorem import COLLAPSE
-from verify.prover.ring import Ring
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.positivity import NotFoundError, Positivity, Square
 from verify.prover.proof import Proof
 from verify.prover.relations import negation
+from verify.prover.ring import Ring
 from verify.prover.rules import Cases, Define, Entry, Interval, Least, Root, Sum, Witness
 from verify.prover.session import ZERO
 from verify.wire.write import write
@@ -121,7 +121,7 @@ class Everywhere:
 
     def run(self) -> Outcome:
         """The chart, the constants, the rows, and that the step applies."""
-        root = (*paper.numbers(), Opened(self.statement.contexts[0]))
+        root = (*paper.ground_lines(), Opened(self.statement.contexts[0]))
         self.writing.chapter(Chapter(None, root))
         self.writing.chapter(Chapter(paper.CONTEXT, tuple(paper.lines(self.set))))
         for name in (*MINIMA[:1], "delta_y", *MINIMA[1:5], "d_slope", *MINIMA[5:], "T_star"):

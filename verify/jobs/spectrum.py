@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from verify.paper.spectrum.printed import Printed
-from verify.paper.spectrum.theorem import theorem
+from verify.paper.spectrum.theorem import statement
 from verify.prover.outcome import Outcome
 from verify.prover.prove import prove
 
@@ -13,4 +13,4 @@ MAX_BITS = 1024
 
 def decide_spectrum(paper: Printed | None = None) -> Outcome:
     """Decide every row, for the printed matrix and polynomial or for altered ones."""
-    return prove(theorem(paper), max_bits=MAX_BITS)
+    return prove(statement(paper), max_bits=MAX_BITS)

@@ -29,7 +29,7 @@ def decide_step() -> Outcome:
 
 def applying(between: Mapping[str, str]) -> Applying:
     """The proof that the step applies, from rows, definitions, and the facts that are neither."""
-    known = numbers.rows() | numbers.DEFINED | dict(between)
+    known = numbers.row_names() | numbers.DEFINED | dict(between)
     return Applying(tuple(known[given.name] for given in numbers.context().givens))
 
 
@@ -41,7 +41,7 @@ def with_step(outcome: Outcome) -> Outcome:
     """
     proved = {name for name, found in outcome.decisions.items() if found.verdict == PROVED}
     lemmas, between = _between()
-    if not proved >= {*numbers.rows().values(), _row("fixed-points-exist")}:
+    if not proved >= {*numbers.row_names().values(), _row("fixed-points-exist")}:
         return outcome
     proof, row = applying(between), collapse(REPAIRED)
     rows = [

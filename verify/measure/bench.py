@@ -58,7 +58,7 @@ def parameters(r: str, c: str) -> dict[str, Term]:
     return {name: as_term(Fraction(text)) for name, text in texts.items()}
 
 
-def run(quick: bool, progress: Progress) -> dict[str, Table]:
+def run_benchmarks(quick: bool, progress: Progress) -> dict[str, Table]:
     """All tables. ``quick`` takes fewer precisions and repetitions."""
     precisions = (53, 128, 512) if quick else PRECISIONS
     rounds = 3 if quick else 11

@@ -72,7 +72,7 @@ def cases(quick: bool) -> list[Case]:
     return [case for case in everything if not (quick and LONG.search(case.name))]
 
 
-def run(quick: bool) -> Iterator[Finding]:
+def run_cases(quick: bool) -> Iterator[Finding]:
     """Run the cases one by one."""
     for case in cases(quick):
         yield RUNNERS[case.command](case)

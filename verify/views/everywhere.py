@@ -57,7 +57,7 @@ def printed_screen(outcome: Outcome) -> Iterator[str]:
     yield f"Verdict: refuted: for all parameters, {counts(outcome, 'printed')}"
 
 
-def rows(outcome: Outcome) -> Iterator[str]:
+def row_lines(outcome: Outcome) -> Iterator[str]:
     """Every row, with its claim and the rule that proves it."""
     typesetter = letters(outcome)
     for row, decision in outcome.rows:

@@ -23,7 +23,7 @@ FORMAT = "verify-spectrum/1"
 EXTRA_BITS = 16
 
 
-def document(outcome: Outcome) -> dict[str, Any]:
+def spectrum_document(outcome: Outcome) -> dict[str, Any]:
     """The outcome as one JSON document; every number is a string."""
     return claims_document(outcome, "spectrum", FORMAT)
 
@@ -65,8 +65,8 @@ def _point(r: list[Fraction], spectrum: Spectrum, digits: int) -> dict[str, Any]
     }
 
 
-def lines(outcome: Outcome) -> Iterator[str]:
-    """The report for a reader at a terminal, line by line; `last_line` comes after it."""
+def claim_lines(outcome: Outcome) -> Iterator[str]:
+    """The report for a reader at a terminal, line by line; `verdict_line` comes after it."""
     typesetter = letters(outcome)
     yield "Spectral claims, for every r in ]0,1["
     for group in groups(outcome):
@@ -82,7 +82,7 @@ def lines(outcome: Outcome) -> Iterator[str]:
         yield f"Work budget spent: {outcome.spent}"
 
 
-def last_line(outcome: Outcome) -> str:
+def verdict_line(outcome: Outcome) -> str:
     """The result with everything it is about."""
     return f"Verdict: {summary(outcome)}"
 

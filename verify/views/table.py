@@ -83,7 +83,7 @@ def some_rows(outcome: Outcome, name: str) -> list[str]:
     return [line for row, decision in found for line in _row(row, decision, typesetter)]
 
 
-def lines(outcome: Outcome) -> Iterator[str]:
+def report_lines(outcome: Outcome) -> Iterator[str]:
     """The report, line by line; the last line is the result with everything it is about."""
     typesetter = letters(outcome)
     sets = [group for group in groups(outcome) if group != HYPOTHESES]

@@ -96,7 +96,7 @@ def context(k: ConstantSet = REPAIRED_SET) -> Context:
     )
 
 
-def numbers() -> Iterator[Item]:
+def ground_lines() -> Iterator[Item]:
     """The square root of two."""
     yield Line("root-two", 0 < root_two, ByInterval())
     yield Line("rest-positive", 0 < rest, ByInterval())

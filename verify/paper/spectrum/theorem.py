@@ -24,16 +24,16 @@ from verify.paper.spectrum.rows import LETTERS, names_of
 TITLE = "Spectral claims of Section 5, its appendix and Sections 4.1-4.2, for every r in ]0,1["
 
 
-def theorem(paper: Printed | None = None) -> Statement:
+def statement(paper: Printed | None = None) -> Statement:
     """The statement, for the printed matrix and polynomial or for altered ones."""
     paper = Printed() if paper is None else paper
     sections = (collision_matrices, characteristic, real_root, complex_pair, cone, orbits)
     rows = [row for section in sections for row in section.rows(paper)]
     rows += [*linear_matrix.rows(), *zhou_kadanoff.rows()]
-    return Statement(THEOREM, TITLE, {}, (), tuple(contexts(rows)), tuple(rows), ASSUMPTIONS)
+    return Statement(THEOREM, TITLE, {}, (), tuple(contexts_of(rows)), tuple(rows), ASSUMPTIONS)
 
 
-def contexts(rows: Iterable[Obligation]) -> list[Context]:
+def contexts_of(rows: Iterable[Obligation]) -> list[Context]:
     """The contexts of some rows, with the symbols that occur in them."""
     names: dict[str, set[str]] = {}
     for row in rows:

@@ -178,7 +178,7 @@ def _angle() -> Iterator[Item]:
 # --- the point -----------------------------------------------------------------------------------
 
 
-def inside() -> Iterator[Item]:
+def inside_the_set() -> Iterator[Item]:
     """The givens at the point, none of them sharp: the set has an interior."""
     yield from _least_entries()
     for name, reason in _point_reasons().items():

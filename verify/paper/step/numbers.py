@@ -208,7 +208,7 @@ ROWS = (
 )
 
 
-def rows() -> dict[str, str]:
+def row_names() -> dict[str, str]:
     """The name that each given row has in the theorem."""
     hypotheses = {name: f"{HYPOTHESES}.{name}" for name in ROWS_OF_HYPOTHESES}
     return hypotheses | {name: f"{REPAIRED}.{name}" for name in (*SIMPLE_ROWS, *ROWS)}
@@ -246,7 +246,7 @@ def _claims() -> dict[str, Claim]:
         for row in parts[group].obligations
         if isinstance(row.claim, Claim)
     }
-    return {name: renamed(found[full]) for name, full in rows().items()}
+    return {name: renamed(found[full]) for name, full in row_names().items()}
 
 
 def context() -> Context:

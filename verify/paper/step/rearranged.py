@@ -30,7 +30,7 @@ root_two = sqrt(2)
 small = delta_2 * share / 2
 
 
-def numbers() -> Iterator[Item]:
+def ground_lines() -> Iterator[Item]:
     """Bounds on the square root of two."""
     yield Line("root-two-lower", 1 < root_two, ByInterval())
     yield Line("root-two-upper", root_two < Fraction(19, 12), ByInterval())

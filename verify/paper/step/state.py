@@ -133,7 +133,7 @@ W_c_next = add(W_s, scale(-((1 + r) / 2 * kappa), omega_next))
 W_s_next = add(W_c, scale(-((1 + r) * kappa), omega_next))
 
 
-def definitions() -> tuple[Constant, ...]:
+def collision_map() -> tuple[Constant, ...]:
     """The collision map, written out in inner products."""
     dot = frame.dot
     terms = {
@@ -205,5 +205,5 @@ def context(parent: str, point: Mapping[str, Term]) -> Context:
         point,
         parent,
         "a state just after a collision that satisfies the conditions of the recursion",
-        definitions(),
+        collision_map(),
     )

@@ -55,10 +55,10 @@ def collapse(group: str) -> Obligation:
 
 def _chapters() -> Iterator[Chapter]:
     spaces = (numbers.context(), plane.context(), impact.context())
-    yield Chapter(None, (*rearranged.numbers(), *(Opened(space) for space in spaces)))
+    yield Chapter(None, (*rearranged.ground_lines(), *(Opened(space) for space in spaces)))
     yield Chapter(impact.CONTEXT, tuple(impact.lines()))
     yield Chapter(plane.CONTEXT, tuple(plane.lines()))
-    inside: tuple[Item, ...] = (*rearranged.lines(), *initial.inside())
+    inside: tuple[Item, ...] = (*rearranged.lines(), *initial.inside_the_set())
     opened = Opened(initial.context(), tuple(f"at-{name}" for name in initial.GIVENS))
     yield Chapter(numbers.CONTEXT, (*inside, opened))
     yield Chapter(initial.CONTEXT, tuple(initial.lines()))

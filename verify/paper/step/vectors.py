@@ -57,7 +57,7 @@ class Frame(NamedTuple):
         return self.dot(x, z) ** 2 <= self.dot(x, x) * self.dot(z, z)
 
 
-def basis(name: str) -> Vector:
+def basis_vector(name: str) -> Vector:
     """One of the four vectors."""
     return {name: as_term(1)}
 
@@ -80,4 +80,4 @@ def _times(x: Term, z: Term) -> Term:
     return z if x is one else x if z is one else x * z
 
 
-omega_s, W_s, omega_c, W_c = map(basis, BASIS)
+omega_s, W_s, omega_c, W_c = map(basis_vector, BASIS)

@@ -18,7 +18,7 @@ def figures(precision: Mapping[str, Any] | None, depth: int = DEPTH) -> list[Fig
     """
     found = [
         region.picture(depth),
-        region.defects(depth),
+        region.defect_maps(depth),
         margins.figure(),
         minimum.figure(depth - 1),
         roots.figure(),

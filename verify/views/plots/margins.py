@@ -15,7 +15,7 @@ from verify.views.plots.figure import Figure
 TIGHTEST = 14
 
 
-def printed_rows() -> tuple[list[Ratios], list[Ratios]]:
+def printed_ratios() -> tuple[list[Ratios], list[Ratios]]:
     """The printed rows that are refuted somewhere, and the tightest of the others."""
     every = ratios(PRINTED, WHOLE)
     refuted = [row for row in every if REFUTED in row.verdicts]
@@ -25,7 +25,7 @@ def printed_rows() -> tuple[list[Ratios], list[Ratios]]:
 
 def figure() -> Figure:
     """Both sets, one below the other on a phone."""
-    refuted, others = printed_rows()
+    refuted, others = printed_ratios()
     repaired = ratios(REPAIRED, SHARE)
     tightest = repaired[:TIGHTEST]
     count = sum(len(row.boxes) for row in (*refuted, *others, *tightest))
@@ -64,7 +64,7 @@ def decimal_up(value: Fraction) -> str:
 
 
 def _draw_printed(axis: Any) -> None:
-    refuted, others = printed_rows()
+    refuted, others = printed_ratios()
     for colour, part in (("proved", others), ("refuted", refuted)):
         boxes(axis, _boxes(part), colour, edge=0.8)
     _frame(axis)

@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import log10
 from typing import Any
 
-from verify.jobs.constructions import rows
+from verify.jobs.constructions import sorted_rows
 from verify.jobs.covers import (
     SHARE,
     WHOLE,
@@ -45,7 +45,7 @@ def picture(depth: int) -> Figure:
     closing = [judged for judged in repaired if closes(judged)]
     least = min(refuted_steps(judged) for judged in failing)
     most = max(refuted_steps(judged) for judged in failing)
-    open_rows, algebraic = rows(REPAIRED, SHARE)
+    open_rows, algebraic = sorted_rows(REPAIRED, SHARE)
     share = Fraction(_area(closing), _area(repaired))
     caption = (
         f"Each box is a cell of parameters judged as a whole, by enclosures over all its points. "
@@ -150,7 +150,7 @@ def frame(axis: Any, labels: bool = True) -> None:
         axis.spines[side_name].set_visible(False)
 
 
-def defects(depth: int) -> Figure:
+def defect_maps(depth: int) -> Figure:
     """One map for each printed step whose failure depends on the parameters."""
     cells = maps(depth).printed
     panels = [
@@ -158,7 +158,7 @@ def defects(depth: int) -> Figure:
         for row in mapped()
     ]
     table: list[tuple[str, ...]] = [("Step", "refuted", "proved", "undecided")]
-    for row in rows(PRINTED, WHOLE).open:
+    for row in sorted_rows(PRINTED, WHOLE).open:
         if any(judged.verdicts.get(row.name) == REFUTED for judged in cells):
             shares = [share_of(cells, row.name, v) for v in (REFUTED, PROVED, UNDECIDED)]
             table.append((row.says, *(_percent(share) for share in shares)))

@@ -69,7 +69,7 @@ def run(options: Namespace) -> int:
     folders = folders_at(options.path)
     if options.latex:
         return _print_latex(folders)
-    found = check_folders(folders)
+    found = judge_folders(folders)
     if options.statement:
         found = [_compared(judged) for judged in found]
     if options.json:
@@ -121,7 +121,7 @@ def folders_at(paths: Sequence[str]) -> list[check.Folder]:
         ) from error
 
 
-def check_folders(folders: Sequence[check.Folder]) -> list[CheckedFolder]:
+def judge_folders(folders: Sequence[check.Folder]) -> list[CheckedFolder]:
     """Check folders of which some may cite others, as `verify/check.py` does."""
     everything = [data for folder in folders for data in (folder.statement, *folder.cited)]
     available = {sha256(data).hexdigest(): data for data in everything}

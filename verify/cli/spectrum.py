@@ -58,7 +58,7 @@ def run(options: Namespace) -> int:
         write_certificate("--out", options.out, outcome)
     spectrum = None
     if r is not None:
-        from verify.prover import eigenvalues  # loaded only where it is used
+        from verify.jobs import eigenvalues  # loaded only where it is used
 
         spectrum = eigenvalues.at(r[0], bits) if len(r) == 1 else eigenvalues.over(r[0], r[1], bits)
     if options.json:

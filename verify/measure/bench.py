@@ -18,6 +18,7 @@ from statistics import median
 from time import perf_counter
 from typing import Any
 
+from verify.jobs import eigenvalues
 from verify.jobs.scan import scan
 from verify.jobs.theorem1 import constants_enclosure, decide_point
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
@@ -30,7 +31,7 @@ from verify.measure.engines import (
     MpmathEngine,
     load,
 )
-from verify.prover import balls, eigenvalues
+from verify.prover import balls
 from verify.prover.decimals import decimal_text, round_decimal
 from verify.prover.outcome import Outcome
 from verify.prover.program import Program, UndefinedError

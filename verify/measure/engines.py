@@ -11,31 +11,12 @@ import operator
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from fractions import Fraction
-from typing import Any, Protocol
+from typing import Any
 
 from verify import check
 from verify.prover import balls
+from verify.prover.outcome import Ends
 from verify.prover.program import Machine, Program, UndefinedError
-
-Ends = tuple[Fraction, Fraction]
-
-
-class Engine(Protocol):
-    """An arithmetic at a number of bits."""
-
-    name: str
-
-    def rational(self, value: Fraction) -> Any:
-        """The number for an exact rational."""
-
-    def operation(self, name: str) -> Callable[..., Any]:
-        """The operation of this name."""
-
-    def ends(self, value: Any) -> Ends:
-        """The exact ends of a number."""
-
-    def at(self, bits: int) -> Any:
-        """A context in which the engine works with this many bits."""
 
 
 class ArbEngine(balls.BallArithmetic):

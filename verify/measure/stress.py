@@ -16,16 +16,17 @@ from fractions import Fraction
 from importlib.resources import files
 from typing import NamedTuple
 
+from verify.jobs import eigenvalues
 from verify.jobs.inputs import angle, rational
 from verify.jobs.theorem1 import decide_point
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import as_term, sqrt, symbol
 from verify.measure.bench import definitions_program
-from verify.measure.engines import CheckerEngine, Ends, load
+from verify.measure.engines import CheckerEngine, load
 from verify.paper.groups import HYPOTHESES
-from verify.prover import balls, eigenvalues
+from verify.prover import balls
 from verify.prover.ground import MAX_BITS
-from verify.prover.outcome import Outcome
+from verify.prover.outcome import Ends, Outcome
 from verify.prover.program import ExactArithmetic
 from verify.prover.proof import OpenStep
 

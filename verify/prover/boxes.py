@@ -8,7 +8,7 @@ from typing import Any
 
 from verify.language.terms import symbol
 from verify.prover import balls
-from verify.prover.ends import Ends, EndsArithmetic, ends_between
+from verify.prover.ends import BallEnds, EndsArithmetic, ends_between
 from verify.prover.goal import Bounds, Goal
 from verify.prover.program import Machine
 from verify.prover.proof import Proof
@@ -68,7 +68,7 @@ class Boxes:
         return Cuts(symbol(name), (cut,), tuple(branches))
 
 
-def _interval(bounds: Bounds) -> Ends:
+def _interval(bounds: Bounds) -> BallEnds:
     low, high = bounds.ends or (Fraction(0), Fraction(0))
     return ends_between(low, high)
 

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
+from verify.jobs.eigenvalues import Complex, Spectrum
 from verify.language.statement import NEEDED, REFUTED, Obligation
 from verify.language.terms import symbol
 from verify.language.typeset import Typesetter
 from verify.prover import balls
 from verify.prover.balls import Ball
 from verify.prover.decimals import outward, rational_text, short
-from verify.prover.eigenvalues import Complex, Spectrum
 from verify.prover.outcome import Decision, Outcome
 from verify.views.document import claims_document, value_text
 from verify.views.words import given, groups, letters, sentence, summary, witness_of

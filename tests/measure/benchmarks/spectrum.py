@@ -11,7 +11,7 @@ from fractions import Fraction
 from statistics import median
 from time import perf_counter
 
-from verify.prover import eigenvalues
+from verify.jobs import eigenvalues
 from verify.views.spectrum import point_document
 
 BITS = 128

@@ -17,9 +17,9 @@ from verify.paper.spectrum.matrices import (
     Matrix,
     dot,
     form,
-    plus,
     product,
-    times,
+    product_of,
+    sum_of,
     vector,
 )
 from verify.paper.spectrum.printed import MATRIX_LABEL, THEOREM, Printed, r, root_3
@@ -105,7 +105,9 @@ def _triangle() -> Iterator[Obligation]:
         ("orthogonal-perp_2", "ω₂⊥ is orthogonal to ω₂", t.omega_2_perp, t.omega_2, 0),
     ):
         factor = as_term(2 if says.startswith("2") else 1)
-        yield _section.needed(name, DEFINITION, says, equal(times(factor, t.inner(u, v)), value))
+        yield _section.needed(
+            name, DEFINITION, says, equal(product_of(factor, t.inner(u, v)), value)
+        )
     yield _section.needed(
         "orientation-1",
         MATRIX_LABEL,
@@ -145,7 +147,7 @@ def _spaces() -> Iterator[Obligation]:
         THEOREM,
         "𝔄_∞ changes no component outside F, so that the image of F is contained in F",
         equal(
-            plus(times(weights[0], image[0][2]), times(weights[1], image[1][2])),
+            sum_of(product_of(weights[0], image[0][2]), product_of(weights[1], image[1][2])),
             weights[0] * q[0] + weights[1] * q[1],
         ),
         uses,

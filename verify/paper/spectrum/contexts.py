@@ -14,15 +14,15 @@ from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Claim, Term, as_term, symbol
 
 Bound = int | Fraction | None
-Interval = tuple[Bound, Bound]
+Extent = tuple[Bound, Bound]
 
-UNIT: Interval = (0, 1)
-POSITIVE: Interval = (0, None)
-NEGATIVE: Interval = (None, 0)
-REAL: Interval = (None, None)
+UNIT: Extent = (0, 1)
+POSITIVE: Extent = (0, None)
+NEGATIVE: Extent = (None, 0)
+REAL: Extent = (None, None)
 
 #: The usual interval of a symbol; those that are not listed are any real numbers.
-USUAL: Mapping[str, Interval] = {
+USUAL: Mapping[str, Extent] = {
     "r": UNIT,  # the restitution coefficient
     "m": UNIT,  # the cube root of -lambda_0, see `complex_pair`
     "n": UNIT,
@@ -54,7 +54,7 @@ class Scope(NamedTuple):
 
     name: str
     says: str
-    intervals: Mapping[str, Interval]
+    intervals: Mapping[str, Extent]
 
     def variable(self, name: str) -> str:
         """The name that a symbol has as a variable of this context."""
@@ -125,7 +125,7 @@ SCOPES = {
 }
 
 
-def _givens(variable: str, interval: Interval) -> list[Given]:
+def _givens(variable: str, interval: Extent) -> list[Given]:
     """That a variable lies strictly between the ends that there are."""
     low, high = interval
     x = symbol(variable)
@@ -137,7 +137,7 @@ def _givens(variable: str, interval: Interval) -> list[Given]:
     return givens
 
 
-def _between(interval: Interval) -> Term:
+def _between(interval: Extent) -> Term:
     """A simple number in an interval."""
     low, high = interval
     if low is not None and high is not None:

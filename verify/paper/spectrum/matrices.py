@@ -18,14 +18,14 @@ def vector(*entries: Number) -> Vector:
     return tuple(map(as_term, entries))
 
 
-def plus(a: Term, b: Term) -> Term:
+def sum_of(a: Term, b: Term) -> Term:
     """A + b."""
     if a == ZERO:
         return b
     return a if b == ZERO else a + b
 
 
-def times(a: Term, b: Term) -> Term:
+def product_of(a: Term, b: Term) -> Term:
     """A b."""
     if ZERO in (a, b):
         return ZERO
@@ -34,22 +34,22 @@ def times(a: Term, b: Term) -> Term:
     return a if b == ONE else a * b
 
 
-def minus(a: Term, b: Term) -> Term:
+def difference_of(a: Term, b: Term) -> Term:
     """The difference a - b."""
-    return a if b == ZERO else plus(a, -b)
+    return a if b == ZERO else sum_of(a, -b)
 
 
 def total(terms: Iterable[Term]) -> Term:
     """The sum."""
     result = ZERO
     for term in terms:
-        result = plus(result, term)
+        result = sum_of(result, term)
     return result
 
 
 def dot(u: Sequence[Term], v: Sequence[Term]) -> Term:
     """The sum of the products of entries."""
-    return total(times(a, b) for a, b in zip(u, v, strict=True))
+    return total(product_of(a, b) for a, b in zip(u, v, strict=True))
 
 
 def apply(matrix: Matrix, v: Vector) -> Vector:
@@ -78,14 +78,14 @@ def determinant(matrix: Matrix) -> Term:
         if entry == ZERO:
             continue
         minor = tuple(row[:j] + row[j + 1 :] for row in others)
-        term = times(entry, determinant(minor))
-        result = plus(result, -term if j % 2 else term)
+        term = product_of(entry, determinant(minor))
+        result = sum_of(result, -term if j % 2 else term)
     return result
 
 
 def identity_minus(scalar: Term, matrix: Matrix) -> Matrix:
     """The matrix ``scalar I - A``."""
     return tuple(
-        tuple(minus(scalar if i == j else ZERO, a) for j, a in enumerate(row))
+        tuple(difference_of(scalar if i == j else ZERO, a) for j, a in enumerate(row))
         for i, row in enumerate(matrix)
     )

@@ -18,7 +18,7 @@ from verify.paper.spectrum.collision_matrices import A_A, A_B, A_C
 from verify.paper.spectrum.complex_pair import FIXED, REAL_EIGENVECTOR, m, modulus, r_of_m
 from verify.paper.spectrum.cone import BOUND, NORMAL_12, STATE, a, b, normal_12
 from verify.paper.spectrum.contexts import APPROACH, LARGE, LINE, SMALL
-from verify.paper.spectrum.matrices import Vector, apply, dot, plus, times, vector
+from verify.paper.spectrum.matrices import Vector, apply, dot, product_of, sum_of, vector
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
 from verify.paper.spectrum.rows import Section, symbols
 
@@ -272,7 +272,7 @@ def _formal_paragraph(paper: Printed) -> Iterator[Obligation]:
     )
     k = symbol("k")
     orbit = [
-        -entry if fixed == as_term(0) else plus(-entry, times(k, fixed))
+        -entry if fixed == as_term(0) else sum_of(-entry, product_of(k, fixed))
         for entry, fixed in zip(REAL_EIGENVECTOR, FIXED, strict=True)
     ]
     first_row = [substitute(entry, {"r": r_of_m}) for entry in paper.matrix[0]]

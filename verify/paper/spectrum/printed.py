@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from verify.language.terms import Number, Term, as_term, sqrt, substitute, symbol
-from verify.paper.spectrum.matrices import Matrix, Vector, times, vector
+from verify.paper.spectrum.matrices import Matrix, Vector, product_of, vector
 
 THEOREM = "THEORSS3.5SpectMatricVitLm"
 MATRIX_LABEL = "EQUATSS3.5MatrixAlim_ResF"
@@ -67,15 +67,15 @@ class Printed(NamedTuple):
             coefficient if restitution is None else substitute(coefficient, {"r": restitution})
             for coefficient in self.coefficients
         )
-        return times(a_3, x**3) + a_2 * x**2 + a_1 * x + a_0
+        return product_of(a_3, x**3) + a_2 * x**2 + a_1 * x + a_0
 
     def q_prime(self, x: Number) -> Term:
         """The first derivative of Q in its argument."""
         x = as_term(x)
         _, a_1, a_2, a_3 = self.coefficients
-        return times(a_3, 3 * x**2) + 2 * a_2 * x + a_1
+        return product_of(a_3, 3 * x**2) + 2 * a_2 * x + a_1
 
     def q_second(self, x: Number) -> Term:
         """The second derivative of Q in its argument."""
         _, _, a_2, a_3 = self.coefficients
-        return times(a_3, 6 * as_term(x)) + 2 * a_2
+        return product_of(a_3, 6 * as_term(x)) + 2 * a_2

@@ -12,7 +12,16 @@ from fractions import Fraction
 
 from verify.language.terms import Term, as_term
 from verify.paper.spectrum import matrices
-from verify.paper.spectrum.matrices import ZERO, Matrix, Vector, minus, plus, times, total, vector
+from verify.paper.spectrum.matrices import (
+    ZERO,
+    Matrix,
+    Vector,
+    difference_of,
+    product_of,
+    sum_of,
+    total,
+    vector,
+)
 from verify.paper.spectrum.printed import r, root_3
 
 Pair = tuple[Vector, Vector]
@@ -37,7 +46,7 @@ omega_2_perp = vector(-(2 * root_3 / 3), root_3 / 3, 0)
 def inner(u: Vector, v: Vector) -> Term:
     """The inner product u . v."""
     return total(
-        times(_GRAM[i][j], times(u[i], v[j]))
+        product_of(_GRAM[i][j], product_of(u[i], v[j]))
         for i in range(3)
         for j in range(3)
         if ZERO not in (_GRAM[i][j], u[i], v[j])
@@ -46,7 +55,7 @@ def inner(u: Vector, v: Vector) -> Term:
 
 def _shifted(u: Vector, factor: Term, v: Vector) -> Vector:
     """The vector u - factor v."""
-    return tuple(minus(a, times(factor, b)) for a, b in zip(u, v, strict=True))
+    return tuple(difference_of(a, product_of(factor, b)) for a, b in zip(u, v, strict=True))
 
 
 def collision_a(state: Pair) -> Pair:
@@ -54,8 +63,8 @@ def collision_a(state: Pair) -> Pair:
     w_1, w_2 = state
     normal = inner(w_1, omega_1)
     return (
-        _shifted(w_1, times(1 + r, normal), omega_1),
-        _shifted(w_2, times((1 + r) / 2, normal), omega_1),
+        _shifted(w_1, product_of(1 + r, normal), omega_1),
+        _shifted(w_2, product_of((1 + r) / 2, normal), omega_1),
     )
 
 
@@ -64,8 +73,8 @@ def collision_b(state: Pair) -> Pair:
     w_1, w_2 = state
     normal = inner(w_2, omega_2)
     return (
-        _shifted(w_1, times((1 + r) / 2, normal), omega_2),
-        _shifted(w_2, times(1 + r, normal), omega_2),
+        _shifted(w_1, product_of((1 + r) / 2, normal), omega_2),
+        _shifted(w_2, product_of(1 + r, normal), omega_2),
     )
 
 
@@ -74,8 +83,8 @@ def collision_c(state: Pair) -> Pair:
     w_1, w_2 = state
     normal = inner(_shifted(w_1, matrices.ONE, w_2), omega_3)
     return (
-        _shifted(w_1, times((1 + r) / 2, normal), omega_3),
-        _shifted(w_2, times(-((1 + r) / 2), normal), omega_3),
+        _shifted(w_1, product_of((1 + r) / 2, normal), omega_3),
+        _shifted(w_2, product_of(-((1 + r) / 2), normal), omega_3),
     )
 
 
@@ -101,6 +110,6 @@ def matrix_of(collision: Collision, orthonormal: Sequence[Pair]) -> Matrix:
     """The matrix of a linear map in an orthonormal basis."""
     columns = [collision(element) for element in orthonormal]
     return tuple(
-        tuple(plus(inner(u_1, w_1), inner(u_2, w_2)) for w_1, w_2 in columns)
+        tuple(sum_of(inner(u_1, w_1), inner(u_2, w_2)) for w_1, w_2 in columns)
         for u_1, u_2 in orthonormal
     )

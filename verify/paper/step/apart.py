@@ -35,7 +35,7 @@ from verify.paper.step.state import (
     tau,
     y,
 )
-from verify.paper.step.vectors import Vector, add, omega_c, omega_s, scale
+from verify.paper.step.vectors import Combination, add, omega_c, omega_s, scale
 
 t, s = symbol("t"), symbol("s")
 dot = frame.dot
@@ -106,7 +106,7 @@ def _others() -> Iterator[Item]:
         THEOREM,
         "the pair 0-s that just met recedes: it does not meet again",
     )
-    outer: Vector = add(add(scale(1 + d, omega_c), scale(-1, omega_s)), scale(t, difference))
+    outer: Combination = add(add(scale(1 + d, omega_c), scale(-1, omega_s)), scale(t, difference))
     yield Line(
         "outer-pair-apart",
         1 < dot(outer, outer),

@@ -29,7 +29,7 @@ from verify.paper.step.numbers import (
     third,
     zeta_bar,
 )
-from verify.paper.step.vectors import Frame, Vector, W_c, W_s, add, omega_c, omega_s, scale
+from verify.paper.step.vectors import Combination, Frame, W_c, W_s, add, omega_c, omega_s, scale
 
 CONTEXT = "state"
 CAUCHY_SCHWARZ = "cauchy-schwarz"
@@ -57,12 +57,12 @@ def tau_of(f: Frame) -> Term:
     return (1 + f.d) / f.A * f.y * (1 - sqrt(1 - zeta_of(f)))
 
 
-def contact(f: Frame, time: Term) -> Vector:
+def contact(f: Frame, time: Term) -> Combination:
     """Where particle c is after some time: omega_s of the next state, at the contact."""
     return add(scale(1 + f.d, omega_c), scale(time, W_c))
 
 
-def away(time: Term) -> Vector:
+def away(time: Term) -> Combination:
     """Where particle s is after some time."""
     return add(omega_s, scale(time, W_s))
 

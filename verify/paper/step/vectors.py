@@ -12,7 +12,7 @@ from typing import NamedTuple
 from verify.language.terms import Claim, Number, Term, as_term
 
 BASIS = ("omega_s", "W_s", "omega_c", "W_c")
-Vector = Mapping[str, Term]
+Combination = Mapping[str, Term]
 
 
 class Frame(NamedTuple):
@@ -42,7 +42,7 @@ class Frame(NamedTuple):
             frozenset(("W_s", "W_c")): self.w,
         }[frozenset((i, j))]
 
-    def dot(self, x: Vector, z: Vector) -> Term:
+    def dot(self, x: Combination, z: Combination) -> Term:
         """The inner product of two combinations."""
         total: Term | None = None
         for i in BASIS:
@@ -52,22 +52,22 @@ class Frame(NamedTuple):
                     total = part if total is None else total + part
         return as_term(0) if total is None else total
 
-    def cauchy_schwarz(self, x: Vector, z: Vector) -> Claim:
+    def cauchy_schwarz(self, x: Combination, z: Combination) -> Claim:
         """(x.z)^2 <= |x|^2 |z|^2."""
         return self.dot(x, z) ** 2 <= self.dot(x, x) * self.dot(z, z)
 
 
-def basis_vector(name: str) -> Vector:
+def basis_vector(name: str) -> Combination:
     """One of the four vectors."""
     return {name: as_term(1)}
 
 
-def scale(number: Number, x: Vector) -> Vector:
+def scale(number: Number, x: Combination) -> Combination:
     """A multiple of a vector."""
     return {name: _times(as_term(number), value) for name, value in x.items()}
 
 
-def add(x: Vector, z: Vector) -> Vector:
+def add(x: Combination, z: Combination) -> Combination:
     """The sum of two vectors."""
     total = dict(x)
     for name, value in z.items():

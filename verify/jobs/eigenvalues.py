@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 from verify.prover import balls
 from verify.prover.balls import Ball
 
-Number = Any  # a Fraction or a Ball: the same formulas serve both
+Scalar = Any  # a Fraction or a Ball: the same formulas serve both
 
 #: Bits beyond those asked for; cancellation near a zero of a component asks for more.
 GUARD_BITS = 32
@@ -161,7 +161,7 @@ def _spectrum(ball: Ball, m: Fraction | None) -> Spectrum:
     )
 
 
-def _rational_functions(m: Number) -> tuple[Number, ...]:
+def _rational_functions(m: Scalar) -> tuple[Scalar, ...]:
     """The rational functions of m of which everything is made, in balls or exactly."""
     square = m * m
     denominator = square - m + 4

@@ -10,10 +10,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from verify.jobs import eigenvalues
+from verify.jobs.eigenvalues import Spectrum, at, over
 from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX
-from verify.prover import balls, eigenvalues
+from verify.prover import balls
 from verify.prover.balls import Ball
-from verify.prover.eigenvalues import Spectrum, at, over
 from verify.prover.program import ExactArithmetic, Machine, Program
 
 HARD = [

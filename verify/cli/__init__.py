@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import os
-import re
 import sys
-from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from contextlib import suppress
 from errno import EBADF
 from importlib import import_module
 from io import TextIOWrapper
-from typing import NoReturn
 
 from verify import __version__
 from verify.cli.files import OwnError
+from verify.cli.options import Parser
 from verify.jobs.inputs import InputError, shown
 
 #: The commands in the order a newcomer needs them.
@@ -34,41 +32,6 @@ USAGE_ERROR = 2
 OWN_ERROR = 5
 INTERRUPTED = 130
 PIPE_CLOSED = 141
-
-#: What follows an option although it starts with a minus sign.
-_NEGATIVE = re.compile(r"-([0-9.]|pi|inf|nan)")
-
-
-class Parser(ArgumentParser):
-    """An argument parser whose errors are one line, and that takes each option once."""
-
-    def error(self, message: str) -> NoReturn:
-        """Raise instead of printing the usage."""
-        text = " ".join(message.split())
-        raise InputError(f"{text[:200]}; see {self.prog} --help")
-
-    def print_help(self, file: object = None) -> None:  # noqa: ARG002
-        """Print the help; argparse would hide that stdout cannot be written."""
-        print(self.format_help(), end="")
-
-    def parse(self, words: Sequence[str]) -> Namespace:
-        """Parse the words after the command.
-
-        Raises:
-            InputError: for an unknown, repeated or incomplete option.
-        """
-        joined: list[str] = []
-        for word in words:
-            last = joined[-1] if joined else ""
-            if last.startswith("--") and "=" not in last and _NEGATIVE.match(word):
-                joined[-1] = f"{last}={word}"
-            else:
-                joined.append(word)
-        names = [word.split("=")[0] for word in joined if word.startswith("--")]
-        for name in names:
-            if names.count(name) > 1:
-                raise InputError(f"{shown(name)} is given more than once; write it once")
-        return self.parse_args(joined)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -126,11 +89,11 @@ def _dispatch(words: list[str]) -> int:
     if name not in COMMANDS:
         raise InputError(f"{shown(name)} is not a command; write one of: {known}")
     command = import_module(f"verify.cli.{name}")
-    parser = Parser(prog=f"verify {name}", description=command.__doc__, allow_abbrev=False)
+    parser = Parser(f"verify {name}", command.__doc__ or "")
     command.add_arguments(parser)
-    try:
-        options = parser.parse(words[1:])
-    except SystemExit:  # --help has printed what it has to say
+    options = parser.read(words[1:])
+    if options is None:
+        print(parser.help())
         return 0
     return int(command.run(options))
 

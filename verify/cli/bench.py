@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
-
 from verify.cli import columns
 from verify.cli.files import progress, test_folder
+from verify.cli.options import Options, Parser
 from verify.jobs.inputs import InputError
 
 
-def add_arguments(parser: ArgumentParser) -> None:
+def add_arguments(parser: Parser) -> None:
     """The options."""
     columns.add_arguments(parser, "bench")
 
 
-def run(options: Namespace) -> int:
+def run(options: Options) -> int:
     """Measure, print the tables, and return 0."""
     try:
         from verify.measure import bench

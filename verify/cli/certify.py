@@ -3,25 +3,22 @@
 from __future__ import annotations
 
 import os
-from argparse import ArgumentParser, Namespace
 from collections.abc import Mapping
 
 from verify.cli.files import accept, progress, test_folder, write_all
+from verify.cli.options import Options, Parser
 from verify.jobs.inputs import InputError, shown
 from verify.prover.outcome import Outcome
 
 
-def add_arguments(parser: ArgumentParser) -> None:
+def add_arguments(parser: Parser) -> None:
     """The options."""
-    parser.add_argument(
-        "--directory", default="certificates", help="where the folders are (default certificates)"
-    )
-    parser.add_argument(
-        "--compare", action="store_true", help="write nothing; exit 1 if a file would change"
-    )
+    text = "where the folders are (default certificates)"
+    parser.option("--directory", text, "DIR", default="certificates")
+    parser.flag("--compare", text="write nothing; exit 1 if a file would change")
 
 
-def run(options: Namespace) -> int:
+def run(options: Options) -> int:
     """Write or compare every file; return 0, or 1 if a compared file differs."""
     if not options.compare:
         test_folder("--directory", options.directory, "statement.json")

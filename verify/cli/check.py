@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 import sys
-from argparse import ArgumentParser, Namespace
 from collections.abc import Mapping, Sequence
 from hashlib import sha256
 from typing import Any, NamedTuple
 
 from verify import check
 from verify.cli.files import print_document, progress
+from verify.cli.options import Options, Parser
 from verify.jobs.inputs import InputError, shown
 
 FORMAT = "verify-check/1"
@@ -27,20 +27,13 @@ FOREIGN = 4
 LONGEST_PATH = 160  # in a message
 
 
-def add_arguments(parser: ArgumentParser) -> None:
+def add_arguments(parser: Parser) -> None:
     """The options."""
-    parser.add_argument(
-        "path", nargs="+", help="folders, or one statement.json and its certificate.json"
-    )
-    parser.add_argument(
-        "--statement",
-        action="store_true",
-        help="also make each statement anew from its parameters, and compare it byte for byte",
-    )
-    parser.add_argument("--json", action="store_true", help="one JSON document on stdout")
-    parser.add_argument(
-        "--latex", action="store_true", help="print the statement as LaTeX instead of checking it"
-    )
+    parser.places("path", "folders, or one statement.json and its certificate.json")
+    text = "also make each statement anew from its parameters, and compare it byte for byte"
+    parser.flag("--statement", text=text)
+    parser.flag("--json", text="one JSON document on stdout")
+    parser.flag("--latex", text="print the statement as LaTeX instead of checking it")
 
 
 class CheckedFolder(NamedTuple):
@@ -62,7 +55,7 @@ class CheckedFolder(NamedTuple):
         return FOREIGN if self.own is False else EXIT_CODES[self.verdict]
 
 
-def run(options: Namespace) -> int:
+def run(options: Options) -> int:
     """Check, and return the worst exit code of all folders."""
     if options.latex and (options.json or options.statement):
         raise InputError("--latex: checks nothing; leave it out with --json and --statement")

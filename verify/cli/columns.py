@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import json
-from argparse import ArgumentParser, Namespace
 from typing import Any
 
 from verify.cli.files import print_document, write_all
+from verify.cli.options import Options, Parser
 
 
-def add_arguments(parser: ArgumentParser, name: str) -> None:
+def add_arguments(parser: Parser, name: str) -> None:
     """The options of a command that measures."""
-    parser.add_argument("--quick", action="store_true", help="a short form, for CI")
-    parser.add_argument("--json", action="store_true", help="one JSON document on stdout")
-    parser.add_argument("--out", metavar="DIR", help=f"write {name}.json there")
+    parser.flag("--quick", text="a short form, for CI")
+    parser.flag("--json", text="one JSON document on stdout")
+    parser.option("--out", f"write {name}.json there", "DIR")
 
 
-def publish(name: str, tables: dict[str, Any], options: Namespace) -> None:
+def publish(name: str, tables: dict[str, Any], options: Options) -> None:
     """Write and print what a command measured, as its options ask."""
     document = {"format": f"verify-{name}/1", "command": name, "tables": tables}
     if options.out is not None:

@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 import sys
-from argparse import ArgumentParser, Namespace
 
 from verify.cli.graph import outcome_of
+from verify.cli.options import Options, Parser
 from verify.jobs.inputs import InputError, shown
 
 
-def add_arguments(parser: ArgumentParser) -> None:
+def add_arguments(parser: Parser) -> None:
     """The options."""
-    parser.add_argument("row", help="the name of a row or lemma, with or without its group")
-    parser.add_argument(
-        "--folder",
-        metavar="DIR",
-        help="a folder with a certificate (default: Theorem 1 for all parameters, and the step)",
-    )
+    parser.place("row", "the name of a row or lemma, with or without its group")
+    text = "a folder with a certificate (default: Theorem 1 for all parameters, and the step)"
+    parser.option("--folder", text, "DIR")
 
 
-def run(options: Namespace) -> int:
+def run(options: Options) -> int:
     """Print what is known of the row; return 0."""
     from verify.views.explain import explain  # loaded only where it is used
 

@@ -3,24 +3,23 @@
 from __future__ import annotations
 
 import os
-from argparse import ArgumentParser, Namespace
 
 from verify.cli.files import progress, read_bytes, test_folder, write_all
+from verify.cli.options import Options, Parser
 from verify.jobs.inputs import InputError, shown
 from verify.prover.outcome import Outcome
 
 ENDINGS = (".svg", ".dot", ".json")
 
 
-def add_arguments(parser: ArgumentParser) -> None:
+def add_arguments(parser: Parser) -> None:
     """The options."""
-    parser.add_argument(
-        "folder", nargs="?", help="a folder with a certificate (default: Theorem 1, --all)"
-    )
-    parser.add_argument("--out", required=True, metavar="FILE", help="FILE.svg, .dot or .json")
+    text = "a folder with a certificate (default: Theorem 1, --all)"
+    parser.place("folder", text, required=False)
+    parser.option("--out", "FILE.svg, .dot or .json", "FILE", required=True)
 
 
-def run(options: Namespace) -> int:
+def run(options: Options) -> int:
     """Write the drawing; return 0."""
     ending = os.path.splitext(options.out)[1]
     if ending not in ENDINGS:

@@ -5,28 +5,24 @@ from __future__ import annotations
 import os
 import re
 import sys
-from argparse import ArgumentParser, Namespace
 
 from verify.cli.files import progress, test_folder, write_all
+from verify.cli.options import Options, Parser
 from verify.jobs.inputs import InputError, shown
 
 
-def add_arguments(parser: ArgumentParser) -> None:
+def add_arguments(parser: Parser) -> None:
     """The options."""
-    parser.add_argument(
-        "--directory",
-        default="certificates",
-        help="where the certificates are and the report goes (default certificates)",
+    text = "where the certificates are and the report goes (default certificates)"
+    parser.option("--directory", text, "DIR", default="certificates")
+    text = (
+        "write nothing and draw nothing (matplotlib is not needed): exit 1 if anything but the "
+        "drawings themselves would change"
     )
-    parser.add_argument(
-        "--compare",
-        action="store_true",
-        help="write nothing and draw nothing (matplotlib is not needed): exit 1 if anything but "
-        "the drawings themselves would change",
-    )
+    parser.flag("--compare", text=text)
 
 
-def run(options: Namespace) -> int:
+def run(options: Options) -> int:
     """Write or compare the files; return 0, 1 if a compared one differs, or the checker's code."""
     if not os.path.isdir(options.directory):
         raise InputError(

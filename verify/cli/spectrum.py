@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import sys
-from argparse import ArgumentParser, Namespace
 from fractions import Fraction
 
 from verify.cli.files import print_document, test_folder, write_certificate
+from verify.cli.options import Options, Parser
 from verify.jobs.inputs import InputError, integer, rational, shown
 from verify.jobs.spectrum import decide_spectrum
 from verify.views.spectrum import (
@@ -20,14 +20,12 @@ from verify.views.spectrum import (
 MAX_PRECISION = 1 << 22
 
 
-def add_arguments(parser: ArgumentParser) -> None:
+def add_arguments(parser: Parser) -> None:
     """The options; every number is kept as the text that was written."""
-    parser.add_argument(
-        "--r", metavar="R", help="enclose the spectrum at R in ]0,1[, or for all r in A..B"
-    )
-    parser.add_argument("--precision", default="128", help="bits of the enclosures (default 128)")
-    parser.add_argument("--json", action="store_true", help="one JSON document on stdout")
-    parser.add_argument("--out", metavar="DIR", help="write statement.json and certificate.json")
+    parser.option("--r", "enclose the spectrum at R in ]0,1[, or for all r in A..B")
+    parser.option("--precision", "bits of the enclosures (default 128)", "BITS", default="128")
+    parser.flag("--json", text="one JSON document on stdout")
+    parser.option("--out", "write statement.json and certificate.json", "DIR")
 
 
 def read_r(text: str) -> list[Fraction]:
@@ -48,7 +46,7 @@ def read_r(text: str) -> list[Fraction]:
     return ends
 
 
-def run(options: Namespace) -> int:
+def run(options: Options) -> int:
     """Print the rows or the document, write the files, return the exit code."""
     r = None if options.r is None else read_r(options.r)
     bits = integer("--precision", options.precision, 2, MAX_PRECISION)

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
 from typing import Any
 
 from verify.cli import columns
 from verify.cli.files import progress, test_folder
+from verify.cli.options import Options, Parser
 from verify.measure import stress
 from verify.measure.stress import Finding
 
 
-def add_arguments(parser: ArgumentParser) -> None:
+def add_arguments(parser: Parser) -> None:
     """The options."""
     columns.add_arguments(parser, "stress")
 
 
-def run(options: Namespace) -> int:
+def run(options: Options) -> int:
     """Run the cases; return 0 if every answer is right, else 1."""
     test_folder("--out", options.out, "stress.json")
     findings = []

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import sys
-from argparse import ArgumentParser, Namespace
 from fractions import Fraction
 
 from verify.cli.files import print_document, test_folder, write_certificate
+from verify.cli.options import Options, Parser, field
 from verify.jobs.inputs import InputError, angle, integer, rational, shown
 from verify.jobs.theorem1 import decide_point
 from verify.language.terms import Term, as_term
@@ -27,45 +27,35 @@ DEFAULTS = {
     "constants": "all",
     "precision": "128",
     "max_precision": "65536",
-    "verbose": False,
 }
 #: The options that only a single point has.
 POINT_OPTIONS = ("theta0", "precision", "max_precision", "rows")
 
 
-def add_arguments(parser: ArgumentParser) -> None:
+def add_arguments(parser: Parser) -> None:
     """The options; every number is kept as the text that was written."""
     number = "exact: 0.03, 3/100 or 3e-2"
-    parser.add_argument(
-        "--all", action="store_true", help="prove it for all parameters, without --r"
-    )
-    parser.add_argument("--r", help=f"restitution coefficient in ]0,1[ ({number})")
-    parser.add_argument("--theta0", metavar="ANGLE", help="[k*]pi[/n] or radians, in ]pi/2, pi]")
-    parser.add_argument("--neg-cos", metavar="C", help="-cos of the angle, in ]0, 1] (default 1)")
-    parser.add_argument(
-        "--delta-theta",
-        default=DEFAULTS["delta_theta"],
-        help="allowed deviation of the final -cos (default 1/10)",
-    )
-    parser.add_argument(
-        "--V0",
-        default=DEFAULTS["V0"],
-        help="lower bound of the squared relative speeds (default 1)",
-    )
-    parser.add_argument(
-        "--constants", default=DEFAULTS["constants"], help="printed, repaired or all (default)"
-    )
-    bits = DEFAULTS["precision"], DEFAULTS["max_precision"]
-    parser.add_argument("--precision", default=bits[0], help=f"starting bits (default {bits[0]})")
-    parser.add_argument("--max-precision", default=bits[1], help=f"last bits (default {bits[1]})")
-    parser.add_argument("--steps", help="with --r A..B: that many values of r, one verdict each")
-    parser.add_argument("-v", "--verbose", action="store_true", help="print every row")
-    parser.add_argument("--rows", metavar="NAME", help="print the rows of this name only")
-    parser.add_argument("--json", action="store_true", help="one JSON document on stdout")
-    parser.add_argument("--out", metavar="DIR", help="write statement.json and certificate.json")
+    texts = {
+        "--r": ("R", f"restitution coefficient in ]0,1[ ({number})"),
+        "--theta0": ("ANGLE", "[k*]pi[/n] or radians, in ]pi/2, pi]"),
+        "--neg-cos": ("C", "-cos of the angle, in ]0, 1] (default 1)"),
+        "--delta-theta": ("D", "allowed deviation of the final -cos (default 1/10)"),
+        "--V0": ("V", "lower bound of the squared relative speeds (default 1)"),
+        "--constants": ("SET", "printed, repaired or all (default)"),
+        "--precision": ("BITS", f"starting bits (default {DEFAULTS['precision']})"),
+        "--max-precision": ("BITS", f"last bits (default {DEFAULTS['max_precision']})"),
+        "--steps": ("N", "with --r A..B: that many values of r, one verdict each"),
+        "--rows": ("NAME", "print the rows of this name only"),
+        "--out": ("DIR", "write statement.json and certificate.json"),
+    }
+    parser.flag("--all", text="prove it for all parameters, without --r")
+    for name, (value, text) in texts.items():
+        parser.option(name, text, value, default=DEFAULTS.get(field(name)))
+    parser.flag("-v", "--verbose", text="print every row")
+    parser.flag("--json", text="one JSON document on stdout")
 
 
-def read_parameters(options: Namespace) -> dict[str, Term]:
+def read_parameters(options: Options) -> dict[str, Term]:
     """The parameters as exact terms.
 
     Raises:
@@ -104,7 +94,7 @@ def _positive(option: str, text: str) -> Fraction:
     return value
 
 
-def run(options: Namespace) -> int:
+def run(options: Options) -> int:
     """Print the table or the document, write the files, return the exit code."""
     if options.all:
         return _everywhere(options)
@@ -148,18 +138,18 @@ def _some_rows(outcome: Outcome, name: str) -> list[str]:
     return found
 
 
-def _leave_out(options: Namespace, command: str, names: tuple[str, ...]) -> None:
+def _leave_out(options: Options, command: str, names: tuple[str, ...]) -> None:
     """Refuse options that would not be used.
 
     Raises:
         InputError: naming the option.
     """
     for name in names:
-        if getattr(options, name) != DEFAULTS.get(name):
+        if getattr(options, name) not in (False, DEFAULTS.get(name)):
             raise InputError(f"--{name.replace('_', '-')}: leave it out with {command}")
 
 
-def _everywhere(options: Namespace) -> int:
+def _everywhere(options: Options) -> int:
     """Prove Theorem 1 for all parameters; print, write, return the exit code."""
     _leave_out(options, "--all", (*POINT_OPTIONS, "r", "neg_cos", "V0", "delta_theta", "steps"))
     if options.constants not in SELECTIONS:
@@ -188,7 +178,7 @@ def _everywhere(options: Namespace) -> int:
     return code
 
 
-def _scan(options: Namespace) -> int:
+def _scan(options: Options) -> int:
     """Print the verdict at many values of r; the exit code is that of the worst."""
     from verify.jobs.scan import scan  # loaded only where it is used
     from verify.views.ranges import show_ranges

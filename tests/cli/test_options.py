@@ -1,0 +1,81 @@
+"""How the words after a command are read."""
+
+from __future__ import annotations
+
+import pytest
+
+from verify.cli.options import Options, Parser
+from verify.jobs.inputs import InputError
+
+
+def parser() -> Parser:
+    made = Parser("verify x", "About x.")
+    made.option("--r", "a number")
+    made.option("--delta-theta", "a deviation", "D", default="1/10")
+    made.flag("-v", "--verbose", text="more")
+    made.place("folder", "a folder", required=False)
+    return made
+
+
+DEFAULTS = {"r": None, "delta_theta": "1/10", "verbose": False, "folder": None}
+
+
+@pytest.mark.parametrize(
+    ("words", "changed"),
+    [
+        ([], {}),
+        (["--r", "3"], {"r": "3"}),
+        (["--r=3", "-v"], {"r": "3", "verbose": True}),
+        (["--r", "-1"], {"r": "-1"}),
+        (["--r", "-pi"], {"r": "-pi"}),
+        (["--r=-v"], {"r": "-v"}),
+        (["--r="], {"r": ""}),
+        (["a", "--delta-theta", "b=c"], {"folder": "a", "delta_theta": "b=c"}),
+        (["--verbose", "-"], {"verbose": True, "folder": "-"}),
+    ],
+)
+def test_what_is_chosen(words: list[str], changed: dict[str, object]) -> None:
+    assert parser().read(words) == Options(**(DEFAULTS | changed))
+
+
+@pytest.mark.parametrize(
+    ("words", "named"),
+    [
+        (["--r"], "--r"),
+        (["--r", "--verbose"], "--r"),
+        (["--q", "1"], "'--q'"),
+        (["--ver"], "'--ver'"),
+        (["--"], "'--'"),
+        (["-r", "1"], "'-r'"),
+        (["--verbose=1"], "--verbose"),
+        (["-v", "--verbose"], "--verbose"),
+        (["--r", "1", "--r=2"], "--r"),
+        (["a", "b\nc"], r"b\nc"),
+        (["--folder", "a"], "--folder"),
+    ],
+)
+def test_what_is_refused(words: list[str], named: str) -> None:
+    with pytest.raises(InputError) as error:
+        parser().read(words)
+    assert named in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+def test_what_is_required() -> None:
+    made = Parser("verify x", "About x.")
+    made.places("path", "folders")
+    made.option("--out", "a file", "FILE", required=True)
+    assert made.read(["a", "--out", "f", "b"]) == Options(path=["a", "b"], out="f")
+    for words, named in ((["a"], "--out"), (["--out", "f"], "path"), ([], "path, --out")):
+        with pytest.raises(InputError, match=named):
+            made.read(words)
+
+
+@pytest.mark.parametrize("words", [["-h"], ["--help"], ["--r", "1", "--help", "--unknown"]])
+def test_help_lists_every_option_and_place(words: list[str]) -> None:
+    made = parser()
+    assert made.read(words) is None
+    text = made.help()
+    assert "usage: verify x [options] [folder]" in text
+    for part in ("About x.", "--r R ", "--delta-theta D", "-v, --verbose", "[folder]", "--help"):
+        assert part in text

@@ -1,0 +1,158 @@
+"""The options of a command: how the words after it are read, and the help that lists them.
+
+A small part of what `argparse` does; to load that and to build a parser would take longer than all
+the intervals of the main job.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from types import SimpleNamespace
+
+from verify.jobs.inputs import InputError, shown
+
+#: What follows an option as its value although it starts with a minus sign.
+_NEGATIVE = re.compile(r"-([0-9.]|pi|inf|nan)")
+
+#: The column in which the help of an option starts.
+_COLUMN = 24
+
+
+class Options(SimpleNamespace):
+    """What was chosen, or the defaults: an attribute for each option and each place."""
+
+
+def field(name: str) -> str:
+    """The attribute of `Options` for an option or a place."""
+    return name.lstrip("-").replace("-", "_")
+
+
+class Parser:
+    """The options and places of one command, and how they are read.
+
+    An option is written ``--name VALUE`` or ``--name=VALUE``, a flag ``--name``; what does not
+    start with a minus sign goes to the places, in order. Each option is given at most once.
+    """
+
+    def __init__(self, program: str, about: str) -> None:
+        self.program, self.about = program, about
+        self._defaults: dict[str, object] = {}
+        self._fields: dict[str, str] = {}
+        self._flags = {"-h", "--help"}
+        self._required: list[str] = []
+        self._places: list[str] = []
+        self._many = ""
+        self._help: list[tuple[str, str]] = []
+
+    # --- what there is --------------------------------------------------------------------------
+
+    def option(
+        self,
+        name: str,
+        text: str,
+        value: str = "",
+        *,
+        default: str | None = None,
+        required: bool = False,
+    ) -> None:
+        """An option with a value, which the help calls ``value``."""
+        self._add(name, name, default)
+        self._help.append((f"{name} {value or name[2:].upper()}", text))
+        if required:
+            self._required.append(name)
+
+    def flag(self, *names: str, text: str) -> None:
+        """An option without a value, perhaps with a short name; its field has the last name."""
+        for name in names:
+            self._add(name, names[-1], False)
+            self._flags.add(name)
+        self._help.append((", ".join(names), text))
+
+    def place(self, name: str, text: str, *, required: bool = True) -> None:
+        """A word without an option."""
+        self._add(name, name, None)
+        self._places.append(name)
+        self._help.append((name if required else f"[{name}]", text))
+        if required:
+            self._required.append(name)
+
+    def places(self, name: str, text: str) -> None:
+        """All words without an option, at least one; the field has the list of them."""
+        self._add(name, name, ())
+        self._many = name
+        self._required.append(name)
+        self._help.append((f"{name} [{name} ...]", text))
+
+    def _add(self, name: str, last: str, default: object) -> None:
+        self._fields[name] = field(last)
+        self._defaults[self._fields[name]] = default
+
+    # --- what was written -----------------------------------------------------------------------
+
+    def read(self, words: Sequence[str]) -> Options | None:
+        """What was chosen; None where help is asked for.
+
+        Raises:
+            InputError: for an unknown, repeated or incomplete option, or a word too many.
+        """
+        found: dict[str, object] = {}
+        loose: list[str] = []
+        waiting = list(reversed(words))
+        while waiting:
+            word = waiting.pop()
+            if not word.startswith("-") or word == "-":
+                loose.append(word)
+                continue
+            name, equals, value = word.partition("=")
+            if name in ("-h", "--help"):
+                return None
+            self._once(name, found)
+            if name in self._flags:
+                if equals:
+                    raise self._error(f"{name} takes no value, and {shown(value)} is given")
+                found[self._fields[name]] = True
+            else:
+                found[self._fields[name]] = value if equals else self._value(name, waiting)
+        self._place(loose, found)
+        missing = [name for name in self._required if self._fields[name] not in found]
+        if missing:
+            raise self._error(f"{', '.join(missing)}: is missing")
+        return Options(**(self._defaults | found))
+
+    def _once(self, name: str, found: dict[str, object]) -> None:
+        if not name.startswith("-") or name not in self._fields:
+            raise self._error(f"{shown(name)} is no option")
+        if self._fields[name] in found:
+            raise InputError(f"{shown(name)} is given more than once; write it once")
+
+    def _value(self, name: str, waiting: list[str]) -> str:
+        if not waiting or (waiting[-1].startswith("-") and not _NEGATIVE.match(waiting[-1])):
+            raise self._error(f"{name}: its value is missing")
+        return waiting.pop()
+
+    def _place(self, words: list[str], found: dict[str, object]) -> None:
+        if self._many and words:
+            found[self._many] = words
+        elif len(words) > len(self._places):
+            raise self._error(f"{shown(words[len(self._places)])} is a word too many")
+        else:
+            found.update(zip(self._places, words, strict=False))
+
+    def _error(self, message: str) -> InputError:
+        return InputError(f"{message}; see {self.program} --help")
+
+    # --- the help -------------------------------------------------------------------------------
+
+    def help(self) -> str:
+        """What `--help` prints."""
+        places = [name for name, _ in self._help if not name.startswith("-")]
+        usage = " ".join([self.program, "[options]", *places])
+        lines = [f"usage: {usage}", "", self.about, ""]
+        for name, text in [*self._help, ("-h, --help", "show this help")]:
+            first = f"  {name}"
+            if len(first) >= _COLUMN:
+                lines.append(first)
+                first = ""
+            lines.append(f"{first:<{_COLUMN}}{text}")
+        return "\n".join(lines)

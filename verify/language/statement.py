@@ -150,11 +150,15 @@ class Change(NamedTuple):
 
 
 class Cite(NamedTuple):
-    """Another statement, whose theorems may be used; ``content`` is its file."""
+    """Another statement, whose theorems may be used.
+
+    ``content`` is its file, and ``cites`` has what is cited there.
+    """
 
     name: str
     theorem: str
     content: bytes
+    cites: tuple[Cite, ...] = ()
 
 
 class Statement(NamedTuple):

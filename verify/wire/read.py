@@ -88,11 +88,14 @@ def read_statement(document: Any, reader: TermReader, cited: Mapping[str, bytes]
         contexts=tuple(_context(item, reader) for item in document["contexts"]),
         obligations=tuple(_row(item, reader) for item in document["obligations"]),
         assumptions=tuple(Assumption(**item) for item in document["assumptions"]),
-        cites=tuple(
-            Cite(item["name"], item["theorem"], cited[item["statement_sha256"]])
-            for item in document["cites"]
-        ),
+        cites=tuple(_cite(item, cited) for item in document["cites"]),
     )
+
+
+def _cite(item: Any, cited: Mapping[str, bytes]) -> Cite:
+    content = cited[item["statement_sha256"]]
+    inner = (_cite(other, cited) for other in json.loads(content)["cites"])
+    return Cite(item["name"], item["theorem"], content, tuple(inner))
 
 
 def _constant(item: Any, reader: TermReader) -> Constant:

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from hashlib import sha256
 from typing import Any
 
@@ -14,6 +14,7 @@ from verify.language.statement import (
     UNDECIDED,
     Always,
     Applies,
+    Cite,
     Constant,
     Context,
     Obligation,
@@ -48,8 +49,15 @@ def write(outcome: Outcome) -> dict[str, bytes]:
     first = encode(_statement(outcome, writer))
     used = [term for step in outcome.steps for term in _step_terms(step)]
     second = encode(_certificate(outcome, first, TermWriter("u", used, writer.names)))
-    cited = {f"cited/{digest(cite.content)}.json": cite.content for cite in statement.cites}
+    cited = {f"cited/{digest(content)}.json": content for content in _cited(statement.cites)}
     return {"statement.json": first, "certificate.json": second} | cited
+
+
+def _cited(cites: Iterable[Cite]) -> Iterator[bytes]:
+    """The contents of citations, and of the citations in them."""
+    for cite in cites:
+        yield cite.content
+        yield from _cited(cite.cites)
 
 
 def digest(content: bytes) -> str:

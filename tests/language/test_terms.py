@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from verify.language.terms import as_term, substitute, symbol, symbols_of
+from verify.language.terms import as_term, names_of, substitute, symbol
 
 x, y = symbol("x"), symbol("y")
 
@@ -43,4 +43,4 @@ def test_substitution_replaces_every_occurrence() -> None:
     term = x**2 + y / x
     assert substitute(term, {"x": y}) == y**2 + y / y
     assert substitute(term, {"x": y, "y": x}) == y**2 + x / y
-    assert set(symbols_of(term)) == {"x", "y"}
+    assert set(names_of(term)) == {"x", "y"}

@@ -11,9 +11,8 @@ import sympy
 
 from verify.jobs.spectrum import decide_spectrum
 from verify.language.statement import PROVED, REFUTED, Context, Statement
-from verify.language.terms import Claim, Term, as_term, symbol
+from verify.language.terms import Claim, Term, as_term, names_of, symbol
 from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX, Printed
-from verify.paper.spectrum.rows import names_of
 from verify.paper.spectrum.theorem import statement
 from verify.prover.outcome import Outcome
 from verify.prover.prove import prove
@@ -125,7 +124,9 @@ def test_a_row_is_claimed_for_its_numbers(outcome: Outcome, name: str) -> None:
     givens = {g.name: g.claim for g in context_of(outcome.statement, row.context).givens}
     assert isinstance(row.claim, Claim)
     expected = INTERVALS[name]
-    names = {variable.rpartition(".")[2]: variable for variable in names_of(row.claim)}
+    names = {
+        variable.rpartition(".")[2]: variable for variable in names_of(row.claim.lhs, row.claim.rhs)
+    }
     if expected:
         assert set(names) == set(expected)
     for short, variable in names.items():

@@ -13,10 +13,10 @@ from verify.language.terms import (
     Claim,
     Term,
     as_term,
+    names_of,
     substitute,
     substitute_claim,
     symbol,
-    symbols_of,
 )
 from verify.paper.argument import Chapter, Opened, Reason, ToBeFound
 from verify.paper.everywhere import chart as paper
@@ -175,7 +175,7 @@ class Everywhere:
         if not isinstance(row.claim, Claim):
             return
         try:
-            if not any((*symbols_of(row.claim.lhs), *symbols_of(row.claim.rhs))):
+            if not any(names_of(row.claim.lhs, row.claim.rhs)):
                 self.writing.decisions[row.name] = self.ground.decide(row)
             else:
                 self.writing.decide(row, self._proof(row.name, row.claim))
@@ -225,7 +225,7 @@ class Everywhere:
     def _split(self, claim: Claim) -> Proof:
         """A branch for each entry of the minimum that delta_x is."""
         name = self.set.delta_x.name
-        if name not in {*symbols_of(claim.lhs), *symbols_of(claim.rhs)}:
+        if name not in set(names_of(claim.lhs, claim.rhs)):
             raise NotFoundError("nothing to split")
         term = self.session.definitions[name]
         branches = []

@@ -8,7 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from typing import Any, Union
+
+from verify.language.record import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import Any, Union
 
 Number = Union["Term", int, Fraction]
 
@@ -236,12 +240,17 @@ def cos_pi(half_turns: Number) -> Term:
     return Term("cos_pi", as_term(half_turns))
 
 
-def symbols_of(term: Term) -> Iterator[str]:
-    """Yield the names that occur in a term, with repetitions."""
-    if term.op == "symbol":
-        yield term.name
-    for child in term.children:
-        yield from symbols_of(child)
+def names_of(*terms: Term) -> Iterator[str]:
+    """The names in terms, each once, in an order that depends on the terms only."""
+    seen: set[Term] = set()
+    waiting = [*reversed(terms)]
+    while waiting:
+        term = waiting.pop()
+        if term not in seen:
+            seen.add(term)
+            waiting += reversed(term.children)
+            if term.op == "symbol":
+                yield term.name
 
 
 def substitute(term: Term, values: Mapping[str, Term]) -> Term:

@@ -27,13 +27,12 @@ from verify.measure.engines import (
     ArbEngine,
     CheckerEngine,
     DoubleEngine,
-    Ends,
     MpmathEngine,
     load,
 )
 from verify.prover import balls
 from verify.prover.decimals import decimal_text, round_decimal
-from verify.prover.outcome import Outcome
+from verify.prover.outcome import Ends, Outcome
 from verify.prover.program import Program, UndefinedError
 from verify.prover.relations import fails, holds
 from verify.views.words import definitions

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.language.statement import Context, Given
 from verify.language.terms import Claim, Term
 from verify.prover.program import Program
 
 
-class Bounds(NamedTuple):
+class Bounds(Record):
     """The numbers between which a variable lies, and the facts that say so, with their relation."""
 
     low: Fraction | None = None
@@ -27,7 +27,7 @@ class Bounds(NamedTuple):
         return None if self.low is None or self.high is None else (self.low, self.high)
 
 
-class Goal(NamedTuple):
+class Goal(Record):
     """A claim that is to be proved for all values in a context.
 
     ``variables`` has the bounds of the variables that occur in it, ``definitions`` the terms of
@@ -53,19 +53,6 @@ class Goal(NamedTuple):
         """The ends of all variables, if all are bounded."""
         box = {name: bounds.ends for name, bounds in self.variables.items()}
         return {name: ends for name, ends in box.items() if ends} if all(box.values()) else None
-
-
-def names_of(*terms: Term) -> Iterator[str]:
-    """The names in terms, each once, in an order that depends on the terms only."""
-    seen: set[Term] = set()
-    waiting = [*reversed(terms)]
-    while waiting:
-        term = waiting.pop()
-        if term not in seen:
-            seen.add(term)
-            waiting += reversed(term.children)
-            if term.op == "symbol":
-                yield term.name
 
 
 def bounds_of(context: Context) -> dict[str, Bounds]:

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from verify.language.statement import UNDECIDED, Constant, Obligation, Statement
-from verify.language.terms import Claim
-from verify.prover.goal import names_of
+from verify.language.terms import Claim, names_of
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Ground
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.session import Session

@@ -12,9 +12,8 @@ by enclosures.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from verify.language.terms import Claim, Term, substitute_claim, symbol, symbols_of
+from verify.language.record import TYPE_CHECKING
+from verify.language.terms import Claim, Term, names_of, substitute_claim, symbol
 from verify.prover.clearing import Clearing, Polynomial
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Entry, Interval, Sum
@@ -72,7 +71,7 @@ class Tight:
 
     def _latest(self, claim: Claim) -> str | None:
         """The name in a claim that was defined last."""
-        names = {*symbols_of(claim.lhs), *symbols_of(claim.rhs)}
+        names = set(names_of(claim.lhs, claim.rhs))
         known = [n for n in names if n in self.order]
         return max(known, key=self.order.__getitem__, default=None)
 

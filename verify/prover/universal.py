@@ -17,11 +17,11 @@ from verify.language.statement import (
     Context,
     Obligation,
 )
-from verify.language.terms import Claim, Term, as_term, substitute, substitute_claim
+from verify.language.terms import Claim, Term, as_term, names_of, substitute, substitute_claim
 from verify.prover import boxes
 from verify.prover.bernstein import bernstein
 from verify.prover.clearing import Clearing
-from verify.prover.goal import Bounds, Goal, bounds_of, names_of
+from verify.prover.goal import Bounds, Goal, bounds_of
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision
 from verify.prover.points import refuting_point

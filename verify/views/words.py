@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.language.statement import (
     NEEDED,
     PRINTED,
@@ -20,7 +20,7 @@ from verify.language.statement import (
     Constant,
     Obligation,
 )
-from verify.language.terms import Claim, Term, symbols_of
+from verify.language.terms import Claim, Term, names_of
 from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.parameters import PARAMETERS
@@ -134,7 +134,7 @@ def witness_of(row: Obligation, decision: Decision) -> dict[str, Term]:
     """The values at which a claim about all values is false, of the variables that it has."""
     if not isinstance(row.claim, Claim):
         return dict(decision.witness)
-    used = {*symbols_of(row.claim.lhs), *symbols_of(row.claim.rhs)}
+    used = set(names_of(row.claim.lhs, row.claim.rhs))
     return {name: term for name, term in decision.witness.items() if name in used}
 
 
@@ -177,7 +177,7 @@ def constants_of(outcome: Outcome, group: str) -> list[Constant]:
     return [c for c in found if c.name.rpartition(".")[0] == group]
 
 
-class Minimum(NamedTuple):
+class Minimum(Record):
     """The entries of a min, and the number (from 1) of the one that is shown to be the least."""
 
     entries: list[Ends | None]
@@ -190,7 +190,7 @@ def minimum_of(outcome: Outcome, constant: Constant) -> Minimum:
     from verify.prover.program import Machine, Program
 
     entries = constant.term.children
-    names = sorted({name for entry in entries for name in symbols_of(entry)})
+    names = sorted({name for entry in entries for name in names_of(entry)})
     with balls.precision(SHOWN_BITS):
         machine = Machine(Program(names), balls.BallArithmetic())
         known = [ends_of(outcome, name) for name in names]

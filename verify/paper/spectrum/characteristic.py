@@ -16,7 +16,7 @@ from verify.paper.spectrum.matrices import (
     vector,
 )
 from verify.paper.spectrum.printed import Q_LABEL, THEOREM, Printed, r, root_3
-from verify.paper.spectrum.rows import Section
+from verify.paper.spectrum.section import Section
 
 APPENDIX = "APPENSS___PolynChara_Alim"
 CHARACTERISTIC = "EQUATSS3.5Alim_PolynCarac"

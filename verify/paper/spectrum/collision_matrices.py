@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from verify.language.statement import Obligation
-from verify.language.terms import as_term, equal
+from verify.language.terms import Claim, as_term, equal
+from verify.paper.rows import SLIP
 from verify.paper.spectrum import triangle
 from verify.paper.spectrum.contexts import ANY
 from verify.paper.spectrum.matrices import (
@@ -23,7 +24,7 @@ from verify.paper.spectrum.matrices import (
     vector,
 )
 from verify.paper.spectrum.printed import MATRIX_LABEL, THEOREM, Printed, r, root_3
-from verify.paper.spectrum.rows import Section, symbols
+from verify.paper.spectrum.section import Section, symbols
 
 LAW_A = "EQUATSS3.5VitesColli_0-1_"
 LAW_B = "EQUATSS3.5DefinMatrix_A_b"
@@ -154,6 +155,22 @@ def _spaces() -> Iterator[Obligation]:
     )
 
 
+def _as_stated(letter: str, claim: Claim) -> Obligation:
+    """Of the three matrices only A_b is the same in both bases."""
+    name, says = (
+        f"A_{letter}-stated",
+        (
+            f"the printed A_{letter}, in the basis as the text states it (ω₂⊥·ω₁ > 0): "
+            "u A v = u A_printed v for all u, v"
+        ),
+    )
+    if letter == "b":
+        return _section.printed(name, EIGENSPACE, says, claim)
+    return _section.misprint(
+        name, EIGENSPACE, says, claim, severity=SLIP, corrected_by=f"A_{letter}"
+    )
+
+
 def _printed_factors() -> Iterator[Obligation]:
     stated = triangle.basis(triangle.omega_2_perp_stated)
     right = triangle.basis(triangle.omega_2_perp)
@@ -163,13 +180,8 @@ def _printed_factors() -> Iterator[Obligation]:
         ("c", triangle.collision_c, A_C),
     ):
         printed = form(ROW, matrix, COLUMN)
-        yield _section.printed(
-            f"A_{letter}-stated",
-            EIGENSPACE,
-            f"the printed A_{letter}, in the basis as the text states it (ω₂⊥·ω₁ > 0): "
-            "u A v = u A_printed v for all u, v",
-            equal(form(ROW, triangle.matrix_of(collision, stated), COLUMN), printed),
-            None if letter == "b" else f"A_{letter}",
+        yield _as_stated(
+            letter, equal(form(ROW, triangle.matrix_of(collision, stated), COLUMN), printed)
         )
         yield _section.needed(
             f"A_{letter}",
@@ -192,13 +204,14 @@ def _product(paper: Printed) -> Iterator[Obligation]:
     stated = triangle.matrix_of(triangle.triple, triangle.basis(triangle.omega_2_perp_stated))
     right = triangle.matrix_of(triangle.triple, triangle.basis(triangle.omega_2_perp))
     printed = form(ROW, paper.matrix, COLUMN)
-    yield _section.printed(
+    yield _section.misprint(
         "matrix-stated",
         MATRIX_LABEL,
         "the printed matrix, in the basis as the text states it (ω₂⊥·ω₁ > 0): "
         "u 𝔄 v = u 𝔄_printed v for all u, v",
         equal(form(ROW, stated, COLUMN), printed),
-        "matrix",
+        severity=SLIP,
+        corrected_by="matrix",
     )
     yield _section.needed(
         "matrix",

@@ -15,6 +15,7 @@ from fractions import Fraction
 
 from verify.language.statement import Obligation
 from verify.language.terms import as_term, equal, substitute, symbol
+from verify.paper.rows import SLIP
 from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.collision_matrices import EIGENSPACE, ROW, flipped
 from verify.paper.spectrum.matrices import (
@@ -27,7 +28,7 @@ from verify.paper.spectrum.matrices import (
 )
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
 from verify.paper.spectrum.real_root import DISCRIMINANT, REAL_ROOT
-from verify.paper.spectrum.rows import Section, symbols
+from verify.paper.spectrum.section import Section, symbols
 
 COMPLEX_PAIR = "EQUATSS3.5Alim_ContrRacCx"
 
@@ -198,12 +199,13 @@ def _eigenspace(paper: Printed) -> Iterator[Obligation]:
         uses,
     )
     stated = flipped(paper.matrix)
-    yield _section.printed(
+    yield _section.misprint(
         "eigenspace-stated",
         EIGENSPACE,
         "(0,1,0,1) is fixed, in the basis as the text states it (ω₂⊥·ω₁ > 0)",
         equal(dot(ROW, apply(stated, FIXED)), ROW[1] + ROW[3]),
-        "eigenspace-flipped",
+        severity=SLIP,
+        corrected_by="eigenspace-flipped",
     )
     opposite = vector(0, 1, 0, -1)
     yield _section.needed(

@@ -11,12 +11,13 @@ from collections.abc import Iterator
 
 from verify.language.statement import Obligation
 from verify.language.terms import Term, as_term, equal, sqrt
+from verify.paper.rows import SLIP
 from verify.paper.spectrum import triangle
 from verify.paper.spectrum.collision_matrices import A_A, A_B, flipped
 from verify.paper.spectrum.contexts import ANY, CONE
 from verify.paper.spectrum.matrices import Vector, apply, dot, vector
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
-from verify.paper.spectrum.rows import Section, symbols
+from verify.paper.spectrum.section import Section, symbols
 
 BOUND = "EQUATSS3.5Minor_z'__Triag"
 
@@ -133,12 +134,13 @@ def _bounds(paper: Printed) -> Iterator[Obligation]:
             equal(value - first, factor * (z - h * x)),
             ["signs"],
         )
-        yield _section.printed(
+        yield _section.misprint(
             f"{name}-bound-2",
             label,
             f"the first bound of {letter}' is larger than the second one, as printed",
             second < first,
-            f"{name}-bound-2-equal",
+            severity=SLIP,
+            corrected_by=f"{name}-bound-2-equal",
             within=CONE,
         )
         yield _section.needed(
@@ -185,12 +187,13 @@ def _last_condition(paper: Printed) -> Iterator[Obligation]:
         ["signs"],
     )
     solved = -t - (g + (-factor) * a + (-k_z) * b) / _drift
-    yield _section.printed(
+    yield _section.misprint(
         "cone-y-stated",
         BOUND,
         "y < t in the basis as the text states it (ω₂⊥·ω₁ > 0), where x = -a, z = hx - b, z' = -g "
         "give this y",
         solved < t,
-        "cone-y-flipped",
+        severity=SLIP,
+        corrected_by="cone-y-flipped",
         within=CONE,
     )

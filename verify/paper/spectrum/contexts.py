@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Claim, Term, as_term, symbol
 
@@ -49,7 +49,7 @@ TEX = {
 }
 
 
-class Scope(NamedTuple):
+class Scope(Record):
     """A context before its variables are known; ``intervals`` differ from the usual ones."""
 
     name: str

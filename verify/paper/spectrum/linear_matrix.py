@@ -9,11 +9,12 @@ from collections.abc import Iterator
 
 from verify.language.statement import Obligation
 from verify.language.terms import as_term, equal, maximum
+from verify.paper.rows import BREAKS
 from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.contexts import LINEAR
 from verify.paper.spectrum.matrices import Matrix, apply, determinant, dot, identity_minus, vector
 from verify.paper.spectrum.printed import r
-from verify.paper.spectrum.rows import Section, symbols
+from verify.paper.spectrum.section import Section, symbols
 
 LAW = "EQUATSS3.4EvoluVNormLinea"
 LIMIT = "EQUATSS3.4MatriLimitLinea"
@@ -113,13 +114,14 @@ def _rate() -> Iterator[Obligation]:
         uses,
     )
     # Complex case: |Tr| = 2 s k with s = sqrt(r), k < 1; -cos(theta) = 4sk/(1+s^2).
-    yield _section.printed(
+    yield _section.misprint(
         "rate-complex-stated",
         RATE,
         "complex case: the spectral radius √r is at most max((1+r)/2 |cos θ|, r), the printed "
         "rate, where s = √r and |cos θ| = 4sk/(1+s²)",
         s <= maximum((1 + s**2) / 2 * (4 * s * k / (1 + s**2)), s**2),
-        "rate-complex",
+        severity=BREAKS,
+        corrected_by="rate-complex",
         within=LINEAR,
     )
     yield _section.needed(

@@ -13,6 +13,7 @@ from fractions import Fraction
 
 from verify.language.statement import Obligation
 from verify.language.terms import Term, as_term, equal, substitute, symbol
+from verify.paper.rows import HARMLESS
 from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.collision_matrices import A_A, A_B, A_C
 from verify.paper.spectrum.complex_pair import FIXED, REAL_EIGENVECTOR, m, modulus, r_of_m
@@ -20,7 +21,7 @@ from verify.paper.spectrum.cone import BOUND, NORMAL_12, STATE, a, b, normal_12
 from verify.paper.spectrum.contexts import APPROACH, LARGE, LINE, SMALL
 from verify.paper.spectrum.matrices import Vector, apply, dot, product_of, sum_of, vector
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
-from verify.paper.spectrum.rows import Section, symbols
+from verify.paper.spectrum.section import Section, symbols
 
 COLLAPSE = "DEFINSS3.5CollapseTriangu"
 ORDER = "EQUATSS3.5ConclusionEta1>"
@@ -276,13 +277,14 @@ def _formal_paragraph(paper: Printed) -> Iterator[Obligation]:
         for entry, fixed in zip(REAL_EIGENVECTOR, FIXED, strict=True)
     ]
     first_row = [substitute(entry, {"r": r_of_m}) for entry in paper.matrix[0]]
-    yield _section.printed(
+    yield _section.misprint(
         "manifold",
         THEOREM,
         "a triangular collapse is associated to iterations in a manifold of dimension 1: the "
         "orbits of E₁ + ker(𝔄-λ₀) with x = -1 keep x' < 0 (r = r(m))",
         dot(first_row, orbit) < as_term(0),
-        "manifold-empty",
+        severity=HARMLESS,
+        corrected_by="manifold-empty",
         within=LINE,
     )
     yield _section.needed(

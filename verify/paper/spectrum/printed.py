@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from verify.language.record import Record
 from verify.language.terms import Number, Term, as_term, sqrt, substitute, symbol
 from verify.paper.spectrum.matrices import Matrix, Vector, product_of, vector
 
@@ -54,7 +53,7 @@ COEFFICIENTS: Vector = vector(
 )
 
 
-class Printed(NamedTuple):
+class Printed(Record):
     """What the paper displays as the result: every row takes the matrix and Q from here."""
 
     matrix: Matrix = MATRIX

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from verify.language.statement import Context, Obligation, Statement
-from verify.language.terms import Claim
+from verify.language.terms import Claim, names_of
 from verify.paper.spectrum import (
     characteristic,
     collision_matrices,
@@ -19,7 +19,7 @@ from verify.paper.spectrum import (
 from verify.paper.spectrum.assumptions import ASSUMPTIONS
 from verify.paper.spectrum.contexts import SCOPES
 from verify.paper.spectrum.printed import THEOREM, Printed
-from verify.paper.spectrum.rows import LETTERS, names_of
+from verify.paper.spectrum.section import LETTERS
 
 TITLE = "Spectral claims of Section 5, its appendix and Sections 4.1-4.2, for every r in ]0,1["
 
@@ -38,6 +38,6 @@ def contexts_of(rows: Iterable[Obligation]) -> list[Context]:
     names: dict[str, set[str]] = {}
     for row in rows:
         if row.context is not None and isinstance(row.claim, Claim):
-            found = {name.rpartition(".")[2] for name in names_of(row.claim)}
+            found = {name.rpartition(".")[2] for name in names_of(row.claim.lhs, row.claim.rhs)}
             names.setdefault(row.context, set()).update(found)
     return [SCOPES[name].context(names[name], LETTERS) for name in SCOPES if name in names]

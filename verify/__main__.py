@@ -6,7 +6,11 @@ import gc
 import os
 import sys
 from contextlib import suppress
-from typing import NoReturn
+
+from verify.language.record import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import NoReturn
 
 
 def run() -> NoReturn:

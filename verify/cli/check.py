@@ -6,12 +6,13 @@ import os
 import sys
 from collections.abc import Mapping, Sequence
 from hashlib import sha256
-from typing import Any, NamedTuple
+from typing import Any
 
 from verify import check
 from verify.cli.files import print_document, progress
 from verify.cli.options import Options, Parser
 from verify.jobs.inputs import InputError, shown
+from verify.language.record import Record
 
 FORMAT = "verify-check/1"
 
@@ -36,7 +37,7 @@ def add_arguments(parser: Parser) -> None:
     parser.flag("--latex", text="print the statement as LaTeX instead of checking it")
 
 
-class CheckedFolder(NamedTuple):
+class CheckedFolder(Record):
     """What the checker found in one folder.
 
     ``own`` says whether the statement is one that the program makes and calls proved; None where

@@ -7,12 +7,14 @@ import sys
 from collections.abc import Mapping
 from contextlib import suppress
 from errno import EISDIR
-from typing import TYPE_CHECKING, Any
 
 from verify.jobs.inputs import InputError, shown
+from verify.language.record import TYPE_CHECKING
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED
 
 if TYPE_CHECKING:
+    from typing import Any
+
     from verify.prover.outcome import Outcome
 
 #: Numbers with more digits, above or below the fraction bar, are not in the checker's format.

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import NamedTuple
 
 from verify.jobs import everywhere, spectrum, step, theorem1
+from verify.language.record import Record
 from verify.language.terms import Term, as_term, cos_pi
 from verify.prover.outcome import Outcome
 
 
-class StoredPoint(NamedTuple):
+class StoredPoint(Record):
     """A folder of `certificates/` and the parameters of Theorem 1 that it is about."""
 
     folder: str

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from functools import cache
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.language.statement import PROVED, Choice, Constant, Obligation
 from verify.language.terms import Claim, Term, as_term, sqrt, symbol
 from verify.paper.theorem1 import theorem
@@ -66,7 +66,7 @@ def at_point(group: str, share: Fraction, parameters: dict[str, Term]) -> Ground
     return ground
 
 
-class Rows(NamedTuple):
+class Rows(Record):
     """The rows of a set: those that enclosures can decide, and those that algebra does.
 
     The two sides of ``algebraic`` rows are equal wherever they are defined, or the row follows

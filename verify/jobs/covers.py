@@ -12,9 +12,9 @@ from concurrent.futures import ProcessPoolExecutor
 from fractions import Fraction
 from functools import cache
 from itertools import pairwise
-from typing import NamedTuple
 
 from verify.jobs.constructions import field_definitions, formulas, sorted_rows
+from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, Obligation
 from verify.language.terms import Claim, Term, as_term, sqrt, symbol
 from verify.paper.groups import PRINTED, REPAIRED
@@ -90,7 +90,7 @@ def judge_repaired(depth: int) -> list[JudgedBox]:
     return judged_plane(REPAIRED, SHARE, sorted_rows(REPAIRED, SHARE).claims, depth)
 
 
-class Maps(NamedTuple):
+class Maps(Record):
     """The plane, judged for both sets."""
 
     printed: list[JudgedBox]
@@ -191,7 +191,7 @@ def _distances(share: Fraction) -> list[Fraction]:
     return distances
 
 
-class Ratios(NamedTuple):
+class Ratios(Record):
     """A row with its ratio lhs/rhs on each interval of r where it is enclosed, and its verdicts."""
 
     says: str
@@ -227,7 +227,7 @@ def ratios(group: str, share: Fraction) -> list[Ratios]:
 # --- the roots of Q ------------------------------------------------------------------------------
 
 
-class Roots(NamedTuple):
+class Roots(Record):
     """Enclosures over one interval of m, where -m^3 is the real root."""
 
     side: Side

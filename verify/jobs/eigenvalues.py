@@ -17,8 +17,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any
 
+from verify.language.record import Record
 from verify.prover import balls
 from verify.prover.balls import Ball
 
@@ -34,14 +35,14 @@ PIECES = 64
 ESTIMATE_BITS = 40
 
 
-class Complex(NamedTuple):
+class Complex(Record):
     """A complex number enclosed by real and imaginary part."""
 
     re: Ball
     im: Ball
 
 
-class Spectrum(NamedTuple):
+class Spectrum(Record):
     """The eigenvalues other than 1, and eigenvectors with first coordinate 1.
 
     ``exact`` is lambda_0 where it is rational. ``plus`` is the complex eigenvalue with positive

@@ -9,10 +9,11 @@ import json
 import os
 from collections.abc import Mapping
 from hashlib import sha256
-from typing import Any, NamedTuple
+from typing import Any
 
 from verify import check
 from verify.jobs.regenerate import is_right_statement
+from verify.language.record import Record
 from verify.paper.parameters import THEOREM
 from verify.prover.outcome import Outcome
 from verify.wire.read import read as read_outcome
@@ -34,7 +35,7 @@ class CertificateError(Exception):
         self.code = code
 
 
-class CertifiedOutcome(NamedTuple):
+class CertifiedOutcome(Record):
     """One accepted certificate, read back; ``said`` is the checker's last line."""
 
     name: str
@@ -43,7 +44,7 @@ class CertifiedOutcome(NamedTuple):
     said: str
 
 
-class Material(NamedTuple):
+class Material(Record):
     """Everything that the report shows."""
 
     folders: tuple[CertifiedOutcome, ...]

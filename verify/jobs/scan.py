@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any
 
 from verify.jobs.theorem1 import decide_point
+from verify.language.record import Record
 from verify.language.statement import NEEDED, PROVED, REFUTED, Choice, Constant, Obligation
 from verify.language.terms import Claim, as_term
 from verify.paper.groups import GROUPS, HYPOTHESES, PRINTED, REPAIRED
@@ -32,7 +33,7 @@ MAX_ALGEBRAS = 12
 _VERDICTS = {HOLDS: PROVED, FAILS: REFUTED}
 
 
-class ScannedPoint(NamedTuple):
+class ScannedPoint(Record):
     """The verdict on the needed rows at one point, and those on all rows by their names."""
 
     verdict: str

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.language.terms import Claim, Term
 
 NEEDED = "needed"
@@ -23,7 +23,7 @@ UNDECIDED = "undecided"
 NOTHING: Mapping[str, Term] = MappingProxyType({})
 
 
-class Constant(NamedTuple):
+class Constant(Record):
     r"""A named constant.
 
     ``letter`` and ``tex`` are how people read it, ``label`` the paper's ``\label`` nearest to its
@@ -42,7 +42,7 @@ class Constant(NamedTuple):
         return self.name.rpartition(".")[2]
 
 
-class Choice(NamedTuple):
+class Choice(Record):
     """A constant that may be any rational number on one side of a bound.
 
     The ``constant`` has the bound as its term; the choice is rounded from it ``down`` or ``up``
@@ -54,7 +54,7 @@ class Choice(NamedTuple):
     base: Term | None = None
 
 
-class Variable(NamedTuple):
+class Variable(Record):
     """A universally quantified number of a context."""
 
     name: str
@@ -62,7 +62,7 @@ class Variable(NamedTuple):
     tex: str
 
 
-class Given(NamedTuple):
+class Given(Record):
     """What a context assumes of its variables.
 
     ``kind`` is plain; or, in a context for an induction, carried (shown at the start and from
@@ -75,7 +75,7 @@ class Given(NamedTuple):
     assumption: str | None = None
 
 
-class Context(NamedTuple):
+class Context(Record):
     """Variables with what is given about them, inside another context (None: the outermost).
 
     Givens are in an order in which each is defined by those before it. ``point`` has values, over
@@ -91,14 +91,14 @@ class Context(NamedTuple):
     constants: tuple[Constant, ...] = ()
 
 
-class Applies(NamedTuple):
+class Applies(Record):
     """The claim that these values satisfy all givens of a context, so that its theorems hold."""
 
     context: str
     at: Mapping[str, Term]
 
 
-class Always(NamedTuple):
+class Always(Record):
     """The claim that from this start, with this next state, the givens hold for ever."""
 
     context: str
@@ -106,7 +106,7 @@ class Always(NamedTuple):
     next: Mapping[str, Term]
 
 
-class Obligation(NamedTuple):
+class Obligation(Record):
     """One claim that has to be decided, for all values of the variables in scope.
 
     ``role`` is ``printed`` (what the paper says) or ``needed`` (what the theorem rests on),
@@ -127,7 +127,7 @@ class Obligation(NamedTuple):
     context: str | None = None
 
 
-class Assumption(NamedTuple):
+class Assumption(Record):
     """What is used and not proved here.
 
     ``kind`` is definition (of the model), law of motion, calculus, general mathematics, or glue (a
@@ -140,7 +140,7 @@ class Assumption(NamedTuple):
     kind: str = "glue"
 
 
-class Change(NamedTuple):
+class Change(Record):
     """One line of the table `paper | needed | why`."""
 
     label: str
@@ -149,7 +149,7 @@ class Change(NamedTuple):
     why: str
 
 
-class Cite(NamedTuple):
+class Cite(Record):
     """Another statement, whose theorems may be used.
 
     ``content`` is its file, and ``cites`` has what is cited there.
@@ -161,7 +161,7 @@ class Cite(NamedTuple):
     cites: tuple[Cite, ...] = ()
 
 
-class Statement(NamedTuple):
+class Statement(Record):
     """Constants, contexts, obligations and assumptions.
 
     Constants stand in an order in which each uses only parameters and earlier constants; contexts

@@ -12,9 +12,7 @@ from fractions import Fraction
 from verify.language.record import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from typing import Any, Union
-
-Number = Union["Term", int, Fraction]
+    from typing import Any
 
 RELATIONS = ("<", "<=", "=")
 
@@ -124,6 +122,10 @@ class Term:
         if self.op != "pow" or not isinstance(exponent, int):
             raise TypeError(f"{self!r} is not a power")
         return exponent
+
+
+#: What may be written where a term is meant.
+Number = Term | int | Fraction
 
 
 def _no_children(_args: tuple[Any, ...]) -> tuple[Term, ...]:

@@ -14,11 +14,11 @@ import re
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from importlib.resources import files
-from typing import NamedTuple
 
 from verify.jobs import eigenvalues
 from verify.jobs.inputs import angle, rational
 from verify.jobs.theorem1 import decide_point
+from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import as_term, sqrt, symbol
 from verify.measure.bench import definitions_program
@@ -40,7 +40,7 @@ POINT_BITS = 128
 LONG = re.compile(r"(-300|-1e-(40|50|60|100|300))$")
 
 
-class Case(NamedTuple):
+class Case(Record):
     """One hard case, as the data has it."""
 
     name: str
@@ -50,7 +50,7 @@ class Case(NamedTuple):
     expect: str
 
 
-class Finding(NamedTuple):
+class Finding(Record):
     """What a run of a case showed.
 
     ``bits`` is the largest precision that the certificate asks for (exact values apart), ``lost``

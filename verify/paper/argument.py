@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.language.statement import (
     NEEDED,
     Always,
@@ -50,7 +50,7 @@ def square(term: Term) -> Value:
     return ("square", term)
 
 
-class BySum(NamedTuple):
+class BySum(Record):
     """If the claim were false these numbers, which are >= 0, would add up to 0, and one is > 0.
 
     ``using`` names equations by which atoms are replaced, ``equations`` those that are added,
@@ -62,28 +62,28 @@ class BySum(NamedTuple):
     equations: tuple[tuple[str, Term], ...] = ()
 
 
-class ByRoot(NamedTuple):
+class ByRoot(Record):
     """The root of a positive number is positive."""
 
 
-class ByEntry(NamedTuple):
+class ByEntry(Record):
     """A minimum is at most its entry."""
 
     equation: str | None = None
 
 
-class ByLeast(NamedTuple):
+class ByLeast(Record):
     """What is below each entry is below the minimum on the right."""
 
     branches: tuple[BySum, ...]
     equation: str | None = None
 
 
-class ByInterval(NamedTuple):
+class ByInterval(Record):
     """Both sides are numbers: enclosures decide."""
 
 
-class ByInstance(NamedTuple):
+class ByInstance(Record):
     """A known fact at values of its variables; ``givens`` names why they satisfy its givens."""
 
     fact: str
@@ -91,14 +91,14 @@ class ByInstance(NamedTuple):
     givens: tuple[str, ...]
 
 
-class ByInduction(NamedTuple):
+class ByInduction(Record):
     """Why each condition holds at the start, and at the next state."""
 
     start: tuple[str, ...]
     next: tuple[str, ...]
 
 
-class ToBeFound(NamedTuple):
+class ToBeFound(Record):
     """A sum that the prover has to find."""
 
 
@@ -120,7 +120,7 @@ def identity(using: str = "", equations: tuple[tuple[str, Term], ...] = ()) -> B
     return BySum((), tuple(using.split()), equations)
 
 
-class Line(NamedTuple):
+class Line(Record):
     """A claim for all values in a context, with its reason."""
 
     name: str
@@ -131,13 +131,13 @@ class Line(NamedTuple):
     uses: tuple[str, ...] = ()
 
 
-class Defined(NamedTuple):
+class Defined(Record):
     """Here a constant of the context is known to have a value."""
 
     name: str
 
 
-class Opened(NamedTuple):
+class Opened(Record):
     """Here the next context opens; ``premises`` names why its givens hold at its point.
 
     Without premises the point has numbers, and enclosures show it.
@@ -150,14 +150,14 @@ class Opened(NamedTuple):
 Item = Line | Defined | Opened
 
 
-class Chapter(NamedTuple):
+class Chapter(Record):
     """Lines in one context, in order."""
 
     context: str | None
     items: tuple[Item, ...]
 
 
-class Argument(NamedTuple):
+class Argument(Record):
     """A statement with its argument."""
 
     statement: Statement

@@ -6,10 +6,10 @@ rows are refuted is decided for given parameters, and some of them hold for othe
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from verify.language.record import Record
 
 
-class Cause(NamedTuple):
+class Cause(Record):
     """What is wrong, once, with the names of all rows that show it."""
 
     rows: tuple[str, ...]

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from verify.language.record import Record
 from verify.paper.initial_data import D_0, ETA, X_0
 from verify.paper.parameters import THEOREM
 from verify.paper.recursion import CND, X_LINK
 
 
-class Remark(NamedTuple):
+class Remark(Record):
     r"""A sentence about the text near one of the paper's ``\label``s."""
 
     label: str

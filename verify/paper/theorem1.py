@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.language.statement import Assumption, Change, Choice, Constant, Obligation
 from verify.paper import conclusion, initial_data, initialization, preliminary_rows, recursion
 from verify.paper.assumptions import ASSUMPTIONS
@@ -18,7 +18,7 @@ from verify.paper.preliminaries import CONSTANTS
 from verify.paper.remarks import REMARKS, Remark
 
 
-class Part(NamedTuple):
+class Part(Record):
     """The constants and the rows of one group."""
 
     group: str
@@ -31,7 +31,7 @@ class Part(NamedTuple):
         return tuple(c.constant if isinstance(c, Choice) else c for c in self.constants)
 
 
-class Theorem(NamedTuple):
+class Theorem(Record):
     """Theorem 1 over the symbols r, c, V_0 and delta_theta.
 
     ``common`` are the constants of both sets; they exist where the hypotheses hold.

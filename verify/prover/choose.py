@@ -5,8 +5,8 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from typing import Any
 
+from verify.language.record import TYPE_CHECKING
 from verify.language.statement import Choice, Constant
 from verify.language.terms import Claim, Term, as_term
 from verify.prover import balls
@@ -14,6 +14,9 @@ from verify.prover.decimals import round_decimal
 from verify.prover.ground import Ground
 from verify.prover.relations import holds
 from verify.prover.straight import FAILS, HOLDS, OPEN
+
+if TYPE_CHECKING:
+    from typing import Any
 
 #: Chosen constants are rounded to this many significant decimal digits.
 CHOSEN_DIGITS = 3

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
+from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term
 from verify.prover import balls
@@ -144,7 +145,7 @@ class Values:
         return index
 
 
-class JudgedBox(NamedTuple):
+class JudgedBox(Record):
     """A box on which a condition was ``proved``, or left ``undecided``.
 
     ``verdicts`` has a verdict for each claim, for all points of the box at once, and ``size`` an

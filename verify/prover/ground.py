@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import Any
 
+from verify.language.record import TYPE_CHECKING
 from verify.language.statement import (
     PROVED,
     REFUTED,
@@ -25,6 +25,9 @@ from verify.prover.proof import Proof
 from verify.prover.relations import fails, holds, negation
 from verify.prover.rules import Interval
 from verify.prover.session import ZERO, Session
+
+if TYPE_CHECKING:
+    from typing import Any
 
 DEFAULT_PRECISION = 128
 DEFAULT_MAX_PRECISION = 1 << 16

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.language.statement import (
     NEEDED,
     PROVED,
@@ -24,14 +24,14 @@ Ends = tuple[Fraction, Fraction]
 EXIT_CODES = {PROVED: 0, REFUTED: 1, UNDECIDED: 3}
 
 
-class Enclosure(NamedTuple):
+class Enclosure(Record):
     """Numbers that enclose one or two values, as the checker evaluates them with ``bits`` bits."""
 
     bits: int
     ends: tuple[Ends, ...]
 
 
-class Decision(NamedTuple):
+class Decision(Record):
     """A verdict with its evidence; a refuted row has a proof of its negation.
 
     ``sides`` encloses both sides of a claim without variables.
@@ -57,7 +57,7 @@ class Decision(NamedTuple):
         return getattr(self.proof, "at", {}) if self.method == "witness" else {}
 
 
-class Outcome(NamedTuple):
+class Outcome(Record):
     """A statement in which every obligation has a decision.
 
     ``steps`` are those of the certificate, in order; ``enclosures`` has each parameter and each

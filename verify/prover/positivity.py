@@ -18,10 +18,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from itertools import combinations
-from typing import NamedTuple
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
+from verify.language.record import Record
 from verify.prover.proof import Value
 
 Polynomial = fmpq_mpoly
@@ -38,7 +38,7 @@ class NotFoundError(ArithmeticError):
     """No sum was found."""
 
 
-class EntryBound(NamedTuple):
+class EntryBound(Record):
     """The fact that numerator - x denominator >= 0, where the denominator is positive."""
 
     fact: str
@@ -46,7 +46,7 @@ class EntryBound(NamedTuple):
     denominator: Polynomial
 
 
-class Square(NamedTuple):
+class Square(Record):
     """The relation x^2 denominator = numerator, with the value of the denominator."""
 
     numerator: Polynomial
@@ -54,7 +54,7 @@ class Square(NamedTuple):
     value: Value
 
 
-class Found(NamedTuple):
+class Found(Record):
     """factor * polynomial = value >= 0; factors are values > 0, with their product."""
 
     value: Value

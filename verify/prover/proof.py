@@ -8,9 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from enum import Enum
-from typing import Any, NamedTuple
 
+from verify.language.record import TYPE_CHECKING, Record
 from verify.language.terms import Claim, Term
+
+if TYPE_CHECKING:
+    from typing import Any
 
 #: A number that is >= 0 for all values in scope: a rational or the name of a fact as a text,
 #: "goal", or a tuple: ("add" | "mul", value, …), ("pow", value, exponent), ("square" | "root",
@@ -35,20 +38,20 @@ class Kind(Enum):
 Kinds = Mapping[str, Kind]
 
 #: A proof of a claim by one rule: a value of one of the classes in `verify.prover.rules`.
-Proof = tuple[Any, ...]
+Proof = tuple["Any", ...]
 
 #: What shows that a given holds: the name of a fact, or a proof.
 Premise = str | Proof
 
 
-class ConstantStep(NamedTuple):
+class ConstantStep(Record):
     """The definition of a constant of the statement has a value."""
 
     name: str
     proof: Proof
 
 
-class DefinitionStep(NamedTuple):
+class DefinitionStep(Record):
     """A name that the certificate introduces for a term."""
 
     name: str
@@ -57,7 +60,7 @@ class DefinitionStep(NamedTuple):
     proof: Proof
 
 
-class LemmaStep(NamedTuple):
+class LemmaStep(Record):
     """A claim that the certificate proves on the way."""
 
     name: str
@@ -66,14 +69,14 @@ class LemmaStep(NamedTuple):
     proof: Proof
 
 
-class ObligationStep(NamedTuple):
+class ObligationStep(Record):
     """An obligation of the statement, or its negation."""
 
     name: str
     proof: Proof
 
 
-class OpenStep(NamedTuple):
+class OpenStep(Record):
     """The givens of a context hold at its point."""
 
     name: str

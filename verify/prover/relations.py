@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
 
+from verify.language.record import TYPE_CHECKING, Record
 from verify.language.terms import Claim
 
+if TYPE_CHECKING:
+    from typing import Any
 
-class Meaning(NamedTuple):
+
+class Meaning(Record):
     """When a relation holds, and when it fails, between two values of an ordered type.
 
     ``less`` and ``less_equal`` certify their true side only, so that balls can be compared.

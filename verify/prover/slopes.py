@@ -16,8 +16,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.prover import balls
 from verify.prover.balls import Ball
 from verify.prover.program import UndefinedError
@@ -29,7 +29,7 @@ Side = tuple[Fraction, Fraction]
 Slopes = tuple[Ball, ...]
 
 
-class Slope(NamedTuple):
+class Slope(Record):
     """A function on a cell; ``slopes`` is None where no derivative is known."""
 
     centre: Ball

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import Any
 
+from verify.language.record import Record
 from verify.language.statement import Always, Applies
 from verify.language.terms import Claim, equal, symbol
 from verify.prover.outcome import Outcome
@@ -23,7 +24,7 @@ from verify.prover.rules import RULES
 _NO_FACTS = ("goal", "add", "mul", "pow", "square", "root")
 
 
-class Node(NamedTuple):
+class Node(Record):
     """A fact, and the names of those that its proof uses, in the order of first use."""
 
     name: str

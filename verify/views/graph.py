@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 from html import escape
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.language.statement import PRINTED, PROVED, REFUTED
 from verify.prover.outcome import Outcome
 from verify.prover.uses import Node, nodes
@@ -24,7 +24,7 @@ _COLOURS = {
 }
 
 
-class Vertex(NamedTuple):
+class Vertex(Record):
     """A fact or an assumption; ``state`` is its kind, or for an obligation its verdict."""
 
     name: str
@@ -33,7 +33,7 @@ class Vertex(NamedTuple):
     label: str
 
 
-class Graph(NamedTuple):
+class Graph(Record):
     """Vertices, and edges from what is used to what uses it."""
 
     vertices: list[Vertex]

@@ -8,14 +8,14 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from itertools import groupby
-from typing import NamedTuple
 
 from verify.jobs.scan import ScannedPoint
+from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.prover.outcome import EXIT_CODES
 
 
-class Range(NamedTuple):
+class Range(Record):
     """Neighbouring points with the same verdicts on all rows."""
 
     first: Fraction

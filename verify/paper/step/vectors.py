@@ -7,15 +7,15 @@ variables of the state.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.language.terms import Claim, Number, Term, as_term
 
 BASIS = ("omega_s", "W_s", "omega_c", "W_c")
 Combination = Mapping[str, Term]
 
 
-class Frame(NamedTuple):
+class Frame(Record):
     """The numbers of a state: y = -eta_c, C = -cos theta, the other inner products, and d."""
 
     y: Term

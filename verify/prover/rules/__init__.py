@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
-
+from verify.language.record import TYPE_CHECKING
 from verify.prover.proof import Kinds
 from verify.prover.rules import (
     cases,
@@ -29,6 +28,9 @@ from verify.prover.rules.least import Least
 from verify.prover.rules.root import Root
 from verify.prover.rules.sum import Sum
 from verify.prover.rules.witness import Witness
+
+if TYPE_CHECKING:
+    from typing import Any
 
 #: For each class of proofs the name of its rule, and the kinds of its fields.
 RULES: dict[type[Any], tuple[str, Kinds]] = {

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from verify.language.record import Record
 from verify.language.terms import Term
 from verify.prover.proof import Kind, Kinds, Proof
 
 
-class Cases(NamedTuple):
+class Cases(Record):
     """One branch for each entry."""
 
     of: Term

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.language.terms import Term
 from verify.prover.proof import Kind, Kinds, Proof
 
 
-class Cuts(NamedTuple):
+class Cuts(Record):
     """One branch below the first cut, one between any two neighbours, one above the last."""
 
     term: Term

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from verify.language.record import Record
 from verify.prover.proof import Kinds
 
 
-class Define(NamedTuple):
+class Define(Record):
     """Every divisor and radicand of the term has a fact that shows its sign."""
 
 

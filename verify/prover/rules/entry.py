@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from verify.language.record import Record
 from verify.prover.proof import Kind, Kinds
 
 
-class Entry(NamedTuple):
+class Entry(Record):
     """``equation`` names the fact that the ``side`` of the claim is a minimum (maximum), if any."""
 
     side: str

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from verify.language.record import Record
 from verify.prover.proof import Kind, Kinds, Premise
 
 
-class Induction(NamedTuple):
+class Induction(Record):
     """For each carried given, why it holds at the start and at the next state."""
 
     start: tuple[Premise, ...]

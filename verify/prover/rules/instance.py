@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.language.terms import Term
 from verify.prover.proof import Kind, Kinds, Premise
 
 
-class Instance(NamedTuple):
+class Instance(Record):
     """The fact ``of`` at values for the variables of its context, which satisfy its givens."""
 
     of: str
@@ -17,7 +17,7 @@ class Instance(NamedTuple):
     givens: tuple[Premise, ...]
 
 
-class Applying(NamedTuple):
+class Applying(Record):
     """The values in the claim itself satisfy the givens of its context."""
 
     givens: tuple[Premise, ...]

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from verify.language.record import Record
 from verify.prover.proof import Kind, Kinds
 
 
-class Interval(NamedTuple):
+class Interval(Record):
     """Evaluate both sides with ``bits`` bits.
 
     ``bounds`` has for each variable the names of a fact that bounds it from below and of one that

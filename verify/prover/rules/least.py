@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from verify.language.record import Record
 from verify.prover.proof import Kind, Kinds, Proof
 
 
-class Least(NamedTuple):
+class Least(Record):
     """One branch for each entry of the minimum (on the left side: the maximum)."""
 
     side: str

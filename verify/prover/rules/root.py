@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from verify.language.record import Record
 from verify.prover.proof import Kinds
 
 
-class Root(NamedTuple):
+class Root(Record):
     """The radicand has a fact that it is positive."""
 
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from verify.language.record import Record
 from verify.language.terms import Term
 from verify.prover.proof import Kind, Kinds, Value
 
 
-class Sum(NamedTuple):
+class Sum(Record):
     """Addends that are >= 0, multiples of equations, and the equations that replace atoms."""
 
     addends: tuple[Value, ...] = ()

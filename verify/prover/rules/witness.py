@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.language.terms import Term
 from verify.prover.proof import Kind, Kinds, Premise, Proof
 
 
-class Witness(NamedTuple):
+class Witness(Record):
     """The values, why they satisfy the givens, and a proof of the negation there."""
 
     at: Mapping[str, Term]

@@ -6,56 +6,56 @@ The same blocks are written twice, so that the two pages cannot say different th
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.views.plots.figure import Figure
 
 
-class Text(NamedTuple):
+class Text(Record):
     """A sentence, in the plain letters in which the paper's files have it."""
 
     text: str
 
 
-class Raw(NamedTuple):
+class Raw(Record):
     """What somebody else wrote: its underscores are no subscripts."""
 
     text: str
 
 
-class Strong(NamedTuple):
+class Strong(Record):
     """Words that matter."""
 
     text: str
 
 
-class Code(NamedTuple):
+class Code(Record):
     """A label, a name or a command."""
 
     text: str
 
 
-class Math(NamedTuple):
+class Math(Record):
     """A formula as MathML and as text."""
 
     mathml: str
     text: str
 
 
-class Number(NamedTuple):
+class Number(Record):
     """An enclosure: its short form, and both ends as they stand in the certificate."""
 
     short: str
     ends: tuple[str, str]
 
 
-class Verdict(NamedTuple):
+class Verdict(Record):
     """``proved``, ``refuted`` or ``undecided``."""
 
     word: str
 
 
-class Link(NamedTuple):
+class Link(Record):
     """A reference to a place on the page, or to a file beside it."""
 
     target: str
@@ -66,45 +66,45 @@ Inline = Text | Raw | Strong | Code | Math | Number | Verdict | Link
 Cell = Sequence[Inline]
 
 
-class Heading(NamedTuple):
+class Heading(Record):
     """The start of a section."""
 
     name: str
     text: str
 
 
-class Paragraph(NamedTuple):
+class Paragraph(Record):
     """Some words."""
 
     content: Cell
 
 
-class Box(NamedTuple):
+class Box(Record):
     """A paragraph set apart: a theorem."""
 
     title: str
     content: Cell
 
 
-class Facts(NamedTuple):
+class Facts(Record):
     """The result in a few lines, each with a verdict."""
 
     facts: Sequence[tuple[str, Cell]]
 
 
-class Items(NamedTuple):
+class Items(Record):
     """A list."""
 
     items: Sequence[Cell]
 
 
-class Commands(NamedTuple):
+class Commands(Record):
     """Lines to type."""
 
     lines: Sequence[str]
 
 
-class Table(NamedTuple):
+class Table(Record):
     """A table; a long one is folded away behind its title."""
 
     title: str
@@ -113,7 +113,7 @@ class Table(NamedTuple):
     folded: bool = False
 
 
-class RefutedStep(NamedTuple):
+class RefutedStep(Record):
     """One refuted step of the printed proof, with its repair."""
 
     name: str
@@ -126,20 +126,20 @@ class RefutedStep(NamedTuple):
     repair: Cell
 
 
-class RefutedSteps(NamedTuple):
+class RefutedSteps(Record):
     """Refuted steps."""
 
     steps: Sequence[RefutedStep]
 
 
-class Source(NamedTuple):
+class Source(Record):
     """A text to copy, folded away behind its title."""
 
     title: str
     text: str
 
 
-class Drawing(NamedTuple):
+class Drawing(Record):
     """A figure, with its panels drawn if something could draw them."""
 
     figure: Figure

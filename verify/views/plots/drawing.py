@@ -11,7 +11,9 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from io import StringIO
-from typing import Any, NamedTuple
+from typing import Any
+
+from verify.language.record import Record
 
 
 class MatplotlibMissingError(ImportError):
@@ -53,7 +55,7 @@ Draw = Callable[[Any], None]
 Boxes = Iterable[tuple[float, float, float, float]]
 
 
-class Panel(NamedTuple):
+class Panel(Record):
     """One pair of axes: its title, how it is drawn, and its size in points."""
 
     title: str

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
+from verify.language.record import Record
 from verify.views.plots.drawing import Panel
 
 
-class Figure(NamedTuple):
+class Figure(Record):
     """Panels with one caption.
 
     ``caption`` has every number that the reader is told, ``rows`` a small table below it (its

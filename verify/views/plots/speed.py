@@ -6,8 +6,9 @@ import re
 from collections.abc import Mapping
 from fractions import Fraction
 from math import log10
-from typing import Any, NamedTuple
+from typing import Any
 
+from verify.language.record import Record
 from verify.prover.decimals import round_decimal
 from verify.views.plots.drawing import COLOURS, Panel
 from verify.views.plots.figure import Figure
@@ -15,7 +16,7 @@ from verify.views.plots.figure import Figure
 _DECIMAL = re.compile(r"[0-9]{1,40}(\.[0-9]{1,40})?(e[+-]?[0-9]{1,5})?")
 
 
-class Measured(NamedTuple):
+class Measured(Record):
     """One run of one engine: its precision, its time in milliseconds, its relative width."""
 
     bits: str

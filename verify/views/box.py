@@ -1,0 +1,79 @@
+"""What people and scripts see of Theorem 1 on a box of parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import Any
+
+from verify.jobs.box import Answer, Box
+from verify.language.statement import PROVED, REFUTED, Assumption
+from verify.views.document import assumption_document, claims_document
+from verify.views.everywhere import THEOREM
+from verify.views.words import given
+
+FORMAT = "verify-theorem1-box/1"
+
+
+def screen(answer: Answer, cited: tuple[Assumption, ...]) -> Iterator[str]:
+    """What holds on the box, or on which part of it; ``cited`` are the assumptions of the step."""
+    yield f"Theorem 1 at all points with {_words(answer.box)}"
+    yield ""
+    if answer.verdict == REFUTED:
+        yield "The stability condition fails at each of these points."
+        yield ""
+        yield f"Verdict: refuted: {answer.outcome.statement.title}"
+        return
+    yield "The hypotheses are compared at a corner; by monotony they hold at all points."
+    yield f"The constants are the unrounded minima of '{answer.outcome.statement.cites[0].theorem}'"
+    yield f"Taken on trust there: {given(cited)}"
+    yield ""
+    yield THEOREM
+    yield ""
+    if answer.verdict == PROVED:
+        yield f"Verdict: proved: {answer.outcome.statement.title}; given {given(cited)}"
+        return
+    yield f"Certified part: {_command(answer.part)}"
+    yield (
+        "Verdict: undecided: the hypotheses fail at some points of the box; they hold at all with "
+        f"{_words(answer.part)}; given {given(cited)}"
+    )
+
+
+def _words(box: Box) -> str:
+    return f"r {_side(box.r)} and -cos θ₀ {_side(box.c)}"
+
+
+def _side(side: tuple[Fraction, Fraction]) -> str:
+    low, high = side
+    return f"= {low}" if low == high else f"in [{low}, {high}]"
+
+
+def _command(box: Box) -> str:
+    return f"--r {_range(box.r)} --neg-cos {_range(box.c)}"
+
+
+def _range(side: tuple[Fraction, Fraction]) -> str:
+    return f"{side[0]}..{side[1]}"
+
+
+def document(answer: Answer, cited: tuple[Assumption, ...]) -> dict[str, Any]:
+    """One JSON document; its claims are about the part that is certified."""
+    found = claims_document(answer.outcome, "theorem1", FORMAT)
+    parameters = answer.outcome.statement.parameters
+    found["verdict"] = answer.verdict
+    if answer.verdict not in (PROVED, REFUTED):
+        found["headline"] = answer.verdict
+    found["parameters"] = {
+        **_sides(answer.box),
+        "delta_theta": str(parameters["delta_theta"].value),
+        "V_0": str(parameters["V_0"].value),
+    }
+    found["certified"] = None if answer.verdict == REFUTED else _sides(answer.part)
+    used = () if answer.verdict == REFUTED else cited
+    found["assumptions"] = [assumption_document(assumption) for assumption in used]
+    return found
+
+
+def _sides(box: Box) -> dict[str, list[str]]:
+    return {"r": list(map(str, box.r)), "neg_cos_theta0": list(map(str, box.c))}

@@ -87,9 +87,56 @@ def test_many_points(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 @pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (("--r", "0.02..0.04", "--neg-cos", "0.97..1"), (0, "proved")),
+        (("--r", "0.06..0.08"), (1, "refuted")),
+        (("--r", "0.03", "--neg-cos", "0.5..1"), (3, "undecided")),
+    ],
+)
+def test_boxes(
+    words: tuple[str, ...],
+    expected: tuple[int, str],
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+) -> None:
+    folder = tmp_path / "box"
+    code, found = document(capsys, *words)
+    assert (code, found["verdict"]) == expected
+    assert found["parameters"]["delta_theta"] == "1/10"
+    code, out, err = run(capsys, *words, "-v", "--out", str(folder))
+    last = out.splitlines()[-1]
+    assert (code, last.startswith(f"Verdict: {expected[1]}: ")) == (expected[0], True)
+    assert folder.exists() == (expected[0] != 3)
+    if expected[0] == 3:
+        assert err.count("\n") == 1
+        part = next(line for line in out.splitlines() if line.startswith("Certified part: "))
+        assert run(capsys, *part.removeprefix("Certified part: ").split())[0] == 0
+
+
+@pytest.mark.parametrize(
     "words",
     [
-        ("--r", "0.01..0.06"),
+        ("--r", "0.04..0.02"),
+        ("--r", "nan..1"),
+        ("--r", ".."),
+        ("--r", "0..1/2"),
+        ("--r", "0.02..0.03..0.04"),
+        ("--r", "0.03", "--neg-cos", "1..0.9"),
+        ("--r", "0.03", "--neg-cos", "0.9..1.1"),
+        ("--r", "0.02..0.03", "--theta0", "pi"),
+        ("--r", "0.02..0.03", "--constants", "printed"),
+        ("--r", "0.02..0.03", "--delta-theta", "0"),
+    ],
+)
+def test_unusable_boxes(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, *words)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
         ("--r", "0.03", "--steps", "5"),
         ("--r", "0.06..0.01", "--steps", "5"),
         ("--r", "0.01..0.06", "--steps", "1"),

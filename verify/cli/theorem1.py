@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from fractions import Fraction
 
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser, field
 from verify.jobs.inputs import InputError, angle, integer, rational, shown
 from verify.jobs.theorem1 import decide_point
+from verify.language.statement import UNDECIDED
 from verify.language.terms import Term, as_term
 from verify.paper.groups import PRINTED, SELECTIONS
 from verify.prover.outcome import EXIT_CODES, Outcome, conjunction
@@ -36,9 +38,9 @@ def add_arguments(parser: Parser) -> None:
     """The options; every number is kept as the text that was written."""
     number = "exact: 0.03, 3/100 or 3e-2"
     texts = {
-        "--r": ("R", f"restitution coefficient in ]0,1[ ({number})"),
+        "--r": ("R", f"restitution coefficient in ]0,1[ ({number}), or an interval A..B"),
         "--theta0": ("ANGLE", "[k*]pi[/n] or radians, in ]pi/2, pi]"),
-        "--neg-cos": ("C", "-cos of the angle, in ]0, 1] (default 1)"),
+        "--neg-cos": ("C", "-cos of the angle, in ]0, 1] (default 1), or an interval A..B"),
         "--delta-theta": ("D", "allowed deviation of the final -cos (default 1/10)"),
         "--V0": ("V", "lower bound of the squared relative speeds (default 1)"),
         "--constants": ("SET", "printed, repaired or all (default)"),
@@ -67,11 +69,7 @@ def read_parameters(options: Options) -> dict[str, Term]:
     if options.theta0 is not None:
         c = angle("--theta0", options.theta0)
     else:
-        text = "1" if options.neg_cos is None else options.neg_cos
-        value = rational("--neg-cos", text)
-        if not 0 < value <= 1:
-            raise InputError(f"--neg-cos: {shown(text)} is not in ]0,1]; write for example 9/10")
-        c = as_term(value)
+        c = as_term(_neg_cos("1" if options.neg_cos is None else options.neg_cos))
     return {
         "r": as_term(r),
         "c": c,
@@ -87,6 +85,13 @@ def _restitution(text: str) -> Fraction:
     return r
 
 
+def _neg_cos(text: str) -> Fraction:
+    value = rational("--neg-cos", text)
+    if not 0 < value <= 1:
+        raise InputError(f"--neg-cos: {shown(text)} is not in ]0,1]; write for example 9/10")
+    return value
+
+
 def _positive(option: str, text: str) -> Fraction:
     value = rational(option, text)
     if value <= 0:
@@ -100,8 +105,10 @@ def run(options: Options) -> int:
         return _everywhere(options)
     if options.r is None:
         raise InputError("--r: is missing; write for example --r 0.03, or --all")
-    if options.steps is not None or ".." in options.r:
+    if options.steps is not None:
         return _scan(options)
+    if ".." in f"{options.r} {options.neg_cos}":
+        return _box(options)
     parameters = read_parameters(options)
     if options.constants not in SELECTIONS:
         raise InputError(
@@ -178,15 +185,55 @@ def _everywhere(options: Options) -> int:
     return code
 
 
+def _box(options: Options) -> int:
+    """Prove Theorem 1 at all points of a box; print, write, return the exit code."""
+    _leave_out(options, "A..B", (*POINT_OPTIONS, "constants"))
+    sides = _side("--r", options.r, _restitution), _side("--neg-cos", options.neg_cos, _neg_cos)
+    v_0, delta_theta = (
+        _positive("--V0", options.V0),
+        _positive("--delta-theta", options.delta_theta),
+    )
+    test_folder("--out", options.out, "statement.json", "certificate.json")
+    from verify.jobs import box, step  # loaded only where they are used
+    from verify.views import box as view
+    from verify.views.everywhere import row_lines
+
+    found, cited = box.answer(box.Box(*sides), v_0, delta_theta), step.decide_step().assumptions
+    if options.out is not None and found.verdict != UNDECIDED:
+        write_certificate("--out", options.out, found.outcome)
+    elif options.out is not None:
+        print("verify: no certificate was written; ask for the certified part", file=sys.stderr)
+    if options.json:
+        print_document(view.document(found, cited))
+    else:
+        text = [*row_lines(found.outcome), ""] if options.verbose else []
+        text += view.screen(found, cited)
+        sys.stdout.write("".join(f"{line}\n" for line in text))
+    return EXIT_CODES[found.verdict]
+
+
+def _side(
+    option: str, text: str | None, read: Callable[[str], Fraction]
+) -> tuple[Fraction, Fraction]:
+    """The ends of a closed interval, or a number twice.
+
+    Raises:
+        InputError: if the first end is larger, or an end is outside its range.
+    """
+    parts = ("1" if text is None else text).split("..", 1)
+    low, high = read(parts[0]), read(parts[-1])
+    if low > high:
+        raise InputError(f"{option}: write the smaller end of {shown(text or '')} first")
+    return low, high
+
+
 def _scan(options: Options) -> int:
     """Print the verdict at many values of r; the exit code is that of the worst."""
     from verify.jobs.scan import scan  # loaded only where it is used
     from verify.views.ranges import show_ranges
 
-    if options.steps is None or ".." not in options.r:
-        raise InputError(
-            "--r: A..B needs --steps and the other way round; write --r 0.02..0.04 --steps 9"
-        )
+    if ".." not in options.r:
+        raise InputError("--steps: needs an interval of r; write --r 0.02..0.04 --steps 9")
     _leave_out(options, "--steps", (*POINT_OPTIONS, "out", "constants", "verbose"))
     ends = [_restitution(part) for part in options.r.split("..", 1)]
     if ends[0] >= ends[1]:

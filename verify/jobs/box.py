@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import NamedTuple
 
 from verify.jobs.arguments import Writing, proof_of
 from verify.jobs.everywhere import decide_everywhere
+from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Cite, Constant, Statement
 from verify.language.terms import Claim, Term, as_term
 from verify.paper.argument import Chapter, Line, Opened, ToBeFound
 from verify.paper.everywhere import box as paper
 from verify.paper.everywhere.theorem import NAME as EVERYWHERE
+from verify.prover.decimals import round_decimal
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.rules import Applying
@@ -20,56 +21,70 @@ from verify.wire.write import write
 
 Side = tuple[Fraction, Fraction]
 
-#: The largest denominator of an end of the part where the hypotheses hold.
-FINEST = 10**9
+#: Digits of the last r of a part on which the hypotheses hold.
+DIGITS = 9
+#: How many parts the interval of c is cut into to look for the largest such part.
+PARTS = 16
 
 
-class Box(NamedTuple):
+class Box(Record):
     """Closed intervals of r and of -cos theta_0."""
 
     r: Side
     c: Side
 
+    @property
+    def area(self) -> Fraction:
+        """The product of the lengths of the sides."""
+        return (self.r[1] - self.r[0]) * (self.c[1] - self.c[0])
 
-def excess(r: Fraction, c: Fraction) -> Fraction:
-    """Positive where the stability condition holds: it falls in r and, where it is 0, grows in c."""
-    return (1 + r) ** 2 * c**3 / 8 - 3 * r * c / 2 - r
+
+class Answer(Record):
+    """The verdict on a box, the part of it that is certified, and what is certified about that.
+
+    If the box is undecided, the part is one on which the hypotheses hold, and the outcome is about
+    that part.
+    """
+
+    box: Box
+    verdict: str
+    part: Box
+    outcome: Outcome
+
+
+def answer(box: Box, v_0: Fraction, delta_theta: Fraction) -> Answer:
+    """Whether the hypotheses, and the theorem, hold at all points of a box."""
+    found = verdict(box)
+    part = largest_part(box) if found == UNDECIDED else box
+    return Answer(box, found, part, decide_box(part, v_0, delta_theta))
 
 
 def verdict(box: Box) -> str:
     """Whether the hypotheses hold on the whole box, fail on the whole box, or neither."""
-    if excess(box.r[1], box.c[0]) > 0:
+    if paper.excess(box.r[1], box.c[0]) > 0:
         return PROVED
-    return REFUTED if excess(box.r[0], box.c[1]) <= 0 else UNDECIDED
+    return REFUTED if paper.excess(box.r[0], box.c[1]) <= 0 else UNDECIDED
 
 
 def largest_part(box: Box) -> Box:
     """A part of an undecided box on which the hypotheses hold: the largest of some."""
     (low, high), (first, last) = box
-    found = []
-    for k in range(17):
-        c = first + (last - first) * k / 16
-        if excess(low, c) > 0:
-            found.append(Box((low, _last_r(low, high, c)), (c, last)))
-    if not found:  # only next to the corner
-        found.append(Box((low, low), (last, last)))
-    return max(found, key=lambda part: (_length(part.r) * _length(part.c), _length(part.r)))
-
-
-def _length(side: Side) -> Fraction:
-    return side[1] - side[0]
+    ends = [first + (last - first) * k / PARTS for k in range(PARTS + 1)]
+    good = [c for c in ends if paper.excess(low, c) > 0]
+    parts = [Box((low, _last_r(low, high, c)), (c, last)) for c in good]
+    return max(parts, key=lambda part: (part.area, part.r[1]))
 
 
 def _last_r(low: Fraction, high: Fraction, c: Fraction) -> Fraction:
-    """An r up to which the condition holds with this c, close to the last one."""
-    if excess(high, c) > 0:
+    """An r up to which the condition holds with this c, close to the last such r."""
+    if paper.excess(high, c) > 0:
         return high
     good, bad = low, high
-    while bad - good > Fraction(1, FINEST):
+    while (bad - good) * 10**DIGITS > bad:
         middle = (good + bad) / 2
-        good, bad = (middle, bad) if excess(middle, c) > 0 else (good, middle)
-    short = Fraction(good.numerator * FINEST // good.denominator, FINEST)
-    return max(low, short)
+        good, bad = (middle, bad) if paper.excess(middle, c) > 0 else (good, middle)
+    mantissa, exponent = round_decimal(good, DIGITS, up=False)
+    return max(low, mantissa * Fraction(10) ** exponent)
 
 
 def decide_box(box: Box, v_0: Fraction, delta_theta: Fraction) -> Outcome:
@@ -80,7 +95,7 @@ def decide_box(box: Box, v_0: Fraction, delta_theta: Fraction) -> Outcome:
     """
     found = verdict(box)
     if found == UNDECIDED:
-        raise ValueError("the hypotheses hold on a part of the box")
+        raise ValueError("the hypotheses hold on a part of the box only")
     values = dict(zip(paper.PARAMETERS, (*box.r, *box.c, v_0, delta_theta), strict=True))
     files = write(decide_everywhere())
     cite = Cite(
@@ -89,6 +104,23 @@ def decide_box(box: Box, v_0: Fraction, delta_theta: Fraction) -> Outcome:
     holds = found == PROVED
     terms = {name: as_term(value) for name, value in values.items()}
     return BoxRun(paper.statement(terms, cite, holds=holds)).run(holds=holds)
+
+
+def are_ends(parameters: Mapping[str, Term]) -> bool:
+    """Whether these are the parameters of a box on which the hypotheses hold everywhere."""
+    if tuple(sorted(parameters)) != tuple(sorted(paper.PARAMETERS)):
+        return False
+    if any(term.op != "rational" for term in parameters.values()):
+        return False
+    ((r_low, r_high), (c_low, c_high)), v_0, delta_theta = read(parameters)
+    in_range = 0 < r_low <= r_high < 1 and 0 < c_low <= c_high <= 1 and min(v_0, delta_theta) > 0
+    return in_range and verdict(Box((r_low, r_high), (c_low, c_high))) == PROVED
+
+
+def read(parameters: Mapping[str, Term]) -> tuple[Box, Fraction, Fraction]:
+    """The box, V_0 and delta_theta that are the parameters of a statement."""
+    r_low, r_high, c_low, c_high, *others = (parameters[n].value for n in paper.PARAMETERS)
+    return Box((r_low, r_high), (c_low, c_high)), others[0], others[1]
 
 
 class BoxRun:

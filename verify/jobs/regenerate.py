@@ -10,7 +10,7 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from verify.jobs import everywhere, spectrum, step, theorem1
+from verify.jobs import box, everywhere, spectrum, step, theorem1
 from verify.jobs.parameters import are_allowed
 from verify.language.statement import PROVED
 from verify.language.terms import Term
@@ -49,6 +49,8 @@ def _outcomes(parameters: Mapping[str, Term]) -> Iterator[Outcome]:
         yield spectrum.decide_spectrum()
         yield step.decide_step()
         yield everywhere.decide_everywhere()
+    elif box.are_ends(parameters):
+        yield box.decide_box(*box.read(parameters))
     elif are_allowed(parameters):
         for selection in SELECTIONS:
             yield theorem1.decide_point(parameters, selection)

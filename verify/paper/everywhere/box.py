@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from typing import TypeVar
 
 from verify.language.statement import (
     NEEDED,
@@ -45,7 +46,10 @@ r_low, r_high, c_low, c_high = map(symbol, ("r_low", "r_high", "c_low", "c_high"
 PARAMETERS = ("r_low", "r_high", "c_low", "c_high", "V_0", "delta_theta")
 
 
-def excess(at_r: Term, at_c: Term) -> Term:
+Number = TypeVar("Number", Term, Fraction)
+
+
+def excess(at_r: Number, at_c: Number) -> Number:
     """The number g(r, c), which is positive where the stability condition holds."""
     return (1 + at_r) ** 2 * at_c**3 / 8 - 3 * at_r * at_c / 2 - at_r
 

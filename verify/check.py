@@ -1449,7 +1449,8 @@ class Reader:
         need(good, Malformed, "{}: found {} of such a claim", item["name"], item["verdict"])
         where = "" if context is self.kernel.outermost else f" for all of {context.name}"
         words = f"{words}{where}" if item["verdict"] == "proved" else f"not ({words}{where})"
-        words = f"{item['name']} [{item['label']}] {words}"
+        label = f" [{item['label']}]" if item["label"] else ""
+        words = f"{item['name']}{label} {words}"
         return Row(item["name"], context, item["role"], item["verdict"], claim, words)
 
     def claim(
@@ -1716,7 +1717,10 @@ def check(first: bytes, second: bytes, available: Mapping[str, bytes]) -> Report
     refuted = any(row.verdict == "refuted" for row in needed)
     verdict = "REFUSED" if checking.complaints else "REFUTED" if refuted else "PROVED"
     lines = checking.lines + [f"assumed {name}: {s}" for name, s in statement.assumptions.items()]
-    return Report(verdict, lines, summary(statement), digest, statement.cites)
+    words = summary(statement)
+    if checking.complaints:  # what the statement claims is not counted as if it were shown
+        words = f"{statement.title}: not shown; refused above: {len(checking.complaints)}"
+    return Report(verdict, lines, words, digest, statement.cites)
 
 
 def summary(statement: Statement) -> str:
@@ -1772,6 +1776,9 @@ def read_folders(arguments: Sequence[str]) -> list[Folder]:
     pairs = [(path, *(os.path.join(path, name) for name in names)) for path in arguments]
     if len(arguments) == 2 and not any(map(os.path.isdir, arguments)):
         pairs = [(arguments[1], arguments[0], arguments[1])]
+    else:  # nobody waits for a pipe that lies in a folder
+        for path in (path for _, *files in pairs for path in files if os.path.exists(path)):
+            need(os.path.isfile(path), OSError, "found {}, which is no file", path)
     for path, first, second in pairs:
         others = read_cited(os.path.join(os.path.dirname(first), "cited"))
         found.append(Folder(path, read_file(first), read_file(second), others))
@@ -1806,6 +1813,7 @@ def main(arguments: Sequence[str]) -> int:
     """Check what the command line names, print the report, and return the exit code."""
     try:
         need(arguments, OSError, "found no folder; write: check.py FOLDER")
+        need(all(arguments), OSError, "found an empty name of a folder")
         folders = read_folders(arguments)
         code, lines = check_folders(folders)
     except (OSError, ValueError) as error:

@@ -59,8 +59,7 @@ def test_the_report_of_what_is_not() -> None:
     assert code == 1
     assert lines[0].startswith("REFUSED row [L] lhs < rhs: found [2")
     assert lines[1] == "proved  next [L] lhs < rhs"
-    assert lines[2].startswith("REFUSED: T's title: 2 needed proved, 0 printed proved")
-    assert lines[2].endswith("; given nothing")
+    assert lines[2] == "REFUSED: T's title: not shown; refused above: 1"
     code, lines = answer(refuted())
     assert code == 1
     assert lines[-1].startswith(
@@ -172,6 +171,7 @@ def test_a_refused_pair_under_optimisation() -> None:
     ("arguments", "word"),
     [((), "found no folder; write: check.py FOLDER"), (("/nowhere",), "/nowhere/statement.json"),
      (("/",), "/statement.json"), (("\0",), "null"), (("/nowhere", "/nowhere"), "/nowhere"),
+     (("",), "found an empty name of a folder"),
      (("/etc/passwd",), "/etc/passwd/statement.json")],
 )  # fmt: skip
 def test_what_cannot_be_read(arguments: tuple[str, ...], word: str, capsys: Any) -> None:
@@ -232,14 +232,30 @@ def test_closed_streams(folder: str) -> None:
     assert shell(">/dev/full 2>/dev/full", folder).returncode == 2
 
 
-def test_interrupted_while_it_reads(tmp_path: Path) -> None:
-    os.mkfifo(tmp_path / "statement.json")
-    command = [sys.executable, "-I", check.__file__, str(tmp_path)]
+def test_interrupted_while_it_checks() -> None:
+    folders = [str(Path(check.__file__).parents[1] / "certificates" / "step")] * 100
+    command = [sys.executable, "-I", check.__file__, *folders]
     process = subprocess.Popen(command, stderr=subprocess.PIPE, encoding="utf-8")
     time.sleep(0.5)
     process.send_signal(signal.SIGINT)
     _, errors = process.communicate(timeout=10)
     assert (process.returncode, errors) == (130, "check: interrupted\n")
+
+
+@pytest.mark.parametrize("name", ["statement.json", "certificate.json"])
+def test_nobody_waits_for_a_pipe_in_a_folder(tmp_path: Path, name: str) -> None:
+    folder = subprocess_folder(proved())
+    Path(folder, name).unlink()
+    os.mkfifo(Path(folder, name))
+    done = run(folder, timeout=10)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == f"check: found {folder}/{name}, which is no file\n"
+
+
+def test_a_row_without_a_label() -> None:
+    pair = Pair().row("row", "0 <= 1", INTERVAL)
+    pair.statement["obligations"][0]["label"] = ""
+    assert answer(pair)[1][0] == "proved  row lhs <= rhs"
 
 
 def test_a_letter_that_the_terminal_does_not_have(tmp_path: Path) -> None:

@@ -105,7 +105,8 @@ def folders_at(paths: Sequence[str]) -> list[check.Folder]:
         for name in paths if pair else [os.path.join(path, name) for name in NAMES]:
             if not os.path.isfile(name):
                 quoted = shown(name, LONGEST_PATH)
-                raise InputError(f"path: {quoted} does not exist; name a certificate's folder")
+                what = "is no file" if os.path.exists(name) else "does not exist"
+                raise InputError(f"path: {quoted} {what}; name a certificate's folder")
     try:
         return check.read_folders(paths)
     except (OSError, ValueError) as error:
@@ -168,6 +169,8 @@ def _row(judged: CheckedFolder) -> dict[str, Any]:
     row |= {"title": None, "needed": None, "printed": None, "assumptions": []}
     if judged.report is not None:
         row |= _content(judged.folder.statement)
+    if judged.verdict == "REFUSED":  # what the statement claims is not counted as if it were shown
+        row |= {"needed": None, "printed": None}
     row["complaints"] = [
         line for line in judged.lines if line.startswith(("REFUSED ", f"{MALFORMED}: "))
     ]

@@ -9,7 +9,15 @@ from hashlib import sha256
 import pytest
 
 from verify import check
-from verify.jobs.box import Box, answer, are_ends, decide_box, largest_part, read, verdict
+from verify.jobs.box import (
+    ParameterBox,
+    answer,
+    are_ends,
+    decide_box,
+    largest_part,
+    read_box,
+    verdict,
+)
 from verify.jobs.regenerate import is_right_statement
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term, as_term
@@ -24,9 +32,9 @@ from verify.wire.write import write
 V_0, DELTA = Fraction(1), Fraction(1, 10)
 
 
-def box(*ends: str) -> Box:
+def box(*ends: str) -> ParameterBox:
     a, b, c, d = map(Fraction, ends)
-    return Box((a, b), (c, d))
+    return ParameterBox((a, b), (c, d))
 
 
 HOLDS = box("0.02", "0.04", "0.97", "1")
@@ -47,7 +55,7 @@ def report(outcome: Outcome) -> check.Report:
 @pytest.mark.parametrize(
     ("some", "expected"), [(HOLDS, PROVED), (FAILS, REFUTED), (TOUCHING, REFUTED)]
 )
-def test_the_checker_agrees(some: Box, expected: str) -> None:
+def test_the_checker_agrees(some: ParameterBox, expected: str) -> None:
     outcome = decide_box(some, V_0, DELTA)
     assert verdict(some) == outcome.verdict == expected
     assert report(outcome).verdict == expected.upper()
@@ -83,7 +91,7 @@ def test_random_boxes_against_the_hypothesis_itself() -> None:
     for _ in range(200):
         r = sorted(Fraction(chosen.randrange(1, 999), 1000) ** 3 for _ in range(2))
         c = sorted(Fraction(chosen.randrange(1, 1001), 1000) for _ in range(2))
-        some = Box((r[0], r[1]), (c[0], c[1]))
+        some = ParameterBox((r[0], r[1]), (c[0], c[1]))
         share = [Fraction(k, 4) for k in range(5)]
         points = [
             (r[0] + (r[1] - r[0]) * x, c[0] + (c[1] - c[0]) * y) for x in share for y in share
@@ -106,7 +114,7 @@ def test_the_statement_is_the_one_that_the_program_makes() -> None:
 
 def test_what_the_ends_of_a_box_may_be() -> None:
     ends: dict[str, Term] = dict(decide_box(HOLDS, V_0, DELTA).statement.parameters)
-    assert read(ends) == (HOLDS, V_0, DELTA)
+    assert read_box(ends) == (HOLDS, V_0, DELTA)
     assert are_ends(ends)
     for name, value in (("r_low", 0), ("r_low", 1), ("c_high", 2), ("V_0", 0), ("c_low", -1)):
         assert not are_ends({**ends, name: as_term(value)}), name

@@ -26,7 +26,7 @@ from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.rules import Interval, Sum
 from verify.prover.session import Session
-from verify.views.words import definitions, group_verdict, groups
+from verify.views.words import definitions_of, group_verdict, groups
 
 #: What the printed proof gets wrong at r = 3/100, theta_0 = pi; the README lists them.
 REFUTED_AT_3_100 = {
@@ -110,7 +110,7 @@ def every_row() -> list[Obligation]:
 def ground_of(changed: dict[str, Term] | None = None) -> Ground:
     """The constants at r = 3/100, theta_0 = pi, some with other values, to decide claims."""
     ground = Ground(Session())
-    known = definitions(outcome_at("3/100", "1")) | (changed or {})
+    known = definitions_of(outcome_at("3/100", "1")) | (changed or {})
     for name, term in known.items():
         ground.define(Constant(name, name, name, "", term))
     return ground
@@ -165,7 +165,7 @@ def choices() -> list[Choice]:
 def test_each_chosen_constant_is_the_last_that_works(choice: Choice) -> None:
     """One more unit in the last digit breaks a row: no slack was built in."""
     name = choice.constant.name
-    value = definitions(outcome_at("3/100", "1"))[name].value
+    value = definitions_of(outcome_at("3/100", "1"))[name].value
     unit = Fraction(1, 10 ** decimals(value))
     value += -unit if choice.direction == "up" else unit
     ground = ground_of({name: as_term(value)})
@@ -181,7 +181,7 @@ def decimals(value: Fraction) -> int:
 
 
 def chosen(outcome: Outcome) -> dict[str, Fraction]:
-    known = definitions(outcome)
+    known = definitions_of(outcome)
     return {c.constant.short_name: known[c.constant.name].value for c in choices()}
 
 
@@ -259,7 +259,7 @@ def test_a_choice_that_meets_its_bound_exactly(r: str, c: str) -> None:
 
 def test_the_choices_do_not_depend_on_the_last_precision() -> None:
     """V_1 - V_0 is within 10^-300 of a decimal with three digits."""
-    ratio = definitions(decide_point(parameters("1/25", "25/26"), "repaired"))
+    ratio = definitions_of(decide_point(parameters("1/25", "25/26"), "repaired"))
     ground = Ground(Session())
     for name, term in ratio.items():
         ground.define(Constant(name, name, name, "", term))

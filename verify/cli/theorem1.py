@@ -198,13 +198,16 @@ def _box(options: Options) -> int:
     from verify.views import box as view
     from verify.views.everywhere import row_lines
 
-    found, cited = box.answer(box.Box(*sides), v_0, delta_theta), step.decide_step().assumptions
+    found, cited = (
+        box.answer(box.ParameterBox(*sides), v_0, delta_theta),
+        step.decide_step().assumptions,
+    )
     if options.out is not None and found.verdict != UNDECIDED:
         write_certificate("--out", options.out, found.outcome)
     elif options.out is not None:
         print("verify: no certificate was written; ask for the certified part", file=sys.stderr)
     if options.json:
-        print_document(view.document(found, cited))
+        print_document(view.box_document(found, cited))
     else:
         text = [*row_lines(found.outcome), ""] if options.verbose else []
         text += view.screen(found, cited)

@@ -27,7 +27,7 @@ DIGITS = 9
 PARTS = 16
 
 
-class Box(Record):
+class ParameterBox(Record):
     """Closed intervals of r and of -cos theta_0."""
 
     r: Side
@@ -46,32 +46,32 @@ class Answer(Record):
     that part.
     """
 
-    box: Box
+    box: ParameterBox
     verdict: str
-    part: Box
+    part: ParameterBox
     outcome: Outcome
 
 
-def answer(box: Box, v_0: Fraction, delta_theta: Fraction) -> Answer:
+def answer(box: ParameterBox, v_0: Fraction, delta_theta: Fraction) -> Answer:
     """Whether the hypotheses, and the theorem, hold at all points of a box."""
     found = verdict(box)
     part = largest_part(box) if found == UNDECIDED else box
     return Answer(box, found, part, decide_box(part, v_0, delta_theta))
 
 
-def verdict(box: Box) -> str:
+def verdict(box: ParameterBox) -> str:
     """Whether the hypotheses hold on the whole box, fail on the whole box, or neither."""
     if paper.excess(box.r[1], box.c[0]) > 0:
         return PROVED
     return REFUTED if paper.excess(box.r[0], box.c[1]) <= 0 else UNDECIDED
 
 
-def largest_part(box: Box) -> Box:
+def largest_part(box: ParameterBox) -> ParameterBox:
     """A part of an undecided box on which the hypotheses hold: the largest of some."""
     (low, high), (first, last) = box
     ends = [first + (last - first) * k / PARTS for k in range(PARTS + 1)]
     good = [c for c in ends if paper.excess(low, c) > 0]
-    parts = [Box((low, _last_r(low, high, c)), (c, last)) for c in good]
+    parts = [ParameterBox((low, _last_r(low, high, c)), (c, last)) for c in good]
     return max(parts, key=lambda part: (part.area, part.r[1]))
 
 
@@ -87,7 +87,7 @@ def _last_r(low: Fraction, high: Fraction, c: Fraction) -> Fraction:
     return max(low, mantissa * Fraction(10) ** exponent)
 
 
-def decide_box(box: Box, v_0: Fraction, delta_theta: Fraction) -> Outcome:
+def decide_box(box: ParameterBox, v_0: Fraction, delta_theta: Fraction) -> Outcome:
     """The theorem at all points of a box on which its hypotheses hold, or fail, everywhere.
 
     Raises:
@@ -112,15 +112,15 @@ def are_ends(parameters: Mapping[str, Term]) -> bool:
         return False
     if any(term.op != "rational" for term in parameters.values()):
         return False
-    ((r_low, r_high), (c_low, c_high)), v_0, delta_theta = read(parameters)
+    ((r_low, r_high), (c_low, c_high)), v_0, delta_theta = read_box(parameters)
     in_range = 0 < r_low <= r_high < 1 and 0 < c_low <= c_high <= 1 and min(v_0, delta_theta) > 0
-    return in_range and verdict(Box((r_low, r_high), (c_low, c_high))) == PROVED
+    return in_range and verdict(ParameterBox((r_low, r_high), (c_low, c_high))) == PROVED
 
 
-def read(parameters: Mapping[str, Term]) -> tuple[Box, Fraction, Fraction]:
+def read_box(parameters: Mapping[str, Term]) -> tuple[ParameterBox, Fraction, Fraction]:
     """The box, V_0 and delta_theta that are the parameters of a statement."""
     r_low, r_high, c_low, c_high, *others = (parameters[n].value for n in paper.PARAMETERS)
-    return Box((r_low, r_high), (c_low, c_high)), others[0], others[1]
+    return ParameterBox((r_low, r_high), (c_low, c_high)), others[0], others[1]
 
 
 class BoxRun:

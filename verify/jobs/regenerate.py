@@ -50,7 +50,7 @@ def _outcomes(parameters: Mapping[str, Term]) -> Iterator[Outcome]:
         yield step.decide_step()
         yield everywhere.decide_everywhere()
     elif box.are_ends(parameters):
-        yield box.decide_box(*box.read(parameters))
+        yield box.decide_box(*box.read_box(parameters))
     elif are_allowed(parameters):
         for selection in SELECTIONS:
             yield theorem1.decide_point(parameters, selection)

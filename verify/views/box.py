@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from verify.jobs.box import Answer, Box
+from verify.jobs.box import Answer, ParameterBox
 from verify.language.statement import PROVED, REFUTED, Assumption
 from verify.views.document import assumption_document, claims_document
 from verify.views.everywhere import THEOREM
@@ -40,7 +40,7 @@ def screen(answer: Answer, cited: tuple[Assumption, ...]) -> Iterator[str]:
     )
 
 
-def _words(box: Box) -> str:
+def _words(box: ParameterBox) -> str:
     return f"r {_side(box.r)} and -cos θ₀ {_side(box.c)}"
 
 
@@ -49,7 +49,7 @@ def _side(side: tuple[Fraction, Fraction]) -> str:
     return f"= {low}" if low == high else f"in [{low}, {high}]"
 
 
-def _command(box: Box) -> str:
+def _command(box: ParameterBox) -> str:
     return f"--r {_range(box.r)} --neg-cos {_range(box.c)}"
 
 
@@ -57,7 +57,7 @@ def _range(side: tuple[Fraction, Fraction]) -> str:
     return f"{side[0]}..{side[1]}"
 
 
-def document(answer: Answer, cited: tuple[Assumption, ...]) -> dict[str, Any]:
+def box_document(answer: Answer, cited: tuple[Assumption, ...]) -> dict[str, Any]:
     """One JSON document; its claims are about the part that is certified."""
     found = claims_document(answer.outcome, "theorem1", FORMAT)
     parameters = answer.outcome.statement.parameters
@@ -75,5 +75,5 @@ def document(answer: Answer, cited: tuple[Assumption, ...]) -> dict[str, Any]:
     return found
 
 
-def _sides(box: Box) -> dict[str, list[str]]:
+def _sides(box: ParameterBox) -> dict[str, list[str]]:
     return {"r": list(map(str, box.r)), "neg_cos_theta0": list(map(str, box.c))}

@@ -10,7 +10,7 @@ from verify.prover import balls
 from verify.prover.decimals import outward
 from verify.prover.outcome import Enclosure, Ends, Outcome
 from verify.prover.program import Machine, Program, Run
-from verify.views.words import definitions
+from verify.views.words import definitions_of
 
 #: Bits beyond those asked for; what cancels in the formulas takes some of them.
 GUARD_BITS = 64
@@ -22,11 +22,11 @@ def sharpened(outcome: Outcome, bits: int) -> Outcome:
     An enclosure that would not be narrower stays.
     """
     program = Program(())
-    for name, term in definitions(outcome).items():
+    for name, term in definitions_of(outcome).items():
         program.define(name, term)
     with balls.precision(bits + GUARD_BITS):
         run = Machine(program, balls.BallArithmetic()).run(())
-        known = definitions(outcome)
+        known = definitions_of(outcome)
         enclosures = {
             name: _narrower(run, old, (known[name],), bits)
             for name, old in outcome.enclosures.items()

@@ -159,7 +159,7 @@ def _place(name: str) -> tuple[int, str]:
 # --- constants -----------------------------------------------------------------------------------
 
 
-def definitions(outcome: Outcome) -> dict[str, Term]:
+def definitions_of(outcome: Outcome) -> dict[str, Term]:
     """What each parameter and each constant without variables stands for."""
     statement = outcome.statement
     return {**parameters_of(outcome), **{c.name: c.term for c in statement.constants}}
@@ -248,7 +248,7 @@ def in_numbers(outcome: Outcome) -> str | None:
 
 def theorem_in_numbers(outcome: Outcome) -> str:
     """The theorem with the repaired constants as the short decimals that they are."""
-    known = definitions(outcome)
+    known = definitions_of(outcome)
 
     def value(name: str) -> str:
         number = known[f"{REPAIRED}.{name}"].value

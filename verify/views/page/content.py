@@ -26,7 +26,7 @@ from verify.paper.parameters import THEOREM
 from verify.paper.theorem1 import theorem
 from verify.prover.decimals import outward, short
 from verify.prover.outcome import Decision, Ends, Outcome
-from verify.views.markdown import bound_of_each, values
+from verify.views.markdown import bound_of_each, values_table
 from verify.views.mathml import MathML
 from verify.views.page.blocks import (
     Block,

@@ -139,10 +139,10 @@ def _evidence(row: Obligation, decision: Decision, typesetter: Typesetter) -> st
     if sides is not None and isinstance(row.claim, Claim):
         sign = _SIGNS[row.claim.relation]
         return f"{short(sides[0])} {sign} {short(sides[1])}"
-    return "at " + values_table(decision, typesetter) if decision.witness else ""
+    return "at " + witness_text(decision, typesetter) if decision.witness else ""
 
 
-def values_table(decision: Decision, typesetter: Typesetter) -> str:
+def witness_text(decision: Decision, typesetter: Typesetter) -> str:
     """The values at which a claim about all values is false."""
     pairs = decision.witness.items()
     return ", ".join(f"{typesetter.term(symbol(n))} = {typesetter.term(t)}" for n, t in pairs)

@@ -26,7 +26,7 @@ from verify.paper.parameters import THEOREM
 from verify.paper.theorem1 import theorem
 from verify.prover.decimals import outward, short
 from verify.prover.outcome import Decision, Ends, Outcome
-from verify.views.markdown import bound_of_each, values_table
+from verify.views.markdown import bound_of_each, witness_text
 from verify.views.mathml import MathML
 from verify.views.page.blocks import (
     Block,
@@ -305,7 +305,8 @@ def _margin(writer: Writer, row: Obligation, found: Decision) -> Cell:
     """An enclosure of right - left, from the certified ends of both; or where the claim fails."""
     sides = sides_of(row, found)
     if sides is None:
-        return [Text(f"(false at {values(found, writer.typesetter)})" if found.witness else "")]
+        where = witness_text(found, writer.typesetter) if found.witness else ""
+        return [Text(f"(false at {where})" if where else "")]
     lhs, rhs = sides
     margin = (rhs[0] - lhs[1], rhs[1] - lhs[0])
     low, high = outward(margin, 20)

@@ -192,7 +192,7 @@ def _angle() -> Iterator[Item]:
             "|cos θ' - cos θ| ≤ d + d' + 4 V₁^{1/2} τ",
         )
     for side in ("upper", "lower"):
-        yield carried(
+        yield next_condition(
             f"Cnd8-{side}",
             f"{CND}8",
             "|(-cos θ_n) - (-cos θ₀)| stays below the sum of all later changes",
@@ -303,7 +303,7 @@ def _norms() -> Iterator[Item]:
         yield Line(name, claim, proof(*addends, using=using), label, says)
     for new, old, letter in (("A", "B", "c"), ("B", "A", "s")):
         for side in ("upper", "lower"):
-            yield carried(
+            yield next_condition(
                 f"{new}-{side}",
                 f"{CND}6",
                 f"|W_{letter}'|² stays between V₀ and V₁ by the sum of all later changes",
@@ -313,7 +313,7 @@ def _norms() -> Iterator[Item]:
             )
 
 
-def carried(name: str, label: str, says: str, *addends: Factor, using: str = "") -> Line:
+def next_condition(name: str, label: str, says: str, *addends: Factor, using: str = "") -> Line:
     """A condition of the recursion at the next state."""
     return Line(
         f"next-{name}", at_next(conditions()[name]), proof(*addends, using=using), label, says

@@ -18,7 +18,7 @@ from verify.paper.argument import (
     times,
 )
 from verify.paper.parameters import THEOREM
-from verify.paper.step.collision import carried, half, impact
+from verify.paper.step.collision import half, impact, next_condition
 from verify.paper.step.flight import SHIFT
 from verify.paper.step.numbers import (
     V_0,
@@ -183,16 +183,18 @@ def _y() -> Iterator[Item]:
         f"{CND}1",
         "η_c'/(-η_c) ≤ -δ₂",
     )
-    yield carried("Cnd1", f"{CND}1", "η_c' < 0", "y-survives", times("delta_2-positive", "Cnd1"))
-    yield carried(
+    yield next_condition(
+        "Cnd1", f"{CND}1", "η_c' < 0", "y-survives", times("delta_2-positive", "Cnd1")
+    )
+    yield next_condition(
         "Cnd2", f"{CND}2", "|η_c'| ≤ C_η^{n+1} |η_{c,0}|", "y-contracts",
         times("C_eta-positive", "Cnd2"),
     )  # fmt: skip
-    yield carried(
+    yield next_condition(
         "g-bound", f"{CND}2", "C_η^{n+1} |η_{c,0}| ≤ η̄", "g-bound",
         times("g-positive", "C_eta-below-one"),
     )  # fmt: skip
-    yield carried(
+    yield next_condition(
         "recedes",
         "EQUATSS4.1EvoluCompoNormC",
         "η_s' > 0: the pair that just met separates",
@@ -221,7 +223,7 @@ def _x() -> Iterator[Item]:
             times("phi-positive", "gap-positive", f"x-term-{side}"),
             times("r-below-one", "small-positive"),
         )
-        yield carried(
+        yield next_condition(
             f"Cnd9-{side}",
             f"{CND}9",
             "|x_{n+1}| ≤ (1-h₄/2) δ_x",
@@ -368,15 +370,15 @@ def _zeta() -> Iterator[Item]:
             using="D",
         ),
     )
-    yield carried("Cnd4", f"{CND}4", "ζ' ≤ ζ̄", "zeta-product-next", using="d_next")
+    yield next_condition("Cnd4", f"{CND}4", "ζ' ≤ ζ̄", "zeta-product-next", using="d_next")
     size = times(power("D-positive", 2), power("next-Cnd1", 2))
-    yield carried(
+    yield next_condition(
         "Cnd3", f"{CND}3", "ζ' < 1", "zeta-product-next", times(size, "init-Cnd3"), using="d_next"
     )
 
 
 def _time() -> Iterator[Item]:
-    yield carried(
+    yield next_condition(
         "clock-bound",
         THEOREM,
         "the time of the next collision is at most 2ζ̄(η̄ - C_η^{n+1}|η_{c,0}|)/(V₀(1-C_η))",

@@ -1,0 +1,95 @@
+"""No two modules, functions or classes of one name for different things.
+
+The same name in two places is an interface: what is listed here means the same thing wherever it
+stands. `verify/check.py` is left out: it imports nothing of the package, and says by the names
+of the language and of the rules that it means the same by them.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections import defaultdict
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOM = Path(__file__).parent.parent / "verify"
+
+#: Public names that several modules share: what each of them is there, and in which rooms.
+SHARED = {
+    "add_arguments": ("the options of a command", ("cli",)),
+    "run": ("what a command does, or the program", ("cli", "__main__.py")),
+    "screen": ("what a terminal shows of an outcome", ("views",)),
+    "figure": ("the figure that a module of plots draws", ("views",)),
+    "statement": ("the statement of a part of the paper", ("paper",)),
+    "chapters": ("the chapters of a part", ("paper",)),
+    "context": ("the context of a chapter", ("paper",)),
+    "following": ("the state after a collision", ("paper",)),
+    "definitions": ("what the constants of a context are", ("paper",)),
+    "conditions": ("what the givens of a context are", ("paper",)),
+    "lines": ("the lines of a chapter, in its context", ("paper",)),
+    "ground_lines": ("the lines of a chapter that have no variables", ("paper",)),
+    "rows": ("the rows of a section of the paper", ("paper",)),
+    # Each part of the paper writes vectors in letters of its own.
+    "Frame": ("the inner products of the vectors of a part", ("paper",)),
+    "add": ("the sum of two vectors", ("paper",)),
+    "minus": ("the difference of two vectors", ("paper",)),
+    "scale": ("a multiple of a vector", ("paper",)),
+    "vector": ("the vector with some entries", ("paper",)),
+    "inner": ("the inner product", ("paper",)),
+}
+
+#: A subject has one name in every room: its command, its job, its views, its part of the paper.
+SUBJECTS = {
+    *("bench", "check", "everywhere", "explain", "graph", "report", "spectrum", "stress"),
+    *("theorem1", "parameters", "box"),
+}
+
+#: A part of the paper is a folder; these are its modules, named alike in each.
+PARTS = {
+    *("assumptions", "collision", "conclusion", "flight", "recursion", "theorem", "triangle"),
+    *("chart", "law", "state"),
+}
+
+
+def modules() -> Iterator[Path]:
+    for path in sorted(ROOM.rglob("*.py")):
+        if path != ROOM / "check.py":
+            yield path
+
+
+def definitions(path: Path) -> Iterator[str]:
+    for node in ast.parse(path.read_text(encoding="utf-8")).body:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
+            yield node.name
+
+
+def places() -> dict[str, list[str]]:
+    found: dict[str, list[str]] = defaultdict(list)
+    for path in modules():
+        for name in definitions(path):
+            found[name].append(path.relative_to(ROOM).as_posix())
+    return found
+
+
+def test_a_name_in_two_places_means_one_thing() -> None:
+    strange = {}
+    for name, where in places().items():
+        rooms = {path.split("/")[0] for path in where}
+        if len(where) > 1 and not (name in SHARED and rooms <= set(SHARED[name][1])):
+            strange[name] = where
+    assert not strange
+
+
+def test_modules_of_one_name_have_one_subject() -> None:
+    found: dict[str, list[str]] = defaultdict(list)
+    for path in modules():
+        if path.stem not in ("__init__", "__main__"):
+            found[path.stem].append(path.relative_to(ROOM).parts[0])
+    strange = {}
+    for name, rooms in found.items():
+        one_a_room = len(set(rooms)) == len(rooms)
+        inside_paper = set(rooms) == {"paper"}
+        fine = (name in SUBJECTS and one_a_room) or (name in PARTS and inside_paper)
+        if len(rooms) > 1 and not fine:
+            strange[name] = rooms
+    assert not strange

@@ -1,0 +1,1 @@
+"""The flow of three inelastic hard spheres, one collision at a time, in inner products."""

@@ -1,0 +1,22 @@
+"""One collision of the flow as a statement: what a scene applies to each of its collisions."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from verify.paper.argument import Argument, argue
+from verify.paper.flow import changes, collision, pairs
+from verify.paper.flow.assumptions import ASSUMPTIONS
+
+NAME = "flow"
+TITLE = (
+    "One collision of three inelastic hard spheres in inner products, for every state from which "
+    "it is the next one"
+)
+
+
+@cache
+def flow() -> Argument:
+    """The statement, built once per process."""
+    parts = (*collision.chapters(), *changes.chapters(), *pairs.chapters())
+    return argue(NAME, TITLE, parts, ASSUMPTIONS)

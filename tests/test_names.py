@@ -25,6 +25,7 @@ SHARED = {
     "context": ("the context of a chapter", ("paper",)),
     "following": ("the state after a collision", ("paper",)),
     "definitions": ("what the constants of a context are", ("paper",)),
+    "givens": ("what a context is given", ("paper",)),
     "conditions": ("what the givens of a context are", ("paper",)),
     "lines": ("the lines of a chapter, in its context", ("paper",)),
     "ground_lines": ("the lines of a chapter that have no variables", ("paper",)),

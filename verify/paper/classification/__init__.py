@@ -1,0 +1,1 @@
+"""Which collapses there are: four theorems beyond the paper, for every state."""

@@ -1,0 +1,128 @@
+"""How a context of these theorems is written down, and vectors of which only products are known."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from verify.language.record import Record
+from verify.language.statement import Context, Given, Variable
+from verify.language.terms import Claim, Number, Term, as_term, symbol
+
+#: A vector as a combination of named ones.
+Vector = Mapping[str, Term]
+
+#: How letters are written in LaTeX, where that is not their name.
+TEX = {
+    "cos ": r"\cos ",
+    "√r": r"\sqrt r",
+    "·": r"\cdot ",
+    "²": "^2",
+    "η": r"\eta",
+    "θ": r"\theta",
+    "μ": r"\mu",
+    "ρ": r"\rho",
+    "σ": r"\sigma",
+    "τ": r"\tau ",
+    "ω": r"\omega",
+}
+
+
+class Letters:
+    """The variables of one context; their names begin with its name, as in ``flight.W``."""
+
+    def __init__(self, context: str, **letters: str) -> None:
+        self.context, self.letters = context, letters
+
+    def __getattr__(self, name: str) -> Term:
+        """The variable of this name."""
+        if name.startswith("_") or name not in self.letters:
+            raise AttributeError(name)
+        return symbol(self.full(name))
+
+    def full(self, name: str) -> str:
+        """The name of a variable as it stands in files."""
+        return f"{self.context}.{name}"
+
+    def variables(self) -> tuple[Variable, ...]:
+        """The variables, in order."""
+        return tuple(
+            Variable(self.full(name), letter, tex(letter)) for name, letter in self.letters.items()
+        )
+
+    def at(self, **values: Number) -> dict[str, Term]:
+        """Values for all variables, by their names in files."""
+        if set(values) != set(self.letters):
+            raise ValueError(f"{self.context} has the variables {', '.join(self.letters)}")
+        return {self.full(name): as_term(values[name]) for name in self.letters}
+
+    def point(self, text: str) -> dict[str, Term]:
+        """Rational values for all variables, written with spaces between."""
+        numbers = map(Fraction, text.split())
+        return self.at(**dict(zip(self.letters, numbers, strict=True)))
+
+    def opened(
+        self,
+        says: str,
+        point: str,
+        givens: Mapping[str, Claim],
+        parent: str | None = None,
+    ) -> Context:
+        """The context, with the names of its givens, and a point with rational coordinates."""
+        named = tuple(Given(f"{self.context}-{name}", claim) for name, claim in givens.items())
+        return Context(self.context, self.variables(), named, self.point(point), parent, says)
+
+
+def tex(letter: str) -> str:
+    """A letter in LaTeX."""
+    for sign, command in TEX.items():
+        letter = letter.replace(sign, command)
+    return letter
+
+
+def vector(name: str, factor: Number = 1) -> Vector:
+    """A multiple of a named vector."""
+    return {name: as_term(factor)}
+
+
+def add(*vectors: Vector) -> Vector:
+    """The sum of some vectors."""
+    total: dict[str, Term] = {}
+    for summand in vectors:
+        for name, value in summand.items():
+            total[name] = total[name] + value if name in total else value
+    return total
+
+
+def scale(number: Number, x: Vector) -> Vector:
+    """A multiple of a vector."""
+    one = as_term(1)
+    return {name: as_term(number) if value is one else number * value for name, value in x.items()}
+
+
+def minus(x: Vector, z: Vector) -> Vector:
+    """The difference of two vectors."""
+    return add(x, scale(-1, z))
+
+
+class Space(Record):
+    """What is known of the inner products of named vectors: only those that are listed."""
+
+    products: Mapping[tuple[str, str], Term]
+
+    def known(self, i: str, j: str) -> Term:
+        """The inner product of two of the named vectors."""
+        return self.products[(i, j) if (i, j) in self.products else (j, i)]
+
+    def dot(self, x: Vector, z: Vector) -> Term:
+        """The inner product of two combinations."""
+        total: Term | None = None
+        for i, p in x.items():
+            for j, q in z.items():
+                part = p * q * self.known(i, j)
+                total = part if total is None else total + part
+        return as_term(0) if total is None else total
+
+    def cauchy_schwarz(self, x: Vector, z: Vector) -> Claim:
+        """(x.z)^2 <= |x|^2 |z|^2."""
+        return self.dot(x, z) ** 2 <= self.dot(x, x) * self.dot(z, z)

@@ -1,0 +1,92 @@
+"""At a collapse of three balls: the angles at the ends of the longest side are acute.
+
+l_01, l_02, l_12 are the limiting distances, and 12 is a pair of the largest one. x and z are the
+vectors from ball 1 to the balls 0 and 2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from verify.language.statement import Context
+from verify.language.terms import Term, equal
+from verify.paper.argument import (
+    Chapter,
+    Item,
+    Line,
+    Opened,
+    identity,
+    plus,
+    power,
+    proof,
+    times,
+)
+from verify.paper.classification.settings import Letters, Space, minus, vector
+
+LABEL = "DEFINSS3.5CollapseTriangu"
+ORDER = "PROPOSS3.5OrdreTriagColla"
+
+l = Letters("limit", a="|01|", b="|02|", c="|12|")  # noqa: E741
+g = Letters("sides", xx="|x|²", zz="|z|²", xz="x·z")
+space = Space({("x", "x"): g.xx, ("z", "z"): g.zz, ("x", "z"): g.xz})
+
+
+def limit() -> Context:
+    """Three limiting distances, 12 the largest or one of the largest."""
+    return l.opened(
+        "limiting distances of three balls; no pair is farther apart than 12",
+        "1 1 1",
+        {
+            "01": 0 < l.a,
+            "02": 0 < l.b,
+            "12": 0 < l.c,
+            "01-least": l.a <= l.c,
+            "02-least": l.b <= l.c,
+        },
+    )
+
+
+def cosine(first: Term, second: Term, opposite: Term) -> Term:
+    """The cosine of the angle between two sides, by the law of cosines."""
+    return (first**2 + second**2 - opposite**2) / (2 * first * second)
+
+
+def chapters() -> Iterator[Chapter]:
+    """The law of cosines, and the two cosines."""
+    sides = g.opened("x and z are any two vectors", "1 1 0", {})
+    yield Chapter(None, (Opened(limit()), Opened(sides)))
+    x, z = vector("x"), vector("z")
+    law = Line(
+        "law-of-cosines",
+        equal(2 * space.dot(x, z), g.xx + g.zz - space.dot(minus(z, x), minus(z, x))),
+        identity(),
+        LABEL,
+        "2 x·z = |x|² + |z|² - |z-x|²",
+    )
+    yield Chapter(g.context, (law,))
+    yield Chapter("limit", tuple(_lines()))
+
+
+def _lines() -> Iterator[Item]:
+    yield Line("side-12", 0 < 2 * l.c, proof(times(2, "limit-12")))
+    for ball, own, other, far in (("1", l.a, "01", l.b), ("2", l.b, "02", l.a)):
+        longer = "limit-02-least" if ball == "1" else "limit-01-least"
+        apart = "limit-02" if ball == "1" else "limit-01"
+        yield Line(
+            f"side-{other}", 0 < 2 * own * l.c, proof(times(2, f"limit-{other}", "limit-12"))
+        )
+        larger = times(longer, plus(longer, times(2, apart)))
+        yield Line(
+            f"cosine-{ball}",
+            own / (2 * l.c) <= cosine(own, l.c, far),
+            proof(times(2, "limit-12", larger)),
+            ORDER,
+            f"the limiting cosine at ball {ball} is at least |{other}|/(2|12|)",
+        )
+        yield Line(
+            f"cosine-{ball}-positive",
+            0 < cosine(own, l.c, far),
+            proof(power(f"limit-{other}", 2), larger),
+            ORDER,
+            f"the limiting angle at ball {ball} is acute",
+        )

@@ -7,7 +7,8 @@ from fractions import Fraction
 from functools import cache
 
 from verify.jobs import arguments
-from verify.jobs import step as step_job
+from verify.jobs.citing import applying
+from verify.jobs.step import decide_step
 from verify.language.statement import REFUTED, UNDECIDED, Constant, Obligation, Statement
 from verify.language.terms import (
     Claim,
@@ -24,7 +25,6 @@ from verify.paper.everywhere.theorem import printed_statement, statement
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.step import numbers
-from verify.paper.step.theorem import COLLAPSE
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.positivity import NotFoundError, Positivity, Square
@@ -79,7 +79,7 @@ TRIED = (
 @cache
 def decide_everywhere() -> Outcome:
     """Every row for all parameters; what is not found is left undecided."""
-    cited = write(step_job.decide_step())["statement.json"]
+    cited = write(decide_step())["statement.json"]
     return Everywhere(statement(cited), REPAIRED).run()
 
 
@@ -274,7 +274,7 @@ class Everywhere:
 
     def _apply(self) -> None:
         between = {name: self.ring.lemma(claim) for name, claim in numbers.BETWEEN.items()}
-        self.writing.decide(self.writing.rows[COLLAPSE], step_job.applying(between))
+        self.writing.decide(self.writing.rows[numbers.COLLAPSE], applying(between))
 
 
 def _one_plus(*facts: str) -> tuple[object, ...]:

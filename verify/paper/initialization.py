@@ -17,7 +17,6 @@ from verify.paper.preliminaries import alpha_0, h_4, phi_minus
 from verify.paper.rows import HARMLESS, SLIP
 
 DATA = "EQUATSS4.1DescrDoIniColla"
-CND = "EQUATSS4.1Recurrence_Cnd"
 ZETA_0 = "EQUATSS4.1BorneParam_ZK0_"
 D_1 = "EQUATSS4.1BorneDista_d_1_"
 
@@ -26,8 +25,15 @@ def rows(k: ConstantSet) -> Iterator[Obligation]:
     """Yield the rows of the initialization, in the paper's order."""
     yield from _set(k)
     yield from _interior(k)
-    yield k.row("init-Cnd1", f"{CND}1", "η_{c,0} < 0 by assumption", -k.eta_bar < 0)
-    yield k.row("init-Cnd2", f"{CND}2", "|η_{c,0}| ≤ η̄ by construction", k.eta_bar <= k.eta_bar)
+    yield k.row(
+        "init-Cnd1", "EQUATSS4.1Recurrence_Cnd1", "η_{c,0} < 0 by assumption", -k.eta_bar < 0
+    )
+    yield k.row(
+        "init-Cnd2",
+        "EQUATSS4.1Recurrence_Cnd2",
+        "|η_{c,0}| ≤ η̄ by construction",
+        k.eta_bar <= k.eta_bar,
+    )
     yield from _zeta(k)
     yield from _norms(k)
     yield from _no_outer_collision(k)
@@ -87,11 +93,15 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
         corrected_by="init-Cnd4",
     )
     yield k.row(
-        "init-Cnd3", f"{CND}3", "ζ₀ < 1", k.zeta_bar < 1, ["zeta-from-distance", "collision-map"]
+        "init-Cnd3",
+        "EQUATSS4.1Recurrence_Cnd3",
+        "ζ₀ < 1",
+        k.zeta_bar < 1,
+        ["zeta-from-distance", "collision-map"],
     )
     yield k.row(
         "init-Cnd4",
-        f"{CND}4",
+        "EQUATSS4.1Recurrence_Cnd4",
         "ζ₀ ≤ 2 d₀ |W_{c,0}|²/η_{c,0}² ≤ ζ̄, with d₀ = k_d η_{c,0}²",
         2 * k.V_1 * k.d_slope <= k.zeta_bar,
         ["zeta-from-distance"],
@@ -107,15 +117,24 @@ def _zeta(k: ConstantSet) -> Iterator[Obligation]:
 def _norms(k: ConstantSet) -> Iterator[Obligation]:
     """V₀ + (V₁-V₀)/3 ≤ |W_{c,0}|², |W_{s,0}|² ≤ V₁ - (V₁-V₀)/3 gives Cnd5."""
     third = (k.V_1 - V_0) / 3
-    yield k.row("init-Cnd5-lower", f"{CND}5", "V₀ ≤ |W|² at n = 0", V_0 <= V_0 + third)
-    yield k.row("init-Cnd5-upper", f"{CND}5", "|W|² ≤ V₁ at n = 0", k.V_1 - third <= k.V_1)
+    yield k.row(
+        "init-Cnd5-lower", "EQUATSS4.1Recurrence_Cnd5", "V₀ ≤ |W|² at n = 0", V_0 <= V_0 + third
+    )
+    yield k.row(
+        "init-Cnd5-upper", "EQUATSS4.1Recurrence_Cnd5", "|W|² ≤ V₁ at n = 0", k.V_1 - third <= k.V_1
+    )
     empty_sum = 4 * (k.speed + 2) * 0
-    yield k.row("init-Cnd6", f"{CND}6", "trivial since n = 0 (it is Cnd7, n even)", 0 <= empty_sum)
+    yield k.row(
+        "init-Cnd6",
+        "EQUATSS4.1Recurrence_Cnd6",
+        "trivial since n = 0 (it is Cnd7, n even)",
+        0 <= empty_sum,
+    )
 
 
 def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
     """|(1+d₀)ω_{c,0} - ω_{s,0} + τ(W_{c,0}-W_{s,0})| ≥ √2 - d₀ - 2V₁^{1/2}τ₀ > 1."""
-    cnd = f"{CND}T"
+    cnd = "EQUATSS4.1Recurrence_CndT"
     yield k.row("init-d_0-below-one", cnd, "1 + d₀ ≤ 2, used in the bound on τ₀", k.d_bar <= 1)
     tau_0 = k.tau_crude * k.zeta_bar
     obtuse = sqrt(2 + 2 * (c - k.initial_slack))
@@ -147,7 +166,7 @@ def _angle(k: ConstantSet) -> Iterator[Obligation]:
     )
     yield k.row(
         "init-Cnd8",
-        f"{CND}8",
+        "EQUATSS4.1Recurrence_Cnd8",
         "d₀ + d₁ + 4V₁^{1/2} τ₀ ≤ d₀ + 11 (V₁^{1/2}/V₀)(-η_{c,0})",
         k.d_bar + k.d_later + 4 * k.speed * k.tau_crude <= k.d_bar + 11 * k.speed / V_0 * k.eta_bar,
         ["law-angle", "angle-step"],
@@ -156,10 +175,12 @@ def _angle(k: ConstantSet) -> Iterator[Obligation]:
 
 def _cnd9(k: ConstantSet) -> Iterator[Obligation]:
     """|η_{s,0}/(-η_{c,0}) - φ⁻| ≤ |x₀|, so that η_{s,0}/(-η_{c,0}) ≤ α₀/2."""
-    yield k.row("init-Cnd9", f"{CND}9", "|x₀| ≤ δ_x by assumption", k.x_0 <= k.delta_x)
+    yield k.row(
+        "init-Cnd9", "EQUATSS4.1Recurrence_Cnd9", "|x₀| ≤ δ_x by assumption", k.x_0 <= k.delta_x
+    )
     yield k.row(
         "init-ratio",
-        f"{CND}10",
+        "EQUATSS4.1Recurrence_Cnd10",
         "|η_{s,0}/η_{c,0}| ≤ φ⁻ + |x₀| ≤ α₀/2",
         phi_minus + k.x_0 <= alpha_0 / 2,
     )
@@ -167,7 +188,7 @@ def _cnd9(k: ConstantSet) -> Iterator[Obligation]:
 
 def _y_terms_1_and_2(k: ConstantSet) -> Iterator[Obligation]:
     """[1/(1+d₁) - 1] η_{s,0}/η_{c,0} + [φ⁻ - η_{s,0}/(-η_{c,0})]."""
-    cnd = f"{CND}10"
+    cnd = "EQUATSS4.1Recurrence_Cnd10"
     yield k.row(
         "init-y-term-1",
         cnd,
@@ -185,7 +206,7 @@ def _y_term_3(k: ConstantSet) -> Iterator[Obligation]:
     for name, letter, size in (("d", "d₀", k.d_bar), ("zeta", "2ζ₀", 2 * k.zeta_bar)):
         yield k.row(
             f"init-y-term-3-{name}",
-            f"{CND}10",
+            "EQUATSS4.1Recurrence_Cnd10",
             f"third term of y₀, at most max(d₀, 2ζ₀): {letter} ≤ h₄δ_x/4",
             size <= h_4 * k.delta_x / 4,
             ["y-step", "root-product"],
@@ -194,7 +215,7 @@ def _y_term_3(k: ConstantSet) -> Iterator[Obligation]:
 
 def _y_terms_4_and_5(k: ConstantSet) -> Iterator[Obligation]:
     """((1+r)/2)(-ω_{s,1}·ω_{c,1}) - α₀, then τ₀ |W_{s,0}|²/((1+d₁) η_{c,0}); and the sum of all."""
-    cnd = f"{CND}10"
+    cnd = "EQUATSS4.1Recurrence_Cnd10"
     quarter = h_4 * k.delta_x / 4
     yield k.row(
         "init-y-term-4",

@@ -28,7 +28,6 @@ from verify.paper.preliminaries import (
 )
 from verify.paper.rows import BREAKS, HARMLESS, SLIP
 
-CND = "EQUATSS4.1Recurrence_Cnd"
 TAU = "EQUATSS4.1_Controle_Tau_n"
 NORM = "EQUATSS4.1EvoluNormeVitRl"
 X_LINK = "EQUATSS4.1Lien_x_n_&_y_n_"
@@ -77,7 +76,7 @@ def _small_distance(k: ConstantSet) -> Iterator[Obligation]:
     tau_n <= (1 + zeta_n/2) d_n/(-eta_{c,n}) and tau_n <= 2 (-eta_{c,n}) zeta_n/V_0, its right-hand
     side is at most d_n times the number of the row.
     """
-    cnd = f"{CND}6"
+    cnd = "EQUATSS4.1Recurrence_Cnd6"
     yield k.row("d_0-below-one", cnd, "1 + d_n ≤ 2 for n = 0", k.d_bar <= 1)
     yield k.row("d-below-one", cnd, "1 + d_n ≤ 2 for n ≥ 1", k.d_later <= 1, ["distance", "time"])
     yield from k.misprint(
@@ -94,7 +93,7 @@ def _small_distance(k: ConstantSet) -> Iterator[Obligation]:
 
 def _small_time(k: ConstantSet) -> Iterator[Obligation]:
     """(-η_{c,n})² ≤ -η_{c,n} ≤ 1; V₁τ_n² ≤ V₁^{1/2}τ_n ≤ 1 (`EQUATSS4.1_Controle_Tau_n`)."""
-    yield k.row("eta-below-one", f"{CND}6", "η² ≤ η ≤ 1", k.eta_bar <= 1)
+    yield k.row("eta-below-one", "EQUATSS4.1Recurrence_Cnd6", "η² ≤ η ≤ 1", k.eta_bar <= 1)
     yield k.row(
         "tau-small", TAU, "V₁ τ_n² ≤ V₁^{1/2} τ_n ≤ 1", k.speed * k.tau_crude <= 1, ["time"]
     )
@@ -122,7 +121,7 @@ def _norm_law(k: ConstantSet) -> Iterator[Obligation]:
 
 def _norm_factors(k: ConstantSet) -> Iterator[Obligation]:
     """… ≤ 2 |W_{s,n}| |W_{c,n}·ω_{s,n+1}| + 2 |W_{c,n}·ω_{s,n+1}|²."""
-    cnd = f"{CND}6"
+    cnd = "EQUATSS4.1Recurrence_Cnd6"
     yield k.row("norm-factor-1", cnd, "1+r ≤ 2", 1 + r <= 2)
     yield k.row("norm-factor-2", cnd, "(1+r)²/4 ≤ (1+r)²/2 ≤ 2", (1 + r) ** 2 / 2 <= 2)
     yield k.row("norm-factor-3", cnd, "|W_{s,n+1}|² - |W_{c,n}|² ≤ 0: r² - 1 ≤ 0", r**2 - 1 <= 0)
@@ -133,14 +132,14 @@ def _norm_steps(k: ConstantSet) -> Iterator[Obligation]:
     step = 4 * (k.speed + 2)
     yield k.row(
         "norm-c-upper",
-        f"{CND}6",
+        "EQUATSS4.1Recurrence_Cnd6",
         "2V₁^{1/2}(1+d_n)η + 2(1+d_n)²η² ≤ 4(V₁^{1/2}+2)η, divided by η = -η_{c,n}",
         2 * k.speed * (1 + k.d_any) + 2 * (1 + k.d_any) ** 2 * k.eta_bar <= step,
         ["law-norms", "norm-step"],
     )
     yield k.row(
         "norm-s-upper",
-        f"{CND}6",
+        "EQUATSS4.1Recurrence_Cnd6",
         "(1+d_n)²η² ≤ 4η, divided by η = -η_{c,n}",
         (1 + k.d_any) ** 2 * k.eta_bar <= 4,
         ["law-norms", "norm-step"],
@@ -152,14 +151,14 @@ def _norm_steps_below(k: ConstantSet) -> Iterator[Obligation]:
     step = 4 * (k.speed + 2)
     yield k.row(
         "norm-c-lower",
-        f"{CND}6",
+        "EQUATSS4.1Recurrence_Cnd6",
         "|W_{c,n+1}|² - |W_{s,n}|² ≥ -(1+r)V₁^{1/2}(1+d_n)η ≥ -4(V₁^{1/2}+2)η",
         (1 + r) * k.speed * (1 + k.d_any) <= step,
         ["law-norms", "norm-step"],
     )
     yield k.row(
         "norm-s-lower",
-        f"{CND}6",
+        "EQUATSS4.1Recurrence_Cnd6",
         "|W_{s,n+1}|² - |W_{c,n}|² ≥ -(1-r²)(1+d_n)²η² ≥ -4(V₁^{1/2}+2)η",
         (1 - r**2) * (1 + k.d_any) ** 2 * k.eta_bar <= step,
         ["law-norms", "norm-step"],
@@ -172,7 +171,7 @@ def _norm_bounds(k: ConstantSet) -> Iterator[Obligation]:
     Cnd6 and Cnd7 are printed as upper bounds; with absolute values, which the same constants
     bound, they give both halves.
     """
-    cnd = f"{CND}5"
+    cnd = "EQUATSS4.1Recurrence_Cnd5"
     third = (k.V_1 - V_0) / 3
     yield k.row(
         "Cnd5-upper",
@@ -203,14 +202,14 @@ def _norm_bounds(k: ConstantSet) -> Iterator[Obligation]:
 def _y_small(k: ConstantSet) -> Iterator[Obligation]:
     """|y_n| ≤ δ₂ and |y_n| ≤ δ₃, by Cnd10."""
     says = "|y_n| ≤ δ₂ by Cnd10"
-    yield k.row("y-below-delta_2", f"{CND}1", says, k.delta_y <= delta_2)
+    yield k.row("y-below-delta_2", "EQUATSS4.1Recurrence_Cnd1", says, k.delta_y <= delta_2)
     says = "|y_n| ≤ δ₃ by Cnd10"
-    yield k.row("y-below-delta_3", f"{CND}2", says, k.delta_y <= delta_3)
+    yield k.row("y-below-delta_3", "EQUATSS4.1Recurrence_Cnd2", says, k.delta_y <= delta_3)
 
 
 def _eta_chain(k: ConstantSet) -> Iterator[Obligation]:
     """-1 < -1 + δ₃ ≤ φ⁻ - α₀ + y_n ≤ -δ₂ < 0, hence Cnd1 and Cnd2 for n+1."""
-    cnd1, cnd2 = f"{CND}1", f"{CND}2"
+    cnd1, cnd2 = "EQUATSS4.1Recurrence_Cnd1", "EQUATSS4.1Recurrence_Cnd2"
     yield k.row("eta-chain-1", cnd2, "-1 < -1 + δ₃", -1 < -1 + delta_3)
     yield k.row(
         "eta-chain-2",
@@ -240,7 +239,7 @@ def _zeta_root(k: ConstantSet) -> Iterator[Obligation]:
     """1-√(1-ζ_n) ≤ ζ_n/2 + ζ_n²/4 as soon as ζ_n ≤ 2(√2-1)."""
     yield k.row(
         "zeta-root",
-        f"{CND}4",
+        "EQUATSS4.1Recurrence_Cnd4",
         "ζ_n ≤ 2(√2-1), where 1-√(1-ζ) ≤ ζ/2 + ζ²/4",
         k.zeta_bar <= 2 * (sqrt(2) - 1),
         ["root-fine"],
@@ -252,7 +251,7 @@ def _zeta_time(k: ConstantSet) -> Iterator[Obligation]:
 
     tau/(-eta_c) >= zeta/(2 |W_c|^2); the state has |W_c|^2 = V_0 and a small zeta.
     """
-    cnd = f"{CND}4"
+    cnd = "EQUATSS4.1Recurrence_Cnd4"
     zeta = minimum(k.zeta_bar, V_0 / 16)
     yield from k.misprint(
         "zeta-time-square",
@@ -281,7 +280,7 @@ def _zeta_time(k: ConstantSet) -> Iterator[Obligation]:
 
 def _zeta_term_2(k: ConstantSet) -> Iterator[Obligation]:
     """(|W_{c,n+1}|²/|W_{c,n}|²) |x_n|/(φ⁻-α₀+y_n)² ≤ (V₁/V₀) |x_n|/δ₂² ≤ h₅/12."""
-    cnd = f"{CND}4"
+    cnd = "EQUATSS4.1Recurrence_Cnd4"
     bound = k.V_1 / V_0 / delta_2**2
     yield k.row(
         "zeta-denominator",
@@ -298,7 +297,7 @@ def _zeta_term_2(k: ConstantSet) -> Iterator[Obligation]:
     )
     yield k.row(
         "zeta-x-bound",
-        f"{CND}9",
+        "EQUATSS4.1Recurrence_Cnd9",
         "Cnd9 implies |x_n| ≤ (V₀/V₁) δ₂² h₅/12",
         k.delta_x <= V_0 / k.V_1 * (delta_2**2 * h_5 / 12),
         if_false=BREAKS,
@@ -341,7 +340,7 @@ def _last_two(k: ConstantSet) -> Term:
 
 def _zeta_terms_3_and_4(k: ConstantSet) -> Iterator[Obligation]:
     """… ≤ (V₁/V₀) (α₀/2)/δ₂² and … ≤ (V₁²/V₀²) 4/δ₂², as |x_n| ≤ δ₁."""
-    cnd = f"{CND}4"
+    cnd = "EQUATSS4.1Recurrence_Cnd4"
     ratio = k.V_1 / V_0
     square = _ratio_square(k)
     yield k.row(
@@ -368,7 +367,7 @@ def _zeta_terms_3_and_4(k: ConstantSet) -> Iterator[Obligation]:
 
 def _zeta_remainders(k: ConstantSet) -> Iterator[Obligation]:
     """V₁/(2V₀δ₂²)(α₀ + 8V₁/V₀) ζ_n ≤ h₅/6, and the three remainder terms ≤ h₅/12 + h₅/6 = h₅/4."""
-    cnd = f"{CND}4"
+    cnd = "EQUATSS4.1Recurrence_Cnd4"
     yield k.row(
         "zeta-terms-3-4",
         cnd,
@@ -396,8 +395,10 @@ def _zeta_remainders(k: ConstantSet) -> Iterator[Obligation]:
 
 def _zeta_main_term(k: ConstantSet) -> Iterator[Obligation]:
     """(|W_{c,n+1}|²/|W_{c,n}|²) φ⁻/(φ⁻-α₀+y_n)² ≤ (V₁/V₀)(1-h₅) ≤ 1-h₅/2."""
-    cnd = f"{CND}4"
-    yield k.row("zeta-y-bound", f"{CND}10", "|y_n| ≤ δ₅ by Cnd10", k.delta_y <= delta_5)
+    cnd = "EQUATSS4.1Recurrence_Cnd4"
+    yield k.row(
+        "zeta-y-bound", "EQUATSS4.1Recurrence_Cnd10", "|y_n| ≤ δ₅ by Cnd10", k.delta_y <= delta_5
+    )
     yield k.row(
         "zeta-main-y",
         cnd,
@@ -416,7 +417,7 @@ def _zeta_main_term(k: ConstantSet) -> Iterator[Obligation]:
 
 def _zeta_propagates(k: ConstantSet) -> Iterator[Obligation]:
     """ζ_{n+1} ≤ (1-h₅/2) ζ_n + (h₅/4) ζ_n = (1-h₅/4) ζ_n, hence Cnd3 and Cnd4 for n+1."""
-    cnd = f"{CND}4"
+    cnd = "EQUATSS4.1Recurrence_Cnd4"
     ratio = k.V_1 / V_0
     square = _ratio_square(k)
     yield k.row("zeta-sum", cnd, "(1-h₅/2) + h₅/4 = 1-h₅/4", (1 - h_5 / 2) + h_5 / 4 <= 1 - h_5 / 4)
@@ -435,7 +436,7 @@ def _zeta_propagates(k: ConstantSet) -> Iterator[Obligation]:
     )
     yield k.row(
         "Cnd3",
-        f"{CND}3",
+        "EQUATSS4.1Recurrence_Cnd3",
         "ζ_{n+1} ≤ (1-h₅/4) ζ̄ < 1",
         (1 - h_5 / 4) * k.zeta_bar < 1,
         ["collision-map"],
@@ -444,7 +445,7 @@ def _zeta_propagates(k: ConstantSet) -> Iterator[Obligation]:
 
 def _outer_directions(k: ConstantSet) -> Iterator[Obligation]:
     """The angle is obtuse, cos θ_{n+1} < 0, hence |ω_{c,n+1} - ω_{s,n+1}| ≥ √2."""
-    cnd = f"{CND}T"
+    cnd = "EQUATSS4.1Recurrence_CndT"
     yield k.row(
         "obtuse",
         cnd,
@@ -463,7 +464,7 @@ def _outer_directions(k: ConstantSet) -> Iterator[Obligation]:
 
 def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
     """The distance 1-2 ≥ √2 - 3(V₁^{1/2}/V₀)(-η_{c,n}) - 4(V₁^{1/2}/V₀)(-η_{c,n+1}) > 1."""
-    cnd = f"{CND}T"
+    cnd = "EQUATSS4.1Recurrence_CndT"
     total = 3 * k.speed / V_0 * k.eta_bar + 4 * k.speed / V_0 * k.eta_bar
     half = (sqrt(2) - 1) / 2
     yield k.row(
@@ -504,7 +505,7 @@ def _angle_step(k: ConstantSet) -> Iterator[Obligation]:
     )
     yield k.row(
         "angle-step-time",
-        f"{CND}8",
+        "EQUATSS4.1Recurrence_Cnd8",
         "V₁^{1/2} τ + 2V₁^{1/2} τ + V₁ τ² ≤ 8 (V₁^{1/2}/V₀)(-η_{c,n+1})",
         3 * k.speed * k.tau_crude + k.V_1 * k.tau_crude**2 <= 8 * k.speed / V_0 * k.eta_bar,
         ["law-angle", "angle-step"],
@@ -542,7 +543,7 @@ def _absolute(term: Term) -> Term:
 
 def _angle_sum(k: ConstantSet) -> Iterator[Obligation]:
     """… ≤ 3(V₁^{1/2}/V₀)(-η_{c,n}) + (3+8)(V₁^{1/2}/V₀)(-η_{c,n+1}), hence Cnd8 for n+1."""
-    cnd = f"{CND}8"
+    cnd = "EQUATSS4.1Recurrence_Cnd8"
     yield k.row(
         "angle-step",
         cnd,
@@ -573,16 +574,28 @@ def _x_term_1(k: ConstantSet) -> Iterator[Obligation]:
     uses = ["x-step", "root-product"]
     half = h_4 * k.delta_x / 2
     d, zeta = k.d_later, 2 * k.zeta_bar
-    yield k.row("x-term-1-d_0", f"{CND}9", says.format("d₀"), k.d_bar / delta_2 <= half, uses)
+    yield k.row(
+        "x-term-1-d_0",
+        "EQUATSS4.1Recurrence_Cnd9",
+        says.format("d₀"),
+        k.d_bar / delta_2 <= half,
+        uses,
+    )
     yield k.row(
         "x-term-1-d",
-        f"{CND}9",
+        "EQUATSS4.1Recurrence_Cnd9",
         says.format("d_n, n ≥ 1"),
         d / delta_2 <= half,
         uses,
         if_false=BREAKS,
     )
-    yield k.row("x-term-1-zeta", f"{CND}9", says.format("2ζ_n"), zeta / delta_2 <= half, uses)
+    yield k.row(
+        "x-term-1-zeta",
+        "EQUATSS4.1Recurrence_Cnd9",
+        says.format("2ζ_n"),
+        zeta / delta_2 <= half,
+        uses,
+    )
 
 
 def _sums_alone(k: ConstantSet) -> Iterator[Obligation]:
@@ -642,8 +655,10 @@ def _d_sum(k: ConstantSet, d: Term, share: Term) -> Iterator[Obligation]:
 
 def _x_term_2(k: ConstantSet) -> Iterator[Obligation]:
     """|r/(α₀-φ⁻-y_n) - φ⁻| ≤ (1-h₄)|y_n| ≤ (1-h₄)δ_x, since |y_n| ≤ δ₄."""
-    cnd = f"{CND}9"
-    yield k.row("x-y-bound", f"{CND}10", "|y_n| ≤ δ₄ by Cnd10", k.delta_y <= delta_4)
+    cnd = "EQUATSS4.1Recurrence_Cnd9"
+    yield k.row(
+        "x-y-bound", "EQUATSS4.1Recurrence_Cnd10", "|y_n| ≤ δ₄ by Cnd10", k.delta_y <= delta_4
+    )
     yield k.row(
         "x-contraction",
         cnd,
@@ -666,12 +681,14 @@ def _x_improved(k: ConstantSet) -> Iterator[Obligation]:
         h_4 * k.delta_x / 2 + (1 - h_4) * k.delta_x <= better,
         ["law-eta-s", "x-step"],
     )
-    yield k.row("x-propagates", f"{CND}9", "(1-h₄/2)δ_x < δ_x", better < k.delta_x)
+    yield k.row(
+        "x-propagates", "EQUATSS4.1Recurrence_Cnd9", "(1-h₄/2)δ_x < δ_x", better < k.delta_x
+    )
 
 
 def _y_terms_1_and_2(k: ConstantSet) -> Iterator[Obligation]:
     """d_{n+2} η_{s,n+1}/(-η_{c,n+1}) + max(d_{n+1}, 2ζ_{n+1})."""
-    cnd = f"{CND}10"
+    cnd = "EQUATSS4.1Recurrence_Cnd10"
     eighth = h_4 * k.delta_x / 8
     yield k.row(
         "y-ratio",
@@ -698,7 +715,7 @@ def _y_terms_1_and_2(k: ConstantSet) -> Iterator[Obligation]:
 
 def _y_terms_3_and_4(k: ConstantSet) -> Iterator[Obligation]:
     """|(-cos θ_{n+2}) - (-cos θ₀)| + V₁ τ_{n+1}/(-η_{c,n+1})."""
-    cnd = f"{CND}10"
+    cnd = "EQUATSS4.1Recurrence_Cnd10"
     eighth = h_4 * k.delta_x / 8
     yield k.row(
         "y-term-3",
@@ -722,7 +739,7 @@ def _y_sum(k: ConstantSet) -> Iterator[Obligation]:
     eighth = h_4 * k.delta_x / 8
     yield k.row(
         "y-sum",
-        f"{CND}10",
+        "EQUATSS4.1Recurrence_Cnd10",
         "|y_{n+1}| ≤ 4 · h₄δ_x/8 + (1-h₄/2)δ_x = δ_x",
         eighth + eighth + eighth + eighth + (1 - h_4 / 2) * k.delta_x <= k.delta_y,
         ["law-eta-c", "y-step"],

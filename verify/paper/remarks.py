@@ -5,7 +5,7 @@ from __future__ import annotations
 from verify.language.record import Record
 from verify.paper.initial_data import D_0, ETA, X_0
 from verify.paper.parameters import THEOREM
-from verify.paper.recursion import CND, X_LINK
+from verify.paper.recursion import X_LINK
 
 
 class Remark(Record):
@@ -35,11 +35,19 @@ REMARKS = (
         "The set asks for d₀ ≤ d̄ only: 0 < d₀ is part of the model, `EQUATSS2.2LoiEvDistaInit1`. "
         "Likewise η_{s,0} > 0 is what post-collisional means, `EQUATSS2.2LoiEvW1Om1Init1`.",
     ),
-    Remark(f"{CND}2", "The second inequality is stated for all k ≤ n and means 1 ≤ k ≤ n."),
-    Remark(f"{CND}6", "Called trivial at n = 0, where Cnd7 applies, as 0 is even."),
-    Remark(f"{CND}6", "Cited in the second term of ζ_{n+1} for a bound that Cnd5 gives."),
     Remark(
-        f"{CND}8",
+        "EQUATSS4.1Recurrence_Cnd2",
+        "The second inequality is stated for all k ≤ n and means 1 ≤ k ≤ n.",
+    ),
+    Remark(
+        "EQUATSS4.1Recurrence_Cnd6", "Called trivial at n = 0, where Cnd7 applies, as 0 is even."
+    ),
+    Remark(
+        "EQUATSS4.1Recurrence_Cnd6",
+        "Cited in the second term of ζ_{n+1} for a bound that Cnd5 gives.",
+    ),
+    Remark(
+        "EQUATSS4.1Recurrence_Cnd8",
         "The induction is announced for Cnd1 to Cnd8, and Cnd9 and Cnd10 are used and proved too.",
     ),
     Remark(
@@ -47,11 +55,14 @@ REMARKS = (
         "d_n ≤ 1 is not among the conditions; it is used to bound τ_n, which serves to bound d_n.",
     ),
     Remark(
-        f"{CND}4",
+        "EQUATSS4.1Recurrence_Cnd4",
         "The factor 1+d_n disappears between two displays; `zeta-dropped-factor` shows that it "
         "may.",
     ),
-    Remark(f"{CND}4", "In the display with h₅/12 the absolute value of x_n is missing."),
+    Remark(
+        "EQUATSS4.1Recurrence_Cnd4",
+        "In the display with h₅/12 the absolute value of x_n is missing.",
+    ),
     Remark(X_LINK, "The term with τ_n/(-η_{c,n}) needs the bound on τ_n with its factor ζ_n."),
     Remark(
         THEOREM,

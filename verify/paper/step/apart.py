@@ -22,7 +22,6 @@ from verify.paper.argument import (
 )
 from verify.paper.parameters import THEOREM
 from verify.paper.step.state import (
-    CND,
     CONTEXT,
     A,
     S,
@@ -111,7 +110,7 @@ def _others() -> Iterator[Item]:
         "outer-pair-apart",
         1 < dot(outer, outer),
         _outer_reason(),
-        f"{CND}T",
+        "EQUATSS4.1Recurrence_CndT",
         "the outer pair s-c is apart for all times from 0 to τ, both included",
     )
 

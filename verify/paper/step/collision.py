@@ -22,7 +22,6 @@ from verify.paper.step.flight import SHIFT, absolute
 from verify.paper.step.numbers import c as limit
 from verify.paper.step.numbers import eighth, r, speed
 from verify.paper.step.state import (
-    CND,
     A,
     A_next,
     B,
@@ -161,7 +160,7 @@ def _angle() -> Iterator[Item]:
             times("decay-speed-positive", "d-positive"),
             times(14, "speed-positive", "g-positive"),
         ),
-        f"{CND}T",
+        "EQUATSS4.1Recurrence_CndT",
         "cos θ < 0",
     )
     bound = d + (D - 1) + 4 * speed * tau
@@ -188,13 +187,13 @@ def _angle() -> Iterator[Item]:
                 times("tau-positive", "tau-positive", f"w-{other}"),
                 *rest,
             )._replace(equations=(("turn", as_term(-sign)),)),
-            f"{CND}8",
+            "EQUATSS4.1Recurrence_Cnd8",
             "|cos θ' - cos θ| ≤ d + d' + 4 V₁^{1/2} τ",
         )
     for side in ("upper", "lower"):
         yield next_condition(
             f"Cnd8-{side}",
-            f"{CND}8",
+            "EQUATSS4.1Recurrence_Cnd8",
             "|(-cos θ_n) - (-cos θ₀)| stays below the sum of all later changes",
             f"Cnd8-{side}",
             times("decay-speed-positive", f"angle-step-{side}"),
@@ -210,7 +209,7 @@ def _angle() -> Iterator[Item]:
         "C_next-positive",
         0 < C_next,
         scaled(goal, "next-Cnd8-lower", "obtuse", room, tail, using="d_next"),
-        f"{CND}T",
+        "EQUATSS4.1Recurrence_CndT",
         "cos θ' < 0",
     )
     for side, term in (("upper", C_next - limit), ("lower", limit - C_next)):
@@ -218,7 +217,7 @@ def _angle() -> Iterator[Item]:
             f"angle-{side}",
             term <= eighth,
             scaled(goal, f"next-Cnd8-{side}", "y-term-3", room, tail, using="d_next"),
-            f"{CND}10",
+            "EQUATSS4.1Recurrence_Cnd10",
             "|(-cos θ') - (-cos θ₀)| ≤ h₄δ_x/8",
         )
 
@@ -228,7 +227,11 @@ def _norms() -> Iterator[Item]:
     yield Line("impact-pair", pairs["cs-impact"], proof("cs-impact", using="tau"))
     yield Line("spin-square", spin**2 <= B, proof("impact-pair", equations=(("contact", -B),)))
     yield from absolute(
-        "spin", spin, ("spin-square", "B-below"), f"{CND}6", "|W_s·ω_s'| ≤ V₁^{1/2}"
+        "spin",
+        spin,
+        ("spin-square", "B-below"),
+        "EQUATSS4.1Recurrence_Cnd6",
+        "|W_s·ω_s'| ≤ V₁^{1/2}",
     )
     yield Line(
         "impact-positive",
@@ -241,7 +244,7 @@ def _norms() -> Iterator[Item]:
         "impact-bound",
         impact <= 2 * y,
         proof(times("d-one", "Cnd1", "S-positive"), times(2, "Cnd1", "S-one")),
-        f"{CND}6",
+        "EQUATSS4.1Recurrence_Cnd6",
         "|W_c·ω_s'| ≤ 2(-η_c)",
     )
     bound = 4 * (speed + 2) * y
@@ -298,14 +301,14 @@ def _norms() -> Iterator[Item]:
             ),
         ),
     ):
-        label = f"{CND}6" if "-c-" in name else f"{CND}7"
+        label = "EQUATSS4.1Recurrence_Cnd6" if "-c-" in name else "EQUATSS4.1Recurrence_Cnd7"
         says = f"{says} ≤ 4(V₁^{{1/2}}+2)(-η_c)"
         yield Line(name, claim, proof(*addends, using=using), label, says)
     for new, old, letter in (("A", "B", "c"), ("B", "A", "s")):
         for side in ("upper", "lower"):
             yield next_condition(
                 f"{new}-{side}",
-                f"{CND}6",
+                "EQUATSS4.1Recurrence_Cnd6",
                 f"|W_{letter}'|² stays between V₀ and V₁ by the sum of all later changes",
                 f"{old}-{side}",
                 times("decay-positive", f"norm-{letter}-{side}"),

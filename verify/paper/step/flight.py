@@ -31,7 +31,6 @@ from verify.paper.step.numbers import (
 )
 from verify.paper.step.rearranged import root_two, small
 from verify.paper.step.state import (
-    CND,
     A,
     B,
     C,
@@ -55,7 +54,7 @@ from verify.paper.step.state import (
 
 TIME = "EQUATSS4.1_Controle_Tau_n"
 DISTANCE = "EQUATSS4.1BorneDista_d_1_"
-FINE = f"{CND}4"
+FINE = "EQUATSS4.1Recurrence_Cnd4"
 PRODUCT = "EQUATSS4.1Lien_x_n_&_y_n_"
 HALF = Fraction(1, 2)
 
@@ -92,14 +91,14 @@ def _norms() -> Iterator[Item]:
             f"{name}-above",
             V_0 <= size,
             scaled(goal, f"{name}-lower", *facts),
-            f"{CND}5",
+            "EQUATSS4.1Recurrence_Cnd5",
             f"V₀ ≤ |W_{letter}|²",
         )
         yield Line(
             f"{name}-below",
             size <= V_1,
             scaled(goal, f"{name}-upper", *facts),
-            f"{CND}5",
+            "EQUATSS4.1Recurrence_Cnd5",
             f"|W_{letter}|² ≤ V₁",
         )
     yield Line("B-positive", 0 < B, proof("B-above", "V_0-positive"))
@@ -120,14 +119,20 @@ def _components() -> Iterator[Item]:
 
 
 def _root() -> Iterator[Item]:
-    cnd3 = f"{CND}3"
+    cnd3 = "EQUATSS4.1Recurrence_Cnd3"
     yield Defined("zeta")
     yield Line("root-positive", 0 < sqrt(1 - zeta_of(frame)), ByRoot())
     yield Defined("S")
     yield Defined("tau")
     yield Line("S-positive", 0 < S, proof("root-positive", using="S"))
     yield Line("S-square", equal(zeta, 1 - S**2), identity("zeta S"), cnd3, "ζ = 1 - √(1-ζ)²")
-    yield Line("zeta-bound", zeta <= zeta_bar, proof("Cnd4", using="zeta"), f"{CND}4", "ζ ≤ ζ̄")
+    yield Line(
+        "zeta-bound",
+        zeta <= zeta_bar,
+        proof("Cnd4", using="zeta"),
+        "EQUATSS4.1Recurrence_Cnd4",
+        "ζ ≤ ζ̄",
+    )
     yield Line(
         "zeta-positive",
         0 < zeta,
@@ -310,7 +315,7 @@ def _distance() -> Iterator[Item]:
     yield Line("next-d-positive", 0 < d_next, proof("D-one", using="d_next"), DISTANCE, "0 < d'")
     yield Line(
         "next-d-one", d_next <= 1, scaled(goal, "distance-later", "d-below-one", using="d_next"),
-        f"{CND}6", "d' ≤ 1",
+        "EQUATSS4.1Recurrence_Cnd6", "d' ≤ 1",
     )  # fmt: skip
     yield Line("next-d-sum-positive", 0 < 1 + d_next, proof("D-positive", using="d_next"))
     yield Line(

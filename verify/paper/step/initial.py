@@ -98,20 +98,17 @@ def _at_start(condition: str, *addends: Factor) -> Line:
 
 
 _LABELS = {
-    name: f"{state.CND}{number}"
-    for name, number in (
-        ("Cnd2", 2),
-        ("Cnd3", 3),
-        ("Cnd4", 4),
-        ("A-upper", 5),
-        ("A-lower", 5),
-        ("B-upper", 5),
-        ("B-lower", 5),
-        ("Cnd8-upper", 8),
-        ("Cnd8-lower", 8),
-        ("Cnd9-upper", 9),
-        ("Cnd9-lower", 9),
-    )
+    "Cnd2": "EQUATSS4.1Recurrence_Cnd2",
+    "Cnd3": "EQUATSS4.1Recurrence_Cnd3",
+    "Cnd4": "EQUATSS4.1Recurrence_Cnd4",
+    "A-upper": "EQUATSS4.1Recurrence_Cnd5",
+    "A-lower": "EQUATSS4.1Recurrence_Cnd5",
+    "B-upper": "EQUATSS4.1Recurrence_Cnd5",
+    "B-lower": "EQUATSS4.1Recurrence_Cnd5",
+    "Cnd8-upper": "EQUATSS4.1Recurrence_Cnd8",
+    "Cnd8-lower": "EQUATSS4.1Recurrence_Cnd8",
+    "Cnd9-upper": "EQUATSS4.1Recurrence_Cnd9",
+    "Cnd9-lower": "EQUATSS4.1Recurrence_Cnd9",
 }
 
 

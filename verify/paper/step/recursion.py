@@ -34,7 +34,6 @@ from verify.paper.step.numbers import (
 )
 from verify.paper.step.rearranged import small
 from verify.paper.step.state import (
-    CND,
     A,
     A_next,
     B,
@@ -96,7 +95,7 @@ def _terms_of_y() -> Iterator[Item]:
         "ratio-bound",
         eta_s <= alpha_0 / 2 * y,
         proof("Cnd9-upper", times("Cnd1", "ratio-half")),
-        f"{CND}10",
+        "EQUATSS4.1Recurrence_Cnd10",
         "η_s/(-η_c) ≤ α₀/2",
     )
     goal = times("V_0-positive", "goal")
@@ -166,32 +165,36 @@ def _y() -> Iterator[Item]:
                 using="normal-parts",
                 equations=(("alpha", y if sign == 1 else -y),),
             ),
-            f"{CND}10",
+            "EQUATSS4.1Recurrence_Cnd10",
             "|η_c'/(-η_c) - (φ⁻-α₀)| = |y_n| ≤ δ_y",
         )
     yield Line(
         "y-contracts",
         y_next <= C_eta * y,
         proof("y-upper-bound", times("Cnd1", "gap-upper")),
-        f"{CND}2",
+        "EQUATSS4.1Recurrence_Cnd2",
         "|η_c'| ≤ C_η |η_c|",
     )
     yield Line(
         "y-survives",
         delta_2 * y <= y_next,
         proof("y-lower-bound", times("Cnd1", "gap-lower")),
-        f"{CND}1",
+        "EQUATSS4.1Recurrence_Cnd1",
         "η_c'/(-η_c) ≤ -δ₂",
     )
     yield next_condition(
-        "Cnd1", f"{CND}1", "η_c' < 0", "y-survives", times("delta_2-positive", "Cnd1")
+        "Cnd1",
+        "EQUATSS4.1Recurrence_Cnd1",
+        "η_c' < 0",
+        "y-survives",
+        times("delta_2-positive", "Cnd1"),
     )
     yield next_condition(
-        "Cnd2", f"{CND}2", "|η_c'| ≤ C_η^{n+1} |η_{c,0}|", "y-contracts",
+        "Cnd2", "EQUATSS4.1Recurrence_Cnd2", "|η_c'| ≤ C_η^{n+1} |η_{c,0}|", "y-contracts",
         times("C_eta-positive", "Cnd2"),
     )  # fmt: skip
     yield next_condition(
-        "g-bound", f"{CND}2", "C_η^{n+1} |η_{c,0}| ≤ η̄", "g-bound",
+        "g-bound", "EQUATSS4.1Recurrence_Cnd2", "C_η^{n+1} |η_{c,0}| ≤ η̄", "g-bound",
         times("g-positive", "C_eta-below-one"),
     )  # fmt: skip
     yield next_condition(
@@ -225,7 +228,7 @@ def _x() -> Iterator[Item]:
         )
         yield next_condition(
             f"Cnd9-{side}",
-            f"{CND}9",
+            "EQUATSS4.1Recurrence_Cnd9",
             "|x_{n+1}| ≤ (1-h₄/2) δ_x",
             times("Cnd1", first),
             times(HALF, "h_4-positive", "delta_x-positive", "y-survives"),
@@ -259,7 +262,7 @@ def _zeta_products() -> Iterator[Item]:
             times(4, "zeta-positive", two_more, "y-bound", plus("eta_bar-positive", "Cnd1")),
             times(3, "zeta-positive", "zeta-dropped-factor"),
         ),
-        f"{CND}4",
+        "EQUATSS4.1Recurrence_Cnd4",
         "d(1+ζ/2) ≤ ζ/2 absorbs the factor 1+d that the print drops",
     )
     yield Line(
@@ -269,7 +272,7 @@ def _zeta_products() -> Iterator[Item]:
             times(2, "d-sum-positive", "root-fine"),
             times(HALF, "zeta-positive", "zeta-dropped"),
         ),
-        f"{CND}4",
+        "EQUATSS4.1Recurrence_Cnd4",
         "2(1+d)(1-√(1-ζ)) ≤ ζ + ζ²",
     )
     goal = times("decay-positive", "goal")
@@ -284,7 +287,7 @@ def _zeta_products() -> Iterator[Item]:
         "ratio-worst",
         eta_s <= (phi_minus + delta_x) * y,
         proof("Cnd9-upper", times(HALF, "h_4-positive", "delta_x-positive", "Cnd1")),
-        f"{CND}4",
+        "EQUATSS4.1Recurrence_Cnd4",
         "η_s/(-η_c) ≤ φ⁻ + |x_n|",
     )
     for name, term, fact in (("A_next", A_next, "A_next-below"), ("B", B, "B-below")):
@@ -311,7 +314,7 @@ def _zeta() -> Iterator[Item]:
             times(v0, v0, "A-positive", "next-A-positive", "zeta-first"),
             times(v0, "A-positive", "recedes", "Cnd1", "A_next-ratio", growth),
         ),
-        f"{CND}4",
+        "EQUATSS4.1Recurrence_Cnd4",
         "first, second and third term of ζ'",
     )
     more = plus(times("A-positive", "tau-positive"), times(2, "Cnd1", "zeta-positive"))
@@ -323,7 +326,7 @@ def _zeta() -> Iterator[Item]:
             times(v0, v0, "B-positive", "next-A-positive", "time-product", more),
             times(4, power("Cnd1", 2), power("zeta-positive", 2), ratios),
         ),
-        f"{CND}4",
+        "EQUATSS4.1Recurrence_Cnd4",
         "fourth term of ζ'",
     )
     y2 = power("Cnd1", 2)
@@ -346,7 +349,7 @@ def _zeta() -> Iterator[Item]:
                 plus("next-Cnd1", times("gap-room", "Cnd1")),
             ),
         ),
-        f"{CND}4",
+        "EQUATSS4.1Recurrence_Cnd4",
         "the four terms together",
     )
     change = 2 * eta_s * tau + B * tau**2
@@ -370,10 +373,17 @@ def _zeta() -> Iterator[Item]:
             using="D",
         ),
     )
-    yield next_condition("Cnd4", f"{CND}4", "ζ' ≤ ζ̄", "zeta-product-next", using="d_next")
+    yield next_condition(
+        "Cnd4", "EQUATSS4.1Recurrence_Cnd4", "ζ' ≤ ζ̄", "zeta-product-next", using="d_next"
+    )
     size = times(power("D-positive", 2), power("next-Cnd1", 2))
     yield next_condition(
-        "Cnd3", f"{CND}3", "ζ' < 1", "zeta-product-next", times(size, "init-Cnd3"), using="d_next"
+        "Cnd3",
+        "EQUATSS4.1Recurrence_Cnd3",
+        "ζ' < 1",
+        "zeta-product-next",
+        times(size, "init-Cnd3"),
+        using="d_next",
     )
 
 

@@ -34,7 +34,6 @@ from verify.paper.step.vectors import Combination, Frame, W_c, W_s, add, omega_c
 CONTEXT = "state"
 CAUCHY_SCHWARZ = "cauchy-schwarz"
 DYNAMICS = "EQUATSS4.1SysteDynamColSp"
-CND = "EQUATSS4.1Recurrence_Cnd"
 
 y, eta_s, C, a, b, A, B, w, d, g, clock = map(
     symbol, ("y", "eta_s", "C", "a", "b", "A", "B", "w", "d", "g", "clock")

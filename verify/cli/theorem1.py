@@ -164,23 +164,20 @@ def _everywhere(options: Options) -> int:
             f"--constants: {shown(options.constants)} is unknown; write printed or all"
         )
     test_folder("--out", options.out, "statement.json", "certificate.json")
-    from verify.jobs import everywhere, step  # loaded only where they are used
+    from verify.jobs import everywhere  # loaded only where they are used
     from verify.views import everywhere as view
-    from verify.views.document import assumption_document, claims_document
+    from verify.views.document import claims_document
 
     printed = options.constants == PRINTED
     outcome = everywhere.decide_printed_everywhere() if printed else everywhere.decide_everywhere()
-    cited = outcome.assumptions if printed else step.decide_step().assumptions
     code = EXIT_CODES[conjunction(outcome.decisions.values())]
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
     if options.json:
-        found = claims_document(outcome, "theorem1", view.FORMAT)
-        found["assumptions"] = [assumption_document(assumption) for assumption in cited]
-        print_document(found)
+        print_document(claims_document(outcome, "theorem1", view.FORMAT))
         return code
     text = [*view.row_lines(outcome), ""] if options.verbose else []
-    text += view.printed_screen(outcome) if printed else view.screen(outcome, cited)
+    text += view.printed_screen(outcome) if printed else view.screen(outcome)
     sys.stdout.write("".join(f"{line}\n" for line in text))
     return code
 
@@ -194,14 +191,12 @@ def _box(options: Options) -> int:
         _positive("--delta-theta", options.delta_theta),
     )
     test_folder("--out", options.out, "statement.json", "certificate.json")
-    from verify.jobs import box, step  # loaded only where they are used
+    from verify.jobs import box  # loaded only where they are used
     from verify.views import box as view
     from verify.views.everywhere import row_lines
 
-    found, cited = (
-        box.answer(box.ParameterBox(*sides), v_0, delta_theta),
-        step.decide_step().assumptions,
-    )
+    found = box.answer(box.ParameterBox(*sides), v_0, delta_theta)
+    cited = found.outcome.assumptions
     if options.out is not None and found.verdict != UNDECIDED:
         write_certificate("--out", options.out, found.outcome)
     elif options.out is not None:

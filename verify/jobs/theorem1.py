@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
+from verify.jobs.citing import with_step
 from verify.language.statement import (
     NEEDED,
     PROVED,
@@ -104,7 +105,7 @@ class PointRun:
             if found is not None:
                 enclosures[name] = found
         steps = tuple(self.session.steps)
-        return Outcome(statement, self.decisions, steps, enclosures, self.spent)
+        return with_step(Outcome(statement, self.decisions, steps, enclosures, self.spent))
 
 
 def decide_point(

@@ -130,8 +130,8 @@ class Obligation(Record):
 class Assumption(Record):
     """What is used and not proved here.
 
-    ``kind`` is definition (of the model), law of motion, calculus, general mathematics, or glue (a
-    sentence of the argument).
+    ``kind`` is definition (of the model), law of motion, calculus, general mathematics, glue (a
+    sentence of the argument), or numbered glue, which names the facts that it puts together.
     """
 
     name: str
@@ -152,13 +152,21 @@ class Change(Record):
 class Cite(Record):
     """Another statement, whose theorems may be used.
 
-    ``content`` is its file, and ``cites`` has what is cited there.
+    ``content`` is its file, ``cites`` has what is cited there, and ``assumptions`` what it takes on
+    trust.
     """
 
     name: str
     theorem: str
     content: bytes
     cites: tuple[Cite, ...] = ()
+    assumptions: tuple[Assumption, ...] = ()
+
+    @property
+    def trusted(self) -> tuple[Assumption, ...]:
+        """What is taken on trust there, and in what is cited there."""
+        inner = (assumption for cite in self.cites for assumption in cite.trusted)
+        return tuple(dict.fromkeys((*self.assumptions, *inner)))
 
 
 class Statement(Record):

@@ -8,6 +8,7 @@ from fractions import Fraction
 from verify.language.record import Record
 from verify.language.statement import (
     NEEDED,
+    PRINTED,
     PROVED,
     REFUTED,
     UNDECIDED,
@@ -91,11 +92,27 @@ class Outcome(Record):
         return EXIT_CODES[self.verdict]
 
     @property
-    def assumptions(self) -> tuple[Assumption, ...]:
-        """The assumptions that rows, or standing givens, use."""
-        used = {name for row in self.statement.obligations for name in row.uses}
+    def own_assumptions(self) -> tuple[Assumption, ...]:
+        """The assumptions that needed rows, or standing givens, use."""
+        used = self._used_by(NEEDED)
         used |= {given.assumption or "" for c in self.statement.contexts for given in c.givens}
         return tuple(a for a in self.statement.assumptions if a.name in used)
+
+    @property
+    def assumptions(self) -> tuple[Assumption, ...]:
+        """What the verdict takes on trust, here and in what is cited."""
+        cited = (assumption for cite in self.statement.cites for assumption in cite.trusted)
+        return tuple(dict.fromkeys((*self.own_assumptions, *cited)))
+
+    @property
+    def printed_assumptions(self) -> tuple[Assumption, ...]:
+        """The other assumptions: those that only printed rows use."""
+        used, others = self._used_by(PRINTED), self.own_assumptions
+        return tuple(a for a in self.statement.assumptions if a.name in used and a not in others)
+
+    def _used_by(self, role: str) -> set[str]:
+        rows = self.statement.obligations
+        return {name for row in rows if row.role == role for name in row.uses}
 
 
 def conjunction(decisions: Iterable[Decision]) -> str:

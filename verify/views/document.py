@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from verify.language.statement import REFUTED, Assumption, Constant, Obligation
+from verify.language.statement import REFUTED, Assumption, Cite, Constant, Obligation
 from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES
@@ -23,6 +23,7 @@ from verify.views.words import (
     sides_of,
     witness_of,
 )
+from verify.wire.write import digest
 
 FORMAT = "verify-theorem1/1"
 
@@ -42,6 +43,10 @@ def document(outcome: Outcome) -> dict[str, Any]:
         "parameters": {key: _parameter(outcome, name) for key, name in PARAMETERS.items()},
         "theorem": in_numbers(outcome) or outcome.statement.title,
         "assumptions": [assumption_document(a) for a in outcome.assumptions],
+        "assumptions_of_printed_rows": [
+            assumption_document(a) for a in outcome.printed_assumptions
+        ],
+        "cites": [cite_document(cite) for cite in outcome.statement.cites],
         "hypotheses": _rows(outcome, HYPOTHESES, typesetter),
         "constants": {name: pair(ends_of(outcome, name)) for name in names},
         "sets": {
@@ -62,7 +67,9 @@ def claims_document(outcome: Outcome, command: str, form: str) -> dict[str, Any]
         "verdict": outcome.verdict,
         "headline": headline(outcome),
         "theorem": outcome.statement.title,
-        "assumptions": [assumption_document(a) for a in outcome.assumptions],
+        "assumptions": [
+            assumption_document(a) for a in (*outcome.assumptions, *outcome.printed_assumptions)
+        ],
         "claims": [row_document(row, decision, typesetter) for row, decision in outcome.rows],
     }
 
@@ -139,6 +146,15 @@ def row_document(row: Obligation, decision: Decision, typesetter: Typesetter) ->
 def value_text(term: Term, typesetter: Typesetter) -> str:
     """A rational as ``p/q``, another value as a formula."""
     return rational_text(term.value) if term.op == "rational" else typesetter.term(term)
+
+
+def cite_document(cite: Cite) -> dict[str, str]:
+    """A cited statement as the file of a statement names it."""
+    return {
+        "name": cite.name,
+        "theorem": cite.theorem,
+        "statement_sha256": digest(cite.content),
+    }
 
 
 def assumption_document(assumption: Assumption) -> dict[str, str]:

@@ -4,9 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.statement import PROVED, REFUTED, Assumption
+from verify.language.statement import PROVED, REFUTED
 from verify.prover.outcome import Outcome
-from verify.views.words import counts, given, letters, short_name
+from verify.views.words import (
+    cited_as,
+    counts,
+    given,
+    given_by,
+    headline,
+    letters,
+    short_name,
+)
 
 FORMAT = "verify-theorem1-all/1"
 
@@ -19,22 +27,22 @@ THEOREM = (
 )
 
 
-def screen(outcome: Outcome, cited: tuple[Assumption, ...]) -> Iterator[str]:
-    """What is proved, given what; ``cited`` are the assumptions of the cited step."""
+def screen(outcome: Outcome) -> Iterator[str]:
+    """What is proved, given what."""
+    (cite,) = outcome.statement.cites
     yield "Theorem 1 for all parameters"
     yield ""
     yield f"Rows: {counts(outcome, 'needed')}"
-    yield f"The step, for every state, is cited: {outcome.statement.cites[0].name}"
-    yield f"Taken on trust there: {given(cited)}"
-    for assumption in cited:
+    yield f"The step, for every state, is {cited_as(cite)}"
+    yield f"Taken on trust there: {given(cite.trusted)}"
+    for assumption in cite.trusted:
         yield f"  {assumption.name} ({assumption.kind}): {assumption.sentence}"
     yield "Every row: -v; one with its proof: explain NAME; the graph: graph --out FILE.svg"
     yield ""
     if outcome.verdict == PROVED:
         yield THEOREM
         yield ""
-    rest = f"given {given(cited)} of the cited step"
-    yield f"Verdict: {outcome.verdict}: {outcome.statement.title}; {rest}"
+    yield f"Verdict: {headline(outcome)}: {outcome.statement.title}; given {given_by(outcome)}"
 
 
 def printed_screen(outcome: Outcome) -> Iterator[str]:

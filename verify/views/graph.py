@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from html import escape
 
 from verify.language.record import Record
-from verify.language.statement import PRINTED, PROVED, REFUTED
+from verify.language.statement import PRINTED, PROVED, REFUTED, Applies, Cite, Obligation
 from verify.prover.outcome import Outcome
 from verify.prover.uses import Node, nodes
 
@@ -48,14 +48,26 @@ def graph(outcome: Outcome) -> Graph:
     for node in found.values():
         vertices.append(_vertex(node, rows.get(node.name)))
         edges += [(used, node.name) for used in node.uses if used in found]
-    vertices += [Vertex(a.name, "assumed", "", a.label) for a in outcome.assumptions]
+    own = (*outcome.own_assumptions, *outcome.printed_assumptions)
+    vertices += [Vertex(a.name, "assumed", "", a.label) for a in own]
     names = {vertex.name for vertex in vertices}
+    for cite in outcome.statement.cites:
+        there = [Vertex(f"{cite.name}:{a.name}", "assumed", "", a.label) for a in cite.trusted]
+        users = [row.name for row, _ in rows.values() if _applies(row, cite) and row.name in names]
+        vertices += there
+        edges += [(vertex.name, user) for vertex in there for user in users]
     for row, decision in rows.values():
         edges += [(name, row.name) for name in row.uses if name in names and row.name in names]
         corrected = decision.verdict == REFUTED and row.corrected_by in names
         if corrected and row.role == PRINTED:
             edges.append((row.name, str(row.corrected_by)))
     return Graph(vertices, edges)
+
+
+def _applies(row: Obligation, cite: Cite) -> bool:
+    """Whether a row applies a cited statement."""
+    claim = row.claim
+    return isinstance(claim, Applies) and claim.context.startswith(f"{cite.name}:")
 
 
 def _vertex(node: Node, row: object) -> Vertex:

@@ -10,6 +10,7 @@ from verify.language.statement import (
     REFUTED,
     Always,
     Applies,
+    Assumption,
     Constant,
     Context,
     Obligation,
@@ -74,7 +75,14 @@ def _lines(outcome: Outcome) -> Iterator[str]:
         yield from section(f"All rows: {group}")
         yield from _rows(outcome, outcome.of_group(group))
     yield from section("Taken on trust")
-    yield from (f"- `{a.label}` ({a.kind}): {a.sentence}" for a in outcome.assumptions)
+    yield from map(_assumption, outcome.assumptions)
+    if outcome.printed_assumptions:
+        yield from section("What only printed rows take on trust")
+        yield from map(_assumption, outcome.printed_assumptions)
+
+
+def _assumption(assumption: Assumption) -> str:
+    return f"- `{assumption.label}` ({assumption.kind}): {assumption.sentence}"
 
 
 def _context(context: Context, typesetter: Typesetter) -> Iterator[str]:

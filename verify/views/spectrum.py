@@ -75,8 +75,9 @@ def claim_lines(outcome: Outcome) -> Iterator[str]:
         for row, decision in outcome.of_group(group):
             yield from _row(row, decision, typesetter)
     yield ""
-    yield f"Taken on trust, and not proved by this program: {given(outcome.assumptions)}"
-    for assumption in outcome.assumptions:
+    assumptions = (*outcome.assumptions, *outcome.printed_assumptions)
+    yield f"Taken on trust, and not proved by this program: {given(assumptions)}"
+    for assumption in assumptions:
         yield f"  {assumption.name} ({assumption.kind}, {assumption.label}): {assumption.sentence}"
     if outcome.spent:
         yield f"Work budget spent: {outcome.spent}"

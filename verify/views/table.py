@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from verify.language.statement import PRINTED, PROVED, REFUTED, Constant, Obligation
+from verify.language.statement import PRINTED, PROVED, REFUTED, Assumption, Constant, Obligation
 from verify.language.terms import Claim, symbol
 from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES, REPAIRED
@@ -19,6 +19,7 @@ from verify.views.words import (
     ends_of,
     failed_hypotheses,
     given,
+    given_by,
     group_verdict,
     groups,
     in_numbers,
@@ -192,9 +193,17 @@ def _margin(decision: Decision, sides: tuple[Ends, Ends]) -> str:
 
 def _assumptions(outcome: Outcome) -> Iterator[str]:
     yield ""
-    yield f"Taken on trust, and not proved by this program: {given(outcome.assumptions)}"
-    for assumption in outcome.assumptions:
-        yield f"  {assumption.label} ({assumption.kind}): {assumption.sentence}"
+    yield f"Taken on trust, and not proved by this program: {given_by(outcome)}"
+    yield from map(_assumption, outcome.assumptions)
+    others = outcome.printed_assumptions
+    if others:
+        yield ""
+        yield f"What only printed rows take on trust: {given(others)}"
+        yield from map(_assumption, others)
+
+
+def _assumption(assumption: Assumption) -> str:
+    return f"  {assumption.label} ({assumption.kind}): {assumption.sentence}"
 
 
 def _first_screen(outcome: Outcome, sets: list[str]) -> Iterator[str]:

@@ -17,21 +17,29 @@ from verify.language.statement import (
     REFUTED,
     UNDECIDED,
     Assumption,
+    Cite,
     Constant,
     Obligation,
 )
 from verify.language.terms import Claim, Term, names_of
 from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES, REPAIRED
-from verify.paper.parameters import PARAMETERS
+from verify.paper.parameters import PARAMETERS, THEOREM
 from verify.prover.decimals import outward, short
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 
-#: The headline while a proof rests on sentences about every state that are not proved here.
+#: The headline while the verdict rests on more than what is granted, here or in what is cited.
 CONDITIONALLY_PROVED = "conditionally proved"
 
-#: The kinds of assumptions that every reader grants; a proof from these alone is not conditional.
-GRANTED = ("definition", "general mathematics")
+#: The kinds of assumptions that do not make a proof conditional: what the objects are, theorems of
+#: general mathematics, and sentences that do nothing but put facts together that they name.
+GRANTED = ("definition", "general mathematics", "numbered glue")
+
+#: Where the certificates of the statements are that others cite.
+FOLDERS = {
+    "step": "certificates/step",
+    f"{THEOREM} for all parameters": "certificates/theorem1-all",
+}
 
 #: How the parameters of Theorem 1 are written.
 LETTERS = {"V_0": "V₀", "delta_theta": "δ_θ", "c": "(-cos θ₀)"}
@@ -59,9 +67,8 @@ def headline(outcome: Outcome) -> str:
 
 def verdict_text(outcome: Outcome) -> str:
     """The headline, with the number of assumptions on which a proof rests."""
-    if outcome.verdict != PROVED:
-        return outcome.verdict
-    return f"{headline(outcome)}, given {given_by(outcome)}"
+    found = headline(outcome)
+    return found if outcome.verdict != PROVED else f"{found}, given {given_by(outcome)}"
 
 
 def given(assumptions: Iterable[Assumption]) -> str:
@@ -75,10 +82,17 @@ def given(assumptions: Iterable[Assumption]) -> str:
 
 
 def given_by(outcome: Outcome) -> str:
-    """What an outcome rests on: its own assumptions, and the statements that it cites."""
-    cited = [f"what is proved and assumed in '{c.name}'" for c in outcome.statement.cites]
-    own = [given(outcome.assumptions)] if outcome.assumptions or not cited else []
+    """What an outcome rests on: its own assumptions, and those of each statement that it cites."""
+    cites = outcome.statement.cites
+    cited = [f"{given(c.trusted)} of {cited_as(c)}" for c in cites]
+    own = [given(outcome.own_assumptions)] if outcome.own_assumptions or not cited else []
     return ", and ".join([*own, *cited])
+
+
+def cited_as(cite: Cite) -> str:
+    """A cited statement, with the folder of its certificate where that is one of ours."""
+    folder = FOLDERS.get(cite.theorem)
+    return f"the cited '{cite.name}'" + (f" ({folder})" if folder else "")
 
 
 def summary(outcome: Outcome) -> str:
@@ -270,8 +284,7 @@ def theorem_in_numbers(outcome: Outcome) -> str:
         f"|W_c|² and |W_s|² in [{low}, {high}], and |cos θ + {added}| ≤ "
         f"{value('Delta_theta')}/4, collide infinitely often, in the order 0-2, 0-1, 0-2, …, all "
         f"within the time {value('T_star')} (unit of length: a diameter; |W|² ≥ V₀ = {v_0}), and "
-        f"-cos of the final angle differs from {c} by at most {value('Delta_theta')} ≤ δ_θ = "
-        f"{delta}."
+        f"-cos of the final angle differs from {c} by at most δ_θ = {delta}."
     )
 
 

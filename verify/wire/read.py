@@ -94,8 +94,10 @@ def read_statement(document: Any, reader: TermReader, cited: Mapping[str, bytes]
 
 def _cite(item: Any, cited: Mapping[str, bytes]) -> Cite:
     content = cited[item["statement_sha256"]]
-    inner = (_cite(other, cited) for other in json.loads(content)["cites"])
-    return Cite(item["name"], item["theorem"], content, tuple(inner))
+    document = json.loads(content)
+    inner = tuple(_cite(other, cited) for other in document["cites"])
+    assumptions = tuple(Assumption(**entry) for entry in document["assumptions"])
+    return Cite(item["name"], item["theorem"], content, inner, assumptions)
 
 
 def _constant(item: Any, reader: TermReader) -> Constant:

@@ -10,8 +10,8 @@ from verify.paper.everywhere.chart import CONTEXT, DERIVED, context, hypothesis
 from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import THEOREM
-from verify.paper.step.theorem import NAME as STEP
-from verify.paper.step.theorem import collapse
+from verify.paper.step.assumptions import ASSUMPTIONS
+from verify.paper.step.numbers import STEP, collapse
 from verify.paper.theorem1 import theorem
 
 NAME = f"{THEOREM} for all parameters"
@@ -57,5 +57,5 @@ def printed_statement() -> Statement:
 
 def statement(step: bytes) -> Statement:
     """The statement; it cites the step, whose statement is given."""
-    cite = Cite(STEP, STEP, step)
+    cite = Cite(STEP, STEP, step, assumptions=ASSUMPTIONS)
     return Statement(NAME, TITLE, {}, (), (context(),), tuple(rows()), (), (cite,))

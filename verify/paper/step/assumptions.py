@@ -1,4 +1,4 @@
-"""What the step takes on trust: one definition, four sentences of general mathematics, glue."""
+"""What the step takes on trust: one definition, three sentences of general mathematics, glue."""
 
 from __future__ import annotations
 
@@ -18,14 +18,9 @@ ASSUMPTIONS = (
     Assumption(
         "cauchy-schwarz",
         THEOREM,
-        "(x·z)² ≤ |x|²|z|² for any two vectors.",
-        "general mathematics",
-    ),
-    Assumption(
-        "vectors-exist",
-        THEOREM,
-        "Unit vectors ω_s, ω_c with -cos θ = C, and vectors W_s, W_c with normal components η_s, "
-        "η_c and squares B, A exist in any dimension above 1 if C² ≤ 1, η_s² ≤ B and η_c² ≤ A.",
+        "Cauchy-Schwarz, and that no other condition binds two vectors: in any dimension above 1, "
+        "for any vector x and all numbers p and b, if a vector z has x·z = p and |z|² = b, then "
+        "p² ≤ |x|² b; and if p² ≤ |x|² b and x is not 0, there is such a vector z.",
         "general mathematics",
     ),
     Assumption(
@@ -48,6 +43,7 @@ ASSUMPTIONS = (
         "0-c is the only pair in contact, by contact; it approaches there, by impact-speed and "
         "impact-positive. By impact-velocity-s and impact-velocity-c, with the roles exchanged, "
         "the inner products just after that collision are those of the constants named ..._next.",
+        "numbered glue",
     ),
     Assumption(
         "glue-collapse",
@@ -57,6 +53,7 @@ ASSUMPTIONS = (
         "collisions go on for ever, first 0-2, then 0-1 and 0-2 in turn; their times increase, by "
         "tau-positive, and are at most T*, by time-total, so that they converge: infinitely many "
         "collisions in finite time.",
+        "numbered glue",
     ),
     Assumption(
         "glue-angle",
@@ -68,6 +65,7 @@ ASSUMPTIONS = (
         "converge, so that the relative positions converge, and the limit is that of the angle at "
         "the time of the collapse. It is within δ_θ of -cos θ_0 by angle-final-upper and "
         "angle-final-lower.",
+        "numbered glue",
     ),
     Assumption(
         "glue-interior",
@@ -79,5 +77,6 @@ ASSUMPTIONS = (
         "t < τ. As η_s > 0, t and the configuration at the contact depend continuously on the "
         "datum; so these are finitely many strict inequalities between continuous functions: an "
         "open set of data, not empty, from which the particles collapse.",
+        "numbered glue",
     ),
 )

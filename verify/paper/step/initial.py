@@ -37,6 +37,7 @@ from verify.paper.step.numbers import (
 )
 from verify.paper.step.plane import CONTEXT as PLANE
 from verify.paper.step.plane import aligned
+from verify.paper.step.state import CAUCHY_SCHWARZ
 from verify.paper.step.vectors import Frame
 
 CONTEXT = "initial"
@@ -232,9 +233,9 @@ def _vectors_exist() -> Iterator[Item]:
     reason_c = proof("set-eta_c", times(Fraction(3, 4), eta2), norm)
     reason_s = proof("set-eta_s", less, more, norm)
     angle = proof(times("angle-real", plus(1, "angle-obtuse")))
-    yield Line("at-angle", p.C**2 <= 1, angle, DATA, says, ("vectors-exist",))
-    yield Line("room-c", p.y**2 < p.A, reason_c, DATA, says, ("vectors-exist",))
-    yield Line("room-s", p.eta_s**2 < p.B, reason_s, DATA, says, ("vectors-exist",))
+    yield Line("at-angle", p.C**2 <= 1, angle, DATA, says, (CAUCHY_SCHWARZ,))
+    yield Line("room-c", p.y**2 < p.A, reason_c, DATA, says, (CAUCHY_SCHWARZ,))
+    yield Line("room-s", p.eta_s**2 < p.B, reason_s, DATA, says, (CAUCHY_SCHWARZ,))
     yield Line("at-room-c", p.y**2 <= p.A, reason_c)
     yield Line("at-room-s", p.eta_s**2 <= p.B, reason_s)
 

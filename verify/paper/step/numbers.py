@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from verify.language.statement import Context, Given, Variable
+from verify.language.statement import NEEDED, Applies, Context, Given, Obligation, Variable
 from verify.language.terms import (
     Claim,
     Term,
@@ -26,7 +26,12 @@ from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.theorem1 import theorem
 
+#: The step's name where it is cited, and its context of numbers.
+STEP = "step"
 CONTEXT = "parameters"
+
+#: The row that the step applies to the constants of the theorem.
+COLLAPSE = "collapse"
 
 #: Each variable with the term that Theorem 1 has for it.
 _k = ConstantSet(REPAIRED)
@@ -249,16 +254,31 @@ def _claims() -> dict[str, Claim]:
     return {name: renamed(found[full]) for name, full in row_names().items()}
 
 
+def givens() -> tuple[str, ...]:
+    """The names of what the step needs to know of the numbers, in an order that defines them."""
+    return (*ROWS_OF_HYPOTHESES, *SIMPLE_ROWS, *SIGNS, *DEFINITIONS, *ROWS)
+
+
+def collapse(group: str) -> Obligation:
+    """The row of a theorem that cites the step: its constants satisfy all that the step needs."""
+    return Obligation(
+        COLLAPSE,
+        group,
+        parameters.THEOREM,
+        NEEDED,
+        "the constants satisfy what the step needs: from each datum of the set the particles "
+        "collapse",
+        Applies(f"{STEP}:{CONTEXT}", MEANING),
+    )
+
+
 def context() -> Context:
     """The numbers of the theorem, with the rows that the step uses."""
-    known = _claims()
-    first = (*ROWS_OF_HYPOTHESES, *SIMPLE_ROWS)
-    claims = {name: known[name] for name in first} | SIGNS | DEFINITIONS
-    claims |= {name: known[name] for name in ROWS}
+    claims = _claims() | SIGNS | DEFINITIONS
     return Context(
         CONTEXT,
         tuple(Variable(name, *_LETTERS[name]) for name in MEANING),
-        tuple(Given(name, claim) for name, claim in claims.items()),
+        tuple(Given(name, claims[name]) for name in givens()),
         {name: as_term(Fraction(text)) for name, text in POINT.items()},
         says="numbers that satisfy the rows of the repaired set",
     )

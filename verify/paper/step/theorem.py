@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 
-from verify.language.statement import NEEDED, Always, Applies, Obligation
+from verify.language.statement import Always
 from verify.paper.argument import Argument, ByInduction, Chapter, Item, Line, Opened, argue
 from verify.paper.parameters import THEOREM
 from verify.paper.step import (
@@ -23,34 +23,17 @@ from verify.paper.step import (
 )
 from verify.paper.step.assumptions import ASSUMPTIONS
 
-NAME = "step"
 TITLE = (
     "One step of the recursion, for every state that satisfies the conditions and all numbers that "
     "satisfy the rows of the hypotheses and of the repaired set; and the induction on the number "
     "of collisions"
 )
 
-#: The row that the step applies to the constants of the theorem.
-COLLAPSE = "collapse"
-
 
 @cache
 def step() -> Argument:
     """The step, built once per process."""
-    return argue(NAME, TITLE, _chapters(), ASSUMPTIONS)
-
-
-def collapse(group: str) -> Obligation:
-    """The row of a theorem that cites the step: its constants satisfy all that the step needs."""
-    return Obligation(
-        COLLAPSE,
-        group,
-        THEOREM,
-        NEEDED,
-        "the constants satisfy what the step needs: from each datum of the set the particles "
-        "collapse",
-        Applies(f"{NAME}:{numbers.CONTEXT}", numbers.MEANING),
-    )
+    return argue(numbers.STEP, TITLE, _chapters(), ASSUMPTIONS)
 
 
 def _chapters() -> Iterator[Chapter]:

@@ -15,6 +15,7 @@ from verify.language.statement import (
     UNDECIDED,
     Always,
     Applies,
+    Assumption,
     Constant,
     Obligation,
 )
@@ -56,7 +57,6 @@ from verify.views.words import (
     constants_of,
     counts,
     ends_of,
-    given,
     given_by,
     headline,
     in_numbers,
@@ -192,11 +192,13 @@ def _readable(value: Fraction) -> str:
 def _result(material: Material, main: Outcome) -> Iterator[Block]:
     repaired, printed = main.of_group(REPAIRED), _printed(main)
     proved, refuted = _with(repaired, PROVED), _with(printed, REFUTED)
+    closing = [row for row, _ in proved if isinstance(row.claim, Claim)]
     yield Facts([
         (headline(main), [
             Strong("The theorem holds with repaired constants. "),
-            Text(f"At {_at(main)} all {len(proved)} inequalities that close the proof are "
-                 f"proved, given {given(main.assumptions)}, "),
+            Text(f"At {_at(main)} all {len(closing)} inequalities that close the proof are "
+                 "proved, and so is that the step applies to them; given "
+                 f"{given_by(main)}, "),
             Link("#trust", "listed below"), Text("."),
         ]),
         (REFUTED, [
@@ -452,8 +454,8 @@ def _measurements(material: Material) -> Iterator[Block]:
 def _assumptions(material: Material) -> Iterator[Block]:
     yield Heading("trust", "Taken on trust")
     yield Paragraph([Text(
-        "What is used and not proved by the program. The checker prints the same list with each "
-        "verdict."
+        "What is used and not proved by the program, here or in a statement that is cited. The "
+        "checker prints the names with each verdict."
     )])  # fmt: skip
     seen: set[str] = set()
     for folder in material.folders:
@@ -461,12 +463,14 @@ def _assumptions(material: Material) -> Iterator[Block]:
         if statement.theorem not in seen:
             seen.add(statement.theorem)
             yield Paragraph([Strong("For "), Code(statement.theorem), Text(":")])
-            yield Items(
-                [
-                    [Code(a.label), Text(f" ({a.kind}): {a.sentence}")]
-                    for a in folder.outcome.assumptions
-                ]
-            )
+            yield Items([_assumption(a) for a in folder.outcome.assumptions])
+            if folder.outcome.printed_assumptions:
+                yield Paragraph([Text("and for its printed rows only:")])
+                yield Items([_assumption(a) for a in folder.outcome.printed_assumptions])
+
+
+def _assumption(assumption: Assumption) -> Cell:
+    return [Code(assumption.label), Text(f" ({assumption.kind}): {assumption.sentence}")]
 
 
 def _digests(material: Material) -> Iterator[Block]:

@@ -67,9 +67,32 @@ def test_explain(capsys: pytest.CaptureFixture[str]) -> None:
     assert (code, err) == (0, "")
     assert "goal + [d-sum-positive]·[Cnd1]·[S-one] = 0" in out
     assert "  0 < τ" in out
+    assert "tau-positive is written in verify/paper/step/flight.py:" in out
     code, out, err = run(capsys, "explain", "no-such-row")
     assert (code, out) == (2, "")
     assert "'no-such-row'" in err
+
+
+def test_explain_finds_labels_and_near_names(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def never(*_: object) -> None:
+        raise AssertionError("nothing is to be decided")
+
+    monkeypatch.setattr("verify.cli.explain._outcomes", never)
+    code, out, err = run(capsys, "explain", "EQUATSS4.1Recurrence_CndT")
+    assert (code, err) == (0, "")
+    assert "repaired.CndT is written in verify/paper/recursion.py:" in out
+    code, out, err = run(capsys, "explain", "tau-positiv")
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert "is it tau-positive" in err
+
+
+@pytest.mark.parametrize("row", ["matrix-stated", "printed.d-index", "repaired.delta_x", "l.1"])
+def test_explain_looks_in_every_statement(capsys: pytest.CaptureFixture[str], row: str) -> None:
+    code, out, err = run(capsys, "explain", row)
+    assert (code, err) == (0, "")
+    assert f" {row}" in out
 
 
 def test_every_fact_can_be_explained() -> None:

@@ -33,10 +33,10 @@ TITLE = (
 @cache
 def step() -> Argument:
     """The step, built once per process."""
-    return argue(numbers.STEP, TITLE, _chapters(), ASSUMPTIONS)
+    return argue(numbers.STEP, TITLE, chapters(), ASSUMPTIONS)
 
 
-def _chapters() -> Iterator[Chapter]:
+def chapters() -> Iterator[Chapter]:
     spaces = (numbers.context(), plane.context(), impact.context())
     yield Chapter(None, (*rearranged.ground_lines(), *(Opened(space) for space in spaces)))
     yield Chapter(impact.CONTEXT, tuple(impact.lines()))

@@ -56,12 +56,17 @@ def screen(outcome: Outcome) -> Iterator[str]:
     kinds = Counter(
         row.severity for row, found in outcome.rows if found.verdict == REFUTED and row.severity
     )
-    rest = [f"{count} {kind}" for kind, count in kinds.items() if kind != BREAKS]
+    rest = [counted(count, kind) for kind, count in kinds.items() if kind != BREAKS]
     if rest:
         yield f"Also refuted: {', '.join(rest)}."
     yield "Every row: -v; some: --rows NAME; for programs: --json; a certificate: --out DIR."
     yield ""
     yield from _verdicts(outcome, sets)
+
+
+def counted(count: int, severity: str) -> str:
+    """So many rows of a severity: 9 slips of wording, 11 false, but harmless here."""
+    return f"{count} {severity.replace('slip', 'slips', count != 1)}"
 
 
 def _breaking(outcome: Outcome) -> Iterator[str]:

@@ -37,6 +37,12 @@ def applying(between: Mapping[str, str]) -> Applying:
     return Applying(tuple(known[name] for name in numbers.givens()))
 
 
+def applies(verdicts: Mapping[str, str]) -> bool:
+    """Whether all rows are proved that show at a point what the step needs."""
+    needed = (*numbers.row_names().values(), _row("fixed-points-exist"))
+    return all(verdicts[name] == PROVED for name in needed)
+
+
 def with_step(outcome: Outcome) -> Outcome:
     """A point run with the row that the step applies to its repaired constants.
 
@@ -46,14 +52,12 @@ def with_step(outcome: Outcome) -> Outcome:
     """
     if not outcome.of_group(REPAIRED):
         return outcome
-    row = numbers.collapse(REPAIRED)
-    lemmas, between = _between()
-    needed = {*numbers.row_names().values(), _row("fixed-points-exist")}
-    applies = all(outcome.decisions[name].verdict == PROVED for name in needed)
-    decision = Decision(PROVED, applying(between)) if applies else Decision(UNDECIDED)
+    row, decision = numbers.collapse(REPAIRED), Decision(UNDECIDED)
     steps: tuple[Step, ...] = ()
-    if decision.proof is not None:
-        steps = (*lemmas, ObligationStep(row.name, decision.proof))
+    if applies({name: found.verdict for name, found in outcome.decisions.items()}):
+        lemmas, between = _between()
+        proof = applying(between)
+        decision, steps = Decision(PROVED, proof), (*lemmas, ObligationStep(row.name, proof))
     old = outcome.statement
     rows = [r._replace(uses=()) if r.role == NEEDED and r.uses else r for r in old.obligations]
     used = {name for r in rows for name in r.uses}

@@ -11,11 +11,21 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
+from verify.jobs.citing import applies
 from verify.jobs.theorem1 import decide_point
 from verify.language.record import Record
-from verify.language.statement import NEEDED, PROVED, REFUTED, Choice, Constant, Obligation
+from verify.language.statement import (
+    NEEDED,
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Choice,
+    Constant,
+    Obligation,
+)
 from verify.language.terms import Claim, as_term
 from verify.paper.groups import GROUPS, HYPOTHESES, PRINTED, REPAIRED
+from verify.paper.step.numbers import COLLAPSE
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.choose import Chooser, OpenChoiceError, entries_of
@@ -120,6 +130,7 @@ class Compiled:
             return None
         refuted = any(verdicts[name] == FAILS for name in self._needed)
         rows = {name: _VERDICTS[value] for name, value in verdicts.items()}
+        rows[COLLAPSE] = PROVED if applies(rows) else UNDECIDED
         return ScannedPoint(REFUTED if refuted else PROVED, rows)
 
     def _close(self, left: list[str], verdicts: dict[str, int], lemmas: tuple[int, ...]) -> bool:

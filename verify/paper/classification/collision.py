@@ -127,6 +127,7 @@ def chapters() -> Iterator[Chapter]:
     yield Chapter(None, (Opened(context()),))
     yield Chapter(CONTEXT, (*_law(), *_free(), *_sums()))
     yield from _acute()
+    yield from _equal()
 
 
 def _law() -> Iterator[Item]:
@@ -286,3 +287,22 @@ def _acute() -> Iterator[Chapter]:
         "a collision of a with k at which the angle at a is at most a right one lowers ρ_ab never",
     )
     yield Chapter(a.context, (line,))
+
+
+same = Letters("equal", m="m", rho="ρ", r="r")
+
+
+def _equal() -> Iterator[Chapter]:
+    """Balls of equal mass with one coefficient of restitution, as in the text."""
+    context = same.opened("two balls of the same mass", "1 -1 1/2", {"mass": 0 < same.m})
+    reduced = same.m * same.m / (2 * same.m)
+    line = Line(
+        "equal-masses",
+        equal(reduced * (-(same.r * same.rho) - same.rho) / same.m, (1 + same.r) / 2 * -same.rho),
+        identity(),
+        LAW,
+        "for equal masses and ρ' = -rρ each velocity changes by J/m = (1+r)/2 (-ρ)",
+    )
+    double = Line("equal-double", 0 < 2 * same.m, proof(times(2, "equal-mass")))
+    yield Chapter(None, (Opened(context),))
+    yield Chapter(same.context, (double, line))

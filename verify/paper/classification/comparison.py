@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import pairwise
 
 from verify.language.statement import Always
-from verify.language.terms import sqrt, substitute_claim
+from verify.language.terms import equal, sqrt, substitute_claim
 from verify.paper.argument import (
     ByInduction,
     ByInterval,
@@ -18,6 +19,7 @@ from verify.paper.argument import (
     Item,
     Line,
     Opened,
+    identity,
     plus,
     proof,
     scaled,
@@ -34,7 +36,8 @@ q = Letters("ratio", q="q", s="√r", a="a")
 c = Letters("final", s="√r", C="C")
 above = Letters("above", r="r")
 below = Letters("below", r="r")
-k = Letters("endless", low="σ_n", high="σ_{n+1}")
+n = Letters("line", x="x", a="a", r="r", s_0="s_{n-2}", s_1="s_{n-1}")
+k = Letters("endless", low="s_n", high="s_{n+1}")
 k_0 = Letters("unbounded", a="a", r="r")
 root_3 = sqrt(3)
 
@@ -46,6 +49,7 @@ def chapters() -> Iterator[Chapter]:
     yield from _final()
     yield from _values()
     yield from _endless()
+    yield from _line()
 
 
 def _ratio() -> Iterator[Chapter]:
@@ -209,6 +213,39 @@ def _endless() -> Iterator[Chapter]:
         Always(k.context, start, after),
         ByInduction(names, ("next-high", "next-grows")),
         TEXT,
-        "if a² ≥ 4r, then σ_n > 0 for every n ≥ 1: the comparison sequence never ends a run",
+        "if a² ≥ 4r, then s_n > 0 for every n ≥ 1: the comparison sequence never ends a run",
     )
     yield Chapter(k_0.context, (always,))
+
+
+def _line() -> Iterator[Chapter]:
+    following = n.a * n.s_1 - n.r * n.s_0
+    after = n.a * following - n.r * n.s_1
+    terms = (n.s_0, n.s_1, following, after)
+    first, second, third = (n.x * high - n.r * low for low, high in pairwise(terms))
+    context = n.opened(
+        "three balls on a line: u_n = x s_{n-1} - r s_{n-2}, so that u_1 = 1 and u_2 = x; x is "
+        "larger than r s_{n-2}/s_{n-1}",
+        "1 1 1 0 1",
+        {"term": 0 < n.s_1, "large": n.r * n.s_0 / n.s_1 < n.x},
+    )
+    yield Chapter(None, (Opened(context),))
+    yield Chapter(
+        n.context,
+        (
+            Line(
+                "line-solution",
+                equal(third, n.a * second - n.r * first),
+                identity(),
+                EXISTENCE,
+                "these u_n solve u_{n+2} = a u_{n+1} - r u_n",
+            ),
+            Line(
+                "line-positive",
+                0 < first,
+                proof("line-large"),
+                EXISTENCE,
+                "and u_n > 0 while s_{n-1} > 0, if u_2 = x is large enough",
+            ),
+        ),
+    )

@@ -1,0 +1,156 @@
+"""What the theorems take on trust: two definitions, four sentences of mathematics, glue."""
+
+from __future__ import annotations
+
+from verify.language.statement import Assumption
+
+COLLAPSE = "DEFINSS3.1Collapse_Inelas"
+TRIANGLE = "DEFINSS3.5CollapseTriangu"
+EXISTENCE = "EQUATSS3.4ZKCl1CondiExist"
+LAW = "EQUATSS2.1VitesPost-Colli"
+
+DEFINITIONS = (
+    Assumption(
+        "hard-spheres",
+        LAW,
+        "N balls have masses m_i > 0 and contact distances σ_ij > 0, and are never closer than "
+        "these. They move freely between collisions. Two balls i and j collide when they are at "
+        "the distance σ_ij with ρ_ij = e_ij·(v_j-v_i) < 0, e_ij the unit vector from i to j: then "
+        "J e_ij is taken from the momentum of i and given to that of j, where J ≥ 0 leaves some "
+        "ρ' with 0 ≤ ρ' ≤ -ρ, which may be another share of -ρ at each collision. There is no "
+        "triple contact: no ball that collides touches another one but its partner. In each "
+        "bounded time before a collapse there are finitely many collisions; a collapse is the "
+        "first time at which they accumulate. Where a theorem says so, masses are equal and "
+        "ρ' = -rρ with one r in ]0,1].",
+        "definition",
+    ),
+    Assumption(
+        "alternating-run",
+        EXISTENCE,
+        "A run of k collisions: three balls of equal mass, one r; 0 collides with one and with the "
+        "other in turn, and none of the three collides otherwise meanwhile. While another "
+        "collision of the run follows, the ball c that did not just collide is apart from 0, "
+        "approaches, and meets 0 after the time τ, at the smaller root of |x_c+τW_c|² = σ_c² and "
+        "with positive closing speed. The number a is at least (1+r)/2 (-cos θ_n), for each n "
+        "from 2 to k-1. (1+r)/2 is one such a, as -cos θ ≤ 1.",
+        "definition",
+    ),
+)
+
+MATHEMATICS = (
+    Assumption(
+        "cauchy-schwarz",
+        COLLAPSE,
+        "(x·z)² ≤ |x|²|z|² for any two vectors of a Euclidean space; N-tuples of vectors with the "
+        "product Σ m_i x_i·z_i, all m_i > 0, are such a space.",
+        "general mathematics",
+    ),
+    Assumption(
+        "bounded-monotone",
+        COLLAPSE,
+        "A bounded monotone sequence of real numbers converges; so a series of vectors converges "
+        "if the partial sums of their lengths are bounded.",
+        "general mathematics",
+    ),
+    Assumption(
+        "finite-length",
+        COLLAPSE,
+        "A continuous path on [0,T[, T finite or infinite, that consists of straight pieces, "
+        "finitely many in each bounded closed part of [0,T[, and has finite length, has a limit at "
+        "T.",
+        "general mathematics",
+    ),
+    Assumption(
+        "null-contacts",
+        COLLAPSE,
+        "For three balls, with one r in ]0,1], the initial data from which a triple contact "
+        "follows after finitely many collisions have measure zero.",
+        "general mathematics",
+    ),
+)
+
+GLUE = (
+    Assumption(
+        "glue-lemma",
+        TRIANGLE,
+        "1. Let a and b collide. Just after it ρ_ab ≥ 0, by restitution and "
+        "collision-inelastic-lower. In flight ρ_ab does not fall, by flight-normal; a later "
+        "collision of a, or of b, with a third ball does not lower it if the angle at the ball "
+        "that is hit is at most a right one, by free-i, free-j, impulse-positive and acute-keeps; "
+        "collisions of other balls do not change it. So if all later collisions of a and of b "
+        "with others are such, then ρ_ab ≥ 0 for ever: their distance never decreases, by "
+        "flight-tangent, and they never collide again. In particular no pair collides twice "
+        "without a collision of one of its balls with another one between.",
+    ),
+    Assumption(
+        "glue-classification",
+        TRIANGLE,
+        "2. Let three balls collapse at a finite time. Velocities are bounded, as e never rises, "
+        "by energy-law and energy-falls; so paths have finite length and positions converge, to "
+        "distances that are at least the contact distances. Let 12 be a pair of the largest "
+        "limiting distance. By law-of-cosines, cosine-1-positive and cosine-2-positive the angles "
+        "at 1 and 2 are acute from some time on, and by glue-lemma 12 collides at most once more. So 01 and "
+        "02 collide in turn, as no pair collides twice in a row. If the limiting angle at 0 were "
+        "acute, glue-lemma would stop 01 and 02 too.",
+    ),
+    Assumption(
+        "glue-run",
+        EXISTENCE,
+        "3. By run-always a run of k collisions has s_1, …, s_{k-1} > 0, so that k is at most the "
+        "least n ≥ 1 with s_n ≤ 0. This number is attained, with a = (1+r)/2, on a line, ball 0 in "
+        "the middle: there flight keeps ρ, -cos θ = 1, and free-i makes the recursion an equation; "
+        "line-solution and line-positive solve it, and balls on a line that approach do meet. In a "
+        "collapse as in glue-classification let -cos θ converge to a limit below 4√r/(1+r). Then "
+        "(1+r)/2 (-cos θ_n) ≤ a from some n on, for some a < 2√r, by angle-small; by "
+        "next-recursion and closing u_{n+2} ≤ a u_{n+1} - r u_n, by ratio-law, ratio-falls and "
+        "fall-positive the ratio of closing speeds falls by a fixed amount each time, and after "
+        "finitely many it is not positive: a contradiction. By bound-above-one there is no such "
+        "limit at all for r > 7-4√3.",
+    ),
+    Assumption(
+        "glue-impulse",
+        "PROPOSS3.2SommaCompNormlV",
+        "4. In the frame of the centre of mass, which momentum keeps in place, sum over all balls. "
+        "At the start P = R(0) and I = Σσ J = 0. By induction on the number of collisions the "
+        "givens of the context total hold before each flight, by next-path, next-start, "
+        "next-virial and next-weighted with virial-law, virial-rises, energy-law and energy-falls; "
+        "so total-impulse always holds, and Σ J is bounded. By velocity-change velocities "
+        "converge, and by impulse-least Σ |ρ_n| over all collisions is finite. For the plane of p "
+        "and q, let v* = (v·q)p - (v·p)q: then Σ m x·v* is the angular momentum of that plane, "
+        "which spin-law keeps, and it is at most R e, by cauchy-schwarz and spin-velocity; for one "
+        "ball this is spin-bound.",
+    ),
+    Assumption(
+        "glue-endless",
+        COLLAPSE,
+        "5. Let three balls collide infinitely often, without a collapse. By glue-impulse "
+        "velocities converge. By glue-lemma two pairs at least collide infinitely often; such a "
+        "pair is at its contact distance at arbitrarily late times, so that its relative velocity "
+        "tends to 0, or its distance would grow without bound. So e tends to 0 in the frame of the "
+        "centre of mass. If A > 0 once, then A/R stays above a positive number from then on, by "
+        "ratio-flight and ratio-collision, but A/R ≤ e, by energy-least: a contradiction. So A ≤ 0 "
+        "always, R² falls, by trapezoid and shrinks, and by induction on the number of collisions, "
+        "with next-times, Σσ t_n J_n is at most R(0)²/2, by impulse-times. As velocities tend to "
+        "0, |v_i(t)| is at most the sum of J_n/m_i over collisions after t, so that the length of "
+        "its path is at most Σ t_n J_n/m_i: positions converge, and glue-classification and "
+        "glue-run hold for this orbit too. As R is bounded and R e bounds the angular momentum, "
+        "which is kept, the latter is 0.",
+    ),
+    Assumption(
+        "glue-scenes",
+        COLLAPSE,
+        "6. Diameter 1, three equal masses 1. (i) If each pair satisfies scene-away or scene-miss "
+        "there is no further collision. (ii) For r > 7-4√3, that is above-square, theorems II and "
+        "IV leave finitely many collisions or a triple contact. (iii) If A ≥ 0 and R² ≥ 2, then R² "
+        "grows from then on, by scene-outward and virial-rises, but R² ≤ 2 at a collapse, by "
+        "spread-law and spread-at-collapse: there is none, and A > 0 excludes infinitely many "
+        "collisions by glue-endless. (iv) R² is convex, as A never falls; so R² ≤ ρ² = "
+        "max(R(0)², 2) up to a collapse at a time T, e² ≥ L²/ρ² by spin-energy and glue-impulse, "
+        "and by induction with late-slope-next and late-square-next the givens of deadline hold: "
+        "scene-radicand and scene-deadline. (v) By flight-tangent, flight-normal, free-i and "
+        "free-j a pair with ρ ≥ 0 cannot meet before a collision of one of its balls with the "
+        "third at which the angle there is obtuse.",
+    ),
+)
+
+ASSUMPTIONS = (*DEFINITIONS, *MATHEMATICS, *GLUE)

@@ -1,0 +1,88 @@
+"""The cone of the text, with the condition that it leaves out: the third collision takes place.
+
+a, b, c < 0 are the normal components just before 0-1, 0-2 and 1-2; t is arbitrary. The image is
+that of the printed matrix, in the basis in which the printed matrices are right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from verify.language.statement import Given, Variable
+from verify.language.terms import as_term, equal
+from verify.paper.argument import Chapter, Item, Line, Opened, identity, plus, proof, times
+from verify.paper.classification.settings import Letters
+from verify.paper.spectrum.collision_matrices import A_A, A_B
+from verify.paper.spectrum.cone import NORMAL_12
+from verify.paper.spectrum.matrices import Vector, apply, dot
+from verify.paper.spectrum.printed import MATRIX, THEOREM, h, r, root_3
+
+BOUND = "EQUATSS3.5Minor_z'__Triag"
+
+n = Letters("triple", a="a", b="b", c="c", t="t")
+QUARTER = Fraction(1, 4)
+
+
+def state() -> Vector:
+    """The coordinates just before 0-1 for which the three collisions meet a, b and c."""
+    z = n.b + h * n.a
+    difference = 2 * root_3 / 3 * (n.c - (n.a + z) / 2 + h * n.a + h * n.b)
+    return n.a, n.t - difference, z, n.t
+
+
+def chapters() -> Iterator[Chapter]:
+    """The state meets a, b, c; its image recedes in all three pairs."""
+    found = n.opened(
+        "r in ]0,1[; a, b, c < 0 are the normal components before 0-1, 0-2, 1-2",
+        "-1 -1 -1 0",
+        {"a": n.a < 0, "b": n.b < 0, "c": n.c < 0},
+    )
+    context = found._replace(
+        variables=(Variable("r", "r", "r"), *found.variables),
+        givens=(Given("triple-r", 0 < r), Given("triple-r-one", r < 1), *found.givens),
+        point={"r": as_term(Fraction(1, 2)), **found.point},
+    )
+    yield Chapter(None, (Opened(context),))
+    yield Chapter(n.context, tuple(_lines()))
+
+
+def _lines() -> Iterator[Item]:
+    start = state()
+    before_2 = apply(A_A, start)
+    before_3 = apply(A_B, before_2)
+    image = apply(MATRIX, start)
+    for name, value, letter in (
+        ("01", start[0], n.a),
+        ("02", before_2[2], n.b),
+        ("12", dot(NORMAL_12, before_3), n.c),
+    ):
+        yield Line(
+            f"cone-meets-{name}",
+            equal(value, letter),
+            identity(),
+            THEOREM,
+            f"the collision {name[0]}-{name[1]} meets this normal component",
+        )
+    quarter = plus("triple-r", 1)
+    both = times(QUARTER, quarter, plus("triple-b", "triple-c"))
+    last = times(QUARTER, quarter, "triple-c")
+    for name, value, expected, addends, says in (
+        ("x", image[0], -(r * n.a) - h * (n.b + n.c), ("triple-a", both), "x' = -ra - h(b+c)"),
+        ("z", image[2], -(r * n.b) - h * n.c, ("triple-b", last), "z' = -rb - hc"),
+        ("12", dot(NORMAL_12, image), -(r * n.c), ("triple-c", 0), "the third is -rc"),
+    ):
+        yield Line(
+            f"cone-image-{name}",
+            equal(value, expected),
+            identity(),
+            BOUND,
+            f"the image under the printed matrix: {says}, h = (1+r)/4",
+        )
+        yield Line(
+            f"cone-sign-{name}",
+            0 < expected,
+            proof(times("triple-r", addends[0]), addends[1]),
+            BOUND,
+            "it is positive: this pair recedes after the triple, for every r",
+        )

@@ -11,10 +11,12 @@ import operator
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from fractions import Fraction
+from math import isqrt
 
 from flint import arb, ctx, fmpq
 
 from verify.language.record import TYPE_CHECKING
+from verify.prover.decimals import round_decimal
 from verify.prover.program import UndefinedError
 
 if TYPE_CHECKING:
@@ -184,3 +186,52 @@ def widened_ends(ball: arb, bits: int) -> tuple[int, int, int]:
 def accuracy_bits(ball: arb) -> int:
     """How many relative bits of the ball are known; very large for an exact one."""
     return int(ball.rel_accuracy_bits())
+
+
+def exact(value: Fraction) -> fmpq:
+    """The same rational number, of a kind that mixes with balls."""
+    return fmpq(value.numerator, value.denominator)
+
+
+def shortened(value: Any, bits: int) -> Any:
+    """A rational number of at most so many bits as it is; a longer one as a ball."""
+    return arb(value) if type(value) is fmpq and value.height_bits() > bits else value
+
+
+def any_root(value: Any) -> Any:
+    """The root of a positive rational or ball: a rational if that is possible."""
+    if type(value) is not fmpq:
+        return value.sqrt()
+    p, q = int(value.p), int(value.q)
+    n, d = isqrt(p), isqrt(q)
+    return fmpq(n, d) if (n * n, d * d) == (p, q) else arb(value).sqrt()
+
+
+def as_ball(value: Any) -> arb:
+    """A ball around a rational number, an integer, or a ball."""
+    return value if isinstance(value, arb) else arb(value)
+
+
+def short_rational(value: Any, digits: int = 12) -> Fraction:
+    """A rational number with few digits near a ball or a rational number."""
+    middle = as_ball(value).mid()
+    if middle.is_zero():
+        return Fraction(0)
+    mantissa, exponent = round_decimal(_dyadic(middle), digits, up=False)
+    return mantissa * Fraction(10) ** exponent
+
+
+def rational_above(value: Any, digits: int = 6) -> Fraction:
+    """A rational number with few digits that is no less than a positive ball."""
+    mantissa, exponent = round_decimal(_dyadic(as_ball(value).upper()), digits, up=True)
+    return mantissa * Fraction(10) ** exponent
+
+
+def larger(a: Any, b: Any) -> arb:
+    """The larger one of two numbers."""
+    return as_ball(a).max(as_ball(b))
+
+
+def as_float(value: Any) -> float:
+    """A float near a ball or a rational number."""
+    return float(as_ball(value).mid())

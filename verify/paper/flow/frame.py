@@ -32,7 +32,7 @@ class Frame:
 
     def __init__(self, state: State) -> None:
         v = state.v
-        self._gram = {
+        self._gram: dict[tuple[str, str], Term] = {
             ("x_s", "x_s"): 1 + state.sig * v**2,
             ("x_c", "x_c"): 1 + state.eps * v**2,
             ("W_s", "W_s"): state.B,

@@ -1,0 +1,87 @@
+"""Three spheres of diameter 1 at the time 0: exact numbers, and what they are seen from one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import Any
+
+from verify.language.record import Record
+from verify.paper.flow.law import Number, Pair, State
+
+#: The three pairs, and for each the third sphere.
+PAIRS = ((0, 1), (0, 2), (1, 2))
+#: A central sphere o, the spectator s, and the sphere c that is looked at.
+Frame = tuple[int, int, int]
+Vector = Sequence[Number]
+
+
+class Scene(Record):
+    """Centres and velocities of the spheres 0, 1, 2, and the coefficient of restitution."""
+
+    r: Fraction
+    positions: tuple[tuple[Fraction, ...], ...]
+    velocities: tuple[tuple[Fraction, ...], ...]
+
+    @property
+    def dimension(self) -> int:
+        """The number of coordinates."""
+        return len(self.positions[0])
+
+
+class Coordinates(Record):
+    """Centres and velocities in numbers of any kind."""
+
+    x: Sequence[Vector]
+    v: Sequence[Vector]
+
+    def pair(self, i: int, j: int) -> Pair:
+        """|x|² - 1, x·w and |w|² of a pair."""
+        x, w = difference(self.x, i, j), difference(self.v, i, j)
+        return Pair(dot(x, x) - 1, dot(x, w), dot(w, w))
+
+    def state(self, frame: Frame, keep: Callable[[str, Number], Number]) -> State:
+        """The scene seen from one of its spheres, with the unit of speed 1."""
+        o, s, c = frame
+        x_s, x_c = difference(self.x, o, s), difference(self.x, o, c)
+        W_s, W_c = difference(self.v, o, s), difference(self.v, o, c)
+        return State(
+            1,
+            keep("lam", -dot(x_c, W_c)),
+            keep("rho", dot(x_s, W_s)),
+            keep("eps", dot(x_c, x_c) - 1),
+            keep("sig", dot(x_s, x_s) - 1),
+            keep("A", dot(W_c, W_c)),
+            keep("B", dot(W_s, W_s)),
+            keep("C", -dot(x_s, x_c)),
+            keep("a", dot(x_s, W_c)),
+            keep("b", dot(x_c, W_s)),
+            keep("w", dot(W_s, W_c)),
+        )
+
+
+def coordinates(scene: Scene, number: Callable[[Fraction], Number]) -> Coordinates:
+    """The coordinates of a scene as numbers of another kind."""
+
+    def all_of(rows: Sequence[Sequence[Any]]) -> tuple[tuple[Number, ...], ...]:
+        return tuple(tuple(number(value) for value in row) for row in rows)
+
+    return Coordinates(all_of(scene.positions), all_of(scene.velocities))
+
+
+def difference(rows: Sequence[Vector], i: int, j: int) -> Vector:
+    """The vector from the i-th to the j-th."""
+    return [b - a for a, b in zip(rows[i], rows[j], strict=True)]
+
+
+def dot(x: Vector, z: Vector) -> Number:
+    """The inner product."""
+    total = x[0] * z[0]
+    for a, b in zip(x[1:], z[1:], strict=True):
+        total = total + a * b
+    return total
+
+
+def pair_name(i: int, j: int) -> str:
+    """A pair as people write it: 01, 02 or 12."""
+    return f"{min(i, j)}{max(i, j)}"

@@ -1,0 +1,80 @@
+"""What becomes of a scene: it is followed until a theorem says so, or the budget is spent."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from verify.language.record import Record
+from verify.paper.scene.scene import Scene
+from verify.prover import balls
+from verify.prover.flow import Flow, UnclearError
+from verify.prover.flow_collapse import Collapse, collapse
+from verify.prover.flow_criteria import Criterion, finitely_many
+
+COLLAPSES, DISPERSES, FINITE, UNDECIDED = "collapses", "disperses", "finite", "undecided"
+FIRST_BITS, MAX_BITS = 128, 4096
+MAX_COLLISIONS = 1000
+
+
+class Budget(Record):
+    """How far a scene is followed, and how many digits of the collapse time are asked for."""
+
+    collisions: int = MAX_COLLISIONS
+    digits: int | None = None
+    bits: int = FIRST_BITS
+    max_bits: int = MAX_BITS
+
+
+class Found(Record):
+    """The verdict on a scene with its evidence: the flow, and what ends it."""
+
+    verdict: str
+    reason: str
+    flow: Flow
+    collapse: Collapse | None = None
+    criterion: Criterion | None = None
+
+
+def decide(scene: Scene, budget: Budget = Budget()) -> Found:  # noqa: B008
+    """The verdict; the precision is doubled until balls decide every step, or it is spent."""
+    bits = max(budget.bits, 64 + 4 * (budget.digits or 0))
+    while True:
+        found = at_precision(scene, budget, bits)
+        spent = len(found.flow.collisions) >= budget.collisions or bits >= budget.max_bits
+        if spent or not (found.verdict == UNDECIDED or (found.collapse and found.reason)):
+            return found
+        bits *= 2
+
+
+def at_precision(scene: Scene, budget: Budget, bits: int) -> Found:
+    """The verdict as far as balls of one precision show it."""
+    with balls.precision(bits):
+        flow = Flow(scene, bits)
+        known: Found | None = None
+        try:
+            while len(flow.collisions) < budget.collisions:
+                now = flow.now
+                end = None if now is None else collapse(scene.r, now.state, now.time)
+                if end is not None:
+                    known = Found(COLLAPSES, "", flow, end)
+                    if is_tight(end, budget.digits):
+                        return known
+                if not flow.advance():
+                    return Found(DISPERSES, "no pair meets any more", flow)
+            reason = f"budget: {budget.collisions} collisions were followed"
+            criterion = None if known else finitely_many(flow)
+        except UnclearError as error:
+            reason, criterion = str(error), None
+        if known is not None:
+            return known._replace(reason=reason)
+        return Found(UNDECIDED if criterion is None else FINITE, reason, flow, None, criterion)
+
+
+def is_tight(end: Collapse, digits: int | None) -> bool:
+    """Whether the enclosures of time and angle have so many digits."""
+    if digits is None:
+        return True
+    low, high = end.time
+    width = balls.exact(Fraction(1, 10**digits))
+    angle = end.angle[1] - end.angle[0]
+    return bool(high - low <= width * low) and angle <= Fraction(1, 10**digits)

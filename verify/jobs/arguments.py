@@ -76,7 +76,7 @@ def proof_of(reason: Reason) -> Proof:
             branches = tuple(map(proof_of, reason.branches))
             return Least("rhs", branches, reason.equation)
         case argument.ByEntry():
-            return Entry("lhs", reason.equation)
+            return Entry(reason.side, reason.equation)
         case argument.ByInstance():
             return Instance(reason.fact, reason.values, reason.givens)
         case argument.ByRoot():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from functools import cache
 
@@ -19,7 +19,7 @@ from verify.language.terms import (
     substitute_claim,
     symbol,
 )
-from verify.paper.argument import Chapter, Opened, Reason, ToBeFound
+from verify.paper.argument import Chapter, Line, Opened, Reason, ToBeFound
 from verify.paper.everywhere import chart as paper
 from verify.paper.everywhere.theorem import printed_statement, statement
 from verify.paper.groups import PRINTED, REPAIRED
@@ -119,22 +119,35 @@ class Everywhere:
         replaced = paper.replacements(self.set)
         return Ring(self.session, paper.CONTEXT, search, atoms, values, replaced)
 
-    def run(self) -> Outcome:
-        """The chart, the constants, the rows, and that the step applies."""
+    def prepare(self) -> None:
+        """The chart and the constants."""
         root = (*paper.ground_lines(), Opened(self.statement.contexts[0]))
         self.writing.chapter(Chapter(None, root))
         self.writing.chapter(Chapter(paper.CONTEXT, tuple(paper.lines(self.set))))
         for name in (*MINIMA[:1], "delta_y", *MINIMA[1:5], "d_slope", *MINIMA[5:], "T_star"):
             self._constant(self.writing.constants[f"{self.set.group}.{name}"], name)
-        for row in self.statement.obligations:
-            if row.name not in self.writing.decisions and row.name not in self.hints:
-                self._row(row)
-        if not self.set.printed:
-            self._lemmas()
+
+    def run(self) -> Outcome:
+        """The chart, the constants, the rows, and that the step applies."""
+        self.prepare()
+        rows = [row for row in self.statement.obligations if row.name not in self.hints]
+        left = [row for row in rows if not self._decided(row)]
+        if self.set.printed:
+            self._bounds_below()
+            for row in left:
+                self._refute(row)
+        else:
+            self.lines(paper.about_d_bar())
         for name in self.hints:
-            self._row(self.writing.rows[name])
+            hinted = self.writing.rows.get(name)
+            if hinted is not None and isinstance(hinted.claim, Claim):
+                self._proved(hinted, hinted.claim)
         if not self.set.printed:
             self._apply()
+        return self.outcome()
+
+    def outcome(self) -> Outcome:
+        """What is decided so far."""
         decisions = {
             row.name: self.writing.decisions.get(row.name, Decision(UNDECIDED))
             for row in self.statement.obligations
@@ -152,47 +165,86 @@ class Everywhere:
             return
         facts = []
         branches = tuple(self.ring.prove(0 < entry) for entry in constant.term.children)
-        self._prove(f"{constant.name}-positive", Least("rhs", branches, constant.name))
+        positive = f"{constant.name}-positive"
+        self._prove(positive, 0 < term, Least("rhs", branches, constant.name))
         for number, entry in enumerate(constant.term.children, 1):
             fact = f"{constant.name}-entry-{number}"
-            self._prove(fact, Entry("lhs", constant.name))
+            self._prove(fact, term <= entry, Entry("lhs", constant.name))
             facts.append((fact, entry))
         self.search.bound(name, self.ring.entries(name, facts))
 
-    def _prove(self, name: str, proof: Proof) -> None:
-        self.writing.decide(self.writing.rows[name], proof)
+    def _prove(self, name: str, claim: Claim, proof: Proof) -> None:
+        """Write down a row of this name, or a lemma."""
+        row = self.writing.rows.get(name)
+        if row is None:
+            self.session.lemma(claim, proof, paper.CONTEXT, name)
+        else:
+            self.writing.decide(row, proof)
 
-    def _lemmas(self) -> None:
-        for item in paper.about_d_bar():
-            if not isinstance(item.reason, ToBeFound):
+    def lines(self, items: Iterable[Line]) -> None:
+        """Write down lines, some of which have a proof that has to be found."""
+        for item in items:
+            if not isinstance(item.claim, Claim):
+                raise TypeError(f"{item.name} compares no numbers")
+            if isinstance(item.reason, ToBeFound):
+                self._prove(item.name, item.claim, self.ring.prove(item.claim))
+            else:
+                self.ring.ensure(item.claim.lhs, item.claim.rhs)
                 self.writing.chapter(Chapter(paper.CONTEXT, (item,)))
-            elif isinstance(item.claim, Claim):
-                self.ring.lemma(item.claim, item.name)
 
     # --- rows -----------------------------------------------------------------------------------
 
-    def _row(self, row: Obligation) -> None:
-        if not isinstance(row.claim, Claim):
-            return
-        try:
-            if not any(names_of(row.claim.lhs, row.claim.rhs)):
-                self.writing.decisions[row.name] = self.ground.decide(row)
-            else:
-                self.writing.decide(row, self._proof(row.name, row.claim))
-        except NotFoundError:
-            self.writing.decisions[row.name] = self._refuted(row, row.claim)
+    def _decided(self, row: Obligation) -> bool:
+        """Whether a row, or its negation, is proved for all parameters now, or was before."""
+        if row.name in self.writing.decisions or not isinstance(row.claim, Claim):
+            return True
+        if not any(names_of(row.claim.lhs, row.claim.rhs)):
+            self.writing.decisions[row.name] = self.ground.decide(row)
+            return True
+        return self._proved(row, row.claim) or self._fails(row, row.claim)
 
-    def _refuted(self, row: Obligation, claim: Claim) -> Decision:
-        """A row that is false for all parameters, or at one of some points."""
+    def _proved(self, row: Obligation, claim: Claim) -> bool:
+        try:
+            self.writing.decide(row, self._proof(row.name, claim))
+        except NotFoundError:
+            return False
+        return True
+
+    def _fails(self, row: Obligation, claim: Claim) -> bool:
         opposite = negation(claim)
         try:
-            found = None if opposite is None else self._proof("", opposite)
+            if opposite is None:
+                return False
+            self._write_refuted(row, self._proof(f"not {row.name}", opposite))
         except NotFoundError:
-            found = self._witness(claim)
-        if found is None:
-            return Decision(UNDECIDED)
-        self.session.prove_row(row, found, holds=False)
-        return Decision(REFUTED, found)
+            return False
+        return True
+
+    def _write_refuted(self, row: Obligation, proof: Proof) -> None:
+        self.session.prove_row(row, proof, holds=False)
+        self.writing.decisions[row.name] = Decision(REFUTED, proof)
+
+    def _bounds_below(self) -> None:
+        """From now on the search knows bounds from below, too: rows that fail may need them."""
+        for name, numerator in (("delta_x", paper.LEAST_DELTA), ("zeta_bar", ZERO)):
+            fact = f"{self.set.group}.{name}-positive"
+            if numerator is not ZERO:
+                fact = self._least(f"{self.set.group}.{name}", numerator)
+            self.search.bound_below(name, fact, self.ring.clear(numerator)[0])
+
+    def _least(self, constant: str, term: Term) -> str:
+        """The fact that a term is at most the constant, which is a minimum."""
+        entries = self.session.definitions[constant].children
+        branches = tuple(self.ring.prove(term <= entry) for entry in entries)
+        proof = Least("rhs", branches, constant)
+        return self.session.lemma(term <= symbol(constant), proof, paper.CONTEXT)
+
+    def _refute(self, row: Obligation) -> None:
+        """Decide a row that fails for all parameters, or at one of some points."""
+        if isinstance(row.claim, Claim) and not self._fails(row, row.claim):
+            found = self._witness(row.claim)
+            if found is not None:
+                self._write_refuted(row, found)
 
     def _witness(self, claim: Claim) -> Witness | None:
         context = self.statement.contexts[0]

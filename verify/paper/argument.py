@@ -67,9 +67,10 @@ class ByRoot(Record):
 
 
 class ByEntry(Record):
-    """A minimum is at most its entry."""
+    """A minimum on the left is at most its entry; a maximum on the right is at least its entry."""
 
     equation: str | None = None
+    side: str = "lhs"
 
 
 class ByLeast(Record):

@@ -39,11 +39,15 @@ class NotFoundError(ArithmeticError):
 
 
 class EntryBound(Record):
-    """The fact that numerator - x denominator >= 0, where the denominator is positive."""
+    """The fact that numerator - x denominator >= 0, where the denominator is positive.
+
+    With ``below`` it is the fact that x denominator - numerator >= 0.
+    """
 
     fact: str
     numerator: Polynomial
     denominator: Polynomial
+    below: bool = False
 
 
 class Square(Record):
@@ -105,6 +109,12 @@ class Positivity:
         self._known.clear()
         self._sample()
 
+    def bound_below(self, name: str, fact: str, numerator: Polynomial) -> None:
+        """From now on a variable that has entries is known to be at least a polynomial."""
+        self.entries[name].append(EntryBound(fact, numerator, self.constant(1), below=True))
+        self._known.clear()
+        self._sample()
+
     def relate(self, name: str, square: Square) -> None:
         """From now on the square of a variable is known."""
         self.squares[name] = square
@@ -128,11 +138,12 @@ class Positivity:
             square = self.squares[name]
             return math.sqrt(_float(square.numerator, values) / _float(square.denominator, values))
         if name in self.entries:
-            ends = [
-                _float(entry.numerator, values) / _float(entry.denominator, values)
-                for entry in self.entries[name]
-            ]
-            return min(ends) * max(next(chosen), 2 * next(chosen) // 1)
+            ends: dict[bool, list[float]] = {True: [0.0], False: []}
+            for entry in self.entries[name]:
+                end = _float(entry.numerator, values) / _float(entry.denominator, values)
+                ends[entry.below].append(end)
+            low, high = max(ends[True]), min(ends[False])
+            return low + (high - low) * max(next(chosen), 2 * next(chosen) // 1)
         if name in self.below:
             top, share, tiny = float(self.below[name][0]), next(chosen), 10**-6 * next(chosen)
             return top * (share, tiny, 1 - tiny)[int(3 * next(chosen))]
@@ -249,14 +260,15 @@ class Positivity:
         raise NotFoundError("nothing left to try")
 
     def _at_entry(self, name: str, parts: list[Polynomial], entry: EntryBound, depth: int) -> Found:
-        """D^k f(x) = D^k f(N/D) + (N - xD) Q, where Q must be >= 0."""
+        """D^k f(x) = D^k f(N/D) + (N - xD) Q, or + (xD - N) Q, where Q must be >= 0."""
         n, d, x = entry.numerator, entry.denominator, self.generators[name]
         degree = len(parts) - 1
         at_entry = slope = self.constant(0)
+        sign = 1 if entry.below else -1
         for k, part in enumerate(parts):
             at_entry += part * n**k * d ** (degree - k)
             for j in range(k):
-                slope -= part * d ** (degree - k) * n ** (k - 1 - j) * (x * d) ** j
+                slope += sign * part * d ** (degree - k) * n ** (k - 1 - j) * (x * d) ** j
         q, h, below = (self._find(g, depth + 1) for g in (slope, at_entry, d))
         if below.factors or not below.strict:
             raise NotFoundError("a denominator without a plain sign")

@@ -66,6 +66,8 @@ root_two = sqrt(2)
 #: What is left of it above 7/5, which is between 0 and 1/50.
 REST_ABOVE, REST_BELOW = Fraction(7, 5), Fraction(1, 50)
 rest = root_two - REST_ABOVE
+#: A bound from below of delta_x in both sets of constants.
+LEAST_DELTA = p * (1 - u) / 4
 root_4, root_5 = sqrt(r / (1 - h_4)), sqrt(phi_minus / (1 - h_5))
 
 U = Constant("u", "u", "u", THEOREM, m / p**2)
@@ -383,7 +385,8 @@ def about_d_bar() -> Iterator[Line]:
 def hints(k: ConstantSet = REPAIRED_SET) -> dict[str, tuple[Reason, ...]]:
     """Rows of which no search finds a short proof, each after those that it uses.
 
-    A row with a maximum has a reason for each of its entries.
+    A row with a maximum, or minimum, has a reason for each of its entries. Rows that are false have
+    ``not`` before their names.
     """
 
     def of(name: str) -> str:
@@ -422,7 +425,13 @@ def hints(k: ConstantSet = REPAIRED_SET) -> dict[str, tuple[Reason, ...]]:
             ),
         ),
     }
-    if not k.printed:
+    if k.printed:
+        zeta = of("zeta_bar-positive")
+        found[f"not {of('zeta-time-square')}"] = (
+            proof(times(8, zeta, V_0s, "@2"), times(HALF, zeta, V_0s, V_0s), using="@1"),
+            proof(times(Fraction(1, 32), V_0s, V_0s, V_0s), using="@1"),
+        )
+    else:
         found["redundant.d_bar-1"] = (
             ByLeast(
                 (

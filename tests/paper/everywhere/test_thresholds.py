@@ -1,0 +1,140 @@
+"""Where printed rows hold that depend on the parameters: accepted, and true at random points."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from fractions import Fraction
+
+import pytest
+
+from verify import check
+from verify.jobs.thresholds import decide_thresholds, gap, shares
+from verify.language.statement import PROVED, UNDECIDED
+from verify.language.terms import Claim, Term
+from verify.paper.everywhere import thresholds as paper
+from verify.paper.everywhere.chart import CONTEXT
+from verify.paper.groups import PRINTED
+from verify.paper.theorem1 import theorem
+from verify.prover import balls
+from verify.prover.balls import BallArithmetic
+from verify.prover.outcome import Outcome
+from verify.prover.program import Machine, Program
+from verify.prover.proof import LemmaStep
+from verify.prover.relations import fails, holds
+from verify.wire.read import read
+from verify.wire.write import write
+
+
+def report(outcome: Outcome) -> check.Report:
+    files = write(outcome)
+    return check.check(files["statement.json"], files["certificate.json"], {})
+
+
+def test_it_is_proved_and_small() -> None:
+    outcome = decide_thresholds()
+    files = write(outcome)
+    assert outcome.verdict == PROVED
+    assert report(outcome).verdict == "PROVED"
+    assert sum(map(len, files.values())) < 100_000
+    assert read(files["statement.json"], files["certificate.json"], {}) == outcome
+
+
+def test_every_strip_is_a_row_of_the_statement() -> None:
+    names = {row.name for row in decide_thresholds().statement.obligations}
+    assert {strip.by for strip in paper.STRIPS} <= names
+    for strip in paper.STRIPS:
+        assert strip.low < strip.high
+
+
+def test_little_is_undecided() -> None:
+    for row in dict.fromkeys(strip.row for strip in paper.STRIPS):
+        found = shares(row)
+        assert found[UNDECIDED][1] < Fraction(1, 10000)
+        assert sum(low for low, _ in found.values()) <= 1 <= sum(high for _, high in found.values())
+        assert gap(row) <= paper.STRIP
+
+
+def points() -> Iterator[tuple[Fraction, tuple[Fraction, ...]]]:
+    """Values of phi_plus, with r and c, anywhere in the chart and next to the thresholds."""
+    chosen = random.Random(7)
+    near = [paper.DRIFT_ENDS, paper.SLOPE_STARTS]
+    tiny = Fraction(1, 10**6)
+    ends = [x + sign * (paper.STRIP + tiny) for x in near for sign in (-1, 1)]
+    ends += [paper.DRIFT_ENDS, paper.SLOPE_STARTS + tiny, paper.SLOPE_STARTS - tiny]
+    for _ in range(60):
+        p = chosen.choice([*ends, Fraction(chosen.randrange(1, 500), 1000)])
+        u = chosen.choice([Fraction(chosen.randrange(1, 1000), 1000), tiny, 1 - tiny])
+        r, c = u * p**3, 2 * (p + u * p**2) / (1 + u * p**3)
+        if c <= 1:
+            yield p, (r, c)
+
+
+def machine(terms: list[Term]) -> tuple[Machine, list[int]]:
+    program = Program(("r", "c", "V_0", "delta_theta"))
+    for constant in decide_thresholds().statement.contexts[0].constants:
+        program.define(constant.name, constant.term)
+    return Machine(program, BallArithmetic()), [program.add(term) for term in terms]
+
+
+def test_the_strips_tell_the_verdicts_of_the_printed_rows() -> None:
+    rows = {row.name: row.claim for row in theorem().parts[PRINTED].obligations}
+    seen = set()
+    for name in dict.fromkeys(strip.row for strip in paper.STRIPS):
+        claim = rows[f"{PRINTED}.{name}"]
+        assert isinstance(claim, Claim)
+        with balls.precision(300):
+            run, (x, y) = machine([claim.lhs, claim.rhs])
+            for p, (r, c) in points():
+                data = map(balls.from_fraction, (r, c, Fraction(1), Fraction(1, 10)))
+                values = run.run(list(data)).values
+                for strip in paper.STRIPS:
+                    if strip.row == name and strip.low < p < strip.high:
+                        decide = holds if strip.verdict == PROVED else fails
+                        assert decide(claim.relation, values[x], values[y]), (name, p)
+                        seen.add((name, strip.verdict))
+    assert len(seen) == len(paper.STRIPS)
+
+
+def test_every_fact_holds_at_random_parameters() -> None:
+    claims = {
+        item.name: item.claim
+        for item in decide_thresholds().steps
+        if isinstance(item, LemmaStep) and item.context == CONTEXT
+    }
+    claims |= {
+        row.name: row.claim
+        for row in decide_thresholds().statement.obligations
+        if isinstance(row.claim, Claim)
+    }
+    chosen = random.Random(11)
+    with balls.precision(600):
+        run, slots = machine([side for claim in claims.values() for side in claim.key[1:]])
+        for _, (r, c) in points():
+            v_0 = chosen.choice([Fraction(1, 16), Fraction(1), Fraction(10) ** chosen.randrange(7)])
+            delta = Fraction(10) ** chosen.randrange(-6, 2)
+            values = run.run(list(map(balls.from_fraction, (r, c, v_0, delta)))).values
+            for number, (name, claim) in enumerate(claims.items()):
+                x, y = slots[2 * number : 2 * number + 2]
+                assert not fails(claim.relation, values[x], values[y]), name
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("DRIFT_ENDS", Fraction(5, 33) + Fraction(1, 5000)),
+        ("DRIFT_ENDS", Fraction(5, 33) - Fraction(1, 5000)),
+        ("SLOPE_STARTS", Fraction(1, 23)),
+        ("TINY", Fraction(1, 10**6)),
+        ("FINAL_MOST", Fraction(1, 40)),
+    ],
+)
+def test_other_thresholds_are_refused(
+    name: str, value: Fraction, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The same proofs do not prove rows with another number in the place of a threshold."""
+    outcome = decide_thresholds()
+    monkeypatch.setattr(paper, name, value)
+    changed = paper.statement()
+    assert changed != outcome.statement
+    assert report(outcome._replace(statement=changed)).verdict == "REFUSED"

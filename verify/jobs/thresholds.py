@@ -1,0 +1,74 @@
+"""The job `thresholds`: where the printed rows hold that depend on the parameters.
+
+The chart is the set of all u and p with 0 < u < 1, 0 < p and 2(p + u p^2) <= 1 + u p^3, which is
+c <= 1; p is phi_plus. A strip of it is what lies between two values of p.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import cache
+
+from verify.jobs.everywhere import Everywhere
+from verify.language.statement import PROVED, REFUTED, UNDECIDED
+from verify.paper.everywhere import thresholds as paper
+from verify.paper.groups import PRINTED
+from verify.prover.outcome import Ends, Outcome
+
+#: How many parts 0 < u < 1 is cut into to enclose areas, and how often ends are halved there.
+PARTS, HALVINGS = 500, 24
+
+
+@cache
+def decide_thresholds() -> Outcome:
+    """The thresholds at which the rows begin, or cease, to hold."""
+    work = Everywhere(paper.statement(), PRINTED)
+    work.prepare()
+    work.lines(paper.lines())
+    return work.outcome()
+
+
+# --- areas ---------------------------------------------------------------------------------------
+
+
+def shares(row: str) -> Mapping[str, Ends]:
+    """Bounds of the share of the chart on which a row is proved, refuted, or neither."""
+    low, high = _area(Fraction(1, 2))
+    found = {}
+    for verdict in (PROVED, REFUTED):
+        part = [Fraction(0), Fraction(0)]
+        for strip in paper.STRIPS:
+            if (strip.row, strip.verdict) == (row, verdict):
+                inner, outer = _area(strip.low), _area(strip.high)
+                part[0] += max(Fraction(0), outer[0] - inner[1])
+                part[1] += outer[1] - inner[0]
+        found[verdict] = part[0] / high, min(Fraction(1), part[1] / low)
+    return {**found, UNDECIDED: (Fraction(0), gap(row) / low)}
+
+
+def gap(row: str) -> Fraction:
+    """The total width of the values of p between the strips of a row, which bounds their area."""
+    strips = sorted((strip.low, strip.high) for strip in paper.STRIPS if strip.row == row)
+    ends = [Fraction(0), *(end for strip in strips for end in strip), Fraction(1, 2)]
+    return sum((high - low for low, high in zip(ends[::2], ends[1::2], strict=True)), Fraction(0))
+
+
+@cache
+def _area(most: Fraction) -> Ends:
+    """Bounds of the area of the part of the chart with p at most this."""
+    heights = [_height(Fraction(k, PARTS)) for k in range(PARTS + 1)]
+    low = sum((min(most, height[0]) for height in heights[1:]), Fraction(0))
+    high = sum((min(most, height[1]) for height in heights[:-1]), Fraction(0))
+    return low / PARTS, high / PARTS
+
+
+@cache
+def _height(u: Fraction) -> Ends:
+    """Bounds of the largest p with c <= 1, which falls with u: c grows with u and with p."""
+    low, high = Fraction(0), Fraction(1, 2)
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        inside = 2 * (middle + u * middle**2) <= 1 + u * middle**3
+        low, high = (middle, high) if inside else (low, middle)
+    return low, high

@@ -164,7 +164,7 @@ def _everywhere(options: Options) -> int:
             f"--constants: {shown(options.constants)} is unknown; write printed or all"
         )
     test_folder("--out", options.out, "statement.json", "certificate.json")
-    from verify.jobs import everywhere  # loaded only where they are used
+    from verify.jobs import everywhere, thresholds  # loaded only where they are used
     from verify.views import everywhere as view
     from verify.views.document import claims_document
 
@@ -177,7 +177,10 @@ def _everywhere(options: Options) -> int:
         print_document(claims_document(outcome, "theorem1", view.FORMAT))
         return code
     text = [*view.row_lines(outcome), ""] if options.verbose else []
-    text += view.printed_screen(outcome) if printed else view.screen(outcome)
+    if printed:
+        text += view.printed_screen(outcome, thresholds.decide_thresholds())
+    else:
+        text += view.screen(outcome)
     sys.stdout.write("".join(f"{line}\n" for line in text))
     return code
 

@@ -18,6 +18,8 @@ from verify.prover.outcome import Ends, Outcome
 
 #: How many parts 0 < u < 1 is cut into to enclose areas, and how often ends are halved there.
 PARTS, HALVINGS = 500, 24
+#: All of the chart has p less than this.
+WHOLE = Fraction(1, 2)
 
 
 @cache
@@ -34,23 +36,26 @@ def decide_thresholds() -> Outcome:
 
 def shares(row: str) -> Mapping[str, Ends]:
     """Bounds of the share of the chart on which a row is proved, refuted, or neither."""
-    low, high = _area(Fraction(1, 2))
-    found = {}
-    for verdict in (PROVED, REFUTED):
-        part = [Fraction(0), Fraction(0)]
-        for strip in paper.STRIPS:
-            if (strip.row, strip.verdict) == (row, verdict):
-                inner, outer = _area(strip.low), _area(strip.high)
-                part[0] += max(Fraction(0), outer[0] - inner[1])
-                part[1] += outer[1] - inner[0]
-        found[verdict] = part[0] / high, min(Fraction(1), part[1] / low)
-    return {**found, UNDECIDED: (Fraction(0), gap(row) / low)}
+    found = {verdict: _share(row, verdict) for verdict in (PROVED, REFUTED)}
+    return {**found, UNDECIDED: (Fraction(0), gap(row) / _area(WHOLE)[0])}
+
+
+def _share(row: str, verdict: str) -> Ends:
+    strips = [strip for strip in paper.STRIPS if (strip.row, strip.verdict) == (row, verdict)]
+    if any((strip.low, strip.high) == (0, WHOLE) for strip in strips):
+        return Fraction(1), Fraction(1)
+    (least, most), low, high = _area(WHOLE), Fraction(0), Fraction(0)
+    for strip in strips:
+        inner, outer = _area(strip.low), _area(strip.high)
+        low += max(Fraction(0), outer[0] - inner[1])
+        high += outer[1] - inner[0]
+    return low / most, high / least
 
 
 def gap(row: str) -> Fraction:
     """The total width of the values of p between the strips of a row, which bounds their area."""
     strips = sorted((strip.low, strip.high) for strip in paper.STRIPS if strip.row == row)
-    ends = [Fraction(0), *(end for strip in strips for end in strip), Fraction(1, 2)]
+    ends = [Fraction(0), *(end for strip in strips for end in strip), WHOLE]
     return sum((high - low for low, high in zip(ends[::2], ends[1::2], strict=True)), Fraction(0))
 
 
@@ -66,7 +71,7 @@ def _area(most: Fraction) -> Ends:
 @cache
 def _height(u: Fraction) -> Ends:
     """Bounds of the largest p with c <= 1, which falls with u: c grows with u and with p."""
-    low, high = Fraction(0), Fraction(1, 2)
+    low, high = Fraction(0), WHOLE
     for _ in range(HALVINGS):
         middle = (low + high) / 2
         inside = 2 * (middle + u * middle**2) <= 1 + u * middle**3

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 
-from verify.language.statement import PROVED, REFUTED
-from verify.prover.outcome import Outcome
+from verify.jobs.thresholds import shares
+from verify.language.statement import PROVED, REFUTED, UNDECIDED, Obligation
+from verify.paper.everywhere.thresholds import STRIPS
+from verify.prover.outcome import Decision, Outcome
 from verify.views.words import (
     cited_as,
     counts,
@@ -45,24 +48,54 @@ def screen(outcome: Outcome) -> Iterator[str]:
     yield f"Verdict: {headline(outcome)}: {outcome.statement.title}; given {given_by(outcome)}"
 
 
-def printed_screen(outcome: Outcome) -> Iterator[str]:
-    """Which rows of the printed set fail for all parameters, and which at an example."""
+def printed_screen(outcome: Outcome, where: Outcome) -> Iterator[str]:
+    """Which rows of the printed set fail for all parameters, and which depend on them, and where.
+
+    ``where`` is the statement about thresholds.
+    """
     yield "The printed set, for all parameters that satisfy the corrected hypothesis"
     yield ""
-    typesetter = letters(outcome)
-    for row, decision in outcome.rows:
-        if decision.verdict == REFUTED and not decision.witness:
+    found = [(row, decision) for row, decision in outcome.rows if decision.verdict == REFUTED]
+    for row, decision in found:
+        if not decision.witness:
             yield f"  fails for all: {short_name(row)}   [{row.label}]"
-    for row, decision in outcome.rows:
-        if decision.verdict == REFUTED and decision.witness:
-            values = ", ".join(
-                f"{name} = {typesetter.term(term)}"
-                for name, term in decision.witness.items()
-                if name in ("u", "p", "v", "delta_theta")
-            )
-            yield f"  fails at {values}: {short_name(row)}   [{row.label}]"
+    yield ""
+    for row, decision in found:
+        if decision.witness:
+            yield f"  {_dependence(outcome, row, decision)}   [{row.label}]"
+            yield from (f"    {sentence}" for sentence in _sentences(where, short_name(row)))
+    yield ""
+    yield "Thresholds are for 1/16 ≤ V₀ ≤ 10⁶ and all other parameters. Shares are of the area where"
+    yield "-cos θ₀ ≤ 1 in the plane of φ⁻/(φ⁺)², between 0 and 1, and φ⁺, at V₀ = 1 and δ_θ = 1/10."
     yield ""
     yield f"Verdict: refuted: for all parameters, {counts(outcome, 'printed')}"
+
+
+def _dependence(outcome: Outcome, row: Obligation, decision: Decision) -> str:
+    typesetter = letters(outcome)
+    at = ", ".join(f"{name} = {typesetter.term(x)}" for name, x in decision.witness.items())
+    return f"depends: {short_name(row)}: fails at {at}"
+
+
+def _sentences(where: Outcome, name: str) -> Iterator[str]:
+    """What is certified about one row, and the shares of the plane."""
+    rows = [row for row, found in where.rows if found.verdict == PROVED]
+    yield from (row.says for row in rows if row.name.startswith(f"{name}."))
+    if any(strip.row == name for strip in STRIPS):
+        parts = shares(name)
+        decided = [
+            f"{v} at least {_percent(parts[v][0])}" for v in (PROVED, REFUTED) if parts[v][1]
+        ]
+        left = parts[UNDECIDED][1]
+        rest = f"undecided at most {_percent(left, up=True)}" if left else "nothing undecided"
+        yield f"share: {', '.join([*decided, rest])}"
+
+
+def _percent(share: Fraction, *, up: bool = False) -> str:
+    """A share in percent with two decimals, rounded one way."""
+    hundredths = share * 10000
+    whole = -(-hundredths // 1) if up else hundredths // 1
+    return f"{whole // 100}.{whole % 100:02} %"
 
 
 def row_lines(outcome: Outcome) -> Iterator[str]:

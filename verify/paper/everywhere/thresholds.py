@@ -265,8 +265,8 @@ def _slope_rows() -> Iterator[Line]:
         4 * LEAST <= 22 * p * d_later,
         proof(f"{name}.above", times(4, scale, "Delta_theta.least"), using=using),
         label(name),
-        "the left side is at least 1/(22 φ⁺) times the right one where h₄δ_x/8 ≤ δ_θ: "
-        "it fails where φ⁺ < 1/22",
+        "where h₄δ_x/8 ≤ δ_θ its left side is at least 1/(22 φ⁺) times the right one: "
+        "there it fails where φ⁺ < 1/22",
     )
     claim = 0 <= maximum(SLOPE_STARTS - p, 4 * SHARE - d_later)
     goal = times(scale, plus(times(88, "share-positive"), times(22, "p-positive")), "goal")

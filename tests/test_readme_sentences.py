@@ -1,0 +1,270 @@
+"""Every sentence of the README with a number, or with a word like "all" or "never", is tested.
+
+`BACKED` has for a piece of each such sentence the tests that would fail if it were false: functions
+of other files by name, or checks that stand here. The tables of the README and its commands have
+tests of their own (`tests/test_readme.py`, `tests/cli`).
+"""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+from collections.abc import Callable
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from tests.points import parameters
+from verify.jobs.theorem1 import decide_point
+from verify.language.statement import REFUTED
+from verify.language.typeset import Typesetter
+from verify.paper.groups import REPAIRED
+from verify.paper.initial_data import ConstantSet
+from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
+
+ROOT = Path(__file__).resolve().parent.parent
+
+#: What a sentence says that needs a test.
+CLAIMING = re.compile(
+    r"\d|\b(all|any|both|each|every|never|no|none|nothing|only|"
+    r"one|two|three|four|five|six|seven|eight|nine|ten)\b",
+    re.IGNORECASE,
+)
+
+
+def the_counts() -> None:
+    """`test_the_counts_are_right` has the numbers; here: that both sides are enclosed."""
+    outcome = decide_point(parameters("3/100", "1"))
+    assert all(found.sides for _, found in outcome.rows if found.verdict == REFUTED)
+
+
+def python_version() -> None:
+    assert 'requires-python = ">=3.11"' in (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+
+
+def ladder() -> None:
+    assert (DEFAULT_PRECISION, DEFAULT_MAX_PRECISION) == (128, 65536)
+    assert 65536 == 128 * 2**9
+
+
+def changed_constants() -> None:
+    """The entries of the repaired minima that the README names."""
+    typesetter, k = Typesetter({}), ConstantSet(REPAIRED)
+    bounds = {name: [typesetter.term(e) for e in terms] for name, terms in k.bounds().items()}
+    assert "V_0/repaired.V_1·(delta_2²·h_5/12)" in bounds["delta_x"]
+    assert "(1 - C_eta)/28·(V_0/√repaired.V_1)·repaired.Delta_theta" in bounds["eta_bar"]
+    assert "repaired.Delta_theta/4" in bounds["d_const"]
+    rows = [row for row, _ in decide_point(parameters("3/100", "1"), REPAIRED).rows]
+    (angle,) = (row for row in rows if row.name == "repaired.angle-absorbed")
+    assert "14/(1 - C_eta)·(√repaired.V_1/V_0)·repaired.eta_bar" in typesetter.claim(angle.claim)
+
+
+def changes_in_reports() -> None:
+    for report in (ROOT / "certificates").glob("theorem1-r-*/report.md"):
+        assert "| Label | Paper | Needed | Why |" in report.read_text(encoding="utf-8"), report
+
+
+def equal_width() -> None:
+    """Four bits at a time, and no greater width: in the data that the table is made from."""
+    path = ROOT / "certificates/data/bench.json"
+    table = json.loads(path.read_text(encoding="utf-8"))["tables"]["equal_width"]
+    for bits, arb_bits, width, arb_width, _ in table["rows"]:
+        assert arb_bits > bits
+        assert (arb_bits - bits) % 4 == 0
+        assert Fraction(arb_width) <= Fraction(width)
+
+
+def oracle_bits() -> None:
+    from tests.prover.test_oracle import CONTEXT
+
+    assert CONTEXT.prec == 2000
+
+
+def mutation_figures() -> None:
+    """The figures were measured by hand; what is left of them to test is that they agree."""
+    text = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+    (found,) = re.findall(r"notice (\d+) of (\d+) mutants, ([\d.]+) %", text)
+    noticed, mutants, share = map(Fraction, found)
+    assert abs(noticed / mutants * 100 - share) < Fraction(1, 20)
+
+
+Check = str | Callable[[], None]
+
+COUNTS = "tests/test_readme.py::test_the_counts_are_right"
+TABLES = "tests/test_readme.py::test_the_tables_are_what_the_program_found"
+
+BACKED: dict[str, tuple[Check, ...]] = {
+    # what the paper says, in the words of its abstract
+    "construct an explicit set of initial data from which three hard spheres": (
+        "tests/paper/step/test_step.py::test_orbits_from_the_initial_set_satisfy_all_conditions",
+    ),
+    # what was found
+    "of its rows are refuted, each with both sides enclosed": (COUNTS, the_counts),
+    "rows of the repaired set are proved there": (
+        COUNTS,
+        "tests/jobs/test_theorem1.py::test_chosen_constants_are_short_and_do_not_depend_on_the_precision",
+    ),
+    "At a point": (COUNTS, "tests/paper/step/test_step.py::test_a_point_run_cites_the_step"),
+    "The repaired theorem, for all parameters, given": (
+        COUNTS,
+        "tests/paper/everywhere/test_everywhere.py::test_everything_is_proved_and_small",
+    ),
+    "`verify theorem1 --all` proves the": (
+        COUNTS,
+        "tests/paper/everywhere/test_everywhere.py::test_the_rows_are_those_of_the_theorem",
+        "tests/paper/step/test_step.py::test_the_step_is_proved_and_small",
+    ),
+    "sentences are taken on trust there": (
+        COUNTS,
+        "tests/paper/step/test_step.py::test_glue_names_rows_that_are_there",
+    ),
+    "re-checks them with nothing but Python's standard library": (
+        "tests/check/test_wall.py::test_it_imports_nothing_but_the_standard_library",
+        "tests/check/test_wall.py::test_nothing_from_this_package_is_loaded",
+    ),
+    "steps of the printed proof are refuted at every point": (
+        "tests/prover/test_cover.py::test_verdicts_on_cells_hold_at_their_points",
+        "tests/views/test_plots.py::test_every_cell_of_the_maps_is_accounted_for",
+    ),
+    "all rows of the repaired set are proved at every point": (
+        "tests/prover/test_cover.py::test_verdicts_on_cells_hold_at_their_points",
+        "tests/prover/test_cover.py::test_algebraic_rows_hold_elsewhere_too",
+    ),
+    # using it
+    "Python 3.11 or newer": (python_version,),
+    "Nothing passes through a float": (
+        "tests/language/test_terms.py::test_a_float_is_refused_with_what_to_write_instead",
+        "tests/cli/test_theorem1.py::test_500_digits_are_read_exactly",
+        "tests/check/test_wall.py::test_no_floating_point",
+    ),
+    "on a machine with nothing but Python": (
+        "tests/check/test_wall.py::test_it_imports_nothing_but_the_standard_library",
+        "tests/check/test_report.py::test_it_runs_alone",
+    ),
+    # how to read a verdict
+    "A row is a claim `left < right`": ("tests/prover/test_universal.py::test_verdicts",),
+    "a minimum is at most each of its entries": (
+        "tests/check/test_rule_entry.py",
+        "tests/cli/test_holes.py::test_a_an_entry_is_not_the_minimum_on_the_way_to_it",
+    ),
+    "There is no tolerance": (
+        "tests/prover/test_cover.py::test_an_equality_on_a_cell_is_never_decided",
+        "tests/jobs/test_theorem1.py::test_equality_in_the_hypothesis_is_a_definite_no",
+    ),
+    "for a claim about all values, at a witness": (
+        "tests/spectrum/test_rows.py::test_each_witness_is_exact",
+        "tests/check/test_rule_witness.py",
+    ),
+    "128 bits, doubled up to 65536": (ladder,),
+    "a refuted one says how bad it is": (
+        "tests/paper/test_rows.py::test_every_refuted_row_says_how_bad_it_is_and_what_corrects_it",
+    ),
+    # what the printed proof gets wrong
+    "At r = 3/100, θ₀ = π, V₀ = 1, δ_θ = 1/10": (TABLES,),
+    "the digits shown are those on which both ends agree": (
+        TABLES,
+        "tests/prover/test_decimals.py::test_short_texts_show_only_common_digits",
+    ),
+    "-cos θ₀ = 1 violates the hypothesis as printed": (
+        "tests/paper/test_rows.py::test_the_printed_hypothesis_fails_wherever_the_needed_one_holds",
+    ),
+    "Why, once for each cause": (
+        TABLES,
+        "tests/paper/test_rows.py::test_each_row_with_a_severity_has_one_cause",
+    ),
+    "`verify spectrum` judges formulas of Sections 4.1": (
+        "tests/spectrum/test_rows.py::test_a_row_is_claimed_for_its_numbers",
+    ),
+    "each with an exact witness": (
+        COUNTS,
+        "tests/spectrum/test_rows.py::test_exactly_these_sentences_are_refuted",
+        "tests/spectrum/test_rows.py::test_each_witness_is_exact",
+    ),
+    # what is changed
+    "is in the committed reports on Theorem 1": (changes_in_reports,),
+    "the tail of the angle sum is 14": (changed_constants,),
+    "rounded down to three digits": (
+        "tests/jobs/test_theorem1.py::test_each_chosen_constant_is_the_last_that_works",
+        "tests/jobs/test_theorem1.py::test_chosen_constants_are_short_and_do_not_depend_on_the_precision",
+    ),
+    # speed against error
+    "Measured by `verify bench`": (TABLES, "tests/measure/test_bench.py::test_the_quick_form"),
+    "At no greater width": (equal_width,),
+    "the least multiple of four extra bits": (equal_width,),
+    "each is compared with an independent computation": (
+        "tests/measure/test_stress.py::test_every_short_case_is_right",
+        "tests/measure/test_stress.py::test_a_wrong_verdict_is_seen",
+    ),
+    # what is trusted
+    "The assumptions listed with each statement": (
+        "tests/paper/test_rows.py::test_assumptions_have_a_kind_and_are_used",
+    ),
+    "a file of tests for each rule": (
+        "tests/check/test_wall.py::test_every_rule_has_a_test_file",
+        "tests/lies/test_lies.py::test_enough_lies",
+        "tests/check/test_mutants.py::test_enough_mutants",
+    ),
+    "With 2000 bits as an oracle": (oracle_bits, "tests/prover/test_oracle.py::test_agreement"),
+    "Mutation testing of `verify/check.py`": (
+        "tests/check/test_mutants.py::test_each_mutant_is_killed",
+    ),
+    "notice 1502 of 1573 mutants": (mutation_figures,),
+    "had not seen the first": (
+        "tests/paper/test_transcription.py::test_the_constants_are_the_same",
+        "tests/paper/test_transcription.py::test_every_blind_row_is_here_or_accounted_for",
+    ),
+    "maps the displayed formulas of Section 4": (
+        "tests/paper/test_formulas.py::test_there_is_one_line_for_every_displayed_formula",
+    ),
+}
+
+
+@cache
+def sentences() -> tuple[str, ...]:
+    """The sentences of the README; not its headings, tables, commands and generated lists."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    made = r"<!-- (?!mutation)(\w+): begin -->.*?<!-- \1: end -->\n"
+    text = re.sub(made, "\n", text, flags=re.DOTALL)
+    text = re.sub(r"<!--.*?-->\n", "", text)
+    text = re.sub(r"```.*?```", "\n\n", text, flags=re.DOTALL)
+    found = []
+    for block in re.split(r"\n\s*\n", text):
+        if not block.startswith(("|", "#", "![")):
+            for item in re.split(r"\n(?=\* )", block):
+                words = " ".join(item.split()).removeprefix("* ")
+                found += re.split(r"(?<=[.:])(?:\*\*)? (?=[A-Z*`(])", words)
+    return tuple(filter(None, found))
+
+
+def claiming() -> list[str]:
+    return [s for s in sentences() if CLAIMING.search(re.sub(r"`[^`]*`", "", s))]
+
+
+def test_each_sentence_that_claims_something_has_a_test() -> None:
+    assert len(claiming()) > 30
+    assert not [s for s in claiming() if not any(piece in s for piece in BACKED)]
+
+
+def test_each_entry_is_about_a_sentence() -> None:
+    assert not [piece for piece in BACKED if not any(piece in s for s in sentences())]
+
+
+def test_the_tests_exist() -> None:
+    for checks in BACKED.values():
+        for check in checks:
+            if isinstance(check, str):
+                path, _, name = check.partition("::")
+                body = ast.parse((ROOT / path).read_text(encoding="utf-8")).body
+                names = {node.name for node in body if isinstance(node, ast.FunctionDef)}
+                assert names if not name else name in names, check
+
+
+HERE = sorted({c for checks in BACKED.values() for c in checks if not isinstance(c, str)}, key=repr)
+
+
+@pytest.mark.parametrize("check", HERE, ids=lambda check: check.__name__)
+def test_checks_that_stand_here(check: Callable[[], None]) -> None:
+    check()

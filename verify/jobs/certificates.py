@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.jobs import everywhere, spectrum, step, theorem1
+from verify.jobs import classification, everywhere, spectrum, step, theorem1, thresholds
 from verify.language.record import Record
 from verify.language.terms import Term, as_term, cos_pi
 from verify.prover.outcome import Outcome
@@ -58,4 +58,6 @@ def all_folders() -> Iterator[tuple[str, Outcome]]:
         yield point.folder, theorem1.decide_point(point.parameters)
     yield "step", step.decide_step()
     yield "theorem1-all", everywhere.decide_everywhere()
+    yield "thresholds", thresholds.decide_thresholds()
     yield "spectrum", spectrum.decide_spectrum()
+    yield "classification", classification.decide_classification()

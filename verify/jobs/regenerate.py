@@ -10,7 +10,7 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from verify.jobs import box, everywhere, spectrum, step, theorem1
+from verify.jobs import box, classification, everywhere, spectrum, step, theorem1, thresholds
 from verify.jobs.parameters import are_allowed
 from verify.language.statement import PROVED
 from verify.language.terms import Term
@@ -49,6 +49,8 @@ def _outcomes(parameters: Mapping[str, Term]) -> Iterator[Outcome]:
         yield spectrum.decide_spectrum()
         yield step.decide_step()
         yield everywhere.decide_everywhere()
+        yield thresholds.decide_thresholds()
+        yield classification.decide_classification()
     elif box.are_ends(parameters):
         yield box.decide_box(*box.read_box(parameters))
     elif are_allowed(parameters):

@@ -65,7 +65,7 @@ def printed_screen(outcome: Outcome, where: Outcome) -> Iterator[str]:
             yield f"  {_dependence(outcome, row, decision)}   [{row.label}]"
             yield from (f"    {sentence}" for sentence in _sentences(where, short_name(row)))
     yield ""
-    yield "Thresholds are for 1/16 ≤ V₀ ≤ 10⁶ and all other parameters. Shares are of the area where"
+    yield "Thresholds: for 1/16 ≤ V₀ ≤ 10⁶ and all other parameters. Shares are of the area where"
     yield "-cos θ₀ ≤ 1 in the plane of φ⁻/(φ⁺)², between 0 and 1, and φ⁺, at V₀ = 1 and δ_θ = 1/10."
     yield ""
     yield f"Verdict: refuted: for all parameters, {counts(outcome, 'printed')}"

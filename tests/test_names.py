@@ -42,7 +42,7 @@ SHARED = {
 #: A subject has one name in every room: its command, its job, its views, its part of the paper.
 SUBJECTS = {
     *("bench", "check", "everywhere", "explain", "graph", "report", "spectrum", "stress"),
-    *("theorem1", "parameters", "box"),
+    *("theorem1", "parameters", "box", "classification"),
 }
 
 #: A part of the paper is a folder; these are its modules, named alike in each.

@@ -88,10 +88,10 @@ GLUE = (
         "2. Let three balls collapse at a finite time. Velocities are bounded, as e never rises, "
         "by energy-law and energy-falls; so paths have finite length and positions converge, to "
         "distances that are at least the contact distances. Let 12 be a pair of the largest "
-        "limiting distance. By law-of-cosines, cosine-1-positive and cosine-2-positive the angles "
-        "at 1 and 2 are acute from some time on, and by glue-lemma 12 collides at most once more. So 01 and "
-        "02 collide in turn, as no pair collides twice in a row. If the limiting angle at 0 were "
-        "acute, glue-lemma would stop 01 and 02 too.",
+        "limiting distance. By law-of-cosines, cosine-1-positive and cosine-2-positive the "
+        "angles at 1 and 2 are acute from some time on, and by glue-lemma 12 collides at most "
+        "once more. So 01 and 02 collide in turn, as no pair collides twice in a row. If the "
+        "limiting angle at 0 were acute, glue-lemma would stop 01 and 02 too.",
     ),
     Assumption(
         "glue-run",

@@ -10,12 +10,12 @@ from verify.paper.argument import Argument, Chapter, Line, argue
 from verify.paper.classification import (
     collision,
     comparison,
-    cone,
-    criteria,
     endless,
     flight,
+    image,
     impulse,
     run,
+    scenes,
     triangle,
 )
 from verify.paper.classification.assumptions import ASSUMPTIONS
@@ -35,8 +35,8 @@ SECTIONS = {
     "II: runs of collisions": run,
     "III: total impulse": impulse,
     "IV: finite or infinite time": endless,
-    "criteria for scenes": criteria,
-    "the cone of the text": cone,
+    "criteria for scenes": scenes,
+    "the cone of the text": image,
 }
 
 #: What is concluded in words, at the rows from which it is.

@@ -24,7 +24,7 @@ n = Letters("triple", a="a", b="b", c="c", t="t")
 QUARTER = Fraction(1, 4)
 
 
-def state() -> Vector:
+def meeting_state() -> Vector:
     """The coordinates just before 0-1 for which the three collisions meet a, b and c."""
     z = n.b + h * n.a
     difference = 2 * root_3 / 3 * (n.c - (n.a + z) / 2 + h * n.a + h * n.b)
@@ -48,7 +48,7 @@ def chapters() -> Iterator[Chapter]:
 
 
 def _lines() -> Iterator[Item]:
-    start = state()
+    start = meeting_state()
     before_2 = apply(A_A, start)
     before_3 = apply(A_B, before_2)
     image = apply(MATRIX, start)

@@ -1,0 +1,61 @@
+"""Prove which collapses there are: no triangular one, the least final angle, finite or not."""
+
+from __future__ import annotations
+
+import sys
+from fractions import Fraction
+
+from verify.cli.files import print_document, test_folder, write_certificate
+from verify.cli.options import Options, Parser
+from verify.jobs.classification import AtR, at_restitution, decide_classification
+from verify.jobs.inputs import InputError, rational, shown
+from verify.language.statement import PROVED, UNDECIDED
+from verify.prover.outcome import EXIT_CODES
+from verify.views.classification import (
+    claim_rows,
+    classification_document,
+    restitution_document,
+    restitution_lines,
+    screen,
+    theorem_lines,
+)
+
+
+def add_arguments(parser: Parser) -> None:
+    """The options; r is kept as the text that was written."""
+    parser.option("--r", "what the theorems say at R in ]0,1[ (exact: 0.08, 2/25 or 8e-2)")
+    parser.flag("-v", "--verbose", text="print every row")
+    parser.flag("--json", text="one JSON document on stdout")
+    parser.option("--out", "write statement.json and certificate.json", "DIR")
+
+
+def _restitution(text: str) -> Fraction:
+    r = rational("--r", text)
+    if not 0 < r < 1:
+        raise InputError(f"--r: {shown(text)} is not in ]0,1[; write for example 0.08")
+    return r
+
+
+def run(options: Options) -> int:
+    """Print the theorems or the document, write the files, return the exit code."""
+    r = None if options.r is None else _restitution(options.r)
+    test_folder("--out", options.out, "statement.json", "certificate.json")
+    outcome = decide_classification()
+    found: AtR | None = None if r is None else at_restitution(r)
+    if options.out is not None:
+        write_certificate("--out", options.out, outcome)
+    if options.json:
+        document = classification_document(outcome)
+        if found is not None:
+            document |= restitution_document(found)
+        print_document(document)
+    else:
+        text = [*claim_rows(outcome)] if options.verbose else []
+        text += [*screen(outcome), ""]
+        if found is not None:
+            text += [*restitution_lines(found), ""]
+        text += theorem_lines(outcome)
+        sys.stdout.write("".join(f"{line}\n" for line in text))
+    if outcome.verdict == PROVED and found is not None and found.undecided:
+        return EXIT_CODES[UNDECIDED]
+    return outcome.exit_code

@@ -1,0 +1,131 @@
+"""What people and scripts see of the four theorems on collapses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from verify.jobs.classification import AtR
+from verify.language.statement import PROVED
+from verify.paper.classification.meaning import MEANING
+from verify.prover.decimals import rational_text, short
+from verify.prover.outcome import Outcome
+from verify.views.document import claims_document, pair
+from verify.views.words import counts, given, groups, letters, summary
+
+FORMAT = "verify-classification/1"
+
+SETTING = (
+    "Balls with any masses and radii in any dimension, and any restitution 0 ≤ ρ' ≤ -ρ at each "
+    "collision, unless said otherwise; no triple contact. Apparently new; no priority is claimed."
+)
+
+THEOREMS = (
+    (
+        "Lemma. A pair that has collided recedes until one of the two hits a third ball with an "
+        "obtuse angle between the two partners: no acute or right angle brings it back."
+    ),
+    (
+        "I. No triangular collapse. In every collapse of three balls at a finite time one ball "
+        "eventually collides with the two others in turn, and the limiting angle at it is at "
+        "least a right one."
+    ),
+    (
+        "II. Equal masses, one r in ]0,1]. In every such collapse the limiting -cos θ is at least "
+        "4√r/(1+r). So for r > 7-4√3 = 0.0717… three balls never collapse, and by IV almost every "
+        "datum has finitely many collisions. A run in which one ball meets two others in turn has "
+        "at most n collisions, n ≥ 1 the least number with s_n ≤ 0, where s_0 = 0, s_1 = 1, "
+        "s_{n+1} = (1+r)/2 s_n - r s_{n-1}; on a line this is attained."
+    ),
+    (
+        "III. Total impulse. For N balls, in the frame of the centre of mass, with R² = Σ m|x|², "
+        "e² = Σ m|v|², A = Σ m x·v: the sum of σJ over all collisions is at most R(0)e - A(0) at "
+        "all times. So velocities converge and the normal components are summable, whatever the "
+        "order."
+    ),
+    (
+        "IV. Finite or infinite time. If three balls collide infinitely often without a collapse, "
+        "then A ≤ 0 always, relative velocities tend to 0, positions converge, I and II hold at "
+        "the limit, and the angular momentum L is 0. So for equal masses and one r, with L ≠ 0, "
+        "there is exactly one of: finitely many collisions; or a collapse as in I and II, in "
+        "finite time. For r > 7-4√3 it is the first, whatever L."
+    ),
+)
+
+
+def screen(outcome: Outcome) -> Iterator[str]:
+    """What is proved, given what, and what it means for the text."""
+    yield "Which collapses there are"
+    yield ""
+    for group in groups(outcome):
+        found = outcome.of_group(group)
+        proved = sum(decision.verdict == PROVED for _, decision in found)
+        yield f"  {group:<36} {proved} of {len(found)} rows proved"
+    yield f"Rows: {counts(outcome, 'needed')}; every row: -v; one with its proof: explain NAME"
+    yield ""
+    yield f"Taken on trust: {given(outcome.assumptions)}"
+    for assumption in outcome.assumptions:
+        yield f"  {assumption.name} ({assumption.kind}): {assumption.sentence}"
+    yield ""
+    yield "What it means for the text"
+    for remark in MEANING:
+        yield f"  {remark.label}: {remark.text}"
+
+
+def theorem_lines(outcome: Outcome) -> Iterator[str]:
+    """The theorems in words, if they are proved, and the verdict."""
+    if outcome.verdict == PROVED:
+        yield f"Given these sentences. {SETTING}"
+        yield from THEOREMS
+        yield ""
+    yield f"Verdict: {summary(outcome)}"
+
+
+def claim_rows(outcome: Outcome) -> Iterator[str]:
+    """Every row, with its claim and the rule that proves it."""
+    typesetter = letters(outcome)
+    for group in groups(outcome):
+        yield group[0].upper() + group[1:]
+        for row, decision in outcome.of_group(group):
+            yield f"  {decision.verdict:<9} {row.says}   [{row.name}, {row.label}]"
+            claim = typesetter.claim(row.claim)
+            yield f"            {claim}   by {decision.method or 'nothing'}"
+        yield ""
+
+
+def restitution_lines(found: AtR) -> Iterator[str]:
+    """What the theorems say at one r, for three balls of equal mass."""
+    yield f"At r = {found.r}, three balls of equal mass"
+    yield f"  the final -cos θ of a collapse is at least 4√r/(1+r) = {short(found.least_neg_cos)}"
+    if found.undecided:
+        yield "  a longest run exists, but the work budget does not suffice to count it"
+    elif found.longest is None:
+        yield "  runs have any length: on a line one ball meets two others without end"
+    else:
+        yield (
+            f"  one ball meets two others in turn at most {found.longest} times; on a line this is "
+            "attained"
+        )
+    if found.excluded:
+        yield "  no collapse: finitely many collisions, or a triple contact"
+    else:
+        yield "  a collapse is not excluded, at angles with -cos θ above that bound"
+
+
+def classification_document(outcome: Outcome) -> dict[str, Any]:
+    """The outcome as one JSON document; its theorem is all four in words."""
+    document = claims_document(outcome, "classification", FORMAT)
+    if outcome.verdict == PROVED:
+        document["theorem"] = " ".join((SETTING, *THEOREMS))
+    return document
+
+
+def restitution_document(found: AtR) -> dict[str, Any]:
+    """The part of the document that belongs to one r."""
+    longest = "infinite" if found.longest is None else str(found.longest)
+    return {
+        "r": rational_text(found.r),
+        "least_neg_cos": pair(found.least_neg_cos),
+        "longest_run": None if found.undecided else longest,
+        "collapse": "excluded" if found.excluded else "not excluded",
+    }

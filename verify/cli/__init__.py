@@ -19,6 +19,7 @@ from verify.jobs.inputs import InputError, shown
 COMMANDS = {
     "theorem1": "decide Theorem 1 (collapse of three particles) at given parameters",
     "spectrum": "prove the spectral claims for every r, enclose the spectrum at one",
+    "classification": "prove which collapses there are; what that says at one r",
     "explain": "print a row with the facts and the identity that prove it",
     "graph": "draw a proof: which facts use which",
     "check": "check a certificate, and that its statement is the right one",
@@ -100,7 +101,7 @@ def _dispatch(words: list[str]) -> int:
 
 def _help() -> str:
     lines = ["usage: verify COMMAND [options]", "", "commands:"]
-    lines += [f"  {name:<10} {summary}" for name, summary in COMMANDS.items()]
+    lines += [f"  {name:<14} {summary}" for name, summary in COMMANDS.items()]
     lines += ["", "verify COMMAND --help describes the options of a command.", "", _EXIT_CODES]
     return "\n".join(lines)
 

@@ -27,6 +27,9 @@ DOCUMENTS = [
     ("spectrum", ["spectrum"]),
     ("spectrum", ["spectrum", "--r", "1/20"]),
     ("spectrum", ["spectrum", "--r", "0.05..0.06"]),
+    ("classification", ["classification"]),
+    ("classification", ["classification", "--r", "2/25"]),
+    ("classification", ["classification", "--r", "1/20"]),
     ("check", ["check", EXAMPLE]),
     ("measurements", ["stress", "--quick"]),
 ]

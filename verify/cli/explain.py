@@ -56,7 +56,7 @@ def _where(place: Place, word: str) -> Iterator[str]:
 
 def _outcomes(found: list[Place]) -> Iterator[Outcome]:
     """The outcomes in which places lie, decided; those for all values if there is no place."""
-    from verify.jobs import everywhere, spectrum, step
+    from verify.jobs import classification, everywhere, spectrum, step
     from verify.paper.groups import PRINTED
 
     rows = [place for place in found if place.part in ("", "everywhere")]
@@ -70,6 +70,8 @@ def _outcomes(found: list[Place]) -> Iterator[Outcome]:
         yield step.decide_step()
     if not found or "spectrum" in parts:
         yield spectrum.decide_spectrum()
+    if not found or "classification" in parts:
+        yield classification.decide_classification()
 
 
 def _instead(word: str) -> str:

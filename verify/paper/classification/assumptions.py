@@ -81,6 +81,7 @@ GLUE = (
         "with others are such, then ρ_ab ≥ 0 for ever: their distance never decreases, by "
         "flight-tangent, and they never collide again. In particular no pair collides twice "
         "without a collision of one of its balls with another one between.",
+        "numbered glue",
     ),
     Assumption(
         "glue-classification",
@@ -92,6 +93,7 @@ GLUE = (
         "angles at 1 and 2 are acute from some time on, and by glue-lemma 12 collides at most "
         "once more. So 01 and 02 collide in turn, as no pair collides twice in a row. If the "
         "limiting angle at 0 were acute, glue-lemma would stop 01 and 02 too.",
+        "numbered glue",
     ),
     Assumption(
         "glue-run",
@@ -106,6 +108,7 @@ GLUE = (
         "fall-positive the ratio of closing speeds falls by a fixed amount each time, and after "
         "finitely many it is not positive: a contradiction. By bound-above-one there is no such "
         "limit at all for r > 7-4√3.",
+        "numbered glue",
     ),
     Assumption(
         "glue-impulse",
@@ -119,6 +122,7 @@ GLUE = (
         "and q, let v* = (v·q)p - (v·p)q: then Σ m x·v* is the angular momentum of that plane, "
         "which spin-law keeps, and it is at most R e, by cauchy-schwarz and spin-velocity; for one "
         "ball this is spin-bound.",
+        "numbered glue",
     ),
     Assumption(
         "glue-endless",
@@ -135,6 +139,7 @@ GLUE = (
         "its path is at most Σ t_n J_n/m_i: positions converge, and glue-classification and "
         "glue-run hold for this orbit too. As R is bounded and R e bounds the angular momentum, "
         "which is kept, the latter is 0.",
+        "numbered glue",
     ),
     Assumption(
         "glue-scenes",
@@ -150,6 +155,7 @@ GLUE = (
         "scene-radicand and scene-deadline. (v) By flight-tangent, flight-normal, free-i and "
         "free-j a pair with ρ ≥ 0 cannot meet before a collision of one of its balls with the "
         "third at which the angle there is obtuse.",
+        "numbered glue",
     ),
 )
 

@@ -5,7 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.jobs import classification, everywhere, spectrum, step, theorem1, thresholds
+from verify.jobs import (
+    classification,
+    everywhere,
+    spectrum,
+    step,
+    step_printed,
+    theorem1,
+    thresholds,
+)
 from verify.language.record import Record
 from verify.language.terms import Term, as_term, cos_pi
 from verify.prover.outcome import Outcome
@@ -57,6 +65,7 @@ def all_folders() -> Iterator[tuple[str, Outcome]]:
     for point in POINTS:
         yield point.folder, theorem1.decide_point(point.parameters)
     yield "step", step.decide_step()
+    yield "step-printed", step_printed.decide_step_printed()
     yield "theorem1-all", everywhere.decide_everywhere()
     yield "thresholds", thresholds.decide_thresholds()
     yield "spectrum", spectrum.decide_spectrum()

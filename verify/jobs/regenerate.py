@@ -10,7 +10,16 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from verify.jobs import box, classification, everywhere, spectrum, step, theorem1, thresholds
+from verify.jobs import (
+    box,
+    classification,
+    everywhere,
+    spectrum,
+    step,
+    step_printed,
+    theorem1,
+    thresholds,
+)
 from verify.jobs.parameters import are_allowed
 from verify.language.statement import PROVED
 from verify.language.terms import Term
@@ -54,5 +63,7 @@ def _outcomes(parameters: Mapping[str, Term]) -> Iterator[Outcome]:
     elif box.are_ends(parameters):
         yield box.decide_box(*box.read_box(parameters))
     elif are_allowed(parameters):
+        if parameters == step_printed.PARAMETERS:
+            yield step_printed.decide_step_printed()
         for selection in SELECTIONS:
             yield theorem1.decide_point(parameters, selection)

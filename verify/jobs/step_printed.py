@@ -20,6 +20,8 @@ from verify.prover.rules import Interval, Sum, Witness
 #: Enough for the sides of the conditions at the states, some of which differ by 10^-25.
 BITS = 256
 
+PARAMETERS = {name: as_term(Fraction(text)) for name, text in states.PARAMETERS.items()}
+
 Vector = tuple[Fraction, Fraction, Fraction]
 
 
@@ -49,10 +51,9 @@ def decide_step_printed() -> Outcome:
 
 
 def _statement(point: Mapping[str, Term]) -> Statement:
-    parameters = {name: as_term(Fraction(text)) for name, text in states.PARAMETERS.items()}
     rows = (*paper.needed(), *(row for row, _ in paper.printed()))
     contexts = (states.context(point),)
-    return Statement(paper.NAME, paper.TITLE, parameters, states.constants(), contexts, rows, ())
+    return Statement(paper.NAME, paper.TITLE, PARAMETERS, states.constants(), contexts, rows, ())
 
 
 def _premise(claim: Claim) -> Premise:

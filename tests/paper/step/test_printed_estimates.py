@@ -8,6 +8,7 @@ import pytest
 from flint import fmpq
 
 from verify import check
+from verify.jobs.regenerate import is_right_statement
 from verify.jobs.step_printed import decide_step_printed, state
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import Claim, Term, as_term
@@ -159,3 +160,11 @@ def test_another_state_is_refused(name: str) -> None:
             old = old._replace(proof=proof._replace(at=at))
         found.append(old)
     assert report(outcome._replace(steps=tuple(found))).verdict == "REFUSED"
+
+
+def test_the_program_calls_its_own_statement_right() -> None:
+    outcome = decide_step_printed()
+    statement = outcome.statement
+    assert is_right_statement(write(outcome)["statement.json"])
+    fewer = outcome._replace(statement=statement._replace(obligations=statement.obligations[:-1]))
+    assert not is_right_statement(write(fewer)["statement.json"])

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from random import Random
 
 import pytest
 
 from verify.jobs.constructions import FIXED, at_point, field_definitions, formulas, sorted_rows
-from verify.jobs.covers import SHARE, WHOLE, WIDTH, judged_plane, plane, threshold_boxes
+from verify.jobs.covers import PLANE, SHARE, WHOLE, WIDTH, plane, stability, threshold_boxes
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term, as_term, equal, maximum, minimum, sqrt, symbol
 from verify.paper.groups import PRINTED, REPAIRED
@@ -16,6 +17,12 @@ from verify.prover import balls
 from verify.prover.cover import Field, JudgedBox, Values, cover, parts, refined
 from verify.prover.ground import Ground
 from verify.prover.slopes import BITS
+
+
+def judged_plane(group: str, share: Fraction, wanted: Iterable[str], depth: int) -> list[JudgedBox]:
+    """The plane, cut until every wanted row of a set is decided on each cell."""
+    claims = sorted_rows(group, share).claims
+    return cover(plane(group, share), PLANE, depth, stability(), claims, wanted)
 
 
 def ground(group: str, share: Fraction, s: Fraction, c: Fraction) -> Ground:

@@ -6,38 +6,63 @@ import xml.etree.ElementTree as ET
 from fractions import Fraction
 from itertools import pairwise
 
+import pytest
+
 from tests.views.conftest import DEPTH, NEEDS_MATPLOTLIB, TABLE
 from verify.jobs import covers
-from verify.language.statement import PROVED, REFUTED
+from verify.jobs.everywhere import decide_printed_everywhere
+from verify.jobs.thresholds import decide_thresholds
+from verify.language.statement import REFUTED, UNDECIDED
 from verify.language.terms import as_term
+from verify.paper.everywhere.thresholds import STRIPS
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
 from verify.paper.spectrum.printed import Printed
+from verify.prover.outcome import Decision
 from verify.prover.program import ExactArithmetic, Machine, Program
+from verify.prover.relations import holds
 from verify.views.plots import figures, margins, region, speed
 from verify.views.plots.drawing import COLOURS, SCHEMES, Panel, merged, standalone, svg
 
 
-def test_every_cell_of_the_maps_is_accounted_for() -> None:
-    for cells in covers.maps(DEPTH):
-        for judged in cells:
-            (left, right), (low, high) = judged.box
-            assert left < right
-            assert low < high
-        assert len({judged.box for judged in cells}) == len(cells)
+def phi_plus_is_below(q: Fraction, s: Fraction, c: Fraction) -> bool:
+    """Whether the larger root of x^2 - alpha_0 x + r is less than q, for rationals."""
+    r = s**3
+    alpha_0 = (1 + r) * c / 2
+    return alpha_0 / 2 < q and q**2 - alpha_0 * q + r > 0
+
+
+def test_cells_of_the_picture_lie_where_they_say() -> None:
+    stable = covers.stability()
+    program = Program(("r", "c"))
+    sides = program.add(stable.lhs), program.add(stable.rhs)
+    run, seen = Machine(program, ExactArithmetic()), set()
+    for low, high, refuted in region.bands():
+        for (left, right), (bottom, top) in list(region.cells(low, high))[::7]:
+            for k in range(1, 8):
+                s, c = left + (right - left) * k / 8, bottom + (top - bottom) * (k * 3 % 8) / 8
+                values = run.run([s**3, c]).values
+                assert holds(stable.relation, *(values[side] for side in sides))
+                assert phi_plus_is_below(high, s, c)
+                assert not low or not phi_plus_is_below(low, s, c)
+                seen.add(refuted)
+    assert seen == {0, 1, 2, None}
 
 
 def test_captions_count_what_is_drawn() -> None:
-    caption, cells = region.picture(DEPTH).caption, covers.maps(DEPTH).repaired
-    closing = [judged for judged in cells if covers.closes(judged)]
-    assert f"on {len(closing)} of {len(cells)} cells" in caption
-    assert all(REFUTED not in judged.verdicts.values() for judged in cells)
+    figure, outcome = region.picture(), decide_printed_everywhere()
+    refuted = [found for found in outcome.decisions.values() if found.verdict == REFUTED]
+    always = [found for found in refuted if not found.witness]
+    assert f"Left: {len(always)} printed rows" in figure.caption
+    assert len(figure.rows) == 1 + len(refuted) - len(always)
+    assert len(region.certified()) == len(STRIPS)
 
 
-def test_the_printed_proof_fails_wherever_it_is_decided() -> None:
-    inside = [j for j in covers.maps(DEPTH).printed if j.condition == PROVED]
-    assert inside
-    assert all(covers.refuted_steps(judged) for judged in inside)
+def test_a_strip_that_is_not_proved_is_not_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    outcome = decide_thresholds()
+    lost = {**outcome.decisions, "angle-absorbed.fails": Decision(UNDECIDED)}
+    monkeypatch.setattr(region, "decide_thresholds", lambda: outcome._replace(decisions=lost))
+    assert [refuted for *_, refuted in region.bands()] == [1, 0, None, None]
 
 
 def test_margins_are_on_the_right_side() -> None:

@@ -7,21 +7,19 @@ is 4 s^(3/2)/(1+s^3).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Iterable
 from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 
 from verify.jobs.constructions import field_definitions, formulas, sorted_rows
 from verify.language.record import Record
-from verify.language.statement import PROVED, REFUTED, Obligation
+from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import Claim, Term, as_term, sqrt, symbol
-from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.hypotheses import hypotheses
 from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
 from verify.prover import balls
-from verify.prover.cover import Box, Field, JudgedBox, Values, cover, refined
+from verify.prover.cover import Box, Field, Values, refined
 from verify.prover.outcome import Ends
 from verify.prover.slopes import BITS, Side
 
@@ -40,9 +38,6 @@ WHOLE = Fraction(1)
 
 #: How many times a side of the plane is halved.
 DEPTH = 7
-
-#: The steps that are cut for until they are decided, for a map of their own.
-MAPPED = ("zeta-x-bound", "zeta-total", "angle-absorbed", "x-term-1-d")
 
 #: r_stabi = 9 - 4√5 = 0.0557280900008…; intervals of r end just below it.
 END = Fraction("0.055728")
@@ -68,66 +63,6 @@ def stability() -> Claim:
 def plane(group: str, share: Fraction = SHARE) -> Field:
     """The constants of a set over the plane."""
     return Field(INPUTS, (CUBE, *field_definitions(formulas(group, share))))
-
-
-def judged_plane(group: str, share: Fraction, wanted: Iterable[str], depth: int) -> list[JudgedBox]:
-    """The plane, cut until every wanted row of a set is decided on each cell.
-
-    Cells on which the hypothesis is refuted are left out.
-    """
-    size = symbol(f"{group}.eta_bar")
-    claims = sorted_rows(group, share).claims
-    return cover(plane(group, share), PLANE, depth, stability(), claims, wanted, size)
-
-
-def judge_printed(depth: int) -> list[JudgedBox]:
-    """The plane, judged for the printed set."""
-    return judged_plane(PRINTED, WHOLE, [row.name for row in mapped()], depth)
-
-
-def judge_repaired(depth: int) -> list[JudgedBox]:
-    """The plane, judged for the repaired set at a share of each bound."""
-    return judged_plane(REPAIRED, SHARE, sorted_rows(REPAIRED, SHARE).claims, depth)
-
-
-class Maps(Record):
-    """The plane, judged for both sets."""
-
-    printed: list[JudgedBox]
-    repaired: list[JudgedBox]
-
-
-@cache
-def maps(depth: int = DEPTH) -> Maps:
-    """Both, each in a process of its own, as the precision of balls is global to one."""
-    with ProcessPoolExecutor(2) as pool:
-        printed, repaired = pool.submit(judge_printed, depth), pool.submit(judge_repaired, depth)
-        return Maps(printed.result(), repaired.result())
-
-
-@cache
-def mapped() -> tuple[Obligation, ...]:
-    """The printed steps that have a map of their own."""
-    names = [f"{PRINTED}.{name}" for name in MAPPED]
-    return tuple(row for row in sorted_rows(PRINTED, WHOLE).open if row.name in names)
-
-
-def closes(judged: JudgedBox) -> bool:
-    """Whether every row is proved on the whole cell."""
-    return judged.condition == PROVED and all(v == PROVED for v in judged.verdicts.values())
-
-
-def refuted_steps(judged: JudgedBox) -> int:
-    """How many printed steps are refuted on the whole cell."""
-    return list(judged.verdicts.values()).count(REFUTED)
-
-
-def share_of(cells: Sequence[JudgedBox], name: str, verdict: str) -> Fraction:
-    """The share of the surely admissible cells, by area as drawn, with a verdict on a row."""
-    inside = [judged for judged in cells if judged.condition == PROVED]
-    total = sum(judged.weight for judged in inside)
-    part = sum(judged.weight for judged in inside if judged.verdicts[name] == verdict)
-    return Fraction(part, total) if total else Fraction(0)
 
 
 @cache

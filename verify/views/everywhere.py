@@ -77,6 +77,14 @@ def _dependence(outcome: Outcome, row: Obligation, decision: Decision) -> str:
     return f"depends: {short_name(row)}: fails at {at}"
 
 
+def dependences(outcome: Outcome, where: Outcome) -> Iterator[tuple[str, str]]:
+    """The printed rows that fail for some parameters only, with what is known of where."""
+    for row, decision in outcome.rows:
+        if decision.verdict == REFUTED and decision.witness:
+            found = list(_sentences(where, short_name(row)))
+            yield row.says, "; ".join(found) or _dependence(outcome, row, decision)
+
+
 def _sentences(where: Outcome, name: str) -> Iterator[str]:
     """What is certified about one row, and the shares of the plane."""
     rows = [row for row, found in where.rows if found.verdict == PROVED]

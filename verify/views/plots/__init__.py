@@ -17,8 +17,7 @@ def figures(precision: Mapping[str, Any] | None, depth: int = DEPTH) -> list[Fig
     ``depth`` says how often a side of the plane is halved.
     """
     found = [
-        region.picture(depth),
-        region.defect_maps(depth),
+        region.picture(),
         margins.figure(),
         minimum.figure(depth - 1),
         roots.figure(),

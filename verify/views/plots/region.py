@@ -1,133 +1,129 @@
-"""Over the region: where the printed steps fail, and where the repaired construction closes."""
+"""Over the region: where the printed steps fail, and where the repaired construction closes.
+
+Both panels are drawn from statements for all parameters. In the region the larger fixed point is
+phi_plus < q just where r < q^3 and c < 2 (q^2 + r)/(q (1 + r)), which grows with r, as the
+stability threshold does.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from math import log10
+from itertools import pairwise
 from typing import Any
 
-from verify.jobs.constructions import sorted_rows
-from verify.jobs.covers import (
-    SHARE,
-    WHOLE,
-    WIDTH,
-    closes,
-    mapped,
-    maps,
-    refuted_steps,
-    share_of,
-    threshold_boxes,
-)
-from verify.language.statement import PROVED, REFUTED, UNDECIDED
-from verify.paper.groups import PRINTED, REPAIRED
-from verify.prover.cover import JudgedBox
-from verify.prover.decimals import decimal_exponent
-from verify.views.plots.drawing import Panel, boxes, merged
+from verify.jobs.covers import WIDTH, threshold_boxes
+from verify.jobs.everywhere import decide_everywhere, decide_printed_everywhere
+from verify.jobs.thresholds import decide_thresholds
+from verify.language.statement import PRINTED, PROVED, REFUTED
+from verify.paper.everywhere.thresholds import STRIPS, Strip
+from verify.prover.cover import Box
+from verify.views.everywhere import dependences
+from verify.views.plots.drawing import Panel, boxes
 from verify.views.plots.figure import Figure
 
 #: Values of r at which the axis of s = r^(1/3) is marked.
 TICKS = ("0.0001", "0.001", "0.005", "0.01", "0.02", "0.03", "0.05")
 
-#: The steps that have a map of their own, as a short title.
-TITLES = {
-    "zeta-x-bound": "|xₙ| ≤ (V₀/V₁) δ₂² h₅/12",
-    "zeta-total": "ζₙ₊₁ ≤ (1 − h₅/4) ζₙ",
-    "angle-absorbed": "the angle stays within |Δθ|",
-    "x-term-1-d": "dₙ/δ₂ ≤ h₄δₓ/2",
-}
+#: How many intervals of s are drawn.
+COLUMNS = 300
 
 
-def picture(depth: int) -> Figure:
+def picture() -> Figure:
     """The map of the README: the printed proof beside the repaired one."""
-    printed, repaired = maps(depth)
-    failing = [judged for judged in printed if refuted_steps(judged)]
-    closing = [judged for judged in repaired if closes(judged)]
-    least = min(refuted_steps(judged) for judged in failing)
-    most = max(refuted_steps(judged) for judged in failing)
-    open_rows, algebraic = sorted_rows(REPAIRED, SHARE)
-    share = Fraction(_area(closing), _area(repaired))
+    printed, where = decide_printed_everywhere(), decide_thresholds()
+    refuted = [(row, found) for row, found in printed.rows if found.verdict == REFUTED]
+    always = [row for row, found in refuted if row.role == PRINTED and not found.witness]
+    needed = decide_everywhere().rows
+    proved = [row for row, found in needed if found.verdict == PROVED]
     caption = (
-        f"Each box is a cell of parameters judged as a whole, by enclosures over all its points. "
-        f"Left: {len(failing)} of {len(printed)} cells have printed steps refuted at every point "
-        f"({least} to {most} of them). Right: on {len(closing)} of {len(repaired)} cells "
-        f"({_percent(share)} of the area) all {len(open_rows)} inequalities of the repaired "
-        f"construction that are not identities are proved at every point, with each constant at "
-        f"half of its bound; the other {len(algebraic)} hold by algebra. The colour is the size "
-        f"of the set, a lower bound of η̄ from {_least_size(closing)} (faint) to "
-        f"{_greatest_size(closing)} (full). Grey: undecided at this size of cells. The lower curve "
-        f"is the threshold of existence 4√r/(1+r), the upper one that of stability "
-        f"2r^(1/3)(1+r^(1/3))/(1+r), which the proof needs: both are drawn as enclosures. V₀ = 1, "
-        f"δ_θ = 1/10."
+        f"Left: {len(always)} printed rows are refuted at all parameters of the region, so that "
+        f"the printed proof fails at each of them; {len(refuted) - len(always)} more fail at some, "
+        f"as the table says. The numbers count those that are refuted at all points of their part "
+        f"of the region; the boundaries are φ⁺ = 1/22 and φ⁺ = 5/33. "
+        f"Right: {len(proved)} of {len(needed)} rows of the repaired set are proved at all "
+        f"parameters. Thresholds are drawn as boxes that contain the curves: the lower curve is "
+        f"that of existence 4√r/(1+r), the upper one that of stability 2r^(1/3)(1+r^(1/3))/(1+r), "
+        f"which the proof needs. V₀ = 1, δ_θ = 1/10."
     )
     return Figure(
         "region",
         "Where the printed proof fails, and where the repaired one closes",
         caption,
         (
-            Panel("As printed: steps refuted", lambda axis: _draw_printed(axis, printed)),
-            Panel("Repaired: closes", lambda axis: _draw_closing(axis, repaired)),
+            Panel("As printed: steps refuted", lambda axis: _draw_printed(axis, len(always))),
+            Panel("Repaired: closes", _draw_closing),
         ),
+        [("Step", "Where it holds, and where it does not"), *dependences(printed, where)],
     )
 
 
-def _percent(share: Fraction) -> str:
-    return f"{int(100 * share)} %"
+# --- cells ---------------------------------------------------------------------------------------
 
 
-def _area(cells: Iterable[JudgedBox]) -> int:
-    return sum(judged.weight for judged in cells)
+def certified() -> Sequence[Strip]:
+    """The strips that the statement about thresholds proves."""
+    decisions = decide_thresholds().decisions
+    return [strip for strip in STRIPS if decisions[strip.by].verdict == PROVED]
 
 
-def _least_size(cells: Iterable[JudgedBox]) -> str:
-    return _power(min(_size(judged) for judged in cells))
+def refuted_at(low: Fraction, high: Fraction) -> int | None:
+    """How many rows are refuted for phi_plus in an open interval; None if one is not decided."""
+    rows = dict.fromkeys(strip.row for strip in STRIPS)
+    there = {s.row: s.verdict for s in certified() if s.low <= low and high <= s.high}
+    return None if there.keys() != rows.keys() else list(there.values()).count(REFUTED)
 
 
-def _greatest_size(cells: Iterable[JudgedBox]) -> str:
-    return _power(max(_size(judged) for judged in cells))
+def bands() -> Iterator[tuple[Fraction, Fraction, int | None]]:
+    """The values of phi_plus between neighbouring ends of strips, with what is refuted there."""
+    ends = sorted({end for strip in STRIPS for end in (strip.low, strip.high)})
+    for low, high in pairwise(ends):
+        yield low, high, refuted_at(low, high)
 
 
-def _size(judged: JudgedBox) -> Fraction:
-    """A lower bound of eta_bar on a cell on which the set closes."""
-    if judged.size is None or judged.size[0] <= 0:
-        raise ValueError("eta_bar is positive where the construction closes")
-    return judged.size[0]
+def cells(low: Fraction, high: Fraction) -> Iterator[Box]:
+    """Boxes of s and c inside of the region in which phi_plus lies in an interval."""
+    for k in range(COLUMNS):
+        left, right = WIDTH * k / COLUMNS, WIDTH * (k + 1) / COLUMNS
+        bottom = max(stability(right), level(low, right) if left < low else Fraction(0))
+        top = min(Fraction(1), level(high, left))
+        if right <= high and bottom < top:
+            yield (left, right), (bottom, top)
 
 
-def _power(value: Fraction) -> str:
-    return f"1e{decimal_exponent(value)}"
+def stability(s: Fraction) -> Fraction:
+    """The threshold of c, which grows with s."""
+    return 2 * s * (1 + s) / (1 + s**3)
 
 
-def _level(judged: JudgedBox) -> int:
-    """A shade for each quarter of a decade."""
-    return int(4 * log10(_size(judged)) // 1)
+def level(q: Fraction, s: Fraction) -> Fraction:
+    """The c at which phi_plus is q, which grows with s as long as s is at most q."""
+    return 2 * (q**2 + s**3) / (q * (1 + s**3)) if q else Fraction(0)
 
 
-def _corners(judged: JudgedBox) -> tuple[Fraction, Fraction, Fraction, Fraction]:
-    (left, right), (low, high) = judged.box
-    return left, right, low, high
+# --- drawing -------------------------------------------------------------------------------------
 
 
-def _draw_printed(axis: Any, cells: list[JudgedBox]) -> None:
-    boxes(axis, merged(_corners(j) for j in cells if not refuted_steps(j)), "undecided")
-    counts = sorted({refuted_steps(judged) for judged in cells} - {0})
-    low, high = counts[0], counts[-1]
-    for step in range(4):
-        part = [j for j in cells if refuted_steps(j) and
-                min(3, 4 * (refuted_steps(j) - low) // max(1, high - low + 1)) == step]  # fmt: skip
-        boxes(axis, merged(map(_corners, part)), "refuted-area", (0.4, 0.6, 0.8, 1)[step])
+def _draw_printed(axis: Any, always: int) -> None:
+    for low, high, refuted in bands():
+        if refuted is None:
+            boxes(axis, _corners(cells(low, high)), "undecided")
+            continue
+        boxes(axis, _corners(cells(low, high)), "refuted-area", (0.55, 0.75, 1)[refuted])
+        middle = float(min(Fraction(1), level(high, Fraction(0))) + level(low, Fraction(0))) / 2
+        axis.text(0.004, middle, f"{always + refuted}", fontsize=9, va="center")
     frame(axis)
 
 
-def _draw_closing(axis: Any, cells: list[JudgedBox]) -> None:
-    boxes(axis, merged(_corners(j) for j in cells if not closes(j)), "undecided")
-    closing = [judged for judged in cells if closes(judged)]
-    levels = sorted({_level(judged) for judged in closing})
-    for index, level in enumerate(levels):
-        part = [judged for judged in closing if _level(judged) == level]
-        opacity = 1 - 0.8 * (len(levels) - 1 - index) / len(levels)
-        boxes(axis, merged(map(_corners, part)), "proved-area", opacity)
+def _draw_closing(axis: Any) -> None:
+    boxes(axis, _corners(cells(Fraction(0), Fraction(1, 2))), "proved-area")
     frame(axis)
+
+
+def _corners(found: Iterable[Box]) -> list[tuple[float, float, float, float]]:
+    return [
+        (float(left), float(right), float(low), float(high)) for (left, right), (low, high) in found
+    ]
 
 
 def frame(axis: Any, labels: bool = True) -> None:
@@ -148,39 +144,3 @@ def frame(axis: Any, labels: bool = True) -> None:
     axis.set_ylabel("−cos θ₀")
     for side_name in ("top", "right"):
         axis.spines[side_name].set_visible(False)
-
-
-def defect_maps(depth: int) -> Figure:
-    """One map for each printed step whose failure depends on the parameters."""
-    cells = maps(depth).printed
-    panels = [
-        Panel(TITLES[row.name.removeprefix(f"{PRINTED}.")], _map(row.name, cells), 400, 300)
-        for row in mapped()
-    ]
-    table: list[tuple[str, ...]] = [("Step", "refuted", "proved", "undecided")]
-    for row in sorted_rows(PRINTED, WHOLE).open:
-        if any(judged.verdicts.get(row.name) == REFUTED for judged in cells):
-            shares = [share_of(cells, row.name, v) for v in (REFUTED, PROVED, UNDECIDED)]
-            table.append((row.says, *(_percent(share) for share in shares)))
-    inside = sum(judged.condition == PROVED for judged in cells)
-    caption = (
-        f"Each map has the {len(cells)} cells of the plane, of which {inside} are surely "
-        f"admissible. Red: the step is refuted at every point of the cell; green: it is proved "
-        f"there; grey: undecided at this size of cells. The table has the share of each verdict, "
-        f"by area in the plane as drawn and rounded down, for all {len(table) - 1} steps that are "
-        f"refuted somewhere."
-    )
-    return Figure("defects", "Where each defective step fails", caption, panels, table)
-
-
-def _map(name: str, cells: list[JudgedBox]) -> Callable[[Any], None]:
-    def draw(axis: Any) -> None:
-        for verdict in (UNDECIDED, PROVED, REFUTED):
-            part = [j for j in cells if j.verdicts.get(name, UNDECIDED) == verdict]
-            colour = verdict if verdict == UNDECIDED else f"{verdict}-area"
-            boxes(axis, merged(map(_corners, part)), colour)
-        frame(axis, labels=False)
-        axis.set_xticks(axis.get_xticks()[1::2], TICKS[1::2])
-        axis.set_xlabel("r")
-
-    return draw

@@ -18,8 +18,9 @@ import pytest
 from flint import arb, fmpq
 
 from verify.language.terms import Claim
-from verify.paper.step import impact, state
+from verify.paper.dynamics import impact
 from verify.paper.step import numbers as numbers_of_the_step
+from verify.paper.step import state
 from verify.paper.step.theorem import step
 from verify.prover.program import ExactArithmetic, Machine, Program
 

@@ -3,18 +3,11 @@
 from __future__ import annotations
 
 from verify.language.statement import Assumption
+from verify.paper.dynamics.assumptions import BOUNDED_MONOTONE, GLUE_NEXT, HARD_SPHERES
 from verify.paper.parameters import THEOREM
 
 ASSUMPTIONS = (
-    Assumption(
-        "hard-spheres",
-        "EQUATSS2.2IterationSystm1",
-        "Three particles of equal mass and diameter 1 move freely until two of them are at "
-        "distance 1 and approach each other. If these are 0 and c, then v_0 and v_c become "
-        "v_0 + J ω and v_c - J ω with J = (1+r)/2 (v_c - v_0)·ω, where ω is the unit vector from 0 "
-        "to c; the third keeps its velocity.",
-        "definition",
-    ),
+    HARD_SPHERES,
     Assumption(
         "cauchy-schwarz",
         THEOREM,
@@ -23,28 +16,14 @@ ASSUMPTIONS = (
         "p² ≤ |x|² b; and if p² ≤ |x|² b and x is not 0, there is such a vector z.",
         "general mathematics",
     ),
-    Assumption(
-        "bounded-monotone",
-        THEOREM,
-        "A bounded monotone sequence of real numbers converges.",
-        "general mathematics",
-    ),
+    BOUNDED_MONOTONE,
     Assumption(
         "open-condition",
         THEOREM,
         "Finitely many strict inequalities between continuous functions describe an open set.",
         "general mathematics",
     ),
-    Assumption(
-        "glue-next",
-        "EQUATSS4.1SysteDynamColSp",
-        "1. By colliding-pair-apart, spectator-apart with recedes, and outer-pair-apart no pair "
-        "meets after the state and before the time τ, and at τ, which is positive by tau-positive, "
-        "0-c is the only pair in contact, by contact; it approaches there, by impact-speed and "
-        "impact-positive. By impact-velocity-s and impact-velocity-c, with the roles exchanged, "
-        "the inner products just after that collision are those of the constants named ..._next.",
-        "numbered glue",
-    ),
+    GLUE_NEXT,
     Assumption(
         "glue-collapse",
         THEOREM,

@@ -5,23 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.terms import as_term, equal
-from verify.paper.argument import (
-    Defined,
-    Factor,
-    Item,
-    Line,
-    identity,
-    plus,
-    power,
-    proof,
-    scaled,
-    times,
+from verify.language.terms import as_term
+from verify.paper.argument import Factor, Item, Line, plus, power, proof, scaled, times
+from verify.paper.dynamics.apart import dot
+from verify.paper.dynamics.collision import (
+    ANGLE,
+    IMPACT_POSITIVE,
+    SPIN_SQUARE,
+    TURN,
+    at_the_contact,
+    impact,
+    laws,
+    spin,
+    turn,
 )
-from verify.paper.step.flight import SHIFT, absolute
-from verify.paper.step.numbers import c as limit
-from verify.paper.step.numbers import eighth, r, speed
-from verify.paper.step.state import (
+from verify.paper.dynamics.state import (
     A,
     A_next,
     B,
@@ -29,108 +27,27 @@ from verify.paper.step.state import (
     C,
     C_next,
     D,
-    S,
-    a,
-    at_next,
-    b,
-    conditions,
     d,
     end,
-    eta_s,
-    eta_s_next,
-    frame,
-    inequalities,
-    kappa,
-    omega_next,
     tau,
-    w,
     y,
-    y_next,
 )
-from verify.paper.step.vectors import W_s
-
-COMPONENTS = "EQUATSS4.1EvoluCompoNormC"
-NORMS = "EQUATSS4.1EvoluNormeVitRl"
-ANGLE = "EQUATSS4.1EvoluCosinAngle"
-
-dot = frame.dot
-half = (1 + r) / 2
-#: -W_c.omega_s' = (1+d) sqrt(1-zeta) (-eta_c), the speed of the impact.
-impact = (1 + d) * y * S
-spin = dot(W_s, omega_next)
-turn = (1 + d) * C - tau * a - (1 + d) * tau * b - tau**2 * w
+from verify.paper.step.flight import SHIFT, absolute
+from verify.paper.step.numbers import c as limit
+from verify.paper.step.numbers import eighth, speed
+from verify.paper.step.state import at_next, conditions
 
 
 def lines() -> Iterator[Item]:
     """The laws, then the estimates of the angle and of the norms."""
-    yield from _laws()
+    yield from laws()
     yield from _angle()
     yield from _norms()
 
 
-def _laws() -> Iterator[Item]:
-    for name in ("kappa", "C_next", "y_next", "eta_s_next", "A_next", "B_next"):
-        yield Defined(name)
-    for name in ("a_next", "b_next", "w_next"):
-        yield Defined(name)
-    yield Line(
-        "impact-speed",
-        equal(kappa, -impact),
-        identity("kappa tau S"),
-        COMPONENTS,
-        "W_c·ω_s' = -(1+d)√(1-ζ)(-η_c)",
-    )
-    yield Line(
-        "law-angle",
-        equal(C_next, turn / D),
-        identity("C_next"),
-        ANGLE,
-        "-cos θ' = [(1+d)(-cos θ) - τ ω_s·W_c - (1+d)τ ω_c·W_s - τ² W_s·W_c]/(1+d')",
-    )
-    yield Line(
-        "law-eta-c",
-        equal(y_next, half * impact * C_next - (eta_s + tau * B) / D),
-        identity("y_next C_next impact-speed"),
-        COMPONENTS,
-        "η_c' = η_s/(1+d') - (1+r)/2 (1+d)√(1-ζ)(-cos θ')(-η_c) + τ|W_s|²/(1+d')",
-    )
-    yield Line(
-        "law-eta-s",
-        equal(eta_s_next, r * impact),
-        identity(
-            "eta_s_next",
-            (
-                ("contact", -((1 + r) * kappa)),
-                ("kappa", as_term(-1)),
-                ("impact-speed", -r),
-            ),
-        ),
-        COMPONENTS,
-        "η_s' = r(1+d)√(1-ζ)(-η_c)",
-    )
-    yield Line(
-        "law-norm-c",
-        equal(A_next, B - (1 + r) * kappa * spin + half**2 * kappa**2),
-        identity("A_next", (("contact", half**2 * kappa**2),)),
-        NORMS,
-        "|W_c'|² = |W_s|² - (1+r)(W_c·ω_s')(W_s·ω_s') + ((1+r)²/4)(W_c·ω_s')²",
-    )
-    yield Line(
-        "law-norm-s",
-        equal(B_next, A - (1 - r**2) * kappa**2),
-        identity(
-            "B_next",
-            (("contact", (1 + r) ** 2 * kappa**2), ("kappa", 2 * (1 + r) * kappa)),
-        ),
-        NORMS,
-        "|W_s'|² = |W_c|² - (1-r²)(W_c·ω_s')²",
-    )
-
-
 def _angle() -> Iterator[Item]:
-    pairs = inequalities(frame, tau)
-    yield Line("angle-pair", pairs["cs-angle"], proof("cs-angle", using="tau"))
-    yield Line("turn", equal(D * C_next, turn), identity("C_next"))
+    yield at_the_contact("angle-pair", "cs-angle")
+    yield TURN
     yield Line(
         "C_next-square",
         D**2 * C_next**2 <= D**2,
@@ -223,9 +140,8 @@ def _angle() -> Iterator[Item]:
 
 
 def _norms() -> Iterator[Item]:
-    pairs = inequalities(frame, tau)
-    yield Line("impact-pair", pairs["cs-impact"], proof("cs-impact", using="tau"))
-    yield Line("spin-square", spin**2 <= B, proof("impact-pair", equations=(("contact", -B),)))
+    yield at_the_contact("impact-pair", "cs-impact")
+    yield SPIN_SQUARE
     yield from absolute(
         "spin",
         spin,
@@ -233,13 +149,7 @@ def _norms() -> Iterator[Item]:
         "EQUATSS4.1Recurrence_Cnd6",
         "|W_s·ω_s'| ≤ V₁^{1/2}",
     )
-    yield Line(
-        "impact-positive",
-        0 < impact,
-        proof(times("d-sum-positive", "Cnd1", "S-positive")),
-        COMPONENTS,
-        "W_c·ω_s' < 0: at the contact the pair approaches",
-    )
+    yield IMPACT_POSITIVE
     yield Line(
         "impact-bound",
         impact <= 2 * y,

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from verify.paper.argument import Item, Line, proof, scaled, times
+from verify.paper.dynamics.state import C, C_next, d, d_next
 from verify.paper.parameters import THEOREM
 from verify.paper.step.numbers import C_eta, T_star, c, delta_theta
-from verify.paper.step.state import C, C_next, beta, clock, d, d_next, g
+from verify.paper.step.state import beta, clock, g
 
 
 def lines() -> Iterator[Item]:

@@ -5,63 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.terms import Term, as_term, equal, sqrt
-from verify.paper.argument import (
-    ByRoot,
-    Defined,
-    Item,
-    Line,
-    Value,
-    identity,
-    plus,
-    power,
-    proof,
-    scaled,
-    square,
-    times,
-)
-from verify.paper.step.numbers import (
-    V_0,
-    V_1,
-    d_later,
-    eighth,
-    eta_bar,
-    speed,
-    zeta_bar,
-)
+from verify.language.terms import Term, as_term
+from verify.paper.argument import Item, Line, Value, plus, power, proof, scaled, times
+from verify.paper.dynamics import flight
+from verify.paper.dynamics.flight import DISTANCE, TIME
+from verify.paper.dynamics.state import A, B, C, D, S, a, b, d, d_next, eta_s, tau, w, y, zeta
+from verify.paper.step.numbers import V_0, V_1, d_later, eighth, eta_bar, speed, zeta_bar
 from verify.paper.step.rearranged import root_two, small
-from verify.paper.step.state import (
-    A,
-    B,
-    C,
-    D,
-    S,
-    a,
-    b,
-    d,
-    d_next,
-    end,
-    eta_s,
-    frame,
-    g,
-    omega_next,
-    tau,
-    w,
-    y,
-    zeta,
-    zeta_of,
-)
+from verify.paper.step.state import g
 
-TIME = "EQUATSS4.1_Controle_Tau_n"
-DISTANCE = "EQUATSS4.1BorneDista_d_1_"
 FINE = "EQUATSS4.1Recurrence_Cnd4"
 PRODUCT = "EQUATSS4.1Lien_x_n_&_y_n_"
 HALF = Fraction(1, 2)
 
 #: The number that the invariant on the norms shifts by at each collision.
 SHIFT = times(4, plus("speed-positive", 2))
-
-dot = frame.dot
 
 
 def lines() -> Iterator[Item]:
@@ -77,9 +35,7 @@ def absolute(
     name: str, term: Term, facts: tuple[Value, ...], label: str = "", says: str = ""
 ) -> Iterator[Item]:
     """|x| <= V_1^(1/2), both halves, where the facts add up to x^2 <= V_1."""
-    goal = times("goal", plus("goal", times(2, "speed-positive")))
-    for suffix, side in (("upper", term), ("lower", -term)):
-        yield Line(f"{name}-{suffix}", side <= speed, scaled(goal, *facts), label, says)
+    yield from flight.absolute(name, term, (speed, "speed-positive"), facts, label, says)
 
 
 def _norms() -> Iterator[Item]:
@@ -120,12 +76,7 @@ def _components() -> Iterator[Item]:
 
 def _root() -> Iterator[Item]:
     cnd3 = "EQUATSS4.1Recurrence_Cnd3"
-    yield Defined("zeta")
-    yield Line("root-positive", 0 < sqrt(1 - zeta_of(frame)), ByRoot())
-    yield Defined("S")
-    yield Defined("tau")
-    yield Line("S-positive", 0 < S, proof("root-positive", using="S"))
-    yield Line("S-square", equal(zeta, 1 - S**2), identity("zeta S"), cnd3, "ζ = 1 - √(1-ζ)²")
+    yield from flight.root()
     yield Line(
         "zeta-bound",
         zeta <= zeta_bar,
@@ -133,26 +84,7 @@ def _root() -> Iterator[Item]:
         "EQUATSS4.1Recurrence_Cnd4",
         "ζ ≤ ζ̄",
     )
-    yield Line(
-        "zeta-positive",
-        0 < zeta,
-        proof(times("d-positive", plus(2, "d-positive"), "A-positive"), using="zeta"),
-        cnd3,
-        "0 < ζ",
-    )
-    yield Line("zeta-one", 0 < 1 - zeta, proof("Cnd3", using="zeta"), cnd3, "ζ < 1")
-    yield Line(
-        "zeta-product",
-        equal(d * (2 + d) * A, zeta * (1 + d) ** 2 * y**2),
-        identity("zeta"),
-        cnd3,
-        "ζ = d(2+d)|W_c|²/((1+d)²η_c²)",
-    )
-    yield Line(
-        "S-one",
-        0 < 1 - S,
-        scaled(times("goal", plus(1, "S-positive")), "zeta-positive", using="S-square"),
-    )
+    yield from flight.between_zero_and_one()
     yield Line(
         "root-crude",
         1 - S <= zeta,
@@ -195,27 +127,7 @@ def _root() -> Iterator[Item]:
 
 
 def _time() -> Iterator[Item]:
-    yield Line(
-        "tau-positive",
-        0 < tau,
-        proof(times("d-sum-positive", "Cnd1", "S-one"), using="tau S"),
-        TIME,
-        "0 < τ",
-    )
-    yield Line(
-        "tau-product",
-        equal(A * tau, (1 + d) * y * (1 - S)),
-        identity("tau S"),
-        TIME,
-        "|W_c|² τ = (1+d)(-η_c)(1-√(1-ζ))",
-    )
-    yield Line(
-        "contact",
-        equal(dot(omega_next, omega_next), 1),
-        identity("tau"),
-        TIME,
-        "after the time τ particle c is in contact: |ω_s'| = 1",
-    )
+    yield from flight.time()
     yield Line(
         "time-product",
         A * tau <= 2 * y * zeta,
@@ -260,30 +172,7 @@ def _time() -> Iterator[Item]:
 
 
 def _distance() -> Iterator[Item]:
-    gains = (
-        times(2, "recedes", "tau-positive"),
-        times("B-positive", "tau-positive", "tau-positive"),
-    )
-    yield Line("end-positive", 0 < dot(end, end), proof(1, *gains))
-    yield Line("end-root", 0 < sqrt(dot(end, end)), ByRoot())
-    yield Defined("D")
-    yield Defined("d_next")
-    yield Line("D-positive", 0 < D, proof("end-root", using="D"))
-    yield Line(
-        "D-square",
-        equal(D**2, 1 + 2 * eta_s * tau + B * tau**2),
-        identity("D"),
-        DISTANCE,
-        "(1+d')² = 1 + 2η_sτ + |W_s|²τ²",
-    )
-    yield Line("D-one", 0 < D - 1, scaled(times("goal", plus(1, "D-positive")), *gains, using="D"))
-    yield Line(
-        "distance",
-        D - 1 <= eta_s * tau + B * tau**2 / 2,
-        scaled(times(2, "goal"), square(D - 1), using="D"),
-        DISTANCE,
-        "d' ≤ η_sτ + |W_s|²τ²/2",
-    )
+    yield from flight.distance()
     yield Line(
         "distance-time",
         D - 1 <= Fraction(3, 2) * speed * tau,
@@ -312,12 +201,12 @@ def _distance() -> Iterator[Item]:
         proof("distance-speed", times(3, "speed-positive", "y-bound")),
     )
     goal = times("V_0-positive", "goal")
-    yield Line("next-d-positive", 0 < d_next, proof("D-one", using="d_next"), DISTANCE, "0 < d'")
+    yield flight.NEXT_D_POSITIVE
     yield Line(
         "next-d-one", d_next <= 1, scaled(goal, "distance-later", "d-below-one", using="d_next"),
         "EQUATSS4.1Recurrence_Cnd6", "d' ≤ 1",
     )  # fmt: skip
-    yield Line("next-d-sum-positive", 0 < 1 + d_next, proof("D-positive", using="d_next"))
+    yield flight.NEXT_D_SUM_POSITIVE
     yield Line(
         "next-d-share",
         d_next <= eighth,

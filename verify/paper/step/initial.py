@@ -20,6 +20,10 @@ from verify.paper.argument import (
     proof,
     times,
 )
+from verify.paper.dynamics.plane import CONTEXT as PLANE
+from verify.paper.dynamics.plane import aligned
+from verify.paper.dynamics.state import inequalities, tau_of
+from verify.paper.dynamics.vectors import Frame
 from verify.paper.step import numbers, state
 from verify.paper.step.flight import SHIFT
 from verify.paper.step.numbers import (
@@ -35,10 +39,6 @@ from verify.paper.step.numbers import (
     third,
     x_0,
 )
-from verify.paper.step.plane import CONTEXT as PLANE
-from verify.paper.step.plane import aligned
-from verify.paper.step.state import CAUCHY_SCHWARZ
-from verify.paper.step.vectors import Frame
 
 CONTEXT = "initial"
 DATA = "EQUATSS4.1DescrDoIniColla"
@@ -233,9 +233,9 @@ def _vectors_exist() -> Iterator[Item]:
     reason_c = proof("set-eta_c", times(Fraction(3, 4), eta2), norm)
     reason_s = proof("set-eta_s", less, more, norm)
     angle = proof(times("angle-real", plus(1, "angle-obtuse")))
-    yield Line("at-angle", p.C**2 <= 1, angle, DATA, says, (CAUCHY_SCHWARZ,))
-    yield Line("room-c", p.y**2 < p.A, reason_c, DATA, says, (CAUCHY_SCHWARZ,))
-    yield Line("room-s", p.eta_s**2 < p.B, reason_s, DATA, says, (CAUCHY_SCHWARZ,))
+    yield Line("at-angle", p.C**2 <= 1, angle, DATA, says, (state.CAUCHY_SCHWARZ,))
+    yield Line("room-c", p.y**2 < p.A, reason_c, DATA, says, (state.CAUCHY_SCHWARZ,))
+    yield Line("room-s", p.eta_s**2 < p.B, reason_s, DATA, says, (state.CAUCHY_SCHWARZ,))
     yield Line("at-room-c", p.y**2 <= p.A, reason_c)
     yield Line("at-room-s", p.eta_s**2 <= p.B, reason_s)
 
@@ -248,11 +248,11 @@ def instances() -> Iterator[Item]:
         if fact not in GIVENS:
             at_point = substitute_claim(claim, state_point)
             yield Line(f"at-{fact}", at_point, ByInstance(fact, point, premises))
-    time = state.tau_of(point_frame)
+    time = tau_of(point_frame)
     p = point_frame
     values = {"u_y": p.y, "u_s": p.eta_s, "u_C": p.C, "u_A": p.A, "u_B": p.B, "u_d": p.d}
     values["u_t"] = time
-    for name, claim in state.inequalities(point_frame, time).items():
+    for name, claim in inequalities(point_frame, time, state.PAIRS).items():
         reason = ByInstance(f"{PLANE}-{name}", values, ("at-angle", "at-room-c", "at-room-s"))
         yield Line(f"at-{name}", claim, reason)
 
@@ -260,4 +260,4 @@ def instances() -> Iterator[Item]:
 def opening() -> tuple[str, ...]:
     """Why the givens of a state hold at the point."""
     carried = tuple(f"at-{premise(name)}" for name in state.conditions())
-    return carried + tuple(f"at-{name}" for name in state.inequalities(point_frame, y))
+    return carried + tuple(f"at-{name}" for name in state.PAIRS)

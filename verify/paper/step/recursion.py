@@ -5,20 +5,26 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.terms import as_term, equal
-from verify.paper.argument import (
-    Defined,
-    Item,
-    Line,
-    identity,
-    plus,
-    power,
-    proof,
-    scaled,
-    times,
+from verify.language.terms import as_term
+from verify.paper.argument import Item, Line, plus, power, proof, scaled, times
+from verify.paper.dynamics.collision import GAINED_UPPER, parts
+from verify.paper.dynamics.state import (
+    A,
+    A_next,
+    B,
+    D,
+    S,
+    d,
+    eta_s,
+    gained,
+    kept,
+    tau,
+    y,
+    y_next,
+    zeta,
 )
 from verify.paper.parameters import THEOREM
-from verify.paper.step.collision import half, impact, next_condition
+from verify.paper.step.collision import next_condition
 from verify.paper.step.flight import SHIFT
 from verify.paper.step.numbers import (
     V_0,
@@ -33,22 +39,6 @@ from verify.paper.step.numbers import (
     zeta_bar,
 )
 from verify.paper.step.rearranged import small
-from verify.paper.step.state import (
-    A,
-    A_next,
-    B,
-    C_next,
-    D,
-    S,
-    d,
-    eta_s,
-    gained,
-    kept,
-    tau,
-    y,
-    y_next,
-    zeta,
-)
 
 LINK = "EQUATSS4.1Lien_x_n_&_y_n_"
 RATIO = "EQUATSS4.1DefinReste_x_n_"
@@ -68,17 +58,7 @@ def lines() -> Iterator[Item]:
 
 
 def _terms_of_y() -> Iterator[Item]:
-    yield Defined("kept")
-    yield Defined("gained")
-    yield Line(
-        "gained-positive", 0 < gained, proof(times("tau-positive", "B-positive"), using="gained")
-    )
-    yield Line(
-        "normal-parts",
-        equal(y_next, half * impact * C_next - kept - gained),
-        identity("law-eta-c kept gained"),
-    )
-    yield Line("kept-upper", kept <= eta_s, proof(times("recedes", "D-one"), using="kept"))
+    yield from parts()
     yield Line(
         "kept-loss",
         eta_s - kept <= eta_s * (D - 1),
@@ -86,11 +66,7 @@ def _terms_of_y() -> Iterator[Item]:
         LINK,
         "|1/(1+d') - 1| ≤ d'",
     )
-    yield Line(
-        "gained-upper",
-        gained <= tau * B,
-        proof(times("tau-positive", "B-positive", "D-one"), using="gained"),
-    )
+    yield GAINED_UPPER
     yield Line(
         "ratio-bound",
         eta_s <= alpha_0 / 2 * y,

@@ -7,16 +7,16 @@ from functools import cache
 
 from verify.language.statement import Always
 from verify.paper.argument import Argument, ByInduction, Chapter, Item, Line, Opened, argue
+from verify.paper.dynamics import impact, plane
+from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
 from verify.paper.step import (
     apart,
     collision,
     conclusion,
     flight,
-    impact,
     initial,
     numbers,
-    plane,
     rearranged,
     recursion,
     state,
@@ -40,7 +40,7 @@ def chapters() -> Iterator[Chapter]:
     spaces = (numbers.context(), plane.context(), impact.context())
     yield Chapter(None, (*rearranged.ground_lines(), *(Opened(space) for space in spaces)))
     yield Chapter(impact.CONTEXT, tuple(impact.lines()))
-    yield Chapter(plane.CONTEXT, tuple(plane.lines()))
+    yield Chapter(plane.CONTEXT, tuple(plane.lines(state.PAIRS)))
     inside: tuple[Item, ...] = (*rearranged.lines(), *initial.inside_the_set())
     opened = Opened(initial.context(), tuple(f"at-{name}" for name in initial.GIVENS))
     yield Chapter(numbers.CONTEXT, (*inside, opened))
@@ -49,7 +49,7 @@ def chapters() -> Iterator[Chapter]:
     here = state.context(initial.CONTEXT, initial.state_point)
     yield Chapter(initial.CONTEXT, (Opened(here, initial.opening()),))
     yield Chapter(
-        state.CONTEXT,
+        CONTEXT,
         (
             *flight.lines(),
             *collision.lines(),
@@ -65,7 +65,7 @@ def _always() -> Line:
     conditions = state.conditions()
     return Line(
         "always",
-        Always(state.CONTEXT, initial.start, state.following()),
+        Always(CONTEXT, initial.start, state.following()),
         ByInduction(
             tuple(initial.premise(name) for name in conditions),
             tuple(f"next-{name}" for name in conditions),

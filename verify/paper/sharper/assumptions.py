@@ -1,0 +1,42 @@
+"""What the sharper theorem takes on trust: one definition, general mathematics, glue."""
+
+from __future__ import annotations
+
+from verify.language.statement import Assumption
+from verify.paper.dynamics.assumptions import BOUNDED_MONOTONE, GLUE_NEXT, HARD_SPHERES
+from verify.paper.parameters import THEOREM
+
+ASSUMPTIONS = (
+    HARD_SPHERES,
+    Assumption(
+        "cauchy-schwarz",
+        THEOREM,
+        "(x·z)² ≤ |x|²|z|² for any two vectors.",
+        "general mathematics",
+    ),
+    BOUNDED_MONOTONE,
+    GLUE_NEXT,
+    Assumption(
+        "glue-collapse",
+        THEOREM,
+        "2. The start is a state just after a collision of 0 with s, in which 0-s is the only pair "
+        "in contact; its inner products satisfy the givens. By induction on n there is an n-th "
+        "later collision: the states up to it are those of real vectors, so that always applies to "
+        "them, and glue-next gives the next one. So the collisions go on for ever, 0-c, then 0-s "
+        "and 0-c in turn; their times increase, by tau-positive, and are at most Tη₀/(1-p-Y) after "
+        "the start, by time-total, so that they converge: infinitely many collisions in finite "
+        "time.",
+        "numbered glue",
+    ),
+    Assumption(
+        "glue-angle",
+        THEOREM,
+        "3. -cos θ_n + G(g_n) falls and -cos θ_n - G(g_n) rises, by angle-monotone-upper and "
+        "angle-monotone-lower; both are bounded, and G(g_n) tends to 0 with g_n = (p+Y)^n η₀, by "
+        "decay-positive and growth-positive; so -cos θ_n converges. The relative velocities are "
+        "bounded, by A-below and B-below, and the times converge, so that the relative positions "
+        "converge, and the limit is that of the angle at the time of the collapse. It is within Θ "
+        "of C₀ by angle-final-upper and angle-final-lower.",
+        "numbered glue",
+    ),
+)

@@ -1,0 +1,193 @@
+"""The collision: the laws of Section 4, then the angle and the speeds after it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from verify.language.terms import Term, as_term
+from verify.paper.argument import Factor, Item, Line, plus, power, proof, scaled, square, times
+from verify.paper.dynamics.collision import (
+    ANGLE,
+    COMPONENTS,
+    IMPACT_POSITIVE,
+    NORMS,
+    SPIN_SQUARE,
+    TURN,
+    at_the_contact,
+    half,
+    impact,
+    laws,
+    spin,
+)
+from verify.paper.dynamics.flight import absolute
+from verify.paper.dynamics.state import A_next, C, C_next, y
+from verify.paper.sharper.bounds import HALF, REACH
+from verify.paper.sharper.numbers import C_0, T, Theta, V, k, reach, root
+from verify.paper.sharper.state import at_next, conditions, g, speed, speed_next
+
+#: How far -cos theta can turn until the next collision.
+change = 2 * T * V * y + (k + T**2 * V**2) * y**2 + T * V * k * y**3
+_TV = times("T-positive", "V-positive")
+_SQUARES = plus(power("g-positive", 2), times("g-positive", "Cnd1"), power("Cnd1", 2))
+#: That this is at most the difference of two sums over all later collisions.
+TURNED = (
+    times(2, _TV, "Cnd2"),
+    times(plus("k-positive", square(T * V)), "Cnd2", plus("g-positive", "Cnd1")),
+    times(_TV, "k-positive", "Cnd2", _SQUARES),
+)
+SUMMED = (("turn_1-sum", g), ("turn_2-sum", g**2), ("turn_3-sum", g**3))
+
+
+def lines() -> Iterator[Item]:
+    """The laws, then the angle, the speed of the impact, and the speeds."""
+    yield from laws()
+    yield from _turning()
+    yield from _angle()
+    yield from _impact()
+    yield from _speeds()
+
+
+def next_condition(
+    name: str,
+    says: str,
+    *addends: Factor,
+    using: str = "",
+    equations: tuple[tuple[str, Term], ...] = (),
+) -> Line:
+    """A condition at the next state."""
+    claim = at_next(conditions()[name])
+    return Line(f"next-{name}", claim, proof(*addends, using=using, equations=equations), says=says)
+
+
+def _turning() -> Iterator[Item]:
+    yield TURN
+    sums = plus(
+        times("turn_1-positive", "g-positive"),
+        times("turn_2-positive", power("g-positive", 2)),
+        times("turn_3-positive", power("g-positive", 3)),
+    )
+    yield Line("C-positive", 0 < C, proof("angle-lower", "obtuse", sums))
+    tv, y1, tau = times("T-positive", "V-positive"), "Cnd1", "tau-positive"
+    turned = plus(
+        times(2, tv, y1),
+        times("k-positive", power(y1, 2)),
+        times(square(T * V), power(y1, 2)),
+        times(tv, "k-positive", power(y1, 3)),
+    )
+    late = (
+        times("V-positive", plus(2, "d-positive"), "time"),
+        times(tv, y1, "d-small"),
+        times(square(V), "time", plus(tau, times("T-positive", y1))),
+    )
+    for side, sign, other, near in (
+        (
+            "upper",
+            1,
+            "lower",
+            (times("D-one", "C-positive"), times("d-positive", "C-one"), "d-small"),
+        ),
+        (
+            "lower",
+            -1,
+            "upper",
+            (times("d-positive", "C-positive"), times("D-one", "C-one"), "distance-here"),
+        ),
+    ):
+        yield Line(
+            f"angle-step-{side}",
+            (C_next - C if sign == 1 else C - C_next) <= change,
+            scaled(
+                times("D-positive", "goal"),
+                times("D-one", turned),
+                *near,
+                times(tau, f"a-{other}"),
+                times("d-sum-positive", tau, f"b-{other}"),
+                times(power(tau, 2), f"w-{other}"),
+                *late,
+            )._replace(equations=(("turn", as_term(-sign)),)),
+            ANGLE,
+            "|cos θ' - cos θ| ≤ 2TV(-η_c) + (κ+T²V²)η_c² + TVκ(-η_c)³",
+        )
+
+
+def _angle() -> Iterator[Item]:
+    for side in ("upper", "lower"):
+        yield next_condition(
+            f"angle-{side}",
+            "|(-cos θ) - C₀| stays below Θ less the sum of all later changes",
+            f"angle-step-{side}",
+            f"angle-{side}",
+            *TURNED,
+            equations=SUMMED,
+        )
+    later = plus(
+        *(
+            times(f"turn_{i}-positive", power(times("growth-positive", "g-positive"), i))
+            for i in (1, 2, 3)
+        )
+    )
+    yield Line("C_next-least", C_0 - Theta <= C_next, proof("next-angle-lower", later))
+    yield Line("C_next-most", C_next <= C_0 + Theta, proof("next-angle-upper", later))
+    yield Line("C_next-positive", 0 < C_next, proof("C_next-least", "obtuse"))
+
+
+def _impact() -> Iterator[Item]:
+    yield IMPACT_POSITIVE
+    yield Line(
+        "impact-bound",
+        impact <= reach * y,
+        proof(times("d-sum-positive", "Cnd1", "S-one"), times("Cnd1", "d-crude")),
+        COMPONENTS,
+        "|W_c·ω_s'| ≤ (1+κη₀²)(-η_c)",
+    )
+    yield Line(
+        "impact-least",
+        root * y <= impact,
+        proof(times("Cnd1", "S-least"), times("d-positive", "Cnd1", "S-positive")),
+        COMPONENTS,
+        "|W_c·ω_s'| ≥ (1-TV²)(-η_c)",
+    )
+
+
+def _speeds() -> Iterator[Item]:
+    yield at_the_contact("impact-pair", "cs-impact")
+    yield SPIN_SQUARE
+    yield from absolute("spin", spin, (speed, "speed-positive"), ("spin-square", "B-upper"))
+    hit = times(2, HALF, "impact-positive")
+    yield Line(
+        "norm-c",
+        A_next <= (speed + half * impact) ** 2,
+        proof(times(hit, "spin-upper"), "B-upper", using="law-norm-c impact-speed"),
+        NORMS,
+        "|W_c'| ≤ |W_s| + (1+r)/2 |W_c·ω_s'|, with a bound for |W_s|",
+    )
+    yield Line(
+        "speed-hit",
+        speed + half * impact <= speed_next,
+        proof(
+            times(HALF, "impact-bound"),
+            times(HALF, REACH, "Cnd2"),
+            equations=(("gain-sum", g),),
+        ),
+    )
+    yield Line(
+        "speed-grows",
+        speed <= speed_next,
+        proof(times("gain-positive", "decay-positive", "g-positive")),
+    )
+    struck = plus("speed-hit", times(2, "speed-positive"), hit)
+    yield next_condition(
+        "A-upper", "|W_c'| stays below V less the sum of all later changes", "norm-c",
+        times("speed-hit", struck),
+    )  # fmt: skip
+    yield next_condition(
+        "B-upper",
+        "|W_s'| stays below V less the sum of all later changes",
+        "A-upper",
+        times("r-below-one", plus(1, "r-positive"), power("impact-positive", 2)),
+        times("speed-grows", plus("speed-grows", times(2, "speed-positive"))),
+        using="law-norm-s impact-speed",
+    )
+    slower = times("gain-positive", "growth-positive", "g-positive")
+    rest = plus(slower, times(2, plus("speed-positive", "speed-grows")))
+    yield Line("next-A-below", A_next <= V**2, proof("next-A-upper", times(slower, rest)))

@@ -1,0 +1,160 @@
+"""From one collision to the next: sizes, the time between them, and the next distance."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from verify.language.terms import as_term, equal
+from verify.paper.argument import (
+    Item,
+    Line,
+    Value,
+    identity,
+    plus,
+    power,
+    proof,
+    scaled,
+    square,
+    times,
+)
+from verify.paper.dynamics import flight
+from verify.paper.dynamics.flight import DISTANCE, TIME, absolute
+from verify.paper.dynamics.state import A, B, C, D, S, a, b, d, tau, w, y, zeta
+from verify.paper.sharper.numbers import V_0, T, V, eta_0, k, least_ratio, reach, root
+from verify.paper.sharper.state import g, speed
+
+SLOWER = times("gain-positive", "g-positive")
+
+
+def lines() -> Iterator[Item]:
+    """Everything about the time tau between the two collisions, and d_next."""
+    yield from _sizes()
+    yield from _components()
+    yield from flight.root()
+    yield from flight.between_zero_and_one()
+    yield from _root()
+    yield from flight.time()
+    yield from _time()
+    yield from flight.distance()
+    yield from _distance()
+
+
+def _sizes() -> Iterator[Item]:
+    yield Line("g-positive", 0 < g, proof("Cnd2", "Cnd1"))
+    yield Line("y-bound", y <= eta_0, proof("Cnd2", "g-bound"))
+    yield Line("speed-above", V_0 <= speed, proof("speed-least", times("gain-positive", "g-bound")))
+    yield Line("speed-positive", 0 < speed, proof("speed-above", "V_0-positive"))
+    slower = times(SLOWER, plus(SLOWER, times(2, "speed-positive")))
+    for name, letter, size in (("A", "c", A), ("B", "s", B)):
+        yield Line(
+            f"{name}-below", size <= V**2, proof(f"{name}-upper", slower), says=f"|W_{letter}| ≤ V"
+        )
+    yield Line("B-positive", 0 < B, proof("cs-s", power("recedes", 2)))
+    yield Line("d-crude", 1 + d <= reach, proof("d-small", _crude()))
+
+
+def _crude() -> Value:
+    """K eta_0^2 - k y^2."""
+    return times("k-positive", "y-bound", plus("eta_0-positive", "Cnd1"))
+
+
+def _components() -> Iterator[Item]:
+    bound = (V, "V-positive")
+    yield from absolute("a", a, bound, ("cs-a", "A-below"))
+    yield from absolute("b", b, bound, ("cs-b", "B-below"))
+    facts = (times("A-below", "B-positive"), times(square(V), "B-below"))
+    yield from absolute("w", w, (V**2, power("V-positive", 2)), ("cs-w", *facts))
+    yield Line("C-one", C <= 1, scaled(times("goal", plus("goal", 2)), "cs-omega"))
+
+
+def _root() -> Iterator[Item]:
+    d2, y2 = power("d-sum-positive", 2), power("Cnd1", 2)
+    yield Line(
+        "zeta-bound",
+        zeta <= 2 * k * V**2,
+        scaled(
+            "goal",
+            times(2, d2, "A-positive", "d-small"),
+            times(2, "k-positive", d2, y2, "A-below"),
+            times("A-positive", power("d-positive", 2), plus(3, times(2, "d-positive"))),
+            using="zeta",
+        ),
+        says="ζ ≤ 2κV²",
+    )
+    yield Line(
+        "S-least",
+        root <= S,
+        scaled(
+            times("goal", plus("goal", times(2, "S-positive"))),
+            "zeta-bound",
+            times(square(V), "time-room"),
+            using="S-square",
+        ),
+        says="√(1-ζ) ≥ 1 - TV²",
+    )
+
+
+def _time() -> Iterator[Item]:
+    d_sum, y2 = "d-sum-positive", power("Cnd1", 2)
+    yield Line(
+        "time-root",
+        equal(tau * (1 + d) * y * (1 + S), d * (2 + d)),
+        identity("tau S"),
+        TIME,
+        "τ = d(2+d)/((1+d)(-η_c)(1+√(1-ζ)))",
+    )
+    yield Line(
+        "time",
+        tau <= T * y,
+        scaled(
+            times("goal", d_sum, "Cnd1", plus(1, "S-positive")),
+            times("T-positive", y2, d_sum, "S-least"),
+            times(y2, d_sum, "time-room"),
+            times(2, d_sum, "d-small"),
+            power("d-positive", 2),
+        )._replace(equations=(("time-root", as_term(-1)),)),
+        TIME,
+        "τ ≤ T(-η_c)",
+    )
+    yield Line(
+        "time-short",
+        5 * V * tau <= 1,
+        proof(
+            times(5, "V-positive", "time"),
+            times(5, "T-positive", "V-positive", "y-bound"),
+            "apart-room",
+        ),
+        TIME,
+        "Vτ ≤ 1/5",
+    )
+
+
+def _distance() -> Iterator[Item]:
+    y2 = power("Cnd1", 2)
+    further = times("T-positive", "Cnd1")
+    yield Line(
+        "distance-slope",
+        D - 1 <= k * least_ratio**2 * y**2,
+        proof(
+            "distance",
+            times("recedes", "time"),
+            times(further, "ratio-upper"),
+            times(Fraction(1, 2), power("tau-positive", 2), "B-below"),
+            times(Fraction(1, 2), square(V), "time", plus("tau-positive", further)),
+            times(y2, "d-room"),
+        ),
+        DISTANCE,
+        "d' ≤ κ(p-Y)²η_c²",
+    )
+    below = times("least-ratio-below", plus(1, "least-ratio-positive"))
+    yield Line(
+        "distance-here",
+        D - 1 <= k * y**2,
+        proof("distance-slope", times("k-positive", y2, below)),
+        DISTANCE,
+        "d' ≤ κη_c²",
+    )
+    yield Line("distance-crude", reach >= D, proof("distance-here", _crude()))
+    yield flight.NEXT_D_POSITIVE
+    yield flight.NEXT_D_SUM_POSITIVE

@@ -1,0 +1,134 @@
+"""The other conditions at the next state: the ratios, the distance, zeta, and the time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from verify.paper.argument import Item, Line, plus, power, proof, scaled, square, times
+from verify.paper.dynamics.collision import GAINED_UPPER, parts
+from verify.paper.dynamics.state import W_c_next, end, frame, kept, y, y_next
+from verify.paper.sharper.bounds import HALF, REACH
+from verify.paper.sharper.collision import next_condition
+from verify.paper.sharper.numbers import V, X, least_ratio, m, ratio, reach
+from verify.paper.sharper.start import zeta_below
+from verify.paper.sharper.state import at_next, conditions, g
+
+GROWTH = "EQUATSS4.1Lien_x_n_&_y_n_"
+
+
+def lines() -> Iterator[Item]:
+    """First the ratio of the speeds of approach, on which the others rest."""
+    yield from _ratio()
+    yield from _sizes()
+    yield from _others()
+
+
+def _ratio() -> Iterator[Item]:
+    yield from parts()
+    yield GAINED_UPPER
+    yield Line(
+        "kept-least",
+        (m - X) * y <= reach * kept,
+        proof(times("D-positive", "ratio-lower"), times("distance-crude", "recedes"), using="kept"),
+    )
+    yield Line(
+        "y-upper-bound",
+        y_next <= ratio * y,
+        scaled(
+            times(REACH, "goal"),
+            times(REACH, HALF, "impact-bound", "C_next-positive"),
+            times(REACH, HALF, REACH, "Cnd1", "C_next-most"),
+            times(REACH, "gained-positive"),
+            "kept-least",
+            times("Cnd1", "y-upper-room"),
+            using="normal-parts",
+        ),
+        GROWTH,
+        "η_c'/η_c ≤ p + Y",
+    )
+    yield Line(
+        "y-lower-bound",
+        least_ratio * y <= y_next,
+        proof(
+            times(HALF, "impact-least", "C_next-positive"),
+            times(HALF, "root-room", "Cnd1", "C_next-least"),
+            "kept-upper",
+            "ratio-upper",
+            "gained-upper",
+            times("tau-positive", "B-below"),
+            times(square(V), "time"),
+            times("Cnd1", "y-lower-room"),
+            using="normal-parts",
+        ),
+        GROWTH,
+        "η_c'/η_c ≥ p - Y",
+    )
+
+
+def _sizes() -> Iterator[Item]:
+    survives = times("least-ratio-positive", "Cnd1")
+    yield next_condition("Cnd1", "η_c' < 0", "y-lower-bound", survives)
+    yield next_condition(
+        "Cnd2",
+        "|η_c'| ≤ (p+Y)^{n+1} η₀",
+        "y-upper-bound",
+        times("growth-positive", "Cnd2"),
+    )
+    yield next_condition(
+        "g-bound", "(p+Y)^{n+1} η₀ ≤ η₀", "g-bound", times("g-positive", "decay-positive")
+    )
+    longer = times("k-positive", "y-lower-bound", plus("next-Cnd1", survives))
+    yield next_condition("d-small", "d' ≤ κη_c'²", "distance-slope", longer, using="d_next")
+
+
+def _others() -> Iterator[Item]:
+    yield next_condition(
+        "recedes",
+        "η_s' > 0: the pair that just met separates",
+        times("r-positive", "impact-positive"),
+        using="law-eta-s",
+    )
+    yield next_condition(
+        "ratio-upper",
+        "η_s'/(-η_c') ≤ m + X",
+        times("r-positive", "impact-bound"),
+        times("Cnd1", "x-upper-room"),
+        times("ratio-positive", "y-lower-bound"),
+        using="law-eta-s",
+    )
+    yield next_condition(
+        "ratio-lower",
+        "η_s'/(-η_c') ≥ m - X",
+        times("r-positive", "impact-least"),
+        times("Cnd1", "x-lower-room"),
+        times("ratio-room", "y-upper-bound"),
+        using="law-eta-s",
+    )
+    struck = frame.dot(W_c_next, end) ** 2 <= frame.dot(W_c_next, W_c_next) * frame.dot(end, end)
+    yield Line("next-pair", struck, proof("cs-next", using="kappa tau"))
+    claim = at_next(conditions()["A-positive"])
+    yield Line(
+        "next-A-positive",
+        claim,
+        scaled(
+            times("end-positive", "goal"),
+            "next-pair",
+            power("next-Cnd1", 2),
+            using="A_next y_next",
+        ),
+        says="W_c' is not 0",
+    )
+    yield Line(
+        "next-Cnd3",
+        at_next(conditions()["Cnd3"]),
+        zeta_below("next-", "next-A-positive", "next-A-below"),
+        says="ζ' < 1",
+    )
+    yield next_condition(
+        "clock-bound",
+        "the time of the next collision is at most T(η₀ - (p+Y)^{n+1}η₀)/(1-p-Y)",
+        "clock-bound",
+        "time",
+        times("T-positive", "Cnd2"),
+        equations=(("duration-sum", g),),
+    )

@@ -29,10 +29,10 @@ def test_what_is_written_compares_equal(capsys: pytest.CaptureFixture[str], tmp_
     assert (code, err, out.count("written ")) == (0, "", 4)
     folder = tmp_path / "new/theorem1-r-3-100"
     assert {file.name for file in folder.iterdir()} == {
-        "statement.json", "certificate.json", "report.md",
+        "statement.json", "certificate.json", "cited", "report.md",
     }  # fmt: skip
     code, out, _ = run(capsys, "certify", "--compare", "--directory", tmp_path / "new")
-    assert (code, out.count("same ")) == (0, 13)
+    assert (code, out.count("same ")) == (0, 14)
     (folder / "report.md").write_text("other")
     (folder / "certificate.json").unlink()
     code, out, _ = run(capsys, "certify", "--compare", "--directory", tmp_path / "new")

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.citing import cited_in
 from verify import check
 from verify.cli import main
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Constant, Obligation
@@ -29,7 +30,8 @@ def verdict(claim: Claim, **constants: Term) -> str:
 
 
 def checked(folder: Path) -> str:
-    return check.check(*((folder / name).read_bytes() for name in FILES), {}).verdict
+    files = ((folder / name).read_bytes() for name in FILES)
+    return check.check(*files, cited_in(folder)).verdict
 
 
 def test_a_an_entry_is_not_the_minimum_on_the_way_to_it() -> None:

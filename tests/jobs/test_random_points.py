@@ -109,9 +109,10 @@ def test_prover_and_checker_agree_on_each_row(number: int) -> None:
     assert [row.name for row in undecided if row.role == NEEDED] == []
     files = write(outcome)
     statement, certificate = files["statement.json"], files["certificate.json"]
-    report = check.check(statement, certificate, {})
+    cited = {name[6:-5]: data for name, data in files.items() if name.startswith("cited/")}
+    report = check.check(statement, certificate, cited)
     assert [line for line in report.lines if line.startswith("REFUSED")] == []
     assert report.verdict == {PROVED: "PROVED", REFUTED: "REFUTED"}[outcome.verdict]
     shown = sum(line.startswith("proved  ") for line in report.lines)
     assert shown == len(outcome.rows) - len(undecided)
-    assert read(statement, certificate, {}) == outcome
+    assert read(statement, certificate, cited) == outcome

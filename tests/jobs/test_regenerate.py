@@ -32,11 +32,12 @@ def test_what_is_refuted_or_printed_alone_is_not() -> None:
 
 
 @pytest.mark.parametrize(
-    "key", ["theorem", "title", "constants", "obligations", "assumptions", "terms", "parameters"]
+    "key",
+    ["theorem", "title", "constants", "obligations", "assumptions", "cites", "terms", "parameters"],
 )
 def test_any_change_is_seen(key: str) -> None:
-    document = json.loads(statement())
-    assert encode(document) == statement()
+    document = json.loads(statement("all"))
+    assert encode(document) == statement("all")
     value = document[key]
     if isinstance(value, dict):
         document[key] = {name: value[name] for name in list(value)[1:]}

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
+from tests.citing import cited
 from tests.points import parameters
 from verify.jobs import spectrum, theorem1
 from verify.language.statement import REFUTED
@@ -28,7 +29,7 @@ def test_a_view_does_not_see_whether_an_outcome_is_fresh(
 ) -> None:
     outcome = decide()
     files = write(outcome)
-    again = read(files["statement.json"], files["certificate.json"], {})
+    again = read(files["statement.json"], files["certificate.json"], cited(files))
     text = view(outcome)
     assert text == view(again)
     for row, _ in outcome.rows:

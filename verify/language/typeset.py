@@ -47,7 +47,8 @@ class Typesetter:
         return f"{self.term(claim.lhs)} {relation} {self.term(claim.rhs)}"
 
     def _values(self, values: Mapping[str, Term]) -> str:
-        pairs = ((self._letters.get(name, name), self.term(t)) for name, t in values.items())
+        named = sorted(values.items())  # a table in a file has no other order
+        pairs = ((self._letters.get(name, name), self.term(term)) for name, term in named)
         return ", ".join(f"{letter} = {text}" for letter, text in pairs)
 
     def term(self, term: Term) -> str:

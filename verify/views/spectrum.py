@@ -15,7 +15,7 @@ from verify.prover.balls import Ball
 from verify.prover.decimals import outward, rational_text, short
 from verify.prover.outcome import Decision, Outcome
 from verify.views.document import claims_document, value_text
-from verify.views.words import given, groups, letters, sentence, summary, witness_of
+from verify.views.words import groups, letters, sentence, summary, taken_on_trust, witness_of
 
 FORMAT = "verify-spectrum/1"
 
@@ -75,10 +75,7 @@ def claim_lines(outcome: Outcome) -> Iterator[str]:
         for row, decision in outcome.of_group(group):
             yield from _row(row, decision, typesetter)
     yield ""
-    assumptions = (*outcome.assumptions, *outcome.printed_assumptions)
-    yield f"Taken on trust, and not proved by this program: {given(assumptions)}"
-    for assumption in assumptions:
-        yield f"  {assumption.name} ({assumption.kind}, {assumption.label}): {assumption.sentence}"
+    yield from taken_on_trust(outcome)
     if outcome.spent:
         yield f"Work budget spent: {outcome.spent}"
 

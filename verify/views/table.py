@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from verify.language.statement import PRINTED, PROVED, REFUTED, Assumption, Constant, Obligation
+from verify.language.statement import PRINTED, PROVED, REFUTED, Constant, Obligation
 from verify.language.terms import Claim, symbol
 from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES, REPAIRED
@@ -18,8 +18,6 @@ from verify.views.words import (
     constants_of,
     ends_of,
     failed_hypotheses,
-    given,
-    given_by,
     group_verdict,
     groups,
     in_numbers,
@@ -29,6 +27,7 @@ from verify.views.words import (
     short_name,
     sides_of,
     summary,
+    taken_on_trust,
 )
 
 _SIGNS = {"<": "<", "<=": "≤", "=": "="}
@@ -109,7 +108,8 @@ def report_lines(outcome: Outcome) -> Iterator[str]:
         yield from _constant(outcome, constant, typesetter)
     for group in sets:
         yield from _set(outcome, group, typesetter)
-    yield from _assumptions(outcome)
+    yield ""
+    yield from taken_on_trust(outcome)
     yield ""
     yield from _verdicts(outcome, sets)
 
@@ -194,21 +194,6 @@ def _margin(decision: Decision, sides: tuple[Ends, Ends]) -> str:
         return f"by {decision.method}"
     sign = "" if decision.verdict == PROVED else "-"
     return f"margin {sign}{outward((gap, gap), 3)[0]}"
-
-
-def _assumptions(outcome: Outcome) -> Iterator[str]:
-    yield ""
-    yield f"Taken on trust, and not proved by this program: {given_by(outcome)}"
-    yield from map(_assumption, outcome.assumptions)
-    others = outcome.printed_assumptions
-    if others:
-        yield ""
-        yield f"What only printed rows take on trust: {given(others)}"
-        yield from map(_assumption, others)
-
-
-def _assumption(assumption: Assumption) -> str:
-    return f"  {assumption.label} ({assumption.kind}): {assumption.sentence}"
 
 
 def _first_screen(outcome: Outcome, sets: list[str]) -> Iterator[str]:

@@ -6,7 +6,7 @@ Everything is taken from the outcome, fresh or read back; nothing is decided her
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from verify.language.record import Record
@@ -100,6 +100,21 @@ def summary(outcome: Outcome) -> str:
     parts = [counts(outcome, role) for role in (NEEDED, PRINTED)]
     rows = "; ".join(part for part in parts if part)
     return f"{headline(outcome)}: {outcome.statement.title}: {rows}; given {given_by(outcome)}"
+
+
+def taken_on_trust(outcome: Outcome) -> Iterator[str]:
+    """What the verdict takes on trust, sentence by sentence, and what only printed rows do."""
+    yield f"Taken on trust, and not proved by this program: {given_by(outcome)}"
+    yield from map(_assumption, outcome.assumptions)
+    others = outcome.printed_assumptions
+    if others:
+        yield ""
+        yield f"What only printed rows take on trust: {given(others)}"
+        yield from map(_assumption, others)
+
+
+def _assumption(assumption: Assumption) -> str:
+    return f"  {assumption.name} ({assumption.kind}, {assumption.label}): {assumption.sentence}"
 
 
 def counts(outcome: Outcome, role: str) -> str:

@@ -2,28 +2,34 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from tests.paper.step.states import BITS, Random, Values, checker, evaluate
 from verify import check
-from verify.jobs.step import decide_step, with_step
+from verify.jobs import citing
+from verify.jobs.step import decide_step
 from verify.jobs.theorem1 import decide_point
-from verify.language.statement import NEEDED, PROVED
+from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Obligation
 from verify.language.terms import Claim, as_term
-from verify.paper.groups import PRINTED
 from verify.paper.step import initial, numbers, state
 from verify.paper.step.theorem import step
 from verify.prover import balls
-from verify.prover.outcome import Outcome
+from verify.prover.ground import Ground
+from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Step
 from verify.prover.rules import Sum
+from verify.views.words import headline
 from verify.wire.read import read
-from verify.wire.write import write
+from verify.wire.write import encode, write
+
+ROOT = Path(__file__).resolve().parents[3]
 
 
 def report(outcome: Outcome) -> check.Report:
@@ -42,9 +48,9 @@ def test_the_step_is_proved_and_small() -> None:
 
 def test_only_four_kinds_of_sentences_are_assumed() -> None:
     kinds = [assumption.kind for assumption in decide_step().assumptions]
-    assert kinds.count("general mathematics") == 4
+    assert kinds.count("general mathematics") == 3
     assert kinds.count("definition") == 1
-    assert set(kinds) == {"general mathematics", "definition", "glue"}
+    assert set(kinds) == {"general mathematics", "definition", "numbered glue"}
 
 
 def test_glue_names_rows_that_are_there() -> None:
@@ -53,7 +59,7 @@ def test_glue_names_rows_that_are_there() -> None:
     named = {
         word.strip(".,:")
         for assumption in decide_step().assumptions
-        if assumption.kind == "glue"
+        if assumption.kind == "numbered glue"
         for word in assumption.sentence.split()
         if "-" in word and word.strip(".,:").replace("-", "").isalpha()
     }
@@ -221,17 +227,79 @@ def next_state(contexts: Any, following: Any, values: Values) -> Values:
 def test_a_point_run_cites_the_step(point: tuple[str, str], selection: str) -> None:
     texts = dict(zip(("r", "c"), point, strict=True)) | {"V_0": "2", "delta_theta": "1/10"}
     outcome = decide_point({n: as_term_of(text) for n, text in texts.items()}, selection)
-    citing = with_step(outcome)
-    files = write(citing)
+    files = write(outcome)
     cited = {name[6:-5]: data for name, data in files.items() if name.startswith("cited/")}
     found = check.check(files["statement.json"], files["certificate.json"], cited)
     assert found.verdict == "PROVED"
     assert found.cites[0][0] == "step"
-    needed = [row for row, _ in citing.rows if row.role == NEEDED and row.group != PRINTED]
-    assert not any(row.uses for row in needed)
+    assert not any(row.uses for row, _ in outcome.rows if row.role == NEEDED)
+    assert outcome.own_assumptions == ()
+    assert outcome.assumptions == decide_step().assumptions
+    assert bool(outcome.printed_assumptions) == (selection == "all")
+    assert headline(outcome) == PROVED
+
+
+def test_the_step_that_comes_with_the_program_is_the_one_that_it_makes() -> None:
+    """If not: verify certify, then copy certificates/step/*.json to verify/data/step."""
+    for name, content in write(decide_step()).items():
+        for folder in (citing.FOLDER, ROOT / "certificates/step"):
+            assert (Path(folder) / name).read_bytes() == content, folder
+    assert citing.packaged() == write(decide_step())["statement.json"]
+
+
+def test_every_given_is_a_row_a_definition_or_a_lemma_of_the_point() -> None:
+    names = [given.name for given in numbers.context().givens]
+    kinds = (numbers.row_names(), numbers.DEFINED, numbers.BETWEEN)
+    assert all(sum(name in kind for kind in kinds) == 1 for name in names)
+    assert len(names) == sum(map(len, kinds))
+    assert names == list(numbers.givens())
+
+
+@pytest.mark.parametrize("name", ["zeta-total", "final-angle", "fixed-points-exist"])
+@pytest.mark.parametrize("verdict", [UNDECIDED, REFUTED])
+def test_the_step_does_not_apply_where_a_row_that_it_needs_is_not_proved(
+    monkeypatch: pytest.MonkeyPatch, name: str, verdict: str
+) -> None:
+    """The row is undecided then, and so is the verdict, or it is refuted as that row is."""
+    honest = Ground.decide
+
+    def broken(ground: Ground, row: Obligation, *, all_sides: bool = True) -> Decision:
+        found = honest(ground, row, all_sides=all_sides)
+        return found._replace(verdict=verdict) if row.name == f"repaired.{name}" else found
+
+    monkeypatch.setattr(Ground, "decide", broken)
+    texts = {"r": "3/100", "c": "1", "V_0": "1", "delta_theta": "1/10"}
+    outcome = decide_point({n: as_term_of(text) for n, text in texts.items()})
+    assert outcome.decisions[numbers.COLLAPSE] == Decision(UNDECIDED)
+    assert (outcome.verdict, headline(outcome)) == (verdict, verdict)
+
+
+def test_a_row_that_the_step_does_not_need_is_no_premise() -> None:
+    """The final angle is within δ_θ by final-angle; that the drift is absorbed is not used."""
+    assert "angle-absorbed" not in numbers.row_names()
+    assert "final-angle" in numbers.row_names()
 
 
 def test_a_point_where_the_hypotheses_fail_cites_nothing() -> None:
     texts = {"r": "1/2", "c": "1", "V_0": "1", "delta_theta": "1/10"}
     outcome = decide_point({n: as_term_of(text) for n, text in texts.items()})
-    assert with_step(outcome) is outcome
+    assert outcome.statement.cites == ()
+    assert numbers.COLLAPSE not in outcome.decisions
+
+
+@pytest.mark.parametrize("point", [("3/100", "1"), ("1/1000", "3/10")])
+def test_a_given_that_is_dropped_or_exchanged_is_refused(point: tuple[str, str]) -> None:
+    texts = dict(zip(("r", "c"), point, strict=True)) | {"V_0": "1", "delta_theta": "1/10"}
+    files = write(decide_point({n: as_term_of(text) for n, text in texts.items()}, "repaired"))
+    cited = {name[6:-5]: data for name, data in files.items() if name.startswith("cited/")}
+    certificate = json.loads(files["certificate.json"])
+    (last,) = [s for s in certificate["steps"] if s.get("obligation") == numbers.COLLAPSE]
+    givens = last["proof"]["givens"]
+    for changed in (givens[:-1], [*givens[1:], givens[0]], [*givens[:-1], "l.1"]):
+        last["proof"]["givens"] = changed
+        forged = encode(certificate)
+        try:
+            verdict = check.check(files["statement.json"], forged, cited).verdict
+        except check.Malformed:
+            continue
+        assert verdict == "REFUSED"

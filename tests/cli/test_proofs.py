@@ -27,14 +27,14 @@ def test_all_parameters(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> N
     assert "Theorem 1, given these sentences. Let 0 < r < 1" in out
     last = out.splitlines()[-1]
     assert last.startswith("Verdict: proved: For all 0 < r < 1")
-    assert "given 9 assumptions" in last
+    assert "given 8 assumptions" in last
     (cited,) = (tmp_path / "all/cited").iterdir()
     step_folder = tmp_path / "step"
     step_folder.mkdir()
     assert run(capsys, "check", tmp_path / "all")[0] == 0
     code, out, _ = run(capsys, "theorem1", "--all", "--json")
     document = json.loads(out)
-    assert (code, document["verdict"], len(document["assumptions"])) == (0, "proved", 9)
+    assert (code, document["verdict"], len(document["assumptions"])) == (0, "proved", 8)
     assert {row["verdict"] for row in document["claims"]} == {"proved"}
     assert len(cited.read_bytes()) < check.MAX_BYTES
 

@@ -10,12 +10,14 @@ import subprocess
 import sys
 import time
 from fractions import Fraction
+from hashlib import sha256
 from math import isqrt
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from tests.citing import cited_in
 from verify import check
 from verify.cli import main
 from verify.paper.parameters import THEOREM
@@ -47,9 +49,7 @@ def test_the_main_job(capsys: pytest.CaptureFixture[str]) -> None:
     assert (code, err) == (0, "")
     assert "corrected by repaired.zeta-x-bound" in out
     last = out.splitlines()[-1]
-    start = (
-        f"Verdict: conditionally proved: Rows of {THEOREM}, printed and repaired constants, at r ="
-    )
+    start = f"Verdict: proved: Rows of {THEOREM}, printed and repaired constants, at r ="
     assert last.startswith(start)
     needed, printed = (int(n) for n in re.findall(r"(\d+) (?:needed|printed) \(", last))
     assert min(needed, printed) > 150
@@ -57,6 +57,11 @@ def test_the_main_job(capsys: pytest.CaptureFixture[str]) -> None:
     assert "refuted); given " in last
     given = last.partition("given ")[2]
     assert f"Taken on trust, and not proved by this program: {given}" in out
+    assert given == (
+        "8 assumptions (1 definition, 3 general mathematics, 4 numbered glue) of the cited 'step' "
+        "(certificates/step)"
+    )
+    assert "What only printed rows take on trust: 20 assumptions" in out
 
 
 def test_the_screen_is_short_and_ends_like_the_table(capsys: pytest.CaptureFixture[str]) -> None:
@@ -152,8 +157,22 @@ def test_the_document_has_the_promised_shape(capsys: pytest.CaptureFixture[str])
     code, doc = document(capsys, "--r", "0.03")
     assert code == 0
     assert (doc["format"], doc["command"]) == ("verify-theorem1/1", "theorem1")
-    assert (doc["verdict"], doc["headline"]) == ("proved", "conditionally proved")
+    assert (doc["verdict"], doc["headline"]) == ("proved", "proved")
     assert doc["theorem"].startswith("Given the assumptions: let r = 3/100.")
+    assert doc["theorem"].endswith("-cos of the final angle differs from 1 by at most δ_θ = 1/10.")
+    (cite,) = doc["cites"]
+    step = (ROOT / "certificates/step/statement.json").read_bytes()
+    assert cite == {
+        "name": "step",
+        "theorem": "step",
+        "statement_sha256": sha256(step).hexdigest(),
+    }
+    listed = [a["statement"] for a in doc["assumptions"]]
+    assert listed == [a["sentence"] for a in json.loads(step)["assumptions"]]
+    names = {a["name"] for a in doc["assumptions_of_printed_rows"]}
+    rows = [*doc["hypotheses"], *(r for s in doc["sets"].values() for r in s["obligations"])]
+    assert names == {name for row in rows for name in row["uses"]}
+    assert not any(row["uses"] for row in rows if row["role"] == "needed")
     assert doc["parameters"] == {
         "r": "3/100",
         "neg_cos_theta0": "1",
@@ -179,8 +198,9 @@ def test_the_document_has_the_promised_shape(capsys: pytest.CaptureFixture[str])
             assert row["label"]
             assert row["statement"].startswith(row["says"])
             assert row["claim"]
-            check_pair(row["lhs"])
-            check_pair(row["rhs"])
+            if row["name"] != "collapse":
+                check_pair(row["lhs"])
+                check_pair(row["rhs"])
             assert (row["verdict"] == "refuted") == ("corrected_by" in row)
         for pair in one_set["constants"].values():
             check_pair(pair)
@@ -218,7 +238,8 @@ def test_more_precision_earns_more_digits(capsys: pytest.CaptureFixture[str]) ->
                strict=True)  # fmt: skip
     for one, two in rows:
         assert one["verdict"] == two["verdict"]
-        for side in ("lhs", "rhs"):
+        assert ("lhs" in one) == (one["name"] != "collapse")
+        for side in ("lhs", "rhs") if "lhs" in one else ():
             low, high = map(Fraction, one[side])
             first, last = map(Fraction, two[side])
             assert first <= low <= high <= last
@@ -384,6 +405,7 @@ def test_files_are_written_only_on_request_and_are_the_same_each_time(
         assert run(capsys, "--r", "0.03", "--out", name)[0] == 0
         assert sorted(p.name for p in (tmp_path / name).iterdir()) == [
             "certificate.json",
+            "cited",
             "statement.json",
         ]
     for file in ("certificate.json", "statement.json"):
@@ -404,7 +426,7 @@ def test_an_undecided_needed_row_writes_nothing(
     assert code == 3
     assert err == "verify: a needed row is undecided; no certificate was written\n"
     assert out.splitlines()[-1].startswith("Verdict: undecided: ")
-    assert "1 undecided" in out.splitlines()[-1]
+    assert "2 undecided" in out.splitlines()[-1]  # a row, and so that the step applies
     assert not (tmp_path / "x").exists()
 
 
@@ -472,7 +494,7 @@ def test_a_long_parameter_is_checked_or_refused_with_one_line(
     code, out, err = run(capsys, *words, "--out", str(folder))
     if code == 0:
         files = [(folder / name).read_bytes() for name in FILES]
-        assert check.check(*files, {}).verdict == "PROVED"
+        assert check.check(*files, cited_in(folder)).verdict == "PROVED"
     else:
         assert (code, out, err.count("\n")) == (2, "", 1)
         assert "digits" in err

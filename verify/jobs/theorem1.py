@@ -14,7 +14,7 @@ from verify.language.statement import (
     Obligation,
     Statement,
 )
-from verify.language.terms import Term
+from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES, PRINTED, SELECTIONS
 from verify.paper.theorem1 import theorem
@@ -83,6 +83,7 @@ class PointRun:
         return True
 
     def _decide(self, rows: tuple[Obligation, ...]) -> None:
+        self.ground.compile(row.claim for row in rows if isinstance(row.claim, Claim))
         for row in rows:
             self.rows.append(row)
             self.decisions[row.name] = self.ground.decide(row, all_sides=self.all_sides)

@@ -10,6 +10,7 @@ import operator
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import cached_property
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -53,6 +54,11 @@ class Quotients(ABC):
     def constant(self, value: Fraction) -> Polynomial:
         """A number as a polynomial of the ring."""
 
+    @cached_property
+    def one(self) -> Polynomial:
+        """The number 1, always the same object."""
+        return self.constant(Fraction(1))
+
     @abstractmethod
     def replacement(self, term: Term) -> Term | None:
         """What an equation replaces the term by, if one does."""
@@ -74,9 +80,9 @@ class Quotients(ABC):
             return self.clear(other)
         atom = self.atom(term)
         if atom is not None:
-            return atom, self.constant(Fraction(1))
+            return atom, self.one
         if term.op == "rational":
-            return self.constant(term.value), self.constant(Fraction(1))
+            return self.constant(term.value), self.one
         return self._combine(term)
 
     def _combine(self, term: Term) -> Quotient:
@@ -87,19 +93,26 @@ class Quotients(ABC):
             return n**term.exponent, d**term.exponent
         m, e = others[0]
         if term.op == "mul":
-            return n * m, d * e
+            return n * m, self.times(d, e)
         if term.op == "div":
             divisor = term.children[1]
             if divisor.op == "rational":
                 return n * self.constant(1 / divisor.value), d
-            return n * e, d * m
-        sign = 1 if term.op == "add" else -1
-        return (n + sign * m, d) if d == e else (n * e + sign * m * d, d * e)
+            return self.times(n, e), self.times(d, m)
+        if d is not e and d != e:
+            n, m, d = self.times(n, e), self.times(m, d), self.times(d, e)
+        return (n + m if term.op == "add" else n - m), d
 
     def difference(self, lhs: Term, rhs: Term) -> Polynomial:
         """N D' - N' D, which has the sign of lhs - rhs where both denominators are positive."""
         (n, d), (m, e) = self.clear(lhs), self.clear(rhs)
-        return n * e - m * d
+        return self.times(n, e) - self.times(m, d)
+
+    def times(self, p: Polynomial, q: Polynomial) -> Polynomial:
+        """The product; most denominators are 1, and cost nothing."""
+        if q is self.one:
+            return p
+        return q if p is self.one else p * q
 
 
 class Clearing(Quotients):

@@ -5,7 +5,7 @@ Nothing here is trusted. What is found is written down as the steps of a certifi
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from verify.language.record import TYPE_CHECKING
@@ -71,6 +71,7 @@ class Ground:
         self._program = Program(())
         self._balls: dict[int, Run] = {}
         self._enclosed: dict[Term, tuple[int, Ends] | None] = {}
+        self._decided: dict[Claim, tuple[str, Proof | None]] = {}
         self._exact = Machine(self._program, ExactArithmetic()).run(())
         self._small = Machine(self._program, ExactArithmetic(RELIABLE_BITS)).run(())
 
@@ -96,13 +97,20 @@ class Ground:
         """The ball of a term at this precision, or None where it may be undefined."""
         working = bits + GUARD_BITS
         run = self._balls.get(working)
-        if run is not None and run.knows(term):
-            return run[term]
+        slot = self._program.known(term)
+        if run is not None and slot is not None and slot < len(run.values):
+            return run.values[slot]
         with balls.precision(working):
             if run is None:
                 machine = Machine(self._program, balls.BallArithmetic())
                 run = self._balls[working] = machine.run(())
             return run[term]
+
+    def compile(self, claims: Iterable[Claim]) -> None:
+        """Compile many claims, so that the first value that is asked for computes all of them."""
+        for claim in claims:
+            self._program.add(claim.lhs)
+            self._program.add(claim.rhs)
 
     def exact(self, term: Term) -> Fraction | None:
         """The value of a term where it is computed within the rational numbers."""
@@ -182,7 +190,16 @@ class Ground:
         return Decision(verdict, proof, sides)
 
     def prove(self, claim: Claim) -> tuple[str, Proof | None]:
-        """A verdict with its proof; the lemmas that it needs are written down."""
+        """A verdict with its proof; the lemmas that it needs are written down.
+
+        Two rows with one claim have one proof.
+        """
+        found = self._decided.get(claim)
+        if found is None:
+            found = self._decided[claim] = self._prove(claim)
+        return found
+
+    def _prove(self, claim: Claim) -> tuple[str, Proof | None]:
         bits = self.start_bits
         found = self._decide_at(claim, bits)
         if found is None:

@@ -151,11 +151,6 @@ class Run:
                 pass
         self._done = len(code)
 
-    def knows(self, term: Term) -> bool:
-        """Whether the value of a term is computed already."""
-        slot = self._machine.program.known(term)
-        return slot is not None and slot < len(self.values)
-
     def __getitem__(self, term: Term) -> Any:
         """The value of a term, or None where it is undefined."""
         slot = self._machine.program.add(term)

@@ -19,6 +19,7 @@ from verify.jobs.inputs import InputError, shown
 COMMANDS = {
     "theorem1": "decide Theorem 1 (collapse of three particles) at given parameters",
     "spectrum": "prove the spectral claims for every r, enclose the spectrum at one",
+    "scene": "decide whether three given particles collapse",
     "classification": "prove which collapses there are; what that says at one r",
     "explain": "print a row with the facts and the identity that prove it",
     "graph": "draw a proof: which facts use which",

@@ -235,3 +235,8 @@ def larger(a: Any, b: Any) -> arb:
 def as_float(value: Any) -> float:
     """A float near a ball or a rational number."""
     return float(as_ball(value).mid())
+
+
+def loosened(ball: arb) -> arb:
+    """A ball with the same midpoint and a much larger radius, if it has one at all."""
+    return ball + ball.rad() * arb(0, 1 << 12)

@@ -23,7 +23,15 @@ from verify.paper.flow.law import (
     parted,
     recentred,
 )
-from verify.paper.scene.scene import Coordinates, Frame, Scene, coordinates, pair_name
+from verify.paper.flow.pairs import PARTING, PASSING
+from verify.paper.scene.scene import (
+    PAIRS,
+    Coordinates,
+    Frame,
+    Scene,
+    coordinates,
+    pair_name,
+)
 from verify.prover import balls
 
 COLLIDE, RECENTRE, DRIFT = "collide", "recentre", "drift"
@@ -140,10 +148,23 @@ def name_of(frame: Frame) -> str:
     return pair_name(frame[0], frame[2])
 
 
-def never_meets(pair: Pair) -> bool:
-    """True only if the pair does not collide in free flight: it parts, or it passes by."""
+def never_meets(pair: Pair) -> str | None:
+    """Why the pair does not collide in free flight: it parts, or it passes by; None if unknown."""
     g, p, m = pair
-    return bool(p >= 0 and m >= 0) or bool(m > 0 and m * g > p * p)
+    if p >= 0 and m >= 0:
+        return PARTING
+    return PASSING if m > 0 and p * p < m * g else None
+
+
+def parts(flow: Flow) -> dict[str, str]:
+    """Why each pair does not collide any more, by its name."""
+    if flow.now is None:
+        pairs = {pair_name(i, j): flow.start.pair(i, j) for i, j in PAIRS}
+    else:
+        (o, s, c), (own, spectator) = flow.now.frame, inner(flow.now.state)
+        names = (pair_name(o, c), pair_name(o, s), pair_name(s, c))
+        pairs = dict(zip(names, (own, spectator, outer(flow.now.state)), strict=True))
+    return {name: never_meets(pair) or "" for name, pair in pairs.items()}
 
 
 def meeting(moment: Moment) -> Flight | str | None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from verify.language.record import Record
 from verify.paper.scene.criteria import (
     INELASTIC,
@@ -18,10 +20,10 @@ from verify.prover.flow import FIRST_FRAMES, Flow
 
 
 class Criterion(Record):
-    """A criterion that holds, and the three numbers for which it does."""
+    """A criterion that holds; squares is max(R², 2) at the start, rounded up."""
 
     name: str
-    numbers: Whole | None = None
+    squares: Fraction = Fraction(2)
 
 
 def finitely_many(flow: Flow) -> Criterion | None:
@@ -32,20 +34,21 @@ def finitely_many(flow: Flow) -> Criterion | None:
     if flow.now is None:
         return _at(start)
     found = _at(whole(flow.now.state))
-    return found or (Criterion(LATE, start) if _is_late(start, flow.now.time) else None)
+    return found or _late(start, flow.now.time)
 
 
 def _at(now: Whole) -> Criterion | None:
     if now.R2 >= 2 and now.A >= 0:
-        return Criterion(RECEDING, now)
+        return Criterion(RECEDING)
     if now.R2 >= 2 and now.A**2 * now.R2 < (now.R2 - 2) * now.L2:
-        return Criterion(TURNING, now)
+        return Criterion(TURNING)
     return None
 
 
-def _is_late(start: Whole, time: object) -> bool:
+def _late(start: Whole, time: object) -> Criterion | None:
     """Whether the time is beyond the last one at which the start allows a collapse."""
-    squares = balls.larger(start.R2, 2)
-    if not start.L2 > 0 or not start.A**2 + (2 - start.R2) * start.L2 / squares > 0:
-        return False
-    return bool(latest(start, squares, balls.any_root) < time)
+    squares = max(balls.rational_above(start.R2, 30), Fraction(2))
+    most = balls.exact(squares)
+    if not start.L2 > 0 or not start.A**2 + (2 - start.R2) * start.L2 / most > 0:
+        return None
+    return Criterion(LATE, squares) if latest(start, most, balls.any_root) < time else None

@@ -15,6 +15,11 @@ from verify.paper.step.vectors import Combination, scale
 
 RECENTRE, DRIFT, DRIFTING = "recentre", "drift", "drifting"
 Point = dict[str, int | Fraction | Term]
+#: The numbers of the next state that have names of their own.
+NAMED = {
+    RECENTRE: ("lam", "rho", "eps", "sig", "A", "C", "a", "b", "w"),
+    DRIFT: ("lam", "rho", "eps", "sig", "C", "a", "b"),
+}
 
 
 def chapters() -> Iterator[Chapter]:

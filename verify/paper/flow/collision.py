@@ -24,7 +24,7 @@ from verify.paper.argument import (
     times,
 )
 from verify.paper.flow.frame import BASIS, Frame, W_c, W_s, minus, moved, x_c, x_s
-from verify.paper.flow.law import Flight, Number, State, collided, flight, outer, parted
+from verify.paper.flow.law import Flight, Number, State, collided, flight, outer
 from verify.paper.flow.pairs import FREE, bernstein, between
 from verify.paper.flow.spaces import space, state_of
 from verify.paper.step.vectors import add, scale
@@ -36,7 +36,7 @@ r, share, t_after = map(symbol, ("r", "share", "t_after"))
 now = state_of("")
 way = Flight(*map(symbol, Flight._fields))
 #: The numbers of the next state that have names of their own.
-NAMED = ("lam", "A", "B", "C", "a", "b", "w")
+NAMED = ("lam", "eps", "A", "B", "C", "a", "b", "w")
 
 
 def definitions() -> dict[str, Claim]:
@@ -64,7 +64,7 @@ def conditions() -> dict[str, Claim]:
         "divisor": 0 < 1 + way.s,
         "spectator-first": 0 <= now.sig,
         "spectator-middle": 0 <= now.sig + way.T * now.lam * now.rho,
-        "spectator-last": 0 < parted(now, way),
+        "spectator-last": 0 < symbol("eps_next"),
         **bernstein("outer", outer(now), way.y * way.T),
         "B-nonnegative": 0 <= symbol("B_next"),
     }
@@ -72,7 +72,7 @@ def conditions() -> dict[str, Claim]:
 
 def givens() -> dict[str, Claim]:
     """All that is given, each after what it needs."""
-    free = {**conditions(), **definitions()}
+    free = {**definitions(), **conditions()}
     first = "r-positive v-positive lam-positive A-nonnegative y-is q-is kap-is kap-nonnegative"
     order = [*first.split(), "meet", "s-is", "divisor", "T-is"]
     return {name: free[name] for name in (*order, *(n for n in free if n not in order))}
@@ -191,7 +191,10 @@ def _pairs() -> Iterator[Item]:
     yield Line(
         "spectator-apart",
         1 < frame.square(path),
-        proof(times(scaled, between("spectator", "share-positive", "share-most")), using=BASE),
+        proof(
+            times(scaled, between("spectator", "share-positive", "share-most")),
+            using=f"{BASE} eps_next-is",
+        ),
         FREE,
         "o and s are apart in ]0, τ]: |x_s + tW_s| > 1",
     )

@@ -93,7 +93,7 @@ def collided(r: Number, state: State, way: Flight, keep: Keep = unnamed) -> Stat
     a_next = keep("a", f + push)
     b_next = keep("b", a + turned - 2 * push * C)
     w_next = keep("w", w + push * (2 * f + r * speed))
-    eps = parted(state, way)
+    eps = keep("eps", parted(state, way))
     return State(y, lam, r * s, eps, 0, A_next, B_next, C, a_next, b_next, w_next)
 
 

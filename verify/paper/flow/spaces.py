@@ -27,6 +27,7 @@ LETTERS = {
     "kap": ("κ", r"\kappa"),
     "s": ("s", "s"),
     "T": ("T", "T"),
+    "time": ("t", "t"),
 }
 
 

@@ -13,7 +13,7 @@ INELASTIC, RECEDING, TURNING, LATE = "restitution", "receding", "turning", "late
 #: What each criterion says, in words.
 SAYS = {
     INELASTIC: "r > 7 - 4√3: three equal spheres with this r never collapse",
-    RECEDING: "A >= 0 and R² >= 2: the spheres recede as a whole, and a collapse would need R² <= 2",
+    RECEDING: "A >= 0 and R² >= 2: the spheres recede as a whole; a collapse would need R² <= 2",
     TURNING: "A²R² < (R² - 2)L² and R² >= 2: with this angular momentum R² never falls to 2",
     LATE: "the flow was followed beyond the last time at which L and A allow a collapse",
 }

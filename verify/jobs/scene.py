@@ -1,0 +1,202 @@
+"""The job `scene`: a scene that was decided, as a statement with its certificate.
+
+The prover followed the scene; here the same moves are told in terms, and each row gets its proof:
+a constant of the scene shows that a number is what the theorem about all states says, enclosures
+show the inequalities.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import cache
+
+from verify.jobs.arguments import write_down
+from verify.language.statement import (
+    NEEDED,
+    PROVED,
+    Applies,
+    Cite,
+    Context,
+    Obligation,
+    Statement,
+)
+from verify.language.terms import Claim, Term
+from verify.paper.flow.assumptions import ASSUMPTIONS as FLOW_ASSUMPTIONS
+from verify.paper.flow.theorem import NAME as FLOW
+from verify.paper.flow.theorem import flow
+from verify.paper.scene.assumptions import ASSUMPTIONS
+from verify.paper.scene.scene import PAIRS
+from verify.paper.scene.telling import Numbers, Telling
+from verify.prover import balls
+from verify.prover.decimals import enclosing_decimals, round_decimal
+from verify.prover.flow import COLLIDE, DRIFT, parts
+from verify.prover.outcome import Decision, Enclosure, Outcome
+from verify.prover.program import Machine, Program, Run
+from verify.prover.proof import ConstantStep, ObligationStep, Premise, Proof, Step
+from verify.prover.rules import Applying, Interval, Sum
+from verify.prover.scene import COLLAPSES, DISPERSES, FINITE, Found
+from verify.wire.write import write
+
+#: Digits of the enclosures in a certificate.
+DIGITS = 16
+
+
+@cache
+def decide_flow() -> Outcome:
+    """One collision of the flow, for every state."""
+    return write_down(flow())
+
+
+@cache
+def flow_contexts() -> dict[str, Context]:
+    """The contexts that a scene applies, by the names by which it cites them."""
+    return {f"{FLOW}:{context.name}": context for context in flow().statement.contexts}
+
+
+def tell(found: Found) -> Telling:
+    """What happened, in terms."""
+    telling = Telling(found.flow.scene)
+    moves = found.flow.moves
+    if moves:
+        telling.begin(moves[0].before.frame)
+    for move in moves:
+        if move.kind == COLLIDE:
+            telling.collide()
+        elif move.kind == DRIFT:
+            telling.drift(move.time)
+        else:
+            telling.recentre()
+    _tell_end(telling, found)
+    return telling
+
+
+def _tell_end(telling: Telling, found: Found) -> None:
+    if found.verdict == COLLAPSES and found.collapse is not None:
+        with balls.precision(found.flow.bits):
+            low, high = (balls.ends(balls.as_ball(end)) for end in found.collapse.time)
+        time = short_outward((low[0], high[1]))
+        angle = short_outward(found.collapse.angle)
+        telling.collapse(Numbers(found.collapse.numbers, time, angle))
+    elif found.verdict == DISPERSES:
+        with balls.precision(found.flow.bits):
+            telling.disperse(parts(found.flow))
+    elif found.verdict == FINITE and found.criterion is not None:
+        telling.limit(found.criterion.name, found.criterion.squares)
+
+
+def short_outward(ends: tuple[Fraction, Fraction]) -> tuple[Fraction, Fraction]:
+    """Decimals around two ends, with a few digits more than those on which they agree."""
+    low, high = ends
+    digits, width = 4, high - low
+    while width and digits < 60 and abs(high) > width * 10 ** (digits - 3):
+        digits += 1
+    down, up = round_decimal(low, digits, up=False), round_decimal(high, digits, up=True)
+    return down[0] * Fraction(10) ** down[1], up[0] * Fraction(10) ** up[1]
+
+
+# --- the certificate -----------------------------------------------------------------------------
+
+
+def outcome_of(found: Found, bits: int) -> Outcome:
+    """The verdict as a statement with a certificate that evaluates with so many bits."""
+    telling = tell(found)
+    statement = statement_of(telling, found)
+    proofs = {row.name: _proof(row, telling, bits) for row in telling.rows}
+    run = _evaluated(telling, bits)
+    with balls.precision(bits):
+        enclosures = {
+            name: Enclosure(bits, (_ends(run, term),))
+            for name, term in (*telling.parameters.items(), *_definitions(telling).items())
+        }
+        decisions = {
+            row.name: Decision(PROVED, proofs[row.name], _sides(row, run, bits))
+            for row in telling.rows
+        }
+    steps: list[Step] = [ConstantStep(name, Interval(bits)) for name in enclosures]
+    steps += [ObligationStep(name, proof) for name, proof in proofs.items()]
+    return Outcome(statement, decisions, tuple(steps), enclosures)
+
+
+def statement_of(telling: Telling, found: Found) -> Statement:
+    """What is claimed."""
+    used = {name for row in telling.rows for name in row.uses}
+    return Statement(
+        "scene",
+        title(found),
+        telling.parameters,
+        tuple(telling.constants),
+        (),
+        tuple(telling.rows),
+        tuple(a for a in ASSUMPTIONS if a.name in used),
+        tuple(cites(found)),
+    )
+
+
+def title(found: Found) -> str:
+    """The verdict in a line."""
+    from verify.views.scene import scene_lines
+
+    return " ".join(scene_lines(found))
+
+
+def cites(found: Found) -> list[Cite]:
+    """The statements whose theorems are applied."""
+    content = write(decide_flow())["statement.json"]
+    return [Cite(FLOW, FLOW, content, assumptions=FLOW_ASSUMPTIONS)]
+
+
+def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:
+    if isinstance(row.claim, Applies):
+        context = flow_contexts()[row.claim.context]
+        return Applying(
+            tuple(_premise(given.claim, row.claim.at, bits) for given in context.givens)
+        )
+    kind, _, name = row.name.partition(".")
+    given = tuple(telling.parameters)
+    if kind == "is":
+        return Sum((), (*given, name))
+    if kind == "start":
+        gap, _, _ = telling.exact.pair(int(name[0]), int(name[1]))
+        return Sum(("goal", str(gap)), given)
+    return Interval(bits)
+
+
+def _premise(given: Claim, at: Mapping[str, Term], bits: int) -> Premise:
+    """A definition is the fact that a constant of the scene has it; enclosures show the rest."""
+    if given.relation == "=" and given.lhs.op == "symbol":
+        return at[given.lhs.name].name
+    return Interval(bits)
+
+
+def _definitions(telling: Telling) -> dict[str, Term]:
+    return {constant.name: constant.term for constant in telling.constants}
+
+
+def _evaluated(telling: Telling, bits: int) -> Run:
+    """Balls around all constants and sides of rows."""
+    program = Program(())
+    for name, term in (*telling.parameters.items(), *_definitions(telling).items()):
+        program.define(name, term)
+    for row in telling.rows:
+        if isinstance(row.claim, Claim):
+            program.add(row.claim.lhs), program.add(row.claim.rhs)
+    with balls.precision(bits):
+        machine = Machine(program, balls.BallArithmetic())
+        machine.load()
+        return machine.run(())
+
+
+def _ends(run: Run, term: Term) -> tuple[Fraction, Fraction]:
+    """Decimals around all that the checker may find for a term."""
+    low, high, divisor = balls.widened_ends(balls.loosened(run[term]), 4 * DIGITS)
+    return enclosing_decimals(low, high, divisor, DIGITS)
+
+
+def _sides(row: Obligation, run: Run, bits: int) -> Enclosure | None:
+    if not isinstance(row.claim, Claim):
+        return None
+    return Enclosure(bits, (_ends(run, row.claim.lhs), _ends(run, row.claim.rhs)))
+
+
+__all__ = ["NEEDED", "PAIRS", "decide_flow", "outcome_of", "tell"]

@@ -1,0 +1,237 @@
+"""What happens in a scene, as a statement: numbers with names, and a row for each thing that happens.
+
+Each row says that a theorem about all states applies to these numbers: the flow's, to each
+collision, and what decides the scene, to the state after the last one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from verify.language.record import Record
+from verify.language.statement import NEEDED, Applies, Constant, Obligation
+from verify.language.terms import Claim, Number, Term, as_term, equal, sqrt, symbol
+from verify.paper.flow import changes, collision, pairs
+from verify.paper.flow.law import (
+    Pair,
+    State,
+    collided,
+    drifted,
+    flight,
+    inner,
+    outer,
+    recentred,
+)
+from verify.paper.flow.spaces import LETTERS
+from verify.paper.flow.theorem import NAME as FLOW
+from verify.paper.scene.criteria import INELASTIC, LATE, RECEDING, SAYS, is_inelastic_enough
+from verify.paper.scene.criteria import latest, whole
+from verify.paper.scene.scene import PAIRS, Coordinates, Frame, Scene, pair_name
+
+LABEL = "EQUATSS2.1_Loi_de_Newton_"
+#: The constant for the time of a move, and that of the final whole.
+TIME = "time"
+r = symbol("r")
+
+
+class Numbers(Record):
+    """The numbers with which the sharper theorem is applied, and the enclosures that follow."""
+
+    values: Mapping[str, Fraction]
+    time: tuple[Fraction, Fraction]
+    angle: tuple[Fraction, Fraction]
+
+
+class Telling:
+    """The parameters, constants and rows so far, and the state that was reached."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.parameters: dict[str, Term] = {"r": as_term(scene.r)}
+        self.constants: list[Constant] = []
+        self.rows: list[Obligation] = []
+        self.given = Coordinates(
+            self._coordinates("x", scene.positions), self._coordinates("v", scene.velocities)
+        )
+        self.exact = Coordinates(scene.positions, scene.velocities)
+        self.state: State | None = None
+        self.frame: Frame = (0, 1, 2)
+        self.moves = self.collisions = 0
+        self.time = as_term(0)
+        for i, j in PAIRS:
+            says = f"at the start the particles {i} and {j} do not overlap"
+            self.row(f"start.{pair_name(i, j)}", says, 0 <= self.given.pair(i, j).g)
+
+    def _coordinates(self, letter: str, rows: tuple[tuple[Fraction, ...], ...]) -> list[list[Term]]:
+        found = []
+        for i, row in enumerate(rows):
+            names = [f"{letter}.{i}.{k}" for k, _ in enumerate(row, 1)]
+            self.parameters |= {n: as_term(x) for n, x in zip(names, row, strict=True)}
+            found.append([symbol(name) for name in names])
+        return found
+
+    # --- constants and rows ---------------------------------------------------------------------
+
+    def keep(self, name: str, term: Number) -> Term:
+        """A new constant of the present move."""
+        full = f"{name}.{self.moves}"
+        letter, tex = LETTERS.get(name, (name, name))
+        here = Constant(
+            full, f"{letter}_{self.moves}", f"{tex}_{{{self.moves}}}", "", as_term(term)
+        )
+        self.constants.append(here)
+        return symbol(full)
+
+    def known(self, name: str, value: Fraction, term: Term) -> Term:
+        """A new constant with its exact value, and the row that says what it is."""
+        found = self.keep(name, value)
+        self.row(f"is.{found.name}", "what this number is", equal(found, term))
+        return found
+
+    def row(self, name: str, says: str, claim: Claim | Applies, *uses: str) -> None:
+        """A new row."""
+        self.rows.append(Obligation(name, "scene", LABEL, NEEDED, says, claim, uses))
+
+    def apply(self, name: str, says: str, context: str, at: Mapping[str, Number]) -> None:
+        """A new row: the theorem of a context of the flow applies to these numbers."""
+        values = {key: as_term(value) for key, value in at.items()}
+        self.row(name, says, Applies(f"{FLOW}:{context}", values), "scene")
+
+    # --- what happens ---------------------------------------------------------------------------
+
+    def begin(self, frame: Frame) -> None:
+        """The scene seen from a particle: exact numbers, each with what it is."""
+        self.frame = frame
+        values: dict[str, Fraction] = {}
+        self.exact.state(frame, lambda name, x: values.setdefault(name, x))
+        self.state = _terms(
+            self.given.state(frame, lambda name, term: self.known(name, values[name], term))
+        )
+
+    def collide(self) -> None:
+        """The pair o, c collides: the next collision."""
+        before, (o, s, c) = self._next(), self.frame
+        self.collisions += 1
+        way = flight(before, sqrt, self.keep)
+        after = collided(r, before, way, self.keep)
+        self.time = self.keep(TIME, self.time + way.y * way.T)
+        later = {f"{n}_next": getattr(after, n) for n in collision.NAMED}
+        self.apply(
+            f"collision.{self.collisions}",
+            f"collision {self.collisions}, of {pair_name(o, c)}, at the time t_{self.moves}; no "
+            "other pair meets before",
+            collision.CONTEXT,
+            {"r": r, **before._asdict(), **way._asdict(), **later},
+        )
+        self.frame, self.state = (o, c, s), _terms(after)
+
+    def recentre(self) -> None:
+        """The same moment, seen from the spectator."""
+        before, (o, s, c) = self._next(), self.frame
+        after = recentred(before, self.keep)
+        says = f"the particles {o} and {c} as they are seen from {s}"
+        self._change(changes.RECENTRE, says, before, after, {})
+        self.frame = (s, o, c)
+
+    def drift(self, time: Fraction) -> None:
+        """Free flight for a time."""
+        before = self._next()
+        after = drifted(before, as_term(time), self.keep)
+        self.time = self.keep(TIME, self.time + as_term(time))
+        says = f"free flight until t_{self.moves}; no pair meets"
+        self._change(changes.DRIFT, says, before, after, {"drift.t": time})
+
+    def _next(self) -> State:
+        self.moves += 1
+        if self.state is None:
+            raise ValueError("the scene has not begun")
+        return self.state
+
+    def _change(
+        self, kind: str, says: str, before: State, after: State, more: Mapping[str, Number]
+    ) -> None:
+        named = changes.NAMED[kind]
+        at = {f"{kind}.{name}": value for name, value in before._asdict().items()}
+        at |= {f"{kind}.{name}_next": getattr(after, name) for name in named}
+        self.apply(f"{kind}.{self.moves}", says, kind, {**at, **more})
+        self.state = _terms(after)
+
+    # --- how it ends ----------------------------------------------------------------------------
+
+    def pairs(self) -> dict[str, Pair]:
+        """The three pairs at the end, by their names."""
+        if self.state is None:
+            return {pair_name(i, j): self._given_pair(i, j) for i, j in PAIRS}
+        (o, s, c), (own, spectator) = self.frame, inner(self.state)
+        names = (pair_name(o, c), pair_name(o, s), pair_name(s, c))
+        return dict(zip(names, (own, spectator, outer(self.state)), strict=True))
+
+    def _given_pair(self, i: int, j: int) -> Pair:
+        values, terms = self.exact.pair(i, j), self.given.pair(i, j)
+        name = pair_name(i, j)
+        found = zip(Pair._fields, values, terms, strict=True)
+        return Pair(*(self.known(f"{field}.{name}", x, term) for field, x, term in found))
+
+    def disperse(self, contexts: Mapping[str, str]) -> None:
+        """No pair collides any more, each for a reason: it parts, or it passes by."""
+        words = {pairs.PARTING: "do not approach any more", pairs.PASSING: "will miss each other"}
+        for name, pair in self.pairs().items():
+            context = contexts[name]
+            fields = ("p", "m") if context == pairs.PARTING else ("g", "p", "m")
+            at = {f"{context}.{field}": getattr(pair, field) for field in fields}
+            says = f"the particles {name[0]} and {name[1]} {words[context]}"
+            self.apply(f"end.{name}", says, context, at)
+
+    def limit(self, criterion: str, squares: Number) -> None:
+        """Only finitely many collisions are possible; squares = max(R², 2) at the start."""
+        rows: dict[str, Claim] = {}
+        if criterion == INELASTIC:
+            rows = {"restitution": is_inelastic_enough(r) < 0}
+        elif criterion == LATE:
+            start = whole(_terms(self.given.state((0, 2, 1), lambda _, term: term)))
+            rows = {"late": latest(start, squares, sqrt) < self.time}
+        elif self.state is not None:
+            now = whole(self.state)
+            rows = {"far": 2 <= now.R2, "receding": 0 <= now.A}
+            if criterion != RECEDING:
+                rows["receding"] = now.A**2 * now.R2 < (now.R2 - 2) * now.L2
+        for name, claim in rows.items():
+            self.row(f"finite.{name}", SAYS[criterion], claim, "scene", "finitely-many")
+
+    def collapse(self, found: Numbers) -> None:
+        """The sharper theorem applies; when, and at which angle, the particles collapse."""
+        state, value = self._next(), found.values
+        gap = state.eps * state.v**2
+        reach = self.keep("reach", sqrt(1 + gap))
+        start = {
+            "y": self.keep("closing", state.lam * state.v / reach),
+            "eta_s": self.keep("parting", state.rho * state.v),
+            "C": self.keep("cosine", state.C / reach),
+            "a": state.a,
+            "b": self.keep("b", state.b / reach),
+            "A": state.A,
+            "B": state.B,
+            "w": state.w,
+            "d": self.keep("distance", gap / (1 + reach)),
+        }
+        o, s, c = self.frame
+        at = {name: as_term(x) for name, x in value.items()}
+        at |= {f"{name}_start": as_term(term) for name, term in start.items()}
+        says = (
+            f"from here on {pair_name(o, c)} and {pair_name(o, s)} collide in turn for ever, in "
+            "finite time"
+        )
+        self.row("collapse", says, Applies("sharper:start", at), "scene")
+        (low, high), (least, most) = found.time, found.angle
+        later = value["T"] * value["eta_0"] / (1 - value["p"] - value["Y"])
+        self.row("time-from", "the collapse is not before", as_term(low) <= self.time)
+        self.row("time-to", "nor after", self.time + later <= as_term(high))
+        C_0, theta = value["C_0"], value["Theta"]
+        self.row(
+            "angle-from", "the final -cos θ is at least", as_term(least) <= as_term(C_0 - theta)
+        )
+        self.row("angle-to", "and at most", as_term(min(C_0 + theta, Fraction(1))) <= as_term(most))
+
+
+def _terms(state: State) -> State:
+    return State(*map(as_term, state))

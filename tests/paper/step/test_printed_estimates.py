@@ -145,7 +145,7 @@ def test_what_is_right_is_not_refuted_by_the_same_state() -> None:
         claim = claims[right]
         assert isinstance(claim, Claim)
         upper = Claim("<=", claim.lhs, claim.rhs)
-        assert report(changed(f"printed.{wrong}", upper)).verdict == "REFUSED", right
+        assert report(changed(f"state.{wrong}", upper)).verdict == "REFUSED", right
 
 
 @pytest.mark.parametrize("name", ["d", "tau", "W_s_2", "omega_c_1", "decay", "S", "D"])

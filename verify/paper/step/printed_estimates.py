@@ -24,7 +24,7 @@ from verify.paper.argument import (
     square,
     times,
 )
-from verify.paper.groups import PRINTED, REPAIRED
+from verify.paper.groups import REPAIRED
 from verify.paper.parameters import V_0, c, r
 from verify.paper.preliminaries import delta_2, h_4, h_5
 from verify.paper.rows import BREAKS, HARMLESS, SLIP, misprint
@@ -64,7 +64,7 @@ TITLE = (
 )
 CND = "EQUATSS4.1Recurrence_Cnd"
 NORMS, ANGLE = "EQUATSS4.1EvoluNormeVitRl", "EQUATSS4.1EvoluCosinAngle"
-RIGHT = "right"
+RIGHT, WRONG = "right", "state"
 
 turn = D_C_next - D * C
 sides = absolute(1 + d - D) * C + absolute(dot(omega_s, W_c)) * tau
@@ -325,11 +325,11 @@ def _wrong(
     witness: str = "right",
 ) -> Printed:
     row = misprint(
-        f"{PRINTED}.{name}",
+        f"{WRONG}.{name}",
         label,
         says,
         claim,
-        group=PRINTED,
+        group=WRONG,
         severity=severity,
         corrected_by=corrected_by,
         context=CONTEXT,

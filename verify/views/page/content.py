@@ -317,6 +317,12 @@ def _margin(writer: Writer, row: Obligation, found: Decision) -> Cell:
 
 def _repair(writer: Writer, row: Obligation) -> Cell:
     other = writer.rows.get(row.corrected_by or "")
+    if other is None and row.corrected_by:
+        return [
+            Text("Corrected by "),
+            Code(row.corrected_by),
+            Text(", a row of another statement."),
+        ]
     if other is None:
         return [Text("No repair is needed: nothing rests on it.")]
     needed, found = other

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -10,8 +11,11 @@ import pytest
 
 from verify.cli.certify import folder_files
 from verify.cli.files import write_all
+from verify.jobs import report
 from verify.jobs.certificates import all_folders
 from verify.views.page.build import files
+
+Files = Mapping[str, bytes]
 
 #: Plots of few cells: what is tested does not depend on their size.
 DEPTH = 4
@@ -41,6 +45,23 @@ NEEDS_MATPLOTLIB = pytest.mark.skipif(
 )
 
 
+@pytest.fixture(scope="session", autouse=True)
+def checked_once() -> Iterator[None]:
+    """A folder is checked and read once for the same bytes: the pages here are built many times."""
+    known: dict[object, report.CertifiedOutcome] = {}
+    check = report._folder
+
+    def folder(path: str, name: str, contents: Files, available: Files) -> report.CertifiedOutcome:
+        key = (name, *sorted(contents.items()), *sorted(available.items()))
+        if key not in known:
+            known[key] = check(path, name, contents, available)
+        return known[key]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(report, "_folder", folder)
+        yield
+
+
 def build(directory: Path, draw: bool) -> dict[str, bytes]:
     return files(str(directory), draw, lambda _: None, DEPTH)
 
@@ -54,6 +75,6 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
         write_all("--directory", str(directory / folder), contents)
     (directory / "data").mkdir()
     (directory / "data" / "bench.json").write_text(json.dumps(BENCH), encoding="utf-8")
-    report = build(directory, draw=not matplotlib_is_missing())
-    write_all("--directory", str(directory), report)
+    pages = build(directory, draw=not matplotlib_is_missing())
+    write_all("--directory", str(directory), pages)
     return directory

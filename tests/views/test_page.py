@@ -16,7 +16,6 @@ import pytest
 
 from tests.views.conftest import DEPTH, NEEDS_MATPLOTLIB, TABLE, build
 from verify.cli import main
-from verify.cli.report import without_drawings
 from verify.jobs.report import NAMES
 from verify.paper.step.assumptions import ASSUMPTIONS
 from verify.views.page.html import prose
@@ -198,12 +197,6 @@ def test_prose() -> None:
     assert prose("η_c²") == "η<sub>c</sub>²"
     assert prose("1e-7") == '<data value="1e-7">10<sup>−7</sup></data>'
     assert prose("<script>") == "&lt;script&gt;"
-
-
-def test_a_second_build_is_the_same(made: Path) -> None:
-    again = build(made, draw=False)
-    for name, content in again.items():
-        assert without_drawings((made / name).read_bytes()) == without_drawings(content), name
 
 
 @NEEDS_MATPLOTLIB

@@ -10,6 +10,9 @@ from verify.cli.files import progress, test_folder, write_all
 from verify.cli.options import Options, Parser
 from verify.jobs.inputs import InputError, shown
 
+#: What is compared.
+PAGES = ("index.html", "index.md", "constants.tex")
+
 
 def add_arguments(parser: Parser) -> None:
     """The options."""
@@ -31,6 +34,9 @@ def run(options: Options) -> int:
     if not options.compare:
         test_folder("--directory", options.directory, "index.html", "index.md")
         _need_matplotlib()
+    else:
+        for name in PAGES:
+            _read(os.path.join(options.directory, name))  # said before the long work
     from verify.jobs.report import CertificateError  # loads flint
     from verify.views.page.build import files
 

@@ -13,9 +13,9 @@ from tests.paper.classification.simulation import Balls, Collision, on_a_line, s
 from verify.jobs.classification import at_restitution, longest_run
 
 #: Rounding at 100 digits, far below anything that is compared.
-DUST = mpf(10) ** -45
+DUST = mpf(10) ** -70
 #: A run is left when its closing speeds or its free flights are below this.
-TINY = mpf(10) ** -25
+TINY = mpf(10) ** -50
 COUNTS = {"1/5": 4, "1/10": 7, "2/25": 11, "3/40": 17, "147/2000": 23}
 
 

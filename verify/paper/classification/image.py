@@ -70,7 +70,7 @@ def _lines() -> Iterator[Item]:
     for name, value, expected, addends, says in (
         ("x", image[0], -(r * n.a) - h * (n.b + n.c), ("triple-a", both), "x' = -ra - h(b+c)"),
         ("z", image[2], -(r * n.b) - h * n.c, ("triple-b", last), "z' = -rb - hc"),
-        ("12", dot(NORMAL_12, image), -(r * n.c), ("triple-c", 0), "the third is -rc"),
+        ("12", dot(NORMAL_12, image), -(r * n.c), ("triple-c",), "the third is -rc"),
     ):
         yield Line(
             f"cone-image-{name}",
@@ -82,7 +82,7 @@ def _lines() -> Iterator[Item]:
         yield Line(
             f"cone-sign-{name}",
             0 < expected,
-            proof(times("triple-r", addends[0]), addends[1]),
+            proof(times("triple-r", addends[0]), *addends[1:]),
             BOUND,
             "it is positive: this pair recedes after the triple, for every r",
         )

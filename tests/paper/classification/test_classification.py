@@ -1,0 +1,257 @@
+"""The theorems: accepted as they are, and refused with a wrong sign, index or factor."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from verify import check
+from verify.jobs.classification import decide_classification
+from verify.jobs.regenerate import is_right_statement
+from verify.language.statement import NEEDED, PROVED, Always, Obligation
+from verify.language.terms import Claim, Term, as_term, names_of, substitute
+from verify.paper.classification import state
+from verify.paper.classification.theorem import SECTIONS, classification
+from verify.prover.outcome import Outcome
+from verify.prover.proof import LemmaStep, ObligationStep, Proof
+from verify.prover.rules import Sum
+from verify.wire.read import read
+from verify.wire.write import write
+
+
+def report(outcome: Outcome) -> check.Report:
+    files = write(outcome)
+    return check.check(files["statement.json"], files["certificate.json"], {})
+
+
+# --- as they are ---------------------------------------------------------------------------------
+
+
+def test_all_rows_are_proved(tmp_path: Path) -> None:
+    outcome = decide_classification()
+    files = write(outcome)
+    assert outcome.verdict == PROVED
+    assert {row.role for row, _ in outcome.rows} == {NEEDED}
+    assert sum(map(len, files.values())) < 150_000
+    assert read(files["statement.json"], files["certificate.json"], {}) == outcome
+    for name, content in files.items():
+        (tmp_path / name).write_bytes(content)
+    command = [sys.executable, "-I", check.__file__, str(tmp_path)]
+    said = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert (said.returncode, said.stderr) == (0, "")
+    assert said.stdout.splitlines()[-1].startswith("PROVED: ")
+
+
+@pytest.mark.parametrize("heading", SECTIONS)
+def test_each_part_has_rows(heading: str) -> None:
+    found = decide_classification().of_group(heading)
+    assert len(found) > 1
+    assert {decision.verdict for _, decision in found} == {PROVED}
+
+
+def test_it_is_the_program_s_own() -> None:
+    assert is_right_statement(write(decide_classification())["statement.json"])
+
+
+def test_only_four_sentences_of_mathematics_are_assumed() -> None:
+    assumptions = decide_classification().assumptions
+    assert assumptions == classification().statement.assumptions
+    kinds = [assumption.kind for assumption in assumptions]
+    assert kinds.count("general mathematics") == 4
+    assert kinds.count("definition") == 2
+    assert set(kinds) == {"definition", "general mathematics", "numbered glue"}
+
+
+def test_glue_names_facts_that_are_there() -> None:
+    statement = classification().statement
+    known = {row.name for row in statement.obligations}
+    known |= {given.name for context in statement.contexts for given in context.givens}
+    known |= {assumption.name for assumption in statement.assumptions}
+    prose = {"so-called", "Cauchy-Schwarz"}
+    glue = [a for a in statement.assumptions if a.kind == "numbered glue"]
+    for number, assumption in enumerate(glue, 1):
+        assert assumption.sentence.startswith(f"{number}. ")
+        words = {word.strip(".,:;()") for word in assumption.sentence.split()}
+        named = {w for w in words if re.fullmatch(r"[a-z]+(-[a-z0-9]+)+", w)}
+        assert named <= known | prose, named - known
+        assert len(named) > 3
+
+
+# --- what is refused -----------------------------------------------------------------------------
+
+
+def other(claim: Claim, context: str | None) -> Claim | None:
+    """The claim with one variable of its side put for another one."""
+    names = [*names_of(changed_side(claim))]
+    variables = [
+        variable.name
+        for found in classification().statement.contexts
+        if found.name == context
+        for variable in found.variables
+    ]
+    chosen = [name for name in names if name in variables]
+    instead = [name for name in variables if name not in names] or chosen[1:]
+    if not chosen or not instead:
+        return None
+    swapped = substitute(changed_side(claim), {chosen[0]: Term("symbol", instead[0])})
+    return with_side(claim, swapped)
+
+
+def changed_side(claim: Claim) -> Term:
+    """The right side, or the left one where the right one is a number."""
+    return claim.lhs if claim.rhs.op == "rational" else claim.rhs
+
+
+def with_side(claim: Claim, term: Term) -> Claim:
+    if claim.rhs.op == "rational":
+        return Claim(claim.relation, term, claim.rhs)
+    return Claim(claim.relation, claim.lhs, term)
+
+
+def double(claim: Claim) -> Claim | None:
+    """With a factor 2 on one side, where the other one is not 0."""
+    if as_term(0) in (claim.lhs, claim.rhs):
+        return None
+    return with_side(claim, changed_side(claim) * 2)
+
+
+def opposite(claim: Claim) -> Claim:
+    """With a minus sign on one side."""
+    return with_side(claim, -changed_side(claim))
+
+
+def stronger(claim: Claim) -> Claim:
+    """By one thousandth."""
+    return Claim(claim.relation, claim.lhs + as_term(1) / 1000, claim.rhs)
+
+
+#: Mutants that are true, and that the same proof proves.
+TRUE = {"law-of-cosines.index", "bound-below-one.sign"}
+
+
+def mutants() -> dict[str, tuple[Claim, str | None, Proof]]:
+    """For each row claims that are nearly the same, with the proof of the row."""
+    found = {}
+    for row, decision in decide_classification().rows:
+        if isinstance(row.claim, Claim) and decision.proof is not None:
+            made = {
+                "sign": opposite(row.claim),
+                "factor": double(row.claim),
+                "index": other(row.claim, row.context),
+                "stronger": stronger(row.claim),
+            }
+            for kind, claim in made.items():
+                name = f"{row.name}.{kind}"
+                if claim is not None and name not in TRUE:
+                    found[name] = claim, row.context, decision.proof
+    return found
+
+
+MUTANTS = mutants()
+
+
+@cache
+def refused() -> set[str]:
+    """The mutants that the checker refuses, each put before the row it is made from."""
+    steps: list[object] = []
+    for step in decide_classification().steps:
+        if isinstance(step, ObligationStep):
+            steps += [
+                LemmaStep(name, *_placed(name))
+                for name in MUTANTS
+                if name.rpartition(".")[0] == step.name
+            ]
+        steps.append(step)
+    found = report(decide_classification()._replace(steps=tuple(steps)))  # type: ignore[arg-type]
+    lines = [line for line in found.lines if line.startswith("REFUSED lemma ")]
+    return {line.split()[2].rstrip(":") for line in lines}
+
+
+def _placed(name: str) -> tuple[str | None, Claim, Proof]:
+    claim, context, proof = MUTANTS[name]
+    return context, claim, proof
+
+
+@pytest.mark.parametrize("name", MUTANTS)
+def test_a_wrong_claim_is_refused(name: str) -> None:
+    assert name in refused()
+
+
+def test_there_are_many_wrong_claims() -> None:
+    assert len(MUTANTS) > 3 * len(decide_classification().statement.obligations)
+
+
+def test_a_sum_without_one_of_its_addends_is_refused() -> None:
+    steps: list[object] = []
+    names: set[str] = set()
+    rows = {row.name: row for row in classification().statement.obligations}
+    for step in decide_classification().steps:
+        if isinstance(step, LemmaStep | ObligationStep) and isinstance(step.proof, Sum):
+            place = step if isinstance(step, LemmaStep) else rows[step.name]
+            for i in range(len(step.proof.addends)):
+                fewer = step.proof.addends[:i] + step.proof.addends[i + 1 :]
+                name = f"lie.{len(names)}"
+                names.add(name)
+                proof = step.proof._replace(addends=fewer)
+                assert isinstance(place.claim, Claim)
+                steps.append(LemmaStep(name, place.context, place.claim, proof))
+        steps.append(step)
+    found = report(decide_classification()._replace(steps=tuple(steps)))  # type: ignore[arg-type]
+    lines = [line for line in found.lines if line.startswith("REFUSED lemma lie")]
+    assert len(names) > 150
+    assert {line.split()[2].rstrip(":") for line in lines} == names
+
+
+NEXT = {
+    "the balls keep their roles": {"s": state.v.s, "c": state.v.c},
+    "the ghost of the last speed is forgotten": {"u_0": state.v.u_0},
+    "the comparison sequence runs ahead": {"low": state.high_next},
+    "with the wrong sign": {"high": -state.high_next},
+    "with the wrong factor": {"high": state.a * state.v.high - 2 * state.r * state.v.low},
+    "the bend is not halved": {"b": (1 + state.r) * state.next_["C"]},
+    "the distance stays": {"D": state.v.D, "eta": state.v.eta},
+}
+
+
+@pytest.mark.parametrize("what", NEXT)
+def test_a_wrong_next_state_is_refused(what: str) -> None:
+    outcome = decide_classification()
+    rows = outcome.statement.obligations
+    index = next(i for i, row in enumerate(rows) if row.name == "run-always")
+    claim = rows[index].claim
+    assert isinstance(claim, Always)
+    changed = {state.v.full(name): term for name, term in NEXT[what].items()}
+    wrong: Obligation = rows[index]._replace(
+        claim=Always(claim.context, claim.start, {**claim.next, **changed})
+    )
+    statement = outcome.statement._replace(obligations=(*rows[:index], wrong, *rows[index + 1 :]))
+    found = report(outcome._replace(statement=statement))
+    assert found.verdict == "REFUSED"
+    assert any(line.startswith("REFUSED run-always") for line in found.lines)
+
+
+GIVENS = [
+    given.name
+    for context in classification().statement.contexts
+    for given in context.givens
+    if context.name in ("flight", "limit", "speeds", "inward")
+]
+
+
+@pytest.mark.parametrize("name", GIVENS)
+def test_a_given_is_needed(name: str) -> None:
+    outcome = decide_classification()
+    contexts = tuple(
+        context._replace(givens=tuple(g for g in context.givens if g.name != name))
+        for context in outcome.statement.contexts
+    )
+    lie = outcome._replace(statement=outcome.statement._replace(contexts=contexts))
+    try:
+        assert report(lie).verdict == "REFUSED"
+    except check.Malformed:
+        return

@@ -1,0 +1,126 @@
+"""The command `classification` as scripts see it."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from verify import check
+from verify.cli import main
+from verify.jobs import classification as job
+
+COUNTS = {
+    "0.072": "64",
+    "0.0725": "35",
+    "0.0735": "23",
+    "3/40": "17",
+    "8e-2": "11",
+    "0.1": "7",
+    "0.2": "4",
+    "999/1000": "4",
+}
+
+
+def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
+    code = main(["classification", *words])
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+def document(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, Any]:
+    code, out, err = run(capsys, *words, "--json")
+    assert (code, err) == (0, "")
+    found: dict[str, Any] = json.loads(out)
+    return found
+
+
+def test_the_screen_ends_with_the_theorems(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys)
+    assert (code, err) == (0, "")
+    lines = out.splitlines()
+    assert lines[-1].startswith("Verdict: ")
+    assert [line.partition(".")[0] for line in lines[-7:-2]] == ["Lemma", "I", "II", "III", "IV"]
+    assert "At r" not in out
+    assert "PROPOSS3.5OrdreTriagColla: " in out
+
+
+def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:
+    _, out, _ = run(capsys, "-v")
+    for row in job.decide_classification().statement.obligations:
+        assert f"[{row.name}, {row.label}]" in out
+
+
+@pytest.mark.parametrize(("r", "count"), COUNTS.items())
+def test_the_longest_run(capsys: pytest.CaptureFixture[str], r: str, count: str) -> None:
+    found = document(capsys, "--r", r)
+    assert (found["longest_run"], found["collapse"]) == (count, "excluded")
+    low, high = map(Fraction, found["least_neg_cos"])
+    value = Fraction(found["r"])
+    assert 1 < low <= high
+    # The bound is 4 sqrt(r)/(1+r).
+    assert low**2 <= 16 * value / (1 + value) ** 2 <= high**2
+    assert high - low < low * Fraction(1, 10**25)
+
+
+@pytest.mark.parametrize("r", ["0.0717967697244908", "1/20", "1e-9"])
+def test_below_the_threshold(capsys: pytest.CaptureFixture[str], r: str) -> None:
+    found = document(capsys, "--r", r)
+    assert (found["longest_run"], found["collapse"]) == ("infinite", "not excluded")
+    assert Fraction(found["least_neg_cos"][0]) < 1
+
+
+def test_at_one_r(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "--r", "0.08")
+    assert code == 0
+    assert "at most 11 times" in out
+    assert "no collapse: finitely many collisions, or a triple contact" in out
+    _, out, _ = run(capsys, "--r", "0.05")
+    assert "without end" in out
+
+
+def test_too_much_work_is_undecided(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(job, "BUDGET", 10**4)
+    code, out, err = run(capsys, "--r", "0.072", "--json")
+    assert (code, err) == (3, "")
+    assert json.loads(out)["longest_run"] is None
+    code, out, _ = run(capsys, "--r", "0.072")
+    assert code == 3
+    assert "does not suffice to count it" in out
+
+
+def test_the_count_is_that_of_the_cosine() -> None:
+    # s_n is r^((n-1)/2) sin(n phi)/sin(phi), cos(phi) = (1+r)/(4 sqrt r).
+    from mpmath import acos, ceil, mpf, pi, sqrt
+
+    for k in range(72, 990, 7):
+        r = Fraction(k, 1000)
+        x = mpf(k) / 1000
+        assert job.longest_run(r) == int(ceil(pi / acos((1 + x) / (4 * sqrt(x)))))
+
+
+def test_the_files(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    code, _, err = run(capsys, "--out", str(tmp_path / "new"))
+    assert (code, err) == (0, "")
+    assert {p.name for p in (tmp_path / "new").iterdir()} == {"statement.json", "certificate.json"}
+    assert check.main([str(tmp_path / "new")]) == 0
+    assert main(["check", "--statement", str(tmp_path / "new")]) == 0
+
+
+@pytest.mark.parametrize("text", ["0", "1", "-0.1", "2", "x", "", "nan", "1/0", "0.02..0.04"])
+def test_input_errors(capsys: pytest.CaptureFixture[str], text: str) -> None:
+    code, out, err = run(capsys, f"--r={text}")
+    assert (code, out) == (2, "")
+    assert err.count("\n") == 1
+    assert err.startswith("verify: --r: ")
+
+
+@pytest.mark.parametrize("words", [["--all"], ["word"], ["--r"], ["--r", "0.1", "--r", "0.2"]])
+def test_unknown_options(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
+    code, out, err = run(capsys, *words)
+    assert (code, out, err.count("\n")) == (2, "", 1)

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import os
 import sys
 
-from verify.cli.files import print_document, read_bytes
+from verify.cli.files import print_document, read_bytes, test_folder
 from verify.cli.options import Options, Parser
-from verify.jobs.inputs import integer
+from verify.jobs.inputs import InputError, integer
 from verify.jobs.scene_files import read_scene
 from verify.prover.scene import Budget, Found, decide
 from verify.views.scene import exit_code, scene_document, scene_lines, table
+
+#: More than this would be a mistake.
+MAX_JOBS = 256
 
 
 def add_arguments(parser: Parser) -> None:
@@ -19,8 +23,11 @@ def add_arguments(parser: Parser) -> None:
     parser.option("--collisions", "how many are followed (default 1000)", "N", default="1000")
     parser.option("--precision", "bits to begin with (default 128)", "BITS", default="128")
     parser.option("--max-precision", "last bits (default 4096)", "BITS", default="4096")
+    parser.option("--jobs", "for a folder: processes at a time (default 1)", "N", default="1")
     parser.flag("-v", "--verbose", text="a table of the collisions")
     parser.flag("--json", text="one JSON document on stdout")
+    parser.option("--out", "write statement.json and certificate.json", "DIR")
+    parser.option("--plot", "draw the scene: a file .svg, or .html with an animation", "FILE")
 
 
 def budget(options: Options) -> Budget:
@@ -28,19 +35,46 @@ def budget(options: Options) -> Budget:
     digits = None if options.digits is None else integer("--digits", options.digits, 1, 200)
     bits = integer("--precision", options.precision, 8, 1 << 16)
     last = integer("--max-precision", options.max_precision, 8, 1 << 16)
+    if last < bits:
+        raise InputError(f"--max-precision: {last} is below --precision {bits}; write {bits}")
     return Budget(integer("--collisions", options.collisions, 0, 10**7), digits, bits, last)
 
 
 def run(options: Options) -> int:
     """Print the verdict, write what is asked for, return the exit code."""
-    limits = budget(options)
+    limits, jobs = budget(options), integer("--jobs", options.jobs, 1, MAX_JOBS)
+    if os.path.isdir(options.scene):
+        from verify.cli.scene_folder import run_folder  # loaded only where it is used
+
+        return run_folder(options, limits, jobs)
+    if jobs > 1:
+        raise InputError("--jobs: leave it out with one scene")
+    test_folder("--out", options.out, "statement.json", "certificate.json")
+    plot = _plot_kind(options.plot)
     scene = read_scene(options.scene, read_bytes("scene", options.scene))
     found = decide(scene, limits)
+    if options.out is not None:
+        from verify.cli.scene_certificate import write_scene  # loaded only where it is used
+
+        write_scene("--out", options.out, found)
+    if plot is not None:
+        from verify.cli.scene_plot import write_plot  # loaded only where it is used
+
+        write_plot("--plot", options.plot, plot, found)
     if options.json:
         print_document(scene_document(found))
     else:
         sys.stdout.write("".join(f"{line}\n" for line in _text(found, options)))
     return exit_code(found)
+
+
+def _plot_kind(path: str | None) -> str | None:
+    if path is None:
+        return None
+    kind = os.path.splitext(path)[1]
+    if kind not in (".svg", ".html"):
+        raise InputError(f"--plot: {path!r} ends in neither .svg nor .html; write one of them")
+    return kind
 
 
 def _text(found: Found, options: Options) -> list[str]:

@@ -12,8 +12,8 @@ from fractions import Fraction
 from functools import cache
 
 from verify.jobs.arguments import write_down
+from verify.jobs.classification import decide_classification
 from verify.language.statement import (
-    NEEDED,
     PROVED,
     Applies,
     Cite,
@@ -22,12 +22,10 @@ from verify.language.statement import (
     Statement,
 )
 from verify.language.terms import Claim, Term
-from verify.paper.flow.assumptions import ASSUMPTIONS as FLOW_ASSUMPTIONS
 from verify.paper.flow.theorem import NAME as FLOW
 from verify.paper.flow.theorem import flow
 from verify.paper.scene.assumptions import ASSUMPTIONS
-from verify.paper.scene.scene import PAIRS
-from verify.paper.scene.telling import Numbers, Telling
+from verify.paper.scene.telling import CLASSIFICATION, Numbers, Telling
 from verify.prover import balls
 from verify.prover.decimals import enclosing_decimals, round_decimal
 from verify.prover.flow import COLLIDE, DRIFT, parts
@@ -142,8 +140,15 @@ def title(found: Found) -> str:
 
 def cites(found: Found) -> list[Cite]:
     """The statements whose theorems are applied."""
-    content = write(decide_flow())["statement.json"]
-    return [Cite(FLOW, FLOW, content, assumptions=FLOW_ASSUMPTIONS)]
+    outcomes = {FLOW: decide_flow}
+    if found.verdict == FINITE:
+        outcomes[CLASSIFICATION] = decide_classification
+    return [_cite(name, decide()) for name, decide in outcomes.items()]
+
+
+def _cite(name: str, outcome: Outcome) -> Cite:
+    content = write(outcome)["statement.json"]
+    return Cite(name, outcome.statement.theorem, content, assumptions=outcome.assumptions)
 
 
 def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:
@@ -197,6 +202,3 @@ def _sides(row: Obligation, run: Run, bits: int) -> Enclosure | None:
     if not isinstance(row.claim, Claim):
         return None
     return Enclosure(bits, (_ends(run, row.claim.lhs), _ends(run, row.claim.rhs)))
-
-
-__all__ = ["NEEDED", "PAIRS", "decide_flow", "outcome_of", "tell"]

@@ -87,7 +87,8 @@ def scene_lines(found: Found) -> Iterator[str]:
             f"collapses: particle {o} central; from collision {count + 1} on {pairs}, … for ever;"
         )
         low, high = decimals(time)
-        yield f"collapse time in [{low}, {high}]; final -cos θ in [{', '.join(decimals(end.angle))}]"
+        least, most = decimals(end.angle)
+        yield f"collapse time in [{low}, {high}]; final -cos θ in [{least}, {most}]"
     elif found.verdict == FINITE:
         yield f"finite: {reason(found)}; only finitely many collisions are possible, unless three"
         yield f"particles touch at once or two graze; {found.reason}"

@@ -9,19 +9,35 @@ ASSUMPTIONS = (
         "scene",
         "EQUATSS2.1_Loi_de_Newton_",
         "1. The first state is the scene, seen from the particle o: x_s, x_c, W_s and W_c are the "
-        "differences of the given centres and velocities. Each row begins with the state with which "
-        "the one before it ends. So, by the rows collision.n, recentre.n and drift.n, which apply "
-        "the flow, the collisions are those of the rows collision.n, at the times t_n, and no "
-        "others; by the rows end.ij no pair collides after the last one.",
+        "differences of the given centres and velocities. Each row begins with the state with "
+        "which the one before it ends. So, by the rows collision.n, recentre.n and drift.n, which "
+        "apply the flow, the collisions are those of the rows collision.n, at the times t_n, and "
+        "there are no others before the last one.",
+        "numbered glue",
     ),
     Assumption(
-        "finitely-many",
+        "scene-disperses",
         "EQUATSS2.1_Loi_de_Newton_",
-        "Let three equal spheres collide with one r in ]0,1[, without triple or grazing contacts; "
-        "let R² = Σ|x|², A = Σ x·v and L, the angular momentum, be those of the frame of the centre "
-        "of mass. There are only finitely many collisions if r > 7 - 4√3; or if at some moment "
-        "R² >= 2 and either A >= 0 or A²R² < (R² - 2)L²; or if there is no collapse until the time "
-        "(ρ²/L²)(√(A² + (2-R²)L²/ρ²) - A), where ρ² = max(R², 2) and L ≠ 0.",
-        "general mathematics",
+        "2. By the rows end.ij, which apply the flow, each pair of particles parts or passes by "
+        "for ever: there is no further collision.",
+        "numbered glue",
+    ),
+    Assumption(
+        "scene-finite",
+        "EQUATSS2.1_Loi_de_Newton_",
+        "2. R² = Σ|x|², A = Σ x·v and L belong to the frame of the centre of mass. By the criteria "
+        "for scenes of the classification, (ii) to (iv), the rows finite show that from the moment "
+        "that they are about, or from the start, there is no collapse any more, and that only "
+        "finitely many collisions are possible, unless a triple or a grazing contact comes before.",
+        "numbered glue",
+    ),
+    Assumption(
+        "scene-collapses",
+        "EQUATSS2.1_Loi_de_Newton_",
+        "2. Let ω_s = x_s and ω_c = x_c/|x_c|, where |x_c| is the number reach; s and o are in "
+        "contact. The numbers in the row collapse are those of this state in these letters, and so "
+        "the sharper theorem applies to it: the time of the collapse and its final angle are as it "
+        "says, and as the rows time and angle enclose them.",
+        "numbered glue",
     ),
 )

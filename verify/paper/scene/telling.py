@@ -1,4 +1,4 @@
-"""What happens in a scene, as a statement: numbers with names, and a row for each thing that happens.
+"""What happens in a scene, as a statement: numbers with names, and a row for each event.
 
 Each row says that a theorem about all states applies to these numbers: the flow's, to each
 collision, and what decides the scene, to the state after the last one.
@@ -25,12 +25,21 @@ from verify.paper.flow.law import (
 )
 from verify.paper.flow.spaces import LETTERS
 from verify.paper.flow.theorem import NAME as FLOW
-from verify.paper.scene.criteria import INELASTIC, LATE, RECEDING, SAYS, is_inelastic_enough
-from verify.paper.scene.criteria import latest, whole
+from verify.paper.scene.criteria import (
+    INELASTIC,
+    LATE,
+    RECEDING,
+    SAYS,
+    is_inelastic_enough,
+    latest,
+    whole,
+)
 from verify.paper.scene.scene import PAIRS, Coordinates, Frame, Scene, pair_name
 
 LABEL = "EQUATSS2.1_Loi_de_Newton_"
-#: The constant for the time of a move, and that of the final whole.
+#: The theorems that are cited besides the flow.
+SHARPER, CLASSIFICATION = "sharper", "classification"
+#: The name of the constant for the time of a move.
 TIME = "time"
 r = symbol("r")
 
@@ -92,10 +101,12 @@ class Telling:
         """A new row."""
         self.rows.append(Obligation(name, "scene", LABEL, NEEDED, says, claim, uses))
 
-    def apply(self, name: str, says: str, context: str, at: Mapping[str, Number]) -> None:
+    def apply(
+        self, name: str, says: str, context: str, at: Mapping[str, Number], *uses: str
+    ) -> None:
         """A new row: the theorem of a context of the flow applies to these numbers."""
         values = {key: as_term(value) for key, value in at.items()}
-        self.row(name, says, Applies(f"{FLOW}:{context}", values), "scene")
+        self.row(name, says, Applies(f"{FLOW}:{context}", values), "scene", *uses)
 
     # --- what happens ---------------------------------------------------------------------------
 
@@ -180,7 +191,7 @@ class Telling:
             fields = ("p", "m") if context == pairs.PARTING else ("g", "p", "m")
             at = {f"{context}.{field}": getattr(pair, field) for field in fields}
             says = f"the particles {name[0]} and {name[1]} {words[context]}"
-            self.apply(f"end.{name}", says, context, at)
+            self.apply(f"end.{name}", says, context, at, "scene-disperses")
 
     def limit(self, criterion: str, squares: Number) -> None:
         """Only finitely many collisions are possible; squares = max(R², 2) at the start."""
@@ -196,7 +207,7 @@ class Telling:
             if criterion != RECEDING:
                 rows["receding"] = now.A**2 * now.R2 < (now.R2 - 2) * now.L2
         for name, claim in rows.items():
-            self.row(f"finite.{name}", SAYS[criterion], claim, "scene", "finitely-many")
+            self.row(f"finite.{name}", SAYS[criterion], claim, "scene", "scene-finite")
 
     def collapse(self, found: Numbers) -> None:
         """The sharper theorem applies; when, and at which angle, the particles collapse."""
@@ -221,7 +232,7 @@ class Telling:
             f"from here on {pair_name(o, c)} and {pair_name(o, s)} collide in turn for ever, in "
             "finite time"
         )
-        self.row("collapse", says, Applies("sharper:start", at), "scene")
+        self.row("collapse", says, Applies(f"{SHARPER}:start", at), "scene", "scene-collapses")
         (low, high), (least, most) = found.time, found.angle
         later = value["T"] * value["eta_0"] / (1 - value["p"] - value["Y"])
         self.row("time-from", "the collapse is not before", as_term(low) <= self.time)

@@ -1,0 +1,38 @@
+"""The certificate of a scene: with as many bits as the checker's intervals need."""
+
+from __future__ import annotations
+
+import sys
+
+from verify.cli.files import OwnError, write_certificate
+from verify.jobs.scene import outcome_of
+from verify.prover.program import UndefinedError
+from verify.prover.scene import UNDECIDED, Found
+
+#: The prover is exact where numbers stay rational; the checker may need more bits for the same.
+MORE_BITS = (1, 2, 4, 8, 16)
+
+
+def write_scene(option: str, directory: str, found: Found) -> None:
+    """Write the certificate, which `verify/check.py` accepts.
+
+    Nothing is written, with a line on stderr, where the scene is undecided.
+
+    Raises:
+        OwnError: if the checker does not accept it with any of the precisions.
+    """
+    if found.verdict == UNDECIDED:
+        print("verify: the scene is undecided; no certificate was written", file=sys.stderr)
+        return
+    complaint = OwnError("no precision suffices to evaluate the constants of the scene")
+    for factor in MORE_BITS:
+        try:
+            outcome = outcome_of(found, factor * found.flow.bits)
+            write_certificate(option, directory, outcome)
+        except UndefinedError:
+            continue
+        except OwnError as error:
+            complaint = error
+            continue
+        return
+    raise complaint

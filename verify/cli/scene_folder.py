@@ -1,0 +1,113 @@
+"""A folder of scenes: one line each, in the order of their names, by several processes if asked."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Iterable, Iterator
+from functools import partial
+from hashlib import sha256
+from typing import Any
+
+from verify.cli.files import OwnError, print_document, read_bytes, write_all
+from verify.cli.options import Options
+from verify.cli.scene_certificate import write_scene
+from verify.jobs.inputs import InputError, shown
+from verify.jobs.scene_files import read_scene
+from verify.prover.scene import Budget, decide
+from verify.views.scene import exit_code, scene_document, scene_lines
+
+FORMAT = "verify-scenes/1"
+#: The codes, the one that wins first: our own error, unusable, undecided.
+ORDER = (5, 2, 3, 0)
+#: The file beside a certificate that says what was found, so that it need not be found again.
+RESULT = "scene.json"
+
+Result = dict[str, Any]
+
+
+def run_folder(options: Options, limits: Budget, jobs: int) -> int:
+    """Print one line for each scene; the exit code is that of the worst."""
+    for name in ("plot", "verbose"):
+        if getattr(options, name):
+            raise InputError(f"--{name}: leave it out with a folder")
+    names = sorted(name for name in os.listdir(options.scene) if name.endswith(".toml"))
+    if not names:
+        raise InputError(f"scene: {shown(options.scene)} has no file that ends in .toml")
+    work = partial(decide_file, options.scene, options.out, limits)
+    results: list[Result] = []
+    for result in _all(work, names, jobs):
+        results.append(result)
+        if not options.json:
+            print(f"{result['file']}: {' '.join(result['lines'])}", flush=True)
+        _progress(len(results), len(names))
+    if options.json:
+        found = [{"file": result["file"], **result["document"]} for result in results]
+        print_document({"format": FORMAT, "command": "scene", "scenes": found})
+    return worst(int(result["code"]) for result in results)
+
+
+def _all(work: Any, names: list[str], jobs: int) -> Iterator[Result]:
+    """The results in the order of the names, whatever the number of processes."""
+    if jobs == 1:
+        yield from map(work, names)
+        return
+    from concurrent.futures import ProcessPoolExecutor  # loaded only where it is used
+
+    with ProcessPoolExecutor(jobs) as pool:
+        yield from pool.map(work, names)
+
+
+def _progress(done: int, total: int) -> None:
+    if sys.stderr is not None and sys.stderr.isatty():
+        filled = 30 * done // total
+        end = "\n" if done == total else ""
+        bar = "#" * filled + "." * (30 - filled)
+        print(f"\r[{bar}] {done} of {total}", end=end, file=sys.stderr, flush=True)
+
+
+def decide_file(folder: str, out: str | None, limits: Budget, name: str) -> Result:
+    """What is found about one file, or was found before with the same file and limits."""
+    content = read_bytes("scene", os.path.join(folder, name))
+    key = sha256(repr((tuple(limits), content)).encode()).hexdigest()
+    stem = os.path.splitext(name)[0]
+    before = None if out is None else _known(os.path.join(out, stem, RESULT), key)
+    if before is not None:
+        return before
+    try:
+        result = _decide(folder, out, limits, name, content)
+    except InputError as error:
+        document = {"verdict": "unusable", "reason": str(error)}
+        result = {"file": name, "code": 2, "lines": [str(error)], "document": document}
+    except OwnError as error:
+        document = {"verdict": "error", "reason": str(error)}
+        result = {"file": name, "code": 5, "lines": [str(error)], "document": document}
+    if out is not None and result["code"] in (0, 3):
+        text = json.dumps({"key": key, **result}, ensure_ascii=False, indent=1) + "\n"
+        write_all("--out", os.path.join(out, stem), {RESULT: text.encode()})
+    return result
+
+
+def _decide(folder: str, out: str | None, limits: Budget, name: str, content: bytes) -> Result:
+    found = decide(read_scene(os.path.join(folder, name), content), limits)
+    code = exit_code(found)
+    if out is not None and code == 0:
+        write_scene("--out", os.path.join(out, os.path.splitext(name)[0]), found)
+    lines, document = [*scene_lines(found)], scene_document(found)
+    return {"file": name, "code": code, "lines": lines, "document": document}
+
+
+def _known(path: str, key: str) -> Result | None:
+    try:
+        with open(path, encoding="utf-8") as file:
+            result = json.load(file)
+    except (OSError, ValueError):
+        return None
+    return result if isinstance(result, dict) and result.get("key") == key else None
+
+
+def worst(codes: Iterable[int]) -> int:
+    """The exit code of several scenes."""
+    found = {*codes}
+    return next(code for code in ORDER if code in found)

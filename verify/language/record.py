@@ -24,6 +24,7 @@ else:
         def __new__(cls, name, bases, body):
             fields = tuple(body.get("__annotations__", ()))
             defaults = {field: body[field] for field in fields if field in body}
+            body |= {"_last": tuple(defaults.values())}
             body |= {field: property(itemgetter(i)) for i, field in enumerate(fields)}
             body |= {"_fields": fields, "_field_defaults": defaults, "__match_args__": fields}
             return super().__new__(cls, name, bases, body | {"__slots__": ()})
@@ -33,8 +34,11 @@ else:
 
         def __new__(cls, *values, **named):
             """The entries in their order, or by their names; the others by default."""
-            if named or len(values) != len(cls._fields):
+            missing = len(cls._fields) - len(values)
+            if named or not 0 <= missing <= len(cls._last):
                 values = cls._complete(values, named)
+            elif missing:
+                values += cls._last[-missing:]
             return tuple.__new__(cls, values)
 
         @classmethod

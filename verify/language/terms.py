@@ -6,7 +6,7 @@ Numbers enter as integers or fractions. A float is refused, because it is alread
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from verify.language.record import TYPE_CHECKING
@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from typing import Any
 
 RELATIONS = ("<", "<=", "=")
+
+#: The operations without terms as arguments.
+LEAVES = ("rational", "symbol")
 
 
 #: Every term that was built, by operation and arguments.
@@ -29,10 +32,12 @@ class Term:
     ``cos_pi(x)`` is cos(pi x). Two terms are equal when they are written alike.
     """
 
-    __slots__ = ("args", "op")
+    __slots__ = ("args", "children", "op")
 
     op: str
     args: tuple[Any, ...]
+    #: The arguments that are terms themselves.
+    children: tuple[Term, ...]
 
     def __new__(cls, op: str, *args: Term | Fraction | int | str) -> Term:
         """The one term that is written like this: terms that are equal are the same object."""
@@ -42,6 +47,7 @@ class Term:
             term = _TERMS[key] = super().__new__(cls)
             term.op = op
             term.args = args
+            term.children = () if op in LEAVES else args[:1] if op == "pow" else args
         return term
 
     def __repr__(self) -> str:
@@ -95,11 +101,6 @@ class Term:
         raise TypeError("a term has no truth value; build a claim and let the prover decide it")
 
     @property
-    def children(self) -> tuple[Term, ...]:
-        """The arguments that are terms themselves."""
-        return _CHILDREN[self.op](self.args)
-
-    @property
     def name(self) -> str:
         """The name of a symbol."""
         name = self.args[0]
@@ -126,27 +127,6 @@ class Term:
 
 #: What may be written where a term is meant.
 Number = Term | int | Fraction
-
-
-def _no_children(_args: tuple[Any, ...]) -> tuple[Term, ...]:
-    return ()
-
-
-def _first_child(args: tuple[Any, ...]) -> tuple[Term, ...]:
-    return args[:1]
-
-
-def _all_children(args: tuple[Any, ...]) -> tuple[Term, ...]:
-    return args
-
-
-_CHILDREN: dict[str, Callable[[tuple[Any, ...]], tuple[Term, ...]]] = {
-    "rational": _no_children,
-    "symbol": _no_children,
-    "pow": _first_child,
-} | dict.fromkeys(
-    ("add", "sub", "mul", "div", "neg", "sqrt", "min", "max", "cos", "cos_pi"), _all_children
-)
 
 
 class Claim:

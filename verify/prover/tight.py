@@ -38,7 +38,6 @@ class Tight:
     def __init__(self, ground: Ground, bits: int) -> None:
         self.ground, self.bits = ground, bits
         self.session = ground.session
-        self.order = {name: i for i, name in enumerate(ground.definitions)}
 
     def prove(self, claim: Claim, budget: int = MAX_STEPS) -> Proof | None:
         """A proof, whose lemmas are written down; None if none is found."""
@@ -47,12 +46,26 @@ class Tight:
     def _search(
         self, claim: Claim, current: Claim, using: tuple[str, ...], budget: int
     ) -> Proof | None:
-        """Go on after replacing the names in ``using``: ``current`` is the claim after that."""
-        if claim.relation != "<" and self._is_identity(claim, using):
-            return self._identity(claim, using)
+        """Go on after replacing the names in ``using``: ``current`` is the claim after that.
+
+        A name that stands on one side only is replaced before an identity is tried: it cancels
+        then, or it never does.
+        """
         name = self._latest(current)
+        alone = name is not None and not self._on_both_sides(name, current)
+        if not alone and claim.relation != "<" and self._is_identity(claim, using):
+            return self._identity(claim, using)
         if budget == 0 or name is None:
             return None
+        found = self._replace(claim, current, using, name, budget)
+        if found is None and alone and claim.relation != "<" and self._is_identity(claim, using):
+            return self._identity(claim, using)
+        return found
+
+    def _replace(
+        self, claim: Claim, current: Claim, using: tuple[str, ...], name: str, budget: int
+    ) -> Proof | None:
+        """Replace a name by its definition, or a minimum by one of its entries, and go on."""
         definition = self.ground.definitions[name]
         if definition.op != "min":
             following = substitute_claim(current, {name: definition})
@@ -72,8 +85,10 @@ class Tight:
     def _latest(self, claim: Claim) -> str | None:
         """The name in a claim that was defined last."""
         names = set(names_of(claim.lhs, claim.rhs))
-        known = [n for n in names if n in self.order]
-        return max(known, key=self.order.__getitem__, default=None)
+        return next((name for name in reversed(self.ground.definitions) if name in names), None)
+
+    def _on_both_sides(self, name: str, claim: Claim) -> bool:
+        return name in names_of(claim.lhs) and name in names_of(claim.rhs)
 
     # --- identities -----------------------------------------------------------------------------
 

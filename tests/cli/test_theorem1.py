@@ -289,8 +289,6 @@ def test_angles(capsys: pytest.CaptureFixture[str], theta: str, expected: str | 
         (["--r", "1/64", "--neg-cos", "8/13"], 1),
         (["--r", "1/64", "--neg-cos", "0." + "615384" * 80, "--precision", "9",
           "--max-precision", "64"], 1),
-        (["--r", "1/64", "--neg-cos", "0.61538461538461538461538461538461538461538462",
-          "--precision", "20", "--max-precision", "60"], 3),
         (["--r", "0.03", "--precision", "2"], 0),
     ],
 )  # fmt: skip

@@ -5,10 +5,63 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from verify.language.statement import Obligation
+from verify.jobs.everywhere import decide_everywhere
+from verify.jobs.step import decide_step
+from verify.language.statement import NEEDED, Obligation
 from verify.paper import theorem1
+from verify.paper.step import printed_estimates
+from verify.prover.outcome import Outcome
+from verify.prover.uses import nodes
 
 TABLE = Path(theorem1.__file__).parent / "formulas.md"
+
+#: Rows of the step that say what the model is, or say a law once more, with a division.
+ASIDE = ("impact-momentum", "impact-restitution", "impact-energy", "law-angle")
+
+#: Rows that are no step to the theorem: which entries of the minima are the least.
+OF_THEIR_OWN = ("redundant.", "active.")
+
+#: The first formula of the theorem and its proof.
+FIRST = 19
+
+#: The labels of displayed formulas there, in the order of the LaTeX text.
+LABELS = [
+    f"EQUATSS4.1{name}"
+    for name in (
+        "ThExiCondi_r_1_",
+        "ThExiCondiTheta",
+        "DerivFonctF_1P-",
+        "Quantite_C_eta_",
+        "DonneInitiColSp",
+        "SysteDynamColSp",
+        "EvoluCompoNormC",
+        "EvoluNormeVitRl",
+        "EvoluCosinAngle",
+        "DefinDeltxDelty",
+        "DefinBorne_Eta_",
+        "DefinBorne_Zeta",
+        "DefinBorne_d_0_",
+        "DescrDoIniColla",
+        "Recurrence_Cnd1",
+        "Recurrence_Cnd2",
+        "Recurrence_Cnd3",
+        "Recurrence_Cnd4",
+        "Recurrence_CndT",
+        "Recurrence_Cnd5",
+        "Recurrence_Cnd6",
+        "Recurrence_Cnd7",
+        "Recurrence_Cnd8",
+        "Recurrence_Cnd9",
+        "Recurrence_Cnd10",
+        "BorneParam_ZK0_",
+        "BorneDista_d_1_",
+        "_Controle_Tau_n",
+        "DefinReste_y_n_",
+        "Lien_x_n_&_y_n_",
+        "DefinReste_x_n_",
+        "Cntrlx_n+1Ameli",
+    )
+]
 
 #: How many displayed formulas Section 4 has, counted in the LaTeX text.
 DISPLAYED = 106
@@ -31,6 +84,12 @@ def constants() -> set[str]:
     return {constant.name for constant in (*statement.common, *chosen)}
 
 
+def facts_elsewhere() -> set[str]:
+    """The facts of the step, and the rows that are refuted at states."""
+    wrong = {f"step-printed:{row.name}" for row, _ in printed_estimates.printed()}
+    return wrong | {f"step:{name}" for name in nodes(decide_step())}
+
+
 def names(cell: str) -> list[str]:
     return re.findall(r"`([^`]+)`", cell)
 
@@ -50,7 +109,7 @@ def test_there_is_one_line_for_every_displayed_formula() -> None:
 
 def test_every_name_that_carries_a_formula_exists() -> None:
     statement = theorem1.theorem()
-    known = {row.name for row in rows()} | constants()
+    known = {row.name for row in rows()} | constants() | facts_elsewhere()
     known |= {assumption.name for assumption in statement.assumptions}
     unknown = [
         (cells[0], name) for cells in table() for name in names(cells[3]) if name not in known
@@ -92,3 +151,68 @@ def test_remarks_and_causes_name_things_that_exist() -> None:
     earlier = {"EQUATSS2.2LoiEvDistaInit1", "EQUATSS2.2LoiEvW1Om1Init1"}
     assert {n for n in mentioned if n.startswith("EQUATSS2")} == earlier
     assert set(mentioned) <= short | displayed | earlier
+
+
+def test_every_label_of_the_theorem_is_in_the_table() -> None:
+    assert [label for label in labels() if label.startswith("EQUATSS4.1")] == LABELS
+
+
+def test_every_wrong_estimate_is_beside_its_formula() -> None:
+    carrying = {name for cells in table() for name in names(cells[3])}
+    assert {f"step-printed:{row.name}" for row, _ in printed_estimates.printed()} <= carrying
+
+
+# --- to the theorem -------------------------------------------------------------------------------
+
+
+def reaching(outcome: Outcome, ends: set[str]) -> set[str]:
+    """The facts on which these rest, with themselves."""
+    found, seen, todo = nodes(outcome), set[str](), sorted(ends)
+    while todo:
+        name = todo.pop()
+        if name in found and name not in seen:
+            seen.add(name)
+            todo += found[name].uses
+    return seen
+
+
+def theorems_of_the_step() -> set[str]:
+    """The induction, and what the glue puts together: it names its facts, `inside-...` by kind."""
+    known = set(nodes(decide_step()))
+    glue = [a.sentence for a in decide_step().assumptions if a.name.startswith("glue")]
+    named = {word.strip(".,:;()") for sentence in glue for word in sentence.split()} & known
+    assert any("inside-..." in sentence for sentence in glue)
+    assert named >= {"always", "time-total", "outer-pair-apart", "angle-final-upper"}
+    return named | {name for name in known if name.startswith("inside-")}
+
+
+def on_a_path() -> set[str]:
+    """The facts that the theorem rests on: those of the step, and the rows that make it apply."""
+    step = {f"step:{name}" for name in reaching(decide_step(), theorems_of_the_step())}
+    return step | reaching(decide_everywhere(), {"collapse"})
+
+
+def test_every_fact_of_the_step_is_on_a_path_to_the_theorem() -> None:
+    found = on_a_path()
+    hanging = {row.name for row, _ in decide_step().rows if f"step:{row.name}" not in found}
+    assert hanging == set(ASIDE)
+
+
+def test_every_formula_of_the_proof_has_a_fact_on_a_path_to_the_theorem() -> None:
+    """Others beside it are the paper's way to the same place, which the step does not take."""
+    found = on_a_path()
+    for cells in table():
+        if int(cells[0]) >= FIRST and cells[3] != "definition of notation":
+            there = {name.replace("printed.", "repaired.", 1) for name in names(cells[3])}
+            assert there & found, cells[:3]
+
+
+def test_every_needed_row_is_on_a_path_or_beside_a_fact_that_is() -> None:
+    found, beside = on_a_path(), set[str]()
+    for cells in table():
+        there = {name.replace("printed.", "repaired.", 1) for name in names(cells[3])}
+        if there & found:
+            beside |= there
+    for row, _ in decide_everywhere().rows:
+        if row.role == NEEDED and not row.name.startswith(OF_THEIR_OWN):
+            assert row.name in found | beside, row.name

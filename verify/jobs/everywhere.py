@@ -79,8 +79,14 @@ TRIED = (
 @cache
 def decide_everywhere() -> Outcome:
     """Every row for all parameters; what is not found is left undecided."""
-    cited = write(decide_step())["statement.json"]
-    return Everywhere(statement(cited), REPAIRED).run()
+    return everywhere_run()[1]
+
+
+@cache
+def everywhere_run() -> tuple[Everywhere, Outcome]:
+    """The same, with all that is known at the end, from where a search can go on."""
+    work = Everywhere(statement(write(decide_step())["statement.json"]), REPAIRED)
+    return work, work.run()
 
 
 @cache
@@ -274,6 +280,14 @@ class Everywhere:
         except NotFoundError:
             return self._split(claim)
 
+    def search_proof(self, claim: Claim) -> Proof:
+        """A proof of a claim by search alone.
+
+        Raises:
+            NotFoundError: if there is none that the search finds.
+        """
+        return self._proof("", claim)
+
     def _split(self, claim: Claim) -> Proof:
         """A branch for each entry of the minimum that delta_x is."""
         name = self.set.delta_x.name
@@ -317,6 +331,8 @@ class Everywhere:
         if claim.lhs is ZERO:
             other = self.ring.lemma(0 < claim.rhs.children[0])
             return Sum(("goal", ("mul", other, sign)))
+        if claim.rhs is not root or claim.lhs.op != "sqrt":
+            raise NotFoundError("two roots are not compared")
         squares = self.ring.lemma(claim.lhs.children[0] <= inside)
         scale = [self.ring.lemma(0 < part) for part in _divisors(inside)]
         goal = ("mul", *scale, "goal", ("add", "root-two", sign))

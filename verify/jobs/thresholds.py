@@ -42,7 +42,7 @@ def shares(row: str) -> Mapping[str, Ends]:
 
 def _share(row: str, verdict: str) -> Ends:
     strips = [strip for strip in paper.STRIPS if (strip.row, strip.verdict) == (row, verdict)]
-    if any((strip.low, strip.high) == (0, WHOLE) for strip in strips):
+    if any(strip.low == 0 and strip.high == WHOLE for strip in strips):
         return Fraction(1), Fraction(1)
     (least, most), low, high = _area(WHOLE), Fraction(0), Fraction(0)
     for strip in strips:

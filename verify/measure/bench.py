@@ -30,6 +30,7 @@ from verify.measure.engines import (
     MpmathEngine,
     load,
 )
+from verify.measure.slack import slack_table
 from verify.prover import balls
 from verify.prover.decimals import decimal_text, round_decimal
 from verify.prover.outcome import Ends, Outcome
@@ -76,6 +77,8 @@ def run_benchmarks(quick: bool, progress: Progress) -> dict[str, Table]:
     tables["throughput"] = throughput_table(100 if quick else 1000, rounds)
     progress("whole processes")
     tables["processes"] = process_table(3 if quick else 15)
+    progress("bounds with slack")
+    tables["slack"] = slack_table(quick)
     return tables
 
 

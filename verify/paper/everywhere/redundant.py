@@ -68,7 +68,7 @@ def active_rows() -> Iterator[Obligation]:
     bounds = ConstantSet(REPAIRED).bounds()
     for name, points in LEAST.items():
         for entry, point in points.items():
-            values = _values(point)
+            values = values_at(point)
             entries = [substitute(term, values) for term in bounds[name]]
             others = entries[: entry - 1] + entries[entry:]
             r, c, V_0, delta_theta = point
@@ -83,8 +83,8 @@ def active_rows() -> Iterator[Obligation]:
             )
 
 
-def _values(point: tuple[str, ...]) -> dict[str, Term]:
-    """All constants as terms without names."""
+def values_at(point: tuple[str, ...]) -> dict[str, Term]:
+    """All constants at r, -cos theta_0, V_0 and delta_theta, as terms without names."""
     names = ("r", "c", "V_0", "delta_theta")
     values = {name: as_term(Fraction(x)) for name, x in zip(names, point, strict=True)}
     for constant in constants():

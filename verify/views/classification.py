@@ -6,12 +6,13 @@ from collections.abc import Iterator
 from typing import Any
 
 from verify.jobs.classification import AtR
-from verify.language.statement import PROVED
+from verify.language.statement import NEEDED, PROVED, REFUTED
+from verify.language.terms import symbol
 from verify.paper.classification.meaning import MEANING
 from verify.prover.decimals import rational_text, short
 from verify.prover.outcome import Outcome
 from verify.views.document import claims_document, pair
-from verify.views.words import counts, given, groups, letters, summary
+from verify.views.words import counts, given, groups, letters, summary, witness_of
 
 FORMAT = "verify-classification/1"
 
@@ -58,10 +59,13 @@ def screen(outcome: Outcome) -> Iterator[str]:
     yield "Which collapses there are"
     yield ""
     for group in groups(outcome):
-        found = outcome.of_group(group)
-        proved = sum(decision.verdict == PROVED for _, decision in found)
+        found = [decision for row, decision in outcome.of_group(group) if row.role == NEEDED]
+        proved = sum(decision.verdict == PROVED for decision in found)
         yield f"  {group:<36} {proved} of {len(found)} rows proved"
-    yield f"Rows: {counts(outcome, 'needed')}; every row: -v; one with its proof: explain NAME"
+    yield f"Rows: {counts(outcome, NEEDED)}; every row: -v; one with its proof: explain NAME"
+    for row, decision in outcome.rows:
+        if decision.verdict == REFUTED:
+            yield f"Refuted ({row.severity}): {row.name}, corrected by {row.corrected_by}"
     yield ""
     yield f"Taken on trust: {given(outcome.assumptions)}"
     for assumption in outcome.assumptions:
@@ -90,6 +94,12 @@ def claim_rows(outcome: Outcome) -> Iterator[str]:
             yield f"  {decision.verdict:<9} {row.says}   [{row.name}, {row.label}]"
             claim = typesetter.claim(row.claim)
             yield f"            {claim}   by {decision.method or 'nothing'}"
+            if decision.witness:
+                at = witness_of(row, decision).items()
+                values = ", ".join(
+                    f"{typesetter.term(symbol(n))} = {typesetter.term(term)}" for n, term in at
+                )
+                yield f"            false at {values}"
         yield ""
 
 

@@ -9,19 +9,26 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.statement import Given, Variable
-from verify.language.terms import as_term, equal
+from verify.language.statement import Given, Obligation, Variable
+from verify.language.terms import Term, as_term, equal
 from verify.paper.argument import Chapter, Item, Line, Opened, identity, plus, proof, times
 from verify.paper.classification.settings import Letters
+from verify.paper.rows import SLIP, misprint
 from verify.paper.spectrum.collision_matrices import A_A, A_B
 from verify.paper.spectrum.cone import NORMAL_12
-from verify.paper.spectrum.matrices import Vector, apply, dot
-from verify.paper.spectrum.printed import MATRIX, THEOREM, h, r, root_3
+from verify.paper.spectrum.matrices import Vector, apply, dot, vector
+from verify.paper.spectrum.printed import MATRIX, MATRIX_LABEL, THEOREM, h, r, root_3
 
 BOUND = "EQUATSS3.5Minor_z'__Triag"
 
 n = Letters("triple", a="a", b="b", c="c", t="t")
 QUARTER = Fraction(1, 4)
+
+#: The row NORMAL_12 in the basis as the text states it, where the fourth coordinate is opposite.
+NORMAL_STATED: Vector = vector(*NORMAL_12[:3], -NORMAL_12[3])
+
+#: Values at which `stated_row` is false.
+FALSE_AT: dict[str, Term] = {"r": as_term(Fraction(1, 2)), **n.point("-1 -1 -1 1")}
 
 
 def meeting_state() -> Vector:
@@ -64,6 +71,13 @@ def _lines() -> Iterator[Item]:
             THEOREM,
             f"the collision {name[0]}-{name[1]} meets this normal component",
         )
+    yield Line(
+        "cone-stated-12",
+        equal(dot(NORMAL_STATED, apply(A_B, apply(A_A, stated_state()))), n.c),
+        identity(),
+        MATRIX_LABEL,
+        "and so it does, for other y, if c is read in the basis as the text states it",
+    )
     quarter = plus("triple-r", 1)
     both = times(QUARTER, quarter, plus("triple-b", "triple-c"))
     last = times(QUARTER, quarter, "triple-c")
@@ -86,3 +100,24 @@ def _lines() -> Iterator[Item]:
             BOUND,
             "it is positive: this pair recedes after the triple, for every r",
         )
+
+
+def stated_state() -> Vector:
+    """As `meeting_state`, if the third condition is read in the basis as the text states it."""
+    z = n.b + h * n.a
+    rest = dot(NORMAL_STATED, apply(A_B, apply(A_A, vector(n.a, 0, z, n.t))))
+    return n.a, 2 * root_3 / 3 * (rest - n.c), z, n.t
+
+
+def stated_row(group: str) -> Obligation:
+    """The image under the printed matrix, read in the basis as the text states it."""
+    return misprint(
+        "cone-image-stated",
+        MATRIX_LABEL,
+        "the printed matrix in the basis as the text states it (ω₂⊥·ω₁ > 0), where 1-2 meets "
+        "c = (x - √3y + z - √3t)/2: x' = -ra - h(b+c)",
+        equal(apply(MATRIX, stated_state())[0], -(r * n.a) - h * (n.b + n.c)),
+        group=group,
+        severity=SLIP,
+        corrected_by="cone-image-x",
+    )._replace(context=n.context)

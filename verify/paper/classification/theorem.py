@@ -26,6 +26,8 @@ TITLE = (
     "total impulse, and when there are finitely many collisions; for every state"
 )
 
+CONE = "the cone of the text"
+
 #: The modules in the order of the proof, with the heading of their rows.
 SECTIONS = {
     "lemma: flight": flight,
@@ -36,7 +38,7 @@ SECTIONS = {
     "III: total impulse": impulse,
     "IV: finite or infinite time": endless,
     "criteria for scenes": scenes,
-    "the cone of the text": image,
+    CONE: image,
 }
 
 #: What is concluded in words, at the rows from which it is.
@@ -67,6 +69,7 @@ def classification() -> Argument:
         if isinstance(item, Line)
     }
     rows = tuple(_placed(row, headings[row.name]) for row in written.statement.obligations)
+    rows = (*rows, image.stated_row(CONE))
     return written._replace(statement=written.statement._replace(obligations=rows))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from flint import fmpq
@@ -24,6 +25,8 @@ from verify.wire.write import write
 from . import second_estimates
 from .second_constants import Constants, hypothesis
 from .second_reading import READINGS, Place, State, dot, holds, links
+
+ROOT = Path(check.__file__).parents[1]
 
 #: The second reading's lines that are false where these rows are refuted.
 SAME_LINES = {
@@ -160,6 +163,11 @@ def test_another_state_is_refused(name: str) -> None:
             old = old._replace(proof=proof._replace(at=at))
         found.append(old)
     assert report(outcome._replace(steps=tuple(found))).verdict == "REFUSED"
+
+
+def test_the_committed_folder_is_what_the_program_makes() -> None:
+    for name, content in write(decide_step_printed()).items():
+        assert (ROOT / "certificates" / "step-printed" / name).read_bytes() == content
 
 
 def test_the_program_calls_its_own_statement_right() -> None:

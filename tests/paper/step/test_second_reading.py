@@ -17,19 +17,26 @@ from typing import Any
 import pytest
 from flint import arb, fmpq
 
-from verify.language.terms import Claim
+from verify.jobs.theorem1 import decide_point
+from verify.language.statement import Constant
+from verify.language.terms import Claim, as_term
 from verify.paper.dynamics import impact
+from verify.paper.parameters import PARAMETERS
 from verify.paper.step import numbers as numbers_of_the_step
 from verify.paper.step import state
 from verify.paper.step.theorem import step
 from verify.prover.program import ExactArithmetic, Machine, Program
 
 from . import second_estimates
-from .second_constants import hypothesis
+from .second_constants import Constants, hypothesis
 from .second_reading import READINGS, Chain, Number, Place, dot, holds, links, root
 from .second_states import allowed_place, exact_place
 
 Side = Callable[[Number, Place], Number]
+
+
+#: Constants of both sets that have the same name in both readings.
+CONSTANTS = ("delta_1", "delta_2", "delta_3", "delta_4", "delta_5", "C_eta", "h_4", "h_5", "V_1")
 
 
 @dataclass(frozen=True)
@@ -219,7 +226,7 @@ def inputs(q: Place) -> dict[str, Fraction]:
 def machine() -> Machine:
     """All rows of the table, and the collision map, as one program of exact arithmetic."""
     program = Program(inputs(exact_place(random.Random(0), 2)))
-    for constant in state.collision_map():
+    for constant in collision_map():
         program.define(constant.name, constant.term)
     for match in MATCHES:
         for row in match.rows:
@@ -228,6 +235,11 @@ def machine() -> Machine:
     program.add(rows()["root-twice"].lhs)
     program.add(rows()["root-twice"].rhs)
     return Machine(program, ExactArithmetic())
+
+
+def collision_map() -> tuple[Constant, ...]:
+    """The constants of the context of a state."""
+    return next(c.constants for c in step().statement.contexts if c.name == state.CONTEXT)
 
 
 class Values:
@@ -290,7 +302,7 @@ def test_both_readings_have_the_same_collision(dimension: int) -> None:
             "b_next": dot(m.omega_c, m.W_s), "w_next": dot(m.W_s, m.W_c),
             "kept": n.eta_s / (1 + m.d), "gained": n.tau * n.Ws2 / (1 + m.d),
         }  # fmt: skip
-        assert set(found) == {constant.name for constant in state.collision_map()}
+        assert set(found) == {constant.name for constant in collision_map()}
         assert {name: values.constant(name) for name in found} == found
 
 
@@ -357,6 +369,28 @@ def test_where_the_print_is_wrong_the_reader_put_the_steps_formula() -> None:
         if reading.instead is not None:
             assert match.why
             assert not agree(match, reading.chain(q), q, values)
+
+
+# --- the constants --------------------------------------------------------------------------------
+
+POINTS = (("3/100", "95/103", "1", "1/10"), ("1/1000", "3/10", "7/3", "1/1000"))
+
+
+@pytest.mark.parametrize("point", POINTS)
+def test_both_readings_have_the_same_printed_constants(point: tuple[str, ...]) -> None:
+    values = dict(zip(PARAMETERS, map(Fraction, point), strict=True))
+    terms = {name: as_term(value) for name, value in values.items()}
+    found = decide_point(terms, "printed").enclosures
+    K = Constants(**{name: fmpq(x.numerator, x.denominator) for name, x in values.items()})
+    names = {name: getattr(K, name) for name in CONSTANTS}
+    names |= {"alpha_0": K.alpha, "phi_minus": K.phi}
+    own = {"delta_x", "x_0", "Delta_theta", "eta_bar", "zeta_bar"}
+    names |= {f"printed.{name}": getattr(K, name) for name in own}
+    names |= {"printed.delta_y": K.delta_x, "printed.d_bar": K.d_bar(K.eta_bar)}
+    for name, value in names.items():
+        low, high = (fmpq(end.numerator, end.denominator) for end in found[name].ends[0])
+        assert high - low < fmpq(1, 10**20)
+        assert low <= value <= high, name
 
 
 # --- what the reader makes of each line -----------------------------------------------------------

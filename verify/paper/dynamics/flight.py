@@ -101,12 +101,12 @@ def between_zero_and_one() -> Iterator[Item]:
     )
 
 
-def time() -> Iterator[Item]:
-    """The time to the contact, and the contact."""
+def time(positive: Value) -> Iterator[Item]:
+    """The time to the contact, and the contact; given why the time is positive."""
     yield Line(
         "tau-positive",
         0 < tau,
-        proof(times("d-sum-positive", "Cnd1", "S-one"), using="tau S"),
+        proof(positive, using="tau S"),
         TIME,
         "0 < τ",
     )

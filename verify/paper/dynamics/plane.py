@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator
 from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Term, as_term, symbol
 from verify.paper.argument import Item, Line, Value, plus, power, proof, square, times
-from verify.paper.dynamics.state import inequalities, r
+from verify.paper.dynamics.state import inequalities
 from verify.paper.dynamics.vectors import Frame
 
 CONTEXT = "plane"
@@ -25,7 +25,7 @@ def aligned(y: Term, eta_s: Term, C: Term, A: Term, B: Term, d: Term) -> Frame:
     return Frame(y, eta_s, C, y * C, -(eta_s * C), A, B, eta_s * y * C, d)
 
 
-def context(parent: str | None = None) -> Context:
+def context() -> Context:
     """A cosine, and norms that leave room for the normal parts."""
     values = {name: as_term(1 if name in ("u_A", "u_B") else 0) for name in NAMES}
     givens = (
@@ -34,7 +34,7 @@ def context(parent: str | None = None) -> Context:
         Given("u-room-s", eta_s**2 <= B),
     )
     variables = tuple(Variable(name, name, name) for name in NAMES)
-    return Context(CONTEXT, variables, givens, values, parent, "velocities with orthogonal parts")
+    return Context(CONTEXT, variables, givens, values, None, "velocities with orthogonal parts")
 
 
 def lines(names: Iterable[str]) -> Iterator[Item]:
@@ -75,18 +75,4 @@ def _squares() -> dict[str, tuple[Value, ...]]:
             times(t2, room_c, reach),
             times(power(t2, 2), room_c, room_s),
         ),
-        "cs-next": _struck(),
     }
-
-
-def _struck() -> tuple[Value, ...]:
-    """W_c' against the next place of s: (f w_s + h w_c + g_s) x (e w_s + t g_s), and g_c."""
-    angle, room_c, room_s = "u-angle", "u-room-c", "u-room-s"
-    kick = (1 + r) / 2 * (t * A - (1 + d) * y)
-    along, across, reach = eta_s, -(kick * (1 + d - t * y)), 1 + t * eta_s
-    return (
-        times(square((along - across * C) * t - reach), room_s),
-        times(square(across * reach), angle),
-        times(square(across * t), angle, room_s),
-        times(square(kick * t), room_c, plus(square(reach), times(square(t), room_s))),
-    )

@@ -39,9 +39,19 @@ def zeta_of(f: Frame) -> Term:
     return f.d * (2 + f.d) / (1 + f.d) / (1 + f.d) * (f.A / f.y / f.y)
 
 
+def root_of(f: Frame) -> Term:
+    """The root in the time to the next collision."""
+    return sqrt(1 - zeta_of(f))
+
+
 def tau_of(f: Frame) -> Term:
     """The time to the next collision."""
-    return (1 + f.d) / f.A * f.y * (1 - sqrt(1 - zeta_of(f)))
+    return (1 + f.d) / f.A * f.y * (1 - root_of(f))
+
+
+def time_of(f: Frame) -> Term:
+    """The same time without a quotient by |W_c|^2."""
+    return f.d * (2 + f.d) / (1 + f.d) / f.y / (1 + root_of(f))
 
 
 def contact(f: Frame, time: Term) -> Combination:
@@ -66,7 +76,6 @@ def inequalities(f: Frame, time: Term, names: Iterable[str]) -> dict[str, Claim]
 def _pairs(f: Frame, time: Term) -> dict[str, tuple[Combination, Combination]]:
     omega, end = contact(f, time), away(time)
     outer = add(scale(1 + f.d, omega_c), scale(-1, omega_s))
-    struck = add(W_s, scale(-((1 + r) / 2 * f.dot(W_c, omega)), omega))
     return {
         "cs-omega": (omega_s, omega_c),
         "cs-s": (omega_s, W_s),
@@ -78,7 +87,6 @@ def _pairs(f: Frame, time: Term) -> dict[str, tuple[Combination, Combination]]:
         "cs-apart": (outer, difference),
         "cs-impact": (W_s, omega),
         "cs-angle": (omega, end),
-        "cs-next": (struck, end),
     }
 
 
@@ -98,13 +106,13 @@ W_c_next = add(W_s, scale(-((1 + r) / 2 * kappa), omega_next))
 W_s_next = add(W_c, scale(-((1 + r) * kappa), omega_next))
 
 
-def collision_map() -> tuple[Constant, ...]:
+def collision_map(time: Term) -> tuple[Constant, ...]:
     """The collision map, written out in inner products."""
     dot = frame.dot
     terms = {
         "zeta": ("ζ", r"\zeta", zeta_of(frame)),
-        "S": ("√(1-ζ)", r"\sqrt{1-\zeta}", sqrt(1 - zeta_of(frame))),
-        "tau": ("τ", r"\tau", tau_of(frame)),
+        "S": ("√(1-ζ)", r"\sqrt{1-\zeta}", root_of(frame)),
+        "tau": ("τ", r"\tau", time),
         "kappa": ("W_c·ω_s'", r"W_c\cdot\omega_s'", dot(W_c, omega_next)),
         "D": ("1+d'", "1+d'", sqrt(dot(end, end))),
         "d_next": ("d'", "d'", D - 1),

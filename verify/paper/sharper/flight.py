@@ -22,6 +22,7 @@ from verify.paper.dynamics import flight
 from verify.paper.dynamics.flight import DISTANCE, TIME, absolute
 from verify.paper.dynamics.state import A, B, C, D, S, a, b, d, tau, w, y, zeta
 from verify.paper.sharper.numbers import V_0, T, V, eta_0, k, least_ratio, reach, root
+from verify.paper.sharper.start import zeta_small
 from verify.paper.sharper.state import g, speed
 
 SLOWER = times("gain-positive", "g-positive")
@@ -34,7 +35,7 @@ def lines() -> Iterator[Item]:
     yield from flight.root()
     yield from flight.between_zero_and_one()
     yield from _root()
-    yield from flight.time()
+    yield from flight.time(times("d-positive", plus(2, "d-positive")))
     yield from _time()
     yield from flight.distance()
     yield from _distance()
@@ -50,6 +51,7 @@ def _sizes() -> Iterator[Item]:
         yield Line(
             f"{name}-below", size <= V**2, proof(f"{name}-upper", slower), says=f"|W_{letter}| ≤ V"
         )
+    yield Line("A-positive", 0 < A, proof("cs-c", power("Cnd1", 2)))
     yield Line("B-positive", 0 < B, proof("cs-s", power("recedes", 2)))
     yield Line("d-crude", 1 + d <= reach, proof("d-small", _crude()))
 
@@ -69,17 +71,10 @@ def _components() -> Iterator[Item]:
 
 
 def _root() -> Iterator[Item]:
-    d2, y2 = power("d-sum-positive", 2), power("Cnd1", 2)
     yield Line(
         "zeta-bound",
         zeta <= 2 * k * V**2,
-        scaled(
-            "goal",
-            times(2, d2, "A-positive", "d-small"),
-            times(2, "k-positive", d2, y2, "A-below"),
-            times("A-positive", power("d-positive", 2), plus(3, times(2, "d-positive"))),
-            using="zeta",
-        ),
+        proof(zeta_small("", "A-below"), using="zeta"),
         says="ζ ≤ 2κV²",
     )
     yield Line(

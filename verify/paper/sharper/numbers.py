@@ -96,7 +96,6 @@ ENTRY: Mapping[str, Claim] = {
     "start-ratio-lower": (m - X) * start.y <= start.eta_s,
     "start-d-positive": 0 < start.d,
     "start-d-small": start.d <= k * start.y**2,
-    "start-A-positive": 0 < start.A,
     "start-A-bound": start.A <= V_0**2,
     "start-B-bound": start.B <= V_0**2,
     "start-C-upper": start.C - C_0 + _all <= Theta,

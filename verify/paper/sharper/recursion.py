@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.paper.argument import Item, Line, plus, power, proof, scaled, square, times
+from verify.paper.argument import Item, Line, plus, proof, scaled, square, times
 from verify.paper.dynamics.collision import GAINED_UPPER, parts
-from verify.paper.dynamics.state import W_c_next, end, frame, kept, y, y_next
+from verify.paper.dynamics.state import kept, y, y_next
 from verify.paper.sharper.bounds import HALF, REACH
 from verify.paper.sharper.collision import next_condition
 from verify.paper.sharper.numbers import V, X, least_ratio, m, ratio, reach
-from verify.paper.sharper.start import zeta_below
-from verify.paper.sharper.state import at_next, conditions, g
+from verify.paper.sharper.start import root_lines, zeta_small
+from verify.paper.sharper.state import following, g
 
 GROWTH = "EQUATSS4.1Lien_x_n_&_y_n_"
 
@@ -104,26 +104,7 @@ def _others() -> Iterator[Item]:
         times("ratio-room", "y-upper-bound"),
         using="law-eta-s",
     )
-    struck = frame.dot(W_c_next, end) ** 2 <= frame.dot(W_c_next, W_c_next) * frame.dot(end, end)
-    yield Line("next-pair", struck, proof("cs-next", using="kappa tau"))
-    claim = at_next(conditions()["A-positive"])
-    yield Line(
-        "next-A-positive",
-        claim,
-        scaled(
-            times("end-positive", "goal"),
-            "next-pair",
-            power("next-Cnd1", 2),
-            using="A_next y_next",
-        ),
-        says="W_c' is not 0",
-    )
-    yield Line(
-        "next-Cnd3",
-        at_next(conditions()["Cnd3"]),
-        zeta_below("next-", "next-A-positive", "next-A-below"),
-        says="ζ' < 1",
-    )
+    yield from root_lines("next-", following(), zeta_small("next-", "next-A-below"))
     yield next_condition(
         "clock-bound",
         "the time of the next collision is at most T(η₀ - (p+Y)^{n+1}η₀)/(1-p-Y)",

@@ -18,8 +18,9 @@ from verify.paper.dynamics.state import (
     eta_s,
     frame,
     inequalities,
+    root_of,
     tau,
-    tau_of,
+    time_of,
     y,
     zeta_of,
 )
@@ -45,12 +46,12 @@ CAUCHY_SCHWARZ = "cauchy-schwarz"
 PAIRS = (
     "cs-omega",
     "cs-s",
+    "cs-c",
     "cs-a",
     "cs-b",
     "cs-w",
     "cs-apart",
     "cs-impact",
-    "cs-next",
 )
 
 #: g stands for ratio^n eta_0, clock for the time; `speed` bounds the speeds in this state.
@@ -71,8 +72,8 @@ def conditions() -> dict[str, Claim]:
         "recedes": 0 < eta_s,
         "ratio-upper": eta_s <= (m + X) * y,
         "ratio-lower": (m - X) * y <= eta_s,
-        "A-positive": 0 < A,
         "Cnd3": 0 < 1 - zeta_of(frame),
+        "root-sum": 0 < 1 + root_of(frame),
         "A-upper": A <= speed**2,
         "B-upper": B <= speed**2,
         "angle-upper": C - C_0 <= Theta - total(g),
@@ -104,7 +105,7 @@ def context() -> Context:
     carried = (Given(name, claim, "carried") for name, claim in conditions().items())
     standing = (
         Given(name, claim, "standing", CAUCHY_SCHWARZ)
-        for name, claim in inequalities(frame, tau_of(frame), PAIRS).items()
+        for name, claim in inequalities(frame, time_of(frame), PAIRS).items()
     )
     letters = {**LETTERS, "g": ("(p+Y)ⁿη₀", r"(p+Y)^n\eta_0"), "clock": ("t_n", "t_n")}
     return Context(
@@ -114,5 +115,5 @@ def context() -> Context:
         point,
         numbers.CONTEXT,
         "a state just after a collision that satisfies the conditions",
-        collision_map(),
+        collision_map(time_of(frame)),
     )

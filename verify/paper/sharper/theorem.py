@@ -38,9 +38,9 @@ def sharper() -> Argument:
 
 
 def _chapters() -> Iterator[Chapter]:
-    yield Chapter(None, (Opened(numbers.context()), Opened(impact.context())))
+    spaces = (numbers.context(), plane.context(), impact.context())
+    yield Chapter(None, tuple(Opened(space) for space in spaces))
     yield Chapter(impact.CONTEXT, tuple(impact.lines()))
-    yield Chapter(numbers.CONTEXT, (Opened(plane.context(numbers.CONTEXT)),))
     yield Chapter(plane.CONTEXT, tuple(plane.lines(state.PAIRS)))
     yield Chapter(
         numbers.CONTEXT,

@@ -127,7 +127,7 @@ def _root() -> Iterator[Item]:
 
 
 def _time() -> Iterator[Item]:
-    yield from flight.time()
+    yield from flight.time(times("d-sum-positive", "Cnd1", "S-one"))
     yield Line(
         "time-product",
         A * tau <= 2 * y * zeta,

@@ -127,5 +127,5 @@ def context(parent: str, point: Mapping[str, Term]) -> Context:
         point,
         parent,
         "a state just after a collision that satisfies the conditions of the recursion",
-        collision_map(),
+        collision_map(tau_of(frame)),
     )

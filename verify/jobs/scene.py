@@ -13,6 +13,7 @@ from functools import cache
 
 from verify.jobs.arguments import write_down
 from verify.jobs.classification import decide_classification
+from verify.jobs.sharper import decide_sharper
 from verify.language.statement import (
     PROVED,
     Applies,
@@ -25,7 +26,8 @@ from verify.language.terms import Claim, Term
 from verify.paper.flow.theorem import NAME as FLOW
 from verify.paper.flow.theorem import flow
 from verify.paper.scene.assumptions import ASSUMPTIONS
-from verify.paper.scene.telling import CLASSIFICATION, Numbers, Telling
+from verify.paper.scene.telling import CLASSIFICATION, SHARPER, START, Numbers, Telling
+from verify.paper.sharper.numbers import context as start_context
 from verify.prover import balls
 from verify.prover.decimals import enclosing_decimals, round_decimal
 from verify.prover.flow import COLLIDE, DRIFT, parts
@@ -47,9 +49,10 @@ def decide_flow() -> Outcome:
 
 
 @cache
-def flow_contexts() -> dict[str, Context]:
+def contexts() -> dict[str, Context]:
     """The contexts that a scene applies, by the names by which it cites them."""
-    return {f"{FLOW}:{context.name}": context for context in flow().statement.contexts}
+    found = {f"{FLOW}:{context.name}": context for context in flow().statement.contexts}
+    return found | {START: start_context()}
 
 
 def tell(found: Found) -> Telling:
@@ -143,6 +146,8 @@ def cites(found: Found) -> list[Cite]:
     outcomes = {FLOW: decide_flow}
     if found.verdict == FINITE:
         outcomes[CLASSIFICATION] = decide_classification
+    if found.verdict == COLLAPSES:
+        outcomes[SHARPER] = decide_sharper
     return [_cite(name, decide()) for name, decide in outcomes.items()]
 
 
@@ -153,7 +158,7 @@ def _cite(name: str, outcome: Outcome) -> Cite:
 
 def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:
     if isinstance(row.claim, Applies):
-        context = flow_contexts()[row.claim.context]
+        context = contexts()[row.claim.context]
         return Applying(
             tuple(_premise(given.claim, row.claim.at, bits) for given in context.givens)
         )

@@ -240,3 +240,8 @@ def as_float(value: Any) -> float:
 def loosened(ball: arb) -> arb:
     """A ball with the same midpoint and a much larger radius, if it has one at all."""
     return ball + ball.rad() * arb(0, 1 << 12)
+
+
+def is_same(a: Any, b: Any) -> bool:
+    """Whether two numbers are rational, and equal."""
+    return type(a) is fmpq and type(b) is fmpq and bool(a == b)

@@ -67,6 +67,8 @@ def collapse(r: Fraction, state: State, time: Number) -> Collapse | None:
     if not state.lam > 0 or not may_collapse(float(r), balls.as_float(state.C)):
         return None
     start = start_of(state)
+    if not (start.A > 0 and start.B > 0 and start.y > 0):
+        return None
     numbers = search(r, start)
     if numbers is None or not holds(numbers, start):
         return None

@@ -10,6 +10,7 @@ from verify.prover import balls
 from verify.prover.flow import Flow, UnclearError
 from verify.prover.flow_collapse import Collapse, collapse
 from verify.prover.flow_criteria import Criterion, finitely_many
+from verify.prover.flow_line import Line, follow_line
 
 COLLAPSES, DISPERSES, FINITE, UNDECIDED = "collapses", "disperses", "finite", "undecided"
 FIRST_BITS, MAX_BITS = 128, 4096
@@ -33,6 +34,12 @@ class Found(Record):
     flow: Flow
     collapse: Collapse | None = None
     criterion: Criterion | None = None
+    line: Line | None = None
+
+    @property
+    def collisions(self) -> int:
+        """How many collisions are certain."""
+        return len(self.flow.collisions) if self.line is None else self.line.collisions
 
 
 def decide(scene: Scene, budget: Budget = Budget()) -> Found:  # noqa: B008
@@ -41,9 +48,32 @@ def decide(scene: Scene, budget: Budget = Budget()) -> Found:  # noqa: B008
     while True:
         found = at_precision(scene, budget, bits)
         spent = len(found.flow.collisions) >= budget.collisions or bits >= budget.max_bits
-        if spent or not (found.verdict == UNDECIDED or (found.collapse and found.reason)):
+        if not (found.verdict == UNDECIDED or (found.collapse and found.reason)):
             return found
+        if spent:
+            return on_a_line(found, budget)
         bits *= 2
+
+
+def on_a_line(found: Found, budget: Budget) -> Found:
+    """More about spheres on a line, where the flow itself has become unclear."""
+    if found.verdict != UNDECIDED:
+        return found
+    with balls.precision(found.flow.bits):
+        line = follow_line(found.flow, budget.collisions)
+        criterion = finitely_many(found.flow)
+    if line is None:
+        return found
+    if line.repeats:
+        reason = "on this line collisions go on for ever, with one and the same ratio of speeds"
+        return found._replace(reason=reason)
+    if line.collisions <= found.collisions:
+        return found
+    if line.ends:
+        return Found(DISPERSES, "no pair meets any more", found.flow, line=line)
+    reason = f"budget: {budget.collisions} collisions were followed"
+    verdict = UNDECIDED if criterion is None else FINITE
+    return Found(verdict, reason, found.flow, None, criterion, line)
 
 
 def at_precision(scene: Scene, budget: Budget, bits: int) -> Found:

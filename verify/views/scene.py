@@ -59,7 +59,7 @@ def scene_document(found: Found) -> dict[str, Any]:
         "verdict": found.verdict,
         "reason": reason(found),
         "central": central(found),
-        "collisions": len(found.flow.collisions),
+        "collisions": found.collisions,
         "pairs": pairs_of(found),
         "time": None if time is None else outward(time),
         "neg_cos_theta": None if end is None else outward(end.angle),
@@ -77,7 +77,7 @@ def reason(found: Found) -> str:
 
 def scene_lines(found: Found) -> Iterator[str]:
     """The verdict for a reader."""
-    count = len(found.flow.collisions)
+    count = found.collisions
     after = f"after {count} collision{'' if count == 1 else 's'}"
     time, end = time_ends(found), found.collapse
     if end is not None and time is not None and found.flow.now is not None:

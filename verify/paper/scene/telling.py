@@ -39,6 +39,7 @@ from verify.paper.scene.scene import PAIRS, Coordinates, Frame, Scene, pair_name
 LABEL = "EQUATSS2.1_Loi_de_Newton_"
 #: The theorems that are cited besides the flow.
 SHARPER, CLASSIFICATION = "sharper", "classification"
+START = f"{SHARPER}:start"
 #: The name of the constant for the time of a move.
 TIME = "time"
 r = symbol("r")
@@ -232,7 +233,7 @@ class Telling:
             f"from here on {pair_name(o, c)} and {pair_name(o, s)} collide in turn for ever, in "
             "finite time"
         )
-        self.row("collapse", says, Applies(f"{SHARPER}:start", at), "scene", "scene-collapses")
+        self.row("collapse", says, Applies(START, at), "scene", "scene-collapses")
         (low, high), (least, most) = found.time, found.angle
         later = value["T"] * value["eta_0"] / (1 - value["p"] - value["Y"])
         self.row("time-from", "the collapse is not before", as_term(low) <= self.time)

@@ -1,0 +1,80 @@
+"""A second opinion on scenes: the laws of the dynamics in vectors, with 400 digits, no enclosures.
+
+It has nothing in common with the flow that it judges: centres and velocities themselves, and the
+smallest root of each pair's quadratic equation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import mpmath
+
+from verify.paper.scene.scene import Scene
+
+DIGITS = 400
+PAIRS = ((0, 1), (0, 2), (1, 2))
+
+
+class Collision(NamedTuple):
+    """A pair, the time, and the centres then."""
+
+    pair: str
+    time: Any
+    positions: list[list[Any]]
+
+
+def simulate(scene: Scene, most: int) -> list[Collision]:
+    """The collisions, at most so many."""
+    with mpmath.workdps(DIGITS):
+        number = mpmath.mpf
+        x = [[number(a.numerator) / a.denominator for a in row] for row in scene.positions]
+        v = [[number(a.numerator) / a.denominator for a in row] for row in scene.velocities]
+        r = number(scene.r.numerator) / scene.r.denominator
+        found: list[Collision] = []
+        time, last = number(0), None
+        while len(found) < most:
+            meetings = [
+                (t, pair) for pair in PAIRS if (t := _meeting(x, v, pair, last)) is not None
+            ]
+            if not meetings:
+                break
+            t, (i, j) = min(meetings)
+            x = [[a + t * b for a, b in zip(p, w, strict=True)] for p, w in zip(x, v, strict=True)]
+            e, w = _minus(x[j], x[i]), _minus(v[j], v[i])
+            push = (1 + r) / 2 * _dot(e, w) / _dot(e, e)
+            v[i] = [a + push * b for a, b in zip(v[i], e, strict=True)]
+            v[j] = [a - push * b for a, b in zip(v[j], e, strict=True)]
+            time, last = time + t, (i, j)
+            found.append(Collision(f"{i}{j}", time, x))
+        return found
+
+
+def neg_cos(collision: Collision, central: int) -> Any:
+    """-cos of the angle at the central particle, at a collision."""
+    with mpmath.workdps(DIGITS):
+        i, j = (k for k in range(3) if k != central)
+        x = collision.positions
+        a, b = _minus(x[i], x[central]), _minus(x[j], x[central])
+        return -_dot(a, b) / mpmath.sqrt(_dot(a, a) * _dot(b, b))
+
+
+def _meeting(
+    x: list[list[Any]], v: list[list[Any]], pair: tuple[int, int], last: object
+) -> Any | None:
+    """The time until a pair is in contact; None if it does not meet."""
+    i, j = pair
+    e, w = _minus(x[j], x[i]), _minus(v[j], v[i])
+    a, b, c = _dot(w, w), _dot(e, w), _dot(e, e) - 1
+    if pair == last or b >= 0 or b * b < a * c:
+        return None
+    return c / (-b + mpmath.sqrt(b * b - a * c))
+
+
+def _minus(x: Sequence[Any], z: Sequence[Any]) -> list[Any]:
+    return [a - b for a, b in zip(x, z, strict=True)]
+
+
+def _dot(x: Sequence[Any], z: Sequence[Any]) -> Any:
+    return sum(a * b for a, b in zip(x, z, strict=True))

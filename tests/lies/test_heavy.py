@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import os
 import resource
 import subprocess
 import sys
-from collections.abc import Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future
 from pathlib import Path
 
 import pytest
@@ -48,23 +46,9 @@ def answer(name: str, folder: Path) -> Answer:
     )
 
 
-@pytest.fixture(scope="module")
-def answers(
-    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
-) -> Iterator[dict[str, Future[Answer]]]:
-    """The answers to all files that are asked for: as many at a time as there are processors."""
-    folder = tmp_path_factory.mktemp("heavy")
-    items = [item for item in request.session.items if isinstance(item, pytest.Function)]
-    chosen = [item.callspec.params.get("name") for item in items if hasattr(item, "callspec")]
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        names = [name for name in HEAVY if name in chosen]
-        yield {name: pool.submit(answer, name, folder / name) for name in names}
-        pool.shutdown(cancel_futures=True)
-
-
 @pytest.mark.parametrize("name", HEAVY)
-def test_heavy(name: str, answers: dict[str, Future[Answer]]) -> None:
-    done = answers[name].result()
+def test_heavy(name: str, heavy_answers: dict[str, Future[Answer]]) -> None:
+    done = heavy_answers[name].result()
     last = done.stdout.splitlines()[-1:]
     assert done.stderr == ""
     assert last

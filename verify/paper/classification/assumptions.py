@@ -99,15 +99,16 @@ GLUE = (
         "glue-run",
         EXISTENCE,
         "3. By run-always a run of k collisions has s_1, …, s_{k-1} > 0, so that k is at most the "
-        "least n ≥ 1 with s_n ≤ 0. This number is attained, with a = (1+r)/2, on a line, ball 0 in "
-        "the middle: there flight keeps ρ, -cos θ = 1, and free-i makes the recursion an equation; "
-        "line-solution and line-positive solve it, and balls on a line that approach do meet. In a "
-        "collapse as in glue-classification let -cos θ converge to a limit below 4√r/(1+r). Then "
-        "(1+r)/2 (-cos θ_n) ≤ a from some n on, for some a < 2√r, by angle-small; by "
-        "next-recursion and closing u_{n+2} ≤ a u_{n+1} - r u_n, by ratio-law, ratio-falls and "
-        "fall-positive the ratio of closing speeds falls by a fixed amount each time, and after "
-        "finitely many it is not positive: a contradiction. By bound-above-one there is no such "
-        "limit at all for r > 7-4√3.",
+        "least n ≥ 1 with s_n ≤ 0. This number is attained, with a = (1+r)/2, on a line, ball 0 "
+        "in the middle: there flight keeps ρ, -cos θ = 1, and free-i makes the recursion an "
+        "equation; line-solution and line-positive solve it, and balls on a line that approach do "
+        "meet; for r ≤ 7-4√3 it is infinite, by below-real and comparison-endless. In a collapse "
+        "as in glue-classification let -cos θ converge to a limit below 4√r/(1+r). Then (1+r)/2 "
+        "(-cos θ_n) ≤ a from some n on, for some a < 2√r, by angle-small; by next-recursion and "
+        "closing u_{n+2} ≤ a u_{n+1} - r u_n, by ratio-law, ratio-falls and fall-positive the "
+        "ratio of closing speeds falls by a fixed amount each time, and after finitely many it is "
+        "not positive: a contradiction. By bound-above-one there is no such limit at all for r > "
+        "7-4√3.",
         "numbered glue",
     ),
     Assumption(
@@ -145,16 +146,16 @@ GLUE = (
         "glue-scenes",
         COLLAPSE,
         "6. Diameter 1, three equal masses 1. (i) If each pair satisfies scene-away or scene-miss "
-        "there is no further collision. (ii) For r > 7-4√3, that is above-square, theorems II and "
-        "IV leave finitely many collisions or a triple contact. (iii) If A ≥ 0 and R² ≥ 2, then R² "
-        "grows from then on, by scene-outward and virial-rises, but R² ≤ 2 at a collapse, by "
-        "spread-law and spread-at-collapse: there is none, and A > 0 excludes infinitely many "
-        "collisions by glue-endless. (iv) R² is convex, as A never falls; so R² ≤ ρ² = "
-        "max(R(0)², 2) up to a collapse at a time T, e² ≥ L²/ρ² by spin-energy and glue-impulse, "
-        "and by induction with late-slope-next and late-square-next the givens of deadline hold: "
-        "scene-radicand and scene-deadline. (v) By flight-tangent, flight-normal, free-i and "
-        "free-j a pair with ρ ≥ 0 cannot meet before a collision of one of its balls with the "
-        "third at which the angle there is obtuse.",
+        "there is no further collision. (ii) r² - 14r + 1 < 0 means r > 7-4√3, by above-square "
+        "and below-square: theorems II and IV leave finitely many collisions or a triple contact. "
+        "(iii) If A ≥ 0 and R² ≥ 2, then R² grows from then on, by scene-outward and "
+        "virial-rises, but R² ≤ 2 at a collapse, by spread-law and spread-at-collapse: there is "
+        "none, and A > 0 excludes infinitely many collisions by glue-endless. (iv) R² is convex, "
+        "as A never falls; so R² ≤ ρ² = max(R(0)², 2) up to a collapse at a time T, e² ≥ L²/ρ² by "
+        "spin-energy and glue-impulse, and by induction with late-slope-next and late-square-next "
+        "the givens of deadline hold: scene-radicand and scene-deadline. (v) By flight-tangent, "
+        "flight-normal, free-i and free-j a pair with ρ ≥ 0 cannot meet before a collision of one "
+        "of its balls with the third at which the angle there is obtuse.",
         "numbered glue",
     ),
 )

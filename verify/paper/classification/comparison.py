@@ -132,6 +132,7 @@ def _values() -> Iterator[Chapter]:
     yield Chapter(None, (bound, Opened(high), Opened(low)))
     yield Chapter(above.context, tuple(_above()))
     root = sqrt(below.r)
+    apart = times("below-high", plus("below-high", times(8, "root-three")))
     size = plus(1, "below-low")
     yield Chapter(
         below.context,
@@ -139,11 +140,25 @@ def _values() -> Iterator[Chapter]:
             Line("below-size", 0 < 1 + below.r, proof(size)),
             Line("below-root", 0 < root, ByRoot()),
             Line(
+                "below-square",
+                0 <= below.r**2 - 14 * below.r + 1,
+                proof(apart),
+                TEXT,
+                "r² - 14r + 1 ≥ 0 for r in ]0, 7-4√3], so that its sign decides",
+            ),
+            Line(
+                "below-real",
+                4 * below.r <= ((1 + below.r) / 2) ** 2,
+                proof(times(Fraction(1, 4), "below-square")),
+                TEXT,
+                "a² ≥ 4r for a = (1+r)/2 and these r",
+            ),
+            Line(
                 "bound-below-one",
                 4 * root / (1 + below.r) <= 1,
                 scaled(
                     times("goal", plus("goal", times(2, size))),
-                    times("below-high", plus("below-high", times(8, "root-three"))),
+                    apart,
                 ),
                 TEXT,
                 "for r ≤ 7-4√3 the bound 4√r/(1+r) excludes nothing on a line",
@@ -213,7 +228,7 @@ def _endless() -> Iterator[Chapter]:
         Always(k.context, start, after),
         ByInduction(names, ("next-high", "next-grows")),
         TEXT,
-        "if a² ≥ 4r, then s_n > 0 for every n ≥ 1: the comparison sequence never ends a run",
+        "if a² ≥ 4r, then s_n > 0 for every n ≥ 1: the comparison sequence ends no run",
     )
     yield Chapter(k_0.context, (always,))
 

@@ -136,7 +136,8 @@ def _ratio() -> Iterator[Item]:
 def _total() -> Iterator[Chapter]:
     context = g.opened(
         "a system after some collisions: P is R(0) plus the integral of e, I the integral of e²; "
-        "then a flight of length t, and a collision with σJ > 0 after which e' ≤ e",
+        "then a flight of length t, and a collision, or several of disjoint pairs at one time, "
+        "with σJ > 0 in all, after which e' ≤ e",
         f"1 1 0 1 0 0 1 0 {Fraction(3, 4)} {Fraction(5, 4)} 1 1",
         {
             "R": 0 < g.R,

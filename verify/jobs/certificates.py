@@ -8,6 +8,7 @@ from fractions import Fraction
 from verify.jobs import (
     classification,
     everywhere,
+    sharper,
     spectrum,
     step,
     step_printed,
@@ -70,3 +71,4 @@ def all_folders() -> Iterator[tuple[str, Outcome]]:
     yield "thresholds", thresholds.decide_thresholds()
     yield "spectrum", spectrum.decide_spectrum()
     yield "classification", classification.decide_classification()
+    yield "sharper", sharper.decide_sharper()

@@ -14,6 +14,7 @@ from verify.jobs import (
     box,
     classification,
     everywhere,
+    sharper,
     spectrum,
     step,
     step_printed,
@@ -60,6 +61,7 @@ def _outcomes(parameters: Mapping[str, Term]) -> Iterator[Outcome]:
         yield everywhere.decide_everywhere()
         yield thresholds.decide_thresholds()
         yield classification.decide_classification()
+        yield sharper.decide_sharper()
     elif box.are_ends(parameters):
         yield box.decide_box(*box.read_box(parameters))
     elif are_allowed(parameters):

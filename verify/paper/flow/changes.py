@@ -7,11 +7,11 @@ from fractions import Fraction
 
 from verify.language.terms import Claim, Term, equal, symbol
 from verify.paper.argument import Chapter, Item, Line, Opened, identity, proof
+from verify.paper.dynamics.vectors import Combination, scale
 from verify.paper.flow.frame import BASIS, Frame, W_c, W_s, minus, moved, x_c, x_s
 from verify.paper.flow.law import Number, State, drifted, inner, outer, recentred
 from verify.paper.flow.pairs import FREE, bernstein, between
 from verify.paper.flow.spaces import space, state_of
-from verify.paper.step.vectors import Combination, scale
 
 RECENTRE, DRIFT, DRIFTING = "recentre", "drift", "drifting"
 Point = dict[str, int | Fraction | Term]

@@ -23,11 +23,11 @@ from verify.paper.argument import (
     square,
     times,
 )
+from verify.paper.dynamics.vectors import add, scale
 from verify.paper.flow.frame import BASIS, Frame, W_c, W_s, minus, moved, x_c, x_s
 from verify.paper.flow.law import Flight, Number, State, collided, flight, outer
 from verify.paper.flow.pairs import FREE, bernstein, between
 from verify.paper.flow.spaces import space, state_of
-from verify.paper.step.vectors import add, scale
 
 CONTEXT, DURING, AFTER = "collision", "during", "after"
 LAW = "EQUATSS2.1VitesPost-Colli"

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from verify.language.terms import Term, as_term
+from verify.paper.dynamics.vectors import Combination, add, scale
 from verify.paper.flow.law import Number, State
-from verify.paper.step.vectors import Combination, add, scale
 
 BASIS = ("x_s", "W_s", "x_c", "W_c")
 

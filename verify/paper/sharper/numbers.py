@@ -148,4 +148,4 @@ def context() -> Context:
 
 
 def _at_start(letter: str, tex: str) -> tuple[str, str]:
-    return f"{letter} at n = 0", f"({tex})_0"
+    return f"({letter})₀", f"({tex})_0"

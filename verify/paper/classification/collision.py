@@ -123,10 +123,9 @@ def context() -> Context:
 
 
 def chapters() -> Iterator[Chapter]:
-    """The law, the two balls with a free one, and the sums over all balls."""
+    """The law, the two balls with a free one, the sums over all balls, and equal masses."""
     yield Chapter(None, (Opened(context()),))
     yield Chapter(CONTEXT, (*_law(), *_free(), *_sums()))
-    yield from _acute()
     yield from _equal()
 
 
@@ -266,27 +265,6 @@ def _spin(first: Vector, second: Vector) -> Term:
         for mass, x, velocity in ((n.m_i, x_i, first), (n.m_j, x_j, second))
     ]
     return parts[0] + parts[1]
-
-
-a = Letters("acute", J="J", m="m", cosine="e_ab·e_ak", rho="ρ_ab")
-
-
-def _acute() -> Iterator[Chapter]:
-    """Where the angle at the ball that is hit is at most a right one."""
-    context = a.opened(
-        "a ball a collides with k, with the impulse J; e_ab and e_ak make at most a right angle",
-        "1 1 0 0",
-        {"impulse": 0 < a.J, "mass": 0 < a.m, "angle": 0 <= a.cosine},
-    )
-    yield Chapter(None, (Opened(context),))
-    line = Line(
-        "acute-keeps",
-        a.rho <= a.rho + a.J / a.m * a.cosine,
-        proof(times("acute-impulse", "acute-angle")),
-        PARTS,
-        "a collision of a with k at which the angle at a is at most a right one lowers ρ_ab never",
-    )
-    yield Chapter(a.context, (line,))
 
 
 same = Letters("equal", m="m", rho="ρ", r="r")

@@ -8,6 +8,7 @@ from functools import cache
 from verify.language.statement import Obligation
 from verify.paper.argument import Argument, Chapter, Line, argue
 from verify.paper.classification import (
+    angle,
     collision,
     comparison,
     endless,
@@ -32,6 +33,7 @@ CONE = "the cone of the text"
 SECTIONS = {
     "lemma: flight": flight,
     "lemma: collision": collision,
+    "lemma: the angle": angle,
     "I: no triangular collapse": triangle,
     "II: the recursion of closing speeds": comparison,
     "II: runs of collisions": run,

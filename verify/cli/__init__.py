@@ -11,7 +11,7 @@ from importlib import import_module
 from io import TextIOWrapper
 
 from verify import __version__
-from verify.cli.files import OwnError
+from verify.cli.errors import OwnError
 from verify.cli.options import Parser
 from verify.jobs.inputs import InputError, shown
 

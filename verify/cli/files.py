@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from errno import EISDIR
 
+from verify.cli.errors import OwnError, UnreadError
 from verify.jobs.inputs import InputError, shown
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED
@@ -22,14 +23,6 @@ CHECKER_DIGITS = 4300
 
 #: Only numbers with this many digits can be more work than the checker is willing to do.
 LONG_NUMBER = 300
-
-
-class OwnError(RuntimeError):
-    """What this program made is not accepted by its own checker."""
-
-
-class UnreadError(OwnError):
-    """The checker does not get to the end of a file: it is too large, or too much work."""
 
 
 def test_folder(option: str, directory: str | None, *names: str) -> None:

@@ -13,7 +13,7 @@ from types import SimpleNamespace
 from verify.jobs.inputs import InputError, shown
 
 #: What follows an option as its value although it starts with a minus sign.
-_NEGATIVE = re.compile(r"-([0-9.]|pi|inf|nan)")
+_NEGATIVE = r"-([0-9.]|pi|inf|nan)"
 
 #: The column in which the help of an option starts.
 _COLUMN = 24
@@ -127,7 +127,7 @@ class Parser:
             raise InputError(f"{shown(name)} is given more than once; write it once")
 
     def _value(self, name: str, waiting: list[str]) -> str:
-        if not waiting or (waiting[-1].startswith("-") and not _NEGATIVE.match(waiting[-1])):
+        if not waiting or (waiting[-1].startswith("-") and not re.match(_NEGATIVE, waiting[-1])):
             raise self._error(f"{name}: its value is missing")
         return waiting.pop()
 

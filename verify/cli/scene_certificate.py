@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import sys
 
-from verify.cli.files import OwnError, write_certificate
+from verify.cli.errors import OwnError
+from verify.cli.files import write_certificate
 from verify.jobs.scene import outcome_of
 from verify.prover.program import UndefinedError
 from verify.prover.scene import UNDECIDED, Found

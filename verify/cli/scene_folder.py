@@ -10,7 +10,8 @@ from functools import partial
 from hashlib import sha256
 from typing import Any
 
-from verify.cli.files import OwnError, print_document, read_bytes, write_all
+from verify.cli.errors import OwnError
+from verify.cli.files import print_document, read_bytes, write_all
 from verify.cli.options import Options
 from verify.cli.scene_certificate import write_scene
 from verify.jobs.inputs import InputError, shown

@@ -6,7 +6,6 @@ import sys
 from collections.abc import Callable
 from fractions import Fraction
 
-from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser, field
 from verify.jobs.inputs import InputError, angle, integer, rational, shown
 from verify.jobs.theorem1 import decide_point
@@ -109,33 +108,53 @@ def run(options: Options) -> int:
         return _scan(options)
     if ".." in f"{options.r} {options.neg_cos}":
         return _box(options)
+    return _point(options)
+
+
+def _point(options: Options) -> int:
+    """Decide Theorem 1 at a point; print, write, return the exit code."""
     parameters = read_parameters(options)
     if options.constants not in SELECTIONS:
         raise InputError(
             f"--constants: {shown(options.constants)} is unknown; write printed, repaired or all"
         )
+    bits, last = _precisions(options)
+    if options.out is not None:
+        from verify.cli.files import test_folder  # loaded only where it is used
+
+        test_folder("--out", options.out, "statement.json", "certificate.json")
+    more = options.out or options.json or options.verbose or options.rows
+    outcome = decide_point(parameters, options.constants, bits, last, all_sides=bool(more))
+    if options.out is not None:
+        from verify.cli.files import write_certificate
+
+        write_certificate("--out", options.out, outcome)
+    if options.json:
+        _print_document(outcome, bits)
+        return outcome.exit_code
+    text = report_lines(outcome) if options.verbose else screen(outcome)
+    if options.rows is not None:
+        text = iter(_some_rows(outcome, options.rows))
+    sys.stdout.write("".join(f"{line}\n" for line in text))
+    return outcome.exit_code
+
+
+def _precisions(options: Options) -> tuple[int, int]:
     bits = integer("--precision", options.precision, 2, MAX_PRECISION)
     last = integer("--max-precision", options.max_precision, 2, MAX_PRECISION)
     if last < bits:
         raise InputError(
             f"--max-precision: {last} is below --precision {bits}; write at least {bits}"
         )
-    test_folder("--out", options.out, "statement.json", "certificate.json")
-    more = options.out or options.json or options.verbose or options.rows
-    outcome = decide_point(parameters, options.constants, bits, last, all_sides=bool(more))
-    if options.out is not None:
-        write_certificate("--out", options.out, outcome)
-    if options.json:
-        from verify.views.document import document  # loaded only where they are used
-        from verify.views.sharper import sharpened
+    return bits, last
 
-        print_document(document(sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome))
-    else:
-        text = report_lines(outcome) if options.verbose else screen(outcome)
-        if options.rows is not None:
-            text = iter(_some_rows(outcome, options.rows))
-        sys.stdout.write("".join(f"{line}\n" for line in text))
-    return outcome.exit_code
+
+def _print_document(outcome: Outcome, bits: int) -> None:
+    from verify.cli.files import print_document  # loaded only where they are used
+    from verify.views.document import document
+    from verify.views.sharper import sharpened
+
+    print_document(document(sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome))
 
 
 def _some_rows(outcome: Outcome, name: str) -> list[str]:
@@ -158,6 +177,8 @@ def _leave_out(options: Options, command: str, names: tuple[str, ...]) -> None:
 
 def _everywhere(options: Options) -> int:
     """Prove Theorem 1 for all parameters; print, write, return the exit code."""
+    from verify.cli.files import print_document, test_folder, write_certificate
+
     _leave_out(options, "--all", (*POINT_OPTIONS, "r", "neg_cos", "V0", "delta_theta", "steps"))
     if options.constants not in SELECTIONS:
         raise InputError(
@@ -187,6 +208,8 @@ def _everywhere(options: Options) -> int:
 
 def _box(options: Options) -> int:
     """Prove Theorem 1 at all points of a box; print, write, return the exit code."""
+    from verify.cli.files import print_document, test_folder, write_certificate
+
     _leave_out(options, "A..B", (*POINT_OPTIONS, "constants"))
     sides = _side("--r", options.r, _restitution), _side("--neg-cos", options.neg_cos, _neg_cos)
     v_0, delta_theta = (

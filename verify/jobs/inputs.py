@@ -16,9 +16,9 @@ MAX_EXPONENT = 4000
 #: Numerators and denominators are smaller than 10^4200, so that any reader of JSON can read them.
 MAX_DIGITS = 4200
 
-_RATIONAL = re.compile(r"([+-]?[0-9]+)/([0-9]+)")
-_DECIMAL = re.compile(r"([+-]?)([0-9]*)\.?([0-9]*)(?:[eE]([+-]?[0-9]+))?")
-_PI = re.compile(r"(?:([0-9]+)\*)?pi(?:/([0-9]+))?")
+_RATIONAL = r"([+-]?[0-9]+)/([0-9]+)"
+_DECIMAL = r"([+-]?)([0-9]*)\.?([0-9]*)(?:[eE]([+-]?[0-9]+))?"
+_PI = r"(?:([0-9]+)\*)?pi(?:/([0-9]+))?"
 
 
 class InputError(ValueError):
@@ -32,13 +32,13 @@ def rational(option: str, text: str) -> Fraction:
         InputError: for anything else, naming the option.
     """
     _check_length(option, text)
-    match = _RATIONAL.fullmatch(text)
+    match = re.fullmatch(_RATIONAL, text)
     if match:
         denominator = int(match[2])
         if denominator == 0:
             raise InputError(f"{option}: {shown(text)} divides by zero; write p/q with q > 0")
         return Fraction(int(match[1]), denominator)
-    match = _DECIMAL.fullmatch(text)
+    match = re.fullmatch(_DECIMAL, text)
     if not match or not (match[2] or match[3]):
         raise InputError(
             f"{option}: {shown(text)} is not an exact number; write it like 0.03, 3/100 or 3e-2"
@@ -69,7 +69,7 @@ def angle(option: str, text: str) -> Term:
         InputError: for another form, or an angle outside the interval.
     """
     _check_length(option, text)
-    match = _PI.fullmatch(text)
+    match = re.fullmatch(_PI, text)
     if match:
         turns = Fraction(int(match[1] or 1), 1) / _positive(option, text, int(match[2] or 1))
         if not Fraction(1, 2) < turns <= 1:

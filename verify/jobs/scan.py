@@ -31,8 +31,9 @@ from verify.prover import balls
 from verify.prover.choose import Chooser, OpenChoiceError, entries_of
 from verify.prover.outcome import Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Proof
+from verify.prover.relations import FAILS, HOLDS, OPEN
 from verify.prover.rules import Interval, Sum
-from verify.prover.straight import FAILS, HOLDS, OPEN, StraightLine
+from verify.prover.straight import StraightLine
 
 #: The precision at which the points are computed, as in a single run.
 BITS = 192

@@ -23,7 +23,6 @@ from verify.prover.choose import BudgetError, choose
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Ground
 from verify.prover.outcome import Decision, Outcome, conjunction
 from verify.prover.session import Session
-from verify.prover.straight import StraightLine
 
 
 class PointRun:
@@ -143,6 +142,8 @@ def constants_enclosure(bits: int) -> Callable[[Mapping[str, Fraction]], dict[st
     The program is compiled once, here. The function takes the values of r, c, V_0 and delta_theta
     and returns a ball for each constant that exists there.
     """
+    from verify.prover.straight import StraightLine  # loaded only where it is used
+
     names = theorem().parameters
     constants = (*theorem().common, *theorem().parts[PRINTED].bounds)
     code = StraightLine(names)

@@ -37,7 +37,7 @@ class Term:
     op: str
     args: tuple[Any, ...]
     #: The arguments that are terms themselves.
-    children: tuple[Term, ...]
+    children: tuple[Any, ...]
 
     def __new__(cls, op: str, *args: Term | Fraction | int | str) -> Term:
         """The one term that is written like this: terms that are equal are the same object."""

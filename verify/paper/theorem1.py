@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from functools import cache
 
-from verify.language.record import Record
-from verify.language.statement import Assumption, Change, Choice, Constant, Obligation
+from verify.language.record import TYPE_CHECKING, Record
+from verify.language.statement import Assumption, Choice, Constant, Obligation
 from verify.paper import conclusion, initial_data, initialization, preliminary_rows, recursion
 from verify.paper.assumptions import ASSUMPTIONS
-from verify.paper.causes import CAUSES, Cause
-from verify.paper.changes import CHANGES
 from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.hypotheses import hypotheses
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import PARAMETERS, THEOREM
 from verify.paper.preliminaries import CONSTANTS
-from verify.paper.remarks import REMARKS, Remark
+
+if TYPE_CHECKING:
+    from verify.language.statement import Change
+    from verify.paper.causes import Cause
+    from verify.paper.remarks import Remark
 
 
 class Part(Record):
@@ -42,9 +44,27 @@ class Theorem(Record):
     common: tuple[Constant, ...]
     parts: dict[str, Part]
     assumptions: tuple[Assumption, ...]
-    changes: tuple[Change, ...]
-    causes: tuple[Cause, ...]
-    remarks: tuple[Remark, ...]
+
+    @property
+    def changes(self) -> tuple[Change, ...]:
+        """What the repaired set changes."""
+        from verify.paper.changes import CHANGES  # texts are loaded where they are shown
+
+        return CHANGES
+
+    @property
+    def causes(self) -> tuple[Cause, ...]:
+        """Why rows of the printed set are refuted."""
+        from verify.paper.causes import CAUSES
+
+        return CAUSES
+
+    @property
+    def remarks(self) -> tuple[Remark, ...]:
+        """Remarks on the text, where no inequality decides."""
+        from verify.paper.remarks import REMARKS
+
+        return REMARKS
 
 
 @cache
@@ -56,4 +76,4 @@ def theorem() -> Theorem:
         k = ConstantSet(group)
         rows = tuple(row for section in sections for row in section.rows(k))
         parts[group] = Part(group, tuple(k.constants()), rows)
-    return Theorem(THEOREM, PARAMETERS, CONSTANTS, parts, ASSUMPTIONS, CHANGES, CAUSES, REMARKS)
+    return Theorem(THEOREM, PARAMETERS, CONSTANTS, parts, ASSUMPTIONS)

@@ -12,8 +12,7 @@ from verify.language.terms import Claim, Term, as_term
 from verify.prover import balls
 from verify.prover.decimals import round_decimal
 from verify.prover.ground import Ground
-from verify.prover.relations import holds
-from verify.prover.straight import FAILS, HOLDS, OPEN
+from verify.prover.relations import FAILS, HOLDS, OPEN, holds
 
 if TYPE_CHECKING:
     from typing import Any

@@ -10,6 +10,9 @@ from verify.language.terms import Claim
 if TYPE_CHECKING:
     from typing import Any
 
+#: What a claim comes to, in compiled code: the claim is certified, its negation is, or neither.
+HOLDS, FAILS, OPEN = 1, 2, 0
+
 
 class Meaning(Record):
     """When a relation holds, and when it fails, between two values of an ordered type.

@@ -19,9 +19,6 @@ if TYPE_CHECKING:
 _INFIX = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 _METHODS = {"sqrt": "sqrt", "min": "min", "max": "max"}
 
-#: What a claim comes to, in the code of a row: the claim is certified, its negation is, or neither.
-HOLDS, FAILS, OPEN = 1, 2, 0
-
 _VERDICTS = {
     "<": "1 if {a} < {b} else 2 if {b} <= {a} else 0",
     "<=": "1 if {a} <= {b} else 2 if {b} < {a} else 0",

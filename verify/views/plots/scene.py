@@ -1,0 +1,180 @@
+"""A drawing of a scene as one SVG file: spheres to scale, a zoom, and how the end comes near."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from html import escape
+
+from verify.prover import balls
+from verify.prover.flow_collapse import start_of
+from verify.prover.scene import Found
+from verify.views.plots.drawing import SCHEMES
+from verify.views.plots.scene_path import Leg, legs, places_at
+from verify.views.scene import scene_lines, time_ends
+
+SIZE, MARGIN, TOP = 420, 46, 92
+COLOURS = ("series-1", "series-2", "series-3")
+#: How far the drawing goes on after the last collision, as a share of the time before it.
+AFTER = 0.4
+
+Box = tuple[float, float, float, float]
+Place = Callable[[float, float], tuple[float, float]]
+
+
+def scene_svg(found: Found) -> str:
+    """The file."""
+    path = legs(found)
+    end = end_time(found, path)
+    width = 3 * SIZE + 4 * MARGIN
+    height = SIZE + TOP + MARGIN
+    size = f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="13"'
+    parts = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" {size}>',
+        _style(),
+        f'<rect class="paper" width="{width}" height="{height}"/>',
+        *_heading(found),
+    ]
+    panels = (_trajectories(path, end), _zoom(path, end), approach(found))
+    titles = ("centre-of-mass frame, to scale", "zoom on the contacts", "how the end comes near")
+    for k, (panel, title) in enumerate(zip(panels, titles, strict=True)):
+        left = MARGIN + k * (SIZE + MARGIN)
+        parts.append(f'<g transform="translate({left} {TOP})">')
+        parts.append(label(0, -8, title))
+        parts.append(f'<svg width="{SIZE}" height="{SIZE}" overflow="hidden">')
+        parts += [*panel, "</svg></g>"]
+    return "\n".join([*parts, "</svg>", ""])
+
+
+def end_time(found: Found, path: Sequence[Leg]) -> float:
+    """Until when it is drawn: the collapse, or some time after the last collision."""
+    ends = time_ends(found)
+    if ends is not None:
+        return float(ends[1])
+    return path[-1].time + (AFTER * path[-1].time or 1.0)
+
+
+def _style() -> str:
+    rules = []
+    for scheme, colours in SCHEMES.items():
+        found = [".paper{fill:%(paper)s}.ink{fill:%(ink)s}.axis{stroke:%(faint)s;fill:none}"]
+        found += [f".c{i}{{stroke:%({name})s;fill:none}}" for i, name in enumerate(COLOURS)]
+        found += [f".f{i}{{fill:%({name})s;fill-opacity:.25}}" for i, name in enumerate(COLOURS)]
+        text = "".join(found) % colours
+        dark = f"@media (prefers-color-scheme: dark){{{text}}}"
+        rules.append(text if scheme == "light" else dark)
+    return f"<style>{''.join(rules)}</style>"
+
+
+def label(x: float, y: float, text: str, anchor: str = "start") -> str:
+    """A text at a place."""
+    where = f'x="{x:.2f}" y="{y:.2f}" text-anchor="{anchor}"'
+    return f'<text class="ink" {where}>{escape(text)}</text>'
+
+
+def _heading(found: Found) -> Iterator[str]:
+    for k, line in enumerate(scene_lines(found)):
+        yield label(MARGIN, 28 + 20 * k, line)
+
+
+def _frame(points: Sequence[Sequence[float]], room: float) -> Box:
+    """A square around points: its centre, and half its side."""
+    low = [min(p[k] for p in points) for k in (0, 1)]
+    high = [max(p[k] for p in points) for k in (0, 1)]
+    half = max(high[0] - low[0], high[1] - low[1]) / 2 + room
+    return (low[0] + high[0]) / 2, (low[1] + high[1]) / 2, half, SIZE / (2 * half)
+
+
+def _point(p: Sequence[float], box: Box) -> tuple[float, float]:
+    x, y, half, scale = box
+    return (p[0] - x + half) * scale, (y + half - p[1]) * scale
+
+
+def _trajectories(path: Sequence[Leg], end: float) -> Iterator[str]:
+    """The paths of the centres, and the spheres at the start and at the end."""
+    last = places_at(path, end)
+    stops = [leg.places for leg in path] + [last]
+    box = _frame([p for places in stops for p in places], 0.6)
+    for i in range(3):
+        line = " ".join("{:.2f},{:.2f}".format(*_point(places[i], box)) for places in stops)
+        yield f'<polyline class="c{i}" points="{line}"/>'
+    yield from _spheres(path[0].places, box, "2 3")
+    yield from _spheres(last, box, "")
+
+
+def _zoom(path: Sequence[Leg], end: float) -> Iterator[str]:
+    """The spheres after each collision, near the contacts."""
+    last = places_at(path, end)
+    box = _frame(last, 0.1)
+    for leg in path[1:6]:
+        yield from _spheres(leg.places, box, "1 4")
+    yield from _spheres(last, box, "")
+
+
+def _spheres(places: Sequence[Sequence[float]], box: Box, dashes: str) -> Iterator[str]:
+    for i, place in enumerate(places):
+        x, y = _point(place, box)
+        radius = box[3] / 2
+        circle = f'cx="{x:.2f}" cy="{y:.2f}" r="{radius:.2f}"'
+        if dashes:
+            yield f'<circle class="c{i}" {circle} stroke-dasharray="{dashes}"/>'
+        else:
+            yield f'<circle class="f{i}" {circle}/><circle class="c{i}" {circle}/>'
+            yield label(x, y, str(i), "middle")
+
+
+# --- time to collapse, and distance --------------------------------------------------------------
+
+
+def approach(found: Found) -> Iterator[str]:
+    """Distance against time to the collapse, on logarithmic axes, with their enclosures."""
+    points = approach_points(found)
+    if not points:
+        yield label(20, SIZE / 2, "no collapse to come near to")
+        return
+    times = [t for t, _, _ in points] + [t for _, t, _ in points]
+    low_x, high_x = math.floor(min(times)), math.ceil(max(times))
+    sizes = [d for _, _, d in points]
+    low_y, high_y = math.floor(min(sizes)), math.ceil(max(sizes))
+
+    def place(x: float, y: float) -> tuple[float, float]:
+        across = 44 + (SIZE - 60) * (x - low_x) / max(high_x - low_x, 1)
+        return across, SIZE - 44 - (SIZE - 60) * (y - low_y) / max(high_y - low_y, 1)
+
+    yield from _axes(place, (low_x, high_x), (low_y, high_y))
+    for low, high, size in points:
+        (x, y), (x_high, _) = place(low, size), place(high, size)
+        yield f'<line class="c0" x1="{x:.2f}" y1="{y:.2f}" x2="{x_high:.2f}" y2="{y:.2f}"/>'
+        yield f'<circle class="c0" cx="{(x + x_high) / 2:.2f}" cy="{y:.2f}" r="3"/>'
+
+
+def approach_points(found: Found) -> list[tuple[float, float, float]]:
+    """log10 of the least and largest time to the collapse, and of the distance, per collision."""
+    ends = time_ends(found)
+    if ends is None:
+        return []
+    points = []
+    with balls.precision(found.flow.bits):
+        for move in found.flow.collisions:
+            low, high = balls.ends(balls.as_ball(move.after.time))
+            size = balls.as_float(start_of(move.after.state).d)
+            if ends[0] > high and size > 0:
+                least, most = float(ends[0] - high), float(ends[1] - low)
+                points.append((math.log10(least), math.log10(most), math.log10(size)))
+    return points
+
+
+def _axes(place: Place, xs: tuple[int, int], ys: tuple[int, int]) -> Iterator[str]:
+    (left, bottom), (right, top) = place(xs[0], ys[0]), place(xs[1], ys[1])
+    yield f'<path class="axis" d="M{left:.1f} {top:.1f}V{bottom:.1f}H{right:.1f}"/>'
+    for x in range(xs[0], xs[1] + 1, max(1, (xs[1] - xs[0]) // 5)):
+        yield label(place(x, ys[0])[0], bottom + 18, _ten(x), "middle")
+    for y in range(ys[0], ys[1] + 1, max(1, (ys[1] - ys[0]) // 6)):
+        yield label(left - 6, place(xs[0], y)[1] + 4, _ten(y), "end")
+    yield label((left + right) / 2, bottom + 36, "time to collapse", "middle")
+    yield label(left, top - 4, "distance d of the next pair")
+
+
+def _ten(exponent: int) -> str:
+    digits = str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    return f"10{digits}"

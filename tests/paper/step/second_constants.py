@@ -1,8 +1,8 @@
 """The paper read a second time: the constants of Section 4.1 and the conditions of the recursion.
 
 `Constants` holds them as the paper prints them. `hypothesis` lists what is assumed at collision n:
-the conditions Cnd1 to Cnd10 that speak of the states n and n+1 (Cnd6 and Cnd7 through Cnd5, Cnd8 at
-its limit for large n).
+the conditions Cnd1 to Cnd10 that speak of the states n and n+1 (Cnd6 and Cnd7 without the norms at
+n = 0, Cnd8 at its limit for large n).
 """
 # ruff: noqa: N802 - the paper's letters
 
@@ -151,10 +151,20 @@ def hypothesis(q: Place) -> dict[str, list[Triple]]:
         "CndT": [(fmpq(1), "<", _closest(apart, drift, n.tau))],
         "Cnd5": [(K.V_0, "<=", w) for w in (n.Ws2, n.Wc2)]
         + [(w, "<=", K.V_1) for w in (n.Ws2, n.Wc2)],
+        "Cnd6 and Cnd7": [(w, "<=", norms(K, K.eta_bar + n.eta_c)) for w in (n.Ws2, n.Wc2)],
         "Cnd8": [(size(q.m.neg_cos - K.c), "<=", turns(K, K.eta_bar))],
         "Cnd9": [(size(q.X - K.phi), "<=", K.delta_x)],
         "Cnd10": [(size(q.rho - (K.alpha - K.phi)), "<=", K.delta_x)],
     }
+
+
+def norms(K: Constants, spent: Number) -> Number:
+    """Return the right sides of Cnd6 and Cnd7 plus the largest norm at n = 0.
+
+    The sum of C_eta^k for k < n, times -eta_{c,0}, is at most (eta_bar - (-eta_{c,n}))/(1 - C_eta),
+    by Cnd2.
+    """
+    return K.V_1 - (K.V_1 - K.V_0) / 3 + 4 * (K.speed + 2) / (1 - K.C_eta) * spent
 
 
 def turns(K: Constants, eta: Number) -> Number:

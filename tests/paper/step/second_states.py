@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 from flint import arb, fmpq
 
-from .second_constants import Constants
+from .second_constants import Constants, norms
 from .second_reading import Number, Place, State, Vector, along, dot
 
 
@@ -101,8 +101,9 @@ def allowed_place(rng: random.Random, dimension: int) -> Place | None:
     """A state drawn so that the conditions at n may hold; None if that fails at once."""
     K = constants(rng)
     V_0, V_1 = near(K.V_0), near(K.V_1)
-    A, B = (V_0 + (V_1 - V_0) * share(rng) for _ in range(2))
     y, zeta = near(K.eta_bar) * share(rng), near(K.zeta_bar) * share(rng)
+    top = min(V_1, near(norms(K, K.eta_bar - y)))
+    A, B = (V_0 + (top - V_0) * share(rng) for _ in range(2))
     X = near(K.phi) + rng.choice([-1, 1]) * near(K.delta_x) * share(rng)
     half = near_root((1 + K.c) / (1 - K.c)) if K.c < 1 else fmpq(10**6)
     half *= 1 + rng.choice([-1, 0, 1]) * near(K.Delta_theta) * share(rng) / 9

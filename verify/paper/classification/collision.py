@@ -25,12 +25,9 @@ from verify.paper.argument import (
 from verify.paper.classification.settings import (
     Letters,
     Space,
-    Vector,
-    add,
     minus,
-    scale,
-    vector,
 )
+from verify.paper.dynamics.vectors import Combination, add, basis_vector, scale
 
 CONTEXT = "collision"
 LAW = "EQUATSS2.1VitesPost-Colli"
@@ -67,7 +64,7 @@ n = Letters(
 )
 mu, J = symbol("mu"), symbol("J")
 NAMES = ("e", "f", "g", "p", "q", "v_i", "v_j", "v_k", "x_i")
-e, f, g, p, q, v_i, v_j, v_k, x_i = map(vector, NAMES)
+e, f, g, p, q, v_i, v_j, v_k, x_i = map(basis_vector, NAMES)
 space = Space(
     {
         ("e", "e"): as_term(1),
@@ -251,15 +248,15 @@ def _sums() -> Iterator[Item]:
     )
 
 
-def _energy(first: Vector, second: Vector) -> Term:
+def _energy(first: Combination, second: Combination) -> Term:
     return n.m_i * dot(first, first) + n.m_j * dot(second, second)
 
 
-def _virial(first: Vector, second: Vector) -> Term:
+def _virial(first: Combination, second: Combination) -> Term:
     return n.m_i * dot(x_i, first) + n.m_j * dot(x_j, second)
 
 
-def _spin(first: Vector, second: Vector) -> Term:
+def _spin(first: Combination, second: Combination) -> Term:
     parts = [
         mass * (dot(p, x) * dot(q, velocity) - dot(q, x) * dot(p, velocity))
         for mass, x, velocity in ((n.m_i, x_i, first), (n.m_j, x_j, second))

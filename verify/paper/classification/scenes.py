@@ -22,7 +22,8 @@ from verify.paper.argument import (
     square,
     times,
 )
-from verify.paper.classification.settings import Letters, Space, add, minus, scale, vector
+from verify.paper.classification.settings import Letters, Space, minus
+from verify.paper.dynamics.vectors import add, basis_vector, scale
 
 LABEL = "DEFINSS3.1Collapse_Inelas"
 MISS = "EQUATSS2.2DiscrTrinox2-x0"
@@ -86,7 +87,7 @@ def _pair() -> Iterator[Chapter]:
 
 
 def _spread() -> Iterator[Chapter]:
-    y, z = vector("y"), vector("z")
+    y, z = basis_vector("y"), basis_vector("z")
     space = Space({("y", "y"): three.yy, ("z", "z"): three.zz, ("y", "z"): three.yz})
     places = (
         scale(-THIRD, add(y, z)),

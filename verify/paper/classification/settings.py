@@ -8,9 +8,7 @@ from fractions import Fraction
 from verify.language.record import Record
 from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Claim, Number, Term, as_term, symbol
-
-#: A vector as a combination of named ones.
-Vector = Mapping[str, Term]
+from verify.paper.dynamics.vectors import Combination, add, scale
 
 #: How letters are written in LaTeX, where that is not their name.
 TEX = {
@@ -80,27 +78,7 @@ def tex(letter: str) -> str:
     return letter
 
 
-def vector(name: str, factor: Number = 1) -> Vector:
-    """A multiple of a named vector."""
-    return {name: as_term(factor)}
-
-
-def add(*vectors: Vector) -> Vector:
-    """The sum of some vectors."""
-    total: dict[str, Term] = {}
-    for summand in vectors:
-        for name, value in summand.items():
-            total[name] = total[name] + value if name in total else value
-    return total
-
-
-def scale(number: Number, x: Vector) -> Vector:
-    """A multiple of a vector."""
-    one = as_term(1)
-    return {name: as_term(number) if value is one else number * value for name, value in x.items()}
-
-
-def minus(x: Vector, z: Vector) -> Vector:
+def minus(x: Combination, z: Combination) -> Combination:
     """The difference of two vectors."""
     return add(x, scale(-1, z))
 
@@ -114,7 +92,7 @@ class Space(Record):
         """The inner product of two of the named vectors."""
         return self.products[(i, j) if (i, j) in self.products else (j, i)]
 
-    def dot(self, x: Vector, z: Vector) -> Term:
+    def dot(self, x: Combination, z: Combination) -> Term:
         """The inner product of two combinations."""
         total: Term | None = None
         for i, p in x.items():
@@ -122,7 +100,3 @@ class Space(Record):
                 part = p * q * self.known(i, j)
                 total = part if total is None else total + part
         return as_term(0) if total is None else total
-
-    def cauchy_schwarz(self, x: Vector, z: Vector) -> Claim:
-        """(x.z)^2 <= |x|^2 |z|^2."""
-        return self.dot(x, z) ** 2 <= self.dot(x, x) * self.dot(z, z)

@@ -11,7 +11,8 @@ from __future__ import annotations
 
 from verify.language.statement import Constant, Context, Given
 from verify.language.terms import Claim, Term, as_term, equal, sqrt, symbol
-from verify.paper.classification.settings import Letters, Space, add, scale, tex, vector
+from verify.paper.classification.settings import Letters, Space, tex
+from verify.paper.dynamics.vectors import add, basis_vector, scale
 
 LABEL = "EQUATSS3.4ZKCl1CondiExist"
 LAW = "EQUATSS2.2IterationSystm1"
@@ -96,7 +97,7 @@ dot = space.dot
 S, tau, u_next, E, high_next = map(symbol, ("S", "tau", "u_next", "E", "high_next"))
 NUMBERS = ("y", "eta", "C", "p", "q", "A", "B", "w")
 next_ = {name: symbol(f"{name}_next") for name in NUMBERS}
-omega_s, W_s, omega_c, W_c = map(vector, ("omega_s", "W_s", "omega_c", "W_c"))
+omega_s, W_s, omega_c, W_c = map(basis_vector, ("omega_s", "W_s", "omega_c", "W_c"))
 end = add(scale(v.s, omega_s), scale(tau, W_s))
 meeting = add(scale(v.D, omega_c), scale(tau, W_c))
 new_s, new_c = scale(1 / v.c, meeting), scale(1 / E, end)

@@ -21,7 +21,8 @@ from verify.paper.argument import (
     proof,
     times,
 )
-from verify.paper.classification.settings import Letters, Space, minus, vector
+from verify.paper.classification.settings import Letters, Space, minus
+from verify.paper.dynamics.vectors import basis_vector
 
 LABEL = "DEFINSS3.5CollapseTriangu"
 ORDER = "PROPOSS3.5OrdreTriagColla"
@@ -55,7 +56,7 @@ def chapters() -> Iterator[Chapter]:
     """The law of cosines, and the two cosines."""
     sides = g.opened("x and z are any two vectors", "1 1 0", {})
     yield Chapter(None, (Opened(limit()), Opened(sides)))
-    x, z = vector("x"), vector("z")
+    x, z = basis_vector("x"), basis_vector("z")
     law = Line(
         "law-of-cosines",
         equal(2 * space.dot(x, z), g.xx + g.zz - space.dot(minus(z, x), minus(z, x))),

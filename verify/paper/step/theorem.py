@@ -37,6 +37,7 @@ def step() -> Argument:
 
 
 def chapters() -> Iterator[Chapter]:
+    """The chapters of the step, in the order in which each uses what stands before it."""
     spaces = (numbers.context(), plane.context(), impact.context())
     yield Chapter(None, (*rearranged.ground_lines(), *(Opened(space) for space in spaces)))
     yield Chapter(impact.CONTEXT, tuple(impact.lines()))

@@ -9,8 +9,8 @@ from math import sqrt
 from flint import arb
 
 from tests.paper.sharper.particles import Particles, Vector, combine, dot
+from tests.paper.sharper.search import Near, search
 from verify.prover import balls
-from verify.prover.sharper import Near, search
 
 Numbers = dict[str, Fraction]
 

@@ -177,6 +177,21 @@ def test_a_mutant_is_refused(mutant: str) -> None:
     assert answer(changed(*MUTANTS[mutant])) == "REFUSED"
 
 
+@pytest.mark.parametrize("name", ["tau", "D", "C_next", "y_next", "eta_s_next", "A_next", "B_next"])
+def test_another_collision_map_is_refused(name: str) -> None:
+    outcome = decide_sharper()
+
+    def other(context: Context) -> Context:
+        constants = (
+            c._replace(term=c.term * 2) if c.name == name else c for c in context.constants
+        )
+        return context._replace(constants=tuple(constants))
+
+    contexts = tuple(map(other, outcome.statement.contexts))
+    statement = outcome.statement._replace(contexts=contexts)
+    assert answer(outcome._replace(statement=statement)) == "REFUSED"
+
+
 def sums() -> list[tuple[Step, Claim, str | None, Sum]]:
     """Every sum of the certificate with its claim and context."""
     rows = {row.name: row for row in sharper().statement.obligations}

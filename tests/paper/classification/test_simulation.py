@@ -16,6 +16,8 @@ from verify.jobs.classification import at_restitution, longest_run
 DUST = mpf(10) ** -70
 #: A run is left when its closing speeds or its free flights are below this.
 TINY = mpf(10) ** -50
+#: How near the final angle is when closing speeds are tiny.
+NEARLY = mpf(10) ** -6
 COUNTS = {"1/5": 4, "1/10": 7, "2/25": 11, "3/40": 17, "147/2000": 23}
 
 
@@ -127,6 +129,13 @@ class Watched:
             self.wrong.append(f"a run of {longest} collisions")
         if (least.excluded or outward) and not self.ended:
             self.wrong.append(f"{len(self.balls.collisions)} collisions and no end")
+        last = self.balls.collisions[-10:]
+        if not self.ended and last[-1].u < TINY:
+            ball = shared(last[-2], last[-1])
+            if last not in alternating(last) or ball is None:
+                self.wrong.append("a collapse in another order")
+            elif -last[-1].cosines[ball] < exact(least.least_neg_cos[0]) - NEARLY:
+                self.wrong.append("a collapse at a smaller angle")
 
 
 def violations(seed: int, dimension: int, kind: str, equal: bool, most: int = 150) -> list[str]:
@@ -143,6 +152,18 @@ def test_random_runs(dimension: int, kind: str) -> None:
     for seed in range(16):
         assert violations(seed, dimension, kind, True) == []
         assert violations(seed, dimension, kind, False) == []
+
+
+def test_there_are_collapses_among_them() -> None:
+    """At small r many chains collapse: then the order and the angle are compared, too."""
+    r = Fraction(1, 50)
+    found = [
+        Watched(scattered(seed, 2, equal=True, r=r, kind="chain"), r, 300) for seed in range(12)
+    ]
+    assert [watched.wrong for watched in found] == [[]] * 12
+    collapsed = [watched for watched in found if not watched.ended]
+    assert len(collapsed) > 3
+    assert all(len(watched.balls.collisions) > 30 for watched in collapsed)
 
 
 @pytest.mark.parametrize(("text", "count"), COUNTS.items())

@@ -22,11 +22,7 @@ from verify.paper.argument import (
     proof,
     times,
 )
-from verify.paper.classification.settings import (
-    Letters,
-    Space,
-    minus,
-)
+from verify.paper.classification.settings import Letters, Space, minus
 from verify.paper.dynamics.vectors import Combination, add, basis_vector, scale
 
 CONTEXT = "collision"

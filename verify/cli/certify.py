@@ -29,7 +29,7 @@ def run(options: Options) -> int:
     from verify.jobs.certificates import all_folders  # loads flint
 
     differing = 0
-    for folder, outcome in all_folders():
+    for folder, outcome in all_folders(options.directory):
         path = os.path.join(options.directory, folder)
         progress(path)
         contents = folder_files(outcome)

@@ -6,9 +6,10 @@ import sys
 
 from verify.cli.errors import OwnError
 from verify.cli.files import write_certificate
+from verify.jobs.inputs import InputError
 from verify.jobs.scene import outcome_of
 from verify.prover.program import UndefinedError
-from verify.prover.scene import UNDECIDED, Found
+from verify.prover.scene import DISPERSES, UNDECIDED, Found
 
 #: The prover is exact where numbers stay rational; the checker may need more bits for the same.
 MORE_BITS = (1, 2, 4, 8, 16)
@@ -25,6 +26,11 @@ def write_scene(option: str, directory: str, found: Found) -> None:
     if found.verdict == UNDECIDED:
         print("verify: the scene is undecided; no certificate was written", file=sys.stderr)
         return
+    if found.line is not None and found.verdict == DISPERSES:
+        raise InputError(
+            f"{option}: {found.collisions} collisions on a line are more than a certificate can "
+            "show; leave it out"
+        )
     complaint = OwnError("no precision suffices to evaluate the constants of the scene")
     for factor in MORE_BITS:
         try:

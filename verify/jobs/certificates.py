@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import glob
+import os
 from collections.abc import Iterator
 from fractions import Fraction
 
 from verify.jobs import (
     classification,
     everywhere,
+    scene,
     sharper,
     spectrum,
     step,
@@ -15,9 +18,11 @@ from verify.jobs import (
     theorem1,
     thresholds,
 )
+from verify.jobs.scene_files import read_scene
 from verify.language.record import Record
 from verify.language.terms import Term, as_term, cos_pi
 from verify.prover.outcome import Outcome
+from verify.prover.scene import UNDECIDED, decide
 
 
 class StoredPoint(Record):
@@ -61,8 +66,8 @@ POINTS = (
 )
 
 
-def all_folders() -> Iterator[tuple[str, Outcome]]:
-    """Every folder with its outcome, decided anew."""
+def all_folders(directory: str = "certificates") -> Iterator[tuple[str, Outcome]]:
+    """Every folder with its outcome, decided anew; the scenes are the files in its `scenes`."""
     for point in POINTS:
         yield point.folder, theorem1.decide_point(point.parameters)
     yield "step", step.decide_step()
@@ -72,3 +77,10 @@ def all_folders() -> Iterator[tuple[str, Outcome]]:
     yield "spectrum", spectrum.decide_spectrum()
     yield "classification", classification.decide_classification()
     yield "sharper", sharper.decide_sharper()
+    yield "flow", scene.decide_flow()
+    for path in sorted(glob.glob(os.path.join(directory, "scenes", "*.toml"))):
+        with open(path, "rb") as file:
+            found = decide(read_scene(path, file.read()))
+        if found.verdict != UNDECIDED:
+            stem = os.path.splitext(os.path.basename(path))[0]
+            yield os.path.join("scenes", stem), scene.outcome_of(found, found.flow.bits)

@@ -14,6 +14,7 @@ from verify.jobs import (
     box,
     classification,
     everywhere,
+    scene,
     sharper,
     spectrum,
     step,
@@ -62,6 +63,9 @@ def _outcomes(parameters: Mapping[str, Term]) -> Iterator[Outcome]:
         yield thresholds.decide_thresholds()
         yield classification.decide_classification()
         yield sharper.decide_sharper()
+        yield scene.decide_flow()
+    elif (found := scene.read_back(parameters)) is not None:
+        yield from scene.statements_of(found)
     elif box.are_ends(parameters):
         yield box.decide_box(*box.read_box(parameters))
     elif are_allowed(parameters):

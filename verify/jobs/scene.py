@@ -7,7 +7,7 @@ show the inequalities.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import cache
 
@@ -26,6 +26,8 @@ from verify.language.terms import Claim, Term
 from verify.paper.flow.theorem import NAME as FLOW
 from verify.paper.flow.theorem import flow
 from verify.paper.scene.assumptions import ASSUMPTIONS
+from verify.paper.scene.criteria import INELASTIC
+from verify.paper.scene.scene import Scene
 from verify.paper.scene.telling import CLASSIFICATION, SHARPER, START, Numbers, Telling
 from verify.paper.sharper.numbers import context as start_context
 from verify.prover import balls
@@ -35,11 +37,21 @@ from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.program import Machine, Program, Run
 from verify.prover.proof import ConstantStep, ObligationStep, Premise, Proof, Step
 from verify.prover.rules import Applying, Interval, Sum
-from verify.prover.scene import COLLAPSES, DISPERSES, FINITE, Found
+from verify.prover.scene import (
+    COLLAPSES,
+    DISPERSES,
+    FINITE,
+    UNDECIDED,
+    Budget,
+    Found,
+    decide,
+)
 from verify.wire.write import write
 
 #: Digits of the enclosures in a certificate.
 DIGITS = 16
+#: Statements about scenes are recognised up to so many digits of the collapse time.
+MAX_DIGITS = 40
 
 
 @cache
@@ -58,7 +70,7 @@ def contexts() -> dict[str, Context]:
 def tell(found: Found) -> Telling:
     """What happened, in terms."""
     telling = Telling(found.flow.scene)
-    moves = found.flow.moves
+    moves = [] if is_settled_by_r(found) else found.flow.moves
     if moves:
         telling.begin(moves[0].before.frame)
     for move in moves:
@@ -70,6 +82,11 @@ def tell(found: Found) -> Telling:
             telling.recentre()
     _tell_end(telling, found)
     return telling
+
+
+def is_settled_by_r(found: Found) -> bool:
+    """Whether the verdict is about r only, whatever collides."""
+    return found.criterion is not None and found.criterion.name == INELASTIC
 
 
 def _tell_end(telling: Telling, found: Found) -> None:
@@ -96,6 +113,34 @@ def short_outward(ends: tuple[Fraction, Fraction]) -> tuple[Fraction, Fraction]:
     return down[0] * Fraction(10) ** down[1], up[0] * Fraction(10) ** up[1]
 
 
+def read_back(parameters: Mapping[str, Term]) -> Scene | None:
+    """The scene whose parameters these are; None if they are no scene's."""
+    count = sum(name.startswith("x.0.") for name in parameters)
+    rows = {
+        letter: [[f"{letter}.{i}.{k}" for k in range(1, count + 1)] for i in range(3)]
+        for letter in ("x", "v")
+    }
+    names = {"r", *(name for table in rows.values() for row in table for name in row)}
+    if count < 2 or {*parameters} != names:
+        return None
+    positions, velocities = (
+        tuple(tuple(parameters[name].value for name in row) for row in rows[letter])
+        for letter in ("x", "v")
+    )
+    return Scene(parameters["r"].value, positions, velocities)
+
+
+def statements_of(scene: Scene) -> Iterator[Outcome]:
+    """What the program makes of a scene, for each number of digits that may have been asked for."""
+    before: Found | None = None
+    for digits in (None, *range(1, MAX_DIGITS + 1)):
+        found = decide(scene, Budget(digits=digits))
+        if found.verdict == UNDECIDED or (found.collapse is None and before is not None):
+            return
+        before = found
+        yield outcome_of(found, found.flow.bits)
+
+
 # --- the certificate -----------------------------------------------------------------------------
 
 
@@ -107,7 +152,7 @@ def outcome_of(found: Found, bits: int) -> Outcome:
     run = _evaluated(telling, bits)
     with balls.precision(bits):
         enclosures = {
-            name: Enclosure(bits, (_ends(run, term),))
+            name: Enclosure(bits, (_ends(run, term, bits),))
             for name, term in (*telling.parameters.items(), *_definitions(telling).items())
         }
         decisions = {
@@ -197,13 +242,22 @@ def _evaluated(telling: Telling, bits: int) -> Run:
         return machine.run(())
 
 
-def _ends(run: Run, term: Term) -> tuple[Fraction, Fraction]:
+def _ends(run: Run, term: Term, bits: int) -> tuple[Fraction, Fraction]:
     """Decimals around all that the checker may find for a term."""
+    if term.op == "rational" and is_short(term.value, bits):
+        top, divisor = term.value.as_integer_ratio()
+        return enclosing_decimals(top, top, divisor, DIGITS)
     low, high, divisor = balls.widened_ends(balls.loosened(run[term]), 4 * DIGITS)
     return enclosing_decimals(low, high, divisor, DIGITS)
+
+
+def is_short(value: Fraction, bits: int) -> bool:
+    """Whether the checker keeps a rational number as it is."""
+    top, divisor = value.as_integer_ratio()
+    return top.bit_length() + divisor.bit_length() < 2 * bits
 
 
 def _sides(row: Obligation, run: Run, bits: int) -> Enclosure | None:
     if not isinstance(row.claim, Claim):
         return None
-    return Enclosure(bits, (_ends(run, row.claim.lhs), _ends(run, row.claim.rhs)))
+    return Enclosure(bits, (_ends(run, row.claim.lhs, bits), _ends(run, row.claim.rhs, bits)))

@@ -39,6 +39,8 @@ COLLIDE, RECENTRE, DRIFT = "collide", "recentre", "drift"
 FIRST_FRAMES: tuple[Frame, ...] = ((0, 2, 1), (0, 1, 2), (1, 0, 2))
 #: How often one flight may be cut where two spheres pass each other.
 MAX_CUTS = 6
+#: Times that differ by such a share count as a tie in messages.
+SAME = 1e-9
 ZERO = balls.exact(Fraction(0))
 
 
@@ -90,7 +92,7 @@ class Flow:
             UnclearError: if balls of this precision do not show which one it is.
         """
         never = True
-        meets: list[str] = []
+        meets: list[tuple[float, str]] = []
         unclear: list[str] = []
         for moves, moment in self._candidates():
             way = meeting(moment)
@@ -103,7 +105,7 @@ class Flow:
                     self.moves += [*moves, *found]
                     self.collisions.append(found[-1])
                     return True
-                meets.append(name_of(moment.frame))
+                meets.append((balls.as_float(way.y * way.T), name_of(moment.frame)))
         if not never:
             raise UnclearError(_what_is_unclear(meets, unclear))
         return False
@@ -219,8 +221,10 @@ def is_free(drift: Move) -> bool:
     return bool(time > 0) and all(stays_apart(pair, time) for pair in pairs)
 
 
-def _what_is_unclear(meets: list[str], unclear: list[str]) -> str:
-    if len(meets) > 1:
-        return f"tie: {' and '.join(meets)} meet at the same time, or too nearly so"
-    found = [f"triple contact: {name} meets, and another pair may touch then" for name in meets]
+def _what_is_unclear(meets: list[tuple[float, str]], unclear: list[str]) -> str:
+    first = min(meets, default=(0.0, ""))[0]
+    names = [name for time, name in meets if time <= first * (1 + SAME)]
+    if len(names) > 1:
+        return f"tie: {' and '.join(names)} meet at the same time, or too nearly so"
+    found = [f"triple contact: {name} meets, and another pair may touch then" for name in names]
     return "; ".join([*found, *unclear])

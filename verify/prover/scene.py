@@ -15,6 +15,8 @@ from verify.prover.flow_line import Line, follow_line
 COLLAPSES, DISPERSES, FINITE, UNDECIDED = "collapses", "disperses", "finite", "undecided"
 FIRST_BITS, MAX_BITS = 128, 4096
 MAX_COLLISIONS = 1000
+#: More collisions on a line than this cost the flow more digits than they are worth.
+LONG_LINE = 200
 
 
 class Budget(Record):
@@ -47,28 +49,27 @@ def decide(scene: Scene, budget: Budget = Budget()) -> Found:  # noqa: B008
     bits = max(budget.bits, 64 + 4 * (budget.digits or 0))
     while True:
         found = at_precision(scene, budget, bits)
-        spent = len(found.flow.collisions) >= budget.collisions or bits >= budget.max_bits
         if not (found.verdict == UNDECIDED or (found.collapse and found.reason)):
             return found
-        if spent:
-            return on_a_line(found, budget)
+        spent = len(found.flow.collisions) >= budget.collisions or bits >= budget.max_bits
+        line = on_a_line(found, budget)
+        if spent or (line is not None and line.collisions > LONG_LINE):
+            return line or found
         bits *= 2
 
 
-def on_a_line(found: Found, budget: Budget) -> Found:
+def on_a_line(found: Found, budget: Budget) -> Found | None:
     """More about spheres on a line, where the flow itself has become unclear."""
-    if found.verdict != UNDECIDED:
-        return found
     with balls.precision(found.flow.bits):
-        line = follow_line(found.flow, budget.collisions)
-        criterion = finitely_many(found.flow)
+        line = None if found.collapse else follow_line(found.flow, budget.collisions)
+        criterion = None if line is None else finitely_many(found.flow)
     if line is None:
-        return found
+        return None
     if line.repeats:
         reason = "on this line collisions go on for ever, with one and the same ratio of speeds"
         return found._replace(reason=reason)
     if line.collisions <= found.collisions:
-        return found
+        return None
     if line.ends:
         return Found(DISPERSES, "no pair meets any more", found.flow, line=line)
     reason = f"budget: {budget.collisions} collisions were followed"
@@ -82,13 +83,15 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Found:
         flow = Flow(scene, bits)
         known: Found | None = None
         try:
-            while len(flow.collisions) < budget.collisions:
+            while True:
                 now = flow.now
                 end = None if now is None else collapse(scene.r, now.state, now.time)
                 if end is not None:
                     known = Found(COLLAPSES, "", flow, end)
                     if is_tight(end, budget.digits):
                         return known
+                if len(flow.collisions) >= budget.collisions:
+                    break
                 if not flow.advance():
                     return Found(DISPERSES, "no pair meets any more", flow)
             reason = f"budget: {budget.collisions} collisions were followed"

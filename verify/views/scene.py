@@ -90,12 +90,16 @@ def scene_lines(found: Found) -> Iterator[str]:
         least, most = decimals(end.angle)
         yield f"collapse time in [{low}, {high}]; final -cos θ in [{least}, {most}]"
     elif found.verdict == FINITE:
-        yield f"finite: {reason(found)}; only finitely many collisions are possible, unless three"
-        yield f"particles touch at once or two graze; {found.reason}"
+        yield f"finite: {reason(found)};"
+        yield "only finitely many collisions are possible, unless three touch at once or two graze"
     elif found.verdict == DISPERSES:
-        yield f"disperses: {after} no two particles ever collide again"
+        yield (
+            f"disperses: {after} no two collide again"
+            if count
+            else "disperses: no two ever collide"
+        )
     else:
-        yield f"undecided: {found.reason}; {after} that are certain"
+        yield f"undecided: {found.reason}; certain: {count} collision{'' if count == 1 else 's'}"
 
 
 def decimals(ends: tuple[Fraction, Fraction]) -> list[str]:

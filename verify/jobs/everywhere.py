@@ -136,6 +136,10 @@ class Everywhere:
     def run(self) -> Outcome:
         """The chart, the constants, the rows, and that the step applies."""
         self.prepare()
+        if self.set.printed:
+            name = f"{self.set.group}.delta_x"
+            self._prove(paper.LEAST, paper.LEAST_DELTA <= symbol(name), self._least(name))
+            self.lines(paper.about_zeta_bar(self.set))
         rows = [row for row in self.statement.obligations if row.name not in self.hints]
         left = [row for row in rows if not self._decided(row)]
         if self.set.printed:
@@ -232,18 +236,15 @@ class Everywhere:
 
     def _bounds_below(self) -> None:
         """From now on the search knows bounds from below, too: rows that fail may need them."""
-        for name, numerator in (("delta_x", paper.LEAST_DELTA), ("zeta_bar", ZERO)):
-            fact = f"{self.set.group}.{name}-positive"
-            if numerator is not ZERO:
-                fact = self._least(f"{self.set.group}.{name}", numerator)
-            self.search.bound_below(name, fact, self.ring.clear(numerator)[0])
+        zeta = f"{self.set.group}.zeta_bar-positive"
+        self.search.bound_below("delta_x", paper.LEAST, self.ring.clear(paper.LEAST_DELTA)[0])
+        self.search.bound_below("zeta_bar", zeta, self.search.constant(0))
 
-    def _least(self, constant: str, term: Term) -> str:
-        """The fact that a term is at most the constant, which is a minimum."""
+    def _least(self, constant: str) -> Least:
+        """Why the least delta is at most delta_x, a minimum."""
         entries = self.session.definitions[constant].children
-        branches = tuple(self.ring.prove(term <= entry) for entry in entries)
-        proof = Least("rhs", branches, constant)
-        return self.session.lemma(term <= symbol(constant), proof, paper.CONTEXT)
+        branches = tuple(self.ring.prove(paper.LEAST_DELTA <= entry) for entry in entries)
+        return Least("rhs", branches, constant)
 
     def _refute(self, row: Obligation) -> None:
         """Decide a row that fails for all parameters, or at one of some points."""

@@ -7,7 +7,7 @@ and c <= 1 gives p < 1/2.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 
 from verify.language.statement import Constant, Context, Given, Variable
@@ -16,6 +16,7 @@ from verify.paper.argument import (
     ByInterval,
     ByLeast,
     ByRoot,
+    BySum,
     Defined,
     Item,
     Line,
@@ -382,6 +383,51 @@ def about_d_bar() -> Iterator[Line]:
             yield Line(f"d_bar-{number}", Fraction(3, 16) * k.zeta_bar <= entry, ToBeFound())
 
 
+#: The bound of delta_x from below, and that of zeta_bar by delta_x.
+LEAST, ZETA_SHARE = "delta_x-least", "zeta_bar-share"
+
+
+def about_zeta_bar(k: ConstantSet) -> Iterator[Line]:
+    """12 (V_1/V_0) zeta_bar is at most phi_plus h_4 delta_x."""
+    left = plus("u-below-one", times("u-positive", "p-below-one"))
+    size = 12 * k.V_1 * k.zeta_bar
+    yield Line("zeta_bar-least", size <= p * h_4 * V_0 * LEAST_DELTA, ToBeFound())
+    yield Line(
+        ZETA_SHARE,
+        size <= p * h_4 * V_0 * k.delta_x,
+        proof(
+            "zeta_bar-least",
+            times(HALF, "p-positive", left, hypothesis("V_0-positive"), LEAST),
+            using="h_4.chart",
+        ),
+    )
+
+
+def _zeta_hints(of: Callable[[str], str]) -> dict[str, BySum]:
+    """The rows with zeta_bar alone on the left, from its bound by delta_x."""
+    zeta, V_0s, V_1s = of("zeta_bar-positive"), hypothesis("V_0-positive"), "V_1-sign"
+    above, half = times(12, of("V_1-above-V_0")), "p-below-half"
+    left = times(zeta, plus(above, times(8, V_0s), times(8, V_0s, half)))
+    more = times(zeta, plus(above, times(4, V_0s), times(16, V_0s, half)))
+    goal = times("p-positive", V_0s, "goal")
+    return {
+        "init-y-term-3-zeta": scaled(times(4, goal), ZETA_SHARE, left),
+        "init-y-term-5": scaled(
+            times(2, goal), times(V_1s, ZETA_SHARE), times(V_1s, left), using=of("d_slope")
+        ),
+        "x-term-1-zeta": scaled(
+            times(4, V_0s, "goal"),
+            ZETA_SHARE,
+            times(zeta, plus(times(8, of("V_1-above-V_0")), times(4, V_1s))),
+            using="delta_2.chart",
+        ),
+        "y-term-2-zeta": scaled(times(8, goal), ZETA_SHARE, more),
+        "y-term-4": scaled(
+            times(8, "p-positive", "goal"), ZETA_SHARE, times(zeta, V_1s, plus(4, times(16, half)))
+        ),
+    }
+
+
 def hints(k: ConstantSet = REPAIRED_SET) -> dict[str, tuple[Reason, ...]]:
     """Rows of which no search finds a short proof, each after those that it uses.
 
@@ -431,6 +477,7 @@ def hints(k: ConstantSet = REPAIRED_SET) -> dict[str, tuple[Reason, ...]]:
             proof(times(8, zeta, V_0s, "@2"), times(HALF, zeta, V_0s, V_0s), using="@1"),
             proof(times(Fraction(1, 32), V_0s, V_0s, V_0s), using="@1"),
         )
+        found |= {of(name): (reason,) for name, reason in _zeta_hints(of).items()}
     else:
         found["redundant.d_bar-1"] = (
             ByLeast(

@@ -86,7 +86,7 @@ def constants() -> set[str]:
 
 def facts_elsewhere() -> set[str]:
     """The facts of the step, and the rows that are refuted at states."""
-    wrong = {f"step-printed:{row.name}" for row, _ in printed_estimates.printed()}
+    wrong = {f"step-printed:{row.name}" for row in printed_estimates.printed()}
     return wrong | {f"step:{name}" for name in nodes(decide_step())}
 
 
@@ -159,7 +159,7 @@ def test_every_label_of_the_theorem_is_in_the_table() -> None:
 
 def test_every_wrong_estimate_is_beside_its_formula() -> None:
     carrying = {name for cells in table() for name in names(cells[3])}
-    assert {f"step-printed:{row.name}" for row, _ in printed_estimates.printed()} <= carrying
+    assert {f"step-printed:{row.name}" for row in printed_estimates.printed()} <= carrying
 
 
 # --- to the theorem -------------------------------------------------------------------------------

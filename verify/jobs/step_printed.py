@@ -29,7 +29,7 @@ Vector = tuple[Fraction, Fraction, Fraction]
 def decide_step_printed() -> Outcome:
     """Every row with its proof, or the state that refutes it; the checker decides whether."""
     points = {name: state(numbers) for name, numbers in states.WITNESSES.items()}
-    statement = _statement(next(iter(points.values())))
+    statement = _statement(points[paper.FIRST])
     writing = Writing(statement)
     session, ground = writing.session, Ground(writing.session)
     given = [Constant(name, name, name, "", x) for name, x in statement.parameters.items()]
@@ -41,8 +41,9 @@ def decide_step_printed() -> Outcome:
     premises = tuple(map(_premise, states.conditions().values()))
     session.open(statement.contexts[0], premises)
     writing.chapter(Chapter(states.CONTEXT, tuple(paper.lines())))
-    for row, name in paper.printed():
-        proof = Witness(points[name], premises, Interval(BITS))
+    for row in paper.printed():
+        at = points[paper.FALSE_AT.get(row.name, paper.FIRST)]
+        proof = Witness(at, premises, Interval(BITS))
         session.prove_row(row, proof, holds=False)
         writing.decisions[row.name] = Decision(REFUTED, proof)
     found = {name: ground.enclose(ground.definitions[name]) for name in names}
@@ -51,7 +52,7 @@ def decide_step_printed() -> Outcome:
 
 
 def _statement(point: Mapping[str, Term]) -> Statement:
-    rows = (*paper.needed(), *(row for row, _ in paper.printed()))
+    rows = (*paper.needed(), *paper.printed())
     contexts = (states.context(point),)
     return Statement(paper.NAME, paper.TITLE, PARAMETERS, states.constants(), contexts, rows, ())
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.record import Record
 from verify.language.statement import NEEDED, Obligation
 from verify.language.terms import Claim, as_term, equal
 from verify.paper.argument import (
@@ -179,14 +178,17 @@ def _turn() -> Iterator[Item]:
 # --- what is printed ------------------------------------------------------------------------------
 
 
-class Printed(Record):
-    """A row of the paper, and the name of a state at which it is false."""
+#: The states at which rows are false that the first one does not refute.
+FALSE_AT = {
+    "state.norm-lower": "slow",
+    "state.term-2-sign": "left",
+    "state.angle-sign": "space",
+    "state.angle-eighth": "late",
+}
+FIRST = "right"
 
-    row: Obligation
-    witness: str
 
-
-def printed() -> Iterator[Printed]:
+def printed() -> Iterator[Obligation]:
     """What is printed, in the paper's order."""
     yield _wrong(
         "law-norm-c",
@@ -212,13 +214,12 @@ def printed() -> Iterator[Printed]:
         V_0 <= B_next,
         SLIP,
         "next-B-lower",
-        "slow",
     )
     yield from _zeta()
     yield from _angle()
 
 
-def _zeta() -> Iterator[Printed]:
+def _zeta() -> Iterator[Obligation]:
     label = f"{CND}4"
     ratio, square = A_next / A, (D_y_next / (D * y)) ** 2
     second = ratio / square * (x / y)
@@ -246,7 +247,6 @@ def _zeta() -> Iterator[Printed]:
         absolute(second) <= k.V_1 / V_0 / delta_2**2 * (x / y),
         SLIP,
         f"{REPAIRED}.zeta-term-2-denominator",
-        "left",
     )
     yield _wrong(
         "term-2",
@@ -284,7 +284,7 @@ def _zeta() -> Iterator[Printed]:
     )
 
 
-def _angle() -> Iterator[Printed]:
+def _angle() -> Iterator[Obligation]:
     change, display = absolute(turn), sides - last
     yield _wrong(
         "angle-equation",
@@ -302,7 +302,6 @@ def _angle() -> Iterator[Printed]:
         change <= display,
         SLIP,
         "angle-step-upper",
-        "space",
     )
     yield _wrong(
         "angle-eighth",
@@ -311,7 +310,6 @@ def _angle() -> Iterator[Printed]:
         absolute(D_C_next / D - c) <= h_4 * k.delta_x / 8,
         BREAKS,
         "angle-upper",
-        "late",
     )
 
 
@@ -322,9 +320,8 @@ def _wrong(
     claim: Claim,
     severity: str,
     corrected_by: str,
-    witness: str = "right",
-) -> Printed:
-    row = misprint(
+) -> Obligation:
+    return misprint(
         f"{WRONG}.{name}",
         label,
         says,
@@ -334,7 +331,6 @@ def _wrong(
         corrected_by=corrected_by,
         context=CONTEXT,
     )
-    return Printed(row, witness)
 
 
 def needed() -> Iterator[Obligation]:

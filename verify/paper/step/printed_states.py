@@ -149,7 +149,7 @@ def context(point: Mapping[str, Term]) -> Context:
         "omega_c": ("ω_c", r"\omega_c"),
         "S": ("√(1-ζ)", r"\sqrt{1-\zeta}"),
         "tau": ("τ", r"\tau"),
-        "D": ("1+d'", "1+d'"),
+        "D": ("(1+d')", "(1+d')"),
         "g": ("|η_{c,0}|", r"|\eta_{c,0}|"),
         "d_0": ("d₀", "d_0"),
         "decay": ("C_ηⁿ", r"C_\eta^n"),

@@ -21,6 +21,7 @@ from verify.language.terms import (
 )
 from verify.paper.argument import Chapter, Line, Opened, Reason, ToBeFound
 from verify.paper.everywhere import chart as paper
+from verify.paper.everywhere import hints
 from verify.paper.everywhere.theorem import printed_statement, statement
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
@@ -100,7 +101,7 @@ class Everywhere:
 
     def __init__(self, statement: Statement, group: str) -> None:
         self.statement, self.set = statement, ConstantSet(group)
-        self.hints = paper.hints(self.set)
+        self.hints = hints.hints(self.set)
         self.writing = arguments.Writing(self.statement)
         self.session = self.writing.session
         self.ground = Ground(self.session)
@@ -138,8 +139,8 @@ class Everywhere:
         self.prepare()
         if self.set.printed:
             name = f"{self.set.group}.delta_x"
-            self._prove(paper.LEAST, paper.LEAST_DELTA <= symbol(name), self._least(name))
-            self.lines(paper.about_zeta_bar(self.set))
+            self._prove(hints.LEAST, paper.LEAST_DELTA <= symbol(name), self._least(name))
+            self.lines(hints.about_zeta_bar(self.set))
         rows = [row for row in self.statement.obligations if row.name not in self.hints]
         left = [row for row in rows if not self._decided(row)]
         if self.set.printed:
@@ -147,7 +148,7 @@ class Everywhere:
             for row in left:
                 self._refute(row)
         else:
-            self.lines(paper.about_d_bar())
+            self.lines(hints.about_d_bar())
         for name in self.hints:
             hinted = self.writing.rows.get(name)
             if hinted is not None and isinstance(hinted.claim, Claim):
@@ -237,7 +238,7 @@ class Everywhere:
     def _bounds_below(self) -> None:
         """From now on the search knows bounds from below, too: rows that fail may need them."""
         zeta = f"{self.set.group}.zeta_bar-positive"
-        self.search.bound_below("delta_x", paper.LEAST, self.ring.clear(paper.LEAST_DELTA)[0])
+        self.search.bound_below("delta_x", hints.LEAST, self.ring.clear(paper.LEAST_DELTA)[0])
         self.search.bound_below("zeta_bar", zeta, self.search.constant(0))
 
     def _least(self, constant: str) -> Least:
@@ -268,9 +269,9 @@ class Everywhere:
         return None
 
     def _proof(self, name: str, claim: Claim) -> Proof:
-        hints = self.hints.get(name)
-        if hints is not None:
-            return self._hinted(claim, hints)
+        known = self.hints.get(name)
+        if known is not None:
+            return self._hinted(claim, known)
         for side in (claim.lhs, claim.rhs):
             for term in _extrema(side):
                 return self._cases(claim, term)
@@ -302,10 +303,10 @@ class Everywhere:
             branches.append(found._replace(using=(*found.using, name, "@1")))
         return Cases(term, tuple(branches))
 
-    def _hinted(self, claim: Claim, hints: tuple[Reason, ...]) -> Proof:
+    def _hinted(self, claim: Claim, reasons: tuple[Reason, ...]) -> Proof:
         """The reasons that the paper's room gives; several are one for each entry."""
         self.ring.ensure(claim.lhs, claim.rhs)
-        proofs = tuple(map(arguments.proof_of, hints))
+        proofs = tuple(map(arguments.proof_of, reasons))
         return proofs[0] if len(proofs) == 1 else Cases(next(_extrema(claim.lhs)), proofs)
 
     def _cases(self, claim: Claim, term: Term) -> Proof:

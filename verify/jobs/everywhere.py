@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from fractions import Fraction
 from functools import cache
 
 from verify.jobs import arguments
 from verify.jobs.citing import applying
+from verify.jobs.row_proofs import RowProofs
 from verify.jobs.step import decide_step
 from verify.language.statement import REFUTED, UNDECIDED, Constant, Obligation, Statement
 from verify.language.terms import (
     Claim,
-    Term,
     as_term,
     names_of,
     substitute,
     substitute_claim,
     symbol,
 )
-from verify.paper.argument import Chapter, Line, Opened, Reason, ToBeFound
+from verify.paper.argument import Chapter, Line, Opened, ToBeFound
 from verify.paper.everywhere import chart as paper
 from verify.paper.everywhere import hints
 from verify.paper.everywhere.theorem import printed_statement, statement
@@ -32,8 +32,7 @@ from verify.prover.positivity import NotFoundError, Positivity, Square
 from verify.prover.proof import Proof
 from verify.prover.relations import negation
 from verify.prover.ring import Ring
-from verify.prover.rules import Cases, Define, Entry, Interval, Least, Root, Sum, Witness
-from verify.prover.session import ZERO
+from verify.prover.rules import Define, Entry, Interval, Least, Witness
 from verify.wire.write import write
 
 HALF = Fraction(1, 2)
@@ -108,6 +107,7 @@ class Everywhere:
         signs = SIGNS | {name: f"{group}.{name}-positive" for name in MINIMA}
         self.search = Positivity(tuple(signs), signs, BELOW, {"a": 2**0.5 - 1.4})
         self.ring = self._ring()
+        self.proofs = RowProofs(self.ring, self.hints, self.set.delta_x.name)
 
     def _ring(self) -> Ring:
         made = self.search.generators
@@ -216,7 +216,7 @@ class Everywhere:
 
     def _proved(self, row: Obligation, claim: Claim) -> bool:
         try:
-            self.writing.decide(row, self._proof(row.name, claim))
+            self.writing.decide(row, self.proofs.proof(row.name, claim))
         except NotFoundError:
             return False
         return True
@@ -226,7 +226,7 @@ class Everywhere:
         try:
             if opposite is None:
                 return False
-            self._write_refuted(row, self._proof(f"not {row.name}", opposite))
+            self._write_refuted(row, self.proofs.proof(f"not {row.name}", opposite))
         except NotFoundError:
             return False
         return True
@@ -268,78 +268,6 @@ class Everywhere:
                 return Witness(at, givens, Interval(2 * POINT_BITS))
         return None
 
-    def _proof(self, name: str, claim: Claim) -> Proof:
-        known = self.hints.get(name)
-        if known is not None:
-            return self._hinted(claim, known)
-        for side in (claim.lhs, claim.rhs):
-            for term in _extrema(side):
-                return self._cases(claim, term)
-        for term in _new_roots(claim, self.ring):
-            return self._root(claim, term)
-        try:
-            return self.ring.prove(claim)
-        except NotFoundError:
-            return self._split(claim)
-
-    def search_proof(self, claim: Claim) -> Proof:
-        """A proof of a claim by search alone.
-
-        Raises:
-            NotFoundError: if there is none that the search finds.
-        """
-        return self._proof("", claim)
-
-    def _split(self, claim: Claim) -> Proof:
-        """A branch for each entry of the minimum that delta_x is."""
-        name = self.set.delta_x.name
-        if name not in set(names_of(claim.lhs, claim.rhs)):
-            raise NotFoundError("nothing to split")
-        term = self.session.definitions[name]
-        branches = []
-        for entry in term.children:
-            values = {name: entry}
-            found = self.ring.prove(substitute_claim(claim, values))
-            branches.append(found._replace(using=(*found.using, name, "@1")))
-        return Cases(term, tuple(branches))
-
-    def _hinted(self, claim: Claim, reasons: tuple[Reason, ...]) -> Proof:
-        """The reasons that the paper's room gives; several are one for each entry."""
-        self.ring.ensure(claim.lhs, claim.rhs)
-        proofs = tuple(map(arguments.proof_of, reasons))
-        return proofs[0] if len(proofs) == 1 else Cases(next(_extrema(claim.lhs)), proofs)
-
-    def _cases(self, claim: Claim, term: Term) -> Proof:
-        """A branch for each entry of a maximum."""
-        self.ring.ensure(term)
-        branches = (self._branch(claim, term, entry) for entry in term.children)
-        return Cases(term, tuple(branches))
-
-    def _branch(self, claim: Claim, term: Term, entry: Term) -> Sum:
-        there = Claim(
-            claim.relation, _replaced(claim.lhs, term, entry), _replaced(claim.rhs, term, entry)
-        )
-        found = self.ring.prove(there)
-        return found._replace(using=(*found.using, "@1"))
-
-    def _root(self, claim: Claim, root: Term) -> Proof:
-        """sqrt(x) <= sqrt(y) from x <= y; 0 < x sqrt(y) from the signs of both."""
-        inside = root.children[0]
-        self.ring.ensure(inside)
-        self.ring.lemma(0 < inside)
-        sign = self.session.known(0 < root, paper.CONTEXT)
-        if sign is None:
-            sign = self.session.lemma(0 < root, Root(), paper.CONTEXT)
-        if claim.lhs is ZERO:
-            other = self.ring.lemma(0 < claim.rhs.children[0])
-            return Sum(("goal", ("mul", other, sign)))
-        if claim.rhs is not root or claim.lhs.op != "sqrt":
-            raise NotFoundError("two roots are not compared")
-        squares = self.ring.lemma(claim.lhs.children[0] <= inside)
-        scale = [self.ring.lemma(0 < part) for part in _divisors(inside)]
-        goal = ("mul", *scale, "goal", ("add", "root-two", sign))
-        return Sum((goal, squares))
-
     # --- the step -------------------------------------------------------------------------------
 
     def _apply(self) -> None:
@@ -349,45 +277,3 @@ class Everywhere:
 
 def _one_plus(*facts: str) -> tuple[object, ...]:
     return ("add", "1", ("mul", *facts) if len(facts) > 1 else facts[0])
-
-
-def _extrema(term: Term) -> Iterator[Term]:
-    if term.op in ("min", "max"):
-        yield term
-    for child in term.children:
-        yield from _extrema(child)
-
-
-def _new_roots(claim: Claim, ring: Ring) -> Iterator[Term]:
-    """Roots that the ring does not have."""
-    for term in (claim.rhs, claim.lhs):
-        waiting = [term]
-        while waiting:
-            part = waiting.pop()
-            if part.op == "sqrt" and part not in ring.values and part not in ring.replaced:
-                yield part
-            waiting += part.children
-
-
-def _divisors(term: Term) -> Iterator[Term]:
-    """The divisors in a term, each as often as clearing multiplies by it."""
-    found: dict[Term, None] = {}
-
-    def visit(part: Term) -> None:
-        if part.op == "div" and part.children[1].op != "rational":
-            found[part.children[1]] = None
-        for child in part.children:
-            visit(child)
-
-    visit(term)
-    return iter(found)
-
-
-def _replaced(term: Term, old: Term, new: Term) -> Term:
-    if term is old:
-        return new
-    children = term.children
-    if not children:
-        return term
-    parts = [_replaced(child, old, new) for child in children]
-    return Term(term.op, *parts, *term.args[len(children) :])

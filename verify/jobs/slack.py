@@ -87,7 +87,7 @@ def _bounds(work: Everywhere, outcome: Outcome) -> Iterator[Bound]:
 def _fresh(work: Everywhere, bound: Bound) -> Proof | None:
     """Another proof; not where already the row itself needs a hint, as the search is long there."""
     try:
-        return None if bound.row.name in work.hints else work.search_proof(bound.stronger)
+        return None if bound.row.name in work.hints else work.proofs.proof("", bound.stronger)
     except NotFoundError:
         return None
 

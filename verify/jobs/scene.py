@@ -95,7 +95,8 @@ def _tell_end(telling: Telling, found: Found) -> None:
             low, high = (balls.ends(balls.as_ball(end)) for end in found.collapse.time)
         time = short_outward((low[0], high[1]))
         angle = short_outward(found.collapse.angle)
-        telling.collapse(Numbers(found.collapse.numbers, time, angle))
+        numbers = {name: balls.as_fraction(x) for name, x in found.collapse.numbers.items()}
+        telling.collapse(Numbers(numbers, time, angle))
     elif found.verdict == DISPERSES:
         with balls.precision(found.flow.bits):
             telling.disperse(parts(found.flow))

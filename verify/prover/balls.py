@@ -7,11 +7,11 @@ Comparisons of balls certify their true side only: ``not a < b`` proves nothing.
 
 from __future__ import annotations
 
+import math
 import operator
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from fractions import Fraction
-from math import isqrt
 
 from flint import arb, ctx, fmpq
 
@@ -203,7 +203,7 @@ def any_root(value: Any) -> Any:
     if type(value) is not fmpq:
         return value.sqrt()
     p, q = int(value.p), int(value.q)
-    n, d = isqrt(p), isqrt(q)
+    n, d = math.isqrt(p), math.isqrt(q)
     return fmpq(n, d) if (n * n, d * d) == (p, q) else arb(value).sqrt()
 
 
@@ -225,6 +225,30 @@ def rational_above(value: Any, digits: int = 6) -> Fraction:
     """A rational number with few digits that is no less than a positive ball."""
     mantissa, exponent = round_decimal(_dyadic(as_ball(value).upper()), digits, up=True)
     return mantissa * Fraction(10) ** exponent
+
+
+def exponent(value: Any) -> int:
+    """The integer e with 10^e near a positive number."""
+    ball = as_ball(value)
+    return math.floor(float(ball.mid().log() / arb(10).log()))
+
+
+def ratio(top: int, divisor: int) -> fmpq:
+    """An exact quotient."""
+    return fmpq(top, divisor)
+
+
+def as_fraction(value: fmpq) -> Fraction:
+    """The same rational number."""
+    return Fraction(int(value.p), int(value.q))
+
+
+def decimal(value: Any, places: int, *, above: bool = False) -> fmpq:
+    """A decimal with so many places near a number, or no less than the number."""
+    power = fmpq(10) ** places
+    ball = as_ball(value)
+    scaled = ((ball.upper() if above else ball.mid()) * power).upper()
+    return fmpq(_dyadic(scaled.ceil()).numerator) / power
 
 
 def larger(a: Any, b: Any) -> arb:

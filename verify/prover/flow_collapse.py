@@ -38,10 +38,15 @@ class Start(Record):
 class Collapse(Record):
     """The numbers of the sharper theorem, and its conclusions about time and angle."""
 
-    numbers: Mapping[str, Fraction]
+    numbers: Mapping[str, Number]
     start: Start
     time: tuple[Number, Number]
-    angle: tuple[Fraction, Fraction]
+
+    @property
+    def angle(self) -> tuple[Fraction, Fraction]:
+        """Between what -cos of the final angle lies."""
+        C, theta = (balls.as_fraction(self.numbers[name]) for name in ("C_0", "Theta"))
+        return C - theta, min(C + theta, Fraction(1))
 
 
 def start_of(state: State) -> Start:
@@ -72,10 +77,8 @@ def collapse(r: Fraction, state: State, time: Number) -> Collapse | None:
     numbers = search(r, start)
     if numbers is None or not holds(numbers, start):
         return None
-    x = {name: balls.exact(value) for name, value in numbers.items()}
-    most = x["T"] * x["eta_0"] / (1 - x["p"] - x["Y"])
-    C, theta = numbers["C_0"], numbers["Theta"]
-    return Collapse(numbers, start, (time, time + most), (C - theta, min(C + theta, Fraction(1))))
+    T, eta_0, p, Y = (numbers[name] for name in ("T", "eta_0", "p", "Y"))
+    return Collapse(numbers, start, (time, time + T * eta_0 / (1 - p - Y)))
 
 
 def may_collapse(r: float, C: float) -> bool:
@@ -127,14 +130,14 @@ def widened(low: float, high: float) -> tuple[float, float]:
     return (low + high) / 2, (high - low) / 2 * SLACK + LEAST
 
 
-def search(r: Fraction, start: Start) -> dict[str, Fraction] | None:
-    """Numbers that probably satisfy what the theorem asks for."""
-    V_0 = balls.rational_above(balls.any_root(balls.larger(start.A, start.B)))
-    eta_0 = balls.rational_above(start.y)
-    e, C = float(eta_0 / V_0), balls.as_float(start.C)
+def search(r: Fraction, start: Start) -> dict[str, Number] | None:
+    """Numbers that probably satisfy what the theorem asks for, as exact rationals."""
+    speed = balls.any_root(balls.larger(start.A, start.B))
+    V_0, eta_0 = _above(speed), _above(start.y)
+    e, C = balls.as_float(eta_0 / V_0), balls.as_float(start.C)
     if e == 0 or not may_collapse(float(r), C):
         return None
-    k = balls.as_float(start.d / (start.y * start.y) * balls.exact(V_0 * V_0))
+    k = balls.as_float(start.d / (start.y * start.y) * (V_0 * V_0))
     trial = Trial(float(r), e, balls.as_float(start.eta_s / start.y), C, k)
     before = 0.0
     for _ in range(ROUNDS):
@@ -144,27 +147,23 @@ def search(r: Fraction, start: Start) -> dict[str, Fraction] | None:
         if abs(size - before) < 2e-5 * size:
             break
         before = size
-    return _rational(trial, r, start, eta_0, V_0)
+    return _rational(trial, start) | {"r": balls.exact(r), "V_0": V_0, "eta_0": eta_0}
 
 
-def _rational(
-    trial: Trial, r: Fraction, start: Start, eta_0: Fraction, V_0: Fraction
-) -> dict[str, Fraction]:
+def _rational(trial: Trial, start: Start) -> dict[str, Number]:
     """The bounds as short decimals, each rounded to the side where it is weaker."""
-    X = _short(trial.X)
-    C_0 = min(balls.short_rational(start.C, 4 + _places(trial.Theta)), Fraction(1))
+    X, unit = _short(trial.X), _above(balls.any_root(balls.larger(start.A, start.B)))
+    C_0 = balls.decimal(start.C, 3 + _places(trial.Theta))
+    square = unit * unit
     return {
-        "r": r,
         "m": max(_near(trial.m), X),
         "p": _near(trial.p),
         "X": X,
         "Y": _short(trial.Y),
-        "k": _short(trial.k) / V_0**2,
-        "V": _short(trial.V) * V_0,
-        "T": _short(trial.T) / V_0**2,
-        "V_0": V_0,
-        "eta_0": eta_0,
-        "C_0": C_0,
+        "k": _short(trial.k) / square,
+        "V": _short(trial.V) * unit,
+        "T": _short(trial.T) / square,
+        "C_0": min(C_0, balls.ratio(1, 1)),
         "Theta": _short(trial.Theta),
     }
 
@@ -173,23 +172,28 @@ def _places(value: float) -> int:
     return max(0, -math.floor(math.log10(value)))
 
 
-def _near(value: float) -> Fraction:
+def _above(value: Number) -> Number:
+    """A decimal with about six digits that is no less than a positive number."""
+    return balls.decimal(value, 5 - balls.exponent(value), above=True)
+
+
+def _near(value: float) -> Number:
     """A decimal with twelve places."""
-    return Fraction(round(value * 10**12), 10**12)
+    return balls.ratio(round(value * 10**12), 10**12)
 
 
-def _short(value: float) -> Fraction:
+def _short(value: float) -> Number:
     """A decimal with about five digits that is no less."""
-    places = _places(value) + 4
-    return Fraction(math.ceil(Fraction(value) * 10**places), 10**places)
+    power = 10 ** (_places(value) + 4)
+    top, divisor = value.as_integer_ratio()
+    return balls.ratio(-(-top * power // divisor), power)
 
 
 # --- the conditions ------------------------------------------------------------------------------
 
 
-def holds(numbers: Mapping[str, Fraction], start: Start) -> bool:
+def holds(x: Mapping[str, Number], start: Start) -> bool:
     """True only if the numbers and the state satisfy all that the sharper theorem asks for."""
-    x = {name: balls.exact(value) for name, value in numbers.items()}
     return _close(x) and _begin(x, start)
 
 

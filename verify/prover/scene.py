@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 from verify.language.record import Record
@@ -17,6 +18,8 @@ FIRST_BITS, MAX_BITS = 128, 4096
 MAX_COLLISIONS = 1000
 #: More collisions on a line than this cost the flow more digits than they are worth.
 LONG_LINE = 200
+#: After n collisions the sharper theorem is tried again n/PATIENCE collisions later.
+PATIENCE = 16
 
 
 class Budget(Record):
@@ -82,18 +85,24 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Found:
     with balls.precision(bits):
         flow = Flow(scene, bits)
         known: Found | None = None
+        wait = 0
         try:
             while True:
                 now = flow.now
-                end = None if now is None else collapse(scene.r, now.state, now.time)
+                end = None
+                if now is not None and wait <= 0:
+                    end = collapse(scene.r, now.state, now.time)
+                    wait = len(flow.collisions) // PATIENCE
                 if end is not None:
                     known = Found(COLLAPSES, "", flow, end)
                     if is_tight(end, budget.digits):
                         return known
+                    wait = more_collisions(end, budget.digits)
                 if len(flow.collisions) >= budget.collisions:
                     break
                 if not flow.advance():
                     return Found(DISPERSES, "no pair meets any more", flow)
+                wait -= 1
             reason = f"budget: {budget.collisions} collisions were followed"
             criterion = None if known else finitely_many(flow)
         except UnclearError as error:
@@ -101,6 +110,14 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Found:
         if known is not None:
             return known._replace(reason=reason)
         return Found(UNDECIDED if criterion is None else FINITE, reason, flow, None, criterion)
+
+
+def more_collisions(end: Collapse, digits: int | None) -> int:
+    """About how many collisions later the enclosures may be tight enough."""
+    low, high = end.time
+    share = balls.as_float((high - low) / high) * 10.0 ** (digits or 0)
+    ratio = balls.as_float(end.numbers["m"] / end.numbers["p"])
+    return max(1, int(math.log(max(share, 1.0)) / -math.log(ratio)) - 1)
 
 
 def is_tight(end: Collapse, digits: int | None) -> bool:

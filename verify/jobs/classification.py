@@ -39,9 +39,10 @@ class AtR(Record):
 def decide_classification() -> Outcome:
     """The theorems, each line with the proof that its reason describes; last a misprint."""
     outcome = write_down(classification())
-    row, context = outcome.statement.obligations[-1], outcome.statement.contexts[-1]
+    row = outcome.statement.obligations[-1]
+    (givens,) = [c.givens for c in outcome.statement.contexts if c.name == row.context]
     numbers = Interval(NUMBER_BITS)
-    proof = Witness(image.FALSE_AT, tuple(numbers for _ in context.givens), numbers)
+    proof = Witness(image.FALSE_AT, tuple(numbers for _ in givens), numbers)
     return outcome._replace(
         decisions={**outcome.decisions, row.name: Decision(REFUTED, proof)},
         steps=(*outcome.steps, ObligationStep(row.name, proof)),

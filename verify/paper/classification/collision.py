@@ -118,7 +118,7 @@ def context() -> Context:
 def chapters() -> Iterator[Chapter]:
     """The law, the two balls with a free one, the sums over all balls, and equal masses."""
     yield Chapter(None, (Opened(context()),))
-    yield Chapter(CONTEXT, (*_law(), *_free(), *_sums()))
+    yield Chapter(CONTEXT, (*_law(), *_free(), *_dissipation(), *_sums()))
     yield from _equal()
 
 
@@ -189,8 +189,7 @@ def _free() -> Iterator[Item]:
     )
 
 
-def _sums() -> Iterator[Item]:
-    uses = ("hard-spheres",)
+def _dissipation() -> Iterator[Item]:
     energy = _energy(new_i, new_j) - _energy(v_i, v_j)
     yield Line(
         "energy-law",
@@ -198,7 +197,7 @@ def _sums() -> Iterator[Item]:
         identity("J mu"),
         ENERGY,
         "e² changes by μ(ρ'²-ρ²), which is -(1-r²)μρ² where ρ' = -rρ",
-        uses,
+        ("hard-spheres",),
     )
     both = times(
         "collision-inelastic-upper", plus("collision-approach", "collision-inelastic-lower")
@@ -210,6 +209,10 @@ def _sums() -> Iterator[Item]:
         ENERGY,
         "e² never rises",
     )
+
+
+def _sums() -> Iterator[Item]:
+    uses = ("hard-spheres",)
     yield Line(
         "virial-law",
         equal(_virial(new_i, new_j) - _virial(v_i, v_j), J * n.sigma),

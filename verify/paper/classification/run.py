@@ -79,7 +79,7 @@ def chapters() -> Iterator[Chapter]:
     ]
     premises = [f"first-{name}" for name in (*carried(), *standing())]
     yield Chapter(first.context, (*lines, Opened(context(), tuple(premises))))
-    yield Chapter(v.context, (*_flight(), *_laws(), *_count()))
+    yield Chapter(v.context, (*_meeting(), *_path_c(), *_path_s(), *_laws(), *_count()))
     always = Line(
         "run-always",
         Always(v.context, begin, following()),
@@ -95,7 +95,8 @@ def chapters() -> Iterator[Chapter]:
     yield Chapter(first.context, (always,))
 
 
-def _flight() -> Iterator[Item]:
+def _meeting() -> Iterator[Item]:
+    """The time to the next collision, and its closing speed."""
     yield Line("speed-positive", 0 < v.A, proof("run-cs-c", power("run-approaches", 2)))
     yield Line("D-positive", 0 < v.D, proof("run-apart", "run-contact-c"))
     yield Line("root-positive", 0 < sqrt(discriminant(v)), ByRoot())
@@ -129,6 +130,10 @@ def _flight() -> Iterator[Item]:
         LAW,
         "and u_{n+1} is the speed at which they close",
     )
+
+
+def _path_c() -> Iterator[Item]:
+    """The ball that will collide does not approach faster."""
     at_c = flight.values(v.D, -v.y, v.A, tau, v.c)
     yield Line(
         "path-c", flight.given_at("distance", at_c), identity("", (("contact", as_term(-1)),))
@@ -148,6 +153,10 @@ def _flight() -> Iterator[Item]:
         "u_{n+1} ≤ y: in flight the speed of approach does not grow",
         ("cauchy-schwarz",),
     )
+
+
+def _path_s() -> Iterator[Item]:
+    """The ball that has collided does not recede more slowly."""
     yield Line(
         "eta-positive",
         0 < v.eta,

@@ -45,7 +45,8 @@ def chapters() -> Iterator[Chapter]:
     """No collision; no collapse; no collapse later."""
     yield from _pair()
     yield from _spread()
-    yield from _late()
+    yield from _turning()
+    yield from _later()
     yield from _deadline()
 
 
@@ -135,7 +136,7 @@ def _spread() -> Iterator[Chapter]:
     yield Chapter(out.context, (rises,))
 
 
-def _late() -> Iterator[Chapter]:
+def _turning() -> Iterator[Chapter]:
     turning = turn.opened(
         "L² ≤ R²e² and R² ≤ ρ²",
         "1 1 1 1",
@@ -146,6 +147,18 @@ def _late() -> Iterator[Chapter]:
             "R": turn.R <= turn.rho,
         },
     )
+    bound = Line(
+        "spin-energy",
+        turn.L / turn.rho <= turn.e,
+        proof("turning-spin", times("turning-R", "turning-e")),
+        LABEL,
+        "(iv) e² ≥ L²/ρ² while R² ≤ ρ²",
+    )
+    yield Chapter(None, (Opened(turning),))
+    yield Chapter(turn.context, (bound,))
+
+
+def _later() -> Iterator[Chapter]:
     context = late.opened(
         "a system at the time T, then a flight of length t to a collision with σJ",
         "2 0 1 0 2 0 1 1 1",
@@ -158,15 +171,7 @@ def _late() -> Iterator[Chapter]:
             "square": late.R + 2 * late.T * late.A + late.T**2 * late.m <= late.R_T,
         },
     )
-    yield Chapter(None, (Opened(turning), Opened(context)))
-    bound = Line(
-        "spin-energy",
-        turn.L / turn.rho <= turn.e,
-        proof("turning-spin", times("turning-R", "turning-e")),
-        LABEL,
-        "(iv) e² ≥ L²/ρ² while R² ≤ ρ²",
-    )
-    yield Chapter(turn.context, (bound,))
+    yield Chapter(None, (Opened(context),))
     then = late.T + late.t
     yield Chapter(
         late.context,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 
 from verify.cli.options import Options, Parser, field
@@ -13,7 +13,7 @@ from verify.language.statement import UNDECIDED
 from verify.language.terms import Term, as_term
 from verify.paper.groups import PRINTED, SELECTIONS
 from verify.prover.outcome import EXIT_CODES, Outcome, conjunction
-from verify.views.table import report_lines, screen, some_rows
+from verify.views.screen import screen
 
 MAX_PRECISION = 1 << 16
 
@@ -123,7 +123,8 @@ def _point(options: Options) -> int:
         from verify.cli.files import test_folder  # loaded only where it is used
 
         test_folder("--out", options.out, "statement.json", "certificate.json")
-    more = options.out or options.json or options.verbose or options.rows
+    table = options.verbose or options.rows is not None
+    more = options.out or options.json or table
     outcome = decide_point(parameters, options.constants, bits, last, all_sides=bool(more))
     if options.out is not None:
         from verify.cli.files import write_certificate
@@ -132,9 +133,7 @@ def _point(options: Options) -> int:
     if options.json:
         _print_document(outcome, bits)
         return outcome.exit_code
-    text = report_lines(outcome) if options.verbose else screen(outcome)
-    if options.rows is not None:
-        text = iter(_some_rows(outcome, options.rows))
+    text = _table(outcome, options.rows) if table else screen(outcome)
     sys.stdout.write("".join(f"{line}\n" for line in text))
     return outcome.exit_code
 
@@ -157,7 +156,12 @@ def _print_document(outcome: Outcome, bits: int) -> None:
     print_document(document(sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome))
 
 
-def _some_rows(outcome: Outcome, name: str) -> list[str]:
+def _table(outcome: Outcome, name: str | None) -> Iterable[str]:
+    """The whole table, or the rows of a name."""
+    from verify.views.table import report_lines, some_rows  # loaded only where they are used
+
+    if name is None:
+        return report_lines(outcome)
     found = some_rows(outcome, name)
     if not found:
         raise InputError(f"--rows: there is no row {shown(name)}; write a name that -v prints")

@@ -20,7 +20,7 @@ from verify.paper.groups import HYPOTHESES, PRINTED, SELECTIONS
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.choose import BudgetError, choose
-from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Ground
+from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Enclosures, Ground
 from verify.prover.outcome import Decision, Outcome, conjunction
 from verify.prover.session import Session
 
@@ -99,11 +99,9 @@ class PointRun:
             obligations=tuple(self.rows),
             assumptions=tuple(a for a in theorem().assumptions if a.name in used),
         )
-        enclosures = {}
-        for name in (*values, *(constant.name for constant in self.constants)):
-            found = self.ground.enclose(self.ground.definitions[name])
-            if found is not None:
-                enclosures[name] = found
+        names = (*values, *(constant.name for constant in self.constants))
+        found = Enclosures(self.ground, names)
+        enclosures = dict(found) if self.all_sides else found
         steps = tuple(self.session.steps)
         return with_step(Outcome(statement, self.decisions, steps, enclosures, self.spent))
 
@@ -123,7 +121,8 @@ def decide_point(
         selection: a key of `SELECTIONS`.
         start_bits: the first precision.
         max_bits: the last one.
-        all_sides: whether every row gets enclosures of its sides, not only the refuted ones.
+        all_sides: whether every row gets enclosures of its sides, not only the refuted ones, and
+            all constants are enclosed now, not when they are asked for.
     """
     return PointRun(parameters, selection, start_bits, max_bits, all_sides).run()
 

@@ -5,7 +5,7 @@ Nothing here is trusted. What is found is written down as the steps of a certifi
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
 from verify.language.record import TYPE_CHECKING
@@ -272,6 +272,25 @@ class Ground:
     def may_hold(self, claim: Claim, bits: int) -> bool:
         """False if the enclosures refute the claim."""
         return self._compare(claim, bits) != REFUTED
+
+
+class Enclosures(Mapping[str, Enclosure]):
+    """The enclosures of some names that have one, each found when it is asked for."""
+
+    def __init__(self, ground: Ground, names: Iterable[str]) -> None:
+        self._ground, self._names = ground, tuple(names)
+
+    def __getitem__(self, name: str) -> Enclosure:
+        found = self._ground.enclose(self._ground.definitions[name])
+        if found is None:
+            raise KeyError(name)
+        return found
+
+    def __iter__(self) -> Iterator[str]:
+        return (name for name in self._names if self.get(name) is not None)
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
 
 
 def _for_checker(bits: int) -> int:

@@ -1,4 +1,4 @@
-"""The table of ``theorem1`` for a reader at a terminal."""
+"""The whole table of ``theorem1 -v``, for a reader at a terminal."""
 
 from __future__ import annotations
 
@@ -10,14 +10,13 @@ from verify.language.terms import Claim, symbol
 from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.groups import PRINTED as PRINTED_SET
-from verify.paper.rows import BREAKS
 from verify.paper.theorem1 import theorem
 from verify.prover.decimals import outward, short
 from verify.prover.outcome import Decision, Ends, Outcome
+from verify.views.screen import SIGNS, TITLES, verdict_lines
 from verify.views.words import (
     constants_of,
     ends_of,
-    failed_hypotheses,
     group_verdict,
     groups,
     in_numbers,
@@ -26,59 +25,8 @@ from verify.views.words import (
     parameters_of,
     short_name,
     sides_of,
-    summary,
     taken_on_trust,
 )
-
-_SIGNS = {"<": "<", "<=": "≤", "=": "="}
-_TITLES = {
-    PRINTED_SET: "The constants as printed",
-    REPAIRED: "The repaired constants",
-}
-
-
-def screen(outcome: Outcome) -> Iterator[str]:
-    """What fits on a screen: what is proved, given what, and which steps break the argument.
-
-    The last line is the result with everything it is about.
-    """
-    typesetter = letters(outcome)
-    values = parameters_of(outcome).items()
-    at = ", ".join(f"{typesetter.term(symbol(n))} = {typesetter.term(term)}" for n, term in values)
-    yield f"Theorem 1 ({outcome.statement.theorem}) at {at}"
-    sets = [group for group in groups(outcome) if group != HYPOTHESES]
-    numbers = in_numbers(outcome) if REPAIRED in sets else None
-    if numbers is not None:
-        yield from ("", numbers)
-    yield ""
-    yield from _breaking(outcome)
-    kinds = Counter(
-        row.severity for row, found in outcome.rows if found.verdict == REFUTED and row.severity
-    )
-    rest = [counted(count, kind) for kind, count in kinds.items() if kind != BREAKS]
-    if rest:
-        yield f"Also refuted: {', '.join(rest)}."
-    yield "Every row: -v; some: --rows NAME; for programs: --json; a certificate: --out DIR."
-    yield ""
-    yield from _verdicts(outcome, sets)
-
-
-def counted(count: int, severity: str) -> str:
-    """So many rows of a severity: 9 slips of wording, 11 false, but harmless here."""
-    return f"{count} {severity.replace('slip', 'slips', count != 1)}"
-
-
-def _breaking(outcome: Outcome) -> Iterator[str]:
-    """The refuted steps that break the printed argument, a line each with both numbers."""
-    rows = [p for p in outcome.rows if p[1].verdict == REFUTED and p[0].severity == BREAKS]
-    if rows:
-        yield "Refuted steps that break the printed argument (left and right side):"
-    for row, decision in rows:
-        sides = sides_of(row, decision)
-        if sides is not None and isinstance(row.claim, Claim):
-            sign = _SIGNS[row.claim.relation]
-            numbers = f"{short(sides[0], 3)} {sign} {short(sides[1], 3)}"
-            yield f"  {short_name(row):<18} {numbers:<26} {row.label}"
 
 
 def some_rows(outcome: Outcome, name: str) -> list[str]:
@@ -111,13 +59,13 @@ def report_lines(outcome: Outcome) -> Iterator[str]:
     yield ""
     yield from taken_on_trust(outcome)
     yield ""
-    yield from _verdicts(outcome, sets)
+    yield from verdict_lines(outcome, sets)
 
 
 def _set(outcome: Outcome, group: str, typesetter: Typesetter) -> Iterator[str]:
     rows = outcome.of_group(group)
     yield ""
-    yield f"{_TITLES.get(group, group)}: {group_verdict(outcome, group)}"
+    yield f"{TITLES.get(group, group)}: {group_verdict(outcome, group)}"
     for constant in constants_of(outcome, group):
         yield from _constant(outcome, constant, typesetter)
     numbers = in_numbers(outcome) if group == REPAIRED else None
@@ -173,7 +121,7 @@ def _row(row: Obligation, decision: Decision, typesetter: Typesetter) -> Iterato
     yield f"            {typesetter.claim(row.claim)}"
     sides = sides_of(row, decision)
     if sides is not None and isinstance(row.claim, Claim):
-        numbers = f"{short(sides[0])} {_SIGNS[row.claim.relation]} {short(sides[1])}"
+        numbers = f"{short(sides[0])} {SIGNS[row.claim.relation]} {short(sides[1])}"
         yield f"            {numbers}   {_margin(decision, sides)}"
     if decision.verdict == REFUTED:
         if row.severity:
@@ -198,7 +146,7 @@ def _margin(decision: Decision, sides: tuple[Ends, Ends]) -> str:
 
 def _first_screen(outcome: Outcome, sets: list[str]) -> Iterator[str]:
     """The verdicts, and the names of what is refuted."""
-    yield from _verdicts(outcome, sets)
+    yield from verdict_lines(outcome, sets)
     refuted: dict[str, list[str]] = {}
     for row, decision in outcome.rows:
         if decision.verdict == REFUTED and (row.role == PRINTED or row.group in sets):
@@ -206,13 +154,3 @@ def _first_screen(outcome: Outcome, sets: list[str]) -> Iterator[str]:
             refuted.setdefault(kind, []).append(short_name(row))
     for kind, names in refuted.items():
         yield f"Refuted, {kind}: {', '.join(names)}"
-
-
-def _verdicts(outcome: Outcome, sets: list[str]) -> Iterator[str]:
-    for row, why in failed_hypotheses(outcome):
-        yield f"Hypothesis {row.label} does not hold: {row.says} ({why})"
-    if outcome.spent:
-        yield f"Precision budget spent: {outcome.spent}"
-    for group in sets:
-        yield f"{_TITLES.get(group, group)}: {group_verdict(outcome, group)}"
-    yield f"Verdict: {summary(outcome)}"

@@ -1,0 +1,86 @@
+"""What ``theorem1`` prints at a point, if nobody asks for more: what fits on a screen."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+
+from verify.language.statement import REFUTED
+from verify.language.terms import Claim, symbol
+from verify.paper.groups import HYPOTHESES, REPAIRED
+from verify.paper.groups import PRINTED as PRINTED_SET
+from verify.paper.rows import BREAKS
+from verify.prover.decimals import short
+from verify.prover.outcome import Outcome
+from verify.views.words import (
+    failed_hypotheses,
+    group_verdict,
+    groups,
+    in_numbers,
+    letters,
+    parameters_of,
+    short_name,
+    sides_of,
+    summary,
+)
+
+SIGNS = {"<": "<", "<=": "≤", "=": "="}
+TITLES = {
+    PRINTED_SET: "The constants as printed",
+    REPAIRED: "The repaired constants",
+}
+
+
+def screen(outcome: Outcome) -> Iterator[str]:
+    """What fits on a screen: what is proved, given what, and which steps break the argument.
+
+    The last line is the result with everything it is about.
+    """
+    typesetter = letters(outcome)
+    values = parameters_of(outcome).items()
+    at = ", ".join(f"{typesetter.term(symbol(n))} = {typesetter.term(term)}" for n, term in values)
+    yield f"Theorem 1 ({outcome.statement.theorem}) at {at}"
+    sets = [group for group in groups(outcome) if group != HYPOTHESES]
+    numbers = in_numbers(outcome) if REPAIRED in sets else None
+    if numbers is not None:
+        yield from ("", numbers)
+    yield ""
+    yield from _breaking(outcome)
+    kinds = Counter(
+        row.severity for row, found in outcome.rows if found.verdict == REFUTED and row.severity
+    )
+    rest = [counted(count, kind) for kind, count in kinds.items() if kind != BREAKS]
+    if rest:
+        yield f"Also refuted: {', '.join(rest)}."
+    yield "Every row: -v; some: --rows NAME; for programs: --json; a certificate: --out DIR."
+    yield ""
+    yield from verdict_lines(outcome, sets)
+
+
+def counted(count: int, severity: str) -> str:
+    """So many rows of a severity: 9 slips of wording, 11 false, but harmless here."""
+    return f"{count} {severity.replace('slip', 'slips', count != 1)}"
+
+
+def _breaking(outcome: Outcome) -> Iterator[str]:
+    """The refuted steps that break the printed argument, a line each with both numbers."""
+    rows = [p for p in outcome.rows if p[1].verdict == REFUTED and p[0].severity == BREAKS]
+    if rows:
+        yield "Refuted steps that break the printed argument (left and right side):"
+    for row, decision in rows:
+        sides = sides_of(row, decision)
+        if sides is not None and isinstance(row.claim, Claim):
+            sign = SIGNS[row.claim.relation]
+            numbers = f"{short(sides[0], 3)} {sign} {short(sides[1], 3)}"
+            yield f"  {short_name(row):<18} {numbers:<26} {row.label}"
+
+
+def verdict_lines(outcome: Outcome, sets: list[str]) -> Iterator[str]:
+    """What fails or is left open, and the verdicts; the last line is the whole result."""
+    for row, why in failed_hypotheses(outcome):
+        yield f"Hypothesis {row.label} does not hold: {row.says} ({why})"
+    if outcome.spent:
+        yield f"Precision budget spent: {outcome.spent}"
+    for group in sets:
+        yield f"{TITLES.get(group, group)}: {group_verdict(outcome, group)}"
+    yield f"Verdict: {summary(outcome)}"

@@ -211,7 +211,8 @@ Definition context_good (c : nat) : Prop :=
 
 Definition true_statement : Prop :=
   Forall constant_defined (constants S) /\ Forall context_good (own_contexts S) /\
-  Forall row_true (rows S).
+  Forall row_true (rows S) /\
+  Forall (fun r => row_needed r = true -> row_verdict r = Proved) (rows S).
 (* What is believed of the statements that are cited. *)
 Definition citations_true : Prop :=
   Forall constant_defined (cited_constants S) /\

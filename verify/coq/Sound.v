@@ -80,6 +80,34 @@ Proof.
   intros _. rewrite (value_is _ _ _ E), (defined_is _ _ _ E). cbn. split; [unfold Rdiv; ring | tauto].
 Qed.
 
+Lemma phi_sound v c at_ : (0 < c)%nat -> of_context T c at_ = true -> all_defined S v at_ ->
+  all_replaced S at_ v (phi_of S T K H c at_).
+Proof.
+  intros C O D. unfold phi_of. apply (new_terms_sound S in_order parents_first H good_homes
+    T is_table K c at_ v O D C).
+  - intros i n I. now apply listed_find.
+  - intros i j X. now rewrite PM.gempty in X.
+Qed.
+(* What is found for a claim at terms for variables says of these what the claim says. *)
+Section Substituted.
+Variable v : valuation.
+Variable c : nat.
+Variable at_ : substitution.
+Hypothesis not_root : (0 < c)%nat.
+Hypothesis own : of_context T c at_ = true.
+Hypothesis values_defined : all_defined S v at_.
+Lemma substituted_sound g h : substituted S H c (phi_of S T K H c at_) g = Some h ->
+  (stands S (after S v at_) g <-> stands S v h) /\
+  (holds S (after S v at_) g <-> holds S v h).
+Proof.
+  unfold substituted. intros E. bind E a A. bind E b B. injection E as <-.
+  apply (new_term_sound S in_order parents_first H good_homes T is_table c at_ v own not_root)
+    in A, B; try now apply phi_sound.
+  destruct A as [A1 A2], B as [B1 B2]. unfold holds, stands. cbn [lhs rhs relation_of].
+  rewrite A1, B1, A2, B2. tauto.
+Qed.
+End Substituted.
+
 Section Facts.
 Variable F : facts.
 Hypothesis valid_facts : valid F.
@@ -546,30 +574,12 @@ Qed.
 
 (* --- instance --- *)
 
-Lemma phi_sound c at_ : (0 < c)%nat -> of_context T c at_ = true -> all_defined S v at_ ->
-  all_replaced S at_ v (phi_of S T K H c at_).
-Proof.
-  intros C O D. unfold phi_of. apply (new_terms_sound S in_order parents_first H good_homes
-    T is_table K c at_ v O D C).
-  - intros i n I. now apply listed_find.
-  - intros i j X. now rewrite PM.gempty in X.
-Qed.
 Section Put.
 Variable c : nat.
 Variable at_ : substitution.
 Hypothesis not_root : (0 < c)%nat.
 Hypothesis own : of_context T c at_ = true.
 Hypothesis values_defined : all_defined S v at_.
-Lemma substituted_sound g h : substituted S H c (phi_of S T K H c at_) g = Some h ->
-  (stands S (after S v at_) g <-> stands S v h) /\
-  (holds S (after S v at_) g <-> holds S v h).
-Proof.
-  unfold substituted. intros E. bind E a A. bind E b B. injection E as <-.
-  apply (new_term_sound S in_order parents_first H good_homes T is_table c at_ v own not_root)
-    in A, B; try now apply phi_sound.
-  destruct A as [A1 A2], B as [B1 B2]. unfold holds, stands. cbn [lhs rhs relation_of].
-  rewrite A1, B1, A2, B2. tauto.
-Qed.
 Lemma givens_hold_sound l premises : Forall proves premises ->
   givens_hold S T K H F prove p c at_ (phi_of S T K H c at_) l premises = true ->
   satisfies S (after S v at_) l.
@@ -579,7 +589,7 @@ Proof.
     (Q := fun a => stands S (after S v at_) (given_claim a)) in A; trivial.
   revert P. apply Forall_impl. intros q M x Y.
   destruct (substituted _ _ _ _ _) as [h|] eqn:X; try discriminate.
-  apply substituted_sound in X. apply X. eapply M; eauto.
+  apply (substituted_sound v c at_ not_root own values_defined) in X. apply X. eapply M; eauto.
 Qed.
 End Put.
 Lemma givens_hold_defined c at_ phi l premises :
@@ -597,27 +607,40 @@ Proof.
   split_and E. destruct (givens_hold_defined _ _ _ _ _ A0) as (C & O & D).
   apply (givens_hold_sound c at_ C O D) in A0; trivial.
   destruct (substituted _ _ _ _ _) as [h|] eqn:X; try discriminate.
-  apply same_claim_sound in A. subst h. apply (substituted_sound c at_ C O D) in X. apply X.
+  apply same_claim_sound in A. subst h. apply (substituted_sound v c at_ C O D) in X. apply X.
   apply (proj1 valid_facts _ _ _ N0).
   apply scope_after; trivial. unfold in_parent in E. now apply (inside_scope v p here).
 Qed.
 End Branches.
 End Again.
 
-Theorem prove_sound q : forall p g, prove S T K H F grounds p g q = true ->
-  forall v, satisfied v p -> holds S v g.
+Notation prove := (prove S T K H F grounds).
+Lemma prove_step p g q : prove p g q = match q with
+  | Given_ f => match fact_at S F p f with Some h => same_claim h g | None => false end
+  | Interval bits bounds => interval S T H F grounds p g bits bounds
+  | Cuts t points branches => cuts S T K F prove p g t points branches
+  | Cases t branches => cases S T K F prove p g t branches
+  | Entry s e => entry S T K F p g s e
+  | Least s e branches => least S T K F prove p g s e branches
+  | PositiveRoot => root S T F p g
+  | BySum u a e => sum S T K F p g u a e
+  | Instance f s premises => instance S T K H F prove p g f s premises
+  end.
+Proof. destruct q; reflexivity. Qed.
+
+Theorem prove_sound q : forall p g, prove p g q = true -> forall v, satisfied v p -> holds S v g.
 Proof.
-  induction q using proof_induction; intros p g E v here; cbn [prove] in E.
+  induction q using proof_induction; intros p g E v here; rewrite prove_step in E.
   - destruct (fact_at S F p f) as [h|] eqn:X; try discriminate.
-    apply same_claim_sound in E. subst h. now apply (fact_at_sound v p here) in X.
-  - now apply (interval_sound v p here) in E.
-  - apply (cuts_sound v p here (prove S T K H F grounds)) in E; trivial.
-  - apply (cases_sound v p here (prove S T K H F grounds)) in E; trivial.
-  - apply (entry_sound v p here (prove S T K H F grounds)) in E; trivial.
-  - apply (least_sound v p here (prove S T K H F grounds)) in E; trivial.
-  - apply (root_sound v p here (prove S T K H F grounds)) in E; trivial.
-  - apply (sum_sound v p here) in E; trivial.
-  - apply (instance_sound v p here (prove S T K H F grounds)) in E; trivial.
+    apply same_claim_sound in E. subst h. exact (fact_at_sound v p here _ _ X).
+  - exact (interval_sound v p here _ _ _ E).
+  - exact (cuts_sound v p here prove _ _ _ _ H0 E).
+  - exact (cases_sound v p here prove _ _ _ H0 E).
+  - exact (entry_sound v p here prove _ _ _ E).
+  - exact (least_sound v p here prove _ _ _ _ H0 E).
+  - exact (root_sound v p here prove _ E).
+  - exact (sum_sound v p here _ _ _ _ E).
+  - exact (instance_sound v p here prove _ _ _ _ H0 E).
 Qed.
 End Facts.
 End Sound.

@@ -77,6 +77,23 @@ Proof.
   destruct H as [H|H]; [injection H as -> ->; apply PM.gss|].
   rewrite PM.gso; [now apply IH|]. apply listed_above in H. lia.
 Qed.
+Lemma nth_listed {A} (l : list A) : forall k i, (k <= i)%positive ->
+  PM.find i (table (listed k l)) = nth_error l (Pos.to_nat i - Pos.to_nat k).
+Proof.
+  induction l as [|x l IH]; intros k i L; cbn [listed table fold_right fst snd].
+  - rewrite PM.gempty. now destruct (_ - _)%nat.
+  - destruct (Pos.eq_dec i k) as [->|N].
+    + now rewrite PM.gss, Nat.sub_diag.
+    + rewrite PM.gso by assumption. fold (table (listed (Pos.succ k) l)). rewrite IH by lia.
+      replace (Pos.to_nat i - Pos.to_nat k)%nat with
+        (Datatypes.S (Pos.to_nat i - Pos.to_nat (Pos.succ k))) by lia.
+      reflexivity.
+Qed.
+Lemma in_listed {A} (l : list A) x : In x l -> forall k, exists i, In (i, x) (listed k l).
+Proof.
+  induction l as [|y l IH]; [intros []|]. intros [<-|I] k; cbn [listed In]; [eauto|].
+  destruct (IH I (Pos.succ k)) as [i J]. eauto.
+Qed.
 Lemma grow_before ns : forall k trees i, (i < k)%positive ->
   PM.find i (grow k ns trees) = PM.find i trees.
 Proof.

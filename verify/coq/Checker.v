@@ -1,0 +1,594 @@
+(* A certificate, step by step; and the theorem: if the checker accepts it, the statement is true. *)
+Require Import Reals QArith Qreals ZArith NArith List Lra Lia Bool Arith FMapPositive.
+Require Import Meaning Polynomials Terms Substitution Clearing Enclosures Kernel Sound.
+Import ListNotations.
+Open Scope R_scope.
+
+(* --- certificates ----------------------------------------------------------------------------- *)
+
+Inductive defining : Set := ByClearing | ByInterval (bits : positive) (bounds : list bound).
+Inductive row_proof : Set :=
+| ByProof (q : proof)
+| ByWitness (at_ : substitution) (premises : list proof) (negation : proof)
+| ByInstance (premises : list proof)
+| ByInduction (start next : list proof).
+Inductive step : Set :=
+| Open_ (c : nat) (premises : list proof)
+| Lemma_ (name : positive) (c : nat) (g : claim) (q : proof)
+| Constant_ (name : positive) (term : positive) (d : defining)
+| Obligation (row : positive) (q : row_proof).
+(* The value of a term lies between two rational numbers. *)
+Record ends : Set := Ends { enclosed : positive; precision : positive; low : Q; high : Q }.
+Record certificate : Set := Certificate {
+  shared : list (positive * list positive);  (* terms to be enclosed once, for each precision *)
+  steps : list step;
+  enclosures : list ends
+}.
+
+Section Checker.
+Variable S : statement.
+Variable T : PM.t node.
+Variable K : PM.t positive.
+Variable H : PM.t nat.
+Notation home := (home_in H).
+Variable rows_by_number : PM.t row.
+Variable grounds : list (positive * memory).
+
+Record state : Type := State {
+  known : facts;
+  opened : list nat;  (* contexts that have a point *)
+  done_rows : PM.t unit;
+  done_constants : PM.t unit
+}.
+
+Definition pushed (t : positive) (c : nat) (m : PM.t (list nat)) : PM.t (list nat) :=
+  PM.add t (match PM.find t m with Some l => c :: l | None => [c] end) m.
+Definition install (name : positive) (c : nat) (g : claim) (F : facts) : facts :=
+  let zero := is_zero T (lhs g) in
+  Facts (PM.add name (c, g) (named F))
+    (if zero && same_relation (relation_of g) Less then pushed (rhs g) c (positives F)
+     else positives F)
+    (if zero && same_relation (relation_of g) AtMost then pushed (rhs g) c (nonnegatives F)
+     else nonnegatives F)
+    (having_values F).
+Definition with_value (c : nat) (i : positive) (F : facts) : facts :=
+  Facts (named F) (positives F) (nonnegatives F) (PM.add i c (having_values F)).
+Definition in_scope (c : nat) (g : claim) : bool :=
+  is_inside S c (home (lhs g)) && is_inside S c (home (rhs g)).
+Definition is_open (s : state) (c : nat) : bool :=
+  Nat.eqb c 0 || existsb (Nat.eqb c) (opened s).
+Notation prove F := (prove S T K H F grounds).
+Notation at_context c := (no_hypotheses c).
+
+(* Terms that have values, put for the variables of a context; premises for some of its givens. *)
+Definition holds_after (F : facts) (p : place) (c : nat) (at_ : substitution) (l : list given)
+  (premises : list proof) : bool :=
+  givens_hold S T K H F (prove F) p c at_ (phi_of S T K H c at_) l premises.
+
+Definition is_carried (a : given) : bool :=
+  match given_kind a with Carried => true | _ => false end.
+Definition is_plain (a : given) : bool :=
+  match given_kind a with Plain => true | _ => false end.
+Definition applies (F : facts) (c d : nat) (at_ : substitution) (premises : list proof) : bool :=
+  in_parent S (at_context c) d &&
+  holds_after F (at_context c) d at_ (givens_of S d) premises.
+Definition induction (F : facts) (c d : nat) (start next : substitution)
+  (first later : list proof) : bool :=
+  Nat.eqb (parent_of S d) c && negb (existsb is_plain (givens_of S d)) &&
+  holds_after F (at_context c) d start (filter is_carried (givens_of S d)) first &&
+  holds_after F (at_context d) d next (filter is_carried (givens_of S d)) later.
+Definition witness (s : state) (c : nat) (g : claim) (at_ : substitution)
+  (premises : list proof) (negation : proof) : bool :=
+  let outside := at_context (parent_of S c) in
+  is_open s (parent_of S c) &&
+  holds_after (known s) outside c at_ (givens_of S c) premises &&
+  match substituted S H c (phi_of S T K H c at_) g with
+  | Some h => prove (known s) outside (negated h) negation
+  | None => false
+  end.
+Definition define (F : facts) (p : place) (t : positive) (d : defining) : bool :=
+  match d with
+  | ByClearing => clears S T K F p [t]
+  | ByInterval bits bounds =>
+      match enclosing S T H F bits p (ground grounds bits) bounds with
+      | Some m => match enclose T bits levels m t with Some _ => true | None => false end
+      | None => false
+      end
+  end.
+(* The givens one by one: each at the point, then its sides in the context itself. *)
+Fixpoint open_givens (c : nat) (at_ : substitution) (phi : PM.t positive) (F : facts)
+  (l : list given) (premises : list proof) : option facts :=
+  match l, premises with
+  | [], [] => Some F
+  | a :: l, q :: premises =>
+      let g := given_claim a in
+      let* h := substituted S H c phi g in
+      if prove F (at_context (parent_of S c)) h q && clears S T K F (at_context c) [lhs g; rhs g]
+      then open_givens c at_ phi (install (given_name a) c g F) l premises
+      else None
+  | _, _ => None
+  end.
+Definition point_of (c : nat) : substitution :=
+  match context_at S c with Some x => point x | None => [] end.
+
+Definition obligation (s : state) (r : row) (q : row_proof) : option facts :=
+  let F := known s in
+  let c := row_context r in
+  match row_sentence r, row_verdict r, q with
+  | Compare g, Proved, ByProof q =>
+      if in_scope c g && prove F (at_context c) g q then Some (install (row_name r) c g F) else None
+  | Compare g, Refuted, ByProof q =>
+      if in_scope c g && prove F (at_context c) (negated g) q then Some F else None
+  | Compare g, Refuted, ByWitness at_ premises negation =>
+      if in_scope c g && witness s c g at_ premises negation then Some F else None
+  | Applies d at_, Proved, ByInstance premises =>
+      if applies F c d at_ premises then Some F else None
+  | Always d start next, Proved, ByInduction first later =>
+      if induction F c d start next first later then Some F else None
+  | _, _, _ => None
+  end.
+Definition take (s : state) (x : step) : option state :=
+  match x with
+  | Open_ c premises =>
+      let outside := at_context (parent_of S c) in
+      let at_ := point_of c in
+      if is_open s (parent_of S c) && negb (is_open s c) && negb (Nat.eqb c 0) &&
+         same_names (variables_of S c) at_ && of_context T c at_ &&
+         clears S T K (known s) outside (map snd at_)
+      then
+        let* F := open_givens c at_ (phi_of S T K H c at_) (known s) (givens_of S c) premises in
+        Some (State F (c :: opened s) (done_rows s) (done_constants s))
+      else None
+  | Lemma_ name c g q =>
+      if is_open s c && in_scope c g && prove (known s) (at_context c) g q
+      then Some (State (install name c g (known s)) (opened s) (done_rows s) (done_constants s))
+      else None
+  | Constant_ name i d =>
+      match PM.find i T with
+      | Some (NConstant c a) =>
+          if is_open s c && define (known s) (at_context c) a d
+          then Some (State (install name c (Claim Equal i a) (with_value c i (known s)))
+                 (opened s) (done_rows s) (PM.add i tt (done_constants s)))
+          else None
+      | _ => None
+      end
+  | Obligation k q =>
+      let* r := PM.find k rows_by_number in
+      if is_open s (row_context r) && negb (PM.mem k (done_rows s))
+      then
+        let* F := obligation s r q in
+        Some (State F (opened s) (PM.add k tt (done_rows s)) (done_constants s))
+      else None
+  end.
+Fixpoint run (s : state) (l : list step) : option state :=
+  match l with
+  | [] => Some s
+  | x :: r => let* s1 := take s x in run s1 r
+  end.
+
+Definition citing (l : list (positive * (nat * claim))) (F : facts) : facts :=
+  fold_right (fun x F => install (fst x) (fst (snd x)) (snd (snd x)) F) F l.
+Definition defining_context (i : positive) : nat :=
+  match PM.find i T with Some (NConstant c _) => c | _ => O end.
+Definition initial : state :=
+  State
+    (fold_right (fun i F => with_value (defining_context i) i F)
+       (citing (cited S) no_facts) (cited_constants S))
+    (filter (fun c => negb (existsb (Nat.eqb c) (own_contexts S))) (seq 1 (length (contexts S))))
+    (PM.empty unit) (PM.empty unit).
+Definition decided (r : row) : bool :=
+  match row_verdict r with Undecided => false | _ => true end.
+Definition finished (s : state) : bool :=
+  forallb (fun c => existsb (Nat.eqb c) (opened s)) (own_contexts S) &&
+  forallb (fun i => PM.mem i (done_constants s)) (constants S) &&
+  forallb (fun x => negb (decided (snd x)) || PM.mem (fst x) (done_rows s)) (listed 1 (rows S)) &&
+  forallb (fun r => negb (row_needed r) ||
+    match row_verdict r with Proved => true | _ => false end) (rows S).
+Definition right_ends (e : ends) : bool :=
+  match enclose T (precision e) levels (ground grounds (precision e)) (enclosed e) with
+  | Some (x, _) =>
+      decide (precision e) AtMost (Exact (low e)) x && decide (precision e) AtMost x (Exact (high e))
+  | None => false
+  end.
+End Checker.
+
+(* Subterms and parents come first, and the names in givens are those in scope. *)
+Definition well_formed (S : statement) (H : PM.t nat) : bool :=
+  ordered (numbered S) && descending S && at_home S H &&
+  forallb (fun c => forallb (fun a => in_scope S H c (given_claim a)) (givens_of S c))
+    (seq 1 (length (contexts S))).
+(* Each precision with what is enclosed for it, once. *)
+Definition ground_terms (T : PM.t node) (l : list (positive * list positive)) :
+  list (positive * memory) :=
+  map (fun x => (fst x, match each (enclose T (fst x) levels) (PM.empty enclosure) (snd x) with
+    | Some (_, m) => m | None => PM.empty enclosure end)) l.
+
+(* Whether the certificate proves the statement. *)
+Definition accepts (S : statement) (C : certificate) : bool :=
+  let T := table (numbered S) in
+  let K := keys (numbered S) in
+  let H := homes S in
+  let grounds := ground_terms T (shared C) in
+  well_formed S H &&
+  match run S T K H (table (listed 1 (rows S))) grounds (initial S T) (steps C) with
+  | Some s => finished S s
+  | None => false
+  end &&
+  forallb (right_ends T grounds) (enclosures C).
+
+(* --- soundness -------------------------------------------------------------------------------- *)
+
+Section Sound.
+Variable S : statement.
+Hypothesis in_order : ordered (numbered S) = true.
+Hypothesis parents_first : descending S = true.
+Variable T : PM.t node.
+Hypothesis is_table : forall i, PM.find i T = PM.find i (table (numbered S)).
+Variable K : PM.t positive.
+Variable H : PM.t nat.
+Hypothesis good_homes : at_home S H = true.
+Hypothesis givens_home : forall c a, In a (givens_of S c) ->
+  In (home_in H (lhs (given_claim a))) (around S c) /\
+  In (home_in H (rhs (given_claim a))) (around S c).
+Variable grounds : list (positive * memory).
+Hypothesis good_grounds : all_remembered S grounds.
+Notation prove F := (prove S T K H F grounds).
+Notation at_context c := (no_hypotheses c).
+Notation valid := (valid S).
+
+Lemma satisfied_here c v : scope S c v -> satisfied S v (at_context c).
+Proof. split; [assumption | constructor]. Qed.
+Lemma prove_fact F c g q : valid F -> prove F (at_context c) g q = true -> fact S c g.
+Proof.
+  intros V P v I. eapply prove_sound; eauto. now apply satisfied_here.
+Qed.
+Lemma all_prove F : valid F -> forall l, Forall (proves S (prove F)) l.
+Proof.
+  intros V l. apply Forall_forall. intros q _ p g E v I. eapply prove_sound; eauto.
+Qed.
+Lemma pushed_in t c m u l d : PM.find u (pushed t c m) = Some l -> In d l ->
+  (u = t /\ d = c) \/ exists l', PM.find u m = Some l' /\ In d l'.
+Proof.
+  unfold pushed. intros E I. apply find_add in E. destruct E as [[-> <-]|E]; [|eauto].
+  destruct (PM.find t m) as [l'|]; destruct I as [<-|I]; eauto. destruct I.
+Qed.
+Lemma install_valid name c g F : valid F -> fact S c g -> valid (install T name c g F).
+Proof.
+  intros (A & B & C & D) G. unfold install. split; [|split; [|split]]; cbn [named positives nonnegatives having_values].
+  - intros f d h E. apply find_add in E. destruct E as [[_ E]|E]; [|eauto]. injection E as <- <-.
+    exact G.
+  - destruct (is_zero T (lhs g) && _) eqn:Z0; [|apply B]. intros t l d E I v V.
+    apply (pushed_in _ _ _ _ _ _ E) in I. destruct I as [[-> ->]|(l' & E' & I)]; [|eapply B; eauto].
+    split_and Z0. destruct (G v V) as (_ & W & R). split; trivial. unfold stands in R.
+    apply same_relation_sound in A0. rewrite A0 in R.
+    destruct (is_zero_sound S in_order T is_table v _ Z0) as [X _]. now rewrite X in R.
+  - destruct (is_zero T (lhs g) && _) eqn:Z0; [|apply C]. intros t l d E I v V.
+    apply (pushed_in _ _ _ _ _ _ E) in I. destruct I as [[-> ->]|(l' & E' & I)]; [|eapply C; eauto].
+    split_and Z0. destruct (G v V) as (_ & W & R). split; trivial. unfold stands in R.
+    apply same_relation_sound in A0. rewrite A0 in R.
+    destruct (is_zero_sound S in_order T is_table v _ Z0) as [X _]. now rewrite X in R.
+  - exact D.
+Qed.
+Lemma with_value_valid c i F : valid F -> (forall v, scope S c v -> defined_at S v i) ->
+  valid (with_value c i F).
+Proof.
+  intros (A & B & C & D) G. split; [|split; [|split]]; trivial. cbn [having_values with_value].
+  intros j d E. apply find_add in E. destruct E as [[-> <-]|E]; eauto.
+Qed.
+Lemma no_facts_valid : valid no_facts.
+Proof.
+  split; [|split; [|split]]; cbn [named positives nonnegatives having_values no_facts].
+  - intros f c g E. now rewrite PM.gempty in E.
+  - intros t l c E. now rewrite PM.gempty in E.
+  - intros t l c E. now rewrite PM.gempty in E.
+  - intros i c E. now rewrite PM.gempty in E.
+Qed.
+
+(* --- the rules with whole steps of their own --- *)
+
+Lemma holds_after_sound F c d at_ l premises v : valid F ->
+  holds_after S T K H grounds F (at_context c) d at_ l premises = true -> scope S c v ->
+  (0 < d)%nat /\ of_context T d at_ = true /\ all_defined S v at_ /\
+  satisfies S (after S v at_) l.
+Proof.
+  intros V E I. unfold holds_after in E. apply satisfied_here in I.
+  pose proof E as E'. apply (givens_hold_defined S in_order parents_first T is_table K H F V v _ I) in E'.
+  destruct E' as (A & B & C). repeat split; trivial.
+  exact (givens_hold_sound S in_order parents_first T is_table K H good_homes F v _ I _ d at_
+    A B C l premises (all_prove F V premises) E).
+Qed.
+Lemma applies_sound F c d at_ premises : valid F ->
+  applies S T K H grounds F c d at_ premises = true -> says S c (Applies d at_).
+Proof.
+  unfold applies. intros V E v I. split_and E.
+  destruct (holds_after_sound _ _ _ _ _ _ v V A I) as (P & O & D & G). split; trivial.
+  apply (scope_after S in_order parents_first T is_table H good_homes givens_home); trivial.
+  apply is_inside_sound in E. eapply scope_within; eauto.
+Qed.
+Lemma kinds v l : satisfies S v (filter is_carried l) ->
+  satisfies S v (filter (fun a => match given_kind a with Standing => true | _ => false end) l) ->
+  existsb is_plain l = false -> satisfies S v l.
+Proof.
+  unfold satisfies. rewrite !Forall_forall. intros A B P a I.
+  destruct (given_kind a) eqn:E.
+  - assert (Q : existsb is_plain l = true); [|congruence].
+    apply existsb_exists. exists a. unfold is_plain. now rewrite E.
+  - apply A, filter_In. unfold is_carried. now rewrite E.
+  - apply B, filter_In. now rewrite E.
+Qed.
+Lemma induction_sound F c d start next first later : valid F ->
+  induction S T K H grounds F c d start next first later = true -> says S c (Always d start next).
+Proof.
+  unfold induction. intros V E v I. split_and E. apply Nat.eqb_eq in E. subst c.
+  apply negb_true_iff in A1.
+  destruct (holds_after_sound _ _ _ _ _ _ v V A0 I) as (P & O & D & G). split; trivial.
+  assert (W : forall n, (forall k, (k <= n)%nat ->
+    satisfies S (Meaning.state S v start next k) (standing S d)) ->
+    scope S d (Meaning.state S v start next n)).
+  { induction n as [|n IH]; intros Q; cbn [Meaning.state].
+    - apply (scope_after S in_order parents_first T is_table H good_homes givens_home); trivial.
+      apply kinds; trivial. apply (Q 0%nat). lia.
+    - assert (J : scope S d (Meaning.state S v start next n)) by (apply IH; intros; apply Q; lia).
+      destruct (holds_after_sound _ _ _ _ _ _ _ V A J) as (_ & O' & _ & G').
+      apply (scope_after S in_order parents_first T is_table H good_homes givens_home); trivial.
+      + intros k X. apply J. rewrite (around_step S parents_first d P). now right.
+      + apply kinds; trivial. apply (Q (Datatypes.S n)). lia. }
+  intros n Q. specialize (W n Q). split; trivial.
+  now destruct (holds_after_sound _ _ _ _ _ _ _ V A W) as (_ & _ & D' & _).
+Qed.
+Lemma negated_sound v g : holds S v (negated g) -> fails S v g.
+Proof.
+  destruct g as [r a b]. unfold holds, fails, stands, negated. cbn [lhs rhs relation_of].
+  intros (A & B & C). repeat split; trivial. destruct r; cbn [related] in *; lra.
+Qed.
+Definition inhabited (c : nat) : Prop := exists v, scope S c v.
+Lemma root_inhabited : inhabited 0.
+Proof. exists (fun _ => 0). intros k [<-|[]]. constructor. Qed.
+Definition all_inhabited (s : state) : Prop := forall c, In c (opened s) -> inhabited c.
+Lemma is_open_sound s c : all_inhabited s -> is_open s c = true -> inhabited c.
+Proof.
+  intros A E. apply orb_prop in E. destruct E as [E|E].
+  - apply Nat.eqb_eq in E. subst. apply root_inhabited.
+  - apply existsb_exists in E. destruct E as (d & I & E). apply Nat.eqb_eq in E. subst. auto.
+Qed.
+Lemma witness_sound s c g at_ premises negation : valid (known s) -> all_inhabited s ->
+  witness S T K H grounds s c g at_ premises negation = true ->
+  exists v, scope S c v /\ fails S v g.
+Proof.
+  unfold witness. intros V In_ E. split_and E. destruct (is_open_sound _ _ In_ E) as [v I].
+  destruct (holds_after_sound _ _ _ _ _ _ v V A0 I) as (P & O & D & G).
+  destruct (substituted _ _ _ _ _) as [h|] eqn:X; try discriminate.
+  exists (after S v at_). split.
+  - apply (scope_after S in_order parents_first T is_table H good_homes givens_home); trivial.
+  - pose proof (prove_fact _ _ _ _ V A v I) as N0. apply negated_sound in N0.
+    unfold fails, holds in *.
+    destruct (substituted_sound S in_order parents_first T is_table K H good_homes v c at_ P O D
+      _ _ X) as [Y1 Y2].
+    pose proof X as X'. unfold substituted in X'. bind X' a Ha. bind X' b Hb. injection X' as <-.
+    apply (new_term_sound S in_order parents_first H good_homes T is_table c at_ v O P) in Ha, Hb;
+      try (apply (phi_sound S in_order parents_first T is_table K H good_homes v c at_ P O D)).
+    destruct Ha as [_ Ha], Hb as [_ Hb]. cbn [lhs rhs] in N0. rewrite Ha, Hb, Y1. tauto.
+Qed.
+Lemma define_sound F c t d : valid F -> define S T K H grounds F (at_context c) t d = true ->
+  forall v, scope S c v -> defined_at S v t.
+Proof.
+  unfold define. intros V E v I. apply satisfied_here in I. destruct d as [|bits bounds].
+  - apply (clears_sound S in_order parents_first T is_table K F V v _ I) in E. now inversion E.
+  - destruct (enclosing _ _ _ _ _ _ _ _) as [m|] eqn:X; try discriminate.
+    apply (enclosing_sound S in_order parents_first T is_table H F V v _ I) in X;
+      [|now apply ground_sound].
+    destruct (enclose _ _ _ _ _) as [[x m1]|] eqn:Y; try discriminate.
+    eapply enclose_sound in Y; eauto. apply Y.
+Qed.
+Lemma open_givens_sound c at_ v : (0 < c)%nat -> of_context T c at_ = true ->
+  scope S (parent_of S c) v -> all_defined S v at_ ->
+  forall l premises F F', valid F -> incl l (givens_of S c) ->
+  open_givens S T K H grounds c at_ (phi_of S T K H c at_) F l premises = Some F' ->
+  (forall w, scope S c w -> Forall (fun a => holds S w (given_claim a)) l) /\ valid F' /\
+  satisfies S (after S v at_) l.
+Proof.
+  intros P O I D. induction l as [|a l IH]; intros [|q premises] F F' V In_; cbn [open_givens];
+    try discriminate; intros E.
+  - injection E as <-. split; [intros w _; constructor | split; [trivial | constructor]].
+  - bind E h X. destruct (_ && _) eqn:Y; try discriminate. split_and Y.
+    assert (G : fact S c (given_claim a)).
+    { intros w W. pose proof (satisfied_here _ _ W) as W'.
+      apply (clears_sound S in_order parents_first T is_table K F V w _ W') in A.
+      inversion_clear A as [|? ? D1 A1]. inversion_clear A1 as [|? ? D2 _].
+      repeat split; trivial. specialize (W c (around_self S parents_first c)).
+      unfold satisfies in W. rewrite Forall_forall in W. apply W, In_. now left. }
+    apply IH in E; [|now apply install_valid | intros x J; apply In_; now right].
+    destruct E as (E1 & E2 & E3). split; [|split]; trivial.
+    + intros w W. constructor; auto.
+    + constructor; trivial. pose proof (prove_fact _ _ _ _ V Y v I) as (_ & _ & St).
+      exact (proj2 (proj1 (substituted_sound S in_order parents_first T is_table K H good_homes
+        v c at_ P O D _ _ X)) St).
+Qed.
+
+(* --- steps --- *)
+
+Variable rows_by_number : PM.t row.
+(* What is true after some steps. *)
+Record true_so_far (s : state) : Prop := {
+  true_facts : valid (known s);
+  true_contexts : forall c, In c (opened s) -> context_good S c;
+  true_constants : forall i, PM.find i (done_constants s) <> None ->
+    exists c a, PM.find i T = Some (NConstant c a) /\ forall v, scope S c v -> defined_at S v a;
+  true_rows : forall k r, PM.find k (done_rows s) <> None -> PM.find k rows_by_number = Some r ->
+    row_true S r
+}.
+Lemma added_to {A} (i j : positive) (x : A) m : PM.find i (PM.add j x m) <> None ->
+  i = j \/ PM.find i m <> None.
+Proof.
+  destruct (Pos.eq_dec i j); [auto|]. rewrite PM.gso by assumption. auto.
+Qed.
+Lemma obligation_sound s r q F : valid (known s) -> all_inhabited s -> inhabited (row_context r) ->
+  obligation S T K H grounds s r q = Some F -> valid F /\ row_true S r.
+Proof.
+  unfold obligation, row_true. intros V In_ W E.
+  destruct (row_sentence r) as [g|d at_|d start next], (row_verdict r), q;
+    try discriminate; destruct (_ && _) eqn:Y in E || destruct (_ : bool) eqn:Y in E;
+    try discriminate; injection E as <-; try split_and Y.
+  - apply prove_fact in A; trivial. split; [now apply install_valid | exact A].
+  - apply prove_fact in A; trivial. split; trivial. destruct W as [v W].
+    exists v. split; trivial. now apply negated_sound, A.
+  - apply witness_sound in A; auto.
+  - split; trivial. eapply applies_sound; eauto.
+  - split; trivial. eapply induction_sound; eauto.
+Qed.
+Lemma is_open_here s c : true_so_far s -> is_open s c = true -> inhabited c.
+Proof.
+  intros [_ C _ _]. apply is_open_sound. intros d I. apply (C d I).
+Qed.
+Lemma take_sound s x s1 : true_so_far s ->
+  take S T K H rows_by_number grounds s x = Some s1 -> true_so_far s1.
+Proof.
+  intros Q E. pose proof Q as [V C D R].
+  assert (I : all_inhabited s) by (intros d J; apply (C d J)).
+  destruct x as [c premises|name c g q|name i d|k q]; cbn [take] in E.
+  - destruct (_ && _) eqn:Y in E; try discriminate. bind E F X. injection E as <-. split_and Y.
+    apply negb_true_iff, Nat.eqb_neq in A2.
+    destruct (is_open_here _ _ Q Y) as [v W].
+    apply (clears_sound S in_order parents_first T is_table K _ V v _ (satisfied_here _ _ W)) in A.
+    rewrite Forall_map in A. assert (P : (0 < c)%nat) by lia.
+    apply (open_givens_sound c (point_of S c) v P A0 W A _ _ _ _ V (incl_refl _)) in X.
+    destruct X as (X1 & X2 & X3). split; trivial. cbn [opened]. intros d [<-|J]; [|now apply C].
+    split; trivial. exists (after S v (point_of S c)).
+    apply (scope_after S in_order parents_first T is_table H good_homes givens_home); trivial.
+  - destruct (_ && _) eqn:Y in E; try discriminate. injection E as <-. split_and Y.
+    apply prove_fact in A; trivial. split; trivial. now apply install_valid.
+  - destruct (PM.find i T) as [[]|] eqn:N0; try discriminate.
+    destruct (_ && _) eqn:Y in E; try discriminate. injection E as <-. split_and Y.
+    pose proof (define_sound _ _ _ _ V A) as G.
+    assert (G' : forall v, scope S c v -> defined_at S v i).
+    { intros v W. rewrite (defined_is S in_order T is_table v _ _ N0). cbn [subterms proviso In].
+      split; trivial. intros a [<-|[]]. now apply G. }
+    split; trivial.
+    + cbn [known]. apply install_valid; [now apply with_value_valid|]. intros v W.
+      split; [now apply G'|]. split; [now apply G|]. unfold stands. cbn [relation_of lhs rhs related].
+      now rewrite (value_is S in_order T is_table v _ _ N0).
+    + cbn [done_constants]. intros j J. apply added_to in J. destruct J as [->|J]; eauto.
+  - bind E r M0. destruct (_ && _) eqn:Y in E; try discriminate. bind E F X. injection E as <-.
+    split_and Y. apply obligation_sound in X; trivial; [|eapply is_open_here; eauto].
+    destruct X as [X1 X2]. split; trivial. cbn [done_rows]. intros j r' J. apply added_to in J.
+    destruct J as [->|J]; [|now apply R]. intros E. rewrite M0 in E. now injection E as <-.
+Qed.
+Lemma run_sound l : forall s s1, true_so_far s ->
+  run S T K H rows_by_number grounds s l = Some s1 -> true_so_far s1.
+Proof.
+  induction l as [|x l IH]; cbn [run]; intros s s1 Q E; [now injection E as <-|].
+  bind E s2 X. eapply IH; [|exact E]. eapply take_sound; eauto.
+Qed.
+
+(* --- what is cited --- *)
+
+Hypothesis citations : citations_true S.
+Lemma constant_node i : PM.find i T = nth_error (nodes S) (pred (Pos.to_nat i)).
+Proof.
+  rewrite is_table. unfold numbered. rewrite nth_listed by lia. f_equal.
+  change (Pos.to_nat 1) with 1%nat. lia.
+Qed.
+Lemma constant_defined_node i : constant_defined S i ->
+  exists c a, PM.find i T = Some (NConstant c a) /\ forall v, scope S c v -> defined_at S v a.
+Proof.
+  unfold constant_defined. destruct (nth_error _ _) as [[]|] eqn:E; try tauto. intros D.
+  rewrite <- constant_node in E. eauto.
+Qed.
+Lemma initial_true : true_so_far (initial S T).
+Proof.
+  destruct citations as (A & B & C). split; cbn [known opened done_rows done_constants initial].
+  - assert (V : valid (citing T (cited S) no_facts)).
+    { clear - B in_order is_table. induction B as [|[n [c g]] l G B IH]; cbn [citing fold_right fst snd].
+      - apply no_facts_valid.
+      - now apply install_valid. }
+    revert V. generalize (citing T (cited S) no_facts). intros F V.
+    induction A as [|i l G A IH]; cbn [fold_right]; trivial. apply with_value_valid; trivial.
+    apply constant_defined_node in G. destruct G as (c & a & E & G). unfold defining_context.
+    rewrite E. intros v W. rewrite (defined_is S in_order T is_table v _ _ E).
+    cbn [subterms proviso In]. split; trivial. intros b [<-|[]]. now apply G.
+  - intros c I. apply filter_In in I. destruct I as [I N0]. apply in_seq in I.
+    destruct (C c ltac:(lia)) as [J|J]; trivial. apply negb_true_iff in N0.
+    assert (Q : existsb (Nat.eqb c) (own_contexts S) = true); [|congruence].
+    apply existsb_exists. exists c. now rewrite Nat.eqb_refl.
+  - intros i X. now rewrite PM.gempty in X.
+  - intros k r X. now rewrite PM.gempty in X.
+Qed.
+End Sound.
+
+Lemma ground_terms_sound S T l : ordered (numbered S) = true ->
+  (forall i, PM.find i T = PM.find i (table (numbered S))) -> all_remembered S (ground_terms T l).
+Proof.
+  intros O Q v. unfold ground_terms. apply Forall_map, Forall_forall. intros [bits ids] _. cbn [fst snd].
+  assert (Z0 : remembered S v (PM.empty enclosure)) by (intros i x X; now rewrite PM.gempty in X).
+  destruct (each _ _ ids) as [[xs m]|] eqn:E; trivial.
+  apply (each_sound (remembered S v) (right S v)) in E; trivial; [tauto|].
+  intros; eapply enclose_sound; eauto.
+Qed.
+Lemma well_formed_givens S H :
+  forallb (fun c => forallb (fun a => in_scope S H c (given_claim a)) (givens_of S c))
+    (seq 1 (length (contexts S))) = true ->
+  forall c a, In a (givens_of S c) ->
+    In (home_in H (lhs (given_claim a))) (around S c) /\
+    In (home_in H (rhs (given_claim a))) (around S c).
+Proof.
+  intros W c a I. assert (B : In c (seq 1 (length (contexts S)))).
+  { apply in_seq. unfold givens_of, context_at in I. destruct c as [|k]; [destruct I|].
+    destruct (nth_error (contexts S) k) eqn:E; [|destruct I].
+    assert (k < length (contexts S))%nat by (apply nth_error_Some; congruence). lia. }
+  rewrite forallb_forall in W. specialize (W c B). rewrite forallb_forall in W. specialize (W a I).
+  unfold in_scope in W. apply andb_prop in W. destruct W as [L R].
+  split; now apply is_inside_sound.
+Qed.
+
+(* The theorem about the checker. *)
+Theorem accepts_sound S C : accepts S C = true -> citations_true S -> true_statement S.
+Proof.
+  unfold accepts, well_formed. intros E cites.
+  apply andb_prop in E. destruct E as [E _]. apply andb_prop in E. destruct E as [W E].
+  apply andb_prop in W. destruct W as [W givens_home]. apply andb_prop in W.
+  destruct W as [W good_homes]. apply andb_prop in W. destruct W as [in_order parents_first].
+  pose proof (well_formed_givens _ _ givens_home) as home_of_givens. clear givens_home.
+  set (T := table (numbered S)) in *. set (K := keys (numbered S)) in *.
+  set (H := homes S) in *. set (grounds := ground_terms T (shared C)) in *.
+  assert (is_table : forall i, PM.find i T = PM.find i (table (numbered S))) by reflexivity.
+  assert (G : all_remembered S grounds) by (apply ground_terms_sound; trivial).
+  destruct (run _ _ _ _ _ _ _ _) as [s|] eqn:R; try discriminate.
+  apply (run_sound S in_order parents_first T is_table K H good_homes home_of_givens grounds G) in R;
+    [|now apply initial_true].
+  destruct R as [_ Cs Ds Rs]. unfold finished in E. apply andb_prop in E. destruct E as [E Needed].
+  apply andb_prop in E. destruct E as [E Rows]. apply andb_prop in E. destruct E as [Open Defined].
+  rewrite forallb_forall in *. unfold true_statement.
+  split; [|split; [|split]]; apply Forall_forall.
+  - intros i I. specialize (Defined i I).
+    assert (M : PM.find i (done_constants s) <> None).
+    { apply PM.mem_2 in Defined. destruct Defined as [u M]. apply PM.find_1 in M. congruence. }
+    destruct (Ds i M) as (c & a & X & Y). unfold constant_defined.
+    rewrite (constant_node S T is_table) in X. now rewrite X.
+  - intros c I. specialize (Open c I). apply existsb_exists in Open. destruct Open as (d & J & X).
+    apply Nat.eqb_eq in X. subst d. now apply Cs.
+  - intros r I. destruct (in_listed _ _ I 1%positive) as [k J]. specialize (Rows _ J).
+    apply orb_prop in Rows. cbn [fst snd] in Rows. destruct Rows as [D|D].
+    + unfold decided in D. unfold row_true. destruct (row_verdict r); try discriminate. exact Logic.I.
+    + apply (Rs k r); [|now apply listed_find]. apply PM.mem_2 in D. destruct D as [u D].
+      apply PM.find_1 in D. congruence.
+  - intros r I N. specialize (Needed r I). rewrite N in Needed. cbn in Needed.
+    destruct (row_verdict r); trivial; discriminate.
+Qed.
+(* And about the enclosures that it accepts. *)
+Theorem enclosures_sound S C : accepts S C = true -> forall v,
+  Forall (fun e => defined_at S v (enclosed e) /\ Q2R (low e) <= value_at S v (enclosed e) <= Q2R (high e))
+    (enclosures C).
+Proof.
+  unfold accepts, well_formed. intros E v. apply andb_prop in E. destruct E as [E R].
+  apply andb_prop in E. destruct E as [W _]. apply andb_prop in W. destruct W as [W _].
+  apply andb_prop in W. destruct W as [W _]. apply andb_prop in W. destruct W as [in_order _].
+  apply Forall_forall. intros e I. rewrite forallb_forall in R. specialize (R e I).
+  unfold right_ends in R. destruct (enclose _ _ _ _ _) as [[x m]|] eqn:X; try discriminate.
+  apply andb_prop in R. destruct R as [L U].
+  eapply (enclose_sound S in_order _ (fun i => eq_refl) v) in X.
+  - destruct X as [_ [D X]]. split; trivial.
+    split; [eapply (decide_sound _ AtMost (Exact (low e))) in L |
+            eapply (decide_sound _ AtMost x (Exact (high e))) in U]; eauto; try reflexivity;
+      try exact L; try exact U.
+  - apply ground_sound. apply ground_terms_sound; trivial.
+Qed.

@@ -33,7 +33,7 @@ _STATE = {
 }
 #: What goes along: b is (1+r)/2 (-cos theta), and a in the place of it at the first collision.
 _GHOSTS = {"b": "b_n", "u_0": "u_{n-1}", "low": "s_{n-2}", "high": "s_{n-1}"}
-first = Letters("first", r="r", a="a", **_STATE)
+first = Letters("first", r="r", a="a", **{name: f"({of})₁" for name, of in _STATE.items()})
 v = Letters("run", **_STATE, **_GHOSTS)
 r, a = first.r, first.a
 half = (1 + r) / 2

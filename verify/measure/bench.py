@@ -9,12 +9,15 @@ from __future__ import annotations
 
 import math
 import resource
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from functools import partial
+from pathlib import Path
 from statistics import median
+from tempfile import TemporaryDirectory
 from time import perf_counter
 from typing import Any
 
@@ -48,6 +51,10 @@ DOUBLE_POINTS = {
     "r = 0.0557280900008, c = 1 (next to 9-4√5)": ("0.0557280900008", "1"),
     "r = 1/64, c = 8/13 + 1e-15": ("1/64", str(Fraction(8, 13) + Fraction(1, 10**15))),
 }
+
+#: The command whose cost is compared with that of importing flint.
+MAIN_JOB = "verify theorem1 --r 0.03"
+WITHOUT_PYC = f"{MAIN_JOB}, without .pyc"
 
 Table = dict[str, Any]
 Progress = Callable[[str], None]
@@ -332,18 +339,27 @@ def throughput_table(count: int, rounds: int) -> Table:
 
 
 def process_table(rounds: int) -> Table:
-    """CPU of whole processes, as ratios to an empty one and to one that imports flint."""
+    """CPU of whole processes, as ratios to an empty one and to one that imports flint.
+
+    Without .pyc: the program alone is compiled each time, Python's library and flint are not.
+    """
     commands = {
         "python -c pass": ["-c", "pass"],
         "python -c 'import flint'": ["-c", "import flint"],
-        "verify theorem1 --r 0.03": ["-m", "verify", "theorem1", "--r", "0.03"],
+        MAIN_JOB: ["-m", "verify", "theorem1", "--r", "0.03"],
         "verify theorem1 --r 0.03 --json": ["-m", "verify", "theorem1", "--r", "0.03", "--json"],
         "verify spectrum": ["-m", "verify", "spectrum"],
     }
-    times: dict[str, list[float]] = {name: [] for name in commands}
-    for _ in range(rounds):
-        for name, words in commands.items():
-            times[name].append(_cpu([sys.executable, *words]))
+    times: dict[str, list[float]] = {name: [] for name in [*commands, WITHOUT_PYC]}
+    with TemporaryDirectory() as folder:
+        sources = Path(__file__).parents[1]
+        shutil.copytree(
+            sources, Path(folder, "verify"), ignore=shutil.ignore_patterns("__pycache__")
+        )
+        for _ in range(rounds):
+            for name, words in commands.items():
+                times[name].append(_cpu(words))
+            times[WITHOUT_PYC].append(_cpu(["-B", *commands[MAIN_JOB]], folder))
     empty, flint = times["python -c pass"], times["python -c 'import flint'"]
     rows = [
         [
@@ -362,10 +378,15 @@ def process_table(rounds: int) -> Table:
     }
 
 
-def _cpu(words: Sequence[str]) -> float:
+def _cpu(words: Sequence[str], folder: str | None = None) -> float:
+    """The seconds that Python takes with these words, in a folder."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     subprocess.run(  # noqa: S603 - our own commands
-        words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False
+        [sys.executable, *words],
+        cwd=folder,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        check=False,
     )
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime

@@ -1,0 +1,216 @@
+"""The command `scene` as people and scripts see it."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import jsonschema
+import pytest
+
+from verify import check
+from verify.cli import main
+
+ROOT = Path(__file__).resolve().parents[2]
+SCENES = ROOT / "certificates" / "scenes"
+SCHEMA = json.loads((ROOT / "certificates" / "schema" / "scene.schema.json").read_text())
+VALID = jsonschema.Draft202012Validator(SCHEMA)
+GOOD = """r = 0.03
+positions = [[0, 0], ["501/500", 0], [-1.006, 8e-2]]
+velocities = [[0, 0], [-1.4, 0], ["7/10", "-0.1"]]
+"""
+CODES = {"tie": 3}
+
+
+def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
+    code = main(["scene", *map(str, words)])
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+def written(folder: Path, text: str) -> Path:
+    path = folder / "scene.toml"
+    path.write_text(text)
+    return path
+
+
+@pytest.mark.parametrize("path", sorted(SCENES.glob("*.toml")), ids=lambda path: path.stem)
+def test_the_examples(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, path, "--json")
+    assert (code, err) == (CODES.get(path.stem, 0), "")
+    document = json.loads(out, parse_float=lambda text: pytest.fail(f"a float: {text}"))
+    assert not [error.message for error in VALID.iter_errors(document)]
+    behaviour = path.read_text().split(maxsplit=2)[1].strip(":,").lower()
+    assert document["verdict"] == behaviour
+
+
+def test_numbers_are_read_exactly(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, written(tmp_path, GOOD))
+    assert (code, out) == run(capsys, SCENES / "nearly-aligned.toml")[:2]
+    assert "collapses: particle 0 central; from collision 3 on 01, 02, 01, … for ever;" in out
+    assert "collapse time in [0.0071" in out
+
+
+BAD = {
+    "overlap": (GOOD.replace("501/500", "1/2"), "0 and 1 overlap by 0.5: their distance"),
+    "overlap-of-2": (GOOD.replace("-1.006", "0.2"), "0 and 2 overlap by 0.784593"),
+    "r": (GOOD.replace("0.03", "1"), "r: '1' is not in ]0,1["),
+    "no-number": (
+        GOOD.replace("-1.006", '"one"'),
+        "positions of particle 2: 'one' is not an exact",
+    ),
+    "infinite": (GOOD.replace("-1.006", "inf"), "'inf' is not an exact number"),
+    "a-truth": (GOOD.replace("-1.006", "true"), "'True' is not a number"),
+    "two-particles": (GOOD.replace(', ["501/500", 0]', ""), "positions: write three lists"),
+    "dimensions": (GOOD.replace("8e-2", "8e-2, 1"), "the vectors have 2, 3 coordinates"),
+    "one-dimension": (
+        "r = 0.1\npositions = [[0], [2], [4]]\nvelocities = [[0], [1], [2]]\n",
+        "the vectors have 1 coordinates",
+    ),
+    "missing": ("r = 0.1\n", "'positions' is missing"),
+    "unknown": (GOOD + "mass = 2\n", "'mass' is not known"),
+    "no-toml": ("r = = 1\n", "is no TOML file"),
+    "large": (GOOD.replace("0.03", "1e-99999"), "the exponent of '1e-99999' is too large"),
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_unusable_input_is_one_line(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text, why = BAD[name]
+    code, out, err = run(capsys, written(tmp_path, text))
+    assert (code, out) == (2, "")
+    assert err.startswith("verify: ")
+    assert err.count("\n") == 1
+    assert why in err
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["no-such-file.toml"],
+        [SCENES / "tie.toml", "--digits", "0"],
+        [SCENES / "tie.toml", "--jobs", "2"],
+        [SCENES / "tie.toml", "--plot", "scene.png"],
+        [SCENES / "tie.toml", "--precision", "256", "--max-precision", "128"],
+        [SCENES, "--plot", "scene.svg"],
+        [ROOT / "verify"],
+    ],
+)
+def test_unusable_options(words: list[object], capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, *words)
+    assert (code, out) == (2, "")
+    assert err.count("\n") == 1
+
+
+def test_the_table_has_a_line_for_each_collision(capsys: pytest.CaptureFixture[str]) -> None:
+    _, out, _ = run(capsys, SCENES / "nearly-aligned.toml", "--digits", "3", "-v")
+    lines = out.splitlines()
+    assert lines[0].split() == ["n", "pair", "time", "η", "ζ", "q", "-cos", "θ"]
+    pairs = [line.split()[1] for line in lines[1:] if line[:1].isdigit()]
+    assert pairs == ["01", "02"] * (len(pairs) // 2) + ["01"] * (len(pairs) % 2)
+
+
+def test_a_certificate_is_accepted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    code, _, err = run(capsys, SCENES / "parting.toml", "--out", tmp_path / "out")
+    assert (code, err) == (0, "")
+    code, lines = check.check_folders(check.read_folders([str(tmp_path / "out")]))
+    assert code == 0
+    assert lines[-1].startswith("PROVED: disperses: after 4 collisions")
+
+
+def test_nothing_is_written_where_it_is_undecided(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code, _, err = run(capsys, SCENES / "tie.toml", "--out", tmp_path / "out")
+    assert code == 3
+    assert "no certificate was written" in err
+    assert not (tmp_path / "out").exists()
+
+
+def folder(tmp_path: Path) -> Path:
+    made = tmp_path / "scenes"
+    made.mkdir()
+    for name in ("nearly-aligned", "passing", "tie"):
+        (made / f"{name}.toml").write_bytes((SCENES / f"{name}.toml").read_bytes())
+    return made
+
+
+def test_a_folder_gives_the_same_with_more_processes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    made = folder(tmp_path)
+    alone = run(capsys, made)
+    assert alone == run(capsys, made, "--jobs", 2)
+    code, out, _ = alone
+    assert code == 3
+    assert [line.split(":")[0] for line in out.splitlines()] == [
+        "nearly-aligned.toml", "passing.toml", "tie.toml",
+    ]  # fmt: skip
+    (made / "bad.toml").write_text(BAD["overlap"][0])
+    code, out, _ = run(capsys, made, "--json")
+    document: dict[str, Any] = json.loads(out)
+    assert code == 2
+    assert not [error.message for error in VALID.iter_errors(document)]
+    verdicts = [item["verdict"] for item in document["scenes"]]
+    assert verdicts == ["unusable", "collapses", "disperses", "undecided"]
+
+
+def test_a_folder_is_resumed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made, out = folder(tmp_path), tmp_path / "out"
+    first = run(capsys, made, "--out", out)
+    assert (out / "passing" / "certificate.json").exists()
+    assert not (out / "tie" / "certificate.json").exists()
+
+    def never(*_: object) -> None:
+        pytest.fail("it was decided again")
+
+    with monkeypatch.context() as patch:
+        patch.setattr("verify.cli.scene_folder.decide", never)
+        assert run(capsys, made, "--out", out) == first
+    (made / "passing.toml").write_text(GOOD)
+    assert "passing.toml: collapses" in run(capsys, made, "--out", out)[1]
+
+
+def test_the_drawing_is_whole(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name in ("nearly-aligned", "in-space", "passing", "tie"):
+        code, _, _ = run(capsys, SCENES / f"{name}.toml", "--plot", tmp_path / "scene.svg")
+        assert code == CODES.get(name, 0)
+        root = ElementTree.parse(tmp_path / "scene.svg").getroot()
+        circles = [item for item in root.iter() if item.tag.endswith("circle")]
+        assert len(circles) >= 9
+        text = (tmp_path / "scene.svg").read_text()
+        assert "nan" not in text
+
+
+def test_the_animation_needs_nothing_from_outside(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    run(capsys, SCENES / "in-space.toml", "--plot", tmp_path / "scene.html")
+    text = (tmp_path / "scene.html").read_text()
+    assert "http" not in text
+    assert "src=" not in text
+    data = text.split("const scene = ")[1].split(";\n")[0]
+    legs = json.loads(data)["legs"]
+    assert [leg["pair"] for leg in legs] == ["", "01", "12"]
+    assert all(len(place) == 2 for leg in legs for place in leg["places"])
+
+
+def test_a_process_is_quick_to_start() -> None:
+    """Nothing is loaded that the verdict does not need."""
+    program = (
+        "import sys; from verify.cli import main; "
+        f"main(['scene', {str(SCENES / 'nearly-aligned.toml')!r}]); "
+        "print(*sys.modules)"
+    )
+    words = [sys.executable, "-c", program]
+    out = subprocess.run(words, capture_output=True, text=True, check=True, cwd=ROOT).stdout
+    loaded = set(out.split())
+    assert not loaded & {"matplotlib", "json", "hashlib", "argparse", "verify.check", "verify.wire"}

@@ -74,7 +74,7 @@ def proof_of(reason: Reason) -> Proof:
             return Sum(*reason)
         case argument.ByLeast():
             branches = tuple(map(proof_of, reason.branches))
-            return Least("rhs", branches, reason.equation)
+            return Least(reason.side, branches, reason.equation)
         case argument.ByEntry():
             return Entry(reason.side, reason.equation)
         case argument.ByInstance():

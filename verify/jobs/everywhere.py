@@ -20,11 +20,12 @@ from verify.language.terms import (
     symbol,
 )
 from verify.paper.argument import Chapter, Line, Opened, ToBeFound
+from verify.paper.everywhere import angle_display, hints
 from verify.paper.everywhere import chart as paper
-from verify.paper.everywhere import hints
 from verify.paper.everywhere.theorem import printed_statement, statement
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
+from verify.paper.recursion import angle_state
 from verify.paper.step import numbers
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
@@ -32,7 +33,7 @@ from verify.prover.positivity import NotFoundError, Positivity, Square
 from verify.prover.proof import Proof
 from verify.prover.relations import negation
 from verify.prover.ring import Ring
-from verify.prover.rules import Define, Entry, Interval, Least, Witness
+from verify.prover.rules import Define, Entry, Instance, Interval, Least, Witness
 from verify.wire.write import write
 
 HALF = Fraction(1, 2)
@@ -145,6 +146,7 @@ class Everywhere:
         left = [row for row in rows if not self._decided(row)]
         if self.set.printed:
             self._bounds_below()
+            self._refute_display()
             for row in left:
                 self._refute(row)
         else:
@@ -247,9 +249,20 @@ class Everywhere:
         branches = tuple(self.ring.prove(paper.LEAST_DELTA <= entry) for entry in entries)
         return Least("rhs", branches, constant)
 
+    def _refute_display(self) -> None:
+        """The display with a wrong sign fails at a state that all parameters allow."""
+        opened = Opened(self.statement.contexts[1])
+        self.writing.chapter(Chapter(None, (opened,)))
+        self.writing.chapter(Chapter(angle_display.CONTEXT, tuple(angle_display.lines())))
+        self.lines(angle_display.state_lines(self.set))
+        state = angle_state(self.set)
+        proof = Instance(angle_display.FAILS, state, angle_display.premises())
+        self._write_refuted(self.writing.rows[angle_display.ROW], proof)
+
     def _refute(self, row: Obligation) -> None:
         """Decide a row that fails for all parameters, or at one of some points."""
-        if isinstance(row.claim, Claim) and not self._fails(row, row.claim):
+        known = row.name in self.writing.decisions
+        if isinstance(row.claim, Claim) and not known and not self._fails(row, row.claim):
             found = self._witness(row.claim)
             if found is not None:
                 self._write_refuted(row, found)

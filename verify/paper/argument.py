@@ -74,10 +74,11 @@ class ByEntry(Record):
 
 
 class ByLeast(Record):
-    """What is below each entry is below the minimum on the right."""
+    """What is below each entry is below the minimum on the right; so for a maximum on the left."""
 
     branches: tuple[BySum, ...]
     equation: str | None = None
+    side: str = "rhs"
 
 
 class ByInterval(Record):

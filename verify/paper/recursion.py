@@ -513,12 +513,21 @@ def _angle_step(k: ConstantSet) -> Iterator[Obligation]:
 
 
 def _angle_display(k: ConstantSet) -> Claim:
-    """The display after `EQUATSS4.1EvoluCosinAngle` is used for n + 1, at one state.
+    """The display after `EQUATSS4.1EvoluCosinAngle` is used for n + 1, at one state."""
+    state = angle_state(k)
+    eta, distance, norm_c = state["eta"], state["distance"], state["norm_c"]
+    time = contact_time(eta, distance, norm_c, contact_zeta(eta, distance, norm_c))
+    following = next_distance(state["spectator"], state["norm_s"], time)
+    return angle_claim(distance, time, following, state["product"], state["cosine"])
+
+
+def angle_state(k: ConstantSet) -> dict[str, Term]:
+    """A state that the conditions allow.
 
     With η = -η_{c,n+1}, C = -cos θ_{n+1} and V = (V₀+V₁)/2 the state is η = C_η η̄,
     η_{s,n+1} = φ⁻η, d_{n+1} = k_d η², ω_s·W_c = ω_c·W_s = 0 and
 
-        |W_c|² = V + η²/(1-C²), |W_s|² = V + (φ⁻η)²/(1-C²), W_s·W_c = -V - φ⁻η²C/(1-C²):
+        |W_c|² = V + η²/(1-C²), |W_s|² = V + (φ⁻η)²/(1-C²), -W_s·W_c = V + φ⁻η²C/(1-C²):
 
     the parts of W_c and W_s that are orthogonal to ω_s and ω_c are opposite vectors of length √V.
     C is as far from -cos θ₀ as Cnd8 lets it be for n = 0.
@@ -527,11 +536,34 @@ def _angle_display(k: ConstantSet) -> Claim:
     spectator, distance = phi_minus * eta, k.d_slope * eta**2
     sine_square = 1 - cosine**2
     tangent = (V_0 + k.V_1) / 2
-    norm_c, norm_s = tangent + eta**2 / sine_square, tangent + spectator**2 / sine_square
-    product = tangent + spectator * eta * cosine / sine_square
-    zeta = distance * (2 + distance) / (1 + distance) ** 2 * norm_c / eta**2
-    time = (1 + distance) / norm_c * eta * (1 - sqrt(1 - zeta))
-    following = sqrt(1 + 2 * spectator * time + norm_s * time**2)
+    return {
+        "eta": eta,
+        "spectator": spectator,
+        "distance": distance,
+        "norm_c": tangent + eta**2 / sine_square,
+        "norm_s": tangent + spectator**2 / sine_square,
+        "product": tangent + spectator * eta * cosine / sine_square,
+        "cosine": cosine,
+    }
+
+
+def contact_zeta(eta: Term, distance: Term, norm_c: Term) -> Term:
+    """The ζ of a state."""
+    return distance * (2 + distance) / (1 + distance) ** 2 * norm_c / eta**2
+
+
+def contact_time(eta: Term, distance: Term, norm_c: Term, zeta: Term) -> Term:
+    """The time to the next contact."""
+    return (1 + distance) / norm_c * eta * (1 - sqrt(1 - zeta))
+
+
+def next_distance(spectator: Term, norm_s: Term, time: Term) -> Term:
+    """1 + d_{n+2}, the distance of the centres of the pair that is apart at the next contact."""
+    return sqrt(1 + 2 * spectator * time + norm_s * time**2)
+
+
+def angle_claim(distance: Term, time: Term, following: Term, product: Term, cosine: Term) -> Claim:
+    """The display at a state with ω_s·W_c = ω_c·W_s = 0."""
     last = product * time**2 / following
     change = (1 + distance) / following * cosine + last - cosine
     return _absolute(change) <= _absolute((1 + distance) / following - 1) * cosine - last

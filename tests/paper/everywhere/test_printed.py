@@ -11,6 +11,9 @@ from verify.jobs.everywhere import decide_printed_everywhere
 from verify.jobs.theorem1 import decide_point
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import as_term
+from verify.paper.everywhere.angle_display import ROW
+from verify.paper.everywhere.thresholds import STRIPS
+from verify.paper.groups import PRINTED
 from verify.wire.read import read
 from verify.wire.write import write
 
@@ -23,7 +26,7 @@ def test_every_row_is_decided() -> None:
     report = check.check(files["statement.json"], files["certificate.json"], {})
     assert report.verdict == "PROVED"
     assert {found.verdict for found in outcome.decisions.values()} == {PROVED, REFUTED}
-    assert sum(map(len, files.values())) < 300_000
+    assert sum(map(len, files.values())) < 330_000
     assert read(files["statement.json"], files["certificate.json"], {}) == outcome
 
 
@@ -35,6 +38,21 @@ def test_a_point_agrees(point: tuple[str, ...]) -> None:
     for name, found in decide_printed_everywhere().decisions.items():
         if found.method != "witness":
             assert there[name].verdict == found.verdict, name
+
+
+def test_the_rows_that_depend_on_the_parameters_have_thresholds() -> None:
+    found = decide_printed_everywhere().decisions
+    depending = {name for name, decision in found.items() if decision.witness}
+    assert depending == {f"{PRINTED}.{strip.row}" for strip in STRIPS}
+    assert list(decision.verdict for decision in found.values()).count(REFUTED) == 27
+
+
+def test_the_state_of_the_display_is_where_it_has_to_be() -> None:
+    """The row itself, at single points: refuted there, too, by enclosures."""
+    for point in (*POINTS, ("55/1000", "1", "1/1000000", "1/10"), ("1/1000000", "1/20", "9", "1")):
+        names = ("r", "c", "V_0", "delta_theta")
+        values = {n: as_term(Fraction(x)) for n, x in zip(names, point, strict=True)}
+        assert decide_point(values, "printed").decisions[ROW].verdict == REFUTED
 
 
 def test_the_final_angle_depends_on_the_parameters() -> None:

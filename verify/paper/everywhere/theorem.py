@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from verify.language.statement import Cite, Obligation, Statement
-from verify.paper.everywhere import redundant
+from verify.paper.everywhere import angle_display, redundant
 from verify.paper.everywhere.chart import CONTEXT, DERIVED, context, hypothesis
 from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
@@ -52,7 +52,8 @@ def printed_rows() -> Iterator[Obligation]:
 def printed_statement() -> Statement:
     """The printed set, row by row."""
     own = context(ConstantSet(PRINTED))
-    return Statement(PRINTED_NAME, PRINTED_TITLE, {}, (), (own,), tuple(printed_rows()), ())
+    contexts = (own, angle_display.context())
+    return Statement(PRINTED_NAME, PRINTED_TITLE, {}, (), contexts, tuple(printed_rows()), ())
 
 
 def statement(step: bytes) -> Statement:

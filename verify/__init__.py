@@ -8,3 +8,23 @@ of a chapter, `chapters()` and `statement()` of a part; each command has `add_ar
 """
 
 __version__ = "0.1.0"
+
+#: What a program of one's own imports from here, and where it is; each is loaded when it is used.
+_OFFERED = {
+    "Statement": "verify.language.statement",
+    "prove": "verify.prover.prove",
+    **dict.fromkeys(
+        ("ask", "assume", "certificate", "constant", "for_all", "lemma"), "verify.library"
+    ),
+    **dict.fromkeys(
+        ("equal", "sqrt", "symbol", "minimum", "maximum", "cos_pi"), "verify.language.terms"
+    ),
+}
+
+
+def __getattr__(name: str) -> object:
+    if name not in _OFFERED:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from importlib import import_module
+
+    return getattr(import_module(_OFFERED[name]), name)

@@ -21,6 +21,7 @@ COMMANDS = {
     "spectrum": "prove the spectral claims for every r, enclose the spectrum at one",
     "scene": "decide whether three given particles collapse",
     "classification": "prove which collapses there are; what that says at one r",
+    "prove": "decide a statement of your own, with a certificate",
     "explain": "print a row with the facts and the identity that prove it",
     "graph": "draw a proof: which facts use which",
     "check": "check a certificate, and that its statement is the right one",

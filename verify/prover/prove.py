@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from verify.language.statement import UNDECIDED, Constant, Obligation, Statement
 from verify.language.terms import Claim, names_of
+from verify.prover.budget import Budget
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Ground
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.session import Session
@@ -14,6 +15,7 @@ def prove(
     statement: Statement,
     start_bits: int = DEFAULT_PRECISION,
     max_bits: int = DEFAULT_MAX_PRECISION,
+    budget: Budget | None = None,
 ) -> Outcome:
     """Decide every row of a statement; what is not found is left undecided.
 
@@ -21,9 +23,10 @@ def prove(
         statement: what is claimed.
         start_bits: the first precision for claims without variables.
         max_bits: the last one.
+        budget: how much work each row may be.
     """
     ground = Ground(Session(), start_bits, max_bits)
-    universal = Universal(ground)
+    universal = Universal(ground, budget or Budget())
     spent = _defined(statement, ground)
     for context in statement.contexts:
         if not spent and not universal.open(context):

@@ -20,6 +20,7 @@ from verify.language.statement import (
 from verify.language.terms import Claim, Term, as_term, names_of, substitute, substitute_claim
 from verify.prover import boxes
 from verify.prover.bernstein import bernstein
+from verify.prover.budget import Budget
 from verify.prover.clearing import Clearing
 from verify.prover.goal import Bounds, Goal, bounds_of
 from verify.prover.ground import Ground
@@ -37,10 +38,11 @@ class Universal:
 
     Args:
         ground: decides what has no variables; its session takes the steps.
+        budget: the work that each row may be.
     """
 
-    def __init__(self, ground: Ground) -> None:
-        self.ground, self.session = ground, ground.session
+    def __init__(self, ground: Ground, budget: Budget) -> None:
+        self.ground, self.session, self.budget = ground, ground.session, budget
         self.contexts: dict[str, Context] = {}
         self._bounds: dict[str, Bounds] = {}
         self._homes: dict[str, str] = {}

@@ -1,0 +1,59 @@
+"""Decide a statement of your own, and write a certificate for what is decided."""
+
+from __future__ import annotations
+
+import os
+import sys
+from hashlib import sha256
+
+from verify.cli.files import print_document, read_bytes, test_folder, write_certificate
+from verify.cli.options import Options, Parser
+from verify.jobs.inputs import InputError, integer, rational, shown
+from verify.jobs.prove import decide_statement
+from verify.prover.budget import WORK, Budget
+from verify.views.prove import decided_document, decided_lines
+
+MAX_JOBS = 256
+
+
+def add_arguments(parser: Parser) -> None:
+    """The options."""
+    parser.place("STATEMENT", "a statement.json whose rows are questions")
+    parser.option("--out", "write the decided statement and a certificate of it", "DIR")
+    parser.option("--work", f"units of work for each row (default {WORK})", "N")
+    parser.option("--time", "leave undecided what is not decided after S seconds", "S")
+    parser.option("--jobs", "how many processes may search (default 1)", "N", default="1")
+    parser.flag("--json", text="one JSON document on stdout")
+
+
+def run(options: Options) -> int:
+    """Print a line for each row or the document, write the files, return the exit code."""
+    work = WORK if options.work is None else integer("--work", options.work, 1, 999_999_999)
+    integer("--jobs", options.jobs, 1, MAX_JOBS)
+    content, cited = read_bytes("STATEMENT", options.STATEMENT), _cited(options.STATEMENT)
+    test_folder("--out", options.out, "statement.json", "certificate.json")
+    outcome = decide_statement(content, cited, Budget(work, _seconds(options.time)))
+    if options.out is not None:
+        write_certificate("--out", options.out, outcome)
+    if options.json:
+        print_document(decided_document(outcome))
+    else:
+        sys.stdout.write("".join(f"{line}\n" for line in decided_lines(outcome)))
+    return outcome.exit_code
+
+
+def _seconds(text: str | None) -> float | None:
+    if text is None:
+        return None
+    seconds = rational("--time", text)
+    if not 0 < seconds < 10**9:
+        raise InputError(f"--time: {shown(text)} is no time to wait; write seconds such as 60")
+    return float(seconds)
+
+
+def _cited(path: str) -> dict[str, bytes]:
+    """The statements in the folder `cited` beside a statement, by their digests."""
+    folder = os.path.join(os.path.dirname(path), "cited")
+    names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
+    contents = [read_bytes("STATEMENT", os.path.join(folder, name)) for name in names]
+    return {sha256(content).hexdigest(): content for content in contents}

@@ -44,7 +44,7 @@ def test_the_rows_that_depend_on_the_parameters_have_thresholds() -> None:
     found = decide_printed_everywhere().decisions
     depending = {name for name, decision in found.items() if decision.witness}
     assert depending == {f"{PRINTED}.{strip.row}" for strip in STRIPS}
-    assert list(decision.verdict for decision in found.values()).count(REFUTED) == 27
+    assert [decision.verdict for decision in found.values()].count(REFUTED) == 27
 
 
 def test_the_state_of_the_display_is_where_it_has_to_be() -> None:

@@ -10,6 +10,7 @@ from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES
 from verify.prover.decimals import DIGITS, decimal_exponent, outward, rational_text
 from verify.prover.outcome import Decision, Ends, Outcome
+from verify.views.minima import minimum_of
 from verify.views.words import (
     constants_of,
     ends_of,
@@ -18,7 +19,6 @@ from verify.views.words import (
     headline,
     in_numbers,
     letters,
-    minimum_of,
     sentence,
     sides_of,
     witness_of,

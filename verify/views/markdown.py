@@ -23,12 +23,12 @@ from verify.paper.parameters import THEOREM
 from verify.paper.theorem1 import theorem
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Ends, Outcome
+from verify.views.minima import minimum_of
 from verify.views.words import (
     ends_of,
     groups,
     in_numbers,
     letters,
-    minimum_of,
     short_name,
     sides_of,
     verdict_text,

@@ -13,6 +13,7 @@ from verify.paper.groups import PRINTED as PRINTED_SET
 from verify.paper.theorem1 import theorem
 from verify.prover.decimals import outward, short
 from verify.prover.outcome import Decision, Ends, Outcome
+from verify.views.minima import minimum_of
 from verify.views.screen import SIGNS, TITLES, verdict_lines
 from verify.views.words import (
     constants_of,
@@ -21,7 +22,6 @@ from verify.views.words import (
     groups,
     in_numbers,
     letters,
-    minimum_of,
     parameters_of,
     short_name,
     sides_of,

@@ -9,7 +9,6 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
-from verify.language.record import Record
 from verify.language.statement import (
     NEEDED,
     PRINTED,
@@ -49,9 +48,6 @@ MAX_FORMULA = 400
 
 #: Bits of the thresholds and entries of minima that are only shown.
 SHOWN_BITS = 192
-
-#: Digits of the entries of minima, as many as enclosures of constants have.
-SHOWN_DIGITS = 27
 
 
 # --- verdicts ------------------------------------------------------------------------------------
@@ -204,49 +200,6 @@ def constants_of(outcome: Outcome, group: str) -> list[Constant]:
     """The constants of one group; those of the group "" are common to all."""
     found = outcome.statement.constants
     return [c for c in found if c.name.rpartition(".")[0] == group]
-
-
-class Minimum(Record):
-    """The entries of a min, and the number (from 1) of the one that is shown to be the least."""
-
-    entries: list[Ends | None]
-    least: int | None
-
-
-def minimum_of(outcome: Outcome, constant: Constant) -> Minimum:
-    """The entries of a constant's min, enclosed from the enclosures of the constants in them."""
-    from verify.prover import balls  # flint is loaded only where it is used
-    from verify.prover.program import Machine, Program
-
-    entries = constant.term.children
-    names = sorted({name for entry in entries for name in names_of(entry)})
-    with balls.precision(SHOWN_BITS):
-        machine = Machine(Program(names), balls.BallArithmetic())
-        known = [ends_of(outcome, name) for name in names]
-        inputs = [None if k is None else balls.hull(*map(balls.from_fraction, k)) for k in known]
-        run = machine.run(inputs)
-        values = [run[entry] for entry in entries]
-        ends = [None if value is None else _rounded(balls.ends(value)) for value in values]
-    return Minimum(ends, _least(ends))
-
-
-def _rounded(ends: Ends) -> Ends:
-    low, high = map(Fraction, outward(ends, SHOWN_DIGITS))
-    return low, high
-
-
-def _least(entries: list[Ends | None]) -> int | None:
-    known = [pair for pair in entries if pair is not None]
-    for number, (_, high) in enumerate(known, 1):
-        others = known[: number - 1] + known[number:]
-        if len(known) == len(entries) and all(high <= low for low, _ in others):
-            return number
-    return None
-
-
-def least(outcome: Outcome, constant: Constant) -> int | None:
-    """The number, from 1, of the entry that is shown to be the minimum."""
-    return minimum_of(outcome, constant).least
 
 
 # --- sentences in numbers ------------------------------------------------------------------------

@@ -1,0 +1,114 @@
+"""Constants rounded from their bounds at many points, as `verify.prover.choose` does at one."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any
+
+from verify.language.statement import Choice
+from verify.language.terms import Claim, Term
+from verify.prover import balls
+from verify.prover.choose import entries_of, round_to_digits
+from verify.prover.relations import FAILS, HOLDS, OPEN, holds
+
+
+class OpenChoiceError(ArithmeticError):
+    """Balls do not tell how a bound is rounded."""
+
+
+class Chooser:
+    """Rounds the bounds of choices at many points, like `choose`, from balls.
+
+    ``values`` has the exact value of each parameter, set for a point, and of each chosen constant
+    so far; ``definitions`` the term of each other constant.
+    """
+
+    def __init__(self) -> None:
+        self.values: dict[str, Fraction] = {}
+        self.definitions: dict[str, Term] = {}
+        self._known: dict[Term, Fraction | None] = {}
+
+    def rounding(self, choice: Choice) -> Callable[..., Any]:
+        """A function from the ball of the bound above the base, and of its entries, to a ball.
+
+        It raises `OpenChoiceError` where the balls leave open what is chosen.
+        """
+        constant, up = choice.constant, choice.direction == "up"
+        entries = entries_of(constant.term)
+
+        def rounded(ball: Any, *parts: Any) -> Any:
+            if balls.strict_sign(ball) != 1 or balls.accuracy_bits(ball) < 64:
+                raise OpenChoiceError
+            low, high = balls.ends(ball)
+            far, near = (round_to_digits(end, up) for end in ((high, low) if up else (low, high)))
+            value = far
+            if far != near and self._is_safe(near, entries, parts, up):
+                value = near
+            base = Fraction(0) if choice.base is None else self._exact(choice.base)
+            if base is None:
+                raise OpenChoiceError
+            self.values[constant.name] = base + value
+            return balls.from_fraction(base + value)
+
+        return rounded
+
+    def _is_safe(self, value: Fraction, entries: Any, parts: Any, up: bool) -> bool:
+        """Whether the bolder candidate is allowed."""
+        number = balls.from_fraction(value)
+        for entry, part in zip(entries, parts, strict=True):
+            exact = self._exact(entry)
+            pair: tuple[Any, Any] = (part, number) if exact is None else (exact, value)
+            a, b = pair if up else reversed(pair)
+            if not a <= b:
+                if b < a:
+                    return False
+                raise OpenChoiceError
+        return True
+
+    def verdict(self, claim: Claim) -> int:
+        """What exact values say of a claim, as `verify.prover.straight` writes it."""
+        lhs, rhs = self._exact(claim.lhs), self._exact(claim.rhs)
+        if lhs is None or rhs is None:
+            return OPEN
+        return HOLDS if holds(claim.relation, lhs, rhs) else FAILS
+
+    def start(self, parameters: Mapping[str, Fraction]) -> None:
+        """Begin a new point."""
+        self.values = dict(parameters)
+        self._known = {}
+
+    def _exact(self, term: Term) -> Fraction | None:
+        """The value of a term, if it is computed within the rational numbers."""
+        if term.op == "rational":
+            return term.value
+        if term.op == "symbol" and term.name in self.values:
+            return self.values[term.name]
+        if term not in self._known:
+            self._known[term] = self._compute(term)
+        return self._known[term]
+
+    def _compute(self, term: Term) -> Fraction | None:
+        if term.op == "symbol":
+            return self._exact(self.definitions[term.name])
+        function = _EXACT.get(term.op)
+        if function is None:
+            return None
+        children = [self._exact(child) for child in term.children]
+        found = [child for child in children if child is not None]
+        if len(found) < len(children):
+            return None
+        return function(*found, *term.args[len(children) :])
+
+
+_EXACT: dict[str, Callable[..., Fraction]] = {
+    "add": operator.add,
+    "sub": operator.sub,
+    "mul": operator.mul,
+    "div": operator.truediv,
+    "neg": operator.neg,
+    "pow": operator.pow,
+    "min": min,
+    "max": max,
+}

@@ -592,3 +592,15 @@ Proof.
       try exact L; try exact U.
   - apply ground_sound. apply ground_terms_sound; trivial.
 Qed.
+(* A statement that cites nothing needs nothing. *)
+Definition cites_nothing (S : statement) : bool :=
+  match cited S, cited_constants S with [], [] => true | _, _ => false end &&
+  forallb (fun c => existsb (Nat.eqb c) (own_contexts S)) (seq 1 (length (contexts S))).
+Lemma no_citations S : cites_nothing S = true -> citations_true S.
+Proof.
+  unfold cites_nothing, citations_true. destruct (cited S), (cited_constants S); try discriminate.
+  cbn [andb]. intros E. split; [constructor|]. split; [constructor|]. intros c B. left.
+  rewrite forallb_forall in E. specialize (E c). rewrite in_seq in E.
+  specialize (E ltac:(lia)). apply existsb_exists in E. destruct E as (d & I & X).
+  apply Nat.eqb_eq in X. now subst d.
+Qed.

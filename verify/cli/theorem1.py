@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from fractions import Fraction
 
 from verify.cli.options import Options, Parser, field
 from verify.jobs.inputs import InputError, angle, integer, rational, shown
 from verify.jobs.theorem1 import decide_point
-from verify.language.statement import UNDECIDED
 from verify.language.terms import Term, as_term
-from verify.paper.groups import PRINTED, SELECTIONS
-from verify.prover.outcome import EXIT_CODES, Outcome, conjunction
+from verify.paper.groups import SELECTIONS
+from verify.prover.outcome import Outcome
 from verify.views.screen import screen
 
 MAX_PRECISION = 1 << 16
@@ -64,34 +63,49 @@ def read_parameters(options: Options) -> dict[str, Term]:
     """
     if options.theta0 is not None and options.neg_cos is not None:
         raise InputError("--theta0 and --neg-cos both give the angle; write only one of them")
-    r = _restitution(options.r)
+    r = restitution(options.r)
     if options.theta0 is not None:
         c = angle("--theta0", options.theta0)
     else:
-        c = as_term(_neg_cos("1" if options.neg_cos is None else options.neg_cos))
+        c = as_term(neg_cos("1" if options.neg_cos is None else options.neg_cos))
     return {
         "r": as_term(r),
         "c": c,
-        "V_0": as_term(_positive("--V0", options.V0)),
-        "delta_theta": as_term(_positive("--delta-theta", options.delta_theta)),
+        "V_0": as_term(positive("--V0", options.V0)),
+        "delta_theta": as_term(positive("--delta-theta", options.delta_theta)),
     }
 
 
-def _restitution(text: str) -> Fraction:
+def restitution(text: str) -> Fraction:
+    """Read a restitution coefficient in ]0,1[.
+
+    Raises:
+        InputError: for any other text.
+    """
     r = rational("--r", text)
     if not 0 < r < 1:
         raise InputError(f"--r: {shown(text)} is not in ]0,1[; write for example 0.03")
     return r
 
 
-def _neg_cos(text: str) -> Fraction:
+def neg_cos(text: str) -> Fraction:
+    """Read -cos of the angle, in ]0,1].
+
+    Raises:
+        InputError: for any other text.
+    """
     value = rational("--neg-cos", text)
     if not 0 < value <= 1:
         raise InputError(f"--neg-cos: {shown(text)} is not in ]0,1]; write for example 9/10")
     return value
 
 
-def _positive(option: str, text: str) -> Fraction:
+def positive(option: str, text: str) -> Fraction:
+    """Read a positive number.
+
+    Raises:
+        InputError: for any other text.
+    """
     value = rational(option, text)
     if value <= 0:
         raise InputError(f"{option}: {shown(text)} is not positive; write for example 1/10")
@@ -100,14 +114,12 @@ def _positive(option: str, text: str) -> Fraction:
 
 def run(options: Options) -> int:
     """Print the table or the document, write the files, return the exit code."""
-    if options.all:
-        return _everywhere(options)
-    if options.r is None:
+    if not options.all and options.r is None:
         raise InputError("--r: is missing; write for example --r 0.03, or --all")
-    if options.steps is not None:
-        return _scan(options)
-    if ".." in f"{options.r} {options.neg_cos}":
-        return _box(options)
+    if options.all or options.steps is not None or ".." in f"{options.r} {options.neg_cos}":
+        from verify.cli.many_points import run_many  # loaded only where it is used
+
+        return run_many(options)
     return _point(options)
 
 
@@ -166,107 +178,3 @@ def _table(outcome: Outcome, name: str | None) -> Iterable[str]:
     if not found:
         raise InputError(f"--rows: there is no row {shown(name)}; write a name that -v prints")
     return found
-
-
-def _leave_out(options: Options, command: str, names: tuple[str, ...]) -> None:
-    """Refuse options that would not be used.
-
-    Raises:
-        InputError: naming the option.
-    """
-    for name in names:
-        if getattr(options, name) not in (False, DEFAULTS.get(name)):
-            raise InputError(f"--{name.replace('_', '-')}: leave it out with {command}")
-
-
-def _everywhere(options: Options) -> int:
-    """Prove Theorem 1 for all parameters; print, write, return the exit code."""
-    from verify.cli.files import print_document, test_folder, write_certificate
-
-    _leave_out(options, "--all", (*POINT_OPTIONS, "r", "neg_cos", "V0", "delta_theta", "steps"))
-    if options.constants not in SELECTIONS:
-        raise InputError(
-            f"--constants: {shown(options.constants)} is unknown; write printed or all"
-        )
-    test_folder("--out", options.out, "statement.json", "certificate.json")
-    from verify.jobs import everywhere, thresholds  # loaded only where they are used
-    from verify.views import everywhere as view
-    from verify.views.document import claims_document
-
-    printed = options.constants == PRINTED
-    outcome = everywhere.decide_printed_everywhere() if printed else everywhere.decide_everywhere()
-    code = EXIT_CODES[conjunction(outcome.decisions.values())]
-    if options.out is not None:
-        write_certificate("--out", options.out, outcome)
-    if options.json:
-        print_document(claims_document(outcome, "theorem1", view.FORMAT))
-        return code
-    text = [*view.row_lines(outcome), ""] if options.verbose else []
-    if printed:
-        text += view.printed_screen(outcome, thresholds.decide_thresholds())
-    else:
-        text += view.screen(outcome)
-    sys.stdout.write("".join(f"{line}\n" for line in text))
-    return code
-
-
-def _box(options: Options) -> int:
-    """Prove Theorem 1 at all points of a box; print, write, return the exit code."""
-    from verify.cli.files import print_document, test_folder, write_certificate
-
-    _leave_out(options, "A..B", (*POINT_OPTIONS, "constants"))
-    sides = _side("--r", options.r, _restitution), _side("--neg-cos", options.neg_cos, _neg_cos)
-    v_0, delta_theta = (
-        _positive("--V0", options.V0),
-        _positive("--delta-theta", options.delta_theta),
-    )
-    test_folder("--out", options.out, "statement.json", "certificate.json")
-    from verify.jobs import box  # loaded only where they are used
-    from verify.views import box as view
-    from verify.views.everywhere import row_lines
-
-    found = box.answer(box.ParameterBox(*sides), v_0, delta_theta)
-    cited = found.outcome.assumptions
-    if options.out is not None and found.verdict != UNDECIDED:
-        write_certificate("--out", options.out, found.outcome)
-    elif options.out is not None:
-        print("verify: no certificate was written; ask for the certified part", file=sys.stderr)
-    if options.json:
-        print_document(view.box_document(found, cited))
-    else:
-        text = [*row_lines(found.outcome), ""] if options.verbose else []
-        text += view.screen(found, cited)
-        sys.stdout.write("".join(f"{line}\n" for line in text))
-    return EXIT_CODES[found.verdict]
-
-
-def _side(
-    option: str, text: str | None, read: Callable[[str], Fraction]
-) -> tuple[Fraction, Fraction]:
-    """The ends of a closed interval, or a number twice.
-
-    Raises:
-        InputError: if the first end is larger, or an end is outside its range.
-    """
-    parts = ("1" if text is None else text).split("..", 1)
-    low, high = read(parts[0]), read(parts[-1])
-    if low > high:
-        raise InputError(f"{option}: write the smaller end of {shown(text or '')} first")
-    return low, high
-
-
-def _scan(options: Options) -> int:
-    """Print the verdict at many values of r; the exit code is that of the worst."""
-    from verify.jobs.scan import scan  # loaded only where it is used
-    from verify.views.ranges import show_ranges
-
-    if ".." not in options.r:
-        raise InputError("--steps: needs an interval of r; write --r 0.02..0.04 --steps 9")
-    _leave_out(options, "--steps", (*POINT_OPTIONS, "out", "constants", "verbose"))
-    ends = [_restitution(part) for part in options.r.split("..", 1)]
-    if ends[0] >= ends[1]:
-        raise InputError(f"--r: write the smaller end of {shown(options.r)} first")
-    steps = integer("--steps", options.steps, 2, 10**7)
-    options.r = options.r.split("..", 1)[0]
-    values = {name: term.value for name, term in read_parameters(options).items()}
-    return show_ranges(scan((ends[0], ends[1]), steps, values), as_json=options.json)

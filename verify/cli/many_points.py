@@ -1,0 +1,129 @@
+"""Theorem 1 at many points: for all parameters, on a box of them, or on a grid."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from fractions import Fraction
+
+from verify.cli.files import print_document, test_folder, write_certificate
+from verify.cli.options import Options
+from verify.cli.theorem1 import (
+    DEFAULTS,
+    POINT_OPTIONS,
+    neg_cos,
+    positive,
+    read_parameters,
+    restitution,
+)
+from verify.jobs.inputs import InputError, integer, shown
+from verify.language.statement import UNDECIDED
+from verify.paper.groups import PRINTED, SELECTIONS
+from verify.prover.outcome import EXIT_CODES, conjunction
+
+
+def run_many(options: Options) -> int:
+    """Print, write the files, return the exit code."""
+    if options.all:
+        return _everywhere(options)
+    return _box(options) if options.steps is None else _scan(options)
+
+
+def _leave_out(options: Options, command: str, names: tuple[str, ...]) -> None:
+    """Refuse options that would not be used.
+
+    Raises:
+        InputError: naming the option.
+    """
+    for name in names:
+        if getattr(options, name) not in (False, DEFAULTS.get(name)):
+            raise InputError(f"--{name.replace('_', '-')}: leave it out with {command}")
+
+
+def _everywhere(options: Options) -> int:
+    """Prove Theorem 1 for all parameters; print, write, return the exit code."""
+    _leave_out(options, "--all", (*POINT_OPTIONS, "r", "neg_cos", "V0", "delta_theta", "steps"))
+    if options.constants not in SELECTIONS:
+        raise InputError(
+            f"--constants: {shown(options.constants)} is unknown; write printed or all"
+        )
+    test_folder("--out", options.out, "statement.json", "certificate.json")
+    from verify.jobs import everywhere, thresholds  # loaded only where they are used
+    from verify.views import everywhere as view
+    from verify.views.document import claims_document
+
+    printed = options.constants == PRINTED
+    outcome = everywhere.decide_printed_everywhere() if printed else everywhere.decide_everywhere()
+    code = EXIT_CODES[conjunction(outcome.decisions.values())]
+    if options.out is not None:
+        write_certificate("--out", options.out, outcome)
+    if options.json:
+        print_document(claims_document(outcome, "theorem1", view.FORMAT))
+        return code
+    text = [*view.row_lines(outcome), ""] if options.verbose else []
+    if printed:
+        text += view.printed_screen(outcome, thresholds.decide_thresholds())
+    else:
+        text += view.screen(outcome)
+    sys.stdout.write("".join(f"{line}\n" for line in text))
+    return code
+
+
+def _box(options: Options) -> int:
+    """Prove Theorem 1 at all points of a box; print, write, return the exit code."""
+    _leave_out(options, "A..B", (*POINT_OPTIONS, "constants"))
+    sides = _side("--r", options.r, restitution), _side("--neg-cos", options.neg_cos, neg_cos)
+    v_0, delta_theta = (
+        positive("--V0", options.V0),
+        positive("--delta-theta", options.delta_theta),
+    )
+    test_folder("--out", options.out, "statement.json", "certificate.json")
+    from verify.jobs import box  # loaded only where they are used
+    from verify.views import box as view
+    from verify.views.everywhere import row_lines
+
+    found = box.answer(box.ParameterBox(*sides), v_0, delta_theta)
+    cited = found.outcome.assumptions
+    if options.out is not None and found.verdict != UNDECIDED:
+        write_certificate("--out", options.out, found.outcome)
+    elif options.out is not None:
+        print("verify: no certificate was written; ask for the certified part", file=sys.stderr)
+    if options.json:
+        print_document(view.box_document(found, cited))
+    else:
+        text = [*row_lines(found.outcome), ""] if options.verbose else []
+        text += view.screen(found, cited)
+        sys.stdout.write("".join(f"{line}\n" for line in text))
+    return EXIT_CODES[found.verdict]
+
+
+def _side(
+    option: str, text: str | None, read: Callable[[str], Fraction]
+) -> tuple[Fraction, Fraction]:
+    """The ends of a closed interval, or a number twice.
+
+    Raises:
+        InputError: if the first end is larger, or an end is outside its range.
+    """
+    parts = ("1" if text is None else text).split("..", 1)
+    low, high = read(parts[0]), read(parts[-1])
+    if low > high:
+        raise InputError(f"{option}: write the smaller end of {shown(text or '')} first")
+    return low, high
+
+
+def _scan(options: Options) -> int:
+    """Print the verdict at many values of r; the exit code is that of the worst."""
+    from verify.jobs.scan import scan  # loaded only where it is used
+    from verify.views.ranges import show_ranges
+
+    if ".." not in options.r:
+        raise InputError("--steps: needs an interval of r; write --r 0.02..0.04 --steps 9")
+    _leave_out(options, "--steps", (*POINT_OPTIONS, "out", "constants", "verbose"))
+    ends = [restitution(part) for part in options.r.split("..", 1)]
+    if ends[0] >= ends[1]:
+        raise InputError(f"--r: write the smaller end of {shown(options.r)} first")
+    steps = integer("--steps", options.steps, 2, 10**7)
+    options.r = options.r.split("..", 1)[0]
+    values = {name: term.value for name, term in read_parameters(options).items()}
+    return show_ranges(scan((ends[0], ends[1]), steps, values), as_json=options.json)

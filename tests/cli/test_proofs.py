@@ -43,7 +43,8 @@ def test_the_printed_set_for_all_parameters(capsys: pytest.CaptureFixture[str]) 
     code, out, err = run(capsys, "theorem1", "--all", "--constants", "printed")
     assert (code, err) == (1, "")
     assert "  fails for all: zeta-x-bound " in out
-    assert "fails at delta_theta = 1/1000: final-angle " in out
+    assert "  depends: angle-absorbed: fails at " in out
+    assert "    it fails where φ⁺ ≥ 5/33\n" in out
 
 
 @pytest.mark.parametrize(

@@ -56,7 +56,7 @@ def _where(place: Place, word: str) -> Iterator[str]:
 
 def _outcomes(found: list[Place]) -> Iterator[Outcome]:
     """The outcomes in which places lie, decided; those for all values if there is no place."""
-    from verify.jobs import classification, everywhere, spectrum, step, step_printed
+    from verify.jobs import classification, everywhere, spectrum, step, step_printed, thresholds
     from verify.paper.groups import PRINTED
 
     rows = [place for place in found if place.part in ("", "everywhere")]
@@ -68,6 +68,8 @@ def _outcomes(found: list[Place]) -> Iterator[Outcome]:
         yield everywhere.decide_printed_everywhere()
     if not found or "step" in parts:
         yield step.decide_step()
+    if any(place.path.endswith(("thresholds.py", "minima.py")) for place in found):
+        yield thresholds.decide_thresholds()
     if any(place.path.endswith("printed_estimates.py") for place in found):
         yield step_printed.decide_step_printed()
     if not found or "spectrum" in parts:

@@ -46,6 +46,7 @@ CONTEXT = "display"
 ROW = f"{PRINTED}.angle-sign"
 FAILS = "display-fails"
 NAMES = ("eta", "spectator", "distance", "norm_c", "norm_s", "product", "cosine")
+LETTERS = ("η", "η_s", "d", "A", "B", "P", "C")
 e, s, d, a, b, w, cosine = map(symbol, NAMES)
 zeta, time, following = map(symbol, ("display.zeta", "display.time", "display.following"))
 
@@ -70,14 +71,17 @@ def context() -> Context:
     values = {"eta": "1", "spectator": "1/10", "distance": "1/100", "cosine": "1/2"}
     return Context(
         CONTEXT,
-        tuple(Variable(name, name, name) for name in NAMES),
+        tuple(
+            Variable(name, letter, letter.replace("η", r"\eta"))
+            for name, letter in zip(NAMES, LETTERS, strict=True)
+        ),
         tuple(Given(given(name), claim) for name, claim in givens().items()),
         {name: as_term(Fraction(values.get(name, "1"))) for name in NAMES},
         says="a state before a contact, as the display after EQUATSS4.1EvoluCosinAngle needs it",
         constants=(
             Constant(zeta.name, "ζ", r"\zeta", COSINE, contact_zeta(e, d, a)),
             Constant(time.name, "τ", r"\tau", COSINE, contact_time(e, d, a, zeta)),
-            Constant(following.name, "1+d'", "1+d'", COSINE, next_distance(s, b, time)),
+            Constant(following.name, "D", "D", COSINE, next_distance(s, b, time)),
         ),
     )
 

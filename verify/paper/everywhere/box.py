@@ -12,8 +12,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import TypeVar
 
+from verify.language.record import TYPE_CHECKING
 from verify.language.statement import (
     NEEDED,
     Applies,
@@ -46,7 +46,10 @@ r_low, r_high, c_low, c_high = map(symbol, ("r_low", "r_high", "c_low", "c_high"
 PARAMETERS = ("r_low", "r_high", "c_low", "c_high", "V_0", "delta_theta")
 
 
-Number = TypeVar("Number", Term, Fraction)
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    Number = TypeVar("Number", Term, Fraction)
 
 
 def excess(at_r: Number, at_c: Number) -> Number:

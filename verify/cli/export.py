@@ -3,29 +3,33 @@
 from __future__ import annotations
 
 import sys
-from argparse import ArgumentParser, Namespace
 
 from verify.cli.check import folders_at
+from verify.cli.options import Options, Parser
 from verify.jobs.inputs import InputError, shown
 
+SYSTEMS = ("coq",)
 
-def add_arguments(parser: ArgumentParser) -> None:
+
+def add_arguments(parser: Parser) -> None:
     """The options."""
-    parser.add_argument("system", choices=["coq"], help="the proof assistant")
-    parser.add_argument("folder", help="a folder with a statement and its certificate")
+    parser.place("system", "coq")
+    parser.place("folder", "a folder with a statement and its certificate")
 
 
-def run(options: Namespace) -> int:
+def run(options: Options) -> int:
     """Print the file; return 0."""
-    from verify.views import coq  # loaded only where it is used
+    if options.system not in SYSTEMS:
+        raise InputError(f"system: {shown(options.system)} is not known; write coq")
+    from verify.views.coq.export import export  # loaded only where it is used
+    from verify.views.coq.reading import NotAcceptedError
 
     (folder,) = folders_at([options.folder])
     try:
-        text = coq.export(folder)
-    except coq.NotAcceptedError as error:
+        text = export(folder)
+    except NotAcceptedError as error:
+        what = "has no certificate that proves its statement"
         reason = " ".join(str(error).split())[:300]
-        raise InputError(
-            f"folder: {shown(options.folder)} has no certificate that proves its statement ({reason})"
-        ) from error
+        raise InputError(f"folder: {shown(options.folder)} {what} ({reason})") from error
     sys.stdout.write(text)
     return 0

@@ -10,7 +10,7 @@ from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES
 from verify.prover.decimals import DIGITS, decimal_exponent, outward, rational_text
 from verify.prover.outcome import Decision, Ends, Outcome
-from verify.views.minima import minimum_of
+from verify.views.entries import minimum_of
 from verify.views.words import (
     constants_of,
     ends_of,

@@ -23,7 +23,7 @@ from verify.paper.parameters import THEOREM
 from verify.paper.theorem1 import theorem
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Ends, Outcome
-from verify.views.minima import minimum_of
+from verify.views.entries import minimum_of
 from verify.views.words import (
     ends_of,
     groups,

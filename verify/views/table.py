@@ -13,7 +13,7 @@ from verify.paper.groups import PRINTED as PRINTED_SET
 from verify.paper.theorem1 import theorem
 from verify.prover.decimals import outward, short
 from verify.prover.outcome import Decision, Ends, Outcome
-from verify.views.minima import minimum_of
+from verify.views.entries import minimum_of
 from verify.views.screen import SIGNS, TITLES, verdict_lines
 from verify.views.words import (
     constants_of,

@@ -41,12 +41,13 @@ def is_right_statement(content: bytes) -> bool:
     and that verdict is `proved`.
     """
     try:
-        parameters = _parameters(json.loads(content))
+        document = json.loads(content)
+        parameters, collisions = _parameters(document), _collisions(document)
     except (KeyError, TypeError, ValueError, AttributeError, IndexError, RecursionError):
         return False
     return any(
         outcome.verdict == PROVED and write(outcome)["statement.json"] == content
-        for outcome in _outcomes(parameters)
+        for outcome in _outcomes(parameters, collisions)
     )
 
 
@@ -54,7 +55,12 @@ def _parameters(document: Any) -> dict[str, Term]:
     return TermReader().table(document["parameters"])
 
 
-def _outcomes(parameters: Mapping[str, Term]) -> Iterator[Outcome]:
+def _collisions(document: Any) -> int:
+    """How many rows are about collisions of a scene."""
+    return sum(row["name"].startswith("collision.") for row in document["obligations"])
+
+
+def _outcomes(parameters: Mapping[str, Term], collisions: int) -> Iterator[Outcome]:
     """The outcomes that the program makes for these parameters."""
     if not parameters:
         yield spectrum.decide_spectrum()
@@ -65,7 +71,7 @@ def _outcomes(parameters: Mapping[str, Term]) -> Iterator[Outcome]:
         yield sharper.decide_sharper()
         yield scene.decide_flow()
     elif (found := scene.read_back(parameters)) is not None:
-        yield from scene.statements_of(found)
+        yield from scene.statements_of(found, collisions)
     elif box.are_ends(parameters):
         yield box.decide_box(*box.read_box(parameters))
     elif are_allowed(parameters):

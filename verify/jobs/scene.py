@@ -131,15 +131,22 @@ def read_back(parameters: Mapping[str, Term]) -> Scene | None:
     return Scene(parameters["r"].value, positions, velocities)
 
 
-def statements_of(scene: Scene) -> Iterator[Outcome]:
-    """What the program makes of a scene, for each number of digits that may have been asked for."""
-    before: Found | None = None
+def statements_of(scene: Scene, collisions: int) -> Iterator[Outcome]:
+    """What the program makes of a scene with so many rows about collisions.
+
+    There is one for each number of digits that may have been asked for.
+    """
+    before = None
     for digits in (None, *range(1, MAX_DIGITS + 1)):
         found = decide(scene, Budget(digits=digits))
-        if found.verdict == UNDECIDED or (found.collapse is None and before is not None):
+        told = 0 if is_settled_by_r(found) else len(found.flow.collisions)
+        if found.verdict == UNDECIDED or told > collisions:
             return
-        before = found
-        yield outcome_of(found, found.flow.bits)
+        if told == collisions and (told, found.flow.bits) != before:
+            before = told, found.flow.bits
+            yield outcome_of(found, found.flow.bits)
+        if found.collapse is None:
+            return
 
 
 # --- the certificate -----------------------------------------------------------------------------
@@ -220,7 +227,7 @@ def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:
 
 def _premise(given: Claim, at: Mapping[str, Term], bits: int) -> Premise:
     """A definition is the fact that a constant of the scene has it; enclosures show the rest."""
-    if given.relation == "=" and given.lhs.op == "symbol":
+    if given.relation == "=" and at[given.lhs.name].op == "symbol":
         return at[given.lhs.name].name
     return Interval(bits)
 

@@ -35,8 +35,9 @@ def variable(name: str) -> Variable:
     """A variable; what comes before the last dot says where it is used."""
     stem, _, later = name.rpartition(".")[2].partition("_")
     letter, tex = LETTERS.get(stem, (stem, stem))
-    mark = "'" if later else ""
-    return Variable(name, f"{letter}{mark}", f"{tex}{mark}")
+    if later == "next":
+        return Variable(name, f"{letter}'", f"{tex}'")
+    return Variable(name, f"{letter}_{later}" if later else letter, f"{tex}_{{{later}}}")
 
 
 def space(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from verify.paper.argument import Argument, argue
-from verify.paper.flow import changes, collision, pairs
+from verify.paper.flow import changes, collision, pairs, readings
 from verify.paper.flow.assumptions import ASSUMPTIONS
 
 NAME = "flow"
@@ -18,5 +18,6 @@ TITLE = (
 @cache
 def flow() -> Argument:
     """The statement, built once per process."""
-    parts = (*collision.chapters(), *changes.chapters(), *pairs.chapters())
+    ends = (*readings.chapters(), *pairs.chapters())
+    parts = (*collision.chapters(), *changes.chapters(), *ends)
     return argue(NAME, TITLE, parts, ASSUMPTIONS)

@@ -18,8 +18,8 @@ ASSUMPTIONS = (
     Assumption(
         "scene-disperses",
         "EQUATSS2.1_Loi_de_Newton_",
-        "2. By the rows end.ij, which apply the flow, each pair of particles parts or passes by "
-        "for ever: there is no further collision.",
+        "2. By the rows end.ij, which apply the flow to the pairs of the last state, each pair of "
+        "particles parts or passes by for ever: there is no further collision.",
         "numbered glue",
     ),
     Assumption(
@@ -34,10 +34,10 @@ ASSUMPTIONS = (
     Assumption(
         "scene-collapses",
         "EQUATSS2.1_Loi_de_Newton_",
-        "2. Let ω_s = x_s and ω_c = x_c/|x_c|, where |x_c| is the number reach; s and o are in "
-        "contact. The numbers in the row collapse are those of this state in these letters, and so "
-        "the sharper theorem applies to it: the time of the collapse and its final angle are as it "
-        "says, and as the rows time and angle enclose them.",
+        "2. After the last collision s and o are in contact, ω_s = x_s and ω_c = x_c/|x_c|; by the "
+        "row unit, which applies the flow, the numbers in the row collapse are those of this state "
+        "in the letters of the sharper theorem. So that applies to it: the time of the collapse "
+        "and its final angle are as it says, and as the rows time and angle enclose them.",
         "numbered glue",
     ),
 )

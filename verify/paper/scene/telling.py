@@ -12,15 +12,13 @@ from fractions import Fraction
 from verify.language.record import Record
 from verify.language.statement import NEEDED, Applies, Constant, Obligation
 from verify.language.terms import Claim, Number, Term, as_term, equal, sqrt, symbol
-from verify.paper.flow import changes, collision, pairs
+from verify.paper.flow import changes, collision, pairs, readings
 from verify.paper.flow.law import (
     Pair,
     State,
     collided,
     drifted,
     flight,
-    inner,
-    outer,
     recentred,
 )
 from verify.paper.flow.spaces import LETTERS
@@ -171,12 +169,19 @@ class Telling:
     # --- how it ends ----------------------------------------------------------------------------
 
     def pairs(self) -> dict[str, Pair]:
-        """The three pairs at the end, by their names."""
+        """The three pairs at the end, by their names, each with its numbers."""
         if self.state is None:
             return {pair_name(i, j): self._given_pair(i, j) for i, j in PAIRS}
-        (o, s, c), (own, spectator) = self.frame, inner(self.state)
-        names = (pair_name(o, c), pair_name(o, s), pair_name(s, c))
-        return dict(zip(names, (own, spectator, outer(self.state)), strict=True))
+        state, (o, s, c) = self._next(), self.frame
+        found = readings.pairs_of(state, self.keep)
+        at = _of(readings.PAIRS, state._asdict())
+        for name, pair in found.items():
+            numbers = {f"{field}_{name}": term for field, term in pair._asdict().items()}
+            at |= _of(readings.PAIRS, numbers)
+        says = f"the pairs {pair_name(o, c)}, {pair_name(o, s)} and {pair_name(s, c)} of this state"
+        self.apply(f"pairs.{self.moves}", says, readings.PAIRS, at)
+        names = {"c": pair_name(o, c), "s": pair_name(o, s), "outer": pair_name(s, c)}
+        return {names[name]: pair for name, pair in found.items()}
 
     def _given_pair(self, i: int, j: int) -> Pair:
         values, terms = self.exact.pair(i, j), self.given.pair(i, j)
@@ -213,27 +218,28 @@ class Telling:
     def collapse(self, found: Numbers) -> None:
         """The sharper theorem applies; when, and at which angle, the particles collapse."""
         state, value = self._next(), found.values
-        gap = state.eps * state.v**2
-        reach = self.keep("reach", sqrt(1 + gap))
+        unit = readings.unit_of(state, sqrt, self.keep)
+        at = _of(readings.UNIT, {**state._asdict(), **unit._asdict()})
+        self.apply(f"unit.{self.moves}", "this state with unit vectors", readings.UNIT, at)
         start = {
-            "y": self.keep("closing", state.lam * state.v / reach),
-            "eta_s": self.keep("parting", state.rho * state.v),
-            "C": self.keep("cosine", state.C / reach),
+            "y": unit.closing,
+            "eta_s": unit.parting,
+            "C": unit.cosine,
             "a": state.a,
-            "b": self.keep("b", state.b / reach),
+            "b": unit.turning,
             "A": state.A,
             "B": state.B,
             "w": state.w,
-            "d": self.keep("distance", gap / (1 + reach)),
+            "d": unit.distance,
         }
         o, s, c = self.frame
-        at = {name: as_term(x) for name, x in value.items()}
-        at |= {f"{name}_start": as_term(term) for name, term in start.items()}
+        values = {name: as_term(x) for name, x in value.items()}
+        values |= {f"{name}_start": as_term(term) for name, term in start.items()}
         says = (
             f"from here on {pair_name(o, c)} and {pair_name(o, s)} collide in turn for ever, in "
             "finite time"
         )
-        self.row("collapse", says, Applies(START, at), "scene", "scene-collapses")
+        self.row("collapse", says, Applies(START, values), "scene", "scene-collapses")
         (low, high), (least, most) = found.time, found.angle
         later = value["T"] * value["eta_0"] / (1 - value["p"] - value["Y"])
         self.row("time-from", "the collapse is not before", as_term(low) <= self.time)
@@ -243,6 +249,11 @@ class Telling:
             "angle-from", "the final -cos θ is at least", as_term(least) <= as_term(C_0 - theta)
         )
         self.row("angle-to", "and at most", as_term(min(C_0 + theta, Fraction(1))) <= as_term(most))
+
+
+def _of(context: str, values: Mapping[str, Number]) -> dict[str, Number]:
+    """Values for the variables of a context, whose names begin with its name."""
+    return {f"{context}.{name}": value for name, value in values.items()}
 
 
 def _terms(state: State) -> State:

@@ -61,7 +61,6 @@ TITLE = (
     "space that satisfies all printed conditions, for r = 3/100, -cos θ₀ = 95/103, V₀ = 1, "
     "δ_θ = 1/10; and the right ones beside them"
 )
-CND = "EQUATSS4.1Recurrence_Cnd"
 NORMS, ANGLE = "EQUATSS4.1EvoluNormeVitRl", "EQUATSS4.1EvoluCosinAngle"
 RIGHT, WRONG = "right", "state"
 
@@ -123,7 +122,7 @@ def _time() -> Iterator[Item]:
                 ("unit-c", (1 + d) ** 2 * A),
             ),
         ),
-        f"{CND}3",
+        "EQUATSS4.1Recurrence_Cnd3",
         "ζ = 1 - S² = d(2+d)|W_c|²/((1+d)²η_c²)",
     )
     room = times(power("d-sum-positive", 2), power("Cnd1", 2))
@@ -209,7 +208,7 @@ def printed() -> Iterator[Obligation]:
     )
     yield _wrong(
         "norm-lower",
-        f"{CND}5",
+        "EQUATSS4.1Recurrence_Cnd5",
         "V₀ ≤ |W_{s,n+1}|²: Cnd6 and Cnd7 bound the norms from above only",
         V_0 <= B_next,
         SLIP,
@@ -220,7 +219,7 @@ def printed() -> Iterator[Obligation]:
 
 
 def _zeta() -> Iterator[Obligation]:
-    label = f"{CND}4"
+    label = "EQUATSS4.1Recurrence_Cnd4"
     ratio, square = A_next / A, (D_y_next / (D * y)) ** 2
     second = ratio / square * (x / y)
     least = V_0 / k.V_1 * (delta_2**2 * h_5 / 12)
@@ -234,7 +233,7 @@ def _zeta() -> Iterator[Obligation]:
     )
     yield _wrong(
         "x-small",
-        f"{CND}9",
+        "EQUATSS4.1Recurrence_Cnd9",
         "Cnd9 implies |x_n| ≤ (V₀/V₁) δ₂² h₅/12: only |x₀| is so small",
         absolute(x) <= least * y,
         BREAKS,
@@ -305,7 +304,7 @@ def _angle() -> Iterator[Obligation]:
     )
     yield _wrong(
         "angle-eighth",
-        f"{CND}10",
+        "EQUATSS4.1Recurrence_Cnd10",
         "|(-cos θ_{n+1}) - (-cos θ₀)| ≤ h₄δ_x/8: Cnd8 allows more, as 1/33 in η̄ has no 1-C_η",
         absolute(D_C_next / D - c) <= h_4 * k.delta_x / 8,
         BREAKS,

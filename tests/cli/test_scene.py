@@ -173,7 +173,7 @@ def test_a_folder_is_resumed(
         pytest.fail("it was decided again")
 
     with monkeypatch.context() as patch:
-        patch.setattr("verify.cli.scene_folder.decide", never)
+        patch.setattr("verify.cli.scene_folder.decide_scene", never)
         assert run(capsys, made, "--out", out) == first
     (made / "passing.toml").write_text(GOOD)
     assert "passing.toml: collapses" in run(capsys, made, "--out", out)[1]

@@ -13,13 +13,14 @@ from typing import Any
 
 import pytest
 
+from tests.prover.random_scenes import random_scene
 from tests.prover.scenes import CASES, aligned, at_angle
 from verify import check
 from verify.jobs.regenerate import is_right_statement
-from verify.jobs.scene import outcome_of, read_back
+from verify.jobs.scene import read_back, scene_outcome
 from verify.jobs.scene_files import read_scene
 from verify.paper.scene.scene import Scene
-from verify.prover.scene import FINITE, UNDECIDED, Budget, decide
+from verify.prover.scene import UNDECIDED, Budget, decide_scene
 from verify.wire.term_json import TermReader
 from verify.wire.write import write
 
@@ -29,8 +30,8 @@ SLOW = ("below-9", "above", "thousand", "ray", "threshold-0.51", "doubles")
 
 
 def files_of(scene: Scene, budget: Budget = Budget()) -> dict[str, bytes]:  # noqa: B008
-    found = decide(scene, budget)
-    return write(outcome_of(found, found.flow.bits))
+    found = decide_scene(scene, budget)
+    return write(scene_outcome(found, found.flow.bits))
 
 
 def report(files: dict[str, bytes]) -> check.Report:
@@ -48,12 +49,37 @@ def test_certificates_are_accepted(name: str) -> None:
     assert found.summary.startswith(CASES[name][1])
 
 
-def test_finite_for_each_reason() -> None:
-    scene, less = CASES["threshold-0.46"][0], Budget(collisions=3)
-    assert decide(scene, less).verdict == UNDECIDED
-    fast = scene._replace(r=scene.r * 50)
-    assert decide(fast, Budget(collisions=1)).verdict == FINITE
-    assert report(files_of(fast, Budget(collisions=1))).verdict == "PROVED"
+def finite(name: tuple[str, bool]) -> tuple[Scene, Budget]:
+    """A scene that is not followed to its end, with the reason why it does not collapse."""
+    rng = Random(11)
+    while True:
+        scene, budget = random_scene(rng), Budget(collisions=rng.choice((0, 1)))
+        criterion = decide_scene(scene, budget).criterion
+        if criterion is not None and (criterion.name, criterion.at_start) == name:
+            return scene, budget
+
+
+REASONS = [("receding", True), ("receding", False), ("turning", True), ("turning", False)]
+
+
+@pytest.mark.parametrize("name", REASONS)
+def test_finite_for_each_reason(name: tuple[str, bool]) -> None:
+    scene, budget = finite(name)
+    files = files_of(scene, budget)
+    found = report(files)
+    assert found.verdict == "PROVED"
+    assert found.summary.startswith("finite: ")
+    rows = [row["name"] for row in json.loads(files["statement.json"])["obligations"]]
+    assert {"finite.far", f"finite.{name[0]}"} <= {*rows}
+    assert decide_scene(scene).verdict in ("disperses", "finite")
+
+
+def test_finite_by_the_coefficient_of_restitution() -> None:
+    scene, budget = CASES["threshold-0.46"][0], Budget(collisions=1)
+    assert decide_scene(scene, budget).verdict == UNDECIDED
+    files = files_of(scene._replace(r=scene.r * 50), budget)
+    assert report(files).verdict == "PROVED"
+    assert b'"finite.restitution"' in files["statement.json"]
 
 
 def test_many_collisions_fit() -> None:

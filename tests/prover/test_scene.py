@@ -12,9 +12,9 @@ import pytest
 from tests.prover.random_scenes import random_scene
 from tests.prover.scenes import CASES, aligned, on_a_line
 from tests.prover.simulation import DIGITS, neg_cos, simulate
+from verify.jobs.scene_verdict import central, pairs_of, time_ends
 from verify.prover import balls
-from verify.prover.scene import COLLAPSES, DISPERSES, UNDECIDED, Budget, Found, decide
-from verify.views.scene import central, pairs_of, time_ends
+from verify.prover.scene import COLLAPSES, DISPERSES, UNDECIDED, Budget, Fate, decide_scene
 
 #: Collisions of the simulation after the last one that was followed.
 MORE = 60
@@ -24,18 +24,18 @@ MORE = 60
 def test_hard_cases(name: str) -> None:
     scene, verdict, count, why = CASES[name]
     limit = 200 if name == "the-ray" else 1000
-    found = decide(scene, Budget(collisions=limit))
+    found = decide_scene(scene, Budget(collisions=limit))
     assert (found.verdict, found.collisions) == (verdict, count)
     assert why in found.reason
 
 
 def test_a_hundred_thousand_collisions_on_a_line() -> None:
-    found = decide(on_a_line("0.0717967697388478"), Budget(collisions=400_000))
+    found = decide_scene(on_a_line("0.0717967697388478"), Budget(collisions=400_000))
     assert found.verdict == DISPERSES
     assert found.collisions > 100_000
 
 
-def contradictions(found: Found) -> list[str]:
+def contradictions(found: Fate) -> list[str]:
     """What an independent simulation with 400 digits does not confirm."""
     count = len(found.flow.collisions)
     more = MORE if found.verdict == COLLAPSES else 5
@@ -71,14 +71,14 @@ def is_inside(value: object, ends: tuple[Fraction, Fraction]) -> bool:
 
 def test_random_scenes_against_a_simulation() -> None:
     rng = Random(7)
-    found = [decide(random_scene(rng)) for _ in range(25)]
+    found = [decide_scene(random_scene(rng)) for _ in range(25)]
     assert [contradictions(one) for one in found] == [[]] * len(found)
     assert not [one for one in found if one.verdict == UNDECIDED]
     assert {one.verdict for one in found} == {COLLAPSES, DISPERSES}
 
 
 def test_a_contradiction_would_be_seen() -> None:
-    found = decide(aligned())
+    found = decide_scene(aligned())
     assert contradictions(found) == []
     less = found._replace(verdict=DISPERSES, collapse=None)
     assert "there are more collisions" in contradictions(less)
@@ -86,24 +86,24 @@ def test_a_contradiction_would_be_seen() -> None:
 
 @pytest.mark.parametrize("digits", [3, 12, 60])
 def test_digits_that_are_asked_for(digits: int) -> None:
-    found = decide(aligned(), Budget(digits=digits))
+    found = decide_scene(aligned(), Budget(digits=digits))
     ends = time_ends(found)
     assert ends is not None
     assert found.collapse is not None
     assert 0 < ends[1] - ends[0] <= ends[0] / 10**digits
     assert 0 < found.collapse.angle[1] - found.collapse.angle[0] <= Fraction(1, 10**digits)
-    coarse = time_ends(decide(aligned()))
+    coarse = time_ends(decide_scene(aligned()))
     assert coarse is not None
     assert coarse[0] <= ends[0] < ends[1] <= coarse[1]
 
 
 def test_faster_scenes_collapse_sooner() -> None:
-    (low, high), fast = (time_ends(decide(aligned(scale))) for scale in ("1", "1e100"))
+    (low, high), fast = (time_ends(decide_scene(aligned(scale))) for scale in ("1", "1e100"))
     assert low / 10**100 <= fast[1]
     assert fast[0] <= high / 10**100
 
 
 def test_the_verdict_does_not_depend_on_the_first_precision() -> None:
     for bits in (16, 32, 53, 1000):
-        found = decide(aligned(), Budget(bits=bits))
+        found = decide_scene(aligned(), Budget(bits=bits))
         assert (found.verdict, len(found.flow.collisions)) == (COLLAPSES, 2)

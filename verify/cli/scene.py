@@ -9,8 +9,9 @@ from verify.cli.files import print_document, read_bytes, test_folder
 from verify.cli.options import Options, Parser
 from verify.jobs.inputs import InputError, integer
 from verify.jobs.scene_files import read_scene
-from verify.prover.scene import Budget, Found, decide
-from verify.views.scene import exit_code, scene_document, scene_lines, table
+from verify.jobs.scene_verdict import scene_lines
+from verify.prover.scene import Budget, Fate, decide_scene
+from verify.views.scene import collision_table, exit_code, scene_document
 
 #: More than this would be a mistake.
 MAX_JOBS = 256
@@ -52,7 +53,7 @@ def run(options: Options) -> int:
     test_folder("--out", options.out, "statement.json", "certificate.json")
     plot = _plot_kind(options.plot)
     scene = read_scene(options.scene, read_bytes("scene", options.scene))
-    found = decide(scene, limits)
+    found = decide_scene(scene, limits)
     if options.out is not None:
         from verify.cli.scene_certificate import write_scene  # loaded only where it is used
 
@@ -77,6 +78,6 @@ def _plot_kind(path: str | None) -> str | None:
     return kind
 
 
-def _text(found: Found, options: Options) -> list[str]:
+def _text(found: Fate, options: Options) -> list[str]:
     lines = [*scene_lines(found)]
-    return [*table(found), "", *lines] if options.verbose else lines
+    return [*collision_table(found), "", *lines] if options.verbose else lines

@@ -7,15 +7,15 @@ import sys
 from verify.cli.errors import OwnError
 from verify.cli.files import write_certificate
 from verify.jobs.inputs import InputError
-from verify.jobs.scene import outcome_of
+from verify.jobs.scene import scene_outcome
 from verify.prover.program import UndefinedError
-from verify.prover.scene import DISPERSES, UNDECIDED, Found
+from verify.prover.scene import DISPERSES, UNDECIDED, Fate
 
 #: The prover is exact where numbers stay rational; the checker may need more bits for the same.
 MORE_BITS = (1, 2, 4, 8, 16)
 
 
-def write_scene(option: str, directory: str, found: Found) -> None:
+def write_scene(option: str, directory: str, found: Fate) -> None:
     """Write the certificate, which `verify/check.py` accepts.
 
     Nothing is written, with a line on stderr, where the scene is undecided.
@@ -34,7 +34,7 @@ def write_scene(option: str, directory: str, found: Found) -> None:
     complaint = OwnError("no precision suffices to evaluate the constants of the scene")
     for factor in MORE_BITS:
         try:
-            outcome = outcome_of(found, factor * found.flow.bits)
+            outcome = scene_outcome(found, factor * found.flow.bits)
             write_certificate(option, directory, outcome)
         except UndefinedError:
             continue

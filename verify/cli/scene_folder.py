@@ -16,8 +16,9 @@ from verify.cli.options import Options
 from verify.cli.scene_certificate import write_scene
 from verify.jobs.inputs import InputError, shown
 from verify.jobs.scene_files import read_scene
-from verify.prover.scene import Budget, decide
-from verify.views.scene import exit_code, scene_document, scene_lines
+from verify.jobs.scene_verdict import scene_lines
+from verify.prover.scene import Budget, decide_scene
+from verify.views.scene import exit_code, scene_document
 
 FORMAT = "verify-scenes/1"
 #: The codes, the one that wins first: our own error, unusable, undecided.
@@ -91,7 +92,7 @@ def decide_file(folder: str, out: str | None, limits: Budget, name: str) -> Resu
 
 
 def _decide(folder: str, out: str | None, limits: Budget, name: str, content: bytes) -> Result:
-    found = decide(read_scene(os.path.join(folder, name), content), limits)
+    found = decide_scene(read_scene(os.path.join(folder, name), content), limits)
     code = exit_code(found)
     if out is not None and code == 0:
         write_scene("--out", os.path.join(out, os.path.splitext(name)[0]), found)

@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 
 from verify.cli.files import write_all
-from verify.prover.scene import Found
+from verify.prover.scene import Fate
 
 
-def write_plot(option: str, path: str, kind: str, found: Found) -> None:
+def write_plot(option: str, path: str, kind: str, found: Fate) -> None:
     """Write the drawing (.svg) or the animation (.html)."""
     if kind == ".svg":
-        from verify.views.plots.scene import scene_svg  # loaded only where it is used
+        from verify.views.plots.scene_drawing import scene_svg  # loaded only where it is used
 
         text = scene_svg(found)
     else:

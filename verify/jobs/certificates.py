@@ -22,7 +22,7 @@ from verify.jobs.scene_files import read_scene
 from verify.language.record import Record
 from verify.language.terms import Term, as_term, cos_pi
 from verify.prover.outcome import Outcome
-from verify.prover.scene import UNDECIDED, decide
+from verify.prover.scene import UNDECIDED, decide_scene
 
 
 class StoredPoint(Record):
@@ -80,7 +80,7 @@ def all_folders(directory: str = "certificates") -> Iterator[tuple[str, Outcome]
     yield "flow", scene.decide_flow()
     for path in sorted(glob.glob(os.path.join(directory, "scenes", "*.toml"))):
         with open(path, "rb") as file:
-            found = decide(read_scene(path, file.read()))
+            found = decide_scene(read_scene(path, file.read()))
         if found.verdict != UNDECIDED:
             stem = os.path.splitext(os.path.basename(path))[0]
-            yield os.path.join("scenes", stem), scene.outcome_of(found, found.flow.bits)
+            yield os.path.join("scenes", stem), scene.scene_outcome(found, found.flow.bits)

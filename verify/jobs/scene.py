@@ -13,6 +13,7 @@ from functools import cache
 
 from verify.jobs.arguments import write_down
 from verify.jobs.classification import decide_classification
+from verify.jobs.scene_verdict import scene_lines
 from verify.jobs.sharper import decide_sharper
 from verify.language.statement import (
     PROVED,
@@ -26,13 +27,12 @@ from verify.language.terms import Claim, Term
 from verify.paper.flow.theorem import NAME as FLOW
 from verify.paper.flow.theorem import flow
 from verify.paper.scene.assumptions import ASSUMPTIONS
-from verify.paper.scene.criteria import INELASTIC
 from verify.paper.scene.scene import Scene
 from verify.paper.scene.telling import CLASSIFICATION, SHARPER, START, Numbers, Telling
 from verify.paper.sharper.numbers import context as start_context
 from verify.prover import balls
 from verify.prover.decimals import enclosing_decimals, round_decimal
-from verify.prover.flow import COLLIDE, DRIFT, parts
+from verify.prover.flow import COLLIDE, DRIFT, why_apart
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.program import Machine, Program, Run
 from verify.prover.proof import ConstantStep, ObligationStep, Premise, Proof, Step
@@ -43,13 +43,15 @@ from verify.prover.scene import (
     FINITE,
     UNDECIDED,
     Budget,
-    Found,
-    decide,
+    Fate,
+    decide_scene,
 )
 from verify.wire.write import write
 
 #: Digits of the enclosures in a certificate.
 DIGITS = 16
+#: How the names of the rows begin that show the verdict.
+DECISIVE = ("collapse", "end.", "finite.")
 #: Statements about scenes are recognised up to so many digits of the collapse time.
 MAX_DIGITS = 40
 
@@ -61,16 +63,16 @@ def decide_flow() -> Outcome:
 
 
 @cache
-def contexts() -> dict[str, Context]:
+def cited_contexts() -> dict[str, Context]:
     """The contexts that a scene applies, by the names by which it cites them."""
     found = {f"{FLOW}:{context.name}": context for context in flow().statement.contexts}
     return found | {START: start_context()}
 
 
-def tell(found: Found) -> Telling:
+def tell(found: Fate) -> Telling:
     """What happened, in terms."""
     telling = Telling(found.flow.scene)
-    moves = [] if is_settled_by_r(found) else found.flow.moves
+    moves = [] if is_settled_at_start(found) else found.flow.moves
     if moves:
         telling.begin(moves[0].before.frame)
     for move in moves:
@@ -84,12 +86,12 @@ def tell(found: Found) -> Telling:
     return telling
 
 
-def is_settled_by_r(found: Found) -> bool:
-    """Whether the verdict is about r only, whatever collides."""
-    return found.criterion is not None and found.criterion.name == INELASTIC
+def is_settled_at_start(found: Fate) -> bool:
+    """Whether no collision has to be followed for the verdict."""
+    return found.criterion is not None and found.criterion.at_start
 
 
-def _tell_end(telling: Telling, found: Found) -> None:
+def _tell_end(telling: Telling, found: Fate) -> None:
     if found.verdict == COLLAPSES and found.collapse is not None:
         with balls.precision(found.flow.bits):
             low, high = (balls.ends(balls.as_ball(end)) for end in found.collapse.time)
@@ -99,9 +101,9 @@ def _tell_end(telling: Telling, found: Found) -> None:
         telling.collapse(Numbers(numbers, time, angle))
     elif found.verdict == DISPERSES:
         with balls.precision(found.flow.bits):
-            telling.disperse(parts(found.flow))
+            telling.disperse(why_apart(found.flow))
     elif found.verdict == FINITE and found.criterion is not None:
-        telling.limit(found.criterion.name, found.criterion.squares)
+        telling.limit(found.criterion.name)
 
 
 def short_outward(ends: tuple[Fraction, Fraction]) -> tuple[Fraction, Fraction]:
@@ -138,13 +140,13 @@ def statements_of(scene: Scene, collisions: int) -> Iterator[Outcome]:
     """
     before = None
     for digits in (None, *range(1, MAX_DIGITS + 1)):
-        found = decide(scene, Budget(digits=digits))
-        told = 0 if is_settled_by_r(found) else len(found.flow.collisions)
+        found = decide_scene(scene, Budget(digits=digits))
+        told = 0 if is_settled_at_start(found) else len(found.flow.collisions)
         if found.verdict == UNDECIDED or told > collisions:
             return
         if told == collisions and (told, found.flow.bits) != before:
             before = told, found.flow.bits
-            yield outcome_of(found, found.flow.bits)
+            yield scene_outcome(found, found.flow.bits)
         if found.collapse is None:
             return
 
@@ -152,9 +154,11 @@ def statements_of(scene: Scene, collisions: int) -> Iterator[Outcome]:
 # --- the certificate -----------------------------------------------------------------------------
 
 
-def outcome_of(found: Found, bits: int) -> Outcome:
+def scene_outcome(found: Fate, bits: int) -> Outcome:
     """The verdict as a statement with a certificate that evaluates with so many bits."""
     telling = tell(found)
+    if not any(row.name.startswith(DECISIVE) for row in telling.rows):
+        raise ValueError(f"no row shows that the scene {found.verdict}")
     statement = statement_of(telling, found)
     proofs = {row.name: _proof(row, telling, bits) for row in telling.rows}
     run = _evaluated(telling, bits)
@@ -172,12 +176,12 @@ def outcome_of(found: Found, bits: int) -> Outcome:
     return Outcome(statement, decisions, tuple(steps), enclosures)
 
 
-def statement_of(telling: Telling, found: Found) -> Statement:
+def statement_of(telling: Telling, found: Fate) -> Statement:
     """What is claimed."""
     used = {name for row in telling.rows for name in row.uses}
     return Statement(
         "scene",
-        title(found),
+        " ".join(scene_lines(found)),
         telling.parameters,
         tuple(telling.constants),
         (),
@@ -187,21 +191,14 @@ def statement_of(telling: Telling, found: Found) -> Statement:
     )
 
 
-def title(found: Found) -> str:
-    """The verdict in a line."""
-    from verify.views.scene import scene_lines
-
-    return " ".join(scene_lines(found))
-
-
-def cites(found: Found) -> list[Cite]:
+def cites(found: Fate) -> list[Cite]:
     """The statements whose theorems are applied."""
     outcomes = {FLOW: decide_flow}
     if found.verdict == FINITE:
         outcomes[CLASSIFICATION] = decide_classification
     if found.verdict == COLLAPSES:
         outcomes[SHARPER] = decide_sharper
-    return [_cite(name, decide()) for name, decide in outcomes.items()]
+    return [_cite(name, make()) for name, make in outcomes.items()]
 
 
 def _cite(name: str, outcome: Outcome) -> Cite:
@@ -211,7 +208,7 @@ def _cite(name: str, outcome: Outcome) -> Cite:
 
 def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:
     if isinstance(row.claim, Applies):
-        context = contexts()[row.claim.context]
+        context = cited_contexts()[row.claim.context]
         return Applying(
             tuple(_premise(given.claim, row.claim.at, bits) for given in context.givens)
         )

@@ -25,6 +25,7 @@ from verify.paper.flow.law import (
 )
 from verify.paper.flow.pairs import PARTING, PASSING
 from verify.paper.scene.scene import (
+    FIRST_FRAMES,
     PAIRS,
     Coordinates,
     Frame,
@@ -35,8 +36,6 @@ from verify.paper.scene.scene import (
 from verify.prover import balls
 
 COLLIDE, RECENTRE, DRIFT = "collide", "recentre", "drift"
-#: Frames in which the three pairs are o, c at the start.
-FIRST_FRAMES: tuple[Frame, ...] = ((0, 2, 1), (0, 1, 2), (1, 0, 2))
 #: How often one flight may be cut where two spheres pass each other.
 MAX_CUTS = 6
 #: Times that differ by such a share count as a tie in messages.
@@ -158,7 +157,7 @@ def never_meets(pair: Pair) -> str | None:
     return PASSING if m > 0 and p * p < m * g else None
 
 
-def parts(flow: Flow) -> dict[str, str]:
+def why_apart(flow: Flow) -> dict[str, str]:
     """Why each pair does not collide any more, by its name."""
     if flow.now is None:
         pairs = {pair_name(i, j): flow.start.pair(i, j) for i, j in PAIRS}

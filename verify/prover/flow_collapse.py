@@ -67,15 +67,15 @@ def start_of(state: State) -> Start:
     )
 
 
-def collapse(r: Fraction, state: State, time: Number) -> Collapse | None:
+def find_collapse(r: Fraction, state: State, time: Number) -> Collapse | None:
     """Why the state collapses; None if the search finds no numbers, or balls do not show it."""
     if not state.lam > 0 or not may_collapse(float(r), balls.as_float(state.C)):
         return None
     start = start_of(state)
     if not (start.A > 0 and start.B > 0 and start.y > 0):
         return None
-    numbers = search(r, start)
-    if numbers is None or not holds(numbers, start):
+    numbers = search_numbers(r, start)
+    if numbers is None or not satisfies(numbers, start):
         return None
     T, eta_0, p, Y = (numbers[name] for name in ("T", "eta_0", "p", "Y"))
     return Collapse(numbers, start, (time, time + T * eta_0 / (1 - p - Y)))
@@ -130,7 +130,7 @@ def widened(low: float, high: float) -> tuple[float, float]:
     return (low + high) / 2, (high - low) / 2 * SLACK + LEAST
 
 
-def search(r: Fraction, start: Start) -> dict[str, Number] | None:
+def search_numbers(r: Fraction, start: Start) -> dict[str, Number] | None:
     """Numbers that probably satisfy what the theorem asks for, as exact rationals."""
     speed = balls.any_root(balls.larger(start.A, start.B))
     V_0, eta_0 = _above(speed), _above(start.y)
@@ -192,7 +192,7 @@ def _short(value: float) -> Number:
 # --- the conditions ------------------------------------------------------------------------------
 
 
-def holds(x: Mapping[str, Number], start: Start) -> bool:
+def satisfies(x: Mapping[str, Number], start: Start) -> bool:
     """True only if the numbers and the state satisfy all that the sharper theorem asks for."""
     return _close(x) and _begin(x, start)
 

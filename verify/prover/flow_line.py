@@ -18,7 +18,7 @@ from verify.prover import balls
 from verify.prover.flow import Flow
 
 
-class Line(Record):
+class LineRun(Record):
     """How many collisions there are, if that is certain, and whether they repeat for ever."""
 
     collisions: int
@@ -39,7 +39,7 @@ def _parallel(x: Sequence[Fraction], z: Sequence[Fraction]) -> bool:
     return all(a * z[k] == b * x[k] for a, b in zip(x, z, strict=True))
 
 
-def follow_line(flow: Flow, most: int) -> Line | None:
+def follow_line(flow: Flow, most: int) -> LineRun | None:
     """All collisions of a scene on a line; None where balls do not show how often it goes on.
 
     The first collision is that of the flow; from then on the sphere in the middle is looked at.
@@ -50,7 +50,7 @@ def follow_line(flow: Flow, most: int) -> Line | None:
     if state.C < 0:
         state = recentred(state)
     if state.lam <= 0:
-        return Line(1, ends=True)
+        return LineRun(1, ends=True)
     if not state.lam > 0:
         return None
     half = (1 + flow.r) / 2
@@ -60,11 +60,11 @@ def follow_line(flow: Flow, most: int) -> Line | None:
         count += 1
         rest = half - q
         if rest <= 0:
-            return Line(count, ends=True)
+            return LineRun(count, ends=True)
         if not rest > 0:
             return None
         new = balls.shortened(flow.r / rest, flow.bits)
         if balls.is_same(new, q):
-            return Line(count, ends=False, repeats=True)
+            return LineRun(count, ends=False, repeats=True)
         q = new
-    return Line(count, ends=False)
+    return LineRun(count, ends=False)

@@ -9,9 +9,9 @@ from verify.language.record import Record
 from verify.paper.scene.scene import Scene
 from verify.prover import balls
 from verify.prover.flow import Flow, UnclearError
-from verify.prover.flow_collapse import Collapse, collapse
+from verify.prover.flow_collapse import Collapse, find_collapse
 from verify.prover.flow_criteria import Criterion, finitely_many
-from verify.prover.flow_line import Line, follow_line
+from verify.prover.flow_line import LineRun, follow_line
 
 COLLAPSES, DISPERSES, FINITE, UNDECIDED = "collapses", "disperses", "finite", "undecided"
 FIRST_BITS, MAX_BITS = 128, 4096
@@ -31,7 +31,7 @@ class Budget(Record):
     max_bits: int = MAX_BITS
 
 
-class Found(Record):
+class Fate(Record):
     """The verdict on a scene with its evidence: the flow, and what ends it."""
 
     verdict: str
@@ -39,7 +39,7 @@ class Found(Record):
     flow: Flow
     collapse: Collapse | None = None
     criterion: Criterion | None = None
-    line: Line | None = None
+    line: LineRun | None = None
 
     @property
     def collisions(self) -> int:
@@ -47,7 +47,7 @@ class Found(Record):
         return len(self.flow.collisions) if self.line is None else self.line.collisions
 
 
-def decide(scene: Scene, budget: Budget = Budget()) -> Found:  # noqa: B008
+def decide_scene(scene: Scene, budget: Budget = Budget()) -> Fate:  # noqa: B008
     """The verdict; the precision is doubled until balls decide every step, or it is spent."""
     bits = max(budget.bits, 64 + 4 * (budget.digits or 0))
     while True:
@@ -61,7 +61,7 @@ def decide(scene: Scene, budget: Budget = Budget()) -> Found:  # noqa: B008
         bits *= 2
 
 
-def on_a_line(found: Found, budget: Budget) -> Found | None:
+def on_a_line(found: Fate, budget: Budget) -> Fate | None:
     """More about spheres on a line, where the flow itself has become unclear."""
     with balls.precision(found.flow.bits):
         line = None if found.collapse else follow_line(found.flow, budget.collisions)
@@ -74,34 +74,34 @@ def on_a_line(found: Found, budget: Budget) -> Found | None:
     if line.collisions <= found.collisions:
         return None
     if line.ends:
-        return Found(DISPERSES, "no pair meets any more", found.flow, line=line)
+        return Fate(DISPERSES, "no pair meets any more", found.flow, line=line)
     reason = f"budget: {budget.collisions} collisions were followed"
     verdict = UNDECIDED if criterion is None else FINITE
-    return Found(verdict, reason, found.flow, None, criterion, line)
+    return Fate(verdict, reason, found.flow, None, criterion, line)
 
 
-def at_precision(scene: Scene, budget: Budget, bits: int) -> Found:
+def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
     """The verdict as far as balls of one precision show it."""
     with balls.precision(bits):
         flow = Flow(scene, bits)
-        known: Found | None = None
+        known: Fate | None = None
         wait = 0
         try:
             while True:
                 now = flow.now
                 end = None
                 if now is not None and wait <= 0:
-                    end = collapse(scene.r, now.state, now.time)
+                    end = find_collapse(scene.r, now.state, now.time)
                     wait = len(flow.collisions) // PATIENCE
                 if end is not None:
-                    known = Found(COLLAPSES, "", flow, end)
+                    known = Fate(COLLAPSES, "", flow, end)
                     if is_tight(end, budget.digits):
                         return known
                     wait = more_collisions(end, budget.digits)
                 if len(flow.collisions) >= budget.collisions:
                     break
                 if not flow.advance():
-                    return Found(DISPERSES, "no pair meets any more", flow)
+                    return Fate(DISPERSES, "no pair meets any more", flow)
                 wait -= 1
             reason = f"budget: {budget.collisions} collisions were followed"
             criterion = None if known else finitely_many(flow)
@@ -109,7 +109,7 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Found:
             reason, criterion = str(error), None
         if known is not None:
             return known._replace(reason=reason)
-        return Found(UNDECIDED if criterion is None else FINITE, reason, flow, None, criterion)
+        return Fate(UNDECIDED if criterion is None else FINITE, reason, flow, None, criterion)
 
 
 def more_collisions(end: Collapse, digits: int | None) -> int:

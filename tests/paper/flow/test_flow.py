@@ -12,7 +12,7 @@ from verify import check
 from verify.jobs.scene import decide_flow
 from verify.paper.flow import law
 from verify.paper.flow.law import Flight, State, collided, drifted, outer, recentred, unnamed
-from verify.paper.scene.scene import Coordinates, difference, dot
+from verify.paper.scene.scene import Coordinates, difference, inner_product
 from verify.wire.write import write
 
 
@@ -53,7 +53,7 @@ def test_a_collision_in_inner_products_is_that_of_the_vectors(seed: int) -> None
     given = at_contact(rng)
     before = given.state((0, 1, 2), unnamed)
     e, w = difference(given.x, 0, 2), difference(given.v, 0, 2)
-    push = (1 + r) / 2 * dot(e, w)
+    push = (1 + r) / 2 * inner_product(e, w)
     v = [list(row) for row in given.v]
     v[0] = [a + push * b for a, b in zip(v[0], e, strict=True)]
     v[2] = [a - push * b for a, b in zip(v[2], e, strict=True)]

@@ -10,7 +10,7 @@ from verify.paper.argument import Chapter, Item, Line, Opened, identity, proof
 from verify.paper.dynamics.vectors import Combination, scale
 from verify.paper.flow.frame import BASIS, Frame, W_c, W_s, minus, moved, x_c, x_s
 from verify.paper.flow.law import Number, State, drifted, inner, outer, recentred
-from verify.paper.flow.pairs import FREE, bernstein, between
+from verify.paper.flow.pairs import FREE, bernstein_claims, between
 from verify.paper.flow.spaces import space, state_of
 
 RECENTRE, DRIFT, DRIFTING = "recentre", "drift", "drifting"
@@ -40,8 +40,8 @@ def drifting() -> tuple[State, Term, dict[str, Claim]]:
     found = {"drift-unit": 0 < now.v, "drift-time": 0 <= time}
     found |= _equations("drift.", lambda keep: drifted(now, time, keep))
     for name, pair in zip(("c", "s"), inner(now), strict=True):
-        found |= bernstein(f"drift-{name}", pair, time)
-    return now, time, found | bernstein("drift-outer", outer(now), time)
+        found |= bernstein_claims(f"drift-{name}", pair, time)
+    return now, time, found | bernstein_claims("drift-outer", outer(now), time)
 
 
 def _equations(prefix: str, change: Number) -> dict[str, Claim]:

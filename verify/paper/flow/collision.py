@@ -26,7 +26,7 @@ from verify.paper.argument import (
 from verify.paper.dynamics.vectors import add, scale
 from verify.paper.flow.frame import BASIS, Frame, W_c, W_s, minus, moved, x_c, x_s
 from verify.paper.flow.law import Flight, Number, State, collided, flight, outer
-from verify.paper.flow.pairs import FREE, bernstein, between
+from verify.paper.flow.pairs import FREE, bernstein_claims, between
 from verify.paper.flow.spaces import space, state_of
 
 CONTEXT, DURING, AFTER = "collision", "during", "after"
@@ -65,7 +65,7 @@ def conditions() -> dict[str, Claim]:
         "spectator-first": 0 <= now.sig,
         "spectator-middle": 0 <= now.sig + way.T * now.lam * now.rho,
         "spectator-last": 0 < symbol("eps_next"),
-        **bernstein("outer", outer(now), way.y * way.T),
+        **bernstein_claims("outer", outer(now), way.y * way.T),
         "B-nonnegative": 0 <= symbol("B_next"),
     }
 

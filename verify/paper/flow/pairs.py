@@ -16,7 +16,7 @@ PARTING, PASSING = "parting", "passing"
 FREE = "EQUATSS2.1_Loi_de_Newton_"
 
 
-def bernstein(name: str, pair: Pair, time: Number) -> dict[str, Claim]:
+def bernstein_claims(name: str, pair: Pair, time: Number) -> dict[str, Claim]:
     """What shows that a pair is apart at all times in ]0, time].
 
     g, g + p time and the last value are the coefficients of the squared distance less 1 in

@@ -9,13 +9,12 @@ from __future__ import annotations
 from verify.language.record import Record
 from verify.paper.flow.law import Number, State, inner, outer
 
-INELASTIC, RECEDING, TURNING, LATE = "restitution", "receding", "turning", "late"
+INELASTIC, RECEDING, TURNING = "restitution", "receding", "turning"
 #: What each criterion says, in words.
 SAYS = {
     INELASTIC: "r > 7 - 4√3: three equal spheres with this r never collapse",
     RECEDING: "A >= 0 and R² >= 2: the spheres recede as a whole; a collapse would need R² <= 2",
     TURNING: "A²R² < (R² - 2)L² and R² >= 2: with this angular momentum R² never falls to 2",
-    LATE: "the flow was followed beyond the last time at which L and A allow a collapse",
 }
 
 
@@ -58,12 +57,11 @@ def _of(table: dict[str, Number], i: str, j: str) -> Number:
     return table["sc"] if i != j else table[i + j]
 
 
-def is_inelastic_enough(r: Number) -> Number:
+def inelastic(r: Number) -> Number:
     """What is negative if r > 7 - 4√3, for r in ]0,1[."""
     return r**2 - 14 * r + 1
 
 
-def latest(now: Whole, squares: Number, root: Number) -> Number:
-    """The time after which no collapse is possible; squares = max(R², 2)."""
-    ratio = now.L2 / squares
-    return (root(now.A**2 + (2 - now.R2) * ratio) - now.A) / ratio
+def turning(now: Whole) -> Number:
+    """What is positive if the angular momentum keeps R² above 2, where R² >= 2 now."""
+    return (now.R2 - 2) * now.L2 - now.A**2 * now.R2

@@ -13,6 +13,8 @@ from verify.paper.flow.law import Number, Pair, State
 PAIRS = ((0, 1), (0, 2), (1, 2))
 #: A central sphere o, the spectator s, and the sphere c that is looked at.
 Frame = tuple[int, int, int]
+#: Frames in which the pairs 01, 02 and 12 are o, c.
+FIRST_FRAMES: tuple[Frame, ...] = ((0, 2, 1), (0, 1, 2), (1, 0, 2))
 Vector = Sequence[Number]
 
 
@@ -38,7 +40,7 @@ class Coordinates(Record):
     def pair(self, i: int, j: int) -> Pair:
         """|x|² - 1, x·w and |w|² of a pair."""
         x, w = difference(self.x, i, j), difference(self.v, i, j)
-        return Pair(dot(x, x) - 1, dot(x, w), dot(w, w))
+        return Pair(inner_product(x, x) - 1, inner_product(x, w), inner_product(w, w))
 
     def state(self, frame: Frame, keep: Callable[[str, Number], Number]) -> State:
         """The scene seen from one of its spheres, with the unit of speed 1."""
@@ -47,16 +49,16 @@ class Coordinates(Record):
         W_s, W_c = difference(self.v, o, s), difference(self.v, o, c)
         return State(
             1,
-            keep("lam", -dot(x_c, W_c)),
-            keep("rho", dot(x_s, W_s)),
-            keep("eps", dot(x_c, x_c) - 1),
-            keep("sig", dot(x_s, x_s) - 1),
-            keep("A", dot(W_c, W_c)),
-            keep("B", dot(W_s, W_s)),
-            keep("C", -dot(x_s, x_c)),
-            keep("a", dot(x_s, W_c)),
-            keep("b", dot(x_c, W_s)),
-            keep("w", dot(W_s, W_c)),
+            keep("lam", -inner_product(x_c, W_c)),
+            keep("rho", inner_product(x_s, W_s)),
+            keep("eps", inner_product(x_c, x_c) - 1),
+            keep("sig", inner_product(x_s, x_s) - 1),
+            keep("A", inner_product(W_c, W_c)),
+            keep("B", inner_product(W_s, W_s)),
+            keep("C", -inner_product(x_s, x_c)),
+            keep("a", inner_product(x_s, W_c)),
+            keep("b", inner_product(x_c, W_s)),
+            keep("w", inner_product(W_s, W_c)),
         )
 
 
@@ -74,7 +76,7 @@ def difference(rows: Sequence[Vector], i: int, j: int) -> Vector:
     return [b - a for a, b in zip(rows[i], rows[j], strict=True)]
 
 
-def dot(x: Vector, z: Vector) -> Number:
+def inner_product(x: Vector, z: Vector) -> Number:
     """The inner product."""
     total = x[0] * z[0]
     for a, b in zip(x[1:], z[1:], strict=True):

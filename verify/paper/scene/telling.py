@@ -23,16 +23,8 @@ from verify.paper.flow.law import (
 )
 from verify.paper.flow.spaces import LETTERS
 from verify.paper.flow.theorem import NAME as FLOW
-from verify.paper.scene.criteria import (
-    INELASTIC,
-    LATE,
-    RECEDING,
-    SAYS,
-    is_inelastic_enough,
-    latest,
-    whole,
-)
-from verify.paper.scene.scene import PAIRS, Coordinates, Frame, Scene, pair_name
+from verify.paper.scene.criteria import INELASTIC, RECEDING, SAYS, inelastic, turning, whole
+from verify.paper.scene.scene import FIRST_FRAMES, PAIRS, Coordinates, Frame, Scene, pair_name
 
 LABEL = "EQUATSS2.1_Loi_de_Newton_"
 #: The theorems that are cited besides the flow.
@@ -199,21 +191,20 @@ class Telling:
             says = f"the particles {name[0]} and {name[1]} {words[context]}"
             self.apply(f"end.{name}", says, context, at, "scene-disperses")
 
-    def limit(self, criterion: str, squares: Number) -> None:
-        """Only finitely many collisions are possible; squares = max(R², 2) at the start."""
-        rows: dict[str, Claim] = {}
+    def limit(self, criterion: str) -> None:
+        """Only finitely many collisions are possible, from this state on."""
         if criterion == INELASTIC:
-            rows = {"restitution": is_inelastic_enough(r) < 0}
-        elif criterion == LATE:
-            start = whole(_terms(self.given.state((0, 2, 1), lambda _, term: term)))
-            rows = {"late": latest(start, squares, sqrt) < self.time}
-        elif self.state is not None:
-            now = whole(self.state)
-            rows = {"far": 2 <= now.R2, "receding": 0 <= now.A}
-            if criterion != RECEDING:
-                rows["receding"] = now.A**2 * now.R2 < (now.R2 - 2) * now.L2
-        for name, claim in rows.items():
-            self.row(f"finite.{name}", SAYS[criterion], claim, "scene", "scene-finite")
+            self._finite("restitution", criterion, inelastic(r) < 0)
+            return
+        if self.state is None:
+            self.begin(FIRST_FRAMES[0])
+        now = whole(self._next())
+        self._finite("far", criterion, 2 <= now.R2)
+        claim = 0 <= now.A if criterion == RECEDING else 0 < turning(now)
+        self._finite(criterion, criterion, claim)
+
+    def _finite(self, name: str, criterion: str, claim: Claim) -> None:
+        self.row(f"finite.{name}", SAYS[criterion], claim, "scene", "scene-finite")
 
     def collapse(self, found: Numbers) -> None:
         """The sharper theorem applies; when, and at which angle, the particles collapse."""

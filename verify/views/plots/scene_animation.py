@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 from html import escape
 
-from verify.prover.scene import Found
+from verify.jobs.scene_verdict import scene_lines
+from verify.prover.scene import Fate
 from verify.views.plots.drawing import SCHEMES
-from verify.views.plots.scene import COLOURS, end_time
+from verify.views.plots.scene_drawing import COLOURS, end_time
 from verify.views.plots.scene_path import legs
-from verify.views.scene import scene_lines
 
 _PAGE = """<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8">
@@ -101,7 +101,7 @@ requestAnimationFrame(tick);
 """
 
 
-def scene_page(found: Found) -> str:
+def scene_page(found: Fate) -> str:
     """The file."""
     path = legs(found, most=60)
     points = [p for leg in path for p in leg.places]

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.prover.scene import Found
+from verify.prover.scene import Fate
 
 Vector = list[float]
 
@@ -21,7 +21,7 @@ class Leg(Record):
     velocities: list[Vector]
 
 
-def legs(found: Found, most: int = 200) -> list[Leg]:
+def legs(found: Fate, most: int = 200) -> list[Leg]:
     """The flight after the start and after each collision, seen from the centre of mass."""
     scene, r = found.flow.scene, float(found.flow.scene.r)
     x = [[float(a) for a in row] for row in scene.positions]

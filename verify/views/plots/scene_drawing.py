@@ -6,12 +6,12 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from html import escape
 
+from verify.jobs.scene_verdict import scene_lines, time_ends
 from verify.prover import balls
 from verify.prover.flow_collapse import start_of
-from verify.prover.scene import Found
+from verify.prover.scene import Fate
 from verify.views.plots.drawing import SCHEMES
 from verify.views.plots.scene_path import Leg, legs, places_at
-from verify.views.scene import scene_lines, time_ends
 
 SIZE, MARGIN, TOP = 420, 46, 92
 COLOURS = ("series-1", "series-2", "series-3")
@@ -22,7 +22,7 @@ Box = tuple[float, float, float, float]
 Place = Callable[[float, float], tuple[float, float]]
 
 
-def scene_svg(found: Found) -> str:
+def scene_svg(found: Fate) -> str:
     """The file."""
     path = legs(found)
     end = end_time(found, path)
@@ -40,13 +40,13 @@ def scene_svg(found: Found) -> str:
     for k, (panel, title) in enumerate(zip(panels, titles, strict=True)):
         left = MARGIN + k * (SIZE + MARGIN)
         parts.append(f'<g transform="translate({left} {TOP})">')
-        parts.append(label(0, -8, title))
+        parts.append(svg_text(0, -8, title))
         parts.append(f'<svg width="{SIZE}" height="{SIZE}" overflow="hidden">')
         parts += [*panel, "</svg></g>"]
     return "\n".join([*parts, "</svg>", ""])
 
 
-def end_time(found: Found, path: Sequence[Leg]) -> float:
+def end_time(found: Fate, path: Sequence[Leg]) -> float:
     """Until when it is drawn: the collapse, or some time after the last collision."""
     ends = time_ends(found)
     if ends is not None:
@@ -66,15 +66,15 @@ def _style() -> str:
     return f"<style>{''.join(rules)}</style>"
 
 
-def label(x: float, y: float, text: str, anchor: str = "start") -> str:
+def svg_text(x: float, y: float, text: str, anchor: str = "start") -> str:
     """A text at a place."""
     where = f'x="{x:.2f}" y="{y:.2f}" text-anchor="{anchor}"'
     return f'<text class="ink" {where}>{escape(text)}</text>'
 
 
-def _heading(found: Found) -> Iterator[str]:
+def _heading(found: Fate) -> Iterator[str]:
     for k, line in enumerate(scene_lines(found)):
-        yield label(MARGIN, 28 + 20 * k, line)
+        yield svg_text(MARGIN, 28 + 20 * k, line)
 
 
 def _frame(points: Sequence[Sequence[float]], room: float) -> Box:
@@ -120,17 +120,17 @@ def _spheres(places: Sequence[Sequence[float]], box: Box, dashes: str) -> Iterat
             yield f'<circle class="c{i}" {circle} stroke-dasharray="{dashes}"/>'
         else:
             yield f'<circle class="f{i}" {circle}/><circle class="c{i}" {circle}/>'
-            yield label(x, y, str(i), "middle")
+            yield svg_text(x, y, str(i), "middle")
 
 
 # --- time to collapse, and distance --------------------------------------------------------------
 
 
-def approach(found: Found) -> Iterator[str]:
+def approach(found: Fate) -> Iterator[str]:
     """Distance against time to the collapse, on logarithmic axes, with their enclosures."""
     points = approach_points(found)
     if not points:
-        yield label(20, SIZE / 2, "no collapse to come near to")
+        yield svg_text(20, SIZE / 2, "no collapse to come near to")
         return
     times = [t for t, _, _ in points] + [t for _, t, _ in points]
     low_x, high_x = math.floor(min(times)), math.ceil(max(times))
@@ -148,7 +148,7 @@ def approach(found: Found) -> Iterator[str]:
         yield f'<circle class="c0" cx="{(x + x_high) / 2:.2f}" cy="{y:.2f}" r="3"/>'
 
 
-def approach_points(found: Found) -> list[tuple[float, float, float]]:
+def approach_points(found: Fate) -> list[tuple[float, float, float]]:
     """log10 of the least and largest time to the collapse, and of the distance, per collision."""
     ends = time_ends(found)
     if ends is None:
@@ -168,11 +168,11 @@ def _axes(place: Place, xs: tuple[int, int], ys: tuple[int, int]) -> Iterator[st
     (left, bottom), (right, top) = place(xs[0], ys[0]), place(xs[1], ys[1])
     yield f'<path class="axis" d="M{left:.1f} {top:.1f}V{bottom:.1f}H{right:.1f}"/>'
     for x in range(xs[0], xs[1] + 1, max(1, (xs[1] - xs[0]) // 5)):
-        yield label(place(x, ys[0])[0], bottom + 18, _ten(x), "middle")
+        yield svg_text(place(x, ys[0])[0], bottom + 18, _ten(x), "middle")
     for y in range(ys[0], ys[1] + 1, max(1, (ys[1] - ys[0]) // 6)):
-        yield label(left - 6, place(xs[0], y)[1] + 4, _ten(y), "end")
-    yield label((left + right) / 2, bottom + 36, "time to collapse", "middle")
-    yield label(left, top - 4, "distance d of the next pair")
+        yield svg_text(left - 6, place(xs[0], y)[1] + 4, _ten(y), "end")
+    yield svg_text((left + right) / 2, bottom + 36, "time to collapse", "middle")
+    yield svg_text(left, top - 4, "distance d of the next pair")
 
 
 def _ten(exponent: int) -> str:

@@ -1,0 +1,83 @@
+"""The verdict on a scene in a sentence, with short decimals that enclose its numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from verify.paper.flow.law import Number
+from verify.paper.scene.criteria import SAYS
+from verify.prover import balls
+from verify.prover.decimals import outward
+from verify.prover.flow import name_of
+from verify.prover.scene import COLLAPSES, DISPERSES, FINITE, Fate
+
+
+def pairs_of(found: Fate) -> list[str]:
+    """The pairs that collide, in order."""
+    return [name_of(move.before.frame) for move in found.flow.collisions]
+
+
+def central(found: Fate) -> int | None:
+    """The particle that collides with the two others in turn for ever."""
+    now = found.flow.now
+    return now.frame[0] if found.collapse is not None and now is not None else None
+
+
+def ball_ends(value: Number, bits: int) -> tuple[Fraction, Fraction]:
+    """Rational numbers around a ball."""
+    with balls.precision(bits):
+        return balls.ends(balls.as_ball(value))
+
+
+def time_ends(found: Fate) -> tuple[Fraction, Fraction] | None:
+    """The enclosure of the time of the collapse."""
+    if found.collapse is None:
+        return None
+    low, high = (ball_ends(end, found.flow.bits) for end in found.collapse.time)
+    return low[0], high[1]
+
+
+def reason(found: Fate) -> str:
+    """What shows the verdict, or why there is none."""
+    if found.verdict == COLLAPSES:
+        return "the conditions of the sharper theorem hold after the last collision"
+    if found.criterion is not None:
+        return SAYS[found.criterion.name]
+    return found.reason
+
+
+def scene_lines(found: Fate) -> Iterator[str]:
+    """The verdict for a reader."""
+    count = found.collisions
+    after = f"after {count} collision{'' if count == 1 else 's'}"
+    time, end = time_ends(found), found.collapse
+    if end is not None and time is not None and found.flow.now is not None:
+        o, s, c = found.flow.now.frame
+        pairs = ", ".join(f"{min(o, x)}{max(o, x)}" for x in (c, s, c))
+        yield (
+            f"collapses: particle {o} central; from collision {count + 1} on {pairs}, … for ever;"
+        )
+        low, high = shown_ends(time)
+        least, most = shown_ends(end.angle)
+        yield f"collapse time in [{low}, {high}]; final -cos θ in [{least}, {most}]"
+    elif found.verdict == FINITE:
+        yield f"finite: {reason(found)};"
+        yield "only finitely many collisions are possible, unless three touch at once or two graze"
+    elif found.verdict == DISPERSES:
+        yield (
+            f"disperses: {after} no two collide again"
+            if count
+            else "disperses: no two ever collide"
+        )
+    else:
+        yield f"undecided: {found.reason}; certain: {count} collision{'' if count == 1 else 's'}"
+
+
+def shown_ends(ends: tuple[Fraction, Fraction]) -> list[str]:
+    """Both ends with the digits on which they differ, rounded outward."""
+    low, high = ends
+    digits, width = 4, high - low
+    while width and digits < 60 and abs(high) * 10 > width * 10 ** (digits - 2):
+        digits += 1
+    return outward(ends, digits)

@@ -11,8 +11,8 @@ import pytest
 
 from tests.prover.random_scenes import random_scene
 from tests.prover.scenes import CASES, aligned, on_a_line
-from tests.prover.simulation import DIGITS, neg_cos, simulate
 from verify.jobs.scene_verdict import central, pairs_of, time_ends
+from verify.measure.simulation import DIGITS, neg_cos, simulate
 from verify.prover import balls
 from verify.prover.scene import COLLAPSES, DISPERSES, UNDECIDED, Budget, Fate, decide_scene
 

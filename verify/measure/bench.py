@@ -33,6 +33,7 @@ from verify.measure.engines import (
     MpmathEngine,
     load,
 )
+from verify.measure.scenes import scene_tables
 from verify.measure.slack import slack_table
 from verify.prover import balls
 from verify.prover.decimals import decimal_text, round_decimal
@@ -82,6 +83,8 @@ def run_benchmarks(quick: bool, progress: Progress) -> dict[str, Table]:
     tables["doubles"], tables["double_verdicts"] = double_tables()
     progress("throughput")
     tables["throughput"] = throughput_table(100 if quick else 1000, rounds)
+    progress("scenes")
+    tables |= scene_tables([bits for bits in precisions if bits <= 512], rounds, _cpu)
     progress("whole processes")
     tables["processes"] = process_table(3 if quick else 15)
     progress("bounds with slack")

@@ -1,23 +1,23 @@
-"""A second opinion on scenes: the laws of the dynamics in vectors, with 400 digits, no enclosures.
+"""A plain simulation of scenes with mpmath: a second opinion, and what a verdict is timed against.
 
-It has nothing in common with the flow that it judges: centres and velocities themselves, and the
-smallest root of each pair's quadratic equation.
+It has nothing in common with the flow that it is compared with: centres and velocities themselves,
+the smallest root of each pair's quadratic equation, many digits, and no enclosures.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import mpmath
 
-from verify.paper.scene.scene import Scene
+from verify.language.record import Record
+from verify.paper.scene.scene import PAIRS, Scene
 
 DIGITS = 400
-PAIRS = ((0, 1), (0, 2), (1, 2))
 
 
-class Collision(NamedTuple):
+class Impact(Record):
     """A pair, the time, and the centres then."""
 
     pair: str
@@ -25,14 +25,14 @@ class Collision(NamedTuple):
     positions: list[list[Any]]
 
 
-def simulate(scene: Scene, most: int) -> list[Collision]:
+def simulate(scene: Scene, most: int, digits: int = DIGITS) -> list[Impact]:
     """The collisions, at most so many."""
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(digits):
         number = mpmath.mpf
         x = [[number(a.numerator) / a.denominator for a in row] for row in scene.positions]
         v = [[number(a.numerator) / a.denominator for a in row] for row in scene.velocities]
         r = number(scene.r.numerator) / scene.r.denominator
-        found: list[Collision] = []
+        found: list[Impact] = []
         time, last = number(0), None
         while len(found) < most:
             meetings = [
@@ -47,11 +47,11 @@ def simulate(scene: Scene, most: int) -> list[Collision]:
             v[i] = [a + push * b for a, b in zip(v[i], e, strict=True)]
             v[j] = [a - push * b for a, b in zip(v[j], e, strict=True)]
             time, last = time + t, (i, j)
-            found.append(Collision(f"{i}{j}", time, x))
+            found.append(Impact(f"{i}{j}", time, x))
         return found
 
 
-def neg_cos(collision: Collision, central: int) -> Any:
+def neg_cos(collision: Impact, central: int) -> Any:
     """-cos of the angle at the central particle, at a collision."""
     with mpmath.workdps(DIGITS):
         i, j = (k for k in range(3) if k != central)

@@ -1,0 +1,105 @@
+"""Speed against error of verdicts on scenes, and against a plain simulation with mpmath."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from functools import partial
+from pathlib import Path
+from statistics import median
+from tempfile import TemporaryDirectory
+from time import perf_counter
+from typing import Any
+
+from verify.jobs.scene_files import read_scene
+from verify.jobs.scene_verdict import time_ends
+from verify.measure.simulation import simulate
+from verify.paper.scene.scene import Scene
+from verify.prover.scene import COLLAPSES, Budget, decide_scene
+
+#: The precision of the comparison with a simulation, in bits and in decimal digits.
+BITS, DIGITS = 128, 38
+#: Digits of a number that are lost, at most, on the way to the time of a collapse.
+LOST = 6
+
+FILE = """r = "{r}"
+positions = [["0", "0"], ["1.002", "0"], ["-1.006", "0.08"]]
+velocities = [["0", "0"], ["-1.4", "0"], ["0.7", "-0.1"]]
+"""
+
+
+def ordinary(r: Fraction) -> Scene:
+    """One particle nearly between two others that run into it."""
+    return read_scene("ordinary", FILE.format(r=r).encode())
+
+
+def precision_rows(precisions: Sequence[int], rounds: int) -> list[list[Any]]:
+    """For each precision: bits, collisions, milliseconds, and the width of the collapse time."""
+    scene, rows = ordinary(Fraction(3, 100)), []
+    for bits in precisions:
+        digits = max(3, bits * 3 // 10 - LOST)
+        budget = Budget(digits=digits, bits=bits, max_bits=bits)
+        times, found = timed(partial(decide_scene, scene, budget), rounds)
+        low, high = time_ends(found) or (Fraction(0), Fraction(1))
+        width = f"{float((high - low) / high):.1e}"
+        rows.append([bits, found.collisions, f"{1000 * median(times):.2f}", width])
+    return rows
+
+
+def simulation_rows(rounds: int) -> list[list[Any]]:
+    """For some scenes: the verdict, milliseconds of it and of the simulation, and their ratio."""
+    rows: list[list[Any]] = []
+    for r, digits in (("3/100", None), ("3/100", 6), ("3/100", 12), ("3/10", None)):
+        scene, budget = ordinary(Fraction(r)), Budget(digits=digits)
+        ours, found = timed(partial(decide_scene, scene, budget), rounds)
+        # Until nothing meets any more; a collapse would go on for ever.
+        most = found.collisions + (found.verdict != COLLAPSES)
+        plain, _ = timed(partial(simulate, scene, most, DIGITS), rounds)
+        ratio = median(a / b for a, b in zip(ours, plain, strict=True))
+        name = f"r = {r}" + ("" if digits is None else f", {digits} digits")
+        cells = [f"{1000 * median(times):.2f}" for times in (ours, plain)]
+        rows.append([name, found.verdict, found.collisions, *cells, f"{ratio:.2f}"])
+    return rows
+
+
+def timed(work: Callable[[], Any], rounds: int) -> tuple[list[float], Any]:
+    """The seconds of some runs after a first one, and what they found."""
+    found, seconds = work(), []
+    for _ in range(rounds):
+        start = perf_counter()
+        found = work()
+        seconds.append(perf_counter() - start)
+    return seconds, found
+
+
+def process_ratio(cpu: Callable[[list[str]], float], rounds: int) -> float:
+    """CPU of a whole process that decides a scene, over that of one that imports flint."""
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "scene.toml"
+        path.write_text(FILE.format(r="3/100"), encoding="utf-8")
+        scene = [sys.executable, "-m", "verify", "scene", str(path)]
+        flint = [sys.executable, "-c", "import flint"]
+        return median(cpu(scene) / cpu(flint) for _ in range(rounds))
+
+
+def scene_tables(
+    precisions: Sequence[int], rounds: int, cpu: Callable[[list[str]], float]
+) -> dict[str, dict[str, Any]]:
+    """Time and width against precision; time against a simulation; a whole process."""
+    ratio = process_ratio(cpu, rounds)
+    return {
+        "scene_precision": {
+            "title": "A scene: time and relative width of the collapse time against precision",
+            "columns": ["bits", "collisions", "ms", "width"],
+            "rows": precision_rows(precisions, rounds),
+        },
+        "scene_simulation": {
+            "title": (
+                f"Verdicts on scenes at {BITS} bits against a plain simulation with mpmath; a "
+                f"whole process is {ratio:.2f} times one that imports flint"
+            ),
+            "columns": ["scene", "verdict", "collisions", "ms", "simulation ms", "ratio"],
+            "rows": simulation_rows(rounds),
+        },
+    }

@@ -277,8 +277,17 @@ def test_an_undecided_printed_row_stays_and_has_no_proof() -> None:
     """At delta_2 = 1/44 two sides are equal by a coincidence."""
     outcome = decide_point(parameters("1/11000", "348/3667"))
     assert outcome.verdict == PROVED
-    undecided = [(row, d) for row, d in outcome.rows if d.verdict == UNDECIDED]
-    assert all(row.role == "printed" and d == Decision(UNDECIDED) for row, d in undecided)
+    undecided = [(row.name, row.role, d) for row, d in outcome.rows if d.verdict == UNDECIDED]
+    assert undecided == [("printed.x-term-1-d", "printed", Decision(UNDECIDED))]
+
+
+@pytest.mark.parametrize(
+    ("r", "c"), [("3/12800", "464/1829"), ("59/125000000", "5005900/125000059")]
+)
+def test_an_equality_between_rational_constants_is_decided(r: str, c: str) -> None:
+    """Rational fixed points where delta_x is delta_1: phi_minus + delta_x is alpha_0/2."""
+    outcome = decide_point(parameters(r, c))
+    assert [row.name for row, d in outcome.rows if d.verdict == UNDECIDED] == []
 
 
 def test_a_spent_budget_is_undecided() -> None:

@@ -238,14 +238,14 @@ class Ground:
         return None
 
     def lemma(self, claim: Claim) -> str | None:
-        """The name of a fact, proved by enclosures if it is not known; None if they do not."""
+        """The name of a fact, proved by enclosures or exact values if it is not known, else None."""
         known = self.session.known(claim, None)
         if known is not None:
             return known
         for bits in self.ladder():
-            verdict = self._compare(claim, bits)
-            if verdict is not None:
-                proof = Interval(_for_checker(bits))
+            found = self._decide_at(claim, bits)
+            if found is not None:
+                verdict, proof = found
                 return self.session.lemma(claim, proof) if verdict == PROVED else None
         return None
 

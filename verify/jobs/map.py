@@ -1,0 +1,89 @@
+"""The job `map`: boxes of a plane of scenes, refined where they are undecided."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from functools import partial
+from typing import BinaryIO
+
+from verify.jobs.map_workers import Workers
+from verify.language.record import Record
+from verify.paper.map.plane import Phi
+from verify.prover.map_boxes import verdicts
+from verify.wire.map_log import Chunk, Progress
+
+
+class Goal(Record):
+    """When a map ends: at this undecided share, or this many boxes, or below this level."""
+
+    undecided: Fraction
+    boxes: int
+    level: int
+
+
+class Moment(Record):
+    """What was known after so many CPU seconds."""
+
+    boxes: int
+    undecided: Fraction
+    seconds: float
+
+
+def decide_chunk(plane: Phi, keys: list[str]) -> tuple[Chunk, float]:
+    """The verdicts on some boxes, and the CPU seconds that they took."""
+    before = time.process_time()
+    found = verdicts(plane, keys)
+    numbers = [
+        [number for six in sixes for number in six]
+        for letter, sixes in zip(found.letters, found.numbers, strict=True)
+        if letter == "c"
+    ]
+    return Chunk(keys, found.letters, numbers), time.process_time() - before
+
+
+def is_reached(goal: Goal, progress: Progress) -> bool:
+    """Whether a map has ended."""
+    return (
+        progress.undecided <= goal.undecided
+        or progress.boxes >= goal.boxes
+        or progress.level > goal.level
+        or not progress.due
+    )
+
+
+def grow(
+    progress: Progress, goal: Goal, workers: Workers, keep: Callable[[bytes], object]
+) -> Iterator[Moment]:
+    """Decide boxes until the goal is reached; each line of the log is kept before it counts."""
+    seconds = 0.0
+    while not is_reached(goal, progress):
+        work = partial(decide_chunk, progress.plane)
+        for chunk, spent in workers.in_order(work, progress.chunks()):
+            keep(progress.append(chunk))
+            seconds += spent
+            yield Moment(progress.boxes, progress.undecided, seconds)
+            if is_reached(goal, progress):
+                return
+
+
+def open_log(path: str, progress: Progress) -> BinaryIO:
+    """A log to append to: what it has already is taken over, and a line cut short is dropped.
+
+    Raises:
+        LogMismatchError: if it is not the beginning of this map.
+    """
+    file = open(path, "a+b")  # noqa: SIM115
+    file.seek(0)
+    size = progress.resume(iter(file))
+    file.truncate(size)
+    if size == 0:
+        write_line(file, progress.header)
+    return file
+
+
+def write_line(file: BinaryIO, line: bytes) -> None:
+    """Afterwards the line is in the file."""
+    file.write(line)
+    file.flush()

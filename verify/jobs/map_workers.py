@@ -1,0 +1,130 @@
+"""Who decides the chunks of a map: this process, others, or a Dask cluster; results in order."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future
+from typing import Any
+
+from verify.jobs.inputs import InputError
+
+#: How often lost workers are replaced before the map gives up.
+MAX_LOSSES = 20
+#: So many chunks are given to each worker ahead of their turn.
+AHEAD = 3
+#: As many workers may a Dask cluster have before some of them wait.
+MAX_JOBS = 64
+
+Work = Callable[[Any], Any]
+#: Tasks with their futures, the next one first.
+Waiting = deque[tuple[Any, Future[Any]]]
+
+
+class HereExecutor(Executor):
+    """Does the work at once, in this process."""
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        """A future that has its result."""
+        future: Future[Any] = Future()
+        future.set_result(fn(*args, **kwargs))
+        return future
+
+
+class Workers:
+    """An executor that is made anew when its workers are lost; what they finished is kept."""
+
+    def __init__(
+        self, make: Callable[[], Executor], ahead: int, lost: tuple[type[BaseException], ...] = ()
+    ) -> None:
+        self._make, self._executor = make, make()
+        self._ahead, self._losses = ahead, 0
+        self._lost: tuple[type[BaseException], ...] = (BrokenExecutor, CancelledError, *lost)
+
+    def __enter__(self) -> Workers:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._executor.shutdown(wait=True, cancel_futures=True)
+
+    def in_order(self, work: Work, tasks: Iterable[Any]) -> Iterator[Any]:
+        """The results in the order of the tasks, some of which are done ahead.
+
+        After Ctrl-C nothing new is begun, and what is finished still comes.
+        """
+        waiting: Waiting = deque()
+        try:
+            for task in tasks:
+                waiting.append((task, self._executor.submit(work, task)))
+                if len(waiting) >= self._ahead:
+                    yield self._first(work, waiting)
+            while waiting:
+                yield self._first(work, waiting)
+        except KeyboardInterrupt:
+            for _, future in waiting:
+                future.cancel()
+            while waiting and not waiting[0][1].cancelled():
+                yield waiting.popleft()[1].result()
+            raise
+
+    def _first(self, work: Work, waiting: Waiting) -> Any:
+        while True:
+            try:
+                result = waiting[0][1].result()
+            except self._lost as error:
+                self._renew(work, waiting, error)
+                continue
+            waiting.popleft()
+            return result
+
+    def _renew(self, work: Work, waiting: Waiting, error: BaseException) -> None:
+        self._losses += 1
+        if self._losses > MAX_LOSSES:
+            raise InputError(f"--jobs: workers were lost {MAX_LOSSES} times ({error})") from error
+        self._executor.shutdown(wait=False, cancel_futures=True)
+        self._executor = self._make()
+        for place, (task, future) in enumerate(waiting):
+            if not future.done() or future.cancelled() or future.exception() is not None:
+                waiting[place] = task, self._executor.submit(work, task)
+
+
+def workers(jobs: int, dask: str | None) -> Workers:
+    """So many processes, or the workers of a Dask scheduler.
+
+    Raises:
+        InputError: if there is no Dask, or no scheduler at the address.
+    """
+    if dask is not None:
+        return _dask(dask)
+    if jobs == 1:
+        return Workers(HereExecutor, 1)
+    return Workers(lambda: _processes(jobs), AHEAD * jobs)
+
+
+def _processes(jobs: int) -> Executor:
+    import signal
+    from concurrent.futures import ProcessPoolExecutor  # loaded only where it is used
+
+    # Ctrl-C is for the process that writes the log.
+    return ProcessPoolExecutor(
+        jobs, initializer=signal.signal, initargs=(signal.SIGINT, signal.SIG_IGN)
+    )
+
+
+def _dask(address: str) -> Workers:
+    try:
+        from distributed import Client, KilledWorker
+    except ImportError as error:
+        raise InputError("--dask: needs Dask; install it with: pip install -e '.[dask]'") from error
+
+    def make() -> Executor:
+        try:
+            client = Client(address, timeout=10)
+        except (OSError, ValueError) as error:
+            raise InputError(
+                f"--dask: no scheduler answers at {address!r}; write tcp://HOST:PORT"
+            ) from error
+        executor: Executor = client.get_executor(pure=False)
+        return executor
+
+    return Workers(make, AHEAD * MAX_JOBS, (KilledWorker,))

@@ -1,0 +1,63 @@
+"""The plane of the two ratios: a scene just after a collision for each (φ1, φ2).
+
+Sphere s has just collided with o, and c comes near: φ1 = eta_s/(-eta_c) and φ2 = d/eta_c^2, where
+the companion paper sees a border between what collapses and what does not. The rest of the scene,
+in a plane, is the same for all points.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+
+from verify.language.record import Record
+from verify.paper.flow.law import Number, State
+
+#: Two numbers between which another one lies.
+Side = tuple[Fraction, Fraction]
+
+
+class Phi(Record):
+    """r, -cos θ, -eta_c, the tangential velocities of c and s, and the rectangle of (φ1, φ2).
+
+    With ω_c and ω_s the unit vectors from o to c and s, W_c = eta_c ω_c + u_c n_c and
+    W_s = eta_s ω_s + u_s n_s, where n is ω turned by a right angle to the left.
+    """
+
+    r: Fraction
+    neg_cos: Fraction
+    speed: Fraction = Fraction(1, 100)
+    tangential: tuple[Fraction, Fraction] = (Fraction(1), Fraction(1))
+    x: Side = (Fraction(0), Fraction(1, 2))
+    y: Side = (Fraction(0), Fraction(1, 4))
+
+
+def start(
+    plane: Phi,
+    phi_1: Number,
+    phi_2: Number,
+    number: Callable[[Fraction], Number],
+    root: Callable[[Number], Number],
+) -> State:
+    """The state of the scene at (φ1, φ2), with -eta_c for the unit of speed.
+
+    Only φ1 > 0 and φ2 > 0 are meant: elsewhere the spheres overlap or three of them touch.
+    """
+    C, v = number(plane.neg_cos), number(plane.speed)
+    u_c, u_s = map(number, plane.tangential)
+    sine = root(1 - C * C) if plane.neg_cos < 1 else number(Fraction(0))
+    d, eta_s = phi_2 * (v * v), phi_1 * v
+    D = 1 + d
+    return State(
+        v,
+        D,
+        phi_1,
+        phi_2 * (2 + d),
+        0,
+        v * v + u_c * u_c,
+        eta_s * eta_s + u_s * u_s,
+        D * C,
+        C * v - sine * u_c,
+        D * (sine * u_s - C * eta_s),
+        C * (eta_s * v - u_c * u_s) - sine * (u_s * v + u_c * eta_s),
+    )

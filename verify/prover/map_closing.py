@@ -1,0 +1,194 @@
+"""Numbers with which the sharper theorem shows that all states of a box collapse, for many boxes.
+
+They are searched in floats, which proves nothing. Then its own inequalities are decided in
+intervals, over the whole box; a collapse needs six numbers, and the others follow from them.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+
+from verify.language.record import Record
+from verify.language.terms import Claim
+from verify.paper.flow.law import State
+from verify.paper.sharper.numbers import ROOM, SUMS, eta_0, total
+from verify.prover.map_intervals import (
+    Array,
+    Intervals,
+    IntervalsArithmetic,
+    exactly,
+    root,
+)
+from verify.prover.program import Machine, Program
+
+#: The numbers of a collapse, and the unit in which they are written as whole numbers.
+NUMBERS = ("m", "p", "X", "Y", "k", "V")
+UNIT = 2.0**-30
+#: The iteration widens by so much what it finds; it ends where less than that is gained.
+SLACK, GAIN = 1 + 2.0**-16, 2.0**-16
+ROUNDS = 40
+#: T, Theta and C_0 are chosen such that these hold: T with equality, Theta as the sum of all turns,
+#: C_0 as -cos of the state itself.
+CHOSEN = ("r-positive", "time-room", "angle-real")
+#: What the rows speak of besides.
+OTHERS = ("r", "T", "V_0", "eta_0", "C_0")
+
+
+class Entry(Record):
+    """Boxes of states just after a collision: -eta_c/v, eta_s/v, d/v², -cos θ, with v the unit.
+
+    `eta` and `speed` are numbers: -eta_c and the larger speed are no more than these.
+    """
+
+    y: Intervals
+    eta_s: Intervals
+    d: Intervals
+    C: Intervals
+    eta: Array
+    speed: Array
+
+    def some(self, chosen: Array) -> Entry:
+        """Some of the boxes."""
+        return Entry(*(x[chosen] for x in self))
+
+
+def entry(state: State) -> Entry:
+    """The states in the letters of the sharper theorem."""
+    gap = state.eps * state.v**2
+    reach = root(1 + gap)
+    y = state.lam / reach
+    eta = (y * state.v).high
+    larger = np.maximum(state.A.high, state.B.high)
+    speed = np.maximum(root(exactly(larger)).high, eta)
+    return Entry(y, state.rho, state.eps / (1 + reach), state.C / reach, eta, speed)
+
+
+def collapsing(r: Intervals, state: State) -> tuple[Array, Array]:
+    """The boxes that are shown to collapse, and their numbers in units, a column each."""
+    box = entry(state)
+    with np.errstate(all="ignore"):
+        worth = (state.lam.low > 0) & (box.C.low > 0) & (box.eta_s.high < box.y.low)
+        slope = box.d.high / (box.y.low * box.y.low) * box.speed * box.speed
+        worth &= (slope < 0.25) & (box.eta_s.high > 0)
+        places = np.flatnonzero(worth)
+        numbers = search(float(r.high), box.some(places))
+        shown = closes(r, box.some(places), numbers)
+    return places[shown], numbers[:, shown]
+
+
+# --- what is proved ------------------------------------------------------------------------------
+
+
+@cache
+def _rows() -> tuple[Machine, tuple[Claim, ...]]:
+    """What the sharper theorem asks of its numbers, with Theta as the sum of all turns."""
+    program = Program((*NUMBERS, *OTHERS))
+    parts = (over / under for over, under in (SUMS[f"turn_{i}"] for i in (1, 2, 3)))
+    program.define("Theta", total(eta_0, *parts))
+    return Machine(program, IntervalsArithmetic()), tuple(
+        claim for name, claim in ROOM.items() if name not in CHOSEN
+    )
+
+
+def closes(r: Intervals, box: Entry, numbers: Array) -> Array:
+    """Whether the sharper theorem applies to all states of a box, with these numbers."""
+    found = dict(zip(NUMBERS, map(exactly, numbers * UNIT), strict=True))
+    m, X, k, V = (found[name] for name in ("m", "X", "k", "V"))
+    T = 2 * k / (1 + root(1 - 2 * k * V**2))
+    machine, claims = _rows()
+    others = (r, T, exactly(box.speed), exactly(box.eta), box.C)
+    run = machine.run((*found.values(), *others))
+    # What is asked of the state, divided by the unit of speed.
+    shown = (box.y.low > 0) & (box.eta_s.low > 0)
+    shown &= box.eta_s.high <= ((m + X) * box.y).low
+    shown &= ((m - X) * box.y).high <= box.eta_s.low
+    shown &= box.d.high <= (k * box.y**2).low
+    for claim in claims:
+        low, high = run[claim.lhs], run[claim.rhs]
+        shown &= low.high < high.low if claim.relation == "<" else low.high <= high.low
+    return shown
+
+
+# --- the search ----------------------------------------------------------------------------------
+
+
+class Trial:
+    """Bounds in floats, with the larger speed as the unit; `fine` where they make sense."""
+
+    def __init__(self, r: float, box: Entry) -> None:
+        self.r, self.h = r, (1 + r) / 2
+        self.C, self.eta = (box.C.low, box.C.high), box.eta / box.speed
+        self.q = (box.eta_s.low / box.y.high, box.eta_s.high / box.y.low)
+        self.least = box.d.high / (box.y.low * box.y.low) * box.speed * box.speed * SLACK
+        self.k = self.least
+        alpha = self.h * (self.C[0] + self.C[1]) / 2
+        p = (alpha + np.sqrt(alpha * alpha - 4 * r)) / 2
+        self.y, self.V, self.fine = (p, p), p, p * p * p > r * r
+        self.ratio = (np.minimum(self.q[0], r / p), np.maximum(self.q[1], r / p))
+
+    def improve(self) -> None:
+        """One round: each bound from the others."""
+        e, h, low, high = self.eta, self.h, *self.y
+        G = 1 + self.k * e * e
+        self.V = (1 + h * G * e / (1 - high)) * SLACK
+        root = np.sqrt(1 - 2 * self.k * self.V * self.V)
+        T, V = 2 * self.k / (1 + root) * SLACK, self.V
+        turn = 2 * T * V * e / (1 - high) + (self.k + T * T * V * V) * e * e / (1 - high * high)
+        turn = turn + T * V * self.k * e * e * e / (1 - high * high * high)
+        self.ratio = (
+            np.minimum(self.q[0], self.r * root / high / SLACK),
+            np.maximum(self.q[1], self.r * G / low * SLACK),
+        )
+        small, large = self.ratio
+        top = h * G * (self.C[1] + turn) - np.maximum(small, 0) / G
+        bottom = h * root * (self.C[0] - turn) - large - T * V * V
+        # With a little impatience: bounds that grow are taken to grow further.
+        self.y = (np.minimum(low, bottom / SLACK), np.maximum(high, top * SLACK))
+        slope = (large * T + V * V * T * T / 2) / (self.y[0] * self.y[0]) * SLACK
+        self.k = np.maximum(self.k, slope)
+        self.fine &= (self.y[1] < 1) & (self.y[0] > 0) & (root > 0) & (self.k < 1)
+
+    def size(self) -> Array:
+        """What does not grow any more once the bounds are found."""
+        return self.y[1] - self.y[0] + self.k
+
+
+def search(r: float, box: Entry) -> Array:
+    """Numbers in units that probably satisfy what the theorem asks for; or NaN."""
+    found = np.full((len(NUMBERS), len(box.eta)), np.nan)
+    places, before = np.arange(len(box.eta)), np.full(len(box.eta), -1.0)
+    trial = Trial(r, box)
+    for _ in range(ROUNDS):
+        if len(places) == 0:
+            break
+        trial.improve()
+        size = trial.size()
+        ends = trial.fine & (size - before <= GAIN * size)
+        found[:, places[ends]] = _rounded(trial, box.speed[places])[:, ends]
+        goes = trial.fine & ~ends
+        places, before = places[goes], size[goes]
+        trial = _some(trial, goes)
+    return found
+
+
+def _some(trial: Trial, chosen: Array) -> Trial:
+    part: Trial = object.__new__(Trial)
+    for name, value in vars(trial).items():
+        if isinstance(value, tuple):
+            setattr(part, name, tuple(x[chosen] for x in value))
+        else:
+            setattr(part, name, value if isinstance(value, float) else value[chosen])
+    return part
+
+
+def _rounded(trial: Trial, speed: Array) -> Array:
+    """Whole numbers of units, each on the side where it is weaker."""
+    (low, high), (small, large) = trial.y, trial.ratio
+    m, p = np.rint((small + large) / 2 / UNIT), np.rint((low + high) / 2 / UNIT)
+    X = np.ceil(np.maximum(large - m * UNIT, m * UNIT - small) / UNIT * SLACK) + 1
+    Y = np.ceil(np.maximum(high - p * UNIT, p * UNIT - low) / UNIT * SLACK) + 1
+    k = np.ceil(trial.k / (speed * speed) / UNIT) + 1
+    V = np.ceil(trial.V * speed / UNIT) + 1
+    return np.array([np.maximum(m, X), p, X, Y, k, V])

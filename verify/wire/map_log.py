@@ -1,0 +1,152 @@
+"""The log of a map: a line for the plane, then one for each chunk of boxes; only ever appended to.
+
+Each line ends with the digest of itself and of all before it. The boxes of a level are those that
+the boxes of the level before have left undecided, each cut into four, in the order of their keys:
+so the log is the same whoever decides its chunks, and in whatever order.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from hashlib import sha256
+from typing import Any
+
+from verify.language.record import Record
+from verify.paper.map.plane import Phi
+
+FORMAT = "verify-map/1"
+#: What decides boxes: another number where a verdict, or its numbers, may be another one.
+CODE = 1
+#: The level of the first boxes; the number of boxes of a chunk, a multiple of four.
+FIRST_LEVEL, CHUNK = 4, 2048
+COLLAPSES, DISPERSES, UNDECIDED = "c", "d", "u"
+
+
+class LogMismatchError(ValueError):
+    """The log is not one that this program would have written for the plane."""
+
+
+class Chunk(Record):
+    """What was found for some boxes: a letter each, and flat numbers for those that collapse."""
+
+    keys: Sequence[str]
+    letters: str
+    numbers: Sequence[Sequence[int]]
+
+
+def plane_document(plane: Phi) -> dict[str, Any]:
+    """The plane as JSON."""
+    return {
+        "name": "phi",
+        "r": str(plane.r),
+        "neg_cos": str(plane.neg_cos),
+        "speed": str(plane.speed),
+        "tangential": [str(x) for x in plane.tangential],
+        "x": [str(x) for x in plane.x],
+        "y": [str(x) for x in plane.y],
+    }
+
+
+def read_plane(found: Mapping[str, Any]) -> Phi:
+    """The plane of a header."""
+    u, x, y = (_two(found[name]) for name in ("tangential", "x", "y"))
+    r, neg_cos, speed = (Fraction(found[name]) for name in ("r", "neg_cos", "speed"))
+    return Phi(r, neg_cos, speed, u, x, y)
+
+
+def _two(pair: Sequence[str]) -> tuple[Fraction, Fraction]:
+    return Fraction(pair[0]), Fraction(pair[1])
+
+
+class Progress:
+    """How far a map has come: its boxes so far, the areas, and which boxes are next."""
+
+    def __init__(self, plane: Phi) -> None:
+        header = {
+            "format": FORMAT,
+            "plane": plane_document(plane),
+            "first_level": FIRST_LEVEL,
+            "code": CODE,
+        }
+        self.plane = plane
+        self.header, self.chain = _line("", header)
+        self.level, self.boxes, self.at = FIRST_LEVEL, 0, 0
+        self.due: list[str] = list(all_keys(FIRST_LEVEL))
+        self.children: list[str] = []
+        self.counts: dict[tuple[int, str], int] = {}
+
+    def chunks(self) -> list[list[str]]:
+        """The boxes of this level that are not decided yet, in chunks."""
+        return [self.due[i : i + CHUNK] for i in range(self.at, len(self.due), CHUNK)]
+
+    def append(self, chunk: Chunk) -> bytes:
+        """The line of the next chunk."""
+        content = {
+            "level": self.level,
+            "keys": " ".join(chunk.keys),
+            "verdicts": chunk.letters,
+            "numbers": chunk.numbers,
+        }
+        line, self.chain = _line(self.chain, content)
+        self.boxes += len(chunk.keys)
+        self.at += len(chunk.keys)
+        for letter in (COLLAPSES, DISPERSES, UNDECIDED):
+            place = (self.level, letter)
+            self.counts[place] = self.counts.get(place, 0) + chunk.letters.count(letter)
+        for key, letter in zip(chunk.keys, chunk.letters, strict=True):
+            if letter == UNDECIDED:
+                self.children += [key + digit for digit in "0123"]
+        if self.at == len(self.due):
+            self.level, self.due, self.children, self.at = self.level + 1, self.children, [], 0
+        return line
+
+    def share(self, letter: str) -> Fraction:
+        """The share of the area with a verdict."""
+        found = ((level, n) for (level, name), n in self.counts.items() if name == letter)
+        return sum((Fraction(n, 4**level) for level, n in found), Fraction(0))
+
+    @property
+    def undecided(self) -> Fraction:
+        """The share of the area without one."""
+        return 1 - self.share(COLLAPSES) - self.share(DISPERSES)
+
+    def resume(self, lines: Iterator[bytes]) -> int:
+        """Take over what a log has; the number of its bytes that are whole lines.
+
+        Raises:
+            LogMismatchError: if the log is not the beginning of this map.
+        """
+        size = 0
+        for line in lines:
+            if not line.endswith(b"\n"):
+                break
+            if size == 0:
+                if line != self.header:
+                    raise LogMismatchError("its first line is that of another map")
+            elif self.append(_chunk(line)) != line:
+                raise LogMismatchError("a line is not what follows from those before it")
+            size += len(line)
+        return size
+
+
+def _chunk(line: bytes) -> Chunk:
+    try:
+        found = json.loads(line)
+        return Chunk(found["keys"].split(" "), found["verdicts"], found["numbers"])
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise LogMismatchError("a line is no chunk of boxes") from error
+
+
+def all_keys(level: int) -> Iterator[str]:
+    """The keys of all boxes of a level, in their order."""
+    for place in range(4**level):
+        yield "".join(str(place >> 2 * i & 3) for i in reversed(range(level)))
+
+
+def _line(chain: str, content: Mapping[str, Any]) -> tuple[bytes, str]:
+    """A line, and the digest of it and of all before it."""
+    body = json.dumps(content, separators=(",", ":")).encode()[:-1]
+    chain = sha256(chain.encode() + body).hexdigest()
+    return body + f',"sha256":"{chain}"}}\n'.encode(), chain

@@ -238,7 +238,7 @@ class Ground:
         return None
 
     def lemma(self, claim: Claim) -> str | None:
-        """The name of a fact, proved by enclosures or exact values if it is not known, else None."""
+        """The name of a fact, known or proved by enclosures or exact values; None if it is not."""
         known = self.session.known(claim, None)
         if known is not None:
             return known

@@ -13,6 +13,8 @@ from verify.prover.scene import DISPERSES, UNDECIDED, Fate
 
 #: The prover is exact where numbers stay rational; the checker may need more bits for the same.
 MORE_BITS = (1, 2, 4, 8, 16)
+#: More than MANY collisions are checked with few bits first.
+MANY, FEW_BITS = 500, 80
 
 
 def write_scene(option: str, directory: str, found: Fate) -> None:
@@ -27,19 +29,31 @@ def write_scene(option: str, directory: str, found: Fate) -> None:
         print("verify: the scene is undecided; no certificate was written", file=sys.stderr)
         return
     if found.line is not None and found.verdict == DISPERSES:
-        raise InputError(
-            f"{option}: {found.collisions} collisions on a line are more than a certificate can "
-            "show; leave it out"
-        )
+        raise InputError(_too_many(option, found))
     complaint = OwnError("no precision suffices to evaluate the constants of the scene")
-    for factor in MORE_BITS:
+    for bits in precisions(found):
         try:
-            outcome = scene_outcome(found, factor * found.flow.bits)
-            write_certificate(option, directory, outcome)
+            write_certificate(option, directory, scene_outcome(found, bits))
         except UndefinedError:
             continue
+        except UnreadError as error:
+            raise InputError(_too_many(option, found)) from error
         except OwnError as error:
             complaint = error
             continue
         return
     raise complaint
+
+
+def precisions(found: Fate) -> list[int]:
+    """The precisions to try, in turn: few bits for many collisions, as work is limited."""
+    bits = found.flow.bits
+    few = [FEW_BITS] if len(found.flow.collisions) > MANY and bits > FEW_BITS else []
+    return [*few, *(factor * bits for factor in MORE_BITS)]
+
+
+def _too_many(option: str, found: Fate) -> str:
+    return (
+        f"{option}: {found.collisions} collisions are more than the checker is willing to follow; "
+        "leave it out"
+    )

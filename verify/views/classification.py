@@ -23,33 +23,37 @@ SETTING = (
 
 THEOREMS = (
     (
-        "Lemma. A pair that has collided recedes until one of the two hits a third ball with an "
-        "obtuse angle between the two partners: no acute or right angle brings it back."
+        "Lemma. A pair that has collided does not approach again until one of the two hits a third "
+        "ball with an obtuse angle between the two partners: no acute or right angle brings it "
+        "back."
     ),
     (
-        "I. No triangular collapse. In every collapse of three balls at a finite time one ball "
-        "eventually collides with the two others in turn, and the limiting angle at it is at "
-        "least a right one."
+        "I. No triangular collapse: in no collapse of three balls do all three pairs collide "
+        "infinitely often. In every one, at a finite time, one ball eventually collides with the "
+        "two others in turn, and the limiting angle at it is at least a right one; so with equal "
+        "radii the two others do not touch at the limit."
     ),
     (
-        "II. Equal masses, one r in ]0,1]. In every such collapse the limiting -cos θ is at least "
-        "4√r/(1+r). So for r > 7-4√3 = 0.0717… three balls never collapse, and by IV almost every "
-        "datum has finitely many collisions. A run in which one ball meets two others in turn has "
-        "at most n collisions, n ≥ 1 the least number with s_n ≤ 0, where s_0 = 0, s_1 = 1, "
-        "s_{n+1} = (1+r)/2 s_n - r s_{n-1}; on a line this is attained."
+        "II. Three balls of equal mass, one r in ]0,1]. In every collapse the limiting -cos θ is "
+        "at least 4√r/(1+r). So for r > 7-4√3 = 0.0717… they never collapse, and by IV almost "
+        "every datum has finitely many collisions. A run in which one ball meets two others in "
+        "turn, with no other collision of the three meanwhile, has at most n collisions, n ≥ 1 the "
+        "least number with s_n ≤ 0, where s_0 = 0, s_1 = 1, s_{n+1} = (1+r)/2 s_n - r s_{n-1}; on "
+        "a line this is attained. For r ≤ 7-4√3 there is no such n, and runs have any length."
     ),
     (
         "III. Total impulse. For N balls, in the frame of the centre of mass, with R² = Σ m|x|², "
-        "e² = Σ m|v|², A = Σ m x·v: the sum of σJ over all collisions is at most R(0)e - A(0) at "
-        "all times. So velocities converge and the normal components are summable, whatever the "
-        "order."
+        "e² = Σ m|v|², A = Σ m x·v: the sum of σJ over the collisions up to any time is at most "
+        "R(0)e - A(0), with e at that time. So velocities converge and the normal components are "
+        "summable, up to a collapse or for ever, whatever the order."
     ),
     (
         "IV. Finite or infinite time. If three balls collide infinitely often without a collapse, "
-        "then A ≤ 0 always, relative velocities tend to 0, positions converge, I and II hold at "
-        "the limit, and the angular momentum L is 0. So for equal masses and one r, with L ≠ 0, "
-        "there is exactly one of: finitely many collisions; or a collapse as in I and II, in "
-        "finite time. For r > 7-4√3 it is the first, whatever L."
+        "then in the same frame A ≤ 0 always, velocities tend to 0, positions converge, and the "
+        "angular momentum L is 0; what I and II say of a collapse holds as the time tends to "
+        "infinity. So with L ≠ 0 there is exactly one of: finitely many collisions; or a collapse "
+        "in finite time, as in I and, for equal masses, II. For equal masses and one r in "
+        "]7-4√3, 1] it is the first, whatever L."
     ),
 )
 
@@ -119,7 +123,7 @@ def restitution_lines(found: AtR) -> Iterator[str]:
     if found.excluded:
         yield "  no collapse: finitely many collisions, or a triple contact"
     else:
-        yield "  a collapse is not excluded, at angles with -cos θ above that bound"
+        yield "  a collapse is not excluded, with a final -cos θ not below that bound"
 
 
 def classification_document(outcome: Outcome) -> dict[str, Any]:

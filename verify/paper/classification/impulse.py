@@ -22,6 +22,7 @@ from verify.paper.argument import (
     power,
     proof,
     scaled,
+    square,
     times,
 )
 from verify.paper.classification import flight
@@ -46,7 +47,7 @@ g = Letters(
     slow="e'",
     hit="σ J",
 )
-s = Letters("spin", X="|x|²", V="|v|²", a="x·p", b="x·q", c="v·p", d="v·q")
+s = Letters("spin", X="|x|²", V="|v|²", s="x·v", a="x·p", b="x·q", c="v·p", d="v·q", t="t")
 
 
 def chapters() -> Iterator[Chapter]:
@@ -204,36 +205,31 @@ def _sums() -> Iterator[Item]:
 
 
 def _spin() -> Iterator[Chapter]:
-    size = s.c**2 + s.d**2
     context = s.opened(
-        "x and v are the place and the velocity of a ball, p and q two orthogonal unit vectors; v "
-        "is compared with (v·p)p + (v·q)q, and x with (v·q)p - (v·p)q",
-        "1 1 0 0 0 0",
-        {
-            "X": 0 <= s.X,
-            "V": 0 <= s.V,
-            "cs-v": size**2 <= s.V * size,
-            "cs-x": (s.a * s.d - s.b * s.c) ** 2 <= s.X * size,
-        },
+        "x and v are the place and the velocity of a ball, p and q any vectors, t any time",
+        "1 1 0 0 0 0 0 0",
+        {},
     )
     yield Chapter(None, (Opened(context),))
     yield Chapter(
         s.context,
         (
             Line(
-                "spin-velocity",
-                size <= s.V,
-                scaled(times("goal", plus("goal", "spin-V")), "spin-cs-v"),
+                "spin-flight",
+                equal(
+                    (s.a + s.t * s.c) * s.d - (s.b + s.t * s.d) * s.c,
+                    s.a * s.d - s.b * s.c,
+                ),
+                identity(),
                 LABEL,
-                "|(v·q)p - (v·p)q| ≤ |v|",
-                ("cauchy-schwarz",),
+                "the angular momentum is kept in free flight, x becomes x+tv",
             ),
             Line(
-                "spin-bound",
-                (s.a * s.d - s.b * s.c) ** 2 <= s.X * s.V,
-                proof("spin-cs-x", times("spin-X", "spin-velocity")),
+                "spin-length",
+                s.X * s.V - s.s**2 <= s.X * s.V,
+                proof(square(s.s)),
                 LABEL,
-                "((x·p)(v·q)-(x·q)(v·p))² ≤ |x|²|v|²",
+                "|x∧v|² = |x|²|v|² - (x·v)² ≤ |x|²|v|²",
                 ("cauchy-schwarz",),
             ),
         ),

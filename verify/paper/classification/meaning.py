@@ -8,13 +8,14 @@ MEANING = (
     Remark(
         "PROPOSS3.5OrdreTriagColla",
         "The order theorem is about a collapse that does not exist (I). Its proof stops one line "
-        "short: near an equilateral triangle a pair that has collided recedes for ever, so that "
-        "after 0-1, 0-2 and 1-2 nothing follows.",
+        "short: as long as the triangle is acute, as near an equilateral one, a pair that has "
+        "collided does not collide again, so that nothing follows after 0-1, 0-2 and 1-2.",
     ),
     Remark(
         "EQUATSS3.5Minor_z'__Triag",
         "The cone asks that 0-1 and 0-2 take place, and forgets to ask it of 1-2. With all three "
-        "conditions the image has x' > 0 and z' > 0 for every r: not even one collision follows.",
+        "conditions the image has x' > 0 and z' > 0 for every r in ]0,1[, and 1-2 recedes as well: "
+        "in the linear model not even one collision follows.",
     ),
     Remark(
         "THEORSS3.5SpectMatricVitLm",
@@ -22,9 +23,10 @@ MEANING = (
     ),
     Remark(
         "DEFINSS3.5CollapseTriangu",
-        "The conclusion leaves open whether there is a triangular collapse: there is none, for any "
-        "masses, radii, dimension and restitution (I). It hopes for an Alexander theorem for three "
-        "particles: for r > 7-4√3 here is one (II with IV), given that triple contacts are null.",
+        "The conclusion leaves open whether there is a triangular collapse, one in which all three "
+        "pairs collide infinitely often: there is none, for any masses, radii, dimension and "
+        "restitution (I). It hopes for an Alexander theorem for three particles of equal mass: for "
+        "r > 7-4√3 here is one (II with IV), given that triple contacts are null.",
     ),
     Remark(
         "EQUATSS3.4ZKCl1CondiExist",

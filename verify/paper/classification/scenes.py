@@ -51,16 +51,15 @@ def chapters() -> Iterator[Chapter]:
 
 
 def _pair() -> Iterator[Chapter]:
-    apart = {"X": 1 <= away.X, "W": 0 <= away.W, "p": 0 <= away.p, "time": 0 <= away.t}
+    apart = {"W": 0 <= away.W, "p": 0 <= away.p, "time": 0 <= away.t}
     opened = away.opened("a pair that recedes, x·w ≥ 0, after a time t", "1 0 1 1", apart)
     missing = {"X": 1 <= miss.X, "W": 0 <= miss.W, "miss": miss.W < miss.X * miss.W - miss.p**2}
     says = "a pair whose lines miss: |x|²|w|²-(x·w)² > |w|²; t is any time"
     yield Chapter(None, (Opened(opened), Opened(miss.opened(says, "3 0 1 0", missing))))
     line = Line(
         "scene-away",
-        1 <= away.X + 2 * away.t * away.p + away.t**2 * away.W,
+        away.X <= away.X + 2 * away.t * away.p + away.t**2 * away.W,
         proof(
-            "away-X",
             times(2, "away-time", "away-p"),
             times(power("away-time", 2), "away-W"),
         ),

@@ -51,7 +51,7 @@ CONCLUDES = {
     "run-always": ("glue-run",),
     "bound-above-one": ("glue-run", "null-contacts"),
     "total-impulse": ("hard-spheres", "bounded-monotone", "glue-impulse"),
-    "spin-bound": ("glue-impulse",),
+    "spin-length": ("glue-impulse",),
     "impulse-times": ("finite-length", "glue-endless"),
     "scene-miss": ("glue-scenes",),
     "scene-outward": ("glue-scenes",),

@@ -25,7 +25,7 @@ Test = Callable[[Sequence[Fraction]], bool]
 
 def refuting_point(goal: Goal, enclose: Callable[[str, int], Any]) -> dict[str, Fraction] | None:
     """A point inside all bounds where enclosures or exact values refute the claim."""
-    at_fault = _failure_test(goal, enclose)
+    at_fault = failure_test(goal, enclose)
     candidates = [_candidates(bounds) for bounds in goal.variables.values()]
     for values in _points(candidates):
         if at_fault(values):
@@ -75,7 +75,7 @@ def _simplified(
     return values
 
 
-def _failure_test(goal: Goal, enclose: Callable[[str, int], Any]) -> Test:
+def failure_test(goal: Goal, enclose: Callable[[str, int], Any]) -> Test:
     """Whether the claim is false at a point: by exact values, or else by enclosures."""
     relation = goal.claim.relation
     program, sides = goal.program()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from verify.language.statement import UNDECIDED, Constant, Obligation, Statement
 from verify.language.terms import Claim, names_of
-from verify.prover.budget import Budget
+from verify.prover.budget import Budget, SpentError
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Ground
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.session import Session
@@ -50,11 +50,15 @@ def _defined(statement: Statement, ground: Ground) -> str:
 
 
 def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
+    universal.budget.refill()
     if isinstance(row.claim, Claim):
         names = names_of(row.claim.lhs, row.claim.rhs)
         if all(name in ground.definitions for name in names):
             return ground.decide(row)
-    return universal.decide(row)
+    try:
+        return universal.decide(row)
+    except SpentError:
+        return Decision(UNDECIDED)
 
 
 def _enclosures(names: tuple[str, ...], ground: Ground) -> dict[str, Enclosure]:

@@ -29,6 +29,7 @@ from verify.prover.points import refuting_point
 from verify.prover.proof import Proof
 from verify.prover.relations import MEANINGS, negation
 from verify.prover.rules import Applying, Define, Entry, Least, Root, Sum, Witness
+from verify.prover.search.strategy import Strategy, refuting_minimum
 from verify.prover.session import ZERO
 from verify.prover.signs import signs
 
@@ -168,7 +169,7 @@ class Universal:
         yield self._identity(goal)
         if goal.claim.relation == "=":
             return
-        yield boxes.interval(goal, self._enclose)
+        yield boxes.interval(goal, self.enclosed)
         if not self.clears(sides, goal.context):
             return
         if goal.claim.lhs == ZERO and goal.claim.rhs.op == "sqrt":
@@ -176,7 +177,8 @@ class Universal:
         yield self._extremum(goal)
         yield signs(goal, lambda claim: self.session.known(claim, goal.context))
         yield bernstein(goal)
-        yield boxes.cuts(goal, self._enclose)
+        yield boxes.cuts(goal, self.enclosed)
+        yield from Strategy(goal, self).proofs()
 
     def _identity(self, goal: Goal) -> Proof | None:
         claim, known = goal.claim, self.session.definitions
@@ -222,7 +224,7 @@ class Universal:
                 return Least(side, found) if len(found) == len(proofs) else None
         return None
 
-    def _enclose(self, name: str, bits: int) -> Any:
+    def enclosed(self, name: str, bits: int) -> Any:
         """A constant without variables, enclosed; None for any other."""
         if name not in self.ground.definitions:
             return None
@@ -261,7 +263,7 @@ class Universal:
 
     def _refute(self, goal: Goal, context: Context) -> Witness | None:
         """Values for the variables of the context at which the claim is false."""
-        point = refuting_point(goal, self._enclose)
+        point = refuting_point(goal, self.enclosed) or refuting_minimum(goal, self)
         if point is None:
             return None
         found = {name: as_term(value) for name, value in point.items()}

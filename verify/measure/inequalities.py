@@ -1,0 +1,130 @@
+"""Published inequalities, each a statement of one row, decided and checked: the job of `bench`.
+
+`verify/data/inequalities.json` has them with their sources and what is true of them: polynomials,
+quotients, roots, cosines and minima, on boxes and on half-lines. Ranges are open.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+from verify import check
+from verify.language.record import Record
+from verify.language.statement import (
+    NEEDED,
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Context,
+    Given,
+    Obligation,
+    Statement,
+    Variable,
+)
+from verify.language.terms import Claim, Term, as_term, symbol
+from verify.prover.budget import Budget
+from verify.prover.prove import prove
+from verify.wire.term_json import TermReader
+from verify.wire.write import write
+
+COLLECTION = Path(__file__).parent.parent / "data" / "inequalities.json"
+
+CONTEXT, ROW = "domain", "claim"
+
+
+class Judged(Record):
+    """What became of one inequality; ``accepted`` says that the checker agrees with the verdict."""
+
+    name: str
+    category: str
+    verdict: str
+    right: bool
+    accepted: bool
+    search: float
+    check: float
+    size: int
+    rule: str
+    why: str = ""
+
+
+def entries() -> list[dict[str, Any]]:
+    """The collection."""
+    found: list[dict[str, Any]] = json.loads(COLLECTION.read_text(encoding="utf-8"))
+    return found
+
+
+def question(entry: dict[str, Any]) -> Statement:
+    """The statement that asks for one inequality."""
+    claim = TermReader({}).comparison(entry["claim"])
+    contexts = (_domain(entry["variables"]),) if entry["variables"] else ()
+    context = CONTEXT if contexts else None
+    row = Obligation(ROW, "", "", NEEDED, entry["name"], claim, context=context)
+    return Statement(entry["name"], entry["name"], {}, (), contexts, (row,), ())
+
+
+def _domain(ranges: dict[str, list[str | None]]) -> Context:
+    variables = tuple(Variable(name, name, name) for name in ranges)
+    givens, point = [], {}
+    for name, (low, high) in ranges.items():
+        ends = [None if end is None else Fraction(end) for end in (low, high)]
+        x = symbol(name)
+        if ends[0] is not None:
+            givens.append(Given(f"{name}.low", Claim("<", as_term(ends[0]), x)))
+        if ends[1] is not None:
+            givens.append(Given(f"{name}.high", Claim("<", x, as_term(ends[1]))))
+        point[name] = _between(*ends)
+    return Context(CONTEXT, variables, tuple(givens), point)
+
+
+def _between(low: Fraction | None, high: Fraction | None) -> Term:
+    if low is not None and high is not None:
+        return as_term((low + high) / 2)
+    return as_term(0 if low is high else low + 1 if low is not None else (high or 0) - 1)
+
+
+def judge(entry: dict[str, Any], seconds: float) -> Judged:
+    """Decide an inequality, and check the certificate."""
+    start = perf_counter()
+    outcome = prove(question(entry), budget=Budget(seconds=seconds))
+    searched = perf_counter()
+    verdict = outcome.verdict
+    right = verdict == UNDECIDED or (verdict == PROVED) == entry["truth"]
+    rule = outcome.decisions[ROW].method
+    if verdict == UNDECIDED:
+        return Judged(
+            entry["name"], entry["category"], verdict, right, False, searched - start, 0, 0, rule
+        )
+    files = write(outcome)
+    size = len(files["certificate.json"])
+    start_check, why = perf_counter(), ""
+    try:
+        report = check.check(files["statement.json"], files["certificate.json"], {})
+        accepted = report.verdict == {PROVED: "PROVED", REFUTED: "REFUTED"}[verdict]
+        why = "" if accepted else report.lines[0]
+    except (check.Malformed, RecursionError) as error:
+        accepted, why = False, f"MALFORMED {error}"
+    return Judged(
+        entry["name"],
+        entry["category"],
+        verdict,
+        right,
+        accepted,
+        searched - start,
+        perf_counter() - start_check,
+        size,
+        rule,
+        why,
+    )
+
+
+def judged(names: Iterable[str] = (), seconds: float = 60) -> Iterator[Judged]:
+    """All of the collection, or some of it."""
+    wanted = set(names)
+    for entry in entries():
+        if not wanted or entry["name"] in wanted or entry["category"] in wanted:
+            yield judge(entry, seconds)

@@ -1,0 +1,151 @@
+"""Where a claim is most nearly false: local minima of the difference of its sides, estimated."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
+
+from verify.prover.budget import Budget
+from verify.prover.goal import Goal
+from verify.prover.search.compiled import estimates
+
+#: How many starts there are, and how many steps from each.
+STARTS = 24
+STEPS = 400
+#: A variable without a bound is looked for at first within this distance.
+FAR = 4.0
+
+#: Numbers that a point is tried at first.
+MOST = (1, 2, 3, 4, 6, 10, 12, 60, 100, 1000, 10**4, 10**6, 10**9, 10**12)
+
+Function = Callable[[Sequence[float]], float]
+
+
+class Minima:
+    """Points where rhs - lhs is small, the smallest first."""
+
+    def __init__(self, goal: Goal, values: dict[str, float], budget: Budget) -> None:
+        names = [*goal.variables, *values]
+        sides = estimates(names, (goal.claim.lhs, goal.claim.rhs), goal.definitions)
+        numbers = tuple(values.values())
+        self.bounds = [_ends(b.low, b.high) for b in goal.variables.values()]
+        self.budget, self.cost = budget, 4
+
+        def function(x: Sequence[float]) -> float:
+            try:
+                a, b = sides(*x, *numbers)
+            except (ArithmeticError, ValueError):
+                return math.inf
+            return b - a if b - a == b - a else math.inf
+
+        self.function = function
+
+    def found(self) -> list[tuple[float, tuple[float, ...]]]:
+        """The local minima, each once."""
+        result: list[tuple[float, tuple[float, ...]]] = []
+        for start in self._starts():
+            value, point = self._descend(start)
+            if value < math.inf and not any(_near(point, other) for _, other in result):
+                result.append((value, point))
+        return sorted(result)
+
+    def _starts(self) -> Iterator[list[float]]:
+        """The centre, then points that fill the box."""
+        n = len(self.bounds)
+        yield [_at(low, high, 0.5) for low, high in self.bounds]
+        for k in range(1, STARTS):
+            shares = [(k * _share(i)) % 1.0 for i in range(n)]
+            yield [_at(*ends, share) for ends, share in zip(self.bounds, shares, strict=True)]
+
+    def _descend(self, start: list[float]) -> tuple[float, tuple[float, ...]]:
+        """Steps along the axes and along what they added up to, shorter and shorter."""
+        x, best = list(start), self.function(start)
+        steps = [
+            (high - low) / 8 if high - low < math.inf else FAR / 8 for low, high in self.bounds
+        ]
+        small = [step * 1e-9 for step in steps]
+        for _ in range(STEPS):
+            self.budget.spend(self.cost * len(x))
+            before = list(x)
+            value = self._around(x, best, steps)
+            if value < best:
+                best = value
+                jump = [
+                    self._clip(i, 2 * new - old)
+                    for i, (new, old) in enumerate(zip(x, before, strict=True))
+                ]
+                further = self.function(jump)
+                if further < best:
+                    x, best = jump, further
+            else:
+                steps = [step * 0.4 for step in steps]
+                if all(step < least for step, least in zip(steps, small, strict=True)):
+                    break
+        return best, tuple(x)
+
+    def _around(self, x: list[float], best: float, steps: Sequence[float]) -> float:
+        """The best of neighbours along the axes, to which x goes."""
+        for i, step in enumerate(steps):
+            old = x[i]
+            for new in (self._clip(i, old + step), self._clip(i, old - step)):
+                x[i] = new
+                value = self.function(x)
+                if value < best:
+                    best, old = value, new
+                    break
+            x[i] = old
+        return best
+
+    def _clip(self, i: int, value: float) -> float:
+        low, high = self.bounds[i]
+        return min(max(value, low), high)
+
+
+def _ends(low: Fraction | None, high: Fraction | None) -> tuple[float, float]:
+    return (
+        -math.inf if low is None else float(low),
+        math.inf if high is None else float(high),
+    )
+
+
+def _at(low: float, high: float, share: float) -> float:
+    if high - low < math.inf:
+        return low + (high - low) * share
+    if low > -math.inf:
+        return low + FAR * share
+    return high - FAR * share if high < math.inf else FAR * (share - 0.5)
+
+
+def _share(i: int) -> float:
+    """A number whose multiples fill the unit interval: the part of a root behind the point."""
+    return math.sqrt((2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37)[i % 12] + i // 12) % 1.0
+
+
+def _near(a: Sequence[float], b: Sequence[float]) -> bool:
+    return all(abs(x - y) <= 1e-5 * (1 + abs(x)) for x, y in zip(a, b, strict=True))
+
+
+def simple_points(
+    point: Sequence[float],
+    bounds: Sequence[tuple[Fraction | None, Fraction | None]],
+    *,
+    inside: bool = True,
+) -> Iterator[list[Fraction]]:
+    """Rational points near a point, the simplest first; strictly inside the bounds if asked for."""
+    for most in MOST:
+        near = [Fraction(x).limit_denominator(most) for x in point]
+        if inside:
+            near = [_inside(x, *ends, most) for x, ends in zip(near, bounds, strict=True)]
+        yield near
+
+
+def _inside(value: Fraction, low: Fraction | None, high: Fraction | None, most: int) -> Fraction:
+    """The number, or one between the bounds that is not farther from it than need be."""
+    width = Fraction(1) if low is None or high is None else high - low
+    width = min(width, Fraction(1))
+    if low is not None and value <= low:
+        return low + width / (2 * most + 1)
+    if high is not None and value >= high:
+        return high - width / (2 * most + 1)
+    return value

@@ -214,3 +214,17 @@ def test_a_process_is_quick_to_start() -> None:
     out = subprocess.run(words, capture_output=True, text=True, check=True, cwd=ROOT).stdout
     loaded = set(out.split())
     assert not loaded & {"matplotlib", "json", "hashlib", "argparse", "verify.check", "verify.wire"}
+
+
+def test_too_many_collisions_for_a_certificate(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = (SCENES / "on-a-line.toml").read_text().replace("0.0717968", "0.07181")
+    path = written(tmp_path, text)
+    code, out, _ = run(capsys, path)
+    assert code == 0
+    assert int(out.removeprefix("disperses: after ").split()[0]) > 200
+    code, out, err = run(capsys, path, "--out", tmp_path / "out")
+    assert (code, out) == (2, "")
+    assert "more than the checker is willing to follow" in err
+    assert not (tmp_path / "out").exists()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from verify.cli.errors import OwnError
+from verify.cli.errors import OwnError, UnreadError
 from verify.cli.files import write_certificate
 from verify.jobs.inputs import InputError
 from verify.jobs.scene import scene_outcome

@@ -459,20 +459,25 @@ def check_log(lines: Iterator[bytes]) -> tuple[Plane, Areas]:
             raise LogError("boxes are not those that the boxes before have left, in their order")
         at += len(keys)
         boxes += len(keys)
-        sixes = iter(numbers)
+        given = iter(numbers)
         for key, letter in zip(keys, letters, strict=True):
             if letter == "u":
                 children += [key + digit for digit in "0123"]
                 continue
-            _prove_box(law, plane, key, letter, next(sixes, []) if letter == "c" else [])
+            prove_box(law, plane, key, letter, next(given, []) if letter == "c" else [])
             shares[letter] += Fraction(1, 4**level)
             proved += 1
     return plane, Areas(boxes, proved, shares["c"], shares["d"])
 
 
-def _prove_box(
+def prove_box(
     law: Law, plane: Plane, key: str, letter: str, numbers: list[tuple[Interval, ...]]
 ) -> None:
+    """Show the verdict on a box.
+
+    Raises:
+        RefusedError: if that fails.
+    """
     try:
         prove(law, first_state(plane, key), letter, numbers)
     except RefusedError as error:
@@ -517,10 +522,17 @@ def _boxes(
         raise LogError("expected a verdict for each key")
     if len(numbers) != letters.count("c"):
         raise LogError("expected numbers for each box that collapses")
-    return found, letters, [_sixes(flat) for flat in numbers]
+    return found, letters, [sixes(flat, "c") for flat in numbers]
 
 
-def _sixes(flat: object) -> list[tuple[Interval, ...]]:
+def sixes(flat: object, letter: str) -> list[tuple[Interval, ...]]:
+    """Read the numbers of a box: six for each branch that collapses.
+
+    Raises:
+        LogError: if they are no such numbers.
+    """
+    if letter == "d" and not flat:
+        return []
     if not isinstance(flat, list) or not flat or len(flat) % 6:
         raise LogError("expected six numbers for each branch of a box that collapses")
     if not all(type(n) is int and 0 <= n < 1 << 2 * GRID for n in flat):

@@ -20,6 +20,7 @@ COMMANDS = {
     "theorem1": "decide Theorem 1 (collapse of three particles) at given parameters",
     "spectrum": "prove the spectral claims for every r, enclose the spectrum at one",
     "scene": "decide whether three given particles collapse",
+    "map": "decide whole boxes of scenes, and enclose the border of what collapses",
     "classification": "prove which collapses there are; what that says at one r",
     "prove": "decide a statement of your own, with a certificate",
     "explain": "print a row with the facts and the identity that prove it",

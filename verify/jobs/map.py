@@ -15,7 +15,7 @@ from verify.prover.map_boxes import verdicts
 from verify.wire.map_log import Chunk, Progress
 
 
-class Goal(Record):
+class Target(Record):
     """When a map ends: at this undecided share, or this many boxes, or below this level."""
 
     undecided: Fraction
@@ -23,7 +23,7 @@ class Goal(Record):
     level: int
 
 
-class Moment(Record):
+class Sample(Record):
     """What was known after so many CPU seconds."""
 
     boxes: int
@@ -43,7 +43,7 @@ def decide_chunk(plane: Phi, keys: list[str]) -> tuple[Chunk, float]:
     return Chunk(keys, found.letters, numbers), time.process_time() - before
 
 
-def is_reached(goal: Goal, progress: Progress) -> bool:
+def is_reached(goal: Target, progress: Progress) -> bool:
     """Whether a map has ended."""
     return (
         progress.undecided <= goal.undecided
@@ -54,8 +54,8 @@ def is_reached(goal: Goal, progress: Progress) -> bool:
 
 
 def grow(
-    progress: Progress, goal: Goal, workers: Workers, keep: Callable[[bytes], object]
-) -> Iterator[Moment]:
+    progress: Progress, goal: Target, workers: Workers, keep: Callable[[bytes], object]
+) -> Iterator[Sample]:
     """Decide boxes until the goal is reached; each line of the log is kept before it counts."""
     seconds = 0.0
     while not is_reached(goal, progress):
@@ -63,7 +63,7 @@ def grow(
         for chunk, spent in workers.in_order(work, progress.chunks()):
             keep(progress.append(chunk))
             seconds += spent
-            yield Moment(progress.boxes, progress.undecided, seconds)
+            yield Sample(progress.boxes, progress.undecided, seconds)
             if is_reached(goal, progress):
                 return
 

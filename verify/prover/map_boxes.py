@@ -12,7 +12,7 @@ from verify.paper.flow.law import State
 from verify.paper.map.plane import Phi, start
 from verify.prover.map_branches import advance, take, together
 from verify.prover.map_closing import NUMBERS, collapsing
-from verify.prover.map_intervals import Array, Intervals, enclosed, joined, root
+from verify.prover.map_intervals import Array, Intervals, enclosed, joined, square_root
 
 COLLAPSES, DISPERSES, UNDECIDED = "c", "d", "u"
 #: How far boxes are followed, and how often one is split where spheres may graze.
@@ -49,7 +49,7 @@ def states(plane: Phi, keys: Sequence[str]) -> State:
     x, y = (
         side(ends, places, len(keys[0])) for ends, places in ((plane.x, columns), (plane.y, rows))
     )
-    found = start(plane, x, y, enclosed, root)
+    found = start(plane, x, y, enclosed, square_root)
     return State(*(x if isinstance(x, int) else _spread(x, len(keys)) for x in found))
 
 

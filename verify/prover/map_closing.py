@@ -19,7 +19,7 @@ from verify.prover.map_intervals import (
     Intervals,
     IntervalsArithmetic,
     exactly,
-    root,
+    square_root,
 )
 from verify.prover.program import Machine, Program
 
@@ -36,7 +36,7 @@ CHOSEN = ("r-positive", "time-room", "angle-real")
 OTHERS = ("r", "T", "V_0", "eta_0", "C_0")
 
 
-class Entry(Record):
+class Approach(Record):
     """Boxes of states just after a collision: -eta_c/v, eta_s/v, d/v², -cos θ, with v the unit.
 
     `eta` and `speed` are numbers: -eta_c and the larger speed are no more than these.
@@ -49,25 +49,25 @@ class Entry(Record):
     eta: Array
     speed: Array
 
-    def some(self, chosen: Array) -> Entry:
+    def some(self, chosen: Array) -> Approach:
         """Some of the boxes."""
-        return Entry(*(x[chosen] for x in self))
+        return Approach(*(x[chosen] for x in self))
 
 
-def entry(state: State) -> Entry:
+def as_approach(state: State) -> Approach:
     """The states in the letters of the sharper theorem."""
     gap = state.eps * state.v**2
-    reach = root(1 + gap)
+    reach = square_root(1 + gap)
     y = state.lam / reach
     eta = (y * state.v).high
     larger = np.maximum(state.A.high, state.B.high)
-    speed = np.maximum(root(exactly(larger)).high, eta)
-    return Entry(y, state.rho, state.eps / (1 + reach), state.C / reach, eta, speed)
+    speed = np.maximum(square_root(exactly(larger)).high, eta)
+    return Approach(y, state.rho, state.eps / (1 + reach), state.C / reach, eta, speed)
 
 
 def collapsing(r: Intervals, state: State) -> tuple[Array, Array]:
     """The boxes that are shown to collapse, and their numbers in units, a column each."""
-    box = entry(state)
+    box = as_approach(state)
     with np.errstate(all="ignore"):
         worth = (state.lam.low > 0) & (box.C.low > 0) & (box.eta_s.high < box.y.low)
         slope = box.d.high / (box.y.low * box.y.low) * box.speed * box.speed
@@ -92,11 +92,11 @@ def _rows() -> tuple[Machine, tuple[Claim, ...]]:
     )
 
 
-def closes(r: Intervals, box: Entry, numbers: Array) -> Array:
+def closes(r: Intervals, box: Approach, numbers: Array) -> Array:
     """Whether the sharper theorem applies to all states of a box, with these numbers."""
     found = dict(zip(NUMBERS, map(exactly, numbers * UNIT), strict=True))
     m, X, k, V = (found[name] for name in ("m", "X", "k", "V"))
-    T = 2 * k / (1 + root(1 - 2 * k * V**2))
+    T = 2 * k / (1 + square_root(1 - 2 * k * V**2))
     machine, claims = _rows()
     others = (r, T, exactly(box.speed), exactly(box.eta), box.C)
     run = machine.run((*found.values(), *others))
@@ -114,10 +114,10 @@ def closes(r: Intervals, box: Entry, numbers: Array) -> Array:
 # --- the search ----------------------------------------------------------------------------------
 
 
-class Trial:
+class Guess:
     """Bounds in floats, with the larger speed as the unit; `fine` where they make sense."""
 
-    def __init__(self, r: float, box: Entry) -> None:
+    def __init__(self, r: float, box: Approach) -> None:
         self.r, self.h = r, (1 + r) / 2
         self.C, self.eta = (box.C.low, box.C.high), box.eta / box.speed
         self.q = (box.eta_s.low / box.y.high, box.eta_s.high / box.y.low)
@@ -155,27 +155,27 @@ class Trial:
         return self.y[1] - self.y[0] + self.k
 
 
-def search(r: float, box: Entry) -> Array:
+def search(r: float, box: Approach) -> Array:
     """Numbers in units that probably satisfy what the theorem asks for; or NaN."""
     found = np.full((len(NUMBERS), len(box.eta)), np.nan)
     places, before = np.arange(len(box.eta)), np.full(len(box.eta), -1.0)
-    trial = Trial(r, box)
+    guess = Guess(r, box)
     for _ in range(ROUNDS):
         if len(places) == 0:
             break
-        trial.improve()
-        size = trial.size()
-        ends = trial.fine & (size - before <= GAIN * size)
-        found[:, places[ends]] = _rounded(trial, box.speed[places])[:, ends]
-        goes = trial.fine & ~ends
+        guess.improve()
+        size = guess.size()
+        ends = guess.fine & (size - before <= GAIN * size)
+        found[:, places[ends]] = _rounded(guess, box.speed[places])[:, ends]
+        goes = guess.fine & ~ends
         places, before = places[goes], size[goes]
-        trial = _some(trial, goes)
+        guess = _some(guess, goes)
     return found
 
 
-def _some(trial: Trial, chosen: Array) -> Trial:
-    part: Trial = object.__new__(Trial)
-    for name, value in vars(trial).items():
+def _some(guess: Guess, chosen: Array) -> Guess:
+    part: Guess = object.__new__(Guess)
+    for name, value in vars(guess).items():
         if isinstance(value, tuple):
             setattr(part, name, tuple(x[chosen] for x in value))
         else:
@@ -183,12 +183,12 @@ def _some(trial: Trial, chosen: Array) -> Trial:
     return part
 
 
-def _rounded(trial: Trial, speed: Array) -> Array:
+def _rounded(guess: Guess, speed: Array) -> Array:
     """Whole numbers of units, each on the side where it is weaker."""
-    (low, high), (small, large) = trial.y, trial.ratio
+    (low, high), (small, large) = guess.y, guess.ratio
     m, p = np.rint((small + large) / 2 / UNIT), np.rint((low + high) / 2 / UNIT)
     X = np.ceil(np.maximum(large - m * UNIT, m * UNIT - small) / UNIT * SLACK) + 1
     Y = np.ceil(np.maximum(high - p * UNIT, p * UNIT - low) / UNIT * SLACK) + 1
-    k = np.ceil(trial.k / (speed * speed) / UNIT) + 1
-    V = np.ceil(trial.V * speed / UNIT) + 1
+    k = np.ceil(guess.k / (speed * speed) / UNIT) + 1
+    V = np.ceil(guess.V * speed / UNIT) + 1
     return np.array([np.maximum(m, X), p, X, Y, k, V])

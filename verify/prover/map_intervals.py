@@ -104,7 +104,7 @@ def _around(*ends: Array) -> Intervals:
     return Intervals(down(low), up(high))
 
 
-def root(x: Intervals) -> Intervals:
+def square_root(x: Intervals) -> Intervals:
     """The roots; NaN where a number may be negative."""
     return Intervals(np.maximum(down(np.sqrt(x.low)), 0.0), up(np.sqrt(x.high)))
 
@@ -112,7 +112,7 @@ def root(x: Intervals) -> Intervals:
 def root_of_share(x: Intervals) -> Intervals:
     """The roots of those numbers that are in [0, 1]."""
     low, high = np.maximum(x.low, 0.0), np.minimum(x.high, 1.0)
-    return root(Intervals(low, high))
+    return square_root(Intervals(low, high))
 
 
 def enclosed(value: Fraction) -> Intervals:

@@ -76,6 +76,7 @@ class Progress:
         self.due: list[str] = list(all_keys(FIRST_LEVEL))
         self.children: list[str] = []
         self.counts: dict[tuple[int, str], int] = {}
+        self.found: list[Chunk] = []
 
     def chunks(self) -> list[list[str]]:
         """The boxes of this level that are not decided yet, in chunks."""
@@ -90,6 +91,7 @@ class Progress:
             "numbers": chunk.numbers,
         }
         line, self.chain = _line(self.chain, content)
+        self.found.append(chunk)
         self.boxes += len(chunk.keys)
         self.at += len(chunk.keys)
         for letter in (COLLAPSES, DISPERSES, UNDECIDED):
@@ -101,6 +103,14 @@ class Progress:
         if self.at == len(self.due):
             self.level, self.due, self.children, self.at = self.level + 1, self.children, [], 0
         return line
+
+    def decided(self) -> Iterator[tuple[str, str, Sequence[int]]]:
+        """The boxes with a verdict: the key, the letter, and the numbers of a collapse."""
+        for chunk in self.found:
+            numbers = iter(chunk.numbers)
+            for key, letter in zip(chunk.keys, chunk.letters, strict=True):
+                if letter != UNDECIDED:
+                    yield key, letter, next(numbers) if letter == COLLAPSES else ()
 
     def share(self, letter: str) -> Fraction:
         """The share of the area with a verdict."""

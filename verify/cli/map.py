@@ -1,0 +1,210 @@
+"""Decide whole boxes of scenes: which collapse, which disperse, and where the border is."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import sys
+from contextlib import ExitStack
+from fractions import Fraction
+from functools import partial
+
+from verify import check_map
+from verify.cli.errors import OwnError
+from verify.cli.files import print_document, write_all
+from verify.cli.options import Options, Parser
+from verify.jobs.inputs import InputError, integer, rational, shown
+from verify.language.record import TYPE_CHECKING
+from verify.paper.map.plane import Phi, Side
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from verify.jobs.map import Sample, Target
+    from verify.wire.map_log import Progress
+
+LOG, DOCUMENT, PICTURE, DOTS, TIMES = "map.jsonl", "map.json", "map.svg", "map.png", "times.csv"
+UNDECIDED_CODE = 3
+MAX_BOXES, MAX_LEVEL, MAX_JOBS = 10**8, 26, 256
+#: So many boxes, chosen at random, are proved a second time.
+SAMPLE = 100
+
+
+def add_arguments(parser: Parser) -> None:
+    """The options; every number is kept as the text that was written."""
+    parser.place("plane", "phi: the plane of φ1 = eta_s/(-eta_c) and φ2 = d/eta_c²")
+    parser.option("--r", "restitution coefficient in ]0,1[", "R", required=True)
+    parser.option("--neg-cos", "-cos of the angle, in ]0, 1] (default 1)", "C", default="1")
+    parser.option("--x", "the interval of φ1 (default 0..1/2)", "A..B", default="0..1/2")
+    parser.option("--y", "the interval of φ2 (default 0..1/4)", "A..B", default="0..1/4")
+    parser.option("--speed", "-eta_c (default 1/100)", "V", default="1/100")
+    parser.option("--tangential", "tangential speeds (default 1,1)", "U_C,U_S", default="1,1")
+    parser.option("--undecided", "stop at this share (default 1%)", "P%", default="1%")
+    parser.option("--boxes", "stop after so many boxes (default 10^6)", "N", default="1000000")
+    parser.option("--level", f"halve sides at most so often (default {MAX_LEVEL})", "N")
+    parser.option("--jobs", "processes (default 1)", "N", default="1")
+    parser.option("--dask", "decide on a Dask cluster: tcp://HOST:PORT", "ADDRESS")
+    parser.option("--out", "write the log, or go on with it; areas and pictures", "DIR")
+    parser.flag("--recheck", text=f"prove every box a second time, not only {SAMPLE} of them")
+    parser.flag("--show-boxes", text="draw each box in the picture")
+    parser.flag("--json", text="one JSON document on stdout")
+
+
+def read_phi(options: Options) -> Phi:
+    """The plane.
+
+    Raises:
+        InputError: if a number is not usable.
+    """
+    if options.plane != "phi":
+        raise InputError(f"plane: {shown(options.plane)} is no plane; write phi")
+    r, neg_cos = rational("--r", options.r), rational("--neg-cos", options.neg_cos)
+    speed = rational("--speed", options.speed)
+    if not 0 < r < 1:
+        raise InputError(f"--r: {shown(options.r)} is not in ]0,1[; write a number like 0.03")
+    if not 0 < neg_cos <= 1:
+        raise InputError(
+            f"--neg-cos: {shown(options.neg_cos)} is not in ]0,1]; write such a number"
+        )
+    if speed <= 0:
+        raise InputError(f"--speed: {shown(options.speed)} is not positive; write 1/100")
+    words = options.tangential.split(",")
+    if len(words) != 2:
+        raise InputError(f"--tangential: {shown(options.tangential)} is no pair; write 1,1")
+    u_c, u_s = (rational("--tangential", word) for word in words)
+    x, y = _interval("--x", options.x), _interval("--y", options.y)
+    numbers = (r, neg_cos, speed, u_c, u_s, *x, *y)
+    if any(len(str(n)) > check_map.MAX_DIGITS for n in numbers):
+        raise InputError(f"a number has more than {check_map.MAX_DIGITS} digits; write fewer")
+    return Phi(r, neg_cos, speed, (u_c, u_s), x, y)
+
+
+def _interval(option: str, text: str) -> Side:
+    words = text.split("..")
+    if len(words) != 2:
+        raise InputError(f"{option}: {shown(text)} is no interval; write A..B")
+    low, high = (rational(option, word) for word in words)
+    if not 0 <= low < high:
+        raise InputError(f"{option}: {shown(text)} is not 0 <= A < B; write such an interval")
+    return low, high
+
+
+def _share(text: str) -> Fraction:
+    share = rational("--undecided", text.removesuffix("%")) / (100 if text.endswith("%") else 1)
+    if not 0 <= share <= 1:
+        raise InputError(f"--undecided: {shown(text)} is no share; write a share such as 0.1%")
+    return share
+
+
+def run(options: Options) -> int:
+    """Grow the map, write what is asked for, print the areas, return the exit code."""
+    plane, share = read_phi(options), _share(options.undecided)
+    boxes = integer("--boxes", options.boxes, 1, MAX_BOXES)
+    level = integer("--level", options.level or str(MAX_LEVEL), 1, MAX_LEVEL)
+    jobs = integer("--jobs", options.jobs, 1, MAX_JOBS)
+    try:
+        from verify.jobs.map import Target  # numpy is loaded only where it is used
+    except ImportError as error:
+        raise InputError(f"map: {error}") from error
+    from verify.views.map import map_document, map_lines
+    from verify.wire.map_log import LogMismatchError, Progress
+
+    progress = Progress(plane)
+    try:
+        _grow(options, progress, Target(share, boxes, level), jobs)
+    except LogMismatchError as error:
+        raise InputError(
+            f"--out: {shown(os.path.join(options.out, LOG))} is no log of this map ({error}); "
+            "name another folder"
+        ) from error
+    _recheck(progress, everything=options.recheck)
+    if options.json:
+        print_document(map_document(progress))
+    else:
+        sys.stdout.write("".join(f"{line}\n" for line in map_lines(progress)))
+    return 0 if progress.undecided <= share else UNDECIDED_CODE
+
+
+def _grow(options: Options, progress: Progress, target: Target, jobs: int) -> None:
+    """Afterwards the target is reached, and the files are written."""
+    from verify.jobs.map import grow, open_log, write_line
+    from verify.jobs.map_workers import workers
+
+    with ExitStack() as stack:
+        keep: Callable[[bytes], object] = len
+        times: list[Sample] = []
+        if options.out is not None:
+            try:
+                os.makedirs(options.out, exist_ok=True)
+                file = stack.enter_context(open_log(os.path.join(options.out, LOG), progress))
+            except OSError as error:
+                raise InputError(
+                    f"--out: {shown(options.out)} cannot be written ({error.strerror}); "
+                    "name a folder that can"
+                ) from error
+            times = _read_times(options.out, progress)
+            keep = partial(write_line, file)
+        staff = stack.enter_context(workers(jobs, options.dask))
+        spent = times[-1].seconds if times else 0.0
+        for sample in grow(progress, target, staff, keep):
+            times.append(sample._replace(seconds=spent + sample.seconds))
+            _watch(sample)
+    if options.out is not None:
+        _write(options, progress, times)
+
+
+def _watch(sample: Sample) -> None:
+    if sys.stderr is not None and sys.stderr.isatty():
+        share = float(100 * sample.undecided)
+        print(f"\r{sample.boxes} boxes, {share:.4f} % undecided …", end="", file=sys.stderr)
+
+
+def _read_times(folder: str, progress: Progress) -> list[Sample]:
+    """The CPU seconds of earlier runs; none if they are not known for all boxes."""
+    from verify.jobs.map import Sample
+
+    try:
+        with open(os.path.join(folder, TIMES), encoding="utf-8") as file:
+            rows = [line.split(",") for line in file.read().splitlines()[1:]]
+        found = [Sample(int(b), Fraction(u), float(s)) for b, u, s in rows]
+    except (OSError, ValueError):
+        return []
+    return found if found and found[-1].boxes == progress.boxes else []
+
+
+def _write(options: Options, progress: Progress, times: list[Sample]) -> None:
+    from verify.views.map import map_document
+    from verify.views.plots.map_picture import png_map, svg_map
+
+    law = [(sample.seconds, float(sample.undecided)) for sample in times]
+    rows = "".join(f"{s.boxes},{s.undecided},{s.seconds:.3f}\n" for s in times)
+    document = json.dumps(map_document(progress), ensure_ascii=False, indent=1)
+    files = {
+        DOCUMENT: f"{document}\n".encode(),
+        PICTURE: svg_map(progress, law, boxes=options.show_boxes).encode(),
+        DOTS: png_map(progress),
+        TIMES: f"boxes,undecided,seconds\n{rows}".encode(),
+    }
+    write_all("--out", options.out, files)
+
+
+def _recheck(progress: Progress, *, everything: bool) -> None:
+    """Afterwards the checker has proved boxes anew, in whole numbers.
+
+    Raises:
+        OwnError: if it does not accept one of them.
+    """
+    from verify.wire.map_log import plane_document
+
+    plane = check_map.plane_of(plane_document(progress.plane))
+    law = check_map.law_of(plane.r)
+    chosen = list(progress.decided())
+    if not everything and len(chosen) > SAMPLE:
+        # Which boxes are proved a second time is no secret.
+        chosen = random.Random(len(chosen)).sample(chosen, SAMPLE)  # noqa: S311
+    for key, letter, numbers in chosen:
+        try:
+            check_map.prove_box(law, plane, key, letter, check_map.sixes(numbers, letter))
+        except check_map.RefusedError as error:
+            raise OwnError(f"our own checker does not accept a box ({error})") from error

@@ -1,0 +1,60 @@
+"""What people and scripts see of a map."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import Any
+
+from verify.paper.map.plane import Phi
+from verify.wire.map_log import COLLAPSES, DISPERSES, UNDECIDED, Progress, plane_document
+
+DOCUMENT = "verify-map-areas/1"
+#: The three areas: their letters in a log, their names, and what is true of every scene in them.
+AREAS = {
+    COLLAPSES: ("collapses", "all its scenes collapse"),
+    DISPERSES: ("disperses", "in all its scenes no two spheres meet any more after some time"),
+    UNDECIDED: ("undecided", "nothing was proved"),
+}
+
+
+def area_shares(progress: Progress) -> dict[str, Fraction]:
+    """The share of each area, which add up to 1."""
+    found = {name: progress.share(letter) for letter, (name, _) in AREAS.items()}
+    return found | {AREAS[UNDECIDED][0]: progress.undecided}
+
+
+def map_document(progress: Progress) -> dict[str, Any]:
+    """The areas as JSON; every number that is not a count is a text."""
+    return {
+        "format": DOCUMENT,
+        "command": "map",
+        "plane": plane_document(progress.plane),
+        "boxes": progress.boxes,
+        "areas": {name: str(share) for name, share in area_shares(progress).items()},
+        "strip": None,
+    }
+
+
+def plane_line(plane: Phi) -> str:
+    """The plane in a line."""
+    u_c, u_s = plane.tangential
+    return (
+        f"φ1 = eta_s/(-eta_c) in [{plane.x[0]}, {plane.x[1]}], φ2 = d/eta_c² in "
+        f"[{plane.y[0]}, {plane.y[1]}]; r = {plane.r}, -cos θ = {plane.neg_cos}, "
+        f"-eta_c = {plane.speed}, tangential speeds {u_c} and {u_s}"
+    )
+
+
+def map_lines(progress: Progress) -> Iterator[str]:
+    """The areas for a reader."""
+    yield plane_line(progress.plane)
+    found = area_shares(progress)
+    for name, says in AREAS.values():
+        yield f"{name:<10} {percent(found[name]):>9} %  {says}"
+    yield f"{progress.boxes} boxes, down to 1/{4 ** (progress.level - 1)} of the area"
+
+
+def percent(share: Fraction) -> str:
+    """A share to four decimals of a percent, cut."""
+    return f"{int(share * 10**6) // 10**4}.{int(share * 10**6) % 10**4:04d}"

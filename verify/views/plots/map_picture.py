@@ -1,0 +1,143 @@
+"""A map as a picture: its three areas, and how the undecided one shrinks with the work."""
+
+from __future__ import annotations
+
+import math
+import struct
+import zlib
+from base64 import b64encode
+from collections.abc import Iterator, Sequence
+from html import escape
+
+from verify.views.map import AREAS, area_shares, percent, plane_line
+from verify.wire.map_log import Progress
+
+#: The colours of the areas, on light and on dark paper.
+COLOURS = {"c": "#b3372a", "d": "#3566b8", "u": "#c3c8ce"}
+#: The sides of the map and of the law beside it, in points.
+SIDE, LAW = 400, 260
+LEFT, TOP = 64, 40
+#: A picture of dots has 2^FINEST of them on a side.
+FINEST = 10
+
+Law = Sequence[tuple[float, float]]
+
+
+def svg_map(progress: Progress, law: Law, *, boxes: bool = False) -> str:
+    """The areas, in dots or as boxes, their shares, and undecided share against CPU seconds."""
+    width, height = LEFT + SIDE + 110 + LAW + 20, TOP + SIDE + 90
+    size = f'viewBox="0 0 {width} {height}" role="img"'
+    font = 'font-family="sans-serif" font-size="12" fill="currentColor"'
+    parts = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" {size} {font}>',
+        f"<title>{escape(plane_line(progress.plane))}</title>",
+        *_areas(progress, boxes=boxes),
+        *_legend(progress),
+        *_law(law),
+        "</svg>",
+    ]
+    return "\n".join(parts) + "\n"
+
+
+def _areas(progress: Progress, *, boxes: bool) -> Iterator[str]:
+    place = f'x="{LEFT}" y="{TOP}" width="{SIDE}" height="{SIDE}"'
+    if boxes:
+        yield f'<rect {place} fill="{COLOURS["u"]}"/>'
+        yield f'<g transform="translate({LEFT} {TOP + SIDE}) scale({SIDE} {-SIDE})">'
+        for letter in "cd":
+            path = "".join(_square(key) for key, found, _ in progress.decided() if found == letter)
+            style = f'stroke="{COLOURS["u"]}" stroke-width=".0004"'
+            yield f'<path fill="{COLOURS[letter]}" {style} d="{path}"/>'
+        yield "</g>"
+    else:
+        data = b64encode(png_map(progress)).decode()
+        yield f'<image {place} image-rendering="pixelated" href="data:image/png;base64,{data}"/>'
+    (x_0, x_1), (y_0, y_1) = progress.plane.x, progress.plane.y
+    low, right = TOP + SIDE, LEFT + SIDE
+    yield _text(LEFT, low + 16, str(x_0), "start")
+    yield _text(right, low + 16, str(x_1), "end")
+    yield _text(LEFT + SIDE // 2, low + 16, "φ1 = η_s/(-η_c)", "middle")
+    yield _text(LEFT - 6, low, str(y_0), "end")
+    yield _text(LEFT - 6, TOP + 10, str(y_1), "end")
+    yield _text(LEFT - 6, TOP + SIDE // 2, "d/η_c²", "end")
+
+
+def _square(key: str) -> str:
+    column = int("".join("01"[int(d) & 1] for d in key), 2)
+    row = int("".join("01"[int(d) >> 1] for d in key), 2)
+    size = 0.5 ** len(key)
+    x, y, edge = _short(column * size), _short(row * size), _short(size)
+    return f"M{x} {y}h{edge}v{edge}h-{edge}"
+
+
+def _short(value: float) -> str:
+    return f"{value:.6g}".removeprefix("0") or "0"
+
+
+def _text(x: float, y: float, text: str, anchor: str) -> str:
+    return f'<text x="{x:g}" y="{y:g}" text-anchor="{anchor}">{escape(text)}</text>'
+
+
+def _legend(progress: Progress) -> Iterator[str]:
+    found = area_shares(progress)
+    for place, (letter, (name, _)) in enumerate(AREAS.items()):
+        x, y = LEFT + 132 * place, TOP + SIDE + 34
+        yield f'<rect x="{x}" y="{y}" width="12" height="12" fill="{COLOURS[letter]}"/>'
+        yield _text(x + 17, y + 10, f"{name} {percent(found[name])} %", "start")
+    yield _text(LEFT, 22, plane_line(progress.plane).partition("; ")[2], "start")
+
+
+def _law(law: Law) -> Iterator[str]:
+    """Both axes are logarithmic; the line has the slope -1."""
+    points = [(math.log10(s), math.log10(u)) for s, u in law if s > 0 and u > 0]
+    if len(points) < 2:
+        return
+    left, low = LEFT + SIDE + 110, TOP + LAW
+    x_0, x_1 = math.floor(min(x for x, _ in points)), math.ceil(max(x for x, _ in points))
+    y_0, y_1 = math.floor(min(y for _, y in points)), math.ceil(max(y for _, y in points))
+    scale = LAW / max(x_1 - x_0, y_1 - y_0)
+
+    def place(x: float, y: float) -> str:
+        return f"{left + (x - x_0) * scale:.1f},{low - (y - y_0) * scale:.1f}"
+
+    yield f'<rect x="{left}" y="{TOP}" width="{LAW}" height="{LAW}" fill="none" stroke="#8a929c"/>'
+    for power in range(x_0, x_1 + 1):
+        yield _text(left + (power - x_0) * scale, low + 16, f"{10.0**power:g} s", "middle")
+    for power in range(y_0, y_1 + 1):
+        height = low - (power - y_0) * scale + 4
+        yield _text(left - 6, height, f"{10.0 ** (power + 2):g} %", "end")
+    x, y = points[-1]
+    back = min(x - x_0, y_1 - y)
+    yield f'<polyline points="{place(x, y)} {place(x - back, y + back)}" stroke="#8a929c" '
+    yield 'stroke-dasharray="4 3" fill="none"/>'
+    dots = " ".join(place(x, y) for x, y in points)
+    yield f'<polyline points="{dots}" stroke="{COLOURS["c"]}" stroke-width="1.5" fill="none"/>'
+    says = "undecided share against CPU seconds; dashes: slope -1"
+    yield _text(left + LAW // 2, low + 34, says, "middle")
+
+
+def png_map(progress: Progress) -> bytes:
+    """The areas in dots, the lower row last; a dot in which not all is decided is undecided."""
+    side = 1 << FINEST
+    dots = [bytearray(side) for _ in range(side)]
+    for key, letter, _ in progress.decided():
+        if len(key) <= FINEST:
+            _fill(dots, key, 1 if letter == "c" else 2)
+    rows = b"".join(b"\0" + bytes(row) for row in reversed(dots))
+    palette = b"".join(bytes.fromhex(COLOURS[letter][1:]) for letter in "ucd")
+    header = struct.pack(">IIBBBBB", side, side, 8, 3, 0, 0, 0)
+    data = zlib.compress(rows, 9)
+    blocks = ((b"IHDR", header), (b"PLTE", palette), (b"IDAT", data), (b"IEND", b""))
+    return b"\x89PNG\r\n\x1a\n" + b"".join(_block(kind, data) for kind, data in blocks)
+
+
+def _fill(dots: list[bytearray], key: str, colour: int) -> None:
+    size = 1 << FINEST - len(key)
+    column = int("".join("01"[int(d) & 1] for d in key), 2) * size
+    row = int("".join("01"[int(d) >> 1] for d in key), 2) * size
+    for line in dots[row : row + size]:
+        line[column : column + size] = bytes([colour]) * size
+
+
+def _block(kind: bytes, data: bytes) -> bytes:
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))

@@ -10,7 +10,7 @@ import pytest
 
 from tests.paper.step.states import BITS, checker, evaluate
 from verify.language.terms import Claim
-from verify.paper.classification import collision, state
+from verify.paper.classification import collision, impulse, state
 from verify.paper.classification.theorem import classification
 from verify.prover import balls
 
@@ -100,6 +100,32 @@ def test_a_wrong_law_of_a_collision_is_seen() -> None:
         values = collision_values(Random(1, 3))
         violated = checker([CONTEXTS[collision.CONTEXT]], wrong, list(values))
         assert set(violated(values)) == set(wrong)
+
+
+# --- the angular momentum ------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("dimension", [2, 3, 5])
+def test_the_angular_momentum_is_bounded_in_any_dimension(dimension: int) -> None:
+    """|L|² is the sum over all planes, as the criteria for scenes have it, and at most R²e²."""
+    claims = rows_of(impulse.s.context)
+    names = [variable.name for variable in CONTEXTS[impulse.s.context].variables]
+    with balls.precision(BITS):
+        violated = checker([CONTEXTS[impulse.s.context]], claims, names)
+        for seed in range(20):
+            draw = Random(seed, dimension)
+            bodies = [(draw.number(0, 3), draw.vector(), draw.vector()) for _ in range(3)]
+            planes = [(i, j) for i in range(dimension) for j in range(i)]
+            parts = [sum(m * (x[i] * v[j] - x[j] * v[i]) for m, x, v in bodies) for i, j in planes]
+            R2, e2 = (sum(m * dot(b[k], b[k]) for m, *b in bodies) for k in (0, 1))
+            assert dot(parts, parts) <= R2 * e2
+            (_, x, v), p, q = bodies[0], draw.vector(), draw.vector()
+            known = (dot(x, x), dot(v, v), dot(x, v), dot(x, p), dot(x, q), dot(v, p), dot(v, q))
+            assert violated(dict(zip(names, (*known, draw.number(0, 2)), strict=True))) == []
+            wedge = sum((x[i] * v[j] - x[j] * v[i]) ** 2 for i, j in planes)
+            assert abs(wedge - (known[0] * known[1] - known[2] ** 2)) < balls.from_fraction(
+                Fraction(1, 10**100)
+            )
 
 
 # --- a run ---------------------------------------------------------------------------------------

@@ -15,6 +15,13 @@ ASSUMPTIONS = (
         "general mathematics",
     ),
     BOUNDED_MONOTONE,
+    Assumption(
+        "finite-length",
+        THEOREM,
+        "A continuous path on [0,T[ that consists of straight pieces, finitely many in each closed "
+        "part of [0,T[, and has finite length, has a limit at T.",
+        "general mathematics",
+    ),
     GLUE_NEXT,
     Assumption(
         "glue-collapse",
@@ -35,8 +42,9 @@ ASSUMPTIONS = (
         "angle-monotone-lower; both are bounded, and G(g_n) tends to 0 with g_n = (p+Y)^n η₀, by "
         "decay-positive and growth-positive; so -cos θ_n converges. The relative velocities are "
         "bounded, by A-below and B-below, and the times converge, so that the relative positions "
-        "converge, and the limit is that of the angle at the time of the collapse. It is within Θ "
-        "of C₀ by angle-final-upper and angle-final-lower.",
+        "converge, by finite-length, to distances that are at least 1: the limit of -cos θ_n is "
+        "that at the time of the collapse. It is within Θ of C₀ by angle-final-upper and "
+        "angle-final-lower.",
         "numbered glue",
     ),
 )

@@ -82,6 +82,17 @@ def test_finite_by_the_coefficient_of_restitution() -> None:
     assert b'"finite.restitution"' in files["statement.json"]
 
 
+def test_random_scenes_with_every_kind_of_move() -> None:
+    """Collisions, another central particle, and a cut of a flight in which two pass each other."""
+    rng, kinds = Random(5), set[str]()
+    while kinds < {"collide", "recentre", "drift"}:
+        found = decide_scene(random_scene(rng))
+        new = {move.kind for move in found.flow.moves} - kinds
+        if new:
+            assert report(write(scene_outcome(found, found.flow.bits))).verdict == "PROVED"
+        kinds |= new
+
+
 def test_many_collisions_fit() -> None:
     """At about this size 1000 collisions stay below the checker's limits of bytes and of work."""
     files = files_of(at_angle(0.47, "1e-20"))

@@ -36,7 +36,7 @@ def scene_svg(found: Fate) -> str:
         *_heading(found),
     ]
     panels = (_trajectories(path, end), _zoom(path, end), approach(found))
-    titles = ("centre-of-mass frame, to scale", "zoom on the contacts", "how the end comes near")
+    titles = ("centre-of-mass frame, to scale", "zoom on a contact", "how the end comes near")
     for k, (panel, title) in enumerate(zip(panels, titles, strict=True)):
         left = MARGIN + k * (SIZE + MARGIN)
         parts.append(f'<g transform="translate({left} {TOP})">')
@@ -103,12 +103,23 @@ def _trajectories(path: Sequence[Leg], end: float) -> Iterator[str]:
 
 
 def _zoom(path: Sequence[Leg], end: float) -> Iterator[str]:
-    """The spheres after each collision, near the contacts."""
-    last = places_at(path, end)
-    box = _frame(last, 0.1)
-    for leg in path[1:6]:
-        yield from _spheres(leg.places, box, "1 4")
-    yield from _spheres(last, box, "")
+    """The gap of the pair that collided last, at the start, after collisions, and at the end."""
+    stops = [leg.places for leg in path[:6]] + [places_at(path, end)]
+    i, j = map(int, path[-1].pair or "01")
+    (x, y), _ = _contact(stops[-1][i], stops[-1][j])
+    gaps = [abs(_contact(places[i], places[j])[1]) for places in stops]
+    half = max(2 * max(gaps), 1e-6)
+    box = x, y, half, SIZE / (2 * half)
+    for places in stops[:-1]:
+        yield from _spheres(places, box, "2 6")
+    yield from _spheres(stops[-1], box, "")
+    yield svg_text(6, SIZE - 8, f"{i} and {j}; the width is {2 * half:.2g} diameters")
+
+
+def _contact(p: Sequence[float], z: Sequence[float]) -> tuple[tuple[float, float], float]:
+    """The point midway between two centres, and the gap between the spheres."""
+    middle = (p[0] + z[0]) / 2, (p[1] + z[1]) / 2
+    return middle, math.hypot(p[0] - z[0], p[1] - z[1]) - 1
 
 
 def _spheres(places: Sequence[Sequence[float]], box: Box, dashes: str) -> Iterator[str]:

@@ -24,7 +24,8 @@ def screen(answer: Answer, cited: tuple[Assumption, ...]) -> Iterator[str]:
         yield ""
         yield f"Verdict: refuted: {answer.outcome.statement.title}"
         return
-    yield "The hypotheses are compared at a corner; by monotony they hold at all points."
+    where = "all points" if answer.verdict == PROVED else "all points of the certified part"
+    yield f"The hypotheses are compared at a corner; by monotony they hold at {where}."
     yield f"The constants are the unrounded minima of '{answer.outcome.statement.cites[0].theorem}'"
     yield f"Taken on trust there: {given(cited)}"
     yield ""

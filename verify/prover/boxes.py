@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
-from verify.language.terms import symbol
+from verify.language.terms import Term, symbol
 from verify.prover import balls
 from verify.prover.ends import BallEnds, EndsArithmetic, ends_between
 from verify.prover.goal import Bounds, Goal
@@ -78,6 +78,7 @@ def interval(goal: Goal, enclose: Callable[[str, int], Any]) -> Interval | None:
     if (
         goal.box is None
         or goal.claim.relation == "="
+        or not _is_plain(goal)
         or not Boxes(goal, enclose).holds(goal.variables)
     ):
         return None
@@ -87,6 +88,20 @@ def interval(goal: Goal, enclose: Callable[[str, int], Any]) -> Interval | None:
 
 def cuts(goal: Goal, enclose: Callable[[str, int], Any]) -> Proof | None:
     """A proof by the enclosures on parts of the box."""
-    if goal.box is None or not goal.box or goal.claim.relation == "=":
+    if goal.box is None or not goal.box or goal.claim.relation == "=" or not _is_plain(goal):
         return None
     return Boxes(goal, enclose).cover(goal.variables, 0)
+
+
+def _is_plain(goal: Goal) -> bool:
+    """False for a product of a term with itself, which the checker takes for one of two numbers."""
+    seen: set[Term] = set()
+    waiting = [goal.claim.lhs, goal.claim.rhs, *goal.definitions.values()]
+    while waiting:
+        term = waiting.pop()
+        if term.op == "mul" and term.children[0] == term.children[1]:
+            return False
+        if term not in seen:
+            seen.add(term)
+            waiting += term.children
+    return True

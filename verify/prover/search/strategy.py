@@ -15,6 +15,7 @@ from verify.prover.proof import Proof
 from verify.prover.search.domain import Domain
 from verify.prover.search.minimum import Minima, simple_points
 from verify.prover.search.positive import by_squares
+from verify.prover.search.tree import Tree
 
 if TYPE_CHECKING:
     from verify.prover.universal import Universal
@@ -35,7 +36,16 @@ class Strategy:
         """What each technique finds."""
         if self.minima and self.minima[0][0] < -NEAR_ZERO * self._size():
             return  # it is false
+        yield from self.trees(300)
         yield self.squares()
+        yield from self.trees(20_000)
+
+    def trees(self, leaves: int) -> Iterator[Proof | None]:
+        """Enclosures on parts of the box."""
+        goal = self.goal
+        if goal.box is None or not goal.variables or goal.constants:
+            return
+        yield Tree(goal.claim, goal.variables, goal.definitions, self.budget).prove(leaves)
 
     def _size(self) -> float:
         return 1.0

@@ -1,0 +1,189 @@
+"""Claims on a box by a tree of bisections, each leaf by the enclosures of the two sides.
+
+A node is cut where the two halves gain most. Floats guide; where they are too near to each other to
+tell, the checker's own arithmetic decides a leaf.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+
+from verify.language.record import Record
+from verify.language.terms import Claim, Term, symbol
+from verify.prover.budget import Budget
+from verify.prover.goal import Bounds
+from verify.prover.proof import Proof
+from verify.prover.rules import Cuts, Interval
+from verify.prover.search.compiled import ranges
+from verify.prover.search.exact import ExactRanges
+
+#: Bits of the checker in leaves: few, as its cosines take time in proportion.
+BITS = 48
+#: So many nested cuts leave room for the brackets around them.
+MAX_DEPTH = 40
+#: What leaves may cost the checker, in its units.
+MAX_UNITS = 4_500_000
+#: Differences below this part of the sides are left to exact arithmetic.
+NEAR = 1e-9
+
+Ends = tuple[Fraction, Fraction]
+
+
+class Box(Record):
+    """The ends of each variable, the facts that say so, and how many cuts led here."""
+
+    ends: tuple[Ends, ...]
+    facts: tuple[tuple[str, str], ...]
+    depth: int
+
+
+class Tree:
+    """One claim `<` or `<=` on boxes.
+
+    Args:
+        claim: over the variables and names that are defined.
+        variables: with their bounds by numbers, both.
+        definitions: what other names stand for.
+        hypotheses: how many there are before the first cut.
+    """
+
+    def __init__(
+        self,
+        claim: Claim,
+        variables: Mapping[str, Bounds],
+        definitions: Mapping[str, Term],
+        budget: Budget,
+        hypotheses: int = 0,
+    ) -> None:
+        self.claim, self.names, self.budget = claim, tuple(variables), budget
+        self.hypotheses = hypotheses
+        self.sides = claim.lhs, claim.rhs
+        self.ranges = ranges(self.names, self.sides, definitions)
+        self.exact = ExactRanges(self.names, definitions, BITS)
+        self.cost = _cost(self.sides, definitions)
+        self.root = Box(
+            tuple(bounds.ends or (Fraction(0), Fraction(0)) for bounds in variables.values()),
+            tuple((bounds.low_fact, bounds.high_fact) for bounds in variables.values()),
+            0,
+        )
+        self.leaves = 0
+        self.most = 0
+
+    def prove(self, leaves: int) -> Proof | None:
+        """A proof with at most so many leaves."""
+        self.leaves, self.most = 0, min(leaves, MAX_UNITS // self.cost)
+        return self._cover(self.root, self._gap(self.root.ends))
+
+    def _gap(self, ends: Sequence[Ends]) -> float:
+        """A lower bound of rhs - lhs on a box; minus infinity where none is known."""
+        self.budget.spend(1 + self.cost // 25)
+        try:
+            low, high, other, top = self.ranges(*(float(end) for pair in ends for end in pair))
+        except (ArithmeticError, ValueError):
+            return -math.inf
+        gap = other - high
+        near = NEAR * (abs(other) + abs(high))
+        if gap != gap:
+            return -math.inf
+        if abs(gap) <= near:
+            return 0.0 if self._holds(ends) else -near - 1e-300
+        del low, top
+        return gap
+
+    def _holds(self, ends: Sequence[Ends]) -> bool:
+        self.budget.spend(self.cost)
+        found = self.exact.of(ends, *self.sides)
+        if found is None:
+            return False
+        x, y = found
+        return x.high < y.low if self.claim.relation == "<" else x.high <= y.low
+
+    def _cover(self, box: Box, gap: float) -> Proof | None:
+        if gap >= 0:
+            self.leaves += 1
+            named = zip(self.names, self.facts(box), strict=True)
+            return Interval(BITS, tuple((name, low, high) for name, (low, high) in named))
+        if box.depth >= MAX_DEPTH or self.leaves >= self.most or not self._may_hold(box):
+            return None
+        index, halves = self._best(box)
+        hypothesis = f"@{self.hypotheses + box.depth + 1}"
+        branches = []
+        low_fact, high_fact = box.facts[index]
+        for (ends, value), facts in zip(
+            halves, ((low_fact, hypothesis), (hypothesis, high_fact)), strict=True
+        ):
+            changed = (*box.facts[:index], facts, *box.facts[index + 1 :])
+            proof = self._cover(Box(ends, changed, box.depth + 1), value)
+            if proof is None:
+                return None
+            branches.append(proof)
+        cut = halves[0][0][index][1]
+        return Cuts(symbol(self.names[index]), (cut,), tuple(branches))
+
+    def facts(self, box: Box) -> tuple[tuple[str, str], ...]:
+        """The facts that bound each variable on a box."""
+        return box.facts
+
+    def _may_hold(self, box: Box) -> bool:
+        """Whether the claim is true at the centre, as far as floats tell."""
+        centre = [float(low + high) / 2 for low, high in box.ends]
+        try:
+            low, _, _, top = self.ranges(*(x for x in centre for _ in "lh"))
+        except (ArithmeticError, ValueError):
+            return True
+        return top - low >= -NEAR * (abs(top) + abs(low))
+
+    def _best(self, box: Box) -> tuple[int, list[tuple[tuple[Ends, ...], float]]]:
+        """The variable whose bisection helps most, and its two halves with their gaps."""
+        best, chosen = None, (0, [])
+        widest = max(high - low for low, high in box.ends)
+        for index, (low, high) in enumerate(box.ends):
+            if (high - low) * 4096 < widest and len(box.ends) > 1:
+                continue
+            middle = _middle(low, high)
+            halves = []
+            for pair in ((low, middle), (middle, high)):
+                ends = (*box.ends[:index], pair, *box.ends[index + 1 :])
+                halves.append((ends, self._gap(ends)))
+            gaps = [min(gap, 0.0) for _, gap in halves]
+            score = (sum(gaps) if sum(gaps) > -math.inf else -math.inf, high - low)
+            if best is None or score > best:
+                best, chosen = score, (index, halves)
+        return chosen
+
+
+def _middle(low: Fraction, high: Fraction) -> Fraction:
+    """A number near the middle: a short one, if both ends are long."""
+    middle = (low + high) / 2
+    if middle.denominator.bit_length() < 30:
+        return middle
+    width = high - low
+    digits = max(0, 3 - math.floor(math.log2(width))) if width else 0
+    short = Fraction(round(middle * 2**digits), 2**digits)
+    return short if low < short < high else middle
+
+
+def _cost(terms: Sequence[Term], definitions: Mapping[str, Term]) -> int:
+    """About the checker's units of work for one evaluation."""
+    seen: set[Term] = set()
+    waiting = list(terms)
+    total = 30
+    while waiting:
+        term = waiting.pop()
+        if term in seen:
+            continue
+        seen.add(term)
+        waiting += term.children
+        if term.op == "symbol":
+            total += 14
+            if term.name in definitions:
+                waiting.append(definitions[term.name])
+        elif term.op in ("cos", "cos_pi"):
+            total += 8 * (BITS // 2 + 11)
+        elif term.op == "pow":
+            total += 10 + 14 * term.exponent.bit_length()
+        elif term.op != "rational":
+            total += 13
+    return total

@@ -121,8 +121,10 @@ class Trial:
             return False
         self.p, self.Y = widened(bottom, top)
         lower = self.p - self.Y
+        if lower < LEAST:
+            return False
         self.k = max(self.k0, (high * T + TV * TV / 2) / (lower * lower) * SLACK)
-        return lower > 0
+        return True
 
 
 def widened(low: float, high: float) -> tuple[float, float]:

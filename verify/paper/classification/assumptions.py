@@ -64,10 +64,10 @@ MATHEMATICS = (
         "general mathematics",
     ),
     Assumption(
-        "null-contacts",
+        "smooth-images",
         COLLAPSE,
-        "For three balls, with one r in ]0,1], the initial data from which a triple contact "
-        "follows after finitely many collisions have measure zero.",
+        "The image of a space of smaller dimension under a smooth map has measure zero, and so has "
+        "the union of countably many sets of measure zero.",
         "general mathematics",
     ),
 )
@@ -168,6 +168,22 @@ GLUE = (
         "none at all if scene-radicand fails; then there are finitely many collisions, by "
         "glue-endless. (v) By flight-normal, free-i and free-j a pair with ρ ≥ 0 cannot collide "
         "before a collision of one of its balls with the third at which the angle there is obtuse.",
+        "numbered glue",
+    ),
+    Assumption(
+        "glue-null",
+        COLLAPSE,
+        "7. Three balls, one r in ]0,1]: the data from which a triple contact follows, after "
+        "finitely many collisions, have measure zero. For the states at such a contact, where a "
+        "ball touches both others, satisfy two equations: their space has two dimensions less than "
+        "that of all data. From there back to the start lead flights backward and, for each "
+        "collision, one backward. The latter is smooth, as by equal-inverse the velocities before "
+        "it are linear in those after it, the directions given. A flight backward to an earlier "
+        "collision ends at a root of |x+tw|² = σ²; there ρ' = -rρ > 0, by collision-approach, so "
+        "that the discriminant is positive and the root smooth. Only the time of the last flight "
+        "backward is free. So for each of the countably many orders in which pairs may collide, "
+        "hard-spheres gives a smooth map from a space of one dimension less than that of all data: "
+        "by smooth-images the data of all orders are null.",
         "numbered glue",
     ),
 )

@@ -268,7 +268,11 @@ same = Letters("equal", m="m", rho="ρ", r="r")
 
 def _equal() -> Iterator[Chapter]:
     """Balls of equal mass with one coefficient of restitution, as in the text."""
-    context = same.opened("two balls of the same mass", "1 -1 1/2", {"mass": 0 < same.m})
+    context = same.opened(
+        "two balls of the same mass with ρ' = -rρ, r > 0",
+        "1 -1 1/2",
+        {"mass": 0 < same.m, "share": 0 < same.r},
+    )
     reduced = same.m * same.m / (2 * same.m)
     line = Line(
         "equal-masses",
@@ -277,6 +281,13 @@ def _equal() -> Iterator[Chapter]:
         LAW,
         "for equal masses and ρ' = -rρ each velocity changes by J/m = (1+r)/2 (-ρ)",
     )
+    inverse = Line(
+        "equal-inverse",
+        equal(-(same.r * same.rho) - same.rho, (1 + 1 / same.r) * -(same.r * same.rho)),
+        identity(),
+        LAW,
+        "for any masses ρ'-ρ = (1+1/r)ρ' where ρ' = -rρ: what follows a collision determines J",
+    )
     double = Line("equal-double", 0 < 2 * same.m, proof(times(2, "equal-mass")))
     yield Chapter(None, (Opened(context),))
-    yield Chapter(same.context, (double, line))
+    yield Chapter(same.context, (double, line, inverse))

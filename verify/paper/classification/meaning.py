@@ -26,7 +26,7 @@ MEANING = (
         "The conclusion leaves open whether there is a triangular collapse, one in which all three "
         "pairs collide infinitely often: there is none, for any masses, radii, dimension and "
         "restitution (I). It hopes for an Alexander theorem for three particles of equal mass: for "
-        "r > 7-4√3 here is one (II with IV), given that triple contacts are null.",
+        "r > 7-4√3 here is one (II with IV).",
     ),
     Remark(
         "EQUATSS3.4ZKCl1CondiExist",

@@ -49,7 +49,7 @@ CONCLUDES = {
     "cosine-2-positive": ("hard-spheres", "finite-length", "glue-classification"),
     "fall-positive": ("glue-run",),
     "run-always": ("glue-run",),
-    "bound-above-one": ("glue-run", "null-contacts"),
+    "bound-above-one": ("glue-run", "smooth-images", "glue-null"),
     "total-impulse": ("hard-spheres", "bounded-monotone", "glue-impulse"),
     "spin-length": ("glue-impulse",),
     "impulse-times": ("finite-length", "glue-endless"),

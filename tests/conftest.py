@@ -10,6 +10,12 @@ from typing import Any
 import pytest
 
 
+@pytest.fixture(autouse=True)
+def whole_lines(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Lines are not broken: tests of the terminal say themselves how wide it is."""
+    monkeypatch.setenv("COLUMNS", "99999")
+
+
 @pytest.fixture(scope="session", autouse=True)
 def heavy_answers(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory

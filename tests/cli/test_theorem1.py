@@ -20,6 +20,8 @@ import pytest
 from tests.citing import cited_in
 from verify import check
 from verify.cli import main
+from verify.jobs.inputs import angle
+from verify.language.terms import cos_pi
 from verify.paper.parameters import THEOREM
 from verify.prover.outcome import Outcome
 from verify.wire import write
@@ -158,8 +160,8 @@ def test_the_document_has_the_promised_shape(capsys: pytest.CaptureFixture[str])
     assert code == 0
     assert (doc["format"], doc["command"]) == ("verify-theorem1/1", "theorem1")
     assert (doc["verdict"], doc["headline"]) == ("proved", "proved")
-    assert doc["theorem"].startswith("Given the assumptions: let r = 3/100.")
-    assert doc["theorem"].endswith("-cos of the final angle differs from 1 by at most δ_θ = 1/10.")
+    assert doc["theorem"].startswith("Given the assumptions: let r = 0.03, θ₀ = π (-cos")
+    assert doc["theorem"].endswith("-cos θ differs from -cos θ₀ by at most δ_θ = 0.1.")
     (cite,) = doc["cites"]
     step = (ROOT / "certificates/step/statement.json").read_bytes()
     assert cite == {
@@ -260,6 +262,9 @@ def test_every_way_to_write_a_number(capsys: pytest.CaptureFixture[str], text: s
         ("1*pi/1", "1"),
         ("2*pi/3", "1/2"),
         ("4*pi/6", "1/2"),
+        ("π", "1"),
+        ("2pi/3", "1/2"),
+        ("120deg", "1/2"),
         ("5*pi/6", None),
         ("2.9", None),
     ],
@@ -333,7 +338,10 @@ BAD = [
     (["--r", "0.03", "--theta0", "pi/2"], "--theta0"),
     (["--r", "0.03", "--theta0", "3*pi/2"], "--theta0"),
     (["--r", "0.03", "--theta0", "pi/0"], "--theta0"),
-    (["--r", "0.03", "--theta0", "2pi/3"], "--theta0"),
+    (["--r", "0.03", "--theta0", "pi*pi"], "--theta0"),
+    (["--r", "0.03", "--theta0", "1/0pi"], "--theta0"),
+    (["--r", "0.03", "--theta0", "90deg"], "--theta0"),
+    (["--r", "0.03", "--theta0", "181°"], "--theta0"),
     (["--r", "0.03", "--theta0", "3.15"], "--theta0"),
     (["--r", "0.03", "--theta0", "1.57"], "--theta0"),
     (["--r", "0.03", "--theta0", "-2"], "--theta0"),
@@ -355,7 +363,8 @@ BAD = [
     (["--r", "0.03", "--r", "0.04"], "--r"),
     (["--r", "0.03", "--delta-theta", "-1/10"], "--delta-theta"),
     (["--r", "0.03", "--theta0", "-pi"], "--theta0"),
-    (["--r", "0.03", "--theta0", "π"], "5*pi/6"),
+    (["--r", "0.03", "--theta0", "½π"], "5pi/6"),
+    (["--r", "0.03", "--color", "red"], "--color"),
     (["--r", "0." + "1" * 3900 + "e-4000"], "--r"),
     (["--r", "0.03", "--out", "a/" * 3000], "--out"),
     (["--r", "0.03", "--out", "/proc/nowhere"], "--out"),
@@ -682,3 +691,9 @@ def test_the_citation_closes_with_the_folder_of_the_step(
         last = [line for line in capsys.readouterr().out.splitlines() if line[:7] == "PROVED:"]
         assert len(last) == 1 + len(others)
         assert sum("not proved here" in line for line in last) == opened
+
+
+@pytest.mark.parametrize("same", ["5pi/6", "5π/6", "5/6*pi", "150deg", "150°", "150.0 degrees"])
+def test_one_angle_written_in_many_ways(same: str) -> None:
+    assert angle("--theta0", same) == angle("--theta0", "5*pi/6") == -cos_pi(Fraction(5, 6))
+    assert angle("--theta0", "0.9*pi") == angle("--theta0", "162°") == -cos_pi(Fraction(9, 10))

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from fractions import Fraction
 
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser
+from verify.cli.terminal import add_color, show
 from verify.jobs.classification import AtR, at_restitution, decide_classification
 from verify.jobs.inputs import InputError, rational, shown
 from verify.language.statement import PROVED, UNDECIDED
@@ -26,6 +26,7 @@ def add_arguments(parser: Parser) -> None:
     parser.option("--r", "what the theorems say at R in ]0,1[ (exact: 0.08, 2/25 or 8e-2)")
     parser.flag("-v", "--verbose", text="print every row")
     parser.flag("--json", text="one JSON document on stdout")
+    add_color(parser)
     parser.option("--out", "write statement.json and certificate.json", "DIR")
 
 
@@ -55,7 +56,7 @@ def run(options: Options) -> int:
         if found is not None:
             text += [*restitution_lines(found), ""]
         text += theorem_lines(outcome)
-        sys.stdout.write("".join(f"{line}\n" for line in text))
+        show(text, options)
     if outcome.verdict == PROVED and found is not None and found.undecided:
         return EXIT_CODES[UNDECIDED]
     return outcome.exit_code

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-import sys
 from collections.abc import Iterator
 
 from verify.cli.graph import outcome_of
 from verify.cli.options import Options, Parser
+from verify.cli.terminal import add_color, show
 from verify.jobs.inputs import InputError, shown
 from verify.language.record import TYPE_CHECKING
 
@@ -25,6 +25,7 @@ def add_arguments(parser: Parser) -> None:
     parser.place("row", text)
     text = "a folder with a certificate (default: what the program proves for all parameters)"
     parser.option("--folder", text, "DIR")
+    add_color(parser)
 
 
 def run(options: Options) -> int:
@@ -44,7 +45,7 @@ def run(options: Options) -> int:
             text += [line for outcome in outcomes for line in explain(outcome, word)]
     if not text:
         raise InputError(f"row: there is no row {shown(word)}; {_instead(word)}")
-    sys.stdout.write("".join(f"{line}\n" for line in text))
+    show(text, options)
     return 0
 
 

@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options
+from verify.cli.terminal import show
 from verify.cli.theorem1 import (
     DEFAULTS,
     POINT_OPTIONS,
@@ -65,7 +66,7 @@ def _everywhere(options: Options) -> int:
         text += view.printed_screen(outcome, thresholds.decide_thresholds())
     else:
         text += view.screen(outcome)
-    sys.stdout.write("".join(f"{line}\n" for line in text))
+    show(text, options)
     return code
 
 
@@ -93,7 +94,7 @@ def _box(options: Options) -> int:
     else:
         text = [*row_lines(found.outcome), ""] if options.verbose else []
         text += view.screen(found, cited)
-        sys.stdout.write("".join(f"{line}\n" for line in text))
+        show(text, options)
     return EXIT_CODES[found.verdict]
 
 

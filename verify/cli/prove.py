@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-import sys
 from hashlib import sha256
 
 from verify.cli.files import print_document, read_bytes, test_folder, write_certificate
 from verify.cli.options import Options, Parser
+from verify.cli.terminal import add_color, show
 from verify.jobs.inputs import InputError, integer, rational, shown
 from verify.jobs.prove import decide_statement
 from verify.prover.budget import WORK, Budget
@@ -24,6 +24,7 @@ def add_arguments(parser: Parser) -> None:
     parser.option("--time", "leave undecided what is not decided after S seconds", "S")
     parser.option("--jobs", "how many processes may search (default 1)", "N", default="1")
     parser.flag("--json", text="one JSON document on stdout")
+    add_color(parser)
 
 
 def run(options: Options) -> int:
@@ -38,7 +39,7 @@ def run(options: Options) -> int:
     if options.json:
         print_document(decided_document(outcome))
     else:
-        sys.stdout.write("".join(f"{line}\n" for line in decided_lines(outcome)))
+        show(decided_lines(outcome), options)
     return outcome.exit_code
 
 

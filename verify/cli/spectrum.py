@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from fractions import Fraction
 
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser
+from verify.cli.terminal import add_color, show
 from verify.jobs.inputs import InputError, integer, rational, shown
 from verify.jobs.spectrum import decide_spectrum
 from verify.views.spectrum import (
@@ -25,6 +25,7 @@ def add_arguments(parser: Parser) -> None:
     parser.option("--r", "enclose the spectrum at R in ]0,1[, or for all r in A..B")
     parser.option("--precision", "bits of the enclosures (default 128)", "BITS", default="128")
     parser.flag("--json", text="one JSON document on stdout")
+    add_color(parser)
     parser.option("--out", "write statement.json and certificate.json", "DIR")
 
 
@@ -69,5 +70,5 @@ def run(options: Options) -> int:
         if r is not None and spectrum is not None:
             text += point_lines(r, spectrum)
         text += ["", verdict_line(outcome)]
-        sys.stdout.write("".join(f"{line}\n" for line in text))
+        show(text, options)
     return outcome.exit_code

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable
 from fractions import Fraction
 
 from verify.cli.options import Options, Parser, field
+from verify.cli.terminal import add_color, show
 from verify.jobs.inputs import InputError, angle, integer, rational, shown
 from verify.jobs.theorem1 import decide_point
 from verify.language.terms import Term, as_term
@@ -37,7 +37,7 @@ def add_arguments(parser: Parser) -> None:
     number = "exact: 0.03, 3/100 or 3e-2"
     texts = {
         "--r": ("R", f"restitution coefficient in ]0,1[ ({number}), or an interval A..B"),
-        "--theta0": ("ANGLE", "[k*]pi[/n] or radians, in ]pi/2, pi]"),
+        "--theta0": ("ANGLE", "5pi/6, 0.9*pi, 150deg or radians, in ]pi/2, pi]"),
         "--neg-cos": ("C", "-cos of the angle, in ]0, 1] (default 1), or an interval A..B"),
         "--delta-theta": ("D", "allowed deviation of the final -cos (default 1/10)"),
         "--V0": ("V", "lower bound of the squared relative speeds (default 1)"),
@@ -53,6 +53,7 @@ def add_arguments(parser: Parser) -> None:
         parser.option(name, text, value, default=DEFAULTS.get(field(name)))
     parser.flag("-v", "--verbose", text="print every row")
     parser.flag("--json", text="one JSON document on stdout")
+    add_color(parser)
 
 
 def read_parameters(options: Options) -> dict[str, Term]:
@@ -146,7 +147,7 @@ def _point(options: Options) -> int:
         _print_document(outcome, bits)
         return outcome.exit_code
     text = _table(outcome, options.rows) if table else screen(outcome)
-    sys.stdout.write("".join(f"{line}\n" for line in text))
+    show(text, options)
     return outcome.exit_code
 
 

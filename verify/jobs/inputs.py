@@ -18,7 +18,9 @@ MAX_DIGITS = 4200
 
 _RATIONAL = r"([+-]?[0-9]+)/([0-9]+)"
 _DECIMAL = r"([+-]?)([0-9]*)\.?([0-9]*)(?:[eE]([+-]?[0-9]+))?"
-_PI = r"(?:([0-9]+)\*)?pi(?:/([0-9]+))?"
+#: ``pi``, ``5pi/6``, ``0.9*pi``, ``5/6*pi``: a factor, and what divides.
+_PI = r"(?:([0-9][0-9.eE/+-]*)\*?)?(?:pi|π)(?:/([0-9]+))?"
+_DEGREES = r"([0-9][0-9.eE/+-]*) ?(?:deg|degrees|°)"
 
 
 class InputError(ValueError):
@@ -62,16 +64,16 @@ def rational(option: str, text: str) -> Fraction:
 def angle(option: str, text: str) -> Term:
     """Read an angle in ]pi/2, pi] and return -cos of it as a term.
 
-    The angle is ``[k*]pi[/n]`` or a decimal in radians. Where its cosine is rational the term is
-    that rational.
+    The angle is a multiple of pi (``pi``, ``5pi/6``, ``0.9*pi``, ``π``), in degrees (``150deg``,
+    ``150°``), or in radians; it is exactly what is written. Where its cosine is rational the term
+    is that rational.
 
     Raises:
         InputError: for another form, or an angle outside the interval.
     """
     _check_length(option, text)
-    match = re.fullmatch(_PI, text)
-    if match:
-        turns = Fraction(int(match[1] or 1), 1) / _positive(option, text, int(match[2] or 1))
+    turns = _half_turns(option, text)
+    if turns is not None:
         if not Fraction(1, 2) < turns <= 1:
             raise InputError(_outside(option, text))
         # The only rational cosines of rational multiples of pi here (Niven's theorem).
@@ -82,11 +84,22 @@ def angle(option: str, text: str) -> Term:
         radians = rational(option, text)
     except InputError as error:
         raise InputError(
-            f"{option}: {shown(text)} is not an angle; write it like pi, 5*pi/6 or 2.9 (radians)"
+            f"{option}: {shown(text)} is not an angle; write it like pi, 5pi/6, 0.9*pi, 150deg, "
+            "or 2.9 (radians)"
         ) from error
     if not is_obtuse(radians):
         raise InputError(_outside(option, text))
     return -cos(radians)
+
+
+def _half_turns(option: str, text: str) -> Fraction | None:
+    """An angle as a multiple of pi, where it is written as one or in degrees."""
+    match = re.fullmatch(_PI, text)
+    if match:
+        factor = rational(option, match[1]) if match[1] else Fraction(1)
+        return factor / _positive(option, text, int(match[2] or 1))
+    match = re.fullmatch(_DEGREES, text)
+    return rational(option, match[1]) / 180 if match else None
 
 
 def integer(option: str, text: str, least: int, most: int) -> int:
@@ -116,7 +129,7 @@ def _positive(option: str, text: str, number: int) -> int:
 
 
 def _outside(option: str, text: str) -> str:
-    return f"{option}: {shown(text)} is not in ]pi/2, pi]; write an obtuse angle such as 5*pi/6"
+    return f"{option}: {shown(text)} is not in ]pi/2, pi]; write an obtuse angle such as 5pi/6"
 
 
 def shown(text: str, most: int = 40) -> str:

@@ -7,6 +7,11 @@ from fractions import Fraction
 #: Digits of a decimal text whose last place is far below the width that 128 bits earn.
 DIGITS = 40
 
+#: Digits of which an enclosure has to have as many in common to be shown by one number.
+AGREEING = 3
+
+_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
 
 def decimal_exponent(value: Fraction) -> int:
     """The integer e with 10^e <= |value| < 10^(e+1), for a non-zero value."""
@@ -92,19 +97,47 @@ def outward(ends: tuple[Fraction, Fraction], digits: int = DIGITS) -> list[str]:
 
 
 def short(ends: tuple[Fraction, Fraction], digits: int = 8) -> str:
-    """The digits on which the two ends agree, at most ``digits``, followed by … if cut off."""
+    """The digits on which the two ends agree, at most ``digits``, followed by … if cut off.
+
+    Where they agree on fewer than `AGREEING` digits, both ends, with as many as tell them apart.
+    """
     low, high = ends
     if low == high:
         mantissa, exponent = round_decimal(low, digits, up=low < 0)
         mark = "" if mantissa * Fraction(10) ** exponent == low else "…"
-        return decimal_text(mantissa, exponent) + mark
+        return people(decimal_text(mantissa, exponent), mark)
     if low < 0 < high or not (low and high) or decimal_exponent(low) != decimal_exponent(high):
-        return f"[{', '.join(outward(ends, 3))}]"
+        return both_ends(ends)
     exponent = decimal_exponent(low) - digits + 1
     a, b = (_towards_zero(end, exponent) for end in ends)
     while a != b:
         a, b, exponent = _cut(a), _cut(b), exponent + 1
-    return f"{decimal_text(a, exponent)}…" if a else f"[{', '.join(outward(ends, 3))}]"
+    if abs(a) < 10 ** (min(AGREEING, digits) - 1):
+        return both_ends(ends)
+    return people(decimal_text(a, exponent), "…")
+
+
+def both_ends(ends: tuple[Fraction, Fraction]) -> str:
+    """The interval, rounded outward to as many digits as tell its ends apart, and two more."""
+    low, high = ends
+    largest = decimal_exponent(max(abs(low), abs(high)))
+    digits = min(max(3, 3 + largest - decimal_exponent(high - low)), DIGITS)
+    return f"[{', '.join(map(people, outward(ends, digits)))}]"
+
+
+def people(text: str, mark: str = "") -> str:
+    """A decimal text as people write it: 5.9·10⁻⁵ for 5.9e-5; ``mark`` follows the digits."""
+    digits, _, exponent = text.partition("e")
+    if not exponent:
+        return digits + mark
+    power = f"10{exponent.translate(_SUPERSCRIPTS)}"
+    return power if digits + mark == "1" else f"{digits}{mark}·{power}"
+
+
+def readable(value: Fraction, digits: int = 8) -> str:
+    """A rational as people write it: the decimal that it is, or a short fraction, or its digits."""
+    text = short((value, value), digits)
+    return str(value) if "…" in text and value.denominator < 1000 else text
 
 
 def _towards_zero(value: Fraction, exponent: int) -> int:

@@ -11,13 +11,13 @@ from verify.paper.groups import HYPOTHESES
 from verify.prover.decimals import DIGITS, decimal_exponent, outward, rational_text
 from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views.entries import minimum_of
+from verify.views.point import in_numbers
 from verify.views.words import (
     constants_of,
     ends_of,
     group_verdict,
     groups,
     headline,
-    in_numbers,
     letters,
     sentence,
     sides_of,

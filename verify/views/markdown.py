@@ -24,10 +24,10 @@ from verify.paper.theorem1 import theorem
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views.entries import minimum_of
+from verify.views.point import in_numbers
 from verify.views.words import (
     ends_of,
     groups,
-    in_numbers,
     letters,
     short_name,
     sides_of,

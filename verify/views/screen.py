@@ -6,19 +6,16 @@ from collections import Counter
 from collections.abc import Iterator
 
 from verify.language.statement import REFUTED
-from verify.language.terms import Claim, symbol
+from verify.language.terms import Claim
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.groups import PRINTED as PRINTED_SET
 from verify.paper.rows import BREAKS
 from verify.prover.decimals import short
 from verify.prover.outcome import Outcome
+from verify.views.point import failed_hypotheses, in_numbers, parameters_told
 from verify.views.words import (
-    failed_hypotheses,
     group_verdict,
     groups,
-    in_numbers,
-    letters,
-    parameters_of,
     short_name,
     sides_of,
     summary,
@@ -36,10 +33,7 @@ def screen(outcome: Outcome) -> Iterator[str]:
 
     The last line is the result with everything it is about.
     """
-    typesetter = letters(outcome)
-    values = parameters_of(outcome).items()
-    at = ", ".join(f"{typesetter.term(symbol(n))} = {typesetter.term(term)}" for n, term in values)
-    yield f"Theorem 1 ({outcome.statement.theorem}) at {at}"
+    yield f"Theorem 1 ({outcome.statement.theorem}) at {parameters_told(outcome)}"
     sets = [group for group in groups(outcome) if group != HYPOTHESES]
     numbers = in_numbers(outcome) if REPAIRED in sets else None
     if numbers is not None:
@@ -52,7 +46,7 @@ def screen(outcome: Outcome) -> Iterator[str]:
     rest = [counted(count, kind) for kind, count in kinds.items() if kind != BREAKS]
     if rest:
         yield f"Also refuted: {', '.join(rest)}."
-    yield "Every row: -v; some: --rows NAME; for programs: --json; a certificate: --out DIR."
+    yield "All rows: -v; some: --rows NAME; for programs: --json; a certificate: --out DIR."
     yield ""
     yield from verdict_lines(outcome, sets)
 

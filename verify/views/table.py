@@ -6,23 +6,22 @@ from collections import Counter
 from collections.abc import Iterator
 
 from verify.language.statement import PRINTED, PROVED, REFUTED, Constant, Obligation
-from verify.language.terms import Claim, symbol
+from verify.language.terms import Claim
 from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.groups import PRINTED as PRINTED_SET
 from verify.paper.theorem1 import theorem
-from verify.prover.decimals import outward, short
+from verify.prover.decimals import outward, people, short
 from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views.entries import minimum_of
+from verify.views.point import in_numbers, parameters_told
 from verify.views.screen import SIGNS, TITLES, verdict_lines
 from verify.views.words import (
     constants_of,
     ends_of,
     group_verdict,
     groups,
-    in_numbers,
     letters,
-    parameters_of,
     short_name,
     sides_of,
     taken_on_trust,
@@ -40,9 +39,7 @@ def report_lines(outcome: Outcome) -> Iterator[str]:
     """The report, line by line; the last line is the result with everything it is about."""
     typesetter = letters(outcome)
     sets = [group for group in groups(outcome) if group != HYPOTHESES]
-    yield f"Theorem 1 ({outcome.statement.theorem})"
-    for name, term in parameters_of(outcome).items():
-        yield f"  {typesetter.term(symbol(name))} = {typesetter.term(term)}"
+    yield f"Theorem 1 ({outcome.statement.theorem}) at {parameters_told(outcome)}"
     yield ""
     yield from _first_screen(outcome, sets)
     yield ""
@@ -141,7 +138,7 @@ def _margin(decision: Decision, sides: tuple[Ends, Ends]) -> str:
     if gap < 0 or decision.method != "interval":
         return f"by {decision.method}"
     sign = "" if decision.verdict == PROVED else "-"
-    return f"margin {sign}{outward((gap, gap), 3)[0]}"
+    return f"margin {sign}{people(outward((gap, gap), 3)[0])}"
 
 
 def _first_screen(outcome: Outcome, sets: list[str]) -> Iterator[str]:

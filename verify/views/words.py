@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from fractions import Fraction
 
 from verify.language.statement import (
     NEEDED,
@@ -22,9 +21,7 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term, names_of
 from verify.language.typeset import Typesetter
-from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.parameters import PARAMETERS, THEOREM
-from verify.prover.decimals import outward, short
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 
 #: The headline while the verdict rests on more than what is granted, here or in what is cited.
@@ -100,8 +97,9 @@ def summary(outcome: Outcome) -> str:
 
 def taken_on_trust(outcome: Outcome) -> Iterator[str]:
     """What the verdict takes on trust, sentence by sentence, and what only printed rows do."""
-    yield f"Taken on trust, and not proved by this program: {given_by(outcome)}"
-    yield from map(_assumption, outcome.assumptions)
+    if outcome.assumptions:
+        yield f"Taken on trust, and not proved by this program: {given_by(outcome)}"
+        yield from map(_assumption, outcome.assumptions)
     others = outcome.printed_assumptions
     if others:
         yield ""
@@ -200,68 +198,3 @@ def constants_of(outcome: Outcome, group: str) -> list[Constant]:
     """The constants of one group; those of the group "" are common to all."""
     found = outcome.statement.constants
     return [c for c in found if c.name.rpartition(".")[0] == group]
-
-
-# --- sentences in numbers ------------------------------------------------------------------------
-
-
-def thresholds(outcome: Outcome) -> str:
-    """Where r and -cos(theta_0) would have to lie, in numbers."""
-    from verify.prover import balls  # flint is loaded only where it is used
-
-    r = outcome.statement.parameters["r"].value
-    with balls.precision(SHOWN_BITS):
-        stabi = short(balls.ends(9 - 4 * balls.root(balls.from_fraction(Fraction(5)))))
-        root = balls.cube_root(balls.from_fraction(r))
-        bound = short(balls.ends(2 * root * (1 + root) / (1 + balls.from_fraction(r))))
-    found = ends_of(outcome, "c")
-    own = "undefined" if found is None else short(found)
-    return f"r = {short((r, r))}, r_stabi = {stabi}; -cos θ₀ = {own}, its threshold = {bound}"
-
-
-def in_numbers(outcome: Outcome) -> str | None:
-    """The theorem with its repaired constants, where these are numbers that serve; else None."""
-    if group_verdict(outcome, REPAIRED) != PROVED or outcome.verdict != PROVED:
-        return None
-    if not outcome.statement.parameters:  # it is about all parameters
-        return None
-    return theorem_in_numbers(outcome)
-
-
-def theorem_in_numbers(outcome: Outcome) -> str:
-    """The theorem with the repaired constants as the short decimals that they are."""
-    known = definitions_of(outcome)
-
-    def value(name: str) -> str:
-        number = known[f"{REPAIRED}.{name}"].value
-        return outward((number, number))[0]
-
-    typesetter = letters(outcome)
-    given_ones = parameters_of(outcome)
-    r, c, v_0, delta = (typesetter.term(given_ones[name]) for name in PARAMETERS)
-    added = f"({c})" if c.startswith("-") else c
-    third = (known[f"{REPAIRED}.V_1"].value - known["V_0"].value) / 3
-    low, high = known["V_0"].value + third, known[f"{REPAIRED}.V_1"].value - third
-    phi = ends_of(outcome, "phi_minus")
-    root = "undefined" if phi is None else short(phi)
-    return (
-        f"Given the assumptions: let r = {r}. Three particles, 0 and 1 in contact and just "
-        f"collided, with "
-        f"0 < -η_c ≤ {value('eta_bar')}, |η_s/(-η_c) - φ⁻| ≤ {value('x_0')} and η_s > 0 "
-        f"(φ⁻ = {root}), 0 < d ≤ min({value('d_const')}, {value('d_slope')} η_c²), "
-        f"|W_c|² and |W_s|² in [{low}, {high}], and |cos θ + {added}| ≤ "
-        f"{value('Delta_theta')}/4, collide infinitely often, in the order 0-2, 0-1, 0-2, …, all "
-        f"within the time {value('T_star')} (unit of length: a diameter; |W|² ≥ V₀ = {v_0}), and "
-        f"-cos of the final angle differs from {c} by at most δ_θ = {delta}."
-    )
-
-
-def failed_hypotheses(outcome: Outcome) -> list[tuple[Obligation, str]]:
-    """The needed hypotheses that do not hold, each with the reason in numbers."""
-    found = []
-    for row, decision in outcome.of_group(HYPOTHESES):
-        if row.role == NEEDED and decision.verdict == REFUTED:
-            sides = sides_of(row, decision)
-            equal = sides is not None and sides[0] == sides[1] and sides[0][0] == sides[0][1]
-            found.append((row, "both sides are equal" if equal else thresholds(outcome)))
-    return found

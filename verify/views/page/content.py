@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from fractions import Fraction
 from typing import Any
 
 from verify import __version__
@@ -21,7 +20,6 @@ from verify.language.statement import (
 )
 from verify.language.statement import PRINTED as PRINTED_ROLE
 from verify.language.terms import Claim, Term, symbol
-from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.parameters import THEOREM
 from verify.paper.theorem1 import theorem
@@ -53,13 +51,13 @@ from verify.views.page.blocks import (
     Verdict,
 )
 from verify.views.plots.figure import Figure
+from verify.views.point import in_numbers, place
 from verify.views.words import (
     constants_of,
     counts,
     ends_of,
     given_by,
     headline,
-    in_numbers,
     letters,
     sides_of,
 )
@@ -170,25 +168,6 @@ def _printed(outcome: Outcome) -> list[Row]:
     return _of_role(outcome.of_group(HYPOTHESES, PRINTED), PRINTED_ROLE)
 
 
-def _at(outcome: Outcome) -> str:
-    """The point in words."""
-    r, c = (outcome.statement.parameters[name] for name in ("r", "c"))
-    if c.op == "neg" and c.children[0].op == "cos_pi":
-        turns = c.children[0].children[0].value
-        angle = f"θ₀ = {turns.numerator}π/{turns.denominator}"
-    elif c.op == "rational":
-        angle = "θ₀ = π" if c.value == 1 else f"-cos θ₀ = {_readable(c.value)}"
-    else:
-        angle = f"-cos θ₀ = {Typesetter({}).term(c)}"
-    return f"r = {_readable(r.value)}, {angle}"
-
-
-def _readable(value: Fraction) -> str:
-    """A fraction where it is short, else a decimal where that is exact."""
-    low, high = outward((value, value), 20)
-    return low if value.denominator > 1000 and low == high else str(value)
-
-
 def _result(material: Material, main: Outcome) -> Iterator[Block]:
     repaired, printed = main.of_group(REPAIRED), _printed(main)
     proved, refuted = _with(repaired, PROVED), _with(printed, REFUTED)
@@ -196,7 +175,7 @@ def _result(material: Material, main: Outcome) -> Iterator[Block]:
     yield Facts([
         (headline(main), [
             Strong("The theorem holds with repaired constants. "),
-            Text(f"At {_at(main)} all {len(closing)} inequalities that close the proof are "
+            Text(f"At {place(main)} all {len(closing)} inequalities that close the proof are "
                  "proved, and so is that the step applies to them; given "
                  f"{given_by(main)}, "),
             Link("#trust", "listed below"), Text("."),
@@ -272,7 +251,7 @@ def _printed_proof(writer: Writer) -> Iterator[Block]:
     undecided = _with(printed, UNDECIDED)
     yield Heading("printed", f"The printed proof: {len(refuted)} steps refuted")
     yield Paragraph([Text(
-        f"At {_at(writer.outcome)}, in the paper's order. Each step is judged at the worst state "
+        f"At {place(writer.outcome)}, in the paper's order. Each step is judged at the worst state "
         f"that the printed set allows. A refuted one comes with certified enclosures of both sides "
         f"(the digits shown are those on which both ends agree; touch a number for its ends) and "
         f"with the row that takes its place. A step that names its own r and θ₀ is an implication, "
@@ -373,7 +352,7 @@ def _changes() -> Iterator[Block]:
 
 def _constants(writer: Writer) -> Iterator[Block]:
     outcome = writer.outcome
-    yield Heading("constants", f"Constants at {_at(outcome)}")
+    yield Heading("constants", f"Constants at {place(outcome)}")
     yield Paragraph([Text(
         "Certified enclosures; touch a number for both ends. The repaired constants are chosen: "
         "short decimals on the safe side of their bounds, so they are exact."
@@ -406,7 +385,7 @@ def _points(material: Material) -> Iterator[Block]:
         outcome = folder.outcome
         printed = _printed(outcome)
         rows.append([
-            [Link(f"{folder.name}/report.md", _at(outcome))],
+            [Link(f"{folder.name}/report.md", place(outcome))],
             [Verdict(headline(outcome))],
             [Text(f"{len(_with(outcome.of_group(REPAIRED), PROVED))} proved")],
             [Text(f"{len(_with(printed, REFUTED))} of {len(printed)}")],

@@ -64,7 +64,12 @@ def html(title: str, subtitle: str, blocks: Sequence[Block]) -> str:
 
 
 _SCRIPT = re.compile(r"([_^])(?:\{([^{}]*)\}|\(([^()]*)\)|([^\W\d_⁰¹²³⁴-⁹₀-₉]+|[0-9]+|[⁺⁻±∞]))")
-_POWER_OF_TEN = re.compile(r"(?<![\w.])([0-9]+(?:\.[0-9]+)?…?)e(-?[0-9]+)(?![\w])")
+_POWER_OF_TEN = re.compile(
+    r"(?<![\w.])(?:([0-9]+(?:\.[0-9]+)?)e(-?[0-9]+)(?!\w)"
+    r"|(?:([0-9]+(?:\.[0-9]+)?)·)?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))"
+)
+_RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
+_LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
 def prose(text: str) -> str:
@@ -78,12 +83,22 @@ def _script(match: re.Match[str]) -> str:
 
 
 def _powers(text: str) -> str:
+    """Powers of ten with raised exponents, each with the decimal that machines read."""
+
     def power(match: re.Match[str]) -> str:
-        exponent = match[2].replace("-", "−")
-        digits = "" if match[1] == "1" else f"{match[1]}·"
-        return f'<data value="{match[0]}">{digits}10<sup>{exponent}</sup></data>'
+        digits = match[1] or match[3] or "1"
+        exponent = match[2] or match[4].translate(_LOWERED)
+        shown = f"{'' if digits == '1' else f'{digits}·'}10<sup>{exponent.replace('-', '−')}</sup>"
+        return f'<data value="{digits}e{exponent}">{shown}</data>'
 
     return _POWER_OF_TEN.sub(power, text)
+
+
+def _raised(text: str) -> str:
+    """The same inside of what is a number already."""
+    return _RAISED.sub(
+        lambda match: f"<sup>{match[0].translate(_LOWERED).replace('-', '−')}</sup>", text
+    )
 
 
 def _block(block: Block) -> Iterator[str]:
@@ -203,8 +218,8 @@ def _inline(part: Inline) -> str:
 
 def _number(number: Number) -> str:
     low, high = number.ends
-    shown = _powers(escape(number.short))
-    if low == high == number.short:
+    shown = _raised(escape(number.short))
+    if low == high and "…" not in shown:
         return f'<data class="exact" value="{low}">{shown}</data>'
     value, both = (low, low) if low == high else (f"{low} {high}", f"[{low}, {high}]")
     return (

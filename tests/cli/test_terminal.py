@@ -1,0 +1,88 @@
+"""What people read is as wide as their terminal, and coloured only there."""
+
+from __future__ import annotations
+
+import os
+import re
+import pty
+import subprocess
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+from verify.cli import main
+from verify.cli.terminal import ROOMY, wrapped
+
+ROOT = Path(__file__).resolve().parents[2]
+COMMAND = [sys.executable, "-m", "verify", "theorem1", "--r", "0.03"]
+
+
+def at_terminal(words: list[str], environment: Mapping[str, str]) -> str:
+    """What a command prints on a terminal."""
+    ours, theirs = pty.openpty()
+    known = {k: v for k, v in os.environ.items() if k not in ("NO_COLOR", "COLUMNS")}
+    process = subprocess.Popen(
+        [*COMMAND, *words], stdout=theirs, stderr=theirs, cwd=ROOT, env=known | dict(environment)
+    )
+    os.close(theirs)
+    found = b""
+    while True:
+        try:
+            part = os.read(ours, 1 << 16)
+        except OSError:  # the other side is closed
+            break
+        if not part:
+            break
+        found += part
+    process.wait()
+    os.close(ours)
+    return found.decode()
+
+
+def test_a_terminal_gets_colours_and_symbols() -> None:
+    assert "Verdict: \x1b[32m✓ proved\x1b[0m: " in at_terminal([], {})
+    for words, environment in (([], {"NO_COLOR": "1"}), (["--color", "never"], {})):
+        plain = at_terminal(words, environment)
+        assert "Verdict: ✓ proved: " in plain
+        assert "\x1b" not in plain
+    assert "\x1b" in at_terminal(["--color=always"], {"NO_COLOR": "1"})
+
+
+@pytest.mark.parametrize("columns", [None, "40", "80", "200"])
+def test_no_line_is_wider_than_the_terminal(
+    columns: str | None, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    if columns is None:
+        monkeypatch.delenv("COLUMNS")
+    else:
+        monkeypatch.setenv("COLUMNS", columns)
+    assert main(["theorem1", "--r", "0.03", "--theta0", "5pi/6", "-v"]) == 0
+    out = capsys.readouterr().out
+    assert "\x1b" not in out
+    assert "✓" not in out
+    most = int(columns or "80")
+    for line in out.splitlines():  # a word, or a relation with its sides, may be longer
+        assert len(line) <= most or len(line.split()) <= (5 if most >= ROOMY else 1)
+
+
+def test_breaking_keeps_every_word() -> None:
+    line = "    one two three four " + "x" * 30 + " end"
+    found = list(wrapped([line, "", "  short"], 24))
+    assert " ".join(found).split() == [*line.split(), "short"]
+    assert found[1].startswith("      ")
+    line = f"{'word ' * 14}a = 4 end"
+    assert [part.strip() for part in wrapped([line], 73)] == [("word " * 14).strip(), "a = 4 end"]
+
+
+def test_the_screen_fits(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.delenv("COLUMNS")
+    assert main(["theorem1", "--r", "0.03", "--theta0", "150deg"]) == 0
+    out = capsys.readouterr().out
+    assert len(out.splitlines()) <= 35
+    assert "θ₀ = 5π/6" in out
+    assert "-cos θ₀ = 0.86602540…" in " ".join(out.split())
+    assert not re.search("[0-9]e-?[0-9]", out)

@@ -1,0 +1,129 @@
+"""A point of Theorem 1 in numbers: its parameters, its thresholds, and the theorem there."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from verify.language.statement import NEEDED, PROVED, REFUTED, Obligation
+from verify.language.terms import Term
+from verify.paper.groups import HYPOTHESES, REPAIRED
+from verify.prover.decimals import decimal_text as decimal
+from verify.prover.decimals import people, readable, round_decimal, short
+from verify.prover.outcome import Outcome
+from verify.views.words import (
+    SHOWN_BITS,
+    definitions_of,
+    ends_of,
+    group_verdict,
+    sides_of,
+)
+
+#: Digits of a number that is rounded to the safe side.
+SAFE_DIGITS = 6
+
+
+def place(outcome: Outcome) -> str:
+    """The point in a few words: r and the angle."""
+    parameters = outcome.statement.parameters
+    return f"r = {readable(parameters['r'].value)}, {_angle(parameters['c'])}"
+
+
+def parameters_told(outcome: Outcome) -> str:
+    """All parameters; beside an angle the value of -cos."""
+    parameters = outcome.statement.parameters
+    v_0, delta = (readable(parameters[name].value) for name in ("V_0", "delta_theta"))
+    return f"{place(outcome)}{_cosine(outcome)}, V₀ = {v_0}, δ_θ = {delta}"
+
+
+def _angle(c: Term) -> str:
+    """The angle as it is written, where it is; else -cos of it."""
+    if c.op == "rational":
+        return "θ₀ = π" if c.value == 1 else f"-cos θ₀ = {readable(c.value)}"
+    cosine = c.children[0]
+    angle = cosine.children[0].value
+    if cosine.op == "cos":
+        return f"θ₀ = {readable(angle, 20)}"
+    above = "" if angle.numerator == 1 else angle.numerator
+    return f"θ₀ = {above}π" + (f"/{angle.denominator}" if angle.denominator > 1 else "")
+
+
+def _cosine(outcome: Outcome) -> str:
+    """The value of -cos where the angle is not given by it."""
+    c = outcome.statement.parameters["c"]
+    if c.op == "rational" and c.value != 1:
+        return ""
+    found = ends_of(outcome, "c")
+    value = "1" if c.op == "rational" else "undefined" if found is None else short(found)
+    return f" (-cos θ₀ = {value})"
+
+
+def thresholds(outcome: Outcome) -> str:
+    """Where r and -cos(theta_0) would have to lie, in numbers."""
+    from verify.prover import balls  # flint is loaded only where it is used
+
+    r = outcome.statement.parameters["r"].value
+    with balls.precision(SHOWN_BITS):
+        stabi = short(balls.ends(9 - 4 * balls.root(balls.from_fraction(Fraction(5)))))
+        root = balls.cube_root(balls.from_fraction(r))
+        bound = short(balls.ends(2 * root * (1 + root) / (1 + balls.from_fraction(r))))
+    found = ends_of(outcome, "c")
+    own = "undefined" if found is None else short(found)
+    return f"r = {short((r, r))}, r_stabi = {stabi}; -cos θ₀ = {own}, its threshold = {bound}"
+
+
+def in_numbers(outcome: Outcome) -> str | None:
+    """The theorem with its repaired constants, where these are numbers that serve; else None."""
+    if group_verdict(outcome, REPAIRED) != PROVED or outcome.verdict != PROVED:
+        return None
+    if not outcome.statement.parameters:  # it is about all parameters
+        return None
+    return theorem_in_numbers(outcome)
+
+
+def theorem_in_numbers(outcome: Outcome) -> str:
+    """The theorem with the repaired constants as the short decimals that they are.
+
+    What has no short decimal is rounded so that the set of the theorem only becomes smaller.
+    """
+    known = definitions_of(outcome)
+
+    def value(name: str) -> Fraction:
+        return known[f"{REPAIRED}.{name}"].value
+
+    def told(name: str) -> str:
+        return people(_safe(value(name), up=False))
+
+    third = (value("V_1") - known["V_0"].value) / 3
+    low = people(_safe(known["V_0"].value + third, up=True))
+    high = people(_safe(value("V_1") - third, up=False))
+    angle = people(_safe(value("Delta_theta") / 4, up=False))
+    phi = ends_of(outcome, "phi_minus")
+    root = "undefined" if phi is None else short(phi)
+    v_0, delta = (readable(known[name].value) for name in ("V_0", "delta_theta"))
+    return (
+        f"Given the assumptions: let {place(outcome)}{_cosine(outcome)}. Three particles, 0 and 1 "
+        f"in contact and just collided, with "
+        f"0 < -η_c ≤ {told('eta_bar')}, |η_s/(-η_c) - φ⁻| ≤ {told('x_0')} and η_s > 0 "
+        f"(φ⁻ = {root}), 0 < d ≤ min({told('d_const')}, {told('d_slope')} η_c²), "
+        f"|W_c|² and |W_s|² in [{low}, {high}], and |cos θ - cos θ₀| ≤ "
+        f"{angle}, collide infinitely often, in the order 0-2, 0-1, 0-2, …, all "
+        f"within the time {people(_safe(value('T_star'), up=True))} (unit of length: a diameter; "
+        f"|W|² ≥ V₀ = {v_0}), and "
+        f"the final -cos θ differs from -cos θ₀ by at most δ_θ = {delta}."
+    )
+
+
+def _safe(value: Fraction, *, up: bool) -> str:
+    """A decimal of a few digits at most, rounded one way."""
+    return decimal(*round_decimal(value, SAFE_DIGITS, up))
+
+
+def failed_hypotheses(outcome: Outcome) -> list[tuple[Obligation, str]]:
+    """The needed hypotheses that do not hold, each with the reason in numbers."""
+    found = []
+    for row, decision in outcome.of_group(HYPOTHESES):
+        if row.role == NEEDED and decision.verdict == REFUTED:
+            sides = sides_of(row, decision)
+            equal = sides is not None and sides[0] == sides[1] and sides[0][0] == sides[0][1]
+            found.append((row, "both sides are equal" if equal else thresholds(outcome)))
+    return found

@@ -604,3 +604,34 @@ Proof.
   specialize (E ltac:(lia)). apply existsb_exists in E. destruct E as (d & I & X).
   apply Nat.eqb_eq in X. now subst d.
 Qed.
+
+(* --- what is wrong, for messages --- *)
+
+Inductive complaint : Set := IllFormed | AtStep (number : nat) | Unfinished | AtEnclosure (number : nat).
+Fixpoint first_refused (S : statement) T K H by_number grounds (n : nat) (s : state) (l : list step) :
+  complaint + state :=
+  match l with
+  | [] => inr s
+  | x :: r =>
+      match take S T K H by_number grounds s x with
+      | Some s1 => first_refused S T K H by_number grounds (Datatypes.S n) s1 r
+      | None => inl (AtStep n)
+      end
+  end.
+Definition complaint_about (S : statement) (C : certificate) : option complaint :=
+  let T := table (numbered S) in
+  let grounds := ground_terms T (shared C) in
+  if accepts S C then None
+  else if well_formed S (homes S) then
+    match first_refused S T (keys (numbered S)) (homes S) (table (listed 1 (rows S))) grounds 1
+      (initial S T) (steps C) with
+    | inl c => Some c
+    | inr s =>
+        if finished S s then
+          match find (fun x => negb (right_ends T grounds (snd x))) (listed 1 (enclosures C)) with
+          | Some x => Some (AtEnclosure (Pos.to_nat (fst x)))
+          | None => Some Unfinished
+          end
+        else Some Unfinished
+    end
+  else Some IllFormed.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from verify import check
 from verify.views.coq.proofs import Proofs
-from verify.views.coq.reading import NotAcceptedError, Reading, read
+from verify.views.coq.reading import NotAcceptedError, Reading, label, read
 from verify.views.coq.statement import listed
 
 
@@ -49,7 +49,7 @@ def data(reading: Reading) -> list[str]:
     contexts = [(found.context(context), name) for name, context in kernel.contexts.items()]
     rows = [(found.row(row), row.name) for row in statement.rows.values()]
     cited = [(found.fact(name, fact), name) for name, fact in reading.cited.items()]
-    labels = [next(step[kind] for kind in check.STEPS if kind in step) for step in steps]
+    labels = [label(step) for step in steps]
     own = listed(f"{i}%nat" for name, i in found.contexts.items() if ":" not in name)
     constants = listed(found.term(kernel.names[name]) for name in reading.reader.own)
     values = listed(map(found.term, reading.cited_constants))

@@ -97,8 +97,11 @@ class Proofs(Numbers):
 
     def instance(self, proof: Json, context: check.Context) -> str:
         """The fact, the terms for its variables, and the premises."""
-        fact = self.kernel.facts.get(proof["of"])
-        home = context if fact is None else fact.context
+        known: dict[str, check.Fact | check.Row] = {
+            **self.reading.statement.rows,
+            **self.kernel.facts,
+        }
+        home = known[proof["of"]].context if proof["of"] in known else context
         at = self.values(proof["at"], home, context)
         premises = self.proofs(proof["givens"], context)
         return f"Instance {self.name(proof['of'])} {at} {premises}"

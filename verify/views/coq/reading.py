@@ -25,6 +25,7 @@ class Reading(NamedTuple):
     certificate: Json
     cited: dict[str, check.Fact]
     cited_constants: list[int]
+    refused: list[str]  # steps
     complaints: list[str]
 
 
@@ -47,8 +48,12 @@ def read(folder: check.Folder) -> Reading:
         for name in certificate["terms"]:
             kernel.introduce(name)
         checking = check.Checking(kernel, reader, statement)
+        refused = []
         for step in certificate["steps"]:
+            before = len(checking.complaints)
             checking.step(step)
+            if len(checking.complaints) > before:
+                refused.append(label(step))
         checking.finish(certificate["enclosures"])
     except (check.Malformed, RecursionError) as error:
         raise NotAcceptedError(f"MALFORMED: {error}") from error
@@ -56,5 +61,10 @@ def read(folder: check.Folder) -> Reading:
     complaints = [] if report.verdict == "PROVED" else [report.verdict, *checking.complaints]
     return Reading(
         kernel, reader, statement, document["theorem"], report.digest, certificate, cited, defined,
-        complaints,
+        refused, complaints,
     )  # fmt: skip
+
+
+def label(step: Json) -> str:
+    """What a step is about."""
+    return str(next(step[kind] for kind in check.STEPS if kind in step))

@@ -26,8 +26,8 @@ from verify.paper.sharper.assumptions import ASSUMPTIONS
 NAME = "sharper"
 TITLE = (
     "From every state just after a collision that satisfies finitely many inequalities the "
-    "particles collapse: only 0-1 and 0-2 collide, in turn, for ever, within a known time, and the "
-    "final angle is known"
+    "particles collapse: only 0-1 and 0-2 collide, in turn, for ever, within a known time, with "
+    "-cos of the final angle within known bounds"
 )
 
 

@@ -13,9 +13,10 @@ from fractions import Fraction
 from flint import fmpq, fmpq_mpoly
 
 from verify.language.record import Record
-from verify.language.terms import Claim, Term, symbol
+from verify.language.terms import Claim, Term, names_of, symbol
 from verify.prover.clearing import Clearing, expanded
 from verify.prover.goal import Bounds, Goal
+from verify.prover.program import ExactArithmetic, Machine, Program
 from verify.prover.proof import Value
 
 
@@ -35,12 +36,22 @@ class Scale(Record):
 
 
 class Domain:
-    """The atoms of a claim and of facts about them, scaled; ``facts`` are inequalities by name."""
+    """The atoms of a claim and of facts about them, scaled.
 
-    def __init__(self, goal: Goal, facts: Mapping[str, Claim]) -> None:
+    ``facts`` are inequalities by name, ``equations`` what replaces atoms. Roots are atoms, which
+    are >= 0, with the squares of them replaced.
+    """
+
+    def __init__(
+        self,
+        goal: Goal,
+        facts: Mapping[str, Claim],
+        equations: Mapping[Term, Term] | None = None,
+    ) -> None:
         claim = goal.claim
         sides = [term for fact in facts.values() for term in (fact.lhs, fact.rhs)]
         replaced = {symbol(name): term for name, term in goal.definitions.items()}
+        replaced |= equations or {}
         self.clearing = Clearing((claim.lhs, claim.rhs, *sides), replaced)
         self.atoms: Sequence[Term] = self.clearing.atoms
         self.context = self.clearing.context
@@ -54,9 +65,19 @@ class Domain:
             (x - self.number(s.m)) * self.number(1 / s.h)
             for s, x in zip(self.scales, self.gens, strict=True)
         ]
-        self.p = self.scaled(self.clearing.difference(claim.rhs, claim.lhs))
+        one = self.clearing.one
+        clear = self.clearing.clear
+        self.has_denominators = any(clear(t)[1] != one for t in (claim.lhs, claim.rhs, *sides))
+        roots = [(i, clear(a.children[0])) for i, a in enumerate(self.atoms) if a.op == "sqrt"]
+        #: The squares of roots, the latest first; a root of a quotient makes a domain not plain.
+        self.squares = [(i, n.compose(*self._inward)) for i, (n, d) in reversed(roots) if d == one]
+        self.is_plain = len(self.squares) == len(roots)
+        self.p = self.reduced(self.scaled(self.clearing.difference(claim.rhs, claim.lhs)))
         self.strict = claim.relation == "<"
         self.facts = {name: self._factor(name, fact) for name, fact in facts.items()}
+        for i, _ in roots:
+            value: Value = ("root", self.atoms[i])
+            self.facts[f"root {i}"] = Factor(self.gens[i], value, False)
 
     @staticmethod
     def _scale(atom: Term, variables: Mapping[str, Bounds]) -> Scale:
@@ -74,9 +95,19 @@ class Domain:
         return self.context.constant(fmpq(value.numerator, value.denominator))
 
     def scaled(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
-        """A polynomial in the atoms, reduced, as one in the scaled variables."""
-        reduced = self.clearing.reduce(polynomial)
-        return reduced.compose(*self._inward) if self.atoms else reduced
+        """A polynomial in the atoms as one in the scaled variables."""
+        return polynomial.compose(*self._inward) if self.atoms else polynomial
+
+    def reduced(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+        """A polynomial in the scaled variables without squares of roots."""
+        for index, square in self.squares:
+            if polynomial.degrees()[index] > 1:
+                total = self.number(0)
+                for power, part in self.clearing.coefficients(polynomial, index):
+                    half, odd = divmod(power, 2)
+                    total += part * self.gens[index] ** odd * square**half
+                polynomial = total
+        return polynomial
 
     def term(self, polynomial: fmpq_mpoly) -> Term:
         """A polynomial in the scaled variables as a term."""
@@ -93,13 +124,25 @@ class Domain:
 
     def _factor(self, name: str, fact: Claim) -> Factor:
         """The difference of the sides, divided by its largest coefficient."""
-        polynomial = self.scaled(self.clearing.difference(fact.rhs, fact.lhs))
+        polynomial = self.reduced(self.scaled(self.clearing.difference(fact.rhs, fact.lhs)))
         size = max((abs(c) for c in polynomial.coeffs()), default=fmpq(1))
         value: Value = name
         if size != 1:
             polynomial = polynomial / size
             value = ("mul", str(Fraction(int(size.q), int(size.p))), name)
         return Factor(polynomial, value, fact.relation == "<")
+
+
+def _exact(term: Term, values: Mapping[str, Fraction]) -> Fraction | None:
+    """The value of a term where it is rational all the way."""
+    if any(name not in values for name in names_of(term)):
+        return None
+    program = Program(values)
+    program.add(term)
+    try:
+        return Machine(program, ExactArithmetic()).run(values.values())[term]
+    except ArithmeticError:
+        return None
 
 
 def product(a: Factor, b: Factor) -> Factor:

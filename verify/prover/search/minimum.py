@@ -17,7 +17,7 @@ STEPS = 400
 FAR = 4.0
 
 #: Numbers that a point is tried at first.
-MOST = (1, 2, 3, 4, 6, 10, 12, 60, 100, 1000, 10**4, 10**6, 10**9, 10**12)
+MOST = (1, 2, 3, 4, 6, 10, 12, 60, 100, 1000, 10**4, 10**6, 10**9, 10**12, 10**15, 10**18, 10**22)
 
 Function = Callable[[Sequence[float]], float]
 
@@ -25,16 +25,15 @@ Function = Callable[[Sequence[float]], float]
 class Minima:
     """Points where rhs - lhs is small, the smallest first."""
 
-    def __init__(self, goal: Goal, values: dict[str, float], budget: Budget) -> None:
-        names = [*goal.variables, *values]
+    def __init__(self, goal: Goal, budget: Budget) -> None:
+        names = [*goal.variables]
         sides = estimates(names, (goal.claim.lhs, goal.claim.rhs), goal.definitions)
-        numbers = tuple(values.values())
         self.bounds = [_ends(b.low, b.high) for b in goal.variables.values()]
         self.budget, self.cost = budget, 4
 
         def function(x: Sequence[float]) -> float:
             try:
-                a, b = sides(*x, *numbers)
+                a, b = sides(*x)
             except (ArithmeticError, ValueError):
                 return math.inf
             return b - a if b - a == b - a else math.inf

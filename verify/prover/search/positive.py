@@ -34,7 +34,7 @@ def by_squares(
         polynomials = [factor.polynomial for factor in factors]
         for point in zeros:
             blocks = [vanishing(block, polynomials[block.factor], point) for block in blocks]
-        terms = decompose(domain.p, polynomials, blocks, budget)
+        terms = decompose(domain, polynomials, blocks, budget)
         if terms is None:
             continue
         addends: list[Value] = ["goal"]

@@ -22,13 +22,13 @@ from flint import fmpq, fmpq_mat, fmpq_mpoly
 
 from verify.language.record import Record
 from verify.prover.budget import Budget
+from verify.prover.search.domain import Domain
 from verify.prover.search.semidefinite import Entry, Matrix, Program, Solution, Solver
 
 #: Programmes with larger matrices, or more equations, are not tried.
 MAX_SIZE = 36
 MAX_EQUATIONS = 320
 #: How often zeros are divided out.
-DEBUG = 0
 ROUNDS = 5
 #: A solution with a larger t is none: the matrices cannot be semidefinite.
 HOPELESS = 2e-3
@@ -52,14 +52,14 @@ class Term(Record):
 
 
 def decompose(
-    p: fmpq_mpoly, factors: Sequence[fmpq_mpoly], blocks: Sequence[Block], budget: Budget
+    domain: Domain, factors: Sequence[fmpq_mpoly], blocks: Sequence[Block], budget: Budget
 ) -> list[Term] | None:
-    """Terms that add up to p, or None if none are found."""
+    """Terms that add up to p, reduced, or None if none are found."""
     blocks = [block for block in blocks if block.basis]
     for _ in range(ROUNDS):
         if not blocks or max(len(block.basis) for block in blocks) > MAX_SIZE:
             return None
-        system = _System(p, factors, blocks)
+        system = _System(domain, factors, blocks)
         if not system.consistent or len(system.rows) > MAX_EQUATIONS:
             return None
         found = Solver(system.program(), budget).solve()
@@ -79,10 +79,10 @@ class _System:
     """The linear equations for the entries of the matrices: one for each monomial."""
 
     def __init__(
-        self, p: fmpq_mpoly, factors: Sequence[fmpq_mpoly], blocks: Sequence[Block]
+        self, domain: Domain, factors: Sequence[fmpq_mpoly], blocks: Sequence[Block]
     ) -> None:
         self.blocks = blocks
-        wanted = p.to_dict()
+        wanted = domain.p.to_dict()
         self.rows: dict[tuple[int, ...], int] = {}
         self.entries: list[list[tuple[int, int, list[tuple[int, fmpq]]]]] = []
         for block in blocks:
@@ -90,7 +90,7 @@ class _System:
             for i, first in enumerate(block.basis):
                 part = factors[block.factor] * first
                 for j in range(i, len(block.basis)):
-                    product = part * block.basis[j]
+                    product = domain.reduced(part * block.basis[j])
                     if i != j:
                         product *= 2
                     items = product.to_dict().items()
@@ -247,7 +247,6 @@ def _kernel(matrix: Matrix, largest: float) -> list[list[Fraction]]:
             for k in left:
                 rest[j][k] -= ratio * rest[i][k]
     rank = _rank(pivots, largest)
-    DEBUG and print("    pivots", ["%.1e" % v for v in pivots], rank)
     if rank == n:
         return []
     solid, free = order[:rank], order[rank:]
@@ -259,7 +258,6 @@ def _kernel(matrix: Matrix, largest: float) -> list[list[Fraction]]:
         vector[f] = Fraction(1)
         for i, value in zip(solid, x, strict=True):
             simple = _simple(value)
-            DEBUG and print("     ", value, simple)
             if simple is None:
                 return []
             vector[i] = simple

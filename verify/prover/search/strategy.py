@@ -8,11 +8,13 @@ from fractions import Fraction
 from flint import fmpq
 
 from verify.language.record import TYPE_CHECKING
-from verify.language.terms import Claim
+from verify.language.terms import Claim, Term
+from verify.prover.clearing import atoms_of
 from verify.prover.goal import Goal
 from verify.prover.points import failure_test
 from verify.prover.proof import Proof
 from verify.prover.search.domain import Domain
+from verify.prover.search.extrema import by_entries, extrema_of, split
 from verify.prover.search.minimum import Minima, simple_points
 from verify.prover.search.positive import by_squares
 from verify.prover.search.tree import Tree
@@ -23,58 +25,69 @@ if TYPE_CHECKING:
 #: An estimate below this may be a zero.
 NEAR_ZERO = 1e-6
 MAX_ZEROS = 12
+FEW_LEAVES, MANY_LEAVES = 300, 20_000
 
 
 class Strategy:
     """Techniques for one claim, with what is known in its context."""
 
     def __init__(self, goal: Goal, universal: Universal) -> None:
-        self.goal, self.universal, self.budget = goal, universal, universal.budget
-        self.minima = Minima(goal, {}, self.budget).found() if not goal.constants else []
+        self.universal, self.budget = universal, universal.budget
+        self.goal = unfolded(goal, universal)
+        self.using = tuple(self.goal.definitions)
+        self.minima = Minima(self.goal, self.budget).found()
 
     def proofs(self) -> Iterator[Proof | None]:
         """What each technique finds."""
-        if self.minima and self.minima[0][0] < -NEAR_ZERO * self._size():
+        if self.minima and self.minima[0][0] < -NEAR_ZERO:
             return  # it is false
-        yield from self.trees(300)
-        yield self.squares()
-        yield from self.trees(20_000)
+        yield self.tree(FEW_LEAVES)
+        facts = self.facts()
+        yield self.squares(self.goal, facts)
+        yield by_entries(self, facts)
+        yield split(self, facts)
+        yield self.tree(MANY_LEAVES)
 
-    def trees(self, leaves: int) -> Iterator[Proof | None]:
+    def tree(self, leaves: int) -> Proof | None:
         """Enclosures on parts of the box."""
         goal = self.goal
-        if goal.box is None or not goal.variables or goal.constants:
-            return
-        yield Tree(goal.claim, goal.variables, goal.definitions, self.budget).prove(leaves)
-
-    def _size(self) -> float:
-        return 1.0
-
-    def squares(self) -> Proof | None:
-        """Squares times facts, for polynomials."""
-        domain = Domain(self.goal, self._facts())
-        if any(atom.op != "symbol" for atom in domain.atoms):
+        if goal.box is None or not goal.variables:
             return None
-        return by_squares(domain, self._zeros(domain), self.budget, tuple(self.goal.definitions))
+        return Tree(goal.claim, goal.variables, goal.definitions, self.budget).prove(leaves)
 
-    def _facts(self) -> dict[str, Claim]:
-        """The bounds of the variables."""
-        session = self.universal.session
-        names = {
-            name for b in self.goal.variables.values() for name in (b.low_fact, b.high_fact) if name
-        }
-        found = {name: session.claims[name] for name in sorted(names)}
-        return {name: claim for name, claim in found.items() if claim.relation in ("<", "<=")}
+    def squares(self, goal: Goal, facts: dict[str, Claim]) -> Proof | None:
+        """Squares times facts."""
+        domain = Domain(goal, facts)
+        if not domain.is_plain:
+            return None
+        return by_squares(domain, self.zeros(domain), self.budget, self.using)
 
-    def _zeros(self, domain: Domain) -> list[list[Fraction]]:
+    def facts(self) -> dict[str, Claim]:
+        """The bounds of the variables, and that a maximum is at least its entries."""
+        session, found = self.universal.session, {}
+        for bounds in self.goal.variables.values():
+            for name in (bounds.low_fact, bounds.high_fact):
+                if name and session.claims[name].relation != "=":
+                    found[name] = session.claims[name]
+        for term in extrema_of((self.goal.claim.lhs, self.goal.claim.rhs), self.goal.definitions):
+            for entry in term.children:
+                sides = (term, entry) if term.op == "min" else (entry, term)
+                claim = Claim("<=", *sides)
+                name = self.universal.fact(claim, self.goal.context)
+                if name is not None:
+                    found[name] = claim
+        return found
+
+    def zeros(self, domain: Domain) -> list[list[Fraction]]:
         """Points with simple coordinates where p is 0."""
         found = []
+        names = [*self.goal.variables]
         bounds = [(b.low, b.high) for b in self.goal.variables.values()]
         for value, point in self.minima[:MAX_ZEROS]:
             if value > NEAR_ZERO:
                 break
             for values in simple_points(point, bounds, inside=False):
-                scaled = domain.point(dict(zip(self.goal.variables, values, strict=True)))
+                scaled = domain.point(dict(zip(names, values, strict=True)))
                 if scaled is None:
                     return []
                 if not domain.p(*(fmpq(v.numerator, v.denominator) for v in scaled)):
@@ -83,13 +96,28 @@ class Strategy:
         return found
 
 
+def unfolded(goal: Goal, universal: Universal) -> Goal:
+    """The goal with constants as names that are defined."""
+    known: dict[str, Term] = {}
+    if goal.constants:
+        wanted = set(goal.constants)
+        ground = universal.ground.definitions
+        for name in reversed(ground):
+            if name in wanted:
+                wanted |= {
+                    atom.name for atom in atoms_of((ground[name],), {}) if atom.op == "symbol"
+                }
+        known = {name: term for name, term in ground.items() if name in wanted}
+    return goal._replace(constants=(), definitions={**known, **goal.definitions})
+
+
 def refuting_minimum(goal: Goal, universal: Universal) -> dict[str, Fraction] | None:
     """A simple point inside all bounds, near a local minimum, where the claim is false."""
-    if goal.claim.relation == "=" or goal.constants:
+    if goal.claim.relation == "=":
         return None
     at_fault = failure_test(goal, universal.enclosed)
     bounds = [(b.low, b.high) for b in goal.variables.values()]
-    for value, point in Minima(goal, {}, universal.budget).found():
+    for value, point in Minima(unfolded(goal, universal), universal.budget).found():
         if value > NEAR_ZERO:
             break
         for values in simple_points(point, bounds):

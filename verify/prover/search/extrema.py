@@ -1,0 +1,150 @@
+"""Minima and maxima in claims: by what their entries say, or by cases.
+
+To show lhs <= max(e_1, …) it suffices to show lhs <= e_i where the other entries are below lhs: if
+the claim failed all of them would be, as no entry is above the maximum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from verify.language.record import TYPE_CHECKING
+from verify.language.terms import Claim, Term, equal
+from verify.prover.proof import Proof, Value
+from verify.prover.rules import Cases
+from verify.prover.search.domain import Domain, Factor
+from verify.prover.search.positive import by_squares
+
+if TYPE_CHECKING:
+    from verify.prover.search.strategy import Strategy
+
+#: Claims with more cases are left alone.
+MAX_CASES = 64
+MAX_ENTRIES = 9
+
+
+def extrema_of(terms: Iterable[Term], definitions: Mapping[str, Term]) -> list[Term]:
+    """The minima and maxima in terms, each after those inside it."""
+    found: dict[Term, None] = {}
+    seen: set[Term] = set()
+
+    def visit(term: Term) -> None:
+        if term in seen:
+            return
+        seen.add(term)
+        for child in term.children:
+            visit(child)
+        if term.op == "symbol" and term.name in definitions:
+            visit(definitions[term.name])
+        if term.op in ("min", "max"):
+            found[term] = None
+
+    for term in terms:
+        visit(term)
+    return list(found)
+
+
+def by_entries(strategy: Strategy, facts: Mapping[str, Claim]) -> Proof | None:
+    """The claim for one entry of its maximum (minimum), with the negation of it for the others."""
+    claim, names = strategy.goal.claim, {c: name for name, c in facts.items()}
+    for term, is_left in ((claim.rhs, False), (claim.lhs, True)):
+        if term.op != ("min" if is_left else "max") or len(term.children) > MAX_ENTRIES:
+            continue
+        plain = {n: c for n, c in facts.items() if term not in (c.lhs, c.rhs)}
+        said = [
+            names.get(Claim("<=", *((term, e) if is_left else (e, term)))) for e in term.children
+        ]
+        if None in said:
+            return None
+        for i, entry in enumerate(term.children):
+            proof = _for_entry(strategy, plain, [str(name) for name in said], i, entry, is_left)
+            if proof is not None:
+                return proof
+    return None
+
+
+def _for_entry(
+    strategy: Strategy,
+    facts: dict[str, Claim],
+    said: list[str],
+    index: int,
+    entry: Term,
+    is_left: bool,
+) -> Proof | None:
+    goal = strategy.goal
+    claim, term = goal.claim, goal.claim.lhs if is_left else goal.claim.rhs
+    sides = (entry, claim.rhs) if is_left else (claim.lhs, entry)
+    # Each of the other entries is beyond the other side: facts in the proof that it builds.
+    beyond = {
+        f"@{i}": Claim("<", *((claim.rhs, e) if is_left else (e, claim.lhs)))
+        for i, e in enumerate(term.children)
+        if i != index
+    }
+    domain = Domain(goal._replace(claim=Claim(claim.relation, *sides)), {**facts, **beyond})
+    if not domain.is_plain or domain.has_denominators:
+        return None
+    for i in range(len(term.children)):
+        if i != index:
+            factor = domain.facts[f"@{i}"]
+            value = _renamed(factor.value, f"@{i}", ("add", "goal", said[i]))
+            domain.facts[f"@{i}"] = Factor(factor.polynomial, value, claim.relation == "<=")
+    found = by_squares(domain, strategy.zeros(domain), strategy.budget, strategy.using)
+    if found is None:
+        return None
+    addends = (("add", "goal", said[index]), *found.addends[1:])
+    return found._replace(addends=addends)
+
+
+def _renamed(value: Value, name: str, other: Value) -> Value:
+    if value == name:
+        return other
+    if isinstance(value, tuple):
+        return tuple(_renamed(part, name, other) for part in value)  # type: ignore[arg-type]
+    return value
+
+
+def split(strategy: Strategy, facts: dict[str, Claim]) -> Proof | None:
+    """A proof in which each minimum or maximum is one of its entries."""
+    goal = strategy.goal
+    terms = extrema_of((goal.claim.lhs, goal.claim.rhs), goal.definitions)
+    count = 1
+    for term in terms:
+        count *= len(term.children)
+    if not terms or count > MAX_CASES:
+        return None
+    plain = {n: c for n, c in facts.items() if not {c.lhs, c.rhs} & set(terms)}
+    return _split(strategy, terms, plain, {}, 0)
+
+
+def _split(
+    strategy: Strategy,
+    terms: list[Term],
+    facts: dict[str, Claim],
+    equations: dict[str, Claim],
+    count: int,
+) -> Proof | None:
+    """The rest of the cases, below so many hypotheses."""
+    goal = strategy.goal
+    if not terms:
+        replaced = {claim.lhs: claim.rhs for claim in equations.values()}
+        domain = Domain(goal, facts, replaced)
+        if not domain.is_plain:
+            return None
+        using = (*strategy.using, *equations)
+        return by_squares(domain, strategy.zeros(domain), strategy.budget, using)
+    term, *others = terms
+    branches = []
+    for i, entry in enumerate(term.children):
+        equation = {f"@{count + 1}": equal(term, entry)}
+        rest = [other for j, other in enumerate(term.children) if j != i]
+        order = {
+            f"@{count + 2 + j}": Claim("<=", *((entry, e) if term.op == "min" else (e, entry)))
+            for j, e in enumerate(rest)
+        }
+        proof = _split(
+            strategy, others, {**facts, **order}, {**equations, **equation}, count + 1 + len(rest)
+        )
+        if proof is None:
+            return None
+        branches.append(proof)
+    return Cases(term, tuple(branches))

@@ -80,6 +80,8 @@ def test_at_one_r(capsys: pytest.CaptureFixture[str]) -> None:
     assert "no collapse: finitely many collisions, or a triple contact" in out
     _, out, _ = run(capsys, "--r", "0.05")
     assert "without end" in out
+    # 4√r/(1+r) itself is not excluded.
+    assert "not excluded, with a final -cos θ not below that bound" in out
 
 
 def test_too_much_work_is_undecided(

@@ -418,7 +418,7 @@ def prove(law: Law, state: Sight, verdict: str, numbers: list[tuple[Interval, ..
 
 # --- the log -------------------------------------------------------------------------------------
 
-FORMAT = "verify-map/1"
+FORMAT = "verify-map-log/1"
 HEADER = ("format", "plane", "first_level", "code", "sha256")
 RECORD = ("level", "keys", "verdicts", "numbers", "sha256")
 PLANE = ("name", "r", "neg_cos", "speed", "tangential", "x", "y")

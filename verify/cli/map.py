@@ -148,7 +148,7 @@ def _grow(options: Options, progress: Progress, target: Target, jobs: int) -> No
         staff = stack.enter_context(workers(jobs, options.dask))
         spent = times[-1].seconds if times else 0.0
         for sample in grow(progress, target, staff, keep):
-            times.append(sample._replace(seconds=spent + sample.seconds))
+            times.append(sample._replace(seconds=round(spent + sample.seconds, 3)))
             _watch(sample)
     if options.out is not None:
         _write(options, progress, times)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack
 from fractions import Fraction
 from functools import partial
 from typing import BinaryIO
@@ -74,12 +75,14 @@ def open_log(path: str, progress: Progress) -> BinaryIO:
     Raises:
         LogMismatchError: if it is not the beginning of this map.
     """
-    file = open(path, "a+b")  # noqa: SIM115
-    file.seek(0)
-    size = progress.resume(iter(file))
-    file.truncate(size)
-    if size == 0:
-        write_line(file, progress.header)
+    with ExitStack() as stack:
+        file = stack.enter_context(open(path, "a+b"))
+        file.seek(0)
+        size = progress.resume(iter(file))
+        file.truncate(size)
+        if size == 0:
+            write_line(file, progress.header)
+        stack.pop_all()  # it stays open
     return file
 
 

@@ -55,7 +55,7 @@ class Workers:
         waiting: Waiting = deque()
         try:
             for task in tasks:
-                waiting.append((task, self._executor.submit(work, task)))
+                waiting.append((task, self._submit(work, task)))
                 if len(waiting) >= self._ahead:
                     yield self._first(work, waiting)
             while waiting:
@@ -66,6 +66,14 @@ class Workers:
             while waiting and not waiting[0][1].cancelled():
                 yield waiting.popleft()[1].result()
             raise
+
+    def _submit(self, work: Work, task: Any) -> Future[Any]:
+        try:
+            return self._executor.submit(work, task)
+        except self._lost as error:  # a worker was lost before anybody asked for a result
+            future: Future[Any] = Future()
+            future.set_exception(error)
+            return future
 
     def _first(self, work: Work, waiting: Waiting) -> Any:
         while True:
@@ -85,7 +93,7 @@ class Workers:
         self._executor = self._make()
         for place, (task, future) in enumerate(waiting):
             if not future.done() or future.cancelled() or future.exception() is not None:
-                waiting[place] = task, self._executor.submit(work, task)
+                waiting[place] = task, self._submit(work, task)
 
 
 def workers(jobs: int, dask: str | None) -> Workers:

@@ -24,7 +24,6 @@ class Verdicts(Record):
 
     letters: str
     numbers: list[list[tuple[int, ...]]]
-    steps: int
 
 
 def corners(keys: Sequence[str]) -> tuple[list[int], list[int]]:
@@ -75,12 +74,12 @@ class _Boxes:
         """Whether a box may still get a verdict."""
         return ~self.unclear & ~(self.collapse & self.disperse)
 
-    def verdicts(self, steps: int) -> Verdicts:
+    def verdicts(self) -> Verdicts:
         """The letters."""
         good = self.open() & (self.collapse | self.disperse)
         names = np.where(good, np.where(self.collapse, COLLAPSES, DISPERSES), UNDECIDED)
         numbers = [n if c == COLLAPSES else [] for n, c in zip(self.numbers, names, strict=True)]
-        return Verdicts("".join(names.tolist()), numbers, steps)
+        return Verdicts("".join(names.tolist()), numbers)
 
 
 def verdicts(plane: Phi, keys: Sequence[str]) -> Verdicts:
@@ -88,15 +87,14 @@ def verdicts(plane: Phi, keys: Sequence[str]) -> Verdicts:
     r = enclosed(plane.r)
     with np.errstate(all="ignore"):
         state, owners = states(plane, keys), np.arange(len(keys))
-        boxes, steps = _Boxes(len(keys)), 0
+        boxes = _Boxes(len(keys))
         boxes.unclear |= ~_separate(state)
         for _ in range(MAX_COLLISIONS):
-            steps += len(owners)
             state, owners = _one_step(r, state, owners, boxes)
             if not len(owners):
                 break
         boxes.unclear[owners] = True
-    return boxes.verdicts(steps)
+    return boxes.verdicts()
 
 
 def _separate(state: State) -> Array:

@@ -9,7 +9,7 @@ from typing import Any
 from verify.paper.map.plane import Phi
 from verify.wire.map_log import COLLAPSES, DISPERSES, UNDECIDED, Progress, plane_document
 
-DOCUMENT = "verify-map-areas/1"
+DOCUMENT = "verify-map/1"
 #: The three areas: their letters in a log, their names, and what is true of every scene in them.
 AREAS = {
     COLLAPSES: ("collapses", "all its scenes collapse"),

@@ -16,7 +16,7 @@ from typing import Any
 from verify.language.record import Record
 from verify.paper.map.plane import Phi
 
-FORMAT = "verify-map/1"
+FORMAT = "verify-map-log/1"
 #: What decides boxes: another number where a verdict, or its numbers, may be another one.
 CODE = 1
 #: The level of the first boxes; the number of boxes of a chunk, a multiple of four.

@@ -1,0 +1,220 @@
+"""The checker of maps: what it accepts is proved, and a changed log is refused."""
+
+from __future__ import annotations
+
+import ast
+import json
+import random
+import subprocess
+import sys
+from collections.abc import Callable
+from fractions import Fraction
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from verify import check_map
+from verify.check_map import LogError, RefusedError
+
+ROOT = Path(__file__).parents[2]
+CHECKER = ROOT / "verify" / "check_map.py"
+LOG = ROOT / "certificates" / "map" / "map.jsonl"
+Lines = list[dict[str, Any]]
+
+
+def lines(count: int) -> Lines:
+    """The beginning of the committed log."""
+    return [json.loads(line) for line in LOG.read_bytes().splitlines()[:count]]
+
+
+def sealed(content: Lines) -> list[bytes]:
+    """With digests that fit: whoever changes a log can calculate them too."""
+    chain, found = "", []
+    for line in content:
+        body = json.dumps(line | {"sha256": None}, separators=(",", ":")).encode()[:-15]
+        chain = sha256(chain.encode() + body).hexdigest()
+        found.append(body + f',"sha256":"{chain}"}}\n'.encode())
+    return found
+
+
+def check(found: list[bytes]) -> check_map.Areas:
+    return check_map.check_log(iter(found))[1]
+
+
+def test_the_committed_map_is_proved() -> None:
+    with LOG.open("rb") as file:
+        plane, areas = check_map.check_log(file)
+    document = json.loads((LOG.parent / "map.json").read_text(encoding="utf-8"))
+    assert plane.r == Fraction(3, 100)
+    assert areas.boxes == document["boxes"] >= 10**4
+    assert str(areas.collapses) == document["areas"]["collapses"]
+    assert str(areas.disperses) == document["areas"]["disperses"]
+    rest = 1 - areas.collapses - areas.disperses
+    assert str(rest) == document["areas"]["undecided"]
+    assert rest < Fraction(1, 200)
+    assert LOG.stat().st_size < 10**6
+
+
+def test_a_beginning_of_a_log_is_a_log() -> None:
+    found = check(sealed(lines(4)))
+    assert found.boxes == sum(len(line["verdicts"]) for line in lines(4)[1:])
+    assert found.collapses + found.disperses < 1
+
+
+def changed(change: Callable[[Lines], object]) -> list[bytes]:
+    content = lines(4)
+    change(content)
+    return sealed(content)
+
+
+def first(content: Lines, letter: str) -> tuple[int, int]:
+    for place, line in enumerate(content[1:], 1):
+        if letter in line["verdicts"]:
+            return place, line["verdicts"].index(letter)
+    raise AssertionError(letter)
+
+
+def with_letter(content: Lines, old: str, new: str) -> None:
+    place, at = first(content, old)
+    letters = content[place]["verdicts"]
+    content[place]["verdicts"] = letters[:at] + new + letters[at + 1 :]
+    if old == "c":
+        del content[place]["numbers"][0]
+    if new == "c":
+        content[place]["numbers"].insert(
+            letters[:at].count("c"), [25193416, 438582174, 4204233, 44262473, 12592029, 2163065221]
+        )
+
+
+@pytest.mark.parametrize(("old", "new"), ["cd", "dc", "uc", "ud"])
+def test_one_verdict_changed(old: str, new: str) -> None:
+    content = lines(4)
+    with_letter(content, old, new)
+    with pytest.raises((RefusedError, LogError)):
+        check(sealed(content))
+    with pytest.raises(LogError):
+        check(sealed(lines(3)) + sealed(content)[3:])
+
+
+@pytest.mark.parametrize("place", range(6))
+def test_one_number_changed_to_one_that_proves_nothing(place: int) -> None:
+    rng = random.Random(place)
+    for factor in (0, 2 if place > 1 else 3):
+        content = lines(4)
+        numbers = rng.choice([n for line in content[1:] for n in line["numbers"]])
+        numbers[place] = factor * numbers[place]
+        # Wider bounds may do as well, narrower ones do not.
+        if factor == 0 or place < 2:
+            with pytest.raises(RefusedError):
+                check(sealed(content))
+
+
+KEYS: dict[str, Callable[[Lines], object]] = {
+    "changed": lambda c: c[2].update(keys="1" + c[2]["keys"][1:]),
+    "of-another-level": lambda c: c[2].update(level=6),
+    "swapped": lambda c: c[2].update(keys=" ".join(reversed(c[2]["keys"].split(" ")))),
+    "twice": lambda c: c.insert(2, c[2]),
+    "left-out": lambda c: c.pop(2),
+    "none": lambda c: c[2].update(keys="", verdicts="", numbers=[]),
+    "no-digit": lambda c: c[2].update(keys="4" + c[2]["keys"][1:]),
+    "one-verdict-too-few": lambda c: c[2].update(verdicts=c[2]["verdicts"][1:]),
+    "numbers-of-nobody": lambda c: c[2]["numbers"].append([1] * 6),
+    "five-numbers": lambda c: c[2]["numbers"][0].pop(),
+    "negative": lambda c: c[2]["numbers"][0].__setitem__(0, -1),
+    "no-number": lambda c: c[2]["numbers"][0].__setitem__(0, "1"),
+    "truth": lambda c: c[2]["numbers"][0].__setitem__(0, True),
+    "a-float": lambda c: c[2]["numbers"][0].__setitem__(0, 1.5),
+    "another-format": lambda c: c[0].update(format="verify-map-log/2"),
+    "r-negative": lambda c: c[0]["plane"].update(r="-1/2"),
+    "no-rectangle": lambda c: c[0]["plane"].update(x=["1/2", "0"]),
+    "divided-by-0": lambda c: c[0]["plane"].update(r="1/0"),
+    "long-number": lambda c: c[0]["plane"].update(r="0." + "1" * 99),
+    "no-level": lambda c: c[0].update(first_level=0),
+}
+
+
+@pytest.mark.parametrize("name", KEYS)
+def test_a_malformed_log(name: str) -> None:
+    with pytest.raises(LogError):
+        check(changed(KEYS[name]))
+
+
+def test_the_chain_of_digests() -> None:
+    good = sealed(lines(4))
+    check(good)
+    for place in range(4):
+        for old, new in ((b'"', b"'"), (b"1", b"2"), (b"\n", b"")):
+            bad = [*good]
+            bad[place] = bad[place].replace(old, new, 1)
+            with pytest.raises(LogError):
+                check(bad)
+    with pytest.raises(LogError):
+        check([])
+
+
+def test_another_plane_is_another_claim() -> None:
+    """The verdicts are not those of another r or another angle."""
+    for name, value in (("r", "1/20"), ("neg_cos", "19/20"), ("y", ["0", "1/2"])):
+        with pytest.raises(RefusedError):
+            check(changed(lambda c, n=name, v=value: c[0]["plane"].update({n: v})))
+
+
+def test_it_stands_alone_and_calculates_with_whole_numbers() -> None:
+    tree = ast.parse(CHECKER.read_text(encoding="utf-8"))
+    modules = {
+        node.module if isinstance(node, ast.ImportFrom) else node.names[0].name
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Import | ast.ImportFrom)
+    }
+    assert {str(module).partition(".")[0] for module in modules} <= {*sys.stdlib_module_names}
+    assert not [n for n in ast.walk(tree) if isinstance(n, ast.Assert)]
+    constants = [n.value for n in ast.walk(tree) if isinstance(n, ast.Constant)]
+    assert not [value for value in constants if isinstance(value, float)]
+
+
+def test_what_it_says(tmp_path: Path) -> None:
+    (tmp_path / "log").write_bytes(b"".join(sealed(lines(3))))
+    (tmp_path / "bad").write_bytes(b"{}\n")
+    command = [sys.executable, "-I", str(CHECKER)]
+    for names, code, word in (
+        ("log", 0, "PROVED"),
+        ("bad", 4, "MALFORMED"),
+        ("no", 4, "MALFORMED"),
+    ):
+        done = subprocess.run(
+            [*command, str(tmp_path / names)], capture_output=True, text=True, check=False
+        )
+        assert (done.returncode, done.stderr) == (code, "")
+        assert done.stdout.startswith(word)
+
+
+# --- its arithmetic ------------------------------------------------------------------------------
+
+
+def random_interval(rng: random.Random) -> tuple[check_map.Interval, Fraction]:
+    low, high = sorted(rng.randint(-1, 1) * rng.getrandbits(rng.randint(1, 110)) for _ in "ab")
+    return (low, high), Fraction(rng.choice((low, high, rng.randint(low, high))), check_map.ONE)
+
+
+def inside(value: Fraction, found: check_map.Interval) -> bool:
+    return found[0] <= value * check_map.ONE <= found[1]
+
+
+def test_intervals_contain_exact_values() -> None:
+    rng = random.Random(1)
+    for _ in range(4000):
+        (x, a), (y, b) = random_interval(rng), random_interval(rng)
+        assert inside(a + b, check_map.add(x, y))
+        assert inside(a - b, check_map.sub(x, y))
+        assert inside(a * b, check_map.mul(x, y))
+        assert inside(a * a, check_map.square(x))
+        assert inside(a, check_map.around(a))
+        if y[0] > 0:
+            assert inside(a / b, check_map.div(x, y))
+            low, high = check_map.root(y)
+            assert Fraction(low, check_map.ONE) ** 2 <= b <= Fraction(high, check_map.ONE) ** 2
+        else:
+            with pytest.raises(RefusedError):
+                check_map.div(x, y)

@@ -1,0 +1,119 @@
+"""`verify map`: the areas, the files, and one line about what cannot be used."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from fractions import Fraction
+from pathlib import Path
+from xml.etree import ElementTree
+
+import jsonschema
+import pytest
+
+from verify import check_map
+from verify.cli import main
+
+ROOT = Path(__file__).resolve().parents[2]
+SCHEMA = ROOT / "certificates/schema/map.schema.json"
+PLANE = ["map", "phi", "--r", "0.03"]
+#: What cannot be used, and the option that is named.
+WRONG = {
+    "--r": ["map", "phi", "--r", "1"],
+    "plane": ["map", "psi", "--r", "0.03"],
+    "--neg-cos": [*PLANE, "--neg-cos", "1.1"],
+    "--x": [*PLANE, "--x", "1..0"],
+    "--y": [*PLANE, "--y", "0.1"],
+    "--speed": [*PLANE, "--speed", "0"],
+    "--tangential": [*PLANE, "--tangential", "1"],
+    "--undecided": [*PLANE, "--undecided", "200%"],
+    "--boxes": [*PLANE, "--boxes", "0"],
+    "--level": [*PLANE, "--level", "99"],
+    "--jobs": [*PLANE, "--jobs", "0"],
+    "--dask": [*PLANE, "--dask", "tcp://127.0.0.1:1"],
+}
+
+
+@pytest.mark.parametrize("option", WRONG)
+def test_one_line_about_unusable_input(option: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(WRONG[option]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.startswith(f"verify: {option}: ")
+    assert err.count("\n") == 1
+
+
+def test_the_document(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*PLANE, "--undecided", "5%", "--json", "--recheck"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(
+        document
+    )
+    areas = {name: Fraction(share) for name, share in document["areas"].items()}
+    assert sum(areas.values()) == 1
+    assert 0 < areas["undecided"] <= Fraction(1, 20)
+    assert min(areas.values()) > 0
+
+
+def test_a_spent_budget(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*PLANE, "--undecided", "0.1%", "--boxes", "300"]) == 3
+    assert "undecided" in capsys.readouterr().out
+
+
+def test_the_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    command = [*PLANE, "--undecided", "4%", "--out", str(tmp_path / "new")]
+    assert main(command) == 0
+    printed = capsys.readouterr().out
+    files = {path.name: path.read_bytes() for path in (tmp_path / "new").iterdir()}
+    assert {*files} == {"map.jsonl", "map.json", "map.svg", "map.png", "times.csv"}
+    assert check_map.main([str(tmp_path / "new/map.jsonl")]) == 0
+    assert capsys.readouterr().out.startswith("PROVED")
+    image = ElementTree.fromstring(files["map.svg"])
+    assert image.tag.endswith("svg")
+    assert files["map.png"].startswith(b"\x89PNG")
+    # Once more changes nothing, and a smaller share goes on.
+    assert main(command) == 0
+    assert capsys.readouterr().out == printed
+    assert {p.name: p.read_bytes() for p in (tmp_path / "new").iterdir()} == files
+    command[command.index("4%")] = "3%"
+    assert main([*command, "--show-boxes"]) == 0
+    assert (tmp_path / "new/map.jsonl").read_bytes().startswith(files["map.jsonl"])
+    assert (tmp_path / "new/map.svg").read_text(encoding="utf-8").count("M") > 300
+    # Nor is the log of another map overwritten.
+    assert main(["map", "phi", "--r", "0.04", "--out", str(tmp_path / "new")]) == 2
+    assert "no log of this map" in capsys.readouterr().err
+
+
+def test_a_folder_that_cannot_be_written(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").write_text("")
+    assert main([*PLANE, "--out", str(tmp_path / "file")]) == 2
+    assert "--out" in capsys.readouterr().err
+
+
+def test_ctrl_c_keeps_what_was_proved(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "verify", *PLANE, "--undecided", "0.01%", "--jobs", "2"]
+    log = tmp_path / "out" / "map.jsonl"
+    with subprocess.Popen(
+        [*command, "--out", str(tmp_path / "out")],
+        cwd=ROOT,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
+    ) as process:
+        limit = time.monotonic() + 60
+        while not log.exists() or log.read_bytes().count(b"\n") < 8:
+            assert time.monotonic() < limit
+            time.sleep(0.02)
+        os.killpg(process.pid, signal.SIGINT)
+        out, err = process.communicate(timeout=60)
+    assert (process.returncode, out, err) == (130, b"", b"verify: interrupted\n")
+    assert log.read_bytes().count(b"\n") >= 8
+    assert log.read_bytes().endswith(b"\n")
+    with log.open("rb") as file:
+        assert check_map.check_log(line for line, _ in zip(file, range(6), strict=False))

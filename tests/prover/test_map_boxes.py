@@ -1,0 +1,85 @@
+"""Verdicts on boxes: each depends on its box alone, and a simulation of points agrees."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from fractions import Fraction
+
+import pytest
+
+from tests.prover.map_simulation import fate
+from verify import check_map
+from verify.paper.map.plane import Phi
+from verify.prover.map_boxes import Verdicts, corners, verdicts
+from verify.wire.map_log import all_keys, plane_document
+
+ONE = Fraction(1)
+PLANES = {
+    "straight": Phi(Fraction(3, 100), ONE),
+    "same-side": Phi(Fraction(3, 100), ONE, tangential=(ONE, -ONE)),
+    "bent": Phi(Fraction(1, 20), Fraction(97, 100)),
+    "slow": Phi(Fraction(1, 100), Fraction(9, 10), Fraction(1, 3), (Fraction(2), Fraction(1, 7))),
+    "at-rest": Phi(Fraction(3, 100), ONE, Fraction(1, 2), (Fraction(0), Fraction(0))),
+    "elastic": Phi(Fraction(1, 2), Fraction(3, 5), Fraction(1)),
+}
+
+
+def refined(plane: Phi, levels: int) -> Iterator[tuple[str, str, list[tuple[int, ...]]]]:
+    keys = list(all_keys(3))
+    for _ in range(levels):
+        found = verdicts(plane, keys)
+        yield from zip(keys, found.letters, found.numbers, strict=True)
+        pairs = zip(keys, found.letters, strict=True)
+        keys = [key + digit for key, letter in pairs if letter == "u" for digit in "0123"]
+        if not keys:
+            return
+
+
+def point(rng: random.Random, plane: Phi, key: str) -> tuple[Fraction, Fraction]:
+    """A point of a box, often on its edge."""
+    (column,), (row,) = corners([key])
+
+    def place(ends: tuple[Fraction, Fraction], at: int) -> Fraction:
+        share = rng.choice((Fraction(0), ONE, Fraction(rng.random())))
+        return ends[0] + (ends[1] - ends[0]) * (at + share) / 2 ** len(key)
+
+    return place(plane.x, column), place(plane.y, row)
+
+
+@pytest.mark.parametrize("name", PLANES)
+def test_points_of_decided_boxes_do_what_was_proved(name: str) -> None:
+    plane, rng = PLANES[name], random.Random(name)
+    boxes = [(key, letter) for key, letter, _ in refined(plane, 5) if letter != "u"]
+    assert len(boxes) >= 20
+    for key, letter in rng.sample(boxes, 12) + boxes[-6:]:
+        phi_1, phi_2 = point(rng, plane, key)
+        if phi_1 > 0 and phi_2 > 0:
+            assert fate(plane, phi_1, phi_2) == letter, (key, phi_1, phi_2)
+
+
+@pytest.mark.parametrize("name", PLANES)
+def test_the_checker_accepts_every_box(name: str) -> None:
+    plane = check_map.plane_of(plane_document(PLANES[name]))
+    law = check_map.law_of(plane.r)
+    for key, letter, numbers in refined(PLANES[name], 4):
+        if letter != "u":
+            flat = [number for six in numbers for number in six]
+            check_map.prove_box(law, plane, key, letter, check_map.sixes(flat, letter))
+
+
+def test_a_verdict_depends_on_its_box_alone() -> None:
+    plane, rng = PLANES["straight"], random.Random(5)
+    keys = [key for key, _, _ in refined(plane, 4) if len(key) == 6]
+    together = verdicts(plane, keys)
+    for i in rng.sample(range(len(keys)), 40):
+        assert verdicts(plane, keys[i : i + 1]) == Verdicts(
+            together.letters[i], [together.numbers[i]]
+        )
+
+
+def test_grazing_branches_must_agree() -> None:
+    """Near the border some states collapse and others miss: no verdict."""
+    plane = PLANES["straight"]
+    assert verdicts(plane, ["0000"]).letters == "c"
+    assert verdicts(plane, ["0", "1"]).letters == "uu"

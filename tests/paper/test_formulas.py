@@ -15,8 +15,8 @@ from verify.prover.uses import nodes
 
 TABLE = Path(theorem1.__file__).parent / "formulas.md"
 
-#: Rows of the step that say what the model is, or say a law once more, with a division.
-ASIDE = ("impact-momentum", "impact-restitution", "impact-energy", "law-angle")
+#: Rows of the step that say what the model is.
+ASIDE = ("impact-momentum", "impact-restitution", "impact-energy")
 
 #: Rows that are no step to the theorem: which entries of the minima are the least.
 OF_THEIR_OWN = ("redundant.", "active.")

@@ -45,7 +45,7 @@ spin = frame.dot(W_s, omega_next)
 turn = (1 + d) * C - tau * a - (1 + d) * tau * b - tau**2 * w
 
 #: The cosine without a quotient.
-TURN = Line("turn", equal(D * C_next, turn), identity("C_next"))
+TURN = Line("turn", equal(D * C_next, turn), identity("law-angle"))
 SPIN_SQUARE = Line("spin-square", spin**2 <= B, proof("impact-pair", equations=(("contact", -B),)))
 IMPACT_POSITIVE = Line(
     "impact-positive",

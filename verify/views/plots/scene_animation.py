@@ -30,7 +30,7 @@ button {{ font: inherit; padding: .2rem 1rem; }}
 <div class="controls">
 <button type="button" id="play">pause</button>
 <label>moment <input id="moment" type="range" min="0" max="1" step="0.0005" value="0"></label>
-<label>zoom <input id="zoom" type="range" min="0" max="8" step="0.05" value="0"></label>
+<label>zoom <input id="zoom" type="range" min="0" max="16" step="0.05" value="0"></label>
 </div>
 <p id="now" aria-live="off"></p>
 <p>Each collision takes the same time on the screen, so that those that come ever faster can be
@@ -48,11 +48,11 @@ const canvas = document.querySelector("canvas"), pen = canvas.getContext("2d");
 const moment = document.getElementById("moment"), zoom = document.getElementById("zoom");
 const play = document.getElementById("play"), now = document.getElementById("now");
 const legs = scene.legs, stops = legs.map(leg => leg.time).concat([scene.end]);
-let playing = !matchMedia("(prefers-reduced-motion: reduce)").matches, before = null;
+let playing = !matchMedia("(prefers-reduced-motion: reduce)").matches, before = null, share = 0;
 const colour = name => getComputedStyle(document.documentElement).getPropertyValue("--" + name);
 
-function at(share) {
-  const where = share * legs.length, k = Math.min(Math.floor(where), legs.length - 1);
+function at(part) {
+  const where = part * legs.length, k = Math.min(Math.floor(where), legs.length - 1);
   const leg = legs[k], time = leg.time + (where - k) * (stops[k + 1] - leg.time);
   const places = leg.places.map((x, i) => x.map((a, j) =>
     a + (time - leg.time) * leg.velocities[i][j]));
@@ -90,11 +90,13 @@ function contact(state) {
 }
 function tick(stamp) {
   if (playing && before !== null) {
-    const share = +moment.value + (stamp - before) / (1200 * legs.length);
-    moment.value = share > 1.05 ? 0 : share;
+    share += (stamp - before) / (1200 * legs.length);
+    if (share > 1.1) share = 0;
+    moment.value = Math.min(share, 1);
   }
-  before = stamp; draw(at(Math.min(+moment.value, 1))); requestAnimationFrame(tick);
+  before = stamp; draw(at(Math.min(share, 1))); requestAnimationFrame(tick);
 }
+moment.oninput = () => { share = +moment.value; };
 play.onclick = () => { playing = !playing; play.textContent = playing ? "pause" : "play"; };
 if (!playing) play.textContent = "play";
 requestAnimationFrame(tick);

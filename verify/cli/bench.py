@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from verify.cli import columns
-from verify.cli.files import progress, test_folder
+from verify.cli.files import test_folder
 from verify.cli.options import Options, Parser
+from verify.cli.steps import Steps
 from verify.jobs.inputs import InputError
 
 
@@ -25,5 +26,5 @@ def run(options: Options) -> int:
             f"bench needs {error.name}; install the extra: pip install -e '.[bench]'"
         ) from error
     test_folder("--out", options.out, "bench.json")
-    columns.publish("bench", bench.run_benchmarks(options.quick, progress), options)
+    columns.publish("bench", bench.run_benchmarks(options.quick, Steps(bench.STEPS)), options)
     return 0

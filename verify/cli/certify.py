@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 
-from verify.cli.files import accept, progress, test_folder, write_all
+from verify.cli.files import accept, test_folder, write_all
 from verify.cli.options import Options, Parser
+from verify.cli.steps import Steps
 from verify.jobs.inputs import InputError, shown
 from verify.prover.outcome import Outcome
 
@@ -26,8 +27,9 @@ def run(options: Options) -> int:
         raise InputError(
             f"--directory: {shown(options.directory)} is not a folder; name the certificates"
         )
-    from verify.jobs.certificates import all_folders  # loads flint
+    from verify.jobs.certificates import all_folders, number_of_folders  # loads flint
 
+    progress = Steps(number_of_folders(options.directory))
     differing = 0
     for folder, outcome in all_folders(options.directory):
         path = os.path.join(options.directory, folder)

@@ -6,8 +6,9 @@ import os
 import re
 import sys
 
-from verify.cli.files import progress, test_folder, write_all
+from verify.cli.files import test_folder, write_all
 from verify.cli.options import Options, Parser
+from verify.cli.steps import Steps
 from verify.jobs.inputs import InputError, shown
 
 #: What is compared.
@@ -38,9 +39,10 @@ def run(options: Options) -> int:
         for name in PAGES:
             _read(os.path.join(options.directory, name))  # said before the long work
     from verify.jobs.report import CertificateError  # loads flint
-    from verify.views.page.build import files
+    from verify.views.page.build import files, number_of_steps
 
     try:
+        progress = Steps(number_of_steps(options.directory, draw=not options.compare))
         made = files(options.directory, draw=not options.compare, progress=progress)
     except CertificateError as error:
         print(f"verify: {error}", file=sys.stderr)

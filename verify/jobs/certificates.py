@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import glob
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 
 from verify.jobs import (
@@ -66,19 +66,36 @@ POINTS = (
 )
 
 
+#: What is proved for all values: the folder of each, and what decides it.
+THEOREMS: dict[str, Callable[[], Outcome]] = {
+    "step": step.decide_step,
+    "step-printed": step_printed.decide_step_printed,
+    "theorem1-all": everywhere.decide_everywhere,
+    "thresholds": thresholds.decide_thresholds,
+    "spectrum": spectrum.decide_spectrum,
+    "classification": classification.decide_classification,
+    "sharper": sharper.decide_sharper,
+    "flow": scene.decide_flow,
+}
+
+
+def scene_paths(directory: str) -> list[str]:
+    """The files of scenes below a directory."""
+    return sorted(glob.glob(os.path.join(directory, "scenes", "*.toml")))
+
+
+def number_of_folders(directory: str) -> int:
+    """How many folders there are at most; a scene may be undecided."""
+    return len(POINTS) + len(THEOREMS) + len(scene_paths(directory))
+
+
 def all_folders(directory: str = "certificates") -> Iterator[tuple[str, Outcome]]:
     """Every folder with its outcome, decided anew; the scenes are the files in its `scenes`."""
     for point in POINTS:
         yield point.folder, theorem1.decide_point(point.parameters)
-    yield "step", step.decide_step()
-    yield "step-printed", step_printed.decide_step_printed()
-    yield "theorem1-all", everywhere.decide_everywhere()
-    yield "thresholds", thresholds.decide_thresholds()
-    yield "spectrum", spectrum.decide_spectrum()
-    yield "classification", classification.decide_classification()
-    yield "sharper", sharper.decide_sharper()
-    yield "flow", scene.decide_flow()
-    for path in sorted(glob.glob(os.path.join(directory, "scenes", "*.toml"))):
+    for folder, decide in THEOREMS.items():
+        yield folder, decide()
+    for path in scene_paths(directory):
         with open(path, "rb") as file:
             found = decide_scene(read_scene(path, file.read()))
         if found.verdict != UNDECIDED:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from hashlib import sha256
 from typing import Any
 
@@ -56,7 +56,7 @@ class Material(Record):
         return [f for f in self.folders if f.outcome.statement.theorem == theorem_name]
 
 
-def read_material(directory: str) -> Material:
+def read_material(directory: str, progress: Callable[[str], None] = lambda _: None) -> Material:
     """Read and check every certificate folder, and the measurements if there are any.
 
     Raises:
@@ -64,7 +64,7 @@ def read_material(directory: str) -> Material:
             used; with that of the checker if one is not accepted; with 1 if its statement is not
             the program's.
     """
-    names = _folders(directory)
+    names = folder_names(directory)
     if not names:
         raise _unusable(f"{directory!r} has no certificates; make them with verify certify")
     measurements, digests = _measurements(directory)
@@ -75,10 +75,12 @@ def read_material(directory: str) -> Material:
         for name, content in files.items()
         if name != NAMES[1]
     }
-    folders = tuple(
-        _folder(os.path.join(directory, name), name, contents[name], available) for name in names
-    )
-    material = Material(folders, measurements, digests)
+    folders = []
+    for name in names:
+        path = os.path.join(directory, name)
+        progress(f"checking {path}")
+        folders.append(_folder(path, name, contents[name], available))
+    material = Material(tuple(folders), measurements, digests)
     if not material.about(THEOREM):
         raise _unusable(
             f"{directory!r} has no certificate of {THEOREM}; make it with verify certify"
@@ -90,7 +92,12 @@ def _unusable(message: str) -> CertificateError:
     return CertificateError(f"--directory: {message}", 2)
 
 
-def _folders(directory: str) -> list[str]:
+def folder_names(directory: str) -> list[str]:
+    """The folders of certificates in a directory, the main job's first.
+
+    Raises:
+        CertificateError: if there is no such directory.
+    """
     if not os.path.isdir(directory):
         raise _unusable(f"{directory!r} is not a folder; name the certificates")
     names = sorted(os.listdir(directory))

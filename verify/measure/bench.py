@@ -67,6 +67,10 @@ def parameters(r: str, c: str) -> dict[str, Term]:
     return {name: as_term(Fraction(text)) for name, text in texts.items()}
 
 
+#: How often `run_benchmarks` tells its progress.
+STEPS = 8
+
+
 def run_benchmarks(quick: bool, progress: Progress) -> dict[str, Table]:
     """All tables. ``quick`` takes fewer precisions and repetitions."""
     precisions = (53, 128, 512) if quick else PRECISIONS

@@ -6,15 +6,20 @@ from collections.abc import Callable
 from html import escape
 
 from verify.jobs.covers import DEPTH
-from verify.jobs.report import read_material
+from verify.jobs.report import folder_names, read_material
 from verify.paper.parameters import THEOREM
 from verify.views.page.content import SUBTITLE, TITLE, content, latex
 from verify.views.page.html import html
 from verify.views.page.text import markdown
-from verify.views.plots import figures
+from verify.views.plots import NUMBER, figures
 from verify.views.plots.drawing import Panel, standalone, svg
 
 PICTURE_PANEL = (460, 400)
+
+
+def number_of_steps(directory: str, *, draw: bool) -> int:
+    """How often `files` tells its progress."""
+    return len(folder_names(directory)) + 1 + (NUMBER if draw else 0)
 
 
 def files(
@@ -32,8 +37,7 @@ def files(
         CertificateError: for files that cannot be used, or a certificate that is not accepted.
         InputError: where nothing can draw.
     """
-    progress("checking the certificates")
-    material = read_material(directory)
+    material = read_material(directory, progress)
     progress("enclosing what the plots show")
     shown = figures(material.measurements.get("bench", {}).get("precision"), depth)
     drawings: dict[str, list[str]] = {}

@@ -10,6 +10,10 @@ from verify.views.plots import margins, minimum, region, roots, speed
 from verify.views.plots.figure import Figure
 
 
+#: How many figures there are, with measurements.
+NUMBER = 5
+
+
 def figures(precision: Mapping[str, Any] | None, depth: int = DEPTH) -> list[Figure]:
     """Every figure of the report; the first one is also the picture of the README.
 

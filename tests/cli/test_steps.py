@@ -1,0 +1,47 @@
+"""Long jobs say how far they are, at a terminal only."""
+
+from __future__ import annotations
+
+import inspect
+import io
+import sys
+
+import pytest
+
+from verify.cli.steps import Steps, told
+from verify.measure import bench
+
+
+class Terminal(io.StringIO):
+    """A stream that somebody watches."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+def test_each_step_and_what_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
+    stream = Terminal()
+    monkeypatch.setattr(sys, "stderr", stream)
+    clock = iter([0.0, 10.0, 20.0])
+    monkeypatch.setattr("time.monotonic", lambda: next(clock))
+    progress = Steps(3)
+    for text in ("one", "two", "three"):
+        progress(text)
+    assert stream.getvalue().splitlines() == [
+        "[1/3] one …",
+        "[2/3] two … (about 20 s left)",
+        "[3/3] three … (about 10 s left)",
+    ]
+
+
+def test_nothing_is_said_where_nobody_watches(capsys: pytest.CaptureFixture[str]) -> None:
+    Steps(2)("one")
+    assert capsys.readouterr() == ("", "")
+
+
+def test_times_in_words() -> None:
+    assert (told(7.6), told(99), told(150)) == ("8 s", "99 s", "2 min")
+
+
+def test_the_number_of_steps_of_bench() -> None:
+    assert inspect.getsource(bench.run_benchmarks).count("    progress(") == bench.STEPS

@@ -9,7 +9,6 @@ from verify.jobs.covers import DEPTH
 from verify.views.plots import margins, minimum, region, roots, speed
 from verify.views.plots.figure import Figure
 
-
 #: How many figures there are, with measurements.
 NUMBER = 5
 

@@ -145,9 +145,17 @@ def test_ctrl_c_keeps_what_is_finished() -> None:
 
 
 def test_dask_writes_the_same_file(whole: bytes, tmp_path: Path) -> None:
+    """Although one of its workers is killed."""
     distributed = pytest.importorskip("distributed")
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as c:
-        made(tmp_path / "log", workers(1, c.scheduler_address))
+        with distributed.Client(c) as client:
+            pids = client.run(os.getpid)
+        progress, staff = Progress(PLANE), workers(1, c.scheduler_address)
+        with staff, open_log(str(tmp_path / "log"), progress) as file:
+            for _ in grow(progress, TARGET, staff, lambda line: write_line(file, line)):
+                if pids:
+                    os.kill(pids.popitem()[1], signal.SIGKILL)
+                    pids.clear()
     assert (tmp_path / "log").read_bytes() == whole
 
 

@@ -31,6 +31,23 @@ class HereExecutor(Executor):
         return future
 
 
+class DaskExecutor(Executor):
+    """The workers of a Dask cluster, until it is shut down."""
+
+    def __init__(self, client: Any) -> None:
+        self._client, self._executor = client, client.get_executor(pure=False)
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        """Give work to some worker."""
+        future: Future[Any] = self._executor.submit(fn, *args, **kwargs)
+        return future
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:  # noqa: ARG002
+        """Leave the cluster."""
+        self._executor.shutdown(wait=wait)
+        self._client.close()
+
+
 class Workers:
     """An executor that is made anew when its workers are lost; what they finished is kept."""
 
@@ -45,7 +62,7 @@ class Workers:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._executor.shutdown(wait=True, cancel_futures=True)
+        self._executor.shutdown(wait=True)
 
     def in_order(self, work: Work, tasks: Iterable[Any]) -> Iterator[Any]:
         """The results in the order of the tasks, some of which are done ahead.
@@ -61,11 +78,12 @@ class Workers:
             while waiting:
                 yield self._first(work, waiting)
         except KeyboardInterrupt:
-            for _, future in waiting:
-                future.cancel()
+            _cancel(waiting)
             while waiting and not waiting[0][1].cancelled():
                 yield waiting.popleft()[1].result()
             raise
+        finally:
+            _cancel(waiting)
 
     def _submit(self, work: Work, task: Any) -> Future[Any]:
         try:
@@ -89,11 +107,16 @@ class Workers:
         self._losses += 1
         if self._losses > MAX_LOSSES:
             raise InputError(f"--jobs: workers were lost {MAX_LOSSES} times ({error})") from error
-        self._executor.shutdown(wait=False, cancel_futures=True)
+        self._executor.shutdown(wait=False)
         self._executor = self._make()
         for place, (task, future) in enumerate(waiting):
             if not future.done() or future.cancelled() or future.exception() is not None:
                 waiting[place] = task, self._submit(work, task)
+
+
+def _cancel(waiting: Waiting) -> None:
+    for _, future in waiting:
+        future.cancel()
 
 
 def workers(jobs: int, dask: str | None) -> Workers:
@@ -132,7 +155,6 @@ def _dask(address: str) -> Workers:
             raise InputError(
                 f"--dask: no scheduler answers at {address!r}; write tcp://HOST:PORT"
             ) from error
-        executor: Executor = client.get_executor(pure=False)
-        return executor
+        return DaskExecutor(client)
 
     return Workers(make, AHEAD * MAX_JOBS, (KilledWorker,))

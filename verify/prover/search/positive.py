@@ -74,8 +74,8 @@ def _attempts(domain: Domain) -> Iterator[tuple[list[Factor], list[Block]]]:
     p, one = domain.p, Factor(domain.number(1), "1", True)
     degree = max(int(p.total_degree()), 1)
     top = degree + degree % 2
-    used = [i for i, d in enumerate(p.degrees()) if d]
-    facts = [f for f in domain.facts.values() if not _others(f.polynomial, used)]
+    used = _connected(domain)
+    facts = [f for f in domain.facts.values() if set(_variables(f.polynomial)) <= set(used)]
     if not facts or top > 2:
         yield [one], [Block(0, _pruned(domain, top // 2, used))]
     if not facts:
@@ -101,8 +101,13 @@ def _variables(polynomial: fmpq_mpoly) -> list[int]:
     return [i for i, d in enumerate(polynomial.degrees()) if d]
 
 
-def _others(polynomial: fmpq_mpoly, used: Sequence[int]) -> bool:
-    return not set(_variables(polynomial)) <= set(used)
+def _connected(domain: Domain) -> list[int]:
+    """The atoms of p, and of the facts that have something to do with it."""
+    used = set(_variables(domain.p))
+    sets = [set(_variables(f.polynomial)) for f in domain.facts.values()]
+    while more := [s for s in sets if s & used and not s <= used]:
+        used.update(*more)
+    return sorted(used)
 
 
 # --- bases ---------------------------------------------------------------------------------------

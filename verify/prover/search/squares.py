@@ -63,7 +63,7 @@ def decompose(
         if not system.consistent or len(system.rows) > MAX_EQUATIONS:
             return None
         found = Solver(system.program(), budget).solve()
-        if found is None or found.t > HOPELESS or found.error > 1e-4:
+        if found.t > HOPELESS or found.error > 1e-4:
             return None
         terms = system.rounded(found) if found.t < 1e-4 else None
         if terms is not None:

@@ -11,7 +11,7 @@ import pytest
 
 from tests.prover.random_scenes import random_scene
 from tests.prover.scenes import CASES, aligned, on_a_line
-from verify.jobs.scene_verdict import central, pairs_of, time_ends
+from verify.jobs.scene_verdict import central, pairs_of, scene_lines, time_ends
 from verify.measure.simulation import DIGITS, neg_cos, simulate
 from verify.prover import balls
 from verify.prover.scene import COLLAPSES, DISPERSES, UNDECIDED, Budget, Fate, decide_scene
@@ -107,3 +107,9 @@ def test_the_verdict_does_not_depend_on_the_first_precision() -> None:
     for bits in (16, 32, 53, 1000):
         found = decide_scene(aligned(), Budget(bits=bits))
         assert (found.verdict, len(found.flow.collisions)) == (COLLAPSES, 2)
+
+
+def test_what_is_not_as_tight_as_asked_for_says_so() -> None:
+    found = decide_scene(aligned(), Budget(collisions=5, digits=30))
+    assert (found.verdict, len(found.flow.collisions)) == (COLLAPSES, 5)
+    assert [*scene_lines(found)][-1].startswith("not as tight as asked for: budget")

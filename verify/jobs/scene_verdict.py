@@ -41,7 +41,8 @@ def time_ends(found: Fate) -> tuple[Fraction, Fraction] | None:
 def reason(found: Fate) -> str:
     """What shows the verdict, or why there is none."""
     if found.verdict == COLLAPSES:
-        return "the conditions of the sharper theorem hold after the last collision"
+        holds = "the conditions of the sharper theorem hold after the last collision"
+        return f"{holds}; not as tight as asked for: {found.reason}" if found.reason else holds
     if found.criterion is not None:
         return SAYS[found.criterion.name]
     return found.reason
@@ -61,6 +62,8 @@ def scene_lines(found: Fate) -> Iterator[str]:
         low, high = shown_ends(time)
         least, most = shown_ends(end.angle)
         yield f"collapse time in [{low}, {high}]; final -cos θ in [{least}, {most}]"
+        if found.reason:
+            yield f"not as tight as asked for: {found.reason}"
     elif found.verdict == FINITE:
         yield f"finite: {reason(found)};"
         yield "only finitely many collisions are possible, unless three touch at once or two graze"

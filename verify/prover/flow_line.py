@@ -49,6 +49,8 @@ def follow_line(flow: Flow, most: int) -> LineRun | None:
     state = flow.collisions[0].after.state
     if state.C < 0:
         state = recentred(state)
+    if not state.C > 0:
+        return None
     if state.lam <= 0:
         return LineRun(1, ends=True)
     if not state.lam > 0:

@@ -1,0 +1,221 @@
+"""Time, distance and the parameter of Zhou and Kadanoff, compared, for every state of the mapping.
+
+Printed as O(...), these inequalities hold at each collision; where the text divides, both sides are
+multiplied.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from verify.language.terms import as_term, equal
+from verify.paper.argument import (
+    Chapter,
+    Item,
+    Line,
+    identity,
+    plus,
+    power,
+    proof,
+    scaled,
+    square,
+    times,
+)
+from verify.paper.elsewhere.mapping import n
+from verify.paper.elsewhere.subject import Refuted, refuted
+from verify.paper.rows import HARMLESS
+
+TIMES = "EQUATSS3.3AsympCompa_Tau_Zeta_"
+BY_TIME = "EQUATSS3.3PROPOComp1Tau_d"
+TRAVEL = "EQUATSS3.3PROPOComp1_d'__"
+SQUARE = "EQUATSS3.3CompaAsymp_d__3"
+LEADING = "EQUATSS3.3CompaAsympTauV3"
+PROPOSITION = "PROPOSS3.3AsympCompa__I__"
+
+d, y, S, tau, A, B, D, eta = n.d, n.y, n.S, n.tau, n.A, n.B, n.D, n.eta
+one_d = plus(1, "map-d-positive")
+fly = times(one_d, "map-closing", "map-tau-positive")
+#: eta_1 tau + |W_1|^2 tau^2 / 2
+first = eta * tau + B * tau**2 / 2
+
+
+def chapters() -> Iterator[Chapter]:
+    """The root, the time, the parameter of Zhou and Kadanoff, and the distance of the spectator."""
+    yield Chapter(n.context, (*_root(), *_times(), *_zeta(), *_travel()))
+
+
+def _root() -> Iterator[Item]:
+    yield Line("A-positive", 0 < A, proof("map-cs-2", power("map-closing", 2)))
+    yield Line("B-positive", 0 < B, proof("map-cs-1", power("map-receding", 2)))
+    yield Line(
+        "S-one",
+        0 < 1 - S,
+        scaled(
+            times("goal", one_d, "map-closing"), times("A-positive", "map-tau-positive")
+        )._replace(equations=(("map-speed-time", as_term(-1)),)),
+    )
+    yield Line(
+        "root-lower",
+        (1 - S**2) / 2 <= 1 - S,
+        proof(times(Fraction(1, 2), square(1 - S))),
+        PROPOSITION,
+        "x/2 ≤ 1-√(1-x), where √(1-x) = S",
+    )
+    yield Line(
+        "root-upper",
+        1 - S <= 1 - S**2,
+        proof(times("map-S-positive", "S-one")),
+        PROPOSITION,
+        "1-√(1-x) ≤ x",
+    )
+
+
+def _times() -> Iterator[Item]:
+    contact = "map-contact-time"
+    yield Line(
+        "time-lower",
+        d * (2 + d) <= 2 * (1 + d) * y * tau,
+        proof(times(fly, "S-one"), equations=((contact, as_term(1)),)),
+        TIMES,
+        "d(2+d)/(2(1+d)(-η₂)) ≤ τ",
+    )
+    yield Line(
+        "time-upper",
+        (1 + d) * y * tau <= d * (2 + d),
+        proof(times(fly, "map-S-positive"), equations=((contact, as_term(-1)),)),
+        TIMES,
+        "τ ≤ d(2+d)/((1+d)(-η₂))",
+    )
+    yield Line(
+        "distance-by-time",
+        d <= 2 * y * tau,
+        scaled(times("goal", one_d), "time-lower", "map-d-positive"),
+        BY_TIME,
+        "d ≤ 2τ(-η₂): so d = o(τ) and d = o(-η₂) where η₂ and τ tend to 0",
+    )
+    yield Line(
+        "time-by-distance",
+        y * tau <= 2 * d,
+        scaled(times("goal", one_d), "time-upper", power("map-d-positive", 2)),
+        "EQUATSS3.3CompaAsympTauV2",
+        "τ ≤ 2d/(-η₂): with the row before, τ and d/(-η₂) are of one order",
+    )
+    yield Line(
+        "time-leading",
+        d <= (1 + d) * y * tau,
+        scaled(times("goal", 2), "time-lower", power("map-d-positive", 2)),
+        LEADING,
+        "d/(-η₂) ≤ (1+d)τ",
+    )
+    last = times("map-d-positive", one_d, "map-S-positive", "S-one", plus(2, "map-S-positive"))
+    yield Line(
+        "time-trailing",
+        y * tau <= d * (2 - S**2),
+        scaled(
+            times("goal", one_d, plus(1, "map-S-positive")), power("map-d-positive", 2), last
+        )._replace(equations=((contact, as_term(-1)),)),
+        LEADING,
+        "τ ≤ (1+ζ) d/(-η₂): with the row before, τ ~ d/(-η₂) where ζ tends to 0",
+    )
+
+
+def _zeta() -> Iterator[Item]:
+    left = (1 - S**2) * (1 + d) ** 2 * y**2
+    value = "zeta-value"
+    twice, thrice = times(2, "map-d-positive"), times(3, "map-d-positive")
+    whole = power(one_d, 2)
+    push = times("map-d-positive", "map-d-positive", "A-positive")
+    yield Line(
+        value,
+        equal(left, d * (2 + d) * A),
+        identity("", (("map-contact-time", A), ("map-speed-time", -((1 + d) * y * (1 + S))))),
+        "EQUATSS2.2DefinParZK_zeta",
+        "ζ = d(2+d)|W₂|²/((1+d)²η₂²), where S² = 1-ζ",
+    )
+    yield Line(
+        "zeta-below-one",
+        d * (2 + d) * A < (1 + d) ** 2 * y**2,
+        proof(
+            times(power("map-S-positive", 2), whole, power("map-closing", 2)),
+            equations=((value, as_term(1)),),
+        ),
+        SQUARE,
+        "d < (1+d)²/(2+d) η₂²/|W₂|²: so d = O(η₂²) where |W₂| does not tend to 0",
+    )
+    yield Line(
+        "zeta-upper",
+        (1 - S**2) * y**2 <= 2 * d * A,
+        scaled(times("goal", whole), times(push, plus(3, twice)))._replace(
+            equations=((value, as_term(-1)),)
+        ),
+        LEADING,
+        "ζ ≤ 2d|W₂|²/η₂²",
+    )
+    yield Line(
+        "zeta-lower",
+        d * A * (2 - 3 * d) <= (1 - S**2) * y**2,
+        scaled(times("goal", whole), times(push, "map-d-positive", plus(4, thrice)))._replace(
+            equations=((value, as_term(1)),)
+        ),
+        LEADING,
+        "(2-3d) d|W₂|²/η₂² ≤ ζ",
+    )
+    yield Line(
+        "distance-half",
+        equal(
+            (2 + d) * (2 * d * A - y**2),
+            y**2 * (2 * (1 + d) ** 2 * (1 - S**2) - (2 + d)),
+        ),
+        identity("", ((value, as_term(-2)),)),
+        PROPOSITION,
+        "2d|W₂|² exceeds η₂² as soon as S² = 1-ζ is below 1 - (2+d)/(2(1+d)²), at any d > 0",
+    )
+
+
+def _travel() -> Iterator[Item]:
+    distance = "map-distance"
+    gains = (
+        times(2, "map-receding", "map-tau-positive"),
+        times("B-positive", "map-tau-positive", "map-tau-positive"),
+    )
+    yield Line(
+        "longer",
+        0 < D - 1,
+        scaled(times("goal", plus(1, "map-D-positive")), *gains)._replace(
+            equations=((distance, as_term(1)),)
+        ),
+        TRAVEL,
+        "0 < d': the spectator recedes",
+    )
+    yield Line(
+        "travel-upper",
+        D - 1 <= first,
+        scaled(times(2, "goal"), square(D - 1))._replace(equations=((distance, as_term(-1)),)),
+        TRAVEL,
+        "d' ≤ η₁τ + |W₁|²τ²/2",
+    )
+    yield Line(
+        "travel-lower",
+        first - first**2 / 2 <= D - 1,
+        scaled(
+            times(2, "goal"),
+            times("travel-upper", plus("travel-upper", times(2, "longer"))),
+        )._replace(equations=((distance, as_term(1)),)),
+        TRAVEL,
+        "and that is all but (η₁τ + |W₁|²τ²/2)²/2",
+    )
+
+
+MISPRINTS: tuple[Refuted, ...] = (
+    refuted(
+        n,
+        "distance-half-printed",
+        2 * d * A <= y**2,
+        "1/20 1/10 1 1 -1 1 -1 3993/700 1 1 1/10 21/121 142/121 0 0 0 0",
+        label=PROPOSITION,
+        says="ζ < 1, so d ≤ η₂²/(2|W₂|²) for n large: the factor (1+d)²/(2+d) is above 1/2",
+        severity=HARMLESS,
+        corrected_by="zeta-below-one",
+    ),
+)

@@ -1,0 +1,238 @@
+"""One collision of 0 and 2 after one of 0 and 1, in inner products with any vector p.
+
+omega_1, omega_2 are unit vectors from 0, W_1 and W_2 relative velocities, 1 + d the distance of 2,
+y = -eta_2. The time tau of the collision and S = sqrt(1-zeta) are given by what their formulas
+say; c is the cosine of the angle at the collision.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from verify.language.statement import Constant
+from verify.language.terms import Claim, Term, as_term, equal, symbol
+from verify.paper.argument import Chapter, Defined, Item, Line, Opened, identity
+from verify.paper.classification.settings import Letters, Space, minus
+from verify.paper.dynamics.vectors import Combination, add, basis_vector, scale
+from verify.paper.elsewhere.subject import Refuted, refuted
+from verify.paper.rows import SLIP
+
+SYSTEM = "EQUATSS2.2IterationSystm1"
+TANGENT_1 = "EQUATSS2.2W1prpPrimeVers1"
+TANGENT_2 = "EQUATSS2.2W2prpPrimeVers1"
+COSINE = "EQUATSS2.2CosinAngleVers1"
+NORMAL = "PROPOSS3.4CLineConveNorma"
+NEARLY = "PROPOSS3.4CLineConveTangt"
+FIRST = "EQUATSS2.2Eta_1PrimeVers1"
+TIME = "EQUATSS2.2TempsColliTauV3"
+SPEEDS = "EQUATSS2.2ViteRPostCVers2"
+
+n = Letters(
+    "map",
+    r="r",
+    d="d",
+    y="-η₂",
+    eta="η₁",
+    cos="ω₁·ω₂",
+    a="ω₁·W₂",
+    b="ω₂·W₁",
+    A="|W₂|²",
+    B="|W₁|²",
+    w="W₁·W₂",
+    S="√(1-ζ)",
+    tau="τ",
+    D="1+d'",
+    p_1="p·ω₁",
+    p_2="p·ω₂",
+    q_1="p·W₁",
+    q_2="p·W₂",
+)
+omega_1, W_1, omega_2, W_2, p = map(basis_vector, ("omega_1", "W_1", "omega_2", "W_2", "p"))
+space = Space(
+    {
+        ("omega_1", "omega_1"): as_term(1),
+        ("omega_2", "omega_2"): as_term(1),
+        ("omega_1", "omega_2"): n.cos,
+        ("omega_1", "W_1"): n.eta,
+        ("omega_2", "W_2"): -n.y,
+        ("omega_1", "W_2"): n.a,
+        ("omega_2", "W_1"): n.b,
+        ("W_1", "W_1"): n.B,
+        ("W_2", "W_2"): n.A,
+        ("W_1", "W_2"): n.w,
+        ("p", "omega_1"): n.p_1,
+        ("p", "omega_2"): n.p_2,
+        ("p", "W_1"): n.q_1,
+        ("p", "W_2"): n.q_2,
+    }
+)
+dot = space.dot
+half = (1 + n.r) / 2
+#: W_2.omega_2' = (1+d) eta_2 + tau |W_2|^2, and omega_1'.omega_2', as names.
+kappa, c = symbol("map-kappa"), symbol("map-c")
+new_2: Combination = add(scale(1 + n.d, omega_2), scale(n.tau, W_2))
+end: Combination = add(omega_1, scale(n.tau, W_1))
+new_1: Combination = scale(1 / n.D, end)
+grown = (n.eta + n.tau * n.B) / n.D
+speed_1 = minus(W_1, scale(half * kappa, new_2))
+speed_2 = minus(W_2, scale((1 + n.r) * kappa, new_2))
+bracket = minus(scale(c, new_1), new_2)
+#: Three balls on a line, of which 1 and 2 are outside, for r = 1/20.
+POINT = "1/20 1 1 1/8 -1 1 -1/8 1 1/64 1/8 1/2 1 9/8 1 -1 1/8 1"
+
+
+def givens() -> dict[str, Claim]:
+    """What is known of a state just before the collision."""
+    return {
+        "r-positive": 0 < n.r,
+        "r-one": n.r < 1,
+        "d-positive": 0 < n.d,
+        "closing": 0 < n.y,
+        "receding": 0 < n.eta,
+        "S-positive": 0 < n.S,
+        "tau-positive": 0 < n.tau,
+        "D-positive": 0 < n.D,
+        "contact-time": equal((1 + n.d) * n.y * (1 + n.S) * n.tau, n.d * (2 + n.d)),
+        "speed-time": equal(n.A * n.tau, (1 + n.d) * n.y * (1 - n.S)),
+        "distance": equal(n.D**2, 1 + 2 * n.eta * n.tau + n.B * n.tau**2),
+        "cs-1": n.eta**2 <= n.B,
+        "cs-2": n.y**2 <= n.A,
+        "cs-turn": dot(end, new_2) ** 2 <= dot(end, end) * dot(new_2, new_2),
+    }
+
+
+def chapters() -> Iterator[Chapter]:
+    """The equations of the mapping that the step does not have: with p, and as vectors."""
+    context = n.opened(
+        "0 and 1 have just collided, 0 and 2 will next, after the time τ; p is any vector",
+        POINT,
+        givens(),
+    )
+    values = {"map-kappa": ("W₂·ω₂'", dot(W_2, new_2)), "map-c": ("ω₁'·ω₂'", dot(new_1, new_2))}
+    constants = tuple(Constant(k, x, x, SYSTEM, term) for k, (x, term) in values.items())
+    yield Chapter(None, (Opened(context._replace(constants=constants)),))
+    yield Chapter(n.context, (*_places(), *_speeds(), *_tangents()))
+
+
+def _places() -> Iterator[Item]:
+    yield Defined("map-kappa")
+    yield Defined("map-c")
+    yield Line(
+        "meets",
+        equal(dot(new_2, new_2), 1),
+        identity("", (("map-speed-time", n.tau), ("map-contact-time", as_term(-1)))),
+        "EQUATSS2.2DefinOmeg2Prime",
+        "after the time τ balls 0 and 2 touch: |ω₂'| = 1",
+    )
+    yield Line(
+        "turned-unit",
+        equal(dot(new_1, new_1), 1),
+        identity("", (("map-distance", as_term(-1)),)),
+        "EQUATSS2.2DefinOmeg1Prime",
+        "|ω₁'| = 1",
+    )
+    yield Line(
+        "hit",
+        equal(kappa, -((1 + n.d) * n.y * n.S)),
+        identity("map-kappa", (("map-speed-time", as_term(1)),)),
+        TIME,
+        "W₂·ω₂' = (1+d)η₂ + τ|W₂|² = (1+d)√(1-ζ) η₂",
+    )
+    yield Line(
+        "cosine",
+        equal(
+            n.D * c,
+            (1 + n.d) * n.cos + (n.a + (1 + n.d) * n.b) * n.tau + n.w * n.tau**2,
+        ),
+        identity("map-c"),
+        COSINE,
+        "(1+d') ω₁'·ω₂' = (1+d) ω₁·ω₂ + (ω₁·W₂ + (1+d) ω₂·W₁)τ + W₁·W₂ τ²",
+    )
+
+
+def _speeds() -> Iterator[Item]:
+    yield Line(
+        "far-component",
+        equal(dot(W_2, scale(1 + n.d, omega_2)), (1 + n.d) * -n.y),
+        identity(),
+        NORMAL,
+        "W₂·(x₂-x₀) = (1+d)η₂, where 0 and 2 are apart",
+    )
+    yield Line(
+        "grown",
+        equal(dot(W_1, new_1), grown),
+        identity(),
+        FIRST,
+        "W₁·ω₁' = (η₁ + τ|W₁|²)/(1+d')",
+    )
+    yield Line(
+        "normal-1",
+        equal(dot(speed_1, new_1), grown - half * c * kappa),
+        identity("map-c"),
+        FIRST,
+        "η₁' = (η₁ + τ|W₁|²)/(1+d') - (1+r)/2 (ω₁'·ω₂') W₂·ω₂'",
+    )
+    yield Line(
+        "normal-2",
+        equal(dot(speed_2, new_2), -n.r * kappa),
+        identity("", (("meets", -((1 + n.r) * kappa)), ("map-kappa", as_term(-1)))),
+        "EQUATSS2.2Eta_1PrimeVers2",
+        "η₂' = -r W₂·ω₂'",
+    )
+
+
+def _tangents() -> Iterator[Item]:
+    yield Line(
+        "tangential-1",
+        equal(dot(p, projected(speed_1, new_1)), dot(p, rest_1())),
+        identity("map-c"),
+        TANGENT_1,
+        "p·(W₁⊥)' = p·(W₁ - (η₁+τ|W₁|²)/(1+d') ω₁' + (1+r)/2 (W₂·ω₂')[(ω₁'·ω₂')ω₁' - ω₂'])",
+    )
+    after = minus(speed_2, scale(-n.r * kappa, new_2))
+    yield Line(
+        "tangential-2",
+        equal(dot(p, after), dot(p, minus(W_2, scale(kappa, new_2)))),
+        identity(),
+        TANGENT_2,
+        "p·(W₂⊥)' = p·(W₂ - (W₂·ω₂')ω₂')",
+    )
+
+
+def projected(speed: Combination, direction: Combination) -> Combination:
+    """What is left of a velocity without its component along a unit vector."""
+    return minus(speed, scale(dot(speed, direction), direction))
+
+
+def rest_1() -> Combination:
+    """The right side of the law of the tangential component of W_1."""
+    return add(minus(W_1, scale(grown, new_1)), scale(half * kappa, bracket))
+
+
+def _without_direction() -> Term:
+    return n.q_1 - grown + half * kappa * dot(p, bracket)
+
+
+MISPRINTS: tuple[Refuted, ...] = (
+    refuted(
+        n,
+        "far-component-printed",
+        equal(dot(W_2, scale(1 + n.d, omega_2)), -n.y),
+        POINT,
+        label=NORMAL,
+        says="η_{i,n} = W_i·ω_i = (v_i-v_0)·(x_i-x_0), for the pair that is apart too",
+        severity=SLIP,
+        corrected_by="far-component",
+    ),
+    refuted(
+        n,
+        "tangential-scalar",
+        equal(dot(p, projected(speed_1, new_1)), _without_direction()),
+        "1/20 1 1 1/8 -1 1 -1/8 1 1/64 1/8 1/2 1 9/8 0 0 0 0",
+        label=NEARLY,
+        says="W_{1,n+1}⊥ = W_{1,n} - (η_{1,n}+τ_n|W_{1,n}|²)/(1+d_{n+1}) + …, twice: a number is "
+        "taken from a vector, ω_{1,n+1} is missing (read along p, as if from each component)",
+        severity=SLIP,
+        corrected_by="tangential-1",
+    ),
+)

@@ -181,7 +181,7 @@ def statement_of(telling: Telling, found: Fate) -> Statement:
     used = {name for row in telling.rows for name in row.uses}
     return Statement(
         "scene",
-        " ".join(scene_lines(found)),
+        " ".join(scene_lines(found._replace(reason=""))),
         telling.parameters,
         tuple(telling.constants),
         (),

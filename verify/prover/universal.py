@@ -45,6 +45,7 @@ class Universal:
     def __init__(self, ground: Ground, budget: Budget) -> None:
         self.ground, self.session, self.budget = ground, ground.session, budget
         self.contexts: dict[str, Context] = {}
+        self.depth = 0  # of lemmas that lemmas need
         self._bounds: dict[str, Bounds] = {}
         self._homes: dict[str, str] = {}
         self._local: dict[str, Term] = {}

@@ -14,6 +14,7 @@ from verify.prover.goal import Goal
 from verify.prover.points import failure_test
 from verify.prover.proof import Proof
 from verify.prover.search.domain import Domain
+from verify.prover.search.ends_of_variables import Polynomials
 from verify.prover.search.extrema import by_entries, extrema_of, split
 from verify.prover.search.minimum import Minima, simple_points
 from verify.prover.search.positive import by_squares
@@ -42,6 +43,11 @@ class Strategy:
         if self.minima and self.minima[0][0] < -NEAR_ZERO:
             return  # it is false
         yield self.tree(FEW_LEAVES)
+        if len(self.goal.variables) > 2 and self.goal.box is not None:
+            polynomials = Polynomials(self)
+            if polynomials.is_plain:
+                yield polynomials.by_parts()
+                yield polynomials.by_ends()
         facts = self.facts()
         yield self.squares(self.goal, facts)
         yield by_entries(self, facts)

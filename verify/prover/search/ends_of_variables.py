@@ -1,0 +1,249 @@
+"""Polynomials on a box by what they are at the ends of a variable, or by separate parts.
+
+For a polynomial p and a < x < b, with p(a) and p(b) polynomials in the other variables:
+
+    rising      p = p(a) + (x - a) q           where q >= 0
+    falling     p = p(b) + (b - x) q           where q >= 0
+    concave     (b - a) p = (b - x) p(a) + (x - a) p(b) + (b - a) (x - a) (b - x) c
+
+where -c is the coefficient of x^2, and c >= 0; with c = 0 these are the polynomials of degree 1.
+What is needed of p(a), p(b), q and c is shown as lemmas, in the same way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from flint import fmpq, fmpq_mpoly
+
+from verify.language.record import TYPE_CHECKING
+from verify.language.terms import Claim, Term, symbol
+from verify.prover.clearing import Clearing, expanded
+from verify.prover.goal import Bounds
+from verify.prover.proof import Proof, Value
+from verify.prover.rules import Sum
+from verify.prover.search.minimum import Minima, simple_points
+from verify.prover.search.tree import Tree
+from verify.prover.session import ZERO
+
+if TYPE_CHECKING:
+    from verify.prover.search.strategy import Strategy
+
+#: A sign that takes more leaves is not looked for here.
+SIGN_LEAVES = 40
+#: Lemmas about ends inside lemmas about ends.
+MAX_DEPTH = 9
+
+
+class Polynomials:
+    """A claim between polynomials in variables that lie in a box: 0 < p or 0 <= p."""
+
+    def __init__(self, strategy: Strategy) -> None:
+        self.strategy, self.goal = strategy, strategy.goal
+        claim = self.goal.claim
+        replaced = {symbol(name): term for name, term in self.goal.definitions.items()}
+        self.clearing = Clearing((claim.lhs, claim.rhs), replaced)
+        self.p = self.clearing.difference(claim.rhs, claim.lhs)
+        self.atoms = self.clearing.atoms
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether all atoms are variables."""
+        return all(atom.op == "symbol" for atom in self.atoms)
+
+    def number(self, value: Fraction) -> fmpq_mpoly:
+        """A number as a polynomial."""
+        return self.clearing.constant(value)
+
+    def term(self, p: fmpq_mpoly) -> Term:
+        """A polynomial as a term."""
+        return expanded(p, self.atoms)
+
+    def lemma(self, relation: str, p: fmpq_mpoly) -> Value | None:
+        """The value of a fact 0 < p or 0 <= p, which is proved now; None if that fails."""
+        if p.is_constant():
+            value = _fraction(p.leading_coefficient()) if not p.is_zero() else Fraction(0)
+            good = value > 0 or (value == 0 and relation == "<=")
+            return str(value) if good else None
+        universal = self.strategy.universal
+        depth = universal.depth
+        if depth > MAX_DEPTH:
+            return None
+        universal.depth += 1
+        try:
+            return universal.fact(Claim(relation, ZERO, self.term(p)), self.goal.context)
+        finally:
+            universal.depth = depth
+
+    def not_negative(self, p: fmpq_mpoly) -> bool:
+        """Whether a short tree shows that a polynomial is >= 0."""
+        if p.is_constant():
+            return p.is_zero() or p.leading_coefficient() >= 0
+        variables = {
+            atom.name: self.goal.variables[atom.name]
+            for atom, degree in zip(self.atoms, p.degrees(), strict=True)
+            if degree
+        }
+        if not all(bounds.ends for bounds in variables.values()):
+            return False
+        claim = Claim("<=", ZERO, self.term(p))
+        return Tree(claim, variables, {}, self.strategy.budget).prove(SIGN_LEAVES) is not None
+
+    # --- ends -----------------------------------------------------------------------------------
+
+    def by_ends(self) -> Proof | None:
+        """By the ends of the first variable for which that is possible."""
+        for index in self._order():
+            bounds = self.goal.variables[self.atoms[index].name]
+            for technique in (self._monotone, self._concave):
+                proof = technique(index, bounds)
+                if proof is not None:
+                    return proof
+                if self._applies:
+                    return None
+        return None
+
+    def _order(self) -> Iterator[int]:
+        """The variables with two strict bounds, those of low degree first."""
+        found = []
+        for index, (atom, degree) in enumerate(zip(self.atoms, self.p.degrees(), strict=True)):
+            bounds = self.goal.variables.get(atom.name)
+            if degree and bounds is not None and bounds.ends is not None:
+                if "=" not in (bounds.low_relation, bounds.high_relation):
+                    found.append((int(degree), index))
+        return (index for _, index in sorted(found))
+
+    def at(self, index: int, value: Fraction) -> fmpq_mpoly:
+        """P with a number for a variable."""
+        gens = list(self.clearing.context.gens())
+        gens[index] = self.number(value)
+        return self.p.compose(*gens)
+
+    def _monotone(self, index: int, bounds: Bounds) -> Proof | None:
+        self._applies = False
+        x = self.clearing.context.gens()[index]
+        low, high = bounds.ends or (Fraction(0), Fraction(0))
+        for end, sign, fact in ((low, 1, bounds.low_fact), (high, -1, bounds.high_fact)):
+            at_end = self.at(index, end)
+            quotient, rest = divmod(self.p - at_end, x - self.number(end))
+            if not rest.is_zero():
+                continue
+            quotient *= sign
+            if self.not_negative(quotient):
+                self._applies = True
+                first = self.lemma(self.goal.claim.relation, at_end)
+                second = None if first is None else self.lemma("<=", quotient)
+                if first is None or second is None:
+                    return None
+                return self._sum(first, ("mul", fact, second))
+        return None
+
+    def _concave(self, index: int, bounds: Bounds) -> Proof | None:
+        degree = int(self.p.degrees()[index])
+        if degree > 2:
+            return None
+        low, high = bounds.ends or (Fraction(0), Fraction(0))
+        parts = dict(self.clearing.coefficients(self.p, index))
+        bend = -parts[2] if degree == 2 else self.number(Fraction(0))
+        if not self.not_negative(bend):
+            return None
+        self._applies = True
+        relation = self.goal.claim.relation
+        ends = [self.lemma(relation, self.at(index, end)) for end in (low, high)]
+        if None in ends:
+            return None
+        facts = bounds.low_fact, bounds.high_fact
+        values: list[Value] = [("mul", facts[1], ends[0]), ("mul", facts[0], ends[1])]
+        if not bend.is_zero():
+            curved = self.lemma("<=", bend)
+            if curved is None:
+                return None
+            values.append(("mul", str(high - low), *facts, curved))
+        return self._sum(*values, scale=high - low)
+
+    def _sum(self, *values: Value, scale: Fraction = Fraction(1)) -> Proof:
+        goal: Value = "goal" if scale == 1 else ("mul", str(scale), "goal")
+        return Sum((goal, *values), self.strategy.using)
+
+    # --- separate parts -------------------------------------------------------------------------
+
+    def by_parts(self) -> Proof | None:
+        """P is a sum of polynomials in different variables: each is above its least value."""
+        parts = self._parts()
+        if len(parts) < 2:
+            return None
+        least = [self._least(part) for part in parts]
+        known = [value for value in least if value is not None]
+        if len(known) < len(parts):
+            return None
+        slack = sum(float(value) for value in known)
+        lows = _shared(known, slack)
+        values = [
+            self.lemma(self.goal.claim.relation if i == 0 else "<=", part - self.number(low))
+            for i, (part, low) in enumerate(zip(parts, lows, strict=True))
+        ]
+        return None if None in values else self._sum(*(v for v in values if v is not None))
+
+    def _parts(self) -> list[fmpq_mpoly]:
+        """The parts without a variable in common; the constant goes to the first."""
+        groups: list[tuple[set[int], dict[tuple[int, ...], fmpq]]] = []
+        constant = {}
+        for monomial, value in self.p.to_dict().items():
+            used = {i for i, e in enumerate(monomial) if e}
+            if not used:
+                constant = {monomial: value}
+                continue
+            inside, apart = {monomial: value}, []
+            for names, terms in groups:
+                if names & used:
+                    used, inside = used | names, inside | terms
+                else:
+                    apart.append((names, terms))
+            groups = [*apart, (used, inside)]
+        found = [self.clearing.context.from_dict(terms) for _, terms in groups]
+        return [found[0] + self.clearing.context.from_dict(constant), *found[1:]] if found else []
+
+    def _least(self, part: fmpq_mpoly) -> Fraction | None:
+        """An estimate of the least value: exact where it is taken at a simple point."""
+        names = [atom.name for atom, d in zip(self.atoms, part.degrees(), strict=True) if d]
+        variables = {name: self.goal.variables[name] for name in names}
+        claim = Claim("<=", ZERO, self.term(part))
+        found = Minima(
+            self.goal._replace(claim=claim, variables=variables), self.strategy.budget
+        ).found()
+        if not found:
+            return None
+        value, point = found[0]
+        bounds = [(b.low, b.high) for b in variables.values()]
+        for values in simple_points(point, bounds, inside=False):
+            numbers = dict(zip(names, values, strict=True))
+            at = [fmpq(0)] * len(self.atoms)
+            for i, atom in enumerate(self.atoms):
+                if atom.name in numbers:
+                    number = numbers[atom.name]
+                    at[i] = fmpq(number.numerator, number.denominator)
+            exact = _fraction(part(*at))
+            if abs(float(exact) - value) < 1e-9 * (1 + abs(value)):
+                return exact
+        return Fraction(value)
+
+
+def _shared(least: list[Fraction], slack: float) -> list[Fraction]:
+    """Lower bounds that add up to 0, each a little below the least value where there is room."""
+    if sum(least) == 0:
+        return least
+    share = slack / len(least)
+    digits = max(0, int(2 - _log10(share / 4))) if share > 0 else 12
+    lows = [Fraction(round((float(v) - share) * 10**digits), 10**digits) for v in least[1:]]
+    return [-sum(lows), *lows]
+
+
+def _log10(value: float) -> float:
+    from math import log10
+
+    return log10(value) if value > 0 else 0.0
+
+
+def _fraction(value: fmpq) -> Fraction:
+    return Fraction(int(value.p), int(value.q))

@@ -9,6 +9,7 @@ from fractions import Fraction
 
 from verify.jobs import (
     classification,
+    elsewhere,
     everywhere,
     scene,
     sharper,
@@ -74,6 +75,7 @@ THEOREMS: dict[str, Callable[[], Outcome]] = {
     "thresholds": thresholds.decide_thresholds,
     "spectrum": spectrum.decide_spectrum,
     "classification": classification.decide_classification,
+    "elsewhere": elsewhere.decide_elsewhere,
     "sharper": sharper.decide_sharper,
     "flow": scene.decide_flow,
 }

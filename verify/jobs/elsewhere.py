@@ -6,7 +6,7 @@ from functools import cache
 
 from verify.jobs.arguments import NUMBER_BITS, POINT_BITS, Writing
 from verify.language.statement import REFUTED, Context
-from verify.paper.elsewhere.theorem import elsewhere, misprints
+from verify.paper.elsewhere.theorem import elsewhere, refutations
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Premise
 from verify.prover.rules import Interval, Sum, Witness
@@ -20,7 +20,7 @@ def decide_elsewhere() -> Outcome:
     for chapter in argument.chapters:
         writing.chapter(chapter)
     contexts = {context.name: context for context in argument.statement.contexts}
-    for found in misprints():
+    for found in refutations():
         row = writing.rows[found.row.name]
         premises = _premises(contexts[str(row.context)])
         proof = Witness(found.at, premises, Interval(NUMBER_BITS))

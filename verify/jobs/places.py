@@ -20,6 +20,7 @@ from verify import paper
 from verify.language.record import Record
 from verify.language.statement import Context, Obligation
 from verify.paper.argument import Chapter, Line, Opened
+from verify.paper.elsewhere.subject import Refuted
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.spectrum.printed import Printed
@@ -108,8 +109,9 @@ def _yielded(running: Any) -> Iterator[Place]:
     for item in running:
         path, line = _at_work(running)
         for part in item.items if isinstance(item, Chapter) else (item,):
-            if isinstance(part, Obligation | Line):
-                yield Place(part.name, part.label, part.says, path, line)
+            row = part.row if isinstance(part, Refuted) else part
+            if isinstance(row, Obligation | Line):
+                yield Place(row.name, row.label, row.says, path, line)
             elif isinstance(part, Opened):
                 yield from _known(part.context, path, line)
 

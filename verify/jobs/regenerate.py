@@ -13,6 +13,7 @@ from typing import Any
 from verify.jobs import (
     box,
     classification,
+    elsewhere,
     everywhere,
     scene,
     sharper,
@@ -68,6 +69,7 @@ def _outcomes(parameters: Mapping[str, Term], collisions: int) -> Iterator[Outco
         yield everywhere.decide_everywhere()
         yield thresholds.decide_thresholds()
         yield classification.decide_classification()
+        yield elsewhere.decide_elsewhere()
         yield sharper.decide_sharper()
         yield scene.decide_flow()
     elif (found := scene.read_back(parameters)) is not None:

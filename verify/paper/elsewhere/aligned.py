@@ -33,7 +33,7 @@ from verify.paper.rows import HARMLESS, SLIP
 LARGE = "EQUATSS3.3PROPOComp1PerpG"
 PROPOSITION = "PROPOSS3.3AsympCompa__I__"
 
-n = Letters("line", y="-η₂", d="d", T="T")
+n = Letters("line", y="|η₂|", d="d", T="T")
 r = Fraction(1, 20)
 START = n.point("1 1 0")
 SHRUNK, FALLEN = Fraction(1, 8), Fraction(2, 5)
@@ -185,8 +185,10 @@ ETA_1 = SHRUNK * n.y
 #: d' eta_1 + tau |W_1|^2 + d (-eta_2) + tau |W_2|^2
 REST = SHRUNK * n.d * ETA_1 + tau * ETA_1**2 + n.d * n.y + tau * n.y**2
 
-MISPRINTS: tuple[Refuted, ...] = (
-    refuted(
+
+def misprints() -> Iterator[Refuted]:
+    """What is false here, each with a point at which it is."""
+    yield refuted(
         n,
         "tangential-large",
         n.y**2 <= 10**6 * dot(tangential, tangential),
@@ -196,8 +198,8 @@ MISPRINTS: tuple[Refuted, ...] = (
         "collision -η₂ ≤ 1000|W₂⊥|, but there is none, with no constant",
         severity=HARMLESS,
         corrected_by="line-tangential",
-    ),
-    refuted(
+    )
+    yield refuted(
         n,
         "change-1-sign",
         (1 + r) * n.y <= 1000 * REST,
@@ -207,8 +209,8 @@ MISPRINTS: tuple[Refuted, ...] = (
         "1000: on the line the left side is (1+r)η₂, and the right side falls with dη₂",
         severity=SLIP,
         corrected_by="change-1",
-    ),
-    refuted(
+    )
+    yield refuted(
         n,
         "change-2-sign",
         2 * r * n.y <= 1000 * (n.d * n.y + tau * n.y**2),
@@ -218,5 +220,4 @@ MISPRINTS: tuple[Refuted, ...] = (
         "is -2rη₂, and the right side falls with dη₂",
         severity=SLIP,
         corrected_by="change-2",
-    ),
-)
+    )

@@ -52,9 +52,6 @@ TURNS = "EQUATSS3.3PROPOComp1omga'"
 TANGENTS = "EQUATSS3.3PROPOComp1PerpD"
 PROPOSITION = "PROPOSS3.3AsympCompa__I__"
 
-#: `aligned` has the two equations of this part that are misprinted.
-MISPRINTS: tuple[Refuted, ...] = ()
-
 d, y, S, tau, A, B, D, eta, r = n.d, n.y, n.S, n.tau, n.A, n.B, n.D, n.eta, n.r
 
 
@@ -209,3 +206,8 @@ def _tangents() -> Iterator[Item]:
         TANGENTS,
         "W₂⊥ changes by τ|W₂||W₂⊥| in length, squared",
     )
+
+
+def misprints() -> Iterator[Refuted]:
+    """None here: `aligned` has the two equations of this part that are misprinted."""
+    yield from ()

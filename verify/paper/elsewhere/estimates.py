@@ -207,8 +207,9 @@ def _travel() -> Iterator[Item]:
     )
 
 
-MISPRINTS: tuple[Refuted, ...] = (
-    refuted(
+def misprints() -> Iterator[Refuted]:
+    """What is false here, each with a point at which it is."""
+    yield refuted(
         n,
         "distance-half-printed",
         2 * d * A <= y**2,
@@ -217,5 +218,4 @@ MISPRINTS: tuple[Refuted, ...] = (
         says="ζ < 1, so d ≤ η₂²/(2|W₂|²) for n large: the factor (1+d)²/(2+d) is above 1/2",
         severity=HARMLESS,
         corrected_by="zeta-below-one",
-    ),
-)
+    )

@@ -19,14 +19,14 @@ from verify.paper.rows import HARMLESS
 
 TRAVEL = "EQUATSS3.3PROPOComp2_d'__"
 
-n = Letters("generic", eta="η₁", tau="τ", B="|W₁|²", D="1+d'", K="K")
+n = Letters("generic", eta="η₁", tau="τ", B="|W₁|²", D="(1+d')", K="K")
 v = Letters(
     "turn",
     r="r",
     u="u",
     C="-cos θ",
     rho="ρ",
-    y="-η₂",
+    y="|η₂|",
     d="d",
     k="k",
     B="|W₁|²",
@@ -140,8 +140,9 @@ def _narrow() -> Iterator[Item]:
     )
 
 
-MISPRINTS: tuple[Refuted, ...] = (
-    refuted(
+def misprints() -> Iterator[Refuted]:
+    """What is false here, each with a point at which it is."""
+    yield refuted(
         mapping.n,
         "travel-first-order",
         mapping.n.D - 1 <= 100 * (mapping.n.eta * mapping.n.tau),
@@ -151,5 +152,4 @@ MISPRINTS: tuple[Refuted, ...] = (
         "it does not follow from the equations, as τ = O(η₂) is not O(η₁)",
         severity=HARMLESS,
         corrected_by="travel-alternating",
-    ),
-)
+    )

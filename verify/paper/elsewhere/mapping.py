@@ -31,7 +31,7 @@ n = Letters(
     "map",
     r="r",
     d="d",
-    y="-η₂",
+    y="|η₂|",
     eta="η₁",
     cos="ω₁·ω₂",
     a="ω₁·W₂",
@@ -41,7 +41,7 @@ n = Letters(
     w="W₁·W₂",
     S="√(1-ζ)",
     tau="τ",
-    D="1+d'",
+    D="(1+d')",
     p_1="p·ω₁",
     p_2="p·ω₂",
     q_1="p·W₁",
@@ -213,8 +213,9 @@ def _without_direction() -> Term:
     return n.q_1 - grown + half * kappa * dot(p, bracket)
 
 
-MISPRINTS: tuple[Refuted, ...] = (
-    refuted(
+def misprints() -> Iterator[Refuted]:
+    """What is false here, each with a point at which it is."""
+    yield refuted(
         n,
         "far-component-printed",
         equal(dot(W_2, scale(1 + n.d, omega_2)), -n.y),
@@ -223,8 +224,8 @@ MISPRINTS: tuple[Refuted, ...] = (
         says="η_{i,n} = W_i·ω_i = (v_i-v_0)·(x_i-x_0), for the pair that is apart too",
         severity=SLIP,
         corrected_by="far-component",
-    ),
-    refuted(
+    )
+    yield refuted(
         n,
         "tangential-scalar",
         equal(dot(p, projected(speed_1, new_1)), _without_direction()),
@@ -234,5 +235,4 @@ MISPRINTS: tuple[Refuted, ...] = (
         "taken from a vector, ω_{1,n+1} is missing (read along p, as if from each component)",
         severity=SLIP,
         corrected_by="tangential-1",
-    ),
-)
+    )

@@ -26,7 +26,7 @@ plane = Letters(
     r="r",
     d="d",
     tau="τ",
-    D="1+d'",
+    D="(1+d')",
     o_x="(ω₂)₁",
     o_y="(ω₂)₂",
     a_x="(v₀)₁",
@@ -197,8 +197,10 @@ def _state() -> str:
 
 STATE = _state()
 
-MISPRINTS: tuple[Refuted, ...] = (
-    refuted(
+
+def misprints() -> Iterator[Refuted]:
+    """What is false here, each with a point at which it is."""
+    yield refuted(
         forced,
         "forced-exponential",
         forced.n**2 <= forced.q * (forced.n + 1) ** 2,
@@ -208,8 +210,8 @@ MISPRINTS: tuple[Refuted, ...] = (
         "convergence; here x_{n+1} = x_n/2 + f_n with x_n = 1/n², q = 1/2, n = 4",
         severity=HARMLESS,
         corrected_by="speeds-fall",
-    ),
-    refuted(
+    )
+    yield refuted(
         plane,
         "change-bound",
         inner(_change(), _change()) <= _bound() ** 2,
@@ -219,5 +221,4 @@ MISPRINTS: tuple[Refuted, ...] = (
         "E₀ for |W|²: |W|² can be 4E₀, and is 3E₀ here",
         severity=HARMLESS,
         corrected_by="relative-speed",
-    ),
-)
+    )

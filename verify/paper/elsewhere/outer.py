@@ -83,8 +83,9 @@ def _lines() -> Iterator[Item]:
     )
 
 
-MISPRINTS: tuple[Refuted, ...] = (
-    refuted(
+def misprints() -> Iterator[Refuted]:
+    """What is false here, each with a point at which it is."""
+    yield refuted(
         v,
         "next-collision",
         1 <= (v.X_1 + v.t * (v.b_1 - v.a_1) - 1) ** 2 + (v.X_2 + v.t * (v.b_2 - v.a_2)) ** 2,
@@ -94,5 +95,4 @@ MISPRINTS: tuple[Refuted, ...] = (
         "the mapping writes it out; here 1 and 2 meet before",
         severity=HARMLESS,
         corrected_by="outer-apart",
-    ),
-)
+    )

@@ -212,8 +212,9 @@ def _approach() -> Iterator[Chapter]:
     )
 
 
-MISPRINTS: tuple[Refuted, ...] = (
-    refuted(
+def misprints() -> Iterator[Refuted]:
+    """What is false here, each with a point at which it is."""
+    yield refuted(
         n,
         "two-laws-determine",
         equal(dot(p, add(new_i, u)), dot(p, new_i)),
@@ -223,8 +224,8 @@ MISPRINTS: tuple[Refuted, ...] = (
         "give the velocities, and with them the tangential components",
         severity=SLIP,
         corrected_by="tangential-kept",
-    ),
-    refuted(
+    )
+    yield refuted(
         n,
         "law-at-every-contact",
         0 <= dot(new_W, e),
@@ -233,8 +234,8 @@ MISPRINTS: tuple[Refuted, ...] = (
         says="the law of collision applies whenever a pair touches, and the pair then recedes",
         severity=SLIP,
         corrected_by="recedes-after",
-    ),
-    refuted(
+    )
+    yield refuted(
         n,
         "colliding-pair-index",
         equal(dot(new_W, e), n.eta + half * n.eta * dot(e, e)),
@@ -244,5 +245,4 @@ MISPRINTS: tuple[Refuted, ...] = (
         "proof the pair (i,k) that collides stands for the pair (i,j) that does not",
         severity=SLIP,
         corrected_by="third-normal",
-    ),
-)
+    )

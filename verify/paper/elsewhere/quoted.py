@@ -98,8 +98,9 @@ def _count() -> Iterator[Item]:
     )
 
 
-MISPRINTS: tuple[Refuted, ...] = (
-    refuted(
+def misprints() -> Iterator[Refuted]:
+    """What is false here, each with a point at which it is."""
+    yield refuted(
         below,
         "quoted-limit",
         2 * below.s * (1 + below.s) < 1 + below.s**3,
@@ -109,8 +110,8 @@ MISPRINTS: tuple[Refuted, ...] = (
         "belongs to the other condition, 4√r/(1+r); here θ = π and r = 8/125 < 7-4√3",
         severity=SLIP,
         corrected_by="quoted-threshold",
-    ),
-    refuted(
+    )
+    yield refuted(
         wide,
         "angle-for-every-r",
         2 * wide.s * (1 + wide.s) < wide.c * (1 + wide.s**3),
@@ -120,8 +121,8 @@ MISPRINTS: tuple[Refuted, ...] = (
         "for no fixed r, only for angles above a bound that depends on r; here r = 1/64",
         severity=SLIP,
         corrected_by="angle-if-r-is-small",
-    ),
-    refuted(
+    )
+    yield refuted(
         count,
         "dimension-less",
         equal(
@@ -133,5 +134,4 @@ MISPRINTS: tuple[Refuted, ...] = (
         says="as W⊥ is orthogonal to ω, the dimension 4n-1 could be reduced by 2",
         severity=HARMLESS,
         corrected_by="dimension-in-parts",
-    ),
-)
+    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 
 from verify.language.record import Record
 from verify.language.statement import Obligation
@@ -14,10 +14,10 @@ from verify.paper.rows import misprint
 
 def subject(
     letters: Letters, says: str, point: str, givens: Mapping[str, Claim], lines: Iterable[Item] = ()
-) -> Iterator[Chapter]:
+) -> tuple[Chapter, ...]:
     """The chapters that open a context without a parent, and prove lines in it."""
-    yield Chapter(None, (Opened(letters.opened(says, point, givens)),))
-    yield Chapter(letters.context, tuple(lines))
+    opened = Chapter(None, (Opened(letters.opened(says, point, givens)),))
+    return opened, Chapter(letters.context, tuple(lines))
 
 
 class Refuted(Record):

@@ -155,8 +155,9 @@ def _window() -> Iterator[Chapter]:
     yield from subject(window, says, "1 1 1 1 1/2", givens, (bound,))
 
 
-MISPRINTS: tuple[Refuted, ...] = (
-    refuted(
+def misprints() -> Iterator[Refuted]:
+    """What is false here, each with a point at which it is."""
+    yield refuted(
         clock,
         "interval-index",
         equal(clock.t_3 - (clock.t_2 - clock.t_1), clock.t_3 - clock.t_2),
@@ -165,8 +166,8 @@ MISPRINTS: tuple[Refuted, ...] = (
         says="τ_n = t_n - τ_{n-1}, twice; here n = 3, with τ_2 = t_2 - t_1",
         severity=SLIP,
         corrected_by="intervals-telescope",
-    ),
-    refuted(
+    )
+    yield refuted(
         free,
         "flight-forgotten",
         equal(free.D * free.rho + free.t * free.w**2, free.E * free.rho),
@@ -176,8 +177,8 @@ MISPRINTS: tuple[Refuted, ...] = (
         "the next; the free flight between them is forgotten",
         severity=BREAKS,
         corrected_by="flight-gain",
-    ),
-    refuted(
+    )
+    yield refuted(
         window,
         "window-same",
         equal((window.s + window.alpha * window.b) ** 2, (window.s + window.alpha * window.s) ** 2),
@@ -187,8 +188,8 @@ MISPRINTS: tuple[Refuted, ...] = (
         "of its own, not the same one",
         severity=HARMLESS,
         corrected_by="window-next",
-    ),
-    refuted(
+    )
+    yield refuted(
         small,
         "negligible-printed",
         small.s <= small.q * small.s,
@@ -198,5 +199,4 @@ MISPRINTS: tuple[Refuted, ...] = (
         "holds for y = x, which is not below qx",
         severity=SLIP,
         corrected_by="distance-by-time",
-    ),
-)
+    )

@@ -57,16 +57,16 @@ def elsewhere() -> Argument:
     headings |= {
         found.row.name: heading
         for heading, section in SECTIONS.items()
-        for found in section.MISPRINTS
+        for found in section.misprints()
     }
-    rows = (*written.statement.obligations, *(found.row for found in misprints()))
+    rows = (*written.statement.obligations, *(found.row for found in refutations()))
     placed = tuple(_placed(row, headings) for row in rows)
     return written._replace(statement=written.statement._replace(obligations=placed))
 
 
-def misprints() -> tuple[Refuted, ...]:
+def refutations() -> tuple[Refuted, ...]:
     """What is false, in the order of the text, each with a point at which it is."""
-    return tuple(found for section in SECTIONS.values() for found in section.MISPRINTS)
+    return tuple(found for section in SECTIONS.values() for found in section.misprints())
 
 
 def _chapters() -> Iterator[Chapter]:

@@ -30,6 +30,7 @@ SHARED = {
     "lines": ("the lines of a chapter, in its context", ("paper",)),
     "ground_lines": ("the lines of a chapter that have no variables", ("paper",)),
     "rows": ("the rows of a section of the paper", ("paper",)),
+    "misprints": ("what a section of the text prints and is false", ("paper",)),
 }
 
 #: Names that mean different things, of code that is still being written: to be made empty.
@@ -43,7 +44,7 @@ TO_BE_RENAMED = {
 SUBJECTS = {
     *("bench", "check", "everywhere", "explain", "graph", "report", "spectrum", "stress"),
     *("theorem1", "parameters", "box", "scene", "sharper", "slack", "classification", "numbering"),
-    *("thresholds", "map"),
+    *("thresholds", "elsewhere", "map"),
 }
 
 #: A part of the paper is a folder; these are its modules, named alike in each.

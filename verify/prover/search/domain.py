@@ -21,11 +21,15 @@ from verify.prover.proof import Value
 
 
 class Factor(Record):
-    """A polynomial in the scaled variables that is >= 0, or > 0 if strict, and its value."""
+    """A polynomial in the scaled variables that is >= 0, or > 0 if strict, and its value.
+
+    ``parts`` are the polynomials, not scaled, that the checker multiplies for it.
+    """
 
     polynomial: fmpq_mpoly
     value: Value
     strict: bool
+    parts: tuple[fmpq_mpoly, ...]
 
 
 class Scale(Record):
@@ -74,10 +78,12 @@ class Domain:
         self.is_plain = len(self.squares) == len(roots)
         self.p = self.reduced(self.scaled(self.clearing.difference(claim.rhs, claim.lhs)))
         self.strict = claim.relation == "<"
+        #: The value of -p, which is > 0 (>= 0 if the claim is strict) if the claim fails.
+        self.goal: Value = "goal"
         self.facts = {name: self._factor(name, fact) for name, fact in facts.items()}
         for i, _ in roots:
             value: Value = ("root", self.atoms[i])
-            self.facts[f"root {i}"] = Factor(self.gens[i], value, False)
+            self.facts[f"root {i}"] = Factor(self.gens[i], value, False, (self.gens[i],))
 
     @staticmethod
     def _scale(atom: Term, variables: Mapping[str, Bounds]) -> Scale:
@@ -111,8 +117,27 @@ class Domain:
 
     def term(self, polynomial: fmpq_mpoly) -> Term:
         """A polynomial in the scaled variables as a term."""
-        unscaled = polynomial.compose(*self._outward) if self.atoms else polynomial
-        return expanded(unscaled, self.atoms)
+        return expanded(self.unscaled(polynomial), self.atoms)
+
+    def unscaled(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+        """A polynomial in the scaled variables as one in the atoms."""
+        return polynomial.compose(*self._outward) if self.atoms else polynomial
+
+    def is_zero(self, point: Sequence[Fraction]) -> bool:
+        """Whether p is 0 at a point in scaled coordinates."""
+        return not self.p(*(fmpq(v.numerator, v.denominator) for v in point))
+
+    def divide_by_squares(self) -> Term | None:
+        """Leave out of p the largest square that divides it; that, unless it is a constant."""
+        if self.squares or self.p.is_zero():
+            return None
+        outer = self.number(1)
+        for part, exponent in self.p.factor()[1]:
+            outer *= part ** (int(exponent) // 2)
+        if outer.is_constant():
+            return None
+        self.p = divmod(self.p, outer * outer)[0]
+        return self.term(outer)
 
     def point(self, values: Mapping[str, Fraction]) -> list[Fraction] | None:
         """The scaled coordinates of a point; None unless all atoms are variables."""
@@ -124,13 +149,14 @@ class Domain:
 
     def _factor(self, name: str, fact: Claim) -> Factor:
         """The difference of the sides, divided by its largest coefficient."""
-        polynomial = self.reduced(self.scaled(self.clearing.difference(fact.rhs, fact.lhs)))
+        plain = self.clearing.difference(fact.rhs, fact.lhs)
+        polynomial = self.reduced(self.scaled(plain))
         size = max((abs(c) for c in polynomial.coeffs()), default=fmpq(1))
         value: Value = name
         if size != 1:
             polynomial = polynomial / size
             value = ("mul", str(Fraction(int(size.q), int(size.p))), name)
-        return Factor(polynomial, value, fact.relation == "<")
+        return Factor(polynomial, value, fact.relation == "<", (plain,))
 
 
 def _exact(term: Term, values: Mapping[str, Fraction]) -> Fraction | None:
@@ -147,4 +173,6 @@ def _exact(term: Term, values: Mapping[str, Fraction]) -> Fraction | None:
 
 def product(a: Factor, b: Factor) -> Factor:
     """The product of two."""
-    return Factor(a.polynomial * b.polynomial, ("mul", a.value, b.value), a.strict and b.strict)
+    value: Value = ("mul", a.value, b.value)
+    parts = (*a.parts, *b.parts)
+    return Factor(a.polynomial * b.polynomial, value, a.strict and b.strict, parts)

@@ -12,7 +12,7 @@ from verify.language.record import TYPE_CHECKING
 from verify.language.terms import Claim, Term, equal
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cases
-from verify.prover.search.domain import Domain, Factor
+from verify.prover.search.domain import Domain
 from verify.prover.search.positive import by_squares
 
 if TYPE_CHECKING:
@@ -87,12 +87,10 @@ def _for_entry(
         if i != index:
             factor = domain.facts[f"@{i}"]
             value = _renamed(factor.value, f"@{i}", ("add", "goal", said[i]))
-            domain.facts[f"@{i}"] = Factor(factor.polynomial, value, claim.relation == "<=")
-    found = by_squares(domain, strategy.zeros(domain), strategy.budget, strategy.using)
-    if found is None:
-        return None
-    addends = (("add", "goal", said[index]), *found.addends[1:])
-    return found._replace(addends=addends)
+            strict = claim.relation == "<="
+            domain.facts[f"@{i}"] = factor._replace(value=value, strict=strict)
+    domain.goal = ("add", "goal", said[index])
+    return by_squares(domain, strategy.zeros(domain), strategy.budget, strategy.using)
 
 
 def _renamed(value: Value, name: str, other: Value) -> Value:

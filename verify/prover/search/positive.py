@@ -22,12 +22,19 @@ Exponents = tuple[int, ...]
 
 #: Programmes of more work than this are not tried.
 MAX_COST = 20_000_000
+#: Sums of more work for the checker are no proofs.
+MAX_UNITS = 5_000_000
 
 
 def by_squares(
     domain: Domain, zeros: Sequence[Sequence[Fraction]], budget: Budget, using: tuple[str, ...] = ()
 ) -> Sum | None:
-    """A proof of the claim; ``zeros`` are points of the domain where p is 0."""
+    """A proof of the claim; ``zeros`` are points of the domain where p is 0.
+
+    A square that divides p is left out at first.
+    """
+    outer = domain.divide_by_squares()
+    zeros = [point for point in zeros if domain.is_zero(point)]
     for factors, blocks in _attempts(domain):
         if _cost(blocks) > MAX_COST or max(len(b.basis) for b in blocks) > MAX_SIZE:
             continue
@@ -37,15 +44,28 @@ def by_squares(
         terms = decompose(domain, polynomials, blocks, budget)
         if terms is None:
             continue
-        addends: list[Value] = ["goal"]
+        addends: list[Value] = [domain.goal]
         strict = not domain.strict
         for weight, index, square in terms:
             value, is_strict = _value(domain, weight, factors[index], square)
-            addends.append(value)
-            strict = strict or is_strict
-        if strict:
+            addends.append(value if outer is None else ("mul", ("square", outer), value))
+            strict = strict or (is_strict and outer is None)
+        if strict and sum(_units(domain, factors[t.factor], t.square) for t in terms) < MAX_UNITS:
             return Sum(tuple(addends), using)
     return None
+
+
+def _units(domain: Domain, factor: Factor, square: fmpq_mpoly) -> int:
+    """About the work of the checker for one term: expanding the square, times its factors."""
+    flat = domain.unscaled(square)
+    n, twice = len(flat), flat * flat
+    size = 3 + max(c.height_bits() for c in flat.coeffs()) // 120
+    atoms = 1 + max(sum(map(bool, m)) for m in flat.monoms())
+    total = size * (6 * n * len(square) + 2 * n * n * atoms + 2 * len(twice) * atoms)
+    for part in factor.parts:
+        total += 3 * size * len(twice) * len(part) * atoms
+        twice = twice * part
+    return total
 
 
 def _value(
@@ -71,7 +91,7 @@ def _cost(blocks: Sequence[Block]) -> int:
 
 def _attempts(domain: Domain) -> Iterator[tuple[list[Factor], list[Block]]]:
     """Products of facts with bases of squares, those of little work first."""
-    p, one = domain.p, Factor(domain.number(1), "1", True)
+    p, one = domain.p, Factor(domain.number(1), "1", True, ())
     degree = max(int(p.total_degree()), 1)
     top = degree + degree % 2
     used = _connected(domain)
@@ -84,17 +104,24 @@ def _attempts(domain: Domain) -> Iterator[tuple[list[Factor], list[Block]]]:
     pairs = [product(a, b) for a, b in combinations(facts, 2)]
     ends = [f for f in pairs if len(_variables(f.polynomial)) == 1]
     mixed = [f for f in pairs if len(_variables(f.polynomial)) > 1]
+    goal = Factor(-p, domain.goal, not domain.strict, (p,))
+    again = [product(goal, f) for f in (*facts, goal)]
     for higher in (top, top + 2):
-        for chosen in ([*facts, *ends], [*facts, *pairs]):
-            if chosen is not facts and not mixed and len(chosen) > len(facts) + len(ends):
-                continue
+        for chosen in (
+            [*facts, *ends],
+            [*facts, *pairs] if mixed else [],
+            [*facts, *ends, *again],
+            [*facts, *pairs, *again] if mixed else [],
+        ):
             factors = [one, *chosen]
+            degrees = [int(f.polynomial.total_degree()) for f in factors]
             blocks = [
-                Block(i, _all(domain, (higher - int(f.polynomial.total_degree())) // 2, used))
-                for i, f in enumerate(factors)
-                if int(f.polynomial.total_degree()) <= higher
+                Block(i, _all(domain, (higher - d) // 2, used))
+                for i, d in enumerate(degrees)
+                if d <= higher
             ]
-            yield factors, blocks
+            if chosen:
+                yield factors, blocks
 
 
 def _variables(polynomial: fmpq_mpoly) -> list[int]:

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from flint import fmpq
-
 from verify.language.record import TYPE_CHECKING
 from verify.language.terms import Claim, Term
 from verify.prover.clearing import atoms_of
@@ -40,8 +38,8 @@ class Strategy:
 
     def proofs(self) -> Iterator[Proof | None]:
         """What each technique finds."""
-        if self.minima and self.minima[0][0] < -NEAR_ZERO:
-            return  # it is false
+        if self.minima and self.minima[0][0] < 0 and self.is_refuted():
+            return
         yield self.tree(FEW_LEAVES)
         if len(self.goal.variables) > 2 and self.goal.box is not None:
             polynomials = Polynomials(self)
@@ -53,6 +51,12 @@ class Strategy:
         yield by_entries(self, facts)
         yield split(self, facts)
         yield self.tree(MANY_LEAVES)
+
+    def is_refuted(self) -> bool:
+        """Whether there is a point where the claim is false."""
+        return self.minima[0][0] < -NEAR_ZERO or (
+            false_at(self.goal, self.minima, self.universal) is not None
+        )
 
     def tree(self, leaves: int) -> Proof | None:
         """Enclosures on parts of the box."""
@@ -96,7 +100,7 @@ class Strategy:
                 scaled = domain.point(dict(zip(names, values, strict=True)))
                 if scaled is None:
                     return []
-                if not domain.p(*(fmpq(v.numerator, v.denominator) for v in scaled)):
+                if domain.is_zero(scaled):
                     found.append(scaled)
                     break
         return found
@@ -121,9 +125,17 @@ def refuting_minimum(goal: Goal, universal: Universal) -> dict[str, Fraction] | 
     """A simple point inside all bounds, near a local minimum, where the claim is false."""
     if goal.claim.relation == "=":
         return None
+    found = Minima(unfolded(goal, universal), universal.budget).found()
+    return false_at(goal, found, universal)
+
+
+def false_at(
+    goal: Goal, minima: list[tuple[float, tuple[float, ...]]], universal: Universal
+) -> dict[str, Fraction] | None:
+    """The first simple point near one of these where the claim is false."""
     at_fault = failure_test(goal, universal.enclosed)
     bounds = [(b.low, b.high) for b in goal.variables.values()]
-    for value, point in Minima(unfolded(goal, universal), universal.budget).found():
+    for value, point in minima:
         if value > NEAR_ZERO:
             break
         for values in simple_points(point, bounds):

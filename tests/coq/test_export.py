@@ -1,0 +1,68 @@
+"""What is exported for Coq is what the files say, read by another way; and what is not exported."""
+
+from __future__ import annotations
+
+import json
+import re
+from hashlib import sha256
+from pathlib import Path
+
+import pytest
+
+from tests.coq.readback import Exported, Interner, Written
+from tests.lies.lies import honest
+from verify import check
+from verify.cli import main
+from verify.views.coq.export import export
+
+ROOT = Path(__file__).resolve().parents[2]
+FOLDERS = sorted(path.parent for path in (ROOT / "certificates").rglob("certificate.json"))
+SOURCES = sorted((ROOT / "verify/coq").glob("*.v"))
+
+
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
+def test_the_definitions_say_what_the_statement_says(folder: Path) -> None:
+    (found,) = check.read_folders([str(folder)])
+    text = export(found)
+    assert sha256(found.statement).hexdigest() in text.split("*)")[0]
+    intern = Interner()
+    exported = Exported(text, intern)
+    available = {sha256(data).hexdigest(): data for data in found.cited}
+    written = Written(json.loads(found.statement), available, intern)
+    assert exported.said == written.said
+    assert [*map(int, exported.own)] == written.own
+    assert not re.search(r"Axiom|Admitted|Parameter|Hypothesis [a-z]", text)
+
+
+def test_another_term_is_seen() -> None:
+    pair = honest()
+    text = export(check.Folder("", *pair.files(), []))
+    document = json.loads(pair.files()[0])
+    for other in (text.replace("NMul", "NAdd", 1), text.replace("Less", "AtMost", 1)):
+        intern = Interner()
+        assert other != text
+        assert Exported(other, intern).said != Written(document, {}, intern).said
+
+
+def test_the_checker_assumes_nothing() -> None:
+    assert len(SOURCES) >= 9
+    words = r"\b(Admitted|admit|Axiom|Parameter|Conjecture)\b"
+    assert not [path.name for path in SOURCES if re.search(words, path.read_text())]
+
+
+def test_what_is_not_accepted_is_not_exported(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    source = ROOT / "certificates/examples/interval"
+    assert main(["export", "coq", str(source)]) == 0
+    assert "Theorem proved" in capsys.readouterr().out
+    certificate = (source / "certificate.json").read_bytes()
+    (tmp_path / "statement.json").write_bytes((source / "statement.json").read_bytes())
+    for other in (certificate.replace(b'"64"', b'"0"').replace(b": 64", b": 2"), b"{}", b""):
+        (tmp_path / "certificate.json").write_bytes(other)
+        assert main(["export", "coq", str(tmp_path)]) == 2
+        captured = capsys.readouterr()
+        assert captured.out == ""
+        assert captured.err.count("\n") == 1
+    assert main(["export", "lean", str(source)]) == 2
+    assert main(["export", "coq", str(tmp_path / "nothing")]) == 2

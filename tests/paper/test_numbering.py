@@ -6,7 +6,9 @@ import re
 from pathlib import Path
 
 import verify
-from verify.paper.numbering import cited, printed_numbers
+from verify.paper.letters import LETTERS
+from verify.paper.numbering import cited, labels_called, printed_numbers
+from verify.views.plots.letters import picture
 
 PREFIXES = "EQUAT|THEOR|PROPO|SECTION|SECT|SSECT|SSSCT|DEFIN|LEMME|REMAR|APPEN"
 LABEL = re.compile(rf'"((?:{PREFIXES})S?[^" {{}}]{{6,}})"')
@@ -25,3 +27,16 @@ def test_the_numbers_are_those_of_the_print() -> None:
     assert cited("EQUATSS4.1Recurrence_Cnd9") == "(4.53), EQUATSS4.1Recurrence_Cnd9"
     assert printed_numbers()["THEORSS4.1ExistenCollapse"] == "Theorem 1"
     assert cited("no-label") == "no-label"
+
+
+def test_a_number_leads_to_its_labels() -> None:
+    assert labels_called("(4.53)") == labels_called("4.53") == ["EQUATSS4.1Recurrence_Cnd9"]
+    assert labels_called("Theorem 1") == ["THEORSS4.1ExistenCollapse"]
+    assert labels_called("EQUATSS4.1Recurrence_Cnd9") == []
+
+
+def test_every_letter_of_the_glossary_has_a_place_in_the_paper() -> None:
+    assert {letter.label for letter in LETTERS} <= set(printed_numbers())
+    shown = picture()
+    for letter in ("ω", "W", "η", "θ"):
+        assert f">{letter}<" in shown

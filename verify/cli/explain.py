@@ -21,7 +21,7 @@ NUMBERED = re.compile(r".*\.[0-9]+")
 
 def add_arguments(parser: Parser) -> None:
     """The options."""
-    text = "the name of a row, a lemma or a constant, with or without its group; or a label"
+    text = "the name of a row, a lemma or a constant, with or without its group; a label, or (4.25)"
     parser.place("row", text)
     text = "a folder with a certificate (default: what the program proves for all parameters)"
     parser.option("--folder", text, "DIR")
@@ -32,7 +32,7 @@ def run(options: Options) -> int:
     """Print what is known of the row, or which rows a label has; return 0."""
     from verify.views.explain import explain  # loaded only where it is used
 
-    word = options.row
+    word = _label(options.row)
     if options.folder is not None:
         text = explain(outcome_of(options.folder), word)
     else:
@@ -49,6 +49,13 @@ def run(options: Options) -> int:
     return 0
 
 
+def _label(word: str) -> str:
+    """The label of what the paper prints as ``(4.25)``; another word as it is."""
+    from verify.paper.numbering import labels_called
+
+    return next(iter(labels_called(word)), word)
+
+
 def _where(place: Place, word: str) -> Iterator[str]:
     yield f"{place.name} is written in {place.path}:{place.line}"
     if place.label == word:
@@ -57,7 +64,15 @@ def _where(place: Place, word: str) -> Iterator[str]:
 
 def _outcomes(found: list[Place]) -> Iterator[Outcome]:
     """The outcomes in which places lie, decided; those for all values if there is no place."""
-    from verify.jobs import classification, everywhere, spectrum, step, step_printed, thresholds
+    from verify.jobs import (
+        classification,
+        elsewhere,
+        everywhere,
+        spectrum,
+        step,
+        step_printed,
+        thresholds,
+    )
     from verify.paper.groups import PRINTED
 
     rows = [place for place in found if place.part in ("", "everywhere")]
@@ -77,6 +92,8 @@ def _outcomes(found: list[Place]) -> Iterator[Outcome]:
         yield spectrum.decide_spectrum()
     if not found or "classification" in parts:
         yield classification.decide_classification()
+    if not found or "elsewhere" in parts:
+        yield elsewhere.decide_elsewhere()
 
 
 def _instead(word: str) -> str:

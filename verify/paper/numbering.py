@@ -15,6 +15,12 @@ def printed_numbers() -> Mapping[str, str]:
     return dict(json.loads(table)["numbers"])
 
 
+def labels_called(number: str) -> list[str]:
+    """The labels of what is called so in print: ``(4.25)``, ``4.25`` or ``Theorem 1``."""
+    called = (number, f"({number})")
+    return [label for label, known in printed_numbers().items() if known in called]
+
+
 def cited(label: str) -> str:
     """A label with its printed number before it; a label that has none as it is."""
     number = printed_numbers().get(label)

@@ -9,6 +9,7 @@ from verify.jobs.classification import AtR
 from verify.language.statement import NEEDED, PROVED, REFUTED
 from verify.language.terms import symbol
 from verify.paper.classification.meaning import MEANING
+from verify.paper.numbering import cited
 from verify.prover.decimals import rational_text, short
 from verify.prover.outcome import Outcome
 from verify.views.document import claims_document, pair
@@ -77,7 +78,7 @@ def screen(outcome: Outcome) -> Iterator[str]:
     yield ""
     yield "What it means for the text"
     for remark in MEANING:
-        yield f"  {remark.label}: {remark.text}"
+        yield f"  {cited(remark.label)}: {remark.text}"
 
 
 def theorem_lines(outcome: Outcome) -> Iterator[str]:
@@ -95,7 +96,7 @@ def claim_rows(outcome: Outcome) -> Iterator[str]:
     for group in groups(outcome):
         yield group[0].upper() + group[1:]
         for row, decision in outcome.of_group(group):
-            yield f"  {decision.verdict:<9} {row.says}   [{row.name}, {row.label}]"
+            yield f"  {decision.verdict:<9} {row.says}   [{row.name}, {cited(row.label)}]"
             claim = typesetter.claim(row.claim)
             yield f"            {claim}   by {decision.method or 'nothing'}"
             if decision.witness:

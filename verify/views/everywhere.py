@@ -8,6 +8,7 @@ from fractions import Fraction
 from verify.jobs.thresholds import shares
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Obligation
 from verify.paper.everywhere.thresholds import STRIPS
+from verify.paper.numbering import cited
 from verify.prover.outcome import Decision, Outcome
 from verify.views.words import (
     cited_as,
@@ -59,11 +60,11 @@ def printed_screen(outcome: Outcome, where: Outcome) -> Iterator[str]:
     found = [(row, decision) for row, decision in outcome.rows if decision.verdict == REFUTED]
     for row, decision in found:
         if not decision.witness:
-            yield f"  fails for all: {short_name(row)}   [{row.label}]"
+            yield f"  fails for all: {short_name(row)}   [{cited(row.label)}]"
     yield ""
     for row, decision in found:
         if decision.witness:
-            yield f"  {_dependence(outcome, row, decision)}   [{row.label}]"
+            yield f"  {_dependence(outcome, row, decision)}   [{cited(row.label)}]"
             yield from (f"    {sentence}" for sentence in _sentences(where, short_name(row)))
     yield ""
     yield "Thresholds: for 1/16 ≤ V₀ ≤ 10⁶ and all other parameters. Shares are of the area where"
@@ -111,5 +112,5 @@ def row_lines(outcome: Outcome) -> Iterator[str]:
     """Every row, with its claim and the rule that proves it."""
     typesetter = letters(outcome)
     for row, decision in outcome.rows:
-        yield f"  {decision.verdict:<9} {row.says}   [{row.name}, {row.label}]"
+        yield f"  {decision.verdict:<9} {row.says}   [{row.name}, {cited(row.label)}]"
         yield f"            {typesetter.claim(row.claim)}   by {decision.method or 'nothing'}"

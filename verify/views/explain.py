@@ -8,6 +8,7 @@ from typing import Any
 from verify.language.statement import Obligation
 from verify.language.terms import Term
 from verify.language.typeset import Typesetter
+from verify.paper.numbering import cited
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Proof, Value
@@ -52,7 +53,7 @@ def _about(
     where = "" if node.context is None else f", for all values of the context {node.context}"
     yield f"{node.kind} {node.name}{where}"
     if row is not None:
-        yield f"  {row[0].label}: {row[0].says}"
+        yield f"  {cited(row[0].label)}: {row[0].says}"
         yield f"  {row[1].verdict}"
     yield f"  {typesetter.claim(node.claim)}"
     if row is not None:

@@ -19,7 +19,9 @@ from verify.language.terms import Claim, symbol
 from verify.language.typeset import Typesetter
 from verify.paper.groups import PRINTED as PRINTED_SET
 from verify.paper.groups import REPAIRED
+from verify.paper.numbering import printed_numbers
 from verify.paper.parameters import THEOREM
+from verify.paper.source import PAPER
 from verify.paper.theorem1 import theorem
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Ends, Outcome
@@ -50,7 +52,7 @@ def report(outcome: Outcome) -> str:
 
 def _lines(outcome: Outcome) -> Iterator[str]:
     yield f"# {outcome.statement.title}"
-    yield ""
+    yield from ("", f"About {PAPER}.", "")
     yield f"Verdict: **{verdict_text(outcome)}**."
     numbers = in_numbers(outcome) if REPAIRED in groups(outcome) else None
     if numbers is not None:
@@ -64,7 +66,7 @@ def _lines(outcome: Outcome) -> Iterator[str]:
         yield from section("What was changed")
         yield from table(
             ("Label", "Paper", "Needed", "Why"),
-            ((f"`{c.label}`", c.paper, c.needed, c.why) for c in theorem().changes),
+            ((marked(c.label), c.paper, c.needed, c.why) for c in theorem().changes),
         )
     if outcome.statement.constants:
         yield from section("Constants")
@@ -82,7 +84,7 @@ def _lines(outcome: Outcome) -> Iterator[str]:
 
 
 def _assumption(assumption: Assumption) -> str:
-    return f"- `{assumption.label}` ({assumption.kind}): {assumption.sentence}"
+    return f"- {marked(assumption.label)} ({assumption.kind}): {assumption.sentence}"
 
 
 def _context(context: Context, typesetter: Typesetter) -> Iterator[str]:
@@ -129,7 +131,7 @@ def defects(outcome: Outcome) -> Iterator[str]:
         ("Label", "As printed", "Claim that would be needed", "False", "Corrected by"),
         (
             (
-                f"`{row.label}`",
+                marked(row.label),
                 row.says,
                 _claim(row, typesetter),
                 _evidence(row, decision, typesetter),
@@ -164,7 +166,7 @@ def _rows(outcome: Outcome, rows: Iterable[Row]) -> Iterator[str]:
             (
                 decision.verdict + ("" if row.role == NEEDED else f" ({row.role})"),
                 f"`{short_name(row)}`",
-                f"`{row.label}`",
+                marked(row.label),
                 row.says,
                 _claim(row, typesetter),
                 _evidence(row, decision, typesetter),
@@ -218,6 +220,12 @@ def _short(ends: Ends | None) -> str:
 
 
 # --- Markdown ------------------------------------------------------------------------------------
+
+
+def marked(label: str) -> str:
+    """A label of the paper, after the number that is printed there."""
+    number = printed_numbers().get(label)
+    return f"`{label}`" if number is None else f"{number} `{label}`"
 
 
 def section(title: str) -> Iterator[str]:

@@ -10,6 +10,7 @@ from verify.jobs.eigenvalues import Complex, Spectrum
 from verify.language.statement import NEEDED, REFUTED, Obligation
 from verify.language.terms import symbol
 from verify.language.typeset import Typesetter
+from verify.paper.numbering import cited
 from verify.prover import balls
 from verify.prover.balls import Ball
 from verify.prover.decimals import outward, rational_text, short
@@ -87,7 +88,7 @@ def verdict_line(outcome: Outcome) -> str:
 
 def _row(row: Obligation, decision: Decision, typesetter: Typesetter) -> Iterator[str]:
     role = "" if row.role == NEEDED else " (as printed)"
-    yield f"  {decision.verdict:<9} {row.name:<24} {row.label}{role}"
+    yield f"  {decision.verdict:<9} {row.name:<24} {cited(row.label)}{role}"
     yield f"            {sentence(row, typesetter)}"
     details = decision.method or "no rule that was found"
     if row.uses:

@@ -10,6 +10,7 @@ from verify.language.terms import Claim
 from verify.language.typeset import Typesetter
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.groups import PRINTED as PRINTED_SET
+from verify.paper.numbering import cited
 from verify.paper.theorem1 import theorem
 from verify.prover.decimals import outward, people, short
 from verify.prover.outcome import Decision, Ends, Outcome
@@ -93,10 +94,10 @@ def _changes() -> Iterator[str]:
     yield ""
     yield "What was changed: label | paper | needed | why"
     for change in theorem().changes:
-        yield f"  {change.label} | {change.paper} | {change.needed} | {change.why}"
+        yield f"  {cited(change.label)} | {change.paper} | {change.needed} | {change.why}"
     yield from ("", "Remarks on the text, where no inequality decides")
     for remark in theorem().remarks:
-        yield f"  {remark.label}: {remark.text}"
+        yield f"  {cited(remark.label)}: {remark.text}"
 
 
 def _constant(outcome: Outcome, constant: Constant, typesetter: Typesetter) -> Iterator[str]:
@@ -114,7 +115,7 @@ def _constant(outcome: Outcome, constant: Constant, typesetter: Typesetter) -> I
 
 def _row(row: Obligation, decision: Decision, typesetter: Typesetter) -> Iterator[str]:
     role = " (as printed)" if row.role == PRINTED and row.group == HYPOTHESES else ""
-    yield f"  {decision.verdict:<9} {row.says}{role}   [{short_name(row)}, {row.label}]"
+    yield f"  {decision.verdict:<9} {row.says}{role}   [{short_name(row)}, {cited(row.label)}]"
     yield f"            {typesetter.claim(row.claim)}"
     sides = sides_of(row, decision)
     if sides is not None and isinstance(row.claim, Claim):

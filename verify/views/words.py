@@ -108,7 +108,10 @@ def taken_on_trust(outcome: Outcome) -> Iterator[str]:
 
 
 def _assumption(assumption: Assumption) -> str:
-    return f"  {assumption.name} ({assumption.kind}, {assumption.label}): {assumption.sentence}"
+    from verify.paper.numbering import cited  # loaded only where it is used
+
+    where = cited(assumption.label)
+    return f"  {assumption.name} ({assumption.kind}, {where}): {assumption.sentence}"
 
 
 def counts(outcome: Outcome, role: str) -> str:

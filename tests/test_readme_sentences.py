@@ -23,6 +23,8 @@ from verify.language.statement import REFUTED
 from verify.language.typeset import Typesetter
 from verify.paper.groups import REPAIRED
 from verify.paper.initial_data import ConstantSet
+from verify.paper.step.numbers import row_names
+from verify.paper.theorem1 import theorem
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -60,6 +62,15 @@ def changed_constants() -> None:
     rows = [row for row, _ in decide_point(parameters("3/100", "1"), REPAIRED).rows]
     (angle,) = (row for row in rows if row.name == "repaired.angle-absorbed")
     assert "14/(1 - C_eta)·(√repaired.V_1/V_0)·repaired.eta_bar" in typesetter.claim(angle.claim)
+
+
+def rows_of_the_step() -> None:
+    """How many rows of the repaired set the step takes as givens."""
+    taken = {name for name in row_names().values() if name.startswith(f"{REPAIRED}.")}
+    rows = {row.name for row in theorem().parts[REPAIRED].obligations}
+    assert taken < rows
+    text = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+    assert f"It takes {len(taken)} of the {len(rows)} rows" in text
 
 
 def changes_in_reports() -> None:
@@ -111,6 +122,10 @@ BACKED: dict[str, tuple[Check, ...]] = {
         "tests/paper/step/test_step.py::test_the_step_is_proved_and_small",
         "tests/paper/step/test_step.py::test_no_claim_is_violated_at_random_states",
         "tests/paper/step/test_step.py::test_a_point_run_cites_the_step",
+    ),
+    "of the 176 rows; the others are": (
+        rows_of_the_step,
+        "tests/paper/test_formulas.py::test_every_needed_row_is_on_a_path_or_beside_a_fact_that_is",
     ),
     "the verdict at a point rests on": (
         COUNTS,

@@ -33,7 +33,7 @@ def needed(
     group: str,
     context: str | None = None,
 ) -> Obligation:
-    """A row on which the theorem rests."""
+    """A row that has to hold: a premise of the step, or the paper's own way to what that proves."""
     return Obligation(name, group, label, NEEDED, says, claim, tuple(uses), context=context)
 
 

@@ -30,6 +30,7 @@ DOCUMENTS = [
     ("classification", ["classification"]),
     ("classification", ["classification", "--r", "2/25"]),
     ("classification", ["classification", "--r", "1/20"]),
+    ("elsewhere", ["elsewhere"]),
     ("check", ["check", EXAMPLE]),
     ("measurements", ["stress", "--quick"]),
 ]

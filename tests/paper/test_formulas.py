@@ -5,7 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from verify.jobs.classification import decide_classification
+from verify.jobs.elsewhere import decide_elsewhere
 from verify.jobs.everywhere import decide_everywhere
+from verify.jobs.spectrum import decide_spectrum
 from verify.jobs.step import decide_step
 from verify.language.statement import NEEDED, Obligation
 from verify.paper import theorem1
@@ -85,9 +88,18 @@ def constants() -> set[str]:
 
 
 def facts_elsewhere() -> set[str]:
-    """The facts of the step, and the rows that are refuted at states."""
+    """The facts of the step and of other statements, and the rows that are refuted at states."""
     wrong = {f"step-printed:{row.name}" for row in printed_estimates.printed()}
-    return wrong | {f"step:{name}" for name in nodes(decide_step())}
+    found = wrong | {f"step:{name}" for name in nodes(decide_step())}
+    for prefix, outcome in (
+        ("elsewhere", decide_elsewhere()),
+        ("spectrum", decide_spectrum()),
+        ("classification", decide_classification()),
+    ):
+        statement = outcome.statement
+        found |= {f"{prefix}:{row.name}" for row in statement.obligations}
+        found |= {f"{prefix}:{assumption.name}" for assumption in statement.assumptions}
+    return found
 
 
 def names(cell: str) -> list[str]:

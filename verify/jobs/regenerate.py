@@ -64,12 +64,12 @@ def _collisions(document: Any) -> int:
 def _outcomes(parameters: Mapping[str, Term], collisions: int) -> Iterator[Outcome]:
     """The outcomes that the program makes for these parameters."""
     if not parameters:
+        yield elsewhere.decide_elsewhere()
         yield spectrum.decide_spectrum()
         yield step.decide_step()
         yield everywhere.decide_everywhere()
         yield thresholds.decide_thresholds()
         yield classification.decide_classification()
-        yield elsewhere.decide_elsewhere()
         yield sharper.decide_sharper()
         yield scene.decide_flow()
     elif (found := scene.read_back(parameters)) is not None:

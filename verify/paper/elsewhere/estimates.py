@@ -134,6 +134,16 @@ def _zeta() -> Iterator[Item]:
         "ζ = d(2+d)|W₂|²/((1+d)²η₂²), where S² = 1-ζ",
     )
     yield Line(
+        "discriminant",
+        equal(
+            (2 * (1 + d) * -y) ** 2 - 4 * A * d * (2 + d),
+            4 * ((1 + d) * y * S) ** 2,
+        ),
+        identity("", ((value, as_term(4)),)),
+        "EQUATSS2.2DiscrTrinox2-x0",
+        "Δ = 4[(1+d)²η₂² - d(2+d)|W₂|²] = 4(1+d)²η₂²(1-ζ)",
+    )
+    yield Line(
         "zeta-below-one",
         d * (2 + d) * A < (1 + d) ** 2 * y**2,
         proof(

@@ -125,6 +125,13 @@ def _places() -> Iterator[Item]:
         "after the time τ balls 0 and 2 touch: |ω₂'| = 1",
     )
     yield Line(
+        "path-square",
+        equal(dot(new_2, new_2), (1 + n.d) ** 2 + 2 * (1 + n.d) * -n.y * n.tau + n.A * n.tau**2),
+        identity(),
+        "EQUATSS2.2CondiColliFutur",
+        "|x₂-x₀|² = (1+d)² + 2(1+d)(ω₂·W₂)τ + |W₂|²τ² after a flight of length τ",
+    )
+    yield Line(
         "turned-unit",
         equal(dot(new_1, new_1), 1),
         identity("", (("map-distance", as_term(-1)),)),

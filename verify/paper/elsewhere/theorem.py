@@ -75,6 +75,7 @@ def _chapters() -> Iterator[Chapter]:
 
 
 def _placed(row: Obligation, headings: dict[str, str]) -> Obligation:
-    uses = ("cauchy-schwarz",) if row.context in VECTORS and row.role == NEEDED else ()
-    uses += (CONCLUDES[row.name],) if row.name in CONCLUDES else ()
-    return row._replace(group=headings[row.name], uses=uses)
+    uses = ["cauchy-schwarz"] if row.context in VECTORS and row.role == NEEDED else []
+    if row.name in CONCLUDES:
+        uses.append(CONCLUDES[row.name])
+    return row._replace(group=headings[row.name], uses=tuple(uses))

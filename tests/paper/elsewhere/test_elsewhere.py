@@ -1,0 +1,301 @@
+"""What the paper prints elsewhere: right rows are proved, wrong ones refused or refuted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cache
+
+import pytest
+
+from verify import check
+from verify.jobs.elsewhere import decide_elsewhere
+from verify.jobs.places import places
+from verify.jobs.regenerate import is_right_statement
+from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Context, Obligation
+from verify.language.terms import Claim, Term, as_term, names_of, substitute, substitute_claim
+from verify.paper.elsewhere import aligned, mapping, nearly
+from verify.paper.elsewhere.theorem import SECTIONS, elsewhere, refutations
+from verify.paper.numbering import printed_numbers
+from verify.paper.rows import BREAKS, HARMLESS, SLIP
+from verify.prover.outcome import Outcome
+from verify.prover.proof import LemmaStep, ObligationStep
+from verify.prover.rules import Sum, Witness
+from verify.wire.read import read
+from verify.wire.write import write
+
+WRONG = {found.row.name: found for found in refutations()}
+ROWS = {row.name: row for row in elsewhere().statement.obligations}
+CONTEXTS = {context.name: context for context in elsewhere().statement.contexts}
+
+
+def report(outcome: Outcome) -> check.Report:
+    files = write(outcome)
+    return check.check(files["statement.json"], files["certificate.json"], {})
+
+
+def value(term: Term, at: dict[str, Term]) -> Fraction:
+    """A term at rational values, evaluated here and not by the program."""
+    if term.op == "rational":
+        return Fraction(term.args[0])
+    if term.op == "symbol":
+        return value(at[term.args[0]], {})
+    parts = [value(arg, at) for arg in term.args if isinstance(arg, Term)]
+    exponent = next((arg for arg in term.args if isinstance(arg, int)), 1)
+    return {
+        "add": lambda: sum(parts, Fraction(0)),
+        "sub": lambda: parts[0] - parts[1],
+        "neg": lambda: -parts[0],
+        "mul": lambda: product(parts),
+        "div": lambda: parts[0] / parts[1],
+        "pow": lambda: parts[0] ** exponent,
+    }[term.op]()
+
+
+def product(parts: list[Fraction]) -> Fraction:
+    total = Fraction(1)
+    for part in parts:
+        total *= part
+    return total
+
+
+def holds(claim: Claim, at: dict[str, Term]) -> bool:
+    left, right = value(claim.lhs, at), value(claim.rhs, at)
+    return {"<": left < right, "<=": left <= right, "=": left == right}[claim.relation]
+
+
+def with_constants(context: Context, at: dict[str, Term]) -> dict[str, Term]:
+    found = dict(at)
+    for constant in context.constants:
+        found[constant.name] = as_term(value(constant.term, found))
+    return found
+
+
+# --- as they are ----------------------------------------------------------------------------------
+
+
+def test_the_checker_accepts_every_row() -> None:
+    outcome = decide_elsewhere()
+    files = write(outcome)
+    assert outcome.verdict == PROVED
+    assert {(row.role, d.verdict) for row, d in outcome.rows} == {
+        (NEEDED, PROVED),
+        (PRINTED, REFUTED),
+    }
+    assert report(outcome).verdict == "PROVED"
+    assert read(files["statement.json"], files["certificate.json"], {}) == outcome
+    assert is_right_statement(files["statement.json"])
+
+
+def test_each_part_has_rows() -> None:
+    assert {row.group for row in ROWS.values()} == set(SECTIONS)
+
+
+def test_labels_are_those_of_the_paper_and_every_row_has_a_place() -> None:
+    assert {row.label for row in ROWS.values()} <= set(printed_numbers())
+    assert set(ROWS) <= {place.name for place in places() if place.part == "elsewhere"}
+
+
+def test_glue_names_rows_that_are_there() -> None:
+    for assumption in elsewhere().statement.assumptions:
+        if assumption.kind == "numbered glue":
+            named = {word.strip(".,;:()") for word in assumption.sentence.split()} & set(ROWS)
+            assert len(named) > 3
+
+
+# --- what is refuted ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_a_misprint_is_false_at_its_point(name: str) -> None:
+    row, at = WRONG[name].row, dict(WRONG[name].at)
+    context = CONTEXTS[str(row.context)]
+    assert set(at) == {variable.name for variable in context.variables}
+    known = with_constants(context, at)
+    assert [g.name for g in context.givens if not holds(g.claim, known)] == []
+    assert isinstance(row.claim, Claim)
+    assert not holds(row.claim, known)
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_a_misprint_is_corrected_by_a_row_that_is_proved(name: str) -> None:
+    row = ROWS[name]
+    assert row.severity in (BREAKS, HARMLESS, SLIP)
+    assert ROWS[str(row.corrected_by)].role == NEEDED
+    assert decide_elsewhere().decisions[str(row.corrected_by)].verdict == PROVED
+
+
+def test_a_correction_holds_where_the_misprint_does_not() -> None:
+    """Where both are about the same numbers; the others are in a context of their own."""
+    seen = 0
+    for name, found in WRONG.items():
+        row = ROWS[str(ROWS[name].corrected_by)]
+        if row.context == found.row.context and isinstance(row.claim, Claim):
+            known = with_constants(CONTEXTS[str(row.context)], dict(found.at))
+            assert holds(row.claim, known), name
+            seen += 1
+    assert seen > 8
+
+
+def test_the_severities() -> None:
+    kinds = [row.severity for row in ROWS.values() if row.severity]
+    assert {kind: kinds.count(kind) for kind in kinds} == {BREAKS: 1, HARMLESS: 8, SLIP: 11}
+
+
+def test_a_point_that_breaks_a_given_is_refused() -> None:
+    outcome = decide_elsewhere()
+    steps: list[object] = []
+    for step in outcome.steps:
+        if isinstance(step, ObligationStep) and step.name == "next-collision":
+            assert isinstance(step.proof, Witness)
+            at = {**step.proof.at, "three.t": as_term(3)}
+            steps.append(step._replace(proof=step.proof._replace(at=at)))
+        else:
+            steps.append(step)
+    wrong = outcome._replace(steps=tuple(steps))  # type: ignore[arg-type]
+    assert report(wrong).verdict == "REFUSED"
+
+
+# --- the collapse on a line, again, by numbers ----------------------------------------------------
+
+
+def test_the_orbit_on_the_line_is_that_of_the_mapping() -> None:
+    """Ten collisions in rational numbers; nothing of the mapping's equations is used."""
+    r, positions = Fraction(1, 20), [Fraction(0), Fraction(1), Fraction(-2)]
+    speeds = [Fraction(0), Fraction(1, 8), Fraction(1)]
+    colliding, time = 2, Fraction(0)
+    for n in range(10):
+        side = 1 if colliding == 1 else -1
+        gap = side * (positions[colliding] - positions[0]) - 1
+        closing = -side * (speeds[colliding] - speeds[0])
+        assert gap == Fraction(1, 8) ** n
+        assert closing == Fraction(2, 5) ** n
+        assert 11 * time * closing + 16 * gap == 16 * closing
+        step = gap / closing
+        time += step
+        positions = [x + step * v for x, v in zip(positions, speeds, strict=True)]
+        change = (1 + r) / 2 * (speeds[0] - speeds[colliding])
+        speeds[0], speeds[colliding] = speeds[0] - change, speeds[colliding] + change
+        colliding = 3 - colliding
+    assert time < Fraction(16, 11)
+
+
+def test_the_line_satisfies_what_the_mapping_assumes() -> None:
+    for claim in mapping.givens().values():
+        on_line = Claim(
+            claim.relation, aligned.on_the_line(claim.lhs), aligned.on_the_line(claim.rhs)
+        )
+        assert holds(on_line, dict(aligned.START))
+
+
+def test_the_energy_bound_is_missed_by_far() -> None:
+    """The left side of the misprint exceeds the right one; four times the energy suffices."""
+    at = dict(WRONG["change-bound"].at)
+    claim = WRONG["change-bound"].row.claim
+    assert isinstance(claim, Claim)
+    assert value(claim.lhs, at) > 2 * value(claim.rhs, at)
+    (speed,) = {value(nearly.inner(nearly.W_1, nearly.W_1), at)}
+    energy = sum(value(v**2, at) for v in _velocities()) / 2
+    assert 3 * energy <= speed * Fraction(1001, 1000)
+    assert speed <= 4 * energy
+
+
+def _velocities() -> Iterator[Term]:
+    p = nearly.p
+    yield from (p.a_x, p.a_y, p.b_x, p.b_y, p.c_x, p.c_y)
+
+
+# --- what is refused ------------------------------------------------------------------------------
+
+
+def changed_side(claim: Claim) -> Term:
+    return claim.lhs if claim.rhs.op == "rational" else claim.rhs
+
+
+def with_side(claim: Claim, term: Term) -> Claim:
+    if claim.rhs.op == "rational":
+        return Claim(claim.relation, term, claim.rhs)
+    return Claim(claim.relation, claim.lhs, term)
+
+
+def made_from(row: Obligation) -> Iterator[tuple[str, Claim]]:
+    """Claims that are nearly the row's."""
+    claim = row.claim
+    if not isinstance(claim, Claim) or row.role != NEEDED:
+        return
+    side = changed_side(claim)
+    yield "sign", with_side(claim, -side)
+    if as_term(0) not in (claim.lhs, claim.rhs):
+        yield "factor", with_side(claim, side * 2)
+    yield "stronger", Claim(claim.relation, claim.lhs + as_term(1) / 1000, claim.rhs)
+    names = list(dict.fromkeys(names_of(side)))
+    variables = [v.name for v in CONTEXTS[str(row.context)].variables]
+    chosen = [name for name in names if name in variables]
+    instead = [name for name in variables if name not in names] or chosen[1:]
+    if chosen and instead:
+        swapped = substitute(side, {chosen[0]: Term("symbol", instead[0])})
+        yield "index", with_side(claim, swapped)
+
+
+MUTANTS = {
+    f"{row.name}.{kind}": (row, claim) for row in ROWS.values() for kind, claim in made_from(row)
+}
+
+#: Mutants that are true: these two numbers are 0, whatever their letters and sign are.
+TRUE = {
+    f"{name}.{kind}"
+    for name in ("line-tangential", "tangential-orthogonal")
+    for kind in ("sign", "index")
+}
+
+
+@cache
+def refused() -> set[str]:
+    """The mutants that the checker refuses, each before the row and with the row's proof."""
+    steps: list[object] = []
+    for step in decide_elsewhere().steps:
+        if isinstance(step, ObligationStep):
+            for name, (row, claim) in MUTANTS.items():
+                if row.name == step.name:
+                    steps.append(LemmaStep(name, row.context, claim, step.proof))
+        steps.append(step)
+    found = report(decide_elsewhere()._replace(steps=tuple(steps)))  # type: ignore[arg-type]
+    lines = [line for line in found.lines if line.startswith("REFUSED lemma ")]
+    return {line.split()[2].rstrip(":") for line in lines}
+
+
+@pytest.mark.parametrize("name", [name for name in MUTANTS if name not in TRUE])
+def test_a_wrong_claim_is_refused(name: str) -> None:
+    assert name in refused()
+
+
+def test_there_are_many_wrong_claims() -> None:
+    assert len(MUTANTS) > 250
+
+
+def test_a_sum_without_one_of_its_addends_is_refused() -> None:
+    steps: list[object] = []
+    names: set[str] = set()
+    for step in decide_elsewhere().steps:
+        if isinstance(step, LemmaStep | ObligationStep) and isinstance(step.proof, Sum):
+            place = step if isinstance(step, LemmaStep) else ROWS[step.name]
+            for i in range(len(step.proof.addends)):
+                fewer = step.proof.addends[:i] + step.proof.addends[i + 1 :]
+                names.add(name := f"lie.{len(names)}")
+                proof = step.proof._replace(addends=fewer)
+                assert isinstance(place.claim, Claim)
+                steps.append(LemmaStep(name, place.context, place.claim, proof))
+        steps.append(step)
+    found = report(decide_elsewhere()._replace(steps=tuple(steps)))  # type: ignore[arg-type]
+    lines = [line for line in found.lines if line.startswith("REFUSED lemma lie")]
+    assert len(names) > 80
+    assert {line.split()[2].rstrip(":") for line in lines} == names
+
+
+def test_a_substituted_claim_is_the_claim_at_the_point() -> None:
+    """The helper of these tests evaluates as the program substitutes."""
+    for found in WRONG.values():
+        claim = found.row.claim
+        assert isinstance(claim, Claim)
+        if not CONTEXTS[str(found.row.context)].constants:
+            assert holds(substitute_claim(claim, found.at), {}) is holds(claim, dict(found.at))

@@ -73,6 +73,15 @@ def test_the_certified_part_of_an_undecided_box() -> None:
         decide_box(MIXED, V_0, DELTA)
 
 
+def test_with_one_r_the_certified_part_begins_next_to_the_threshold() -> None:
+    r, threshold = Fraction(1, 64), Fraction(8, 13)
+    part = largest_part(ParameterBox((r, r), (threshold, Fraction(1))))
+    assert part.r == (r, r)
+    assert part.c[1] == 1
+    assert threshold < part.c[0] < threshold + Fraction(1, 10**8)
+    assert verdict(part) == PROVED
+
+
 def test_random_boxes_against_the_hypothesis_itself() -> None:
     """No point of a box has another verdict than the box, and undecided boxes have both."""
     chosen = random.Random(5)

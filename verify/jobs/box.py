@@ -70,6 +70,8 @@ def largest_part(box: ParameterBox) -> ParameterBox:
     """A part of an undecided box on which the hypotheses hold: the largest of some."""
     (low, high), (first, last) = box
     ends = [first + (last - first) * k / PARTS for k in range(PARTS + 1)]
+    if low == high:
+        ends = [_first_c(low, first, last)]
     good = [c for c in ends if paper.excess(low, c) > 0]
     parts = [ParameterBox((low, _last_r(low, high, c)), (c, last)) for c in good]
     return max(parts, key=lambda part: (part.area, part.r[1]))
@@ -85,6 +87,16 @@ def _last_r(low: Fraction, high: Fraction, c: Fraction) -> Fraction:
         good, bad = (middle, bad) if paper.excess(middle, c) > 0 else (good, middle)
     mantissa, exponent = round_decimal(good, DIGITS, up=False)
     return max(low, mantissa * Fraction(10) ** exponent)
+
+
+def _first_c(r: Fraction, first: Fraction, last: Fraction) -> Fraction:
+    """A c from which on the condition holds with this r, close to the first such c."""
+    bad, good = first, last
+    while (good - bad) * 10**DIGITS > good:
+        middle = (good + bad) / 2
+        bad, good = (bad, middle) if paper.excess(r, middle) > 0 else (middle, good)
+    mantissa, exponent = round_decimal(good, DIGITS, up=True)
+    return min(last, mantissa * Fraction(10) ** exponent)
 
 
 def decide_box(box: ParameterBox, v_0: Fraction, delta_theta: Fraction) -> Outcome:

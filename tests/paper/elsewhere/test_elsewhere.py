@@ -8,11 +8,12 @@ from functools import cache
 
 import pytest
 
+from tests.paper.elsewhere.values import holds, value, with_constants
 from verify import check
 from verify.jobs.elsewhere import decide_elsewhere
 from verify.jobs.places import places
 from verify.jobs.regenerate import is_right_statement
-from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Context, Obligation
+from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Obligation
 from verify.language.terms import Claim, Term, as_term, names_of, substitute, substitute_claim
 from verify.paper.elsewhere import aligned, mapping, nearly
 from verify.paper.elsewhere.theorem import SECTIONS, elsewhere, refutations
@@ -32,43 +33,6 @@ CONTEXTS = {context.name: context for context in elsewhere().statement.contexts}
 def report(outcome: Outcome) -> check.Report:
     files = write(outcome)
     return check.check(files["statement.json"], files["certificate.json"], {})
-
-
-def value(term: Term, at: dict[str, Term]) -> Fraction:
-    """A term at rational values, evaluated here and not by the program."""
-    if term.op == "rational":
-        return Fraction(term.args[0])
-    if term.op == "symbol":
-        return value(at[term.args[0]], {})
-    parts = [value(arg, at) for arg in term.args if isinstance(arg, Term)]
-    exponent = next((arg for arg in term.args if isinstance(arg, int)), 1)
-    return {
-        "add": lambda: sum(parts, Fraction(0)),
-        "sub": lambda: parts[0] - parts[1],
-        "neg": lambda: -parts[0],
-        "mul": lambda: product(parts),
-        "div": lambda: parts[0] / parts[1],
-        "pow": lambda: parts[0] ** exponent,
-    }[term.op]()
-
-
-def product(parts: list[Fraction]) -> Fraction:
-    total = Fraction(1)
-    for part in parts:
-        total *= part
-    return total
-
-
-def holds(claim: Claim, at: dict[str, Term]) -> bool:
-    left, right = value(claim.lhs, at), value(claim.rhs, at)
-    return {"<": left < right, "<=": left <= right, "=": left == right}[claim.relation]
-
-
-def with_constants(context: Context, at: dict[str, Term]) -> dict[str, Term]:
-    found = dict(at)
-    for constant in context.constants:
-        found[constant.name] = as_term(value(constant.term, found))
-    return found
 
 
 # --- as they are ----------------------------------------------------------------------------------

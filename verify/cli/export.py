@@ -15,6 +15,8 @@ def add_arguments(parser: Parser) -> None:
     """The options."""
     parser.place("system", "coq")
     parser.place("folder", "a folder with a statement and its certificate")
+    text = "also every constant as a definition, and every row as a lemma in ordinary notation"
+    parser.flag("--readable", text=text)
 
 
 def run(options: Options) -> int:
@@ -26,9 +28,9 @@ def run(options: Options) -> int:
 
     (folder,) = folders_at([options.folder])
     try:
-        text = export(folder)
+        text = export(folder, ordinary=options.readable)
     except NotAcceptedError as error:
-        what = "has no certificate that proves its statement"
+        what = "cannot be exported"
         reason = " ".join(str(error).split())[:300]
         raise InputError(f"folder: {shown(options.folder)} {what} ({reason})") from error
     sys.stdout.write(text)

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from verify import check
 from verify.views.coq.proofs import Proofs
+from verify.views.coq.readable import readable
 from verify.views.coq.reading import NotAcceptedError, Reading, label, read
 from verify.views.coq.statement import listed
 
+ASSUMPTIONS = "\nPrint Assumptions proved.\n"
 
-def export(folder: check.Folder) -> str:
-    """A Coq file that proves the statement from the certificate.
+
+def export(folder: check.Folder, *, ordinary: bool = False) -> str:
+    """A Coq file that proves the statement from the certificate; also in ordinary notation.
 
     Raises:
         NotAcceptedError: for what is no certificate that proves its statement.
@@ -17,7 +20,8 @@ def export(folder: check.Folder) -> str:
     reading = read(folder)
     if reading.complaints:
         raise NotAcceptedError("; ".join(reading.complaints))
-    return "\n".join((head(reading), *data(reading), *theorem(reading)))
+    more = readable(reading) if ordinary else []
+    return "\n".join((head(reading), *data(reading), *theorem(reading), *more, ASSUMPTIONS))
 
 
 def head(reading: Reading) -> str:
@@ -78,15 +82,12 @@ def defined(name: str, items: list[tuple[str, str]]) -> str:
 
 def theorem(reading: Reading) -> list[str]:
     """What Coq proves: the statement is true, if what it cites is, and so are the enclosures."""
-    closed = not any(":" in name for name in reading.kernel.taken)
-    citing = "" if closed else "citations_true the_statement -> "
-    closing = "\n  apply no_citations; vm_compute; reflexivity." if closed else ""
+    citing = "citations_true the_statement -> " if reading.cites else ""
+    closing = "" if reading.cites else "\n  apply no_citations; vm_compute; reflexivity."
     return [
         "Theorem accepted : accepts the_statement the_certificate = true.",
         "Proof. vm_cast_no_check (eq_refl true). Qed.",
         f"Theorem proved : {citing}true_statement the_statement.",
         f"Proof.\n  apply (accepts_sound _ _ accepted).{closing}\nQed.",
         "Definition enclosed_values := enclosures_sound _ _ accepted.",
-        "Print Assumptions proved.",
-        "",
     ]

@@ -28,6 +28,11 @@ class Reading(NamedTuple):
     refused: list[str]  # steps
     complaints: list[str]
 
+    @property
+    def cites(self) -> bool:
+        """Whether another statement is cited."""
+        return bool(self.statement.cites)
+
 
 def read(folder: check.Folder) -> Reading:
     """What the checker reads in a folder, with its complaints.

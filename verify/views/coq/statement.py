@@ -39,7 +39,6 @@ class Numbers:
         self.contexts = {name: i for i, name in enumerate(self.kernel.contexts, 1)}
         self.facts: dict[str, int] = {}
         self.rows = {name: i for i, name in enumerate(reading.statement.rows, 1)}
-        self.cites_nothing = not any(":" in name for name in self.kernel.taken)
 
     # --- numbers ---
 
@@ -109,19 +108,21 @@ class Numbers:
 
     def row(self, row: check.Row) -> str:
         """A row."""
+        needed = "true" if row.role == "needed" else "false"
+        about = f"{row.verdict.capitalize()} {needed} {self.sentence(row)}"
+        return f"Row {self.name(row.name)} {self.home(row.context)} {about}"
+
+    def sentence(self, row: check.Row) -> str:
+        """What a row claims."""
         claim = row.claim
         if isinstance(claim, check.Applies):
             at = self.substitution(claim.context, claim.at)
-            sentence = f"(Applies {self.home(claim.context)} {at})"
-        elif isinstance(claim, check.Always):
+            return f"(Applies {self.home(claim.context)} {at})"
+        if isinstance(claim, check.Always):
             start = self.substitution(claim.context, claim.start)
             following = self.substitution(claim.context, claim.next)
-            sentence = f"(Always {self.home(claim.context)} {start} {following})"
-        else:
-            sentence = f"(Compare {self.claim(claim)})"
-        needed = "true" if row.role == "needed" else "false"
-        verdict = row.verdict.capitalize()
-        return f"Row {self.name(row.name)} {self.home(row.context)} {verdict} {needed} {sentence}"
+            return f"(Always {self.home(claim.context)} {start} {following})"
+        return f"(Compare {self.claim(claim)})"
 
     def fact(self, name: str, fact: check.Fact) -> str:
         """A fact of a cited statement."""

@@ -54,7 +54,9 @@ def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
     if isinstance(row.claim, Claim):
         names = names_of(row.claim.lhs, row.claim.rhs)
         if all(name in ground.definitions for name in names):
-            return ground.decide(row)
+            found = ground.decide(row)
+            if found.verdict != UNDECIDED:
+                return found
     try:
         return universal.decide(row)
     except SpentError:

@@ -46,6 +46,7 @@ class Universal:
         self.ground, self.session, self.budget = ground, ground.session, budget
         self.contexts: dict[str, Context] = {}
         self.depth = 0  # of lemmas that lemmas need
+        self.rows: set[str] = set()  # that are proved, so that later ones may use them
         self._bounds: dict[str, Bounds] = {}
         self._homes: dict[str, str] = {}
         self._local: dict[str, Term] = {}
@@ -238,6 +239,8 @@ class Universal:
         claim = row.claim
         if isinstance(claim, Applies):
             return self._apply(row, claim)
+        if isinstance(claim, Claim) and self._home(claim, row.context) is None:
+            return self._numbers(row, claim)
         if not isinstance(claim, Claim) or row.context not in self.contexts:
             return Decision(UNDECIDED)
         goal = self.goal(claim, row.context)
@@ -247,7 +250,21 @@ class Universal:
         if proof is None:
             return Decision(UNDECIDED)
         self.session.prove_row(row, proof, holds=verdict == PROVED)
+        self.rows.add(row.name)
         return Decision(verdict, proof)
+
+    def _numbers(self, row: Obligation, claim: Claim) -> Decision:
+        """Decide a row without variables that enclosures leave open, such as one with equality."""
+        other = negation(claim)
+        if other is None:
+            return Decision(UNDECIDED)
+        sides = self.ground.enclose(claim.lhs, claim.rhs)
+        for verdict, wanted in ((PROVED, claim), (REFUTED, other)):
+            proof = None if sides is None else self.prove(self.goal(wanted, None))
+            if proof is not None:
+                self.session.prove_row(row, proof, holds=verdict == PROVED)
+                return Decision(verdict, proof, sides)
+        return Decision(UNDECIDED)
 
     def _apply(self, row: Obligation, claim: Applies) -> Decision:
         """Show that the givens of another context hold at the values of a claim."""

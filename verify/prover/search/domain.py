@@ -166,9 +166,10 @@ def _exact(term: Term, values: Mapping[str, Fraction]) -> Fraction | None:
     program = Program(values)
     program.add(term)
     try:
-        return Machine(program, ExactArithmetic()).run(values.values())[term]
+        value = Machine(program, ExactArithmetic()).run(values.values())[term]
     except ArithmeticError:
         return None
+    return value if isinstance(value, Fraction) else None
 
 
 def product(a: Factor, b: Factor) -> Factor:

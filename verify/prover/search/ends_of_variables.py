@@ -236,7 +236,7 @@ def _shared(least: list[Fraction], slack: float) -> list[Fraction]:
     share = slack / len(least)
     digits = max(0, int(2 - _log10(share / 4))) if share > 0 else 12
     lows = [Fraction(round((float(v) - share) * 10**digits), 10**digits) for v in least[1:]]
-    return [-sum(lows), *lows]
+    return [-sum(lows, Fraction(0)), *lows]
 
 
 def _log10(value: float) -> float:

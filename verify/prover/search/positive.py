@@ -12,18 +12,30 @@ from itertools import combinations
 
 from flint import fmpq, fmpq_mpoly
 
+from verify.language.record import Record
+from verify.language.terms import Term as Expression
 from verify.prover.budget import Budget
 from verify.prover.proof import Value
 from verify.prover.rules import Sum
 from verify.prover.search.domain import Domain, Factor, product
-from verify.prover.search.squares import MAX_SIZE, Block, decompose, vanishing
+from verify.prover.search.squares import MAX_SIZE, Block, Term, decompose, vanishing
 
 Exponents = tuple[int, ...]
 
 #: Programmes of more work than this are not tried.
 MAX_COST = 20_000_000
+#: Products of three facts are tried where there are not more facts than this.
+FEW = 6
 #: Sums of more work for the checker are no proofs.
-MAX_UNITS = 5_000_000
+MAX_UNITS = 5_500_000
+
+
+class Attempt(Record):
+    """To write p, times the polynomial of a factor > 0, as squares times factors."""
+
+    factors: list[Factor]
+    blocks: list[Block]
+    multiple: Factor | None = None
 
 
 def by_squares(
@@ -35,24 +47,39 @@ def by_squares(
     """
     outer = domain.divide_by_squares()
     zeros = [point for point in zeros if domain.is_zero(point)]
-    for factors, blocks in _attempts(domain):
+    for attempt in _attempts(domain):
+        blocks = attempt.blocks
         if _cost(blocks) > MAX_COST or max(len(b.basis) for b in blocks) > MAX_SIZE:
             continue
-        polynomials = [factor.polynomial for factor in factors]
+        polynomials = [factor.polynomial for factor in attempt.factors]
         for point in zeros:
             blocks = [vanishing(block, polynomials[block.factor], point) for block in blocks]
-        terms = decompose(domain, polynomials, blocks, budget)
-        if terms is None:
-            continue
-        addends: list[Value] = [domain.goal]
-        strict = not domain.strict
-        for weight, index, square in terms:
-            value, is_strict = _value(domain, weight, factors[index], square)
-            addends.append(value if outer is None else ("mul", ("square", outer), value))
-            strict = strict or (is_strict and outer is None)
-        if strict and sum(_units(domain, factors[t.factor], t.square) for t in terms) < MAX_UNITS:
-            return Sum(tuple(addends), using)
+        p = domain.p
+        if attempt.multiple is not None:
+            p = domain.reduced(p * attempt.multiple.polynomial)
+        terms = decompose(p, domain, polynomials, blocks, budget)
+        proof = None if terms is None else _proof(domain, attempt, terms, outer)
+        if proof is not None:
+            return proof._replace(using=using)
     return None
+
+
+def _proof(
+    domain: Domain, attempt: Attempt, terms: Sequence[Term], outer: Expression | None
+) -> Sum | None:
+    """The sum, if it is strict, and not too much work for the checker."""
+    goal, strict = domain.goal, not domain.strict
+    if attempt.multiple is not None:
+        goal, strict = ("mul", goal, attempt.multiple.value), strict and attempt.multiple.strict
+    addends: list[Value] = [goal]
+    units = 0
+    for weight, index, square in terms:
+        factor = attempt.factors[index]
+        value, is_strict = _value(domain, weight, factor, square)
+        addends.append(value if outer is None else ("mul", ("square", outer), value))
+        strict = strict or (is_strict and outer is None)
+        units += _units(domain, factor, square)
+    return Sum(tuple(addends)) if strict and 3 * units < MAX_UNITS else None
 
 
 def _units(domain: Domain, factor: Factor, square: fmpq_mpoly) -> int:
@@ -89,7 +116,7 @@ def _cost(blocks: Sequence[Block]) -> int:
     return sum(len(block.basis) ** 4 for block in blocks)
 
 
-def _attempts(domain: Domain) -> Iterator[tuple[list[Factor], list[Block]]]:
+def _attempts(domain: Domain) -> Iterator[Attempt]:
     """Products of facts with bases of squares, those of little work first."""
     p, one = domain.p, Factor(domain.number(1), "1", True, ())
     degree = max(int(p.total_degree()), 1)
@@ -97,31 +124,62 @@ def _attempts(domain: Domain) -> Iterator[tuple[list[Factor], list[Block]]]:
     used = _connected(domain)
     facts = [f for f in domain.facts.values() if set(_variables(f.polynomial)) <= set(used)]
     if not facts or top > 2:
-        yield [one], [Block(0, _pruned(domain, top // 2, used))]
+        yield Attempt([one], [Block(0, _pruned(domain, p, top // 2, used))])
     if not facts:
-        yield [one], [Block(0, _all(domain, top // 2 + 1, used))]
+        multiple = _of_squares(domain, used)
+        basis = _pruned(domain, p * multiple.polynomial, top // 2 + 1, used)
+        yield Attempt([one], [Block(0, basis)], multiple)
         return
+    goal = Factor(-p, domain.goal, not domain.strict, (p,))
     pairs = [product(a, b) for a, b in combinations(facts, 2)]
     ends = [f for f in pairs if len(_variables(f.polynomial)) == 1]
-    mixed = [f for f in pairs if len(_variables(f.polynomial)) > 1]
-    goal = Factor(-p, domain.goal, not domain.strict, (p,))
+    mixed = pairs if len(ends) < len(pairs) else []
     again = [product(goal, f) for f in (*facts, goal)]
+    triples = [product(a, b) for a, b in product_of(facts, pairs)] if len(facts) <= FEW else []
     for higher in (top, top + 2):
-        for chosen in (
-            [*facts, *ends],
-            [*facts, *pairs] if mixed else [],
-            [*facts, *ends, *again],
-            [*facts, *pairs, *again] if mixed else [],
-        ):
-            factors = [one, *chosen]
-            degrees = [int(f.polynomial.total_degree()) for f in factors]
-            blocks = [
-                Block(i, _all(domain, (higher - d) // 2, used))
-                for i, d in enumerate(degrees)
-                if d <= higher
-            ]
-            if chosen:
-                yield factors, blocks
+        yield _attempt(domain, [one, *facts, *ends], higher, used)
+        if mixed:
+            yield _attempt(domain, [one, *facts, *mixed], higher, used)
+        if triples and degree > 2:
+            yield _attempt(domain, [one, *facts, *pairs, *triples], higher, used)
+        yield _attempt(domain, [one, *facts, *ends, *again], higher, used)
+        if mixed:
+            yield _attempt(domain, [one, *facts, *mixed, *again], higher, used)
+    for fact in facts[:FEW]:
+        if fact.strict:
+            even = degree + 1 + (degree + 1) % 2
+            tried = _attempt(domain, [one, *facts, *pairs, *again], even, used)
+            yield tried._replace(multiple=fact)
+
+
+def _attempt(domain: Domain, factors: list[Factor], degree: int, used: Sequence[int]) -> Attempt:
+    """Bases of monomials so that all products are of this degree at most."""
+    degrees = [int(factor.polynomial.total_degree()) for factor in factors]
+    blocks = [
+        Block(i, _all(domain, (degree - d) // 2, used))
+        for i, d in enumerate(degrees)
+        if d <= degree
+    ]
+    return Attempt(factors, blocks)
+
+
+def product_of(facts: Sequence[Factor], pairs: Sequence[Factor]) -> Iterator[tuple[Factor, Factor]]:
+    """What makes the products of three different facts."""
+    order = [*combinations(range(len(facts)), 2)]
+    for i, fact in enumerate(facts):
+        for (j, _), pair in zip(order, pairs, strict=True):
+            if i < j:
+                yield fact, pair
+
+
+def _of_squares(domain: Domain, used: Sequence[int]) -> Factor:
+    """1 and the squares of the variables, added up."""
+    polynomial = domain.number(1)
+    values: list[Value] = ["1"]
+    for i in used:
+        polynomial += domain.gens[i] ** 2
+        values.append(("square", domain.atoms[i]))
+    return Factor(polynomial, ("add", *values), True, ())
 
 
 def _variables(polynomial: fmpq_mpoly) -> list[int]:
@@ -163,13 +221,15 @@ def _all(domain: Domain, degree: int, used: Sequence[int]) -> tuple[fmpq_mpoly, 
     return _monomials(domain, [*_exponents(len(domain.atoms), used, degree)])
 
 
-def _pruned(domain: Domain, degree: int, used: Sequence[int]) -> tuple[fmpq_mpoly, ...]:
+def _pruned(
+    domain: Domain, p: fmpq_mpoly, degree: int, used: Sequence[int]
+) -> tuple[fmpq_mpoly, ...]:
     """Only those that may occur in squares that add up to p.
 
     Twice their exponents lie in the Newton polytope of p (Reznick); and a square that no other
     product of two of them cancels has to be in p.
     """
-    support = [tuple(map(int, m)) for m in domain.p.monoms()]
+    support = [tuple(map(int, m)) for m in p.monoms()]
     n = len(domain.atoms)
     directions = [*_directions(n, used)]
     most = [max(_dot(d, e) for e in support) for d in directions]

@@ -24,6 +24,8 @@ STEPS = 80
 #: What is added to a diagonal of ones where rounding makes a matrix indefinite.
 RIDGES = (0.0, 1e-15, 1e-13, 1e-11)
 REFINEMENTS = 2
+#: A solution with a larger t is none: the matrices cannot be semidefinite.
+HOPELESS = 3e-4
 #: Equations whose sides differ by less hold.
 EXACT = 1e-8
 #: The path ends where the barrier is worth so little.
@@ -152,7 +154,8 @@ class Solver:
             if error < 1e-7 and self.t < -DEFINITE:
                 break
             if length > 0.7 and error < 1e-6:
-                if self.weight > total / LAST or (self.t > 1e-3 and total / self.weight < 1e-5):
+                # On the path no t is less than this one by more than the size over the weight.
+                if self.weight > total / LAST or self.t - 1.5 * total / self.weight > HOPELESS:
                     break
                 self.weight *= 8
         blocks, t, error = best

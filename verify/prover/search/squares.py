@@ -23,15 +23,13 @@ from flint import fmpq, fmpq_mat, fmpq_mpoly
 from verify.language.record import Record
 from verify.prover.budget import Budget
 from verify.prover.search.domain import Domain
-from verify.prover.search.semidefinite import Entry, Matrix, Program, Solution, Solver
+from verify.prover.search.semidefinite import HOPELESS, Entry, Matrix, Program, Solution, Solver
 
 #: Programmes with larger matrices, or more equations, are not tried.
 MAX_SIZE = 36
 MAX_EQUATIONS = 320
 #: How often zeros are divided out.
 ROUNDS = 5
-#: A solution with a larger t is none: the matrices cannot be semidefinite.
-HOPELESS = 2e-3
 #: Entries are rounded to so many binary digits, at first to few.
 DIGITS = (6, 12, 24, 40)
 
@@ -52,14 +50,18 @@ class Term(Record):
 
 
 def decompose(
-    domain: Domain, factors: Sequence[fmpq_mpoly], blocks: Sequence[Block], budget: Budget
+    p: fmpq_mpoly,
+    domain: Domain,
+    factors: Sequence[fmpq_mpoly],
+    blocks: Sequence[Block],
+    budget: Budget,
 ) -> list[Term] | None:
     """Terms that add up to p, reduced, or None if none are found."""
     blocks = [block for block in blocks if block.basis]
     for _ in range(ROUNDS):
         if not blocks or max(len(block.basis) for block in blocks) > MAX_SIZE:
             return None
-        system = _System(domain, factors, blocks)
+        system = _System(p, domain, factors, blocks)
         if not system.consistent or len(system.rows) > MAX_EQUATIONS:
             return None
         found = Solver(system.program(), budget).solve()
@@ -79,10 +81,14 @@ class _System:
     """The linear equations for the entries of the matrices: one for each monomial."""
 
     def __init__(
-        self, domain: Domain, factors: Sequence[fmpq_mpoly], blocks: Sequence[Block]
+        self,
+        p: fmpq_mpoly,
+        domain: Domain,
+        factors: Sequence[fmpq_mpoly],
+        blocks: Sequence[Block],
     ) -> None:
         self.blocks = blocks
-        wanted = domain.p.to_dict()
+        wanted = p.to_dict()
         self.rows: dict[tuple[int, ...], int] = {}
         self.entries: list[list[tuple[int, int, list[tuple[int, fmpq]]]]] = []
         for block in blocks:

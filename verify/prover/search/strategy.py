@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from verify.language.record import TYPE_CHECKING
-from verify.language.terms import Claim, Term
+from verify.language.terms import Claim, Term, names_of
 from verify.prover.clearing import atoms_of
 from verify.prover.goal import Goal
 from verify.prover.points import failure_test
@@ -79,14 +79,24 @@ class Strategy:
             for name in (bounds.low_fact, bounds.high_fact):
                 if name and session.claims[name].relation != "=":
                     found[name] = session.claims[name]
+        for name, claim in session.claims.items():
+            if name in self.universal.rows and self._is_near(name, claim):
+                found[name] = claim
         for term in extrema_of((self.goal.claim.lhs, self.goal.claim.rhs), self.goal.definitions):
             for entry in term.children:
                 sides = (term, entry) if term.op == "min" else (entry, term)
                 claim = Claim("<=", *sides)
-                name = self.universal.fact(claim, self.goal.context)
-                if name is not None:
-                    found[name] = claim
+                known = self.universal.fact(claim, self.goal.context)
+                if known is not None:
+                    found[known] = claim
         return found
+
+    def _is_near(self, name: str, claim: Claim) -> bool:
+        """Whether an earlier row may help: an inequality here, about names of this claim only."""
+        session = self.universal.session
+        if claim.relation == "=" or session.homes[name] not in session.chain(self.goal.context):
+            return False
+        return {*names_of(claim.lhs, claim.rhs)} <= {*self.goal.variables, *self.using}
 
     def zeros(self, domain: Domain) -> list[list[Fraction]]:
         """Points with simple coordinates where p is 0."""

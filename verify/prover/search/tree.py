@@ -137,7 +137,8 @@ class Tree:
 
     def _best(self, box: Box) -> tuple[int, list[tuple[tuple[Ends, ...], float]]]:
         """The variable whose bisection helps most, and its two halves with their gaps."""
-        best, chosen = None, (0, [])
+        best: tuple[float, Fraction] | None = None
+        chosen: tuple[int, list[tuple[tuple[Ends, ...], float]]] = 0, []
         widest = max(high - low for low, high in box.ends)
         for index, (low, high) in enumerate(box.ends):
             if (high - low) * 4096 < widest and len(box.ends) > 1:

@@ -44,7 +44,9 @@ def test_the_rows_that_depend_on_the_parameters_have_thresholds() -> None:
     found = decide_printed_everywhere().decisions
     depending = {name for name, decision in found.items() if decision.witness}
     assert depending == {f"{PRINTED}.{strip.row}" for strip in STRIPS}
-    assert [decision.verdict for decision in found.values()].count(REFUTED) == 27
+    assert [decision.verdict for decision in found.values()].count(REFUTED) == 28
+    as_printed = found["hypotheses.angle-as-printed"]
+    assert (as_printed.verdict, as_printed.method) == (REFUTED, "sum")  # for all of them
 
 
 def test_the_state_of_the_display_is_where_it_has_to_be() -> None:

@@ -45,6 +45,8 @@ def printed_rows() -> Iterator[Obligation]:
     for row in parts[HYPOTHESES].obligations:
         if row.name in map(hypothesis, DERIVED):
             yield row._replace(context=CONTEXT, says=f"{row.says}: it follows")
+        elif row.severity is not None:
+            yield row._replace(context=CONTEXT)
     for row in parts[PRINTED].obligations:
         yield row._replace(context=CONTEXT, uses=())
 

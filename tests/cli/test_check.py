@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
@@ -83,11 +84,24 @@ def test_the_document(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> Non
     assert bad["complaints"] == [bad["summary"]]
 
 
-@pytest.mark.parametrize("option", ["--json", "--statement"])
-def test_latex_checks_nothing(capsys: pytest.CaptureFixture[str], option: str) -> None:
-    code, out, err = run(capsys, EXAMPLES / "mean", "--latex", option)
+def test_latex_and_json_are_two_documents(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, EXAMPLES / "mean", "--latex", "--json")
     assert (code, out, err.count("\n")) == (2, "", 1)
     assert err.startswith("verify: --latex: ")
+
+
+def test_latex_of_what_is_accepted(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    code, out, err = run(capsys, EXAMPLES / "mean", EXAMPLES / "witness", "--latex")
+    assert (code, err, out.count(r"\section*")) == (0, "", 2)
+    broken = tmp_path / "broken"
+    shutil.copytree(EXAMPLES / "mean", broken)
+    text = (broken / "statement.json").read_text().replace('["<", "0", "x"]', '["<", "x", "0"]')
+    (broken / "statement.json").write_text(text)
+    code, out, err = run(capsys, EXAMPLES / "witness", broken, "--latex")
+    assert (code, out, err.count("\n")) == (4, "", 1)
+    code, out, err = run(capsys, EXAMPLES / "mean", "--latex", "--statement")
+    assert (code, out) == (4, "")
+    assert "not a statement of the program" in err
 
 
 @pytest.mark.parametrize(

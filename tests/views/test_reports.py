@@ -12,8 +12,9 @@ from verify.jobs import spectrum, theorem1
 from verify.language.statement import REFUTED
 from verify.prover.decimals import short
 from verify.prover.outcome import Outcome
-from verify.views.latex import statement_source
 from verify.views.markdown import report
+from verify.views.tex.document import part
+from verify.views.tex.words import name
 from verify.wire.read import read
 from verify.wire.write import write
 
@@ -22,7 +23,7 @@ def point() -> Outcome:
     return theorem1.decide_point(parameters("3/100", "1"))
 
 
-@pytest.mark.parametrize("view", [report, statement_source])
+@pytest.mark.parametrize("view", [report, part])
 @pytest.mark.parametrize("decide", [point, spectrum.decide_spectrum])
 def test_a_view_does_not_see_whether_an_outcome_is_fresh(
     decide: Callable[[], Outcome], view: Callable[[Outcome], str]
@@ -33,7 +34,7 @@ def test_a_view_does_not_see_whether_an_outcome_is_fresh(
     text = view(outcome)
     assert text == view(again)
     for row, _ in outcome.rows:
-        assert row.label in text or row.label.replace("_", r"\_") in text
+        assert row.label in text or name(row.label) in text
     assert text.count("{") == text.count("}")
 
 

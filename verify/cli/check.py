@@ -34,7 +34,8 @@ def add_arguments(parser: Parser) -> None:
     text = "also make each statement anew from its parameters, and compare it byte for byte"
     parser.flag("--statement", text=text)
     parser.flag("--json", text="one JSON document on stdout")
-    parser.flag("--latex", text="print the statement as LaTeX instead of checking it")
+    text = "print what is accepted as one LaTeX document instead of the verdicts"
+    parser.flag("--latex", text=text)
 
 
 class CheckedFolder(Record):
@@ -58,14 +59,13 @@ class CheckedFolder(Record):
 
 def run(options: Options) -> int:
     """Check, and return the worst exit code of all folders."""
-    if options.latex and (options.json or options.statement):
-        raise InputError("--latex: checks nothing; leave it out with --json and --statement")
-    folders = folders_at(options.path)
-    if options.latex:
-        return _print_latex(folders)
-    found = judge_folders(folders)
+    if options.latex and options.json:
+        raise InputError("--latex: leave it out with --json; each is a document of its own")
+    found = judge_folders(folders_at(options.path))
     if options.statement:
         found = [_compared(judged) for judged in found]
+    if options.latex:
+        return _print_latex(found)
     if options.json:
         print_document({"format": FORMAT, "command": "check", "folders": list(map(_row, found))})
     else:
@@ -73,20 +73,27 @@ def run(options: Options) -> int:
     return max(judged.code for judged in found)
 
 
-def _print_latex(folders: Sequence[check.Folder]) -> int:
-    from verify.views.latex import statement_source  # loaded only where it is used
-    from verify.wire.read import read
-    from verify.wire.term_json import WireError
+def _print_latex(found: Sequence[CheckedFolder]) -> int:
+    """Print the document if everything is accepted, else say on stderr what is not."""
+    refused = [judged for judged in found if judged.code and judged.verdict != "REFUTED"]
+    for judged in refused:
+        why = "not a statement of the program" if judged.own is False else judged.lines[-1]
+        print(f"verify: {judged.folder.path}: {why}"[:300], file=sys.stderr)
+    if not refused:
+        from verify.views.tex.document import document  # loaded only where they are used
+        from verify.wire.read import read
+        from verify.wire.term_json import WireError
 
-    for folder in folders:
-        cited = {sha256(data).hexdigest(): data for data in folder.cited}
+        folders = [judged.folder for judged in found]
+        everything = [data for folder in folders for data in (folder.statement, *folder.cited)]
+        cited = {sha256(data).hexdigest(): data for data in everything}
         try:
-            outcome = read(folder.statement, folder.certificate, cited)
+            text = document(read(f.statement, f.certificate, cited) for f in folders)
         except WireError as error:
-            print(f"verify: {folder.path}: {error}"[:300], file=sys.stderr)
+            print(f"verify: {error}"[:300], file=sys.stderr)
             return EXIT_CODES[MALFORMED]
-        sys.stdout.write(statement_source(outcome))
-    return 0
+        sys.stdout.write(text)
+    return max(judged.code for judged in found)
 
 
 def folders_at(paths: Sequence[str]) -> list[check.Folder]:

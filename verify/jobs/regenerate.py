@@ -7,7 +7,7 @@ does: it takes only the parameters from the statement and makes everything else 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from verify.jobs import (
@@ -16,6 +16,7 @@ from verify.jobs import (
     elsewhere,
     everywhere,
     scene,
+    scene_statements,
     sharper,
     spectrum,
     step,
@@ -27,12 +28,25 @@ from verify.jobs.parameters import are_allowed
 from verify.language.statement import PROVED
 from verify.language.terms import Term
 from verify.paper.groups import REPAIRED
+from verify.paper.parameters import THEOREM
 from verify.prover.outcome import Outcome
 from verify.wire.term_json import TermReader
 from verify.wire.write import write
 
 #: The sets of constants with which Theorem 1 is proved; the printed set alone proves nothing.
 SELECTIONS = ("all", REPAIRED)
+
+#: What decides a theorem without parameters, by its name.
+WITHOUT_PARAMETERS: dict[str, Callable[[], Outcome]] = {
+    "elsewhere": elsewhere.decide_elsewhere,
+    "THEORSS3.5SpectMatricVitLm": spectrum.decide_spectrum,
+    "step": step.decide_step,
+    f"{THEOREM} for all parameters": everywhere.decide_everywhere,
+    f"{THEOREM} as printed, where it depends": thresholds.decide_thresholds,
+    "classification": classification.decide_classification,
+    "sharper": sharper.decide_sharper,
+    "flow": scene.decide_flow,
+}
 
 
 def is_right_statement(content: bytes) -> bool:
@@ -43,12 +57,13 @@ def is_right_statement(content: bytes) -> bool:
     """
     try:
         document = json.loads(content)
+        theorem = str(document["theorem"])
         parameters, collisions = _parameters(document), _collisions(document)
     except (KeyError, TypeError, ValueError, AttributeError, IndexError, RecursionError):
         return False
     return any(
         outcome.verdict == PROVED and write(outcome)["statement.json"] == content
-        for outcome in _outcomes(parameters, collisions)
+        for outcome in _outcomes(theorem, parameters, collisions)
     )
 
 
@@ -61,23 +76,17 @@ def _collisions(document: Any) -> int:
     return sum(row["name"].startswith("collision.") for row in document["obligations"])
 
 
-def _outcomes(parameters: Mapping[str, Term], collisions: int) -> Iterator[Outcome]:
-    """The outcomes that the program makes for these parameters."""
+def _outcomes(theorem: str, parameters: Mapping[str, Term], collisions: int) -> Iterator[Outcome]:
+    """The outcomes that the program makes for a theorem of this name and these parameters."""
     if not parameters:
-        yield elsewhere.decide_elsewhere()
-        yield spectrum.decide_spectrum()
-        yield step.decide_step()
-        yield everywhere.decide_everywhere()
-        yield thresholds.decide_thresholds()
-        yield classification.decide_classification()
-        yield sharper.decide_sharper()
-        yield scene.decide_flow()
-    elif (found := scene.read_back(parameters)) is not None:
-        yield from scene.statements_of(found, collisions)
+        if theorem in WITHOUT_PARAMETERS:
+            yield WITHOUT_PARAMETERS[theorem]()
+    elif (found := scene_statements.read_back(parameters)) is not None:
+        yield from scene_statements.statements_of(found, collisions)
     elif box.are_ends(parameters):
         yield box.decide_box(*box.read_box(parameters))
     elif are_allowed(parameters):
-        if parameters == step_printed.PARAMETERS:
+        if theorem == "step-printed" and parameters == step_printed.PARAMETERS:
             yield step_printed.decide_step_printed()
         for selection in SELECTIONS:
             yield theorem1.decide_point(parameters, selection)

@@ -1,9 +1,8 @@
-"""Terms and claims as people write them: plain text in the paper's letters, or LaTeX."""
+"""Terms and claims as people write them: plain text in the paper's letters."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from fractions import Fraction
 
 from verify.language.statement import Always, Applies
 from verify.language.terms import Claim, Term
@@ -26,12 +25,10 @@ class Typesetter:
 
     Args:
         letters: what to write for each symbol.
-        latex: LaTeX source instead of plain text.
     """
 
-    def __init__(self, letters: Mapping[str, str], latex: bool = False) -> None:
+    def __init__(self, letters: Mapping[str, str]) -> None:
         self._letters = letters
-        self._latex = latex
         self._texts: dict[Term, str] = {}
 
     def claim(self, claim: Claim | Applies | Always) -> str:
@@ -41,9 +38,7 @@ class Typesetter:
         if isinstance(claim, Always):
             first, then = self._values(claim.start), self._values(claim.next)
             return f"{claim.context} always, from {first}, then {then}"
-        relation = claim.relation
-        if relation == "<=":
-            relation = r"\le" if self._latex else "≤"
+        relation = "≤" if claim.relation == "<=" else claim.relation
         return f"{self.term(claim.lhs)} {relation} {self.term(claim.rhs)}"
 
     def _values(self, values: Mapping[str, Term]) -> str:
@@ -65,13 +60,14 @@ class Typesetter:
         if op == "symbol":
             return self._letters.get(term.name, term.name)
         if op == "rational":
-            return self._rational(term.value)
+            return str(term.value)
         if op == "neg":
             return f"-{self._inside(term.children[0], _PRODUCT)}"
         if op == "pow":
-            return self._power(self._inside(term.children[0], _ATOM), term.exponent)
+            exponent = str(term.exponent).translate(_SUPERSCRIPTS)
+            return self._inside(term.children[0], _ATOM) + exponent
         if op == "sqrt":
-            return self._root(term.children[0])
+            return f"√{self._inside(term.children[0], _ATOM)}"
         return self._function(op, term)
 
     def _binary(self, op: str, left: Term, right: Term) -> str:
@@ -79,9 +75,7 @@ class Typesetter:
             return f"{self._inside(left, _SUM)} + {self._inside(right, _PRODUCT)}"
         if op == "sub":
             return f"{self._inside(left, _SUM)} - {self._inside(right, _PRODUCT)}"
-        if op == "div" and self._latex:
-            return rf"\frac{{{self.term(left)}}}{{{self.term(right)}}}"
-        sign = "/" if op == "div" else (r" \cdot " if self._latex else "·")
+        sign = "/" if op == "div" else "·"
         level = _POWER if op == "div" else _NEGATION
         return f"{self._inside(left, _PRODUCT)}{sign}{self._inside(right, level)}"
 
@@ -90,34 +84,11 @@ class Typesetter:
         own = _LEVELS.get(term.op, _ATOM)
         if term.op == "rational" and (term.value < 0 or term.value.denominator > 1):
             own = _NEGATION if term.value < 0 else _PRODUCT
-        if self._latex and term.op == "div":
-            own = _NEGATION
-        if own >= level:
-            return text
-        return rf"\left({text}\right)" if self._latex else f"({text})"
-
-    def _rational(self, value: Fraction) -> str:
-        if self._latex and value.denominator > 1:
-            sign = "-" if value < 0 else ""
-            return rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
-        return str(value)
-
-    def _root(self, term: Term) -> str:
-        if self._latex:
-            return rf"\sqrt{{{self.term(term)}}}"
-        return f"√{self._inside(term, _ATOM)}"
+        return text if own >= level else f"({text})"
 
     def _function(self, op: str, term: Term) -> str:
         if op == "cos_pi":
-            pi = r" \pi" if self._latex else "π"
-            name, arguments = "cos", self._inside(term.children[0], _ATOM) + pi
+            name, arguments = "cos", self._inside(term.children[0], _ATOM) + "π"
         else:
             name, arguments = op, ", ".join(map(self.term, term.children))
-        if self._latex:
-            return rf"\{name}\left({arguments}\right)"
         return f"{name}({arguments})"
-
-    def _power(self, base: str, exponent: int) -> str:
-        if self._latex:
-            return f"{{{base}}}^{{{exponent}}}"
-        return base + str(exponent).translate(_SUPERSCRIPTS)

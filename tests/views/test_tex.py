@@ -1,0 +1,128 @@
+"""LaTeX of statements: it compiles, no line sticks out, and formulas keep their value."""
+
+from __future__ import annotations
+
+import random
+import re
+import shutil
+import subprocess
+from fractions import Fraction
+from hashlib import sha256
+from pathlib import Path
+
+import pytest
+
+from verify.language.simplify import simplified
+from verify.language.terms import Term, as_term, sqrt, symbol
+from verify.prover.outcome import Outcome
+from verify.views.tex.document import document, part
+from verify.views.tex.formulas import Formulas, safe_letter
+from verify.views.tex.words import name, number, words
+from verify.wire.read import read
+
+CERTIFICATES = Path(__file__).resolve().parents[2] / "certificates"
+x, y = symbol("x"), symbol("y")
+
+
+def committed() -> list[Outcome]:
+    """Every committed certificate, read back."""
+    found = sorted(CERTIFICATES.rglob("*.json"))
+    contents = {sha256(path.read_bytes()).hexdigest(): path.read_bytes() for path in found}
+    folders = [path.parent for path in found if path.name == "certificate.json"]
+    return [
+        read((f / "statement.json").read_bytes(), (f / "certificate.json").read_bytes(), contents)
+        for f in folders
+    ]
+
+
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
+def test_all_committed_statements_compile_and_no_line_sticks_out(tmp_path: Path) -> None:
+    outcomes = committed()
+    assert len(outcomes) > 30
+    (tmp_path / "all.tex").write_text(document(outcomes), encoding="utf-8")
+    command = ["pdflatex", "-interaction=nonstopmode", "-draftmode", "-no-shell-escape", "all.tex"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, check=False)
+    log = (tmp_path / "all.log").read_text(encoding="utf-8", errors="replace")
+    assert re.findall(r"^!.*|Overfull.*|Missing character.*", log, re.MULTILINE) == []
+    assert done.returncode == 0
+
+
+def test_every_sign_of_the_files_is_known() -> None:
+    assert not re.findall(r"U\+[0-9A-F]{4}", "".join(map(part, committed())))
+
+
+def test_words() -> None:
+    assert words("|x_n| ≤ δ₂²/12 & 50%") == r"$| x _{n} |$ $\le$ $\delta _{2} ^{2}$/12 \& 50\%"
+    assert words("ζ̄ = 5·10⁻⁵") == r"$\bar{\zeta}$ = 5$\cdot 10^{-5}$"
+    assert words("\\input{x} $ ~ ☃") == (
+        r"\textbackslash{}input\{x\} \textdollar{} \~{} \texttt{U+2603}"
+    )
+    assert name("a_b-cd") == r"\texttt{a\_\allowbreak{}b-\allowbreak{}cd}"
+    assert number("2.9…·10⁻⁵") == r"2.9\ldots{} \times 10^{-5}"
+
+
+def test_a_letter_of_a_file_is_a_letter() -> None:
+    assert safe_letter(r"\varphi^-", "") == r"\varphi^-"
+    assert safe_letter("g_c_{5}", "") == "{g_c}_{5}"
+    for text in (r"\input{/etc/passwd}", "}", r"x_{", "a_1_2_3", "$", ""):
+        assert safe_letter(text, "x.1") == r"\mathit{x.1}"
+
+
+@pytest.mark.parametrize(
+    ("term", "tex"),
+    [
+        (as_term(-1) * as_term(-1) + x, "1 + x"),
+        (as_term(-1) * x + 1 * y, "-x + y"),
+        (x - (-y), "x + y"),
+        (-(x - y) / 3, r"-\frac{x - y}{3}"),
+        ((x / y) ** 2, r"(\frac{x}{y})^{2}"),
+        (-sqrt(x) * -sqrt(y), r"\sqrt{x}\, \sqrt{y}"),
+        (2 * (as_term(3) * x), r"2 \cdot (3\, x)"),
+        (x - (y - 1), "x - (y - 1)"),
+        (x / (y * (x + 1)), r"\frac{x}{y\, (x + 1)}"),
+    ],
+)
+def test_formulas(term: Term, tex: str) -> None:
+    assert (
+        Formulas({}, {}).term(term).replace(r"\mathit{x}", "x").replace(r"\mathit{y}", "y") == tex
+    )
+
+
+def value(term: Term, at: dict[str, Fraction]) -> Fraction:
+    """The value of a term of the four operations and powers."""
+    if term.op == "rational":
+        return term.value
+    if term.op == "symbol":
+        return at[term.name]
+    parts = [value(child, at) for child in term.children]
+    if term.op == "pow":
+        return parts[0] ** term.exponent
+    if term.op == "neg":
+        return -parts[0]
+    a, b = parts
+    return {"add": a + b, "sub": a - b, "mul": a * b, "div": a / b if b else Fraction(0)}[term.op]
+
+
+def random_term(choose: random.Random, depth: int) -> Term:
+    if depth == 0 or choose.random() < 0.2:
+        return choose.choice((x, y, *(as_term(Fraction(n, 2)) for n in (-3, -2, 0, 2, 5))))
+    op = choose.choice(("add", "sub", "mul", "div", "neg", "pow"))
+    first = random_term(choose, depth - 1)
+    if op == "neg":
+        return -first
+    if op == "pow":
+        return first ** choose.randint(1, 3)
+    return Term(op, first, random_term(choose, depth - 1))
+
+
+def test_a_simplified_term_has_the_same_value() -> None:
+    choose = random.Random(7)
+    at = {"x": Fraction(7, 11), "y": Fraction(-13, 5)}
+    changed = 0
+    for _ in range(2000):
+        term = random_term(choose, 4)
+        found = simplified(term)
+        assert value(found, at) == value(term, at)
+        assert simplified(found) == found
+        changed += found != term
+    assert changed > 500

@@ -1,0 +1,1 @@
+"""Statements as LaTeX: words, formulas that break, and the document."""

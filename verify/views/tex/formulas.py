@@ -1,0 +1,156 @@
+"""Terms and claims as LaTeX that breaks into lines.
+
+Lines break before relations and operators outside of braces: so parentheses are plain, and only
+what is short is a fraction with a bar or stands below a root.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+
+from verify.language.simplify import simplified, simplified_claim
+from verify.language.terms import Claim, Term
+from verify.language.typeset import Typesetter
+from verify.views.mathml import letter as read_letter
+from verify.views.tex.words import math
+
+#: A fraction whose sides have at most so many signs has a bar; a root of so many has one too.
+LONGEST = 30
+
+_SUM, _PRODUCT, _NEGATION, _ATOM = range(4)
+_RELATIONS = {"<": "<", "<=": r"\le", "=": "="}
+
+
+class Formulas:
+    """Writes terms with given letters.
+
+    Args:
+        letters: for each symbol its letter in LaTeX (see `safe_letter`).
+        plain: for each symbol its letter in plain text.
+    """
+
+    def __init__(self, letters: Mapping[str, str], plain: Mapping[str, str]) -> None:
+        self._letters, self._plain = letters, Typesetter(plain)
+        self._texts: dict[Term, str] = {}
+
+    def claim(self, claim: Claim) -> str:
+        """Two sides and their relation."""
+        claim = simplified_claim(claim)
+        return f"{self._term(claim.lhs)} {_RELATIONS[claim.relation]} {self._term(claim.rhs)}"
+
+    def term(self, term: Term) -> str:
+        """A term, simplified."""
+        return self._term(simplified(term))
+
+    def symbol(self, name: str) -> str:
+        """The letter of a symbol."""
+        return self._letters.get(name) or safe_letter("", name)
+
+    def values(self, values: Mapping[str, Term]) -> str:
+        """Values for some names, one after the other."""
+        pairs = (f"{self.symbol(name)} = {self.term(term)}" for name, term in values.items())
+        return r",\allowbreak\ ".join(pairs)
+
+    def _term(self, term: Term) -> str:
+        text = self._texts.get(term)
+        if text is None:
+            text = self._texts[term] = self._write(term)
+        return text
+
+    def _write(self, term: Term) -> str:
+        op, parts = term.op, term.children
+        if op == "symbol":
+            return self.symbol(term.name)
+        if op == "rational":
+            return rational(term.value)
+        if op in ("add", "sub"):
+            sign = "+" if op == "add" else "-"
+            return f"{self._term(parts[0])} {sign} {self._inside(parts[1], _PRODUCT)}"
+        if op == "mul":
+            left, right = self._inside(parts[0], _PRODUCT), self._inside(parts[1], _NEGATION)
+            return rf"{left} \cdot {right}" if _digit_first(parts[1]) else rf"{left}\, {right}"
+        if op == "div":
+            return self._quotient(*parts)
+        if op == "neg":
+            return f"-{self._inside(parts[0], _PRODUCT)}"
+        if op == "pow":
+            return f"{self._base(parts[0])}^{{{term.exponent}}}"
+        return self._function(op, parts)
+
+    def _quotient(self, above: Term, below: Term) -> str:
+        if self._short(above) and self._short(below):
+            return rf"\frac{{{self._term(above)}}}{{{self._term(below)}}}"
+        return f"{self._inside(above, _PRODUCT)} / {self._inside(below, _ATOM)}"
+
+    def _base(self, term: Term) -> str:
+        if term.op in ("sqrt", "min", "max", "cos", "cos_pi", "div", "pow", "rational"):
+            return f"({self._term(term)})"
+        return f"{{{self._term(term)}}}" if term.op == "symbol" else self._inside(term, _ATOM)
+
+    def _function(self, op: str, parts: tuple[Term, ...]) -> str:
+        if op == "sqrt":
+            if self._short(parts[0]):
+                return rf"\sqrt{{{self._term(parts[0])}}}"
+            return f"({self._term(parts[0])})^{{1/2}}"
+        if op == "cos_pi":
+            return rf"\cos({self._inside(parts[0], _PRODUCT)}\, \pi)"
+        return rf"\{op}(" + r",\allowbreak\ ".join(map(self._term, parts)) + ")"
+
+    def _short(self, term: Term) -> bool:
+        return len(self._plain.term(term)) <= LONGEST
+
+    def _inside(self, term: Term, level: int) -> str:
+        text = self._term(term)
+        return text if self._level(term) >= level else f"({text})"
+
+    def _level(self, term: Term) -> int:
+        if term.op in ("add", "sub"):
+            return _SUM
+        if term.op == "neg" or (term.op == "rational" and term.value < 0):
+            return _SUM
+        if term.op == "div":
+            barred = all(map(self._short, term.children))
+            return _NEGATION if barred else _PRODUCT
+        return _PRODUCT if term.op == "mul" else _ATOM
+
+
+def rational(value: Fraction) -> str:
+    """A fraction, or the decimal that it is where a fraction would be long."""
+    sign = "-" if value < 0 else ""
+    above, below = str(abs(value.numerator)), str(value.denominator)
+    if below == "1":
+        return sign + grouped(above)
+    if max(len(above), len(below)) > 6:
+        return f"{sign}{grouped(above)}/{grouped(below)}"
+    return rf"{sign}\frac{{{above}}}{{{below}}}"
+
+
+def grouped(digits: str) -> str:
+    """Many digits, in groups between which a line may break."""
+    if len(digits) <= 15:
+        return digits
+    groups = [digits[i : i + 10] for i in range(0, len(digits), 10)]
+    return r"\allowbreak ".join(groups)
+
+
+def safe_letter(tex: str, plain: str) -> str:
+    """The LaTeX of a letter where it is one, else its plain text: files have what they like."""
+    try:
+        if not tex:
+            raise ValueError("no letter")
+        read_letter(tex)
+    except ValueError:
+        return rf"\mathit{{{math(plain)}}}"
+    tex = re.sub(r"^([A-Za-z]_\w)(?=_)", r"{\1}", tex.replace("_{}", ""))
+    if re.search(r"_(\w|\{[^{}]*\})_", tex):  # LaTeX refuses an index after an index
+        return rf"\mathit{{{math(plain)}}}"
+    return tex
+
+
+def _digit_first(term: Term) -> bool:
+    """Whether a number stands first, which would run into the one before it."""
+    while term.op in ("mul", "pow"):
+        term = term.children[0]
+    return term.op in ("rational", "div")

@@ -81,6 +81,8 @@ MEANT = {82: "printed.init-y-term-5", 83: "printed.init-y-term-5"}
 #: Rows here that the blind transcription does not have: entries of a min one by one, the needed
 #: form of a hypothesis, counterexamples and judgements of what is printed, and what a repair adds.
 HERE_ONLY = {
+    "printed.x-term-1-factor",  # r in front of the bracket, which the next line drops
+    "printed.y-term-3-factor",  # (1+r)/2 in `EQUATSS4.1Lien_x_n_&_y_n_`, which is dropped later
     "hypotheses.r-below-one",
     "hypotheses.stability",
     "printed.r_stabi-gives-fixed-points",

@@ -69,7 +69,9 @@ CAUSES = (
         ("printed.angle-absorbed", "printed.y-term-3", "printed.final-angle"),
         "The entry V₀/(33 V₁^{1/2}) |Δθ| of η̄ has no factor 1-C_η, and the angles may drift by "
         "14 (V₁^{1/2}/V₀) η̄/(1-C_η). Which of the three steps fail depends on the parameters: at "
-        "r = 3/100 the first two for δ_θ = 1/10, the first and the last for δ_θ = 1/1000.",
+        "r = 3/100 the first two for δ_θ = 1/10, the first and the last for δ_θ = 1/1000. Only the "
+        "last breaks the argument: in y_n the second has the factor (1+r)/2, with which it holds "
+        "(`y-term-3-factor`).",
     ),
     Cause(
         (
@@ -85,7 +87,8 @@ CAUSES = (
         ),
         "An entry of a min is the sum of the bounds that several steps need, and so bounds none "
         "of them. Each step has its own row and may hold all the same, because another entry is "
-        "smaller; `x-term-1-d` does not at r = 1/1000000 with -cos θ₀ = 1/20. Once δ_x is "
+        "smaller; `x-term-1-d` does not at r = 1/1000000 with -cos θ₀ = 1/20, but "
+        "for the factor r in front of it (`x-term-1-factor`). Once δ_x is "
         "repaired, the steps do need what is alone in entry 3 of ζ̄ (at r = 3/100, say).",
     ),
 )

@@ -26,7 +26,7 @@ from verify.paper.preliminaries import (
     h_5,
     phi_minus,
 )
-from verify.paper.rows import BREAKS, HARMLESS, SLIP
+from verify.paper.rows import BREAKS, HARMLESS, SLIP, printed
 
 TAU = "EQUATSS4.1_Controle_Tau_n"
 NORM = "EQUATSS4.1EvoluNormeVitRl"
@@ -596,7 +596,7 @@ def _angle_sum(k: ConstantSet) -> Iterator[Obligation]:
         "|(-cos θ_n) - (-cos θ₀)| ≤ |Δθ| for every n: the bound of Cnd8, summed",
         k.drift <= k.Delta_theta,
         ["angle-step"],
-        if_false=BREAKS,
+        if_false=HARMLESS,
     )
 
 
@@ -619,8 +619,17 @@ def _x_term_1(k: ConstantSet) -> Iterator[Obligation]:
         says.format("d_n, n ≥ 1"),
         d / delta_2 <= half,
         uses,
-        if_false=BREAKS,
+        if_false=HARMLESS,
     )
+    if k.printed:
+        yield printed(
+            f"{k.group}.x-term-1-factor",
+            "EQUATSS4.1Recurrence_Cnd9",
+            says.format("r d_n, n ≥ 1, with the factor that the display begins with"),
+            r * d / delta_2 <= half,
+            uses,
+            group=k.group,
+        )
     yield k.row(
         "x-term-1-zeta",
         "EQUATSS4.1Recurrence_Cnd9",
@@ -755,8 +764,17 @@ def _y_terms_3_and_4(k: ConstantSet) -> Iterator[Obligation]:
         "|(-cos θ_{n+2}) - (-cos θ₀)| ≤ h₄δ_x/8",
         k.drift <= eighth,
         ["y-step", "angle-step"],
-        if_false=BREAKS,
+        if_false=HARMLESS,
     )
+    if k.printed:
+        yield printed(
+            f"{k.group}.y-term-3-factor",
+            X_LINK,
+            "((1+r)/2) |(-cos θ_{n+2}) - (-cos θ₀)| ≤ h₄δ_x/8, with the factor that y_n has",
+            (1 + r) / 2 * k.drift <= eighth,
+            ["y-step", "angle-step"],
+            group=k.group,
+        )
     yield k.row(
         "y-term-4",
         cnd,

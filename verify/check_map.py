@@ -26,8 +26,9 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import cache
 from hashlib import sha256
 from math import isqrt
 from typing import Any, NamedTuple
@@ -115,9 +116,212 @@ def root(x: Interval) -> Interval:
     return isqrt(x[0] << PLACES), isqrt(x[1] << PLACES) + 1
 
 
+def neg(x: Interval) -> Interval:
+    """The negative."""
+    return -x[1], -x[0]
+
+
+def root_of_share(x: Interval) -> Interval:
+    """The root, of those numbers that are in [0, 1]."""
+    return root((max(x[0], 0), max(min(x[1], ONE), 0)))
+
+
+def above(x: Interval, least: int) -> Interval:
+    """The same numbers where they are no less than that."""
+    return min(max(x[0], least), x[1]), x[1]
+
+
 UNIT: Interval = (ONE, ONE)
 
+# --- polynomials around numbers that depend on two parameters ------------------------------------
+
+#: low, high, c0, …, c5, e: for all |x|, |y| <= 1 the number is in [low, high], and within e of
+#: c0 + c1 x + c2 y + c3 x² + c4 xy + c5 y².
+Model = tuple[int, int, int, int, int, int, int, int, int]
+
+
+def model(bounds: Interval, c: Sequence[int], e: int) -> Model:
+    """The bounds are cut with the range of the polynomial."""
+    c0, c1, c2, c3, c4, c5 = c
+    radius = abs(c1) + abs(c2) + abs(c3) + abs(c4) + abs(c5) + e
+    return max(bounds[0], c0 - radius), min(bounds[1], c0 + radius), c0, c1, c2, c3, c4, c5, e
+
+
+def flat(x: Interval) -> Model:
+    """Only the bounds are known."""
+    middle = (x[0] + x[1]) >> 1
+    return x[0], x[1], middle, 0, 0, 0, 0, 0, max(x[1] - middle, middle - x[0])
+
+
+def add_models(x: Model, y: Model) -> Model:
+    """The sum."""
+    c = [x[i] + y[i] for i in range(2, 8)]
+    return model((x[0] + y[0], x[1] + y[1]), c, x[8] + y[8])
+
+
+def neg_model(x: Model) -> Model:
+    """The negative."""
+    return -x[1], -x[0], -x[2], -x[3], -x[4], -x[5], -x[6], -x[7], x[8]
+
+
+def sub_models(x: Model, y: Model) -> Model:
+    """The difference."""
+    c = [x[i] - y[i] for i in range(2, 8)]
+    return model((x[0] - y[1], x[1] - y[0]), c, x[8] + y[8])
+
+
+def product(x: Sequence[int], y: Sequence[int]) -> tuple[tuple[int, ...], int]:
+    """The polynomial of a product, and its error; both without the bounds of the factors.
+
+    Each coefficient is rounded once, by less than a unit; products of a higher degree are errors.
+    """
+    a0, a1, a2, a3, a4, a5, e = x
+    b0, b1, b2, b3, b4, b5, f = y
+    c = (
+        a0 * b0 >> PLACES,
+        a0 * b1 + a1 * b0 >> PLACES,
+        a0 * b2 + a2 * b0 >> PLACES,
+        a0 * b3 + a1 * b1 + a3 * b0 >> PLACES,
+        a0 * b4 + a1 * b2 + a2 * b1 + a4 * b0 >> PLACES,
+        a0 * b5 + a2 * b2 + a5 * b0 >> PLACES,
+    )
+    first, second = abs(a1) + abs(a2), abs(a3) + abs(a4) + abs(a5)
+    third, fourth = abs(b1) + abs(b2), abs(b3) + abs(b4) + abs(b5)
+    rest = first * fourth + second * (third + fourth) + (abs(b0) + third + fourth + f) * e
+    return c, (rest + (abs(a0) + first + second) * f >> PLACES) + 7
+
+
+def mul_models(x: Model, y: Model) -> Model:
+    """The product."""
+    return model(mul(x[:2], y[:2]), *product(x[2:], y[2:]))
+
+
+def square_model(x: Model) -> Model:
+    """The square."""
+    return model(square(x[:2]), *product(x[2:], x[2:]))
+
+
+def series(
+    x: Model, f: tuple[int, int, int], off: tuple[int, int, int], rest: int
+) -> Sequence[int]:
+    """f0 + f1 t + f2 t² for t = x - c0, each f off by so much, with an error: six and the error."""
+    t = (0, *x[3:])
+    c, e = product(t, t)
+    radius = sum(map(abs, t))
+    both = [f[1] * t[i] + f[2] * c[i] >> PLACES for i in range(6)]
+    both[0] += f[0]
+    size = radius * radius >> PLACES
+    e = (abs(f[1]) * x[8] + abs(f[2]) * e + off[1] * radius + off[2] * (size + 1) >> PLACES) + 7
+    return *both, e + off[0] + rest
+
+
+def div_models(x: Model, y: Model) -> Model:
+    """The quotient.
+
+    1/(c0 + t) = 1/c0 - t/c0² + t²/c0³ - t³/(c0³ (c0 + t)), where |t| <= radius < c0.
+
+    Raises:
+        RefusedError: if the divisor is not positive.
+    """
+    bounds, c0 = div(x[:2], y[:2]), y[2]
+    radius = sum(map(abs, y[3:]))
+    if c0 <= radius:
+        return flat(bounds)
+    cube = c0 * c0 * c0
+    f = ((ONE * ONE) // c0, -(ONE**3 // (c0 * c0)), ONE**4 // cube)
+    rest = (radius**3 * ONE * ONE) // (cube * (c0 - radius)) + 1
+    return model(bounds, *product(x[2:], series(y, f, (1, 1, 1), rest)))
+
+
+def root_model(x: Model) -> Model:
+    """The root.
+
+    Raises:
+        RefusedError: if the number may be negative.
+    """
+    return _root_within(x, root(x[:2]))
+
+
+def root_of_share_model(x: Model) -> Model:
+    """The root, of those numbers that are in [0, 1]."""
+    return _root_within(x, root_of_share(x[:2]))
+
+
+def _root_within(x: Model, bounds: Interval) -> Model:
+    """√(c0 + t) = q + t/(2q) - t²/(8q³) + R, q = √c0, |R| <= |t|³/(16 (c0 - radius)^(5/2))."""
+    c0, radius = x[2], sum(map(abs, x[3:]))
+    least = c0 - radius
+    if least <= 0:
+        return flat(bounds)
+    q = isqrt(c0 << PLACES)
+    f = (q, ONE * ONE // (2 * q), -(ONE**4 // (8 * q**3)))
+    off = (1, ONE * ONE // (2 * q * q) + 2, 3 * ONE**4 // (8 * q**4) + 2)
+    # |R|² in units is at most radius^6 ONE / (256 least^5).
+    rest = isqrt(radius**6 * ONE // (256 * least**5)) + 1
+    *c, e = series(x, f, off, rest)
+    return model(bounds, c, e)
+
+
+def above_model(x: Model, least: int) -> Model:
+    """The same numbers where they are no less than that."""
+    return *above(x[:2], least), *x[2:]
+
+
+class Arithmetic(NamedTuple):
+    """The operations on one kind of numbers."""
+
+    add: Callable[[Any, Any], Any]
+    sub: Callable[[Any, Any], Any]
+    mul: Callable[[Any, Any], Any]
+    div: Callable[[Any, Any], Any]
+    square: Callable[[Any], Any]
+    neg: Callable[[Any], Any]
+    root: Callable[[Any], Any]
+    root_of_share: Callable[[Any], Any]
+    above: Callable[[Any, int], Any]
+    one: Any
+
+
+INTERVALS = Arithmetic(add, sub, mul, div, square, neg, root, root_of_share, above, UNIT)
+MODELS = Arithmetic(
+    add_models,
+    sub_models,
+    mul_models,
+    div_models,
+    square_model,
+    neg_model,
+    root_model,
+    root_of_share_model,
+    above_model,
+    flat(UNIT),
+)
+
 # --- states and their collisions -----------------------------------------------------------------
+
+#: An interval, or a model: its first two entries are its bounds.
+Number = Any
+
+
+class Law(NamedTuple):
+    """A kind of numbers, and r, (1+r)/2, 1 - r² in it; r as an interval too."""
+
+    kind: Arithmetic
+    r: Number
+    half: Number
+    lost: Number
+    bounds: Interval
+
+
+def law_of(r: Fraction, kind: Arithmetic = INTERVALS) -> Law:
+    """The coefficients of the law of collision."""
+    half, lost = number(kind, (1 + r) / 2), number(kind, 1 - r * r)
+    return Law(kind, number(kind, r), half, lost, around(r))
+
+
+@cache
+def number(kind: Arithmetic, value: Fraction) -> Number:
+    """A rational number."""
+    return around(value) if kind is INTERVALS else flat(around(value))
 
 
 class Sight(NamedTuple):
@@ -128,98 +332,101 @@ class Sight(NamedTuple):
     a = x_s·W_c, b = x_c·W_s, w = W_s·W_c.
     """
 
-    v: Interval
-    lam: Interval
-    rho: Interval
-    eps: Interval
-    A: Interval
-    B: Interval
-    C: Interval
-    a: Interval
-    b: Interval
-    w: Interval
+    v: Number
+    lam: Number
+    rho: Number
+    eps: Number
+    A: Number
+    B: Number
+    C: Number
+    a: Number
+    b: Number
+    w: Number
 
 
 class Three(NamedTuple):
     """Two spheres: g = |x|² - 1, p = x·w and m = |w|²."""
 
-    g: Interval
-    p: Interval
-    m: Interval
+    g: Number
+    p: Number
+    m: Number
 
 
-def own(z: Sight) -> Three:
+def own(kind: Arithmetic, z: Sight) -> Three:
     """The pair o, c."""
-    low, high = mul(z.lam, z.v)
-    return Three(mul(z.eps, square(z.v)), (-high, -low), z.A)
+    p = kind.neg(kind.mul(z.lam, z.v))
+    return Three(kind.mul(z.eps, kind.square(z.v)), p, z.A)
 
 
-def far(z: Sight) -> Three:
+def far(kind: Arithmetic, z: Sight) -> Three:
     """The pair s, c."""
-    g = add(add(UNIT, mul(z.eps, square(z.v))), add(z.C, z.C))
-    p = sub(mul(sub(z.rho, z.lam), z.v), add(z.a, z.b))
+    add, sub, mul = kind[:3]
+    g = add(add(kind.one, mul(z.eps, kind.square(z.v))), add(z.C, z.C))
+    p = sub(sub(mul(sub(z.rho, z.lam), z.v), z.a), z.b)
     return Three(g, p, sub(add(z.A, z.B), add(z.w, z.w)))
 
 
-def from_s(z: Sight, pair: Three) -> Sight:
+def from_s(kind: Arithmetic, z: Sight, pair: Three) -> Sight:
     """The same moment seen from s, which now has o for the spectator."""
+    sub, neg = kind.sub, kind.neg
     g, p, m = pair
-    rho = mul(z.rho, z.v)
-    C = (-z.C[1] - ONE, -z.C[0] - ONE)
-    return Sight(
-        UNIT, (-p[1], -p[0]), rho, g, m, z.B, C, sub(rho, z.a), sub(rho, z.b), sub(z.B, z.w)
-    )
+    rho, C = kind.mul(z.rho, z.v), sub(neg(z.C), kind.one)
+    a, b = sub(rho, z.a), sub(rho, z.b)
+    return Sight(kind.one, neg(p), rho, g, m, z.B, C, a, b, sub(z.B, z.w))
 
 
-def looks(lam: Interval, A: Interval, eps: Interval) -> int:
+def looks(kind: Arithmetic, lam: Number, A: Number, eps: Number) -> int:
     """-1 if a pair never meets in free flight, 1 if it always does, 0 if that is open."""
-    low, high = sub(square(lam), mul(A, eps))
+    low, high = kind.sub(kind.square(lam), kind.mul(A, eps))[:2]
     if lam[1] <= 0 or high < 0:
         return -1
     return 1 if lam[0] > 0 and low > 0 else 0
 
 
 class Way(NamedTuple):
-    """The flight until o and c meet: y, q, s, T of the theorem; the time is y T."""
+    """The flight until o and c meet: lam, y, q, s, T of the theorem; the time is y T."""
 
-    y: Interval
-    q: Interval
-    s: Interval
-    T: Interval
+    lam: Number
+    y: Number
+    q: Number
+    s: Number
+    T: Number
 
 
-def way_of(z: Sight) -> Way | None:
+def way_of(kind: Arithmetic, z: Sight) -> Way | None:
     """The flight of those states from which o and c meet: lam² >= A eps and 0 <= s <= 1.
 
     None if it may take for ever.
     """
-    least = isqrt(max(z.A[0], 0) * max(z.eps[0], 0))
-    lam = (min(max(z.lam[0], least), z.lam[1]), z.lam[1])
+    div, one = kind.div, kind.one
+    lam = kind.above(z.lam, isqrt(max(z.A[0], 0) * max(z.eps[0], 0)))
     if lam[0] <= 0:
         return None
     kap = div(div(z.eps, lam), lam)
-    low, high = sub(UNIT, mul(z.A, kap))
-    s = root((max(low, 0), max(min(high, ONE), 0)))
-    return Way(mul(lam, z.v), div(z.rho, lam), s, div(kap, add(UNIT, s)))
+    s = kind.root_of_share(kind.sub(one, kind.mul(z.A, kap)))
+    return Way(lam, kind.mul(lam, z.v), div(z.rho, lam), s, div(kap, kind.add(one, s)))
 
 
-def is_apart(pair: Three, way: Way) -> bool:
+def is_apart(kind: Arithmetic, pair: Three, way: Way) -> bool:
     """Whether a pair is shown to be apart until o and c have met: Bernstein's coefficients."""
+    add, mul = kind.add, kind.mul
     g, p, m = pair
     time = mul(way.y, way.T)
-    step = mul(p, time)
     last = add(g, mul(time, add(add(p, p), mul(m, time))))
-    return g[0] >= 0 and g[0] + step[0] >= 0 and last[0] > 0
+    return bool(g[0] >= 0 and add(g, mul(p, time))[0] >= 0 and last[0] > 0)
 
 
-def collide(law: Law, z: Sight, way: Way) -> Sight:
-    """The state just after o and c have collided; now c is the spectator."""
-    y, q, s, T = way
+def collide(law: Law, z: Sight, way: Way, sig: Number | None = None) -> Sight:
+    """The state just after o and c have collided; now c is the spectator.
+
+    Before the first collision s need not be in contact: |x_s|² = 1 + sig v².
+    """
+    add, sub, mul, div, square = law.kind[:5]
+    lam, y, q, s, T = way
     speed, time = mul(y, s), mul(y, T)
     turned, TB = mul(time, z.w), mul(T, z.B)
     push, f = mul(law.half, speed), add(z.b, turned)
     C = sub(z.C, mul(time, add(z.a, f)))
-    lam = sub(sub(mul(mul(law.half, s), C), q), TB)
     double, other = add(f, f), mul(law.r, speed)
     A = add(z.B, mul(push, add(double, push)))
     B = sub(z.A, mul(law.lost, square(speed)))
@@ -227,20 +434,10 @@ def collide(law: Law, z: Sight, way: Way) -> Sight:
     a, b = add(f, push), sub(add(z.a, turned), add(pushed, pushed))
     w = add(z.w, mul(push, add(double, other)))
     eps = mul(T, add(add(q, q), TB))
+    if sig is not None:
+        eps = add(eps, div(div(sig, lam), lam))
+    lam = sub(sub(mul(mul(law.half, s), C), q), TB)
     return Sight(y, lam, mul(law.r, s), eps, A, B, C, a, b, w)
-
-
-class Law(NamedTuple):
-    """r, (1+r)/2 and 1 - r²."""
-
-    r: Interval
-    half: Interval
-    lost: Interval
-
-
-def law_of(r: Fraction) -> Law:
-    """The coefficients of the law of collision."""
-    return Law(around(r), around((1 + r) / 2), around(1 - r * r))
 
 
 def after(law: Law, z: Sight) -> tuple[bool, list[Sight]]:
@@ -253,19 +450,20 @@ def after(law: Law, z: Sight) -> tuple[bool, list[Sight]]:
     """
     if z.rho[0] <= 0 and z.B[0] <= 0:
         raise RefusedError("the spectator may stay in contact")
-    pair = far(z)
-    near, away = looks(z.lam, z.A, z.eps), looks((-pair.p[1], -pair.p[0]), pair.m, pair.g)
+    kind, pair = law.kind, far(law.kind, z)
+    near = looks(kind, z.lam, z.A, z.eps)
+    away = looks(kind, kind.neg(pair.p), pair.m, pair.g)
     if near < 0 and away < 0:
         return True, []
     may_end = near < 1 and away < 1
-    way = way_of(z) if near >= 0 else None
-    if way is not None and (away < 0 or is_apart(pair, way)):
+    way = way_of(kind, z) if near >= 0 else None
+    if way is not None and (away < 0 or is_apart(kind, pair, way)):
         # Where both meet, o and c are first; s and c meet only where o and c do not.
         first, other = collide(law, z, way), None if near > 0 else _other(law, z, pair, away)
         return may_end, [first] if other is None else [first, other]
-    seen = from_s(z, pair)
-    seen_way = way_of(seen) if away >= 0 else None
-    if seen_way is None or not (near < 0 or is_apart(own(z), seen_way)):
+    seen = from_s(kind, z, pair)
+    seen_way = way_of(kind, seen) if away >= 0 else None
+    if seen_way is None or not (near < 0 or is_apart(kind, own(kind, z), seen_way)):
         raise RefusedError("it is open which collision is the next one")
     first = collide(law, seen, seen_way)
     if near < 0 or away > 0:
@@ -279,11 +477,56 @@ def _other(law: Law, z: Sight, pair: Three, away: int) -> Sight | None:
     """The state after the collision of s and c, where o and c miss each other."""
     if away < 0:
         return None
-    seen = from_s(z, pair)
-    way = way_of(seen)
+    seen = from_s(law.kind, z, pair)
+    way = way_of(law.kind, seen)
     if way is None:
         raise RefusedError("it is open whether s and c meet")
     return collide(law, seen, way)
+
+
+def first_after(
+    law: Law, pairs: Sequence[Three], sight: Callable[[int], tuple[Sight, Number]]
+) -> tuple[bool, list[Sight]]:
+    """The same for the first collision: the three pairs, each with a sight of its own, and sig.
+
+    Of two pairs that may both meet one has to be shown to be apart until the other has met; a pair
+    is not the first where another one always meets before.
+
+    Raises:
+        RefusedError: if that is open, or the spheres may overlap.
+    """
+    kind = law.kind
+    if any(pair.g[0] < 0 for pair in pairs):
+        raise RefusedError("spheres may overlap")
+    touching = [pair for pair in pairs if pair.g[0] == 0]
+    if len(touching) > 1 or any(pair.m[0] <= 0 for pair in touching):
+        raise RefusedError("three spheres may touch, or two of them may stay in contact")
+    meets = [looks(kind, kind.neg(pair.p), pair.m, pair.g) for pair in pairs]
+    sights = [sight(i) if meet >= 0 else None for i, meet in enumerate(meets)]
+    ways = [None if seen is None else way_of(kind, seen[0]) for seen in sights]
+    states = []
+    for i, (way, seen) in enumerate(zip(ways, sights, strict=True)):
+        if seen is None:
+            continue
+        others = [j for j in range(3) if j != i and meets[j] >= 0]
+        before = [j for j in others if _is_before(kind, pairs, ways, j, i)]
+        for j in others:
+            if j not in before and not _is_before(kind, pairs, ways, i, j):
+                raise RefusedError("it is open which collision is the first one")
+        if any(meets[j] > 0 and not _is_before(kind, pairs, ways, i, j) for j in before):
+            continue
+        if way is None:
+            raise RefusedError("it is open whether a pair meets")
+        states.append(collide(law, seen[0], way, seen[1]))
+    return max(meets) < 1, states
+
+
+def _is_before(
+    kind: Arithmetic, pairs: Sequence[Three], ways: Sequence[Way | None], i: int, j: int
+) -> bool:
+    """Whether the pair j is shown to be apart until the pair i has met."""
+    way = ways[i]
+    return way is not None and is_apart(kind, pairs[j], way)
 
 
 # --- what implies a collapse ---------------------------------------------------------------------
@@ -297,25 +540,33 @@ def closes(law: Law, z: Sight, numbers: tuple[Interval, ...]) -> bool:
     m, p, X, Y, k, V = numbers
     if z.lam[0] <= 0 or z.rho[0] <= 0:
         return False
-    reach = root(add(UNIT, mul(z.eps, square(z.v))))
-    y, mX, mx = div(z.lam, reach), add(m, X), sub(m, X)
-    # The entry: m - X <= eta_s/y <= m + X and d <= k y², in units of speed.
-    if z.rho[1] > mul(mX, y)[0] or mul(mx, y)[1] > z.rho[0]:
+    mX, mx = add(m, X), sub(m, X)
+    kind = law.kind
+    reach = kind.root(kind.add(kind.one, kind.mul(z.eps, kind.square(z.v))))
+    # The entry: m - X <= eta_s/(-eta_c) <= m + X and d <= k eta_c².
+    inverse = kind.div(reach, z.lam)
+    ratio = kind.mul(z.rho, inverse)
+    if ratio[1] > mX[0] or mx[1] > ratio[0]:
         return False
-    if div(z.eps, add(UNIT, reach))[1] > mul(k, square(y))[0]:
+    slope = kind.mul(kind.div(z.eps, kind.add(kind.one, reach)), kind.square(inverse))
+    if slope[1] > k[0]:
         return False
     L, least, kVV = add(p, Y), sub(p, Y), mul(k, square(V))
     free, under = sub(UNIT, L), sub(UNIT, add(kVV, kVV))
     if mx[0] < 0 or free[0] <= 0 or least[0] <= 0 or under[0] <= 0 or L[0] < 0:
         return False
     speed = isqrt(max(z.A[1], z.B[1], 0) << PLACES) + 1
-    top = max(mul(y, z.v)[1], 0)
+    top = max(kind.div(kind.mul(z.lam, z.v), reach)[1], 0)
     eta, s = (top, top), root(under)
     T = div(add(k, k), add(UNIT, s))
-    return _rows(law, div(z.C, reach), (mX, mx, L, least, k, V, T, s), eta, max(speed, top))
+    return _rows(
+        law, kind.div(z.C, reach)[:2], (mX, mx, L, least, k, V, T, s), eta, max(speed, top)
+    )
 
 
 def _rows(law: Law, C: Interval, numbers: tuple[Interval, ...], eta: Interval, speed: int) -> bool:
+    r = law.bounds
+    half = (r[0] + ONE) >> 1, -(-(r[1] + ONE) >> 1)
     mX, mx, L, least, k, V, T, s = numbers
     TV, eta_2, L_2 = mul(T, V), square(eta), square(L)
     G = add(UNIT, mul(k, eta_2))
@@ -325,9 +576,9 @@ def _rows(law: Law, C: Interval, numbers: tuple[Interval, ...], eta: Interval, s
         div(mul(add(k, square(TV)), eta_2), sub(UNIT, L_2)),
     )
     turn = add(turn, div(mul(mul(TV, k), mul(eta_2, eta)), sub(UNIT, mul(L_2, L))))
-    jump = mul(law.half, G)
+    jump = mul(half, G)
     high = mul(mul(jump, G), add(C, turn))
-    low = sub(sub(mul(mul(law.half, s), sub(C, turn)), mX), TVV)
+    low = sub(sub(mul(mul(half, s), sub(C, turn)), mX), TVV)
     low_2, high_2 = square(TV)
     drift = add(mul(mX, T), (low_2 >> 1, -(-high_2 >> 1)))
     return (
@@ -335,16 +586,18 @@ def _rows(law: Law, C: Interval, numbers: tuple[Interval, ...], eta: Interval, s
         and mul(jump, eta)[1] <= mul((V[0] - speed, V[1] - speed), free)[0]
         and high[1] <= add(mul(L, G), mx)[0]
         and least[1] <= low[0]
-        and mul(law.r, G)[1] <= mul(mX, least)[0]
-        and mul(mx, L)[1] <= mul(law.r, s)[0]
+        and mul(r, G)[1] <= mul(mX, least)[0]
+        and mul(mx, L)[1] <= mul(r, s)[0]
         and drift[1] <= mul(k, square(least))[0]
     )
 
 
-# --- the plane of a map --------------------------------------------------------------------------
+# --- the planes of maps --------------------------------------------------------------------------
+
+Side = tuple[Fraction, Fraction]
 
 
-class Plane(NamedTuple):
+class Phi(NamedTuple):
     """φ1 = eta_s/(-eta_c) and φ2 = d/eta_c² in a rectangle; the rest of the scene is the same.
 
     W_c = eta_c ω_c + u_c n_c and W_s = eta_s ω_s + u_s n_s, with n a right angle to the left of ω.
@@ -353,67 +606,174 @@ class Plane(NamedTuple):
     r: Fraction
     neg_cos: Fraction
     speed: Fraction
-    tangential: tuple[Fraction, Fraction]
-    x: tuple[Fraction, Fraction]
-    y: tuple[Fraction, Fraction]
+    tangential: Side
+    x: Side
+    y: Side
 
 
-def part(ends: tuple[Fraction, Fraction], place: int, level: int) -> Interval:
+#: Positions or velocities, a sphere, a coordinate.
+Place = tuple[str, int, int]
+Rows = tuple[tuple[Fraction, ...], ...]
+
+
+class Through(NamedTuple):
+    """A scene, of which two numbers vary in a rectangle."""
+
+    r: Fraction
+    positions: Rows
+    velocities: Rows
+    x_at: Place
+    y_at: Place
+    x: Side
+    y: Side
+
+
+Plane = Phi | Through
+
+
+def part(ends: Side, place: int, level: int) -> Interval:
     """One of 2^level equal parts of a side."""
     width = (ends[1] - ends[0]) / 2**level
     return around(ends[0] + width * place)[0], around(ends[0] + width * (place + 1))[1]
 
 
-def first_state(plane: Plane, key: str) -> Sight:
-    """All scenes of a box with φ1 > 0 and φ2 > 0; a digit of its key is x + 2y, a level each.
-
-    Raises:
-        RefusedError: if s and c may touch.
-    """
+def sides(plane: Plane, key: str) -> tuple[Interval, Interval]:
+    """A box: a digit of its key is x + 2y, a level each."""
     column = int("".join("01"[int(digit) & 1] for digit in key), 2)
     row = int("".join("01"[int(digit) >> 1] for digit in key), 2)
-    phi_1, phi_2 = part(plane.x, column, len(key)), part(plane.y, row, len(key))
-    C, v = around(plane.neg_cos), around(plane.speed)
-    u_c, u_s = map(around, plane.tangential)
-    sine = root(around(1 - plane.neg_cos**2))
+    return part(plane.x, column, len(key)), part(plane.y, row, len(key))
+
+
+def parameter(kind: Arithmetic, place: int, x: Interval) -> Number:
+    """A number that runs over an interval as one of the two parameters does over [-1, 1]."""
+    if kind is INTERVALS:
+        return x
+    middle = (x[0] + x[1]) >> 1
+    slope = [0] * 5
+    slope[place] = max(x[1] - middle, middle - x[0])
+    return (*x, middle, *slope, 0)
+
+
+def beginning(law: Law, plane: Plane, key: str) -> list[Sight | None]:
+    """All scenes of a box, or what they are after their first collision; None: there may be none.
+
+    Raises:
+        RefusedError: if it is open which collision is the first one, or spheres may overlap.
+    """
+    x, y = (parameter(law.kind, i, side) for i, side in enumerate(sides(plane, key)))
+    if isinstance(plane, Phi):
+        return [_at_contact(law.kind, plane, x, y)]
+    may_end, states = first_after(law, *_scenes(law.kind, plane, x, y))
+    return [*states, None] if may_end else [*states]
+
+
+def _at_contact(kind: Arithmetic, plane: Phi, phi_1: Number, phi_2: Number) -> Sight:
+    """The scenes with φ1 > 0 and φ2 > 0."""
+    add, sub, mul, _, square = kind[:5]
+    C, v, u_c, u_s = (number(kind, x) for x in (plane.neg_cos, plane.speed, *plane.tangential))
+    sine = kind.root(number(kind, 1 - plane.neg_cos**2))
     d, eta_s = mul(phi_2, square(v)), mul(phi_1, v)
-    D = add(UNIT, d)
+    D = add(kind.one, d)
     turned = sub(mul(eta_s, v), mul(u_c, u_s))
     w = sub(mul(C, turned), mul(sine, add(mul(u_s, v), mul(u_c, eta_s))))
-    state = Sight(
-        v,
-        D,
-        phi_1,
-        mul(phi_2, add(UNIT, D)),
-        add(square(v), square(u_c)),
-        add(square(eta_s), square(u_s)),
-        mul(D, C),
-        sub(mul(C, v), mul(sine, u_c)),
-        mul(D, sub(mul(sine, u_s), mul(C, eta_s))),
-        w,
-    )
-    if far(state).g[0] <= 0:
+    eps, a = mul(phi_2, add(kind.one, D)), sub(mul(C, v), mul(sine, u_c))
+    A, B = add(square(v), square(u_c)), add(square(eta_s), square(u_s))
+    b = mul(D, sub(mul(sine, u_s), mul(C, eta_s)))
+    state = Sight(v, D, phi_1, eps, A, B, mul(D, C), a, b, w)
+    if far(kind, state).g[0] <= 0:
         raise RefusedError("the spheres s and c may touch")
     return state
 
 
-def prove(law: Law, state: Sight, verdict: str, numbers: list[tuple[Interval, ...]]) -> None:
-    """Show a verdict for all branches of a box.
+#: The pairs as o, c, with the sphere s.
+PAIRS = ((0, 1, 2), (0, 2, 1), (1, 2, 0))
+
+
+def _scenes(
+    kind: Arithmetic, plane: Through, x: Number, y: Number
+) -> tuple[list[Three], Callable[[int], tuple[Sight, Number]]]:
+    """The three pairs, and the scene seen with each of them as o, c."""
+    varied = {plane.x_at: x, plane.y_at: y}
+
+    def between(i: int, j: int) -> tuple[list[Number], list[Number]]:
+        rows = (("positions", plane.positions), ("velocities", plane.velocities))
+        first, second = (_vector(kind, varied, name, given, (i, j)) for name, given in rows)
+        return first, second
+
+    def dot(a: list[Number], b: list[Number]) -> Number:
+        total = kind.mul(a[0], b[0])
+        for one, two in zip(a[1:], b[1:], strict=True):
+            total = kind.add(total, kind.mul(one, two))
+        return total
+
+    def pair(o: int, c: int) -> Three:
+        x_c, W_c = between(o, c)
+        return Three(kind.sub(dot(x_c, x_c), kind.one), dot(x_c, W_c), dot(W_c, W_c))
+
+    def sight(place: int) -> tuple[Sight, Number]:
+        o, c, s = PAIRS[place]
+        (x_s, W_s), (x_c, W_c) = between(o, s), between(o, c)
+        eps, sig = (kind.sub(dot(x, x), kind.one) for x in (x_c, x_s))
+        lam, rho, C = kind.neg(dot(x_c, W_c)), dot(x_s, W_s), kind.neg(dot(x_s, x_c))
+        A, B, a, b, w = (
+            dot(x, y) for x, y in ((W_c, W_c), (W_s, W_s), (x_s, W_c), (x_c, W_s), (W_s, W_c))
+        )
+        return Sight(kind.one, lam, rho, eps, A, B, C, a, b, w), sig
+
+    exact = (_exact_pair(kind, plane, varied, (o, c)) or pair(o, c) for o, c, _ in PAIRS)
+    return [*exact], sight
+
+
+def _vector(
+    kind: Arithmetic, varied: Mapping[Place, Number], name: str, rows: Rows, pair: tuple[int, int]
+) -> list[Number]:
+    """From one sphere to another one; what does not vary is known exactly."""
+    i, j = pair
+    found = []
+    for k, (a, b) in enumerate(zip(rows[i], rows[j], strict=True)):
+        if (name, i, k) in varied or (name, j, k) in varied:
+            ends = (varied.get((name, n, k)) or number(kind, c) for n, c in ((j, b), (i, a)))
+            found.append(kind.sub(*ends))
+        else:
+            found.append(number(kind, b - a))
+    return found
+
+
+def _exact_pair(
+    kind: Arithmetic, plane: Through, varied: Collection[Place], pair: tuple[int, int]
+) -> Three | None:
+    """A pair that does not vary; it may be in contact."""
+    if any(sphere in pair for _, sphere, _ in varied):
+        return None
+    i, j = pair
+    x, w = (
+        [b - a for a, b in zip(rows[i], rows[j], strict=True)]
+        for rows in (plane.positions, plane.velocities)
+    )
+    products = (sum(a * b for a, b in zip(*two, strict=True)) for two in ((x, x), (x, w), (w, w)))
+    g, p, m = (Fraction(product) for product in products)
+    return Three(number(kind, g - 1), number(kind, p), number(kind, m))
+
+
+def prove(
+    law: Law, states: Sequence[Sight | None], verdict: str, numbers: list[tuple[Interval, ...]]
+) -> None:
+    """Show a verdict for all branches of a box; None is one that ends.
 
     Raises:
         RefusedError: if that fails.
     """
-    waiting, steps = [state], 0
+    waiting, steps = [*states], 0
     while waiting:
         state, steps = waiting.pop(), steps + 1
         if steps > MAX_STEPS:
             raise RefusedError(f"there is no end after {MAX_STEPS} collisions")
-        if any(closes(law, state, six) for six in numbers):
+        if state is not None and any(closes(law, state, six) for six in numbers):
             continue
-        may_end, states = after(law, state)
+        may_end, more = (True, []) if state is None else after(law, state)
         if may_end and verdict == "c":
             raise RefusedError("it may be that no two spheres meet any more")
-        waiting += states
+        waiting += more
 
 
 # --- the log -------------------------------------------------------------------------------------
@@ -421,7 +781,8 @@ def prove(law: Law, state: Sight, verdict: str, numbers: list[tuple[Interval, ..
 FORMAT = "verify-map-log/1"
 HEADER = ("format", "plane", "first_level", "code", "sha256")
 RECORD = ("level", "keys", "verdicts", "numbers", "sha256")
-PLANE = ("name", "r", "neg_cos", "speed", "tangential", "x", "y")
+PHI = ("name", "r", "neg_cos", "speed", "tangential", "x", "y")
+THROUGH = ("name", "r", "positions", "velocities", "x_at", "y_at", "x", "y")
 
 
 class Areas(NamedTuple):
@@ -446,7 +807,7 @@ def check_log(lines: Iterator[bytes]) -> tuple[Plane, Areas]:
     plane, level = plane_of(header["plane"]), header["first_level"]
     if type(level) is not int or not 1 <= level <= 8:
         raise LogError("expected a first level from 1 to 8")
-    law, boxes, proved = law_of(plane.r), 0, 0
+    laws, boxes, proved = laws_of(plane), 0, 0
     shares = {"c": Fraction(0), "d": Fraction(0)}
     due, children = [_key(i, level) for i in range(4**level)], list[str]()
     at = 0
@@ -464,24 +825,34 @@ def check_log(lines: Iterator[bytes]) -> tuple[Plane, Areas]:
             if letter == "u":
                 children += [key + digit for digit in "0123"]
                 continue
-            prove_box(law, plane, key, letter, next(given, []) if letter == "c" else [])
+            prove_box(laws, plane, key, letter, next(given, []) if letter == "c" else [])
             shares[letter] += Fraction(1, 4**level)
             proved += 1
     return plane, Areas(boxes, proved, shares["c"], shares["d"])
 
 
+def laws_of(plane: Plane) -> list[Law]:
+    """The law for each kind of numbers that a plane is decided in."""
+    kinds = (INTERVALS,) if isinstance(plane, Phi) else (INTERVALS, MODELS)
+    return [law_of(plane.r, kind) for kind in kinds]
+
+
 def prove_box(
-    law: Law, plane: Plane, key: str, letter: str, numbers: list[tuple[Interval, ...]]
+    laws: list[Law], plane: Plane, key: str, letter: str, numbers: list[tuple[Interval, ...]]
 ) -> None:
-    """Show the verdict on a box.
+    """Show the verdict on a box, in one of the kinds of numbers.
 
     Raises:
         RefusedError: if that fails.
     """
-    try:
-        prove(law, first_state(plane, key), letter, numbers)
-    except RefusedError as error:
-        raise RefusedError(f"box {key}, {letter}: {error}") from None
+    for place, law in enumerate(laws, 1):
+        try:
+            prove(law, beginning(law, plane, key), letter, numbers)
+        except RefusedError as error:
+            if place == len(laws):
+                raise RefusedError(f"box {key}, {letter}: {error}") from None
+        else:
+            return
 
 
 def _key(place: int, level: int) -> str:
@@ -547,15 +918,50 @@ def plane_of(found: object) -> Plane:
     Raises:
         LogError: if it is none.
     """
-    if not isinstance(found, dict) or tuple(found) != PLANE or found["name"] != "phi":
-        raise LogError(f"expected a plane phi with {', '.join(PLANE)}")
-    r, neg_cos, speed = (_rational(found[name]) for name in PLANE[1:4])
-    u, x, y = (_two(found[name]) for name in PLANE[4:])
+    if isinstance(found, dict) and tuple(found) == PHI and found["name"] == "phi":
+        return _phi(found)
+    if isinstance(found, dict) and tuple(found) == THROUGH and found["name"] == "scene":
+        return _through(found)
+    raise LogError(
+        f"expected a plane: phi with {', '.join(PHI)}, or scene with {', '.join(THROUGH)}"
+    )
+
+
+def _phi(found: dict[str, Any]) -> Phi:
+    r, neg_cos, speed = (_rational(found[name]) for name in PHI[1:4])
+    u, x, y = (_two(found[name]) for name in PHI[4:])
     if not (0 < r < 1 and 0 < neg_cos <= 1 and speed > 0):
         raise LogError("expected 0 < r < 1, 0 < -cos <= 1 and a positive speed")
     if not (0 <= x[0] < x[1] and 0 <= y[0] < y[1]):
         raise LogError("expected a rectangle of numbers that are not negative")
-    return Plane(r, neg_cos, speed, u, x, y)
+    return Phi(r, neg_cos, speed, u, x, y)
+
+
+def _through(found: dict[str, Any]) -> Through:
+    r, x, y = _rational(found["r"]), _two(found["x"]), _two(found["y"])
+    positions, velocities = _rows_of(found["positions"]), _rows_of(found["velocities"])
+    size = len(positions[0])
+    if not 0 < r < 1 or not 2 <= size <= 20 or {*map(len, positions + velocities)} != {size}:
+        raise LogError("expected 0 < r < 1, and vectors of one length from 2 to 20")
+    places = []
+    for name in ("x_at", "y_at"):
+        match = re.fullmatch(r"(positions|velocities)\[([0-2])\]\[([0-9]{1,2})\]", str(found[name]))
+        if not match or int(match[3]) >= size:
+            raise LogError("expected the places of two numbers, like velocities[2][0]")
+        places.append((match[1], int(match[2]), int(match[3])))
+    if places[0] == places[1] or not (x[0] < x[1] and y[0] < y[1]):
+        raise LogError("expected two places, and a rectangle")
+    return Through(r, positions, velocities, places[0], places[1], x, y)
+
+
+def _rows_of(found: object) -> Rows:
+    if (
+        not isinstance(found, list)
+        or len(found) != 3
+        or not all(isinstance(x, list) for x in found)
+    ):
+        raise LogError("expected three vectors")
+    return tuple(tuple(map(_rational, row)) for row in found)
 
 
 def _two(found: object) -> tuple[Fraction, Fraction]:
@@ -585,11 +991,14 @@ def says(plane: Plane, areas: Areas) -> str:
             ("undecided", rest),
         )
     )
-    return (
-        f"r = {plane.r}, -cos = {plane.neg_cos}, φ1 in [{plane.x[0]}, {plane.x[1]}], "
-        f"φ2 in [{plane.y[0]}, {plane.y[1]}]: {areas.boxes} boxes, {areas.proved} of them proved; "
-        f"of the area: {shares}"
-    )
+    where = f"x in [{plane.x[0]}, {plane.x[1]}], y in [{plane.y[0]}, {plane.y[1]}]"
+    if isinstance(plane, Phi):
+        what = f"r = {plane.r}, -cos = {plane.neg_cos}, x = φ1 = eta_s/(-eta_c), y = φ2 = d/eta_c²"
+    else:
+        (a, i, k), (b, j, m) = plane.x_at, plane.y_at
+        what = f"r = {plane.r}, x = {a}[{i}][{k}], y = {b}[{j}][{m}]"
+    boxes = f"{areas.boxes} boxes, {areas.proved} of them proved"
+    return f"{what}, {where}: {boxes}; of the area: {shares}"
 
 
 def main(paths: list[str]) -> int:

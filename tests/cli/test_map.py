@@ -24,6 +24,7 @@ PLANE = ["map", "phi", "--r", "0.03"]
 #: What cannot be used, and the option that is named.
 WRONG = {
     "--r": ["map", "phi", "--r", "1"],
+    "--x, --y": [*PLANE, "--x", "-1..1"],
     "plane": ["map", "psi", "--r", "0.03"],
     "--neg-cos": [*PLANE, "--neg-cos", "1.1"],
     "--x": [*PLANE, "--x", "1..0"],
@@ -57,6 +58,27 @@ def test_the_document(capsys: pytest.CaptureFixture[str]) -> None:
     assert sum(areas.values()) == 1
     assert 0 < areas["undecided"] <= Fraction(1, 20)
     assert min(areas.values()) > 0
+
+
+def test_a_plane_through_a_scene(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scene = str(ROOT / "certificates/scenes/nearly-aligned.toml")
+    command = ["map", scene, "--x", "velocities[2][0]=-1.5..0", "--y", "velocities[2][1]=-1..1"]
+    assert main([*command, "--undecided", "5%", "--out", str(tmp_path), "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(
+        document
+    )
+    assert check_map.main([str(tmp_path / "map.jsonl")]) == 0
+    wrong = {
+        "--x": [*command[:3], "velocities[2][2]=0..1", *command[4:]],
+        "--y": [*command[:5], command[3]],
+        "--r": [*command, "--r", "0.03"],
+        "plane": ["map", "certificates"],
+    }
+    capsys.readouterr()
+    for option, words in wrong.items():
+        assert main(words) == 2
+        assert capsys.readouterr().err.startswith(f"verify: {option}: ")
 
 
 def test_a_spent_budget(capsys: pytest.CaptureFixture[str]) -> None:

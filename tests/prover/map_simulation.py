@@ -1,8 +1,8 @@
 """A second opinion on maps: positions and velocities with 200 digits, in nothing like the flow.
 
-A scene of the plane is set up from the words of its description; each flight ends at the first
-root of a pair's quadratic equation. A scene collapses if a closing speed falls below 10^-25; gaps
-fall faster than speeds, hence so many digits.
+A scene is set up from the words of its description; each flight ends at the first root of a pair's
+quadratic equation. A scene collapses if a closing speed falls below 10^-25; gaps fall faster than
+speeds, hence so many digits.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Any
 
 import mpmath
 
-from verify.paper.map.plane import Phi
+from verify.paper.map.plane import Phi, Plane, Through
 
 DIGITS, MOST = 200, 400
 SMALL = "1e-25"
@@ -37,11 +37,14 @@ def scene(plane: Phi, phi_1: Fraction, phi_2: Fraction) -> tuple[Vectors, Vector
     return x, [[mpmath.mpf(0)] * 2, v_1, v_2]
 
 
-def fate(plane: Phi, phi_1: Fraction, phi_2: Fraction) -> str:
+def fate(plane: Plane, x_share: Fraction, y_share: Fraction) -> str:
     """c, d, or ? if there is no end."""
     with mpmath.workdps(DIGITS):
-        r, (x, v) = number(plane.r), scene(plane, phi_1, phi_2)
-        last = (0, 1)
+        r, last = number(plane.r), (0, 0)
+        if isinstance(plane, Phi):
+            (x, v), last = scene(plane, x_share, y_share), (0, 1)
+        else:
+            x, v = varied(plane, x_share, y_share)
         for _ in range(MOST):
             meetings = [(t, p) for p in PAIRS if p != last and (t := _meeting(x, v, p))]
             if not meetings:
@@ -50,6 +53,17 @@ def fate(plane: Phi, phi_1: Fraction, phi_2: Fraction) -> str:
             if _collide(r, x, v, time, last) < mpmath.mpf(SMALL):
                 return "c"
     return "?"
+
+
+def varied(plane: Through, x_value: Fraction, y_value: Fraction) -> tuple[Vectors, Vectors]:
+    rows = {
+        "positions": [[*row] for row in plane.scene.positions],
+        "velocities": [[*row] for row in plane.scene.velocities],
+    }
+    for (kind, i, k), value in ((plane.x_at, x_value), (plane.y_at, y_value)):
+        rows[kind][i][k] = value
+    x, v = ([[number(a) for a in row] for row in table] for table in rows.values())
+    return x, v
 
 
 def _meeting(x: Vectors, v: Vectors, pair: tuple[int, int]) -> Any:

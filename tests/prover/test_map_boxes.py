@@ -10,22 +10,51 @@ import pytest
 
 from tests.prover.map_simulation import fate
 from verify import check_map
-from verify.paper.map.plane import Phi
+from verify.paper.map.plane import Phi, Plane, Through
+from verify.paper.scene.scene import Scene
 from verify.prover.map_boxes import Verdicts, corners, verdicts
 from verify.wire.map_log import all_keys, plane_document
 
 ONE = Fraction(1)
-PLANES = {
+ZERO = Fraction(0)
+NEARLY_ALIGNED = Scene(
+    Fraction(3, 100),
+    ((ZERO, ZERO), (Fraction("1.002"), ZERO), (Fraction("-1.006"), Fraction("0.08"))),
+    ((ZERO, ZERO), (Fraction("-1.4"), ZERO), (Fraction("0.7"), Fraction("-0.1"))),
+)
+#: 0 and 1 are in contact, and part.
+IN_CONTACT = Scene(
+    Fraction(3, 100),
+    ((ZERO, ZERO), (-ONE, ZERO), (Fraction("1.1"), Fraction("0.15"))),
+    ((ZERO, ZERO), (Fraction("-0.1"), Fraction("0.5")), (ZERO, ZERO)),
+)
+IN_SPACE = Scene(
+    Fraction(1, 50),
+    ((ZERO, ZERO, ZERO), (Fraction("1.1"), ZERO, Fraction("0.02")), (Fraction("-1.2"), ZERO, ZERO)),
+    ((ZERO, ZERO, ZERO), (-ONE, Fraction("0.1"), ZERO), (ONE, ZERO, Fraction("0.1"))),
+)
+V_X, V_Y = ("velocities", 2, 0), ("velocities", 2, 1)
+SIDES = ((-3 * ONE / 2, ZERO), (-ONE, ONE))
+PLANES: dict[str, Plane] = {
     "straight": Phi(Fraction(3, 100), ONE),
     "same-side": Phi(Fraction(3, 100), ONE, tangential=(ONE, -ONE)),
     "bent": Phi(Fraction(1, 20), Fraction(97, 100)),
     "slow": Phi(Fraction(1, 100), Fraction(9, 10), Fraction(1, 3), (Fraction(2), Fraction(1, 7))),
     "at-rest": Phi(Fraction(3, 100), ONE, Fraction(1, 2), (Fraction(0), Fraction(0))),
+    "slice": Through(NEARLY_ALIGNED, V_X, V_Y, *SIDES),
+    "slice-contact": Through(IN_CONTACT, V_X, V_Y, *SIDES),
+    "slice-space": Through(
+        IN_SPACE,
+        ("positions", 1, 1),
+        ("velocities", 0, 2),
+        (-ONE / 3, ONE / 3),
+        (-2 * ONE, 2 * ONE),
+    ),
     "elastic": Phi(Fraction(1, 2), Fraction(3, 5), Fraction(1)),
 }
 
 
-def refined(plane: Phi, levels: int) -> Iterator[tuple[str, str, list[tuple[int, ...]]]]:
+def refined(plane: Plane, levels: int) -> Iterator[tuple[str, str, list[tuple[int, ...]]]]:
     keys = list(all_keys(3))
     for _ in range(levels):
         found = verdicts(plane, keys)
@@ -36,7 +65,7 @@ def refined(plane: Phi, levels: int) -> Iterator[tuple[str, str, list[tuple[int,
             return
 
 
-def point(rng: random.Random, plane: Phi, key: str) -> tuple[Fraction, Fraction]:
+def point(rng: random.Random, plane: Plane, key: str) -> tuple[Fraction, Fraction]:
     """A point of a box, often on its edge."""
     (column,), (row,) = corners([key])
 
@@ -50,22 +79,22 @@ def point(rng: random.Random, plane: Phi, key: str) -> tuple[Fraction, Fraction]
 @pytest.mark.parametrize("name", PLANES)
 def test_points_of_decided_boxes_do_what_was_proved(name: str) -> None:
     plane, rng = PLANES[name], random.Random(name)
-    boxes = [(key, letter) for key, letter, _ in refined(plane, 5) if letter != "u"]
+    boxes = [(key, letter) for key, letter, _ in refined(plane, 4) if letter != "u"]
     assert len(boxes) >= 20
     for key, letter in rng.sample(boxes, 12) + boxes[-6:]:
         phi_1, phi_2 = point(rng, plane, key)
-        if phi_1 > 0 and phi_2 > 0:
+        if not isinstance(plane, Phi) or (phi_1 > 0 and phi_2 > 0):
             assert fate(plane, phi_1, phi_2) == letter, (key, phi_1, phi_2)
 
 
 @pytest.mark.parametrize("name", PLANES)
-def test_the_checker_accepts_every_box(name: str) -> None:
+def test_the_checker_accepts_the_boxes(name: str) -> None:
     plane = check_map.plane_of(plane_document(PLANES[name]))
-    law = check_map.law_of(plane.r)
-    for key, letter, numbers in refined(PLANES[name], 4):
-        if letter != "u":
-            flat = [number for six in numbers for number in six]
-            check_map.prove_box(law, plane, key, letter, check_map.sixes(flat, letter))
+    laws = check_map.laws_of(plane)
+    boxes = [box for box in refined(PLANES[name], 4) if box[1] != "u"]
+    for key, letter, numbers in random.Random(name).sample(boxes, min(len(boxes), 120)):
+        flat = [number for six in numbers for number in six]
+        check_map.prove_box(laws, plane, key, letter, check_map.sixes(flat, letter))
 
 
 def test_a_verdict_depends_on_its_box_alone() -> None:

@@ -10,7 +10,7 @@ from math import inf, isqrt, nextafter
 import numpy as np
 import pytest
 
-from verify.prover.map_intervals import Intervals, enclosed, root_of_share, square_root
+from verify.prover.map_intervals import Intervals, enclosed, square_root
 
 #: Doubles around which rounding is special.
 EDGES = (0.0, -0.0, 1.0, -1.0, 5e-324, -5e-324, 2.0**-1022, 1 + 2.0**-52, 0.1, 3.0, 1e154, 1e-160)
@@ -87,7 +87,7 @@ def test_squares_and_roots() -> None:
 def test_a_root_of_what_may_be_negative_is_no_bound() -> None:
     with np.errstate(all="ignore"):
         found = square_root(Intervals(np.array([-1.0, -1.0]), np.array([4.0, -0.5])))
-        share = root_of_share(Intervals(np.array([-1.0, 0.25]), np.array([4.0, 0.25])))
+        share = Intervals(np.array([-1.0, 0.25]), np.array([4.0, 0.25])).root_of_share()
     assert not (found.low > -1).any()
     assert share.low[0] == 0
     assert share.high[0] >= 1

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import random
+import re
 import sys
 from contextlib import ExitStack
 from fractions import Fraction
@@ -12,11 +13,12 @@ from functools import partial
 
 from verify import check_map
 from verify.cli.errors import OwnError
-from verify.cli.files import print_document, write_all
-from verify.cli.options import Options, Parser
+from verify.cli.files import print_document, read_bytes, write_all
+from verify.cli.options import Options, Parser, field
 from verify.jobs.inputs import InputError, integer, rational, shown
+from verify.jobs.scene_files import read_scene
 from verify.language.record import TYPE_CHECKING
-from verify.paper.map.plane import Phi, Side
+from verify.paper.map.plane import Phi, Place, Plane, Side, Through
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -33,13 +35,13 @@ SAMPLE = 100
 
 def add_arguments(parser: Parser) -> None:
     """The options; every number is kept as the text that was written."""
-    parser.place("plane", "phi: the plane of φ1 = eta_s/(-eta_c) and φ2 = d/eta_c²")
-    parser.option("--r", "restitution coefficient in ]0,1[", "R", required=True)
-    parser.option("--neg-cos", "-cos of the angle, in ]0, 1] (default 1)", "C", default="1")
-    parser.option("--x", "the interval of φ1 (default 0..1/2)", "A..B", default="0..1/2")
-    parser.option("--y", "the interval of φ2 (default 0..1/4)", "A..B", default="0..1/4")
-    parser.option("--speed", "-eta_c (default 1/100)", "V", default="1/100")
-    parser.option("--tangential", "tangential speeds (default 1,1)", "U_C,U_S", default="1,1")
+    parser.place("plane", "phi: of φ1 = eta_s/(-eta_c) and φ2 = d/eta_c²; or the file of a scene")
+    parser.option("--r", "phi: restitution coefficient in ]0,1[", "R")
+    parser.option("--neg-cos", "phi: -cos of the angle, in ]0, 1] (default 1)", "C")
+    parser.option("--speed", "phi: -eta_c (default 1/100)", "V")
+    parser.option("--tangential", "phi: tangential speeds (default 1,1)", "U_C,U_S")
+    parser.option("--x", "φ1 (default 0..1/2), or a number of the scene: NAME=A..B", "A..B")
+    parser.option("--y", "φ2 (default 0..1/4), or another one: velocities[2][1]=-1..1", "A..B")
     parser.option("--undecided", "stop at this share (default 1%)", "P%", default="1%")
     parser.option("--boxes", "stop after so many boxes (default 10^6)", "N", default="1000000")
     parser.option("--level", f"halve sides at most so often (default {MAX_LEVEL})", "N")
@@ -51,16 +53,20 @@ def add_arguments(parser: Parser) -> None:
     parser.flag("--json", text="one JSON document on stdout")
 
 
-def read_phi(options: Options) -> Phi:
-    """The plane.
+def read_plane(options: Options) -> Plane:
+    """The plane: phi, or the file of a scene.
 
     Raises:
         InputError: if a number is not usable.
     """
+    if options.plane.endswith(".toml"):
+        return _read_through(options)
     if options.plane != "phi":
-        raise InputError(f"plane: {shown(options.plane)} is no plane; write phi")
-    r, neg_cos = rational("--r", options.r), rational("--neg-cos", options.neg_cos)
-    speed = rational("--speed", options.speed)
+        raise InputError(f"plane: {shown(options.plane)} is no plane; write phi or a file .toml")
+    if options.r is None:
+        raise InputError("--r: is missing; write a number like 0.03")
+    r, neg_cos = rational("--r", options.r), rational("--neg-cos", options.neg_cos or "1")
+    speed = rational("--speed", options.speed or "1/100")
     if not 0 < r < 1:
         raise InputError(f"--r: {shown(options.r)} is not in ]0,1[; write a number like 0.03")
     if not 0 < neg_cos <= 1:
@@ -69,15 +75,35 @@ def read_phi(options: Options) -> Phi:
         )
     if speed <= 0:
         raise InputError(f"--speed: {shown(options.speed)} is not positive; write 1/100")
-    words = options.tangential.split(",")
+    words = (options.tangential or "1,1").split(",")
     if len(words) != 2:
         raise InputError(f"--tangential: {shown(options.tangential)} is no pair; write 1,1")
     u_c, u_s = (rational("--tangential", word) for word in words)
-    x, y = _interval("--x", options.x), _interval("--y", options.y)
-    numbers = (r, neg_cos, speed, u_c, u_s, *x, *y)
-    if any(len(str(n)) > check_map.MAX_DIGITS for n in numbers):
-        raise InputError(f"a number has more than {check_map.MAX_DIGITS} digits; write fewer")
+    x, y = _interval("--x", options.x or "0..1/2"), _interval("--y", options.y or "0..1/4")
+    if min(x[0], y[0]) < 0:
+        raise InputError("--x, --y: φ1 and φ2 are not negative; write intervals from 0 on")
     return Phi(r, neg_cos, speed, (u_c, u_s), x, y)
+
+
+def _read_through(options: Options) -> Through:
+    for option in ("--r", "--neg-cos", "--speed", "--tangential"):
+        if getattr(options, field(option)) is not None:
+            raise InputError(f"{option}: leave it out with the file of a scene")
+    scene = read_scene(options.plane, read_bytes("plane", options.plane))
+    (x_at, x), (y_at, y) = (
+        _varied(f"--{name}", getattr(options, name), scene.dimension) for name in "xy"
+    )
+    if x_at == y_at:
+        raise InputError("--y: is the number that --x varies; name another one")
+    return Through(scene, x_at, y_at, x, y)
+
+
+def _varied(option: str, text: str | None, size: int) -> tuple[Place, Side]:
+    example = "velocities[2][0]=-1.5..0"
+    match = re.fullmatch(r"(positions|velocities)\[([0-2])\]\[([0-9]{1,2})\]=(.*)", text or "")
+    if not match or int(match[3]) >= size:
+        raise InputError(f"{option}: {shown(text or '')} is not usable; write it like {example}")
+    return (match[1], int(match[2]), int(match[3])), _interval(option, match[4])
 
 
 def _interval(option: str, text: str) -> Side:
@@ -85,8 +111,8 @@ def _interval(option: str, text: str) -> Side:
     if len(words) != 2:
         raise InputError(f"{option}: {shown(text)} is no interval; write A..B")
     low, high = (rational(option, word) for word in words)
-    if not 0 <= low < high:
-        raise InputError(f"{option}: {shown(text)} is not 0 <= A < B; write such an interval")
+    if not low < high:
+        raise InputError(f"{option}: {shown(text)} is not A < B; write such an interval")
     return low, high
 
 
@@ -99,7 +125,7 @@ def _share(text: str) -> Fraction:
 
 def run(options: Options) -> int:
     """Grow the map, write what is asked for, print the areas, return the exit code."""
-    plane, share = read_phi(options), _share(options.undecided)
+    plane, share = read_plane(options), _share(options.undecided)
     boxes = integer("--boxes", options.boxes, 1, MAX_BOXES)
     level = integer("--level", options.level or str(MAX_LEVEL), 1, MAX_LEVEL)
     jobs = integer("--jobs", options.jobs, 1, MAX_JOBS)
@@ -108,8 +134,12 @@ def run(options: Options) -> int:
     except ImportError as error:
         raise InputError(f"map: {error}") from error
     from verify.views.map import map_document, map_lines
-    from verify.wire.map_log import LogMismatchError, Progress
+    from verify.wire.map_log import LogMismatchError, Progress, plane_document
 
+    try:
+        check_map.plane_of(plane_document(plane))
+    except check_map.LogError as error:
+        raise InputError(f"plane: the checker of maps cannot read it ({error})") from error
     progress = Progress(plane)
     try:
         _grow(options, progress, Target(share, boxes, level), jobs)
@@ -198,13 +228,13 @@ def _recheck(progress: Progress, *, everything: bool) -> None:
     from verify.wire.map_log import plane_document
 
     plane = check_map.plane_of(plane_document(progress.plane))
-    law = check_map.law_of(plane.r)
+    laws = check_map.laws_of(plane)
     chosen = list(progress.decided())
     if not everything and len(chosen) > SAMPLE:
         # Which boxes are proved a second time is no secret.
         chosen = random.Random(len(chosen)).sample(chosen, SAMPLE)  # noqa: S311
     for key, letter, numbers in chosen:
         try:
-            check_map.prove_box(law, plane, key, letter, check_map.sixes(numbers, letter))
+            check_map.prove_box(laws, plane, key, letter, check_map.sixes(numbers, letter))
         except check_map.RefusedError as error:
             raise OwnError(f"our own checker does not accept a box ({error})") from error

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
 from verify.language.record import Record
-from verify.paper.flow.law import State
-from verify.paper.map.plane import Phi, start
-from verify.prover.map_branches import advance, take, together
-from verify.prover.map_closing import NUMBERS, collapsing
-from verify.prover.map_intervals import Array, Intervals, enclosed, joined, square_root
+from verify.paper.flow.law import Pair, State
+from verify.paper.map.plane import Phi, Plane, start, views
+from verify.prover.map_branches import Step, advance, begin, take, together
+from verify.prover.map_closing import collapsing
+from verify.prover.map_intervals import Array, Intervals, enclosed
+from verify.prover.map_models import Models, one_model, parameter
 
 COLLAPSES, DISPERSES, UNDECIDED = "c", "d", "u"
 #: How far boxes are followed, and how often one is split where spheres may graze.
@@ -42,18 +44,36 @@ def side(ends: tuple[Fraction, Fraction], places: Sequence[int], level: int) -> 
     )
 
 
-def states(plane: Phi, keys: Sequence[str]) -> State:
-    """All states of the boxes of one level."""
+def sides(plane: Plane, keys: Sequence[str]) -> tuple[Intervals, Intervals]:
+    """The boxes of one level."""
     columns, rows = corners(keys)
-    x, y = (
-        side(ends, places, len(keys[0])) for ends, places in ((plane.x, columns), (plane.y, rows))
-    )
-    found = start(plane, x, y, enclosed, square_root)
-    return State(*(x if isinstance(x, int) else _spread(x, len(keys)) for x in found))
+    level = len(keys[0])
+    return side(plane.x, columns, level), side(plane.y, rows, level)
+
+
+class BoxNumbers(Record):
+    """A kind of numbers for boxes: how to make them of the sides, and of a constant."""
+
+    sides: Callable[[Intervals, Intervals], tuple[Any, Any]]
+    number: Callable[[Fraction], Any]
+    spread: Callable[[Any, int], Any]
 
 
 def _spread(x: Intervals, size: int) -> Intervals:
     return Intervals(np.broadcast_to(x.low, size), np.broadcast_to(x.high, size))
+
+
+def _spread_model(x: Models, size: int) -> Models:
+    c, e = np.broadcast_to(x.c, (6, size)), np.broadcast_to(x.e, size)
+    return Models(c, e, _spread(x.bounds, size))
+
+
+INTERVALS = BoxNumbers(lambda x, y: (x, y), enclosed, _spread)
+MODELS = BoxNumbers(
+    lambda x, y: (parameter(0, x), parameter(1, y)),
+    lambda value: one_model(enclosed(value)),
+    _spread_model,
+)
 
 
 class _Boxes:
@@ -74,6 +94,19 @@ class _Boxes:
         """Whether a box may still get a verdict."""
         return ~self.unclear & ~(self.collapse & self.disperse)
 
+    def take_step(self, step: Step, owners: Array) -> tuple[State, Array]:
+        """The branches after a collision that still matter, and whose they are."""
+        self.disperse[owners[step.ends]] = True
+        self.unclear[owners[step.unclear]] = True
+        parts = []
+        for places, after in step.states:
+            keep = self.open()[owners[places]]
+            parts.append((owners[places][keep], take(after, keep)))
+        found = np.concatenate([own for own, _ in parts])
+        self.branches += np.maximum(np.bincount(found, minlength=len(self.branches)) - 1, 0)
+        self.unclear |= self.branches > MAX_BRANCHES
+        return together([after for _, after in parts]), found
+
     def verdicts(self) -> Verdicts:
         """The letters."""
         good = self.open() & (self.collapse | self.disperse)
@@ -82,46 +115,60 @@ class _Boxes:
         return Verdicts("".join(names.tolist()), numbers)
 
 
-def verdicts(plane: Phi, keys: Sequence[str]) -> Verdicts:
-    """What becomes of all scenes of each box: the boxes are of one level."""
-    r = enclosed(plane.r)
+def verdicts(plane: Plane, keys: Sequence[str]) -> Verdicts:
+    """What becomes of all scenes of each box: the boxes are of one level.
+
+    A plane through a scene is tried in intervals first, and then with Taylor models.
+    """
+    found = verdicts_of(INTERVALS, plane, keys)
+    if isinstance(plane, Phi):
+        return found
+    left = [i for i, letter in enumerate(found.letters) if letter == UNDECIDED]
+    if not left:
+        return found
+    more = verdicts_of(MODELS, plane, [keys[i] for i in left])
+    letters, numbers = list(found.letters), found.numbers
+    for i, letter, sixes in zip(left, more.letters, more.numbers, strict=True):
+        letters[i], numbers[i] = letter, sixes
+    return Verdicts("".join(letters), numbers)
+
+
+def verdicts_of(kind: BoxNumbers, plane: Plane, keys: Sequence[str]) -> Verdicts:
+    """The verdicts that one kind of numbers shows."""
     with np.errstate(all="ignore"):
-        state, owners = states(plane, keys), np.arange(len(keys))
+        x, y = kind.sides(*sides(plane, keys))
+        if isinstance(plane, Phi):
+            state = start(plane, x, y, kind.number, lambda x: x.root())
+            return follow(plane.r, kind, _whole(kind, state, len(keys)), np.arange(len(keys)))
+        scenes, pairs = views(plane, x, y, kind.number)
+        scenes = [_whole(kind, view, len(keys)) for view in scenes]
+        pairs = [Pair(*(kind.spread(x, len(keys)) for x in pair)) for pair in pairs]
         boxes = _Boxes(len(keys))
-        boxes.unclear |= ~_separate(state)
-        for _ in range(MAX_COLLISIONS):
-            state, owners = _one_step(r, state, owners, boxes)
-            if not len(owners):
-                break
-        boxes.unclear[owners] = True
+        step = begin(kind.number(plane.r), scenes, pairs)
+        return follow(plane.r, kind, *boxes.take_step(step, np.arange(len(keys))), boxes)
+
+
+def _whole(kind: BoxNumbers, state: State, size: int) -> State:
+    return State(*(x if isinstance(x, int) else kind.spread(x, size) for x in state))
+
+
+def follow(
+    r: Fraction, kind: BoxNumbers, state: State, owners: Array, boxes: _Boxes | None = None
+) -> Verdicts:
+    """The verdicts on boxes whose branches are in these states."""
+    if boxes is None:
+        boxes = _Boxes(len(owners))
+        boxes.unclear |= ~((state.eps * state.v**2 + 2 * state.C).low > -1)
+    number, interval = kind.number(r), enclosed(r)
+    for _ in range(MAX_COLLISIONS):
+        if not len(owners):
+            break
+        shown, numbers = collapsing(interval, state)
+        boxes.closed(owners[shown], numbers)
+        rest = np.ones(len(owners), bool)
+        rest[shown] = False
+        rest &= boxes.open()[owners]
+        state, owners = take(state, rest), owners[rest]
+        state, owners = boxes.take_step(advance(number, state), owners)
+    boxes.unclear[owners] = True
     return boxes.verdicts()
-
-
-def _separate(state: State) -> Array:
-    """Whether s and c are apart at the start."""
-    gap = (state.eps + state.sig) * state.v**2 + 2 * state.C
-    return gap.low > -1
-
-
-def _one_step(r: Intervals, state: State, owners: Array, boxes: _Boxes) -> tuple[State, Array]:
-    """Close the branches that collapse, and advance the others."""
-    shown, numbers = collapsing(r, state)
-    boxes.closed(owners[shown], numbers)
-    rest = np.ones(len(owners), bool)
-    rest[shown] = False
-    rest &= boxes.open()[owners]
-    state, owners = take(state, rest), owners[rest]
-    step = advance(r, state)
-    boxes.disperse[owners[step.ends]] = True
-    boxes.unclear[owners[step.unclear]] = True
-    parts = []
-    for places, after in step.states:
-        keep = boxes.open()[owners[places]]
-        parts.append((owners[places][keep], take(after, keep)))
-    found = np.concatenate([own for own, _ in parts])
-    boxes.branches += np.maximum(np.bincount(found, minlength=len(boxes.branches)) - 1, 0)
-    boxes.unclear |= boxes.branches > MAX_BRANCHES
-    return together([after for _, after in parts]), found
-
-
-__all__ = ["COLLAPSES", "DISPERSES", "NUMBERS", "UNDECIDED", "Verdicts", "joined", "verdicts"]

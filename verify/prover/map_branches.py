@@ -8,6 +8,7 @@ graze is in both, so it gets the verdict that it has under either convention.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -15,12 +16,13 @@ from verify.language.record import Record
 from verify.paper.flow.law import Flight, Pair, State, collided, flight, inner, outer, recentred
 from verify.prover.map_intervals import (
     Array,
-    Intervals,
     down,
-    exactly,
     joined,
-    root_of_share,
 )
+from verify.prover.map_models import Models, joined_models
+
+#: One number of many boxes of states: `Intervals`, or `Models`.
+Boxes = Any
 
 
 class Look(Record):
@@ -42,7 +44,7 @@ class Step(Record):
     unclear: Array
 
 
-def look(lam: Intervals, A: Intervals, eps: Intervals) -> Look:
+def look(lam: Boxes, A: Boxes, eps: Boxes) -> Look:
     """A pair that closes in at x·W = -lam v from |x|² = 1 + eps v², where A = |W|²."""
     reach = lam**2 - A * eps
     return Look((lam.high <= 0) | (reach.high < 0), (lam.low > 0) & (reach.low > 0))
@@ -56,7 +58,11 @@ def take(state: State, chosen: Array) -> State:
 def together(parts: Sequence[State]) -> State:
     """All states in one; they have the spectator in contact."""
     columns = zip(*parts, strict=True)
-    return State(*(0 if isinstance(c[0], int) else joined(c) for c in columns))
+    return State(*(0 if isinstance(c[0], int) else _joined(c) for c in columns))
+
+
+def _joined(parts: Sequence[Boxes]) -> Boxes:
+    return joined_models(parts) if isinstance(parts[0], Models) else joined(parts)
 
 
 def meeting_part(state: State) -> tuple[State, Flight]:
@@ -65,12 +71,11 @@ def meeting_part(state: State) -> tuple[State, Flight]:
     Where they meet, lam² >= A eps and the root is in [0, 1].
     """
     least = down(np.sqrt(down(state.A.low * state.eps.low)))
-    low = np.fmin(np.fmax(state.lam.low, least), state.lam.high)
-    met = state._replace(lam=Intervals(low, state.lam.high))
-    return met, flight(met, root_of_share)
+    met = state._replace(lam=state.lam.above(least))
+    return met, flight(met, lambda x: x.root_of_share())
 
 
-def apart(pair: Pair, time: Intervals) -> Array:
+def apart(pair: Pair, time: Boxes) -> Array:
     """Whether a pair is shown to be apart until that time: Bernstein's coefficients."""
     g, p, m = pair
     step = p * time
@@ -81,10 +86,10 @@ def apart(pair: Pair, time: Intervals) -> Array:
 def seen_from_s(state: State) -> State:
     """The same moment with s as the central sphere."""
     other = recentred(state)
-    return other._replace(v=exactly(np.ones_like(other.lam.low)))
+    return other._replace(v=other.lam.like(1))
 
 
-def advance(r: Intervals, state: State) -> Step:
+def advance(r: Boxes, state: State) -> Step:
     """The next collision of each box, in each of its branches.
 
     The spectator s, which is in contact with o, does not approach: rho >= 0, B >= 0.
@@ -111,7 +116,7 @@ def advance(r: Intervals, state: State) -> Step:
     return Step(states, ends, ~known | _sticks(state) | ~(state.lam.low <= state.lam.high))
 
 
-def _after(r: Intervals, state: State, way: Flight, chosen: Array) -> State:
+def _after(r: Boxes, state: State, way: Flight, chosen: Array) -> State:
     part = Flight(*(x[chosen] for x in way))
     return collided(r, take(state, chosen), part)
 
@@ -119,3 +124,34 @@ def _after(r: Intervals, state: State, way: Flight, chosen: Array) -> State:
 def _sticks(state: State) -> Array:
     """Whether the spectator may stay in contact: a row of the flow says that it does not."""
     return ~((state.rho.low > 0) | (state.B.low > 0))
+
+
+def begin(r: Boxes, views: Sequence[State], pairs: Sequence[Pair]) -> Step:
+    """The first collision of scenes: their three pairs, each with the view of its own.
+
+    Of two pairs that may both meet one has to be shown to be apart until the other has met. Then
+    a pair may be the first one unless another one, which always meets, comes before. One pair may
+    be in contact if it does not stay so.
+    """
+    looks = [look(-pair.p, pair.m, pair.g) for pair in pairs]
+    met = [meeting_part(view) for view in views]
+    times = [way.y * way.T for _, way in met]
+    later = [
+        [looks[j].never | apart(pairs[j], time) if i != j else looks[j].never for j in range(3)]
+        for i, time in enumerate(times)
+    ]
+    unclear = np.zeros_like(looks[0].never)
+    for i, j in ((0, 1), (0, 2), (1, 2)):
+        unclear |= ~(later[i][j] | later[j][i] | looks[i].never)
+    states = []
+    for i, (view, way) in enumerate(met):
+        may = ~looks[i].never
+        for j in range(3):
+            may &= ~(later[j][i] & ~later[i][j] & looks[j].always & (i != j))
+        states.append((np.flatnonzero(may), _after(r, view, way, may)))
+    ends = ~(looks[0].always | looks[1].always | looks[2].always)
+    touching = np.zeros_like(unclear, int)
+    for pair in pairs:
+        touching += ~(pair.g.low > 0)
+        unclear |= ~((pair.g.low > 0) | ((pair.g.low >= 0) & (pair.m.low > 0)))
+    return Step(states, ends, unclear | (touching > 1))

@@ -14,6 +14,7 @@ from verify.language.record import Record
 from verify.language.terms import Claim
 from verify.paper.flow.law import State
 from verify.paper.sharper.numbers import ROOM, SUMS, eta_0, total
+from verify.prover.map_branches import take
 from verify.prover.map_intervals import (
     Array,
     Intervals,
@@ -37,16 +38,15 @@ OTHERS = ("r", "T", "V_0", "eta_0", "C_0")
 
 
 class Approach(Record):
-    """Boxes of states just after a collision: -eta_c/v, eta_s/v, d/v², -cos θ, with v the unit.
+    """Boxes of states just after a collision: -eta_c, the ratio eta_s/(-eta_c), d/eta_c², -cos θ.
 
     `eta` and `speed` are numbers: -eta_c and the larger speed are no more than these.
     """
 
-    y: Intervals
-    eta_s: Intervals
-    d: Intervals
-    C: Intervals
     eta: Array
+    ratio: Intervals
+    slope: Intervals
+    C: Intervals
     speed: Array
 
     def some(self, chosen: Array) -> Approach:
@@ -56,25 +56,23 @@ class Approach(Record):
 
 def as_approach(state: State) -> Approach:
     """The states in the letters of the sharper theorem."""
-    gap = state.eps * state.v**2
-    reach = square_root(1 + gap)
-    y = state.lam / reach
-    eta = (y * state.v).high
+    reach = (1 + state.eps * state.v**2).root()
+    inverse = reach / state.lam
+    eta = (state.lam * state.v / reach).high
     larger = np.maximum(state.A.high, state.B.high)
     speed = np.maximum(square_root(exactly(larger)).high, eta)
-    return Approach(y, state.rho, state.eps / (1 + reach), state.C / reach, eta, speed)
+    slope = state.eps / (1 + reach) * inverse**2
+    return Approach(eta, (state.rho * inverse).hull, slope.hull, (state.C / reach).hull, speed)
 
 
 def collapsing(r: Intervals, state: State) -> tuple[Array, Array]:
     """The boxes that are shown to collapse, and their numbers in units, a column each."""
-    box = as_approach(state)
-    with np.errstate(all="ignore"):
-        worth = (state.lam.low > 0) & (box.C.low > 0) & (box.eta_s.high < box.y.low)
-        slope = box.d.high / (box.y.low * box.y.low) * box.speed * box.speed
-        worth &= (slope < 0.25) & (box.eta_s.high > 0)
-        places = np.flatnonzero(worth)
-        numbers = search(float(r.high), box.some(places))
-        shown = closes(r, box.some(places), numbers)
+    places = np.flatnonzero((state.lam.low > 0) & (state.rho.low > 0) & (state.C.low > 0))
+    box = as_approach(take(state, places))
+    worth = (box.ratio.high < 1) & (box.slope.high * box.speed * box.speed < 0.25)
+    places, box = places[worth], box.some(worth)
+    numbers = search(float(r.high), box)
+    shown = closes(r, box, numbers)
     return places[shown], numbers[:, shown]
 
 
@@ -100,11 +98,9 @@ def closes(r: Intervals, box: Approach, numbers: Array) -> Array:
     machine, claims = _rows()
     others = (r, T, exactly(box.speed), exactly(box.eta), box.C)
     run = machine.run((*found.values(), *others))
-    # What is asked of the state, divided by the unit of speed.
-    shown = (box.y.low > 0) & (box.eta_s.low > 0)
-    shown &= box.eta_s.high <= ((m + X) * box.y).low
-    shown &= ((m - X) * box.y).high <= box.eta_s.low
-    shown &= box.d.high <= (k * box.y**2).low
+    # What is asked of the state, divided by -eta_c.
+    shown = (box.ratio.low > 0) & (box.ratio.high <= (m + X).low)
+    shown &= ((m - X).high <= box.ratio.low) & (box.slope.high <= k.low)
     for claim in claims:
         low, high = run[claim.lhs], run[claim.rhs]
         shown &= low.high < high.low if claim.relation == "<" else low.high <= high.low
@@ -120,9 +116,8 @@ class Guess:
     def __init__(self, r: float, box: Approach) -> None:
         self.r, self.h = r, (1 + r) / 2
         self.C, self.eta = (box.C.low, box.C.high), box.eta / box.speed
-        self.q = (box.eta_s.low / box.y.high, box.eta_s.high / box.y.low)
-        self.least = box.d.high / (box.y.low * box.y.low) * box.speed * box.speed * SLACK
-        self.k = self.least
+        self.q = (box.ratio.low, box.ratio.high)
+        self.k = box.slope.high * box.speed * box.speed * SLACK
         alpha = self.h * (self.C[0] + self.C[1]) / 2
         p = (alpha + np.sqrt(alpha * alpha - 4 * r)) / 2
         self.y, self.V, self.fine = (p, p), p, p * p * p > r * r

@@ -89,9 +89,27 @@ class Intervals:
         most = np.maximum(a, b)
         return Intervals(np.maximum(down(least * least), 0.0), up(most * most))
 
+    @property
+    def hull(self) -> Intervals:
+        """The intervals themselves."""
+        return self
+
     def like(self, whole: int) -> Intervals:
         """A small whole number."""
         return Intervals(np.full_like(self.low, whole), np.full_like(self.low, whole))
+
+    def root(self) -> Intervals:
+        """The roots; NaN where a number may be negative."""
+        return square_root(self)
+
+    def root_of_share(self) -> Intervals:
+        """The roots of those numbers that are in [0, 1]."""
+        low, high = np.maximum(self.low, 0.0), np.minimum(self.high, 1.0)
+        return square_root(Intervals(low, high))
+
+    def above(self, least: Array) -> Intervals:
+        """The same numbers where they are no less than that, which NaN does not say."""
+        return Intervals(np.fmin(np.fmax(self.low, least), self.high), self.high)
 
     def __getitem__(self, chosen: Array) -> Intervals:
         return Intervals(self.low[chosen], self.high[chosen])
@@ -107,12 +125,6 @@ def _around(*ends: Array) -> Intervals:
 def square_root(x: Intervals) -> Intervals:
     """The roots; NaN where a number may be negative."""
     return Intervals(np.maximum(down(np.sqrt(x.low)), 0.0), up(np.sqrt(x.high)))
-
-
-def root_of_share(x: Intervals) -> Intervals:
-    """The roots of those numbers that are in [0, 1]."""
-    low, high = np.maximum(x.low, 0.0), np.minimum(x.high, 1.0)
-    return square_root(Intervals(low, high))
 
 
 def enclosed(value: Fraction) -> Intervals:

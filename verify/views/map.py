@@ -6,8 +6,15 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from verify.paper.map.plane import Phi
-from verify.wire.map_log import COLLAPSES, DISPERSES, UNDECIDED, Progress, plane_document
+from verify.paper.map.plane import Phi, Plane
+from verify.wire.map_log import (
+    COLLAPSES,
+    DISPERSES,
+    UNDECIDED,
+    Progress,
+    place_text,
+    plane_document,
+)
 
 DOCUMENT = "verify-map/1"
 #: The three areas: their letters in a log, their names, and what is true of every scene in them.
@@ -36,14 +43,27 @@ def map_document(progress: Progress) -> dict[str, Any]:
     }
 
 
-def plane_line(plane: Phi) -> str:
+def plane_line(plane: Plane) -> str:
     """The plane in a line."""
+    if not isinstance(plane, Phi):
+        x, y = axis_names(plane)
+        return (
+            f"{x} in [{plane.x[0]}, {plane.x[1]}], {y} in [{plane.y[0]}, {plane.y[1]}]; "
+            f"r = {plane.r}"
+        )
     u_c, u_s = plane.tangential
     return (
         f"φ1 = eta_s/(-eta_c) in [{plane.x[0]}, {plane.x[1]}], φ2 = d/eta_c² in "
         f"[{plane.y[0]}, {plane.y[1]}]; r = {plane.r}, -cos θ = {plane.neg_cos}, "
         f"-eta_c = {plane.speed}, tangential speeds {u_c} and {u_s}"
     )
+
+
+def axis_names(plane: Plane) -> tuple[str, str]:
+    """What the two axes are."""
+    if isinstance(plane, Phi):
+        return "φ1 = η_s/(-η_c)", "d/η_c²"
+    return place_text(plane.x_at), place_text(plane.y_at)
 
 
 def map_lines(progress: Progress) -> Iterator[str]:

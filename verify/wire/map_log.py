@@ -14,7 +14,7 @@ from hashlib import sha256
 from typing import Any
 
 from verify.language.record import Record
-from verify.paper.map.plane import Phi
+from verify.paper.map.plane import Phi, Place, Plane
 
 FORMAT = "verify-map-log/1"
 #: What decides boxes: another number where a verdict, or its numbers, may be another one.
@@ -36,34 +36,42 @@ class Chunk(Record):
     numbers: Sequence[Sequence[int]]
 
 
-def plane_document(plane: Phi) -> dict[str, Any]:
+def plane_document(plane: Plane) -> dict[str, Any]:
     """The plane as JSON."""
+    x, y = ([str(x) for x in ends] for ends in (plane.x, plane.y))
+    if isinstance(plane, Phi):
+        return {
+            "name": "phi",
+            "r": str(plane.r),
+            "neg_cos": str(plane.neg_cos),
+            "speed": str(plane.speed),
+            "tangential": [str(x) for x in plane.tangential],
+            "x": x,
+            "y": y,
+        }
+    scene = plane.scene
     return {
-        "name": "phi",
-        "r": str(plane.r),
-        "neg_cos": str(plane.neg_cos),
-        "speed": str(plane.speed),
-        "tangential": [str(x) for x in plane.tangential],
-        "x": [str(x) for x in plane.x],
-        "y": [str(x) for x in plane.y],
+        "name": "scene",
+        "r": str(scene.r),
+        "positions": [[str(x) for x in row] for row in scene.positions],
+        "velocities": [[str(x) for x in row] for row in scene.velocities],
+        "x_at": place_text(plane.x_at),
+        "y_at": place_text(plane.y_at),
+        "x": x,
+        "y": y,
     }
 
 
-def read_plane(found: Mapping[str, Any]) -> Phi:
-    """The plane of a header."""
-    u, x, y = (_two(found[name]) for name in ("tangential", "x", "y"))
-    r, neg_cos, speed = (Fraction(found[name]) for name in ("r", "neg_cos", "speed"))
-    return Phi(r, neg_cos, speed, u, x, y)
-
-
-def _two(pair: Sequence[str]) -> tuple[Fraction, Fraction]:
-    return Fraction(pair[0]), Fraction(pair[1])
+def place_text(place: Place) -> str:
+    """The place of a number of a scene, like velocities[2][0]."""
+    kind, particle, coordinate = place
+    return f"{kind}[{particle}][{coordinate}]"
 
 
 class Progress:
     """How far a map has come: its boxes so far, the areas, and which boxes are next."""
 
-    def __init__(self, plane: Phi) -> None:
+    def __init__(self, plane: Plane) -> None:
         header = {
             "format": FORMAT,
             "plane": plane_document(plane),

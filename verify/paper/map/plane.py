@@ -1,8 +1,8 @@
-"""The plane of the two ratios: a scene just after a collision for each (φ1, φ2).
+"""Planes of scenes: a rectangle with a scene at each of its points.
 
-Sphere s has just collided with o, and c comes near: φ1 = eta_s/(-eta_c) and φ2 = d/eta_c^2, where
-the companion paper sees a border between what collapses and what does not. The rest of the scene,
-in a plane, is the same for all points.
+In the plane of the two ratios the scene is one just after a collision: sphere s has just collided
+with o, and c comes near: φ1 = eta_s/(-eta_c) and φ2 = d/eta_c^2, where the companion paper sees a
+border between what collapses and what does not. In a plane through a scene two numbers vary.
 """
 
 from __future__ import annotations
@@ -11,7 +11,8 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from verify.language.record import Record
-from verify.paper.flow.law import Number, State
+from verify.paper.flow.law import Number, Pair, State
+from verify.paper.scene.scene import PAIRS, Coordinates, Frame, Scene
 
 #: Two numbers between which another one lies.
 Side = tuple[Fraction, Fraction]
@@ -61,3 +62,56 @@ def start(
         D * (sine * u_s - C * eta_s),
         C * (eta_s * v - u_c * u_s) - sine * (u_s * v + u_c * eta_s),
     )
+
+
+#: Positions or velocities, a particle, a coordinate.
+Place = tuple[str, int, int]
+#: Frames in which the three pairs, in their order, are o, c.
+FRAMES: tuple[Frame, ...] = ((0, 2, 1), (0, 1, 2), (1, 0, 2))
+
+
+class Through(Record):
+    """A scene two numbers of which are varied, each in an interval."""
+
+    scene: Scene
+    x_at: Place
+    y_at: Place
+    x: Side
+    y: Side
+
+    @property
+    def r(self) -> Fraction:
+        """The coefficient of restitution."""
+        return self.scene.r
+
+
+Plane = Phi | Through
+
+
+def views(
+    plane: Through, x: Number, y: Number, number: Callable[[Fraction], Number]
+) -> tuple[list[State], list[Pair]]:
+    """The scene with two other numbers, in each of the three frames; and the three pairs."""
+    varied = {plane.x_at: x, plane.y_at: y}
+
+    def rows(kind: str, given: tuple[tuple[Fraction, ...], ...]) -> list[list[Number]]:
+        return [
+            [
+                varied[kind, i, k] if (kind, i, k) in varied else number(value)
+                for k, value in enumerate(row)
+            ]
+            for i, row in enumerate(given)
+        ]
+
+    scene = plane.scene
+    at = Coordinates(rows("positions", scene.positions), rows("velocities", scene.velocities))
+    given = Coordinates(scene.positions, scene.velocities)
+
+    def pair(i: int, j: int) -> Pair:
+        """A pair that does not vary is known exactly: it may be in contact."""
+        if any(particle in (i, j) for _, particle, _ in varied):
+            return at.pair(i, j)
+        return Pair(*map(number, given.pair(i, j)))
+
+    found = [at.state(frame, lambda _, value: value) for frame in FRAMES]
+    return found, [pair(i, j) for i, j in PAIRS]

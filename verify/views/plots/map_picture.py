@@ -9,7 +9,7 @@ from base64 import b64encode
 from collections.abc import Iterator, Sequence
 from html import escape
 
-from verify.views.map import AREAS, area_shares, percent, plane_line
+from verify.views.map import AREAS, area_shares, axis_names, percent, plane_line
 from verify.wire.map_log import Progress
 
 #: The colours of the areas, on light and on dark paper.
@@ -53,13 +53,14 @@ def _areas(progress: Progress, *, boxes: bool) -> Iterator[str]:
         data = b64encode(png_map(progress)).decode()
         yield f'<image {place} image-rendering="pixelated" href="data:image/png;base64,{data}"/>'
     (x_0, x_1), (y_0, y_1) = progress.plane.x, progress.plane.y
+    x_name, y_name = axis_names(progress.plane)
     low, right = TOP + SIDE, LEFT + SIDE
     yield _text(LEFT, low + 16, str(x_0), "start")
     yield _text(right, low + 16, str(x_1), "end")
-    yield _text(LEFT + SIDE // 2, low + 16, "φ1 = η_s/(-η_c)", "middle")
+    yield _text(LEFT + SIDE // 2, low + 16, x_name, "middle")
     yield _text(LEFT - 6, low, str(y_0), "end")
     yield _text(LEFT - 6, TOP + 10, str(y_1), "end")
-    yield _text(LEFT - 6, TOP + SIDE // 2, "d/η_c²", "end")
+    yield _text(LEFT - 6, TOP - 6, y_name, "start")
 
 
 def _square(key: str) -> str:
@@ -84,7 +85,7 @@ def _legend(progress: Progress) -> Iterator[str]:
         x, y = LEFT + 132 * place, TOP + SIDE + 34
         yield f'<rect x="{x}" y="{y}" width="12" height="12" fill="{COLOURS[letter]}"/>'
         yield _text(x + 17, y + 10, f"{name} {percent(found[name])} %", "start")
-    yield _text(LEFT, 22, plane_line(progress.plane).partition("; ")[2], "start")
+    yield _text(LEFT, 16, plane_line(progress.plane).partition("; ")[2], "start")
 
 
 def _law(law: Law) -> Iterator[str]:

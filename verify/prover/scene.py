@@ -16,6 +16,8 @@ from verify.prover.flow_line import LineRun, follow_line
 COLLAPSES, DISPERSES, FINITE, UNDECIDED = "collapses", "disperses", "finite", "undecided"
 FIRST_BITS, MAX_BITS = 128, 4096
 MAX_COLLISIONS = 1000
+#: No more digits of the collapse time can be asked for.
+MAX_DIGITS = 200
 #: More collisions on a line than this cost the flow more digits than they are worth.
 LONG_LINE = 200
 #: After n collisions the sharper theorem is tried again n/PATIENCE collisions later.

@@ -124,8 +124,9 @@ class Domain:
         return polynomial.compose(*self._outward) if self.atoms else polynomial
 
     def is_zero(self, point: Sequence[Fraction]) -> bool:
-        """Whether p is 0 at a point in scaled coordinates."""
-        return not self.p(*(fmpq(v.numerator, v.denominator) for v in point))
+        """Whether p is 0, and all facts hold, at a point in scaled coordinates."""
+        at = [fmpq(v.numerator, v.denominator) for v in point]
+        return not self.p(*at) and all(f.polynomial(*at) >= 0 for f in self.facts.values())
 
     def divide_by_squares(self) -> Term | None:
         """Leave out of p the largest square that divides it; that, unless it is a constant."""

@@ -135,8 +135,17 @@ def simple_points(
     for most in MOST:
         near = [Fraction(x).limit_denominator(most) for x in point]
         if inside:
+            near = [_at_end(x, *ends) for x, ends in zip(near, bounds, strict=True)]
             near = [_inside(x, *ends, most) for x, ends in zip(near, bounds, strict=True)]
         yield near
+
+
+def _at_end(value: Fraction, low: Fraction | None, high: Fraction | None) -> Fraction:
+    """A bound that the number is next to, or the number."""
+    for end in (low, high):
+        if end is not None and abs(value - end) * 10**9 <= max(1, abs(end)):
+            return end
+    return value
 
 
 def _inside(value: Fraction, low: Fraction | None, high: Fraction | None, most: int) -> Fraction:

@@ -148,19 +148,36 @@ def _attempts(domain: Domain) -> Iterator[Attempt]:
     for fact in facts[:FEW]:
         if fact.strict:
             even = degree + 1 + (degree + 1) % 2
-            tried = _attempt(domain, [one, *facts, *pairs, *again], even, used)
-            yield tried._replace(multiple=fact)
+            yield _attempt(domain, [one, *facts, *pairs, *again], even, used, fact)
 
 
-def _attempt(domain: Domain, factors: list[Factor], degree: int, used: Sequence[int]) -> Attempt:
-    """Bases of monomials so that all products are of this degree at most."""
+def _attempt(
+    domain: Domain,
+    factors: list[Factor],
+    degree: int,
+    used: Sequence[int],
+    multiple: Factor | None = None,
+) -> Attempt:
+    """Bases of monomials so that all products are of this degree at most.
+
+    Where p and all factors are homogeneous only products of the degree of p can help.
+    """
     degrees = [int(factor.polynomial.total_degree()) for factor in factors]
-    blocks = [
-        Block(i, _all(domain, (degree - d) // 2, used))
-        for i, d in enumerate(degrees)
-        if d <= degree
-    ]
-    return Attempt(factors, blocks)
+    exact = all(map(_is_homogeneous, (domain.p, *(f.polynomial for f in factors))))
+    exact = exact and not domain.squares
+    if exact:
+        degree = int(domain.p.total_degree())
+        degree += 0 if multiple is None else int(multiple.polynomial.total_degree())
+    blocks = []
+    for i, d in enumerate(degrees):
+        half, odd = divmod(degree - d, 2)
+        if half >= 0 and not (exact and odd):
+            blocks.append(Block(i, _all(domain, half, used, exact=exact)))
+    return Attempt(factors, blocks, multiple)
+
+
+def _is_homogeneous(polynomial: fmpq_mpoly) -> bool:
+    return len({sum(map(int, m)) for m in polynomial.monoms()}) <= 1
 
 
 def product_of(facts: Sequence[Factor], pairs: Sequence[Factor]) -> Iterator[tuple[Factor, Factor]]:
@@ -217,8 +234,12 @@ def _monomials(domain: Domain, found: Sequence[Exponents]) -> tuple[fmpq_mpoly, 
     return tuple(domain.context.from_dict({e: fmpq(1)}) for e in found)
 
 
-def _all(domain: Domain, degree: int, used: Sequence[int]) -> tuple[fmpq_mpoly, ...]:
-    return _monomials(domain, [*_exponents(len(domain.atoms), used, degree)])
+def _all(
+    domain: Domain, degree: int, used: Sequence[int], *, exact: bool = False
+) -> tuple[fmpq_mpoly, ...]:
+    """All monomials of at most this degree, or of just this degree."""
+    found = _exponents(len(domain.atoms), used, degree)
+    return _monomials(domain, [e for e in found if not exact or sum(e) == degree])
 
 
 def _pruned(

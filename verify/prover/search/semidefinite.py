@@ -80,6 +80,16 @@ def solved(lower: Matrix, wanted: Sequence[float]) -> list[float]:
     return x
 
 
+def _operations(program: Program) -> int:
+    """About the number of products in one step."""
+    m = len(program.wanted)
+    total = m**3 // 6 + sum(2 * n**3 for n in program.sizes)
+    for entries in program.entries:
+        parts = sum(len(found) for _, _, found in entries)
+        total += len(entries) * (3 * len(entries) + parts) + parts * m
+    return total
+
+
 class _System:
     """A symmetric positive definite system, scaled to have 1 on the diagonal."""
 
@@ -124,8 +134,7 @@ class Solver:
         self.t = 1.0
         self.weight = 1.0
         self.of_one = self.image(self.s)
-        n = sum(size**4 for size in program.sizes)
-        self.cost = 1 + (n // 4 + len(self.b) ** 3 // 6) // 12
+        self.cost = 1 + _operations(program) // 12
 
     def image(self, blocks: Sequence[Matrix]) -> list[float]:
         """A(blocks)."""

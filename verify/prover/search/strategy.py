@@ -15,7 +15,9 @@ from verify.prover.search.domain import Domain
 from verify.prover.search.ends_of_variables import Polynomials
 from verify.prover.search.extrema import by_entries, extrema_of, split
 from verify.prover.search.minimum import Minima, simple_points
+from verify.prover.search.order import by_order
 from verify.prover.search.positive import by_squares
+from verify.prover.search.roots import root_bounds
 from verify.prover.search.tree import Tree
 
 if TYPE_CHECKING:
@@ -48,8 +50,12 @@ class Strategy:
                 yield polynomials.by_ends()
         facts = self.facts()
         yield self.squares(self.goal, facts)
+        bounds = self.root_facts()
+        if bounds:
+            yield self.squares(self.goal, facts | bounds)
         yield by_entries(self, facts)
         yield split(self, facts)
+        yield by_order(self, facts)
         yield self.tree(MANY_LEAVES)
 
     def is_refuted(self) -> bool:
@@ -89,6 +95,15 @@ class Strategy:
                 known = self.universal.fact(claim, self.goal.context)
                 if known is not None:
                     found[known] = claim
+        return found
+
+    def root_facts(self) -> dict[str, Claim]:
+        """The bounds of roots, which are proved now."""
+        found = {}
+        for claim in root_bounds(self):
+            known = self.universal.fact(claim, self.goal.context)
+            if known is not None:
+                found[known] = claim
         return found
 
     def _is_near(self, name: str, claim: Claim) -> bool:

@@ -18,7 +18,7 @@ Inductive step : Set :=
 | Constant_ (name : positive) (term : positive) (d : defining)
 | Obligation (row : positive) (q : row_proof).
 (* The value of a term lies between two rational numbers. *)
-Record ends : Set := Ends { enclosed : positive; precision : positive; low : Q; high : Q }.
+Record ends : Set := Ends { enclosed : positive; ends_bits : positive; low : Q; high : Q }.
 Record certificate : Set := Certificate {
   shared : list (positive * list positive);  (* terms to be enclosed once, for each precision *)
   steps : list step;
@@ -184,12 +184,12 @@ Definition finished (s : state) : bool :=
   forallb (fun x => negb (decided (snd x)) || PM.mem (fst x) (done_rows s)) (listed 1 (rows S)) &&
   forallb (fun r => negb (row_needed r) ||
     match row_verdict r with Proved => true | _ => false end) (rows S).
-Definition right_ends (e : ends) : bool :=
-  match enclose T (precision e) levels (ground grounds (precision e)) (enclosed e) with
-  | Some (x, _) =>
-      decide (precision e) AtMost (Exact (low e)) x && decide (precision e) AtMost x (Exact (high e))
+Definition right_ends_at (e : ends) (bits : positive) : bool :=
+  match enclose T bits levels (ground grounds bits) (enclosed e) with
+  | Some (x, _) => decide bits AtMost (Exact (low e)) x && decide bits AtMost x (Exact (high e))
   | None => false
   end.
+Definition right_ends (e : ends) : bool := at_some_precision (right_ends_at e) (ends_bits e).
 End Checker.
 
 (* Subterms and parents come first, and the names in givens are those in scope. *)
@@ -583,7 +583,8 @@ Proof.
   apply andb_prop in E. destruct E as [W _]. apply andb_prop in W. destruct W as [W _].
   apply andb_prop in W. destruct W as [W _]. apply andb_prop in W. destruct W as [in_order _].
   apply Forall_forall. intros e I. rewrite forallb_forall in R. specialize (R e I).
-  unfold right_ends in R. destruct (enclose _ _ _ _ _) as [[x m]|] eqn:X; try discriminate.
+  apply at_some_precision_sound in R. destruct R as [bits R]. unfold right_ends_at in R.
+  destruct (enclose _ _ _ _ _) as [[x m]|] eqn:X; try discriminate.
   apply andb_prop in R. destruct R as [L U].
   eapply (enclose_sound S in_order _ (fun i => eq_refl) v) in X.
   - destruct X as [_ [D X]]. split; trivial.

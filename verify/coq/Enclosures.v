@@ -66,17 +66,45 @@ Qed.
 
 Definition interval_of (e : enclosure) : I.type :=
   match e with
-  | Exact q => I.div p (I.fromZ p (Qnum q)) (I.fromZ p (Zpos (Qden q)))
+  | Exact (Qmake n 1) => I.fromZ p n
+  | Exact (Qmake n d) => I.div p (I.fromZ p n) (I.fromZ p (Zpos d))
   | Around i => i
   end.
 Lemma interval_of_inside e x : encloses e x -> inside (interval_of e) x.
 Proof.
-  destruct e as [q|i]; trivial. cbn [encloses interval_of]. intros ->. unfold Q2R.
-  apply div_inside; try apply I.fromZ_correct. apply IZR_neq. discriminate.
+  destruct e as [[n d]|i]; trivial. cbn [encloses interval_of]. intros ->. unfold Q2R.
+  cbn [Qnum Qden]. assert (D : inside (I.div p (I.fromZ p n) (I.fromZ p (Zpos d))) (IZR n / IZR (Zpos d))).
+  { apply div_inside; try apply I.fromZ_correct. apply IZR_neq. discriminate. }
+  destruct d; try exact D. rewrite Rinv_1, Rmult_1_r. apply I.fromZ_correct.
 Qed.
 
+(* The difference, times the denominator of one that is exact. *)
+Definition apart (x y : enclosure) : I.type :=
+  match x, y with
+  | Exact q, _ => I.sub p (I.mul p (interval_of y) (I.fromZ p (Zpos (Qden q)))) (I.fromZ p (Qnum q))
+  | _, Exact q => I.sub p (I.fromZ p (Qnum q)) (I.mul p (interval_of x) (I.fromZ p (Zpos (Qden q))))
+  | _, _ => I.sub p (interval_of y) (interval_of x)
+  end.
 Definition signs (x y : enclosure) : Xcomparison * Xcomparison :=
-  let d := I.sub p (interval_of y) (interval_of x) in (I.sign_strict d, I.sign_large d).
+  let d := apart x y in (I.sign_strict d, I.sign_large d).
+Lemma apart_inside x y a b : encloses x a -> encloses y b ->
+  exists k, 0 < k /\ inside (apart x y) (k * (b - a)).
+Proof.
+  intros X Y. pose proof (interval_of_inside _ _ X) as A. pose proof (interval_of_inside _ _ Y) as B.
+  destruct x as [q|i].
+  - exists (IZR (Zpos (Qden q))). assert (P : 0 < IZR (Zpos (Qden q))) by (apply IZR_lt; reflexivity).
+    split; trivial. cbn [encloses] in X. subst. unfold Q2R. unfold apart.
+    replace (IZR (Zpos (Qden q)) * (b - IZR (Qnum q) * / IZR (Zpos (Qden q)))) with
+      (b * IZR (Zpos (Qden q)) - IZR (Qnum q)) by (field; lra).
+    apply sub_inside; [apply mul_inside|]; trivial; apply I.fromZ_correct.
+  - destruct y as [q|j].
+    + exists (IZR (Zpos (Qden q))). assert (P : 0 < IZR (Zpos (Qden q))) by (apply IZR_lt; reflexivity).
+      split; trivial. cbn [encloses] in Y. subst. unfold Q2R. unfold apart.
+      replace (IZR (Zpos (Qden q)) * (IZR (Qnum q) * / IZR (Zpos (Qden q)) - a)) with
+        (IZR (Qnum q) - a * IZR (Zpos (Qden q))) by (field; lra).
+      apply sub_inside; [|apply mul_inside]; trivial; apply I.fromZ_correct.
+    + exists 1. split; [lra|]. replace (1 * (b - a)) with (b - a) by ring. now apply sub_inside.
+Qed.
 Definition decide (r : relation) (x y : enclosure) : bool :=
   match x, y with
   | Exact a, Exact b =>
@@ -98,16 +126,22 @@ Proof.
     | Less, (Xgt, _) | AtMost, (_, (Xgt | Xeq)) | Equal, (_, Xeq) | Differs, ((Xlt | Xgt), _) =>
         true
     | _, _ => false end = true -> related r a b).
-  { unfold signs. pose proof (sub_inside _ _ _ _ (interval_of_inside _ _ Y)
-      (interval_of_inside _ _ X)) as K.
-    pose proof (I.sign_strict_correct (I.sub p (interval_of y) (interval_of x))) as S.
-    pose proof (I.sign_large_correct (I.sub p (interval_of y) (interval_of x))) as L.
-    destruct r, (I.sign_strict (I.sub p (interval_of y) (interval_of x))),
-      (I.sign_large (I.sub p (interval_of y) (interval_of x))); try discriminate; intros _;
+  { unfold signs. destruct (apart_inside _ _ _ _ X Y) as (k & P & D).
+    pose proof (I.sign_strict_correct (apart x y)) as St.
+    pose proof (I.sign_large_correct (apart x y)) as La.
+    assert (Z1 : 0 < k * (b - a) -> a < b).
+    { intros Q. apply Rnot_le_lt. intros N. assert (0 <= k * (a - b)) by (apply Rmult_le_pos; lra). lra. }
+    assert (Z2 : k * (b - a) < 0 -> b < a).
+    { intros Q. apply Rnot_le_lt. intros N. assert (0 <= k * (b - a)) by (apply Rmult_le_pos; lra). lra. }
+    assert (Z3 : k * (b - a) = 0 -> a = b).
+    { intros Q. apply Rmult_integral in Q. lra. }
+    destruct r, (I.sign_strict (apart x y)), (I.sign_large (apart x y)); try discriminate; intros _;
       cbn [related];
-      first [ destruct (S _ K); simpl in *; lra
-            | destruct (L _ K); simpl in *; lra
-            | specialize (L _ K); injection L as Q; lra ]. }
+      first [ destruct (St _ D) as [? Q]; simpl in Q; specialize (Z1 Q); lra
+            | destruct (St _ D) as [? Q]; simpl in Q; specialize (Z2 Q); lra
+            | destruct (La _ D) as [? Q]; simpl in Q;
+              destruct (Req_dec (k * (b - a)) 0) as [E|E]; [specialize (Z3 E); lra | specialize (Z1 ltac:(lra)); lra]
+            | specialize (La _ D); injection La as Q; specialize (Z3 Q); lra ]. }
   destruct x as [q|i], y as [q'|j]; try exact W. clear W. cbn [encloses decide] in *. subst.
   destruct r, (Qcompare_spec q q') as [E|E|E]; try discriminate; intros _; cbn [related];
     first [apply Qeq_eqR in E | apply Qlt_Rlt in E]; lra.

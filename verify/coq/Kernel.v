@@ -7,7 +7,7 @@ Open Scope R_scope.
 (* --- proofs ----------------------------------------------------------------------------------- *)
 
 Inductive side : Set := Left | Right.
-Record bound : Set := Bound { bounded : positive; lower : reference; upper : reference }.
+Record bound : Set := Bound { bound_name : positive; bound_below : reference; bound_above : reference }.
 Inductive proof : Set :=
 | Given_ (f : reference)  (* a premise that is a usable fact *)
 | Interval (bits : positive) (bounds : list bound)
@@ -187,18 +187,18 @@ Definition bounding (s : side) (name : positive) (g : claim) : option positive :
 Definition is_name (i : positive) : bool :=
   match PM.find i T with Some (NVariable _ | NConstant _ _) => true | _ => false end.
 Definition with_bound (bits : positive) (p : place) (m : memory) (b : bound) : option memory :=
-  match PM.find (bounded b) m with
+  match PM.find (bound_name b) m with
   | Some _ => None
   | None =>
-      if is_name (bounded b) && negb (Nat.eqb (home (bounded b)) 0) then
-        let* g := fact_at p (lower b) in
-        let* low := bounding Left (bounded b) g in
+      if is_name (bound_name b) && negb (Nat.eqb (home (bound_name b)) 0) then
+        let* g := fact_at p (bound_below b) in
+        let* low := bounding Left (bound_name b) g in
         let* (x, m1) := enclose bits levels m low in
-        let* h := fact_at p (upper b) in
-        let* high := bounding Right (bounded b) h in
+        let* h := fact_at p (bound_above b) in
+        let* high := bounding Right (bound_name b) h in
         let* (y, m2) := enclose bits levels m1 high in
         let* z := enclosed_between bits x y in
-        Some (PM.add (bounded b) z m2)
+        Some (PM.add (bound_name b) z m2)
       else None
   end.
 Fixpoint enclosing (bits : positive) (p : place) (m : memory) (l : list bound) : option memory :=
@@ -209,7 +209,7 @@ Fixpoint enclosing (bits : positive) (p : place) (m : memory) (l : list bound) :
 
 (* --- the rules --- *)
 
-Definition interval (p : place) (g : claim) (bits : positive) (bounds : list bound) : bool :=
+Definition interval_at (p : place) (g : claim) (bounds : list bound) (bits : positive) : bool :=
   match enclosing bits p (ground bits) bounds with
   | Some m =>
       match each (enclose bits levels) m [lhs g; rhs g] with
@@ -218,6 +218,11 @@ Definition interval (p : place) (g : claim) (bits : positive) (bounds : list bou
       end
   | None => false
   end.
+(* A lower precision is often enough, and cheaper. *)
+Definition at_some_precision (f : positive -> bool) (bits : positive) : bool :=
+  if Pos.ltb 128 bits then f 128%positive || f bits else f bits.
+Definition interval (p : place) (g : claim) (bits : positive) (bounds : list bound) : bool :=
+  at_some_precision (interval_at p g bounds) bits.
 
 Fixpoint increasing (low : Q) (l : list positive) : bool :=
   match l with

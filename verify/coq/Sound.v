@@ -9,6 +9,11 @@ Ltac split_and H := repeat match type of H with
   | _ && _ = true => let A := fresh "A" in apply andb_prop in H; destruct H as [H A]; split_and A
   end.
 
+Lemma at_some_precision_sound f bits : at_some_precision f bits = true -> exists b, f b = true.
+Proof.
+  unfold at_some_precision. destruct (Pos.ltb 128 bits); intros E; [|eauto].
+  apply orb_prop in E. destruct E; eauto.
+Qed.
 Lemma same_relation_sound r s : same_relation r s = true -> r = s.
 Proof. destruct r, s; try discriminate; reflexivity. Qed.
 
@@ -269,7 +274,7 @@ Qed.
 Lemma with_bound_sound bits m b m1 : remembered v m ->
   with_bound S T H F bits p m b = Some m1 -> remembered v m1.
 Proof.
-  unfold with_bound. intros R E. destruct (PM.find (bounded b) m); try discriminate.
+  unfold with_bound. intros R E. destruct (PM.find (bound_name b) m); try discriminate.
   destruct (_ && _); try discriminate.
   bind E g G. bind E low L. bind E x X. destruct x as [x m2]. bind E h Hh. bind E high U.
   bind E y Y. destruct y as [y m3]. bind E z W0. injection E as <-.
@@ -285,10 +290,10 @@ Proof.
   induction l as [|b l IH]; cbn [enclosing]; intros m m1 R E; [now injection E as <-|].
   bind E m2 X. apply IH in E; trivial. eapply with_bound_sound; eauto.
 Qed.
-Lemma interval_sound g bits bounds :
-  interval S T H F grounds p g bits bounds = true -> holds S v g.
+Lemma interval_at_sound g bits bounds :
+  interval_at S T H F grounds p g bounds bits = true -> holds S v g.
 Proof.
-  unfold interval. intros E. destruct (enclosing _ _ _ _ _ _ _ _) as [m|] eqn:X; try discriminate.
+  unfold interval_at. intros E. destruct (enclosing _ _ _ _ _ _ _ _) as [m|] eqn:X; try discriminate.
   apply enclosing_sound in X; [|apply ground_sound].
   destruct (each _ _ _) as [[[|x [|y [|]]] m1]|] eqn:Y; try discriminate.
   apply (each_sound (remembered v) (right v)) in Y; trivial;
@@ -296,6 +301,11 @@ Proof.
   destruct Y as [_ Y]. inversion Y as [|? ? ? ? [A B] Y1]; subst.
   inversion Y1 as [|? ? ? ? [C D] _]; subst. repeat split; trivial.
   unfold stands. eapply decide_sound; eauto.
+Qed.
+Lemma interval_sound g bits bounds :
+  interval S T H F grounds p g bits bounds = true -> holds S v g.
+Proof.
+  intros E. apply at_some_precision_sound in E. destruct E as [b E]. now apply interval_at_sound in E.
 Qed.
 
 (* --- cuts --- *)

@@ -10,6 +10,8 @@ from verify import check
 from verify.views.coq.reading import Json
 from verify.views.coq.statement import Numbers, listed, rational
 
+#: The bits with which Coq tries first.
+LOWEST = 128
 SIDES = {"lhs": "Left", "rhs": "Right"}
 
 
@@ -139,30 +141,40 @@ class Proofs(Numbers):
         premises = self.proofs(proof["givens"], outside)
         return f"ByWitness {at} {premises} ({self.proof(proof['negation'], outside)})"
 
-    def enclosures(self) -> list[str]:
-        """Each enclosure of a constant, and of the sides of a row."""
+    def enclosed(self) -> list[tuple[int, int, list[str]]]:
+        """Each enclosed term with bits and ends: constants, and the sides of rows."""
         found = self.reading.certificate["enclosures"]
         rows = self.reading.statement.rows
         items = [
-            (self.kernel.names[k], v["bits"], v["ends"]) for k, v in found["constants"].items()
+            (self.kernel.names[name], value["bits"], value["ends"])
+            for name, value in found["constants"].items()
         ]
         for name, value in found["rows"].items():
             claim = rows[name].claim
             if isinstance(claim, check.Claim):
-                items += [(claim.lhs, value["bits"], value["lhs"])]
-                items += [(claim.rhs, value["bits"], value["rhs"])]
+                items.append((claim.lhs, value["bits"], value["lhs"]))
+                items.append((claim.rhs, value["bits"], value["rhs"]))
+        return items
+
+    def enclosures(self) -> list[str]:
+        """The enclosures, written."""
         return [
             f"Ends {self.term(term)} {bits} {' '.join(rational(Fraction(end)) for end in ends)}"
-            for term, bits, ends in items
+            for term, bits, ends in self.enclosed()
         ]
 
     def shared(self) -> list[str]:
-        """For each precision the constants of the root that are enclosed with it."""
-        found = []
-        for bits, scope in self.kernel.grounds.items():
-            constants = sorted(term for term in scope.known if term in self.kernel.definitions)
-            found.append(f"({bits}, {listed(map(self.term, constants))})")
-        return found
+        """Terms of the root that are enclosed once, for the lowest precision that Coq tries."""
+        constants = {
+            term
+            for scope in self.kernel.grounds.values()
+            for term in scope.known
+            if term in self.kernel.definitions
+        }
+        terms = sorted(constants | {term for term, _, _ in self.enclosed()})
+        precisions = sorted({LOWEST, *(bits for _, bits, _ in self.enclosed())})
+        known = [(bits, terms if bits == LOWEST else sorted(constants)) for bits in precisions]
+        return [f"({bits}, {listed(map(self.term, found))})" for bits, found in known]
 
 
 #: How each rule is written.

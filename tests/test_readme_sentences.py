@@ -10,6 +10,7 @@ from __future__ import annotations
 import ast
 import json
 import re
+from collections import Counter
 from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
@@ -18,11 +19,14 @@ from pathlib import Path
 import pytest
 
 from tests.points import parameters
+from verify.jobs.classification import decide_classification
+from verify.jobs.elsewhere import decide_elsewhere
 from verify.jobs.theorem1 import decide_point
-from verify.language.statement import REFUTED
+from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED
 from verify.language.typeset import Typesetter
 from verify.paper.groups import REPAIRED
 from verify.paper.initial_data import ConstantSet
+from verify.paper.rows import BREAKS
 from verify.paper.step.numbers import row_names
 from verify.paper.theorem1 import theorem
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
@@ -102,12 +106,78 @@ def mutation_figures() -> None:
     assert abs(noticed / mutants * 100 - share) < Fraction(1, 20)
 
 
+def counts_elsewhere() -> None:
+    """Rows by role, all decided the right way; and how many things two readers found."""
+    outcome = decide_elsewhere()
+    roles = Counter((row.role, found.verdict) for row, found in outcome.rows)
+    needed, printed = roles[NEEDED, PROVED], roles[PRINTED, REFUTED]
+    assert needed + printed == sum(roles.values())
+    text = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+    said = f"with {needed + printed} rows: {needed} are needed and proved, {printed} are printed"
+    assert said in text
+    readers = f"found {44 + 23 + 6} things: 44 of them both, 23 the first alone, 6 the second alone"
+    assert readers in text
+    breaking = [row for row, _ in outcome.rows if row.severity == BREAKS]
+    assert len(breaking) == 1
+
+
+def sentences_of_the_classification() -> None:
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert f"given {len(decide_classification().assumptions)}\nsentences" in text
+
+
+def the_set_is_small() -> None:
+    outcome = decide_point(parameters("3/100", "1"), REPAIRED)
+    assert outcome.enclosures["repaired.d_const"].ends[0][1] < Fraction(15, 10**6)
+
+
 Check = str | Callable[[], None]
 
+COLLAPSES = "tests/paper/classification/test_classification.py::test_all_rows_are_proved"
+RUNS = "tests/paper/classification/test_simulation.py::test_random_runs"
 COUNTS = "tests/test_readme.py::test_the_counts_are_right"
 TABLES = "tests/test_readme.py::test_the_tables_are_what_the_program_found"
 
 BACKED: dict[str, tuple[Check, ...]] = {
+    # what is printed elsewhere
+    "`verify elsewhere` judges Sections 1 to 4.1": (
+        counts_elsewhere,
+        "tests/paper/elsewhere/test_elsewhere.py::test_a_misprint_is_false_at_its_point",
+    ),
+    "has a line for each displayed formula and each numbered claim outside Section 4": (
+        "tests/paper/test_formulas_elsewhere.py",
+    ),
+    "Two readers who did not know each other's list": (counts_elsewhere,),
+    "One refuted row breaks an argument": (
+        counts_elsewhere,
+        "tests/paper/elsewhere/test_elsewhere.py::test_a_misprint_is_corrected_by_a_row_that_is_proved",
+    ),
+    "is false for each collapse on a line": (
+        "tests/paper/elsewhere/test_elsewhere.py::test_the_line_satisfies_what_the_mapping_assumes",
+    ),
+    # beyond the paper
+    "`verify classification` proves four theorems": (sentences_of_the_classification, COLLAPSES),
+    "No triple contact is assumed": ("tests/cli/test_classification.py",),
+    "No triangular collapse": (COLLAPSES, RUNS),
+    "Three balls of any masses and radii": (COLLAPSES, RUNS),
+    "With equal masses and one r the final": (COLLAPSES, RUNS),
+    "So for r > 7-4√3": ("tests/cli/test_classification.py::test_at_one_r",),
+    "At r = 0.08 one ball meets two others": (
+        "tests/cli/test_classification.py::test_the_longest_run",
+    ),
+    "the impulses of all collisions have a finite sum": (COLLAPSES, RUNS),
+    "Infinitely many collisions without a collapse": (COLLAPSES,),
+    # scenes
+    "The set of Theorem 1 is small": (the_set_is_small,),
+    "For three given particles a sharper theorem decides": ("tests/paper/sharper/test_sharper.py",),
+    "three `positions` and three `velocities`": (
+        "tests/cli/test_scene.py::test_numbers_are_read_exactly",
+        "tests/cli/test_scene.py::test_unusable_input_is_one_line",
+    ),
+    "it *disperses*, no two collide any more": (
+        "tests/cli/test_scene.py::test_the_examples",
+        "tests/jobs/test_scene.py::test_random_scenes_with_every_kind_of_move",
+    ),
     # what the paper says, in the words of its abstract
     "construct an explicit set of initial data from which three hard spheres": (
         "tests/paper/step/test_step.py::test_orbits_from_the_initial_set_satisfy_all_conditions",

@@ -32,6 +32,8 @@ DOCUMENTS = [
     ("classification", ["classification", "--r", "1/20"]),
     ("elsewhere", ["elsewhere"]),
     ("check", ["check", EXAMPLE]),
+    ("prove", ["prove", f"{EXAMPLE}/statement.json"]),
+    ("prove", ["prove", f"{ROOT}/certificates/examples/minimum/statement.json"]),
     ("measurements", ["stress", "--quick"]),
 ]
 

@@ -1,1 +1,1 @@
-"""Search for proofs of claims with variables: one technique in each file. Nothing here is trusted."""
+"""Search for proofs of claims with variables: one technique in each file. None is trusted."""

@@ -109,9 +109,10 @@ class Polynomials:
         found = []
         for index, (atom, degree) in enumerate(zip(self.atoms, self.p.degrees(), strict=True)):
             bounds = self.goal.variables.get(atom.name)
-            if degree and bounds is not None and bounds.ends is not None:
-                if "=" not in (bounds.low_relation, bounds.high_relation):
-                    found.append((int(degree), index))
+            if not degree or bounds is None or bounds.ends is None:
+                continue
+            if "=" not in (bounds.low_relation, bounds.high_relation):
+                found.append((int(degree), index))
         return (index for _, index in sorted(found))
 
     def at(self, index: int, value: Fraction) -> fmpq_mpoly:

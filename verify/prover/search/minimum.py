@@ -143,7 +143,7 @@ def simple_points(
 def _at_end(value: Fraction, low: Fraction | None, high: Fraction | None) -> Fraction:
     """A bound that the number is next to, or the number."""
     for end in (low, high):
-        if end is not None and abs(value - end) * 10**9 <= max(1, abs(end)):
+        if end is not None and abs(value - end) * 10**9 <= 1 + abs(end):
             return end
     return value
 

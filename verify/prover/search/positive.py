@@ -98,7 +98,7 @@ def _units(domain: Domain, factor: Factor, square: fmpq_mpoly) -> int:
 def _value(
     domain: Domain, weight: Fraction, factor: Factor, square: fmpq_mpoly
 ) -> tuple[Value, bool]:
-    """weight * factor * square^2 as a value, and whether it is strict."""
+    """The product weight * factor * square^2 as a value, and whether it is strict."""
     constant = square.is_constant()
     if constant:
         leading = square.leading_coefficient()

@@ -140,33 +140,37 @@ class _System:
 
     def _correct(self, values: list[list[list[fmpq]]]) -> bool:
         """Change the entries as little as possible so that the equations hold."""
+        rest = self._missing(values)
+        if not any(rest):
+            return True
+        nu = _solve(self._gram(), rest)
+        if nu is None:
+            return False
+        for matrix, entries in zip(values, self.entries, strict=True):
+            for i, j, pairs in entries:
+                matrix[i][j] += sum((c * nu[k] for k, c in pairs), fmpq(0))
+                matrix[j][i] = matrix[i][j]
+        return True
+
+    def _missing(self, values: list[list[list[fmpq]]]) -> list[fmpq]:
+        """What the left sides of the equations lack."""
         rest = list(self.wanted)
         for matrix, entries in zip(values, self.entries, strict=True):
             for i, j, pairs in entries:
                 for k, c in pairs:
                     rest[k] -= c * matrix[i][j]
-        if not any(rest):
-            return True
-        m = len(rest)
-        gram = [[fmpq(0)] * m for _ in range(m)]
+        return rest
+
+    def _gram(self) -> list[list[fmpq]]:
+        """The products of the equations' coefficients."""
+        gram = [[fmpq(0)] * len(self.rows) for _ in self.rows]
         for entries in self.entries:
             for _, _, pairs in entries:
                 for k, c in pairs:
                     row = gram[k]
                     for other, d in pairs:
                         row[other] += c * d
-        nu = _solve(gram, rest)
-        if nu is None:
-            return False
-        for matrix, entries in zip(values, self.entries, strict=True):
-            for i, j, pairs in entries:
-                change = fmpq(0)
-                for k, c in pairs:
-                    change += c * nu[k]
-                matrix[i][j] += change
-                if i != j:
-                    matrix[j][i] = matrix[i][j]
-        return True
+        return gram
 
     def _terms(self, values: list[list[list[fmpq]]]) -> list[Term] | None:
         """The squares of L D L^T; None if a matrix is not positive semidefinite."""

@@ -85,9 +85,8 @@ class Strategy:
             for name in (bounds.low_fact, bounds.high_fact):
                 if name and session.claims[name].relation != "=":
                     found[name] = session.claims[name]
-        for name, claim in session.claims.items():
-            if name in self.universal.rows and self._is_near(name, claim):
-                found[name] = claim
+        rows = {name: session.claims[name] for name in self.universal.rows & session.claims.keys()}
+        found |= {name: rows[name] for name in sorted(rows) if self._is_near(name, rows[name])}
         for term in extrema_of((self.goal.claim.lhs, self.goal.claim.rhs), self.goal.definitions):
             for entry in term.children:
                 sides = (term, entry) if term.op == "min" else (entry, term)

@@ -22,9 +22,27 @@ let utf8 b code =
     else (Buffer.add_char b (Char.chr (0xe0 lor (code lsr 12))); tail 6; tail 0)
   end
 
+let is_utf8 s =
+  let n = String.length s in
+  let byte i = if i < n then Char.code s.[i] else 0 in
+  let rec tail i k = k = 0 || (byte i land 0xc0 = 0x80 && tail (i + 1) (k - 1)) in
+  let rec go i =
+    i >= n ||
+    let c = byte i in
+    let k = if c < 0x80 then 0 else if c >= 0xc2 && c < 0xe0 then 1 else if c >= 0xe0 && c < 0xf0 then 2
+      else if c >= 0xf0 && c < 0xf5 then 3 else -1 in
+    let second = byte (i + 1) in
+    k >= 0 && tail (i + 1) k
+    && not (c = 0xe0 && second < 0xa0) && not (c = 0xed && second >= 0xa0)
+    && not (c = 0xf0 && second < 0x90) && not (c = 0xf4 && second >= 0x90)
+    && go (i + 1 + k) in
+  go 0
+
 (* The document in a text; no key twice, and natural numbers below 10^9 are the only ones. *)
 let parse (s : string) : json =
   let n = String.length s and i = ref 0 in
+  need (n <= 1 lsl 22) "more than 4 MiB";
+  need (is_utf8 s) "no UTF-8";
   let peek () = if !i < n then s.[!i] else '\000' in
   let rec blank () =
     match peek () with ' ' | '\n' | '\t' | '\r' when !i < n -> incr i; blank () | _ -> () in

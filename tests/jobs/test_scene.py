@@ -13,12 +13,14 @@ from typing import Any
 
 import pytest
 
+from tests.prover import scenes
 from tests.prover.random_scenes import random_scene
 from tests.prover.scenes import CASES, aligned, at_angle
 from verify import check
 from verify.jobs.regenerate import is_right_statement
-from verify.jobs.scene import read_back, scene_outcome
+from verify.jobs.scene import scene_outcome
 from verify.jobs.scene_files import read_scene
+from verify.jobs.scene_statements import read_back
 from verify.paper.scene.scene import Scene
 from verify.prover.scene import UNDECIDED, Budget, decide_scene
 from verify.wire.term_json import TermReader
@@ -170,6 +172,37 @@ def test_a_statement_is_recognised_whatever_the_digits() -> None:
         content = files_of(aligned(), budget)["statement.json"]
         assert is_right_statement(content)
         assert not is_right_statement(content.replace(b"collapses", b"disperses"))
+
+
+@pytest.mark.parametrize("collisions", [3, 5, 6])
+def test_a_collapse_that_is_not_followed_far_enough_has_a_certificate(collisions: int) -> None:
+    files = files_of(aligned(), Budget(collisions, digits=20))
+    assert report(files).verdict == "PROVED"
+    assert is_right_statement(files["statement.json"])
+
+
+def test_a_statement_is_recognised_however_many_collisions_were_asked_for() -> None:
+    for name in REASONS:
+        found, budget = finite(name)
+        assert is_right_statement(files_of(found, budget)["statement.json"])
+
+
+@pytest.mark.parametrize("r", ["-1", "0", "1", "2", "20"])
+def test_scenes_that_no_file_may_hold_are_not_ours(r: str) -> None:
+    rest = ((0, 0), (2, 0), (0, 2)), ((0, 0), (0, 0), (0, 0))
+    files = files_of(scenes.scene(r, *rest))
+    assert report(files).verdict == "PROVED"
+    assert not is_right_statement(files["statement.json"])
+
+
+def test_finitely_many_collisions_need_a_coefficient_below_one() -> None:
+    """With r = 20 on a line there are infinitely many in finite time, though R² grows."""
+    endless = scenes.scene("20", ((0, 0), ("1.1", 0), (-3, 0)), ((0, 0), (-1, 0), (-1, 0)))
+    files = files_of(endless, Budget(30))
+    assert b'"finite.receding"' in files["statement.json"]
+    found = report(files)
+    assert found.verdict == "REFUSED"
+    assert [line.split()[1] for line in found.lines if "REFUSED" in line] == ["range.high"]
 
 
 @pytest.mark.parametrize("name", ["nearly-aligned", "in-space", "on-a-line", "parting", "passing"])

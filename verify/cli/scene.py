@@ -10,7 +10,7 @@ from verify.cli.options import Options, Parser
 from verify.jobs.inputs import InputError, integer
 from verify.jobs.scene_files import read_scene
 from verify.jobs.scene_verdict import scene_lines
-from verify.prover.scene import Budget, Fate, decide_scene
+from verify.prover.scene import MAX_DIGITS, Budget, Fate, decide_scene
 from verify.views.scene import collision_table, exit_code, scene_document
 
 #: More than this would be a mistake.
@@ -33,7 +33,7 @@ def add_arguments(parser: Parser) -> None:
 
 def budget(options: Options) -> Budget:
     """How far scenes are followed."""
-    digits = None if options.digits is None else integer("--digits", options.digits, 1, 200)
+    digits = None if options.digits is None else integer("--digits", options.digits, 1, MAX_DIGITS)
     bits = integer("--precision", options.precision, 8, 1 << 16)
     last = integer("--max-precision", options.max_precision, 8, 1 << 16)
     if last < bits:

@@ -7,14 +7,9 @@ import sys
 from verify.cli.errors import OwnError, UnreadError
 from verify.cli.files import write_certificate
 from verify.jobs.inputs import InputError
-from verify.jobs.scene import scene_outcome
+from verify.jobs.scene import precisions, scene_outcome
 from verify.prover.program import UndefinedError
 from verify.prover.scene import DISPERSES, UNDECIDED, Fate
-
-#: The prover is exact where numbers stay rational; the checker may need more bits for the same.
-MORE_BITS = (1, 2, 4, 8, 16)
-#: More than MANY collisions are checked with few bits first.
-MANY, FEW_BITS = 500, 80
 
 
 def write_scene(option: str, directory: str, found: Fate) -> None:
@@ -43,13 +38,6 @@ def write_scene(option: str, directory: str, found: Fate) -> None:
             continue
         return
     raise complaint
-
-
-def precisions(found: Fate) -> list[int]:
-    """The precisions to try, in turn: few bits for many collisions, as work is limited."""
-    bits = found.flow.bits
-    few = [FEW_BITS] if len(found.flow.collisions) > MANY and bits > FEW_BITS else []
-    return [*few, *(factor * bits for factor in MORE_BITS)]
 
 
 def _too_many(option: str, found: Fate) -> str:

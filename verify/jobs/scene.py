@@ -7,7 +7,7 @@ show the inequalities.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
 
@@ -27,24 +27,20 @@ from verify.language.terms import Claim, Term
 from verify.paper.flow.theorem import NAME as FLOW
 from verify.paper.flow.theorem import flow
 from verify.paper.scene.assumptions import ASSUMPTIONS
-from verify.paper.scene.scene import Scene
 from verify.paper.scene.telling import CLASSIFICATION, SHARPER, START, Numbers, Telling
 from verify.paper.sharper.numbers import context as start_context
 from verify.prover import balls
 from verify.prover.decimals import enclosing_decimals, round_decimal
 from verify.prover.flow import COLLIDE, DRIFT, why_apart
 from verify.prover.outcome import Decision, Enclosure, Outcome
-from verify.prover.program import Machine, Program, Run
+from verify.prover.program import Machine, Program, Run, UndefinedError
 from verify.prover.proof import ConstantStep, ObligationStep, Premise, Proof, Step
 from verify.prover.rules import Applying, Interval, Sum
 from verify.prover.scene import (
     COLLAPSES,
     DISPERSES,
     FINITE,
-    UNDECIDED,
-    Budget,
     Fate,
-    decide_scene,
 )
 from verify.wire.write import write
 
@@ -52,8 +48,10 @@ from verify.wire.write import write
 DIGITS = 16
 #: How the names of the rows begin that show the verdict.
 DECISIVE = ("collapse", "end.", "finite.")
-#: Statements about scenes are recognised up to so many digits of the collapse time.
-MAX_DIGITS = 40
+#: The prover is exact where numbers stay rational; the checker may need more bits for the same.
+MORE_BITS = (1, 2, 4, 8, 16)
+#: More than MANY collisions are checked with few bits first.
+MANY, FEW_BITS = 500, 80
 
 
 @cache
@@ -116,39 +114,11 @@ def short_outward(ends: tuple[Fraction, Fraction]) -> tuple[Fraction, Fraction]:
     return down[0] * Fraction(10) ** down[1], up[0] * Fraction(10) ** up[1]
 
 
-def read_back(parameters: Mapping[str, Term]) -> Scene | None:
-    """The scene whose parameters these are; None if they are no scene's."""
-    count = sum(name.startswith("x.0.") for name in parameters)
-    rows = {
-        letter: [[f"{letter}.{i}.{k}" for k in range(1, count + 1)] for i in range(3)]
-        for letter in ("x", "v")
-    }
-    names = {"r", *(name for table in rows.values() for row in table for name in row)}
-    if count < 2 or {*parameters} != names:
-        return None
-    positions, velocities = (
-        tuple(tuple(parameters[name].value for name in row) for row in rows[letter])
-        for letter in ("x", "v")
-    )
-    return Scene(parameters["r"].value, positions, velocities)
-
-
-def statements_of(scene: Scene, collisions: int) -> Iterator[Outcome]:
-    """What the program makes of a scene with so many rows about collisions.
-
-    There is one for each number of digits that may have been asked for.
-    """
-    before = None
-    for digits in (None, *range(1, MAX_DIGITS + 1)):
-        found = decide_scene(scene, Budget(digits=digits))
-        told = 0 if is_settled_at_start(found) else len(found.flow.collisions)
-        if found.verdict == UNDECIDED or told > collisions:
-            return
-        if told == collisions and (told, found.flow.bits) != before:
-            before = told, found.flow.bits
-            yield scene_outcome(found, found.flow.bits)
-        if found.collapse is None:
-            return
+def precisions(found: Fate) -> list[int]:
+    """The precisions to try, in turn: few bits for many collisions, as work is limited."""
+    bits = found.flow.bits
+    few = [FEW_BITS] if len(found.flow.collisions) > MANY and bits > FEW_BITS else []
+    return [*few, *(factor * bits for factor in MORE_BITS)]
 
 
 # --- the certificate -----------------------------------------------------------------------------
@@ -219,6 +189,9 @@ def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:
     if kind == "start":
         gap, _, _ = telling.exact.pair(int(name[0]), int(name[1]))
         return Sum(("goal", str(gap)), given)
+    if kind == "range":
+        restitution = telling.parameters["r"].value
+        return Sum(("goal", str(restitution if name == "low" else 1 - restitution)), given)
     return Interval(bits)
 
 
@@ -252,7 +225,10 @@ def _ends(run: Run, term: Term, bits: int) -> tuple[Fraction, Fraction]:
     if term.op == "rational" and is_short(term.value, bits):
         top, divisor = term.value.as_integer_ratio()
         return enclosing_decimals(top, top, divisor, DIGITS)
-    low, high, divisor = balls.widened_ends(balls.loosened(run[term]), 4 * DIGITS)
+    ball = run[term]
+    if ball is None:
+        raise UndefinedError(f"{bits} bits do not suffice to evaluate a number of the scene")
+    low, high, divisor = balls.widened_ends(balls.loosened(ball), 4 * DIGITS)
     return enclosing_decimals(low, high, divisor, DIGITS)
 
 

@@ -44,6 +44,11 @@ def read_scene(where: str, content: bytes) -> Scene:
     return scene
 
 
+def is_in_range(scene: Scene) -> bool:
+    """Whether r and the dimension are such that a file of this scene can be read."""
+    return 0 < scene.r < 1 and 2 <= scene.dimension <= MAX_DIMENSION
+
+
 def _table(where: str, content: bytes) -> dict[str, Any]:
     if len(content) > MAX_BYTES:
         raise InputError(f"{where}: has {len(content)} bytes; write at most {MAX_BYTES}")

@@ -109,6 +109,12 @@ class Flow:
             raise UnclearError(_what_is_unclear(meets, unclear))
         return False
 
+    def end_after(self, collisions: int) -> None:
+        """Forget all that comes after so many collisions, which are at least one."""
+        del self.collisions[collisions:]
+        last = self.collisions[-1]
+        del self.moves[1 + next(i for i, move in enumerate(self.moves) if move is last) :]
+
     def _candidates(self) -> Iterator[tuple[list[Move], Moment]]:
         """Moments whose o, c may be the next pair, with the moves that lead there."""
         now = self.now

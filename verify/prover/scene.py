@@ -87,7 +87,7 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
     with balls.precision(bits):
         flow = Flow(scene, bits)
         known: Fate | None = None
-        wait = 0
+        wait = found_at = 0
         try:
             while True:
                 now = flow.now
@@ -96,7 +96,7 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
                     end = find_collapse(scene.r, now.state, now.time)
                     wait = len(flow.collisions) // PATIENCE
                 if end is not None:
-                    known = Fate(COLLAPSES, "", flow, end)
+                    known, found_at = Fate(COLLAPSES, "", flow, end), len(flow.collisions)
                     if is_tight(end, budget.digits):
                         return known
                     wait = more_collisions(end, budget.digits)
@@ -110,8 +110,18 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
         except UnclearError as error:
             reason, criterion = str(error), None
         if known is not None:
-            return known._replace(reason=reason)
+            return _at_last(known._replace(reason=reason), found_at, budget.digits)
         return Fate(UNDECIDED if criterion is None else FINITE, reason, flow, None, criterion)
+
+
+def _at_last(known: Fate, found_at: int, digits: int | None) -> Fate:
+    """A collapse as the last state shows it, or else the one after so many collisions."""
+    flow, now = known.flow, known.flow.now
+    end = None if now is None else find_collapse(flow.scene.r, now.state, now.time)
+    if end is None:
+        flow.end_after(found_at)
+        return known
+    return known._replace(collapse=end, reason="" if is_tight(end, digits) else known.reason)
 
 
 def more_collisions(end: Collapse, digits: int | None) -> int:

@@ -193,6 +193,8 @@ class Telling:
 
     def limit(self, criterion: str) -> None:
         """Only finitely many collisions are possible, from this state on."""
+        self.row("range.low", "the coefficient of restitution is positive", 0 < r)
+        self.row("range.high", "and below 1: no collision adds energy", r < 1)
         if criterion == INELASTIC:
             self._finite("restitution", criterion, inelastic(r) < 0)
             return

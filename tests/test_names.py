@@ -44,7 +44,7 @@ TO_BE_RENAMED = {
 SUBJECTS = {
     *("bench", "check", "everywhere", "explain", "graph", "report", "spectrum", "stress"),
     *("theorem1", "parameters", "box", "scene", "sharper", "slack", "classification", "numbering"),
-    *("thresholds", "elsewhere", "map"),
+    *("thresholds", "elsewhere", "map", "prove"),
 }
 
 #: A part of the paper is a folder; these are its modules, named alike in each.

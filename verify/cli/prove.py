@@ -10,7 +10,7 @@ from verify.cli.options import Options, Parser
 from verify.cli.terminal import add_color, show
 from verify.jobs.inputs import InputError, integer, rational, shown
 from verify.jobs.prove import decide_statement
-from verify.prover.budget import WORK, Budget
+from verify.prover.budget import WORK, WorkBudget
 from verify.views.prove import decided_document, decided_lines
 
 MAX_JOBS = 256
@@ -33,7 +33,7 @@ def run(options: Options) -> int:
     integer("--jobs", options.jobs, 1, MAX_JOBS)
     content, cited = read_bytes("STATEMENT", options.STATEMENT), _cited(options.STATEMENT)
     test_folder("--out", options.out, "statement.json", "certificate.json")
-    outcome = decide_statement(content, cited, Budget(work, _seconds(options.time)))
+    outcome = decide_statement(content, cited, WorkBudget(work, _seconds(options.time)))
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
     if options.json:

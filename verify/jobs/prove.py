@@ -8,7 +8,7 @@ from typing import Any
 from verify import check
 from verify.jobs.inputs import InputError
 from verify.language.statement import NEEDED, PROVED, Statement
-from verify.prover.budget import Budget
+from verify.prover.budget import WorkBudget
 from verify.prover.outcome import Outcome
 from verify.prover.prove import prove
 from verify.wire.read import read_statement
@@ -42,7 +42,7 @@ def asked(document: dict[str, Any]) -> dict[str, Any]:
     return document | {"obligations": rows}
 
 
-def decide_statement(content: bytes, cited: Mapping[str, bytes], budget: Budget) -> Outcome:
+def decide_statement(content: bytes, cited: Mapping[str, bytes], budget: WorkBudget) -> Outcome:
     """Every row of a statement, decided or not.
 
     Raises:

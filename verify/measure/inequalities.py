@@ -27,7 +27,7 @@ from verify.language.statement import (
     Variable,
 )
 from verify.language.terms import Claim, Term, as_term, symbol
-from verify.prover.budget import Budget
+from verify.prover.budget import WorkBudget
 from verify.prover.prove import prove
 from verify.wire.term_json import TermReader
 from verify.wire.write import write
@@ -90,7 +90,7 @@ def _between(low: Fraction | None, high: Fraction | None) -> Term:
 def judge(entry: dict[str, Any], seconds: float) -> Judged:
     """Decide an inequality, and check the certificate."""
     start = perf_counter()
-    outcome = prove(question(entry), budget=Budget(seconds=seconds))
+    outcome = prove(question(entry), budget=WorkBudget(seconds=seconds))
     searched = perf_counter()
     verdict = outcome.verdict
     right = verdict == UNDECIDED or (verdict == PROVED) == entry["truth"]

@@ -12,7 +12,7 @@ class SpentError(ArithmeticError):
     """The work, or the time, is used up."""
 
 
-class Budget:
+class WorkBudget:
     """Units of work, about a microsecond each, for each row; and seconds for all rows together.
 
     Time only ends the search: what is found before is the same on any machine.

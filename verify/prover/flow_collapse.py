@@ -83,7 +83,7 @@ def find_collapse(r: Fraction, state: State, time: Number) -> Collapse | None:
 
 def may_collapse(r: float, C: float) -> bool:
     """Whether the first condition of Zhou and Kadanoff holds at this angle, about."""
-    return ((1 + r) / 2 * C) ** 2 > 4 * r and C > 0
+    return (1 + r) / 2 * C > 2 * math.sqrt(r)
 
 
 # --- the search ----------------------------------------------------------------------------------

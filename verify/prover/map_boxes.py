@@ -11,10 +11,11 @@ import numpy as np
 from verify.language.record import Record
 from verify.paper.flow.law import Pair, State
 from verify.paper.map.plane import Phi, Plane, start, views
+from verify.paper.map.strip import Strip, height
 from verify.prover.map_branches import Step, advance, begin, take, together
 from verify.prover.map_closing import collapsing
 from verify.prover.map_intervals import Array, Intervals, enclosed
-from verify.prover.map_models import Models, one_model, parameter
+from verify.prover.map_models import Models, from_bounds, one_model, parameter
 
 COLLAPSES, DISPERSES, UNDECIDED = "c", "d", "u"
 #: How far boxes are followed, and how often one is split where spheres may graze.
@@ -115,11 +116,13 @@ class _Boxes:
         return Verdicts("".join(names.tolist()), numbers)
 
 
-def verdicts(plane: Plane, keys: Sequence[str]) -> Verdicts:
+def verdicts(plane: Plane | Strip, keys: Sequence[str]) -> Verdicts:
     """What becomes of all scenes of each box: the boxes are of one level.
 
     A plane through a scene is tried in intervals first, and then with Taylor models.
     """
+    if isinstance(plane, Strip):
+        return verdicts_of(MODELS, plane, keys)
     found = verdicts_of(INTERVALS, plane, keys)
     if isinstance(plane, Phi):
         return found
@@ -133,9 +136,12 @@ def verdicts(plane: Plane, keys: Sequence[str]) -> Verdicts:
     return Verdicts("".join(letters), numbers)
 
 
-def verdicts_of(kind: BoxNumbers, plane: Plane, keys: Sequence[str]) -> Verdicts:
+def verdicts_of(kind: BoxNumbers, plane: Plane | Strip, keys: Sequence[str]) -> Verdicts:
     """The verdicts that one kind of numbers shows."""
     with np.errstate(all="ignore"):
+        if isinstance(plane, Strip):
+            state = start(plane.phi, *tiles(plane, keys), kind.number, lambda x: x.root())
+            return follow(plane.r, kind, _whole(kind, state, len(keys)), np.arange(len(keys)))
         x, y = kind.sides(*sides(plane, keys))
         if isinstance(plane, Phi):
             state = start(plane, x, y, kind.number, lambda x: x.root())
@@ -146,6 +152,46 @@ def verdicts_of(kind: BoxNumbers, plane: Plane, keys: Sequence[str]) -> Verdicts
         boxes = _Boxes(len(keys))
         step = begin(kind.number(plane.r), scenes, pairs)
         return follow(plane.r, kind, *boxes.take_step(step, np.arange(len(keys))), boxes)
+
+
+def tiles(plane: Strip, keys: Sequence[str]) -> tuple[Models, Models]:
+    """φ1 and φ2 on the tiles of a strip."""
+    columns, rows = corners(keys)
+    below = len(keys[0]) - plane.level
+    parts, share = 2**plane.level, Fraction(1, 2**below)
+    half = (plane.x[1] - plane.x[0]) / parts / 2
+    bands = plane.bands
+
+    def each(values: Sequence[Fraction]) -> Models:
+        found = {value: enclosed(value) for value in {*values}}
+        ends = [found[value] for value in values]
+        low, high = (np.array([getattr(x, name) for x in ends]) for name in ("low", "high"))
+        return from_bounds(Intervals(low, high))
+
+    def between(lows: Sequence[Fraction], highs: Sequence[Fraction]) -> Intervals:
+        return Intervals(each(lows).low, each(highs).high)
+
+    places = [column >> below for column in columns]
+    rest = [(column & (1 << below) - 1) * share for column in columns]
+    t = parameter(
+        0,
+        between([half * (2 * x - 1) for x in rest], [half * (2 * (x + share) - 1) for x in rest]),
+    )
+    band = [bands[row >> below] for row in rows]
+    lift = [(row & (1 << below) - 1) * share for row in rows]
+    u = parameter(
+        1,
+        between(
+            [a + (b - a) * x for (a, b), x in zip(band, lift, strict=True)],
+            [a + (b - a) * (x + share) for (a, b), x in zip(band, lift, strict=True)],
+        ),
+    )
+    f_0, f_1, f_2 = (each([plane.curve[i][k] for i in places]) for k in range(3))
+    up = [plane.is_above(row >> below) for row in rows]
+    delta = each([plane.delta if above else -plane.delta for above in up])
+    goal = each([plane.y[1] if above else Fraction(0) for above in up])
+    phi_1 = t + each([plane.x[0] + half * (2 * i + 1) for i in places])
+    return phi_1, height(f_0 + t * (f_1 + t * f_2), u, delta, goal)
 
 
 def _whole(kind: BoxNumbers, state: State, size: int) -> State:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from verify.language.statement import UNDECIDED, Constant, Obligation, Statement
 from verify.language.terms import Claim, names_of
-from verify.prover.budget import Budget, SpentError
+from verify.prover.budget import WorkBudget, SpentError
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Ground
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.session import Session
@@ -15,7 +15,7 @@ def prove(
     statement: Statement,
     start_bits: int = DEFAULT_PRECISION,
     max_bits: int = DEFAULT_MAX_PRECISION,
-    budget: Budget | None = None,
+    budget: WorkBudget | None = None,
 ) -> Outcome:
     """Decide every row of a statement; what is not found is left undecided.
 
@@ -26,7 +26,7 @@ def prove(
         budget: how much work each row may be.
     """
     ground = Ground(Session(), start_bits, max_bits)
-    universal = Universal(ground, budget or Budget())
+    universal = Universal(ground, budget or WorkBudget())
     spent = _defined(statement, ground)
     for context in statement.contexts:
         if not spent and not universal.open(context):

@@ -20,7 +20,7 @@ from verify.language.statement import (
 from verify.language.terms import Claim, Term, as_term, names_of, substitute, substitute_claim
 from verify.prover import boxes
 from verify.prover.bernstein import bernstein
-from verify.prover.budget import Budget
+from verify.prover.budget import WorkBudget
 from verify.prover.clearing import Clearing
 from verify.prover.goal import Bounds, Goal, bounds_of
 from verify.prover.ground import Ground
@@ -42,7 +42,7 @@ class Universal:
         budget: the work that each row may be.
     """
 
-    def __init__(self, ground: Ground, budget: Budget) -> None:
+    def __init__(self, ground: Ground, budget: WorkBudget) -> None:
         self.ground, self.session, self.budget = ground, ground.session, budget
         self.contexts: dict[str, Context] = {}
         self.depth = 0  # of lemmas that lemmas need

@@ -84,7 +84,9 @@ def _float(term: Term) -> float:
         return math.inf if value > 0 else -math.inf
 
 
-def ranges(names: Sequence[str], terms: Sequence[Term], definitions: Mapping[str, Term]) -> Ranges:
+def range_function(
+    names: Sequence[str], terms: Sequence[Term], definitions: Mapping[str, Term]
+) -> Ranges:
     """The ends between which terms lie, as the checker evaluates them, up to rounding."""
     return _code(
         names, terms, definitions, _range, lambda x: f"{x}l, {x}h", lambda v: f"{v}l, {v}h"

@@ -32,7 +32,7 @@ class Factor(Record):
     parts: tuple[fmpq_mpoly, ...]
 
 
-class Scale(Record):
+class Affine(Record):
     """An atom is m + h u, where h is not 0."""
 
     m: Fraction
@@ -86,14 +86,14 @@ class Domain:
             self.facts[f"root {i}"] = Factor(self.gens[i], value, False, (self.gens[i],))
 
     @staticmethod
-    def _scale(atom: Term, variables: Mapping[str, Bounds]) -> Scale:
+    def _scale(atom: Term, variables: Mapping[str, Bounds]) -> Affine:
         bounds = variables.get(atom.name) if atom.op == "symbol" else None
         low, high = (None, None) if bounds is None else (bounds.low, bounds.high)
         if low is not None and high is not None and low < high:
-            return Scale((low + high) / 2, (high - low) / 2)
+            return Affine((low + high) / 2, (high - low) / 2)
         if low is not None:
-            return Scale(low, Fraction(1))
-        return Scale(Fraction(0), Fraction(1)) if high is None else Scale(high, Fraction(-1))
+            return Affine(low, Fraction(1))
+        return Affine(Fraction(0), Fraction(1)) if high is None else Affine(high, Fraction(-1))
 
     def number(self, value: Fraction | int) -> fmpq_mpoly:
         """A number as a polynomial."""
@@ -173,7 +173,7 @@ def _exact(term: Term, values: Mapping[str, Fraction]) -> Fraction | None:
     return value if isinstance(value, Fraction) else None
 
 
-def product(a: Factor, b: Factor) -> Factor:
+def multiplied(a: Factor, b: Factor) -> Factor:
     """The product of two."""
     value: Value = ("mul", a.value, b.value)
     parts = (*a.parts, *b.parts)

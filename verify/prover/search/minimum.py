@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 
-from verify.prover.budget import Budget
+from verify.prover.budget import WorkBudget
 from verify.prover.goal import Goal
 from verify.prover.search.compiled import estimates
 
@@ -25,7 +25,7 @@ Function = Callable[[Sequence[float]], float]
 class Minima:
     """Points where rhs - lhs is small, the smallest first."""
 
-    def __init__(self, goal: Goal, budget: Budget) -> None:
+    def __init__(self, goal: Goal, budget: WorkBudget) -> None:
         names = [*goal.variables]
         sides = estimates(names, (goal.claim.lhs, goal.claim.rhs), goal.definitions)
         self.bounds = [_ends(b.low, b.high) for b in goal.variables.values()]

@@ -13,12 +13,12 @@ from itertools import combinations
 from flint import fmpq, fmpq_mpoly
 
 from verify.language.record import Record
-from verify.language.terms import Term as Expression
-from verify.prover.budget import Budget
+from verify.language.terms import Term
+from verify.prover.budget import WorkBudget
 from verify.prover.proof import Value
 from verify.prover.rules import Sum
-from verify.prover.search.domain import Domain, Factor, product
-from verify.prover.search.squares import MAX_SIZE, Block, Term, decompose, vanishing
+from verify.prover.search.domain import Domain, Factor, multiplied
+from verify.prover.search.squares import MAX_SIZE, Block, Summand, decompose, vanishing
 
 Exponents = tuple[int, ...]
 
@@ -39,12 +39,17 @@ class Attempt(Record):
 
 
 def by_squares(
-    domain: Domain, zeros: Sequence[Sequence[Fraction]], budget: Budget, using: tuple[str, ...] = ()
+    domain: Domain,
+    zeros: Sequence[Sequence[Fraction]],
+    budget: WorkBudget,
+    using: tuple[str, ...] = (),
 ) -> Sum | None:
     """A proof of the claim; ``zeros`` are points of the domain where p is 0.
 
     A square that divides p is left out at first.
     """
+    if domain.p.is_zero():
+        return None
     outer = domain.divide_by_squares()
     zeros = [point for point in zeros if domain.is_zero(point)]
     for attempt in _attempts(domain):
@@ -65,7 +70,7 @@ def by_squares(
 
 
 def _proof(
-    domain: Domain, attempt: Attempt, terms: Sequence[Term], outer: Expression | None
+    domain: Domain, attempt: Attempt, terms: Sequence[Summand], outer: Term | None
 ) -> Sum | None:
     """The sum, if it is strict, and not too much work for the checker."""
     goal, strict = domain.goal, not domain.strict
@@ -131,11 +136,11 @@ def _attempts(domain: Domain) -> Iterator[Attempt]:
         yield Attempt([one], [Block(0, basis)], multiple)
         return
     goal = Factor(-p, domain.goal, not domain.strict, (p,))
-    pairs = [product(a, b) for a, b in combinations(facts, 2)]
+    pairs = [multiplied(a, b) for a, b in combinations(facts, 2)]
     ends = [f for f in pairs if len(_variables(f.polynomial)) == 1]
     mixed = pairs if len(ends) < len(pairs) else []
-    again = [product(goal, f) for f in (*facts, goal)]
-    triples = [product(a, b) for a, b in product_of(facts, pairs)] if len(facts) <= FEW else []
+    again = [multiplied(goal, f) for f in (*facts, goal)]
+    triples = [multiplied(a, b) for a, b in _triples(facts, pairs)] if len(facts) <= FEW else []
     for higher in (top, top + 2):
         yield _attempt(domain, [one, *facts, *ends], higher, used)
         if mixed:
@@ -180,7 +185,7 @@ def _is_homogeneous(polynomial: fmpq_mpoly) -> bool:
     return len({sum(map(int, m)) for m in polynomial.monoms()}) <= 1
 
 
-def product_of(facts: Sequence[Factor], pairs: Sequence[Factor]) -> Iterator[tuple[Factor, Factor]]:
+def _triples(facts: Sequence[Factor], pairs: Sequence[Factor]) -> Iterator[tuple[Factor, Factor]]:
     """What makes the products of three different facts."""
     order = [*combinations(range(len(facts)), 2)]
     for i, fact in enumerate(facts):

@@ -14,7 +14,7 @@ from math import sqrt
 from operator import mul
 
 from verify.language.record import Record
-from verify.prover.budget import Budget
+from verify.prover.budget import WorkBudget
 
 Matrix = list[list[float]]
 #: The entries of a block that count: row, column, and for each equation its coefficient.
@@ -34,7 +34,7 @@ LAST = 1e-10
 DEFINITE = 1e-2
 
 
-class Program(Record):
+class Equations(Record):
     """Sizes of the blocks, their entries with row <= column, and the right sides of equations."""
 
     sizes: list[int]
@@ -80,7 +80,7 @@ def solved(lower: Matrix, wanted: Sequence[float]) -> list[float]:
     return x
 
 
-def _operations(program: Program) -> int:
+def _operations(program: Equations) -> int:
     """About the number of products in one step."""
     m = len(program.wanted)
     total = m**3 // 6 + sum(2 * n**3 for n in program.sizes)
@@ -126,7 +126,7 @@ class _System:
 class Solver:
     """One semidefinite programme on its central path."""
 
-    def __init__(self, program: Program, budget: Budget) -> None:
+    def __init__(self, program: Equations, budget: WorkBudget) -> None:
         self.program, self.budget = program, budget
         self.scale = max(map(abs, program.wanted), default=1.0) or 1.0
         self.b = [value / self.scale for value in program.wanted]

@@ -21,9 +21,9 @@ from math import frexp
 from flint import fmpq, fmpq_mat, fmpq_mpoly
 
 from verify.language.record import Record
-from verify.prover.budget import Budget
+from verify.prover.budget import WorkBudget
 from verify.prover.search.domain import Domain
-from verify.prover.search.semidefinite import HOPELESS, Entry, Matrix, Program, Solution, Solver
+from verify.prover.search.semidefinite import HOPELESS, Entry, Equations, Matrix, Solution, Solver
 
 #: Programmes with larger matrices, or more equations, are not tried.
 MAX_SIZE = 36
@@ -41,7 +41,7 @@ class Block(Record):
     basis: tuple[fmpq_mpoly, ...]
 
 
-class Term(Record):
+class Summand(Record):
     """weight * g * square^2, with weight > 0."""
 
     weight: Fraction
@@ -54,8 +54,8 @@ def decompose(
     domain: Domain,
     factors: Sequence[fmpq_mpoly],
     blocks: Sequence[Block],
-    budget: Budget,
-) -> list[Term] | None:
+    budget: WorkBudget,
+) -> list[Summand] | None:
     """Terms that add up to p, reduced, or None if none are found."""
     blocks = [block for block in blocks if block.basis]
     for _ in range(ROUNDS):
@@ -109,7 +109,7 @@ class _System:
             if monomial in self.rows:
                 self.wanted[self.rows[monomial]] = value
 
-    def program(self) -> Program:
+    def program(self) -> Equations:
         """The same in floating point, with equations of size 1."""
         largest = [1e-300] * len(self.rows)
         for entries in self.entries:
@@ -121,9 +121,9 @@ class _System:
             for entries in self.entries
         ]
         wanted = [_float(c) / size for c, size in zip(self.wanted, largest, strict=True)]
-        return Program([len(block.basis) for block in self.blocks], floats, wanted)
+        return Equations([len(block.basis) for block in self.blocks], floats, wanted)
 
-    def rounded(self, found: Solution) -> list[Term] | None:
+    def rounded(self, found: Solution) -> list[Summand] | None:
         """Exact terms near a solution."""
         size = max((abs(v) for m in found.blocks for row in m for v in row), default=1.0)
         for digits in DIGITS:
@@ -172,7 +172,7 @@ class _System:
                         row[other] += c * d
         return gram
 
-    def _terms(self, values: list[list[list[fmpq]]]) -> list[Term] | None:
+    def _terms(self, values: list[list[list[fmpq]]]) -> list[Summand] | None:
         """The squares of L D L^T; None if a matrix is not positive semidefinite."""
         terms = []
         for matrix, block in zip(values, self.blocks, strict=True):
@@ -195,7 +195,7 @@ class _System:
                 for j in range(i + 1, len(basis)):
                     for k in range(i + 1, j):
                         rest[j][k] = rest[k][j]
-                terms.append(Term(_fraction(pivot), block.factor, square))
+                terms.append(Summand(_fraction(pivot), block.factor, square))
         return terms
 
 

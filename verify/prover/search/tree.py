@@ -12,11 +12,11 @@ from fractions import Fraction
 
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, symbol
-from verify.prover.budget import Budget
+from verify.prover.budget import WorkBudget
 from verify.prover.goal import Bounds
 from verify.prover.proof import Proof
 from verify.prover.rules import Cuts, Interval
-from verify.prover.search.compiled import ranges
+from verify.prover.search.compiled import range_function
 from verify.prover.search.exact import ExactRanges
 
 #: Bits of the checker in leaves: few, as its cosines take time in proportion.
@@ -31,7 +31,7 @@ NEAR = 1e-9
 Ends = tuple[Fraction, Fraction]
 
 
-class Box(Record):
+class Piece(Record):
     """The ends of each variable, the facts that say so, and how many cuts led here."""
 
     ends: tuple[Ends, ...]
@@ -54,16 +54,16 @@ class Tree:
         claim: Claim,
         variables: Mapping[str, Bounds],
         definitions: Mapping[str, Term],
-        budget: Budget,
+        budget: WorkBudget,
         hypotheses: int = 0,
     ) -> None:
         self.claim, self.names, self.budget = claim, tuple(variables), budget
         self.hypotheses = hypotheses
         self.sides = claim.lhs, claim.rhs
-        self.ranges = ranges(self.names, self.sides, definitions)
+        self.ranges = range_function(self.names, self.sides, definitions)
         self.exact = ExactRanges(self.names, definitions, BITS)
         self.cost = _cost(self.sides, definitions)
-        self.root = Box(
+        self.root = Piece(
             tuple(bounds.ends or (Fraction(0), Fraction(0)) for bounds in variables.values()),
             tuple((bounds.low_fact, bounds.high_fact) for bounds in variables.values()),
             0,
@@ -100,7 +100,7 @@ class Tree:
         x, y = found
         return x.high < y.low if self.claim.relation == "<" else x.high <= y.low
 
-    def _cover(self, box: Box, gap: float) -> Proof | None:
+    def _cover(self, box: Piece, gap: float) -> Proof | None:
         if gap >= 0:
             self.leaves += 1
             named = zip(self.names, self.facts(box), strict=True)
@@ -115,18 +115,18 @@ class Tree:
             halves, ((low_fact, hypothesis), (hypothesis, high_fact)), strict=True
         ):
             changed = (*box.facts[:index], facts, *box.facts[index + 1 :])
-            proof = self._cover(Box(ends, changed, box.depth + 1), value)
+            proof = self._cover(Piece(ends, changed, box.depth + 1), value)
             if proof is None:
                 return None
             branches.append(proof)
         cut = halves[0][0][index][1]
         return Cuts(symbol(self.names[index]), (cut,), tuple(branches))
 
-    def facts(self, box: Box) -> tuple[tuple[str, str], ...]:
+    def facts(self, box: Piece) -> tuple[tuple[str, str], ...]:
         """The facts that bound each variable on a box."""
         return box.facts
 
-    def _may_hold(self, box: Box) -> bool:
+    def _may_hold(self, box: Piece) -> bool:
         """Whether the claim is true at the centre, as far as floats tell."""
         centre = [float(low + high) / 2 for low, high in box.ends]
         try:
@@ -135,7 +135,7 @@ class Tree:
             return True
         return top - low >= -NEAR * (abs(top) + abs(low))
 
-    def _best(self, box: Box) -> tuple[int, list[tuple[tuple[Ends, ...], float]]]:
+    def _best(self, box: Piece) -> tuple[int, list[tuple[tuple[Ends, ...], float]]]:
         """The variable whose bisection helps most, and its two halves with their gaps."""
         best: tuple[float, Fraction] | None = None
         chosen: tuple[int, list[tuple[tuple[Ends, ...], float]]] = 0, []

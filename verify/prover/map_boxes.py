@@ -11,7 +11,7 @@ import numpy as np
 from verify.language.record import Record
 from verify.paper.flow.law import Pair, State
 from verify.paper.map.plane import Phi, Plane, start, views
-from verify.paper.map.strip import Strip, height
+from verify.paper.map.strip import BorderStrip, height
 from verify.prover.map_branches import Step, advance, begin, take, together
 from verify.prover.map_closing import collapsing
 from verify.prover.map_intervals import Array, Intervals, enclosed
@@ -116,12 +116,12 @@ class _Boxes:
         return Verdicts("".join(names.tolist()), numbers)
 
 
-def verdicts(plane: Plane | Strip, keys: Sequence[str]) -> Verdicts:
+def verdicts(plane: Plane | BorderStrip, keys: Sequence[str]) -> Verdicts:
     """What becomes of all scenes of each box: the boxes are of one level.
 
     A plane through a scene is tried in intervals first, and then with Taylor models.
     """
-    if isinstance(plane, Strip):
+    if isinstance(plane, BorderStrip):
         return verdicts_of(MODELS, plane, keys)
     found = verdicts_of(INTERVALS, plane, keys)
     if isinstance(plane, Phi):
@@ -136,10 +136,10 @@ def verdicts(plane: Plane | Strip, keys: Sequence[str]) -> Verdicts:
     return Verdicts("".join(letters), numbers)
 
 
-def verdicts_of(kind: BoxNumbers, plane: Plane | Strip, keys: Sequence[str]) -> Verdicts:
+def verdicts_of(kind: BoxNumbers, plane: Plane | BorderStrip, keys: Sequence[str]) -> Verdicts:
     """The verdicts that one kind of numbers shows."""
     with np.errstate(all="ignore"):
-        if isinstance(plane, Strip):
+        if isinstance(plane, BorderStrip):
             state = start(plane.phi, *tiles(plane, keys), kind.number, lambda x: x.root())
             return follow(plane.r, kind, _whole(kind, state, len(keys)), np.arange(len(keys)))
         x, y = kind.sides(*sides(plane, keys))
@@ -154,7 +154,7 @@ def verdicts_of(kind: BoxNumbers, plane: Plane | Strip, keys: Sequence[str]) -> 
         return follow(plane.r, kind, *boxes.take_step(step, np.arange(len(keys))), boxes)
 
 
-def tiles(plane: Strip, keys: Sequence[str]) -> tuple[Models, Models]:
+def tiles(plane: BorderStrip, keys: Sequence[str]) -> tuple[Models, Models]:
     """φ1 and φ2 on the tiles of a strip."""
     columns, rows = corners(keys)
     below = len(keys[0]) - plane.level

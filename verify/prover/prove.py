@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from verify.language.statement import UNDECIDED, Constant, Obligation, Statement
 from verify.language.terms import Claim, names_of
-from verify.prover.budget import WorkBudget, SpentError
+from verify.prover.budget import SpentError, WorkBudget
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Ground
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.session import Session

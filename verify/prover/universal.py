@@ -12,6 +12,7 @@ from verify.language.statement import (
     PROVED,
     REFUTED,
     UNDECIDED,
+    Always,
     Applies,
     Constant,
     Context,
@@ -28,7 +29,7 @@ from verify.prover.outcome import Decision
 from verify.prover.points import refuting_point
 from verify.prover.proof import Proof
 from verify.prover.relations import MEANINGS, negation
-from verify.prover.rules import Applying, Define, Entry, Least, Root, Sum, Witness
+from verify.prover.rules import Applying, Define, Entry, Induction, Least, Root, Sum, Witness
 from verify.prover.search.strategy import Strategy, refuting_minimum
 from verify.prover.session import ZERO
 from verify.prover.signs import signs
@@ -239,6 +240,8 @@ class Universal:
         claim = row.claim
         if isinstance(claim, Applies):
             return self._apply(row, claim)
+        if isinstance(claim, Always):
+            return self._always(row, claim)
         if isinstance(claim, Claim) and self._home(claim, row.context) is None:
             return self._numbers(row, claim)
         if not isinstance(claim, Claim) or row.context not in self.contexts:
@@ -276,6 +279,22 @@ class Universal:
         if premises is None:
             return Decision(UNDECIDED)
         proof = Applying(premises)
+        self.session.prove_row(row, proof)
+        return Decision(PROVED, proof)
+
+    def _always(self, row: Obligation, claim: Always) -> Decision:
+        """Show that the carried givens hold at the start, and at the next state."""
+        context = self.contexts.get(claim.context)
+        if context is None or context.parent != row.context:
+            return Decision(UNDECIDED)
+        if any(given.kind == "plain" for given in context.givens):
+            return Decision(UNDECIDED)
+        carried = context._replace(givens=tuple(g for g in context.givens if g.kind == "carried"))
+        start = self.premises(carried, claim.start, row.context)
+        following = None if start is None else self.premises(carried, claim.next, context.name)
+        if start is None or following is None:
+            return Decision(UNDECIDED)
+        proof = Induction(start, following)
         self.session.prove_row(row, proof)
         return Decision(PROVED, proof)
 

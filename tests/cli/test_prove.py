@@ -1,0 +1,129 @@
+"""`verify prove`: what it prints and writes, its exit codes, and what it says of unusable files."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from verify import check
+from verify.cli import main
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "certificates/examples"
+
+
+def example(name: str) -> dict[str, Any]:
+    content = (EXAMPLES / name / "statement.json").read_text(encoding="utf-8")
+    found: dict[str, Any] = json.loads(content)
+    for row in found["obligations"]:
+        row["verdict"] = "undecided"
+    return found
+
+
+def written(tmp_path: Path, document: Any) -> str:
+    path = tmp_path / "question.json"
+    text = document if isinstance(document, str) else json.dumps(document)
+    path.write_text(text, encoding="utf-8")
+    return str(path)
+
+
+def test_a_proved_statement(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "out"
+    assert main(["prove", written(tmp_path, example("instance")), "--out", str(out)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].startswith("proved    two  2 <= x + 1/x")
+    assert lines[-1].startswith("Verdict: proved: A number and its inverse add up to 2 at least")
+    assert check.check_folders(check.read_folders([str(out)]))[0] == 0
+
+
+def test_a_refuted_statement_has_its_witness(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    document = example("instance")
+    document["obligations"][0]["claim"][1] = "3"
+    out = tmp_path / "out"
+    assert main(["prove", written(tmp_path, document), "--out", str(out)]) == 1
+    assert "false at x = " in capsys.readouterr().out
+    folders = check.read_folders([str(out)])
+    code, lines = check.check_folders(folders)
+    assert code == 1
+    assert lines[-1].startswith("REFUTED")
+    rows = json.loads(folders[0].statement)["obligations"]
+    assert [row["verdict"] for row in rows] == ["refuted", "proved"]
+
+
+def test_an_undecided_row_writes_nothing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    document = example("instance")
+    document["obligations"][0]["claim"] = ["<=", ["cos", "x"], "1"]
+    assert main(["prove", written(tmp_path, document), "--out", str(tmp_path / "other")]) == 3
+    assert "undecided" in capsys.readouterr().err
+    assert not (tmp_path / "other").exists()
+
+
+def test_time_only_leaves_rows_undecided(tmp_path: Path) -> None:
+    path = written(tmp_path, example("instance"))
+    assert main(["prove", path, "--time", "1e-9"]) == 3
+    assert main(["prove", path, "--time", "60"]) == 0
+
+
+def test_the_files_do_not_depend_on_the_jobs(tmp_path: Path) -> None:
+    path = written(tmp_path, example("instance"))
+    for jobs in ("1", "2"):
+        assert main(["prove", path, "--jobs", jobs, "--out", str(tmp_path / jobs)]) == 0
+    for name in ("statement.json", "certificate.json"):
+        assert (tmp_path / "1" / name).read_bytes() == (tmp_path / "2" / name).read_bytes()
+
+
+def changed(**values: Any) -> dict[str, Any]:
+    return example("instance") | values
+
+
+def without(key: str) -> dict[str, Any]:
+    return {name: value for name, value in example("instance").items() if name != key}
+
+
+def with_claim(claim: Any) -> dict[str, Any]:
+    document = example("instance")
+    document["obligations"][0]["claim"] = claim
+    return document
+
+
+@pytest.mark.parametrize(
+    ("document", "reason"),
+    [
+        ("", "Expecting value"),
+        ("[]", "expected an object"),
+        ("{}", "too few keys"),
+        ('{"a": 1, "a": 2}', "a key twice"),
+        (without("contexts"), "contexts"),
+        (changed(format="verify-statement/1"), "verify-statement/2"),
+        (changed(obligations=[]), "no row is needed"),
+        (with_claim(["<", "x", "q"]), "found q, which is no name"),
+        (with_claim(["!=", "x", "1"]), "expected [<, <= or ="),
+        (with_claim(["<", "x", 0.5]), "found 0.5"),
+        (with_claim(["<", "x", ["pow", "x", "0"]]), "an exponent from 1"),
+        (with_claim(["<", "x", "1/0"]), "no number"),
+    ],
+)
+def test_an_unusable_statement(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], document: Any, reason: str
+) -> None:
+    assert main(["prove", written(tmp_path, document)]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("verify: STATEMENT: ")
+    assert captured.err.count("\n") == 1
+    assert reason in captured.err
+
+
+@pytest.mark.parametrize(
+    "words",
+    [[], ["missing.json"], ["x", "--work", "0"], ["x", "--time", "0"], ["x", "--jobs", "0"]],
+)
+def test_unusable_options(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["prove", *words]) == 2
+    assert capsys.readouterr().err.count("\n") == 1

@@ -628,7 +628,20 @@ class Through(NamedTuple):
     y: Side
 
 
-Plane = Phi | Through
+class Strip(NamedTuple):
+    """Over equal parts of x curves f = c0 + c1 t + c2 t², at the distance t from the middle.
+
+    Below φ2 = (1 - u)(f - δ), above φ2 = (1 - u)(f + δ) + u top; the bands of u are rows of tiles.
+    """
+
+    phi: Phi
+    delta: Fraction
+    curve: Rows
+    below: tuple[Fraction, ...]
+    above: tuple[Fraction, ...]
+
+
+Plane = Phi | Through | Strip
 
 
 def part(ends: Side, place: int, level: int) -> Interval:
@@ -637,11 +650,72 @@ def part(ends: Side, place: int, level: int) -> Interval:
     return around(ends[0] + width * place)[0], around(ends[0] + width * (place + 1))[1]
 
 
-def sides(plane: Plane, key: str) -> tuple[Interval, Interval]:
-    """A box: a digit of its key is x + 2y, a level each."""
+def corner(key: str) -> tuple[int, int]:
+    """The column and the row of a box: a digit of its key is x + 2y, a level each."""
     column = int("".join("01"[int(digit) & 1] for digit in key), 2)
-    row = int("".join("01"[int(digit) >> 1] for digit in key), 2)
+    return column, int("".join("01"[int(digit) >> 1] for digit in key), 2)
+
+
+def sides(plane: Phi | Through, key: str) -> tuple[Interval, Interval]:
+    """A box."""
+    column, row = corner(key)
     return part(plane.x, column, len(key)), part(plane.y, row, len(key))
+
+
+class Tile(NamedTuple):
+    """A tile of a strip: its part, whether it is above, and the ends of t and of u."""
+
+    place: int
+    above: bool
+    t: Side
+    u: Side
+
+
+def tile(plane: Strip, key: str) -> Tile:
+    """The tile with a key; the rows below the curve come first, the lowest one first."""
+    (column, row), parts = corner(key), len(plane.curve)
+    depth = len(key) - parts.bit_length() + 1
+    count = len(plane.below) - 1
+    place, band = column >> depth, row >> depth
+    ends = plane.above[band - count :] if band >= count else plane.below[count - 1 - band :]
+    rest, lift = column - (place << depth), row - (band << depth)
+    half, share = (plane.phi.x[1] - plane.phi.x[0]) / parts / 2, Fraction(1, 1 << depth)
+    t = (half * (2 * rest * share - 1), half * (2 * (rest + 1) * share - 1))
+    width = (ends[1] - ends[0]) * share
+    return Tile(place, band >= count, t, (ends[0] + width * lift, ends[0] + width * (lift + 1)))
+
+
+def _on_tile(kind: Arithmetic, plane: Strip, key: str) -> tuple[Number, Number]:
+    """φ1 and φ2."""
+    found, phi = tile(plane, key), plane.phi
+    t, u = (
+        parameter(kind, i, (around(ends[0])[0], around(ends[1])[1]))
+        for i, ends in enumerate((found.t, found.u))
+    )
+    half = (phi.x[1] - phi.x[0]) / len(plane.curve) / 2
+    c_0, c_1, c_2 = (number(kind, c) for c in plane.curve[found.place])
+    f = kind.add(c_0, kind.mul(t, kind.add(c_1, kind.mul(t, c_2))))
+    delta = number(kind, plane.delta if found.above else -plane.delta)
+    goal = number(kind, phi.y[1] if found.above else Fraction(0))
+    rest = kind.mul(kind.sub(kind.one, u), kind.add(f, delta))
+    middle = number(kind, phi.x[0] + half * (2 * found.place + 1))
+    return kind.add(t, middle), kind.add(rest, kind.mul(u, goal))
+
+
+def share_of(plane: Plane, key: str) -> Fraction:
+    """The share of the area of the rectangle that a box has."""
+    if not isinstance(plane, Strip):
+        return Fraction(1, 4 ** len(key))
+    found, phi = tile(plane, key), plane.phi
+    c_0, c_1, c_2 = plane.curve[found.place]
+    low, high = found.t
+    area = sum(c * (high**i - low**i) / i for i, c in enumerate((c_0, c_1, c_2), 1)) - (
+        high - low
+    ) * (0 if found.above else plane.delta)
+    if found.above:
+        area = (phi.y[1] - plane.delta) * (high - low) - area
+    whole = (phi.x[1] - phi.x[0]) * (phi.y[1] - phi.y[0])
+    return Fraction(area * (found.u[1] - found.u[0]) / whole)
 
 
 def parameter(kind: Arithmetic, place: int, x: Interval) -> Number:
@@ -660,6 +734,8 @@ def beginning(law: Law, plane: Plane, key: str) -> list[Sight | None]:
     Raises:
         RefusedError: if it is open which collision is the first one, or spheres may overlap.
     """
+    if isinstance(plane, Strip):
+        return [_at_contact(law.kind, plane.phi, *_on_tile(law.kind, plane, key))]
     x, y = (parameter(law.kind, i, side) for i, side in enumerate(sides(plane, key)))
     if isinstance(plane, Phi):
         return [_at_contact(law.kind, plane, x, y)]
@@ -782,16 +858,21 @@ FORMAT = "verify-map-log/1"
 HEADER = ("format", "plane", "first_level", "code", "sha256")
 RECORD = ("level", "keys", "verdicts", "numbers", "sha256")
 PHI = ("name", "r", "neg_cos", "speed", "tangential", "x", "y")
+STRIP = (*PHI, "delta", "curve", "below", "above")
 THROUGH = ("name", "r", "positions", "velocities", "x_at", "y_at", "x", "y")
 
 
 class Areas(NamedTuple):
-    """How many boxes the log has, how many have a verdict, and the share of each verdict."""
+    """How many boxes the log has, how many have a verdict, and the share of each verdict.
+
+    `is_strip`: all tiles below the curve collapse, and all above it disperse.
+    """
 
     boxes: int
     proved: int
     collapses: Fraction
     disperses: Fraction
+    is_strip: bool = False
 
 
 def check_log(lines: Iterator[bytes]) -> tuple[Plane, Areas]:
@@ -807,6 +888,9 @@ def check_log(lines: Iterator[bytes]) -> tuple[Plane, Areas]:
     plane, level = plane_of(header["plane"]), header["first_level"]
     if type(level) is not int or not 1 <= level <= 8:
         raise LogError("expected a first level from 1 to 8")
+    if isinstance(plane, Strip) and 1 << level != len(plane.curve):
+        raise LogError("expected a first box for each part of the curve")
+    sided = isinstance(plane, Strip)
     laws, boxes, proved = laws_of(plane), 0, 0
     shares = {"c": Fraction(0), "d": Fraction(0)}
     due, children = [_key(i, level) for i in range(4**level)], list[str]()
@@ -826,13 +910,17 @@ def check_log(lines: Iterator[bytes]) -> tuple[Plane, Areas]:
                 children += [key + digit for digit in "0123"]
                 continue
             prove_box(laws, plane, key, letter, next(given, []) if letter == "c" else [])
-            shares[letter] += Fraction(1, 4**level)
+            shares[letter] += share_of(plane, key)
             proved += 1
-    return plane, Areas(boxes, proved, shares["c"], shares["d"])
+            sided = isinstance(plane, Strip) and sided and (letter == "d") == tile(plane, key).above
+    done = at == len(due) and not children
+    return plane, Areas(boxes, proved, shares["c"], shares["d"], sided and done)
 
 
 def laws_of(plane: Plane) -> list[Law]:
     """The law for each kind of numbers that a plane is decided in."""
+    if isinstance(plane, Strip):
+        return [law_of(plane.phi.r, MODELS)]
     kinds = (INTERVALS,) if isinstance(plane, Phi) else (INTERVALS, MODELS)
     return [law_of(plane.r, kind) for kind in kinds]
 
@@ -922,6 +1010,8 @@ def plane_of(found: object) -> Plane:
         return _phi(found)
     if isinstance(found, dict) and tuple(found) == THROUGH and found["name"] == "scene":
         return _through(found)
+    if isinstance(found, dict) and tuple(found) == STRIP and found["name"] == "strip":
+        return _strip(found)
     raise LogError(
         f"expected a plane: phi with {', '.join(PHI)}, or scene with {', '.join(THROUGH)}"
     )
@@ -935,6 +1025,26 @@ def _phi(found: dict[str, Any]) -> Phi:
     if not (0 <= x[0] < x[1] and 0 <= y[0] < y[1]):
         raise LogError("expected a rectangle of numbers that are not negative")
     return Phi(r, neg_cos, speed, u, x, y)
+
+
+def _strip(found: dict[str, Any]) -> Strip:
+    phi, delta = _phi(found), _rational(found["delta"])
+    curve, below, above = found["curve"], found["below"], found["above"]
+    if not all(isinstance(x, list) for x in (curve, below, above)):
+        raise LogError("expected a curve, and bands below and above it")
+    coefficients = tuple(tuple(map(_rational, part)) for part in curve)
+    if {*map(len, coefficients)} != {3} or len(below) + len(above) - 2 != len(curve):
+        raise LogError("expected three coefficients for each part, and as many bands as parts")
+    bands = tuple(map(_rational, below)), tuple(map(_rational, above))
+    for ends in bands:
+        if len(ends) < 2 or ends[0] != 0 or ends[-1] != 1 or [*ends] != sorted({*ends}):
+            raise LogError("expected bands from 0 to 1")
+    half = (phi.x[1] - phi.x[0]) / len(curve) / 2
+    for c_0, c_1, c_2 in coefficients:
+        spread = abs(c_1) * half + abs(c_2) * half**2 + delta
+        if not 0 < delta < spread < c_0 < phi.y[1] - spread or phi.y[0] != 0:
+            raise LogError("expected a curve between 0 and the top")
+    return Strip(phi, delta, coefficients, *bands)
 
 
 def _through(found: dict[str, Any]) -> Through:
@@ -991,6 +1101,8 @@ def says(plane: Plane, areas: Areas) -> str:
             ("undecided", rest),
         )
     )
+    if isinstance(plane, Strip):
+        return _says_strip(plane, areas, shares)
     where = f"x in [{plane.x[0]}, {plane.x[1]}], y in [{plane.y[0]}, {plane.y[1]}]"
     if isinstance(plane, Phi):
         what = f"r = {plane.r}, -cos = {plane.neg_cos}, x = φ1 = eta_s/(-eta_c), y = φ2 = d/eta_c²"
@@ -999,6 +1111,18 @@ def says(plane: Plane, areas: Areas) -> str:
         what = f"r = {plane.r}, x = {a}[{i}][{k}], y = {b}[{j}][{m}]"
     boxes = f"{areas.boxes} boxes, {areas.proved} of them proved"
     return f"{what}, {where}: {boxes}; of the area: {shares}"
+
+
+def _says_strip(plane: Strip, areas: Areas, shares: str) -> str:
+    phi = plane.phi
+    what = f"r = {phi.r}, -cos = {phi.neg_cos}, φ1 in [{phi.x[0]}, {phi.x[1]}]"
+    if not areas.is_strip:
+        return f"{what}: a strip with undecided tiles; of the area: {shares}"
+    return (
+        f"{what}: with the curve f of the log and δ = {plane.delta} every state with "
+        f"0 < φ2 <= f - δ collapses and every one with f + δ <= φ2 <= {phi.y[1]} disperses; "
+        f"{areas.proved} tiles; of the area: {shares}"
+    )
 
 
 def main(paths: list[str]) -> int:

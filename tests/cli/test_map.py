@@ -33,6 +33,7 @@ WRONG = {
     "--tangential": [*PLANE, "--tangential", "1"],
     "--undecided": [*PLANE, "--undecided", "200%"],
     "--boxes": [*PLANE, "--boxes", "0"],
+    "--strip": [*PLANE, "--strip", "1"],
     "--level": [*PLANE, "--level", "99"],
     "--jobs": [*PLANE, "--jobs", "0"],
     "--dask": [*PLANE, "--dask", "tcp://127.0.0.1:1"],
@@ -79,6 +80,30 @@ def test_a_plane_through_a_scene(tmp_path: Path, capsys: pytest.CaptureFixture[s
     for option, words in wrong.items():
         assert main(words) == 2
         assert capsys.readouterr().err.startswith(f"verify: {option}: ")
+
+
+def test_a_strip(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("verify.cli.map.STRIP_LEVEL", 4)
+    monkeypatch.setattr("verify.cli.map.BANDS_BELOW", 5)
+    command = [*PLANE, "--x", "0.1..0.11", "--strip", "1e-4", "--json", "--out", str(tmp_path)]
+    assert main(command) == 0
+    document = json.loads(capsys.readouterr().out)
+    jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(
+        document
+    )
+    assert document["strip"] == {"delta": "1/10000", "from": "1/10", "to": "11/100"}
+    assert document["areas"]["undecided"] == "1/1250"
+    log = (tmp_path / "map.jsonl").read_bytes()
+    assert main([*command[:-3], "--out", str(tmp_path)]) == 0
+    assert "every state with φ2 <= f - δ collapses" in capsys.readouterr().out
+    assert (tmp_path / "map.jsonl").read_bytes() == log
+    # A budget that is spent leaves no strip, and no border is no curve.
+    assert main([*command[:-3], "--boxes", "9", "--json"]) == 3
+    assert json.loads(capsys.readouterr().out)["strip"] is None
+    assert main([*PLANE, "--x", "0.1..0.11", "--y", "0..1/100", "--strip", "1e-4"]) == 2
+    assert capsys.readouterr().err.startswith("verify: --strip: no border")
 
 
 def test_a_spent_budget(capsys: pytest.CaptureFixture[str]) -> None:

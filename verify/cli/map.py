@@ -19,6 +19,7 @@ from verify.jobs.inputs import InputError, integer, rational, shown
 from verify.jobs.scene_files import read_scene
 from verify.language.record import TYPE_CHECKING
 from verify.paper.map.plane import Phi, Place, Plane, Side, Through
+from verify.paper.map.strip import BorderStrip
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
 
 LOG, DOCUMENT, PICTURE, DOTS, TIMES = "map.jsonl", "map.json", "map.svg", "map.png", "times.csv"
 UNDECIDED_CODE = 3
+#: A strip has 2^6 parts and 2^6 rows of tiles, so many of them below the curve.
+STRIP_LEVEL, BANDS_BELOW = 6, 16
 MAX_BOXES, MAX_LEVEL, MAX_JOBS = 10**8, 26, 256
 #: So many boxes, chosen at random, are proved a second time.
 SAMPLE = 100
@@ -42,7 +45,8 @@ def add_arguments(parser: Parser) -> None:
     parser.option("--tangential", "phi: tangential speeds (default 1,1)", "U_C,U_S")
     parser.option("--x", "φ1 (default 0..1/2), or a number of the scene: NAME=A..B", "A..B")
     parser.option("--y", "φ2 (default 0..1/4), or another one: velocities[2][1]=-1..1", "A..B")
-    parser.option("--undecided", "stop at this share (default 1%)", "P%", default="1%")
+    parser.option("--strip", "phi: decide all but |φ2 - f(φ1)| < DELTA for a curve f", "DELTA")
+    parser.option("--undecided", "stop at this share (default 1%)", "P%")
     parser.option("--boxes", "stop after so many boxes (default 10^6)", "N", default="1000000")
     parser.option("--level", f"halve sides at most so often (default {MAX_LEVEL})", "N")
     parser.option("--jobs", "processes (default 1)", "N", default="1")
@@ -79,7 +83,8 @@ def read_plane(options: Options) -> Plane:
     if len(words) != 2:
         raise InputError(f"--tangential: {shown(options.tangential)} is no pair; write 1,1")
     u_c, u_s = (rational("--tangential", word) for word in words)
-    x, y = _interval("--x", options.x or "0..1/2"), _interval("--y", options.y or "0..1/4")
+    width = "0..1/2" if options.strip is None else "1/100..9/25"
+    x, y = _interval("--x", options.x or width), _interval("--y", options.y or "0..1/4")
     if min(x[0], y[0]) < 0:
         raise InputError("--x, --y: φ1 and φ2 are not negative; write intervals from 0 on")
     return Phi(r, neg_cos, speed, (u_c, u_s), x, y)
@@ -125,7 +130,8 @@ def _share(text: str) -> Fraction:
 
 def run(options: Options) -> int:
     """Grow the map, write what is asked for, print the areas, return the exit code."""
-    plane, share = read_plane(options), _share(options.undecided)
+    plane, share = read_plane(options), _share(options.undecided or "1%")
+    delta = _delta(options)
     boxes = integer("--boxes", options.boxes, 1, MAX_BOXES)
     level = integer("--level", options.level or str(MAX_LEVEL), 1, MAX_LEVEL)
     jobs = integer("--jobs", options.jobs, 1, MAX_JOBS)
@@ -140,7 +146,8 @@ def run(options: Options) -> int:
         check_map.plane_of(plane_document(plane))
     except check_map.LogError as error:
         raise InputError(f"plane: the checker of maps cannot read it ({error})") from error
-    progress = Progress(plane)
+    progress = Progress(plane if delta is None else _strip(plane, delta))
+    share = share if delta is None else Fraction(0)
     try:
         _grow(options, progress, Target(share, boxes, level), jobs)
     except LogMismatchError as error:
@@ -153,7 +160,33 @@ def run(options: Options) -> int:
         print_document(map_document(progress))
     else:
         sys.stdout.write("".join(f"{line}\n" for line in map_lines(progress)))
-    return 0 if progress.undecided <= share else UNDECIDED_CODE
+    done = progress.undecided <= share if delta is None else not progress.due
+    return 0 if done else UNDECIDED_CODE
+
+
+def _delta(options: Options) -> Fraction | None:
+    if options.strip is None:
+        return None
+    delta = rational("--strip", options.strip)
+    if options.plane != "phi" or options.undecided is not None:
+        raise InputError("--strip: is for the plane phi, without --undecided")
+    if not Fraction(1, 10**12) <= delta < Fraction(1, 100):
+        raise InputError(f"--strip: {shown(options.strip)} is not usable; write 1e-6 or so")
+    return delta
+
+
+def _strip(plane: Plane, delta: Fraction) -> BorderStrip:
+    from verify.prover.map_curve import strip_along
+
+    if not isinstance(plane, Phi) or plane.y[0] != 0:
+        raise InputError("--strip: φ2 has to begin at 0")
+    strip = strip_along(plane, delta, STRIP_LEVEL, BANDS_BELOW)
+    half = (plane.x[1] - plane.x[0]) / len(strip.curve) / 2
+    for c_0, c_1, c_2 in strip.curve:
+        spread = abs(c_1) * half + abs(c_2) * half**2 + delta
+        if not spread < c_0 < plane.y[1] - spread:
+            raise InputError("--strip: no border in the whole interval of φ1; write another --x")
+    return strip
 
 
 def _grow(options: Options, progress: Progress, target: Target, jobs: int) -> None:

@@ -12,6 +12,7 @@ from typing import BinaryIO
 from verify.jobs.map_workers import Workers
 from verify.language.record import Record
 from verify.paper.map.plane import Plane
+from verify.paper.map.strip import BorderStrip
 from verify.prover.map_boxes import verdicts
 from verify.wire.map_log import Chunk, Progress
 
@@ -32,7 +33,7 @@ class Sample(Record):
     seconds: float
 
 
-def decide_chunk(plane: Plane, keys: list[str]) -> tuple[Chunk, float]:
+def decide_chunk(plane: Plane | BorderStrip, keys: list[str]) -> tuple[Chunk, float]:
     """The verdicts on some boxes, and the CPU seconds that they took."""
     before = time.process_time()
     found = verdicts(plane, keys)

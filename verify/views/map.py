@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from verify.paper.map.plane import Phi, Plane
+from verify.paper.map.strip import BorderStrip
 from verify.wire.map_log import (
     COLLAPSES,
     DISPERSES,
@@ -27,8 +28,10 @@ AREAS = {
 
 def area_shares(progress: Progress) -> dict[str, Fraction]:
     """The share of each area, which add up to 1."""
-    found = {name: progress.share(letter) for letter, (name, _) in AREAS.items()}
-    return found | {AREAS[UNDECIDED][0]: progress.undecided}
+    return {
+        name: progress.undecided if letter == UNDECIDED else progress.share(letter)
+        for letter, (name, _) in AREAS.items()
+    }
 
 
 def map_document(progress: Progress) -> dict[str, Any]:
@@ -39,12 +42,22 @@ def map_document(progress: Progress) -> dict[str, Any]:
         "plane": plane_document(progress.plane),
         "boxes": progress.boxes,
         "areas": {name: str(share) for name, share in area_shares(progress).items()},
-        "strip": None,
+        "strip": strip_document(progress),
     }
 
 
-def plane_line(plane: Plane) -> str:
+def strip_document(progress: Progress) -> dict[str, str] | None:
+    """The strip, where all its tiles are decided."""
+    plane = progress.plane
+    if not isinstance(plane, BorderStrip) or progress.due:
+        return None
+    return {"delta": str(plane.delta), "from": str(plane.x[0]), "to": str(plane.x[1])}
+
+
+def plane_line(plane: Plane | BorderStrip) -> str:
     """The plane in a line."""
+    if isinstance(plane, BorderStrip):
+        return plane_line(plane.phi)
     if not isinstance(plane, Phi):
         x, y = axis_names(plane)
         return (
@@ -59,9 +72,9 @@ def plane_line(plane: Plane) -> str:
     )
 
 
-def axis_names(plane: Plane) -> tuple[str, str]:
+def axis_names(plane: Plane | BorderStrip) -> tuple[str, str]:
     """What the two axes are."""
-    if isinstance(plane, Phi):
+    if isinstance(plane, Phi | BorderStrip):
         return "φ1 = η_s/(-η_c)", "d/η_c²"
     return place_text(plane.x_at), place_text(plane.y_at)
 
@@ -69,6 +82,11 @@ def axis_names(plane: Plane) -> tuple[str, str]:
 def map_lines(progress: Progress) -> Iterator[str]:
     """The areas for a reader."""
     yield plane_line(progress.plane)
+    if isinstance(progress.plane, BorderStrip) and not progress.due:
+        yield (
+            f"with the curve f of the log and δ = {progress.plane.delta} every state with "
+            "φ2 <= f - δ collapses, and every one with φ2 >= f + δ disperses"
+        )
     found = area_shares(progress)
     for name, says in AREAS.values():
         yield f"{name:<10} {percent(found[name]):>9} %  {says}"

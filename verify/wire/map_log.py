@@ -15,12 +15,15 @@ from typing import Any
 
 from verify.language.record import Record
 from verify.paper.map.plane import Phi, Place, Plane
+from verify.paper.map.strip import BorderStrip
 
 FORMAT = "verify-map-log/1"
 #: What decides boxes: another number where a verdict, or its numbers, may be another one.
 CODE = 1
 #: The level of the first boxes; the number of boxes of a chunk, a multiple of four.
 FIRST_LEVEL, CHUNK = 4, 2048
+#: No box is smaller than those of this level.
+FINEST = 40
 COLLAPSES, DISPERSES, UNDECIDED = "c", "d", "u"
 
 
@@ -36,9 +39,17 @@ class Chunk(Record):
     numbers: Sequence[Sequence[int]]
 
 
-def plane_document(plane: Plane) -> dict[str, Any]:
+def plane_document(plane: Plane | BorderStrip) -> dict[str, Any]:
     """The plane as JSON."""
     x, y = ([str(x) for x in ends] for ends in (plane.x, plane.y))
+    if isinstance(plane, BorderStrip):
+        return plane_document(plane.phi) | {
+            "name": "strip",
+            "delta": str(plane.delta),
+            "curve": [[str(c) for c in part] for part in plane.curve],
+            "below": [str(u) for u in plane.below],
+            "above": [str(u) for u in plane.above],
+        }
     if isinstance(plane, Phi):
         return {
             "name": "phi",
@@ -71,19 +82,21 @@ def place_text(place: Place) -> str:
 class Progress:
     """How far a map has come: its boxes so far, the areas, and which boxes are next."""
 
-    def __init__(self, plane: Plane) -> None:
+    def __init__(self, plane: Plane | BorderStrip) -> None:
+        first = plane.level if isinstance(plane, BorderStrip) else FIRST_LEVEL
         header = {
             "format": FORMAT,
             "plane": plane_document(plane),
-            "first_level": FIRST_LEVEL,
+            "first_level": first,
             "code": CODE,
         }
         self.plane = plane
         self.header, self.chain = _line("", header)
-        self.level, self.boxes, self.at = FIRST_LEVEL, 0, 0
-        self.due: list[str] = list(all_keys(FIRST_LEVEL))
+        self.level, self.boxes, self.at = first, 0, 0
+        self.due: list[str] = list(all_keys(first))
         self.children: list[str] = []
-        self.counts: dict[tuple[int, str], int] = {}
+        self._fourths = {COLLAPSES: 0, DISPERSES: 0}
+        self._shares = {COLLAPSES: Fraction(0), DISPERSES: Fraction(0)}
         self.found: list[Chunk] = []
 
     def chunks(self) -> list[list[str]]:
@@ -102,12 +115,11 @@ class Progress:
         self.found.append(chunk)
         self.boxes += len(chunk.keys)
         self.at += len(chunk.keys)
-        for letter in (COLLAPSES, DISPERSES, UNDECIDED):
-            place = (self.level, letter)
-            self.counts[place] = self.counts.get(place, 0) + chunk.letters.count(letter)
         for key, letter in zip(chunk.keys, chunk.letters, strict=True):
             if letter == UNDECIDED:
                 self.children += [key + digit for digit in "0123"]
+            else:
+                self._count(key, letter)
         if self.at == len(self.due):
             self.level, self.due, self.children, self.at = self.level + 1, self.children, [], 0
         return line
@@ -120,10 +132,15 @@ class Progress:
                 if letter != UNDECIDED:
                     yield key, letter, next(numbers) if letter == COLLAPSES else ()
 
+    def _count(self, key: str, letter: str) -> None:
+        if isinstance(self.plane, BorderStrip):
+            self._shares[letter] += self.plane.share(key)
+        else:
+            self._fourths[letter] += 1 << 2 * (FINEST - len(key))
+
     def share(self, letter: str) -> Fraction:
         """The share of the area with a verdict."""
-        found = ((level, n) for (level, name), n in self.counts.items() if name == letter)
-        return sum((Fraction(n, 4**level) for level, n in found), Fraction(0))
+        return self._shares[letter] + Fraction(self._fourths[letter], 1 << 2 * FINEST)
 
     @property
     def undecided(self) -> Fraction:

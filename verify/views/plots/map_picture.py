@@ -9,6 +9,7 @@ from base64 import b64encode
 from collections.abc import Iterator, Sequence
 from html import escape
 
+from verify.paper.map.strip import BorderStrip
 from verify.views.map import AREAS, area_shares, axis_names, percent, plane_line
 from verify.wire.map_log import Progress
 
@@ -121,8 +122,10 @@ def png_map(progress: Progress) -> bytes:
     """The areas in dots, the lower row last; a dot in which not all is decided is undecided."""
     side = 1 << FINEST
     dots = [bytearray(side) for _ in range(side)]
+    if isinstance(progress.plane, BorderStrip) and not progress.due:
+        _fill_strip(dots, progress.plane)
     for key, letter, _ in progress.decided():
-        if len(key) <= FINEST:
+        if len(key) <= FINEST and not isinstance(progress.plane, BorderStrip):
             _fill(dots, key, 1 if letter == "c" else 2)
     rows = b"".join(b"\0" + bytes(row) for row in reversed(dots))
     palette = b"".join(bytes.fromhex(COLOURS[letter][1:]) for letter in "ucd")
@@ -138,6 +141,21 @@ def _fill(dots: list[bytearray], key: str, colour: int) -> None:
     row = int("".join("01"[int(d) >> 1] for d in key), 2) * size
     for line in dots[row : row + size]:
         line[column : column + size] = bytes([colour]) * size
+
+
+def _fill_strip(dots: list[bytearray], plane: BorderStrip) -> None:
+    """All tiles are decided: a dot has the colour of its side, by the middle of its column."""
+    side, parts = len(dots), len(plane.curve)
+    half = float(plane.x[1] - plane.x[0]) / parts / 2
+    top, delta = float(plane.y[1]), float(plane.delta)
+    for i in range(side):
+        place = i * parts // side
+        t = half * (2 * ((i + 0.5) * parts / side - place) - 1)
+        c_0, c_1, c_2 = map(float, plane.curve[place])
+        f = c_0 + t * (c_1 + t * c_2)
+        below, above = int((f - delta) / top * side), math.ceil((f + delta) / top * side)
+        for j in range(side):
+            dots[j][i] = 1 if j < below else 2 if j >= above else 0
 
 
 def _block(kind: bytes, data: bytes) -> bytes:

@@ -151,6 +151,16 @@ Proof.
   apply Q. intros F. apply (scope_shown l v c R) in F. destruct (N v F) as (_ & _ & M).
   now apply read_claim_right.
 Qed.
+Lemma row_in_scope l k hs g v : right_values l -> read_row k = Some (Proved, hs, g) ->
+  match nth_error (rows S) k with Some r => scope S (row_context r) v | None => False end ->
+  shown l v g.
+Proof.
+  unfold read_row. intros R E I. destruct (nth_error (rows S) k) as [r|] eqn:N; try discriminate.
+  apply nth_error_In in N. pose proof true_rows as A. rewrite Forall_forall in A. apply A in N.
+  destruct r as [n c [] b [h| |]]; try discriminate. injection E as <- <-.
+  cbn [row_true row_verdict row_sentence row_context] in *. destruct (N v I) as (_ & _ & M).
+  now apply read_claim_right.
+Qed.
 (* A row about a whole context, in the words of Meaning.v. *)
 Lemma said_row k c s :
   match nth_error (rows S) k with Some (Row _ d Proved _ t) => Some (d, t) | _ => None end =

@@ -36,7 +36,9 @@ class Notation:
         """A name for Coq, always the same one."""
         if name not in self.given:
             found = re.sub("[^A-Za-z0-9_]", "_", name)
-            while found in self.used or re.match(r"(the|row|shape|values|right)_", found):
+            while found in self.used or re.match(
+                r"(the|row|shape|values|right|number|all)_", found
+            ):
                 found = f"{found}_" if found in self.used else f"its_{found}"
             self.used.add(found)
             self.given[name] = found

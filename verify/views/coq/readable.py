@@ -36,6 +36,7 @@ def readable(reading: Reading) -> list[str]:
     form = Readable(reading)
     constants = [form.constant(i, term) for i, term in enumerate(form.constants, 1)]
     rows = [form.row(i, row) for i, row in enumerate(reading.statement.rows.values(), 1)]
+    constants += [form.end(), *map(form.variable, form.variables)]
     if not reading.cites:
         return [HEAD.replace("PROVED", "proved"), *constants, *rows]
     given = "Section Citing.\nHypothesis the_citations_hold : citations_true the_statement."
@@ -54,6 +55,21 @@ class Readable:
         own = [self.kernel.names[name] for name in reading.reader.own]
         self.constants = sorted((*reading.cited_constants, *own))
         self.count = len(self.constants)
+
+    @property
+    def variables(self) -> list[int]:
+        """All variables."""
+        return [x for c in self.kernel.contexts.values() for x in c.variables.values()]
+
+    def end(self) -> str:
+        """All constants."""
+        lines = f"Definition all_values := values_{self.count}.\nDefinition all_right := right_"
+        return f"\n{lines}{self.count}.\n"
+
+    def variable(self, term: int) -> str:
+        """The number of a variable."""
+        name = self.notation.bound([term])
+        return f"Definition number_of_{name} := {self.numbers.term(term)}%positive."
 
     def constant(self, i: int, term: int) -> str:
         """The definition of a constant, and that it is the one of the statement."""
@@ -86,13 +102,14 @@ Lemma {self.notation.name(row.name)} :
 Proof. apply (said_row the_statement the_rows_hold {i - 1}). vm_compute. reflexivity. Qed."""
         says = self.proved if row.verdict == "proved" else self.refuted
         rule = f"{row.verdict}_row the_statement the_order the_table the_table_is the_rows_hold"
-        fact = f"({rule}\n    values_{self.count} {i - 1} _ _ right_{self.count} row_{i}_is)"
+        here = self.notation.name(row.name)
+        fact = f"({rule}\n    all_values {i - 1} _ _ all_right row_of_{here}_is)"
         claim, proof = says(row.context, self.notation.claim(row.claim), fact)
         return f"""
-Definition row_{i} := Eval vm_compute in read_row the_statement the_table {i - 1}.
-Lemma row_{i}_is : read_row the_statement the_table {i - 1} = row_{i}.
-Proof. vm_cast_no_check (eq_refl row_{i}). Qed.
-Lemma {self.notation.name(row.name)} : {claim}.
+Definition row_of_{here} := Eval vm_compute in read_row the_statement the_table {i - 1}.
+Lemma row_of_{here}_is : read_row the_statement the_table {i - 1} = row_of_{here}.
+Proof. vm_cast_no_check (eq_refl row_of_{here}). Qed.
+Lemma {here} : {claim}.
 Proof. {proof} Qed."""
 
     def scope(self, context: check.Context) -> tuple[list[int], list[str]]:

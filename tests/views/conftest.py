@@ -32,19 +32,6 @@ TABLE = {
 BENCH: dict[str, Any] = {"command": "bench", "tables": {"precision": TABLE}}
 
 
-def matplotlib_is_missing() -> bool:
-    try:
-        import matplotlib  # noqa: F401
-    except ImportError:
-        return True
-    return False
-
-
-NEEDS_MATPLOTLIB = pytest.mark.skipif(
-    matplotlib_is_missing(), reason="matplotlib is not installed: pip install '.[report]'"
-)
-
-
 @pytest.fixture(scope="session", autouse=True)
 def checked_once() -> Iterator[None]:
     """A folder is checked and read once for the same bytes: the pages here are built many times."""
@@ -68,13 +55,13 @@ def build(directory: Path, draw: bool) -> dict[str, bytes]:
 
 @pytest.fixture(scope="session")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder of certificates and measurements with its report, undrawn without matplotlib."""
+    """A folder of certificates and measurements with its report."""
     directory = tmp_path_factory.mktemp("certificates")
     for folder, outcome in all_folders():
         contents = folder_files(outcome)
         write_all("--directory", str(directory / folder), contents)
     (directory / "data").mkdir()
     (directory / "data" / "bench.json").write_text(json.dumps(BENCH), encoding="utf-8")
-    pages = build(directory, draw=not matplotlib_is_missing())
+    pages = build(directory, draw=True)
     write_all("--directory", str(directory), pages)
     return directory

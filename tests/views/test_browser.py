@@ -29,7 +29,7 @@ pytestmark = pytest.mark.skipif(
 OVERFLOW = """
 [...document.querySelectorAll('body *')]
   .filter(e => e.getBoundingClientRect().right > innerWidth + 1)
-  .filter(e => !e.closest('.scroll, pre, .claim, .repair, svg'))
+  .filter(e => !e.closest('.scroll, .rows td, pre, .claim, .repair, svg'))
   .map(e => e.tagName + ' ' + e.textContent.slice(0, 40))
 """
 

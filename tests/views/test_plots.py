@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.views.conftest import DEPTH, NEEDS_MATPLOTLIB, TABLE
+from tests.views.conftest import DEPTH, TABLE
 from verify.jobs import covers
 from verify.jobs.everywhere import decide_printed_everywhere
 from verify.jobs.thresholds import decide_thresholds
@@ -24,7 +24,8 @@ from verify.prover.outcome import Decision
 from verify.prover.program import ExactArithmetic, Machine, Program
 from verify.prover.relations import holds
 from verify.views.plots import figures, margins, region, speed
-from verify.views.plots.drawing import COLOURS, SCHEMES, Panel, merged, standalone, svg
+from verify.views.plots.drawing import HATCHED, SCHEMES, standalone, svg
+from verify.views.plots.shapes import Curve, Panel, Rule, Scale, Words, marks, merged, powers
 
 
 def phi_plus_is_below(q: Fraction, s: Fraction, c: Fraction) -> bool:
@@ -121,27 +122,70 @@ def test_neighbours_are_merged_into_the_same_area() -> None:
 
 
 def test_both_schemes_have_all_colours() -> None:
-    assert set(SCHEMES["light"]) == set(SCHEMES["dark"]) == set(COLOURS)
+    assert set(SCHEMES["light"]) == set(SCHEMES["dark"])
 
 
-@NEEDS_MATPLOTLIB
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_verdicts_differ_in_grey(scheme: str) -> None:
+    """By lightness where areas meet, and by hatching; words by contrast with the paper."""
+    colours = SCHEMES[scheme]
+    assert contrast(colours["proved-area"], colours["refuted-area"]) > 1.5
+    assert set(HATCHED) == {"refuted-area"}
+    assert contrast(colours["refuted-area"], colours["refuted-line"]) > 2
+    for name in ("ink", "faint", "proved", "refuted"):
+        assert contrast(colours[name], colours["paper"]) > 4.4, name
+
+
+def contrast(one: str, other: str) -> float:
+    """The ratio of lightnesses that the guidelines for accessible pages define."""
+    dark, light = sorted((lightness(one), lightness(other)))
+    return (light + 0.05) / (dark + 0.05)
+
+
+def lightness(colour: str) -> float:
+    parts = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    linear = [p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts]
+    return sum(share * p for share, p in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
+
+
 def test_drawings_are_well_formed_and_take_their_colours_from_the_page(made: Path) -> None:
     page = (made / "index.html").read_text(encoding="utf-8")
     drawings = re.findall(r"<svg .*?</svg>", page, re.DOTALL)
-    assert len(drawings) == sum(len(figure.panels) for figure in figures(TABLE, DEPTH))
+    plots = sum(len(figure.panels) for figure in figures(TABLE, DEPTH))
+    assert len(drawings) == plots + 2  # the letters, and the proof
     for text in drawings:
-        ET.fromstring(text)
-        assert "#0102" not in text
-        assert "var(--ink)" in text
+        root = ET.fromstring(text)
+        assert len(root.attrib["aria-label"]) > 60
+        assert not re.findall("#[0-9a-f]{6}", text)
+        assert set(re.findall(r"var\(--([a-z0-9-]+)\)", text)) <= set(SCHEMES["light"])
         assert "<text" in text
 
 
-@NEEDS_MATPLOTLIB
-def test_a_picture_that_stands_alone_brings_its_colours() -> None:
-    def draw(axis: object) -> None:
-        axis.plot([0, 1], [0, 1], color=COLOURS["ink"])  # type: ignore[attr-defined]
+def test_letters_in_figures_are_large_enough_on_a_phone(made: Path) -> None:
+    """A drawing is at least 300 pixels wide on a screen of 390: ten pixels for each letter."""
+    page = (made / "index.html").read_text(encoding="utf-8")
+    for text in re.findall(r"<svg .*?</svg>", page, re.DOTALL):
+        width = float(re.search(r'viewBox="0 0 ([0-9]+)', text)[1])  # type: ignore[index]
+        sizes = [float(size) for size in re.findall(r'font-size="([0-9.]+)"', text)]
+        assert min(sizes) * 354 / width >= 8.8
+        assert max(sizes) * 354 / width >= 10
 
-    text = standalone(svg("picture", [Panel("", draw)], "a line"))
+
+def test_every_refuted_formula_of_the_proof_leads_to_its_card(made: Path) -> None:
+    page = (made / "index.html").read_text(encoding="utf-8")
+    drawing = page[page.index('id="plot-proof"') :].partition("</svg>")[0]
+    targets = re.findall(r'<a href="#([^"]+)"', drawing)
+    assert len(targets) > 20
+    for target in targets:
+        assert f'id="{target}"' in page
+    assert sum(target.startswith("printed.") for target in targets) > 8
+
+
+def test_a_picture_that_stands_alone_brings_its_colours() -> None:
+    unit = Scale("x", 0, 1, marks("0", "1"))
+    shapes = [Curve([(0, 0), (1, 1)], "series-1", 0, "a line"), Rule(0.5), Words((0, 0), "<zero>")]
+    text = standalone(svg("picture", [Panel("", unit, unit, lambda: shapes)], "a line"))
+    assert "&lt;zero&gt;" in text
     ET.fromstring(text)
     assert "prefers-color-scheme:dark" in text
     assert f"--ink:{SCHEMES['light']['ink']}" in text
@@ -153,3 +197,10 @@ def test_precision_is_left_as_it_was() -> None:
     before = ctx.prec
     covers.threshold_boxes(8)
     assert ctx.prec == before
+
+
+def test_scales() -> None:
+    linear, logarithmic = Scale("", 1, 3, ()), Scale("", 1, 100, (), logarithmic=True)
+    assert [linear.share(x) for x in (1, 2, 3)] == [0, 0.5, 1]
+    assert [logarithmic.share(x) for x in (1, 10, 100)] == [0, 0.5, 1]
+    assert powers(-2, 0) == [(0.01, "10⁻²"), (0.1, "10⁻¹"), (1.0, "10⁰")]

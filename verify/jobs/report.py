@@ -21,6 +21,7 @@ from verify.wire.term_json import WireError
 
 NAMES = ("statement.json", "certificate.json")
 CITED = "cited"
+SCENES = "scenes"
 MEASUREMENTS = ("bench", "stress")
 
 #: The folder of the main job, which stands first.
@@ -101,6 +102,8 @@ def folder_names(directory: str) -> list[str]:
     if not os.path.isdir(directory):
         raise _unusable(f"{directory!r} is not a folder; name the certificates")
     names = sorted(os.listdir(directory))
+    if os.path.isdir(os.path.join(directory, SCENES)):
+        names += [f"{SCENES}/{n}" for n in sorted(os.listdir(os.path.join(directory, SCENES)))]
     found = [n for n in names if os.path.exists(os.path.join(directory, n, NAMES[0]))]
     return sorted(found, key=lambda name: (name != FIRST, name))
 

@@ -47,6 +47,7 @@ class Number(Record):
 
     short: str
     ends: tuple[str, str]
+    unfolds: bool = False
 
 
 class Verdict(Record):
@@ -67,10 +68,11 @@ Cell = Sequence[Inline]
 
 
 class Heading(Record):
-    """The start of a section."""
+    """The start of a section, or with level 3 of a part of one."""
 
     name: str
     text: str
+    level: int = 2
 
 
 class Paragraph(Record):
@@ -105,24 +107,30 @@ class Commands(Record):
 
 
 class Table(Record):
-    """A table; a long one is folded away behind its title."""
+    """A table; a long one is folded away behind its title.
+
+    ``name`` is its anchor; ``blocks`` says that a row is too wide for one line.
+    """
 
     title: str
     head: Sequence[str]
     rows: Sequence[Sequence[Cell]]
     folded: bool = False
+    name: str = ""
+    blocks: bool = False
 
 
 class RefutedStep(Record):
     """One refuted step of the printed proof, with its repair."""
 
     name: str
-    label: str
+    label: Cell
     says: str
     claim: Math
     lhs: Number | None
     rhs: Number | None
     margin: Cell
+    cause: str
     repair: Cell
 
 

@@ -3,23 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from html import escape
 
 from verify.jobs.covers import DEPTH
 from verify.jobs.report import folder_names, read_material
 from verify.paper.parameters import THEOREM
-from verify.views.page.content import SUBTITLE, TITLE, content, latex
+from verify.views.page.constants import latex
+from verify.views.page.content import SUBTITLE, TITLE, content
 from verify.views.page.html import html
 from verify.views.page.text import markdown
 from verify.views.plots import NUMBER, figures
-from verify.views.plots.drawing import Panel, standalone, svg
-
-PICTURE_PANEL = (460, 400)
+from verify.views.plots.drawing import standalone, svg
+from verify.views.plots.figure import Figure
+from verify.views.plots.shapes import Panel
 
 
 def number_of_steps(directory: str, *, draw: bool) -> int:
     """How often `files` tells its progress."""
     return len(folder_names(directory)) + 1 + (NUMBER if draw else 0)
+
+
+def told(figure: Figure, panel: Panel) -> str:
+    """What a panel shows, for who does not see it."""
+    return " ".join(part for part in (f"{figure.title}: {panel.title}.", panel.told) if part)
+
+
+def picture(figure: Figure) -> str:
+    """All panels of a figure in one drawing."""
+    return svg("picture", figure.panels, " ".join(told(figure, p) for p in figure.panels))
 
 
 def files(
@@ -35,7 +45,6 @@ def files(
 
     Raises:
         CertificateError: for files that cannot be used, or a certificate that is not accepted.
-        InputError: where nothing can draw.
     """
     material = read_material(directory, progress)
     progress("enclosing what the plots show")
@@ -46,12 +55,10 @@ def files(
         for figure in shown:
             progress(f"drawing {figure.name}")
             drawings[figure.name] = [
-                svg(f"{figure.name}-{index}", [panel], escape(f"{figure.title}: {panel.title}"))
+                svg(f"{figure.name}-{index}", [panel], told(figure, panel))
                 for index, panel in enumerate(figure.panels)
             ]
-        width, height = PICTURE_PANEL
-        panels = [Panel(p.title, p.draw, width, height) for p in shown[0].panels]
-        made["picture.svg"] = standalone(svg("picture", panels, escape(shown[0].title))).encode()
+        made["picture.svg"] = standalone(picture(shown[0])).encode()
     blocks = content(material, drawings, shown)
     main = material.about(THEOREM)[0].outcome
     return {

@@ -2,31 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any
+from collections.abc import Iterator, Mapping, Sequence
 
-from verify import __version__
 from verify.jobs.report import CertifiedOutcome, Material
-from verify.language.statement import (
-    NEEDED,
-    PROVED,
-    REFUTED,
-    UNDECIDED,
-    Always,
-    Applies,
-    Assumption,
-    Constant,
-    Obligation,
-)
+from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Constant
 from verify.language.statement import PRINTED as PRINTED_ROLE
-from verify.language.terms import Claim, Term, symbol
-from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
+from verify.language.terms import Claim, symbol
+from verify.paper.groups import PRINTED, REPAIRED
+from verify.paper.letters import LETTERS
 from verify.paper.parameters import THEOREM
-from verify.paper.theorem1 import theorem
-from verify.prover.decimals import outward, short
-from verify.prover.outcome import Decision, Ends, Outcome
-from verify.views.markdown import bound_of_each, witness_text
-from verify.views.mathml import MathML
+from verify.paper.source import AUTHORS, COMPANION
+from verify.paper.source import TITLE as PAPER_TITLE
+from verify.prover.outcome import Outcome
+from verify.views.everywhere import THEOREM as EVERYWHERE_IN_WORDS
+from verify.views.markdown import bound_of_each
+from verify.views.page import proof
+from verify.views.page.appendix import assumptions, digests, measurements
 from verify.views.page.blocks import (
     Block,
     Box,
@@ -36,13 +27,9 @@ from verify.views.page.blocks import (
     Drawing,
     Facts,
     Heading,
-    Items,
     Link,
     Math,
-    Number,
     Paragraph,
-    Raw,
-    RefutedStep,
     RefutedSteps,
     Source,
     Strong,
@@ -50,35 +37,38 @@ from verify.views.page.blocks import (
     Text,
     Verdict,
 )
+from verify.views.page.constants import latex
+from verify.views.page.defects import changes, printed_proof, step
+from verify.views.page.writer import (
+    Writer,
+    cell,
+    marked,
+    number_of,
+    plain_rows,
+    printed_rows,
+    with_verdict,
+)
 from verify.views.plots.figure import Figure
+from verify.views.plots.letters import picture
 from verify.views.point import in_numbers, place
 from verify.views.words import (
+    CONDITIONALLY_PROVED,
     constants_of,
     counts,
     ends_of,
     given_by,
     headline,
-    letters,
-    sides_of,
 )
-from verify.wire.write import decimals
-
-Row = tuple[Obligation, Decision]
 
 TITLE = "Three particles collapse: what is proved"
 SUBTITLE = (
-    "Dolmaire and Velázquez, Collapse of inelastic hard spheres in dimension d ≥ 2: Theorem 1 and "
-    "the spectrum of its linear model, every inequality decided in rigorous arithmetic."
+    f"{AUTHORS}, {PAPER_TITLE} (its companion is {COMPANION}): Theorem 1 and the spectrum of its "
+    "linear model, every inequality decided in rigorous arithmetic."
 )
+EVERYWHERE = f"{THEOREM} for all parameters"
 
-#: Formulas with more letters than this stay in the statement file.
-LONGEST = 400
-
-#: A min with more entries than this is written one entry a line.
-MANY = 2
-
-#: A table with more rows than this is folded.
-UNFOLDED = 16
+#: Where the scenes are: a folder of folders.
+SCENES = "scenes/"
 
 
 def content(
@@ -90,88 +80,42 @@ def content(
     writer = Writer(main)
     return [
         *_result(material, main),
+        *_command(),
         drawn[0],
+        *_numbers(main),
         *_recheck(material),
-        *_printed_proof(writer),
-        *_changes(),
+        *_letters(bool(drawings)),
+        *_proof(material, main, bool(drawings)),
+        *printed_proof(writer),
+        *changes(),
+        *_others_in_short(material),
+        *_scenes(material),
         *_constants(writer),
         *_points(material),
-        *_other_theorems(material),
         Heading("plots", "Plots"),
         Paragraph([Text(
             "Nothing here is a sample: each band and each box encloses the values at every point "
             "of its interval or cell (ball arithmetic with the mean value theorem), and what "
             "enclosures do not decide is drawn as undecided."
         )]),
-        *drawn[1:],
-        *_measurements(material),
-        *_assumptions(material),
-        *_digests(material),
+        *drawn[1:4],
+        *assumptions(material),
+        *_other_theorems(material),
+        *measurements(material, drawn[4:]),
+        *digests(material),
     ]  # fmt: skip
 
 
-class Writer:
-    """Formulas and numbers of one outcome."""
-
-    def __init__(self, outcome: Outcome) -> None:
-        self.outcome = outcome
-        self.typesetter = letters(outcome)
-        statement = outcome.statement
-        tex = {constant.name: constant.tex for constant in statement.constants}
-        for context in statement.contexts:
-            tex |= {variable.name: variable.tex for variable in context.variables}
-            tex |= {constant.name: constant.tex for constant in context.constants}
-        self._mathml = MathML(tex | ({"c": r"(-\cos\theta_0)"} if statement.parameters else {}))
-        self.rows = {row.name: (row, found) for row, found in outcome.rows}
-
-    def claim(self, claim: Claim | Applies | Always) -> Math | Text | None:
-        """A claim, unless it is too long to be read."""
-        text = self.typesetter.claim(claim)
-        if len(text) > LONGEST:
-            return None
-        return Math(self._mathml.claim(claim), text) if isinstance(claim, Claim) else Text(text)
-
-    def term(self, term: Term, before: str = "") -> Math:
-        """A term after a relation."""
-        text = f"{before} {self.typesetter.term(term)}".strip()
-        if term.op == "min" and len(term.children) > MANY:
-            return Math(self._mathml.entries(term, before), text)
-        return Math(self._mathml.term(term, before), text)
-
-
-def _number(ends: Ends | None, digits: int = 8) -> Number | None:
-    """An enclosure with both ends as they stand in the certificate."""
-    if ends is None:
-        return None
-    low, high = decimals(ends)
-    return Number(short(ends, digits), (low, high))
-
-
-def _sides(row: Obligation, found: Decision) -> tuple[Number | None, Number | None]:
-    sides = sides_of(row, found)
-    return (None, None) if sides is None else (_number(sides[0]), _number(sides[1]))
-
-
-def _cell(*parts: Math | Number | Text | None) -> Cell:
-    return [part for part in parts if part is not None]
-
-
-def _with(rows: Iterable[Row], verdict: str) -> list[Row]:
-    return [(row, found) for row, found in rows if found.verdict == verdict]
-
-
-def _of_role(rows: Iterable[Row], role: str) -> list[Row]:
-    return [(row, found) for row, found in rows if row.role == role]
-
-
-def _printed(outcome: Outcome) -> list[Row]:
-    return _of_role(outcome.of_group(HYPOTHESES, PRINTED), PRINTED_ROLE)
+# --- the first screen ----------------------------------------------------------------------------
 
 
 def _result(material: Material, main: Outcome) -> Iterator[Block]:
-    repaired, printed = main.of_group(REPAIRED), _printed(main)
-    proved, refuted = _with(repaired, PROVED), _with(printed, REFUTED)
+    repaired, printed = main.of_group(REPAIRED), printed_rows(main)
+    proved, refuted = with_verdict(repaired, PROVED), with_verdict(printed, REFUTED)
     closing = [row for row, _ in proved if isinstance(row.claim, Claim)]
+    for folder in material.about(EVERYWHERE):
+        if headline(folder.outcome) == PROVED:
+            yield Box("The theorem, repaired", [Text(EVERYWHERE_IN_WORDS)])
     yield Facts([
         (headline(main), [
             Strong("The theorem holds with repaired constants. "),
@@ -186,176 +130,169 @@ def _result(material: Material, main: Outcome) -> Iterator[Block]:
                  "there; each is "),
             Link("#printed", "listed with both sides and its repair"), Text("."),
         ]),
-        *_other_facts(material),
+        *_conditional(material),
     ])  # fmt: skip
+
+
+def _command() -> Iterator[Block]:
+    yield Paragraph([
+        Text("Check it yourself, with nothing but Python, in the folder of the project ("),
+        Link("#check", "what that does"), Text("):"),
+    ])  # fmt: skip
+    yield Commands(["python3 -I verify/check.py certificates/theorem1-all certificates/step"])
+
+
+def _numbers(main: Outcome) -> Iterator[Block]:
     numbers = in_numbers(main)
     if numbers is not None:
         yield Box("Theorem 1, in numbers", [Text(numbers)])
 
 
-def _other_facts(material: Material) -> Iterator[tuple[str, Cell]]:
+def _conditional(material: Material) -> Iterator[tuple[str, Cell]]:
+    """What is proved from more than definitions, general mathematics and numbered glue."""
     for folder in _others(material):
-        outcome = folder.outcome
-        parts = [
-            f"Claims: {counts(outcome, NEEDED)}, given {given_by(outcome)}",
-            counts(outcome, PRINTED_ROLE),
-        ]
-        yield (
-            headline(outcome),
-            [
-                Strong(f"{_title(outcome)}. "),
-                Text(f"{'; '.join(part for part in parts if part)} ("),
-                Link(f"#{folder.name}", "list"),
-                Text(")."),
-            ],
-        )
-
-
-def _title(outcome: Outcome) -> str:
-    """The title of a theorem as the start of a sentence."""
-    title = outcome.statement.title
-    return title[:1].upper() + title[1:]
-
-
-def _others(material: Material) -> list[CertifiedOutcome]:
-    return [f for f in material.folders if f.outcome.statement.theorem != THEOREM]
+        if headline(folder.outcome) == CONDITIONALLY_PROVED:
+            yield (
+                CONDITIONALLY_PROVED,
+                [
+                    Strong(f"{_title(folder.outcome)}: "),
+                    Text(f"given {given_by(folder.outcome)} ("),
+                    Link(f"#{folder.name}", "list"),
+                    Text("). Everything else on this page is complete, given what it names."),
+                ],
+            )
 
 
 def _recheck(material: Material) -> Iterator[Block]:
     yield Heading("check", "Check it yourself")
     yield Paragraph([
-        Text("The program need not be believed. It writes what it claims and how each claim is "
-             "proved into two files, and "), Code("verify/check.py"),
-        Text(", one file that needs nothing but Python's standard library and searches for "
-             "nothing, checks them again. This page was written after it accepted all "
-             f"{len(material.folders)} certificates. One command does the same, in the folder "
-             "of the project:"),
-    ])  # fmt: skip
-    yield Commands(
-        [
-            "for file in certificates/*/statement.json",
-            'do python3 -I verify/check.py "${file%/*}" | tail -n 1',
-            "done",
-        ]
-    )
-    yield Paragraph([
-        Text("With the program installed, "), Code("verify check --statement FOLDER"),
+        Text("You need not believe the program. What it claims and how each claim is proved are "
+             "files, and "), Code("verify/check.py"),
+        Text(", which needs nothing but Python's standard library and searches for nothing, "
+             "checks them: at a point, for all parameters, and the step for every state. "
+             f"This page was written after it accepted all {len(material.folders)} certificates. "
+             "With the program installed, "), Code("verify check --statement FOLDER"),
         Text(" also makes the statement anew and compares it byte for byte, and "),
         Code("verify report --compare"), Text(" does so with the numbers of this page."),
     ])  # fmt: skip
 
 
-def _printed_proof(writer: Writer) -> Iterator[Block]:
-    printed = _printed(writer.outcome)
-    refuted, holding = _with(printed, REFUTED), _with(printed, PROVED)
-    undecided = _with(printed, UNDECIDED)
-    yield Heading("printed", f"The printed proof: {len(refuted)} steps refuted")
-    yield Paragraph([Text(
-        f"At {place(writer.outcome)}, in the paper's order. Each step is judged at the worst state "
-        f"that the printed set allows. A refuted one comes with certified enclosures of both sides "
-        f"(the digits shown are those on which both ends agree; touch a number for its ends) and "
-        f"with the row that takes its place. A step that names its own r and θ₀ is an implication, "
-        f"refuted by an exact counterexample."
-    )])  # fmt: skip
-    yield RefutedSteps([_step(writer, *pair) for pair in refuted])
-    yield _rows_table(writer, f"The {len(holding)} printed steps that hold", holding)
-    if undecided:
-        yield _rows_table(writer, f"The {len(undecided)} undecided printed steps", undecided)
-    repaired = writer.outcome.of_group(REPAIRED)
-    yield _rows_table(writer, f"The {len(repaired)} rows of the repaired proof", repaired)
-    needed = _of_role(writer.outcome.of_group(HYPOTHESES), NEEDED)
-    yield _rows_table(writer, f"The {len(needed)} hypotheses", needed)
+# --- letters, and the proof as a graph -----------------------------------------------------------
 
 
-def _step(writer: Writer, row: Obligation, found: Decision) -> RefutedStep:
-    claim = writer.claim(row.claim)
-    lhs, rhs = _sides(row, found)
-    return RefutedStep(
-        row.name,
-        row.label,
-        row.says,
-        claim if isinstance(claim, Math) else Math("", "in the statement file"),
-        lhs,
-        rhs,
-        _margin(writer, row, found),
-        _repair(writer, row),
+def _letters(draw: bool) -> Iterator[Block]:
+    yield Heading("letters", "The letters")
+    caption = "Three spheres just after a collision of 0 and s; the next one is that of 0 and c."
+    figure = Figure("letters", "A state just after a collision", caption, ())
+    yield Drawing(figure, [picture()] if draw else [])
+    rows = [([Text(item.letter)], [Text(item.says)], marked(item.label)) for item in LETTERS]
+    yield Table("What each letter stands for", ("Letter", "Meaning", "Paper"), rows, folded=True)
+
+
+def _proof(material: Material, main: Outcome, draw: bool) -> Iterator[Block]:
+    found = material.about(EVERYWHERE)
+    if not found:
+        return
+    yield Heading("proof", "The proof as a graph")
+    outcome = found[0].outcome
+    caption = (
+        f"Each box is a formula of the paper, by its printed number; lines lead down from what it "
+        f"rests on. A box leads to its rows. Hatched: printed steps with this label are refuted "
+        f"at {place(main)}. All facts, {len(outcome.steps)} steps of the certificate, one by one: "
+        "verify graph --out proof.svg."
     )
+    figure = Figure("proof", "Theorem 1, repaired, for all parameters", caption, ())
+    yield Drawing(figure, [proof.picture(outcome, main)] if draw else [])
 
 
-def _margin(writer: Writer, row: Obligation, found: Decision) -> Cell:
-    """An enclosure of right - left, from the certified ends of both; or where the claim fails."""
-    sides = sides_of(row, found)
-    if sides is None:
-        where = witness_text(found, writer.typesetter) if found.witness else ""
-        return [Text(f"(false at {where})" if where else "")]
-    lhs, rhs = sides
-    margin = (rhs[0] - lhs[1], rhs[1] - lhs[0])
-    low, high = outward(margin, 20)
-    return [Number(short(margin, 4), (low, high))]
+# --- other theorems ------------------------------------------------------------------------------
 
 
-def _repair(writer: Writer, row: Obligation) -> Cell:
-    other = writer.rows.get(row.corrected_by or "")
-    if other is None and row.corrected_by:
-        return [
-            Text("Corrected by "),
-            Code(row.corrected_by),
-            Text(", a row of another statement."),
-        ]
-    if other is None:
-        return [Text("No repair is needed: nothing rests on it.")]
-    needed, found = other
-    parts: list[Any] = [
-        Verdict(found.verdict), Text(" "), Code(needed.name), Text(f": {needed.says}")
-    ]  # fmt: skip
-    claim = writer.claim(needed.claim)
-    if claim is not None:
-        parts += [Text(", "), claim]
-    lhs, rhs = _sides(needed, found)
-    if lhs is not None and rhs is not None and isinstance(needed.claim, Claim):
-        sign = "≤" if needed.claim.relation == "<=" else needed.claim.relation
-        parts += [Text(": "), lhs, Text(f" {sign} "), rhs]
-    return parts
+def _title(outcome: Outcome) -> str:
+    """The title of a theorem as the start of a sentence."""
+    title = outcome.statement.title
+    for plain, letter in (("delta_theta", "δ_θ"), ("theta_0", "θ₀"), ("V_0", "V₀"), ("<=", "≤")):
+        title = title.replace(plain, letter)
+    return title[:1].upper() + title[1:]
 
 
-def _rows_table(writer: Writer, title: str, rows: Sequence[Row], folded: bool = True) -> Table:
-    sides = any(sides_of(row, found) is not None for row, found in rows)
-    head = ["Verdict", "Label", "Step", "Claim", *(("Left", "Right") if sides else ("Proof",))]
-    return Table(title, head, [_row(writer, *pair, sides) for pair in rows], folded)
-
-
-def _row(writer: Writer, row: Obligation, found: Decision, sides: bool) -> list[Cell]:
-    claim = writer.claim(row.claim)
-    first: list[Cell] = [
-        [Verdict(found.verdict)],
-        [Code(row.label)],
-        [Text(row.says)],
-        [Text("(long: see the statement file)") if claim is None else claim],
+def _others(material: Material) -> list[CertifiedOutcome]:
+    return [
+        folder
+        for folder in material.folders
+        if folder.outcome.statement.theorem != THEOREM and not folder.name.startswith(SCENES)
     ]
-    if not sides:
-        return [*first, [Text(found.method)]]
-    lhs, rhs = _sides(row, found)
-    return [*first, _cell(lhs), _cell(rhs)]
 
 
-def _changes() -> Iterator[Block]:
-    yield Heading("changes", "What is changed")
-    yield Table(
-        "Paper, needed, why",
-        ("Label", "Paper", "Needed", "Why"),
+def _others_in_short(material: Material) -> Iterator[Block]:
+    others = _others(material)
+    if not others:
+        return
+    yield Heading("others", "What else is proved")
+    rows: list[list[Cell]] = []
+    for folder in others:
+        outcome = folder.outcome
+        claims = (counts(outcome, NEEDED), counts(outcome, PRINTED_ROLE))
+        rows.append([
+            [Link(f"#{folder.name}", _title(outcome))],
+            [Verdict(headline(outcome))],
+            [Text("; ".join(part for part in claims if part))],
+            [Text(given_by(outcome))],
+        ])  # fmt: skip
+    yield Table("Theorems for all values", ("Theorem", "Verdict", "Claims", "Given"), rows)
+
+
+def _scenes(material: Material) -> Iterator[Block]:
+    scenes = [folder for folder in material.folders if folder.name.startswith(SCENES)]
+    if not scenes:
+        return
+    yield Heading("scenes", "Scenes: what happens to three given particles")
+    rows: list[list[Cell]] = [
         [
-            ([Code(c.label)], [Text(c.paper)], [Text(c.needed)], [Text(c.why)])
-            for c in theorem().changes
-        ],
-    )
+            [Link(f"{folder.name}/report.md", folder.name.removeprefix(SCENES))],
+            [Text(_title(folder.outcome))],
+            [Verdict(headline(folder.outcome))],
+            [Text(counts(folder.outcome, NEEDED))],
+        ]
+        for folder in scenes
+    ]
+    yield Table("Certificates of scenes", ("Scene", "What is proved", "Verdict", "Claims"), rows)
+
+
+def _other_theorems(material: Material) -> Iterator[Block]:
+    if _others(material):
+        yield Heading("rows", "The other theorems, row by row")
+    for folder in _others(material):
+        outcome = folder.outcome
+        yield Heading(folder.name, _title(outcome), 3)
+        writer = Writer(outcome)
+        refuted = with_verdict(outcome.rows, REFUTED)
+        others = [(row, found) for row, found in outcome.rows if found.verdict != REFUTED]
+        if refuted:
+            yield Paragraph([Text(
+                f"{len(refuted)} printed claims are refuted; each has a point at which it is false "
+                "in the certificate, and the claim that takes its place:"
+            )])  # fmt: skip
+            yield RefutedSteps([step(writer, *pair) for pair in refuted])
+        open_ones = with_verdict(others, UNDECIDED)
+        rest = f", and {len(open_ones)} are undecided" if open_ones else ""
+        yield Paragraph([Text(
+            f"{len(with_verdict(others, PROVED))} claims are proved, each by a rule of the "
+            f"checker{rest}."
+        )])  # fmt: skip
+        yield plain_rows(writer, f"The {len(others)} claims, one by one", others)
+
+
+# --- numbers -------------------------------------------------------------------------------------
 
 
 def _constants(writer: Writer) -> Iterator[Block]:
     outcome = writer.outcome
     yield Heading("constants", f"Constants at {place(outcome)}")
     yield Paragraph([Text(
-        "Certified enclosures; touch a number for both ends. The repaired constants are chosen: "
-        "short decimals on the safe side of their bounds, so they are exact."
+        "Certified enclosures; touch a number for both ends (elsewhere they are its tooltip). The "
+        "repaired constants are chosen: short decimals on the safe side of their bounds, so they "
+        "are exact."
     )])  # fmt: skip
     bounds = bound_of_each()
     groups = {
@@ -374,8 +311,8 @@ def _constants(writer: Writer) -> Iterator[Block]:
 
 def _constant(writer: Writer, constant: Constant, definition: Math) -> list[Cell]:
     letter = writer.term(symbol(constant.name))
-    number = _number(ends_of(writer.outcome, constant.name))
-    return [[letter], _cell(number), [definition], [Code(constant.label)]]
+    number = number_of(ends_of(writer.outcome, constant.name), unfolds=True)
+    return [[letter], cell(number), [definition], marked(constant.label)]
 
 
 def _points(material: Material) -> Iterator[Block]:
@@ -383,13 +320,13 @@ def _points(material: Material) -> Iterator[Block]:
     rows: list[list[Cell]] = []
     for folder in material.about(THEOREM):
         outcome = folder.outcome
-        printed = _printed(outcome)
+        printed = printed_rows(outcome)
         rows.append([
             [Link(f"{folder.name}/report.md", place(outcome))],
             [Verdict(headline(outcome))],
-            [Text(f"{len(_with(outcome.of_group(REPAIRED), PROVED))} proved")],
-            [Text(f"{len(_with(printed, REFUTED))} of {len(printed)}")],
-            *(_cell(_number(ends_of(outcome, f"{REPAIRED}.{name}")))
+            [Text(f"{len(with_verdict(outcome.of_group(REPAIRED), PROVED))} proved")],
+            [Text(f"{len(with_verdict(printed, REFUTED))} of {len(printed)}")],
+            *(cell(number_of(ends_of(outcome, f"{REPAIRED}.{name}")))
               for name in ("delta_x", "eta_bar", "zeta_bar", "T_star")),
         ])  # fmt: skip
     yield Table(
@@ -397,112 +334,3 @@ def _points(material: Material) -> Iterator[Block]:
         ("Point", "Verdict", "Repaired rows", "Printed steps refuted", "δ_x", "η̄", "ζ̄", "T*"),
         rows,
     )
-
-
-def _other_theorems(material: Material) -> Iterator[Block]:
-    for folder in _others(material):
-        outcome = folder.outcome
-        yield Heading(folder.name, _title(outcome))
-        writer = Writer(outcome)
-        refuted = _with(outcome.rows, REFUTED)
-        others = [(row, found) for row, found in outcome.rows if found.verdict != REFUTED]
-        if refuted:
-            yield Paragraph([Text(
-                f"{len(refuted)} printed claims are refuted; each has a point at which it is false "
-                "in the certificate, and the claim that takes its place:"
-            )])  # fmt: skip
-            yield RefutedSteps([_step(writer, *pair) for pair in refuted])
-        yield Paragraph([Text(
-            f"{len(_with(others, PROVED))} claims are proved, each by a rule of the checker, and "
-            f"{len(_with(others, UNDECIDED))} are undecided. By label of the paper:"
-        )])  # fmt: skip
-        for label in dict.fromkeys(row.label for row, _ in others):
-            rows = [(row, found) for row, found in others if row.label == label]
-            yield _rows_table(writer, f"{label} ({len(rows)})", rows)
-
-
-def _measurements(material: Material) -> Iterator[Block]:
-    titles = {
-        "bench": ("speed", "Speed", "verify bench"),
-        "stress": ("stability", "Numerical stability on hard cases", "verify stress"),
-    }
-    for name, tables in material.measurements.items():
-        anchor, title, command = titles[name]
-        yield Heading(anchor, title)
-        yield Paragraph([Text("As measured and committed; made anew by "), Code(command),
-                         Text(".")])  # fmt: skip
-        for table in tables.values():
-            rows = [[[Raw(str(value))] for value in row] for row in table["rows"]]
-            yield Table(table["title"], table["columns"], rows, len(rows) > UNFOLDED)
-
-
-def _assumptions(material: Material) -> Iterator[Block]:
-    yield Heading("trust", "Taken on trust")
-    yield Paragraph([Text(
-        "What is used and not proved by the program, here or in a statement that is cited. The "
-        "checker prints the names with each verdict."
-    )])  # fmt: skip
-    seen: set[str] = set()
-    for folder in material.folders:
-        statement = folder.outcome.statement
-        if statement.theorem not in seen:
-            seen.add(statement.theorem)
-            yield Paragraph([Strong("For "), Code(statement.theorem), Text(":")])
-            yield Items([_assumption(a) for a in folder.outcome.assumptions])
-            if folder.outcome.printed_assumptions:
-                yield Paragraph([Text("and for its printed rows only:")])
-                yield Items([_assumption(a) for a in folder.outcome.printed_assumptions])
-
-
-def _assumption(assumption: Assumption) -> Cell:
-    return [Code(assumption.label), Text(f" ({assumption.kind}): {assumption.sentence}")]
-
-
-def _digests(material: Material) -> Iterator[Block]:
-    yield Heading("versions", "Versions and digests")
-    yield Paragraph([Text(f"verify-collapse {__version__}. SHA-256 of the files behind this page; "
-                          "a certificate carries the digest of its statement.")])  # fmt: skip
-    rows: list[list[Cell]] = [
-        [[Code(f"{folder.name}/{file}")], [Code(digest)]]
-        for folder in material.folders
-        for file, digest in folder.digests.items()
-    ]
-    rows += [[[Code(file)], [Code(digest)]] for file, digest in material.digests.items()]
-    yield Table("Files", ("File", "SHA-256"), rows, folded=True)
-
-
-def latex(outcome: Outcome) -> str:
-    """The constants as a LaTeX table: enclosures of the first and printed ones, repaired values."""
-    lines = [
-        f"% {outcome.statement.title}",
-        "% Enclosures: the true value lies between the two ends.",
-        r"\begin{tabular}{lll}",
-        r"\hline",
-        r"constant & as printed & repaired \\",
-        r"\hline",
-    ]
-    repaired = {c.short_name: c.name for c in constants_of(outcome, REPAIRED)}
-    first = [*constants_of(outcome, ""), *constants_of(outcome, PRINTED)]
-    known = {constant.short_name for constant in first}
-    only = [c for c in constants_of(outcome, REPAIRED) if c.short_name not in known]
-    for constant in (*first, *only):
-        printed = "" if constant in only else _tex_number(outcome, constant.name)
-        other = _tex_number(outcome, repaired.get(constant.short_name, ""))
-        lines.append(rf"${constant.tex}$ & {printed} & {other} \\")
-    return "\n".join([*lines, r"\hline", r"\end{tabular}"]) + "\n"
-
-
-def _tex_number(outcome: Outcome, name: str) -> str:
-    """An exact decimal, or an interval of 8 digits that contains the enclosure."""
-    ends = ends_of(outcome, name)
-    if ends is None:
-        return ""
-    low, high = outward(ends, 8)
-    if low == high:
-        return f"${_tex_decimal(low)}$"
-    return rf"$[{_tex_decimal(low)},\, {_tex_decimal(high)}]$"
-
-
-def _tex_decimal(text: str) -> str:
-    mantissa, _, exponent = text.partition("e")
-    return mantissa if not exponent else rf"{mantissa}\cdot 10^{{{exponent}}}"

@@ -47,19 +47,19 @@ def html(title: str, subtitle: str, blocks: Sequence[Block]) -> str:
         f"<title>{escape(title)}</title>",
         f"<style>{STYLE}</style>",
         "</head>",
-        "<body>",
+        '<body id="top">',
         f"<header><h1>{escape(title)}</h1><p>{prose(subtitle)}</p></header>",
         "<main>",
     ]
-    headings = [block for block in blocks if isinstance(block, Heading)]
+    headings = [block for block in blocks if isinstance(block, Heading) and block.level == 2]
     first = blocks.index(headings[0])
     for block in blocks[:first]:
         lines += _block(block)
-    links = (f'<a href="#{h.name}">{escape(h.text)}</a>' for h in headings)
+    links = (f'<a href="#{h.name}">{prose(h.text)}</a>' for h in headings)
     lines.append(f'<nav aria-label="Sections">{" ".join(links)}</nav>')
     for block in blocks[first:]:
         lines += _block(block)
-    lines += ["</main>", "</body>", "</html>"]
+    lines += ["</main>", '<a class="top" href="#top">↑ top</a>', "</body>", "</html>"]
     return "\n".join(lines) + "\n"
 
 
@@ -106,7 +106,7 @@ def _block(block: Block) -> Iterator[str]:
 
 
 def _heading(block: Heading) -> Iterator[str]:
-    yield f'<h2 id="{block.name}">{escape(block.text)}</h2>'
+    yield f'<h{block.level} id="{block.name}">{prose(block.text)}</h{block.level}>'
 
 
 def _paragraph(block: Paragraph) -> Iterator[str]:
@@ -148,36 +148,55 @@ def _steps(block: RefutedSteps) -> Iterator[str]:
 
 def _table(table: Table) -> Iterator[str]:
     rows = [[_cell(cell) for cell in row] for row in table.rows]
-    grid = _grid(table.head, rows)
+    grid = _grid(table.head, rows, table.name, table.blocks)
     if table.folded:
         yield f"<details><summary>{prose(table.title)}</summary>{grid}</details>"
     else:
         yield f"<h3>{prose(table.title)}</h3>{grid}"
 
 
-def _grid(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+def _grid(
+    head: Sequence[str], rows: Iterable[Sequence[str]], name: str = "", blocks: bool = False
+) -> str:
+    """A table that scrolls, or one whose rows are blocks and fit anywhere."""
     cells = "".join(f'<th scope="col">{prose(name)}</th>' for name in head)
     lines = ["<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows]
     body = "\n".join(lines)
+    key = f' id="{name}"' if name else ""
+    kind = 'class="rows"' if blocks else 'class="scroll" tabindex="0"'
     return (
-        f'<div class="scroll" tabindex="0"><table><thead><tr>{cells}</tr></thead>'
+        f"<div{key} {kind}><table><thead><tr>{cells}</tr></thead>"
         f"<tbody>\n{body}\n</tbody></table></div>"
     )
 
 
 def _step(step: RefutedStep) -> Iterator[str]:
     yield f'<article id="{step.name}">'
-    yield f"<p>{_verdict('refuted')} <code>{escape(step.label)}</code></p>"
+    yield f"<p>{_verdict('refuted')} {_cell(step.label)}</p>"
     yield f"<p>{prose(step.says)}</p>"
-    yield f'<p class="claim"><span class="math">{step.claim.mathml}</span></p>'
+    shown = f'<span class="math">{step.claim.mathml}</span>' if step.claim.mathml else ""
+    yield f'<p class="claim">{shown or prose(step.claim.text)}</p>'
     if step.lhs is not None and step.rhs is not None:
         yield (
             f"<dl><div><dt>left</dt><dd>{_inline(step.lhs)}</dd></div>"
             f"<div><dt>right</dt><dd>{_inline(step.rhs)}</dd></div>"
             f"<div><dt>right − left</dt><dd>{_cell(step.margin)}</dd></div></dl>"
         )
+    elif step.margin:
+        yield f'<p class="witness">{_cell(step.margin)}</p>'
+    if step.cause:
+        yield f"<p>{_coded(step.cause)}</p>"
     yield f'<div class="repair">{_cell(step.repair)}</div>'
     yield "</article>"
+
+
+def _coded(text: str) -> str:
+    """A sentence in which names stand between backticks."""
+    parts = text.split("`")
+    return "".join(
+        f"<code>{escape(part)}</code>" if index % 2 else prose(part)
+        for index, part in enumerate(parts)
+    )
 
 
 def _drawing(block: Drawing) -> Iterator[str]:
@@ -187,6 +206,8 @@ def _drawing(block: Drawing) -> Iterator[str]:
     yield f"</div><figcaption>{prose(figure.caption)}</figcaption>"
     if figure.rows:
         rows = [[prose(cell) for cell in row] for row in figure.rows[1:]]
+        for anchor, row in zip(figure.anchors, rows, strict=False):
+            row[0] = f'<a href="#{anchor}">{row[0]}</a>'
         grid = _grid(figure.rows[0], rows)
         yield f"<details><summary>The numbers, row by row</summary>{grid}</details>"
     yield "</figure>"
@@ -222,14 +243,24 @@ def _number(number: Number) -> str:
     if low == high and "…" not in shown:
         return f'<data class="exact" value="{low}">{shown}</data>'
     value, both = (low, low) if low == high else (f"{low} {high}", f"[{low}, {high}]")
+    if not number.unfolds:
+        return f'<data value="{value}" title="{both}">{shown}</data>'
     return (
         f'<details class="number"><summary><data value="{value}">{shown}</data></summary>'
         f"<code>{both}</code></details>"
     )
 
 
+#: What tells verdicts apart without colour.
+SYMBOLS = {
+    sign: f'<span aria-hidden="true">{mark}</span> '
+    for sign, mark in (("proved", "✓"), ("refuted", "✗"), ("undecided", "?"))
+}
+
+
 def _verdict(word: str) -> str:
-    return f'<b class="verdict {word}">{word}</b>'
+    kind = word.rpartition(" ")[2]
+    return f'<b class="verdict {kind}">{SYMBOLS.get(kind, "")}{word}</b>'
 
 
 _WRITERS: dict[type, Callable[[Any], Iterator[str]]] = {

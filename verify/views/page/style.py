@@ -10,10 +10,10 @@ def _colours(scheme: str) -> str:
 
 
 STYLE = (
-    ":root{color-scheme:light dark;--soft:#f4f5f6;--line:#dfe2e6;--link:#2757a8;"
+    ":root{color-scheme:light dark;--tint:#fdeeda;--soft:#f4f5f6;--line:#dfe2e6;--link:#2257a0;"
     + _colours("light")
     + "}@media screen and (prefers-color-scheme:dark){"
-    + ":root{--soft:#1c2229;--line:#333b44;--link:#9dbcf2;"
+    + ":root{--tint:#3a2a17;--soft:#1c2229;--line:#333b44;--link:#9dbcf2;"
     + _colours("dark")
     + "}}"
     + """
@@ -33,21 +33,24 @@ a{color:var(--link)}
 nav{display:flex;flex-wrap:wrap;gap:.3rem 1.1rem;margin:1.4rem 0 0;font-size:.93rem}
 code,pre{font-family:ui-monospace,SFMono-Regular,Menlo,Consolas,monospace;font-size:.85em}
 code{overflow-wrap:anywhere}
-pre{background:var(--soft);border-radius:.4rem;padding:.8rem 1rem;overflow-x:auto;max-width:100%}
+pre{background:var(--soft);border-radius:.4rem;padding:.8rem 1rem;overflow-x:auto;max-width:100%;
+ white-space:pre-wrap}
 pre code{overflow-wrap:normal;font-size:.85rem}
 sub,sup{line-height:0;font-size:.75em}
 math{font-size:1.05em;
  font-family:"STIX Two Math","Latin Modern Math","Cambria Math",math,serif}
-.claim math,td math{math-style:normal}
-.number:not([open])::details-content{display:none}
+.claim math,td math,.repair math{math-style:normal}
+data{white-space:nowrap}
+@media screen{.number:not([open])::details-content{display:none}}
 .claim,.repair{overflow-x:auto;overflow-y:hidden}
 .claim{padding:.35rem 0}
 .claim .math,.claim{line-height:2}
 .facts{list-style:none;padding:0;margin:1rem 0;display:grid;gap:.6rem;max-width:52rem}
-.facts li{display:grid;grid-template-columns:5.6rem 1fr;gap:.8rem;align-items:baseline}
+.facts li{display:grid;grid-template-columns:7rem 1fr;gap:.8rem;align-items:baseline}
 .verdict{display:inline-block;font-size:.8rem;line-height:1;font-weight:600;padding:.3rem .5rem;
  border-radius:.3rem;border:1px solid currentColor;text-align:center}
-.proved{color:var(--proved)}.refuted{color:var(--refuted)}.undecided{color:var(--faint)}
+.proved{color:var(--proved)}.undecided{color:var(--faint);border-style:dashed}
+.refuted{color:var(--ink);border-color:var(--refuted);background:var(--tint)}
 .theorem{background:var(--soft);border-left:.25rem solid var(--proved);border-radius:.4rem;
  padding:.9rem 1.1rem;margin:1.2rem 0;max-width:52rem}
 .theorem h3{margin:0 0 .3rem}.theorem p{margin:0}
@@ -59,6 +62,21 @@ th{background:var(--soft);font-weight:600;white-space:nowrap}
 tbody tr:last-child td{border-bottom:0}
 td{min-width:4.5rem;max-width:26rem}
 td code{white-space:nowrap}
+.rows{margin:.6rem 0}
+.rows thead{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
+.rows table,.rows tbody{display:block}
+.rows tr{display:grid;grid-template-columns:6.5rem minmax(0,1fr);gap:.1rem .8rem;
+ padding:.55rem .2rem;border-bottom:1px solid var(--line)}
+.rows td{display:block;border:0;padding:0;max-width:none;min-width:0;overflow-x:auto;
+ overflow-y:hidden;grid-column:2}
+.rows td:first-child{grid-column:1;grid-row:1}
+.rows td code{white-space:normal}
+.rows td:nth-child(4) math{line-height:2}
+.witness{overflow-wrap:anywhere}
+.top{position:fixed;right:.7rem;bottom:.7rem;padding:.3rem .6rem;border-radius:.4rem;
+ background:var(--soft);border:1px solid var(--line);font-size:.85rem;text-decoration:none}
+.curve:target{stroke:var(--ink);stroke-width:4;fill:var(--ink)}
+svg a:hover rect:first-of-type,svg a:focus rect:first-of-type{stroke-width:3}
 .entry{display:block;padding:.18rem 0 0 1rem}
 details{margin:.6rem 0}
 summary{cursor:pointer}
@@ -78,13 +96,24 @@ dd{margin:0;font-variant-numeric:tabular-nums}
 figure{margin:1.4rem 0 2.2rem;break-inside:avoid}
 figure h3{margin:0 0 .4rem}
 .panels{display:grid;gap:.6rem;grid-template-columns:repeat(auto-fit,minmax(min(100%,19rem),1fr))}
-.panels svg{width:100%;max-width:34rem;height:auto;display:block}
+.panels svg{width:100%;max-width:36rem;height:auto;display:block}
 figcaption{font-size:.9rem;line-height:1.5;max-width:52rem;margin-top:.5rem}
+@media (max-width:40rem){
+ .facts li{grid-template-columns:1fr;gap:.2rem}
+ .facts .verdict{justify-self:start}
+ .rows tr{grid-template-columns:minmax(0,1fr)}
+ .rows td,.rows td:first-child{grid-column:1;grid-row:auto}
+ article{padding:.7rem .8rem}
+}
 @media print{
  :root{color-scheme:light}
  body{font-size:10pt}
  header,main{max-width:none;padding:0}
- nav{display:none}
+ nav,.top{display:none}
+ details::details-content{content-visibility:visible;display:block}
+ .verdict{white-space:nowrap;break-inside:avoid}
+ .facts li{grid-template-columns:10rem 1fr}
+ .rows tr{break-inside:avoid}
  h2{break-after:avoid}h3{break-after:avoid}
  .scroll{overflow:visible;border:0}
  table{font-size:8pt}

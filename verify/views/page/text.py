@@ -42,7 +42,7 @@ def _block(block: Block) -> Iterator[str]:
 
 
 def _heading(block: Heading) -> Iterator[str]:
-    yield f"## {block.text}"
+    yield f"{'#' * block.level} {block.text}"
 
 
 def _paragraph(block: Paragraph) -> Iterator[str]:
@@ -89,17 +89,27 @@ def _drawing(block: Drawing) -> Iterator[str]:
         yield from _table(figure.rows[0], figure.rows[1:])
 
 
-_STEP_HEAD = ("Label", "Step as printed", "Claim", "Left", "Right", "Right - left", "Repair")
+_STEP_HEAD = (
+    "Label",
+    "Step as printed",
+    "Claim",
+    "Left",
+    "Right",
+    "Right - left",
+    "What is wrong",
+    "Repair",
+)
 
 
 def _step(step: RefutedStep) -> list[str]:
     return [
-        f"`{step.label}`",
+        _cell(step.label),
         step.says,
         step.claim.text,
         "" if step.lhs is None else step.lhs.short,
         "" if step.rhs is None else step.rhs.short,
         _cell(step.margin),
+        step.cause,
         _cell(step.repair),
     ]
 
@@ -126,7 +136,7 @@ def _inline(part: Inline) -> str:
             return f"`{text}`"
         case Math(_, text):
             return text
-        case Number(short, _):
+        case Number(short):
             return short
         case Verdict(word):
             return word

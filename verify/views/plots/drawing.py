@@ -1,126 +1,60 @@
-"""Matplotlib drawings as inline SVG that follows the colours of the page.
+"""Panels as inline SVG that follows the colours of the page: light, dark, and paper.
 
-This is the only module that imports matplotlib. A drawing is made in placeholder colours; each is
-then replaced by a variable of the page's style sheet, so that one drawing serves light, dark and
-paper. No date, no version, a fixed salt: the same bytes from the same matplotlib.
+Verdicts differ in lightness and in hatching, not in hue alone: blue is proved, hatched orange
+refuted, grey undecided.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Sequence
-from fractions import Fraction
-from io import StringIO
-from typing import Any
+from collections.abc import Iterable, Iterator, Sequence
+from html import escape
+from zlib import crc32
 
-from verify.language.record import Record
-
-
-class MatplotlibMissingError(ImportError):
-    """The drawings need matplotlib, which is not installed; the message says what to do."""
-
-
-#: The colours that a drawing may use: a placeholder, and the variable that it stands for.
-COLOURS = {
-    "ink": "#010203",
-    "faint": "#010204",
-    "proved": "#010205",
-    "refuted": "#010206",
-    "proved-area": "#010209",
-    "refuted-area": "#01020a",
-    "undecided": "#010207",
-    "paper": "#010208",
-    **{f"series-{i}": f"#01021{i}" for i in range(1, 8)},
-}
+from verify.views.plots.shapes import Boxes, Curve, Panel, Point, Ring, Rule, Scale, Shape, Words
 
 _LIGHT = """
-ink #1c2128, faint #8a929c, undecided #c3c8ce, paper #ffffff, proved #0b7a5b, refuted #b3372a,
-proved-area #0b7a5b, refuted-area #b3372a, series-1 #3566b8, series-2 #b8741a, series-3 #0b7a5b,
-series-4 #8a4fa3, series-5 #b3372a, series-6 #4b8fa0, series-7 #77803a"""
+ink #1c2128, faint #6f7781, undecided #d3d7dc, paper #ffffff, proved #1d5ca8, refuted #a3470a,
+proved-area #2f6fbf, refuted-area #f3ad5b, refuted-line #9a4300, series-1 #1d5ca8,
+series-2 #d9822b, series-3 #52606d, series-4 #7fb2e5, series-5 #a3470a, series-6 #4b8fa0,
+series-7 #77803a"""
 _DARK = """
-ink #e4e7ea, faint #7d8691, undecided #4a525c, paper #14181d, proved #3fbf97, refuted #ef7a6a,
-proved-area #23805f, refuted-area #a8453a, series-1 #7ea6ee, series-2 #e0a658, series-3 #3fbf97,
-series-4 #c592dc, series-5 #ef7a6a, series-6 #7cc3d3, series-7 #b9c36c"""
+ink #e4e7ea, faint #939ca6, undecided #39414a, paper #14181d, proved #8ab8f0, refuted #f2a65a,
+proved-area #3566a8, refuted-area #dfa050, refuted-line #4a2400, series-1 #8ab8f0,
+series-2 #f2a65a, series-3 #b5bfca, series-4 #3f74b5, series-5 #d98a3a, series-6 #7cc3d3,
+series-7 #b9c36c"""
 
-#: What the variables stand for, in either scheme.
+#: What the variables of the style sheet stand for, in either scheme.
 SCHEMES = {
     scheme: dict(pair.split() for pair in text.split(","))
     for scheme, text in (("light", _LIGHT), ("dark", _DARK))
 }
 
-#: How matplotlib writes a box; the same is said with half as many numbers.
-_RECTANGLE = re.compile(r"M (\S+) (\S+) L (\S+) \2 L \3 (\S+) L \1 \4 (?:L \1 \2 )?z ?")
+#: What is hatched, and with which lines.
+HATCHED = {"refuted-area": "refuted-line"}
 
-Draw = Callable[[Any], None]
-Boxes = Iterable[tuple[float, float, float, float]]
-
-
-class Panel(Record):
-    """One pair of axes: its title, how it is drawn, and its size in points."""
-
-    title: str
-    draw: Draw
-    width: int = 400
-    height: int = 330
-
-
-def pyplot() -> Any:
-    """Matplotlib, set up once per call for text that stays text.
-
-    Raises:
-        MatplotlibMissingError: where it is not installed.
-    """
-    try:
-        import matplotlib
-    except ImportError as error:
-        raise MatplotlibMissingError(
-            "the plots of the report need matplotlib; install it with: pip install -e '.[report]'"
-        ) from error
-    matplotlib.use("svg")
-    import matplotlib.pyplot as plt
-
-    ink, faint = COLOURS["ink"], COLOURS["faint"]
-    plt.rcdefaults()
-    plt.rcParams.update(
-        {
-            "svg.fonttype": "none",
-            "svg.hashsalt": "verify-collapse",
-            "font.size": 11,
-            "text.color": ink,
-            "axes.labelcolor": ink,
-            "axes.edgecolor": faint,
-            "axes.facecolor": "none",
-            "figure.facecolor": "none",
-            "xtick.color": faint,
-            "ytick.color": faint,
-            "xtick.labelcolor": ink,
-            "ytick.labelcolor": ink,
-            "axes.titlesize": 11,
-            "axes.unicode_minus": True,
-            "legend.frameon": False,
-            "legend.fontsize": 10,
-            "path.simplify": False,
-        }
-    )
-    return plt
+LEFT, RIGHT, TOP, BOTTOM, LEGEND = 66, 14, 34, 52, 22
+SIZE = 14
 
 
 def svg(name: str, panels: Sequence[Panel], description: str) -> str:
     """One SVG element with the panels side by side; ``name`` keeps its ids apart from others."""
-    plt = pyplot()
     width = sum(panel.width for panel in panels)
     height = max(panel.height for panel in panels)
-    figure, axes = plt.subplots(
-        1, len(panels), figsize=(width / 72, height / 72), squeeze=False, layout="constrained"
+    head = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" role="img" '
+        f'aria-label="{escape(description)}" font-family="system-ui, sans-serif" '
+        f'font-size="{SIZE}">'
     )
-    for axis, panel in zip(axes[0], panels, strict=True):
-        axis.set_title(panel.title, loc="left")
-        panel.draw(axis)
-    buffer = StringIO()
-    nothing = dict.fromkeys(("Date", "Creator", "Format", "Type"))
-    figure.savefig(buffer, format="svg", metadata=nothing)
-    plt.close(figure)
-    return _tidy(buffer.getvalue(), name, description)
+    parts = [
+        head,
+        f"<defs>{''.join(_pattern(name, *pair) for pair in HATCHED.items())}</defs>",
+    ]
+    across = 0
+    for panel in panels:
+        body = "\n".join(_panel(name, panel))
+        parts.append(f'<g transform="translate({across} 0)">\n{body}\n</g>' if across else body)
+        across += panel.width
+    return "\n".join([*parts, "</svg>"])
 
 
 def standalone(drawing: str) -> str:
@@ -137,81 +71,162 @@ def standalone(drawing: str) -> str:
     return f"{head}{end}{style}{rest}\n"
 
 
-def _tidy(text: str, name: str, description: str) -> str:
-    text = text[text.index("<svg") :].strip()
-    box = re.search(r'viewBox="([^"]*)"', text)
-    if box is None:
-        raise ValueError("matplotlib wrote no viewBox")
-    body = text[text.index(">") + 1 :]
-    body = re.sub(r"<metadata>.*?</metadata>", "", body, flags=re.DOTALL)
-    body = re.sub(r"<!--.*?-->", "", body, flags=re.DOTALL)
-    body = re.sub(r'\bid="([^"]*)"', rf'id="{name}-\1"', body)
-    body = re.sub(r'href="#([^"]*)"', rf'href="#{name}-\1"', body)
-    body = re.sub(r"url\(#([^)]*)\)", rf"url(#{name}-\1)", body)
-    body = re.sub(r'(?<= d=")[^"]*', lambda match: _shortened(match[0]), body)
-    body = re.sub(r"(font: [^;\"]*?px) [^;\"]*", r"\1 system-ui, sans-serif", body)
-    body = re.sub(r"\n\s*", "\n", body)
-    body = _RECTANGLE.sub(r"M\1 \2H\3V\4H\1z", body).replace("xlink:href", "href")
-    for colour, placeholder in COLOURS.items():
-        body = body.replace(placeholder, f"var(--{colour})")
+def _pattern(name: str, area: str, line: str) -> str:
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box[1]}" role="img" '
-        f'aria-label="{description}">{body}'
+        f'<pattern id="{name}-{area}" width="7" height="7" patternUnits="userSpaceOnUse">'
+        f'<rect width="7" height="7" fill="var(--{area})"/>'
+        f'<path d="M-1 1L1 -1M0 7L7 0M6 8L8 6" stroke="var(--{line})" stroke-width="1.3"/>'
+        "</pattern>"
     )
 
 
-def _shortened(path: str) -> str:
-    text = re.sub(r"-?[0-9]+\.[0-9]+", lambda match: f"{float(match[0]):.2f}", path)
-    return _RECTANGLE.sub(r"M\1 \2H\3V\4H\1z", " ".join(text.split()))
+class _Place:
+    """Where the values of a panel lie in its drawing."""
+
+    def __init__(self, panel: Panel, legend: int) -> None:
+        self.panel = panel
+        self.left, self.right = LEFT, panel.width - RIGHT
+        self.top, self.bottom = TOP, panel.height - BOTTOM - LEGEND * legend
+
+    def x(self, value: float) -> float:
+        return self.left + (self.right - self.left) * self.panel.x.share(value)
+
+    def y(self, value: float) -> float:
+        return self.bottom - (self.bottom - self.top) * self.panel.y.share(value)
 
 
-def boxes(
-    axis: Any,
-    corners: Boxes,
-    colour: str,
-    opacity: float = 1.0,
-    name: str = "",
-    edge: float = 0.25,
-) -> None:
-    """Draw boxes, each ``(left, right, bottom, top)``, as one shape.
-
-    Its edge has the same colour: it hides the seams between neighbours, and keeps boxes visible
-    that are thinner than a line.
-    """
-    from matplotlib.patches import PathPatch
-    from matplotlib.path import Path
-
-    points: list[tuple[float, float]] = []
-    codes: list[Any] = []
-    for left, right, low, high in corners:
-        points += [(left, low), (right, low), (right, high), (left, high), (left, low)]
-        codes += [Path.MOVETO, *[Path.LINETO] * 3, Path.CLOSEPOLY]
-    if points:
-        patch = PathPatch(
-            Path(points, codes),
-            facecolor=COLOURS[colour],
-            edgecolor=COLOURS[colour],
-            linewidth=edge if opacity == 1 else 0,
-            alpha=opacity,
-            label=name or None,
-        )
-        axis.add_patch(patch)
+def _panel(name: str, panel: Panel) -> Iterator[str]:
+    shapes = list(panel.shapes())
+    legend = [s for s in shapes if isinstance(s, Boxes | Curve) and s.name]
+    place = _Place(panel, (len(legend) + 1) // 2)
+    clip = f"{name}-clip-{_number_of(panel.title)}"
+    size = f'width="{place.right - place.left}" height="{place.bottom - place.top}"'
+    yield f'<clipPath id="{clip}"><rect x="{place.left}" y="{place.top}" {size}/></clipPath>'
+    yield f'<g clip-path="url(#{clip})">'
+    for shape in shapes:
+        if not isinstance(shape, Words):
+            yield from _shape(name, shape, place)
+    yield "</g>"
+    yield from _axes(place)
+    yield _text((8, 20), panel.title, weight="600")
+    for shape in shapes:
+        if isinstance(shape, Words):
+            at = place.x(shape.at[0]), place.y(shape.at[1])
+            yield from _lines(at, shape)
+    yield from _legend(name, legend, place)
 
 
-def merged(cells: Iterable[tuple[Fraction, Fraction, Fraction, Fraction]]) -> Boxes:
-    """The same area in fewer boxes: neighbours of one height are joined, then of one width."""
-    rows = _joined((low, high, left, right) for left, right, low, high in cells)
-    columns = _joined((left, right, low, high) for low, high, left, right in rows)
-    return [(float(a), float(b), float(c), float(d)) for a, b, c, d in columns]
+def _number_of(text: str) -> int:
+    """A number that belongs to a text, the same in every run."""
+    return crc32(text.encode())
 
 
-def _joined(
-    cells: Iterable[tuple[Fraction, Fraction, Fraction, Fraction]],
-) -> list[tuple[Fraction, Fraction, Fraction, Fraction]]:
-    result: list[tuple[Fraction, Fraction, Fraction, Fraction]] = []
-    for a, b, c, d in sorted(cells):
-        if result and result[-1][:2] == (a, b) and result[-1][3] == c:
-            result[-1] = (a, b, result[-1][2], d)
+# --- shapes --------------------------------------------------------------------------------------
+
+
+def _shape(name: str, shape: Shape, place: _Place) -> Iterator[str]:
+    match shape:
+        case Boxes():
+            yield _boxes(name, shape, place)
+        case Curve():
+            yield from _curve(shape, place)
+        case Ring(radius=radius):
+            x, y = place.x(0), place.y(0)
+            across, down = place.x(radius) - x, y - place.y(radius)
+            yield (
+                f'<ellipse cx="{x:.1f}" cy="{y:.1f}" rx="{across:.1f}" ry="{down:.1f}" fill="none" '
+                'stroke="var(--faint)"/>'
+            )
+        case Rule(at=at):
+            y = place.y(at)
+            yield f'<path d="M{place.left} {y:.1f}H{place.right}" stroke="var(--ink)"/>'
+
+
+def _boxes(name: str, shape: Boxes, place: _Place) -> str:
+    path = "".join(
+        f"M{place.x(left):.1f} {place.y(low):.1f}H{place.x(right):.1f}"
+        f"V{place.y(high):.1f}H{place.x(left):.1f}z"
+        for left, right, low, high in shape.corners
+    )
+    edge = f' stroke="var(--{shape.colour})" stroke-width="{shape.edge}"' if shape.edge else ""
+    crisp = "" if shape.edge else ' shape-rendering="crispEdges"'
+    key = f' id="{shape.key}" class="curve"' if shape.key else ""
+    return f'<path{key} d="{path}" fill="{_fill(name, shape.colour)}"{edge}{crisp}/>'
+
+
+def _fill(name: str, colour: str) -> str:
+    return f"url(#{name}-{colour})" if colour in HATCHED else f"var(--{colour})"
+
+
+#: The marks of measured points, around the origin.
+MARKS = ("M-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z", "M-4-4h8v8h-8z", "M0-5l5 9h-10z", "M0 5l5-9h-10z")
+
+
+def _curve(shape: Curve, place: _Place) -> Iterator[str]:
+    points = [(place.x(x), place.y(y)) for x, y in shape.points]
+    path = "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in points)
+    yield f'<path d="{path}" fill="none" stroke="var(--{shape.colour})" stroke-width="1.4"/>'
+    for at in points:
+        yield _mark(at, shape)
+
+
+def _mark(at: Point, shape: Curve) -> str:
+    return (
+        f'<path d="{MARKS[shape.mark % len(MARKS)]}" fill="var(--{shape.colour})" '
+        f'transform="translate({at[0]:.1f} {at[1]:.1f})"/>'
+    )
+
+
+# --- words ---------------------------------------------------------------------------------------
+
+
+def _text(at: Point, text: str, anchor: str = "start", weight: str = "") -> str:
+    more = f' text-anchor="{anchor}"' if anchor != "start" else ""
+    more += f' font-weight="{weight}"' if weight else ""
+    return f'<text x="{at[0]:.1f}" y="{at[1]:.1f}" fill="var(--ink)"{more}>{escape(text)}</text>'
+
+
+_RIM = 'paint-order="stroke" stroke="var(--paper)" stroke-width="4" stroke-linejoin="round"'
+
+
+def _lines(at: Point, shape: Words) -> Iterator[str]:
+    """The lines of some words, each with a rim that keeps it readable on colours."""
+    for number, line in enumerate(shape.text.split("\n")):
+        text = _text((at[0], at[1] + 5 + 18 * number), line, shape.anchor)
+        yield text.replace("<text", f"<text {_RIM}", 1)
+
+
+def _axes(place: _Place) -> Iterator[str]:
+    left, right, top, bottom = place.left, place.right, place.top, place.bottom
+    yield f'<path d="M{left} {top}V{bottom}H{right}" fill="none" stroke="var(--faint)"/>'
+    x, y = place.panel.x, place.panel.y
+    for value, text in _shown(x):
+        yield f'<path d="M{place.x(value):.1f} {bottom}v5" stroke="var(--faint)"/>'
+        yield _text((place.x(value), bottom + 19), text, "middle")
+    for value, text in _shown(y):
+        yield f'<path d="M{left} {place.y(value):.1f}h-5" stroke="var(--faint)"/>'
+        yield _text((left - 8, place.y(value) + 5), text, "end")
+    yield _text(((left + right) / 2, bottom + 41), x.label, "middle")
+    middle = (top + bottom) / 2
+    yield (
+        f'<text transform="translate(16 {middle:.1f}) rotate(-90)" text-anchor="middle" '
+        f'fill="var(--ink)">{escape(y.label)}</text>'
+    )
+
+
+def _shown(scale: Scale) -> Iterable[tuple[float, str]]:
+    return (tick for tick in scale.ticks if -1e-9 <= scale.share(tick[0]) <= 1 + 1e-9)
+
+
+def _legend(name: str, entries: Sequence[Boxes | Curve], place: _Place) -> Iterator[str]:
+    """What each colour means, below the panel in two columns."""
+    top = place.bottom + BOTTOM + 6
+    for number, entry in enumerate(entries):
+        x = 14 + (number % 2) * (place.panel.width / 2 - 8)
+        y = top + LEGEND * (number // 2)
+        if isinstance(entry, Boxes):
+            fill = _fill(name, entry.colour)
+            yield f'<rect x="{x}" y="{y - 11}" width="18" height="13" fill="{fill}"/>'
         else:
-            result.append((a, b, c, d))
-    return result
+            yield _mark((x + 9, y - 5), entry)
+        yield _text((x + 25, y), entry.name)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from verify.language.record import Record
-from verify.views.plots.drawing import Panel
+from verify.views.plots.shapes import Panel
 
 
 class Figure(Record):
@@ -20,3 +20,5 @@ class Figure(Record):
     caption: str
     panels: Sequence[Panel]
     rows: Sequence[Sequence[str]] = ()
+    #: For each row below the head the anchor of its curve.
+    anchors: Sequence[str] = ()

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from typing import Any
 
 from verify.jobs.covers import END, FACTOR, SHARE, WHOLE, Ratios, intervals, ratios
 from verify.language.statement import PROVED, REFUTED
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.prover.decimals import decimal_text, round_decimal
-from verify.views.plots.drawing import COLOURS, Panel, boxes
 from verify.views.plots.figure import Figure
+from verify.views.plots.shapes import Boxes, Corners, Panel, Rule, Scale, Shape, marks, powers
 
 TIGHTEST = 14
+
+TOLD_PRINTED = (
+    "Curves over r from 0 to 0.056. Those of the refuted printed steps lie above the line at 1, "
+    "some a hundred times as high; those of the others below it."
+)
+TOLD_REPAIRED = "Curves over r from 0 to 0.056, all of them below the line at 1."
 
 
 def printed_ratios() -> tuple[list[Ratios], list[Ratios]]:
@@ -40,15 +46,21 @@ def figure() -> Figure:
         f"and 9-4√5; the relative margin (right-left)/right is 1 minus it, and a step holds below "
         f"1. Each of the {count} boxes contains the ratio at every r of its interval; boxes higher "
         f"than a factor {FACTOR} are left out. Left: the {len(refuted)} printed steps that are "
-        f"refuted (red), and the {len(others)} tightest of the others (green). Right: the "
+        f"refuted (orange), and the {len(others)} tightest of the others (blue). Right: the "
         f"{len(tightest)} tightest steps of the repaired construction, each constant at half of "
         f"its bound; {len(proved)} of its {len(repaired)} rows with two positive sides that are "
-        f"not identities are proved on every interval, from r = {_end(0)} to r = {_end(-1)}.",
+        f"not identities are proved on every interval, from r = {_end(0)} to r = {_end(-1)}. A "
+        f"step in the table below leads to its curve.",
         (
-            Panel("As printed", _draw_printed, 400, 330),
-            Panel("Repaired", _draw_repaired, 400, 330),
+            Panel("As printed", _R, _WIDE, _draw_printed, TOLD_PRINTED),
+            Panel("Repaired", _R, _NARROW, _draw_repaired, TOLD_REPAIRED),
         ),
         table,
+        [
+            f"margin-{name}-{number}"
+            for name, part in (("p", (*refuted, *others)), ("r", tightest))
+            for number in range(1, len(part) + 1)
+        ],
     )
 
 
@@ -63,34 +75,34 @@ def decimal_up(value: Fraction) -> str:
     return decimal_text(*round_decimal(value, 4, up=True))
 
 
-def _draw_printed(axis: Any) -> None:
+def _draw_printed() -> Iterator[Shape]:
     refuted, others = printed_ratios()
-    for colour, part in (("proved", others), ("refuted", refuted)):
-        boxes(axis, _boxes(part), colour, edge=0.8)
-    _frame(axis)
-    axis.set_ylim(0.1, 3e3)
+    yield Rule(1)
+    yield from _curves("p", others, "proved", "holds", len(refuted))
+    yield from _curves("p", refuted, "refuted", "refuted")
 
 
-def _draw_repaired(axis: Any) -> None:
-    boxes(axis, _boxes(ratios(REPAIRED, SHARE)[:TIGHTEST]), "proved", edge=0.8)
-    _frame(axis)
-    axis.set_yscale("linear")
-    axis.set_ylim(0.5, 1.05)
+def _draw_repaired() -> Iterator[Shape]:
+    yield Rule(1)
+    yield from _curves("r", ratios(REPAIRED, SHARE)[:TIGHTEST], "proved", "proved")
 
 
-def _boxes(part: list[Ratios]) -> list[tuple[float, float, float, float]]:
+def _curves(
+    panel: str, part: Sequence[Ratios], colour: str, name: str, before: int = 0
+) -> Iterator[Boxes]:
+    """A curve for each row, which its row in the table refers to; the first is in the legend."""
+    for number, row in enumerate(part, before + 1):
+        key, entry = f"margin-{panel}-{number}", name if number == before + 1 else ""
+        yield Boxes(_boxes(row), colour, 0.9, entry, key)
+
+
+def _boxes(row: Ratios) -> list[Corners]:
     return [
         (float(left), float(right), float(low), float(high))
-        for row in part
         for (left, right), (low, high) in row.boxes
     ]
 
 
-def _frame(axis: Any) -> None:
-    axis.set_yscale("log")
-    axis.set_xlim(0, float(END))
-    axis.axhline(1, color=COLOURS["ink"], linewidth=1)
-    axis.set_xlabel("r")
-    axis.set_ylabel("left / right")
-    for side in ("top", "right"):
-        axis.spines[side].set_visible(False)
+_R = Scale("r", 0, float(END), marks("0", "0.01", "0.02", "0.03", "0.04", "0.05"))
+_WIDE = Scale("left / right", 0.1, 3e3, powers(-1, 3), logarithmic=True)
+_NARROW = Scale("left / right", 0.5, 1.05, marks("0.5", "0.6", "0.7", "0.8", "0.9", "1"))

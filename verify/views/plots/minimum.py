@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Iterator
 
 from verify.jobs.covers import least_entries
 from verify.language.statement import UNDECIDED
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.prover.cover import Box
-from verify.views.plots.drawing import COLOURS, Panel, boxes, merged
 from verify.views.plots.figure import Figure
-from verify.views.plots.region import frame
+from verify.views.plots.region import C, S, curves
+from verify.views.plots.shapes import Boxes, Panel, Shape, merged
 
 #: The colour of each entry; the third one is the usual answer.
 SHADES = ("series-2", "series-4", "proved-area", "series-1", "series-6", "series-7", "series-5")
@@ -38,21 +37,22 @@ def figure(depth: int) -> Figure:
         f"one at every point of the cell ({'; '.join(captions)}). Grey: two entries cross there, "
         "or the cell is too wide to tell.",
         (
-            Panel("As printed", _map(least_entries(PRINTED, depth)), 400, 330),
-            Panel("Repaired", _map(least_entries(REPAIRED, depth)), 400, 330),
+            _map("As printed", least_entries(PRINTED, depth)),
+            _map("Repaired", least_entries(REPAIRED, depth)),
         ),
     )
 
 
-def _map(cells: Cells) -> Callable[[Any], None]:
-    def draw(axis: Any) -> None:
-        for index in [None, *sorted({i for _, i in cells if i is not None})]:
-            part = merged((*box[0], *box[1]) for box, least in cells if least == index)
-            if index is None:
-                boxes(axis, part, "undecided", name=UNDECIDED)
-            else:
-                boxes(axis, part, SHADES[index], name=f"entry {index + 1}")
-        frame(axis, labels=False)
-        axis.legend(loc="lower right", labelcolor=COLOURS["ink"])
+def _map(title: str, cells: Cells) -> Panel:
+    present = sorted({i for _, i in cells if i is not None})
 
-    return draw
+    def shapes() -> Iterator[Shape]:
+        for index in [None, *present]:
+            part = merged((*box[0], *box[1]) for box, least in cells if least == index)
+            colour = "undecided" if index is None else SHADES[index]
+            yield Boxes(part, colour, name=UNDECIDED if index is None else f"entry {index + 1}")
+        yield from curves()
+
+    names = " and ".join(f"entry {index + 1}" for index in present)
+    told = f"Above the curve of stability all decided cells have {names} as the smallest."
+    return Panel(title, S, C, shapes, told, 420, 380)

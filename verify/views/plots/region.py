@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any
 
 from verify.jobs.covers import WIDTH, threshold_boxes
 from verify.jobs.everywhere import decide_everywhere, decide_printed_everywhere
@@ -19,11 +18,11 @@ from verify.language.statement import PRINTED, PROVED, REFUTED
 from verify.paper.everywhere.thresholds import STRIPS, Strip
 from verify.prover.cover import Box
 from verify.views.everywhere import dependences
-from verify.views.plots.drawing import Panel, boxes
 from verify.views.plots.figure import Figure
+from verify.views.plots.shapes import Boxes, Corners, Panel, Scale, Shape, Words, marks
 
 #: Values of r at which the axis of s = r^(1/3) is marked.
-TICKS = ("0.0001", "0.001", "0.005", "0.01", "0.02", "0.03", "0.05")
+TICKS = ("0.0005", "0.005", "0.02", "0.05")
 
 #: How many intervals of s are drawn.
 COLUMNS = 300
@@ -51,8 +50,8 @@ def picture() -> Figure:
         "Where the printed proof fails, and where the repaired one closes",
         caption,
         (
-            Panel("As printed: steps refuted", lambda axis: _draw_printed(axis, len(always))),
-            Panel("Repaired: closes", _draw_closing),
+            Panel("As printed: steps refuted", S, C, lambda: _printed(len(always)), TOLD_PRINTED),
+            Panel("Repaired: closes", S, C, _closing, TOLD_REPAIRED),
         ),
         [("Step", "Where it holds, and where it does not"), *dependences(printed, where)],
     )
@@ -104,43 +103,56 @@ def level(q: Fraction, s: Fraction) -> Fraction:
 # --- drawing -------------------------------------------------------------------------------------
 
 
-def _draw_printed(axis: Any, always: int) -> None:
+S = Scale(
+    "r (on the scale of its cube root)",
+    0,
+    float(WIDTH),
+    [(float(Fraction(t)) ** (1 / 3), t) for t in TICKS],
+)
+C = Scale("−cos θ₀", 0, 1, marks("0", "0.2", "0.4", "0.6", "0.8", "1"))
+
+TOLD_PRINTED = (
+    "The plane of r and −cos θ₀. The whole region above the curve of stability is hatched orange: "
+    "steps are refuted everywhere, their numbers stand in its bands."
+)
+TOLD_REPAIRED = "The same plane: the whole region above the curve of stability is blue: it closes."
+
+
+def _printed(always: int) -> Iterator[Shape]:
+    named = False
     for low, high, refuted in bands():
-        if refuted is None:
-            boxes(axis, _corners(cells(low, high)), "undecided")
-            continue
-        boxes(axis, _corners(cells(low, high)), "refuted-area", (0.55, 0.75, 1)[refuted])
+        colour = "undecided" if refuted is None else "refuted-area"
+        name = "" if named or refuted is None else "steps refuted"
+        yield Boxes(_corners(cells(low, high)), colour, name=name)
+        named = named or bool(name)
         middle = float(min(Fraction(1), level(high, Fraction(0))) + level(low, Fraction(0))) / 2
-        axis.text(0.004, middle, f"{always + refuted}", fontsize=9, va="center")
-    frame(axis)
+        if refuted is not None:
+            yield Words((0.006, middle), f"{always + refuted}")
+    yield from curves()
+    yield WHICH
 
 
-def _draw_closing(axis: Any) -> None:
-    boxes(axis, _corners(cells(Fraction(0), Fraction(1, 2))), "proved-area")
-    frame(axis)
+def _closing() -> Iterator[Shape]:
+    yield Boxes(_corners(cells(Fraction(0), Fraction(1, 2))), "proved-area", name="all proved")
+    yield from curves()
+    yield WHICH
 
 
-def _corners(found: Iterable[Box]) -> list[tuple[float, float, float, float]]:
+WHICH = Words((0.2, 0.24), "upper curve: stability\nlower curve: existence")
+
+
+def _corners(found: Iterable[Box]) -> list[Corners]:
     return [
         (float(left), float(right), float(low), float(high)) for (left, right), (low, high) in found
     ]
 
 
-def frame(axis: Any, labels: bool = True) -> None:
-    """The axes of the plane with both thresholds."""
+def curves() -> Iterator[Boxes]:
+    """Both thresholds."""
     for curve in threshold_boxes(400).values():
         part = [
             (float(left), float(right), float(low), float(high))
             for (left, right), (low, high) in curve
             if low <= 1 and left <= WIDTH
         ]
-        boxes(axis, part, "ink")
-    if labels:
-        axis.text(0.19, 0.2, "upper curve: stability\nlower curve: existence", fontsize=10)
-    axis.set_xlim(0, float(WIDTH))
-    axis.set_ylim(0, 1)
-    axis.set_xticks([float(Fraction(t)) ** (1 / 3) for t in TICKS], TICKS, fontsize=9)
-    axis.set_xlabel("r (on the scale of its cube root)")
-    axis.set_ylabel("−cos θ₀")
-    for side_name in ("top", "right"):
-        axis.spines[side_name].set_visible(False)
+        yield Boxes(part, "ink", 0.8)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
-from typing import Any
 
 from verify.jobs.covers import ROOT_CELLS, roots
 from verify.prover.outcome import Ends
-from verify.views.plots.drawing import COLOURS, Panel, boxes
 from verify.views.plots.figure import Figure
+from verify.views.plots.shapes import Boxes, Panel, Ring, Scale, Shape, Words, marks
 
 
 def figure() -> Figure:
@@ -25,49 +25,48 @@ def figure() -> Figure:
         f"and -r³ (grey), as boxes too. That λ₀ lies between them for every r is proved in the "
         f"spectral claims, not by this drawing.",
         (
-            Panel("Complex plane", _draw_plane, 400, 380),
-            Panel("The real root", _draw_real, 400, 380),
+            Panel("Complex plane", _RE, _IM, _draw_plane, _TOLD_PLANE, 420, 448),
+            Panel("The real root", _R, _REAL, _draw_real, _TOLD_REAL, 420, 448),
         ),
     )
 
 
-def _draw_plane(axis: Any) -> None:
-    from matplotlib.patches import Circle
-
-    axis.add_patch(Circle((0, 0), 1, fill=False, edgecolor=COLOURS["faint"], linewidth=1))
+def _draw_plane() -> Iterator[Shape]:
+    yield Ring(1)
     pair = [
         _box(cell.re, (sign * cell.im[0], sign * cell.im[1]))
         for cell in roots()
         for sign in (1, -1)
     ]
-    boxes(axis, pair, "series-1", edge=0.8)
-    thin = (Fraction(-1, 500), Fraction(1, 500))
-    boxes(axis, [_box(cell.real, thin) for cell in roots()], "series-2", edge=0.8)
-    axis.text(0.14, -0.03, "r → 0", ha="left")
-    axis.text(-0.56, 0.68, "r → 1", ha="left")
-    axis.set_xlim(-1.1, 1.1)
-    axis.set_ylim(-1.1, 1.1)
-    axis.set_aspect("equal")
-    axis.set_xlabel("Re λ")
-    axis.set_ylabel("Im λ")
+    yield Boxes(pair, "series-1", 0.8, "complex pair")
+    thin = (Fraction(-1, 250), Fraction(1, 250))
+    yield Boxes([_box(cell.real, thin) for cell in roots()], "series-2", 0.8, "λ₀")
+    yield Words((0.14, -0.03), "r → 0")
+    yield Words((-0.56, 0.68), "r → 1")
 
 
-def _draw_real(axis: Any) -> None:
+def _draw_real() -> Iterator[Shape]:
     cells = roots()
     for attribute, colour in (
-        ("minus_r", "faint"),
-        ("minus_r_cubed", "faint"),
+        ("minus_r", "series-3"),
+        ("minus_r_cubed", "series-3"),
         ("real", "series-2"),
     ):
-        boxes(axis, [_box(cell.r, getattr(cell, attribute)) for cell in cells], colour, edge=0.6)
-    axis.text(0.45, -0.5, "−r", ha="right", va="top")
-    axis.text(0.6, -0.16, "−r³", ha="left", va="bottom")
-    axis.text(0.55, -0.42, "λ₀", ha="left", va="bottom")
-    axis.set_xlim(0, 1)
-    axis.set_ylim(-1, 0)
-    axis.set_xlabel("r")
-    for side in ("top", "right"):
-        axis.spines[side].set_visible(False)
+        yield Boxes([_box(cell.r, getattr(cell, attribute)) for cell in cells], colour, 0.8)
+    yield Words((0.43, -0.52), "−r", "end")
+    yield Words((0.6, -0.14), "−r³")
+    yield Words((0.57, -0.4), "λ₀")
+
+
+_UNIT = marks("-1", "-0.5", "0", "0.5", "1")
+_RE, _IM = Scale("Re λ", -1.1, 1.1, _UNIT), Scale("Im λ", -1.1, 1.1, _UNIT)
+_R = Scale("r", 0, 1, marks("0", "0.2", "0.4", "0.6", "0.8", "1"))
+_REAL = Scale("λ₀", -1, 0, marks("-1", "-0.8", "-0.6", "-0.4", "-0.2", "0"))
+_TOLD_PLANE = (
+    "Inside of the unit circle two arcs, mirrored at the real axis, lead from near 0 to the circle "
+    "and λ₀ runs along the negative real axis."
+)
+_TOLD_REAL = "λ₀ falls from 0 to −1 as r grows, between −r and −r³."
 
 
 def _box(x: Ends, y: Ends) -> tuple[float, float, float, float]:

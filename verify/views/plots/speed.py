@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from math import log10
+from math import ceil, floor, log10
 from typing import Any
 
 from verify.language.record import Record
 from verify.prover.decimals import round_decimal
-from verify.views.plots.drawing import COLOURS, Panel
 from verify.views.plots.figure import Figure
+from verify.views.plots.shapes import Curve, Panel, Scale, powers
 
 _DECIMAL = re.compile(r"[0-9]{1,40}(\.[0-9]{1,40})?(e[+-]?[0-9]{1,5})?")
 
@@ -58,28 +58,35 @@ def figure(table: Mapping[str, Any]) -> Figure | None:
         f"faster) and a rigorous bound: the largest relative width of an enclosure, the same "
         f"work at several precisions (smaller, to the right, is sharper). Only the times depend "
         f"on the machine.",
-        (Panel("", lambda axis: _draw(axis, engines), 420, 330),),
+        (_panel(engines),),
     )
 
 
-def _draw(axis: Any, engines: dict[str, list[Measured]]) -> None:
-    for index, (engine, runs) in enumerate(engines.items(), 1):
-        axis.plot(
-            [_digits(run.width) for run in runs],
-            [float(run.milliseconds) for run in runs],
-            color=COLOURS[f"series-{1 + (index - 1) % 7}"],
-            marker="osD^v<>"[(index - 1) % 7],
-            markersize=4,
-            linewidth=1.2,
-            label=engine,
-        )
-    axis.set_xscale("log")
-    axis.set_yscale("log")
-    axis.set_xlabel("digits of the widest enclosure, -log₁₀ of its relative width")
-    axis.set_ylabel("milliseconds")
-    axis.legend(labelcolor=COLOURS["ink"])
-    for side in ("top", "right"):
-        axis.spines[side].set_visible(False)
+def _panel(engines: dict[str, list[Measured]]) -> Panel:
+    runs = [run for found in engines.values() for run in found]
+    times = [log10(float(run.milliseconds)) for run in runs]
+    digits = [log10(_digits(run.width)) for run in runs]
+    x, y = (floor(min(digits)), ceil(max(digits))), (floor(min(times)), ceil(max(times)))
+    return Panel(
+        "",
+        Scale("correct digits of the widest enclosure", *_ends(x), powers(*x), logarithmic=True),
+        Scale("milliseconds", *_ends(y), powers(*y), logarithmic=True),
+        lambda: _curves(engines),
+        f"Time against digits for {', '.join(engines)}: the time grows with the digits.",
+        480,
+        400,
+    )
+
+
+def _ends(exponents: tuple[int, int]) -> tuple[float, float]:
+    low, high = exponents
+    return 10.0**low, 10.0 ** max(high, low + 1)
+
+
+def _curves(engines: dict[str, list[Measured]]) -> Iterator[Curve]:
+    for index, (engine, runs) in enumerate(engines.items()):
+        points = [(_digits(run.width), float(run.milliseconds)) for run in runs]
+        yield Curve(points, f"series-{1 + index % 7}", index, engine)
 
 
 def _digits(width: Fraction) -> float:

@@ -1,0 +1,157 @@
+"""The proof as a graph of the paper's formulas: which rests on which, printed against repaired."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from html import escape
+
+from verify.language.record import Record
+from verify.language.statement import PRINTED, REFUTED
+from verify.paper.numbering import printed_numbers
+from verify.prover.outcome import Outcome
+from verify.views.graph import Graph, graph
+
+WIDTH, COLUMNS = 420, 4
+BOX, HEIGHT, STEP = 92, 40, 76
+
+Edges = dict[str, set[str]]
+
+
+class Formula(Record):
+    """A formula of the paper: its label, number, rows, and the refuted printed ones."""
+
+    label: str
+    number: str
+    rows: int
+    refuted: Sequence[str]
+
+
+def edges_between_labels(found: Graph) -> Edges:
+    """For each label those whose facts it uses, directly or through facts without a label."""
+    label = {vertex.name: vertex.label for vertex in found.vertices}
+    used: dict[str, list[str]] = {name: [] for name in label}
+    for source, user in found.edges:
+        used[user].append(source)
+    behind: dict[str, set[str]] = {}
+    edges: Edges = {}
+    for vertex in found.vertices:  # facts come after those that they use
+        sources: set[str] = set()
+        for name in used[vertex.name]:
+            sources |= {label[name]} if label[name] else behind.get(name, set())
+        behind[vertex.name] = sources
+        if vertex.label:
+            edges.setdefault(vertex.label, set()).update(sources - {vertex.label})
+    return edges
+
+
+def levels(edges: Edges) -> dict[str, int]:
+    """How far each label is from what it rests on; an edge that closes a circle does not count."""
+    found: dict[str, int] = {}
+    for label in edges:
+        known = [found[source] for source in edges[label] if source in found]
+        found[label] = 1 + max(known, default=-1)
+    return found
+
+
+def picture(everywhere: Outcome, point: Outcome) -> str:
+    """The graph of the theorem for all parameters; what is refuted at the point is marked."""
+    edges = edges_between_labels(graph(everywhere))
+    formulas = {label: _formula(label, everywhere, point) for label in edges}
+    place = dict(_places(levels(edges)))
+    height = max(y for _, y in place.values()) + HEIGHT + 60
+    told = (
+        f"{len(formulas)} formulas of the paper as boxes, each below those that it rests on; "
+        f"{sum(bool(f.refuted) for f in formulas.values())} of them, hatched orange, have printed "
+        "steps that are refuted."
+    )
+    head = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height:.0f}" role="group" '
+        f'aria-label="{told}" font-family="system-ui, sans-serif" font-size="14">'
+    )
+    return "\n".join(
+        [
+            head,
+            _HATCH,
+            *_lines(edges, place),
+            *(_box(formulas[label], *place[label]) for label in edges),
+            *_legend(height - 24),
+            "</svg>",
+        ]
+    )
+
+
+def _formula(label: str, everywhere: Outcome, point: Outcome) -> Formula:
+    rows = sum(row.label == label for row, _ in everywhere.rows)
+    refuted = [
+        row.name
+        for row, found in point.rows
+        if row.label == label and row.role == PRINTED and found.verdict == REFUTED
+    ]
+    return Formula(label, printed_numbers().get(label, label), rows, refuted)
+
+
+def _places(found: Mapping[str, int]) -> Iterator[tuple[str, tuple[float, float]]]:
+    """A level has as many lines as it needs, each with at most so many boxes."""
+    line = 0
+    for level in range(max(found.values(), default=-1) + 1):
+        here = [label for label, own in found.items() if own == level]
+        for start in range(0, len(here), COLUMNS):
+            part = here[start : start + COLUMNS]
+            gap = (WIDTH - BOX * len(part)) / (len(part) + 1)
+            for number, label in enumerate(part):
+                yield label, (gap + number * (BOX + gap), 10 + STEP * line)
+            line += 1
+
+
+def _lines(edges: Edges, place: Mapping[str, tuple[float, float]]) -> Iterable[str]:
+    for label, sources in edges.items():
+        for source in sorted(sources & place.keys()):
+            (a, b), (c, d) = place[source], place[label]
+            x, y, u, v = a + BOX / 2, b + HEIGHT, c + BOX / 2, d
+            yield (
+                f'<path d="M{x:.0f} {y:.0f}C{x:.0f} {y + 24:.0f} {u:.0f} {v - 24:.0f} '
+                f'{u:.0f} {v:.0f}" fill="none" stroke="var(--faint)" stroke-width="0.8"/>'
+            )
+
+
+def _box(formula: Formula, x: float, y: float) -> str:
+    target = formula.refuted[0] if formula.refuted else "repaired"
+    fill = "url(#proof-hatch)" if formula.refuted else "var(--paper)"
+    sign = f"✗ {len(formula.refuted)} refuted" if formula.refuted else _count(formula.rows)
+    rim = "refuted" if formula.refuted else "proved"
+    middle = x + BOX / 2
+    inner = 'fill="var(--paper)"' if formula.refuted else 'fill="none"'
+    return (
+        f'<a href="#{target}"><title>{escape(formula.label)}</title>'
+        f'<rect x="{x:.0f}" y="{y:.0f}" width="{BOX}" height="{HEIGHT}" rx="5" fill="{fill}" '
+        f'stroke="var(--{rim})" stroke-width="1.6"/>'
+        f'<rect x="{x + 5:.0f}" y="{y + 3:.0f}" width="{BOX - 10}" height="{HEIGHT - 6}" rx="3" '
+        f"{inner}/>"
+        f'<text x="{middle:.0f}" y="{y + 17:.0f}" text-anchor="middle" font-weight="600" '
+        f'fill="var(--ink)">{escape(formula.number)}</text>'
+        f'<text x="{middle:.0f}" y="{y + 33:.0f}" text-anchor="middle" font-size="12.5" '
+        f'fill="var(--{rim})">{sign}</text></a>'
+    )
+
+
+def _count(rows: int) -> str:
+    return f"✓ {rows} row{'s' * (rows > 1)}" if rows else "assumed"
+
+
+def _legend(y: float) -> Iterable[str]:
+    for x, fill, rim, text in (
+        (14, "var(--paper)", "proved", "all rows hold"),
+        (170, "url(#proof-hatch)", "refuted", "printed steps refuted"),
+    ):
+        yield (
+            f'<rect x="{x}" y="{y - 12:.0f}" width="20" height="14" rx="3" fill="{fill}" '
+            f'stroke="var(--{rim})"/><text x="{x + 27}" y="{y:.0f}" fill="var(--ink)">{text}</text>'
+        )
+
+
+_HATCH = (
+    '<defs><pattern id="proof-hatch" width="7" height="7" patternUnits="userSpaceOnUse">'
+    '<rect width="7" height="7" fill="var(--refuted-area)"/>'
+    '<path d="M-1 1L1 -1M0 7L7 0M6 8L8 6" stroke="var(--refuted-line)" stroke-width="1.3"/>'
+    "</pattern></defs>"
+)

@@ -1,0 +1,116 @@
+"""What a panel is made of: scales, boxes, curves, words."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
+from math import log10
+
+from verify.language.record import Record
+
+Corners = tuple[float, float, float, float]
+Point = tuple[float, float]
+
+
+class Scale(Record):
+    """An axis: what it shows, from where to where, and its marks."""
+
+    label: str
+    low: float
+    high: float
+    ticks: Sequence[tuple[float, str]]
+    logarithmic: bool = False
+
+    def share(self, value: float) -> float:
+        """Where a value lies between the two ends."""
+        if not self.logarithmic:
+            return (value - self.low) / (self.high - self.low)
+        low, high = log10(self.low), log10(self.high)
+        return (log10(max(value, self.low / 1e6)) - low) / (high - low)
+
+
+class Boxes(Record):
+    """Boxes ``(left, right, bottom, top)`` in one colour.
+
+    ``key`` is the anchor that a table refers to, ``name`` the entry in the legend.
+    """
+
+    corners: Sequence[Corners]
+    colour: str
+    edge: float = 0.0
+    name: str = ""
+    key: str = ""
+
+
+class Curve(Record):
+    """Measured points with a line through them; marks differ in shape."""
+
+    points: Sequence[Point]
+    colour: str
+    mark: int = 0
+    name: str = ""
+
+
+class Words(Record):
+    """Words at a point; ``anchor`` is start, middle or end."""
+
+    at: Point
+    text: str
+    anchor: str = "start"
+
+
+class Ring(Record):
+    """A circle around the origin of a panel with equal scales."""
+
+    radius: float
+
+
+class Rule(Record):
+    """A line across the panel."""
+
+    at: float
+
+
+Shape = Boxes | Curve | Words | Ring | Rule
+
+
+class Panel(Record):
+    """One pair of axes; its shapes are made when it is drawn. ``told`` says what is seen."""
+
+    title: str
+    x: Scale
+    y: Scale
+    shapes: Callable[[], Iterable[Shape]]
+    told: str = ""
+    width: int = 420
+    height: int = 350
+
+
+def powers(low: int, high: int, step: int = 1) -> list[tuple[float, str]]:
+    """Marks at powers of ten."""
+    table = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+    return [(10.0**n, f"10{str(n).translate(table)}") for n in range(low, high + 1, step)]
+
+
+def marks(*texts: str) -> list[tuple[float, str]]:
+    """Marks at these numbers."""
+    return [(float(Fraction(text)), text.replace("-", "−")) for text in texts]
+
+
+def merged(cells: Iterable[tuple[Fraction, Fraction, Fraction, Fraction]]) -> list[Corners]:
+    """The same area in fewer boxes: neighbours of one height are joined, then of one width."""
+    rows = _joined((low, high, left, right) for left, right, low, high in cells)
+    columns = _joined((left, right, low, high) for low, high, left, right in rows)
+    return [(float(a), float(b), float(c), float(d)) for a, b, c, d in columns]
+
+
+def _joined(
+    cells: Iterable[tuple[Fraction, Fraction, Fraction, Fraction]],
+) -> list[tuple[Fraction, Fraction, Fraction, Fraction]]:
+    result: list[tuple[Fraction, Fraction, Fraction, Fraction]] = []
+    for a, b, c, d in sorted(cells):
+        if result and result[-1][:2] == (a, b) and result[-1][3] == c:
+            result[-1] = (a, b, result[-1][2], d)
+        else:
+            result.append((a, b, c, d))
+    return result

@@ -139,7 +139,7 @@ def run(options: Options) -> int:
         from verify.jobs.map import Target  # numpy is loaded only where it is used
     except ImportError as error:
         raise InputError(f"map: {error}") from error
-    from verify.views.map import map_document, map_lines
+    from verify.views.map import map_document, map_lines, saddle_lines
     from verify.wire.map_log import LogMismatchError, Progress, plane_document
 
     try:
@@ -159,7 +159,8 @@ def run(options: Options) -> int:
     if options.json:
         print_document(map_document(progress))
     else:
-        sys.stdout.write("".join(f"{line}\n" for line in map_lines(progress)))
+        lines = (*map_lines(progress), *saddle_lines(progress.plane))
+        sys.stdout.write("".join(f"{line}\n" for line in lines))
     done = progress.undecided <= share if delta is None else not progress.due
     return 0 if done else UNDECIDED_CODE
 

@@ -8,6 +8,8 @@ from typing import Any
 
 from verify.paper.map.plane import Phi, Plane
 from verify.paper.map.strip import BorderStrip
+from verify.prover.decimals import short
+from verify.prover.map_saddle import saddle
 from verify.wire.map_log import (
     COLLAPSES,
     DISPERSES,
@@ -91,6 +93,16 @@ def map_lines(progress: Progress) -> Iterator[str]:
     for name, says in AREAS.values():
         yield f"{name:<10} {percent(found[name]):>9} %  {says}"
     yield f"{progress.boxes} boxes, down to 1/{4 ** (progress.level - 1)} of the area"
+
+
+def saddle_lines(plane: Plane | BorderStrip) -> Iterator[str]:
+    """What is known of the border where η goes to 0."""
+    phi = plane.phi if isinstance(plane, BorderStrip) else plane
+    found = saddle(phi) if isinstance(phi, Phi) else None
+    if found is not None:
+        phi_1, phi_2, stable, unstable = (short(ends, 16) for ends in found)
+        yield f"limiting map for η → 0: a saddle at φ1 = {phi_1}, φ2 = {phi_2}"
+        yield f"  with the multipliers {unstable} and {stable}"
 
 
 def percent(share: Fraction) -> str:

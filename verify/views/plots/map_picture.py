@@ -148,14 +148,16 @@ def _fill_strip(dots: list[bytearray], plane: BorderStrip) -> None:
     side, parts = len(dots), len(plane.curve)
     half = float(plane.x[1] - plane.x[0]) / parts / 2
     top, delta = float(plane.y[1]), float(plane.delta)
+    columns = []
     for i in range(side):
         place = i * parts // side
         t = half * (2 * ((i + 0.5) * parts / side - place) - 1)
         c_0, c_1, c_2 = map(float, plane.curve[place])
         f = c_0 + t * (c_1 + t * c_2)
         below, above = int((f - delta) / top * side), math.ceil((f + delta) / top * side)
-        for j in range(side):
-            dots[j][i] = 1 if j < below else 2 if j >= above else 0
+        columns.append(b"\1" * below + b"\0" * (above - below) + b"\2" * (side - above))
+    for line, row in zip(dots, zip(*columns, strict=True), strict=True):
+        line[:] = bytes(row)
 
 
 def _block(kind: bytes, data: bytes) -> bytes:

@@ -56,8 +56,9 @@ def test_numbers_are_read_exactly(tmp_path: Path, capsys: pytest.CaptureFixture[
 
 
 BAD = {
-    "overlap": (GOOD.replace("501/500", "1/2"), "0 and 1 overlap by 0.5: their distance"),
-    "overlap-of-2": (GOOD.replace("-1.006", "0.2"), "0 and 2 overlap by 0.784593"),
+    "overlap": (GOOD.replace("501/500", "1/2"), "0 and 1 overlap by about 0.5: their distance"),
+    "overlap-of-1e-74": (GOOD.replace("501/500", "0." + "9" * 74), "overlap by about 1E-74"),
+    "overlap-of-2": (GOOD.replace("-1.006", "0.2"), "0 and 2 overlap by about 0.785:"),
     "r": (GOOD.replace("0.03", "1"), "r: '1' is not in ]0,1["),
     "no-number": (
         GOOD.replace("-1.006", '"one"'),
@@ -106,6 +107,46 @@ def test_unusable_options(words: list[object], capsys: pytest.CaptureFixture[str
     code, out, err = run(capsys, *words)
     assert (code, out) == (2, "")
     assert err.count("\n") == 1
+
+
+EXTREME = """r = "0.03"
+positions = [["0", "0"], ["PLACE", "0"], ["-1.006", "0.08"]]
+velocities = [["0", "0"], ["-1.4SCALE", "0"], ["0.7SCALE", "-0.1SCALE"]]
+"""
+
+
+@pytest.mark.parametrize("kind", ["svg", "html"])
+def test_numbers_beyond_a_drawing_are_one_line(
+    kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "fast.toml"
+    path.write_text(EXTREME.replace("PLACE", "1.002").replace("SCALE", "e320"))
+    code, out, err = run(capsys, path, "--plot", tmp_path / f"scene.{kind}")
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert run(capsys, path)[0] == 0
+
+
+@pytest.mark.parametrize("place", ["1e200", "1e1000"])
+def test_a_particle_far_away_is_no_trouble(
+    place: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "far.toml"
+    path.write_text(EXTREME.replace("PLACE", place).replace("SCALE", "e0"))
+    assert run(capsys, path)[0] in (0, 3)
+
+
+def test_a_table_leaves_open_what_nobody_could_read(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Where all collisions are one on a ray for ever, ζ is a quotient of numbers near 0."""
+    path = tmp_path / "ray.toml"
+    path.write_text(
+        'r = "4/95"\npositions = [[0, 0], [1, 0], [-2, 0]]\n'
+        'velocities = [[0, 0], ["8/19", 0], [1, 0]]\n'
+    )
+    code, out, _ = run(capsys, path, "--collisions", "300", "-v")
+    assert code == 3
+    assert "  ?" in out
 
 
 def test_the_table_has_a_line_for_each_collision(capsys: pytest.CaptureFixture[str]) -> None:

@@ -5,18 +5,31 @@ from __future__ import annotations
 import os
 
 from verify.cli.files import write_all
+from verify.jobs.inputs import InputError
 from verify.prover.scene import Fate
 
 
 def write_plot(option: str, path: str, kind: str, found: Fate) -> None:
-    """Write the drawing (.svg) or the animation (.html)."""
+    """Write the drawing (.svg) or the animation (.html).
+
+    Raises:
+        InputError: if the file cannot be written, or numbers are too large or small for a drawing.
+    """
+    try:
+        text = _drawn(kind, found)
+    except (OverflowError, ZeroDivisionError) as error:
+        raise InputError(
+            f"{option}: numbers of this scene are too large or too small to draw; leave it out"
+        ) from error
+    folder, name = os.path.split(path)
+    write_all(option, folder or os.curdir, {name: text.encode()})
+
+
+def _drawn(kind: str, found: Fate) -> str:
     if kind == ".svg":
         from verify.views.plots.scene_drawing import scene_svg  # loaded only where it is used
 
-        text = scene_svg(found)
-    else:
-        from verify.views.plots.scene_animation import scene_page
+        return scene_svg(found)
+    from verify.views.plots.scene_animation import scene_page
 
-        text = scene_page(found)
-    folder, name = os.path.split(path)
-    write_all(option, folder or os.curdir, {name: text.encode()})
+    return scene_page(found)

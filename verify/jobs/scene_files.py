@@ -16,7 +16,6 @@ from typing import Any
 from verify.jobs.inputs import InputError, rational, shown
 from verify.paper.scene.scene import PAIRS, Coordinates, Scene
 from verify.prover import balls
-from verify.prover.decimals import short
 
 KEYS = ("r", "positions", "velocities")
 MAX_DIMENSION = 20
@@ -87,10 +86,18 @@ def _apart(where: str, scene: Scene) -> None:
     for i, j in PAIRS:
         gap, _, _ = given.pair(i, j)
         if gap < 0:
-            with balls.precision(192):
-                distance = balls.from_fraction(1 + gap).sqrt()
-                low, high = balls.ends(1 - distance)
             raise InputError(
-                f"{where}: the particles {i} and {j} overlap by {short((low, high))}: their "
+                f"{where}: the particles {i} and {j} overlap by about {_overlap(gap)}: their "
                 "distance has to be at least 1"
             )
+
+
+def _overlap(gap: Fraction) -> str:
+    """1 - |x| where |x|² - 1 = gap < 0, with three digits, however small it is."""
+    from decimal import Context, Decimal  # loaded only where it is used
+
+    with balls.precision(192):
+        reach = balls.from_fraction(1 + gap).sqrt()
+        low, high = balls.ends(-balls.from_fraction(gap) / (1 + reach))
+    top, divisor = map(Decimal, ((low + high) / 2).as_integer_ratio())
+    return f"{Context(prec=3).divide(top, divisor).normalize()}"

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from typing import Any
 
 Ball = arb
+#: Of two: larger powers are not written down.
+LARGEST_EXPONENT = 1 << 18
 
 
 @contextmanager
@@ -259,6 +261,17 @@ def larger(a: Any, b: Any) -> arb:
 def as_float(value: Any) -> float:
     """A float near a ball or a rational number."""
     return float(as_ball(value).mid())
+
+
+def is_within_reach(ball: arb) -> bool:
+    """Whether a ball is finite, and neither its middle nor its radius too large or small to write.
+
+    Numbers from a scene file are: they have at most a few thousand digits.
+    """
+    if not ball.is_finite():
+        return False
+    parts = (part.man_exp() for part in (ball.mid(), ball.rad()) if not part.is_zero())
+    return all(abs(int(exponent)) < LARGEST_EXPONENT for _, exponent in parts)
 
 
 def loosened(ball: arb) -> arb:

@@ -16,6 +16,8 @@ FORMAT = "verify-scene/1"
 #: Exit codes: a verdict is there, or not.
 CODES = {COLLAPSES: 0, DISPERSES: 0, FINITE: 0}
 UNDECIDED_CODE = 3
+#: In a table, for a quotient by a number that may be 0, and for what no reader could compare.
+UNKNOWN = "?"
 
 
 def exit_code(found: Fate) -> int:
@@ -54,4 +56,5 @@ def _cells(move: Move) -> Iterator[str]:
     start = start_of(move.after.state)
     zeta = start.d * (2 + start.d) * start.A / ((1 + start.d) * start.y) ** 2
     for value in (move.after.time, -start.y, zeta, start.eta_s / start.y, start.C):
-        yield short(balls.ends(balls.as_ball(value)), 8)
+        ball = balls.as_ball(value)
+        yield short(balls.ends(ball), 8) if balls.is_within_reach(ball) else UNKNOWN

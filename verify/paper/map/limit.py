@@ -22,7 +22,7 @@ def limit_map(
     number: Callable[[Fraction], Number],
     root: Callable[[Number], Number],
 ) -> tuple[Number, Number]:
-    """The ratios after the next collision, without all terms of the law that have η or d in them."""
+    """The ratios after the next collision, by the law without its terms that have η or d."""
     r, C, A = number(plane.r), number(plane.neg_cos), number(plane.tangential[0] ** 2)
     s = root(1 - 2 * A * phi_2)
     T = 2 * phi_2 / (1 + s)

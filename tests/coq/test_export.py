@@ -66,3 +66,19 @@ def test_what_is_not_accepted_is_not_exported(
         assert captured.err.count("\n") == 1
     assert main(["export", "lean", str(source)]) == 2
     assert main(["export", "coq", str(tmp_path / "nothing")]) == 2
+
+
+def test_the_readable_form_has_a_lemma_for_every_row(capsys: pytest.CaptureFixture[str]) -> None:
+    for folder in ("define", "witness", "interval", "induction", "mean-applied", "maximum"):
+        path = ROOT / "certificates/examples" / folder
+        assert main(["export", "coq", "--readable", str(path)]) == 0
+        text = capsys.readouterr().out
+        statement = json.loads((path / "statement.json").read_bytes())
+        lemmas = re.findall(r"^Lemma (\S+) :", text, re.MULTILINE)
+        assert len(lemmas) == len({*lemmas})
+        for row in statement["obligations"]:
+            name = re.sub("[^A-Za-z0-9_]", "_", row["name"])
+            undecided = row["verdict"] == "undecided"
+            found = [lemma for lemma in lemmas if lemma.rstrip("_").removeprefix("its_") == name]
+            assert len(found) == (not undecided), row["name"]
+            assert not undecided or f"{row['name']} is undecided" in text

@@ -2,12 +2,13 @@
    `verify export coq --readable certificates/step` prints.
 
    The n-th state is defined from the numbers of the start by the map that the certificate is about.
-   If the standing givens (inequalities of Cauchy and Schwarz, which hold for vectors) are true of
-   all states, then for all n the conditions of the recursion hold, the times of the collisions
-   increase and converge, and the cosine of the angle converges, to at most delta_theta away. *)
+   If each state has the inner products of some vectors in R^d, then for all n the conditions of the
+   recursion hold, the times of the collisions increase and converge, to at most T_star, and C, minus
+   the cosine of the angle, converges, to at most delta_theta away from c. That the inner products
+   are those of the particles is not proved here. *)
 From Coq Require Import Reals List Lra Lia.
-From Verify Require Import Meaning Readable Step.
-Import Coq.Init.Datatypes Coq.Lists.List Meaning Readable.  (* again: Step has names of its own *)
+From Verify Require Import Meaning Vectors Readable Step.
+Import Coq.Init.Datatypes Coq.Lists.List Meaning Vectors Readable.  (* again: Step has names of its own *)
 Import ListNotations.
 Open Scope R_scope.
 
@@ -62,17 +63,88 @@ Definition state_context := Eval vm_compute in snd (fst (fst the_induction)).
 Definition start := Eval vm_compute in snd (fst the_induction).
 Definition next := Eval vm_compute in snd the_induction.
 
+(* A state has the inner products of four vectors: the directions p and q, of which one is from the
+   particle in the middle to that which is about to collide, and the relative velocities s and c. *)
+Record has_vectors (v : valuation) (dimension : nat) (p q s c : vector) : Prop := {
+  unit_p : dot dimension p p = 1; unit_q : dot dimension q q = 1;
+  angle : dot dimension p q = - v number_of_C;
+  p_s : dot dimension p s = v number_of_eta_s; q_c : dot dimension q c = - v number_of_y;
+  p_c : dot dimension p c = v number_of_a; q_s : dot dimension q s = v number_of_b;
+  square_s : dot dimension s s = v number_of_B; square_c : dot dimension c c = v number_of_A;
+  s_c : dot dimension s c = v number_of_w
+}.
+Lemma impact_square d p q s c t e :
+  (dot d p p = 1) -> (dot d q q = 1) ->
+  (e * dot d q s + t * dot d s c) ^ 2 <=
+    dot d s s * (e * e + e * t * dot d q c + t * e * dot d q c + t * t * dot d c c) /\
+  (e * dot d p q + e * t * dot d q s + t * dot d p c + t * t * dot d s c) ^ 2 <=
+    (e * e + e * t * dot d q c + t * e * dot d q c + t * t * dot d c c) *
+    (1 + t * dot d p s + t * dot d p s + t * t * dot d s s).
+Proof.
+  intros P Q. split.
+  - pose proof (cauchy_schwarz d s (combined e q t c)) as A.
+    rewrite dot_linear_right, square_of_combined, Q, (dot_symmetric d s q) in A. lra.
+  - pose proof (cauchy_schwarz d (combined e q t c) (combined 1 p t s)) as A.
+    rewrite !square_of_combined, dot_linear, !dot_linear_right, P, Q, (dot_symmetric d q p),
+      (dot_symmetric d c p), (dot_symmetric d c s) in A.
+    replace (e * dot d p q + e * t * dot d q s + t * dot d p c + t * t * dot d s c) with
+      (e * (1 * dot d p q + t * dot d q s) + t * (1 * dot d p c + t * dot d s c)) by ring.
+    lra.
+Qed.
+Lemma outer_square d q s c : dot d q q = 1 ->
+  (-1 * dot d q s + dot d q c) ^ 2 <= 1 * (-1 * -1 * dot d s s + -1 * dot d s c + -1 * dot d s c + dot d c c).
+Proof.
+  intros Q. pose proof (cauchy_schwarz d q (combined (-1) s 1 c)) as A.
+  rewrite dot_linear_right, square_of_combined, Q in A.
+  replace (-1 * dot d q s + dot d q c) with (-1 * dot d q s + 1 * dot d q c) by ring. lra.
+Qed.
+Definition the_standing := Eval vm_compute in
+  map (fun a => read_claim the_table (given_claim a)) (standing S0 state_context).
+Lemma the_standing_is :
+  map (fun a => read_claim the_table (given_claim a)) (standing S0 state_context) = the_standing.
+Proof. vm_compute. reflexivity. Qed.
+Lemma vectors_standing v dimension p q s c : has_vectors v dimension p q s c ->
+  satisfies S0 v (standing S0 state_context).
+Proof.
+  intros [P Q PQ PS QC PC QS SS CC SC].
+  assert (A : Forall (shown S0 all_values v) the_standing).
+  { pose proof (cauchy_schwarz dimension p q) as C1. pose proof (cauchy_schwarz dimension p s) as C2.
+    pose proof (cauchy_schwarz dimension q c) as C3. pose proof (cauchy_schwarz dimension p c) as C4.
+    pose proof (cauchy_schwarz dimension q s) as C5. pose proof (cauchy_schwarz dimension s c) as C6.
+    pose proof (outer_square dimension q s c Q) as C7.
+    pose proof (fun t e => impact_square dimension p q s c t e P Q) as C8.
+    rewrite PQ, P, Q in C1. rewrite PS, P, SS in C2. rewrite QC, Q, CC in C3. rewrite PC, P, CC in C4.
+    rewrite QS, Q, SS in C5. rewrite SC, SS, CC in C6. rewrite QS, QC, SS, SC, CC in C7.
+    assert (C9 : forall t e, (e * v number_of_b + t * v number_of_w) ^ 2 <=
+        v number_of_B * (e * e + e * t * - v number_of_y + t * e * - v number_of_y
+          + t * t * v number_of_A) /\
+      (e * - v number_of_C + e * t * v number_of_b + t * v number_of_a + t * t * v number_of_w) ^ 2 <=
+        (e * e + e * t * - v number_of_y + t * e * - v number_of_y + t * t * v number_of_A) *
+        (1 + t * v number_of_eta_s + t * v number_of_eta_s + t * t * v number_of_B)).
+    { intros t e. specialize (C8 t e). now rewrite PQ, PS, QC, PC, QS, SS, CC, SC in C8. }
+    clear C8. unfold the_standing.
+    repeat (apply Forall_cons; [first [exact C1 | exact C2 | exact C3 | exact C4 | exact C5
+      | exact C6 | exact C7 | exact (proj1 (C9 _ (1 + v number_of_d)))
+      | exact (proj2 (C9 _ (1 + v number_of_d)))]|]).
+    apply Forall_nil. }
+  rewrite <- the_standing_is in A. unfold satisfies. rewrite Forall_map in A. revert A.
+  apply Forall_impl. intros a. apply (read_claim_right S0 the_order the_table the_table_is).
+  exact all_right.
+Qed.
+
 Section Trajectory.
 (* Numbers that satisfy the conditions on the parameters and on the start. *)
 Variable v : valuation.
 Hypothesis good_start : scope S0 start_context v.
 Definition at_step (n : nat) : valuation := state S0 v start next n.
-Hypothesis standing_always : forall n, satisfies S0 (at_step n) (standing S0 state_context).
+Hypothesis vectors_always : forall n, exists dimension p q s c,
+  has_vectors (at_step n) dimension p q s c.
 
 Lemma scope_always n : scope S0 state_context (at_step n).
 Proof.
   destruct (always v good_start) as [_ A]. destruct (A n) as [B _]; [|exact B].
-  intros k _. apply standing_always.
+  intros k _. destruct (vectors_always k) as (dimension & p & q & s & c & V).
+  now apply vectors_standing in V.
 Qed.
 (* What a row says of each state. *)
 Ltac row_at n is_row := refine (row_in_scope S0 the_order the_table the_table_is the_rows_hold

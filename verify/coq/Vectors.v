@@ -1,0 +1,42 @@
+(* Vectors in R^d, and the inequality of Cauchy and Schwarz for them. *)
+Require Import Reals Lra.
+Open Scope R_scope.
+
+Definition vector := nat -> R.
+(* The inner product of the first ``dimension`` coordinates. *)
+Fixpoint dot (dimension : nat) (u v : vector) : R :=
+  match dimension with O => 0 | S k => dot k u v + u k * v k end.
+Definition combined (a : R) (u : vector) (b : R) (v : vector) : vector := fun i => a * u i + b * v i.
+
+Section Dimension.
+Variable dimension : nat.
+Notation "u ** v" := (dot dimension u v) (at level 40).
+Lemma dot_symmetric u v : u ** v = v ** u.
+Proof. induction dimension as [|k IH]; cbn [dot]; [reflexivity | rewrite IH; ring]. Qed.
+Lemma dot_linear a u b v w : combined a u b v ** w = a * (u ** w) + b * (v ** w).
+Proof.
+  induction dimension as [|k IH]; cbn [dot]; [ring|]. rewrite IH. unfold combined. ring.
+Qed.
+Lemma dot_linear_right a u b v w : w ** combined a u b v = a * (w ** u) + b * (w ** v).
+Proof. now rewrite dot_symmetric, dot_linear, (dot_symmetric u), (dot_symmetric v). Qed.
+Lemma dot_self u : 0 <= u ** u.
+Proof.
+  induction dimension as [|k IH]; cbn [dot]; [lra|]. pose proof (Rle_0_sqr (u k)). unfold Rsqr in *. lra.
+Qed.
+Lemma square_of_combined a u b v :
+  combined a u b v ** combined a u b v = a * a * (u ** u) + 2 * a * b * (u ** v) + b * b * (v ** v).
+Proof. rewrite dot_linear, !dot_linear_right, (dot_symmetric v u). ring. Qed.
+Theorem cauchy_schwarz u v : (u ** v) ^ 2 <= (u ** u) * (v ** v).
+Proof.
+  pose proof (dot_self u) as U. destruct (Rle_lt_or_eq_dec _ _ U) as [P|P].
+  - pose proof (dot_self (combined (u ** u) v (- (u ** v)) u)) as Q.
+    rewrite square_of_combined, (dot_symmetric v u) in Q.
+    apply Rmult_le_reg_l with (u ** u); trivial. lra.
+  - destruct (Req_dec (u ** v) 0) as [E|E]; [rewrite E, <- P; lra|].
+    pose proof (dot_self (combined 1 v (- ((v ** v + 1) / (2 * (u ** v)))) u)) as Q.
+    rewrite square_of_combined, <- P, (dot_symmetric v u) in Q.
+    replace (2 * 1 * - ((v ** v + 1) / (2 * (u ** v))) * (u ** v)) with (- (v ** v + 1)) in Q
+      by (field; exact E).
+    lra.
+Qed.
+End Dimension.

@@ -33,6 +33,7 @@ from verify.measure.engines import (
     MpmathEngine,
     load,
 )
+from verify.measure.inequalities import inequality_table
 from verify.measure.scenes import scene_tables
 from verify.measure.slack import slack_table
 from verify.prover import balls
@@ -68,7 +69,7 @@ def parameters(r: str, c: str) -> dict[str, Term]:
 
 
 #: How often `run_benchmarks` tells its progress.
-STEPS = 8
+STEPS = 9
 
 
 def run_benchmarks(quick: bool, progress: Progress) -> dict[str, Table]:
@@ -93,6 +94,8 @@ def run_benchmarks(quick: bool, progress: Progress) -> dict[str, Table]:
     tables["processes"] = process_table(3 if quick else 15)
     progress("bounds with slack")
     tables["slack"] = slack_table(quick)
+    progress("published inequalities")
+    tables["inequalities"] = inequality_table(quick)
     return tables
 
 

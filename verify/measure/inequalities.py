@@ -10,6 +10,7 @@ import json
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from pathlib import Path
+from statistics import median
 from time import perf_counter
 from typing import Any
 
@@ -128,3 +129,45 @@ def judged(names: Iterable[str] = (), seconds: float = 60) -> Iterator[Judged]:
     for entry in entries():
         if not wanted or entry["name"] in wanted or entry["category"] in wanted:
             yield judge(entry, seconds)
+
+
+#: What the short form measures.
+QUICK = ("ground", "poly-uni", "sqrt", "identity")
+
+
+def inequality_table(quick: bool, seconds: float = 60) -> dict[str, Any]:
+    """For each category how many are decided and accepted, how fast, and how long proofs are."""
+    found = list(judged(QUICK if quick else (), seconds))
+    groups = list(dict.fromkeys(one.category for one in found))
+    rows = [_counted(group, [one for one in found if one.category == group]) for group in groups]
+    return {
+        "title": "Published inequalities: decided within 60 s each, with certificates",
+        "columns": [
+            "category",
+            "claims",
+            "decided",
+            "wrong",
+            "accepted",
+            "median s (with the check)",
+            "longest certificate (bytes)",
+            "longest check (s)",
+            "undecided",
+        ],
+        "rows": [*rows, _counted("all", found)],
+    }
+
+
+def _counted(group: str, found: list[Judged]) -> list[str | int | None]:
+    decided = [one for one in found if one.verdict != UNDECIDED]
+    times = [one.search + one.check for one in decided]
+    return [
+        group,
+        len(found),
+        len(decided),
+        sum(not one.right for one in found),
+        sum(one.accepted for one in found),
+        f"{median(times):.3f}" if times else None,
+        max((one.size for one in decided), default=0),
+        f"{max((one.check for one in decided), default=0.0):.2f}",
+        ", ".join(one.name for one in found if one.verdict == UNDECIDED),
+    ]

@@ -134,7 +134,7 @@ def people(text: str, mark: str = "") -> str:
     return power if digits + mark == "1" else f"{digits}{mark}·{power}"
 
 
-def readable(value: Fraction, digits: int = 8) -> str:
+def told_number(value: Fraction, digits: int = 8) -> str:
     """A rational as people write it: the decimal that it is, or a short fraction, or its digits."""
     text = short((value, value), digits)
     return str(value) if "…" in text and value.denominator < 1000 else text

@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
+from operator import gt
 
+from verify.language.terms import Claim
 from verify.prover.budget import WorkBudget
 from verify.prover.goal import Goal
 from verify.prover.search.compiled import estimates
@@ -23,17 +25,20 @@ Function = Callable[[Sequence[float]], float]
 
 
 class Minima:
-    """Points where rhs - lhs is small, the smallest first."""
+    """Points where rhs - lhs is small, the smallest first, among those that satisfy givens."""
 
-    def __init__(self, goal: Goal, budget: WorkBudget) -> None:
+    def __init__(self, goal: Goal, budget: WorkBudget, givens: Sequence[Claim] = ()) -> None:
         names = [*goal.variables]
-        sides = estimates(names, (goal.claim.lhs, goal.claim.rhs), goal.definitions)
+        terms = [term for claim in (goal.claim, *givens) for term in (claim.lhs, claim.rhs)]
+        sides = estimates(names, terms, goal.definitions)
         self.bounds = [_ends(b.low, b.high) for b in goal.variables.values()]
         self.budget, self.cost = budget, 4
 
         def function(x: Sequence[float]) -> float:
             try:
-                a, b = sides(*x)
+                a, b, *others = sides(*x)
+                if others and any(map(gt, others[::2], others[1::2])):
+                    return math.inf
             except (ArithmeticError, ValueError):
                 return math.inf
             return b - a if b - a == b - a else math.inf

@@ -150,7 +150,7 @@ def _attempts(domain: Domain) -> Iterator[Attempt]:
         yield _attempt(domain, [one, *facts, *ends, *again], higher, used)
         if mixed:
             yield _attempt(domain, [one, *facts, *mixed, *again], higher, used)
-    for fact in facts[:FEW]:
+    for fact in (goal, *facts[:FEW]):
         if fact.strict:
             even = degree + 1 + (degree + 1) % 2
             yield _attempt(domain, [one, *facts, *pairs, *again], even, used, fact)

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 #: An estimate below this may be a zero.
 NEAR_ZERO = 1e-6
 MAX_ZEROS = 12
+#: More givens are not used.
+MAX_FACTS = 16
 FEW_LEAVES, MANY_LEAVES = 300, 20_000
 
 
@@ -36,7 +38,8 @@ class Strategy:
         self.universal, self.budget = universal, universal.budget
         self.goal = unfolded(goal, universal)
         self.using = tuple(self.goal.definitions)
-        self.minima = Minima(self.goal, self.budget).found()
+        self.given = dict(self.givens())
+        self.minima = Minima(self.goal, self.budget, [*self.given.values()]).found()
 
     def proofs(self) -> Iterator[Proof | None]:
         """What each technique finds."""
@@ -85,6 +88,7 @@ class Strategy:
             for name in (bounds.low_fact, bounds.high_fact):
                 if name and session.claims[name].relation != "=":
                     found[name] = session.claims[name]
+        found |= dict([*self.given.items()][: max(0, MAX_FACTS - len(found))])
         rows = {name: session.claims[name] for name in self.universal.rows & session.claims.keys()}
         found |= {name: rows[name] for name in sorted(rows) if self._is_near(name, rows[name])}
         for term in extrema_of((self.goal.claim.lhs, self.goal.claim.rhs), self.goal.definitions):
@@ -96,6 +100,14 @@ class Strategy:
                     found[known] = claim
         return found
 
+    def givens(self) -> Iterator[tuple[str, Claim]]:
+        """What is given here of more than one variable, or not by a number."""
+        session, contexts = self.universal.session, self.universal.contexts
+        for place in session.chain(self.goal.context):
+            for given in contexts[place].givens if place is not None else ():
+                if self._is_near(given.name, given.claim):
+                    yield given.name, given.claim
+
     def root_facts(self) -> dict[str, Claim]:
         """The bounds of roots, which are proved now."""
         found = {}
@@ -106,11 +118,12 @@ class Strategy:
         return found
 
     def _is_near(self, name: str, claim: Claim) -> bool:
-        """Whether an earlier row may help: an inequality here, about names of this claim only."""
+        """Whether a fact may help: an inequality here, about several names, all of this claim."""
         session = self.universal.session
         if claim.relation == "=" or session.homes[name] not in session.chain(self.goal.context):
             return False
-        return {*names_of(claim.lhs, claim.rhs)} <= {*self.goal.variables, *self.using}
+        names = {*names_of(claim.lhs, claim.rhs)}
+        return len(names) > 1 and names <= {*self.goal.variables, *self.using}
 
     def zeros(self, domain: Domain) -> list[list[Fraction]]:
         """Points with simple coordinates where p is 0."""
@@ -149,8 +162,7 @@ def refuting_minimum(goal: Goal, universal: Universal) -> dict[str, Fraction] | 
     """A simple point inside all bounds, near a local minimum, where the claim is false."""
     if goal.claim.relation == "=":
         return None
-    found = Minima(unfolded(goal, universal), universal.budget).found()
-    return false_at(goal, found, universal)
+    return false_at(goal, Strategy(goal, universal).minima, universal)
 
 
 def false_at(

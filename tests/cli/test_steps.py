@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from verify.cli.steps import Steps, told
+from verify.cli.steps import Steps, time_in_words
 from verify.measure import bench
 
 
@@ -40,7 +40,7 @@ def test_nothing_is_said_where_nobody_watches(capsys: pytest.CaptureFixture[str]
 
 
 def test_times_in_words() -> None:
-    assert (told(7.6), told(99), told(150)) == ("8 s", "99 s", "2 min")
+    assert (time_in_words(7.6), time_in_words(99), time_in_words(150)) == ("8 s", "99 s", "2 min")
 
 
 def test_the_number_of_steps_of_bench() -> None:

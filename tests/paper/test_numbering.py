@@ -6,9 +6,9 @@ import re
 from pathlib import Path
 
 import verify
-from verify.paper.letters import LETTERS
+from verify.paper.glossary import LETTERS
 from verify.paper.numbering import cited, labels_called, printed_numbers
-from verify.views.plots.letters import picture
+from verify.views.plots.letters import letters_drawing
 
 PREFIXES = "EQUAT|THEOR|PROPO|SECTION|SECT|SSECT|SSSCT|DEFIN|LEMME|REMAR|APPEN"
 LABEL = re.compile(rf'"((?:{PREFIXES})S?[^" {{}}]{{6,}})"')
@@ -37,6 +37,6 @@ def test_a_number_leads_to_its_labels() -> None:
 
 def test_every_letter_of_the_glossary_has_a_place_in_the_paper() -> None:
     assert {letter.label for letter in LETTERS} <= set(printed_numbers())
-    shown = picture()
+    shown = letters_drawing()
     for letter in ("ω", "W", "η", "θ"):
         assert f">{letter}<" in shown

@@ -14,9 +14,9 @@ from verify.prover.decimals import (
     decimal_exponent,
     decimal_text,
     outward,
-    readable,
     round_decimal,
     short,
+    told_number,
 )
 
 settings.register_profile("deterministic", derandomize=True, deadline=None, max_examples=200)
@@ -107,4 +107,4 @@ def _value(text: str) -> Fraction:
     [("583/500", "1.166"), ("5/6", "5/6"), ("3/100", "0.03"), ("1000003/1000007", "0.999996…")],
 )
 def test_a_rational_as_people_write_it(value: str, text: str) -> None:
-    assert readable(Fraction(value)) == text
+    assert told_number(Fraction(value)) == text

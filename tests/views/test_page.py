@@ -120,7 +120,8 @@ def test_both_sides_of_every_row_are_those_of_the_certificate(made: Path, reader
 
 def test_what_is_shown_is_a_part_of_what_is_certified(page: str) -> None:
     """Each short decimal is the beginning of both of its ends."""
-    shape = r'<data value="([^" ]+) ([^" ]+)"(?: title="[^"]*")?>([^…<]*)…((?:·10<sup>[^<]*</sup>)?)'
+    shape = r'<data value="([^" ]+) ([^" ]+)"(?: title="[^"]*")?>([^…<]*)…'
+    shape += r"((?:·10<sup>[^<]*</sup>)?)"
     found = [(low, high, a + b) for low, high, a, b in re.findall(shape, page)]
     assert len(found) > 300
     for low, high, shown in found:

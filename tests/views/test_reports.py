@@ -13,8 +13,8 @@ from verify.language.statement import REFUTED
 from verify.prover.decimals import short
 from verify.prover.outcome import Outcome
 from verify.views.markdown import report
-from verify.views.tex.document import part
-from verify.views.tex.words import name
+from verify.views.tex.article import part
+from verify.views.tex.sentences import name
 from verify.wire.read import read
 from verify.wire.write import write
 

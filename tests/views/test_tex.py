@@ -15,9 +15,9 @@ import pytest
 from verify.language.simplify import simplified
 from verify.language.terms import Term, as_term, sqrt, symbol
 from verify.prover.outcome import Outcome
-from verify.views.tex.document import document, part
+from verify.views.tex.article import part, tex_document
 from verify.views.tex.formulas import Formulas, safe_letter
-from verify.views.tex.words import name, number, words
+from verify.views.tex.sentences import name, tex_number, words
 from verify.wire.read import read
 
 CERTIFICATES = Path(__file__).resolve().parents[2] / "certificates"
@@ -39,7 +39,7 @@ def committed() -> list[Outcome]:
 def test_all_committed_statements_compile_and_no_line_sticks_out(tmp_path: Path) -> None:
     outcomes = committed()
     assert len(outcomes) > 30
-    (tmp_path / "all.tex").write_text(document(outcomes), encoding="utf-8")
+    (tmp_path / "all.tex").write_text(tex_document(outcomes), encoding="utf-8")
     command = ["pdflatex", "-interaction=nonstopmode", "-draftmode", "-no-shell-escape", "all.tex"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, check=False)
     log = (tmp_path / "all.log").read_text(encoding="utf-8", errors="replace")
@@ -58,7 +58,7 @@ def test_words() -> None:
         r"\textbackslash{}input\{x\} \textdollar{} \~{} \texttt{U+2603}"
     )
     assert name("a_b-cd") == r"\texttt{a\_\allowbreak{}b-\allowbreak{}cd}"
-    assert number("2.9…·10⁻⁵") == r"2.9\ldots{} \times 10^{-5}"
+    assert tex_number("2.9…·10⁻⁵") == r"2.9\ldots{} \times 10^{-5}"
 
 
 def test_a_letter_of_a_file_is_a_letter() -> None:

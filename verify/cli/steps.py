@@ -30,9 +30,9 @@ class Steps:
         if not self._done or left <= 0:
             return ""
         seconds = (time.monotonic() - self._start) / self._done * left
-        return f" (about {told(seconds)} left)"
+        return f" (about {time_in_words(seconds)} left)"
 
 
-def told(seconds: float) -> str:
+def time_in_words(seconds: float) -> str:
     """A time in words: ``8 s``, ``3 min``."""
     return f"{seconds:.0f} s" if seconds < 100 else f"{seconds / 60:.0f} min"

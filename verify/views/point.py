@@ -8,7 +8,7 @@ from verify.language.statement import NEEDED, PROVED, REFUTED, Obligation
 from verify.language.terms import Term
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.prover.decimals import decimal_text as decimal
-from verify.prover.decimals import people, readable, round_decimal, short
+from verify.prover.decimals import people, round_decimal, short, told_number
 from verify.prover.outcome import Outcome
 from verify.views.words import (
     SHOWN_BITS,
@@ -25,24 +25,24 @@ SAFE_DIGITS = 6
 def place(outcome: Outcome) -> str:
     """The point in a few words: r and the angle."""
     parameters = outcome.statement.parameters
-    return f"r = {readable(parameters['r'].value)}, {_angle(parameters['c'])}"
+    return f"r = {told_number(parameters['r'].value)}, {_angle(parameters['c'])}"
 
 
 def parameters_told(outcome: Outcome) -> str:
     """All parameters; beside an angle the value of -cos."""
     parameters = outcome.statement.parameters
-    v_0, delta = (readable(parameters[name].value) for name in ("V_0", "delta_theta"))
+    v_0, delta = (told_number(parameters[name].value) for name in ("V_0", "delta_theta"))
     return f"{place(outcome)}{_cosine(outcome)}, V₀ = {v_0}, δ_θ = {delta}"
 
 
 def _angle(c: Term) -> str:
     """The angle as it is written, where it is; else -cos of it."""
     if c.op == "rational":
-        return "θ₀ = π" if c.value == 1 else f"-cos θ₀ = {readable(c.value)}"
+        return "θ₀ = π" if c.value == 1 else f"-cos θ₀ = {told_number(c.value)}"
     cosine = c.children[0]
     angle = cosine.children[0].value
     if cosine.op == "cos":
-        return f"θ₀ = {readable(angle, 20)}"
+        return f"θ₀ = {told_number(angle, 20)}"
     above = "" if angle.numerator == 1 else angle.numerator
     return f"θ₀ = {above}π" + (f"/{angle.denominator}" if angle.denominator > 1 else "")
 
@@ -99,7 +99,7 @@ def theorem_in_numbers(outcome: Outcome) -> str:
     angle = people(_safe(value("Delta_theta") / 4, up=False))
     phi = ends_of(outcome, "phi_minus")
     root = "undefined" if phi is None else short(phi)
-    v_0, delta = (readable(known[name].value) for name in ("V_0", "delta_theta"))
+    v_0, delta = (told_number(known[name].value) for name in ("V_0", "delta_theta"))
     return (
         f"Given the assumptions: let {place(outcome)}{_cosine(outcome)}. Three particles, 0 and 1 "
         f"in contact and just collided, with "

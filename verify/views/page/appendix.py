@@ -19,7 +19,7 @@ from verify.views.page.blocks import (
     Table,
     Text,
 )
-from verify.views.page.writer import marked
+from verify.views.page.writer import label_cell
 
 #: A table with more rows than this is folded.
 UNFOLDED = 16
@@ -63,7 +63,7 @@ def assumptions(material: Material) -> Iterator[Block]:
 
 
 def _assumption(assumption: Assumption) -> Cell:
-    return [*marked(assumption.label), Text(f" ({assumption.kind}): {assumption.sentence}")]
+    return [*label_cell(assumption.label), Text(f" ({assumption.kind}): {assumption.sentence}")]
 
 
 def digests(material: Material) -> Iterator[Block]:

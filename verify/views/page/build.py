@@ -22,14 +22,16 @@ def number_of_steps(directory: str, *, draw: bool) -> int:
     return len(folder_names(directory)) + 1 + (NUMBER if draw else 0)
 
 
-def told(figure: Figure, panel: Panel) -> str:
+def alternative_text(figure: Figure, panel: Panel) -> str:
     """What a panel shows, for who does not see it."""
     return " ".join(part for part in (f"{figure.title}: {panel.title}.", panel.told) if part)
 
 
-def picture(figure: Figure) -> str:
+def readme_picture(figure: Figure) -> str:
     """All panels of a figure in one drawing."""
-    return svg("picture", figure.panels, " ".join(told(figure, p) for p in figure.panels))
+    return svg(
+        "picture", figure.panels, " ".join(alternative_text(figure, p) for p in figure.panels)
+    )
 
 
 def files(
@@ -55,10 +57,10 @@ def files(
         for figure in shown:
             progress(f"drawing {figure.name}")
             drawings[figure.name] = [
-                svg(f"{figure.name}-{index}", [panel], told(figure, panel))
+                svg(f"{figure.name}-{index}", [panel], alternative_text(figure, panel))
                 for index, panel in enumerate(figure.panels)
             ]
-        made["picture.svg"] = standalone(picture(shown[0])).encode()
+        made["picture.svg"] = standalone(readme_picture(shown[0])).encode()
     blocks = content(material, drawings, shown)
     main = material.about(THEOREM)[0].outcome
     return {

@@ -8,15 +8,15 @@ from verify.jobs.report import CertifiedOutcome, Material
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Constant
 from verify.language.statement import PRINTED as PRINTED_ROLE
 from verify.language.terms import Claim, symbol
+from verify.paper.glossary import LETTERS
 from verify.paper.groups import PRINTED, REPAIRED
-from verify.paper.letters import LETTERS
 from verify.paper.parameters import THEOREM
 from verify.paper.source import AUTHORS, COMPANION
 from verify.paper.source import TITLE as PAPER_TITLE
 from verify.prover.outcome import Outcome
 from verify.views.everywhere import THEOREM as EVERYWHERE_IN_WORDS
 from verify.views.markdown import bound_of_each
-from verify.views.page import proof
+from verify.views.page import blueprint
 from verify.views.page.appendix import assumptions, digests, measurements
 from verify.views.page.blocks import (
     Block,
@@ -38,18 +38,18 @@ from verify.views.page.blocks import (
     Verdict,
 )
 from verify.views.page.constants import latex
-from verify.views.page.defects import changes, printed_proof, step
+from verify.views.page.defects import card, changes, printed_proof
 from verify.views.page.writer import (
     Writer,
     cell,
-    marked,
+    label_cell,
     number_of,
     plain_rows,
-    printed_rows,
+    rows_as_printed,
     with_verdict,
 )
 from verify.views.plots.figure import Figure
-from verify.views.plots.letters import picture
+from verify.views.plots.letters import letters_drawing
 from verify.views.point import in_numbers, place
 from verify.views.words import (
     CONDITIONALLY_PROVED,
@@ -110,7 +110,7 @@ def content(
 
 
 def _result(material: Material, main: Outcome) -> Iterator[Block]:
-    repaired, printed = main.of_group(REPAIRED), printed_rows(main)
+    repaired, printed = main.of_group(REPAIRED), rows_as_printed(main)
     proved, refuted = with_verdict(repaired, PROVED), with_verdict(printed, REFUTED)
     closing = [row for row, _ in proved if isinstance(row.claim, Claim)]
     for folder in material.about(EVERYWHERE):
@@ -184,8 +184,8 @@ def _letters(draw: bool) -> Iterator[Block]:
     yield Heading("letters", "The letters")
     caption = "Three spheres just after a collision of 0 and s; the next one is that of 0 and c."
     figure = Figure("letters", "A state just after a collision", caption, ())
-    yield Drawing(figure, [picture()] if draw else [])
-    rows = [([Text(item.letter)], [Text(item.says)], marked(item.label)) for item in LETTERS]
+    yield Drawing(figure, [letters_drawing()] if draw else [])
+    rows = [([Text(item.letter)], [Text(item.says)], label_cell(item.label)) for item in LETTERS]
     yield Table("What each letter stands for", ("Letter", "Meaning", "Paper"), rows, folded=True)
 
 
@@ -202,7 +202,7 @@ def _proof(material: Material, main: Outcome, draw: bool) -> Iterator[Block]:
         "verify graph --out proof.svg."
     )
     figure = Figure("proof", "Theorem 1, repaired, for all parameters", caption, ())
-    yield Drawing(figure, [proof.picture(outcome, main)] if draw else [])
+    yield Drawing(figure, [blueprint.proof_drawing(outcome, main)] if draw else [])
 
 
 # --- other theorems ------------------------------------------------------------------------------
@@ -273,7 +273,7 @@ def _other_theorems(material: Material) -> Iterator[Block]:
                 f"{len(refuted)} printed claims are refuted; each has a point at which it is false "
                 "in the certificate, and the claim that takes its place:"
             )])  # fmt: skip
-            yield RefutedSteps([step(writer, *pair) for pair in refuted])
+            yield RefutedSteps([card(writer, *pair) for pair in refuted])
         open_ones = with_verdict(others, UNDECIDED)
         rest = f", and {len(open_ones)} are undecided" if open_ones else ""
         yield Paragraph([Text(
@@ -312,7 +312,7 @@ def _constants(writer: Writer) -> Iterator[Block]:
 def _constant(writer: Writer, constant: Constant, definition: Math) -> list[Cell]:
     letter = writer.term(symbol(constant.name))
     number = number_of(ends_of(writer.outcome, constant.name), unfolds=True)
-    return [[letter], cell(number), [definition], marked(constant.label)]
+    return [[letter], cell(number), [definition], label_cell(constant.label)]
 
 
 def _points(material: Material) -> Iterator[Block]:
@@ -320,7 +320,7 @@ def _points(material: Material) -> Iterator[Block]:
     rows: list[list[Cell]] = []
     for folder in material.about(THEOREM):
         outcome = folder.outcome
-        printed = printed_rows(outcome)
+        printed = rows_as_printed(outcome)
         rows.append([
             [Link(f"{folder.name}/report.md", place(outcome))],
             [Verdict(headline(outcome))],

@@ -30,9 +30,9 @@ from verify.views.page.blocks import (
 from verify.views.page.writer import (
     SIGNS,
     Writer,
-    marked,
+    label_cell,
     of_role,
-    printed_rows,
+    rows_as_printed,
     rows_table,
     sides_shown,
     with_verdict,
@@ -50,7 +50,7 @@ CLASSES = {
 
 def printed_proof(writer: Writer) -> Iterator[Block]:
     """The refuted steps by class, and all rows of both sets."""
-    printed = printed_rows(writer.outcome)
+    printed = rows_as_printed(writer.outcome)
     refuted, holding = with_verdict(printed, REFUTED), with_verdict(printed, PROVED)
     undecided = with_verdict(printed, UNDECIDED)
     yield Heading("printed", f"The printed proof: {len(refuted)} steps refuted")
@@ -64,10 +64,10 @@ def printed_proof(writer: Writer) -> Iterator[Block]:
         part = [(row, found) for row, found in refuted if row.severity == severity]
         if part:
             yield Heading(anchor, f"{title} ({len(part)})", 3)
-            yield RefutedSteps(_once([step(writer, *pair) for pair in part]))
+            yield RefutedSteps(_once([card(writer, *pair) for pair in part]))
     rest = [(row, found) for row, found in refuted if row.severity not in CLASSES]
     if rest:
-        yield RefutedSteps([step(writer, *pair) for pair in rest])
+        yield RefutedSteps([card(writer, *pair) for pair in rest])
     repaired = writer.outcome.of_group(REPAIRED)
     yield rows_table(
         writer, f"The {len(repaired)} rows of the repaired proof", repaired, "repaired"
@@ -83,21 +83,21 @@ def _once(steps: Sequence[RefutedStep]) -> list[RefutedStep]:
     """The steps, with what is wrong said where it is met first."""
     first: dict[str, str] = {}
     found = []
-    for card in steps:
-        before = first.setdefault(card.cause, card.name)
-        again = card.cause and before != card.name
-        found.append(card._replace(cause=f"The same as in `{before}`.") if again else card)
+    for one in steps:
+        before = first.setdefault(one.cause, one.name)
+        again = one.cause and before != one.name
+        found.append(one._replace(cause=f"The same as in `{before}`.") if again else one)
     return found
 
 
-def step(writer: Writer, row: Obligation, found: Decision) -> RefutedStep:
+def card(writer: Writer, row: Obligation, found: Decision) -> RefutedStep:
     """A refuted row, what is wrong with it, and what takes its place."""
     claim = writer.claim(row.claim)
     lhs, rhs = sides_shown(row, found)
     cause = next((c.text for c in theorem().causes if row.name in c.rows), "")
     return RefutedStep(
         row.name,
-        marked(row.label),
+        label_cell(row.label),
         row.says,
         claim if isinstance(claim, Math) else Math("", "(long: see the statement file)"),
         lhs,
@@ -150,7 +150,7 @@ def changes() -> Iterator[Block]:
         "Paper, needed, why",
         ("Label", "Paper", "Needed", "Why"),
         [
-            (marked(c.label), [Text(c.paper)], [Text(c.needed)], [Text(c.why)])
+            (label_cell(c.label), [Text(c.paper)], [Text(c.needed)], [Text(c.why)])
             for c in theorem().changes
         ],
     )

@@ -88,12 +88,12 @@ def of_role(rows: Iterable[Row], role: str) -> list[Row]:
     return [(row, found) for row, found in rows if row.role == role]
 
 
-def printed_rows(outcome: Outcome) -> list[Row]:
+def rows_as_printed(outcome: Outcome) -> list[Row]:
     """What the paper says, of the hypotheses and of the printed set."""
     return of_role(outcome.of_group(HYPOTHESES, PRINTED), PRINTED_ROLE)
 
 
-def marked(label: str) -> Cell:
+def label_cell(label: str) -> Cell:
     """A label of the paper, after the number that is printed there."""
     number = printed_numbers().get(label)
     return [Code(label)] if number is None else [Text(f"{number} "), Code(label)]
@@ -113,7 +113,7 @@ def _row(writer: Writer, row: Obligation, found: Decision) -> list[Cell]:
         last = [lhs, Text(f" {SIGNS[row.claim.relation]} "), rhs]
     return [
         [Verdict(found.verdict)],
-        marked(row.label),
+        label_cell(row.label),
         [Text(row.says)],
         [Text("(long: see the statement file)") if claim is None else claim],
         last,
@@ -130,7 +130,7 @@ def plain_rows(writer: Writer, title: str, rows: Sequence[Row]) -> Table:
         shown.append(
             [
                 [Verdict(found.verdict)],
-                marked(row.label),
+                label_cell(row.label),
                 [Text(row.says)],
                 [Text(text)],
                 [Text(last)],

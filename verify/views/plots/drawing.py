@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 from zlib import crc32
 
-from verify.views.plots.shapes import Boxes, Curve, Panel, Point, Ring, Rule, Scale, Shape, Words
+from verify.views.plots.shapes import Areas, Circle, Curve, Panel, Point, Rule, Scale, Shape, Words
 
 _LIGHT = """
 ink #1c2128, faint #6f7781, undecided #d3d7dc, paper #ffffff, proved #1d5ca8, refuted #a3470a,
@@ -97,7 +97,7 @@ class _Place:
 
 def _panel(name: str, panel: Panel) -> Iterator[str]:
     shapes = list(panel.shapes())
-    legend = [s for s in shapes if isinstance(s, Boxes | Curve) and s.name]
+    legend = [s for s in shapes if isinstance(s, Areas | Curve) and s.name]
     place = _Place(panel, (len(legend) + 1) // 2)
     clip = f"{name}-clip-{_number_of(panel.title)}"
     size = f'width="{place.right - place.left}" height="{place.bottom - place.top}"'
@@ -126,11 +126,11 @@ def _number_of(text: str) -> int:
 
 def _shape(name: str, shape: Shape, place: _Place) -> Iterator[str]:
     match shape:
-        case Boxes():
+        case Areas():
             yield _boxes(name, shape, place)
         case Curve():
             yield from _curve(shape, place)
-        case Ring(radius=radius):
+        case Circle(radius=radius):
             x, y = place.x(0), place.y(0)
             across, down = place.x(radius) - x, y - place.y(radius)
             yield (
@@ -142,7 +142,7 @@ def _shape(name: str, shape: Shape, place: _Place) -> Iterator[str]:
             yield f'<path d="M{place.left} {y:.1f}H{place.right}" stroke="var(--ink)"/>'
 
 
-def _boxes(name: str, shape: Boxes, place: _Place) -> str:
+def _boxes(name: str, shape: Areas, place: _Place) -> str:
     path = "".join(
         f"M{place.x(left):.1f} {place.y(low):.1f}H{place.x(right):.1f}"
         f"V{place.y(high):.1f}H{place.x(left):.1f}z"
@@ -218,13 +218,13 @@ def _shown(scale: Scale) -> Iterable[tuple[float, str]]:
     return (tick for tick in scale.ticks if -1e-9 <= scale.share(tick[0]) <= 1 + 1e-9)
 
 
-def _legend(name: str, entries: Sequence[Boxes | Curve], place: _Place) -> Iterator[str]:
+def _legend(name: str, entries: Sequence[Areas | Curve], place: _Place) -> Iterator[str]:
     """What each colour means, below the panel in two columns."""
     top = place.bottom + BOTTOM + 6
     for number, entry in enumerate(entries):
         x = 14 + (number % 2) * (place.panel.width / 2 - 8)
         y = top + LEGEND * (number // 2)
-        if isinstance(entry, Boxes):
+        if isinstance(entry, Areas):
             fill = _fill(name, entry.colour)
             yield f'<rect x="{x}" y="{y - 11}" width="18" height="13" fill="{fill}"/>'
         else:

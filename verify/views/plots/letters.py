@@ -20,7 +20,7 @@ TOLD = (
 )
 
 
-def picture() -> str:
+def letters_drawing() -> str:
     """The picture as one SVG element in the colours of the page."""
     body = "\n".join(_parts())
     return (

@@ -10,7 +10,7 @@ from verify.language.statement import PROVED, REFUTED
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.prover.decimals import decimal_text, round_decimal
 from verify.views.plots.figure import Figure
-from verify.views.plots.shapes import Boxes, Corners, Panel, Rule, Scale, Shape, marks, powers
+from verify.views.plots.shapes import Areas, Corners, Panel, Rule, Scale, Shape, marks, powers
 
 TIGHTEST = 14
 
@@ -89,11 +89,11 @@ def _draw_repaired() -> Iterator[Shape]:
 
 def _curves(
     panel: str, part: Sequence[Ratios], colour: str, name: str, before: int = 0
-) -> Iterator[Boxes]:
+) -> Iterator[Areas]:
     """A curve for each row, which its row in the table refers to; the first is in the legend."""
     for number, row in enumerate(part, before + 1):
         key, entry = f"margin-{panel}-{number}", name if number == before + 1 else ""
-        yield Boxes(_boxes(row), colour, 0.9, entry, key)
+        yield Areas(_boxes(row), colour, 0.9, entry, key)
 
 
 def _boxes(row: Ratios) -> list[Corners]:

@@ -11,7 +11,7 @@ from verify.paper.groups import PRINTED, REPAIRED
 from verify.prover.cover import Box
 from verify.views.plots.figure import Figure
 from verify.views.plots.region import C, S, curves
-from verify.views.plots.shapes import Boxes, Panel, Shape, merged
+from verify.views.plots.shapes import Areas, Panel, Shape, merged
 
 #: The colour of each entry; the third one is the usual answer.
 SHADES = ("series-2", "series-4", "proved-area", "series-1", "series-6", "series-7", "series-5")
@@ -50,7 +50,7 @@ def _map(title: str, cells: Cells) -> Panel:
         for index in [None, *present]:
             part = merged((*box[0], *box[1]) for box, least in cells if least == index)
             colour = "undecided" if index is None else SHADES[index]
-            yield Boxes(part, colour, name=UNDECIDED if index is None else f"entry {index + 1}")
+            yield Areas(part, colour, name=UNDECIDED if index is None else f"entry {index + 1}")
         yield from curves()
 
     names = " and ".join(f"entry {index + 1}" for index in present)

@@ -19,7 +19,7 @@ from verify.paper.everywhere.thresholds import STRIPS, Strip
 from verify.prover.cover import Box
 from verify.views.everywhere import dependences
 from verify.views.plots.figure import Figure
-from verify.views.plots.shapes import Boxes, Corners, Panel, Scale, Shape, Words, marks
+from verify.views.plots.shapes import Areas, Corners, Panel, Scale, Shape, Words, marks
 
 #: Values of r at which the axis of s = r^(1/3) is marked.
 TICKS = ("0.0005", "0.005", "0.02", "0.05")
@@ -81,7 +81,7 @@ def bands() -> Iterator[tuple[Fraction, Fraction, int | None]]:
 
 
 def cells(low: Fraction, high: Fraction) -> Iterator[Box]:
-    """Boxes of s and c inside of the region in which phi_plus lies in an interval."""
+    """Areas of s and c inside of the region in which phi_plus lies in an interval."""
     for k in range(COLUMNS):
         left, right = WIDTH * k / COLUMNS, WIDTH * (k + 1) / COLUMNS
         bottom = max(stability(right), level(low, right) if left < low else Fraction(0))
@@ -123,7 +123,7 @@ def _printed(always: int) -> Iterator[Shape]:
     for low, high, refuted in bands():
         colour = "undecided" if refuted is None else "refuted-area"
         name = "" if named or refuted is None else "steps refuted"
-        yield Boxes(_corners(cells(low, high)), colour, name=name)
+        yield Areas(_corners(cells(low, high)), colour, name=name)
         named = named or bool(name)
         middle = float(min(Fraction(1), level(high, Fraction(0))) + level(low, Fraction(0))) / 2
         if refuted is not None:
@@ -133,7 +133,7 @@ def _printed(always: int) -> Iterator[Shape]:
 
 
 def _closing() -> Iterator[Shape]:
-    yield Boxes(_corners(cells(Fraction(0), Fraction(1, 2))), "proved-area", name="all proved")
+    yield Areas(_corners(cells(Fraction(0), Fraction(1, 2))), "proved-area", name="all proved")
     yield from curves()
     yield WHICH
 
@@ -147,7 +147,7 @@ def _corners(found: Iterable[Box]) -> list[Corners]:
     ]
 
 
-def curves() -> Iterator[Boxes]:
+def curves() -> Iterator[Areas]:
     """Both thresholds."""
     for curve in threshold_boxes(400).values():
         part = [
@@ -155,4 +155,4 @@ def curves() -> Iterator[Boxes]:
             for (left, right), (low, high) in curve
             if low <= 1 and left <= WIDTH
         ]
-        yield Boxes(part, "ink", 0.8)
+        yield Areas(part, "ink", 0.8)

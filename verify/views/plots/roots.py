@@ -8,7 +8,7 @@ from fractions import Fraction
 from verify.jobs.covers import ROOT_CELLS, roots
 from verify.prover.outcome import Ends
 from verify.views.plots.figure import Figure
-from verify.views.plots.shapes import Boxes, Panel, Ring, Scale, Shape, Words, marks
+from verify.views.plots.shapes import Areas, Circle, Panel, Scale, Shape, Words, marks
 
 
 def figure() -> Figure:
@@ -32,15 +32,15 @@ def figure() -> Figure:
 
 
 def _draw_plane() -> Iterator[Shape]:
-    yield Ring(1)
+    yield Circle(1)
     pair = [
         _box(cell.re, (sign * cell.im[0], sign * cell.im[1]))
         for cell in roots()
         for sign in (1, -1)
     ]
-    yield Boxes(pair, "series-1", 0.8, "complex pair")
+    yield Areas(pair, "series-1", 0.8, "complex pair")
     thin = (Fraction(-1, 250), Fraction(1, 250))
-    yield Boxes([_box(cell.real, thin) for cell in roots()], "series-2", 0.8, "λ₀")
+    yield Areas([_box(cell.real, thin) for cell in roots()], "series-2", 0.8, "λ₀")
     yield Words((0.14, -0.03), "r → 0")
     yield Words((-0.56, 0.68), "r → 1")
 
@@ -52,7 +52,7 @@ def _draw_real() -> Iterator[Shape]:
         ("minus_r_cubed", "series-3"),
         ("real", "series-2"),
     ):
-        yield Boxes([_box(cell.r, getattr(cell, attribute)) for cell in cells], colour, 0.8)
+        yield Areas([_box(cell.r, getattr(cell, attribute)) for cell in cells], colour, 0.8)
     yield Words((0.43, -0.52), "−r", "end")
     yield Words((0.6, -0.14), "−r³")
     yield Words((0.57, -0.4), "λ₀")

@@ -29,8 +29,8 @@ class Scale(Record):
         return (log10(max(value, self.low / 1e6)) - low) / (high - low)
 
 
-class Boxes(Record):
-    """Boxes ``(left, right, bottom, top)`` in one colour.
+class Areas(Record):
+    """Areas ``(left, right, bottom, top)`` in one colour.
 
     ``key`` is the anchor that a table refers to, ``name`` the entry in the legend.
     """
@@ -59,7 +59,7 @@ class Words(Record):
     anchor: str = "start"
 
 
-class Ring(Record):
+class Circle(Record):
     """A circle around the origin of a panel with equal scales."""
 
     radius: float
@@ -71,7 +71,7 @@ class Rule(Record):
     at: float
 
 
-Shape = Boxes | Curve | Words | Ring | Rule
+Shape = Areas | Curve | Words | Circle | Rule
 
 
 class Panel(Record):

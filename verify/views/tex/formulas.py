@@ -14,7 +14,7 @@ from verify.language.simplify import simplified, simplified_claim
 from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
 from verify.views.mathml import letter as read_letter
-from verify.views.tex.words import math
+from verify.views.tex.sentences import math
 
 #: A fraction whose sides have at most so many signs has a bar; a root of so many has one too.
 LONGEST = 30
@@ -64,7 +64,7 @@ class Formulas:
         if op == "symbol":
             return self.symbol(term.name)
         if op == "rational":
-            return rational(term.value)
+            return tex_rational(term.value)
         if op in ("add", "sub"):
             sign = "+" if op == "add" else "-"
             return f"{self._term(parts[0])} {sign} {self._inside(parts[1], _PRODUCT)}"
@@ -116,7 +116,7 @@ class Formulas:
         return _PRODUCT if term.op == "mul" else _ATOM
 
 
-def rational(value: Fraction) -> str:
+def tex_rational(value: Fraction) -> str:
     """A fraction, or the decimal that it is where a fraction would be long."""
     sign = "-" if value < 0 else ""
     above, below = str(abs(value.numerator)), str(value.denominator)

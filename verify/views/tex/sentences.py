@@ -101,7 +101,7 @@ def name(text: str) -> str:
     return rf"\texttt{{{inner}}}"
 
 
-def number(text: str) -> str:
+def tex_number(text: str) -> str:
     """A number as people write it, in math mode: ``5.9…·10⁻⁵`` or ``[0.1, 0.2]``."""
     text = re.sub("10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)", lambda found: f"10^{{{_digits(found[1], _RAISED)}}}", text)
     text = text.replace("·", r" \times ").replace("…", r"\ldots{}")

@@ -53,8 +53,8 @@ def levels(edges: Edges) -> dict[str, int]:
     return found
 
 
-def picture(everywhere: Outcome, point: Outcome) -> str:
-    """The graph of the theorem for all parameters; what is refuted at the point is marked."""
+def proof_drawing(everywhere: Outcome, point: Outcome) -> str:
+    """The graph of the theorem for all parameters; what is refuted at the point is label_cell."""
     edges = edges_between_labels(graph(everywhere))
     formulas = {label: _formula(label, everywhere, point) for label in edges}
     place = dict(_places(levels(edges)))

@@ -24,7 +24,7 @@ from verify.paper.source import AUTHORS, TITLE
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
 from verify.views.tex.formulas import Formulas, safe_letter
-from verify.views.tex.words import name, number, words
+from verify.views.tex.sentences import name, tex_number, words
 from verify.views.words import given_by, headline, parameters_of, sides_of, witness_of
 
 PREAMBLE = r"""\documentclass[10pt]{article}
@@ -48,7 +48,7 @@ PARAMETERS = {
 }
 
 
-def document(outcomes: Iterable[Outcome]) -> str:
+def tex_document(outcomes: Iterable[Outcome]) -> str:
     """One document about all of them."""
     return PREAMBLE + "".join(map(part, outcomes)) + END
 
@@ -91,7 +91,7 @@ class _Part:
     def _assumptions(self, title: str, found: Iterable[Assumption]) -> Iterator[str]:
         items = []
         for a in found:
-            who = rf"\textbf{{{words(a.name)}}} ({a.kind}; {label(a.label)})"
+            who = rf"\textbf{{{words(a.name)}}} ({a.kind}; {tex_label(a.label)})"
             items.append(rf"\says{{{who}: {words(a.sentence)}}}")
         if items:
             yield from (rf"\subsection*{{{title}}}", *items)
@@ -100,7 +100,7 @@ class _Part:
         letter, term = self.formulas.symbol(constant.name), self.formulas.term(constant.term)
         found = self.outcome.enclosures.get(constant.name)
         value = "" if found is None else short(found.ends[0])
-        shown = "" if value in ("", term) else rf"\quad ({number(value)})"
+        shown = "" if value in ("", term) else rf"\quad ({tex_number(value)})"
         return rf"\claim{{{letter} = {term}{shown}}}"
 
     def _context(self, context: Context) -> Iterator[str]:
@@ -139,7 +139,7 @@ class _Part:
 
     def _row(self, row: Obligation, found: Decision) -> Iterator[str]:
         role = "as printed, " if row.role == PRINTED else ""
-        where = f" {label(row.label)}" if row.label else ""
+        where = f" {tex_label(row.label)}" if row.label else ""
         yield rf"\par\medskip\textbf{{{name(row.name)}}}{where}: {role}\textbf{{{found.verdict}}}"
         if row.says:
             yield rf"\says{{{words(row.says)}}}"
@@ -157,7 +157,7 @@ class _Part:
     def _evidence(self, row: Obligation, found: Decision) -> Iterator[str]:
         sides = sides_of(row, found)
         if sides is not None:
-            left, right = (number(short(ends)) for ends in sides)
+            left, right = (tex_number(short(ends)) for ends in sides)
             yield rf"left side ${left}$, right side ${right}$"
         if found.verdict == REFUTED and found.witness:
             values = self.formulas.values(in_order(witness_of(row, found) or found.witness))
@@ -181,7 +181,7 @@ def in_order(values: Mapping[str, Term]) -> dict[str, Term]:
     return dict(sorted(values.items()))
 
 
-def label(text: str) -> str:
+def tex_label(text: str) -> str:
     """A label of the paper, after the number that is printed there."""
     printed = printed_numbers().get(text)
     return name(text) if printed is None else f"{words(printed)} {name(text)}"

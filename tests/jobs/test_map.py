@@ -14,7 +14,7 @@ import pytest
 from verify.jobs.inputs import InputError
 from verify.jobs.map import Target, grow, open_log, write_line
 from verify.jobs.map_workers import Workers, workers
-from verify.paper.map.plane import Phi
+from verify.paper.map.planes import Phi
 from verify.wire import map_log
 from verify.wire.map_log import LogMismatchError, Progress
 

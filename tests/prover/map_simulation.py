@@ -12,7 +12,7 @@ from typing import Any
 
 import mpmath
 
-from verify.paper.map.plane import Phi, Plane, Through
+from verify.paper.map.planes import Phi, Plane, Through
 
 DIGITS, MOST = 200, 400
 SMALL = "1e-25"

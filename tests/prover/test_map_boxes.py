@@ -10,7 +10,7 @@ import pytest
 
 from tests.prover.map_simulation import fate
 from verify import check_map
-from verify.paper.map.plane import Phi, Plane, Through
+from verify.paper.map.planes import Phi, Plane, Through
 from verify.paper.scene.scene import Scene
 from verify.prover.map_boxes import Verdicts, corners, verdicts
 from verify.wire.map_log import all_keys, plane_document

@@ -8,7 +8,7 @@ from typing import Any
 import mpmath
 import pytest
 
-from verify.paper.map.plane import Phi
+from verify.paper.map.planes import Phi
 from verify.prover.map_saddle import Saddle, saddle
 
 ONE = Fraction(1)

@@ -13,7 +13,7 @@ from tests.prover.map_simulation import fate
 from verify import check_map
 from verify.jobs.map import Target, grow
 from verify.jobs.map_workers import workers
-from verify.paper.map.plane import Phi
+from verify.paper.map.planes import Phi
 from verify.paper.map.strip import BorderStrip
 from verify.prover.map_boxes import verdicts
 from verify.prover.map_curve import strip_along

@@ -18,7 +18,7 @@ from verify.cli.options import Options, Parser, field
 from verify.jobs.inputs import InputError, integer, rational, shown
 from verify.jobs.scene_files import read_scene
 from verify.language.record import TYPE_CHECKING
-from verify.paper.map.plane import Phi, Place, Plane, Side, Through
+from verify.paper.map.planes import Phi, Place, Plane, Side, Through
 from verify.paper.map.strip import BorderStrip
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from typing import BinaryIO
 
 from verify.jobs.map_workers import Workers
 from verify.language.record import Record
-from verify.paper.map.plane import Plane
+from verify.paper.map.planes import Plane
 from verify.paper.map.strip import BorderStrip
 from verify.prover.map_boxes import verdicts
 from verify.wire.map_log import Chunk, Progress

@@ -10,7 +10,7 @@ import numpy as np
 
 from verify.language.record import Record
 from verify.paper.flow.law import Pair, State
-from verify.paper.map.plane import Phi, Plane, start, views
+from verify.paper.map.planes import Phi, Plane, start, views
 from verify.paper.map.strip import BorderStrip, height
 from verify.prover.map_branches import Step, advance, begin, take, together
 from verify.prover.map_closing import collapsing

@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 
 from verify.paper.flow.law import State
-from verify.paper.map.plane import Phi, start
+from verify.paper.map.planes import Phi, start
 from verify.paper.map.strip import BorderStrip
 from verify.prover.map_boxes import COLLAPSES, DISPERSES, INTERVALS, follow
 from verify.prover.map_intervals import Array, exactly

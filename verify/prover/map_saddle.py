@@ -8,7 +8,7 @@ from typing import Any
 
 from verify.language.record import Record
 from verify.paper.map.limit import has_limit, limit_map
-from verify.paper.map.plane import Phi
+from verify.paper.map.planes import Phi
 from verify.prover import balls
 
 Ends = tuple[Fraction, Fraction]

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from verify.paper.map.plane import Phi, Plane
+from verify.paper.map.planes import Phi, Plane
 from verify.paper.map.strip import BorderStrip
 from verify.prover.decimals import short
 from verify.prover.map_saddle import saddle

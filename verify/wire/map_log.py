@@ -14,7 +14,7 @@ from hashlib import sha256
 from typing import Any
 
 from verify.language.record import Record
-from verify.paper.map.plane import Phi, Place, Plane
+from verify.paper.map.planes import Phi, Place, Plane
 from verify.paper.map.strip import BorderStrip
 
 FORMAT = "verify-map-log/1"

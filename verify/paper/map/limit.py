@@ -6,7 +6,7 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from verify.paper.flow.law import Number
-from verify.paper.map.plane import Phi
+from verify.paper.map.planes import Phi
 
 
 def has_limit(plane: Phi) -> bool:

@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from verify.language.record import Record
 from verify.paper.flow.law import Number
-from verify.paper.map.plane import Phi, Side
+from verify.paper.map.planes import Phi, Side
 
 
 class BorderStrip(Record):

@@ -1,8 +1,10 @@
 """No two modules, functions or classes of one name for different things.
 
 The same name in two places is an interface: what is listed here means the same thing wherever it
-stands. The two checkers are left out: they import nothing of the package, and say by the names of
-the language and of the rules that they mean the same by them.
+stands. A folder inside a room has a language of its own: the letters of a part of the paper, the
+words of a page or of a proof assistant; at most one module of that name lies outside of such. The two checkers
+are left out: they import nothing of the package, and say by the names of the language and of the
+rules that they mean the same by them.
 """
 
 from __future__ import annotations
@@ -29,15 +31,10 @@ SHARED = {
     "conditions": ("what the givens of a context are", ("paper",)),
     "lines": ("the lines of a chapter, in its context", ("paper",)),
     "ground_lines": ("the lines of a chapter that have no variables", ("paper",)),
+    "premises": ("the facts which say that the givens hold", ("paper",)),
+    "main": ("what runs where a module is the program", ("cli", "jobs")),
     "rows": ("the rows of a section of the paper", ("paper",)),
     "misprints": ("what a section of the text prints and is false", ("paper",)),
-}
-
-#: Names that mean different things, of code that is still being written: to be made empty.
-TO_BE_RENAMED = {
-    *("main", "outcome_of", "stability", "numbers", "contexts", "Line", "parts", "root", "least"),
-    *("bernstein", "needed", "printed", "Printed", "collapse", "signs", "search", "holds"),
-    *("Bounds", "Found", "table", "ends_of", "decimals", "dot", "absolute"),
 }
 
 #: A subject has one name in every room: its command, its job, its views, its part of the paper.
@@ -45,12 +42,6 @@ SUBJECTS = {
     *("bench", "check", "everywhere", "explain", "graph", "report", "spectrum", "stress"),
     *("theorem1", "parameters", "box", "scene", "sharper", "slack", "classification", "numbering"),
     *("thresholds", "elsewhere", "map", "prove"),
-}
-
-#: A part of the paper is a folder; these are its modules, named alike in each.
-PARTS = {
-    *("assumptions", "collision", "conclusion", "flight", "recursion", "theorem", "triangle"),
-    *("apart", "changes", "chart", "law", "numbers", "state", "vectors"),
 }
 
 
@@ -79,10 +70,9 @@ def test_a_name_in_two_places_means_one_thing() -> None:
     for name, where in places().items():
         rooms = {path.split("/")[0] for path in where}
         shared = name in SHARED and rooms <= set(SHARED[name][1])
-        # Each folder of the paper has letters of its own, in vectors and conditions of its own.
-        own = all(path.startswith("paper/") and path.count("/") == 2 for path in where)
-        own = own and len({path.split("/")[1] for path in where}) == len(where)
-        if len(where) > 1 and not (shared or own or name in TO_BE_RENAMED):
+        folders = [path.rpartition("/")[0] for path in where]
+        own = len(set(folders)) == len(folders) and sum("/" not in f for f in folders) <= 1
+        if len(where) > 1 and not (shared or own):
             strange[name] = where
     assert not strange
 
@@ -91,13 +81,11 @@ def test_modules_of_one_name_have_one_subject() -> None:
     found: dict[str, list[str]] = defaultdict(list)
     for path in modules():
         if path.stem not in ("__init__", "__main__"):
-            found[path.stem].append(path.relative_to(ROOM).parts[0])
+            found[path.stem].append(path.relative_to(ROOM).parent.as_posix())
     strange = {}
-    for name, rooms in found.items():
-        one_a_room = len(set(rooms)) == len(rooms)
-        inside_paper = set(rooms) == {"paper"}
-        fine = (name in SUBJECTS and one_a_room) or (name in PARTS and inside_paper)
-        fine = fine or name == "table"  # of rules, and on a screen
-        if len(rooms) > 1 and not fine:
-            strange[name] = rooms
+    for name, folders in found.items():
+        one_a_folder = len(set(folders)) == len(folders)
+        fine = one_a_folder and (name in SUBJECTS or sum("/" not in f for f in folders) <= 1)
+        if not fine:
+            strange[name] = folders
     assert not strange

@@ -12,7 +12,7 @@ import pytest
 from tests.prover.random_scenes import random_scene
 from tests.prover.scenes import CASES, aligned, on_a_line
 from verify.jobs.scene_verdict import central, pairs_of, scene_lines, time_ends
-from verify.measure.simulation import DIGITS, neg_cos, simulate
+from verify.measure.simulation import DIGITS, neg_cos_at, simulate
 from verify.prover import balls
 from verify.prover.scene import COLLAPSES, DISPERSES, UNDECIDED, Budget, Fate, decide_scene
 
@@ -57,7 +57,7 @@ def contradictions(found: Fate) -> list[str]:
             wrong.append("the pairs do not take turns")
         if len(seen) != count + MORE or not is_inside(seen[-1].time, ends):
             wrong.append("the collapse is at another time")
-        if not all(is_inside(neg_cos(c, o), found.collapse.angle) for c in rest):
+        if not all(is_inside(neg_cos_at(c, o), found.collapse.angle) for c in rest):
             wrong.append("the angle is another one")
     return wrong
 

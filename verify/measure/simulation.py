@@ -51,7 +51,7 @@ def simulate(scene: Scene, most: int, digits: int = DIGITS) -> list[Impact]:
         return found
 
 
-def neg_cos(collision: Impact, central: int) -> Any:
+def neg_cos_at(collision: Impact, central: int) -> Any:
     """-cos of the angle at the central particle, at a collision."""
     with mpmath.workdps(DIGITS):
         i, j = (k for k in range(3) if k != central)

@@ -32,7 +32,7 @@ from verify.paper.dynamics.state import (
     tau,
     y,
 )
-from verify.paper.step.flight import SHIFT, absolute
+from verify.paper.step.flight import SHIFT, below_speed
 from verify.paper.step.numbers import c as limit
 from verify.paper.step.numbers import eighth, speed
 from verify.paper.step.state import at_next, conditions
@@ -142,7 +142,7 @@ def _angle() -> Iterator[Item]:
 def _norms() -> Iterator[Item]:
     yield at_the_contact("impact-pair", "cs-impact")
     yield SPIN_SQUARE
-    yield from absolute(
+    yield from below_speed(
         "spin",
         spin,
         ("spin-square", "B-below"),

@@ -31,7 +31,7 @@ def lines() -> Iterator[Item]:
     yield from _distance()
 
 
-def absolute(
+def below_speed(
     name: str, term: Term, facts: tuple[Value, ...], label: str = "", says: str = ""
 ) -> Iterator[Item]:
     """|x| <= V_1^(1/2), both halves, where the facts add up to x^2 <= V_1."""
@@ -63,10 +63,10 @@ def _norms() -> Iterator[Item]:
 def _components() -> Iterator[Item]:
     yield Line("y-bound", y <= eta_bar, proof("Cnd2", "g-bound"))
     yield Line("y-one", y <= 1, proof("y-bound", "eta-below-one"))
-    yield from absolute("eta_s", eta_s, ("cs-s", "B-below"))
-    yield from absolute("y", y, ("cs-c", "A-below"))
-    yield from absolute("a", a, ("cs-a", "A-below"))
-    yield from absolute("b", b, ("cs-b", "B-below"))
+    yield from below_speed("eta_s", eta_s, ("cs-s", "B-below"))
+    yield from below_speed("y", y, ("cs-c", "A-below"))
+    yield from below_speed("a", a, ("cs-a", "A-below"))
+    yield from below_speed("b", b, ("cs-b", "B-below"))
     yield Line("C-one", C <= 1, scaled(times("goal", plus("goal", 2)), "cs-omega"))
     goal = times("goal", plus("goal", times(2, "V_1-positive")))
     facts = ("cs-w", times("A-below", "B-positive"), times("V_1-positive", "B-below"))

@@ -40,12 +40,12 @@ from verify.paper.step.printed_states import (
     S,
     W_c,
     W_s,
-    absolute,
     d,
     dot,
     eta_s,
     k,
     kappa,
+    magnitude,
     omega_c,
     omega_s,
     spin,
@@ -65,9 +65,9 @@ NORMS, ANGLE = "EQUATSS4.1EvoluNormeVitRl", "EQUATSS4.1EvoluCosinAngle"
 RIGHT, WRONG = "right", "state"
 
 turn = D_C_next - D * C
-sides = absolute(1 + d - D) * C + absolute(dot(omega_s, W_c)) * tau
-sides = sides + (1 + d) * absolute(dot(omega_c, W_s)) * tau
-last = absolute(dot(W_s, W_c)) * tau**2
+sides = magnitude(1 + d - D) * C + magnitude(dot(omega_s, W_c)) * tau
+sides = sides + (1 + d) * magnitude(dot(omega_c, W_s)) * tau
+last = magnitude(dot(W_s, W_c)) * tau**2
 
 
 # --- what is right --------------------------------------------------------------------------------
@@ -154,8 +154,8 @@ def _turn() -> Iterator[Item]:
         "both": dot(W_s, W_c),
     }
     for name, term in parts.items():
-        yield Line(f"{name}-upper", term <= absolute(term), ByEntry(side="rhs"))
-        yield Line(f"{name}-lower", -term <= absolute(term), ByEntry(side="rhs"))
+        yield Line(f"{name}-upper", term <= magnitude(term), ByEntry(side="rhs"))
+        yield Line(f"{name}-lower", -term <= magnitude(term), ByEntry(side="rhs"))
     for side, other, claim in (
         ("upper", "lower", turn <= sides + last),
         ("lower", "upper", -turn <= sides + last),
@@ -202,7 +202,7 @@ def printed() -> Iterator[Obligation]:
         "d-index",
         "EQUATSS4.1_Controle_Tau_n",
         "d_n ≤ |η_{s,n}|τ_n + |W_{s,n}|²τ_n²/2: this bounds d_{n+1}",
-        d <= absolute(eta_s) * tau + B * tau**2 / 2,
+        d <= magnitude(eta_s) * tau + B * tau**2 / 2,
         SLIP,
         "distance",
     )
@@ -235,7 +235,7 @@ def _zeta() -> Iterator[Obligation]:
         "x-small",
         "EQUATSS4.1Recurrence_Cnd9",
         "Cnd9 implies |x_n| ≤ (V₀/V₁) δ₂² h₅/12: only |x₀| is so small",
-        absolute(x) <= least * y,
+        magnitude(x) <= least * y,
         BREAKS,
         f"{REPAIRED}.zeta-x-bound",
     )
@@ -243,7 +243,7 @@ def _zeta() -> Iterator[Obligation]:
         "term-2-sign",
         label,
         "second term of ζ_{n+1}: |…x_n| ≤ (V₁/V₀) x_n/δ₂²: x_n for |x_n|",
-        absolute(second) <= k.V_1 / V_0 / delta_2**2 * (x / y),
+        magnitude(second) <= k.V_1 / V_0 / delta_2**2 * (x / y),
         SLIP,
         f"{REPAIRED}.zeta-term-2-denominator",
     )
@@ -251,7 +251,7 @@ def _zeta() -> Iterator[Obligation]:
         "term-2",
         label,
         "second term of ζ_{n+1}: |…x_n| ≤ h₅/12",
-        absolute(second) <= h_5 / 12,
+        magnitude(second) <= h_5 / 12,
         BREAKS,
         f"{REPAIRED}.zeta-term-2",
     )
@@ -260,7 +260,7 @@ def _zeta() -> Iterator[Obligation]:
         "three-terms",
         label,
         "the three remainder terms of ζ_{n+1} ≤ h₅/4",
-        absolute(second + rest) <= h_5 / 4,
+        magnitude(second + rest) <= h_5 / 4,
         BREAKS,
         f"{REPAIRED}.zeta-remainders",
     )
@@ -284,7 +284,7 @@ def _zeta() -> Iterator[Obligation]:
 
 
 def _angle() -> Iterator[Obligation]:
-    change, display = absolute(turn), sides - last
+    change, display = magnitude(turn), sides - last
     yield _wrong(
         "angle-equation",
         ANGLE,
@@ -307,7 +307,7 @@ def _angle() -> Iterator[Obligation]:
         "EQUATSS4.1Recurrence_Cnd10",
         "|(-cos θ_{n+1}) - (-cos θ₀)| ≤ h₄δ_x/8: Cnd8 allows more, as 1/33 in η̄ has no 1-C_η "
         "(harmless: in y_n the left side has the factor (1+r)/2)",
-        absolute(D_C_next / D - c) <= h_4 * k.delta_x / 8,
+        magnitude(D_C_next / D - c) <= h_4 * k.delta_x / 8,
         HARMLESS,
         "angle-upper",
     )

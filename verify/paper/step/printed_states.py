@@ -43,7 +43,7 @@ def along(x: Vector, t: Term, z: Vector) -> Vector:
     return tuple(p + t * q for p, q in zip(x, z, strict=True))
 
 
-def absolute(term: Term) -> Term:
+def magnitude(term: Term) -> Term:
     """The absolute value."""
     return maximum(term, -term)
 
@@ -127,17 +127,17 @@ def _recursion() -> dict[str, Claim]:
         "Cnd2": y <= decay * g,
         "Cnd3": left < right,
         "Cnd4": left <= k.zeta_bar * right,
-        "CndT": 1 < dot(apart, apart) - 2 * tau * absolute(dot(apart, drift)),
+        "CndT": 1 < dot(apart, apart) - 2 * tau * magnitude(dot(apart, drift)),
         "Cnd5-c-lower": V_0 <= A,
         "Cnd5-c-upper": A <= k.V_1,
         "Cnd5-s-lower": V_0 <= B,
         "Cnd5-s-upper": B <= k.V_1,
         "Cnd6-c": A <= norms,
         "Cnd6-s": B <= norms,
-        "Cnd8-before": absolute(C - c) <= before,
-        "Cnd8": absolute(D_C_next - c * D) <= D * after,
-        "Cnd9": absolute(x) <= spread,
-        "Cnd10": absolute(D_y_next - D * gap) <= D * k.delta_y * y,
+        "Cnd8-before": magnitude(C - c) <= before,
+        "Cnd8": magnitude(D_C_next - c * D) <= D * after,
+        "Cnd9": magnitude(x) <= spread,
+        "Cnd10": magnitude(D_y_next - D * gap) <= D * k.delta_y * y,
     }
 
 

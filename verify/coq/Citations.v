@@ -1,0 +1,202 @@
+(* A citation is closed by a proof of the cited statement: if the citing statement begins with the
+   same terms and contexts, what it believes of them is what the other one proves. *)
+Require Import Reals ZArith List Lia Bool Arith FMapPositive.
+Require Import Meaning Terms Substitution Kernel.
+Import ListNotations.
+
+Section Closing.
+Variable S S' : statement.  (* the cited one, and the one that cites *)
+
+Fixpoint common (l l' : list node) : list node :=
+  match l, l' with
+  | n :: r, n' :: r' => if node_dec n n' then n :: common r r' else []
+  | _, _ => []
+  end.
+Definition shared_nodes : list node := common (nodes S) (nodes S').
+Definition size : nat := length shared_nodes.
+Definition is_shared (i : positive) : bool := Nat.leb (Pos.to_nat i) size.
+Definition shared_claim (g : claim) : bool := is_shared (lhs g) && is_shared (rhs g).
+Fixpoint same_givens (l l' : list given) : bool :=
+  match l, l' with
+  | [], [] => true
+  | a :: r, a' :: r' =>
+      same_claim (given_claim a) (given_claim a') && shared_claim (given_claim a) && same_givens r r'
+  | _, _ => false
+  end.
+Definition same_context (c : nat) : bool :=
+  Nat.eqb (parent_of S c) (parent_of S' c) && Nat.ltb (parent_of S c) c &&
+  same_givens (givens_of S c) (givens_of S' c).
+Definition proves_row (c : nat) (g : claim) (r : row) : bool :=
+  Nat.eqb (row_context r) c &&
+  match row_verdict r, row_sentence r with Proved, Compare h => same_claim h g | _, _ => false end.
+Definition proves_constant (c : nat) (g : claim) (i : positive) : bool :=
+  match PM.find i (table (numbered S)) with
+  | Some (NConstant d a) => Nat.eqb d c && same_claim (Claim Equal i a) g
+  | _ => false
+  end.
+Definition own (c : nat) : bool := existsb (Nat.eqb c) (own_contexts S).
+Definition proves (c : nat) (g : claim) : bool :=
+  shared_claim g && Nat.leb c (length (contexts S)) &&
+  (existsb (proves_row c g) (rows S) || existsb (proves_constant c g) (constants S) ||
+   own c && existsb (fun a => same_claim (given_claim a) g) (givens_of S c)).
+Definition closes_constant (i : positive) : bool :=
+  existsb (Pos.eqb i) (constants S) && is_shared i &&
+  match nth_error (nodes S) (pred (Pos.to_nat i)) with
+  | Some (NConstant c a) => is_shared a && Nat.leb c (length (contexts S))
+  | _ => false
+  end.
+Definition closes : bool :=
+  ordered (numbered S) &&
+  forallb same_context (seq 1 (length (contexts S))) &&
+  forallb (fun x => proves (fst (snd x)) (snd (snd x))) (cited S') &&
+  forallb closes_constant (cited_constants S') &&
+  forallb (fun c => existsb (Nat.eqb c) (own_contexts S') ||
+                    Nat.leb c (length (contexts S)) && own c) (seq 1 (length (contexts S'))).
+
+(* --- soundness --- *)
+
+Lemma common_begins : forall l l', exists r r', l = common l l' ++ r /\ l' = common l l' ++ r'.
+Proof.
+  induction l as [|n l IH]; intros [|n' l']; cbn [common]; try (do 2 eexists; split; reflexivity).
+  destruct (node_dec n n') as [<-|_]; [|do 2 eexists; split; reflexivity].
+  destruct (IH l') as (r & r' & A & B). exists r, r'. cbn [app]. now rewrite <- A, <- B.
+Qed.
+Lemma grow_begins l : forall k r trees i, (Pos.to_nat i < Pos.to_nat k + length l)%nat ->
+  PM.find i (grow k (l ++ r) trees) = PM.find i (grow k l trees).
+Proof.
+  induction l as [|n l IH]; intros k r trees i L; cbn [app grow length] in *.
+  - apply grow_before. lia.
+  - apply IH. lia.
+Qed.
+Lemma term_shared i : is_shared i = true -> term_at S' i = term_at S i.
+Proof.
+  unfold is_shared, size. intros L. apply Nat.leb_le in L.
+  destruct (common_begins (nodes S) (nodes S')) as (r & r' & A & B). fold shared_nodes in A, B.
+  unfold term_at, tree_at. rewrite A, B, !grow_begins; trivial; lia.
+Qed.
+Lemma node_shared i : is_shared i = true ->
+  nth_error (nodes S') (pred (Pos.to_nat i)) = nth_error (nodes S) (pred (Pos.to_nat i)).
+Proof.
+  unfold is_shared, size. intros L. apply Nat.leb_le in L.
+  destruct (common_begins (nodes S) (nodes S')) as (r & r' & A & B). fold shared_nodes in A, B.
+  rewrite A, B. rewrite !nth_error_app1; trivial; lia.
+Qed.
+Lemma stands_shared v g : shared_claim g = true -> (stands S' v g <-> stands S v g).
+Proof.
+  unfold shared_claim. intros L. apply andb_prop in L. destruct L as [L R].
+  unfold stands, value_at. rewrite !term_shared by assumption. tauto.
+Qed.
+Lemma holds_shared v g : shared_claim g = true -> (holds S' v g <-> holds S v g).
+Proof.
+  intros L. unfold holds. rewrite (stands_shared v g L). unfold shared_claim in L.
+  apply andb_prop in L. destruct L as [L R].
+  unfold defined_at. rewrite !term_shared by assumption. tauto.
+Qed.
+
+Hypothesis closing : closes = true.
+Lemma contexts_same c : (0 < c <= length (contexts S))%nat -> same_context c = true.
+Proof.
+  pose proof closing as C. unfold closes in C. repeat (apply andb_prop in C; destruct C as [C ?]).
+  intros L. rewrite forallb_forall in H2. apply H2, in_seq. lia.
+Qed.
+Lemma givens_same v : forall l l', same_givens l l' = true -> (satisfies S' v l' <-> satisfies S v l).
+Proof.
+  unfold satisfies. induction l as [|a l IH]; intros [|a' l']; cbn [same_givens]; try discriminate.
+  - intros _. split; constructor.
+  - intros E. apply andb_prop in E. destruct E as [E G]. apply andb_prop in E. destruct E as [E L].
+    apply same_claim_sound in E. specialize (IH l' G). pose proof (stands_shared v _ L) as M.
+    rewrite !Forall_cons_iff, <- E. tauto.
+Qed.
+Lemma upwards_same : forall c m, (c <= length (contexts S))%nat -> upwards S' m c = upwards S m c.
+Proof.
+  intros c m. revert c. induction m as [|m IH]; intros [|c] L; cbn [upwards]; trivial. f_equal.
+  pose proof (contexts_same (Datatypes.S c) ltac:(lia)) as E. unfold same_context in E.
+  apply andb_prop in E. destruct E as [E _]. apply andb_prop in E. destruct E as [E B].
+  apply Nat.eqb_eq in E. apply Nat.ltb_lt in B. rewrite <- E. apply IH. lia.
+Qed.
+Lemma upwards_below : forall m c k, (c <= length (contexts S))%nat -> In k (upwards S m c) ->
+  (k <= length (contexts S))%nat.
+Proof.
+  induction m as [|m IH]; intros [|c] k L I; cbn [upwards In] in I; try (destruct I as [<-|[]]; lia).
+  destruct I as [<-|I]; [lia|].
+  pose proof (contexts_same (Datatypes.S c) ltac:(lia)) as E. unfold same_context in E.
+  apply andb_prop in E. destruct E as [E _]. apply andb_prop in E. destruct E as [_ B].
+  apply Nat.ltb_lt in B. apply IH in I; trivial. lia.
+Qed.
+Lemma scope_same c v : (c <= length (contexts S))%nat -> (scope S' c v <-> scope S c v).
+Proof.
+  intros L. unfold scope, around. rewrite (upwards_same c c L).
+  assert (Q : forall k, In k (upwards S c c) ->
+    (satisfies S' v (givens_of S' k) <-> satisfies S v (givens_of S k))).
+  { intros k I. apply upwards_below in I; trivial. destruct k as [|k].
+    - cbn. split; intros; constructor.
+    - pose proof (contexts_same (Datatypes.S k) ltac:(lia)) as E. unfold same_context in E.
+      apply andb_prop in E. destruct E as [_ E]. now apply givens_same. }
+  split; intros A k I; apply (Q k I), A, I.
+Qed.
+Lemma fact_same c g : (c <= length (contexts S))%nat -> shared_claim g = true -> fact S c g ->
+  fact S' c g.
+Proof.
+  intros L G A v V. apply (holds_shared v g G), A. now apply (scope_same c v L).
+Qed.
+
+Theorem citations_closed : true_statement S -> citations_true S'.
+Proof.
+  intros (Constants & Contexts & Rows & _).
+  pose proof closing as C. unfold closes in C.
+  apply andb_prop in C. destruct C as [C Open]. apply andb_prop in C. destruct C as [C Values].
+  apply andb_prop in C. destruct C as [C Facts]. apply andb_prop in C. destruct C as [Order _].
+  rewrite forallb_forall in Open, Values, Facts. rewrite Forall_forall in Constants, Contexts, Rows.
+  assert (Good : forall c, own c = true -> context_good S c).
+  { intros c E. apply existsb_exists in E. destruct E as (d & I & E). apply Nat.eqb_eq in E.
+    subst. now apply Contexts. }
+  split; [|split].
+  - apply Forall_forall. intros i I. specialize (Values i I). unfold closes_constant in Values.
+    apply andb_prop in Values. destruct Values as [E M]. apply andb_prop in E. destruct E as [E Sh].
+    apply existsb_exists in E. destruct E as (j & J & E). apply Pos.eqb_eq in E. subst j.
+    specialize (Constants i J). unfold constant_defined in *. rewrite (node_shared i Sh).
+    destruct (nth_error _ _) as [[]|]; try discriminate. apply andb_prop in M. destruct M as [M L].
+    apply Nat.leb_le in L. intros v V. unfold defined_at. rewrite (term_shared _ M).
+    apply Constants. now apply (scope_same _ v L).
+  - apply Forall_forall. intros [n [c g]] I. specialize (Facts _ I). cbn [fst snd] in *.
+    unfold proves in Facts. apply andb_prop in Facts. destruct Facts as [E F].
+    apply andb_prop in E. destruct E as [G L]. apply Nat.leb_le in L. apply fact_same; trivial.
+    apply orb_prop in F. destruct F as [F|F]; [apply orb_prop in F; destruct F as [F|F]|].
+    + apply existsb_exists in F. destruct F as (r & J & F). specialize (Rows r J).
+      unfold proves_row in F. unfold row_true in Rows. apply andb_prop in F. destruct F as [A B].
+      apply Nat.eqb_eq in A. destruct (row_verdict r), (row_sentence r); try discriminate.
+      apply same_claim_sound in B. subst. exact Rows.
+    + apply existsb_exists in F. destruct F as (i & J & F). specialize (Constants i J).
+      unfold proves_constant in F.
+      destruct (PM.find i (table (numbered S))) as [[]|] eqn:E; try discriminate.
+      apply andb_prop in F. destruct F as [A B]. apply Nat.eqb_eq in A. apply same_claim_sound in B.
+      subst. unfold constant_defined in Constants. unfold numbered in E.
+      rewrite nth_listed in E by lia. change (Pos.to_nat 1) with 1%nat in E.
+      replace (Pos.to_nat i - 1)%nat with (pred (Pos.to_nat i)) in E by lia. rewrite E in Constants.
+      replace (pred (Pos.to_nat i)) with (Pos.to_nat i - Pos.to_nat 1)%nat in E
+        by (change (Pos.to_nat 1) with 1%nat; lia).
+      rewrite <- nth_listed in E by lia. fold (numbered S) in E. intros v V. specialize (Constants v V).
+      split; [|split]; trivial.
+      * apply (defined_node S Order v _ _ E). cbn [subterms proviso In]. split; trivial.
+        now intros a [<-|[]].
+      * unfold stands. cbn [related relation_of lhs rhs]. now rewrite (value_node S Order v _ _ E).
+    + apply andb_prop in F. destruct F as [O F]. apply existsb_exists in F.
+      destruct F as (a & J & F). apply same_claim_sound in F. subst g.
+      destruct (Good c O) as [_ A]. intros v V. specialize (A v V). rewrite Forall_forall in A.
+      now apply A.
+  - intros c L. specialize (Open c ltac:(apply in_seq; lia)). apply orb_prop in Open.
+    destruct Open as [O|O].
+    + left. apply existsb_exists in O. destruct O as (d & I & E). apply Nat.eqb_eq in E. now subst.
+    + right. apply andb_prop in O. destruct O as [M O]. apply Nat.leb_le in M.
+      destruct (Good c O) as [[v V] A]. split; [exists v; now apply (scope_same c v M)|].
+      intros w W. apply (scope_same c w M) in W. specialize (A w W).
+      destruct c as [|c]; [lia|]. pose proof (contexts_same (Datatypes.S c) ltac:(lia)) as E.
+      unfold same_context in E. apply andb_prop in E. destruct E as [_ E]. clear - A E.
+      revert E. generalize (givens_of S' (Datatypes.S c)). revert A.
+      induction (givens_of S (Datatypes.S c)) as [|a l IH]; intros A [|a' l']; cbn [same_givens];
+        try discriminate; intros E; constructor.
+      * apply andb_prop in E. destruct E as [E _]. apply andb_prop in E. destruct E as [E B].
+        apply same_claim_sound in E. rewrite <- E. apply (holds_shared w _ B). now inversion A.
+      * apply andb_prop in E. destruct E as [_ E]. apply IH; trivial. now inversion A.
+Qed.
+End Closing.

@@ -15,6 +15,7 @@ from verify.prover.clearing import Clearing
 from verify.prover.goal import Goal
 from verify.prover.proof import Proof
 from verify.prover.rules import Cuts
+from verify.prover.search.coefficients import by_coefficients
 from verify.prover.search.domain import Domain
 from verify.prover.search.positive import by_squares
 from verify.prover.session import ZERO
@@ -59,6 +60,9 @@ def _split(
 ) -> Proof | None:
     """Insert the first of the names into the order, from the least on; then the others."""
     if not names:
+        proof = by_coefficients(strategy, order, _neighbours(facts))
+        if proof is not None:
+            return proof
         domain = Domain(strategy.goal, facts)
         return by_squares(domain, strategy.zeros(domain), strategy.budget, strategy.using)
     return _insert(strategy, names, order, 0, facts, count)
@@ -86,3 +90,14 @@ def _insert(
         return None
     above = _insert(strategy, names, order, place + 1, high, count + 1)
     return None if above is None else Cuts(term, (Fraction(0),), (below, above))
+
+
+def _neighbours(facts: Mapping[str, Claim]) -> dict[tuple[str, str], str]:
+    """For two variables of which the first is not above the second the hypothesis that says so."""
+    found = {}
+    for name, claim in facts.items():
+        if name.startswith("@"):
+            difference = claim.lhs if claim.rhs == ZERO else claim.rhs
+            a, b = (child.name for child in difference.children)
+            found[(a, b) if claim.rhs == ZERO else (b, a)] = name
+    return found

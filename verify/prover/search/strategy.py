@@ -11,6 +11,7 @@ from verify.prover.clearing import atoms_of
 from verify.prover.goal import Goal
 from verify.prover.points import failure_test
 from verify.prover.proof import Proof
+from verify.prover.search.coefficients import by_coefficients
 from verify.prover.search.domain import Domain
 from verify.prover.search.ends_of_variables import Polynomials
 from verify.prover.search.extrema import by_entries, extrema_of, split
@@ -51,6 +52,7 @@ class Strategy:
             if polynomials.is_plain:
                 yield polynomials.by_parts()
                 yield polynomials.by_ends()
+        yield by_coefficients(self)
         facts = self.facts()
         yield self.squares(self.goal, facts)
         bounds = self.root_facts()

@@ -96,6 +96,16 @@ BOX = (-2, 2)
         ),
         (minimum(x, y) ** 2 <= x * y, {"x": POSITIVE, "y": POSITIVE}),
         (0 <= maximum(x * x + y * y - 1, 1 - x * y), {"x": EVERYWHERE, "y": EVERYWHERE}),
+        # by the order of the variables
+        (
+            0 <= x * (x - y) * (x - z) + y * (y - x) * (y - z) + z * (z - x) * (z - y),
+            {"x": POSITIVE, "y": POSITIVE, "z": POSITIVE},
+        ),
+        # parts with variables of their own
+        (
+            (cos_pi(3 * x) + cos_pi(5 * x + 1)) * (cos_pi(y) - cos_pi(2 * y + 1)) < as_term(5),
+            {"x": (-3, 3), "y": (-3, 3)},
+        ),
         # trees
         (0 <= 20 + x**2 + y**2 - 10 * cos_pi(2 * x) - 10 * cos_pi(2 * y), {"x": BOX, "y": BOX}),
         (x / (1 + x * x) < as_term(Fraction(51, 100)), {"x": (-5, 5)}),

@@ -22,7 +22,12 @@ def add_arguments(parser: Parser) -> None:
     parser.option("--out", "write the decided statement and a certificate of it", "DIR")
     parser.option("--work", f"units of work for each row (default {WORK})", "N")
     parser.option("--time", "leave undecided what is not decided after S seconds", "S")
-    parser.option("--jobs", "how many processes may search (default 1)", "N", default="1")
+    parser.option(
+        "--jobs",
+        "processes at most; rows build on earlier ones, so that one is used",
+        "N",
+        default="1",
+    )
     parser.flag("--json", text="one JSON document on stdout")
     add_color(parser)
 

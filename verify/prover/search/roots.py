@@ -1,4 +1,4 @@
-"""Bounds of the roots in a claim, from the bounds of the variables: facts for other techniques."""
+"""Bounds of roots and cosines in a claim, from those of variables: facts for other techniques."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import isqrt
 
 from verify.language.record import TYPE_CHECKING
-from verify.language.terms import Claim, Term, as_term
+from verify.language.terms import Claim, Term, as_term, names_of
 from verify.prover.clearing import atoms_of
 from verify.prover.search.exact import ExactRanges
 
@@ -20,18 +20,25 @@ DIGITS = 3
 
 
 def root_bounds(strategy: Strategy) -> Iterator[Claim]:
-    """Claims `low <= root` and `root <= high`, where the radicand lies in an interval."""
+    """Claims `low <= atom` and `atom <= high`, where all variables of the atom are bounded."""
     goal = strategy.goal
-    box = goal.box
-    if box is None:
-        return
+    box = {name: bounds.ends for name, bounds in goal.variables.items()}
+    ends = {name: pair for name, pair in box.items() if pair is not None}
     terms = goal.claim.lhs, goal.claim.rhs, *goal.definitions.values()
-    ranges = ExactRanges([*box], goal.definitions, BITS)
+    ranges = ExactRanges([*ends], goal.definitions, BITS)
     for atom in atoms_of(terms, {}):
-        if atom.op == "sqrt":
-            found = ranges.of([*box.values()], atom.children[0])
-            if found is not None:
-                yield from _bounds(atom, *found[0])
+        names = set(names_of(atom))
+        if atom.op not in ("sqrt", "cos", "cos_pi") or not names <= ends.keys():
+            continue
+        found = ranges.of([*ends.values()], atom.children[0] if atom.op == "sqrt" else atom)
+        if found is not None:
+            yield from (_bounds if atom.op == "sqrt" else _outward)(atom, *found[0])
+
+
+def _outward(atom: Term, low: Fraction, high: Fraction) -> Iterator[Claim]:
+    scale = 10**DIGITS
+    yield Claim("<=", as_term(Fraction(low * scale // 1, scale)), atom)
+    yield Claim("<=", atom, as_term(-Fraction(-high * scale // 1, scale)))
 
 
 def _bounds(root: Term, low: Fraction, high: Fraction) -> Iterator[Claim]:

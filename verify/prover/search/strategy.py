@@ -19,6 +19,7 @@ from verify.prover.search.minimum import Minima, simple_points
 from verify.prover.search.order import by_order
 from verify.prover.search.positive import by_squares
 from verify.prover.search.roots import root_bounds
+from verify.prover.search.subterms import by_subterms
 from verify.prover.search.tree import Tree
 
 if TYPE_CHECKING:
@@ -61,6 +62,7 @@ class Strategy:
         yield by_entries(self, facts)
         yield split(self, facts)
         yield by_order(self, facts)
+        yield by_subterms(self)
         yield self.tree(MANY_LEAVES)
 
     def is_refuted(self) -> bool:

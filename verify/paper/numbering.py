@@ -2,17 +2,31 @@ r"""What the paper prints beside each ``\label``: the number of the formula, sec
 
 from __future__ import annotations
 
-import json
+import os
 from collections.abc import Mapping
 from functools import cache
-from importlib import resources
+
+TABLE = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data", "numbers.json")
 
 
 @cache
 def printed_numbers() -> Mapping[str, str]:
     """Each label with what it is called in print: ``(4.25)``, ``Theorem 1``, ``Section 4.1``."""
-    table = resources.files("verify").joinpath("data", "numbers.json").read_text(encoding="utf-8")
-    return dict(json.loads(table)["numbers"])
+    import json  # loaded only where it is used
+
+    return dict(json.loads(_text())["numbers"])
+
+
+@cache
+def _text() -> str:
+    with open(TABLE, encoding="utf-8") as file:
+        return file.read()
+
+
+def printed_number(label: str) -> str:
+    """What one label is called in print, or the label itself, without reading all of the table."""
+    _, found, rest = _text().partition(f'"{label}": "')
+    return rest.partition('"')[0] if found else label
 
 
 def labels_called(number: str) -> list[str]:

@@ -9,6 +9,7 @@ from verify.language.statement import REFUTED
 from verify.language.terms import Claim
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.groups import PRINTED as PRINTED_SET
+from verify.paper.numbering import printed_number
 from verify.paper.rows import BREAKS
 from verify.prover.decimals import short
 from verify.prover.outcome import Outcome
@@ -60,13 +61,13 @@ def _breaking(outcome: Outcome) -> Iterator[str]:
     """The refuted steps that break the printed argument, a line each with both numbers."""
     rows = [p for p in outcome.rows if p[1].verdict == REFUTED and p[0].severity == BREAKS]
     if rows:
-        yield "Refuted steps that break the printed argument (left and right side):"
+        yield "Refuted steps that break the printed argument (left and right side, formula):"
     for row, decision in rows:
         sides = sides_of(row, decision)
         if sides is not None and isinstance(row.claim, Claim):
             sign = SIGNS[row.claim.relation]
             numbers = f"{short(sides[0], 3)} {sign} {short(sides[1], 3)}"
-            yield f"  {short_name(row):<18} {numbers:<26} {row.label}"
+            yield f"  {short_name(row):<18} {numbers:<26} {printed_number(row.label)}"
 
 
 def verdict_lines(outcome: Outcome, sets: list[str]) -> Iterator[str]:

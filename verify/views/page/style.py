@@ -45,6 +45,7 @@ data{white-space:nowrap}
 .claim,.repair{overflow-x:auto;overflow-y:hidden}
 .claim{padding:.35rem 0}
 .claim .math,.claim{line-height:2}
+.repair{line-height:1.9}
 .facts{list-style:none;padding:0;margin:1rem 0;display:grid;gap:.6rem;max-width:52rem}
 .facts li{display:grid;grid-template-columns:7rem 1fr;gap:.8rem;align-items:baseline}
 .verdict{display:inline-block;font-size:.8rem;line-height:1;font-weight:600;padding:.3rem .5rem;

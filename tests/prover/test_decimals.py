@@ -13,6 +13,7 @@ from verify.prover.decimals import (
     both_ends,
     decimal_exponent,
     decimal_text,
+    exact_number,
     outward,
     round_decimal,
     short,
@@ -100,6 +101,13 @@ def _value(text: str) -> Fraction:
     if not re.fullmatch("10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", power):
         return Fraction(text)
     return Fraction(digits or "1") * Fraction(10) ** int(power[2:].translate(_PLAIN))
+
+
+@pytest.mark.parametrize(
+    ("value", "text"), [("3/100", "0.03"), ("1/3", "1/3"), ("1e-14", "10⁻¹⁴"), ("0", "0")]
+)
+def test_a_rational_exactly(value: str, text: str) -> None:
+    assert exact_number(Fraction(value)) == text
 
 
 @pytest.mark.parametrize(

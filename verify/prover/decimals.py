@@ -140,6 +140,12 @@ def told_number(value: Fraction, digits: int = 8) -> str:
     return str(value) if "…" in text and value.denominator < 1000 else text
 
 
+def exact_number(value: Fraction, digits: int = 12) -> str:
+    """A rational exactly: as a decimal where that is short, else as a fraction."""
+    text = short((value, value), digits)
+    return str(value) if "…" in text else text
+
+
 def _towards_zero(value: Fraction, exponent: int) -> int:
     numerator, denominator = abs(value.numerator), value.denominator
     if exponent < 0:

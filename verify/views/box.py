@@ -8,6 +8,7 @@ from typing import Any
 
 from verify.jobs.box import Answer, ParameterBox
 from verify.language.statement import PROVED, REFUTED, Assumption
+from verify.prover.decimals import exact_number
 from verify.views.document import assumption_document, claims_document
 from verify.views.everywhere import THEOREM
 from verify.views.words import given
@@ -47,7 +48,8 @@ def _words(box: ParameterBox) -> str:
 
 def _side(side: tuple[Fraction, Fraction]) -> str:
     low, high = side
-    return f"= {low}" if low == high else f"in [{low}, {high}]"
+    texts = exact_number(low), exact_number(high)
+    return f"= {texts[0]}" if low == high else f"in [{texts[0]}, {texts[1]}]"
 
 
 def _command(box: ParameterBox) -> str:

@@ -10,7 +10,7 @@ from verify.language.statement import NEEDED, PROVED, REFUTED
 from verify.language.terms import symbol
 from verify.paper.classification.meaning import MEANING
 from verify.paper.numbering import cited
-from verify.prover.decimals import rational_text, short
+from verify.prover.decimals import exact_number, rational_text, short
 from verify.prover.outcome import Outcome
 from verify.views.document import claims_document, pair
 from verify.views.words import counts, given, groups, letters, summary, witness_of
@@ -110,7 +110,7 @@ def claim_rows(outcome: Outcome) -> Iterator[str]:
 
 def restitution_lines(found: AtR) -> Iterator[str]:
     """What the theorems say at one r, for three balls of equal mass."""
-    yield f"At r = {found.r}, three balls of equal mass"
+    yield f"At r = {exact_number(found.r)}, three balls of equal mass"
     yield f"  the final -cos θ of a collapse is at least 4√r/(1+r) = {short(found.least_neg_cos)}"
     if found.undecided:
         yield "  a longest run exists, but the work budget does not suffice to count it"

@@ -12,6 +12,7 @@ from itertools import groupby
 from verify.jobs.scan import ScannedPoint
 from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
+from verify.prover.decimals import exact_number
 from verify.prover.outcome import EXIT_CODES
 
 
@@ -37,7 +38,7 @@ def show_ranges(points: Iterable[tuple[Fraction, ScannedPoint]], *, as_json: boo
         return EXIT_CODES[verdict]
     for item in found:
         sys.stdout.write(
-            f"r = {item.first} to {item.last}: {item.points} points {item.verdict}, "
+            f"r = {exact_number(item.first)} to {exact_number(item.last)}: {item.points} points {item.verdict}, "
             f"{len(item.refuted)} rows refuted\n"
         )
     counts = ", ".join(f"{count} {name}" for name, count in total.items())

@@ -13,7 +13,7 @@ from verify.language.typeset import Typesetter
 from verify.paper.numbering import cited
 from verify.prover import balls
 from verify.prover.balls import Ball
-from verify.prover.decimals import outward, rational_text, short
+from verify.prover.decimals import exact_number, outward, rational_text, short
 from verify.prover.outcome import Decision, Outcome
 from verify.views.document import claims_document, value_text
 from verify.views.words import groups, letters, sentence, summary, taken_on_trust, witness_of
@@ -109,7 +109,7 @@ def _row(row: Obligation, decision: Decision, typesetter: Typesetter) -> Iterato
 
 def point_lines(r: list[Fraction], spectrum: Spectrum) -> Iterator[str]:
     """The eigenvalues and eigenvectors for a reader."""
-    texts = " to ".join(map(str, r))
+    texts = " to ".join(map(exact_number, r))
     yield ""
     yield f"At r = {texts}" if len(r) == 1 else f"For all r from {texts}"
     value = _short(spectrum.lambda_0) if spectrum.exact is None else f"{spectrum.exact}"

@@ -13,13 +13,14 @@ from verify.prover.uses import Node, nodes
 
 FORMAT = "verify-graph/1"
 
+#: Lightness tells proved from refuted, and so does the border of what is refuted.
 _COLOURS = {
     "given": "#b8c4d6",
     "constant": "#d9d2e9",
     "definition": "#d9d2e9",
     "lemma": "#e8e8e8",
-    PROVED: "#b7dfb9",
-    REFUTED: "#f2b8b5",
+    PROVED: "#c3d9f5",
+    REFUTED: "#ee9b3f",
     "assumed": "#fde9b0",
 }
 
@@ -91,7 +92,8 @@ def to_dot(found: Graph) -> str:
     lines = ["digraph proof {", "  rankdir=LR; node [shape=box, style=filled, fontsize=9];"]
     for vertex in found.vertices:
         colour = _COLOURS.get(vertex.state, "#ffffff")
-        lines.append(f'  "{vertex.name}" [fillcolor="{colour}"];')
+        border = ', penwidth=3, style="filled,dashed"' if vertex.state == REFUTED else ""
+        lines.append(f'  "{vertex.name}" [fillcolor="{colour}"{border}];')
     lines += [f'  "{used}" -> "{user}";' for used, user in found.edges]
     return "\n".join([*lines, "}"]) + "\n"
 
@@ -147,13 +149,17 @@ def _box(vertex: Vertex, x: int, y: int) -> str:
     tip = escape(" ".join(part for part in (vertex.name, vertex.label, vertex.context) if part))
     return (
         f'<g><title>{tip}</title><rect x="{x}" y="{y}" width="150" height="12" rx="2" '
-        f'fill="{_COLOURS.get(vertex.state, "#ffffff")}"/>'
+        f'fill="{_COLOURS.get(vertex.state, "#ffffff")}"{_border(vertex.state)}/>'
         f'<text x="{x + 3}" y="{y + 9}">{escape(name)}</text></g>'
     )
+
+
+def _border(state: str) -> str:
+    return ' stroke="#5a2a00" stroke-width="1.4" stroke-dasharray="3 2"' if state == REFUTED else ""
 
 
 def _legend(height: int) -> Iterable[str]:
     for i, (state, colour) in enumerate(_COLOURS.items()):
         x = 20 + 95 * i
-        yield f'<rect x="{x}" y="{height - 24}" width="10" height="10" fill="{colour}"/>'
+        yield f'<rect x="{x}" y="{height - 24}" width="10" height="10" fill="{colour}"{_border(state)}/>'
         yield f'<text x="{x + 14}" y="{height - 15}">{escape(state)}</text>'

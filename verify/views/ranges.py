@@ -38,7 +38,8 @@ def show_ranges(points: Iterable[tuple[Fraction, ScannedPoint]], *, as_json: boo
         return EXIT_CODES[verdict]
     for item in found:
         sys.stdout.write(
-            f"r = {exact_number(item.first)} to {exact_number(item.last)}: {item.points} points {item.verdict}, "
+            f"r = {exact_number(item.first)} "
+            f"to {exact_number(item.last)}: {item.points} points {item.verdict}, "
             f"{len(item.refuted)} rows refuted\n"
         )
     counts = ", ".join(f"{count} {name}" for name, count in total.items())

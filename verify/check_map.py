@@ -28,7 +28,7 @@ import re
 import sys
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 from hashlib import sha256
 from math import isqrt
 from typing import Any, NamedTuple
@@ -193,7 +193,17 @@ def product(x: Sequence[int], y: Sequence[int]) -> tuple[tuple[int, ...], int]:
 
 def mul_models(x: Model, y: Model) -> Model:
     """The product."""
-    return model(mul(x[:2], y[:2]), *product(x[2:], y[2:]))
+    bounds = mul((x[0], x[1]), (y[0], y[1]))
+    if not any(y[3:8]):
+        return _scaled(bounds, x, y[2], y[8])
+    return model(bounds, *product(x[2:], y[2:]))
+
+
+def _scaled(bounds: Interval, x: Model, by: int, off: int) -> Model:
+    """The product with a number that is the same for all parameters."""
+    c = [x[i] * by >> PLACES for i in range(2, 8)]
+    size = abs(x[2]) + abs(x[3]) + abs(x[4]) + abs(x[5]) + abs(x[6]) + abs(x[7]) + x[8]
+    return model(bounds, c, (abs(by) * x[8] + size * off >> PLACES) + 7)
 
 
 def square_model(x: Model) -> Model:
@@ -223,14 +233,20 @@ def div_models(x: Model, y: Model) -> Model:
     Raises:
         RefusedError: if the divisor is not positive.
     """
-    bounds, c0 = div(x[:2], y[:2]), y[2]
-    radius = sum(map(abs, y[3:]))
+    bounds, inverse = div(x[:2], y[:2]), _inverse(y)
+    return flat(bounds) if inverse is None else model(bounds, *product(x[2:], inverse))
+
+
+@lru_cache(maxsize=4)
+def _inverse(y: Model) -> Sequence[int] | None:
+    """The polynomial of 1/y and its error, if its radius is less than c0."""
+    c0, radius = y[2], sum(map(abs, y[3:]))
     if c0 <= radius:
-        return flat(bounds)
+        return None
     cube = c0 * c0 * c0
     f = ((ONE * ONE) // c0, -(ONE**3 // (c0 * c0)), ONE**4 // cube)
     rest = (radius**3 * ONE * ONE) // (cube * (c0 - radius)) + 1
-    return model(bounds, *product(x[2:], series(y, f, (1, 1, 1), rest)))
+    return series(y, f, (1, 1, 1), rest)
 
 
 def root_model(x: Model) -> Model:
@@ -440,6 +456,19 @@ def collide(law: Law, z: Sight, way: Way, sig: Number | None = None) -> Sight:
     return Sight(y, lam, mul(law.r, s), eps, A, B, C, a, b, w)
 
 
+def what_meets(kind: Arithmetic, z: Sight) -> tuple[int, int, Three]:
+    """Whether o and c meet, whether s and c do, and the latter pair; bounds alone often tell."""
+    if kind is not INTERVALS:
+        near, away, pair = what_meets(INTERVALS, Sight(*(x[:2] for x in z)))
+        near = near or looks(kind, z.lam, z.A, z.eps)
+        if away < 0:
+            return near, away, pair
+    else:
+        near = looks(kind, z.lam, z.A, z.eps)
+    pair = far(kind, z)
+    return near, looks(kind, kind.neg(pair.p), pair.m, pair.g), pair
+
+
 def after(law: Law, z: Sight) -> tuple[bool, list[Sight]]:
     """Whether some states have no further collision, and the states after that of the others.
 
@@ -450,9 +479,8 @@ def after(law: Law, z: Sight) -> tuple[bool, list[Sight]]:
     """
     if z.rho[0] <= 0 and z.B[0] <= 0:
         raise RefusedError("the spectator may stay in contact")
-    kind, pair = law.kind, far(law.kind, z)
-    near = looks(kind, z.lam, z.A, z.eps)
-    away = looks(kind, kind.neg(pair.p), pair.m, pair.g)
+    kind = law.kind
+    near, away, pair = what_meets(kind, z)
     if near < 0 and away < 0:
         return True, []
     may_end = near < 1 and away < 1
@@ -461,8 +489,10 @@ def after(law: Law, z: Sight) -> tuple[bool, list[Sight]]:
         # Where both meet, o and c are first; s and c meet only where o and c do not.
         first, other = collide(law, z, way), None if near > 0 else _other(law, z, pair, away)
         return may_end, [first] if other is None else [first, other]
+    if away < 0:
+        raise RefusedError("it is open whether o and c meet")
     seen = from_s(kind, z, pair)
-    seen_way = way_of(kind, seen) if away >= 0 else None
+    seen_way = way_of(kind, seen)
     if seen_way is None or not (near < 0 or is_apart(kind, own(kind, z), seen_way)):
         raise RefusedError("it is open which collision is the next one")
     first = collide(law, seen, seen_way)

@@ -7,6 +7,7 @@ import random
 from fractions import Fraction
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests.prover.map_simulation import fate
@@ -16,7 +17,7 @@ from verify.jobs.map_workers import workers
 from verify.paper.map.planes import Phi
 from verify.paper.map.strip import BorderStrip
 from verify.prover.map_boxes import verdicts
-from verify.prover.map_curve import strip_along
+from verify.prover.map_curve import border, strip_along
 from verify.wire.map_log import Progress, all_keys, plane_document
 
 ONE = Fraction(1)
@@ -125,3 +126,15 @@ def test_a_verdict_of_the_wrong_side(log: tuple[Progress, list[bytes]], tmp_path
     ]
     (tmp_path / "log").write_bytes(b"".join(sealed(content)))
     assert check_map.main([str(tmp_path / "log")]) == 1
+
+
+def test_points_very_near_the_border() -> None:
+    """Tiny boxes at a distance of 10^-10 from the curve, on either side."""
+    near, size = Fraction(1, 10**10), Fraction(1, 10**14)
+    places = [Fraction(n, 1000) for n in (20, 83, 150, 310)]
+    for phi_1, f in zip(places, border(PLANE, np.array([*map(float, places)]), 1e-14), strict=True):
+        for sign, letter in ((-1, "c"), (1, "d")):
+            phi_2 = Fraction(float(f)) + sign * near
+            box = PLANE._replace(x=(phi_1, phi_1 + size), y=(phi_2, phi_2 + size))
+            assert verdicts(box, ["0"]).letters == letter
+            assert fate(PLANE, phi_1, phi_2) == letter

@@ -161,5 +161,6 @@ def _border(state: str) -> str:
 def _legend(height: int) -> Iterable[str]:
     for i, (state, colour) in enumerate(_COLOURS.items()):
         x = 20 + 95 * i
-        yield f'<rect x="{x}" y="{height - 24}" width="10" height="10" fill="{colour}"{_border(state)}/>'
+        box = f'<rect x="{x}" y="{height - 24}" width="10" height="10"'
+        yield f'{box} fill="{colour}"{_border(state)}/>'
         yield f'<text x="{x + 14}" y="{height - 15}">{escape(state)}</text>'

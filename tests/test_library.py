@@ -45,9 +45,8 @@ from verify import ask, assume, certificate, check, for_all, lemma, prove, symbo
 p, q, s = (symbol(name) for name in ("p", "q", "s"))
 
 schwarz = assume("schwarz", "(u.v)^2 <= |u|^2 |v|^2 for the vectors u and v that are meant")
-vectors = for_all(
-    "vectors", {"p.low": 0 <= p, "q.low": 0 <= q, "cs": s**2 <= p * q}, point={"p": 1, "q": 1, "s": 0}
-)
+givens = {"p.low": 0 <= p, "q.low": 0 <= q, "cs": s**2 <= p * q}
+vectors = for_all("vectors", givens, point={"p": 1, "q": 1, "s": 0})
 triangle = ask("triangle", (p + 2 * s + q) <= 2 * p + 2 * q, vectors, uses=[schwarz])
 outcome = prove(lemma("|u + v|^2 <= 2 |u|^2 + 2 |v|^2", [triangle], (), [vectors], [schwarz]))
 print(outcome.verdict, "given", *(assumption.name for assumption in outcome.assumptions))

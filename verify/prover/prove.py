@@ -59,7 +59,7 @@ def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
                 return found
     try:
         return universal.decide(row)
-    except SpentError:
+    except (SpentError, RecursionError):  # terms may be deeper than Python goes
         return Decision(UNDECIDED)
 
 

@@ -11,6 +11,7 @@ from verify.prover.clearing import atoms_of
 from verify.prover.goal import Goal
 from verify.prover.points import failure_test
 from verify.prover.proof import Proof
+from verify.prover.rules import Entry
 from verify.prover.search.coefficients import by_coefficients
 from verify.prover.search.domain import Domain
 from verify.prover.search.ends_of_variables import Polynomials
@@ -97,12 +98,20 @@ class Strategy:
         found |= {name: rows[name] for name in sorted(rows) if self._is_near(name, rows[name])}
         for term in extrema_of((self.goal.claim.lhs, self.goal.claim.rhs), self.goal.definitions):
             for entry in term.children:
-                sides = (term, entry) if term.op == "min" else (entry, term)
-                claim = Claim("<=", *sides)
-                known = self.universal.fact(claim, self.goal.context)
+                known = self._entry(term, entry)
                 if known is not None:
-                    found[known] = claim
+                    found[known] = session.claims[known]
         return found
+
+    def _entry(self, term: Term, entry: Term) -> str | None:
+        """The fact that a minimum is at most its entry, or a maximum at least."""
+        universal, place = self.universal, self.goal.context
+        sides = (term, entry) if term.op == "min" else (entry, term)
+        known = universal.session.known(claim := Claim("<=", *sides), place)
+        if known is None and universal.clears(sides, place):
+            proof = Entry("lhs" if term.op == "min" else "rhs")
+            known = universal.session.lemma(claim, proof, place)
+        return known
 
     def givens(self) -> Iterator[tuple[str, Claim]]:
         """What is given here of more than one variable, or not by a number."""

@@ -177,6 +177,8 @@ class Universal:
             return
         if goal.claim.lhs == ZERO and goal.claim.rhs.op == "sqrt":
             yield self._root(goal)
+        if any(side.op in ("min", "max") for side in sides):
+            yield Strategy(goal, self).plain_squares()
         yield self._extremum(goal)
         yield signs(goal, lambda claim: self.session.known(claim, goal.context))
         yield bernstein(goal)

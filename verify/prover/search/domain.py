@@ -123,6 +123,11 @@ class Domain:
         """A polynomial in the scaled variables as one in the atoms."""
         return polynomial.compose(*self._outward) if self.atoms else polynomial
 
+    @property
+    def used(self) -> list[int]:
+        """The indices of the atoms in p."""
+        return [i for i, degree in enumerate(self.p.degrees()) if degree]
+
     def is_zero(self, point: Sequence[Fraction]) -> bool:
         """Whether p is 0, and all facts hold, at a point in scaled coordinates."""
         at = [fmpq(v.numerator, v.denominator) for v in point]

@@ -49,7 +49,7 @@ def by_squares(
     A square that divides p is left out at first.
     """
     if domain.p.is_zero():
-        return None
+        return None if domain.strict else Sum((domain.goal,), using)
     outer = domain.divide_by_squares()
     zeros = [point for point in zeros if domain.is_zero(point)]
     for attempt in _attempts(domain):

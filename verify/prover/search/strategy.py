@@ -79,6 +79,13 @@ class Strategy:
             return None
         return Tree(goal.claim, goal.variables, goal.definitions, self.budget).prove(leaves)
 
+    def plain_squares(self) -> Proof | None:
+        """Squares alone, for claims in which minima or maxima cancel."""
+        domain = Domain(self.goal, {})
+        if not domain.is_plain or any(domain.atoms[i].op in ("min", "max") for i in domain.used):
+            return None
+        return by_squares(domain, [], self.budget, self.using)
+
     def squares(self, goal: Goal, facts: dict[str, Claim]) -> Proof | None:
         """Squares times facts."""
         domain = Domain(goal, facts)

@@ -79,7 +79,7 @@ def point(rng: random.Random, plane: Plane, key: str) -> tuple[Fraction, Fractio
 @pytest.mark.parametrize("name", PLANES)
 def test_points_of_decided_boxes_do_what_was_proved(name: str) -> None:
     plane, rng = PLANES[name], random.Random(name)
-    boxes = [(key, letter) for key, letter, _ in refined(plane, 4) if letter != "u"]
+    boxes = [(key, letter) for key, letter, _ in refined(plane, 3) if letter != "u"]
     assert len(boxes) >= 20
     for key, letter in rng.sample(boxes, 12) + boxes[-6:]:
         phi_1, phi_2 = point(rng, plane, key)
@@ -91,8 +91,8 @@ def test_points_of_decided_boxes_do_what_was_proved(name: str) -> None:
 def test_the_checker_accepts_the_boxes(name: str) -> None:
     plane = check_map.plane_of(plane_document(PLANES[name]))
     laws = check_map.laws_of(plane)
-    boxes = [box for box in refined(PLANES[name], 4) if box[1] != "u"]
-    for key, letter, numbers in random.Random(name).sample(boxes, min(len(boxes), 120)):
+    boxes = [box for box in refined(PLANES[name], 3) if box[1] != "u"]
+    for key, letter, numbers in random.Random(name).sample(boxes, min(len(boxes), 50)):
         flat = [number for six in numbers for number in six]
         check_map.prove_box(laws, plane, key, letter, check_map.sixes(flat, letter))
 

@@ -14,7 +14,7 @@ from verify.prover.map_intervals import Intervals, enclosed, square_root
 
 #: Doubles around which rounding is special.
 EDGES = (0.0, -0.0, 1.0, -1.0, 5e-324, -5e-324, 2.0**-1022, 1 + 2.0**-52, 0.1, 3.0, 1e154, 1e-160)
-SIZE = 4000
+SIZE = 1500
 
 
 def doubles(rng: random.Random) -> float:

@@ -14,7 +14,7 @@ from verify import check_map
 from verify.prover.map_intervals import Intervals
 from verify.prover.map_models import Models, from_bounds, parameter
 
-SIZE = 300
+SIZE = 120
 #: A function, and the same with exact numbers; roots are squared to be compared.
 FUNCTIONS: dict[str, Callable[[Any, Any], Any]] = {
     "sum": lambda x, y: x + y - 3,

@@ -7,7 +7,6 @@ import random
 from fractions import Fraction
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from tests.prover.map_simulation import fate
@@ -17,17 +16,24 @@ from verify.jobs.map_workers import workers
 from verify.paper.map.planes import Phi
 from verify.paper.map.strip import BorderStrip
 from verify.prover.map_boxes import verdicts
-from verify.prover.map_curve import border, strip_along
+from verify.prover.map_curve import strip_along
 from verify.wire.map_log import Progress, all_keys, plane_document
 
 ONE = Fraction(1)
-DELTA = Fraction(1, 10**4)
-PLANE = Phi(Fraction(3, 100), ONE, x=(Fraction(1, 10), Fraction(1, 5)))
+DELTA = Fraction(1, 1000)
+PLANE = Phi(Fraction(3, 100), ONE, x=(Fraction(1, 10), Fraction(3, 20)))
+#: Points of the border, by bisection.
+BORDER = {
+    "0.02": "0.09560557161697",
+    "0.083": "0.05828567595941",
+    "0.15": "0.03192164647110",
+    "0.31": "0.00402940596413",
+}
 
 
 @pytest.fixture(scope="module")
 def strip() -> BorderStrip:
-    return strip_along(PLANE, DELTA, 4, 6)
+    return strip_along(PLANE, DELTA, 3, 3)
 
 
 @pytest.fixture(scope="module")
@@ -75,10 +81,10 @@ def test_points_beside_the_strip(strip: BorderStrip, log: tuple[Progress, list[b
 
 def test_the_checker_reads_the_same_tiles(strip: BorderStrip) -> None:
     plane = check_map.plane_of(plane_document(strip))
-    keys = [*all_keys(4), "012301", "333333", "000000", "321012"]
+    keys = [*all_keys(3), "012301", "333333", "000000", "321012"]
     for key in keys:
         assert check_map.share_of(plane, key) == strip.share(key)
-    whole = sum(strip.share(key) for key in all_keys(4))
+    whole = sum(strip.share(key) for key in all_keys(3))
     assert whole == 1 - 2 * DELTA / (PLANE.y[1] - PLANE.y[0])
     children = sum(strip.share("0123" + digit) for digit in "0123")
     assert children == strip.share("0123")
@@ -86,14 +92,14 @@ def test_the_checker_reads_the_same_tiles(strip: BorderStrip) -> None:
 
 def test_a_tile_across_the_border_has_no_verdict(strip: BorderStrip) -> None:
     """A curve that is too low has collapsing states above it."""
-    low = tuple((c_0 - 20 * DELTA, c_1, c_2) for c_0, c_1, c_2 in strip.curve)
+    low = tuple((c_0 - 4 * DELTA, c_1, c_2) for c_0, c_1, c_2 in strip.curve)
     lower = strip._replace(curve=low)
-    keys = [key for key in all_keys(4) if lower.share(key)]
+    keys = [key for key in all_keys(3) if lower.share(key)]
     letters = dict(zip(keys, verdicts(lower, keys).letters, strict=True))
     assert "u" in letters.values()
     progress = Progress(lower)
     with workers(1, None) as staff:
-        for _ in grow(progress, Target(Fraction(0), 10**6, 6), staff, len):
+        for _ in grow(progress, Target(Fraction(0), 10**6, 4), staff, len):
             pass
     assert progress.due
     assert progress.undecided > 2 * DELTA / (PLANE.y[1] - PLANE.y[0])
@@ -121,8 +127,7 @@ def test_a_verdict_of_the_wrong_side(log: tuple[Progress, list[bytes]], tmp_path
 
     content = [json.loads(line) for line in log[1]]
     content[0]["plane"]["curve"] = [
-        [str(Fraction(c_0) + 30 * DELTA), c_1, c_2]
-        for c_0, c_1, c_2 in content[0]["plane"]["curve"]
+        [str(Fraction(c_0) + 6 * DELTA), c_1, c_2] for c_0, c_1, c_2 in content[0]["plane"]["curve"]
     ]
     (tmp_path / "log").write_bytes(b"".join(sealed(content)))
     assert check_map.main([str(tmp_path / "log")]) == 1
@@ -131,10 +136,9 @@ def test_a_verdict_of_the_wrong_side(log: tuple[Progress, list[bytes]], tmp_path
 def test_points_very_near_the_border() -> None:
     """Tiny boxes at a distance of 10^-10 from the curve, on either side."""
     near, size = Fraction(1, 10**10), Fraction(1, 10**14)
-    places = [Fraction(n, 1000) for n in (20, 83, 150, 310)]
-    for phi_1, f in zip(places, border(PLANE, np.array([*map(float, places)]), 1e-14), strict=True):
+    for x, y in BORDER.items():
         for sign, letter in ((-1, "c"), (1, "d")):
-            phi_2 = Fraction(float(f)) + sign * near
+            phi_1, phi_2 = Fraction(x), Fraction(y) + sign * near
             box = PLANE._replace(x=(phi_1, phi_1 + size), y=(phi_2, phi_2 + size))
             assert verdicts(box, ["0"]).letters == letter
             assert fate(PLANE, phi_1, phi_2) == letter

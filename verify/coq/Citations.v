@@ -14,7 +14,8 @@ Fixpoint common (l l' : list node) : list node :=
   end.
 Definition shared_nodes : list node := common (nodes S) (nodes S').
 Definition size : nat := length shared_nodes.
-Definition is_shared (i : positive) : bool := Nat.leb (Pos.to_nat i) size.
+Variable m : nat.  (* so many terms are the same; computed once *)
+Definition is_shared (i : positive) : bool := Nat.leb (Pos.to_nat i) m.
 Definition shared_claim (g : claim) : bool := is_shared (lhs g) && is_shared (rhs g).
 Fixpoint same_givens (l l' : list given) : bool :=
   match l, l' with
@@ -30,7 +31,8 @@ Definition proves_row (c : nat) (g : claim) (r : row) : bool :=
   Nat.eqb (row_context r) c &&
   match row_verdict r, row_sentence r with Proved, Compare h => same_claim h g | _, _ => false end.
 Definition proves_constant (c : nat) (g : claim) (i : positive) : bool :=
-  match PM.find i (table (numbered S)) with
+  Pos.eqb i (lhs g) &&
+  match nth_error (nodes S) (pred (Pos.to_nat i)) with
   | Some (NConstant d a) => Nat.eqb d c && same_claim (Claim Equal i a) g
   | _ => false
   end.
@@ -46,7 +48,7 @@ Definition closes_constant (i : positive) : bool :=
   | _ => false
   end.
 Definition closes : bool :=
-  ordered (numbered S) &&
+  Nat.leb m size && ordered (numbered S) &&
   forallb same_context (seq 1 (length (contexts S))) &&
   forallb (fun x => proves (fst (snd x)) (snd (snd x))) (cited S') &&
   forallb closes_constant (cited_constants S') &&
@@ -68,16 +70,17 @@ Proof.
   - apply grow_before. lia.
   - apply IH. lia.
 Qed.
+Hypothesis enough : (m <= size)%nat.
 Lemma term_shared i : is_shared i = true -> term_at S' i = term_at S i.
 Proof.
-  unfold is_shared, size. intros L. apply Nat.leb_le in L.
+  unfold is_shared. intros L. apply Nat.leb_le in L. pose proof enough as M. unfold size in M.
   destruct (common_begins (nodes S) (nodes S')) as (r & r' & A & B). fold shared_nodes in A, B.
   unfold term_at, tree_at. rewrite A, B, !grow_begins; trivial; lia.
 Qed.
 Lemma node_shared i : is_shared i = true ->
   nth_error (nodes S') (pred (Pos.to_nat i)) = nth_error (nodes S) (pred (Pos.to_nat i)).
 Proof.
-  unfold is_shared, size. intros L. apply Nat.leb_le in L.
+  unfold is_shared. intros L. apply Nat.leb_le in L. pose proof enough as M. unfold size in M.
   destruct (common_begins (nodes S) (nodes S')) as (r & r' & A & B). fold shared_nodes in A, B.
   rewrite A, B. rewrite !nth_error_app1; trivial; lia.
 Qed.
@@ -107,17 +110,17 @@ Proof.
     apply same_claim_sound in E. specialize (IH l' G). pose proof (stands_shared v _ L) as M.
     rewrite !Forall_cons_iff, <- E. tauto.
 Qed.
-Lemma upwards_same : forall c m, (c <= length (contexts S))%nat -> upwards S' m c = upwards S m c.
+Lemma upwards_same : forall c j, (c <= length (contexts S))%nat -> upwards S' j c = upwards S j c.
 Proof.
-  intros c m. revert c. induction m as [|m IH]; intros [|c] L; cbn [upwards]; trivial. f_equal.
+  intros c j. revert c. induction j as [|j IH]; intros [|c] L; cbn [upwards]; trivial. f_equal.
   pose proof (contexts_same (Datatypes.S c) ltac:(lia)) as E. unfold same_context in E.
   apply andb_prop in E. destruct E as [E _]. apply andb_prop in E. destruct E as [E B].
   apply Nat.eqb_eq in E. apply Nat.ltb_lt in B. rewrite <- E. apply IH. lia.
 Qed.
-Lemma upwards_below : forall m c k, (c <= length (contexts S))%nat -> In k (upwards S m c) ->
+Lemma upwards_below : forall j c k, (c <= length (contexts S))%nat -> In k (upwards S j c) ->
   (k <= length (contexts S))%nat.
 Proof.
-  induction m as [|m IH]; intros [|c] k L I; cbn [upwards In] in I; try (destruct I as [<-|[]]; lia).
+  induction j as [|j IH]; intros [|c] k L I; cbn [upwards In] in I; try (destruct I as [<-|[]]; lia).
   destruct I as [<-|I]; [lia|].
   pose proof (contexts_same (Datatypes.S c) ltac:(lia)) as E. unfold same_context in E.
   apply andb_prop in E. destruct E as [E _]. apply andb_prop in E. destruct E as [_ B].
@@ -140,12 +143,13 @@ Proof.
   intros L G A v V. apply (holds_shared v g G), A. now apply (scope_same c v L).
 Qed.
 
-Theorem citations_closed : true_statement S -> citations_true S'.
+Theorem shared_citations : true_statement S -> citations_true S'.
 Proof.
   intros (Constants & Contexts & Rows & _).
   pose proof closing as C. unfold closes in C.
   apply andb_prop in C. destruct C as [C Open]. apply andb_prop in C. destruct C as [C Values].
-  apply andb_prop in C. destruct C as [C Facts]. apply andb_prop in C. destruct C as [Order _].
+  apply andb_prop in C. destruct C as [C Facts]. apply andb_prop in C. destruct C as [C _].
+  apply andb_prop in C. destruct C as [_ Order].
   rewrite forallb_forall in Open, Values, Facts. rewrite Forall_forall in Constants, Contexts, Rows.
   assert (Good : forall c, own c = true -> context_good S c).
   { intros c E. apply existsb_exists in E. destruct E as (d & I & E). apply Nat.eqb_eq in E.
@@ -167,15 +171,14 @@ Proof.
       apply Nat.eqb_eq in A. destruct (row_verdict r), (row_sentence r); try discriminate.
       apply same_claim_sound in B. subst. exact Rows.
     + apply existsb_exists in F. destruct F as (i & J & F). specialize (Constants i J).
-      unfold proves_constant in F.
-      destruct (PM.find i (table (numbered S))) as [[]|] eqn:E; try discriminate.
+      unfold proves_constant in F. apply andb_prop in F. destruct F as [_ F].
+      unfold constant_defined in Constants.
+      destruct (nth_error (nodes S) (pred (Pos.to_nat i))) as [[]|] eqn:E; try discriminate.
       apply andb_prop in F. destruct F as [A B]. apply Nat.eqb_eq in A. apply same_claim_sound in B.
-      subst. unfold constant_defined in Constants. unfold numbered in E.
-      rewrite nth_listed in E by lia. change (Pos.to_nat 1) with 1%nat in E.
-      replace (Pos.to_nat i - 1)%nat with (pred (Pos.to_nat i)) in E by lia. rewrite E in Constants.
-      replace (pred (Pos.to_nat i)) with (Pos.to_nat i - Pos.to_nat 1)%nat in E
+      subst. replace (pred (Pos.to_nat i)) with (Pos.to_nat i - Pos.to_nat 1)%nat in E
         by (change (Pos.to_nat 1) with 1%nat; lia).
-      rewrite <- nth_listed in E by lia. fold (numbered S) in E. intros v V. specialize (Constants v V).
+      rewrite <- nth_listed in E by lia. fold (numbered S) in E. intros v V.
+      specialize (Constants v V).
       split; [|split]; trivial.
       * apply (defined_node S Order v _ _ E). cbn [subterms proviso In]. split; trivial.
         now intros a [<-|[]].
@@ -191,7 +194,7 @@ Proof.
       destruct (Good c O) as [[v V] A]. split; [exists v; now apply (scope_same c v M)|].
       intros w W. apply (scope_same c w M) in W. specialize (A w W).
       destruct c as [|c]; [lia|]. pose proof (contexts_same (Datatypes.S c) ltac:(lia)) as E.
-      unfold same_context in E. apply andb_prop in E. destruct E as [_ E]. clear - A E.
+      unfold same_context in E. apply andb_prop in E. destruct E as [_ E]. clear - A E enough.
       revert E. generalize (givens_of S' (Datatypes.S c)). revert A.
       induction (givens_of S (Datatypes.S c)) as [|a l IH]; intros A [|a' l']; cbn [same_givens];
         try discriminate; intros E; constructor.
@@ -200,3 +203,8 @@ Proof.
       * apply andb_prop in E. destruct E as [_ E]. apply IH; trivial. now inversion A.
 Qed.
 End Closing.
+Theorem citations_closed S S' m : closes S S' m = true -> true_statement S -> citations_true S'.
+Proof.
+  intros C. assert (E := C). unfold closes in E. do 5 (apply andb_prop in E; destruct E as [E _]).
+  apply Nat.leb_le in E. exact (shared_citations S S' m E C).
+Qed.

@@ -62,6 +62,7 @@ Definition no_facts : facts :=
 
 (* A context, and the hypotheses of the branches around, the outermost first. *)
 Definition place : Set := (nat * list claim)%type.
+Definition no_hypotheses (c : nat) : place := (c, []).
 Definition branch (p : place) (more : list claim) : place := (fst p, snd p ++ more).
 
 Definition same_relation (r s : relation) : bool :=

@@ -28,7 +28,6 @@ Variable H : PM.t nat.
 Hypothesis good_homes : at_home S H = true.
 Notation home := (home_in H).
 
-Definition no_hypotheses (c : nat) : place := (c, []).
 (* The values satisfy the givens in scope, and the hypotheses of the branches around hold. *)
 Definition satisfied (v : valuation) (p : place) : Prop :=
   scope S (fst p) v /\ Forall (holds S v) (snd p).

@@ -23,7 +23,7 @@ from verify.prover.clearing import Clearing, expanded
 from verify.prover.goal import Bounds
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Sum
-from verify.prover.search.minimum import Minima, simple_points
+from verify.prover.search.local_minima import Minima, simple_points
 from verify.prover.search.tree import Tree
 from verify.prover.session import ZERO
 

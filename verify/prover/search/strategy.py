@@ -12,14 +12,14 @@ from verify.prover.goal import Goal
 from verify.prover.points import failure_test
 from verify.prover.proof import Proof
 from verify.prover.rules import Entry
+from verify.prover.search.atom_bounds import root_bounds
 from verify.prover.search.coefficients import by_coefficients
 from verify.prover.search.domain import Domain
 from verify.prover.search.ends_of_variables import Polynomials
 from verify.prover.search.extrema import by_entries, extrema_of, split
-from verify.prover.search.minimum import Minima, simple_points
+from verify.prover.search.local_minima import Minima, simple_points
 from verify.prover.search.order import by_order
 from verify.prover.search.positive import by_squares
-from verify.prover.search.roots import root_bounds
 from verify.prover.search.subterms import by_subterms
 from verify.prover.search.tree import Tree
 

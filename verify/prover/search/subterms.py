@@ -14,7 +14,7 @@ from verify.language.terms import Claim, Term, as_term, names_of, symbol
 from verify.prover.goal import Bounds
 from verify.prover.proof import Proof
 from verify.prover.rules import Define, Sum
-from verify.prover.search.minimum import Minima
+from verify.prover.search.local_minima import Minima
 from verify.prover.search.tree import Tree
 from verify.prover.session import ZERO
 

@@ -114,7 +114,7 @@ def least_entries(group: str, depth: int = DEPTH - 1) -> list[tuple[Box, int | N
 
 def intervals() -> list[Side]:
     """Intervals of r that shrink by a fixed factor towards both ends."""
-    left, right = (_distances(Fraction(1, part)) for part in (5, 10))
+    left, right = (_distances(Fraction(1, part)) for part in (4, 8))
     return list(pairwise([*reversed(left), *(END - x for x in right[1:])]))
 
 
@@ -122,7 +122,7 @@ def _distances(share: Fraction) -> list[Fraction]:
     """Distances from an end, from the middle on; each step is at most a share of what is left."""
     distances = [END / 2]
     while distances[-1] > END / 4000:
-        distances.append(distances[-1] - min(distances[-1] * share, END / 50))
+        distances.append(distances[-1] - min(distances[-1] * share, END / 36))
     return distances
 
 

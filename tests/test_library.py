@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 FIRST = """
@@ -66,6 +68,12 @@ def test_an_example_runs_as_written(
 ) -> None:
     exec(text, {})
     assert capsys.readouterr().out == says
+
+
+def test_the_readme_has_the_examples() -> None:
+    readme = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
+    assert FIRST in readme
+    assert SECOND in readme
 
 
 def test_what_is_offered_is_there() -> None:

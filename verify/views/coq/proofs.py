@@ -7,7 +7,7 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from verify import check
-from verify.views.coq.reading import Json
+from verify.views.coq.reading import Json, NotAcceptedError
 from verify.views.coq.statement import Numbers, listed, rational
 
 #: The bits with which Coq tries first.
@@ -35,6 +35,8 @@ class Proofs(Numbers):
         """A proof, or a premise that is a fact."""
         if isinstance(proof, str):
             return f"Given_ {self.reference(proof)}"
+        if proof["rule"] not in PROOFS:
+            raise NotAcceptedError(f"the checker in Coq has no rule {proof['rule']}")
         return PROOFS[proof["rule"]](self, proof, context)
 
     def interval(self, proof: Json, _: check.Context) -> str:

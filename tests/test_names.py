@@ -2,9 +2,9 @@
 
 The same name in two places is an interface: what is listed here means the same thing wherever it
 stands. A folder inside a room has a language of its own: the letters of a part of the paper, the
-words of a page or of a proof assistant; at most one module of that name lies outside of such. The two checkers
-are left out: they import nothing of the package, and say by the names of the language and of the
-rules that they mean the same by them.
+words of a page or of a proof assistant; at most one module of that name lies outside of such. The
+two checkers are left out: they import nothing of the package, and say by the names of the language
+and of the rules that they mean the same by them.
 """
 
 from __future__ import annotations

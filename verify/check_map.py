@@ -39,6 +39,8 @@ ONE = 1 << PLACES
 #: How far a box is followed, in all its branches together: so checking ends.
 MAX_STEPS = 2000
 MAX_LEVEL, MAX_DIGITS = 40, 40
+#: Of a line in bytes, and of a number of a state in units: a collision can double its length.
+MAX_LINE, MAX_NUMBER = 1 << 24, 1 << 16 * PLACES
 
 #: Two whole numbers of units with a number between them, ends included.
 Interval = tuple[int, int]
@@ -874,6 +876,8 @@ def prove(
         state, steps = waiting.pop(), steps + 1
         if steps > MAX_STEPS:
             raise RefusedError(f"there is no end after {MAX_STEPS} collisions")
+        if state is not None and not all(-MAX_NUMBER < x[0] <= x[1] < MAX_NUMBER for x in state):
+            raise RefusedError("the numbers of a state are too large to go on")
         if state is not None and any(closes(law, state, six) for six in numbers):
             continue
         may_end, more = (True, []) if state is None else after(law, state)
@@ -979,6 +983,8 @@ def _key(place: int, level: int) -> str:
 
 def _line(line: bytes, chain: str, names: tuple[str, ...]) -> tuple[str, dict[str, Any]]:
     """One line of the log, and the digest of it and of all before it."""
+    if len(line) > MAX_LINE:
+        raise LogError(f"a line has more than {MAX_LINE} bytes")
     body, found, digest = line.rpartition(b',"sha256":"')
     try:
         content = json.loads(line, parse_float=_no_float, parse_constant=_no_float)
@@ -1161,7 +1167,8 @@ def main(paths: list[str]) -> int:
     for path in paths:
         try:
             with open(path, "rb") as file:
-                print(f"PROVED {path}: {says(*check_log(iter(file)))}")
+                lines = iter(lambda: file.readline(MAX_LINE + 1), b"")
+                print(f"PROVED {path}: {says(*check_log(lines))}")
         except RefusedError as error:
             print(f"REFUSED {path}: {error}")
             worst = worst or 1

@@ -10,6 +10,7 @@ import sys
 from collections.abc import Callable
 from fractions import Fraction
 from hashlib import sha256
+from math import sqrt
 from pathlib import Path
 from typing import Any
 
@@ -188,6 +189,53 @@ def test_what_it_says(tmp_path: Path) -> None:
         )
         assert (done.returncode, done.stderr) == (code, "")
         assert done.stdout.startswith(word)
+
+
+# --- what it asks for ----------------------------------------------------------------------------
+
+
+def closing(r: Fraction) -> bool:
+    """At -cos θ = 1, very close to the larger fixed point p: whether the six numbers close.
+
+    X is a little less than Y, and m a little more than p's partner r/p, so that every inequality has
+    room, but perhaps d-room: for small speeds and small k it says m + X < (p - Y)².
+    """
+    half = (1 + r) / 2
+    p = Fraction(int((half + sqrt(half**2 - 4 * r)) / 2 * 10**9), 10**9)
+    m, Y = r / p, Fraction(1, 1000)
+    X, k = Y * (1 + m / p) / 2, Fraction(1, 10**4)
+    speed, tangential = Fraction(1, 10**6), Fraction(1, 10**3)
+    law, side = check_map.law_of(r), (Fraction(0), Fraction(1))
+    plane = check_map.Phi(r, Fraction(1), speed, (tangential, tangential), side, side)
+    phi = (check_map.around(m), check_map.around(k / 2))
+    state = check_map._at_contact(law.kind, plane, *phi)
+    numbers = (m, p, X, Y, k, 2 * tangential)
+    return check_map.closes(law, state, tuple(map(check_map.around, numbers)))
+
+
+def test_gaps_must_shrink_faster_than_squares_of_speeds() -> None:
+    """Below 9-4√5 the numbers close; above it, where the fixed point is unstable, they do not."""
+    stabi = 9 - 4 * sqrt(5)
+    for r in (Fraction(1, 100), Fraction(3, 100), Fraction(11, 200)):
+        assert r < stabi
+        assert closing(r)
+    for r in (Fraction(57, 1000), Fraction(3, 50), Fraction(7, 100)):
+        assert r > stabi
+        assert not closing(r)
+
+
+def test_numbers_that_grow_without_end_are_refused() -> None:
+    law, huge = check_map.law_of(Fraction(1, 2)), 2 * check_map.MAX_NUMBER
+    state = check_map.Sight(*[(-huge, huge)] * len(check_map.Sight._fields))
+    with pytest.raises(RefusedError, match="too large"):
+        check_map.prove(law, [state], "d", [])
+
+
+def test_a_line_without_end_is_malformed() -> None:
+    command = [sys.executable, "-I", str(CHECKER), "/dev/zero"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+    assert (done.returncode, done.stderr) == (4, "")
+    assert "more than" in done.stdout
 
 
 # --- its arithmetic ------------------------------------------------------------------------------

@@ -91,10 +91,12 @@ def test_too_much_work_is_undecided(
     monkeypatch.setattr(job, "BUDGET", 10**4)
     code, out, err = run(capsys, "--r", "0.072", "--json")
     assert (code, err) == (3, "")
-    assert json.loads(out)["longest_run"] is None
+    document = json.loads(out)
+    assert (document["longest_run"], document["verdict"]) == (None, "undecided")
     code, out, _ = run(capsys, "--r", "0.072")
     assert code == 3
     assert "does not suffice to count it" in out
+    assert out.splitlines()[-1] == "Undecided: the longest run at this r"
 
 
 def test_the_count_is_that_of_the_cosine() -> None:

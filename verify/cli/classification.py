@@ -7,9 +7,8 @@ from fractions import Fraction
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import add_color, show
-from verify.jobs.classification import AtR, at_restitution, decide_classification
+from verify.jobs.classification import AtR, at_restitution, decide_classification, verdict_at
 from verify.jobs.inputs import InputError, rational, shown
-from verify.language.statement import PROVED, UNDECIDED
 from verify.prover.outcome import EXIT_CODES
 from verify.views.classification import (
     claim_rows,
@@ -43,12 +42,15 @@ def run(options: Options) -> int:
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = decide_classification()
     found: AtR | None = None if r is None else at_restitution(r)
+    verdict = verdict_at(outcome, found)
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
     if options.json:
         document = classification_document(outcome)
         if found is not None:
             document |= restitution_document(found)
+        if verdict != outcome.verdict:
+            document |= {"verdict": verdict, "headline": verdict}
         print_document(document)
     else:
         text = [*claim_rows(outcome)] if options.verbose else []
@@ -56,7 +58,7 @@ def run(options: Options) -> int:
         if found is not None:
             text += [*restitution_lines(found), ""]
         text += theorem_lines(outcome)
+        if verdict != outcome.verdict:
+            text += [f"{verdict.capitalize()}: the longest run at this r"]
         show(text, options)
-    if outcome.verdict == PROVED and found is not None and found.undecided:
-        return EXIT_CODES[UNDECIDED]
-    return outcome.exit_code
+    return EXIT_CODES[verdict]

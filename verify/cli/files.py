@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 #: Numbers with more digits, above or below the fraction bar, are not in the checker's format.
 CHECKER_DIGITS = 4300
 
+#: Of a file that is read: as many as the checker reads.
+MAX_BYTES = 1 << 22
+
 #: Only numbers with this many digits can be more work than the checker is willing to do.
 LONG_NUMBER = 300
 
@@ -191,15 +194,18 @@ def read_bytes(option: str, path: str) -> bytes:
     """The content of a file.
 
     Raises:
-        InputError: if it cannot be read, naming the option.
+        InputError: if it cannot be read, or has no end in sight, naming the option.
     """
     try:
         with open(path, "rb") as file:
-            return file.read()
+            content = file.read(MAX_BYTES + 1)
     except (OSError, ValueError) as error:
         raise InputError(
             f"{option}: {shown(path)} cannot be read ({_reason(error)}); name a file"
         ) from error
+    if len(content) > MAX_BYTES:
+        raise InputError(f"{option}: {shown(path)} has more than {MAX_BYTES} bytes; name a file")
+    return content
 
 
 def progress(text: str) -> None:

@@ -7,7 +7,7 @@ from functools import cache
 
 from verify.jobs.arguments import NUMBER_BITS, write_down
 from verify.language.record import Record
-from verify.language.statement import REFUTED
+from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.paper.classification import image
 from verify.paper.classification.theorem import classification
 from verify.prover.outcome import Decision, Ends, Outcome
@@ -59,6 +59,12 @@ def at_restitution(r: Fraction) -> AtR:
         least = balls.ends(4 * root / balls.from_fraction(1 + r))
     longest = longest_run(r) if excluded else None
     return AtR(r, least, excluded, longest, excluded and longest is None)
+
+
+def verdict_at(outcome: Outcome, found: AtR | None) -> str:
+    """The verdict on all that was asked for: the theorems, and what they say at one r."""
+    short_of_work = found is not None and found.undecided
+    return UNDECIDED if outcome.verdict == PROVED and short_of_work else outcome.verdict
 
 
 def longest_run(r: Fraction) -> int | None:

@@ -223,12 +223,6 @@ def short_rational(value: Any, digits: int = 12) -> Fraction:
     return mantissa * Fraction(10) ** exponent
 
 
-def rational_above(value: Any, digits: int = 6) -> Fraction:
-    """A rational number with few digits that is no less than a positive ball."""
-    mantissa, exponent = round_decimal(_dyadic(as_ball(value).upper()), digits, up=True)
-    return mantissa * Fraction(10) ** exponent
-
-
 def exponent(value: Any) -> int:
     """The integer e with 10^e near a positive number."""
     ball = as_ball(value)

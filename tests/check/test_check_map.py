@@ -197,8 +197,8 @@ def test_what_it_says(tmp_path: Path) -> None:
 def closing(r: Fraction) -> bool:
     """At -cos θ = 1, very close to the larger fixed point p: whether the six numbers close.
 
-    X is a little less than Y, and m a little more than p's partner r/p, so that every inequality has
-    room, but perhaps d-room: for small speeds and small k it says m + X < (p - Y)².
+    X is a little less than Y, and m a little more than p's partner r/p, so that every inequality
+    has room, but perhaps d-room: for small speeds and small k it says m + X < (p - Y)².
     """
     half = (1 + r) / 2
     p = Fraction(int((half + sqrt(half**2 - 4 * r)) / 2 * 10**9), 10**9)

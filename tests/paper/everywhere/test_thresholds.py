@@ -70,6 +70,24 @@ def points() -> Iterator[tuple[Fraction, tuple[Fraction, ...]]]:
             yield p, (r, c)
 
 
+def test_at_the_threshold_itself_the_row_holds() -> None:
+    """There both sides may be equal; the statement says so of all values from 1/22 on."""
+    rows = (*decide_thresholds().statement.obligations, *theorem().parts[PRINTED].obligations)
+    claims = {row.name: row.claim for row in rows}
+    known, printed = claims["x-term-1-d.holds"], claims[f"{PRINTED}.x-term-1-d"]
+    assert isinstance(known, Claim)
+    assert isinstance(printed, Claim)
+    assert known.relation == printed.relation == "<="
+    with balls.precision(300):
+        run, (x, y, a, b) = machine([printed.lhs, printed.rhs, known.lhs, known.rhs])
+        p, u = paper.SLOPE_STARTS, Fraction(1, 10)
+        r, c = u * p**3, 2 * (p + u * p**2) / (1 + u * p**3)
+        for delta in (Fraction(1, 10), Fraction(1, 10**9)):
+            values = run.run(list(map(balls.from_fraction, (r, c, Fraction(1), delta)))).values
+            ratios = values[a] / values[x], values[b] / values[y]
+            assert all(abs(ratio - 1) < Fraction(1, 10**60) for ratio in ratios)
+
+
 def machine(terms: list[Term]) -> tuple[Machine, list[int]]:
     program = Program(("r", "c", "V_0", "delta_theta"))
     for constant in decide_thresholds().statement.contexts[0].constants:

@@ -250,6 +250,7 @@ def _final_rows() -> Iterator[Line]:
 def _slope_rows() -> Iterator[Line]:
     """`x-term-1-d`: 22 phi_plus d_n/delta_2 is 4 |Delta_theta|."""
     name, scale, using = "x-term-1-d", times(chart.HALF, "p-positive", V_0s), "delta_2.chart"
+    ratio = 1 / SLOPE_STARTS * p * d_later
     yield Line(
         f"{name}.above",
         4 * angle <= 22 * p * d_later,
@@ -262,19 +263,16 @@ def _slope_rows() -> Iterator[Line]:
     )
     yield Line(
         f"{name}.fails",
-        4 * LEAST <= 22 * p * d_later,
+        4 * LEAST <= ratio,
         proof(f"{name}.above", times(4, scale, "Delta_theta.least"), using=using),
         label(name),
         "where h₄δ_x/8 ≤ δ_θ its left side is at least 1/(22 φ⁺) times the right one: "
         "there it fails where φ⁺ < 1/22",
     )
-    claim = 0 <= maximum(SLOPE_STARTS - p, 4 * SHARE - d_later)
-    goal = times(scale, plus(times(88, "share-positive"), times(22, "p-positive")), "goal")
-    sides = (
-        times(88, "share-positive", scale, f"{name}.holds.1"),
-        times(22, "p-positive", f"{name}.holds.2"),
-        times(4, scale, of("Delta_theta-entry-2")),
-        f"{name}.below",
+    yield Line(
+        f"{name}.holds",
+        ratio <= 4 * SHARE,
+        proof(f"{name}.below", times(4, scale, of("Delta_theta-entry-2")), using=using),
+        label(name),
+        "its left side is at most 1/(22 φ⁺) times the right one: it holds where φ⁺ ≥ 1/22",
     )
-    reason = scaled(goal, *sides, using=using)
-    yield from _either(f"{name}.holds", claim, reason, "it holds where φ⁺ > 1/22")

@@ -84,8 +84,9 @@ def test_at_the_threshold_itself_the_row_holds() -> None:
         r, c = u * p**3, 2 * (p + u * p**2) / (1 + u * p**3)
         for delta in (Fraction(1, 10), Fraction(1, 10**9)):
             values = run.run(list(map(balls.from_fraction, (r, c, Fraction(1), delta)))).values
-            ratios = values[a] / values[x], values[b] / values[y]
-            assert all(abs(ratio - 1) < Fraction(1, 10**60) for ratio in ratios)
+            for own, of_row in ((a, x), (b, y)):
+                low, high = balls.ends(values[own] / values[of_row])
+                assert low <= 1 <= high < 1 + Fraction(1, 10**60)
 
 
 def machine(terms: list[Term]) -> tuple[Machine, list[int]]:

@@ -105,6 +105,7 @@ def decide(claim: Claim) -> Decision:
         (equal(r / (1 + r) + 1 / (1 + r), 1 + TINY), (REFUTED, "witness")),
         (equal(1 / (r * (r - 2)) * (2 - r), -1 / r), (PROVED, "sum")),
         (equal(x / x, 1), (UNDECIDED, "")),
+        (equal(x / 0, x / 0), (UNDECIDED, "")),
         (equal(sqrt(1 + x**2) ** 2, 1 + x**2), (PROVED, "sum")),
         (equal(sqrt(x) ** 2, x), (UNDECIDED, "")),
         (equal(sqrt(p) ** 2, p), (PROVED, "sum")),
@@ -178,6 +179,8 @@ def test_signs_without_upper_bounds(claim: Claim, expected: str) -> None:
         (equal(sqrt(3) * sqrt(3), 3 + TINY), REFUTED),
         (sqrt(as_term(-1)) < as_term(3), UNDECIDED),
         (equal(as_term(1) / (as_term(2) - 2), 1), UNDECIDED),
+        (equal(as_term(1) / 0, as_term(1) / 0), UNDECIDED),
+        (as_term(0) * (as_term(1) / 0) <= as_term(0), UNDECIDED),
     ],
 )
 @pytest.mark.parametrize("within", [None, "all"])
@@ -212,6 +215,18 @@ def test_a_context_whose_point_is_outside_is_not_opened() -> None:
     outcome = prove(stated)
     assert outcome.verdict == UNDECIDED
     assert "context all" in outcome.spent
+
+
+def test_a_claim_that_fails_in_a_corner_alone_is_refuted() -> None:
+    givens = {
+        "r.low": 0 <= r,
+        "r.high": r <= as_term(1),
+        "k.low": 0 <= k,
+        "k.high": k <= as_term(1),
+    }
+    corner = context(givens, {"r": HALF, "k": HALF})
+    found = checked(statement(row(r * k < as_term(1)), contexts=(corner,))).decisions["row"]
+    assert (found.verdict, found.witness) == (REFUTED, {"r": as_term(1), "k": as_term(1)})
 
 
 def test_witnesses_have_simple_values() -> None:

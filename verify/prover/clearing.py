@@ -96,7 +96,7 @@ class Quotients(ABC):
             return n * m, self.times(d, e)
         if term.op == "div":
             divisor = term.children[1]
-            if divisor.op == "rational":
+            if divisor.op == "rational" and divisor.value != 0:
                 return n * self.constant(1 / divisor.value), d
             return self.times(n, e), self.times(d, m)
         if d is not e and d != e:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
+from itertools import islice, product
 from typing import Any
 
 from verify.prover import balls
@@ -13,8 +14,9 @@ from verify.prover.relations import fails
 
 BITS = 128
 
-#: How many points are tried.
+#: How many points are tried that mix the candidates, and then how many corners.
 MAX_POINTS = 64
+MAX_CORNERS = 64
 
 _FRACTIONS = tuple(map(Fraction, ("1/2", "1/4", "3/4", "1/5", "2/3", "1/7", "9/10", "1/100")))
 _POSITIVE = tuple(map(Fraction, ("1", "2", "1/2", "3", "10", "1/10", "7")))
@@ -55,9 +57,13 @@ def _inside(bounds: Bounds) -> tuple[Fraction, ...]:
 
 
 def _points(candidates: Sequence[Sequence[Fraction]]) -> Iterator[list[Fraction]]:
-    """Points that mix the candidates of the variables in many ways, always the same ones."""
+    """Points that mix the candidates of the variables in many ways, always the same ones.
+
+    Then corners: a claim with < may fail at one of them alone, where it is an equality.
+    """
     for attempt in range(MAX_POINTS):
         yield [values[attempt * (i + 1) % len(values)] for i, values in enumerate(candidates)]
+    yield from map(list, islice(product(*(values[:2] for values in candidates)), MAX_CORNERS))
 
 
 def _simplified(

@@ -213,5 +213,5 @@ WITNESSES = {
 }  # fmt: skip
 #: C_η there.
 DECAY = "7/10"
-#: -η_{c,0} and d₀ of the orbits that the states belong to.
+#: What stands for -η_{c,0} and d₀ in the conditions. No orbit is shown that reaches the states.
 START = ("11/100000", "1/1000000000000")

@@ -60,7 +60,24 @@ def test_the_lines_are_those_of_the_trusted_file(capsys: pytest.CaptureFixture[s
     for paths in ([folders[0]], folders):
         code = check.main(paths)
         expected = capsys.readouterr().out
-        assert run(capsys, *paths) == (code, expected, "")
+        assert run(capsys, "-v", *paths) == (code, expected, "")
+
+
+def test_a_sentence_for_each_folder(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """Rows that only count are left out, and counts that are 0; complaints are told."""
+    code, out, _ = run(capsys, EXAMPLES / "mean")
+    assert code == 0
+    title = "The arithmetic and the geometric mean of two numbers"
+    assert out == f"PROVED: {title}: 2 needed proved; given nothing\n"
+    broken = tmp_path / "broken"
+    shutil.copytree(EXAMPLES / "witness", broken)
+    text = (broken / "statement.json").read_text().replace('"refuted"', '"proved"')
+    (broken / "statement.json").write_text(text)
+    code, out, _ = run(capsys, EXAMPLES / "mean", broken)
+    assert code in (1, 4)
+    lines = out.splitlines()
+    assert lines[:3] == [f"{EXAMPLES / 'mean'}:", lines[1], f"{broken}:"]
+    assert lines[3].startswith(("REFUSED ", "MALFORMED: "))
 
 
 def test_one_run_closes_citations(capsys: pytest.CaptureFixture[str]) -> None:

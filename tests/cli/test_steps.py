@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from verify.cli.steps import Steps, time_in_words
+from verify.cli.steps import Steps, time_in_words, watched
 from verify.measure import bench
 
 
@@ -34,8 +34,27 @@ def test_each_step_and_what_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
     ]
 
 
+def test_a_bar_and_what_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The bar is erased before what comes next is printed, and at the end."""
+    stream = Terminal()
+    monkeypatch.setattr(sys, "stderr", stream)
+    clock = iter(range(0, 1000, 10))
+    monkeypatch.setattr("time.monotonic", lambda: float(next(clock)))
+    for apart in (True, False):
+        stream.truncate(0)
+        stream.seek(0)
+        for part in watched("abcd", 4, apart=apart):
+            stream.write(part)
+        text = stream.getvalue()
+        assert "] 1 of 4 (about " in text
+        assert "4 of 4" not in text
+        assert text.endswith("\r\x1b[Kd")
+        assert ("\r\x1b[Kb" in text) == apart
+
+
 def test_nothing_is_said_where_nobody_watches(capsys: pytest.CaptureFixture[str]) -> None:
     Steps(2)("one")
+    assert list(watched("abc", 3)) == ["a", "b", "c"]
     assert capsys.readouterr() == ("", "")
 
 

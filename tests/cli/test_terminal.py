@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from verify.cli import main
+from verify.cli.columns import table_lines
 from verify.cli.terminal import ROOMY, wrapped
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -74,6 +75,40 @@ def test_breaking_keeps_every_word() -> None:
     assert found[1].startswith("      ")
     line = f"{'word ' * 14}a = 4 end"
     assert [part.strip() for part in wrapped([line], 73)] == [("word " * 14).strip(), "a = 4 end"]
+
+
+def test_a_command_can_be_pasted() -> None:
+    line = f"  verify theorem1 --r 1/50..{'1' * 20}/5 --neg-cos 9/10..1 --V0 1 --delta-theta 1/10"
+    found = list(wrapped([line], 50))
+    assert len(found) > 2
+    assert all(len(part) <= 50 for part in found)
+    text = "\n".join(found).replace("\\\n", "")
+    assert text.split() == line.split()
+    assert "\n" not in text
+
+
+def test_verdicts_of_files_and_scenes_have_symbols(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A symbol stays beside its word, however narrow the terminal is."""
+    monkeypatch.setenv("COLUMNS", "24")
+    words = ["--color", "always"]
+    assert main(["check", str(ROOT / "certificates/examples/root"), *words]) == 0
+    assert capsys.readouterr().out.startswith("\x1b[32m✓ PROVED\x1b[0m: ")
+    assert main(["scene", str(ROOT / "certificates/scenes/parting.toml"), *words]) == 0
+    assert capsys.readouterr().out.startswith("\x1b[32m✓ disperses\x1b[0m: ")
+    assert main(["scene", str(ROOT / "certificates/scenes/tie.toml"), *words]) == 3
+    assert capsys.readouterr().out.startswith("\x1b[33m? undecided\x1b[0m: ")
+
+
+def test_a_table_is_as_wide_as_the_terminal() -> None:
+    rows = [["a", "one two three four five six"], ["bcd", "x"]]
+    table = {"title": "T", "columns": ["name", "long words"], "rows": rows}
+    for columns in (20, 40):
+        lines = list(table_lines(table, columns))
+        assert max(map(len, lines)) <= columns
+        assert " ".join(" ".join(lines).split()).startswith("T name long words a one two three")
+    assert len(list(table_lines(table, 40))) == 5
 
 
 def test_the_screen_fits(

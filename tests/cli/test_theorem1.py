@@ -22,7 +22,6 @@ from verify import check
 from verify.cli import main
 from verify.jobs.inputs import angle
 from verify.language.terms import cos_pi
-from verify.paper.parameters import THEOREM
 from verify.prover.outcome import Outcome
 from verify.wire import write
 
@@ -51,7 +50,7 @@ def test_the_main_job(capsys: pytest.CaptureFixture[str]) -> None:
     assert (code, err) == (0, "")
     assert "corrected by repaired.zeta-x-bound" in out
     last = out.splitlines()[-1]
-    start = f"Verdict: proved: Rows of {THEOREM}, printed and repaired constants, at r ="
+    start = "Verdict: proved: Theorem 1, printed and repaired constants, at r = 0.03, θ₀ = π"
     assert last.startswith(start)
     needed, printed = (int(n) for n in re.findall(r"(\d+) (?:needed|printed) \(", last))
     assert min(needed, printed) > 150
@@ -117,8 +116,8 @@ def test_boxes(
     assert folder.exists() == (expected[0] != 3)
     if expected[0] == 3:
         assert err.count("\n") == 1
-        part = next(line for line in out.splitlines() if line.startswith("Certified part: "))
-        assert run(capsys, *part.removeprefix("Certified part: ").split())[0] == 0
+        part = next(line for line in out.splitlines() if line.startswith("  verify theorem1 "))
+        assert run(capsys, *part.split()[2:])[0] == 0
 
 
 @pytest.mark.parametrize(

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 from hashlib import sha256
 from typing import Any
 
 from verify import check
-from verify.cli.files import print_document, progress
+from verify.cli.files import print_document
 from verify.cli.options import Options, Parser
+from verify.cli.steps import watched
+from verify.cli.terminal import add_color, show
 from verify.jobs.inputs import InputError, shown
 from verify.language.record import Record
 
@@ -25,6 +29,12 @@ EXIT_CODES = {"PROVED": 0, "REFUTED": 1, "REFUSED": 1, MALFORMED: 4}
 
 FOREIGN = 4
 
+#: How the lines of the checker begin that only say what its last line counts.
+ROWS = ("proved  ", "assumed ")
+
+#: How a rational is written in a statement.
+NUMBER = re.compile(r"-?[0-9]+(/[0-9]+)?")
+
 LONGEST_PATH = 160  # in a message
 
 
@@ -33,7 +43,9 @@ def add_arguments(parser: Parser) -> None:
     parser.places("path", "folders, or one statement.json and its certificate.json")
     text = "also make each statement anew from its parameters, and compare it byte for byte"
     parser.flag("--statement", text=text)
+    parser.flag("-v", "--verbose", text="print every row, and every sentence taken on trust")
     parser.flag("--json", text="one JSON document on stdout")
+    add_color(parser)
     text = "print what is accepted as one LaTeX document instead of the verdicts"
     parser.flag("--latex", text=text)
 
@@ -69,7 +81,7 @@ def run(options: Options) -> int:
     if options.json:
         print_document({"format": FORMAT, "command": "check", "folders": list(map(_row, found))})
     else:
-        sys.stdout.write("".join(f"{line}\n" for line in _lines(found)))
+        show(_lines(found, every=options.verbose), options)
     return max(judged.code for judged in found)
 
 
@@ -127,10 +139,8 @@ def judge_folders(folders: Sequence[check.Folder]) -> list[CheckedFolder]:
     """Check folders of which some may cite others, as `verify/check.py` does."""
     everything = [data for folder in folders for data in (folder.statement, *folder.cited)]
     available = {sha256(data).hexdigest(): data for data in everything}
-    found = []
-    for folder in folders:
-        progress(folder.path)
-        found.append(_judged(folder, available))
+    work = (_judged(folder, available) for folder in folders)
+    found = list(watched(work, len(folders)))
     reports = [judged.report for judged in found if judged.report is not None]
     closed = {report.digest: report for report in reports if report.verdict == "PROVED"}
     return [
@@ -158,16 +168,39 @@ def _compared(judged: CheckedFolder) -> CheckedFolder:
     return judged._replace(own=is_right_statement(judged.folder.statement))
 
 
-def _lines(found: Sequence[CheckedFolder]) -> list[str]:
+def _lines(found: Sequence[CheckedFolder], *, every: bool) -> list[str]:
+    """What the checker says of each folder; not every row, unless that is asked for."""
     lines = []
     for judged in found:
         if len(found) > 1:
             lines.append(f"{judged.folder.path}:")
-        lines += judged.lines
+        lines += judged.lines if every else map(_brief, _told(judged.lines))
         if judged.own is not None:
             verb = "is" if judged.own else "is not"
-            lines.append(f"STATEMENT: it {verb} the one that the program makes and calls proved")
+            why = "" if judged.own else _out_of_range(judged.folder.statement)
+            what = f"the one that the program makes and calls proved{why}"
+            lines.append(f"STATEMENT: it {verb} {what}")
     return [line if line.isprintable() else ascii(line) for line in lines]
+
+
+def _told(lines: Sequence[str]) -> list[str]:
+    return [line for line in lines if not line.startswith(ROWS)]
+
+
+def _brief(line: str) -> str:
+    """A line without the counts that are 0."""
+    return re.sub(r", 0 (needed|printed) (proved|refuted|undecided)", "", line)
+
+
+def _out_of_range(statement: bytes) -> str:
+    """That r, if the statement has one, is not in ]0,1[."""
+    import json  # loaded only where it is used
+
+    text = json.loads(statement)["parameters"].get("r")
+    is_number = isinstance(text, str) and NUMBER.fullmatch(text)
+    return (
+        f": its r = {text:.60} is not in ]0,1[" if is_number and not 0 < Fraction(text) < 1 else ""
+    )
 
 
 def _row(judged: CheckedFolder) -> dict[str, Any]:

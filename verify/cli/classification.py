@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser
-from verify.cli.terminal import add_color, show
+from verify.cli.terminal import show
 from verify.jobs.classification import AtR, at_restitution, decide_classification, verdict_at
 from verify.jobs.inputs import InputError, rational, shown
 from verify.prover.outcome import EXIT_CODES
 from verify.views.classification import (
-    claim_rows,
     classification_document,
+    meaning_lines,
     restitution_document,
     restitution_lines,
     screen,
@@ -23,10 +24,7 @@ from verify.views.classification import (
 def add_arguments(parser: Parser) -> None:
     """The options; r is kept as the text that was written."""
     parser.option("--r", "what the theorems say at R in ]0,1[ (exact: 0.08, 2/25 or 8e-2)")
-    parser.flag("-v", "--verbose", text="print every row")
-    parser.flag("--json", text="one JSON document on stdout")
-    add_color(parser)
-    parser.option("--out", "write statement.json and certificate.json", "DIR")
+    claims.add_arguments(parser)
 
 
 def _restitution(text: str) -> Fraction:
@@ -53,12 +51,13 @@ def run(options: Options) -> int:
             document |= {"verdict": verdict, "headline": verdict}
         print_document(document)
     else:
-        text = [*claim_rows(outcome)] if options.verbose else []
-        text += [*screen(outcome), ""]
+        text = [*screen(outcome), ""]
+        if options.verbose:
+            text += [*meaning_lines(), ""]
         if found is not None:
             text += [*restitution_lines(found), ""]
         text += theorem_lines(outcome)
         if verdict != outcome.verdict:
             text += [f"{verdict.capitalize()}: the longest run at this r"]
-        show(text, options)
+        show(claims.told(outcome, options, text), options)
     return EXIT_CODES[verdict]

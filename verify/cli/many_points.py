@@ -6,6 +6,7 @@ import sys
 from collections.abc import Callable
 from fractions import Fraction
 
+from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options
 from verify.cli.terminal import show
@@ -61,12 +62,11 @@ def _everywhere(options: Options) -> int:
     if options.json:
         print_document(claims_document(outcome, "theorem1", view.FORMAT))
         return code
-    text = [*view.row_lines(outcome), ""] if options.verbose else []
     if printed:
-        text += view.printed_screen(outcome, thresholds.decide_thresholds())
+        text = view.printed_screen(outcome, thresholds.decide_thresholds())
     else:
-        text += view.screen(outcome)
-    show(text, options)
+        text = view.screen(outcome)
+    show(claims.told(outcome, options, text), options)
     return code
 
 
@@ -81,7 +81,6 @@ def _box(options: Options) -> int:
     test_folder("--out", options.out, "statement.json", "certificate.json")
     from verify.jobs import box  # loaded only where they are used
     from verify.views import box as view
-    from verify.views.everywhere import row_lines
 
     found = box.answer(box.ParameterBox(*sides), v_0, delta_theta)
     cited = found.outcome.assumptions
@@ -92,9 +91,7 @@ def _box(options: Options) -> int:
     if options.json:
         print_document(view.box_document(found, cited))
     else:
-        text = [*row_lines(found.outcome), ""] if options.verbose else []
-        text += view.screen(found, cited)
-        show(text, options)
+        show(claims.told(found.outcome, options, view.screen(found, cited)), options)
     return EXIT_CODES[found.verdict]
 
 
@@ -115,16 +112,22 @@ def _side(
 
 def _scan(options: Options) -> int:
     """Print the verdict at many values of r; the exit code is that of the worst."""
-    from verify.jobs.scan import scan  # loaded only where it is used
-    from verify.views.ranges import show_ranges
+    from verify.cli.steps import watched  # loaded only where they are used
+    from verify.jobs.scan import scan
+    from verify.views.ranges import range_lines, ranges, ranges_document, verdict_of
 
     if ".." not in options.r:
         raise InputError("--steps: needs an interval of r; write --r 0.02..0.04 --steps 9")
-    _leave_out(options, "--steps", (*POINT_OPTIONS, "out", "constants", "verbose"))
+    _leave_out(options, "--steps", (*POINT_OPTIONS, "out", "constants", "verbose", "rows"))
     ends = [restitution(part) for part in options.r.split("..", 1)]
     if ends[0] >= ends[1]:
         raise InputError(f"--r: write the smaller end of {shown(options.r)} first")
     steps = integer("--steps", options.steps, 2, 10**7)
     options.r = options.r.split("..", 1)[0]
     values = {name: term.value for name, term in read_parameters(options).items()}
-    return show_ranges(scan((ends[0], ends[1]), steps, values), as_json=options.json)
+    found = list(ranges(watched(scan((ends[0], ends[1]), steps, values), steps)))
+    if options.json:
+        print_document(ranges_document(found))
+    else:
+        show(range_lines(found), options)
+    return EXIT_CODES[verdict_of(found)]

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-import sys
 
 from verify.cli.files import print_document, read_bytes, test_folder
 from verify.cli.options import Options, Parser
-from verify.jobs.inputs import InputError, integer
+from verify.cli.terminal import add_color, show
+from verify.jobs.inputs import InputError, integer, shown
 from verify.jobs.scene_files import read_scene
 from verify.jobs.scene_verdict import scene_lines
 from verify.prover.scene import MAX_DIGITS, Budget, Fate, decide_scene
@@ -27,6 +27,7 @@ def add_arguments(parser: Parser) -> None:
     parser.option("--jobs", "for a folder: processes at a time (default 1)", "N", default="1")
     parser.flag("-v", "--verbose", text="a table of the collisions")
     parser.flag("--json", text="one JSON document on stdout")
+    add_color(parser)
     parser.option("--out", "write statement.json and certificate.json", "DIR")
     parser.option("--plot", "draw the scene: a file .svg, or .html with an animation", "FILE")
 
@@ -65,7 +66,7 @@ def run(options: Options) -> int:
     if options.json:
         print_document(scene_document(found))
     else:
-        sys.stdout.write("".join(f"{line}\n" for line in _text(found, options)))
+        show(_text(found, options), options)
     return exit_code(found)
 
 
@@ -74,7 +75,7 @@ def _plot_kind(path: str | None) -> str | None:
         return None
     kind = os.path.splitext(path)[1]
     if kind not in (".svg", ".html"):
-        raise InputError(f"--plot: {path!r} ends in neither .svg nor .html; write one of them")
+        raise InputError(f"--plot: {shown(path)} ends in neither .svg nor .html; write one of them")
     return kind
 
 

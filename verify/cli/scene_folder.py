@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import sys
 from collections.abc import Iterable, Iterator
 from functools import partial
 from hashlib import sha256
@@ -14,6 +13,8 @@ from verify.cli.errors import OwnError
 from verify.cli.files import print_document, read_bytes, write_all
 from verify.cli.options import Options
 from verify.cli.scene_certificate import write_scene
+from verify.cli.steps import watched
+from verify.cli.terminal import show
 from verify.jobs.inputs import InputError, shown
 from verify.jobs.scene_files import read_scene
 from verify.jobs.scene_verdict import scene_lines
@@ -39,11 +40,10 @@ def run_folder(options: Options, limits: Budget, jobs: int) -> int:
         raise InputError(f"scene: {shown(options.scene)} has no file that ends in .toml")
     work = partial(decide_file, options.scene, options.out, limits)
     results: list[Result] = []
-    for result in _all(work, names, jobs):
+    for result in watched(_all(work, names, jobs), len(names), apart=True):
         results.append(result)
         if not options.json:
-            print(f"{result['file']}: {' '.join(result['lines'])}", flush=True)
-        _progress(len(results), len(names))
+            show([f"{result['file']}: {' '.join(result['lines'])}"], options)
     if options.json:
         found = [{"file": result["file"], **result["document"]} for result in results]
         print_document({"format": FORMAT, "command": "scene", "scenes": found})
@@ -59,14 +59,6 @@ def _all(work: Any, names: list[str], jobs: int) -> Iterator[Result]:
 
     with ProcessPoolExecutor(jobs) as pool:
         yield from pool.map(work, names)
-
-
-def _progress(done: int, total: int) -> None:
-    if sys.stderr is not None and sys.stderr.isatty():
-        filled = 30 * done // total
-        end = "\n" if done == total else ""
-        bar = "#" * filled + "." * (30 - filled)
-        print(f"\r[{bar}] {done} of {total}", end=end, file=sys.stderr, flush=True)
 
 
 def decide_file(folder: str, out: str | None, limits: Budget, name: str) -> Result:

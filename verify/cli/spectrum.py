@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser
-from verify.cli.terminal import add_color, show
+from verify.cli.terminal import show
 from verify.jobs.inputs import InputError, integer, rational, shown
 from verify.jobs.spectrum import decide_spectrum
 from verify.views.spectrum import (
-    claim_lines,
     point_document,
     point_lines,
+    screen,
     spectrum_document,
     verdict_line,
 )
@@ -24,9 +25,7 @@ def add_arguments(parser: Parser) -> None:
     """The options; every number is kept as the text that was written."""
     parser.option("--r", "enclose the spectrum at R in ]0,1[, or for all r in A..B")
     parser.option("--precision", "bits of the enclosures (default 128)", "BITS", default="128")
-    parser.flag("--json", text="one JSON document on stdout")
-    add_color(parser)
-    parser.option("--out", "write statement.json and certificate.json", "DIR")
+    claims.add_arguments(parser)
 
 
 def read_r(text: str) -> list[Fraction]:
@@ -66,9 +65,8 @@ def run(options: Options) -> int:
             found |= point_document(r, spectrum, bits)
         print_document(found)
     else:
-        text = [*claim_lines(outcome)]
+        text = [*screen(outcome)]
         if r is not None and spectrum is not None:
             text += point_lines(r, spectrum)
-        text += ["", verdict_line(outcome)]
-        show(text, options)
+        show(claims.told(outcome, options, [*text, "", verdict_line(outcome)]), options)
     return outcome.exit_code

@@ -4,33 +4,75 @@ from __future__ import annotations
 
 import sys
 import time
+from collections.abc import Iterable, Iterator
+from typing import TypeVar
+
+Part = TypeVar("Part")
+
+#: The width of a bar, and how many seconds it stays as it is at least.
+WIDTH, PAUSE = 30, 0.1
+
+
+def is_watched() -> bool:
+    """Whether somebody sees what is written to stderr."""
+    return sys.stderr is not None and sys.stderr.isatty()
+
+
+class Clock:
+    """Estimates how long the rest of a job takes; all parts of it are taken to be alike.
+
+    Args:
+        count: how many parts there are.
+    """
+
+    def __init__(self, count: int) -> None:
+        self._count, self._start = count, time.monotonic()
+
+    def rest(self, done: int) -> str:
+        """About how long the rest will take, in words; nothing at the start, and near the end."""
+        if not 0 < done < self._count:
+            return ""
+        seconds = (time.monotonic() - self._start) / done * (self._count - done)
+        return "" if seconds < 1 else f" (about {time_in_words(seconds)} left)"
 
 
 class Steps:
     """Says on stderr which step of how many begins, and about how long the rest will take.
 
-    The estimate takes all steps to be alike; nothing is said where nobody watches.
+    Nothing is said where nobody watches.
 
     Args:
         count: how many steps there are.
     """
 
     def __init__(self, count: int) -> None:
-        self._count, self._done, self._start = count, 0, time.monotonic()
+        self._count, self._done, self._clock = count, 0, Clock(count)
 
     def __call__(self, text: str) -> None:
         """Begin a step."""
-        if sys.stderr is not None and sys.stderr.isatty():
+        if is_watched():
             number = f"[{min(self._done + 1, self._count)}/{self._count}]"
-            print(f"{number} {text} …{self._rest()}", file=sys.stderr)
+            print(f"{number} {text} …{self._clock.rest(self._done)}", file=sys.stderr)
         self._done += 1
 
-    def _rest(self) -> str:
-        left = self._count - self._done
-        if not self._done or left <= 0:
-            return ""
-        seconds = (time.monotonic() - self._start) / self._done * left
-        return f" (about {time_in_words(seconds)} left)"
+
+def watched(parts: Iterable[Part], count: int, *, apart: bool = False) -> Iterator[Part]:
+    """The parts of a job, with a bar on stderr that grows as they come, and an estimate.
+
+    The bar is gone after the last part; ``apart``: also while each part is dealt with, so that
+    what is printed then has lines of its own.
+    """
+    clock, shown = Clock(count), 0.0
+    for done, part in enumerate(parts, 1):
+        if shown and (apart or done == count):
+            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+        yield part
+        if is_watched() and done < count and (apart or time.monotonic() > shown + PAUSE):
+            filled = WIDTH * done // count
+            bar = "#" * filled + "." * (WIDTH - filled)
+            text = f"[{bar}] {done} of {count}{clock.rest(done)}"
+            print(f"\r{text}\x1b[K", end="", file=sys.stderr, flush=True)
+            shown = time.monotonic()
 
 
 def time_in_words(seconds: float) -> str:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from verify.cli import columns
-from verify.cli.files import progress, test_folder
+from verify.cli.files import test_folder
 from verify.cli.options import Options, Parser
+from verify.cli.steps import Steps
 from verify.measure import stress
 from verify.measure.stress import Finding
 
@@ -19,11 +20,12 @@ def add_arguments(parser: Parser) -> None:
 def run(options: Options) -> int:
     """Run the cases; return 0 if every answer is right, else 1."""
     test_folder("--out", options.out, "stress.json")
-    findings = []
-    for finding in stress.run_cases(options.quick):
-        progress(finding.case.name)
-        findings.append(finding)
-    columns.publish("stress", {"cases": findings_table(findings)}, options)
+    cases = stress.cases(options.quick)
+    findings, progress = [], Steps(len(cases))
+    for case in cases:
+        progress(case.name)
+        findings.append(stress.run_case(case))
+    columns.publish("stress", {"cases": findings_table(findings)}, options, ("why",))
     return 0 if all(finding.right for finding in findings) else 1
 
 

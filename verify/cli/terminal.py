@@ -10,6 +10,8 @@ from collections.abc import Iterable, Iterator
 from verify.cli.options import Options, Parser
 from verify.jobs.inputs import InputError, shown
 
+#: A space at which no line is broken.
+FIXED = "\u00a0"
 #: The width where no terminal says another.
 COLUMNS = 80
 #: Text is not squeezed below this width.
@@ -17,11 +19,21 @@ NARROWEST = 24
 #: From this width on a relation stays on one line with what it relates.
 ROOMY = 60
 
-#: Each verdict with its symbol and its colour (of the 16 that every terminal has).
-_STYLES = {"proved": ("✓", "32"), "refuted": ("✗", "31"), "undecided": ("?", "33")}
+#: Symbol and colour (of the 16 that every terminal has): a yes, a no, and what is left open.
+_YES, _NO, _OPEN = ("✓", "32"), ("✗", "31"), ("?", "33")
+#: Each verdict with its style: of a row, of a file that is checked, of a scene.
+_STYLES = {
+    **dict.fromkeys(("proved", "PROVED", "collapses", "disperses", "finite"), _YES),
+    **dict.fromkeys(("refuted", "REFUTED", "REFUSED", "MALFORMED"), _NO),
+    "conditionally proved": ("✓", "33"),
+    "undecided": _OPEN,
+}
+_WORDS = "|".join(_STYLES)
 #: A verdict at the start of a line or after a colon.
-_VERDICT = r"(^ *|: )(proved|refuted|undecided)(?=$|[ :;,.])"
-_SYMBOL = r"[✓✗?] (proved|refuted|undecided)"
+_VERDICT = rf"(^ *|: )({_WORDS})(?=$|[ :;,.])"
+_SYMBOL = rf"[✓✗?] ({_WORDS})"
+#: How a line begins that is a command, to be pasted into a shell.
+_COMMAND = "verify "
 #: A relation with a short right side, which stays with what is before it.
 _RELATION = r"(?<=\S) ([=≤<]) (?=\S{1,24}(?:\s|$))"
 
@@ -52,6 +64,7 @@ def show(lines: Iterable[str], options: Options) -> None:
     if colours:
         lines = (re.sub(_SYMBOL, _coloured, line) for line in lines)
     sys.stdout.write("".join(f"{line}\n" for line in lines))
+    sys.stdout.flush()
 
 
 def width() -> int:
@@ -60,16 +73,24 @@ def width() -> int:
     if text.isdigit() and len(text) < 6 and int(text) > 0:
         return max(int(text), NARROWEST)
     try:
-        return max(os.get_terminal_size(sys.stdout.fileno()).columns, NARROWEST)
+        columns = os.get_terminal_size(sys.stdout.fileno()).columns
     except (OSError, ValueError):
         return COLUMNS
+    return max(columns, NARROWEST) if columns else COLUMNS
 
 
 def wrapped(lines: Iterable[str], columns: int) -> Iterator[str]:
-    """The lines, those that are too long broken at spaces; what follows is indented like them."""
+    """The lines, those that are too long broken at spaces; what follows is indented like them.
+
+    A command is broken as a shell reads it: with a backslash at the end of each line but the last.
+    """
     for line in lines:
         if len(line) <= columns:
-            yield line
+            yield line.replace(FIXED, " ")
+        elif line.lstrip().startswith(_COMMAND):
+            *first, last = _broken(line, columns - 2)
+            yield from (f"{part} \\" for part in first)
+            yield last
         else:
             yield from _broken(line, columns)
 
@@ -77,7 +98,7 @@ def wrapped(lines: Iterable[str], columns: int) -> Iterator[str]:
 def _broken(line: str, columns: int) -> Iterator[str]:
     start = line.lstrip(" ")
     if columns >= ROOMY:
-        start = re.sub(_RELATION, "\u00a0\\1\u00a0", start)
+        start = re.sub(_RELATION, f"{FIXED}\\1{FIXED}", start)
     indent = min(len(line) - len(start), columns // 2)
     rest, after = " " * indent + start, " " * (indent + 2)
     while len(rest) > columns:
@@ -86,14 +107,14 @@ def _broken(line: str, columns: int) -> Iterator[str]:
             end = rest.find(" ", columns)
             if end < 0:
                 break
-        yield rest[:end].rstrip().replace("\u00a0", " ")
+        yield rest[:end].rstrip().replace(FIXED, " ")
         rest = after + rest[end:].lstrip(" ")
     if rest.strip():
-        yield rest.replace("\u00a0", " ")
+        yield rest.replace(FIXED, " ")
 
 
 def _with_symbol(match: re.Match[str]) -> str:
-    return f"{match[1]}{_STYLES[match[2]][0]} {match[2]}"
+    return f"{match[1]}{_STYLES[match[2]][0]}{FIXED}{match[2]}"
 
 
 def _coloured(match: re.Match[str]) -> str:

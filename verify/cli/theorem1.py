@@ -29,7 +29,7 @@ DEFAULTS = {
     "max_precision": "65536",
 }
 #: The options that only a single point has.
-POINT_OPTIONS = ("theta0", "precision", "max_precision", "rows")
+POINT_OPTIONS = ("theta0", "precision", "max_precision")
 
 
 def add_arguments(parser: Parser) -> None:

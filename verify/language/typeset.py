@@ -28,7 +28,7 @@ class Typesetter:
     """
 
     def __init__(self, letters: Mapping[str, str]) -> None:
-        self._letters = letters
+        self.letters = letters
         self._texts: dict[Term, str] = {}
 
     def claim(self, claim: Claim | Applies | Always) -> str:
@@ -43,7 +43,7 @@ class Typesetter:
 
     def _values(self, values: Mapping[str, Term]) -> str:
         named = sorted(values.items())  # a table in a file has no other order
-        pairs = ((self._letters.get(name, name), self.term(term)) for name, term in named)
+        pairs = ((self.letters.get(name, name), self.term(term)) for name, term in named)
         return ", ".join(f"{letter} = {text}" for letter, text in pairs)
 
     def term(self, term: Term) -> str:
@@ -58,7 +58,7 @@ class Typesetter:
         if op in _BINARY:
             return self._binary(op, *term.children)
         if op == "symbol":
-            return self._letters.get(term.name, term.name)
+            return self.letters.get(term.name, term.name)
         if op == "rational":
             return str(term.value)
         if op == "neg":

@@ -10,8 +10,8 @@ from verify.jobs.box import Answer, ParameterBox
 from verify.language.statement import PROVED, REFUTED, Assumption
 from verify.prover.decimals import exact_number
 from verify.views.document import assumption_document, claims_document
-from verify.views.everywhere import THEOREM
-from verify.views.words import given
+from verify.views.everywhere import THEOREM, trusted_there
+from verify.views.words import given, in_letters
 
 FORMAT = "verify-theorem1-box/1"
 
@@ -23,19 +23,20 @@ def screen(answer: Answer, cited: tuple[Assumption, ...]) -> Iterator[str]:
     if answer.verdict == REFUTED:
         yield "The stability condition fails at each of these points."
         yield ""
-        yield f"Verdict: refuted: {answer.outcome.statement.title}"
+        yield f"Verdict: refuted: {in_letters(answer.outcome.statement.title)}"
         return
     where = "all points" if answer.verdict == PROVED else "all points of the certified part"
     yield f"The hypotheses are compared at a corner; by monotony they hold at {where}."
-    yield f"The constants are the unrounded minima of '{answer.outcome.statement.cites[0].theorem}'"
-    yield f"Taken on trust there: {given(cited)}"
+    yield "The constants are the unrounded minima of Theorem 1 for all parameters."
+    yield from trusted_there(cited)
     yield ""
     yield THEOREM
     yield ""
     if answer.verdict == PROVED:
-        yield f"Verdict: proved: {answer.outcome.statement.title}; given {given(cited)}"
+        yield f"Verdict: proved: {in_letters(answer.outcome.statement.title)}; given {given(cited)}"
         return
-    yield f"Certified part: {_command(answer.part)}"
+    yield "The certified part, as a command:"
+    yield f"  {_command(answer)}"
     yield (
         "Verdict: undecided: the hypotheses fail at some points of the box; they hold at all with "
         f"{_words(answer.part)}; given {given(cited)}"
@@ -52,8 +53,14 @@ def _side(side: tuple[Fraction, Fraction]) -> str:
     return f"= {texts[0]}" if low == high else f"in [{texts[0]}, {texts[1]}]"
 
 
-def _command(box: ParameterBox) -> str:
-    return f"--r {_range(box.r)} --neg-cos {_range(box.c)}"
+def _command(answer: Answer) -> str:
+    """The command that decides the certified part."""
+    part, parameters = answer.part, answer.outcome.statement.parameters
+    v_0, delta = (parameters[name].value for name in ("V_0", "delta_theta"))
+    return (
+        f"verify theorem1 --r {_range(part.r)} --neg-cos {_range(part.c)} "
+        f"--V0 {v_0} --delta-theta {delta}"
+    )
 
 
 def _range(side: tuple[Fraction, Fraction]) -> str:

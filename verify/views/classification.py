@@ -6,14 +6,14 @@ from collections.abc import Iterator
 from typing import Any
 
 from verify.jobs.classification import AtR
-from verify.language.statement import NEEDED, PROVED, REFUTED
-from verify.language.terms import symbol
+from verify.language.statement import PROVED
 from verify.paper.classification.meaning import MEANING
 from verify.paper.numbering import cited
 from verify.prover.decimals import exact_number, rational_text, short
 from verify.prover.outcome import Outcome
+from verify.views.row_lists import MORE, brief
 from verify.views.document import claims_document, pair
-from verify.views.words import counts, given, groups, letters, summary, witness_of
+from verify.views.words import summary
 
 FORMAT = "verify-classification/1"
 
@@ -60,22 +60,15 @@ THEOREMS = (
 
 
 def screen(outcome: Outcome) -> Iterator[str]:
-    """What is proved, given what, and what it means for the text."""
+    """What is proved, and given what."""
     yield "Which collapses there are"
     yield ""
-    for group in groups(outcome):
-        found = [decision for row, decision in outcome.of_group(group) if row.role == NEEDED]
-        proved = sum(decision.verdict == PROVED for decision in found)
-        yield f"  {group:<36} {proved} of {len(found)} rows proved"
-    yield f"Rows: {counts(outcome, NEEDED)}; every row: -v; one with its proof: explain NAME"
-    for row, decision in outcome.rows:
-        if decision.verdict == REFUTED:
-            yield f"Refuted ({row.severity}): {row.name}, corrected by {row.corrected_by}"
-    yield ""
-    yield f"Taken on trust: {given(outcome.assumptions)}"
-    for assumption in outcome.assumptions:
-        yield f"  {assumption.name} ({assumption.kind}): {assumption.sentence}"
-    yield ""
+    yield from brief(outcome)
+    yield MORE
+
+
+def meaning_lines() -> Iterator[str]:
+    """What the theorems mean for the text."""
     yield "What it means for the text"
     for remark in MEANING:
         yield f"  {cited(remark.label)}: {remark.text}"
@@ -84,28 +77,10 @@ def screen(outcome: Outcome) -> Iterator[str]:
 def theorem_lines(outcome: Outcome) -> Iterator[str]:
     """The theorems in words, if they are proved, and the verdict."""
     if outcome.verdict == PROVED:
-        yield f"Given these sentences. {SETTING}"
+        yield f"Given what is taken on trust. {SETTING}"
         yield from THEOREMS
         yield ""
     yield f"Verdict: {summary(outcome)}"
-
-
-def claim_rows(outcome: Outcome) -> Iterator[str]:
-    """Every row, with its claim and the rule that proves it."""
-    typesetter = letters(outcome)
-    for group in groups(outcome):
-        yield group[0].upper() + group[1:]
-        for row, decision in outcome.of_group(group):
-            yield f"  {decision.verdict:<9} {row.says}   [{row.name}, {cited(row.label)}]"
-            claim = typesetter.claim(row.claim)
-            yield f"            {claim}   by {decision.method or 'nothing'}"
-            if decision.witness:
-                at = witness_of(row, decision).items()
-                values = ", ".join(
-                    f"{typesetter.term(symbol(n))} = {typesetter.term(term)}" for n, term in at
-                )
-                yield f"            false at {values}"
-        yield ""
 
 
 def restitution_lines(found: AtR) -> Iterator[str]:

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from verify.jobs.thresholds import shares
-from verify.language.statement import PROVED, REFUTED, UNDECIDED, Obligation
+from verify.language.statement import PROVED, REFUTED, UNDECIDED, Assumption, Obligation
 from verify.paper.everywhere.thresholds import STRIPS
 from verify.paper.numbering import cited
 from verify.prover.outcome import Decision, Outcome
+from verify.views.row_lists import MORE
+from verify.views.plain import plain_letters
 from verify.views.words import (
     cited_as,
     counts,
     given,
     given_by,
     headline,
-    letters,
+    in_letters,
     short_name,
 )
 
@@ -39,15 +41,22 @@ def screen(outcome: Outcome) -> Iterator[str]:
     yield ""
     yield f"Rows: {counts(outcome, 'needed')}"
     yield f"The step, for every state, is {cited_as(cite)}"
-    yield f"Taken on trust there: {given(cite.trusted)}"
-    for assumption in cite.trusted:
-        yield f"  {assumption.name} ({assumption.kind}): {assumption.sentence}"
-    yield "Every row: -v; one with its proof: explain NAME; the graph: graph --out FILE.svg"
+    yield from trusted_there(cite.trusted)
+    yield "The graph of the proof: verify graph --out FILE.svg"
+    yield MORE
     yield ""
     if outcome.verdict == PROVED:
         yield THEOREM
         yield ""
-    yield f"Verdict: {headline(outcome)}: {outcome.statement.title}; given {given_by(outcome)}"
+    title = in_letters(outcome.statement.title)
+    yield f"Verdict: {headline(outcome)}: {title}; given {given_by(outcome)}"
+
+
+def trusted_there(assumptions: Iterable[Assumption]) -> Iterator[str]:
+    """What the cited step takes on trust, by name."""
+    found = list(assumptions)
+    names = ", ".join(assumption.name for assumption in found)
+    yield f"Taken on trust there: {given(found)}: {names}. The sentences: -v."
 
 
 def printed_screen(outcome: Outcome, where: Outcome) -> Iterator[str]:
@@ -74,7 +83,7 @@ def printed_screen(outcome: Outcome, where: Outcome) -> Iterator[str]:
 
 
 def _dependence(outcome: Outcome, row: Obligation, decision: Decision) -> str:
-    typesetter = letters(outcome)
+    typesetter = plain_letters(outcome)
     at = ", ".join(f"{name} = {typesetter.term(x)}" for name, x in decision.witness.items())
     return f"depends: {short_name(row)}: fails at {at}"
 
@@ -106,11 +115,3 @@ def _percent(share: Fraction, *, up: bool = False) -> str:
     hundredths = share * 10000
     whole = -(-hundredths // 1) if up else hundredths // 1
     return f"{whole // 100}.{whole % 100:02} %"
-
-
-def row_lines(outcome: Outcome) -> Iterator[str]:
-    """Every row, with its claim and the rule that proves it."""
-    typesetter = letters(outcome)
-    for row, decision in outcome.rows:
-        yield f"  {decision.verdict:<9} {row.says}   [{row.name}, {cited(row.label)}]"
-        yield f"            {typesetter.claim(row.claim)}   by {decision.method or 'nothing'}"

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import json
-import sys
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from itertools import groupby
+from typing import Any
 
 from verify.jobs.scan import ScannedPoint
 from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.prover.decimals import exact_number
-from verify.prover.outcome import EXIT_CODES
 
 
 class Range(Record):
@@ -26,32 +24,34 @@ class Range(Record):
     refuted: tuple[str, ...]
 
 
-def show_ranges(points: Iterable[tuple[Fraction, ScannedPoint]], *, as_json: bool) -> int:
-    """Print what was found, and return the exit code: refuted beats undecided beats proved."""
-    found = list(ranges(points))
+def verdict_of(found: Iterable[Range]) -> str:
+    """The verdict on all points: refuted beats undecided beats proved."""
+    kinds = {item.verdict for item in found}
+    return next((v for v in (REFUTED, UNDECIDED) if v in kinds), PROVED)
+
+
+def range_lines(found: Iterable[Range]) -> Iterator[str]:
+    """A line for each range, and the verdict."""
     total = Counter[str]()
     for item in found:
         total[item.verdict] += item.points
-    verdict = next((v for v in (REFUTED, UNDECIDED) if total[v]), PROVED)
-    if as_json:
-        _print_document(found, total, verdict)
-        return EXIT_CODES[verdict]
-    for item in found:
-        sys.stdout.write(
-            f"r = {exact_number(item.first)} "
-            f"to {exact_number(item.last)}: {item.points} points {item.verdict}, "
-            f"{len(item.refuted)} rows refuted\n"
+        yield (
+            f"r = {exact_number(item.first)} to {exact_number(item.last)}: "
+            f"{item.points} points {item.verdict}, {len(item.refuted)} rows refuted"
         )
     counts = ", ".join(f"{count} {name}" for name, count in total.items())
-    sys.stdout.write(f"Verdict at the points of the grid, not between them: {counts}\n")
-    return EXIT_CODES[verdict]
+    yield f"Verdict at the points of the grid, not between them: {counts}"
 
 
-def _print_document(found: list[Range], total: Counter[str], verdict: str) -> None:
-    document = {
+def ranges_document(found: Iterable[Range]) -> dict[str, Any]:
+    """The ranges as one JSON document."""
+    ranges, total = list(found), Counter[str]()
+    for item in ranges:
+        total[item.verdict] += item.points
+    return {
         "format": "verify-theorem1-scan/1",
         "command": "theorem1",
-        "verdict": verdict,
+        "verdict": verdict_of(ranges),
         "points": dict(total),
         "ranges": [
             {
@@ -60,10 +60,9 @@ def _print_document(found: list[Range], total: Counter[str], verdict: str) -> No
                 "verdict": item.verdict,
                 "refuted": list(item.refuted),
             }
-            for item in found
+            for item in ranges
         ],
     }
-    print(json.dumps(document, ensure_ascii=False, indent=1))
 
 
 def ranges(points: Iterable[tuple[Fraction, ScannedPoint]]) -> Iterator[Range]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from verify.jobs.scene_verdict import central, pairs_of, reason, time_ends
@@ -18,6 +18,8 @@ CODES = {COLLAPSES: 0, DISPERSES: 0, FINITE: 0}
 UNDECIDED_CODE = 3
 #: In a table, for a quotient by a number that may be 0, and for what no reader could compare.
 UNKNOWN = "?"
+#: Of the columns of that table.
+WIDTHS = (7, 5, 14, 14, 14, 14, 12)
 
 
 def exit_code(found: Fate) -> int:
@@ -44,11 +46,16 @@ def scene_document(found: Fate) -> dict[str, Any]:
 def collision_table(found: Fate) -> Iterator[str]:
     """The collisions, one line each: pair, time, and the state just after."""
     heads = ("n", "pair", "time", "η", "ζ", "q", "-cos θ")
-    yield "  ".join(f"{head:<12}" for head in heads).rstrip()
+    yield _in_columns(heads)
     with balls.precision(found.flow.bits):
         for n, move in enumerate(found.flow.collisions, 1):
             cells = (str(n), name_of(move.before.frame), *_cells(move))
-            yield "  ".join(f"{cell:<12}" for cell in cells).rstrip()
+            yield _in_columns(cells)
+
+
+def _in_columns(cells: Iterable[str]) -> str:
+    """A line of the table; 80 columns are enough for all."""
+    return "".join(f"{x:<{w}}" for x, w in zip(cells, WIDTHS, strict=True)).rstrip()
 
 
 def _cells(move: Move) -> Iterator[str]:
@@ -57,4 +64,4 @@ def _cells(move: Move) -> Iterator[str]:
     zeta = start.d * (2 + start.d) * start.A / ((1 + start.d) * start.y) ** 2
     for value in (move.after.time, -start.y, zeta, start.eta_s / start.y, start.C):
         ball = balls.as_ball(value)
-        yield short(balls.ends(ball), 8) if balls.is_within_reach(ball) else UNKNOWN
+        yield short(balls.ends(ball), 5) if balls.is_within_reach(ball) else UNKNOWN

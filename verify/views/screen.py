@@ -78,4 +78,5 @@ def verdict_lines(outcome: Outcome, sets: list[str]) -> Iterator[str]:
         yield f"Precision budget spent: {outcome.spent}"
     for group in sets:
         yield f"{TITLES.get(group, group)}: {group_verdict(outcome, group)}"
-    yield f"Verdict: {summary(outcome)}"
+    which = f", {' and '.join(sets)} constants," if sets else ""
+    yield f"Verdict: {summary(outcome, f'Theorem 1{which} at {parameters_told(outcome)}')}"

@@ -7,16 +7,13 @@ from fractions import Fraction
 from typing import Any
 
 from verify.jobs.eigenvalues import Complex, Spectrum
-from verify.language.statement import NEEDED, REFUTED, Obligation
-from verify.language.terms import symbol
-from verify.language.typeset import Typesetter
-from verify.paper.numbering import cited
 from verify.prover import balls
 from verify.prover.balls import Ball
 from verify.prover.decimals import exact_number, outward, rational_text, short
-from verify.prover.outcome import Decision, Outcome
-from verify.views.document import claims_document, value_text
-from verify.views.words import groups, letters, sentence, summary, taken_on_trust, witness_of
+from verify.prover.outcome import Outcome
+from verify.views.row_lists import MORE, brief
+from verify.views.document import claims_document
+from verify.views.words import summary
 
 FORMAT = "verify-spectrum/1"
 
@@ -66,45 +63,19 @@ def _point(r: list[Fraction], spectrum: Spectrum, digits: int) -> dict[str, Any]
     }
 
 
-def claim_lines(outcome: Outcome) -> Iterator[str]:
-    """The report for a reader at a terminal, line by line; `verdict_line` comes after it."""
-    typesetter = letters(outcome)
+def screen(outcome: Outcome) -> Iterator[str]:
+    """What fits on a screen; `verdict_line` comes after it."""
     yield "Spectral claims, for every r in ]0,1["
-    for group in groups(outcome):
-        yield ""
-        yield group.capitalize() if group[0].islower() else group
-        for row, decision in outcome.of_group(group):
-            yield from _row(row, decision, typesetter)
     yield ""
-    yield from taken_on_trust(outcome)
+    yield from brief(outcome)
     if outcome.spent:
         yield f"Work budget spent: {outcome.spent}"
+    yield MORE
 
 
 def verdict_line(outcome: Outcome) -> str:
     """The result with everything it is about."""
     return f"Verdict: {summary(outcome)}"
-
-
-def _row(row: Obligation, decision: Decision, typesetter: Typesetter) -> Iterator[str]:
-    role = "" if row.role == NEEDED else " (as printed)"
-    yield f"  {decision.verdict:<9} {row.name:<24} {cited(row.label)}{role}"
-    yield f"            {sentence(row, typesetter)}"
-    details = decision.method or "no rule that was found"
-    if row.uses:
-        details += f"; with {', '.join(row.uses)}"
-    yield f"            by {details}"
-    if decision.verdict == REFUTED:
-        values = (
-            f"{typesetter.term(symbol(name))} = {value_text(term, typesetter)}"
-            for name, term in witness_of(row, decision).items()
-        )
-        if decision.witness:
-            yield f"            false at {', '.join(values)}"
-        if row.severity:
-            yield f"            {row.severity}"
-        if row.corrected_by:
-            yield f"            corrected by {row.corrected_by}"
 
 
 def point_lines(r: list[Fraction], spectrum: Spectrum) -> Iterator[str]:
@@ -119,9 +90,19 @@ def point_lines(r: list[Fraction], spectrum: Spectrum) -> Iterator[str]:
     yield f"  |λ±| = {_short(spectrum.modulus)}, argument ±{_short(spectrum.argument)}"
     yield "  eigenvector of 1:  (0, 1, 0, 1)"
     yield f"  eigenvector of λ₀: ({', '.join(map(_short, spectrum.vector_0))})"
-    entries = [f"{_short(z.re)} + i {_short(z.im)}" for z in spectrum.vector_plus]
-    yield f"  eigenvector of λ₊: ({', '.join(entries)})"
+    yield f"  eigenvector of λ₊: ({', '.join(map(_complex, spectrum.vector_plus))})"
 
 
 def _short(ball: Ball) -> str:
     return short(balls.ends(ball))
+
+
+def _complex(value: Complex) -> str:
+    """A complex number: 1, or 0.105… - 0.245… i."""
+    real, imaginary = _short(value.re), _short(value.im)
+    if imaginary == "0":
+        return real
+    if imaginary.startswith("["):
+        return f"{real} + i {imaginary}"
+    sign = "-" if imaginary.startswith("-") else "+"
+    return f"{real} {sign} i {imaginary.removeprefix('-')}"

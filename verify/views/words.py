@@ -40,6 +40,9 @@ FOLDERS = {
 #: How the parameters of Theorem 1 are written.
 LETTERS = {"V_0": "V₀", "delta_theta": "δ_θ", "c": "(-cos θ₀)"}
 
+#: How they stand in titles.
+TITLE_LETTERS = {"V_0": "V₀", "delta_theta": "δ_θ", "theta_0": "θ₀", "<=": "≤"}
+
 #: A longer formula is left to the statement file where a row is told in one line.
 MAX_FORMULA = 400
 
@@ -88,11 +91,22 @@ def cited_as(cite: Cite) -> str:
     return f"the cited '{cite.name}'" + (f" ({folder})" if folder else "")
 
 
-def summary(outcome: Outcome) -> str:
-    """The whole result in one line: verdict, theorem, parameters, rows, assumptions."""
+def summary(outcome: Outcome, title: str = "") -> str:
+    """The whole result in one line: verdict, theorem, parameters, rows, assumptions.
+
+    ``title`` stands for that of the statement where it says the same.
+    """
     parts = [counts(outcome, role) for role in (NEEDED, PRINTED)]
     rows = "; ".join(part for part in parts if part)
-    return f"{headline(outcome)}: {outcome.statement.title}: {rows}; given {given_by(outcome)}"
+    title = title or outcome.statement.title
+    return f"{headline(outcome)}: {title}: {rows}; given {given_by(outcome)}"
+
+
+def in_letters(title: str) -> str:
+    """A title of the program's own, which files have in ASCII, in the paper's letters."""
+    for name, letter in TITLE_LETTERS.items():
+        title = title.replace(name, letter)
+    return title
 
 
 def taken_on_trust(outcome: Outcome) -> Iterator[str]:

@@ -1,0 +1,100 @@
+"""What screens of statements about all values share: their rows, in brief or whole."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from verify.language.statement import NEEDED, PRINTED, REFUTED, UNDECIDED, Obligation
+from verify.language.terms import symbol
+from verify.language.typeset import Typesetter
+from verify.paper.numbering import cited, printed_number
+from verify.paper.rows import SEVERITIES
+from verify.prover.outcome import Decision, Outcome
+from verify.views.plain import plain_letters
+from verify.views.words import (
+    given_by,
+    groups,
+    letters,
+    short_name,
+    witness_of,
+)
+
+#: Where the rest is.
+MORE = "All rows: -v; some: --rows NAME; one with its proof: verify explain NAME."
+
+
+def heading(group: str) -> str:
+    """The name of a group as a heading."""
+    return group[:1].upper() + group[1:]
+
+
+def brief(outcome: Outcome) -> Iterator[str]:
+    """The rows by group, each refuted or undecided one in a line, and what is taken on trust."""
+    parts = (f"{heading(group)} {_share(outcome, group)}" for group in groups(outcome))
+    yield f"Rows proved, of those needed: {', '.join(parts)}."
+    for verdict in (REFUTED, UNDECIDED):
+        found = [(row, d) for row, d in outcome.rows if d.verdict == verdict]
+        if found:
+            yield ""
+            what = "row, name of its correction, formula" if verdict == REFUTED else "row, formula"
+            yield f"{verdict.capitalize()}, {len(found)} ({what}):"
+        for severity in ("", *SEVERITIES):
+            here = [row for row, _ in found if (row.severity or "") == severity]
+            if severity and here:
+                yield f"  {severity}:"
+            yield from map(_one_line, here)
+    yield ""
+    yield from trusted_names(outcome)
+
+
+def _share(outcome: Outcome, group: str) -> str:
+    found = [d.verdict for row, d in outcome.of_group(group) if row.role == NEEDED]
+    return f"{found.count('proved')}/{len(found)}"
+
+
+def _one_line(row: Obligation) -> str:
+    correction = row.corrected_by or ""
+    return f"    {short_name(row):<24} {correction:<26} {printed_number(row.label)}".rstrip()
+
+
+def trusted_names(outcome: Outcome) -> Iterator[str]:
+    """How many assumptions a verdict rests on, and their names."""
+    if outcome.assumptions:
+        names = ", ".join(assumption.name for assumption in outcome.assumptions)
+        yield f"Taken on trust: {given_by(outcome)}: {names}. The sentences: -v."
+    if outcome.printed_assumptions:
+        names = ", ".join(assumption.name for assumption in outcome.printed_assumptions)
+        yield f"Only for printed rows: {names}."
+
+
+def all_rows(outcome: Outcome) -> Iterator[str]:
+    """Every row, with its exact claim and what proves or refutes it."""
+    typesetter = letters(outcome)
+    for group in groups(outcome):
+        yield heading(group)
+        for row, decision in outcome.of_group(group):
+            yield from row_lines(row, decision, typesetter)
+        yield ""
+
+
+def rows_called(outcome: Outcome, name: str) -> list[str]:
+    """The rows whose name, with or without its group, is this one; their claims simplified."""
+    typesetter = plain_letters(outcome)
+    found = [p for p in outcome.rows if name in (p[0].name, short_name(p[0]))]
+    return [line for row, decision in found for line in row_lines(row, decision, typesetter)]
+
+
+def row_lines(row: Obligation, decision: Decision, typesetter: Typesetter) -> Iterator[str]:
+    """A row: its words, its claim, by what it is decided, and where it is false."""
+    role = " (as printed)" if row.role == PRINTED else ""
+    yield f"  {decision.verdict:<9} {row.says}{role}   [{row.name}, {cited(row.label)}]"
+    uses = f"; with {', '.join(row.uses)}" if row.uses else ""
+    method = decision.method or "no rule that was found"
+    yield f"            {typesetter.claim(row.claim)}   by {method}{uses}"
+    values = witness_of(row, decision).items()
+    if values:
+        at = ", ".join(f"{typesetter.term(symbol(n))} = {typesetter.term(x)}" for n, x in values)
+        yield f"            false at {at}"
+    if decision.verdict == REFUTED:
+        parts = (row.severity, row.corrected_by and f"corrected by {row.corrected_by}")
+        yield f"            {'; '.join(part for part in parts if part)}".rstrip()

@@ -198,7 +198,7 @@ BACKED: dict[str, tuple[Check, ...]] = {
     ),
     # beyond the paper
     "`verify classification` proves four theorems": (sentences_of_the_classification, COLLAPSES),
-    "No triple contact is assumed": ("tests/cli/test_classification.py",),
+    "Throughout, triple contacts are excluded": ("tests/cli/test_classification.py",),
     "No triangular collapse": (COLLAPSES, RUNS),
     "Three balls of any masses and radii": (COLLAPSES, RUNS),
     "With equal masses and one r the final": (COLLAPSES, RUNS),
@@ -207,7 +207,7 @@ BACKED: dict[str, tuple[Check, ...]] = {
         "tests/cli/test_classification.py::test_the_longest_run",
     ),
     "the impulses of all collisions have a finite sum": (COLLAPSES, RUNS),
-    "Infinitely many collisions without a collapse": (COLLAPSES,),
+    "Infinitely many collisions of three balls": (COLLAPSES,),
     # scenes
     "The set of Theorem 1 is small": (the_set_is_small,),
     "It writes nothing while a row": (

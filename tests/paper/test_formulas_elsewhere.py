@@ -207,3 +207,16 @@ def test_what_is_refuted_is_called_refuted() -> None:
         if set(names(cells[3])) & wrong:
             words = ("refuted", "does not follow", "nothing rests", "see `far-component-printed`")
             assert any(word in cells[3] for word in words), cells
+
+
+def test_what_is_called_refuted_is_refuted() -> None:
+    """The names after the word, up to where the sentence goes on, are those of false rows."""
+    wrong = {row.name for row, d in decide_elsewhere().rows if d.verdict == REFUTED}
+    wrong |= {f"spectrum:{row.name}" for row, d in decide_spectrum().rows if d.verdict == REFUTED}
+    found = 0
+    for cells in lines():
+        for said in re.findall(r"refuted(?: |:)([^;]*)", cells[3]):
+            accused = names(re.split(r"`: |, see|, corrected by", f"{said} ")[0])
+            assert {*accused} <= wrong, cells
+            found += len(accused)
+    assert found > 20

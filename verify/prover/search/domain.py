@@ -61,6 +61,7 @@ class Domain:
         self.context = self.clearing.context
         self.gens = self.context.gens()
         self.scales = [self._scale(atom, goal.variables) for atom in self.atoms]
+        self.ends = [self._ends(atom, goal.variables) for atom in self.atoms]
         self._inward = [
             self.number(s.m) + self.number(s.h) * u
             for s, u in zip(self.scales, self.gens, strict=True)
@@ -94,6 +95,17 @@ class Domain:
         if low is not None:
             return Affine(low, Fraction(1))
         return Affine(Fraction(0), Fraction(1)) if high is None else Affine(high, Fraction(-1))
+
+    @staticmethod
+    def _ends(
+        atom: Term, variables: Mapping[str, Bounds]
+    ) -> tuple[Fraction | None, Fraction | None]:
+        """Between which numbers the scaled variable is, if there are any."""
+        bounds = variables.get(atom.name) if atom.op == "symbol" else None
+        low, high = (None, None) if bounds is None else (bounds.low, bounds.high)
+        if low is not None and high is not None and low < high:
+            return Fraction(-1), Fraction(1)
+        return (None, None) if low is None and high is None else (Fraction(0), None)
 
     def number(self, value: Fraction | int) -> fmpq_mpoly:
         """A number as a polynomial."""

@@ -10,17 +10,19 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations
 
-from flint import fmpq, fmpq_mpoly
+from flint import fmpq_mpoly
 
 from verify.language.record import Record
 from verify.language.terms import Term
 from verify.prover.budget import WorkBudget
 from verify.prover.proof import Value
 from verify.prover.rules import Sum
+from verify.prover.search.bases import all_monomials, pruned
 from verify.prover.search.domain import Domain, Factor, multiplied
-from verify.prover.search.squares import MAX_SIZE, Block, Summand, decompose, vanishing
-
-Exponents = tuple[int, ...]
+from verify.prover.search.faces import Block, vanishing, vanishing_near
+from verify.prover.search.forms import by_form
+from verify.prover.search.squares import MAX_SIZE, Summand, decompose
+from verify.prover.search.zeros import zeros_in_floats
 
 #: Programmes of more work than this are not tried.
 MAX_COST = 20_000_000
@@ -52,6 +54,7 @@ def by_squares(
         return None if domain.strict else Sum((domain.goal,), using)
     outer = domain.divide_by_squares()
     zeros = [point for point in zeros if domain.is_zero(point)]
+    near = zeros_in_floats(domain, budget)
     for attempt in _attempts(domain):
         blocks = attempt.blocks
         if _cost(blocks) > MAX_COST or max(len(b.basis) for b in blocks) > MAX_SIZE:
@@ -62,11 +65,14 @@ def by_squares(
         p = domain.p
         if attempt.multiple is not None:
             p = domain.reduced(p * attempt.multiple.polynomial)
-        terms = decompose(p, domain, polynomials, blocks, budget)
-        proof = None if terms is None else _proof(domain, attempt, terms, outer)
-        if proof is not None:
-            return proof._replace(using=using)
-    return None
+        # What is near 0 need not be 0: the smaller bases may be too small.
+        smaller = [vanishing_near(b, polynomials[b.factor], near) for b in blocks]
+        for bases in (blocks,) if smaller == blocks else (smaller, blocks):
+            terms = decompose(p, domain, polynomials, bases, budget)
+            proof = None if terms is None else _proof(domain, attempt, terms, outer)
+            if proof is not None:
+                return proof._replace(using=using)
+    return None if outer is not None else by_form(domain, near, budget, using)
 
 
 def _proof(
@@ -129,10 +135,10 @@ def _attempts(domain: Domain) -> Iterator[Attempt]:
     used = _connected(domain)
     facts = [f for f in domain.facts.values() if set(_variables(f.polynomial)) <= set(used)]
     if not facts or top > 2:
-        yield Attempt([one], [Block(0, _pruned(domain, p, top // 2, used))])
+        yield Attempt([one], [Block(0, pruned(domain, p, top // 2, used))])
     if not facts:
         multiple = _of_squares(domain, used)
-        basis = _pruned(domain, p * multiple.polynomial, top // 2 + 1, used)
+        basis = pruned(domain, p * multiple.polynomial, top // 2 + 1, used)
         yield Attempt([one], [Block(0, basis)], multiple)
         return
     goal = Factor(-p, domain.goal, not domain.strict, (p,))
@@ -177,7 +183,7 @@ def _attempt(
     for i, d in enumerate(degrees):
         half, odd = divmod(degree - d, 2)
         if half >= 0 and not (exact and odd):
-            blocks.append(Block(i, _all(domain, half, used, exact=exact)))
+            blocks.append(Block(i, all_monomials(domain, half, used, exact=exact)))
     return Attempt(factors, blocks, multiple)
 
 
@@ -215,100 +221,3 @@ def _connected(domain: Domain) -> list[int]:
     while more := [s for s in sets if s & used and not s <= used]:
         used.update(*more)
     return sorted(used)
-
-
-# --- bases ---------------------------------------------------------------------------------------
-
-
-def _exponents(n: int, used: Sequence[int], degree: int) -> Iterator[Exponents]:
-    """All exponents of monomials of at most this degree, the highest first."""
-
-    def further(left: Sequence[int], room: int) -> Iterator[dict[int, int]]:
-        if not left:
-            yield {}
-            return
-        for e in range(room, -1, -1):
-            for rest in further(left[1:], room - e):
-                yield {left[0]: e, **rest}
-
-    found = [tuple(e.get(i, 0) for i in range(n)) for e in further(used, degree)]
-    yield from sorted(found, key=lambda e: (-sum(e), e))
-
-
-def _monomials(domain: Domain, found: Sequence[Exponents]) -> tuple[fmpq_mpoly, ...]:
-    return tuple(domain.context.from_dict({e: fmpq(1)}) for e in found)
-
-
-def _all(
-    domain: Domain, degree: int, used: Sequence[int], *, exact: bool = False
-) -> tuple[fmpq_mpoly, ...]:
-    """All monomials of at most this degree, or of just this degree."""
-    found = _exponents(len(domain.atoms), used, degree)
-    return _monomials(domain, [e for e in found if not exact or sum(e) == degree])
-
-
-def _pruned(
-    domain: Domain, p: fmpq_mpoly, degree: int, used: Sequence[int]
-) -> tuple[fmpq_mpoly, ...]:
-    """Only those that may occur in squares that add up to p.
-
-    Twice their exponents lie in the Newton polytope of p (Reznick); and a square that no other
-    product of two of them cancels has to be in p.
-    """
-    support = [tuple(map(int, m)) for m in p.monoms()]
-    n = len(domain.atoms)
-    directions = [*_directions(n, used)]
-    most = [max(_dot(d, e) for e in support) for d in directions]
-    found = [
-        e
-        for e in _exponents(n, used, degree)
-        if all(2 * _dot(d, e) <= top for d, top in zip(directions, most, strict=True))
-    ]
-    present = set(support)
-    while True:
-        products: dict[Exponents, int] = {}
-        for a, b in combinations(found, 2):
-            key = tuple(x + y for x, y in zip(a, b, strict=True))
-            products[key] = products.get(key, 0) + 1
-        kept = [e for e in found if (d := tuple(2 * x for x in e)) in present or d in products]
-        if len(kept) == len(found):
-            return _monomials(domain, found)
-        found = kept
-
-
-def _dot(a: Sequence[int], b: Sequence[int]) -> int:
-    return sum(x * y for x, y in zip(a, b, strict=True))
-
-
-def _directions(n: int, used: Sequence[int]) -> Iterator[list[int]]:
-    """Some directions in which the exponents of p are bounded."""
-    for i in used:
-        yield [int(j == i) for j in range(n)]
-        yield [-int(j == i) for j in range(n)]
-    yield [-1] * n
-    for a, b in combinations(used, 2):
-        for x, y in (
-            (1, 1),
-            (1, -1),
-            (-1, 1),
-            (-1, -1),
-            (1, 2),
-            (2, 1),
-            (-1, 2),
-            (2, -1),
-            (1, -2),
-            (-2, 1),
-            (-1, -2),
-            (-2, -1),
-            (3, -2),
-            (-2, 3),
-            (3, -1),
-            (-1, 3),
-        ):
-            yield [x * (j == a) + y * (j == b) for j in range(n)]
-    for a, b, c in combinations(used, 3):
-        for k in range(1, 8):
-            signs = [1 if k >> i & 1 else -1 for i in range(3)]
-            yield [
-                signs[0] * (j == a) + signs[1] * (j == b) + signs[2] * (j == c) for j in range(n)
-            ]

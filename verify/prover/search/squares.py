@@ -15,7 +15,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from itertools import pairwise
 from math import frexp
 
 from flint import fmpq, fmpq_mat, fmpq_mpoly
@@ -23,7 +22,9 @@ from flint import fmpq, fmpq_mat, fmpq_mpoly
 from verify.language.record import Record
 from verify.prover.budget import WorkBudget
 from verify.prover.search.domain import Domain
-from verify.prover.search.semidefinite import HOPELESS, Entry, Equations, Matrix, Solution, Solver
+from verify.prover.search.faces import Block, faces
+from verify.prover.search.numbers import float_of, fmpq_of, fraction_of
+from verify.prover.search.semidefinite import HOPELESS, Entry, Equations, Solution, Solver
 
 #: Programmes with larger matrices, or more equations, are not tried.
 MAX_SIZE = 36
@@ -32,13 +33,8 @@ MAX_EQUATIONS = 320
 ROUNDS = 5
 #: Entries are rounded to so many binary digits, at first to few.
 DIGITS = (6, 12, 24, 40)
-
-
-class Block(Record):
-    """The index of a polynomial g >= 0, and the basis of the squares that it is multiplied by."""
-
-    factor: int
-    basis: tuple[fmpq_mpoly, ...]
+#: Longer numbers are no proof that anybody could check.
+MAX_BITS = 4000
 
 
 class Summand(Record):
@@ -70,7 +66,7 @@ def decompose(
         terms = system.rounded(found) if found.t < 1e-4 else None
         if terms is not None:
             return terms
-        smaller = _faces(blocks, found)
+        smaller = faces(blocks, found)
         if smaller is None:
             return None
         blocks = smaller
@@ -115,12 +111,12 @@ class _System:
         for entries in self.entries:
             for _, _, pairs in entries:
                 for k, c in pairs:
-                    largest[k] = max(largest[k], abs(_float(c)))
+                    largest[k] = max(largest[k], abs(float_of(c)))
         floats: list[list[Entry]] = [
-            [(i, j, [(k, _float(c) / largest[k]) for k, c in pairs]) for i, j, pairs in entries]
+            [(i, j, [(k, float_of(c) / largest[k]) for k, c in pairs]) for i, j, pairs in entries]
             for entries in self.entries
         ]
-        wanted = [_float(c) / size for c, size in zip(self.wanted, largest, strict=True)]
+        wanted = [float_of(c) / size for c, size in zip(self.wanted, largest, strict=True)]
         return Equations([len(block.basis) for block in self.blocks], floats, wanted)
 
     def rounded(self, found: Solution) -> list[Summand] | None:
@@ -129,7 +125,7 @@ class _System:
         for digits in DIGITS:
             unit = _power_of_two(size, digits)
             values = [
-                [[fmpq(round(v / unit)) * _exact(unit) for v in row] for row in matrix]
+                [[fmpq(round(v / unit)) * fmpq_of(unit) for v in row] for row in matrix]
                 for matrix in found.blocks
             ]
             if self._correct(values):
@@ -173,30 +169,40 @@ class _System:
         return gram
 
     def _terms(self, values: list[list[list[fmpq]]]) -> list[Summand] | None:
-        """The squares of L D L^T; None if a matrix is not positive semidefinite."""
+        """The squares of all matrices; None if one is not positive semidefinite."""
         terms = []
         for matrix, block in zip(values, self.blocks, strict=True):
-            rest = [list(row) for row in matrix]
-            basis = list(block.basis)
-            for i, row in enumerate(rest):
-                pivot = row[i]
-                if pivot < 0 or (pivot == 0 and any(row[i:])):
-                    return None
-                if pivot == 0:
-                    continue
-                square = basis[i]
-                for j in range(i + 1, len(basis)):
-                    ratio = row[j] / pivot
-                    if ratio:
-                        square += ratio * basis[j]
-                        other = rest[j]
-                        for k in range(j, len(basis)):
-                            other[k] -= ratio * row[k]
-                for j in range(i + 1, len(basis)):
-                    for k in range(i + 1, j):
-                        rest[j][k] = rest[k][j]
-                terms.append(Summand(_fraction(pivot), block.factor, square))
+            squares = _diagonal(matrix, block.basis)
+            if squares is None:
+                return None
+            terms += [Summand(fraction_of(w), block.factor, square) for w, square in squares]
         return terms
+
+
+def _diagonal(
+    matrix: Sequence[Sequence[fmpq]], basis: Sequence[fmpq_mpoly]
+) -> list[tuple[fmpq, fmpq_mpoly]] | None:
+    """The squares of L D L^T with their weights; None if the matrix is not semidefinite."""
+    rest, found = [list(row) for row in matrix], []
+    for i, row in enumerate(rest):
+        pivot = row[i]
+        if pivot < 0 or (pivot == 0 and any(row[i:])) or pivot.height_bits() > MAX_BITS:
+            return None
+        if pivot == 0:
+            continue
+        square = basis[i]
+        for j in range(i + 1, len(basis)):
+            ratio = row[j] / pivot
+            if ratio:
+                square += ratio * basis[j]
+                other = rest[j]
+                for k in range(j, len(basis)):
+                    other[k] -= ratio * row[k]
+        for j in range(i + 1, len(basis)):
+            for k in range(i + 1, j):
+                rest[j][k] = rest[k][j]
+        found.append((pivot, square))
+    return found
 
 
 def _solve(gram: list[list[fmpq]], wanted: list[fmpq]) -> list[fmpq] | None:
@@ -222,140 +228,5 @@ def _solve(gram: list[list[fmpq]], wanted: list[fmpq]) -> list[fmpq] | None:
     return result
 
 
-# --- zeros ---------------------------------------------------------------------------------------
-
-
-def _faces(blocks: Sequence[Block], found: Solution) -> list[Block] | None:
-    """The bases without the directions in which the matrices vanish; None if there are none."""
-    result, changed = [], False
-    largest = max((m[i][i] for m in found.blocks for i in range(len(m))), default=1.0)
-    for block, matrix in zip(blocks, found.blocks, strict=True):
-        kernel = _kernel(matrix, largest)
-        if kernel:
-            changed = True
-            basis = _orthogonal(kernel, block.basis)
-            block = block._replace(basis=basis)
-        if block.basis:
-            result.append(block)
-    return result if changed else None
-
-
-def _kernel(matrix: Matrix, largest: float) -> list[list[Fraction]]:
-    """Vectors with simple rational entries that a matrix nearly maps to 0."""
-    n = len(matrix)
-    rest = [list(row) for row in matrix]
-    order: list[int] = []
-    pivots: list[float] = []
-    left = set(range(n))
-    while left:
-        i = max(left, key=lambda k: rest[k][k])
-        pivots.append(max(rest[i][i], 1e-18 * largest))
-        order.append(i)
-        left.discard(i)
-        for j in left:
-            ratio = rest[j][i] / pivots[-1]
-            for k in left:
-                rest[j][k] -= ratio * rest[i][k]
-    rank = _rank(pivots, largest)
-    if rank == n:
-        return []
-    solid, free = order[:rank], order[rank:]
-    vectors = []
-    for f in free:
-        # The entries x_i of the vector with 1 at f solve Q_ss x = -Q_sf.
-        x = _gauss([[matrix[i][j] for j in solid] for i in solid], [-matrix[i][f] for i in solid])
-        vector = [Fraction(0)] * n
-        vector[f] = Fraction(1)
-        for i, value in zip(solid, x, strict=True):
-            simple = _simple(value)
-            if simple is None:
-                return []
-            vector[i] = simple
-        vectors.append(vector)
-    return vectors
-
-
-def _rank(pivots: Sequence[float], largest: float) -> int:
-    """The number of pivots before the widest gap, if there is one among the small ones."""
-    gaps = [
-        (a / b, k + 1)
-        for k, (a, b) in enumerate(pairwise([largest, *pivots]))
-        if b < 2e-4 * largest
-    ]
-    if not gaps:
-        return len(pivots)
-    return max(gaps)[1] - 1
-
-
-def _gauss(a: list[list[float]], b: list[float]) -> list[float]:
-    n = len(b)
-    rows = [[*row, value] for row, value in zip(a, b, strict=True)]
-    for i in range(n):
-        pivot = max(range(i, n), key=lambda k: abs(rows[k][i]))
-        rows[i], rows[pivot] = rows[pivot], rows[i]
-        top = rows[i]
-        if top[i] == 0:
-            return [0.0] * n
-        for k in range(i + 1, n):
-            ratio = rows[k][i] / top[i]
-            if ratio:
-                rows[k] = [x - ratio * y for x, y in zip(rows[k], top, strict=True)]
-    x = [0.0] * n
-    for i in range(n - 1, -1, -1):
-        value = rows[i][n] - sum(rows[i][j] * x[j] for j in range(i + 1, n))
-        x[i] = value / rows[i][i]
-    return x
-
-
-def _simple(value: float) -> Fraction | None:
-    """The simplest rational number near a value."""
-    if not abs(value) < 1e6:
-        return None
-    for most in (1, 2, 4, 12, 60, 1000):
-        guess = Fraction(value).limit_denominator(most)
-        if abs(float(guess) - value) < 2e-3 / most / most * (1 if most > 4 else 0.5):
-            return guess
-    return None
-
-
-def _orthogonal(
-    kernel: Sequence[Sequence[Fraction]], basis: Sequence[fmpq_mpoly]
-) -> tuple[fmpq_mpoly, ...]:
-    """A basis of the combinations c of the basis with k . c = 0 for all k of the kernel."""
-    n = len(basis)
-    reduced, rank = fmpq_mat([[_exact(v) for v in row] for row in kernel]).rref()
-    pivots = [next(c for c in range(n) if reduced[r, c]) for r in range(rank)]
-    result = []
-    for free in (c for c in range(n) if c not in pivots):
-        element = basis[free]
-        for r, pivot in enumerate(pivots):
-            if reduced[r, free]:
-                element -= reduced[r, free] * basis[pivot]
-        result.append(element)
-    return tuple(result)
-
-
-def _float(value: fmpq) -> float:
-    return int(value.p) / int(value.q)
-
-
-def _exact(value: Fraction | float) -> fmpq:
-    value = Fraction(value)
-    return fmpq(value.numerator, value.denominator)
-
-
-def _fraction(value: fmpq) -> Fraction:
-    return Fraction(int(value.p), int(value.q))
-
-
 def _power_of_two(size: float, digits: int) -> float:
     return 2.0 ** (frexp(size)[1] - digits)
-
-
-def vanishing(block: Block, factor: fmpq_mpoly, point: Sequence[Fraction]) -> Block:
-    """The combinations of the basis that are 0 at a zero of p where the factor is positive."""
-    at = [_exact(value) for value in point]
-    if factor(*at) <= 0:
-        return block
-    values = [_fraction(element(*at)) for element in block.basis]
-    return block._replace(basis=_orthogonal([values], block.basis)) if any(values) else block

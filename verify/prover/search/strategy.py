@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from flint import fmpq, fmpq_mpoly
+
 from verify.language.record import TYPE_CHECKING
 from verify.language.terms import Claim, Term, names_of
 from verify.prover.clearing import atoms_of
 from verify.prover.goal import Goal
 from verify.prover.points import failure_test
-from verify.prover.proof import Proof
+from verify.prover.proof import Proof, Value
 from verify.prover.rules import Entry
 from verify.prover.search.atom_bounds import root_bounds
 from verify.prover.search.coefficients import by_coefficients
@@ -20,8 +22,10 @@ from verify.prover.search.extrema import by_entries, extrema_of, split
 from verify.prover.search.local_minima import Minima, simple_points
 from verify.prover.search.order import by_order
 from verify.prover.search.positive import by_squares
+from verify.prover.search.squaring import by_squaring
 from verify.prover.search.subterms import by_subterms
 from verify.prover.search.tree import Tree
+from verify.prover.session import ZERO
 
 if TYPE_CHECKING:
     from verify.prover.universal import Universal
@@ -29,6 +33,8 @@ if TYPE_CHECKING:
 #: An estimate below this may be a zero.
 NEAR_ZERO = 1e-6
 MAX_ZEROS = 12
+#: Lemmas inside lemmas.
+MAX_DEPTH = 9
 #: More givens are not used.
 MAX_FACTS = 16
 FEW_LEAVES, MANY_LEAVES = 300, 20_000
@@ -55,6 +61,7 @@ class Strategy:
                 yield polynomials.by_parts()
                 yield polynomials.by_ends()
         yield by_coefficients(self)
+        yield by_squaring(self)
         facts = self.facts()
         yield self.squares(self.goal, facts)
         bounds = self.root_facts()
@@ -127,6 +134,26 @@ class Strategy:
             for given in contexts[place].givens if place is not None else ():
                 if self._is_near(given.name, given.claim):
                     yield given.name, given.claim
+
+    def fact(self, claim: Claim) -> str | None:
+        """The name of a fact that is proved now; None if that fails, or lemmas are too deep."""
+        universal = self.universal
+        depth = universal.depth
+        if depth > MAX_DEPTH:
+            return None
+        universal.depth += 1
+        try:
+            return universal.fact(claim, self.goal.context)
+        finally:
+            universal.depth = depth
+
+    def lemma(self, relation: str, polynomial: fmpq_mpoly, term: Term) -> Value | None:
+        """The value of a fact 0 < p or 0 <= p, where the polynomial p is written as a term."""
+        if polynomial.is_constant():
+            number = polynomial.leading_coefficient() if polynomial.to_dict() else fmpq(0)
+            good = number > 0 or (number == 0 and relation == "<=")
+            return f"{number.p}/{number.q}" if good else None
+        return self.fact(Claim(relation, ZERO, term))
 
     def root_facts(self) -> dict[str, Claim]:
         """The bounds of roots, which are proved now."""

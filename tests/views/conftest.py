@@ -49,6 +49,11 @@ def checked_once() -> Iterator[None]:
         yield
 
 
+def few_boxes(log: bytes) -> bytes:
+    """The beginning of a log: its plane, and four levels of boxes."""
+    return b"".join(log.splitlines(keepends=True)[:5])
+
+
 def build(directory: Path, draw: bool) -> dict[str, bytes]:
     return files(str(directory), draw, lambda _: None, DEPTH)
 
@@ -62,6 +67,9 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
         write_all("--directory", str(directory / folder), contents)
     (directory / "data").mkdir()
     (directory / "data" / "bench.json").write_text(json.dumps(BENCH), encoding="utf-8")
+    (directory / "map").mkdir()
+    log = Path(__file__).parents[2] / "certificates" / "map" / "map.jsonl"
+    (directory / "map" / "map.jsonl").write_bytes(few_boxes(log.read_bytes()))
     pages = build(directory, draw=True)
     write_all("--directory", str(directory), pages)
     return directory

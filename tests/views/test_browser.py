@@ -29,7 +29,7 @@ pytestmark = pytest.mark.skipif(
 OVERFLOW = """
 [...document.querySelectorAll('body *')]
   .filter(e => e.getBoundingClientRect().right > innerWidth + 1)
-  .filter(e => !e.closest('.scroll, .rows td, pre, .claim, .repair, svg'))
+  .filter(e => !e.closest('.rows td, pre, .claim, .repair, svg'))
   .map(e => e.tagName + ' ' + e.textContent.slice(0, 40))
 """
 
@@ -150,7 +150,7 @@ def test_the_numbers_are_those_of_the_certificate(browser: Browser, made: Path) 
 def test_a_number_opens_to_both_ends(browser: Browser, made: Path) -> None:
     browser.open(made / "index.html", 390, "light", mobile=True)
     script = """
-      const number = document.querySelector('#constants ~ .scroll details.number');
+      const number = document.querySelector('#constants ~ .grid details.number');
       number.querySelector('summary').click();
       const code = number.querySelector('code').getBoundingClientRect();
       [number.open, code.width > 0, number.querySelector('code').textContent]

@@ -12,7 +12,7 @@ import pytest
 
 from tests.views.conftest import DEPTH, TABLE
 from verify.jobs import covers
-from verify.jobs.everywhere import decide_printed_everywhere
+from verify.jobs.everywhere import decide_everywhere, decide_printed_everywhere
 from verify.jobs.thresholds import decide_thresholds
 from verify.language.statement import REFUTED, UNDECIDED
 from verify.language.terms import as_term
@@ -53,7 +53,7 @@ def test_cells_of_the_picture_lie_where_they_say() -> None:
 
 
 def test_captions_count_what_is_drawn() -> None:
-    figure, outcome = region.picture(), decide_printed_everywhere()
+    figure, outcome = region.picture(decide_everywhere()), decide_printed_everywhere()
     refuted = [found for found in outcome.decisions.values() if found.verdict == REFUTED]
     always = [found for found in refuted if not found.witness]
     assert f"Left: {len(always)} printed rows" in figure.caption
@@ -129,9 +129,10 @@ def test_both_schemes_have_all_colours() -> None:
 def test_verdicts_differ_in_grey(scheme: str) -> None:
     """By lightness where areas meet, and by hatching; words by contrast with the paper."""
     colours = SCHEMES[scheme]
-    assert contrast(colours["proved-area"], colours["refuted-area"]) > 1.5
+    assert contrast(colours["proved-area"], colours["refuted-area"]) > 3
     assert set(HATCHED) == {"refuted-area"}
-    assert contrast(colours["refuted-area"], colours["refuted-line"]) > 2
+    assert contrast(colours["refuted-area"], colours["refuted-line"]) > 3
+    assert contrast(colours["proved-area"], colours["undecided"]) > 3
     for name in ("ink", "faint", "proved", "refuted"):
         assert contrast(colours[name], colours["paper"]) > 4.4, name
 
@@ -151,8 +152,9 @@ def lightness(colour: str) -> float:
 def test_drawings_are_well_formed_and_take_their_colours_from_the_page(made: Path) -> None:
     page = (made / "index.html").read_text(encoding="utf-8")
     drawings = re.findall(r"<svg .*?</svg>", page, re.DOTALL)
-    plots = sum(len(figure.panels) for figure in figures(TABLE, DEPTH))
-    assert len(drawings) == plots + 2  # the letters, and the proof
+    plots = sum(len(figure.panels) for figure in figures(decide_everywhere(), TABLE, DEPTH))
+    collapses, map_panels = 2 * 2, 3
+    assert len(drawings) == plots + 2 + collapses + map_panels  # the letters, and the proof
     for text in drawings:
         root = ET.fromstring(text)
         assert len(root.attrib["aria-label"]) > 60

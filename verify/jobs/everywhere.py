@@ -77,6 +77,11 @@ TRIED = (
 )
 
 
+def state_everywhere() -> Statement:
+    """What is claimed, before it is decided."""
+    return statement(write(decide_step())["statement.json"])
+
+
 @cache
 def decide_everywhere() -> Outcome:
     """Every row for all parameters; what is not found is left undecided."""
@@ -86,7 +91,7 @@ def decide_everywhere() -> Outcome:
 @cache
 def everywhere_run() -> tuple[Everywhere, Outcome]:
     """The same, with all that is known at the end, from where a search can go on."""
-    work = Everywhere(statement(write(decide_step())["statement.json"]), REPAIRED)
+    work = Everywhere(state_everywhere(), REPAIRED)
     return work, work.run()
 
 

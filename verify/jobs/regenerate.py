@@ -25,7 +25,7 @@ from verify.jobs import (
     thresholds,
 )
 from verify.jobs.parameters import are_allowed
-from verify.language.statement import PROVED
+from verify.language.statement import PROVED, Statement
 from verify.language.terms import Term
 from verify.paper.groups import REPAIRED
 from verify.paper.parameters import THEOREM
@@ -48,6 +48,11 @@ WITHOUT_PARAMETERS: dict[str, Callable[[], Outcome]] = {
     "flow": scene.decide_flow,
 }
 
+#: What states those of them that take long to decide.
+ONLY_STATED: dict[str, Callable[[], Statement]] = {
+    f"{THEOREM} for all parameters": everywhere.state_everywhere,
+}
+
 
 def is_right_statement(content: bytes) -> bool:
     """Whether the bytes are those of a statement that the program makes and calls proved.
@@ -65,6 +70,18 @@ def is_right_statement(content: bytes) -> bool:
         outcome.verdict == PROVED and write(outcome)["statement.json"] == content
         for outcome in _outcomes(theorem, parameters, collisions)
     )
+
+
+def is_right_when_accepted(content: bytes, accepted: Outcome) -> bool:
+    """The same for a statement whose certificate is accepted: every verdict in it is certain.
+
+    So only the claims are made anew where it would take long to decide them again.
+    """
+    if accepted.statement.theorem not in ONLY_STATED or accepted.statement.parameters:
+        return is_right_statement(content)
+    stated = ONLY_STATED[accepted.statement.theorem]()
+    own = Outcome(stated, accepted.decisions, (), {})
+    return own.verdict == PROVED and write(own)["statement.json"] == content
 
 
 def _parameters(document: Any) -> dict[str, Term]:

@@ -12,7 +12,9 @@ from hashlib import sha256
 from typing import Any
 
 from verify import check
-from verify.jobs.regenerate import is_right_statement
+from verify.jobs.regenerate import is_right_when_accepted
+from verify.jobs.report_files import CertificateError, read_file, unusable
+from verify.jobs.report_maps import CertifiedMap, log_names, read_map
 from verify.language.record import Record
 from verify.paper.parameters import THEOREM
 from verify.prover.outcome import Outcome
@@ -28,14 +30,6 @@ MEASUREMENTS = ("bench", "stress")
 FIRST = "theorem1-r-3-100"
 
 
-class CertificateError(Exception):
-    """Something that no report may show; ``code`` is the exit code that says why."""
-
-    def __init__(self, message: str, code: int) -> None:
-        super().__init__(message)
-        self.code = code
-
-
 class CertifiedOutcome(Record):
     """One accepted certificate, read back; ``said`` is the checker's last line."""
 
@@ -49,6 +43,7 @@ class Material(Record):
     """Everything that the report shows."""
 
     folders: tuple[CertifiedOutcome, ...]
+    maps: tuple[CertifiedMap, ...]
     measurements: dict[str, dict[str, Any]]
     digests: dict[str, str]
 
@@ -58,7 +53,7 @@ class Material(Record):
 
 
 def read_material(directory: str, progress: Callable[[str], None] = lambda _: None) -> Material:
-    """Read and check every certificate folder, and the measurements if there are any.
+    """Read and check every certificate folder and every map, and the measurements if there are any.
 
     Raises:
         CertificateError: with the code 2 if the directory has no certificate, or a file cannot be
@@ -67,7 +62,7 @@ def read_material(directory: str, progress: Callable[[str], None] = lambda _: No
     """
     names = folder_names(directory)
     if not names:
-        raise _unusable(f"{directory!r} has no certificates; make them with verify certify")
+        raise unusable(f"{directory!r} has no certificates; make them with verify certify")
     measurements, digests = _measurements(directory)
     contents = {name: _contents(os.path.join(directory, name)) for name in names}
     available = {
@@ -81,16 +76,16 @@ def read_material(directory: str, progress: Callable[[str], None] = lambda _: No
         path = os.path.join(directory, name)
         progress(f"checking {path}")
         folders.append(_folder(path, name, contents[name], available))
-    material = Material(tuple(folders), measurements, digests)
+    maps = []
+    for name in log_names(directory):
+        progress(f"checking {os.path.join(directory, name)}")
+        maps.append(read_map(directory, name))
+    material = Material(tuple(folders), tuple(maps), measurements, digests)
     if not material.about(THEOREM):
-        raise _unusable(
+        raise unusable(
             f"{directory!r} has no certificate of {THEOREM}; make it with verify certify"
         )
     return material
-
-
-def _unusable(message: str) -> CertificateError:
-    return CertificateError(f"--directory: {message}", 2)
 
 
 def folder_names(directory: str) -> list[str]:
@@ -100,7 +95,7 @@ def folder_names(directory: str) -> list[str]:
         CertificateError: if there is no such directory.
     """
     if not os.path.isdir(directory):
-        raise _unusable(f"{directory!r} is not a folder; name the certificates")
+        raise unusable(f"{directory!r} is not a folder; name the certificates")
     names = sorted(os.listdir(directory))
     if os.path.isdir(os.path.join(directory, SCENES)):
         names += [f"{SCENES}/{n}" for n in sorted(os.listdir(os.path.join(directory, SCENES)))]
@@ -108,20 +103,12 @@ def folder_names(directory: str) -> list[str]:
     return sorted(found, key=lambda name: (name != FIRST, name))
 
 
-def _read_file(path: str) -> bytes:
-    try:
-        with open(path, "rb") as file:
-            return file.read()
-    except OSError as error:
-        raise _unusable(f"{path!r} cannot be read ({error.strerror}); name a file") from error
-
-
 def _contents(path: str) -> dict[str, bytes]:
     """The files of a folder: statement, certificate, and the statements that they cite."""
     folder = os.path.join(path, CITED)
     cited = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
     names = [*NAMES, *(f"{CITED}/{name}" for name in cited)]
-    return {name: _read_file(os.path.join(path, name)) for name in names}
+    return {name: read_file(os.path.join(path, name)) for name in names}
 
 
 def _measurements(directory: str) -> tuple[dict[str, dict[str, Any]], dict[str, str]]:
@@ -130,7 +117,7 @@ def _measurements(directory: str) -> tuple[dict[str, dict[str, Any]], dict[str, 
     for name in MEASUREMENTS:
         path = os.path.join(directory, "data", f"{name}.json")
         if os.path.exists(path):
-            content = _read_file(path)
+            content = read_file(path)
             found[name] = _tables(path, content)
             digests[f"data/{name}.json"] = sha256(content).hexdigest()
     return found, digests
@@ -144,7 +131,7 @@ def _tables(path: str, content: bytes) -> dict[str, Any]:
             if not isinstance(table["title"], str) or any(len(r) != width for r in table["rows"]):
                 raise ValueError("a table without a title, or with a row of another width")
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise _unusable(f"{path!r} has no tables ({error!r:.60})") from error
+        raise unusable(f"{path!r} has no tables ({error!r:.60})") from error
     return dict(tables)
 
 
@@ -153,14 +140,14 @@ def _folder(
 ) -> CertifiedOutcome:
     statement, certificate = (contents[file] for file in NAMES)
     said = _checked(path, statement, certificate, available)
-    if not is_right_statement(statement):
-        raise CertificateError(
-            f"{path}: the statement is not the one that the program makes; run verify certify", 1
-        )
     try:
         outcome = read_outcome(statement, certificate, available)
     except WireError as error:
         raise CertificateError(f"{path}: {error}", 4) from error
+    if not is_right_when_accepted(statement, outcome):
+        raise CertificateError(
+            f"{path}: the statement is not the one that the program makes; run verify certify", 1
+        )
     digests = {file: sha256(content).hexdigest() for file, content in contents.items()}
     return CertifiedOutcome(name, outcome, digests, said)
 

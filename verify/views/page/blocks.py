@@ -63,7 +63,14 @@ class Link(Record):
     text: str
 
 
-Inline = Text | Raw | Strong | Code | Math | Number | Verdict | Link
+class Button(Record):
+    """A reference that is meant to be followed first."""
+
+    target: str
+    text: str
+
+
+Inline = Text | Raw | Strong | Code | Math | Number | Verdict | Link | Button
 Cell = Sequence[Inline]
 
 
@@ -109,7 +116,7 @@ class Commands(Record):
 class Table(Record):
     """A table; a long one is folded away behind its title.
 
-    ``name`` is its anchor; ``blocks`` says that a row is too wide for one line.
+    ``name`` is its anchor; ``blocks`` says that a row is too wide for one line, even on a screen.
     """
 
     title: str

@@ -53,11 +53,31 @@ def levels(edges: Edges) -> dict[str, int]:
     return found
 
 
+def direct(edges: Edges, level: Mapping[str, int]) -> Edges:
+    """The edges that lead down, without those that follow from others."""
+    down = {
+        label: {source for source in sources if level.get(source, level[label]) < level[label]}
+        for label, sources in edges.items()
+    }
+    above: Edges = {}
+    for label in sorted(down, key=lambda label: level[label]):
+        above[label] = set(down[label]).union(*(above.get(source, ()) for source in down[label]))
+    return {
+        label: {
+            source
+            for source in sources
+            if not any(source in above.get(other, ()) for other in sources)
+        }
+        for label, sources in down.items()
+    }
+
+
 def proof_drawing(everywhere: Outcome, point: Outcome) -> str:
-    """The graph of the theorem for all parameters; what is refuted at the point is label_cell."""
+    """The graph of the theorem for all parameters; what is refuted at the point is hatched."""
     edges = edges_between_labels(graph(everywhere))
     formulas = {label: _formula(label, everywhere, point) for label in edges}
-    place = dict(_places(levels(edges)))
+    level = levels(edges)
+    place = dict(_places(level))
     height = max(y for _, y in place.values()) + HEIGHT + 60
     told = (
         f"{len(formulas)} formulas of the paper as boxes, each below those that it rests on; "
@@ -72,7 +92,7 @@ def proof_drawing(everywhere: Outcome, point: Outcome) -> str:
         [
             head,
             _HATCH,
-            *_lines(edges, place),
+            *_lines(direct(edges, level), place),
             *(_box(formulas[label], *place[label]) for label in edges),
             *_legend(height - 24),
             "</svg>",

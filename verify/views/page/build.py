@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 from verify.jobs.covers import DEPTH
-from verify.jobs.report import folder_names, read_material
+from verify.jobs.everywhere import decide_everywhere
+from verify.jobs.report import Material, folder_names, read_material
+from verify.jobs.report_maps import log_names
+from verify.jobs.scene_statements import read_back
 from verify.paper.parameters import THEOREM
 from verify.views.page.constants import latex
-from verify.views.page.content import SUBTITLE, TITLE, content
+from verify.views.page.content import EVERYWHERE, SUBTITLE, TITLE, content
 from verify.views.page.html import html
 from verify.views.page.text import markdown
-from verify.views.plots import NUMBER, figures
+from verify.views.page.theorems import SCENES
+from verify.views.plots import Pictures, collapses, figures, maps
+from verify.views.plots.collapse import Story, animation, story
 from verify.views.plots.drawing import standalone, svg
 from verify.views.plots.figure import Figure
 from verify.views.plots.shapes import Panel
@@ -19,7 +24,7 @@ from verify.views.plots.shapes import Panel
 
 def number_of_steps(directory: str, *, draw: bool) -> int:
     """How often `files` tells its progress."""
-    return len(folder_names(directory)) + 1 + (NUMBER if draw else 0)
+    return len(folder_names(directory)) + len(log_names(directory)) + (2 if draw else 1)
 
 
 def alternative_text(figure: Figure, panel: Panel) -> str:
@@ -50,18 +55,25 @@ def files(
     """
     material = read_material(directory, progress)
     progress("enclosing what the plots show")
-    shown = figures(material.measurements.get("bench", {}).get("precision"), depth)
-    drawings: dict[str, list[str]] = {}
+    found = [folder.outcome for folder in material.about(EVERYWHERE)]
+    everywhere = found[0] if found else decide_everywhere()
+    stories = dict(_stories(material))
+    precision = material.measurements.get("bench", {}).get("precision")
+    plots = figures(everywhere, precision, depth)
+    pictures = Pictures(plots, collapses(stories), maps(material.maps))
+    drawn: dict[str, list[str]] = {}
     made: dict[str, bytes] = {}
     if draw:
-        for figure in shown:
-            progress(f"drawing {figure.name}")
-            drawings[figure.name] = [
+        progress("drawing")
+        for figure in pictures.all:
+            drawn[figure.name] = [
                 svg(f"{figure.name}-{index}", [panel], alternative_text(figure, panel))
                 for index, panel in enumerate(figure.panels)
             ]
-        made["picture.svg"] = standalone(readme_picture(shown[0])).encode()
-    blocks = content(material, drawings, shown)
+        for name, story in stories.items():
+            drawn[name].insert(0, animation(story, name))
+        made["picture.svg"] = standalone(readme_picture(plots[0])).encode()
+    blocks = content(material, everywhere, pictures, drawn)
     main = material.about(THEOREM)[0].outcome
     return {
         "index.html": html(TITLE, SUBTITLE, blocks).encode(),
@@ -69,3 +81,13 @@ def files(
         "constants.tex": latex(main).encode(),
         **made,
     }
+
+
+def _stories(material: Material) -> Iterator[tuple[str, Story]]:
+    """The committed scenes that collapse."""
+    for folder in material.folders:
+        if folder.name.startswith(SCENES):
+            scene = read_back(folder.outcome.statement.parameters)
+            shown = None if scene is None else story(scene)
+            if shown is not None:
+                yield folder.name.removeprefix(SCENES), shown

@@ -10,6 +10,7 @@ from typing import Any
 from verify.views.page.blocks import (
     Block,
     Box,
+    Button,
     Cell,
     Code,
     Commands,
@@ -69,12 +70,13 @@ _POWER_OF_TEN = re.compile(
     r"|(?:([0-9]+(?:\.[0-9]+)?)·)?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))"
 )
 _RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
+_MINUS = re.compile(r"(?<![^\s(\[{|·≤<=])-(?=[\w(|√])|(?<= )-(?= )")
 _LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
 def prose(text: str) -> str:
-    """A sentence with its subscripts, superscripts and powers of ten set as such."""
-    return _powers(_SCRIPT.sub(_script, escape(text, quote=False)))
+    """A sentence with its minus signs, subscripts, superscripts and powers of ten set as such."""
+    return _powers(_SCRIPT.sub(_script, escape(_MINUS.sub("−", text), quote=False)))
 
 
 def _script(match: re.Match[str]) -> str:
@@ -158,16 +160,29 @@ def _table(table: Table) -> Iterator[str]:
 def _grid(
     head: Sequence[str], rows: Iterable[Sequence[str]], name: str = "", blocks: bool = False
 ) -> str:
-    """A table that scrolls, or one whose rows are blocks and fit anywhere."""
+    """A table whose rows are blocks on a phone, each cell with the name of its column; or always.
+
+    Nothing has to be scrolled sideways.
+    """
     cells = "".join(f'<th scope="col">{prose(name)}</th>' for name in head)
-    lines = ["<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows]
+    marks = ["" if blocks else f' data-of="{escape(_plain(name))}"' for name in head]
+    lines = [
+        "<tr>"
+        + "".join(f"<td{mark}>{cell}</td>" for mark, cell in zip(marks, row, strict=True))
+        + "</tr>"
+        for row in rows
+    ]
     body = "\n".join(lines)
     key = f' id="{name}"' if name else ""
-    kind = 'class="rows"' if blocks else 'class="scroll" tabindex="0"'
     return (
-        f"<div{key} {kind}><table><thead><tr>{cells}</tr></thead>"
+        f'<div{key} class="{"rows" if blocks else "grid"}"><table><thead><tr>{cells}</tr></thead>'
         f"<tbody>\n{body}\n</tbody></table></div>"
     )
+
+
+def _plain(text: str) -> str:
+    """A name with an index in letters that need no markup."""
+    return text.replace("_x", "ₓ")
 
 
 def _step(step: RefutedStep) -> Iterator[str]:
@@ -201,7 +216,10 @@ def _coded(text: str) -> str:
 
 def _drawing(block: Drawing) -> Iterator[str]:
     figure = block.figure
-    yield f'<figure id="plot-{figure.name}"><h3>{prose(figure.title)}</h3><div class="panels">'
+    yield f'<figure id="plot-{figure.name}"><h3>{prose(figure.title)}</h3>'
+    if figure.moves:
+        yield '<label class="hold"><input type="checkbox"> hold still</label>'
+    yield '<div class="panels">'
     yield from block.panels
     yield f"</div><figcaption>{prose(figure.caption)}</figcaption>"
     if figure.rows:
@@ -235,6 +253,8 @@ def _inline(part: Inline) -> str:
             return _verdict(word)
         case Link(target, text):
             return f'<a href="{escape(target)}">{prose(text)}</a>'
+        case Button(target, text):
+            return f'<a class="button" href="{escape(target)}">{prose(text)}</a>'
 
 
 def _number(number: Number) -> str:

@@ -33,6 +33,7 @@ a{color:var(--link)}
 nav{display:flex;flex-wrap:wrap;gap:.3rem 1.1rem;margin:1.4rem 0 0;font-size:.93rem}
 code,pre{font-family:ui-monospace,SFMono-Regular,Menlo,Consolas,monospace;font-size:.85em}
 code{overflow-wrap:anywhere}
+td code{overflow-wrap:break-word}
 pre{background:var(--soft);border-radius:.4rem;padding:.8rem 1rem;overflow-x:auto;max-width:100%;
  white-space:pre-wrap}
 pre code{overflow-wrap:normal;font-size:.85rem}
@@ -46,23 +47,29 @@ data{white-space:nowrap}
 .claim{padding:.35rem 0}
 .claim .math,.claim{line-height:2}
 .repair{line-height:1.9}
-.facts{list-style:none;padding:0;margin:1rem 0;display:grid;gap:.6rem;max-width:52rem}
-.facts li{display:grid;grid-template-columns:7rem 1fr;gap:.8rem;align-items:baseline}
+.facts{list-style:none;padding:0;margin:1rem 0;display:grid;gap:.6rem;max-width:58rem}
+.facts li{display:grid;grid-template-columns:12rem 1fr;gap:.8rem;align-items:baseline}
+.facts .verdict{justify-self:start;white-space:nowrap}
 .verdict{display:inline-block;font-size:.8rem;line-height:1;font-weight:600;padding:.3rem .5rem;
  border-radius:.3rem;border:1px solid currentColor;text-align:center}
+.button{display:inline-block;background:var(--link);color:var(--paper);font-weight:600;
+ padding:.5rem 1rem;border-radius:.4rem;text-decoration:none;margin-right:.4rem}
+.hold{font-size:.9rem;display:inline-block;margin:0 0 .4rem}
+figure:has(.hold :checked) .moving *{animation-play-state:paused!important}
+@media (prefers-reduced-motion:reduce){.moving *{animation:none!important}.hold{display:none}}
 .proved{color:var(--proved)}.undecided{color:var(--faint);border-style:dashed}
 .refuted{color:var(--ink);border-color:var(--refuted);background:var(--tint)}
 .theorem{background:var(--soft);border-left:.25rem solid var(--proved);border-radius:.4rem;
  padding:.9rem 1.1rem;margin:1.2rem 0;max-width:52rem}
 .theorem h3{margin:0 0 .3rem}.theorem p{margin:0}
-.scroll{overflow-x:auto;margin:.6rem 0;border:1px solid var(--line);border-radius:.4rem}
+.grid{margin:.6rem 0;border:1px solid var(--line);border-radius:.4rem}
 table{border-collapse:collapse;width:100%;font-size:.9rem;line-height:1.4;
  font-variant-numeric:tabular-nums}
-th,td{text-align:left;vertical-align:top;padding:.45rem .7rem;border-bottom:1px solid var(--line)}
-th{background:var(--soft);font-weight:600;white-space:nowrap}
+th,td{text-align:left;vertical-align:top;padding:.45rem .6rem;border-bottom:1px solid var(--line)}
+th{background:var(--soft);font-weight:600}
 tbody tr:last-child td{border-bottom:0}
-td{min-width:4.5rem;max-width:26rem}
-td code{white-space:nowrap}
+td{max-width:26rem}
+td .verdict{white-space:nowrap}
 .rows{margin:.6rem 0}
 .rows thead{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
 .rows table,.rows tbody{display:block}
@@ -71,8 +78,7 @@ td code{white-space:nowrap}
 .rows td{display:block;border:0;padding:0;max-width:none;min-width:0;overflow-x:auto;
  overflow-y:hidden;grid-column:2}
 .rows td:first-child{grid-column:1;grid-row:1}
-.rows td code{white-space:normal}
-.rows td:nth-child(4) math{line-height:2}
+.rows.rows td:nth-child(4) math{line-height:2}
 .witness{overflow-wrap:anywhere}
 .top{position:fixed;right:.7rem;bottom:.7rem;padding:.3rem .6rem;border-radius:.4rem;
  background:var(--soft);border:1px solid var(--line);font-size:.85rem;text-decoration:none}
@@ -99,9 +105,20 @@ figure h3{margin:0 0 .4rem}
 .panels{display:grid;gap:.6rem;grid-template-columns:repeat(auto-fit,minmax(min(100%,19rem),1fr))}
 .panels svg{width:100%;max-width:36rem;height:auto;display:block}
 figcaption{font-size:.9rem;line-height:1.5;max-width:52rem;margin-top:.5rem}
+@media (max-width:52rem){
+ .grid{border:0;border-top:1px solid var(--line);border-radius:0}
+ .grid thead{display:none}
+ .grid table,.grid tbody,.grid tr{display:block}
+ .grid tr{padding:.5rem 0;border-bottom:1px solid var(--line)}
+ .grid td{display:flow-root;border:0;padding:.1rem 0 .1rem 6.4rem;max-width:none;
+  overflow-wrap:anywhere}
+ .grid td code{overflow-wrap:anywhere}
+ .grid td::before{content:attr(data-of);float:left;width:6rem;margin-left:-6.4rem;font-size:.85em;
+  color:var(--ink);opacity:.75}
+ .grid td:empty{display:none}
+}
 @media (max-width:40rem){
  .facts li{grid-template-columns:1fr;gap:.2rem}
- .facts .verdict{justify-self:start}
  .rows tr{grid-template-columns:minmax(0,1fr)}
  .rows td,.rows td:first-child{grid-column:1;grid-row:auto}
  article{padding:.7rem .8rem}
@@ -110,16 +127,15 @@ figcaption{font-size:.9rem;line-height:1.5;max-width:52rem;margin-top:.5rem}
  :root{color-scheme:light}
  body{font-size:10pt}
  header,main{max-width:none;padding:0}
- nav,.top{display:none}
+ nav,.top,.hold,.button{display:none}
+ .moving *{animation:none!important}
  details::details-content{content-visibility:visible;display:block}
  .verdict{white-space:nowrap;break-inside:avoid}
- .facts li{grid-template-columns:10rem 1fr}
  .rows tr{break-inside:avoid}
  h2{break-after:avoid}h3{break-after:avoid}
- .scroll{overflow:visible;border:0}
+ .grid{border:0}
  table{font-size:8pt}
- td code{white-space:normal}
- th{white-space:normal}td{max-width:none;min-width:0;overflow-wrap:anywhere}
+ td{max-width:none;overflow-wrap:anywhere}
  td math{font-size:.9em}td .verdict{padding:.15rem .3rem}
  .number>summary{white-space:normal}
  .claim,.repair{overflow:visible}

@@ -8,6 +8,7 @@ from typing import Any
 from verify.views.page.blocks import (
     Block,
     Box,
+    Button,
     Cell,
     Code,
     Commands,
@@ -140,7 +141,7 @@ def _inline(part: Inline) -> str:
             return short
         case Verdict(word):
             return word
-        case Link(target, text):
+        case Link(target, text) | Button(target, text):
             return f"[{text}]({target})" if not target.startswith("#") else text
 
 

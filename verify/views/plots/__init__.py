@@ -1,29 +1,61 @@
-"""Plots of certified enclosures: every band and box is drawn from balls over a whole cell."""
+"""Pictures of certified enclosures: every band and box is drawn from balls over a whole cell."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from verify.jobs.covers import DEPTH
-from verify.views.plots import margins, minimum, region, roots, speed
+from verify.jobs.report_maps import CertifiedMap
+from verify.language.record import Record
+from verify.prover.outcome import Outcome
+from verify.views.plots import map_figure, margins, minimum, region, roots, speed
+from verify.views.plots.collapse import Story
+from verify.views.plots.collapse import figure as collapse_figure
 from verify.views.plots.figure import Figure
 
-#: How many figures there are, with measurements.
-NUMBER = 5
+
+class Pictures(Record):
+    """Every figure of the report; the first plot is also the picture of the README."""
+
+    plots: Sequence[Figure]
+    collapses: Sequence[Figure] = ()
+    maps: Sequence[Figure] = ()
+
+    @property
+    def all(self) -> list[Figure]:
+        """One after the other."""
+        return [*self.plots, *self.collapses, *self.maps]
 
 
-def figures(precision: Mapping[str, Any] | None, depth: int = DEPTH) -> list[Figure]:
-    """Every figure of the report; the first one is also the picture of the README.
+def figures(
+    everywhere: Outcome, precision: Mapping[str, Any] | None, depth: int = DEPTH
+) -> list[Figure]:
+    """The plots.
 
-    ``precision`` is the table of that name of the committed measurements, if there is one;
-    ``depth`` says how often a side of the plane is halved.
+    ``everywhere`` is the theorem for all parameters; ``precision`` is the table of that name of
+    the committed measurements, if there is one; ``depth`` says how often a side of the plane is
+    halved.
     """
     found = [
-        region.picture(),
+        region.picture(everywhere),
         margins.figure(),
         minimum.figure(depth - 1),
         roots.figure(),
     ]
     last = None if precision is None else speed.figure(precision)
     return found if last is None else [*found, last]
+
+
+def collapses(stories: Mapping[str, Story]) -> list[Figure]:
+    """A figure for each scene that collapses; ``stories`` has their names."""
+    return [
+        collapse_figure(story, name, f"A collapse: the scene {name}")
+        for name, story in stories.items()
+    ]
+
+
+def maps(logs: Iterable[CertifiedMap]) -> list[Figure]:
+    """A figure for each map of boxes."""
+    boxes = [log for log in logs if not log.is_strip]
+    return [map_figure.figure(log, f"map-{number}") for number, log in enumerate(boxes, 1)]

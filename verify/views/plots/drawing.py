@@ -10,16 +10,28 @@ from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 from zlib import crc32
 
-from verify.views.plots.shapes import Areas, Circle, Curve, Panel, Point, Rule, Scale, Shape, Words
+from verify.views.plots.shapes import (
+    Areas,
+    Circle,
+    Curve,
+    Frame,
+    Panel,
+    Point,
+    Rule,
+    Scale,
+    Shape,
+    Straight,
+    Words,
+)
 
 _LIGHT = """
-ink #1c2128, faint #6f7781, undecided #d3d7dc, paper #ffffff, proved #1d5ca8, refuted #a3470a,
-proved-area #2f6fbf, refuted-area #f3ad5b, refuted-line #9a4300, series-1 #1d5ca8,
+ink #1c2128, faint #6f7781, undecided #bcc3cb, paper #ffffff, proved #1d5ca8, refuted #a3470a,
+proved-area #2e6bb6, refuted-area #f7bb70, refuted-line #9a4300, series-1 #1d5ca8,
 series-2 #d9822b, series-3 #52606d, series-4 #7fb2e5, series-5 #a3470a, series-6 #4b8fa0,
 series-7 #77803a"""
 _DARK = """
-ink #e4e7ea, faint #939ca6, undecided #39414a, paper #14181d, proved #8ab8f0, refuted #f2a65a,
-proved-area #3566a8, refuted-area #dfa050, refuted-line #4a2400, series-1 #8ab8f0,
+ink #e4e7ea, faint #939ca6, undecided #a4adb7, paper #14181d, proved #8ab8f0, refuted #f2a65a,
+proved-area #2c5a99, refuted-area #dfa050, refuted-line #4a2400, series-1 #8ab8f0,
 series-2 #f2a65a, series-3 #b5bfca, series-4 #3f74b5, series-5 #d98a3a, series-6 #7cc3d3,
 series-7 #b9c36c"""
 
@@ -140,6 +152,18 @@ def _shape(name: str, shape: Shape, place: _Place) -> Iterator[str]:
         case Rule(at=at):
             y = place.y(at)
             yield f'<path d="M{place.left} {y:.1f}H{place.right}" stroke="var(--ink)"/>'
+        case Frame(corners=(left, right, low, high)):
+            x, y = place.x(left), place.y(high)
+            size = f'width="{place.x(right) - x:.1f}" height="{place.y(low) - y:.1f}"'
+            for colour, width in (("paper", 4), ("ink", 1.5)):
+                style = f'stroke="var(--{colour})" stroke-width="{width}"'
+                yield f'<rect x="{x:.1f}" y="{y:.1f}" {size} fill="none" {style}/>'
+        case Straight(start=start, end=end, colour=colour):
+            (x, y), (u, v) = ((place.x(a), place.y(b)) for a, b in (start, end))
+            yield (
+                f'<path d="M{x:.1f} {y:.1f}L{u:.1f} {v:.1f}" stroke="var(--{colour})" '
+                'stroke-dasharray="5 4" stroke-width="1.5"/>'
+            )
 
 
 def _boxes(name: str, shape: Areas, place: _Place) -> str:

@@ -22,3 +22,5 @@ class Figure(Record):
     rows: Sequence[Sequence[str]] = ()
     #: For each row below the head the anchor of its curve.
     anchors: Sequence[str] = ()
+    #: Whether something in it moves.
+    moves: bool = False

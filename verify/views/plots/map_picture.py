@@ -13,8 +13,8 @@ from verify.paper.map.strip import BorderStrip
 from verify.views.map import AREAS, area_shares, axis_names, percent, plane_line
 from verify.wire.map_log import Progress
 
-#: The colours of the areas, on light and on dark paper.
-COLOURS = {"c": "#b3372a", "d": "#3566b8", "u": "#c3c8ce"}
+#: The colours of the areas, on light and on dark paper: they differ in grey, too.
+COLOURS = {"c": "#f7bb70", "d": "#2e6bb6", "u": "#111111"}
 #: The sides of the map and of the law beside it, in points.
 SIDE, LAW = 400, 260
 LEFT, TOP = 64, 40
@@ -113,7 +113,7 @@ def _law(law: Law) -> Iterator[str]:
     yield f'<polyline points="{place(x, y)} {place(x - back, y + back)}" stroke="#8a929c" '
     yield 'stroke-dasharray="4 3" fill="none"/>'
     dots = " ".join(place(x, y) for x, y in points)
-    yield f'<polyline points="{dots}" stroke="{COLOURS["c"]}" stroke-width="1.5" fill="none"/>'
+    yield f'<polyline points="{dots}" stroke="{COLOURS["d"]}" stroke-width="1.5" fill="none"/>'
     says = "undecided share against CPU seconds; dashes: slope -1"
     yield _text(left + LAW // 2, low + 34, says, "middle")
 

@@ -12,11 +12,12 @@ from fractions import Fraction
 from itertools import pairwise
 
 from verify.jobs.covers import WIDTH, threshold_boxes
-from verify.jobs.everywhere import decide_everywhere, decide_printed_everywhere
+from verify.jobs.everywhere import decide_printed_everywhere
 from verify.jobs.thresholds import decide_thresholds
 from verify.language.statement import PRINTED, PROVED, REFUTED
 from verify.paper.everywhere.thresholds import STRIPS, Strip
 from verify.prover.cover import Box
+from verify.prover.outcome import Outcome
 from verify.views.everywhere import dependences
 from verify.views.plots.figure import Figure
 from verify.views.plots.shapes import Areas, Corners, Panel, Scale, Shape, Words, marks
@@ -28,12 +29,12 @@ TICKS = ("0.0005", "0.005", "0.02", "0.05")
 COLUMNS = 300
 
 
-def picture() -> Figure:
-    """The map of the README: the printed proof beside the repaired one."""
+def picture(everywhere: Outcome) -> Figure:
+    """The map of the README: the printed proof beside the repaired one, for all parameters."""
     printed, where = decide_printed_everywhere(), decide_thresholds()
     refuted = [(row, found) for row, found in printed.rows if found.verdict == REFUTED]
     always = [row for row, found in refuted if row.role == PRINTED and not found.witness]
-    needed = decide_everywhere().rows
+    needed = everywhere.rows
     proved = [row for row, found in needed if found.verdict == PROVED]
     caption = (
         f"Left: {len(always)} printed rows are refuted at all parameters of the region, so that "

@@ -71,7 +71,21 @@ class Rule(Record):
     at: float
 
 
-Shape = Areas | Curve | Words | Circle | Rule
+class Frame(Record):
+    """The rim of an area ``(left, right, bottom, top)``."""
+
+    corners: Corners
+
+
+class Straight(Record):
+    """A dashed line between two points, to compare with."""
+
+    start: Point
+    end: Point
+    colour: str
+
+
+Shape = Areas | Curve | Words | Circle | Rule | Frame | Straight
 
 
 class Panel(Record):

@@ -1,0 +1,189 @@
+"""A certified map: its areas, its border closer by, and how the undecided area shrinks."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+
+from verify.jobs.report_maps import CertifiedMap
+from verify.paper.map.planes import Phi
+from verify.views.map import AREAS, area_shares, axis_names, percent, plane_line
+from verify.views.plots.figure import Figure
+from verify.views.plots.shapes import (
+    Areas,
+    Curve,
+    Frame,
+    Panel,
+    Scale,
+    Shape,
+    Straight,
+    Words,
+    merged,
+    powers,
+)
+from verify.wire.map_log import COLLAPSES, DISPERSES, UNDECIDED, Progress
+
+#: The colour of each area; the border is what is left between the two decided ones.
+COLOURS = {COLLAPSES: "refuted-area", DISPERSES: "proved-area", UNDECIDED: "ink"}
+#: The side of what is shown closer by, as a share of the side of the map.
+CLOSER = Fraction(1, 16)
+#: How far marks are apart, in powers of ten.
+STEPS = (Fraction(2), Fraction(1), Fraction(1, 2), Fraction(1, 5))
+
+Cell = tuple[Fraction, Fraction, Fraction, Fraction]
+#: Boxes that were looked at, and the share of the area that was undecided then.
+Law = Sequence[tuple[int, Fraction]]
+
+
+def figure(found: CertifiedMap, name: str) -> Figure:
+    """The figure of a map of boxes."""
+    progress = found.progress
+    shares = {key: percent(share) for key, share in area_shares(progress).items()}
+    law, finest = work(progress), len(progress.found[-1].keys[0])
+    caption = (
+        f"{_plane(progress)}. Of the area {shares['collapses']} % collapses, "
+        f"{shares['disperses']} % disperses, {shares['undecided']} % is undecided; the border lies "
+        f"in what is undecided. {progress.boxes} boxes were looked at, the smallest with sides of "
+        f"1/{2**finest} of the map; each verdict holds at every point of its box, and the checker "
+        f"of maps has proved it anew. Last: the undecided share against the work, counted in boxes "
+        f"(seconds differ from run to run): the border is a curve, so that four times as many "
+        f"boxes leave about a quarter."
+    )
+    panels = [_whole(progress, shares), _closer(progress), _law(law)]
+    return Figure(name, "Which scenes collapse", caption, panels)
+
+
+def work(progress: Progress) -> Law:
+    """How many boxes had been looked at after each level, and what was undecided then."""
+    boxes, decided, found = 0, Fraction(0), {}
+    for chunk in progress.found:
+        boxes += len(chunk.keys)
+        level = len(chunk.keys[0])
+        decided += Fraction(len(chunk.letters) - chunk.letters.count(UNDECIDED), 4**level)
+        found[level] = boxes, 1 - decided
+    return list(found.values())
+
+
+def cells(progress: Progress, letter: str) -> Iterator[Cell]:
+    """The boxes with a verdict, as left, right, low and high shares of the sides of the map."""
+    for key, found, _ in progress.decided():
+        if found == letter:
+            size = Fraction(1, 1 << len(key))
+            column = int("".join("01"[int(digit) & 1] for digit in key), 2)
+            row = int("".join("01"[int(digit) >> 1] for digit in key), 2)
+            yield column * size, (column + 1) * size, row * size, (row + 1) * size
+
+
+def window(progress: Progress) -> Cell:
+    """A square around a piece of the border, in the middle of the map."""
+    below = [c for c in cells(progress, COLLAPSES) if c[0] <= Fraction(1, 4) < c[1]]
+    height = max((cell[3] for cell in below), default=Fraction(1, 2))
+    left, low = (place // CLOSER * CLOSER for place in (Fraction(1, 4), height))
+    return left, left + CLOSER, low, low + CLOSER
+
+
+def _scales(progress: Progress, shown: Cell) -> tuple[Scale, Scale]:
+    ends = progress.plane.x, progress.plane.y
+    made = []
+    for name, (low, high), at in zip(names(progress), ends, (shown[:2], shown[2:]), strict=True):
+        first, last = (low + (high - low) * share for share in at)
+        made.append(Scale(name, float(first), float(last), round_marks(first, last)))
+    return made[0], made[1]
+
+
+def _plane(progress: Progress) -> str:
+    """The plane in a line, in the paper's letters."""
+    line = plane_line(progress.plane)
+    return line.replace("eta", "η").replace("φ1", "φ₁").replace("φ2", "φ₂")
+
+
+def names(progress: Progress) -> tuple[str, str]:
+    """What the axes are, in short."""
+    if isinstance(progress.plane, Phi):
+        return "φ₁", "φ₂"
+    return axis_names(progress.plane)
+
+
+def round_marks(low: Fraction, high: Fraction) -> list[tuple[float, str]]:
+    """Marks at multiples of 1, 2 or 5 times a power of ten, at least three steps apart."""
+    ten = Fraction(10) ** math.floor(math.log10(high - low))
+    step = next(ten * part for part in STEPS if ten * part * 3 <= high - low)
+    count = range(math.ceil(low / step), math.floor(high / step) + 1)
+    return [(float(k * step), f"{float(k * step):g}") for k in count]
+
+
+def _areas(progress: Progress, shown: Cell, named: dict[str, str]) -> Iterator[Shape]:
+    """The border's colour everywhere, and the decided boxes on top of it."""
+    (x_0, x_1), (y_0, y_1) = progress.plane.x, progress.plane.y
+    corners = {UNDECIDED: [shown]}
+    for letter in (COLLAPSES, DISPERSES):
+        inside = (_cut(cell, shown) for cell in cells(progress, letter))
+        corners[letter] = [cell for cell in inside if cell[0] < cell[1] and cell[2] < cell[3]]
+    for letter, boxes in corners.items():
+        placed = [
+            (x_0 + (x_1 - x_0) * a, x_0 + (x_1 - x_0) * b, y_0 + (y_1 - y_0) * c,
+             y_0 + (y_1 - y_0) * d)
+            for a, b, c, d in boxes
+        ]  # fmt: skip
+        yield Areas(merged(placed), COLOURS[letter], name=named[AREAS[letter][0]])
+
+
+def _cut(cell: Cell, shown: Cell) -> Cell:
+    a, b, c, d = cell
+    return max(a, shown[0]), min(b, shown[1]), max(c, shown[2]), min(d, shown[3])
+
+
+def _whole(progress: Progress, shares: dict[str, str]) -> Panel:
+    x, y = _scales(progress, (Fraction(0), Fraction(1), Fraction(0), Fraction(1)))
+    piece = window(progress)
+    (x_0, x_1), (y_0, y_1) = progress.plane.x, progress.plane.y
+
+    def shapes() -> Iterable[Shape]:
+        everything = (Fraction(0), Fraction(1), Fraction(0), Fraction(1))
+        yield from _areas(progress, everything, {n: f"{n} {s} %" for n, s in shares.items()})
+        yield Frame((
+            float(x_0 + (x_1 - x_0) * piece[0]), float(x_0 + (x_1 - x_0) * piece[1]),
+            float(y_0 + (y_1 - y_0) * piece[2]), float(y_0 + (y_1 - y_0) * piece[3]),
+        ))  # fmt: skip
+        yield Words((x.low + 0.6 * (x.high - x.low), y.low + 0.6 * (y.high - y.low)), "disperses")
+        yield Words((x.low + 0.03 * (x.high - x.low), y.low + 0.1 * (y.high - y.low)), "collapses")
+
+    told = (
+        f"The hatched area at the lower left collapses ({shares['collapses']} %), the plain one "
+        f"above and to the right of it disperses ({shares['disperses']} %); the dark line between "
+        f"them, {shares['undecided']} % of the area, is undecided and falls from the left side to "
+        "the bottom. A small square on it is shown in the next panel."
+    )
+    return Panel("The whole map", x, y, shapes, told, height=372)
+
+
+def _closer(progress: Progress) -> Panel:
+    piece = window(progress)
+    x, y = _scales(progress, piece)
+    named = {name: name for name, _ in AREAS.values()}
+    named["undecided"] = "undecided: the border"
+    told = (
+        f"A square of 1/{CLOSER.denominator} of each side: a dark band of boxes, falling to the "
+        "right, between what disperses above and what collapses below."
+    )
+    title = f"The border, {CLOSER.denominator} times closer"
+    return Panel(title, x, y, lambda: _areas(progress, piece, named), told, height=372)
+
+
+def _law(law: Law) -> Panel:
+    points = [(float(boxes), 100 * float(share)) for boxes, share in law]
+    x = Scale("boxes looked at", 100, 10**5, powers(2, 5), logarithmic=True)
+    y = Scale("undecided, in % of the area", 0.1, 100, powers(-1, 2), logarithmic=True)
+    boxes, share = points[-1]
+
+    def shapes() -> Iterable[Shape]:
+        yield Straight((boxes / 30, share * 30), (boxes * 4, share / 4), "faint")
+        yield Curve(points, "series-1", 0, "this map, level by level")
+        yield Words((boxes / 12, share * 16), "slope −1")
+
+    told = (
+        f"The undecided share falls from {points[0][1]:.2g} % after {law[0][0]} boxes to "
+        f"{share:.2g} % after {law[-1][0]}, along a line of slope -1 on logarithmic axes."
+    )
+    return Panel("Undecided area against work", x, y, shapes, told, height=372)

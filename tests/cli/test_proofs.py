@@ -10,9 +10,17 @@ import pytest
 
 from verify import check
 from verify.cli import main
+from verify.cli.proofs import outcome_of
 from verify.jobs import everywhere, step
+from verify.language.statement import UNDECIDED
 from verify.prover.uses import nodes
 from verify.views import graph as view
+from verify.views.explain import explain
+
+
+@pytest.fixture(autouse=True)
+def at_the_root(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(Path(__file__).resolve().parents[2])
 
 
 def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
@@ -80,7 +88,8 @@ def test_explain_finds_labels_and_near_names(
     def never(*_: object) -> None:
         raise AssertionError("nothing is to be decided")
 
-    monkeypatch.setattr("verify.cli.explain._outcomes", never)
+    monkeypatch.setattr("verify.cli.explain.outcome_of", never)
+    monkeypatch.setattr("verify.cli.explain._statements_with", lambda *_: [])
     code, out, err = run(capsys, "explain", "EQUATSS4.1Recurrence_CndT")
     assert (code, err) == (0, "")
     assert "repaired.CndT is written in verify/paper/recursion.py:" in out
@@ -96,12 +105,86 @@ def test_explain_looks_in_every_statement(capsys: pytest.CaptureFixture[str], ro
     assert f" {row}" in out
 
 
-def test_every_fact_can_be_explained() -> None:
-    from verify.views.explain import explain
+def test_explain_lists_the_statements_that_have_a_name(capsys: pytest.CaptureFixture[str]) -> None:
+    """The first one that has it as a row is explained, and the others are commands."""
+    code, out, err = run(capsys, "explain", "contact")
+    assert (code, err) == (0, "")
+    assert "(4.57)" in out
+    commands = [line for line in out.splitlines() if line.startswith("  verify explain ")]
+    assert "  verify explain flow contact" in commands
+    for command in commands:
+        code, text, err = run(capsys, *command.split()[1:])
+        assert (code, err) == (0, "")
+        assert " contact" in text
 
-    for outcome in (step.decide_step(), everywhere.decide_everywhere()):
-        for name in nodes(outcome):
-            assert explain(outcome, name), name
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (("flow", "contact"), "at the time y T the spheres o and c are in"),
+        (("sharper", "tau-positive"), "0 < τ"),
+        (("step", "(4.57)"), "proved    tau-positive: "),
+        (("printed", "printed.d-index"), "what is proved is the opposite: "),
+        (("certificates/scenes/passing", "end.01"), "obligation end.01"),
+        (("certificates/examples/mean", "means"), "obligation means"),
+        (("certificates/theorem1-r-3-100", "x-term-1-d"), "obligation repaired.x-term-1-d"),
+    ],
+)
+def test_explain_a_row_of_a_statement(
+    words: tuple[str, str], says: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code, out, err = run(capsys, "explain", *words)
+    assert (code, err) == (0, "")
+    assert says in out
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (("flow", "contac"), "there is no row 'contac' in 'flow'; is it contact"),
+        (
+            ("flo", "contact"),
+            "'flo' is no folder; name one with a certificate, or write one of",
+        ),
+        (("a", "b", "c"), "'c' is a word too many"),
+        (("tests", "contact"), "statement.json"),
+    ],
+)
+def test_unusable_places(
+    words: tuple[str, ...], says: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code, out, err = run(capsys, "explain", *words)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert says in err
+
+
+#: Statements that are made, or read, in no time.
+QUICK = ("flow", "sharper", "step-printed", "certificates/examples/induction-standing",
+         "certificates/examples/cuts", "certificates/scenes/passing")  # fmt: skip
+
+
+@pytest.mark.parametrize("where", QUICK)
+def test_every_fact_can_be_explained_and_drawn(where: str) -> None:
+    outcome = outcome_of(where)
+    for name in [*nodes(outcome)][::5]:
+        assert explain(outcome, name), name
+    assert all(explain(outcome, row.name) for row, _ in outcome.rows)
+    found = view.graph(outcome)
+    names = {vertex.name for vertex in found.vertices}
+    assert len(names) == len(found.vertices) > 1
+    assert all(name in names for edge in found.edges for name in edge)
+    ElementTree.fromstring(view.to_svg(found))
+
+
+def test_a_row_that_is_left_open_has_no_proof() -> None:
+    outcome = outcome_of("certificates/examples/mean")
+    (name, *_) = outcome.decisions
+    open_row = outcome.decisions[name]._replace(verdict=UNDECIDED)
+    changed = outcome._replace(
+        decisions={**outcome.decisions, name: open_row},
+        steps=tuple(s for s in outcome.steps if getattr(s, "name", "") != name),
+    )
+    assert "  undecided, so that there is no proof" in explain(changed, name)
 
 
 @pytest.mark.parametrize("ending", ["svg", "dot", "json"])

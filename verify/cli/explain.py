@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import glob
+import json
+import os
 import re
 from collections.abc import Iterator
+from difflib import get_close_matches
 
-from verify.cli.graph import outcome_of
 from verify.cli.options import Options, Parser
+from verify.cli.proofs import AS_PRINTED, MAIN, outcome_of, statements
 from verify.cli.terminal import add_color, show
 from verify.jobs.inputs import InputError, shown
 from verify.language.record import TYPE_CHECKING
@@ -18,33 +22,29 @@ if TYPE_CHECKING:
 #: What the prover calls the lemmas that it finds: they stand nowhere in the paper's room.
 NUMBERED = re.compile(r".*\.[0-9]+")
 
+#: Where the committed certificates are, of scenes and points too.
+COMMITTED = "certificates"
+
 
 def add_arguments(parser: Parser) -> None:
     """The options."""
-    text = "the name of a row, a lemma or a constant, with or without its group; a label, or (4.25)"
-    parser.place("row", text)
-    text = "a folder with a certificate (default: what the program proves for all parameters)"
-    parser.option("--folder", text, "DIR")
+    parser.places(
+        "row",
+        "[FOLDER] ROW: a row, a lemma or a constant, with or without its group; a label, or "
+        "(4.25);\n"
+        f"{'':24}FOLDER has a certificate, or is one of step, flow, sharper, theorem1-all, …",
+    )
+    parser.flag("-v", "--verbose", text="claims as the statement has them, not simplified")
     add_color(parser)
 
 
 def run(options: Options) -> int:
     """Print what is known of the row, or which rows a label has; return 0."""
-    from verify.views.explain import explain  # loaded only where it is used
-
-    word = _label(options.row)
-    if options.folder is not None:
-        text = explain(outcome_of(options.folder), word)
-    else:
-        from verify.jobs.places import written
-
-        found = written(word)
-        text = [line for place in found for line in _where(place, word)]
-        if not any(place.label == word for place in found):
-            outcomes = _outcomes(found) if found or NUMBERED.fullmatch(word) else ()
-            text += [line for outcome in outcomes for line in explain(outcome, word)]
-    if not text:
-        raise InputError(f"row: there is no row {shown(word)}; {_instead(word)}")
+    *folders, word = options.row
+    if len(folders) > 1:
+        raise InputError(f"row: {shown(word)} is a word too many; write FOLDER ROW, or ROW")
+    word = _label(word)
+    text = _inside(folders[0], word, options) if folders else _anywhere(word, options)
     show(text, options)
     return 0
 
@@ -56,44 +56,92 @@ def _label(word: str) -> str:
     return next(iter(labels_called(word)), word)
 
 
+def _inside(folder: str, word: str, options: Options) -> list[str]:
+    """The row in one statement, or the rows of a label there."""
+    from verify.views.explain import explain, labelled  # loaded only where they are used
+
+    outcome = outcome_of(folder)
+    text = explain(outcome, word, exact=options.verbose) or labelled(outcome, word)
+    if not text:
+        names = get_close_matches(word, sorted(_names(outcome)), 3, 0.6)
+        near = f"is it {', '.join(names)}?" if names else "write a name of its report, or a label"
+        raise InputError(f"row: there is no row {shown(word)} in {shown(folder)}; {near}")
+    return text
+
+
+def _anywhere(word: str, options: Options) -> list[str]:
+    """Where the word is written, and the row in the first statement that has it."""
+    from verify.jobs.places import written  # loaded only where they are used
+    from verify.views.explain import explain
+
+    found = written(word)
+    text = [line for place in found for line in _where(place, word)]
+    if any(place.label == word for place in found):
+        return text
+    there = _statements_with(word, found)
+    for first in there[:1]:
+        text += [*explain(outcome_of(first), word, exact=options.verbose), ""]
+    others = [*there[1:], *_committed(word)]
+    if others:
+        text += [f"{word} stands in other statements too:" if there else f"{word} stands in:"]
+        text += [f"  verify explain {other} {word}" for other in others]
+    if not text:
+        raise InputError(f"row: there is no row {shown(word)}; {_instead(word)}")
+    return text
+
+
 def _where(place: Place, word: str) -> Iterator[str]:
     yield f"{place.name} is written in {place.path}:{place.line}"
     if place.label == word:
         yield f"  {place.says}"
 
 
-def _outcomes(found: list[Place]) -> Iterator[Outcome]:
-    """The outcomes in which places lie, decided; those for all values if there is no place."""
-    from verify.jobs import (
-        classification,
-        elsewhere,
-        everywhere,
-        spectrum,
-        step,
-        step_printed,
-        thresholds,
-    )
-    from verify.paper.groups import PRINTED
+def _statements_with(word: str, found: list[Place]) -> list[str]:
+    """The statements that have this name, those first in which it is a row.
 
-    rows = [place for place in found if place.part in ("", "everywhere")]
-    printed = [place for place in rows if place.name.startswith(f"{PRINTED}.")]
-    parts = {place.part for place in found}
-    if not found or len(rows) > len(printed):
-        yield everywhere.decide_everywhere()
-    if printed:
-        yield everywhere.decide_printed_everywhere()
-    if not found or "step" in parts:
-        yield step.decide_step()
-    if any(place.path.endswith(("thresholds.py", "minima.py")) for place in found):
-        yield thresholds.decide_thresholds()
-    if any(place.path.endswith("printed_estimates.py") for place in found):
-        yield step_printed.decide_step_printed()
-    if not found or "spectrum" in parts:
-        yield spectrum.decide_spectrum()
-    if not found or "classification" in parts:
-        yield classification.decide_classification()
-    if not found or "elsewhere" in parts:
-        yield elsewhere.decide_elsewhere()
+    Those about all parameters take seconds: they are made only for a name that their part of the
+    paper has, or that no other statement has.
+    """
+    slow = {MAIN, AS_PRINTED}
+    quick = [name for name in statements() if name not in slow]
+    there = [name for name in quick if word in _names(statements()[name]())]
+    theirs = [place for place in found if place.part in ("", "everywhere")]
+    if theirs or (not there and (found or NUMBERED.fullmatch(word))):
+        printed = [place for place in theirs if place.name.startswith(f"{AS_PRINTED}.")]
+        wanted = [MAIN] if len(printed) < len(theirs) or not theirs else []
+        wanted += [AS_PRINTED] if printed else []
+        there += [name for name in wanted if word in _names(statements()[name]())]
+    return sorted(there, key=lambda name: not _is_row(word, statements()[name]()))
+
+
+def _names(outcome: Outcome) -> set[str]:
+    """The names of rows, with and without their groups, of lemmas and of constants."""
+    from verify.prover.uses import nodes  # loaded only where they are used
+    from verify.views.words import short_name
+
+    rows = [row for row, _ in outcome.rows]
+    return {*nodes(outcome), *(row.name for row in rows), *map(short_name, rows)}
+
+
+def _is_row(word: str, outcome: Outcome) -> bool:
+    from verify.views.words import short_name
+
+    return any(word in (row.name, short_name(row)) for row, _ in outcome.rows)
+
+
+def _committed(word: str) -> Iterator[str]:
+    """The folders of scenes and points that have this row, where the certificates are at hand."""
+    for path in sorted(glob.glob(os.path.join(COMMITTED, "**", "statement.json"), recursive=True)):
+        folder = os.path.dirname(path)
+        if os.path.basename(folder) in statements():
+            continue
+        try:
+            with open(path, encoding="utf-8") as file:
+                rows = {row["name"] for row in json.load(file)["obligations"]}
+        except (OSError, ValueError, KeyError, TypeError):
+            continue
+        if word in rows:
+            yield folder
 
 
 def _instead(word: str) -> str:

@@ -11,8 +11,8 @@ from verify.paper.classification.meaning import MEANING
 from verify.paper.numbering import cited
 from verify.prover.decimals import exact_number, rational_text, short
 from verify.prover.outcome import Outcome
-from verify.views.row_lists import MORE, brief
 from verify.views.document import claims_document, pair
+from verify.views.row_lists import MORE, brief
 from verify.views.words import summary
 
 FORMAT = "verify-classification/1"

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from verify.prover.outcome import Outcome
-from verify.views.row_lists import MORE, brief
 from verify.views.document import claims_document
+from verify.views.row_lists import MORE, brief
 from verify.views.words import summary
 
 FORMAT = "verify-elsewhere/1"

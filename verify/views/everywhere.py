@@ -10,8 +10,8 @@ from verify.language.statement import PROVED, REFUTED, UNDECIDED, Assumption, Ob
 from verify.paper.everywhere.thresholds import STRIPS
 from verify.paper.numbering import cited
 from verify.prover.outcome import Decision, Outcome
-from verify.views.row_lists import MORE
 from verify.views.plain import plain_letters
+from verify.views.row_lists import MORE
 from verify.views.words import (
     cited_as,
     counts,

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from verify.language.statement import Obligation
-from verify.language.terms import Term
+from verify.language.statement import REFUTED, Obligation
+from verify.language.terms import Claim
 from verify.language.typeset import Typesetter
 from verify.paper.numbering import cited
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
-from verify.prover.proof import Proof, Value
+from verify.prover.proof import Proof
+from verify.prover.relations import negation
 from verify.prover.rules import (
     Applying,
     Cases,
@@ -26,22 +27,42 @@ from verify.prover.rules import (
     Witness,
 )
 from verify.prover.uses import Node, nodes
+from verify.views.plain import plain_letters
 from verify.views.words import letters, short_name, sides_of
 
 
-def explain(outcome: Outcome, name: str) -> list[str]:
+def explain(outcome: Outcome, name: str, *, exact: bool = False) -> list[str]:
     """The lines about a row or a lemma; none if there is no such name.
 
-    A row is found by its name, with or without its group.
+    A row is found by its name, with or without its group. Claims are simplified if not ``exact``.
     """
     found = nodes(outcome)
     rows = {row.name: (row, decision) for row, decision in outcome.rows}
     full = [row.name for row, _ in rows.values() if name in (row.name, short_name(row))]
-    typesetter = letters(outcome)
+    typesetter = letters(outcome) if exact else plain_letters(outcome)
     text: list[str] = []
     for key in full or ([name] if name in found else []):
-        text += _about(found[key], rows.get(key), found, typesetter) if key in found else []
+        if key in found:
+            text += _about(found[key], rows.get(key), found, typesetter)
+        else:
+            text += _undecided(*rows[key], typesetter)
     return text
+
+
+def labelled(outcome: Outcome, label: str) -> list[str]:
+    """A line for each row of a label."""
+    return [
+        f"{decision.verdict:<9} {row.name}: {row.says}"
+        for row, decision in outcome.rows
+        if row.label == label
+    ]
+
+
+def _undecided(row: Obligation, decision: Decision, typesetter: Typesetter) -> Iterator[str]:
+    yield f"obligation {row.name}"
+    yield f"  {cited(row.label)}: {row.says}"
+    yield f"  {decision.verdict}, so that there is no proof"
+    yield f"  {typesetter.claim(row.claim)}"
 
 
 def _about(
@@ -60,8 +81,15 @@ def _about(
         sides = sides_of(*row)
         if sides is not None:
             yield f"  left side {short(sides[0])}, right side {short(sides[1])}"
+    proved = node.claim
+    if row is not None and row[1].verdict == REFUTED and not isinstance(node.proof, Witness):
+        opposite = negation(proved) if isinstance(proved, Claim) else None
+        if opposite is not None:
+            proved = opposite
+            yield f"  what is proved is the opposite: {typesetter.claim(proved)}"
     if node.proof is not None:
-        yield from (f"  {line}" for line in _proof(node.proof, typesetter))
+        sign = ">" if isinstance(proved, Claim) and proved.relation == "<=" else "≥"
+        yield from (f"  {line}" for line in _proof(node.proof, sign, typesetter))
     if node.uses:
         yield "  where"
     for name in node.uses:
@@ -71,12 +99,15 @@ def _about(
         yield f"    {name}: {claim}{kind}"
 
 
-def _proof(proof: Proof, typesetter: Typesetter) -> Iterator[str]:  # noqa: C901  one case a rule
+def _proof(  # noqa: C901  one case a rule
+    proof: Proof, sign: str, typesetter: Typesetter
+) -> Iterator[str]:
+    """The proof in words; ``sign`` says how the difference of the sides compares to 0 in a sum."""
     match proof:
         case Interval(bits=bits):
             yield f"by enclosures of both sides with {bits} bits"
-        case Sum(addends=addends, using=using, equations=equations):
-            yield from _sum(addends, using, equations, typesetter)
+        case Sum():
+            yield from _sum(proof, sign, typesetter)
         case Entry():
             yield "a minimum is at most each of its entries (a maximum at least)"
         case Root():
@@ -84,11 +115,11 @@ def _proof(proof: Proof, typesetter: Typesetter) -> Iterator[str]:  # noqa: C901
         case Cases(of=term, branches=branches) | Cuts(term=term, branches=branches):
             yield f"in {len(branches)} cases, for {typesetter.term(term)}"
             for i, branch in enumerate(branches, 1):
-                yield from (f"  case {i}: {line}" for line in _proof(branch, typesetter))
+                yield from (f"  case {i}: {line}" for line in _proof(branch, sign, typesetter))
         case Least(branches=branches):
             yield f"for each of {len(branches)} entries"
             for i, branch in enumerate(branches, 1):
-                yield from (f"  entry {i}: {line}" for line in _proof(branch, typesetter))
+                yield from (f"  entry {i}: {line}" for line in _proof(branch, sign, typesetter))
         case Instance(of=name, at=at):
             values = ", ".join(f"{key} = {typesetter.term(term)}" for key, term in at.items())
             yield f"{name} at {values}"
@@ -103,18 +134,13 @@ def _proof(proof: Proof, typesetter: Typesetter) -> Iterator[str]:  # noqa: C901
             yield f"by the rule {type(proof).__name__.lower()}"
 
 
-def _sum(
-    addends: tuple[Value, ...],
-    using: tuple[str, ...],
-    equations: tuple[tuple[str, Term], ...],
-    typesetter: Typesetter,
-) -> Iterator[str]:
-    if using:
-        yield f"after replacing what these equations define: {', '.join(using)}"
-    parts = [_value(addend, typesetter) for addend in addends]
-    parts += [f"({typesetter.term(term)})·[{name}]" for name, term in equations]
-    if addends:
-        yield "if it failed, goal = (left - right), cleared of fractions, would be ≥ 0, and"
+def _sum(proof: Sum, sign: str, typesetter: Typesetter) -> Iterator[str]:
+    if proof.using:
+        yield f"after replacing what these equations define: {', '.join(proof.using)}"
+    parts = [_value(addend, typesetter) for addend in proof.addends]
+    parts += [f"({typesetter.term(term)})·[{name}]" for name, term in proof.equations]
+    if proof.addends:
+        yield f"if it failed, goal = (left - right), cleared of fractions, would be {sign} 0, and"
         yield f"  {' + '.join(parts)} = 0"
         yield "identically, with a positive addend (a name is the difference of its sides)"
     else:
@@ -131,5 +157,8 @@ def _value(value: Any, typesetter: Typesetter) -> str:
         return typesetter.term(rest[0])
     if op == "pow":
         return f"{_value(rest[0], typesetter)}^{rest[1]}"
-    inner = (" + " if op == "add" else "·").join(_value(item, typesetter) for item in rest)
+    parts = [_value(item, typesetter) for item in rest]
+    if op == "mul" and len(parts) > 1 and parts[0] == "1":
+        parts = parts[1:]
+    inner = (" + " if op == "add" else "·").join(parts)
     return f"({inner})" if op == "add" else inner

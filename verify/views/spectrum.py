@@ -11,8 +11,8 @@ from verify.prover import balls
 from verify.prover.balls import Ball
 from verify.prover.decimals import exact_number, outward, rational_text, short
 from verify.prover.outcome import Outcome
-from verify.views.row_lists import MORE, brief
 from verify.views.document import claims_document
+from verify.views.row_lists import MORE, brief
 from verify.views.words import summary
 
 FORMAT = "verify-spectrum/1"

@@ -1,0 +1,64 @@
+"""Which proof a command is to show: that in a folder, or one that the program makes."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from difflib import get_close_matches
+from functools import cache
+
+from verify.cli.files import progress, read_bytes
+from verify.jobs.inputs import InputError, shown
+from verify.language.record import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from verify.prover.outcome import Outcome
+
+#: The statement whose proof is shown where nobody names one.
+MAIN = "theorem1-all"
+#: The rows of the printed set for all parameters, which have no certificate: some are refuted.
+AS_PRINTED = "printed"
+
+#: What a folder of a certificate has.
+NAMES = ("statement.json", "certificate.json")
+
+
+@cache
+def statements() -> Mapping[str, Callable[[], Outcome]]:
+    """What the program proves for all values, by the names of the committed folders."""
+    from verify.jobs import certificates, everywhere  # load flint
+
+    return {**certificates.THEOREMS, AS_PRINTED: everywhere.decide_printed_everywhere}
+
+
+def outcome_of(where: str) -> Outcome:
+    """The outcome in a folder, as it is written there, or that of one of `statements`, made anew.
+
+    Raises:
+        InputError: if it is neither, or the folder has no certificate.
+    """
+    if os.path.isdir(where):
+        return _read(where)
+    if where not in statements():
+        near = get_close_matches(where, statements(), 3, 0.5) or statements()
+        raise InputError(
+            f"folder: {shown(where)} is no folder; name one with a certificate, or write one of: "
+            f"{', '.join(near)}"
+        )
+    progress(f"proving {where}")
+    return statements()[where]()
+
+
+def _read(folder: str) -> Outcome:
+    from verify.wire.read import read
+    from verify.wire.term_json import WireError
+    from verify.wire.write import digest
+
+    first, second = (read_bytes("folder", os.path.join(folder, name)) for name in NAMES)
+    cited = os.path.join(folder, "cited")
+    paths = sorted(os.listdir(cited)) if os.path.isdir(cited) else []
+    contents = [read_bytes("folder", os.path.join(cited, path)) for path in paths]
+    try:
+        return read(first, second, {digest(content): content for content in contents})
+    except WireError as error:
+        raise InputError(f"folder: {shown(folder)} has no certificate ({error})") from error

@@ -118,7 +118,7 @@ def decide(claim: Claim) -> Decision:
         ((2 * r - 1) ** 2 <= as_term(1), (PROVED, "interval")),
         (0 < (2 * r - 1) ** 2 + TINY, (PROVED, "interval")),
         (0 < 4 * r**2 - 4 * r + 1 + Fraction(1, 20), (PROVED, "sum")),
-        (0 < 4 * r**2 - 4 * r + 1 + TINY, (PROVED, "sum")),
+        (0 < 4 * r**2 - 4 * r + 1 + TINY, (PROVED, "cuts")),
         (0 < (2 * r - 1) ** 2, (REFUTED, "witness")),
         (0 <= (2 * r - 1) ** 2 - Fraction(1, 100), (REFUTED, "witness")),
         (0 < 1 + r * k, (PROVED, "interval")),
@@ -227,6 +227,13 @@ def test_a_claim_that_fails_in_a_corner_alone_is_refuted() -> None:
     corner = context(givens, {"r": HALF, "k": HALF})
     found = checked(statement(row(r * k < as_term(1)), contexts=(corner,))).decisions["row"]
     assert (found.verdict, found.witness) == (REFUTED, {"r": as_term(1), "k": as_term(1)})
+
+
+@pytest.mark.parametrize("claim", [2 <= p**2, 1 <= p, p / 2 + 1 / p <= p])
+def test_what_is_given_of_one_variable_may_be_more_than_a_bound(claim: Claim) -> None:
+    """The step of Heron for the root of 2: what it starts from is no bound by a number."""
+    beyond = context({"p.low": 0 < p, "beyond": 2 <= p * p}, {"p": 2})
+    assert checked(statement(row(claim), contexts=(beyond,))).verdict == PROVED
 
 
 def test_witnesses_have_simple_values() -> None:

@@ -15,6 +15,7 @@ from verify.prover.points import failure_test
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Entry
 from verify.prover.search.atom_bounds import root_bounds
+from verify.prover.search.bernstein_boxes import by_bernstein
 from verify.prover.search.coefficients import by_coefficients
 from verify.prover.search.domain import Domain
 from verify.prover.search.ends_of_variables import Polynomials
@@ -55,6 +56,7 @@ class Strategy:
         if self.minima and self.minima[0][0] < 0 and self.is_refuted():
             return
         yield self.tree(FEW_LEAVES)
+        yield by_bernstein(self, self.simple_zeros())
         if len(self.goal.variables) > 2 and self.goal.box is not None:
             polynomials = Polynomials(self)
             if polynomials.is_plain:
@@ -165,12 +167,26 @@ class Strategy:
         return found
 
     def _is_near(self, name: str, claim: Claim) -> bool:
-        """Whether a fact may help: an inequality here, about several names, all of this claim."""
+        """Whether a fact may help: an inequality here, no bound by a number, all in these names."""
         session = self.universal.session
         if claim.relation == "=" or session.homes[name] not in session.chain(self.goal.context):
             return False
         names = {*names_of(claim.lhs, claim.rhs)}
-        return len(names) > 1 and names <= {*self.goal.variables, *self.using}
+        is_bound = {claim.lhs.op, claim.rhs.op} == {"symbol", "rational"}
+        return not is_bound and names <= {*self.goal.variables, *self.using}
+
+    def simple_zeros(self) -> list[dict[str, Fraction]]:
+        """Simple points near those where the claim is nearly false."""
+        bounds = [(b.low, b.high) for b in self.goal.variables.values()]
+        found = []
+        for value, point in self.minima[:MAX_ZEROS]:
+            if value > NEAR_ZERO:
+                break
+            for values in simple_points(point, bounds, inside=False):
+                if all(abs(float(a) - b) < 1e-6 for a, b in zip(values, point, strict=True)):
+                    found.append(dict(zip(self.goal.variables, values, strict=True)))
+                    break
+        return found
 
     def zeros(self, domain: Domain) -> list[list[Fraction]]:
         """Points with simple coordinates where p is 0."""

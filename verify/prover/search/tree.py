@@ -27,6 +27,9 @@ MAX_DEPTH = 40
 MAX_UNITS = 4_500_000
 #: Differences below this part of the sides are left to exact arithmetic.
 NEAR = 1e-9
+TINY = 1e-15
+#: And so are differences that rounding may have made positive.
+UNSURE = 1e-6
 
 Ends = tuple[Fraction, Fraction]
 
@@ -84,11 +87,11 @@ class Tree:
         except (ArithmeticError, ValueError):
             return -math.inf
         gap = other - high
-        near = NEAR * (abs(other) + abs(high))
+        size = abs(other) + abs(high)
         if gap != gap:
             return -math.inf
-        if abs(gap) <= near:
-            return 0.0 if self._holds(ends) else -near - 1e-300
+        if -NEAR * size - TINY <= gap <= UNSURE * (size + UNSURE):
+            return 0.0 if self._holds(ends) else -NEAR * size - TINY
         del low, top
         return gap
 

@@ -236,6 +236,15 @@ def test_what_is_given_of_one_variable_may_be_more_than_a_bound(claim: Claim) ->
     assert checked(statement(row(claim), contexts=(beyond,))).verdict == PROVED
 
 
+def test_givens_about_other_variables_are_used() -> None:
+    """From 0 < x <= y <= k <= 1 follows what names x and k leave unsaid."""
+    givens = {"low": 0 < x, "xy": x <= y, "yk": y <= k, "high": k <= as_term(1)}
+    linked = context(givens, {"x": 1, "y": 1, "k": 1})
+    rows = (row(x <= k, name="a"), row(0 < k, name="b"), row(x <= as_term(1), name="c"))
+    assert checked(statement(*rows, contexts=(linked,))).verdict == PROVED
+    assert checked(statement(row(k <= x), contexts=(linked,))).verdict != PROVED
+
+
 def test_witnesses_have_simple_values() -> None:
     found = decide(r * k < x)
     assert isinstance(found.proof, Witness)

@@ -6,6 +6,7 @@ Nothing here is trusted. What is found is written down as the steps of a certifi
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
 from typing import Any
 
 from verify.language.statement import (
@@ -16,6 +17,7 @@ from verify.language.statement import (
     Applies,
     Constant,
     Context,
+    Given,
     Obligation,
 )
 from verify.language.terms import Claim, Term, as_term, names_of, substitute, substitute_claim
@@ -33,6 +35,9 @@ from verify.prover.rules import Applying, Define, Entry, Induction, Least, Root,
 from verify.prover.search.strategy import Strategy, refuting_minimum
 from verify.prover.session import ZERO
 from verify.prover.signs import signs
+
+#: With more variables than these a goal is not tried again with those that givens link to its own.
+MAX_LINKED = 5
 
 
 class Universal:
@@ -184,6 +189,25 @@ class Universal:
         yield bernstein(goal)
         yield boxes.cuts(goal, self.enclosed)
         yield from Strategy(goal, self).proofs()
+        wider = self._with_neighbours(goal)
+        if wider is not None:
+            yield from Strategy(wider, self).proofs()
+
+    def _with_neighbours(self, goal: Goal) -> Goal | None:
+        """The goal with the variables that givens link to its own; None if there are none."""
+        found = {*goal.variables}
+        names = [{*names_of(given.claim.lhs, given.claim.rhs)} for given in self._givens(goal)]
+        for _ in range(MAX_LINKED):
+            linked = [near & self._bounds.keys() for near in names if near & found]
+            found |= {*chain(*linked)}
+        if len(found) == len(goal.variables) or len(found) > MAX_LINKED:
+            return None
+        return goal._replace(variables={name: self._bounds[name] for name in sorted(found)})
+
+    def _givens(self, goal: Goal) -> Iterator[Given]:
+        """The givens of the contexts around a goal."""
+        for place in self.session.chain(goal.context):
+            yield from () if place is None else self.contexts[place].givens
 
     def _identity(self, goal: Goal) -> Proof | None:
         claim, known = goal.claim, self.session.definitions

@@ -96,11 +96,14 @@ class MathML:
         return self._function(op, term)
 
     def _letter(self, name: str) -> str:
-        """The letter of a symbol; its name, where the letter is other LaTeX."""
-        try:
-            return letter(self._letters.get(name, _spelled(name)))
-        except ValueError:
-            return f"<mi>{escape(name)}</mi>"
+        """The letter of a symbol; where it is other LaTeX, that of its name, or the name."""
+        for tex in (self._letters.get(name, ""), _spelled(name)):
+            try:
+                if tex:
+                    return letter(tex)
+            except ValueError:
+                continue
+        return f"<mi>{escape(name)}</mi>"
 
     def _product(self, left: Term, right: Term) -> str:
         # Two numbers side by side would read as one.
@@ -208,8 +211,9 @@ def _token(text: str) -> str:
 
 
 def _spelled(name: str) -> str:
-    """``alpha_0`` or ``W_s`` as LaTeX; longer words stay upright."""
-    parts = [f"\\{part}" if part in _GREEK else part for part in name.split(".")[-1].split("_")]
+    """``alpha_0``, ``W_s`` or ``map.kappa`` as LaTeX; longer words stay upright."""
+    own = re.split(r"[.-]", name)[-1]
+    parts = [f"\\{part}" if part in _GREEK else part for part in own.split("_")]
     head, *rest = parts
     return head if not rest else f"{head}_{{{''.join(rest)}}}"
 

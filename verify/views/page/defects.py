@@ -136,10 +136,10 @@ def _repair(writer: Writer, row: Obligation) -> Cell:
     ]  # fmt: skip
     claim = writer.claim(needed.claim)
     if claim is not None:
-        parts += [Text(", "), claim]
+        parts += [Text(": "), claim]
     lhs, rhs = sides_shown(needed, found)
     if lhs is not None and rhs is not None and isinstance(needed.claim, Claim):
-        parts += [Text(": "), lhs, Text(f" {SIGNS[needed.claim.relation]} "), rhs]
+        parts += [Text(" that is, "), lhs, Text(f" {SIGNS[needed.claim.relation]} "), rhs]
     return parts
 
 

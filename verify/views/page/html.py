@@ -32,6 +32,7 @@ from verify.views.page.blocks import (
     Text,
     Verdict,
 )
+from verify.views.page.font import font_face
 from verify.views.page.style import STYLE
 
 
@@ -46,7 +47,7 @@ def html(title: str, subtitle: str, blocks: Sequence[Block]) -> str:
         '<meta name="color-scheme" content="light dark">',
         '<link rel="icon" href="data:,">',
         f"<title>{escape(title)}</title>",
-        f"<style>{STYLE}</style>",
+        f"<style>{font_face()}{STYLE}</style>",
         "</head>",
         '<body id="top">',
         f"<header><h1>{escape(title)}</h1><p>{prose(subtitle)}</p></header>",
@@ -71,6 +72,9 @@ _POWER_OF_TEN = re.compile(
 )
 _RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
 _MINUS = re.compile(r"(?<![^\s(\[{|·≤<=])-(?=[\w(|√])|(?<= )-(?= )")
+_TAGS = re.compile("<[^>]*>")
+#: So many letters in a line fit a phone.
+NARROW = 40
 _LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
@@ -164,20 +168,28 @@ def _grid(
 
     Nothing has to be scrolled sideways.
     """
-    cells = "".join(f'<th scope="col">{prose(name)}</th>' for name in head)
-    marks = ["" if blocks else f' data-of="{escape(_plain(name))}"' for name in head]
-    lines = [
-        "<tr>"
-        + "".join(f"<td{mark}>{cell}</td>" for mark, cell in zip(marks, row, strict=True))
-        + "</tr>"
-        for row in rows
-    ]
-    body = "\n".join(lines)
+    written = list(rows)
+    kind = "rows" if blocks else "few" if _is_narrow(head, written) else "grid"
+    marks = [f' data-of="{escape(_plain(of))}"' if kind == "grid" else "" for of in head]
+    titles = "".join(f'<th scope="col">{prose(of)}</th>' for of in head)
+    body = "\n".join(_table_row(row, marks) for row in written)
     key = f' id="{name}"' if name else ""
     return (
-        f'<div{key} class="{"rows" if blocks else "grid"}"><table><thead><tr>{cells}</tr></thead>'
+        f'<div{key} class="{kind}"><table><thead><tr>{titles}</tr></thead>'
         f"<tbody>\n{body}\n</tbody></table></div>"
     )
+
+
+def _table_row(cells: Sequence[str], marks: Sequence[str]) -> str:
+    written = (f"<td{mark}>{cell}</td>" for mark, cell in zip(marks, cells, strict=True))
+    return f"<tr>{''.join(written)}</tr>"
+
+
+def _is_narrow(head: Sequence[str], rows: Iterable[Sequence[str]]) -> bool:
+    """Whether a table fits a phone as it is."""
+    columns = zip(head, *rows, strict=True)
+    widths = [max(len(_TAGS.sub("", cell)) for cell in column) for column in columns]
+    return sum(widths) + 3 * len(widths) <= NARROW
 
 
 def _plain(text: str) -> str:
@@ -259,7 +271,7 @@ def _inline(part: Inline) -> str:
 
 def _number(number: Number) -> str:
     low, high = number.ends
-    shown = _raised(escape(number.short))
+    shown = _raised(escape(number.short).replace("-", "−"))
     if low == high and "…" not in shown:
         return f'<data class="exact" value="{low}">{shown}</data>'
     value, both = (low, low) if low == high else (f"{low} {high}", f"[{low}, {high}]")

@@ -39,14 +39,14 @@ pre{background:var(--soft);border-radius:.4rem;padding:.8rem 1rem;overflow-x:aut
 pre code{overflow-wrap:normal;font-size:.85rem}
 sub,sup{line-height:0;font-size:.75em}
 math{font-size:1.05em;
- font-family:"STIX Two Math","Latin Modern Math","Cambria Math",math,serif}
+ font-family:VerifyMath,"STIX Two Math","Latin Modern Math","Cambria Math",math,serif}
 .claim math,td math,.repair math{math-style:normal}
 data{white-space:nowrap}
 @media screen{.number:not([open])::details-content{display:none}}
 .claim,.repair{overflow-x:auto;overflow-y:hidden}
 .claim{padding:.35rem 0}
 .claim .math,.claim{line-height:2}
-.repair{line-height:1.9}
+.repair .math{display:block;line-height:2;padding:.3rem 0}
 .facts{list-style:none;padding:0;margin:1rem 0;display:grid;gap:.6rem;max-width:58rem}
 .facts li{display:grid;grid-template-columns:12rem 1fr;gap:.8rem;align-items:baseline}
 .facts .verdict{justify-self:start;white-space:nowrap}
@@ -62,7 +62,7 @@ figure:has(.hold :checked) .moving *{animation-play-state:paused!important}
 .theorem{background:var(--soft);border-left:.25rem solid var(--proved);border-radius:.4rem;
  padding:.9rem 1.1rem;margin:1.2rem 0;max-width:52rem}
 .theorem h3{margin:0 0 .3rem}.theorem p{margin:0}
-.grid{margin:.6rem 0;border:1px solid var(--line);border-radius:.4rem}
+.grid,.few{margin:.6rem 0;border:1px solid var(--line);border-radius:.4rem}
 table{border-collapse:collapse;width:100%;font-size:.9rem;line-height:1.4;
  font-variant-numeric:tabular-nums}
 th,td{text-align:left;vertical-align:top;padding:.45rem .6rem;border-bottom:1px solid var(--line)}

@@ -26,7 +26,7 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache, lru_cache
 from hashlib import sha256
@@ -102,7 +102,7 @@ def div(x: Interval, y: Interval) -> Interval:
     """
     a, b = x
     c, d = y
-    if c <= 0:
+    if c <= 0 or d <= 0:
         raise RefusedError("a divisor may be 0")
     return (a << PLACES) // (d if a >= 0 else c), -((-b << PLACES) // (c if b >= 0 else d))
 
@@ -113,7 +113,7 @@ def root(x: Interval) -> Interval:
     Raises:
         RefusedError: if the number may be negative.
     """
-    if x[0] < 0:
+    if x[0] < 0 or x[1] < 0:
         raise RefusedError("a radicand may be negative")
     return isqrt(x[0] << PLACES), isqrt(x[1] << PLACES) + 1
 
@@ -144,9 +144,14 @@ Model = tuple[int, int, int, int, int, int, int, int, int]
 
 def model(bounds: Interval, c: Sequence[int], e: int) -> Model:
     """The bounds are cut with the range of the polynomial."""
-    c0, c1, c2, c3, c4, c5 = c
+    (low, high), (c0, c1, c2, c3, c4, c5) = bounds, c
     radius = abs(c1) + abs(c2) + abs(c3) + abs(c4) + abs(c5) + e
-    return max(bounds[0], c0 - radius), min(bounds[1], c0 + radius), c0, c1, c2, c3, c4, c5, e
+    least, most = c0 - radius, c0 + radius
+    if low < least:
+        low = least
+    if high > most:
+        high = most
+    return low, high, c0, c1, c2, c3, c4, c5, e
 
 
 def flat(x: Interval) -> Model:
@@ -157,8 +162,9 @@ def flat(x: Interval) -> Model:
 
 def add_models(x: Model, y: Model) -> Model:
     """The sum."""
-    c = [x[i] + y[i] for i in range(2, 8)]
-    return model((x[0] + y[0], x[1] + y[1]), c, x[8] + y[8])
+    k, j, a0, a1, a2, a3, a4, a5, e = x
+    m, n, b0, b1, b2, b3, b4, b5, f = y
+    return model((k + m, j + n), (a0 + b0, a1 + b1, a2 + b2, a3 + b3, a4 + b4, a5 + b5), e + f)
 
 
 def neg_model(x: Model) -> Model:
@@ -168,17 +174,18 @@ def neg_model(x: Model) -> Model:
 
 def sub_models(x: Model, y: Model) -> Model:
     """The difference."""
-    c = [x[i] - y[i] for i in range(2, 8)]
-    return model((x[0] - y[1], x[1] - y[0]), c, x[8] + y[8])
+    k, j, a0, a1, a2, a3, a4, a5, e = x
+    m, n, b0, b1, b2, b3, b4, b5, f = y
+    return model((k - n, j - m), (a0 - b0, a1 - b1, a2 - b2, a3 - b3, a4 - b4, a5 - b5), e + f)
 
 
-def product(x: Sequence[int], y: Sequence[int]) -> tuple[tuple[int, ...], int]:
-    """The polynomial of a product, and its error; both without the bounds of the factors.
+def product(x: Model, y: Model) -> tuple[tuple[int, ...], int]:
+    """The polynomial of a product, and its error; the bounds of the factors have no part in it.
 
     Each coefficient is rounded once, by less than a unit; products of a higher degree are errors.
     """
-    a0, a1, a2, a3, a4, a5, e = x
-    b0, b1, b2, b3, b4, b5, f = y
+    _, _, a0, a1, a2, a3, a4, a5, e = x
+    _, _, b0, b1, b2, b3, b4, b5, f = y
     c = (
         a0 * b0 >> PLACES,
         a0 * b1 + a1 * b0 >> PLACES,
@@ -195,36 +202,48 @@ def product(x: Sequence[int], y: Sequence[int]) -> tuple[tuple[int, ...], int]:
 
 def mul_models(x: Model, y: Model) -> Model:
     """The product."""
-    bounds = mul((x[0], x[1]), (y[0], y[1]))
-    if not any(y[3:8]):
+    bounds = mul(x[:2], y[:2])
+    if not (y[3] or y[4] or y[5] or y[6] or y[7]):
         return _scaled(bounds, x, y[2], y[8])
-    return model(bounds, *product(x[2:], y[2:]))
+    if not (x[3] or x[4] or x[5] or x[6] or x[7]):
+        return _scaled(bounds, y, x[2], x[8])
+    return model(bounds, *product(x, y))
 
 
 def _scaled(bounds: Interval, x: Model, by: int, off: int) -> Model:
     """The product with a number that is the same for all parameters."""
-    c = [x[i] * by >> PLACES for i in range(2, 8)]
-    size = abs(x[2]) + abs(x[3]) + abs(x[4]) + abs(x[5]) + abs(x[6]) + abs(x[7]) + x[8]
-    return model(bounds, c, (abs(by) * x[8] + size * off >> PLACES) + 7)
+    _, _, c0, c1, c2, c3, c4, c5, e = x
+    c = [n * by >> PLACES for n in (c0, c1, c2, c3, c4, c5)]
+    size = abs(c0) + abs(c1) + abs(c2) + abs(c3) + abs(c4) + abs(c5) + e
+    return model(bounds, c, (abs(by) * e + size * off >> PLACES) + 7)
 
 
 def square_model(x: Model) -> Model:
     """The square."""
-    return model(square(x[:2]), *product(x[2:], x[2:]))
+    return model(square(x[:2]), *product(x, x))
 
 
 def series(
     x: Model, f: tuple[int, int, int], off: tuple[int, int, int], rest: int
-) -> Sequence[int]:
-    """f0 + f1 t + f2 t² for t = x - c0, each f off by so much, with an error: six and the error."""
-    t = (0, *x[3:])
-    c, e = product(t, t)
-    radius = sum(map(abs, t))
-    both = [f[1] * t[i] + f[2] * c[i] >> PLACES for i in range(6)]
-    both[0] += f[0]
-    size = radius * radius >> PLACES
-    e = (abs(f[1]) * x[8] + abs(f[2]) * e + off[1] * radius + off[2] * (size + 1) >> PLACES) + 7
-    return *both, e + off[0] + rest
+) -> tuple[Sequence[int], int]:
+    """f0 + f1 t + f2 t² for t = x - c0, each f off by so much, and its error."""
+    _, _, _, c1, c2, c3, c4, c5, e = x
+    f0, f1, f2 = f
+    linear = abs(c1) + abs(c2)
+    others = abs(c3) + abs(c4) + abs(c5) + e
+    size = (linear + others) ** 2 + ONE >> PLACES
+    # t² is (c1 x + c2 y)² and a rest, in units of 2^-PLACES again.
+    past = (2 * linear + others) * others + ONE >> PLACES
+    both = (
+        f0,
+        f1 * c1 >> PLACES,
+        f1 * c2 >> PLACES,
+        f1 * c3 + f2 * (c1 * c1 >> PLACES) >> PLACES,
+        f1 * c4 + f2 * (2 * c1 * c2 >> PLACES) >> PLACES,
+        f1 * c5 + f2 * (c2 * c2 >> PLACES) >> PLACES,
+    )
+    e = abs(f1) * e + abs(f2) * (past + 3) + off[1] * (linear + others) + off[2] * size
+    return both, (e >> PLACES) + 7 + off[0] + rest
 
 
 def div_models(x: Model, y: Model) -> Model:
@@ -236,19 +255,20 @@ def div_models(x: Model, y: Model) -> Model:
         RefusedError: if the divisor is not positive.
     """
     bounds, inverse = div(x[:2], y[:2]), _inverse(y)
-    return flat(bounds) if inverse is None else model(bounds, *product(x[2:], inverse))
+    return flat(bounds) if inverse is None else model(bounds, *product(x, inverse))
 
 
 @lru_cache(maxsize=4)
-def _inverse(y: Model) -> Sequence[int] | None:
-    """The polynomial of 1/y and its error, if its radius is less than c0."""
+def _inverse(y: Model) -> Model | None:
+    """1/y without bounds, if its radius is less than c0."""
     c0, radius = y[2], sum(map(abs, y[3:]))
     if c0 <= radius:
         return None
     cube = c0 * c0 * c0
     f = ((ONE * ONE) // c0, -(ONE**3 // (c0 * c0)), ONE**4 // cube)
     rest = (radius**3 * ONE * ONE) // (cube * (c0 - radius)) + 1
-    return series(y, f, (1, 1, 1), rest)
+    c, e = series(y, f, (1, 1, 1), rest)
+    return 0, 0, c[0], c[1], c[2], c[3], c[4], c[5], e
 
 
 def root_model(x: Model) -> Model:
@@ -276,8 +296,7 @@ def _root_within(x: Model, bounds: Interval) -> Model:
     off = (1, ONE * ONE // (2 * q * q) + 2, 3 * ONE**4 // (8 * q**4) + 2)
     # |R|² in units is at most radius^6 ONE / (256 least^5).
     rest = isqrt(radius**6 * ONE // (256 * least**5)) + 1
-    *c, e = series(x, f, off, rest)
-    return model(bounds, c, e)
+    return model(bounds, *series(x, f, off, rest))
 
 
 def above_model(x: Model, least: int) -> Model:
@@ -395,8 +414,12 @@ def from_s(kind: Arithmetic, z: Sight, pair: Three) -> Sight:
 
 def looks(kind: Arithmetic, lam: Number, A: Number, eps: Number) -> int:
     """-1 if a pair never meets in free flight, 1 if it always does, 0 if that is open."""
-    low, high = kind.sub(kind.square(lam), kind.mul(A, eps))[:2]
-    if lam[1] <= 0 or high < 0:
+    if lam[1] <= 0:
+        return -1
+    if kind is not INTERVALS and (told := looks(INTERVALS, lam[:2], A[:2], eps[:2])):
+        return told
+    low, high = kind.sub(kind.square(kind.above(lam, 0)), kind.mul(A, eps))[:2]
+    if high < 0:
         return -1
     return 1 if lam[0] > 0 and low > 0 else 0
 
@@ -458,17 +481,17 @@ def collide(law: Law, z: Sight, way: Way, sig: Number | None = None) -> Sight:
     return Sight(y, lam, mul(law.r, s), eps, A, B, C, a, b, w)
 
 
-def what_meets(kind: Arithmetic, z: Sight) -> tuple[int, int, Three]:
-    """Whether o and c meet, whether s and c do, and the latter pair; bounds alone often tell."""
-    if kind is not INTERVALS:
-        near, away, pair = what_meets(INTERVALS, Sight(*(x[:2] for x in z)))
-        near = near or looks(kind, z.lam, z.A, z.eps)
-        if away < 0:
-            return near, away, pair
-    else:
-        near = looks(kind, z.lam, z.A, z.eps)
-    pair = far(kind, z)
-    return near, looks(kind, kind.neg(pair.p), pair.m, pair.g), pair
+def bounds(z: Sight) -> Sight:
+    """The same in intervals."""
+    return Sight(*(x[:2] for x in z))
+
+
+def is_plain(z: Sight, way: Way) -> bool:
+    """Whether bounds alone tell that o and c are the first to meet, if they do."""
+    pair = far(INTERVALS, bounds(z))
+    if looks(INTERVALS, neg(pair.p), pair.m, pair.g) < 0:
+        return True
+    return is_apart(INTERVALS, pair, Way(*(x[:2] for x in way)))
 
 
 def after(law: Law, z: Sight) -> tuple[bool, list[Sight]]:
@@ -481,12 +504,15 @@ def after(law: Law, z: Sight) -> tuple[bool, list[Sight]]:
     """
     if z.rho[0] <= 0 and z.B[0] <= 0:
         raise RefusedError("the spectator may stay in contact")
-    kind = law.kind
-    near, away, pair = what_meets(kind, z)
+    kind, near = law.kind, looks(law.kind, z.lam, z.A, z.eps)
+    way = way_of(kind, z) if near >= 0 else None
+    if near > 0 and way is not None and kind is not INTERVALS and is_plain(z, way):
+        return False, [collide(law, z, way)]
+    pair = far(kind, z)
+    away = looks(kind, kind.neg(pair.p), pair.m, pair.g)
     if near < 0 and away < 0:
         return True, []
     may_end = near < 1 and away < 1
-    way = way_of(kind, z) if near >= 0 else None
     if way is not None and (away < 0 or is_apart(kind, pair, way)):
         # Where both meet, o and c are first; s and c meet only where o and c do not.
         first, other = collide(law, z, way), None if near > 0 else _other(law, z, pair, away)
@@ -694,6 +720,12 @@ def sides(plane: Phi | Through, key: str) -> tuple[Interval, Interval]:
     return part(plane.x, column, len(key)), part(plane.y, row, len(key))
 
 
+def _on_box(kind: Arithmetic, plane: Phi | Through, key: str) -> tuple[Number, Number]:
+    """The two parameters."""
+    x, y = sides(plane, key)
+    return parameter(kind, 0, x), parameter(kind, 1, y)
+
+
 class Tile(NamedTuple):
     """A tile of a strip: its part, whether it is above, and the ends of t and of u."""
 
@@ -715,6 +747,12 @@ def tile(plane: Strip, key: str) -> Tile:
     t = (half * (2 * rest * share - 1), half * (2 * (rest + 1) * share - 1))
     width = (ends[1] - ends[0]) * share
     return Tile(place, band >= count, t, (ends[0] + width * lift, ends[0] + width * (lift + 1)))
+
+
+def is_above(plane: Strip, key: str) -> bool:
+    """Whether a tile is above the curve."""
+    row, depth = corner(key)[1], len(key) - len(plane.curve).bit_length() + 1
+    return row >> depth >= len(plane.below) - 1
 
 
 def _on_tile(kind: Arithmetic, plane: Strip, key: str) -> tuple[Number, Number]:
@@ -760,107 +798,133 @@ def parameter(kind: Arithmetic, place: int, x: Interval) -> Number:
     return (*x, middle, *slope, 0)
 
 
-def beginning(law: Law, plane: Plane, key: str) -> list[Sight | None]:
-    """All scenes of a box, or what they are after their first collision; None: there may be none.
+#: From the key of a box to all its scenes, or to what they are after their first collision.
+#: None stands for scenes that have none.
+Beginning = Callable[[str], list[Sight | None]]
 
-    Raises:
-        RefusedError: if it is open which collision is the first one, or spheres may overlap.
+
+def beginning(law: Law, plane: Plane) -> Beginning:
+    """How the boxes of a plane begin.
+
+    It raises RefusedError if it is open which collision is the first one, or spheres may overlap.
     """
+    kind = law.kind
     if isinstance(plane, Strip):
-        return [_at_contact(law.kind, plane.phi, *_on_tile(law.kind, plane, key))]
-    x, y = (parameter(law.kind, i, side) for i, side in enumerate(sides(plane, key)))
+        on_tile = _at_contact(kind, plane.phi)
+        return lambda key: [on_tile(*_on_tile(kind, plane, key))]
     if isinstance(plane, Phi):
-        return [_at_contact(law.kind, plane, x, y)]
-    may_end, states = first_after(law, *_scenes(law.kind, plane, x, y))
-    return [*states, None] if may_end else [*states]
+        on_box = _at_contact(kind, plane)
+        return lambda key: [on_box(*_on_box(kind, plane, key))]
+    products = [_products(kind, plane, place) for place in PAIRS]
+
+    def begin(key: str) -> list[Sight | None]:
+        varied = _varied(kind, plane, *_on_box(kind, plane, key))
+        may_end, states = first_after(law, *_scenes(kind, products, varied))
+        return [*states, None] if may_end else [*states]
+
+    return begin
 
 
-def _at_contact(kind: Arithmetic, plane: Phi, phi_1: Number, phi_2: Number) -> Sight:
-    """The scenes with φ1 > 0 and φ2 > 0."""
+def _at_contact(kind: Arithmetic, plane: Phi) -> Callable[[Number, Number], Sight]:
+    """The scenes with given φ1 > 0 and φ2 > 0."""
     add, sub, mul, _, square = kind[:5]
     C, v, u_c, u_s = (number(kind, x) for x in (plane.neg_cos, plane.speed, *plane.tangential))
     sine = kind.root(number(kind, 1 - plane.neg_cos**2))
-    d, eta_s = mul(phi_2, square(v)), mul(phi_1, v)
-    D = add(kind.one, d)
-    turned = sub(mul(eta_s, v), mul(u_c, u_s))
-    w = sub(mul(C, turned), mul(sine, add(mul(u_s, v), mul(u_c, eta_s))))
-    eps, a = mul(phi_2, add(kind.one, D)), sub(mul(C, v), mul(sine, u_c))
-    A, B = add(square(v), square(u_c)), add(square(eta_s), square(u_s))
-    b = mul(D, sub(mul(sine, u_s), mul(C, eta_s)))
-    state = Sight(v, D, phi_1, eps, A, B, mul(D, C), a, b, w)
-    if far(kind, state).g[0] <= 0:
-        raise RefusedError("the spheres s and c may touch")
+    vv, u_cs, across = square(v), mul(u_c, u_s), mul(sine, u_s)
+    a, A, turn = sub(mul(C, v), mul(sine, u_c)), add(vv, square(u_c)), mul(u_s, v)
+
+    def state(phi_1: Number, phi_2: Number) -> Sight:
+        eta_s = mul(phi_1, v)
+        D = add(kind.one, mul(phi_2, vv))
+        turned = sub(mul(eta_s, v), u_cs)
+        w = sub(mul(C, turned), mul(sine, add(turn, mul(u_c, eta_s))))
+        b = mul(D, sub(across, mul(C, eta_s)))
+        B = add(square(eta_s), square(u_s))
+        eps = mul(phi_2, add(kind.one, D))
+        found = Sight(v, D, phi_1, eps, A, B, mul(D, C), a, b, w)
+        if far(kind, found).g[0] <= 0:
+            raise RefusedError("the spheres s and c may touch")
+        return found
+
     return state
 
 
 #: The pairs as o, c, with the sphere s.
 PAIRS = ((0, 1, 2), (0, 2, 1), (1, 2, 0))
+#: A coordinate of a vector between spheres: positions or velocities, from, to, which one.
+Coordinate = tuple[str, int, int, int]
+#: A number, and products to be added: at least one factor is a coordinate that varies.
+Products = tuple[Number, list[tuple[Coordinate | Number, Coordinate | Number]]]
 
 
-def _scenes(
-    kind: Arithmetic, plane: Through, x: Number, y: Number
-) -> tuple[list[Three], Callable[[int], tuple[Sight, Number]]]:
-    """The three pairs, and the scene seen with each of them as o, c."""
-    varied = {plane.x_at: x, plane.y_at: y}
-
-    def between(i: int, j: int) -> tuple[list[Number], list[Number]]:
-        rows = (("positions", plane.positions), ("velocities", plane.velocities))
-        first, second = (_vector(kind, varied, name, given, (i, j)) for name, given in rows)
-        return first, second
-
-    def dot(a: list[Number], b: list[Number]) -> Number:
-        total = kind.mul(a[0], b[0])
-        for one, two in zip(a[1:], b[1:], strict=True):
-            total = kind.add(total, kind.mul(one, two))
-        return total
-
-    def pair(o: int, c: int) -> Three:
-        x_c, W_c = between(o, c)
-        return Three(kind.sub(dot(x_c, x_c), kind.one), dot(x_c, W_c), dot(W_c, W_c))
-
-    def sight(place: int) -> tuple[Sight, Number]:
-        o, c, s = PAIRS[place]
-        (x_s, W_s), (x_c, W_c) = between(o, s), between(o, c)
-        eps, sig = (kind.sub(dot(x, x), kind.one) for x in (x_c, x_s))
-        lam, rho, C = kind.neg(dot(x_c, W_c)), dot(x_s, W_s), kind.neg(dot(x_s, x_c))
-        A, B, a, b, w = (
-            dot(x, y) for x, y in ((W_c, W_c), (W_s, W_s), (x_s, W_c), (x_c, W_s), (W_s, W_c))
-        )
-        return Sight(kind.one, lam, rho, eps, A, B, C, a, b, w), sig
-
-    exact = (_exact_pair(kind, plane, varied, (o, c)) or pair(o, c) for o, c, _ in PAIRS)
-    return [*exact], sight
+def _products(kind: Arithmetic, plane: Through, place: tuple[int, int, int]) -> list[Products]:
+    """The inner products of the vectors from o; for |x_c|² and |x_s|² what they are above 1."""
+    o, c, s = place
+    x_c, W_c, x_s, W_s = (
+        [(name, o, other, k) for k in range(len(plane.positions[0]))]
+        for other in (c, s)
+        for name in ("positions", "velocities")
+    )
+    pair = ((x_c, x_c), (x_c, W_c), (W_c, W_c))
+    others = ((x_s, x_s), (x_s, W_s), (W_s, W_s), (x_s, x_c), (x_s, W_c), (x_c, W_s), (W_s, W_c))
+    return [_dot(kind, plane, *two) for two in (*pair, *others)]
 
 
-def _vector(
-    kind: Arithmetic, varied: Mapping[Place, Number], name: str, rows: Rows, pair: tuple[int, int]
-) -> list[Number]:
-    """From one sphere to another one; what does not vary is known exactly."""
-    i, j = pair
-    found = []
-    for k, (a, b) in enumerate(zip(rows[i], rows[j], strict=True)):
-        if (name, i, k) in varied or (name, j, k) in varied:
-            ends = (varied.get((name, n, k)) or number(kind, c) for n, c in ((j, b), (i, a)))
-            found.append(kind.sub(*ends))
+def _dot(kind: Arithmetic, plane: Through, a: list[Coordinate], b: list[Coordinate]) -> Products:
+    """What does not vary is added up exactly: so spheres can be in contact."""
+    exact, rest = Fraction(-1 if a == b and a[0][0] == "positions" else 0), []
+    for one, two in zip(a, b, strict=True):
+        p, q = _fixed(plane, one), _fixed(plane, two)
+        if p is not None and q is not None:
+            exact += p * q
         else:
-            found.append(number(kind, b - a))
+            factors = ((one, p), (two, q))
+            first, second = (x if c is None else number(kind, c) for x, c in factors)
+            rest.append((first, second))
+    return number(kind, exact), rest
+
+
+def _fixed(plane: Through, x: Coordinate) -> Fraction | None:
+    """The value of a coordinate, unless it varies."""
+    name, i, j, k = x
+    if {(name, i, k), (name, j, k)} & {plane.x_at, plane.y_at}:
+        return None
+    rows = plane.positions if name == "positions" else plane.velocities
+    return rows[j][k] - rows[i][k]
+
+
+def _varied(kind: Arithmetic, plane: Through, x: Number, y: Number) -> dict[Coordinate, Number]:
+    """The coordinates that vary."""
+    at, found = {plane.x_at: x, plane.y_at: y}, {}
+    for name, i, k in at:
+        rows = plane.positions if name == "positions" else plane.velocities
+        for j in {0, 1, 2} - {i}:
+            here, there = at[name, i, k], at.get((name, j, k)) or number(kind, rows[j][k])
+            found[name, i, j, k] = kind.sub(there, here)
+            found[name, j, i, k] = kind.sub(here, there)
     return found
 
 
-def _exact_pair(
-    kind: Arithmetic, plane: Through, varied: Collection[Place], pair: tuple[int, int]
-) -> Three | None:
-    """A pair that does not vary; it may be in contact."""
-    if any(sphere in pair for _, sphere, _ in varied):
-        return None
-    i, j = pair
-    x, w = (
-        [b - a for a, b in zip(rows[i], rows[j], strict=True)]
-        for rows in (plane.positions, plane.velocities)
-    )
-    products = (sum(a * b for a, b in zip(*two, strict=True)) for two in ((x, x), (x, w), (w, w)))
-    g, p, m = (Fraction(product) for product in products)
-    return Three(number(kind, g - 1), number(kind, p), number(kind, m))
+def _scenes(
+    kind: Arithmetic, products: list[list[Products]], varied: Mapping[Coordinate, Number]
+) -> tuple[list[Three], Callable[[int], tuple[Sight, Number]]]:
+    """The three pairs, and the scene seen with each of them as o, c."""
+
+    def total(sum_: Products) -> Number:
+        found, rest = sum_
+        for a, b in rest:
+            one, two = varied.get(a, a), varied.get(b, b)
+            found = kind.add(found, kind.square(one) if a == b else kind.mul(one, two))
+        return found
+
+    pairs = [Three(*map(total, found[:3])) for found in products]
+
+    def sight(place: int) -> tuple[Sight, Number]:
+        eps, p, A = pairs[place]
+        sig, rho, B, C, a, b, w = map(total, products[place][3:])
+        return Sight(kind.one, kind.neg(p), rho, eps, A, B, kind.neg(C), a, b, w), sig
+
+    return pairs, sight
 
 
 def prove(
@@ -876,7 +940,9 @@ def prove(
         state, steps = waiting.pop(), steps + 1
         if steps > MAX_STEPS:
             raise RefusedError(f"there is no end after {MAX_STEPS} collisions")
-        if state is not None and not all(-MAX_NUMBER < x[0] <= x[1] < MAX_NUMBER for x in state):
+        if state is not None and any(x[0] > x[1] for x in state):
+            continue  # no state of the box is in this branch
+        if state is not None and not all(-MAX_NUMBER < n < MAX_NUMBER for x in state for n in x):
             raise RefusedError("the numbers of a state are too large to go on")
         if state is not None and any(closes(law, state, six) for six in numbers):
             continue
@@ -924,8 +990,8 @@ def check_log(lines: Iterator[bytes]) -> tuple[Plane, Areas]:
         raise LogError("expected a first level from 1 to 8")
     if isinstance(plane, Strip) and 1 << level != len(plane.curve):
         raise LogError("expected a first box for each part of the curve")
-    sided = isinstance(plane, Strip)
-    laws, boxes, proved = laws_of(plane), 0, 0
+    law, sided, boxes, proved = law_in(plane), isinstance(plane, Strip), 0, 0
+    begin = beginning(law, plane)
     shares = {"c": Fraction(0), "d": Fraction(0)}
     due, children = [_key(i, level) for i in range(4**level)], list[str]()
     at = 0
@@ -943,38 +1009,33 @@ def check_log(lines: Iterator[bytes]) -> tuple[Plane, Areas]:
             if letter == "u":
                 children += [key + digit for digit in "0123"]
                 continue
-            prove_box(laws, plane, key, letter, next(given, []) if letter == "c" else [])
+            prove_box(law, begin, key, letter, next(given, []) if letter == "c" else [])
             shares[letter] += share_of(plane, key)
             proved += 1
-            sided = isinstance(plane, Strip) and sided and (letter == "d") == tile(plane, key).above
+            sided = isinstance(plane, Strip) and sided and (letter == "d") == is_above(plane, key)
     done = at == len(due) and not children
     return plane, Areas(boxes, proved, shares["c"], shares["d"], sided and done)
 
 
-def laws_of(plane: Plane) -> list[Law]:
-    """The law for each kind of numbers that a plane is decided in."""
+def law_in(plane: Plane) -> Law:
+    """The law, in the kind of numbers that a plane is decided in."""
     if isinstance(plane, Strip):
-        return [law_of(plane.phi.r, MODELS)]
-    kinds = (INTERVALS,) if isinstance(plane, Phi) else (INTERVALS, MODELS)
-    return [law_of(plane.r, kind) for kind in kinds]
+        return law_of(plane.phi.r, MODELS)
+    return law_of(plane.r, INTERVALS if isinstance(plane, Phi) else MODELS)
 
 
 def prove_box(
-    laws: list[Law], plane: Plane, key: str, letter: str, numbers: list[tuple[Interval, ...]]
+    law: Law, begin: Beginning, key: str, letter: str, numbers: list[tuple[Interval, ...]]
 ) -> None:
-    """Show the verdict on a box, in one of the kinds of numbers.
+    """Show the verdict on a box.
 
     Raises:
         RefusedError: if that fails.
     """
-    for place, law in enumerate(laws, 1):
-        try:
-            prove(law, beginning(law, plane, key), letter, numbers)
-        except RefusedError as error:
-            if place == len(laws):
-                raise RefusedError(f"box {key}, {letter}: {error}") from None
-        else:
-            return
+    try:
+        prove(law, begin(key), letter, numbers)
+    except RefusedError as error:
+        raise RefusedError(f"box {key}, {letter}: {error}") from None
 
 
 def _key(place: int, level: int) -> str:

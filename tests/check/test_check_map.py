@@ -208,7 +208,7 @@ def closing(r: Fraction) -> bool:
     law, side = check_map.law_of(r), (Fraction(0), Fraction(1))
     plane = check_map.Phi(r, Fraction(1), speed, (tangential, tangential), side, side)
     phi = (check_map.around(m), check_map.around(k / 2))
-    state = check_map._at_contact(law.kind, plane, *phi)
+    state = check_map._at_contact(law.kind, plane)(*phi)
     numbers = (m, p, X, Y, k, 2 * tangential)
     return check_map.closes(law, state, tuple(map(check_map.around, numbers)))
 

@@ -73,7 +73,7 @@ def test_what_closes_satisfies_all_conditions() -> None:
         near = PLANE._replace(x=(x - WIDE, x + WIDE), y=(y / 2, 3 * y / 2))
         six = verdicts(near, ["0"]).numbers[0][0]
         point = [check_map.around(value) for value in (x, y)]
-        state = check_map._at_contact(check_map.INTERVALS, plane, *point)
+        state = check_map._at_contact(check_map.INTERVALS, plane)(*point)
         for _ in range(150):
             at = rng.randrange(6)
             share = rng.choice((1.05, 1.2, 1.5, 2))

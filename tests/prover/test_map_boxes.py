@@ -90,11 +90,23 @@ def test_points_of_decided_boxes_do_what_was_proved(name: str) -> None:
 @pytest.mark.parametrize("name", PLANES)
 def test_the_checker_accepts_the_boxes(name: str) -> None:
     plane = check_map.plane_of(plane_document(PLANES[name]))
-    laws = check_map.laws_of(plane)
+    law = check_map.law_in(plane)
+    begin = check_map.beginning(law, plane)
     boxes = [box for box in refined(PLANES[name], 3) if box[1] != "u"]
     for key, letter, numbers in random.Random(name).sample(boxes, min(len(boxes), 50)):
         flat = [number for six in numbers for number in six]
-        check_map.prove_box(laws, plane, key, letter, check_map.sixes(flat, letter))
+        check_map.prove_box(law, begin, key, letter, check_map.sixes(flat, letter))
+
+
+@pytest.mark.parametrize(("name", "key"), [("slice", "122102021"), ("slice-contact", "2112311120")])
+def test_a_branch_that_no_state_is_in(name: str, key: str) -> None:
+    """A grazing branch with bounds that contradict each other says nothing, and is no obstacle."""
+    plane = check_map.plane_of(plane_document(PLANES[name]))
+    law = check_map.law_in(plane)
+    assert verdicts(PLANES[name], [key]).letters == "d"
+    check_map.prove_box(law, check_map.beginning(law, plane), key, "d", [])
+    with pytest.raises(check_map.RefusedError):
+        check_map.prove_box(law, check_map.beginning(law, plane), key, "c", [])
 
 
 def test_a_verdict_depends_on_its_box_alone() -> None:

@@ -37,6 +37,6 @@ def test_the_checker_follows_both_too() -> None:
     plane = check_map.plane_of(plane_document(ACROSS))
     for kind in (check_map.INTERVALS, check_map.MODELS):
         law = check_map.law_of(plane.r, kind)
-        may_end, states = check_map.after(law, check_map.beginning(law, plane, "0")[0])
+        may_end, states = check_map.after(law, check_map.beginning(law, plane)("0")[0])
         assert may_end
         assert len(states) == 1

@@ -262,13 +262,14 @@ def _recheck(progress: Progress, *, everything: bool) -> None:
     from verify.wire.map_log import plane_document
 
     plane = check_map.plane_of(plane_document(progress.plane))
-    laws = check_map.laws_of(plane)
+    law = check_map.law_in(plane)
+    begin = check_map.beginning(law, plane)
     chosen = list(progress.decided())
     if not everything and len(chosen) > SAMPLE:
         # Which boxes are proved a second time is no secret.
         chosen = random.Random(len(chosen)).sample(chosen, SAMPLE)  # noqa: S311
     for key, letter, numbers in chosen:
         try:
-            check_map.prove_box(laws, plane, key, letter, check_map.sixes(numbers, letter))
+            check_map.prove_box(law, begin, key, letter, check_map.sixes(numbers, letter))
         except check_map.RefusedError as error:
             raise OwnError(f"our own checker does not accept a box ({error})") from error

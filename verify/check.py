@@ -41,6 +41,7 @@ MAX_DEGREE = 1 << 20  # of a name or another atom in a polynomial
 MAX_SHOWN = 1 << 12  # bits before or after the point, in messages
 MAX_TOLD = 4  # monomials, and factors of one, in messages
 MAX_WORK = 6_000_000  # about the number of microseconds
+SERIES_BITS = 128  # of the coefficients of cosines
 
 
 class Malformed(Exception):  # noqa: N818
@@ -159,6 +160,7 @@ ARITY = {"add": 2, "sub": 2, "mul": 2, "div": 2, "neg": 1, "sqrt": 1, "cos": 1, 
 ARITY_OR_MORE: dict[str, int | None] = {**ARITY, "min": None, "max": None}
 #: The operations that a polynomial cannot look into, and that an equation may replace.
 ATOMS = ("name", "sqrt", "min", "max", "cos", "cos_pi")
+COSINES = ("cos", "cos_pi")
 #: The negation of a claim is this relation between the two sides, swapped.
 NEGATION = {"<": "<=", "<=": "<", "=": "!="}
 #: Whether a relation holds between all numbers of two intervals.
@@ -449,6 +451,86 @@ class Kernel:
         need(zero and claim.relation == "<" and op == "sqrt", Refused, "expected 0 < a root")
         known = self.knows("<", radicands[0], place)
         need(known, Refused, "found a radicand that is not known to be positive")
+
+    def antisymmetry(self, place: Place, claim: Claim, proof: Proof) -> None:
+        """Two numbers are equal if each is at most the other."""
+        need(claim.relation == "=", Refused, "found {}, expected =", claim.relation)
+        orders = [Claim("<=", claim.lhs, claim.rhs), Claim("<=", claim.rhs, claim.lhs)]
+        for order, inner in self.paired(orders, proof["branches"]):
+            self.prove(place, order, inner)
+
+    def angles(self, place: Place, claim: Claim, __: Proof) -> None:
+        """2 cos u cos v = cos s + cos t, where s = u + v and t = u - v are identities."""
+        two, product = self.parts("mul", claim.lhs)
+        sums = self.parts("add", claim.rhs)
+        good = claim.relation == "=" and self.nodes[two] == Node("rational", (), (2, 1))
+        need(good, Refused, "expected 2 cos u cos v = cos s + cos t")
+        op = self.nodes[sums[0]].op
+        need(op in COSINES, Refused, "found {}, expected a cosine", op)
+        u, v, s, t = self.parts(op, *self.parts("mul", product), *sums)
+        clearing = Clearing(self, place, ())
+        for kind, angle in (("add", s), ("sub", t)):
+            rest = clearing.reduce(clearing.difference(self.node(kind, (u, v)), angle))
+            need(not rest, Refused, "found angles that differ, by {}", clearing.told(rest))
+
+    def cosine(self, place: Place, claim: Claim, __: Proof) -> None:
+        """The partial sums of the series of a cosine lie above it and below it, in turn.
+
+        Integrating cos y <= 1 from 0 again and again shows this of 1 - y^2/2! + ... and cos y for
+        all y, and of y - y^3/3! + ... and sin y for y >= 0. Here y is u, or pi u. As the powers
+        of u in it are >= 0, coefficients may be more in a bound above, and less in one below.
+        """
+        is_above = self.nodes[claim.lhs].op in COSINES
+        found, bound = (claim.lhs, claim.rhs) if is_above else (claim.rhs, claim.lhs)
+        op = self.nodes[found].op
+        good = claim.relation == "<=" and op in COSINES
+        need(good, Refused, "expected <= between a cosine and a polynomial")
+        (u,) = self.parts(op, found)
+        Clearing(self, place, ()).clear(u)
+        is_sine = op == "cos_pi" and self.nodes[bound].op == "mul"  # cos(pi/2 - y) = sin y
+        if is_sine:
+            half, angle = self.parts("sub", u)
+            u, bound = self.parts("mul", bound)
+            good = u == angle and self.nodes[half] == Node("rational", (), (1, 2))
+            need(good, Refused, "expected u times a polynomial, and cos_pi(1/2 - u)")
+            known = self.knows("<=", u, place) or self.knows("<", u, place)
+            need(known, Refused, "found a sine of an angle that is not known to be >= 0")
+        coefficients = self.coefficients(bound, u)
+        good = len(coefficients) % 2 == is_above
+        need(good, Refused, "found a bound on the other side, of {} terms", len(coefficients))
+        for c, exact in zip(coefficients, self.series(op, is_sine), strict=False):
+            good = exact.high <= c if is_above else c <= exact.low
+            need(good, Refused, "found the coefficient {} on the wrong side of {}", str(c), exact)
+
+    def coefficients(self, term: int, u: int) -> list[Fraction]:
+        """The coefficients of a polynomial in u^2 that is a number c, or c + u^2 (...)."""
+        numbers, square = [], Node("pow", (u,), (2,))
+        while self.nodes[term].op == "add":
+            number, product = self.nodes[term].subterms
+            power, term = self.parts("mul", product)
+            need(self.nodes[power] == square, Refused, "found no square of the angle")
+            numbers.append(number)
+        nodes = [self.nodes[number] for number in (*numbers, term)]
+        good = all(node.op == "rational" for node in nodes)
+        need(good, Refused, "found a coefficient that is no number")
+        return [Fraction(*node.rest) for node in nodes]
+
+    def series(self, op: str, is_sine: bool) -> Iterable[Interval]:
+        """Intervals around the coefficients of cos u or cos(pi u), or of sin(pi u)."""
+        scope, n = Enclosing(self, SERIES_BITS, None), int(is_sine)
+        y = scope.pi() if op == "cos_pi" else UNIT
+        exact, factor = y if is_sine else UNIT, scope.neg(scope.mul(y, y))
+        while True:
+            yield exact
+            divisor = scope.rational((n + 1) * (n + 2), 1)
+            exact, n = scope.outward(scope.div(scope.mul(exact, factor), divisor)), n + 2
+
+    def parts(self, op: str, *terms: int) -> list[int]:
+        """The subterms of terms of this operation."""
+        nodes = [self.nodes[term] for term in terms]
+        for node in nodes:
+            need(node.op == op, Refused, "found {}, expected {}", node.op, op)
+        return [part for node in nodes for part in node.subterms]
 
     def sum(self, place: Place, claim: Claim, proof: Proof) -> None:
         """The negation of the claim would make a positive number zero; or: an identity.
@@ -1051,11 +1133,14 @@ class Enclosing:
     def cos_pi_at(self, x: Fraction) -> Interval:
         """cos(pi x), cut to [-1, 1], where x may be shifted by an even number into [-1, 1].
 
+        At -1, -1/2, 0 and 1/2 it is 1 - 2 |x|. Elsewhere:
         For |y| <= 4 the sum over k <= m of (-1)^k y^(2k)/(2k)!, here 1 - y^2/2 (1 - y^2/12 (...)),
         is off by at most 4^n/n! < (4e/n)^n < 2^-n for n = 2m + 2 >= 22 (Taylor's theorem: the
         derivatives of cos are bounded by 1).
         """
         turned = x - (x + 1) // 2 * 2
+        if turned.denominator <= 2:
+            return Interval(1 - 2 * abs(turned), 1 - 2 * abs(turned))
         y = self.mul(Interval(turned, turned), self.pi())
         shift = self.bits + 32
         square, t = self.power(y, 2), (1 << shift, 1 << shift)  # in units of 2^-shift from here on
@@ -1287,6 +1372,9 @@ RULES: dict[str, tuple[Callable[..., None], Shape]] = {
     ),
     "cases": (Kernel.cases, record(rule=rule, of=anything, branches=proofs)),
     "root": (Kernel.root, record(rule=rule)),
+    "antisymmetry": (Kernel.antisymmetry, record(rule=rule, branches=proofs)),
+    "angles": (Kernel.angles, record(rule=rule)),
+    "cosine": (Kernel.cosine, record(rule=rule)),
     "instance": (
         Kernel.instance,
         record(rule=rule, of=context_name, at=table(anything), givens=proofs),

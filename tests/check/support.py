@@ -108,6 +108,8 @@ def induction(start: Sequence[Json], following: Sequence[Json]) -> Document:
 INTERVAL = interval()
 IDENTITY = total()
 ROOT = {"rule": "root"}
+ANGLES = {"rule": "angles"}
+COSINE = {"rule": "cosine"}
 DEFINE = {"rule": "define"}
 
 

@@ -239,13 +239,25 @@ def test_cosines_with_room_for_the_rest_of_the_series(bits: int) -> None:
     """2^-n, which bounds it, lies between each end and the value, but where that end is cut off."""
     scope = enclosing(bits)
     rest = F(1, 2 ** (2 * (bits // 2 + 11) + 2))
-    for d in (1, -2, 3, 4, 7, -15, 100, 10**5, 10**99):
+    for d in (-3, 4, 7, -15, 100, 10**5, 10**99):
         x = scope.cos_pi_at(F(1, d))
         with mpmath.workprec(bits + 200):
             value = exact(mpmath.cos(mpmath.pi / d))
         assert x.low == -1 or x.low <= value - rest
         assert x.high == 1 or value + rest <= x.high
         assert x.high - x.low <= F(16, 2**bits)
+
+
+@pytest.mark.parametrize("bits", [2, 64])
+def test_cosines_are_exact_at_halves_and_nowhere_else(bits: int) -> None:
+    scope = enclosing(bits)
+    for k in range(-9, 10):
+        x = scope.cos_pi_at(F(k, 2))
+        assert x.low == x.high == (1, 0, -1, 0)[k % 4]
+        for near in (F(k, 2) + F(1, 10**40), F(k, 3) + F(1, 12), F(2 * k + 1, 4)):
+            x = scope.cos_pi_at(near)
+            assert x.low < x.high
+    assert scope.cos(scope.rational(0, 1)) == (1, 1)
 
 
 @pytest.mark.parametrize("bits", [2, 3, 5, 8, 64])

@@ -13,7 +13,9 @@ from hashlib import sha256
 from typing import NamedTuple
 
 from tests.check.support import (
+    ANGLES,
     BOUNDS,
+    COSINE,
     IDENTITY,
     INTERVAL,
     ROOT,
@@ -163,7 +165,12 @@ PROOFS: dict[str, Json] = {
     "least-of-rhs": least("rhs", interval(BOUNDS), interval(BOUNDS)),
     "least-of-lhs": least("lhs", interval(BOUNDS), interval(BOUNDS)),
     "cases": cases("min(x, 1/2)", total("goal", "@2", using=["@1"]), total("goal", using=["@1"])),
+    "antisymmetry": {"rule": "antisymmetry", "branches": [interval(BOUNDS), interval(BOUNDS)]},
+    "antisymmetry-of-goals": {"rule": "antisymmetry", "branches": [total("goal"), total("goal")]},
+    "angles": ANGLES,
+    "cosine": COSINE,
 }
+SQUARE = ["pow", "x", "2"]
 FALSE = {
     "a-strict-bound-at-its-end": "x < 1",
     "a-bound-below-the-end": "x <= 99/100",
@@ -182,6 +189,17 @@ FALSE = {
     "a-square-below-zero": "x*x < 0",
     "a-cosine-above-one": "1 < cos(x)",
     "a-power-that-falls": "x <= x**3",
+    "a-cosine-of-nothing": "cos(1/(x - x)) <= 1",
+    "a-sum-of-angles-of-nothing": "2*(cos(1/(x - x))*cos(x)) = cos(1/(x - x) + x) + cos(0)",
+    "angles-in-another-order": "2*(cos(x)*cos(1)) = cos(x - 1) + cos(x - 1)",
+    "a-cosine-that-is-a-sine": "2*(cos_pi(x)*cos_pi(1/2)) = cos_pi(x) + cos_pi(x)",
+    "a-parabola-that-is-too-wide": ["<=", ["add", "1", ["mul", SQUARE, "-1/4"]], ["cos", "x"]],
+    "a-parabola-on-the-other-side": ["<=", ["cos", "x"], ["add", "1", ["mul", SQUARE, "-1/2"]]],
+    "a-line-below-a-cosine": ["<=", ["add", "1", ["mul", "x", "-1/4"]], ["cos", "x"]],
+    "a-parabola-of-another-angle": ["<=", ["add", "1", ["mul", SQUARE, "-1/2"]], ["cos", "2"]],
+    "a-sine-below-its-tangent": ["<=", ["mul", "x", "4"], ["cos_pi", ["sub", "1/2", "x"]]],
+    "a-sine-of-less": ["<=", ["cos_pi", ["sub", "1/2", "x"]], ["mul", "x", "1"]],
+    "a-series-with-a-name": ["<=", ["add", "1", ["mul", SQUARE, "x"]], ["cos", "x"]],
 }
 for claim_name, claim in FALSE.items():
     for proof_name, proof in PROOFS.items():
@@ -211,6 +229,13 @@ def a_divisor_that_is_the_second_term() -> Files:
 
 ROOTS = "sqrt(x) = sqrt(x)"
 WHOLE = {
+    "a-sine-of-negative-angles": proof_of("cos_pi(1/2 - x) <= x*4", COSINE),
+    "a-sine-whose-angle-is-known-elsewhere": proof_of(
+        "cos_pi(1/2 - x) <= x*4", cuts("x", ["0"], COSINE, COSINE)
+    ),
+    "one-order-for-both": proof_of(
+        "x = 1", {"rule": "antisymmetry", "branches": [total("goal", "x-high")] * 2}, "0"
+    ),
     "an-inequality-used-as-an-equation": proof_of("x = 1", total(using=["x-high"])),
     "an-inequality-used-as-a-definition": a_bound_by_a_maximum,
     "a-comparison-of-a-term-with-itself-as-a-sign": proof_of(

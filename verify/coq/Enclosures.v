@@ -214,10 +214,16 @@ Definition enclosed_min (x y : enclosure) : enclosure :=
 Definition enclosed_max (x y : enclosure) : enclosure :=
   if decide AtMost x y then y else if decide AtMost y x then x
   else Around (greatest_interval (interval_of x) (interval_of y)).
-Definition enclosed_cos (x : enclosure) : enclosure := Around (I.cos p (interval_of x)).
+Definition enclosed_cos (x : enclosure) : enclosure :=
+  match x with
+  | Exact (Qmake 0 _) => Exact 1
+  | _ => Around (I.cos p (interval_of x))
+  end.
 Definition enclosed_cos_pi (x : enclosure) : enclosure :=
   match x with
   | Exact (Qmake n 1) => Exact (if Z.even n then 1 else (-1))%Q
+  | Exact (Qmake n 2) =>
+      if Z.odd n then Exact 0 else Around (I.cos p (I.mul p (I.pi p) (interval_of x)))
   | _ => Around (I.cos p (I.mul p (I.pi p) (interval_of x)))
   end.
 
@@ -314,7 +320,12 @@ Proof.
     + intervals. now apply greatest_inside.
 Qed.
 Lemma cos_sound x a : encloses x a -> encloses (enclosed_cos x) (cos a).
-Proof. intros X. intervals. now apply cos_inside. Qed.
+Proof.
+  intros X. assert (C : inside (I.cos p (interval_of x)) (cos a)) by (intervals; now apply cos_inside).
+  destruct x as [[[] d]|i]; try exact C. cbn [encloses enclosed_cos] in *. subst.
+  replace (Q2R (Qmake 0 d)) with 0 by (unfold Q2R; cbn; ring). rewrite cos_0.
+  unfold Q2R. cbn. field.
+Qed.
 Lemma cos_even k : cos (PI * IZR (2 * k)) = 1.
 Proof.
   assert (N : forall n, cos (PI * (2 * INR n)) = 1).
@@ -335,14 +346,21 @@ Proof.
     replace (PI * (IZR (2 * k) + 1)) with (PI * IZR (2 * k) + PI) by ring.
     rewrite neg_cos, cos_even. reflexivity.
 Qed.
+Lemma cos_half_integer k : cos (PI * Q2R (Qmake (2 * k + 1) 2)) = 0.
+Proof.
+  apply cos_eq_0_1. exists k. unfold Q2R. cbn [Qnum Qden]. rewrite plus_IZR, mult_IZR. field.
+Qed.
 Lemma cos_pi_sound x a : encloses x a -> encloses (enclosed_cos_pi x) (cos (PI * a)).
 Proof.
   intros X.
   assert (K : inside (I.cos p (I.mul p (I.pi p) (interval_of x))) (cos (PI * a))).
   { intervals. apply cos_inside, mul_inside; trivial. apply I.pi_correct. }
-  destruct x as [[n [d|d|]]|i]; try exact K. clear K.
-  cbn [encloses enclosed_cos_pi] in *. subst. rewrite Q2R_int, cos_integer.
-  destruct (Z.even n); unfold Q2R; simpl; lra.
+  destruct x as [[n [d|[d|d|]|]]|i]; try exact K.
+  - cbn [encloses enclosed_cos_pi] in *. destruct (Z.odd n) eqn:O; [|exact K]. clear K. subst.
+    apply Z.odd_spec in O. destruct O as [k ->]. cbn [encloses]. rewrite zero_value.
+    now apply cos_half_integer.
+  - clear K. cbn [encloses enclosed_cos_pi] in *. subst. rewrite Q2R_int, cos_integer.
+    destruct (Z.even n); unfold Q2R; simpl; lra.
 Qed.
 
 (* What lies above one number and below another; none, if no number does. *)

@@ -1,6 +1,6 @@
 (* The rules, in the order of verify/check.py and under the same names. Sound.v proves them. *)
 Require Import Reals QArith Qreals ZArith NArith List Lra Lia Bool Arith FMapPositive.
-Require Import Meaning Polynomials Terms Substitution Clearing Enclosures.
+Require Import Meaning Polynomials Terms Substitution Clearing Enclosures Cosines.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -16,6 +16,7 @@ Inductive proof : Set :=
 | Entry (s : side) (equation : option reference)
 | Least (s : side) (equation : option reference) (branches : list proof)
 | PositiveRoot
+| Antisymmetry (branches : list proof) | Angles | Cosine_
 | BySum (replacements : list reference) (addends : list addend) (equations : list (reference * positive))
 | Instance (of : positive) (at_ : substitution) (premises : list proof).
 
@@ -28,6 +29,9 @@ Hypothesis PCases : forall t ps, Forall P ps -> P (Cases t ps).
 Hypothesis PEntry : forall s e, P (Entry s e).
 Hypothesis PLeast : forall s e ps, Forall P ps -> P (Least s e ps).
 Hypothesis PRoot : P PositiveRoot.
+Hypothesis PAntisymmetry : forall ps, Forall P ps -> P (Antisymmetry ps).
+Hypothesis PAngles : P Angles.
+Hypothesis PCosine : P Cosine_.
 Hypothesis PSum : forall u a e, P (BySum u a e).
 Hypothesis PInstance : forall f s ps, Forall P ps -> P (Instance f s ps).
 Fixpoint proof_induction (p : proof) : P p :=
@@ -44,6 +48,9 @@ Fixpoint proof_induction (p : proof) : P p :=
   | Entry s e => PEntry s e
   | Least s e ps => PLeast s e ps (each_of ps)
   | PositiveRoot => PRoot
+  | Antisymmetry ps => PAntisymmetry ps (each_of ps)
+  | Angles => PAngles
+  | Cosine_ => PCosine
   | BySum u a e => PSum u a e
   | Instance f s ps => PInstance f s ps (each_of ps)
   end.
@@ -314,6 +321,10 @@ Definition root (p : place) (g : claim) : bool :=
   | _ => false
   end.
 
+Definition antisymmetry (p : place) (g : claim) (branches : list proof) : bool :=
+  same_relation (relation_of g) Equal &&
+  paired (prove p) [Claim AtMost (lhs g) (rhs g); Claim AtMost (rhs g) (lhs g)] branches.
+
 Definition is_atom (i : positive) : bool :=
   match PM.find i T with
   | Some (NVariable _ | NConstant _ _ | NSqrt _ | NMin _ _ | NMax _ _ | NCos _ | NCosPi _) => true
@@ -411,6 +422,9 @@ Fixpoint prove (p : place) (g : claim) (q : proof) {struct q} : bool :=
   | Entry s e => entry p g s e
   | Least s e branches => least prove p g s e branches
   | PositiveRoot => root p g
+  | Antisymmetry branches => antisymmetry prove p g branches
+  | Angles => angles T K (knows p) (has_value p) g
+  | Cosine_ => cosine T K (knows p) (has_value p) g
   | BySum u a e => sum p g u a e
   | Instance f s premises => instance prove p g f s premises
   end.

@@ -1,7 +1,7 @@
 (* Each rule is sound: what it accepts holds for all values that satisfy what is in scope. One lemma
    per rule, in the order of verify/check.py. *)
 Require Import Reals QArith Qreals ZArith NArith List Lra Lia Bool Arith FMapPositive.
-Require Import Meaning Polynomials Terms Substitution Clearing Enclosures Kernel.
+Require Import Meaning Polynomials Terms Substitution Clearing Enclosures Cosines Kernel.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -499,6 +499,29 @@ Proof.
   - now apply sqrt_lt_R0.
 Qed.
 
+(* --- antisymmetry, angles and cosine --- *)
+
+Lemma antisymmetry_sound g branches : Forall proves branches ->
+  antisymmetry prove p g branches = true -> holds S v g.
+Proof.
+  unfold antisymmetry. intros P E. split_and E. apply same_relation_sound in E.
+  apply paired_sound with (Q := holds S v) in A.
+  - inversion A as [|? ? (D1 & D2 & L) A1]; subst. inversion A1 as [|? ? (_ & _ & G) _]; subst.
+    unfold holds, stands in *. rewrite E. cbn [relation_of lhs rhs related] in *.
+    split; [trivial | split; [trivial | now apply Rle_antisym]].
+  - revert P. apply Forall_impl. intros q M x Y. eapply M; eauto.
+Qed.
+Lemma angles_right g : angles T K (knows S T F p) (has_value S F p) g = true -> holds S v g.
+Proof.
+  exact (angles_sound S in_order T is_table K v (knows S T F p) (knows_sign v p here)
+    (has_value S F p) (has_value_sound v p here) g).
+Qed.
+Lemma cosine_right g : cosine T K (knows S T F p) (has_value S F p) g = true -> holds S v g.
+Proof.
+  exact (cosine_sound S in_order T is_table K v (knows S T F p) (knows_sign v p here)
+    (has_value S F p) (has_value_sound v p here) g).
+Qed.
+
 (* --- sum --- *)
 
 Lemma replacing_sound l : forall m m1,
@@ -632,6 +655,9 @@ Lemma prove_step p g q : prove p g q = match q with
   | Entry s e => entry S T K F p g s e
   | Least s e branches => least S T K F prove p g s e branches
   | PositiveRoot => root S T F p g
+  | Antisymmetry branches => antisymmetry prove p g branches
+  | Angles => angles T K (knows S T F p) (has_value S F p) g
+  | Cosine_ => cosine T K (knows S T F p) (has_value S F p) g
   | BySum u a e => sum S T K F p g u a e
   | Instance f s premises => instance S T K H F prove p g f s premises
   end.
@@ -648,6 +674,9 @@ Proof.
   - exact (entry_sound v p here prove _ _ _ E).
   - exact (least_sound v p here prove _ _ _ _ H0 E).
   - exact (root_sound v p here prove _ E).
+  - exact (antisymmetry_sound v p here prove _ _ H0 E).
+  - exact (angles_right v p here _ E).
+  - exact (cosine_right v p here _ E).
   - exact (sum_sound v p here _ _ _ _ E).
   - exact (instance_sound v p here prove _ _ _ _ H0 E).
 Qed.

@@ -505,6 +505,11 @@ let rec proof k c x =
       let get = keys ["side"; "equation"; "branches"] in
       Least (side (get "side"), optional (reference k) (get "equation"), proofs k c (get "branches"))
   | "root" -> ignore (keys []); PositiveRoot
+  | "antisymmetry" ->
+      let branches = proofs k c (keys ["branches"] "branches") in
+      need (List.length branches = 2) "too many or too few branches"; Antisymmetry branches
+  | "angles" -> ignore (keys []); Angles
+  | "cosine" -> ignore (keys []); Cosine_
   | "sum" ->
       let get = keys ["using"; "addends"; "equations"] in
       let replacements = List.map (reference k) (list (get "using")) in

@@ -14,6 +14,7 @@ from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Proof
 from verify.prover.relations import negation
 from verify.prover.rules import (
+    Antisymmetry,
     Applying,
     Cases,
     Cuts,
@@ -120,6 +121,10 @@ def _proof(  # noqa: C901  one case a rule
             yield f"for each of {len(branches)} entries"
             for i, branch in enumerate(branches, 1):
                 yield from (f"  entry {i}: {line}" for line in _proof(branch, sign, typesetter))
+        case Antisymmetry(branches=branches):
+            yield "each side is at most the other"
+            for i, branch in enumerate(branches, 1):
+                yield from (f"  order {i}: {line}" for line in _proof(branch, ">", typesetter))
         case Instance(of=name, at=at):
             values = ", ".join(f"{key} = {typesetter.term(term)}" for key, term in at.items())
             yield f"{name} at {values}"

@@ -8,7 +8,10 @@ from __future__ import annotations
 from verify.language.record import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from verify.prover.rules.angles import Angles
+    from verify.prover.rules.antisymmetry import Antisymmetry
     from verify.prover.rules.cases import Cases
+    from verify.prover.rules.cosine import Cosine
     from verify.prover.rules.cuts import Cuts
     from verify.prover.rules.define import Define
     from verify.prover.rules.entry import Entry
@@ -21,8 +24,11 @@ if TYPE_CHECKING:
     from verify.prover.rules.witness import Witness
 
 __all__ = [
+    "Angles",
+    "Antisymmetry",
     "Applying",
     "Cases",
+    "Cosine",
     "Cuts",
     "Define",
     "Entry",

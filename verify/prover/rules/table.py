@@ -5,7 +5,10 @@ from __future__ import annotations
 from verify.language.record import TYPE_CHECKING
 from verify.prover.proof import Kinds
 from verify.prover.rules import (
+    angles,
+    antisymmetry,
     cases,
+    cosine,
     cuts,
     define,
     entry,
@@ -17,7 +20,10 @@ from verify.prover.rules import (
     sum,  # noqa: A004
     witness,
 )
+from verify.prover.rules.angles import Angles
+from verify.prover.rules.antisymmetry import Antisymmetry
 from verify.prover.rules.cases import Cases
+from verify.prover.rules.cosine import Cosine
 from verify.prover.rules.cuts import Cuts
 from verify.prover.rules.define import Define
 from verify.prover.rules.entry import Entry
@@ -41,6 +47,9 @@ RULES: dict[type[Any], tuple[str, Kinds]] = {
     Least: ("least", least.KINDS),
     Cases: ("cases", cases.KINDS),
     Root: ("root", root.KINDS),
+    Antisymmetry: ("antisymmetry", antisymmetry.KINDS),
+    Angles: ("angles", angles.KINDS),
+    Cosine: ("cosine", cosine.KINDS),
     Define: ("define", define.KINDS),
     Instance: ("instance", instance.INSTANCE_KINDS),
     Applying: ("instance", instance.APPLYING_KINDS),

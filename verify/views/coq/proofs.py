@@ -75,6 +75,18 @@ class Proofs(Numbers):
         """Nothing but its name."""
         return "PositiveRoot"
 
+    def antisymmetry(self, proof: Json, context: check.Context) -> str:
+        """The two branches."""
+        return f"Antisymmetry {self.proofs(proof['branches'], context)}"
+
+    def angles(self, _: Json, __: check.Context) -> str:
+        """Nothing but its name."""
+        return "Angles"
+
+    def cosine(self, _: Json, __: check.Context) -> str:
+        """Nothing but its name."""
+        return "Cosine_"
+
     def sum(self, proof: Json, context: check.Context) -> str:
         """What is replaced, the addends, and the equations."""
         using = listed(map(self.reference, proof["using"]))
@@ -187,6 +199,9 @@ PROOFS: dict[str, Callable[[Proofs, Json, check.Context], str]] = {
     "entry": Proofs.entry,
     "least": Proofs.least,
     "root": Proofs.root,
+    "antisymmetry": Proofs.antisymmetry,
+    "angles": Proofs.angles,
+    "cosine": Proofs.cosine,
     "sum": Proofs.sum,
     "instance": Proofs.instance,
 }

@@ -74,7 +74,7 @@ def _anywhere(word: str, options: Options) -> list[str]:
     from verify.jobs.places import written  # loaded only where they are used
     from verify.views.explain import explain
 
-    found = written(word)
+    found = written(word) if word else []
     text = [line for place in found for line in _where(place, word)]
     if any(place.label == word for place in found):
         return text

@@ -40,6 +40,7 @@ class Parser:
         self._defaults: dict[str, object] = {}
         self._fields: dict[str, str] = {}
         self._flags = {"-h", "--help"}
+        self._choices: dict[str, Sequence[str]] = {}
         self._required: list[str] = []
         self._places: list[str] = []
         self._many = ""
@@ -55,9 +56,11 @@ class Parser:
         *,
         default: str | None = None,
         required: bool = False,
+        choices: Sequence[str] = (),
     ) -> None:
-        """An option with a value, which the help calls ``value``."""
+        """An option with a value, which the help calls ``value``; one of ``choices`` if given."""
         self._add(name, name, default)
+        self._choices[name] = choices
         self._help.append((f"{name} {value or name[2:].upper()}", text))
         if required:
             self._required.append(name)
@@ -88,6 +91,10 @@ class Parser:
         self._fields[name] = field(last)
         self._defaults[self._fields[name]] = default
 
+    def names(self) -> list[str]:
+        """The options that have a value."""
+        return list(self._choices)
+
     # --- what was written -----------------------------------------------------------------------
 
     def read(self, words: Sequence[str]) -> Options | None:
@@ -113,7 +120,8 @@ class Parser:
                     raise self._error(f"{name} takes no value, and {shown(value)} is given")
                 found[self._fields[name]] = True
             else:
-                found[self._fields[name]] = value if equals else self._value(name, waiting)
+                value = value if equals else self._value(name, waiting)
+                found[self._fields[name]] = self._one_of(name, value)
         self._place(loose, found)
         missing = [name for name in self._required if self._fields[name] not in found]
         if missing:
@@ -130,6 +138,14 @@ class Parser:
         if not waiting or (waiting[-1].startswith("-") and not re.match(_NEGATIVE, waiting[-1])):
             raise self._error(f"{name}: its value is missing")
         return waiting.pop()
+
+    def _one_of(self, name: str, value: str) -> str:
+        """The value, which has to be one of the choices if there are some."""
+        *most, last = self._choices[name] or [value]
+        if value not in (*most, last):
+            written = f"{', '.join(most)} or {last}"
+            raise InputError(f"{name}: {shown(value)} is unknown; write {written}")
+        return value
 
     def _place(self, words: list[str], found: dict[str, object]) -> None:
         if self._many and words:

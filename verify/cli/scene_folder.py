@@ -43,7 +43,7 @@ def run_folder(options: Options, limits: Budget, jobs: int) -> int:
     for result in watched(_all(work, names, jobs), len(names), apart=True):
         results.append(result)
         if not options.json:
-            show([f"{result['file']}: {' '.join(result['lines'])}"], options)
+            show([f"{result['file']}: {' '.join(result['lines'])}"], options, records=True)
     if options.json:
         found = [{"file": result["file"], **result["document"]} for result in results]
         print_document({"format": FORMAT, "command": "scene", "scenes": found})
@@ -55,10 +55,10 @@ def _all(work: Any, names: list[str], jobs: int) -> Iterator[Result]:
     if jobs == 1:
         yield from map(work, names)
         return
-    from concurrent.futures import ProcessPoolExecutor  # loaded only where it is used
+    from verify.jobs.map_workers import workers  # loaded only where it is used
 
-    with ProcessPoolExecutor(jobs) as pool:
-        yield from pool.map(work, names)
+    with workers(jobs, None) as staff:
+        yield from staff.in_order(work, names)
 
 
 def decide_file(folder: str, out: str | None, limits: Budget, name: str) -> Result:

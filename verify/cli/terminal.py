@@ -8,7 +8,6 @@ import sys
 from collections.abc import Iterable, Iterator
 
 from verify.cli.options import Options, Parser
-from verify.jobs.inputs import InputError, shown
 
 #: A space at which no line is broken.
 FIXED = "\u00a0"
@@ -40,27 +39,24 @@ _RELATION = r"(?<=\S) ([=≤<]) (?=\S{1,24}(?:\s|$))"
 
 def add_color(parser: Parser) -> None:
     """The option ``--color``."""
-    parser.option("--color", "auto (default), always or never", "WHEN", default="auto")
+    text, choices = "auto (default), always or never", ("auto", "always", "never")
+    parser.option("--color", text, "WHEN", default="auto", choices=choices)
 
 
-def show(lines: Iterable[str], options: Options) -> None:
-    """Print lines for people.
+def show(lines: Iterable[str], options: Options, *, records: bool = False) -> None:
+    """Print lines for people; ``records`` stay on a line each in a pipe, as other programs want.
 
     In a pipe they have neither colours nor symbols; at a terminal both, but no colours where
     ``NO_COLOR`` is set.
-
-    Raises:
-        InputError: for an unknown ``--color``.
     """
     when = options.color
-    if when not in ("auto", "always", "never"):
-        raise InputError(f"--color: {shown(when)} is unknown; write auto, always or never")
     terminal = sys.stdout.isatty()
     symbols = terminal or when == "always"
     colours = symbols and when != "never" and (when == "always" or not os.environ.get("NO_COLOR"))
     if symbols:
         lines = (re.sub(_VERDICT, _with_symbol, line, count=1) for line in lines)
-    lines = wrapped(lines, width())
+    if terminal or not records:
+        lines = wrapped(lines, width())
     if colours:
         lines = (re.sub(_SYMBOL, _coloured, line) for line in lines)
     sys.stdout.write("".join(f"{line}\n" for line in lines))

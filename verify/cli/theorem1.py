@@ -28,6 +28,8 @@ DEFAULTS = {
     "precision": "128",
     "max_precision": "65536",
 }
+#: What may be written after an option, where not everything may.
+CHOICES = {"--constants": (*SELECTIONS,)}
 #: The options that only a single point has.
 POINT_OPTIONS = ("theta0", "precision", "max_precision")
 
@@ -50,7 +52,8 @@ def add_arguments(parser: Parser) -> None:
     }
     parser.flag("--all", text="prove it for all parameters, without --r")
     for name, (value, text) in texts.items():
-        parser.option(name, text, value, default=DEFAULTS.get(field(name)))
+        choices = CHOICES.get(name, ())
+        parser.option(name, text, value, default=DEFAULTS.get(field(name)), choices=choices)
     parser.flag("-v", "--verbose", text="print every row")
     parser.flag("--json", text="one JSON document on stdout")
     add_color(parser)
@@ -127,10 +130,6 @@ def run(options: Options) -> int:
 def _point(options: Options) -> int:
     """Decide Theorem 1 at a point; print, write, return the exit code."""
     parameters = read_parameters(options)
-    if options.constants not in SELECTIONS:
-        raise InputError(
-            f"--constants: {shown(options.constants)} is unknown; write printed, repaired or all"
-        )
     bits, last = _precisions(options)
     if options.out is not None:
         from verify.cli.files import test_folder  # loaded only where it is used
@@ -177,5 +176,7 @@ def _table(outcome: Outcome, name: str | None) -> Iterable[str]:
         return report_lines(outcome)
     found = some_rows(outcome, name)
     if not found:
-        raise InputError(f"--rows: there is no row {shown(name)}; write a name that -v prints")
+        from verify.cli.claims import instead
+
+        raise InputError(f"--rows: there is no row {shown(name)}; {instead(outcome, name)}")
     return found

@@ -133,13 +133,22 @@ def workers(jobs: int, dask: str | None) -> Workers:
 
 
 def _processes(jobs: int) -> Executor:
+    """So many processes, which Ctrl-C does not reach: it is for the one that prints and writes."""
     import signal
     from concurrent.futures import ProcessPoolExecutor  # loaded only where it is used
 
-    # Ctrl-C is for the process that writes the log.
-    return ProcessPoolExecutor(
+    pool = ProcessPoolExecutor(
         jobs, initializer=signal.signal, initargs=(signal.SIGINT, signal.SIG_IGN)
     )
+    # All processes start with the first task; until they ignore Ctrl-C it waits.
+    signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        pool.submit(int)
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
+    except KeyboardInterrupt:
+        pool.shutdown()
+        raise
+    return pool
 
 
 def _dask(address: str) -> Workers:

@@ -54,7 +54,8 @@ def _table(where: str, content: bytes) -> dict[str, Any]:
     try:
         table = tomllib.loads(content.decode(), parse_float=str)
     except (ValueError, RecursionError) as error:
-        raise InputError(f"{where}: is no TOML file ({' '.join(str(error).split())})") from error
+        why = " ".join(str(error).split())
+        raise InputError(f"{where}: is no TOML file ({why}); write {', '.join(KEYS)}") from error
     odd = sorted(table.keys() ^ {*KEYS})
     if odd:
         kind = "is missing" if odd[0] in KEYS else "is not known"

@@ -15,6 +15,7 @@ from verify.paper.theorem1 import theorem
 from verify.prover.decimals import outward, people, short
 from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views.entries import minimum_of
+from verify.views.plain import plain_letters
 from verify.views.point import in_numbers, parameters_told
 from verify.views.screen import SIGNS, TITLES, verdict_lines
 from verify.views.words import (
@@ -30,10 +31,10 @@ from verify.views.words import (
 
 
 def some_rows(outcome: Outcome, name: str) -> list[str]:
-    """The rows whose name, with or without its group, is this one."""
-    typesetter = letters(outcome)
+    """The rows whose name, with or without its group, is this one; their claims simplified."""
+    typesetter = plain_letters(outcome)
     found = [p for p in outcome.rows if name in (p[0].name, short_name(p[0]))]
-    return [line for row, decision in found for line in _row(row, decision, typesetter)]
+    return [line for row, decision in found for line in _row(row, decision, typesetter, row.name)]
 
 
 def report_lines(outcome: Outcome) -> Iterator[str]:
@@ -113,9 +114,12 @@ def _constant(outcome: Outcome, constant: Constant, typesetter: Typesetter) -> I
             yield f"           entry {number}: {_short(entry)} {mark}".rstrip()
 
 
-def _row(row: Obligation, decision: Decision, typesetter: Typesetter) -> Iterator[str]:
+def _row(
+    row: Obligation, decision: Decision, typesetter: Typesetter, name: str = ""
+) -> Iterator[str]:
     role = " (as printed)" if row.role == PRINTED and row.group == HYPOTHESES else ""
-    yield f"  {decision.verdict:<9} {row.says}{role}   [{short_name(row)}, {cited(row.label)}]"
+    where = f"[{name or short_name(row)}, {cited(row.label)}]"
+    yield f"  {decision.verdict:<9} {row.says}{role}   {where}"
     yield f"            {typesetter.claim(row.claim)}"
     sides = sides_of(row, decision)
     if sides is not None and isinstance(row.claim, Claim):

@@ -1,0 +1,174 @@
+"""Whatever is written: one line that says what, where, and what to write instead; exit code 2.
+
+What random words have found, and one of each kind; `RANDOM_WORDS` has the number of more of them.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+from verify.cli import COMMANDS, main
+from verify.cli.options import Parser
+
+ROOT = Path(__file__).resolve().parents[2]
+MEAN = str(ROOT / "certificates/examples/mean")
+PARTING = str(ROOT / "certificates/scenes/parting.toml")
+
+#: Files that are not what they should be.
+FILES = {
+    "empty": b"",
+    "bytes": bytes(range(256)),
+    "object.json": b"{}",
+    "null.json": b"null",
+    "deep.json": b"[" * 100_000,
+    "digits.json": b'{"a":' + b"9" * 5000 + b"}",
+    "nan.toml": b"r = nan\npositions = 1\nvelocities = []",
+    "words.toml": b'r = "1/2"\npositions = [["1", "nan"], ["2", "x"], ["3", "4"]]\nvelocities = []',
+    "huge.toml": b'r = "1/2"\npositions = [["0", "0"], ["1e999999", "0"], ["-2", "4"]]\n'
+    b'velocities = [["0", "0"], ["0", "0"], ["0", "0"]]',
+    "outside.toml": b'r = "2"\npositions = [["0", "0"], ["2", "0"], ["-2", "0"]]\n'
+    b'velocities = [["0", "0"], ["0", "0"], ["0", "0"]]',
+}
+NUMBERS = (
+    "", " ", "0", "-1", "2", "nan", "inf", "1e-1000000", "1e1000000", "10**10000", "9" * 5000,
+    "1/0", "1/" + "9" * 5000, "..", "0.04..0.02", "0x1", "1_0", "٣", "½", "\x00", "\n", "\ud800",
+    "−1",
+)  # fmt: skip
+MORE = [*NUMBERS, *FILES, "folder", "missing", MEAN, PARTING, "flow", "a/" * 3000, "/dev/null"]
+
+
+@pytest.fixture(autouse=True)
+def a_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for name, content in FILES.items():
+        Path(name).write_bytes(content)
+    for name in ("folder", "folder.toml", "folder.svg"):
+        Path(name).mkdir()
+
+
+def refused(capsys: pytest.CaptureFixture[str], words: list[str]) -> str:
+    """The complaint about these words, which is one line of moderate length."""
+    code = main(words)
+    out, err = capsys.readouterr()
+    assert (code, out) == (2, ""), words
+    assert err.count("\n") == 1, words
+    assert err.startswith("verify: "), words
+    assert len(err) < 600, words
+    assert not any(inner in err for inner in ("Errno", "Traceback", "NoneType", "codec")), err
+    return err
+
+
+@pytest.mark.parametrize("option", ["--r", "--neg-cos", "--V0", "--delta-theta", "--theta0"])
+def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
+    usable = {"--V0": {"2"}, "--delta-theta": {"2"}, "--theta0": {"2"}}.get(option, set())
+    for text in (number for number in NUMBERS if number not in usable):
+        given = [f"{option}={text}"] + (["--r", "0.03"] if option != "--r" else [])
+        assert "write " in refused(capsys, ["theorem1", *given])
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (["theorem1", "--r", "0.03", "--color", "blue"], "write auto, always or never"),
+        (["spectrum", "--json", "--color", ""], "write auto, always or never"),
+        (["theorem1", "--r", "0.03", "--constants", "x"], "write printed, repaired or all"),
+        (["theorem1", "--all", "--constants", ""], "write printed, repaired or all"),
+        (["theorem1", "--r", "0.03", "--rows", "x-term"], "is it x-term-2"),
+        (["theorem1", "--r", "0.03", "--steps", "1e9"], "needs an interval of r"),
+        (["theorem1", "--r", "0.1..0.2", "--steps", "3", "--rows", "a"], "leave it out"),
+        (["theorem1", "--r", "0.03", "--out", "empty"], "name a folder that can"),
+        (["theorem1", "--r", "0.03", "--out", ""], "write . for this one"),
+        (["elsewhere", "--rows", ""], "write a name that -v prints"),
+        (["classification", "--rows", "cone-image"], "is it cone-image"),
+        (["scene", "outside.toml"], "outside.toml: r: '2' is not in ]0,1[; write"),
+        (["scene", "nan.toml"], "nan.toml: r: "),
+        (["scene", "words.toml"], "words.toml: "),
+        (["scene", "huge.toml"], "huge.toml: positions of particle 1: "),
+        (["scene", "empty"], "empty: 'positions' is missing; write just r, positions, velocities"),
+        (["scene", "digits.json"], "is no TOML file"),
+        (["scene", "folder"], "no file that ends in .toml"),
+        (["scene", PARTING, "--plot", "x\n.png"], "ends in neither .svg nor .html"),
+        (["scene", PARTING, "--plot", "folder.svg"], "--plot: "),
+        (["scene", PARTING, "--digits", "10**10000"], "write a whole number"),
+        (["prove", "deep.json"], "STATEMENT: "),
+        (["prove", "null.json"], "STATEMENT: "),
+        (["prove", "digits.json"], "STATEMENT: "),
+        (["prove", "folder"], "cannot be read"),
+        (["check", "object.json"], "is a file; name a folder"),
+        (["check", "folder"], "name a certificate's folder"),
+        (["check", MEAN, "missing"], "'missing' does not exist"),
+        (["export", "isabelle", MEAN], "write coq"),
+        (["export", "coq", "folder"], "name a certificate's folder"),
+        (["graph", "sharpr", "--out", "x.svg"], "write one of: sharper"),
+        (["graph", "folder", "--out", "x.svg"], "cannot be read"),
+        (["graph", "--out", "x.png"], "must end in .svg, .dot or .json"),
+        (["graph", "--out", "missing\x00/x.svg"], "--out: "),
+        (["explain", "flow", "contac"], "is it contact"),
+        (["explain", ""], "there is no row ''"),
+        (["map", "phi"], "--r: is missing"),
+        (["report", "--directory", "empty"], "is not a folder"),
+        (["certify", "--compare", "--directory", "missing"], "is not a folder"),
+        (["stress", "--out", "empty"], "--out: "),
+        (["bench", "--nonsense"], "'--nonsense' is no option; see verify bench --help"),
+        (["theorem1", "--r"], "--r: its value is missing"),
+        (["teorem1"], "is not a command; write one of"),
+        ([], "no command; write one of"),
+    ],
+)
+def test_one_line_says_what_to_write(
+    words: list[str], says: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert says in refused(capsys, words)
+
+
+def test_random_words(capsys: pytest.CaptureFixture[str]) -> None:
+    """Any option of any command with any value: an answer, or a line that says what is wrong."""
+    chosen = random.Random(5)
+    left_out = ("bench", "certify", "report", "stress", "map")  # long where the words are usable
+    names = [name for name in COMMANDS if name not in left_out]
+    for _ in range(int(os.environ.get("RANDOM_WORDS", "60"))):
+        name = chosen.choice(names)
+        parser = Parser(name, "")
+        import_module(f"verify.cli.{name}").add_arguments(parser)
+        options = parser.names() or ["--nonsense"]
+        words = [name, chosen.choice(MORE)] if chosen.random() < 0.6 else [name]
+        words += [f"{chosen.choice(options)}={chosen.choice(MORE)}" for _ in range(2)]
+        code = main(words)
+        out, err = capsys.readouterr()
+        assert code in (0, 1, 2, 3, 4), words
+        assert "Traceback" not in err, words
+        assert code != 2 or (out, err.count("\n")) == ("", 1), words
+
+
+def test_the_reader_leaves() -> None:
+    """Closed, or full: no traceback, and an exit code that says it."""
+    command = f"{sys.executable} -m verify theorem1 --r 0.03 --json"
+    for rest, code in (("| true; exit ${PIPESTATUS[0]}", 141), (">/dev/full", 2), (">&-", 2)):
+        done = subprocess.run(
+            ["bash", "-c", f"{command} {rest}"], cwd=ROOT, capture_output=True, timeout=60
+        )
+        assert done.returncode == code
+        assert done.stderr.count(b"\n") == (code == 2)
+
+
+def test_ctrl_c_ends_several_processes(tmp_path: Path) -> None:
+    for number in range(30):
+        (tmp_path / f"s{number}.toml").write_text((ROOT / PARTING).read_text())
+    command = [sys.executable, "-m", "verify", "scene", str(tmp_path), "--jobs", "2"]
+    command += ["--out", str(tmp_path / "out")]
+    for seconds in (0.2, 0.5):
+        process = subprocess.Popen(command, cwd=ROOT, stdout=-1, stderr=-1, start_new_session=True)
+        time.sleep(seconds)
+        os.killpg(process.pid, signal.SIGINT)
+        _, err = process.communicate(timeout=30)
+        assert process.returncode in (0, 130)
+        assert err in (b"", b"verify: interrupted\n")

@@ -53,7 +53,7 @@ class Universal:
         self.contexts: dict[str, Context] = {}
         self.depth = 0  # of lemmas that lemmas need
         self.rows: set[str] = set()  # that are proved, so that later ones may use them
-        self._bounds: dict[str, Bounds] = {}
+        self.bounds: dict[str, Bounds] = {}
         self._homes: dict[str, str] = {}
         self._local: dict[str, Term] = {}
         self._clear: set[tuple[str | None, Term]] = set()
@@ -69,7 +69,7 @@ class Universal:
             return False
         self.contexts[context.name] = context
         self.session.open(context, premises)
-        self._bounds |= bounds_of(context)
+        self.bounds |= bounds_of(context)
         self._homes |= {variable.name: context.name for variable in context.variables}
         return all(self.define(constant, context.name) for constant in context.constants)
 
@@ -100,7 +100,7 @@ class Universal:
         """The claim with what is known of the names in it."""
         definitions = self._definitions_in(claim)
         names = sorted(names_of(claim.lhs, claim.rhs, *definitions.values()))
-        variables = {name: self._bounds[name] for name in names if name in self._bounds}
+        variables = {name: self.bounds[name] for name in names if name in self.bounds}
         constants = (name for name in names if name not in variables and name not in definitions)
         return Goal(claim, context, variables, tuple(constants), definitions)
 
@@ -198,11 +198,11 @@ class Universal:
         found = {*goal.variables}
         names = [{*names_of(given.claim.lhs, given.claim.rhs)} for given in self._givens(goal)]
         for _ in range(MAX_LINKED):
-            linked = [near & self._bounds.keys() for near in names if near & found]
+            linked = [near & self.bounds.keys() for near in names if near & found]
             found |= {*chain(*linked)}
         if len(found) == len(goal.variables) or len(found) > MAX_LINKED:
             return None
-        return goal._replace(variables={name: self._bounds[name] for name in sorted(found)})
+        return goal._replace(variables={name: self.bounds[name] for name in sorted(found)})
 
     def _givens(self, goal: Goal) -> Iterator[Given]:
         """The givens of the contexts around a goal."""

@@ -21,6 +21,7 @@ from verify.prover.search.bases import all_monomials, pruned
 from verify.prover.search.domain import Domain, Factor, multiplied
 from verify.prover.search.faces import Block, vanishing, vanishing_near
 from verify.prover.search.forms import by_form
+from verify.prover.search.gradings import Gradings
 from verify.prover.search.squares import MAX_SIZE, Summand, decompose
 from verify.prover.search.zeros import zeros_in_floats
 
@@ -55,23 +56,25 @@ def by_squares(
     outer = domain.divide_by_squares()
     zeros = [point for point in zeros if domain.is_zero(point)]
     near = zeros_in_floats(domain, budget)
+    tried = set()
     for attempt in _attempts(domain):
-        blocks = attempt.blocks
-        if _cost(blocks) > MAX_COST or max(len(b.basis) for b in blocks) > MAX_SIZE:
-            continue
         polynomials = [factor.polynomial for factor in attempt.factors]
-        for point in zeros:
-            blocks = [vanishing(block, polynomials[block.factor], point) for block in blocks]
         p = domain.p
         if attempt.multiple is not None:
             p = domain.reduced(p * attempt.multiple.polynomial)
-        # What is near 0 need not be 0: the smaller bases may be too small.
-        smaller = [vanishing_near(b, polynomials[b.factor], near) for b in blocks]
-        for bases in (blocks,) if smaller == blocks else (smaller, blocks):
-            terms = decompose(p, domain, polynomials, bases, budget)
-            proof = None if terms is None else _proof(domain, attempt, terms, outer)
-            if proof is not None:
-                return proof._replace(using=using)
+        gradings = Gradings(p, polynomials, domain.squares)
+        blocks = [part for block in attempt.blocks for part in gradings.split(block)]
+        key = str((p, [(polynomials[b.factor], b.basis) for b in blocks]))
+        if not _is_small(blocks) or key in tried:
+            continue
+        tried.add(key)
+        for point in zeros:
+            blocks = [vanishing(block, polynomials[block.factor], point) for block in blocks]
+        blocks = [vanishing_near(b, polynomials[b.factor], near) for b in blocks]
+        terms = decompose(p, domain, polynomials, blocks, budget)
+        proof = None if terms is None else _proof(domain, attempt, terms, outer)
+        if proof is not None:
+            return proof._replace(using=using)
     return None if outer is not None else by_form(domain, near, budget, using)
 
 
@@ -123,8 +126,9 @@ def _value(
     return value, constant and factor.strict
 
 
-def _cost(blocks: Sequence[Block]) -> int:
-    return sum(len(block.basis) ** 4 for block in blocks)
+def _is_small(blocks: Sequence[Block]) -> bool:
+    sizes = [len(block.basis) for block in blocks]
+    return 0 < max(sizes, default=0) <= MAX_SIZE and sum(n**4 for n in sizes) <= MAX_COST
 
 
 def _attempts(domain: Domain) -> Iterator[Attempt]:
@@ -169,26 +173,10 @@ def _attempt(
     used: Sequence[int],
     multiple: Factor | None = None,
 ) -> Attempt:
-    """Bases of monomials so that all products are of this degree at most.
-
-    Where p and all factors are homogeneous only products of the degree of p can help.
-    """
-    degrees = [int(factor.polynomial.total_degree()) for factor in factors]
-    exact = all(map(_is_homogeneous, (domain.p, *(f.polynomial for f in factors))))
-    exact = exact and not domain.squares
-    if exact:
-        degree = int(domain.p.total_degree())
-        degree += 0 if multiple is None else int(multiple.polynomial.total_degree())
-    blocks = []
-    for i, d in enumerate(degrees):
-        half, odd = divmod(degree - d, 2)
-        if half >= 0 and not (exact and odd):
-            blocks.append(Block(i, all_monomials(domain, half, used, exact=exact)))
+    """Bases of monomials so that all products are of this degree at most."""
+    halves = [(degree - int(factor.polynomial.total_degree())) // 2 for factor in factors]
+    blocks = [Block(i, all_monomials(domain, h, used)) for i, h in enumerate(halves) if h >= 0]
     return Attempt(factors, blocks, multiple)
-
-
-def _is_homogeneous(polynomial: fmpq_mpoly) -> bool:
-    return len({sum(map(int, m)) for m in polynomial.monoms()}) <= 1
 
 
 def _triples(facts: Sequence[Factor], pairs: Sequence[Factor]) -> Iterator[tuple[Factor, Factor]]:

@@ -8,6 +8,7 @@ from fractions import Fraction
 from flint import fmpq, fmpq_mpoly
 
 from verify.language.record import TYPE_CHECKING
+from verify.language.statement import Given
 from verify.language.terms import Claim, Term, names_of
 from verify.prover.clearing import atoms_of
 from verify.prover.goal import Goal
@@ -74,6 +75,7 @@ class Strategy:
         yield by_order(self, facts)
         yield by_subterms(self)
         yield self.tree(MANY_LEAVES)
+        yield self.wider_squares(facts)
 
     def is_refuted(self) -> bool:
         """Whether there is a point where the claim is false."""
@@ -95,12 +97,29 @@ class Strategy:
             return None
         return by_squares(domain, [], self.budget, self.using)
 
-    def squares(self, goal: Goal, facts: dict[str, Claim]) -> Proof | None:
+    def squares(
+        self, goal: Goal, facts: dict[str, Claim], zeros: list[list[Fraction]] | None = None
+    ) -> Proof | None:
         """Squares times facts."""
         domain = Domain(goal, facts)
         if not domain.is_plain:
             return None
-        return by_squares(domain, self.zeros(domain), self.budget, self.using)
+        zeros = self.zeros(domain) if zeros is None else zeros
+        return by_squares(domain, zeros, self.budget, self.using)
+
+    def wider_squares(self, facts: dict[str, Claim]) -> Proof | None:
+        """Squares times facts, with givens that have other variables too."""
+        universal, names = self.universal, {*self.goal.variables}
+        wider = dict(facts)
+        for given in self.all_givens():
+            own = {*names_of(given.claim.lhs, given.claim.rhs)}
+            if own & names and own <= universal.bounds.keys() and given.claim.relation != "=":
+                names |= own
+                wider[given.name] = given.claim
+        if len(wider) == len(facts) or len(wider) > MAX_FACTS:
+            return None
+        variables = {name: universal.bounds[name] for name in sorted(names)}
+        return self.squares(self.goal._replace(variables=variables), wider, [])
 
     def facts(self) -> dict[str, Claim]:
         """The bounds of the variables, and that a maximum is at least its entries."""
@@ -130,12 +149,17 @@ class Strategy:
         return known
 
     def givens(self) -> Iterator[tuple[str, Claim]]:
-        """What is given here of more than one variable, or not by a number."""
+        """What is given here of the names in the claim, but for bounds by numbers."""
+        for given in self.all_givens():
+            if self._is_near(given.name, given.claim):
+                yield given.name, given.claim
+
+    def all_givens(self) -> Iterator[Given]:
+        """What is given here."""
         session, contexts = self.universal.session, self.universal.contexts
         for place in session.chain(self.goal.context):
-            for given in contexts[place].givens if place is not None else ():
-                if self._is_near(given.name, given.claim):
-                    yield given.name, given.claim
+            if place is not None:
+                yield from contexts[place].givens
 
     def fact(self, claim: Claim) -> str | None:
         """The name of a fact that is proved now; None if that fails, or lemmas are too deep."""

@@ -17,7 +17,7 @@ from verify.prover.goal import Bounds, Goal
 from verify.prover.search.domain import Domain
 from verify.prover.search.faces import gauss, value_at
 from verify.prover.search.local_minima import Minima
-from verify.prover.search.numbers import float_of
+from verify.prover.search.numbers import float_of, fmpq_of
 from verify.prover.session import ZERO
 
 #: A minimum below this, for coefficients of size 1, may be a zero.
@@ -46,7 +46,7 @@ def zeros_in_floats(domain: Domain, budget: WorkBudget) -> list[Point]:
             polished = _polished(p, point, fixed, used)
             if polished is not None and abs(value_at(p, polished)) < IS_ZERO * size:
                 found.append(polished)
-    return [point for point in found if _is_inside(domain, point)]
+    return [point for point in found if _is_inside(domain, point) and _may_be_zero(domain, point)]
 
 
 def _slices(domain: Domain) -> Iterator[int | None]:
@@ -101,3 +101,11 @@ def _polished(p: fmpq_mpoly, point: Point, fixed: int | None, used: Sequence[int
 
 def _is_inside(domain: Domain, point: Point) -> bool:
     return all(value_at(f.polynomial, point) > -1e-9 for f in domain.facts.values())
+
+
+def _may_be_zero(domain: Domain, point: Point) -> bool:
+    """False for simple numbers where p is not 0."""
+    near = [Fraction(x).limit_denominator(1000) for x in point]
+    if any(abs(float(a) - b) > 1e-8 for a, b in zip(near, point, strict=True)):
+        return True
+    return not domain.p(*map(fmpq_of, near))

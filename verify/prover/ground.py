@@ -227,12 +227,17 @@ class Ground:
 
     def _decide_tight(self, claim: Claim, bits: int) -> tuple[str, Proof] | None:
         """What algebra decides."""
-        from verify.prover.tight import TIGHT_BITS, Tight  # loaded only where it is needed
+        # loaded only where they are needed
+        from verify.prover.search.algebraic import Algebraic
+        from verify.prover.tight import TIGHT_BITS, Tight
 
         if self._decides_by(claim, TIGHT_BITS):
             return None
         for verdict, wanted in ((PROVED, claim), (REFUTED, negation(claim))):
-            proof = None if wanted is None else Tight(self, bits).prove(wanted)
+            if wanted is None:
+                continue
+            tight = Tight(self, bits)
+            proof = tight.prove(wanted) or Algebraic(tight).prove(wanted)
             if proof is not None:
                 return verdict, proof
         return None

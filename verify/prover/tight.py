@@ -98,7 +98,7 @@ class Tight:
         return not clearing.reduce(difference).to_dict()
 
     def _identity(self, claim: Claim, using: tuple[str, ...]) -> Proof | None:
-        if not self._cleared(claim.lhs, claim.rhs, *self._definitions(using)):
+        if not self.cleared(claim.lhs, claim.rhs, *self._definitions(using)):
             return None
         return Sum((), using) if claim.relation == "=" else Sum(("goal",), using)
 
@@ -106,7 +106,7 @@ class Tight:
 
     def _entry(self, name: str, entry: Term) -> Proof | None:
         definition = self.ground.definitions[name]
-        return Entry("lhs", name) if self._cleared(definition, entry) else None
+        return Entry("lhs", name) if self.cleared(definition, entry) else None
 
     def _lowered(
         self,
@@ -120,7 +120,7 @@ class Tight:
         """A proof from the claim at an entry, and that the minimum is at most this entry."""
         m = symbol(name)
         definitions = self._definitions(using)
-        if not self._cleared(claim.lhs, claim.rhs, entry, *definitions):
+        if not self.cleared(claim.lhs, claim.rhs, entry, *definitions):
             return None
         terms = (claim.lhs, claim.rhs, harder.lhs, harder.rhs, m, entry)
         clearing = Clearing(terms, self.session.replaced(using))
@@ -202,7 +202,7 @@ class Tight:
     def _definitions(self, using: tuple[str, ...]) -> list[Term]:
         return [self.ground.definitions[name] for name in using]
 
-    def _cleared(self, *terms: Term) -> bool:
+    def cleared(self, *terms: Term) -> bool:
         """Afterwards each divisor and radicand has the fact that it needs; or False."""
         seen: set[Term] = set()
         waiting = list(terms)

@@ -985,6 +985,8 @@ def check_log(lines: Iterator[bytes]) -> tuple[Plane, Areas]:
     chain, header = _line(next(lines, b""), "", HEADER)
     if header["format"] != FORMAT:
         raise LogError(f"expected the format {FORMAT}")
+    if type(header["code"]) is not int:
+        raise LogError("expected a whole number for the code")
     plane, level = plane_of(header["plane"]), header["first_level"]
     if type(level) is not int or not 1 <= level <= 8:
         raise LogError("expected a first level from 1 to 8")

@@ -22,6 +22,7 @@ from verify.check_map import LogError, RefusedError
 ROOT = Path(__file__).parents[2]
 CHECKER = ROOT / "verify" / "check_map.py"
 LOG = ROOT / "certificates" / "map" / "map.jsonl"
+STRIP = ROOT / "certificates" / "map" / "strip" / "map.jsonl"
 Lines = list[dict[str, Any]]
 
 
@@ -133,6 +134,7 @@ KEYS: dict[str, Callable[[Lines], object]] = {
     "divided-by-0": lambda c: c[0]["plane"].update(r="1/0"),
     "long-number": lambda c: c[0]["plane"].update(r="0." + "1" * 99),
     "no-level": lambda c: c[0].update(first_level=0),
+    "no-code": lambda c: c[0].update(code="1"),
 }
 
 
@@ -155,11 +157,101 @@ def test_the_chain_of_digests() -> None:
         check([])
 
 
-def test_another_plane_is_another_claim() -> None:
-    """The verdicts are not those of another r or another angle."""
-    for name, value in (("r", "1/20"), ("neg_cos", "19/20"), ("y", ["0", "1/2"])):
+#: Each number of the plane, changed.
+OTHER_PLANES: dict[str, Any] = {
+    "r": "1/20",
+    "neg_cos": "19/20",
+    "speed": "1",
+    "tangential": ["3", "1"],
+    "x": ["0", "1"],
+    "y": ["0", "1/2"],
+}
+
+
+@pytest.mark.parametrize("name", OTHER_PLANES)
+def test_another_plane_is_another_claim(name: str) -> None:
+    """The verdicts are not those of other parameters."""
+    with pytest.raises(RefusedError):
+        check(changed(lambda c: c[0]["plane"].update({name: OTHER_PLANES[name]})))
+
+
+# --- a strip -------------------------------------------------------------------------------------
+
+
+def test_the_committed_strip(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Here one tile of 16 is proved; CI has the checker prove them all."""
+    prove, seen = check_map.prove_box, iter(range(10**6))
+    monkeypatch.setattr(check_map, "prove_box", lambda *a: next(seen) % 16 or prove(*a))
+    with STRIP.open("rb") as file:
+        plane, areas = check_map.check_log(file)
+    assert isinstance(plane, check_map.Strip)
+    assert areas.is_strip
+    assert next(seen) == areas.proved > 4000
+    assert plane.delta == Fraction(1, 10**6)
+    assert plane.phi.x == (Fraction(1, 100), Fraction(9, 25))
+    # What is left is |φ2 - f| < δ alone.
+    rest = 1 - areas.collapses - areas.disperses
+    assert rest == 2 * plane.delta / plane.phi.y[1]
+
+
+def test_a_tile_with_the_other_verdict() -> None:
+    with STRIP.open("rb") as file:
+        header, *records = map(json.loads, file)
+    plane = check_map.plane_of(header["plane"])
+    law, six = check_map.law_in(plane), check_map.sixes(records[0]["numbers"][0], "c")
+    begin = check_map.beginning(law, plane)
+    keys, letters = records[0]["keys"].split(" "), records[0]["verdicts"]
+    for place in random.Random(1).sample([i for i, c in enumerate(letters) if c != "u"], 4):
+        other, numbers = ("c", six) if letters[place] == "d" else ("d", [])
         with pytest.raises(RefusedError):
-            check(changed(lambda c, n=name, v=value: c[0]["plane"].update({n: v})))
+            check_map.prove_box(law, begin, keys[place], other, numbers)
+
+
+def tiles(count: int = 96) -> Lines:
+    """The first tiles of the strip, far below the curve: they collapse."""
+    with STRIP.open("rb") as file:
+        header, record = (json.loads(next(file)) for _ in range(2))
+    letters = record["verdicts"][:count]
+    keys = " ".join(record["keys"].split(" ")[:count])
+    numbers = record["numbers"][: letters.count("c")]
+    return [header, record | {"keys": keys, "verdicts": letters, "numbers": numbers}]
+
+
+def in_plane(name: str, value: Callable[[Any], Any]) -> Callable[[Lines], object]:
+    return lambda c: c[0]["plane"].update({name: value(c[0]["plane"][name])})
+
+
+#: A strip with one thing changed.
+STRIPS: dict[str, Callable[[Lines], object]] = {
+    "disperses-for-collapses": lambda c: with_letter(c, "c", "d"),
+    "a-number": lambda c: c[1]["numbers"][7].__setitem__(0, 0),
+    "a-key": lambda c: c[1].update(keys="000001" + c[1]["keys"][6:]),
+    "without-delta": in_plane("delta", lambda _: "0"),
+    "delta-negative": in_plane("delta", lambda _: "-1/1000000"),
+    "the-curve-higher": in_plane("curve", lambda c: [["1/5", b, a] for _, b, a in c]),
+    "the-curve-shorter": in_plane("curve", lambda c: c[:-1]),
+    "the-bands-with-a-gap": in_plane("above", lambda c: [*c[:1], c[2], c[2], *c[3:]]),
+    "the-bands-beyond": in_plane("above", lambda c: [*c[:-1], "2"]),
+    "another-r": in_plane("r", lambda _: "1/20"),
+    "another-interval": in_plane("x", lambda _: ["1/5", "2/5"]),
+    "another-top": in_plane("y", lambda _: ["0", "1/1000"]),
+    "another-kind": in_plane("name", lambda _: "phi"),
+}
+
+
+def test_the_first_tiles_are_proved() -> None:
+    areas = check(sealed(tiles()))
+    assert areas.proved == 96
+    assert areas.collapses > areas.disperses == 0
+    assert not areas.is_strip
+
+
+@pytest.mark.parametrize("name", STRIPS)
+def test_a_strip_with_one_thing_changed(name: str) -> None:
+    content = tiles()
+    STRIPS[name](content)
+    with pytest.raises((RefusedError, LogError)):
+        check(sealed(content))
 
 
 def test_it_stands_alone_and_calculates_with_whole_numbers() -> None:

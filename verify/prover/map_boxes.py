@@ -12,7 +12,7 @@ from verify.language.record import Record
 from verify.paper.flow.law import Pair, State
 from verify.paper.map.planes import Phi, Plane, start, views
 from verify.paper.map.strip import BorderStrip, height
-from verify.prover.map_branches import Step, advance, begin, take, together
+from verify.prover.map_branches import Step, advance, begin, is_empty, take, together
 from verify.prover.map_closing import collapsing
 from verify.prover.map_intervals import Array, Intervals, enclosed
 from verify.prover.map_models import Models, from_bounds, one_model, parameter
@@ -101,7 +101,7 @@ class _Boxes:
         self.unclear[owners[step.unclear]] = True
         parts = []
         for places, after in step.states:
-            keep = self.open()[owners[places]]
+            keep = self.open()[owners[places]] & ~is_empty(after)
             parts.append((owners[places][keep], take(after, keep)))
         found = np.concatenate([own for own, _ in parts])
         self.branches += np.maximum(np.bincount(found, minlength=len(self.branches)) - 1, 0)

@@ -46,13 +46,18 @@ class Step(Record):
 
 def look(lam: Boxes, A: Boxes, eps: Boxes) -> Look:
     """A pair that closes in at x·W = -lam v from |x|² = 1 + eps v², where A = |W|²."""
-    reach = lam**2 - A * eps
+    reach = lam.above(0.0) ** 2 - A * eps
     return Look((lam.high <= 0) | (reach.high < 0), (lam.low > 0) & (reach.low > 0))
 
 
 def take(state: State, chosen: Array) -> State:
     """Some of the states."""
     return State(*(x if isinstance(x, int) else x[chosen] for x in state))
+
+
+def is_empty(state: State) -> Array:
+    """Whether no state is left: bounds that contradict each other."""
+    return sum(x.low > x.high for x in state if not isinstance(x, int)) > 0
 
 
 def together(parts: Sequence[State]) -> State:

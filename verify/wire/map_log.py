@@ -19,7 +19,7 @@ from verify.paper.map.strip import BorderStrip
 
 FORMAT = "verify-map-log/1"
 #: What decides boxes: another number where a verdict, or its numbers, may be another one.
-CODE = 1
+CODE = 2
 #: The level of the first boxes; the number of boxes of a chunk, a multiple of four.
 FIRST_LEVEL, CHUNK = 4, 2048
 #: No box is smaller than those of this level.

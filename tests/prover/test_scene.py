@@ -12,7 +12,7 @@ import pytest
 from tests.prover.random_scenes import random_scene
 from tests.prover.scenes import CASES, aligned, on_a_line
 from verify.jobs.scene_verdict import central, pairs_of, scene_lines, time_ends
-from verify.measure.simulation import DIGITS, neg_cos_at, simulate
+from verify.measure.simulation import DIGITS, Impact, simulate
 from verify.prover import balls
 from verify.prover.scene import COLLAPSES, DISPERSES, UNDECIDED, Budget, Fate, decide_scene
 
@@ -57,9 +57,17 @@ def contradictions(found: Fate) -> list[str]:
             wrong.append("the pairs do not take turns")
         if len(seen) != count + MORE or not is_inside(seen[-1].time, ends):
             wrong.append("the collapse is at another time")
-        if not all(is_inside(neg_cos_at(c, o), found.collapse.angle) for c in rest):
+        if not all(is_inside(neg_cos(c, o), found.collapse.angle) for c in rest):
             wrong.append("the angle is another one")
     return wrong
+
+
+def neg_cos(collision: Impact, central: int) -> object:
+    """-cos of the angle at the central particle, at a collision."""
+    with mpmath.workdps(DIGITS):
+        x = [mpmath.matrix(position) for position in collision.positions]
+        a, b = (x[k] - x[central] for k in range(3) if k != central)
+        return -mpmath.fdot(a, b) / mpmath.norm(a) / mpmath.norm(b)
 
 
 def is_inside(value: object, ends: tuple[Fraction, Fraction]) -> bool:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import show
 from verify.jobs.classification import AtR, at_restitution, decide_classification, verdict_at
-from verify.jobs.inputs import InputError, rational, shown
+from verify.jobs.inputs import restitution
 from verify.prover.outcome import EXIT_CODES
 from verify.views.classification import (
     classification_document,
@@ -27,16 +25,9 @@ def add_arguments(parser: Parser) -> None:
     claims.add_arguments(parser)
 
 
-def _restitution(text: str) -> Fraction:
-    r = rational("--r", text)
-    if not 0 < r < 1:
-        raise InputError(f"--r: {shown(text)} is not in ]0,1[; write for example 0.08")
-    return r
-
-
 def run(options: Options) -> int:
     """Print the theorems or the document, write the files, return the exit code."""
-    r = None if options.r is None else _restitution(options.r)
+    r = None if options.r is None else restitution(options.r)
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = decide_classification()
     found: AtR | None = None if r is None else at_restitution(r)

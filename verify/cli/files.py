@@ -172,18 +172,13 @@ def _not_accepted(why: str) -> str:
 
 def longest_number(outcome: Outcome) -> int:
     """The largest number of digits above or below a fraction bar in a statement."""
+    from verify.language.terms import parts_of  # loaded only where they are used
     from verify.wire.write import statement_terms
 
-    largest, waiting, seen = 1, [*statement_terms(outcome.statement)], set()
-    while waiting:
-        term = waiting.pop()
-        if term in seen:
-            continue
-        seen.add(term)
-        waiting += term.children
-        if term.op == "rational":
-            largest = max(largest, abs(term.value.numerator), term.value.denominator)
-    return len(str(largest))
+    parts = parts_of(*statement_terms(outcome.statement))
+    numbers = [part.value for part in parts if part.op == "rational"]
+    ends = (end for value in numbers for end in (abs(value.numerator), value.denominator))
+    return len(str(max(ends, default=1)))
 
 
 def _reason(error: Exception) -> str:

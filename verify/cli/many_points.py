@@ -10,15 +10,8 @@ from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options
 from verify.cli.terminal import show
-from verify.cli.theorem1 import (
-    DEFAULTS,
-    POINT_OPTIONS,
-    neg_cos,
-    positive,
-    read_parameters,
-    restitution,
-)
-from verify.jobs.inputs import InputError, integer, shown
+from verify.cli.theorem1 import DEFAULTS, POINT_OPTIONS, read_parameters
+from verify.jobs.inputs import InputError, integer, neg_cos, positive, restitution, shown
 from verify.language.statement import UNDECIDED
 from verify.paper.groups import PRINTED
 from verify.prover.outcome import EXIT_CODES, conjunction

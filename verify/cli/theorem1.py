@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from fractions import Fraction
 
 from verify.cli.options import Options, Parser, field
 from verify.cli.terminal import add_color, show
-from verify.jobs.inputs import InputError, angle, integer, rational, shown
+from verify.jobs.inputs import InputError, angle, integer, neg_cos, positive, restitution, shown
 from verify.jobs.theorem1 import decide_point
 from verify.language.terms import Term, as_term
 from verify.paper.groups import SELECTIONS
@@ -78,42 +77,6 @@ def read_parameters(options: Options) -> dict[str, Term]:
         "V_0": as_term(positive("--V0", options.V0)),
         "delta_theta": as_term(positive("--delta-theta", options.delta_theta)),
     }
-
-
-def restitution(text: str) -> Fraction:
-    """Read a restitution coefficient in ]0,1[.
-
-    Raises:
-        InputError: for any other text.
-    """
-    r = rational("--r", text)
-    if not 0 < r < 1:
-        raise InputError(f"--r: {shown(text)} is not in ]0,1[; write for example 0.03")
-    return r
-
-
-def neg_cos(text: str) -> Fraction:
-    """Read -cos of the angle, in ]0,1].
-
-    Raises:
-        InputError: for any other text.
-    """
-    value = rational("--neg-cos", text)
-    if not 0 < value <= 1:
-        raise InputError(f"--neg-cos: {shown(text)} is not in ]0,1]; write for example 9/10")
-    return value
-
-
-def positive(option: str, text: str) -> Fraction:
-    """Read a positive number.
-
-    Raises:
-        InputError: for any other text.
-    """
-    value = rational(option, text)
-    if value <= 0:
-        raise InputError(f"{option}: {shown(text)} is not positive; write for example 1/10")
-    return value
 
 
 def run(options: Options) -> int:

@@ -61,6 +61,42 @@ def rational(option: str, text: str) -> Fraction:
     return value
 
 
+def restitution(text: str) -> Fraction:
+    """Read a restitution coefficient in ]0,1[.
+
+    Raises:
+        InputError: for any other text.
+    """
+    r = rational("--r", text)
+    if not 0 < r < 1:
+        raise InputError(f"--r: {shown(text)} is not in ]0,1[; write for example 0.03")
+    return r
+
+
+def neg_cos(text: str) -> Fraction:
+    """Read -cos of the angle, in ]0,1].
+
+    Raises:
+        InputError: for any other text.
+    """
+    value = rational("--neg-cos", text)
+    if not 0 < value <= 1:
+        raise InputError(f"--neg-cos: {shown(text)} is not in ]0,1]; write for example 9/10")
+    return value
+
+
+def positive(option: str, text: str) -> Fraction:
+    """Read a positive number.
+
+    Raises:
+        InputError: for any other text.
+    """
+    value = rational(option, text)
+    if value <= 0:
+        raise InputError(f"{option}: {shown(text)} is not positive; write for example 1/10")
+    return value
+
+
 def angle(option: str, text: str) -> Term:
     """Read an angle in ]pi/2, pi] and return -cos of it as a term.
 

@@ -222,8 +222,8 @@ def cos_pi(half_turns: Number) -> Term:
     return Term("cos_pi", as_term(half_turns))
 
 
-def names_of(*terms: Term) -> Iterator[str]:
-    """The names in terms, each once, in an order that depends on the terms only."""
+def parts_of(*terms: Term) -> Iterator[Term]:
+    """Terms and all their parts, each once, in an order that depends on the terms only."""
     seen: set[Term] = set()
     waiting = [*reversed(terms)]
     while waiting:
@@ -231,8 +231,12 @@ def names_of(*terms: Term) -> Iterator[str]:
         if term not in seen:
             seen.add(term)
             waiting += reversed(term.children)
-            if term.op == "symbol":
-                yield term.name
+            yield term
+
+
+def names_of(*terms: Term) -> Iterator[str]:
+    """The names in terms, each once, in the order of `parts_of`."""
+    return (part.name for part in parts_of(*terms) if part.op == "symbol")
 
 
 def substitute(term: Term, values: Mapping[str, Term]) -> Term:

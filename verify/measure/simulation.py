@@ -51,15 +51,6 @@ def simulate(scene: Scene, most: int, digits: int = DIGITS) -> list[Impact]:
         return found
 
 
-def neg_cos_at(collision: Impact, central: int) -> Any:
-    """-cos of the angle at the central particle, at a collision."""
-    with mpmath.workdps(DIGITS):
-        i, j = (k for k in range(3) if k != central)
-        x = collision.positions
-        a, b = _minus(x[i], x[central]), _minus(x[j], x[central])
-        return -_dot(a, b) / mpmath.sqrt(_dot(a, a) * _dot(b, b))
-
-
 def _meeting(
     x: list[list[Any]], v: list[list[Any]], pair: tuple[int, int], last: object
 ) -> Any | None:

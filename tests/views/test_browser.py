@@ -117,8 +117,10 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
     browser.close()
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize(("width", "mobile"), [(390, True), (1280, False)])
+@pytest.mark.parametrize(
+    ("width", "mobile", "scheme"),
+    [(390, True, "light"), (390, True, "dark"), (850, False, "light"), (1280, False, "dark")],
+)
 def test_no_error_no_request_no_overflow(
     browser: Browser, made: Path, width: int, mobile: bool, scheme: str
 ) -> None:
@@ -134,6 +136,31 @@ def test_no_error_no_request_no_overflow(
     assert browser.value("document.compatMode") == "CSS1Compat"
     assert browser.value("document.documentElement.scrollWidth") == width
     assert browser.value(OVERFLOW) == []
+    browser.value("document.querySelectorAll('details').forEach(e => e.open = true)")
+    assert browser.value(OVERFLOW) == []
+    assert browser.value("document.querySelectorAll('[tabindex]').length") == 0
+
+
+def test_what_moves_can_be_held(browser: Browser, made: Path) -> None:
+    browser.open(made / "index.html", 1280, "light", mobile=False)
+    states = "[...new Set(document.getAnimations().map(e => e.playState))].join()"
+    assert browser.value(states) == "running"
+    browser.value("document.querySelectorAll('.hold input').forEach(e => e.click())")
+    assert browser.value(states) == "paused"
+    reduced = {"name": "prefers-reduced-motion", "value": "reduce"}
+    browser.call("Emulation.setEmulatedMedia", features=[reduced])
+    assert browser.value("document.getAnimations().length") == 0
+    browser.call("Emulation.setEmulatedMedia", media="print")
+    assert browser.value("document.getAnimations().length") == 0
+    browser.call("Emulation.setEmulatedMedia", media="")
+
+
+def test_the_font_is_used(browser: Browser, made: Path) -> None:
+    browser.open(made / "index.html", 1280, "light", mobile=False)
+    assert browser.value("document.fonts.check('16px VerifyMath', '√')")
+    assert browser.value("[...document.fonts].map(f => f.family + f.status)") == [
+        "VerifyMathloaded"
+    ]
 
 
 def test_the_numbers_are_those_of_the_certificate(browser: Browser, made: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from hashlib import sha256
 
@@ -11,7 +12,7 @@ from verify.language.record import Record
 from verify.paper.map.planes import Phi, Plane, Through
 from verify.paper.map.strip import BorderStrip
 from verify.paper.scene.scene import Scene
-from verify.wire.map_log import LogMismatchError, Progress
+from verify.wire.map_log import Chunk, Progress
 
 LOG = ".jsonl"
 
@@ -45,19 +46,21 @@ def read_map(directory: str, name: str) -> CertifiedMap:
     """Read a log, and check it.
 
     Raises:
-        CertificateError: if it is not accepted, or is not one that this program writes.
+        CertificateError: if it is not accepted.
     """
     path = os.path.join(directory, name)
     content = read_file(path)
     lines = content.splitlines(keepends=True)
     try:
         plane, areas = check_map.check_log(iter(lines))
-        progress = Progress(_plane_of(plane))
-        progress.resume(iter(lines))
     except check_map.RefusedError as error:
         raise CertificateError(f"{path}: its checker does not accept it ({error})", 1) from error
-    except (check_map.LogError, LogMismatchError) as error:
+    except check_map.LogError as error:
         raise CertificateError(f"{path}: {error}", 4) from error
+    progress = Progress(_plane_of(plane))
+    for line in lines[1:]:
+        found = json.loads(line)
+        progress.append(Chunk(found["keys"].split(" "), found["verdicts"], found["numbers"]))
     return CertifiedMap(name, progress, sha256(content).hexdigest(), check_map.says(plane, areas))
 
 

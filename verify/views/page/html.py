@@ -74,7 +74,7 @@ _RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
 _MINUS = re.compile(r"(?<![^\s(\[{|·≤<=])-(?=[\w(|√])|(?<= )-(?= )")
 _TAGS = re.compile("<[^>]*>")
 #: So many letters in a line fit a phone.
-NARROW = 40
+NARROW = 36
 _LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
@@ -257,8 +257,8 @@ def _inline(part: Inline) -> str:
             return f"<strong>{prose(text)}</strong>"
         case Code(text):
             return f"<code>{escape(text)}</code>"
-        case Math(mathml, _):
-            return f'<span class="math">{mathml}</span>'
+        case Math(mathml, text):
+            return f'<span class="math">{mathml or prose(text)}</span>'
         case Number():
             return _number(part)
         case Verdict(word):

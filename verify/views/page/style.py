@@ -34,9 +34,10 @@ nav{display:flex;flex-wrap:wrap;gap:.3rem 1.1rem;margin:1.4rem 0 0;font-size:.93
 code,pre{font-family:ui-monospace,SFMono-Regular,Menlo,Consolas,monospace;font-size:.85em}
 code{overflow-wrap:anywhere}
 td code{overflow-wrap:break-word}
+.number code{overflow-wrap:anywhere}
 pre{background:var(--soft);border-radius:.4rem;padding:.8rem 1rem;overflow-x:auto;max-width:100%;
  white-space:pre-wrap}
-pre code{overflow-wrap:normal;font-size:.85rem}
+pre code{font-size:.85rem}
 sub,sup{line-height:0;font-size:.75em}
 math{font-size:1.05em;
  font-family:VerifyMath,"STIX Two Math","Latin Modern Math","Cambria Math",math,serif}
@@ -105,7 +106,7 @@ figure h3{margin:0 0 .4rem}
 .panels{display:grid;gap:.6rem;grid-template-columns:repeat(auto-fit,minmax(min(100%,19rem),1fr))}
 .panels svg{width:100%;max-width:36rem;height:auto;display:block}
 figcaption{font-size:.9rem;line-height:1.5;max-width:52rem;margin-top:.5rem}
-@media (max-width:52rem){
+@media screen and (max-width:52rem){
  .grid{border:0;border-top:1px solid var(--line);border-radius:0}
  .grid thead{display:none}
  .grid table,.grid tbody,.grid tr{display:block}
@@ -117,21 +118,25 @@ figcaption{font-size:.9rem;line-height:1.5;max-width:52rem;margin-top:.5rem}
   color:var(--ink);opacity:.75}
  .grid td:empty{display:none}
 }
-@media (max-width:40rem){
+@media screen and (max-width:40rem){
  .facts li{grid-template-columns:1fr;gap:.2rem}
  .rows tr{grid-template-columns:minmax(0,1fr)}
  .rows td,.rows td:first-child{grid-column:1;grid-row:auto}
  article{padding:.7rem .8rem}
+ .grid td math{font-size:.95em}
 }
 @media print{
  :root{color-scheme:light}
  body{font-size:10pt}
  header,main{max-width:none;padding:0}
- nav,.top,.hold,.button{display:none}
+ nav,.top,.hold{display:none}
+ .button{background:none;color:var(--ink);padding:0;margin:0}
  .moving *{animation:none!important}
  details::details-content{content-visibility:visible;display:block}
  .verdict{white-space:nowrap;break-inside:avoid}
- .rows tr{break-inside:avoid}
+ .rows tbody{columns:2;column-gap:1.5rem}
+ .rows tr{break-inside:avoid;grid-template-columns:5.5rem minmax(0,1fr)}
+ .rows td{overflow:visible}
  h2{break-after:avoid}h3{break-after:avoid}
  .grid{border:0}
  table{font-size:8pt}

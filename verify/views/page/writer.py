@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from verify.language.simplify import simplified_claim
 from verify.language.statement import PRINTED as PRINTED_ROLE
@@ -24,6 +24,9 @@ SIGNS = {"<": "<", "<=": "≤", "=": "="}
 #: Formulas with more letters than this stay in the statement file.
 LONGEST = 400
 
+#: A summand with more letters than this is too wide for a line.
+WIDEST = 90
+
 #: A min with more entries than this is written one entry a line.
 MANY = 2
 
@@ -43,13 +46,16 @@ class Writer:
         self.rows = {row.name: (row, found) for row, found in outcome.rows}
 
     def claim(self, claim: Claim | Applies | Always) -> Math | Text | None:
-        """A claim, unless it is too long to be read."""
+        """A claim, unless it is too long to be read; in letters only if no line can break in it."""
         if isinstance(claim, Claim):
             claim = simplified_claim(claim)
         text = self.typesetter.claim(claim)
         if len(text) > LONGEST:
             return None
-        return Math(self._mathml.claim(claim), text) if isinstance(claim, Claim) else Text(text)
+        if not isinstance(claim, Claim):
+            return Text(text)
+        widest = max(len(self.typesetter.term(part)) for part in summands(claim))
+        return Math(self._mathml.claim(claim) if widest <= WIDEST else "", text)
 
     def term(self, term: Term, before: str = "") -> Math:
         """A term after a relation."""
@@ -57,6 +63,17 @@ class Writer:
         if term.op == "min" and len(term.children) > MANY:
             return Math(self._mathml.entries(term, before), text)
         return Math(self._mathml.term(term, before), text)
+
+
+def summands(claim: Claim) -> Iterator[Term]:
+    """The parts of both sides between which a line can break."""
+    left = [claim.rhs, claim.lhs]
+    while left:
+        term = left.pop()
+        if term.op in ("add", "sub"):
+            left += reversed(term.children)
+        else:
+            yield term
 
 
 def number_of(ends: Ends | None, digits: int = 8, unfolds: bool = False) -> Number | None:

@@ -1,0 +1,156 @@
+"""Maps, collapses and the graph of the proof are drawn as they are."""
+
+from __future__ import annotations
+
+import math
+import re
+from fractions import Fraction
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from tests.views.conftest import few_boxes
+from verify.jobs import everywhere, scene_files
+from verify.jobs.regenerate import is_right_when_accepted
+from verify.jobs.report_files import CertificateError
+from verify.jobs.report_maps import CertifiedMap, log_names, read_map
+from verify.paper.scene.scene import Scene
+from verify.views.graph import graph
+from verify.views.page.blueprint import direct, edges_between_labels, levels
+from verify.views.page.html import prose
+from verify.views.plots import collapse, map_figure
+from verify.views.plots.shapes import merged
+from verify.wire.write import write
+
+HERE = Path(__file__).parents[2] / "certificates"
+
+
+# --- maps ----------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def log(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    directory = tmp_path_factory.mktemp("logs")
+    (directory / "map").mkdir()
+    content = few_boxes((HERE / "map" / "map.jsonl").read_bytes())
+    (directory / "map" / "map.jsonl").write_bytes(content)
+    return directory
+
+
+@pytest.fixture(scope="module")
+def found(log: Path) -> CertifiedMap:
+    (name,) = log_names(str(log))
+    return read_map(str(log), name)
+
+
+def test_a_log_is_shown_only_if_its_checker_accepts_it(log: Path, tmp_path: Path) -> None:
+    (tmp_path / "map").mkdir()
+    text = (log / "map" / "map.jsonl").read_text(encoding="utf-8")
+    (tmp_path / "map" / "map.jsonl").write_text(text.replace('"verdicts":"c', '"verdicts":"d'))
+    with pytest.raises(CertificateError):
+        read_map(str(tmp_path), "map/map.jsonl")
+
+
+def test_drawn_areas_are_those_of_the_log(found: CertifiedMap) -> None:
+    progress = found.progress
+    for letter in "cd":
+        boxes = merged(map_figure.cells(progress, letter))
+        area = sum((b - a) * (d - c) for a, b, c, d in boxes)
+        assert area == pytest.approx(float(progress.share(letter)))
+    law = map_figure.work(progress)
+    assert law[-1] == (progress.boxes, progress.undecided)
+    assert all(a < b and u > v for (a, u), (b, v) in pairwise(law))
+    a, b, c, d = map_figure.window(progress)
+    decided = [*map_figure.cells(progress, "c"), *map_figure.cells(progress, "d")]
+    inside = [(max(a, e), min(b, f), max(c, g), min(d, h)) for e, f, g, h in decided]
+    covered = sum((f - e) * (h - g) for e, f, g, h in inside if e < f and g < h)
+    assert 0 < covered < (b - a) * (d - c)
+
+
+def test_marks_are_short_and_lie_within() -> None:
+    for low, high in (("0", "1/2"), ("1/8", "5/32"), ("-3/2", "0"), ("1/1000", "2/1000")):
+        marks = map_figure.round_marks(Fraction(low), Fraction(high))
+        assert 3 <= len(marks) <= 6
+        assert all(float(Fraction(low)) <= at <= float(Fraction(high)) for at, _ in marks)
+        assert all(len(text) <= 6 and float(text) == at for at, text in marks)
+
+
+# --- collapses -----------------------------------------------------------------------------------
+
+
+def scene(name: str) -> Scene:
+    path = HERE / "scenes" / f"{name}.toml"
+    return scene_files.read_scene(str(path), path.read_bytes())
+
+
+@pytest.fixture(scope="module", params=["nearly-aligned", "in-space"])
+def shown(request: pytest.FixtureRequest) -> collapse.Story:
+    made = collapse.story(scene(request.param))
+    assert made is not None
+    return made
+
+
+def test_only_a_collapse_has_a_story() -> None:
+    assert collapse.story(scene("parting")) is None
+    assert collapse.story(scene("on-a-line")) is None
+
+
+def test_bounds_are_nested_and_after_each_collision(shown: collapse.Story) -> None:
+    bounds = [one.collapse for one in shown.instants if one.collapse is not None]
+    assert len(bounds) > 3
+    for (a, b), (c, d) in pairwise(bounds):
+        assert a < c < d < b
+    assert all(one.time[1] < bounds[-1][1] for one in shown.instants)
+
+
+def test_spheres_touch_where_they_collide(shown: collapse.Story) -> None:
+    """At the end of each flight the pair that collides then is at the distance of two radii."""
+    for k in range(len(shown.path) - 1):
+        frame = collapse._frame(shown, k, 1.0)
+        (other,) = {*map(int, shown.path[k + 1].pair)} - {shown.middle}
+        assert math.hypot(*frame[other]) == pytest.approx(2 * collapse.RADIUS, abs=0.05)
+        (third,) = frame.keys() - {other}
+        assert math.hypot(*frame[third]) > 2 * collapse.RADIUS + 10
+
+
+def test_an_animation_is_the_same_again_and_brings_no_script(shown: collapse.Story) -> None:
+    text = collapse.animation(shown, "x")
+    assert text == collapse.animation(shown, "x")
+    assert "script" not in text
+    assert text.count('opacity="0"') == len(shown.instants)  # one text stands still
+    named = set(re.findall(r"@keyframes ([\w-]+)", text))
+    assert named == set(re.findall(r"animation:([\w-]+)", text))
+    assert {f' id="{name}"' in text for name in named} == {True}
+
+
+# --- the graph, statements, sentences ------------------------------------------------------------
+
+
+def test_lines_that_are_left_out_follow_from_others() -> None:
+    edges = edges_between_labels(graph(everywhere.decide_everywhere()))
+    level = levels(edges)
+    kept = direct(edges, level)
+    above: dict[str, set[str]] = {}
+    for label in sorted(kept, key=lambda label: level[label]):
+        above[label] = kept[label].union(*(above[source] for source in kept[label]))
+    for label, sources in edges.items():
+        down = {source for source in sources if level[source] < level[label]}
+        assert down <= above[label]
+    assert sum(map(len, kept.values())) < sum(map(len, edges.values())) / 2
+
+
+def test_a_statement_that_says_less_is_not_the_program_s() -> None:
+    outcome = everywhere.decide_everywhere()
+    assert is_right_when_accepted(write(outcome)["statement.json"], outcome)
+    rows = outcome.statement.obligations
+    for some in (rows[:-1], rows[1:]):
+        less = outcome._replace(statement=outcome.statement._replace(obligations=some))
+        assert not is_right_when_accepted(write(less)["statement.json"], less)
+
+
+def test_minus_signs_are_no_hyphens() -> None:
+    assert prose("0 < -cos x, (-a) - b, |-c|") == "0 &lt; −cos x, (−a) − b, |−c|"
+    assert prose("Cauchy-Schwarz, 0-1, verify graph --out") == (
+        "Cauchy-Schwarz, 0-1, verify graph --out"
+    )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from verify.cli import COMMANDS, main
 from verify.cli.options import Options, Parser
 from verify.jobs.inputs import InputError
 
@@ -75,7 +76,19 @@ def test_what_is_required() -> None:
 def test_help_lists_every_option_and_place(words: list[str]) -> None:
     made = parser()
     assert made.read(words) is None
-    text = made.help()
+    text = made.help(80)
     assert "usage: verify x [options] [folder]" in text
     for part in ("About x.", "--r R ", "--delta-theta D", "-v, --verbose", "[folder]", "--help"):
         assert part in text
+
+
+def test_help_is_as_wide_as_the_terminal(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for columns in (60, 80):
+        monkeypatch.setenv("COLUMNS", str(columns))
+        for words in (["--help"], *([name, "--help"] for name in COMMANDS)):
+            assert main(words) == 0
+            lines = capsys.readouterr().out.splitlines()
+            assert max(map(len, lines)) <= columns
+            assert len(lines) > 5

@@ -12,7 +12,8 @@ from io import TextIOWrapper
 
 from verify import __version__
 from verify.cli.errors import OwnError
-from verify.cli.options import Parser
+from verify.cli.options import Parser, beside
+from verify.cli.terminal import width
 from verify.jobs.inputs import InputError, shown
 
 #: The commands in the order a newcomer needs them.
@@ -99,23 +100,28 @@ def _dispatch(words: list[str]) -> int:
     command.add_arguments(parser)
     options = parser.read(words[1:])
     if options is None:
-        print(parser.help())
+        print(parser.help(width()))
         return 0
     return int(command.run(options))
 
 
 def _help() -> str:
     lines = ["usage: verify COMMAND [options]", "", "commands:"]
-    lines += [f"  {name:<14} {summary}" for name, summary in COMMANDS.items()]
-    lines += ["", "verify COMMAND --help describes the options of a command.", "", _EXIT_CODES]
+    for name, summary in COMMANDS.items():
+        lines += beside(f"  {name}", summary, 18, width())
+    lines += ["", "verify COMMAND --help describes the options of a command.", "", "exit codes:"]
+    for code, meaning in _EXIT_CODES.items():
+        lines += beside(f"  {code}", meaning, 7, width())
     return "\n".join(lines)
 
 
-_EXIT_CODES = """exit codes:
-  0  everything asked for is proved
-  1  something asked for is refuted, or a certificate is refused
-  2  the input cannot be used
-  3  undecided within the precision or work budget
-  4  a malformed certificate, one that does not belong to its statement, or a foreign theorem
-  5  our own error: the checker does not accept what --out would write
-  130 interrupted; 141 the reader of the output has left"""
+_EXIT_CODES = {
+    0: "everything asked for is proved",
+    1: "something asked for is refuted, or a certificate is refused",
+    USAGE_ERROR: "the input cannot be used",
+    3: "undecided within the precision or work budget",
+    4: "a malformed certificate, one that is not its statement's, or a foreign theorem",
+    OWN_ERROR: "our own error: the checker does not accept what --out would write",
+    INTERRUPTED: "interrupted",
+    PIPE_CLOSED: "the reader of the output has left",
+}

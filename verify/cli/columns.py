@@ -62,7 +62,10 @@ def table_lines(table: dict[str, Any], columns: int) -> Iterator[str]:
     yield ""
     yield table["title"]
     for row in rows:
-        cells = [wrap(cell, size or 1) for cell, size in zip(row, sizes, strict=True)]
+        cells = [
+            wrap(cell, size or 1, break_on_hyphens=False)
+            for cell, size in zip(row, sizes, strict=True)
+        ]
         for parts in zip_longest(*cells, fillvalue=""):
             line = "  ".join(part.ljust(size) for part, size in zip(parts, sizes, strict=True))
             yield f"  {line}".rstrip()

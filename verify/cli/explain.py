@@ -30,9 +30,8 @@ def add_arguments(parser: Parser) -> None:
     """The options."""
     parser.places(
         "row",
-        "[FOLDER] ROW: a row, a lemma or a constant, with or without its group; a label, or "
-        "(4.25);\n"
-        f"{'':24}FOLDER has a certificate, or is one of step, flow, sharper, theorem1-all, …",
+        "FOLDER ROW, or ROW: a row, a lemma or a constant, with or without its group; a label, or "
+        "(4.25). FOLDER has a certificate, or is one of step, flow, sharper, theorem1-all, …",
     )
     parser.flag("-v", "--verbose", text="claims as the statement has them, not simplified")
     add_color(parser)

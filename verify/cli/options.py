@@ -160,15 +160,21 @@ class Parser:
 
     # --- the help -------------------------------------------------------------------------------
 
-    def help(self) -> str:
-        """What `--help` prints."""
+    def help(self, columns: int) -> str:
+        """What `--help` prints, in so many columns."""
         places = [name for name, _ in self._help if not name.startswith("-")]
         usage = " ".join([self.program, "[options]", *places])
-        lines = [f"usage: {usage}", "", self.about, ""]
+        lines = [f"usage: {usage}", "", *beside("", self.about, 0, columns), ""]
         for name, text in [*self._help, ("-h, --help", "show this help")]:
-            first = f"  {name}"
-            if len(first) >= _COLUMN:
-                lines.append(first)
-                first = ""
-            lines.append(f"{first:<{_COLUMN}}{text}")
+            lines += beside(f"  {name}", text, _COLUMN, columns)
         return "\n".join(lines)
+
+
+def beside(first: str, text: str, start: int, columns: int) -> list[str]:
+    """A few words, and beside them, or below if they are long, a text that starts in a column."""
+    from textwrap import wrap  # loaded only where it is used
+
+    lines = wrap(text, max(columns - start, start), break_on_hyphens=False) or [""]
+    above = [first] if len(first) >= start > 0 else []
+    firsts = ["" if above else first, *([""] * (len(lines) - 1))]
+    return [*above, *(f"{left:<{start}}{line}" for left, line in zip(firsts, lines, strict=True))]

@@ -31,7 +31,18 @@ from verify.prover.outcome import Decision
 from verify.prover.points import refuting_point
 from verify.prover.proof import Proof
 from verify.prover.relations import MEANINGS, negation
-from verify.prover.rules import Applying, Define, Entry, Induction, Least, Root, Sum, Witness
+from verify.prover.rules import (
+    Antisymmetry,
+    Applying,
+    Define,
+    Entry,
+    Induction,
+    Least,
+    Root,
+    Sum,
+    Witness,
+)
+from verify.prover.search.multiple_angles import by_minimal_polynomial, by_multiple_angles
 from verify.prover.search.strategy import Strategy, refuting_minimum
 from verify.prover.session import ZERO
 from verify.prover.signs import signs
@@ -176,6 +187,7 @@ class Universal:
         sides = goal.claim.lhs, goal.claim.rhs
         yield self._identity(goal)
         if goal.claim.relation == "=":
+            yield self._equation(goal)
             return
         yield boxes.interval(goal, self.enclosed)
         if not self.clears(sides, goal.context):
@@ -223,6 +235,24 @@ class Universal:
                     return None
                 return Sum(() if claim.relation == "=" else ("goal",), using)
         return None
+
+    def _equation(self, goal: Goal) -> Proof | None:
+        """By cosines of multiples of an angle, or because each side is at most the other."""
+        if not self.clears((goal.claim.lhs, goal.claim.rhs), goal.context):
+            return None
+        strategy = Strategy(goal, self)
+        if not strategy.may_be_equal():
+            return None
+        proof = by_minimal_polynomial(strategy) or by_multiple_angles(strategy)
+        if proof is not None:
+            return proof
+        orders = []
+        for sides in ((goal.claim.lhs, goal.claim.rhs), (goal.claim.rhs, goal.claim.lhs)):
+            order = self.prove(goal._replace(claim=Claim("<=", *sides)))
+            if order is None:
+                return None
+            orders.append(order)
+        return Antisymmetry((orders[0], orders[1]))
 
     def _definitions(self, names: Iterable[str]) -> tuple[str, ...]:
         """The names that have definitions, and those in their definitions."""

@@ -22,6 +22,7 @@ from verify.prover.search.domain import Domain
 from verify.prover.search.ends_of_variables import Polynomials
 from verify.prover.search.extrema import by_entries, extrema_of, split
 from verify.prover.search.local_minima import Minima, simple_points
+from verify.prover.search.multiple_angles import by_minimal_polynomial, by_multiple_angles
 from verify.prover.search.order import by_order
 from verify.prover.search.positive import by_squares
 from verify.prover.search.squaring import by_squaring
@@ -57,6 +58,8 @@ class Strategy:
         if self.minima and self.minima[0][0] < 0 and self.is_refuted():
             return
         yield self.tree(FEW_LEAVES)
+        yield by_minimal_polynomial(self)
+        yield by_multiple_angles(self)
         yield by_bernstein(self, self.simple_zeros())
         if len(self.goal.variables) > 2 and self.goal.box is not None:
             polynomials = Polynomials(self)
@@ -76,6 +79,12 @@ class Strategy:
         yield by_subterms(self)
         yield self.tree(MANY_LEAVES)
         yield self.wider_squares(facts)
+
+    def may_be_equal(self) -> bool:
+        """Whether the sides of an equation are equal, as far as estimates tell."""
+        return all(
+            abs(value) < NEAR_ZERO * (1 + max(map(abs, p), default=0)) for value, p in self.minima
+        )
 
     def is_refuted(self) -> bool:
         """Whether there is a point where the claim is false."""

@@ -1,0 +1,236 @@
+"""Cosines of multiples of one angle, as polynomials in its cosine (Chebyshev's).
+
+With b = C(u), where C is `cos` or `cos_pi`, and c_k = C(k u), the rule *angles* says
+2 c_(k-1) b = c_k + c_(k-2), so that c_k = T_k(b). For u = 1/n, T_n(b) = cos(pi) = -1: one factor of
+T_n + 1 is 0 at b, and the others are not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import reduce
+from math import gcd, lcm
+
+from flint import fmpq_mpoly
+
+from verify.language.record import TYPE_CHECKING
+from verify.language.terms import Claim, Term, as_term, equal, symbol
+from verify.prover.clearing import Clearing, atoms_of
+from verify.prover.proof import Proof, Value
+from verify.prover.rules import Angles, Antisymmetry, Interval, Sum
+from verify.prover.session import ZERO
+
+if TYPE_CHECKING:
+    from verify.prover.search.strategy import Strategy
+
+#: Higher multiples are not used.
+MAX_MULTIPLE = 24
+BITS = 128
+COSINES = ("cos", "cos_pi")
+
+
+def by_multiple_angles(strategy: Strategy) -> Proof | None:
+    """The claim with each cosine replaced by a polynomial in one of them."""
+    claim = strategy.goal.claim
+    equations: dict[Term, str] = {}
+    chosen: dict[Term, Term] = {}
+    for op in COSINES:
+        for base, multiples in _families(strategy, op):
+            chebyshev = Chebyshev(strategy, op, base)
+            for k, atom in multiples:
+                if atom != chebyshev.cosine:
+                    equations[atom] = chebyshev.equation(k, atom.children[0])
+                    chosen[atom] = chebyshev.polynomial(k)
+    if not chosen:
+        return None
+    sides = [_replaced(side, chosen) for side in (claim.lhs, claim.rhs)]
+    fact = strategy.fact(Claim(claim.relation, *sides))
+    if fact is None:
+        return None
+    using = (*strategy.using, *equations.values())
+    if claim.relation == "=":
+        return Sum((), using, ((fact, as_term(1)),))
+    return Sum(("goal", fact), using)
+
+
+def _families(strategy: Strategy, op: str) -> Iterator[tuple[Term, list[tuple[int, Term]]]]:
+    """Angles u, and the cosines of their multiples in the claim, of which there are others."""
+    goal = strategy.goal
+    atoms = atoms_of((goal.claim.lhs, goal.claim.rhs, *goal.definitions.values()), {})
+    left = [atom for atom in atoms if atom.op == op]
+    numbers = [atom for atom in left if atom.children[0].op == "rational"]
+    if op == "cos_pi" and numbers:
+        yield from _fractions(numbers)
+    left = [atom for atom in left if atom not in numbers]
+    while left:
+        first, family = left[0], [(Fraction(1), left[0])]
+        for other in left[1:]:
+            ratio = _ratio(strategy, first.children[0], other.children[0])
+            if ratio is not None and ratio > 0:
+                family.append((ratio, other))
+        left = [atom for atom in left if all(atom != other for _, other in family)]
+        least = min(ratio for ratio, _ in family)
+        common = reduce(_common, (ratio for ratio, _ in family))
+        base = next(atom for ratio, atom in family if ratio == least).children[0]
+        if common != least:
+            base = as_term(common) * first.children[0]
+        multiples = [(int(ratio / common), atom) for ratio, atom in family]
+        if max(k for k, _ in multiples) <= MAX_MULTIPLE and len(multiples) > 1:
+            yield base, multiples
+
+
+def _fractions(numbers: list[Term]) -> Iterator[tuple[Term, list[tuple[int, Term]]]]:
+    values = [atom.children[0].value for atom in numbers]
+    n = lcm(*(value.denominator for value in values))
+    multiples = [(int(value * n), atom) for value, atom in zip(values, numbers, strict=True)]
+    if all(0 <= k <= MAX_MULTIPLE for k, _ in multiples):
+        yield as_term(Fraction(1, n)), multiples
+
+
+def _common(a: Fraction, b: Fraction) -> Fraction:
+    """The largest number of which both are multiples."""
+    return Fraction(gcd(a.numerator * b.denominator, b.numerator * a.denominator)) / (
+        a.denominator * b.denominator
+    )
+
+
+def _ratio(strategy: Strategy, a: Term, b: Term) -> Fraction | None:
+    """The number q with b = q a, if there is one."""
+    replaced = {symbol(name): term for name, term in strategy.goal.definitions.items()}
+    clearing = Clearing((a, b), replaced)
+    (n, d), (m, e) = clearing.clear(a), clearing.clear(b)
+    left, right = clearing.times(n, e), clearing.times(m, d)
+    if not left.to_dict() or not right.to_dict():
+        return None
+    ratio = right.leading_coefficient() / left.leading_coefficient()
+    return Fraction(int(ratio.p), int(ratio.q)) if right == ratio * left else None
+
+
+def _replaced(term: Term, chosen: dict[Term, Term]) -> Term:
+    if term in chosen:
+        return chosen[term]
+    children = [_replaced(child, chosen) for child in term.children]
+    return Term(term.op, *children, *term.args[len(children) :]) if children else term
+
+
+class Chebyshev:
+    """The cosines of the multiples of one angle."""
+
+    def __init__(self, strategy: Strategy, op: str, base: Term) -> None:
+        self.strategy, self.op, self.base = strategy, op, base
+        self.session = strategy.universal.session
+        self.context = strategy.goal.context
+        self.cosine = Term(op, base)
+
+    def angle(self, k: int) -> Term:
+        """The term k u."""
+        if k == 0:
+            return ZERO
+        if self.base.op == "rational":
+            return as_term(self.base.value * k)
+        return self.base if k == 1 else as_term(k) * self.base
+
+    def polynomial(self, k: int) -> Term:
+        """T_k(b) as a term."""
+        rows = [[1], [0, 1]]
+        for _ in range(k - 1):
+            twice = [0, *(2 * c for c in rows[-1])]
+            rows.append(
+                [c - (rows[-2][i] if i < len(rows[-2]) else 0) for i, c in enumerate(twice)]
+            )
+        powers = [
+            as_term(c) * self.cosine**e if e else as_term(c) for e, c in enumerate(rows[k]) if c
+        ]
+        return reduce(lambda a, b: a + b, powers)
+
+    def equation(self, k: int, angle: Term | None = None) -> str:
+        """The name of the fact C(k u) = T_k(b), where k u may be written in another way."""
+        angle = self.angle(k) if angle is None else angle
+        claim = equal(Term(self.op, angle), self.polynomial(k))
+        known = self.session.known(claim, self.context)
+        if known is not None:
+            return known
+        if k == 0:
+            return self.session.lemma(claim, Interval(BITS), self.context)
+        if k == 1:
+            return self._same(claim, angle)
+        product = 2 * (Term(self.op, self.angle(k - 1)) * self.cosine)
+        sums = Term(self.op, angle) + Term(self.op, self.angle(k - 2))
+        law = self.session.lemma(equal(product, sums), Angles(), self.context)
+        terms = [(law, as_term(-1)), (self.equation(k - 2), as_term(-1))]
+        if k > 2:
+            terms.append((self.equation(k - 1), 2 * self.cosine))
+        return self.session.lemma(claim, Sum((), (), tuple(terms)), self.context)
+
+    def _same(self, claim: Claim, angle: Term) -> str:
+        """C(v) = C(u) for two ways of writing an angle: 2 C(u) C(0) = C(v) + C(v)."""
+        cosine = Term(self.op, angle)
+        product = 2 * (self.cosine * Term(self.op, ZERO))
+        law = self.session.lemma(equal(product, cosine + cosine), Angles(), self.context)
+        terms = ((law, as_term(Fraction(-1, 2))), (self.equation(0), self.cosine))
+        return self.session.lemma(claim, Sum((), (), terms), self.context)
+
+    # --- the cosine of a fraction of pi ---------------------------------------------------------
+
+    def minimal(self) -> str | None:
+        """The name of the fact m(b) = 0, for u = 1/n, where m is irreducible."""
+        n = self.base.value.denominator
+        last = self.session.lemma(
+            equal(Term(self.op, as_term(1)), as_term(-1)), Interval(BITS), self.context
+        )
+        clearing = Clearing((self.polynomial(n),), {})
+        p = clearing.difference(self.polynomial(n), as_term(-1))
+        factors = [(f, int(e)) for f, e in p.factor()[1]]
+        value = self.strategy.universal.ground.ball(self.cosine, BITS)
+        if value is None:
+            return None
+        near = float(value.mid())
+        part, exponent = min(factors, key=lambda f: abs(_at(f[0], near)))
+        rest = divmod(p, part**exponent)[0]
+        sign = 1 if _at(rest, near) > 0 else -1
+        other = self.strategy.fact(Claim("<", ZERO, clearing.term(sign * rest)))
+        if other is None:
+            return None
+        facts = ((self.equation(n), 1), (last, -1))
+        m = clearing.term(part)
+        branches = tuple(
+            self._order(other, exponent, sign * (side**exponent), facts) for side in (1, -1)
+        )
+        return self.session.lemma(
+            equal(m, ZERO), Antisymmetry((branches[0], branches[1])), self.context
+        )
+
+    @staticmethod
+    def _order(other: str, exponent: int, sign: int, facts: tuple[tuple[str, int], ...]) -> Sum:
+        """If m were > 0, so would be m^e times the other factors, which is 0."""
+        power: Value = "goal" if exponent == 1 else ("pow", "goal", exponent)
+        equations = tuple((name, as_term(sign * weight)) for name, weight in facts)
+        return Sum((("mul", other, power),), (), equations)
+
+
+def _at(polynomial: fmpq_mpoly, value: float) -> float:
+    return sum(int(c.p) / int(c.q) * value ** int(e) for (e,), c in polynomial.to_dict().items())
+
+
+def by_minimal_polynomial(strategy: Strategy) -> Proof | None:
+    """A claim about the cosine of pi/n whose sides are equal, by the equation that it satisfies."""
+    goal = strategy.goal
+    clearing = Clearing((goal.claim.lhs, goal.claim.rhs), {})
+    found = [atom for atom in clearing.atoms if atom.op == "cos_pi"]
+    if len(found) != 1 or goal.claim.relation == "<" or goal.definitions:
+        return None
+    angle = found[0].children[0]
+    if angle.op != "rational" or angle.value.numerator != 1 or angle.value.denominator < 3:
+        return None
+    p = clearing.reduce(clearing.difference(goal.claim.lhs, goal.claim.rhs))
+    minimal = Chebyshev(strategy, "cos_pi", angle).minimal()
+    if minimal is None:
+        return None
+    m = clearing.difference(strategy.universal.session.claims[minimal].lhs, ZERO)
+    quotient, rest = divmod(p, m)
+    if rest.to_dict():
+        return None
+    if goal.claim.relation == "=":
+        return Sum((), (), ((minimal, clearing.term(quotient)),))
+    return Sum(("goal",), (), ((minimal, clearing.term(-quotient)),))

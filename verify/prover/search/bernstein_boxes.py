@@ -62,7 +62,7 @@ def by_bernstein(strategy: Strategy, zeros: Sequence[Mapping[str, Fraction]]) ->
         return None
     p = clearing.difference(goal.claim.rhs, goal.claim.lhs)
     degrees = [int(d) for d in p.degrees()]
-    if prod(d + 1 for d in degrees) > MAX_SIZE:
+    if not 0 < prod(d + 1 for d in degrees) <= MAX_SIZE:  # 0 has degree -1 in each variable
         return None
     names = [atom.name for atom in clearing.atoms]
     points = [[zero[name] for name in names] for zero in zeros]

@@ -40,8 +40,19 @@ FOLDERS = {
 #: How the parameters of Theorem 1 are written.
 LETTERS = {"V_0": "V₀", "delta_theta": "δ_θ", "c": "(-cos θ₀)"}
 
-#: How they stand in titles.
-TITLE_LETTERS = {"V_0": "V₀", "delta_theta": "δ_θ", "theta_0": "θ₀", "<=": "≤"}
+#: How they, and some constants, stand in titles and sentences.
+TITLE_LETTERS = {
+    "V_0": "V₀",
+    "delta_theta": "δ_θ",
+    "theta_0": "θ₀",
+    "<=": "≤",
+    "Delta_theta": "Δθ",
+    "eta_bar": "η̄",
+    "zeta_bar": "ζ̄",
+    "d_bar": "d̄",
+    "delta_x": "δ_x",
+    "delta_y": "δ_y",
+}
 
 #: A longer formula is left to the statement file where a row is told in one line.
 MAX_FORMULA = 400

@@ -38,7 +38,7 @@ from verify.views.page.writer import (
     with_verdict,
 )
 from verify.views.point import place
-from verify.views.words import sides_of
+from verify.views.words import in_letters, sides_of
 
 #: The classes, the worst first: anchor and title.
 CLASSES = {
@@ -98,7 +98,7 @@ def card(writer: Writer, row: Obligation, found: Decision) -> RefutedStep:
     return RefutedStep(
         row.name,
         label_cell(row.label),
-        row.says,
+        in_letters(row.says),
         claim if isinstance(claim, Math) else Math("", "(long: see the statement file)"),
         lhs,
         rhs,

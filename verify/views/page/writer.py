@@ -14,7 +14,7 @@ from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views.mathml import MathML
 from verify.views.page.blocks import Cell, Code, Inline, Math, Number, Table, Text, Verdict
-from verify.views.words import letters, sides_of
+from verify.views.words import in_letters, letters, sides_of
 from verify.wire.write import decimals
 
 Row = tuple[Obligation, Decision]
@@ -131,7 +131,7 @@ def _row(writer: Writer, row: Obligation, found: Decision) -> list[Cell]:
     return [
         [Verdict(found.verdict)],
         label_cell(row.label),
-        [Text(row.says)],
+        [Text(in_letters(row.says))],
         [Text("(long: see the statement file)") if claim is None else claim],
         last,
     ]
@@ -148,7 +148,7 @@ def plain_rows(writer: Writer, title: str, rows: Sequence[Row]) -> Table:
             [
                 [Verdict(found.verdict)],
                 label_cell(row.label),
-                [Text(row.says)],
+                [Text(in_letters(row.says))],
                 [Text(text)],
                 [Text(last)],
             ]

@@ -25,7 +25,14 @@ from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
 from verify.views.tex.formulas import Formulas, safe_letter
 from verify.views.tex.sentences import name, tex_number, words
-from verify.views.words import given_by, headline, parameters_of, sides_of, witness_of
+from verify.views.words import (
+    given_by,
+    headline,
+    in_letters,
+    parameters_of,
+    sides_of,
+    witness_of,
+)
 
 PREAMBLE = r"""\documentclass[10pt]{article}
 \usepackage[a4paper,margin=2.2cm]{geometry}
@@ -39,6 +46,9 @@ PREAMBLE = r"""\documentclass[10pt]{article}
 """
 END = "\\end{document}\n"
 
+#: A formula between numbers with more LaTeX than this is told by its two sides only.
+LONGEST = 800
+
 #: How the parameters of Theorem 1 are written, in LaTeX and in plain text.
 PARAMETERS = {
     "r": ("r", "r"),
@@ -46,6 +56,9 @@ PARAMETERS = {
     "V_0": ("V_0", "V₀"),
     "delta_theta": (r"\delta_\theta", "δ_θ"),
 }
+
+#: Letters that statements have by their names.
+SPELLED = {"delta_theta": r"\delta_\theta"}
 
 
 def tex_document(outcomes: Iterable[Outcome]) -> str:
@@ -67,7 +80,8 @@ class _Part:
         self.contexts = {context.name: context for context in self.statement.contexts}
 
     def lines(self) -> Iterator[str]:
-        yield rf"\section*{{{words(self.statement.title)}}}"
+        title = in_letters(self.statement.title)
+        yield rf"\section*{{{words(title[:1].upper() + title[1:])}}}"
         yield rf"About {words(AUTHORS)}, \emph{{{words(TITLE)}}}.\par"
         yield rf"Verdict: \textbf{{{headline(self.outcome)}}},"
         yield f"given {words(given_by(self.outcome))}."
@@ -142,8 +156,12 @@ class _Part:
         where = f" {tex_label(row.label)}" if row.label else ""
         yield rf"\par\medskip\textbf{{{name(row.name)}}}{where}: {role}\textbf{{{found.verdict}}}"
         if row.says:
-            yield rf"\says{{{words(row.says)}}}"
-        yield rf"\claim{{{self._claim(row.claim)}}}"
+            yield rf"\says{{{words(in_letters(row.says))}}}"
+        claim = self._claim(row.claim)
+        if row.context is None and len(claim) > LONGEST:
+            yield r"\says{(a long formula without variables: see the statement file)}"
+        else:
+            yield rf"\claim{{{claim}}}"
         notes = [*self._evidence(row, found)]
         notes += [f"by {found.method}"] if found.verdict == PROVED and found.method else []
         if row.uses:
@@ -156,9 +174,9 @@ class _Part:
 
     def _evidence(self, row: Obligation, found: Decision) -> Iterator[str]:
         sides = sides_of(row, found)
-        if sides is not None:
-            left, right = (tex_number(short(ends)) for ends in sides)
-            yield rf"left side ${left}$, right side ${right}$"
+        left, right = ("", "") if sides is None else map(short, sides)
+        if left and not (left + right).count("["):  # an equality has no digits on which both agree
+            yield rf"left side ${tex_number(left)}$, right side ${tex_number(right)}$"
         if found.verdict == REFUTED and found.witness:
             values = self.formulas.values(in_order(witness_of(row, found) or found.witness))
             yield rf"false at ${values}$"
@@ -193,7 +211,9 @@ def _letters(outcome: Outcome) -> tuple[dict[str, str], dict[str, str]]:
     found = {key: PARAMETERS.get(key, ("", key)) for key in statement.parameters}
     constants = list(statement.constants)
     for context in statement.contexts:
-        found |= {v.name: (v.tex, v.letter or v.name) for v in context.variables}
+        found |= {
+            v.name: (SPELLED.get(v.tex, v.tex), v.letter or v.name) for v in context.variables
+        }
         constants += context.constants
     found |= {c.name: (c.tex, c.letter or c.name) for c in constants}
     tex = {name: safe_letter(*pair) for name, pair in found.items()}

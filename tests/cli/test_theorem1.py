@@ -303,7 +303,7 @@ def test_exit_codes(capsys: pytest.CaptureFixture[str], words: list[str], code: 
 def test_a_false_hypothesis_is_named_with_both_sides(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys, "--r", "0.06")
     assert code == 1
-    assert "Hypothesis EQUATSS4.1ThExiCondiTheta does not hold" in out
+    assert "Hypothesis (4.10), EQUATSS4.1ThExiCondiTheta, does not hold" in out
     assert "Hypothesis EQUATSS4.1ThExiCondi_r_1_ does not hold: r < r_stabi = 9 - 4√5" in out
     assert "its threshold = 1.0278276" in out
     assert "both sides are equal" in run(capsys, "--r", "1/64", "--neg-cos", "8/13")[1]

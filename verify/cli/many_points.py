@@ -7,7 +7,7 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from verify.cli import claims
-from verify.cli.files import print_document, test_folder, write_certificate
+from verify.cli.files import print_document, progress, test_folder, write_certificate
 from verify.cli.options import Options
 from verify.cli.terminal import show
 from verify.cli.theorem1 import DEFAULTS, POINT_OPTIONS, read_parameters
@@ -15,6 +15,9 @@ from verify.jobs.inputs import InputError, integer, neg_cos, positive, restituti
 from verify.language.statement import UNDECIDED
 from verify.paper.groups import PRINTED
 from verify.prover.outcome import EXIT_CODES, conjunction
+
+#: What takes seconds at a box and without one; all of it is one search.
+PROVING = "proving Theorem 1 for all parameters, which takes seconds"
 
 
 def run_many(options: Options) -> int:
@@ -44,6 +47,7 @@ def _everywhere(options: Options) -> int:
     from verify.views.document import claims_document
 
     printed = options.constants == PRINTED
+    progress(PROVING)
     outcome = everywhere.decide_printed_everywhere() if printed else everywhere.decide_everywhere()
     code = EXIT_CODES[conjunction(outcome.decisions.values())]
     if options.out is not None:
@@ -71,6 +75,7 @@ def _box(options: Options) -> int:
     from verify.jobs import box  # loaded only where they are used
     from verify.views import box as view
 
+    progress(PROVING)
     found = box.answer(box.ParameterBox(*sides), v_0, delta_theta)
     cited = found.outcome.assumptions
     if options.out is not None and found.verdict != UNDECIDED:

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from verify.jobs.thresholds import shares
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Assumption, Obligation
+from verify.language.terms import symbol
 from verify.paper.everywhere.thresholds import STRIPS
 from verify.paper.numbering import cited
 from verify.prover.outcome import Decision, Outcome
@@ -76,15 +77,18 @@ def printed_screen(outcome: Outcome, where: Outcome) -> Iterator[str]:
             yield f"  {_dependence(outcome, row, decision)}   [{cited(row.label)}]"
             yield from (f"    {sentence}" for sentence in _sentences(where, short_name(row)))
     yield ""
-    yield "Thresholds: for 1/16 ≤ V₀ ≤ 10⁶ and all other parameters. Shares are of the area where"
-    yield "-cos θ₀ ≤ 1 in the plane of φ⁻/(φ⁺)², between 0 and 1, and φ⁺, at V₀ = 1 and δ_θ = 1/10."
+    yield (
+        "Thresholds: for 1/16 ≤ V₀ ≤ 10⁶ and all other parameters. Shares are of the area where "
+        "-cos θ₀ ≤ 1 in the plane of φ⁻/(φ⁺)², between 0 and 1, and φ⁺, at V₀ = 1 and δ_θ = 1/10."
+    )
     yield ""
     yield f"Verdict: refuted: for all parameters, {counts(outcome, 'printed')}"
 
 
 def _dependence(outcome: Outcome, row: Obligation, decision: Decision) -> str:
     typesetter = plain_letters(outcome)
-    at = ", ".join(f"{name} = {typesetter.term(x)}" for name, x in decision.witness.items())
+    values = ((symbol(name), x) for name, x in decision.witness.items())
+    at = ", ".join(f"{typesetter.term(n)} = {typesetter.term(x)}" for n, x in values)
     return f"depends: {short_name(row)}: fails at {at}"
 
 

@@ -73,7 +73,8 @@ def _breaking(outcome: Outcome) -> Iterator[str]:
 def verdict_lines(outcome: Outcome, sets: list[str]) -> Iterator[str]:
     """What fails or is left open, and the verdicts; the last line is the whole result."""
     for row, why in failed_hypotheses(outcome):
-        yield f"Hypothesis {row.label} does not hold: {row.says} ({why})"
+        where = printed_number(row.label)
+        yield f"Hypothesis {where}, {row.label}, does not hold: {row.says} ({why})"
     if outcome.spent:
         yield f"Precision budget spent: {outcome.spent}"
     for group in sets:

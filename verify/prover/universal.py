@@ -20,7 +20,15 @@ from verify.language.statement import (
     Given,
     Obligation,
 )
-from verify.language.terms import Claim, Term, as_term, names_of, substitute, substitute_claim
+from verify.language.terms import (
+    Claim,
+    Term,
+    as_term,
+    names_of,
+    parts_of,
+    substitute,
+    substitute_claim,
+)
 from verify.prover import boxes
 from verify.prover.bernstein import bernstein
 from verify.prover.budget import WorkBudget
@@ -42,6 +50,7 @@ from verify.prover.rules import (
     Sum,
     Witness,
 )
+from verify.prover.search.cosine_bounds import by_cosines
 from verify.prover.search.multiple_angles import by_minimal_polynomial, by_multiple_angles
 from verify.prover.search.strategy import Strategy, refuting_minimum
 from verify.prover.session import ZERO
@@ -75,6 +84,8 @@ class Universal:
         """Show that the givens hold at the context's point; False if that is not found."""
         if context.parent is not None and context.parent not in self.contexts:
             return False
+        if not self._are_defined(context):
+            return False
         premises = self.premises(context, context.point, context.parent)
         if premises is None:
             return False
@@ -83,6 +94,36 @@ class Universal:
         self.bounds |= bounds_of(context)
         self._homes |= {variable.name: context.name for variable in context.variables}
         return all(self.define(constant, context.name) for constant in context.constants)
+
+    def _are_defined(self, context: Context) -> bool:
+        """Whether givens before, or facts around, say the sign of what the givens divide by."""
+        earlier: set[Claim] = set()
+        variables = {variable.name for variable in context.variables}
+
+        def is_known(relation: str, term: Term) -> bool:
+            claim = Claim(relation, ZERO, term)
+            if claim in earlier or variables & {*names_of(term)}:
+                return claim in earlier
+            return self.fact(claim, context.parent) is not None
+
+        def is_defined(part: Term) -> bool:
+            if part.op == "div":
+                divisor = part.children[1]
+                if divisor.op == "rational":
+                    return divisor.value != 0
+                return is_known("<", divisor) or is_known("<", -divisor)
+            if part.op == "sqrt":
+                radicand = part.children[0]
+                if radicand.op == "rational":
+                    return radicand.value >= 0
+                return is_known("<", radicand) or is_known("<=", radicand)
+            return True
+
+        for given in context.givens:
+            if not all(map(is_defined, parts_of(given.claim.lhs, given.claim.rhs))):
+                return False
+            earlier.add(given.claim)
+        return True
 
     def define(self, constant: Constant, context: str) -> bool:
         """Add a constant of a context; False if its value is not seen to be defined."""
@@ -243,7 +284,8 @@ class Universal:
         strategy = Strategy(goal, self)
         if not strategy.may_be_equal():
             return None
-        proof = by_minimal_polynomial(strategy) or by_multiple_angles(strategy)
+        proof = next(filter(None, by_cosines(strategy.goal, self, strategy.using)), None)
+        proof = proof or by_minimal_polynomial(strategy) or by_multiple_angles(strategy)
         if proof is not None:
             return proof
         orders = []

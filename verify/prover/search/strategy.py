@@ -18,6 +18,7 @@ from verify.prover.rules import Entry
 from verify.prover.search.atom_bounds import root_bounds
 from verify.prover.search.bernstein_boxes import by_bernstein
 from verify.prover.search.coefficients import by_coefficients
+from verify.prover.search.cosine_bounds import by_cosines
 from verify.prover.search.domain import Domain
 from verify.prover.search.ends_of_variables import Polynomials
 from verify.prover.search.extrema import by_entries, extrema_of, split
@@ -57,6 +58,7 @@ class Strategy:
         """What each technique finds."""
         if self.minima and self.minima[0][0] < 0 and self.is_refuted():
             return
+        yield from by_cosines(self.goal, self.universal, self.using)
         yield self.tree(FEW_LEAVES)
         yield by_minimal_polynomial(self)
         yield by_multiple_angles(self)
@@ -142,12 +144,12 @@ class Strategy:
         found |= {name: rows[name] for name in sorted(rows) if self._is_near(name, rows[name])}
         for term in extrema_of((self.goal.claim.lhs, self.goal.claim.rhs), self.goal.definitions):
             for entry in term.children:
-                known = self._entry(term, entry)
+                known = self.entry(term, entry)
                 if known is not None:
                     found[known] = session.claims[known]
         return found
 
-    def _entry(self, term: Term, entry: Term) -> str | None:
+    def entry(self, term: Term, entry: Term) -> str | None:
         """The fact that a minimum is at most its entry, or a maximum at least."""
         universal, place = self.universal, self.goal.context
         sides = (term, entry) if term.op == "min" else (entry, term)

@@ -1,0 +1,176 @@
+"""Relations between cosines, from 2 cos u cos v = cos(u + v) + cos(u - v): lemmas by *angles*.
+
+A claim that is polynomial in cosines becomes linear in them: products are replaced by sums, and
+each angle is written in one way, up to its sign.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from verify.language.terms import Claim, Term, as_term, equal, names_of, symbol
+from verify.prover.clearing import Clearing, Polynomial
+from verify.prover.goal import Goal
+from verify.prover.proof import Proof
+from verify.prover.rules import Angles, Interval, Sum
+from verify.prover.session import Session
+
+COSINES = ("cos", "cos_pi")
+#: Products of more cosines are left alone.
+MAX_FACTORS = 8
+MAX_PARTS = 200
+HALF = Fraction(1, 2)
+
+
+class Relations:
+    """Lemmas about cosines at one place."""
+
+    def __init__(self, session: Session, context: str | None) -> None:
+        self.session, self.context = session, context
+
+    def lemma(self, claim: Claim, proof: Proof, context: str | None = None) -> str:
+        """The name of a fact, written down if it is not known."""
+        known = self.session.known(claim, context)
+        return known or self.session.lemma(claim, proof, context)
+
+    def exact(self, cosine: Term, value: int) -> str:
+        """Cos 0 = 1, and what cos_pi is at multiples of 1/2."""
+        return self.lemma(equal(cosine, as_term(value)), Interval(64))
+
+    def product(self, u: Term, v: Term, total: Term, rest: Term) -> str:
+        """The fact 2 cos u cos v = cos(u + v) + cos(u - v), with cosines that are given."""
+        return self.lemma(equal(2 * (u * v), total + rest), Angles(), self.context)
+
+    def written(self, cosine: Term, other: Term, *, same: bool) -> str:
+        """Cosine = other, whose angle is the same, or the opposite one."""
+        zero = Term(cosine.op, as_term(0))
+        pair = (other, zero, cosine, other) if same else (zero, other, other, cosine)
+        product = self.product(*pair)
+        proof = Sum((), (self.exact(zero, 1),), ((product, as_term(-1)),))
+        return self.lemma(equal(cosine, other), proof, self.context)
+
+    def turned(self, angle: Term, other: Term, turns: int, *, same: bool) -> str:
+        """The fact cos_pi(angle) = (-1)^turns cos_pi(other).
+
+        The other angle is angle - turns (``same``), or its opposite.
+        """
+        cosine, found = Term("cos_pi", angle), Term("cos_pi", other)
+        if turns == 0:
+            return self.written(cosine, found, same=same)
+        if turns % 2 == 0:
+            middle = 1 - angle
+            first = self.turned(angle, middle, 1, same=False)
+            second = self.turned(middle, other, 1 - turns, same=not same)
+            return self.lemma(equal(cosine, found), Sum((), (first, second)), self.context)
+        half = as_term(Fraction(turns, 2))
+        u, v = Term("cos_pi", angle - half), Term("cos_pi", half)
+        product = self.product(*((u, v) if same else (v, u)), cosine, found)
+        proof = Sum((), (self.exact(v, 0),), ((product, as_term(-1)),))
+        return self.lemma(equal(cosine, -found), proof, self.context)
+
+
+class Linear:
+    """The difference of the sides of a claim as a sum of cosines times polynomials.
+
+    ``parts`` has the polynomials, by the cosines, or None; lhs - rhs is their sum and that of the
+    ``equations``, which have cofactors, if what ``using`` names is replaced.
+    """
+
+    def __init__(self, goal: Goal, session: Session, using: tuple[str, ...]) -> None:
+        self.relations = Relations(session, goal.context)
+        claim, replaced = goal.claim, {symbol(n): t for n, t in goal.definitions.items()}
+        self.clearing = Clearing((claim.lhs, claim.rhs), replaced)
+        self.atoms = self.clearing.atoms
+        self.cosines = [i for i, atom in enumerate(self.atoms) if atom.op in COSINES]
+        self.using, self.equations = dict.fromkeys(using), dict[str, Term]()
+        self.parts: dict[Term | None, Polynomial] = {}
+        self.is_plain = bool(self.cosines) and all(
+            self._is_simple(self.atoms[i], set(goal.definitions)) for i in self.cosines
+        )
+        if self.is_plain:
+            self._collect(self.clearing.difference(claim.lhs, claim.rhs))
+
+    def _is_simple(self, cosine: Term, defined: set[str]) -> bool:
+        """The angle is a polynomial in names without definitions."""
+        angle = cosine.children[0]
+        n, d = self.clearing.clear(angle)
+        inner = [i for i, degree in enumerate(n.degrees()) if degree]
+        return (
+            d == self.clearing.one
+            and not defined & {*names_of(angle)}
+            and all(self.atoms[i].op == "symbol" for i in inner)
+        )
+
+    def angle(self, cosine: Term) -> Polynomial:
+        """The angle as a polynomial."""
+        return self.clearing.clear(cosine.children[0])[0]
+
+    def at(self, op: str, angle: Polynomial) -> tuple[Term, bool]:
+        """The cosine with this angle or its opposite, and whether it is the former."""
+        terms = angle.to_dict()
+        same = not terms or terms[max(terms)] > 0
+        return Term(op, self.clearing.term(angle if same else -angle)), same
+
+    def _collect(self, p: Polynomial) -> None:
+        waiting: list[tuple[list[Term], Polynomial]] = []
+        for monomial, value in p.to_dict().items():
+            factors = [self.atoms[i] for i in self.cosines for _ in range(int(monomial[i]))]
+            rest = tuple(0 if i in self.cosines else e for i, e in enumerate(monomial))
+            if len(factors) > MAX_FACTORS:
+                self.is_plain = False
+                return
+            factors = [self._canonical(factor) for factor in factors]
+            waiting.append((factors, self.clearing.context.from_dict({rest: value})))
+        while waiting:
+            factors, coefficient = waiting.pop()
+            factors = [factor for factor in factors if factor.children[0] != as_term(0)]
+            if len(waiting) > MAX_PARTS:
+                self.is_plain = False
+                return
+            if len(factors) < 2 or len({factor.op for factor in factors[:2]}) > 1:
+                self.is_plain &= len(factors) < 2
+                key = factors[0] if factors else None
+                self.parts[key] = self.parts.get(key, 0 * coefficient) + coefficient
+                continue
+            waiting += self._split(factors, coefficient)
+
+    def _canonical(self, cosine: Term) -> Term:
+        """The same cosine, with its angle written in one way."""
+        other, same = self.at(cosine.op, self.angle(cosine))
+        if other.children[0] == as_term(0):
+            self.using[self.relations.exact(other, 1)] = None
+        if other != cosine:
+            self.using[self.relations.written(cosine, other, same=same)] = None
+        return other
+
+    def _split(
+        self, factors: list[Term], coefficient: Polynomial
+    ) -> list[tuple[list[Term], Polynomial]]:
+        """The first two factors are half the sum of two other cosines."""
+        first, second, *rest = factors
+        u, v = (self.clearing.clear(factor.children[0])[0] for factor in (first, second))
+        if not self.at(first.op, u - v)[1]:
+            first, second, u, v = second, first, v, u
+        sums = [self.at(first.op, angle)[0] for angle in (u + v, u - v)]
+        name = self.relations.product(first, second, *sums)
+        for cosine in sums:
+            if cosine.children[0] == as_term(0):
+                self.using[self.relations.exact(cosine, 1)] = None
+        half = self.clearing.constant(HALF) * coefficient
+        cofactor = self.clearing.term(half)
+        for factor in rest:
+            cofactor = cofactor * factor
+        known = self.equations.get(name)
+        self.equations[name] = cofactor if known is None else known + cofactor
+        return [([cosine, *rest], half) for cosine in sums]
+
+    def identity(self, relation: str) -> Proof | None:
+        """A proof if the sides are the same."""
+        if not self.is_plain or relation == "<" or any(p.to_dict() for p in self.parts.values()):
+            return None
+        addends = () if relation == "=" else ("goal",)
+        return Sum(addends, tuple(self.using), self.cofactors(1 if relation == "=" else -1))
+
+    def cofactors(self, sign: int) -> tuple[tuple[str, Term], ...]:
+        """The equations with their cofactors, or the opposite ones."""
+        return tuple((n, t if sign == 1 else -t) for n, t in self.equations.items())

@@ -1,0 +1,366 @@
+"""Claims with cosines that hold with equality somewhere: polynomial bounds by the rule *cosine*.
+
+With lhs - rhs = a + sum of b_i C_i, linear in cosines C_i, each C_i is replaced by a polynomial in
+its angle, above it or below as the sign of b_i requires. What is left is a claim on polynomials: on
+the whole domain, which other techniques prove; or, in one variable, on parts of an interval, by
+Bernstein coefficients, beside parts where enclosures decide.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from math import ceil, comb, floor
+
+from verify.language.record import TYPE_CHECKING, Record
+from verify.language.terms import Claim, Term, as_term, symbol
+from verify.prover.bernstein import coefficients, shift
+from verify.prover.clearing import Polynomial
+from verify.prover.goal import Bounds, Goal
+from verify.prover.proof import Proof, Value
+from verify.prover.rules import Cosine, Cuts, Interval, Sum
+from verify.prover.search.angles import HALF, Linear
+from verify.prover.search.exact import ExactRanges
+from verify.prover.session import ZERO
+
+if TYPE_CHECKING:
+    from verify.prover.universal import Universal
+
+#: Rational bounds of pi.
+PI = (Fraction(3141592653589793, 10**15), Fraction(3141592653589794, 10**15))
+#: Numbers of terms of the series that are tried, of a lower bound; an upper one has one more.
+LENGTHS = (2, 4, 8, 12)
+#: The proofs on parts of an interval.
+MAX_DEPTH, MAX_LEAVES, MAX_TURNS = 12, 60, 6
+MAX_ELEVATION = 3
+BITS = 128
+
+
+class Bounding(Record):
+    """A polynomial above a cosine or below it: where its angle is 0, and what shows it."""
+
+    centre: Fraction  # a multiple of 1/2, of the angle
+    sign: int  # of the powers of the distance from the centre, for odd ones
+    length: int
+    is_above: bool
+    polynomial: Polynomial
+
+
+def series(op: str, length: int, first: int, *, is_above: bool) -> list[Fraction]:
+    """Coefficients of a bound of cos u, or cos(pi u), in u^2; with ``first`` = 1 of sin(pi u)."""
+    found, factorial = [], 1
+    for k in range(length):
+        n = 2 * k + first
+        factorial *= max(1, n * (n - 1)) if k else 1
+        upward = (k % 2 == 0) == is_above
+        scale = Fraction(1) if op == "cos" else PI[upward] ** n
+        exact = Fraction((-1) ** k * scale, factorial)
+        if exact.denominator > 10**20 and op == "cos_pi":
+            exact = Fraction(floor(exact * 10**20) + is_above, 10**20)
+        found.append(exact)
+    return found
+
+
+class CosineBounds:
+    """Proofs of one claim that is linear in cosines."""
+
+    def __init__(self, goal: Goal, universal: Universal, linear: Linear) -> None:
+        self.goal, self.universal, self.linear = goal, universal, linear
+        self.relations, self.clearing = linear.relations, linear.clearing
+        self.ring, self.one = self.clearing.context, self.clearing.one
+        self.constant = linear.parts.get(None, 0 * self.one)
+        self.parts = {c: p for c, p in linear.parts.items() if c is not None and p.to_dict()}
+        self.facts: dict[tuple[object, ...], str | None] = {}
+        self.leaves = 0
+
+    def proofs(self) -> Iterator[Proof | None]:
+        """On the whole domain, and on parts of an interval."""
+        for length in (1, *LENGTHS[:3]):
+            yield self.whole(length)
+        if len(self.goal.variables) == 1 and self.goal.box:
+            yield self.parted()
+
+    # --- bounds ---------------------------------------------------------------------------------
+
+    def bound(
+        self, cosine: Term, centre: Fraction, sign: int, length: int, above: bool
+    ) -> Bounding:
+        """The polynomial with about so many terms, around a centre."""
+        turns, odd = self.turns(centre, sign)
+        is_above = above != bool(turns % 2)
+        length += (length % 2 == 0) == is_above
+        u = (self.linear.angle(cosine) - self.clearing.constant(centre)) * sign
+        numbers = series(cosine.op, length, int(odd), is_above=is_above)
+        total = 0 * self.one
+        for k, number in enumerate(numbers):
+            total += self.clearing.constant(number) * u ** (2 * k + odd)
+        return Bounding(centre, sign, length, above, total * (-1) ** (turns % 2))
+
+    def turns(self, centre: Fraction, sign: int) -> tuple[int, bool]:
+        """How often pi is subtracted so that a cosine, or a sine, remains."""
+        if centre.denominator == 1:
+            return int(centre), False
+        return int(centre - HALF if sign < 0 else centre + HALF), True
+
+    def fact(self, cosine: Term, bound: Bounding) -> str | None:
+        """The name of the fact that a bound is one."""
+        key = cosine, bound.centre, bound.sign, bound.length, bound.is_above
+        if key not in self.facts:
+            self.facts[key] = self._fact(cosine, bound)
+        return self.facts[key]
+
+    def _fact(self, cosine: Term, bound: Bounding) -> str | None:
+        (angle,) = cosine.children
+        turns, odd = self.turns(bound.centre, bound.sign)
+        u = angle if not bound.centre else angle - as_term(bound.centre)
+        if bound.sign < 0:
+            u = as_term(bound.centre) - angle
+        if odd and self.universal.fact(Claim("<=", ZERO, u), self.goal.context) is None:
+            return None
+        is_above = bound.is_above != bool(turns % 2)
+        length = bound.length
+        numbers = series(cosine.op, length, int(odd), is_above=is_above)
+        side = as_term(numbers[-1])
+        for number in reversed(numbers[:-1]):
+            side = as_term(number) + u**2 * side
+        side = u * side if odd else side
+        other = HALF - u if odd else u
+        found = Term(cosine.op, as_term(HALF) - u if odd else other)
+        sides = (found, side) if is_above else (side, found)
+        name = self.relations.lemma(Claim("<=", *sides), Cosine(), self.goal.context)
+        if found == cosine:
+            return name
+        equation = self.relations.turned(
+            angle, found.children[0], turns, same=not odd or bound.sign < 0
+        )
+        mine = -side if turns % 2 else side
+        sides = (cosine, mine) if bound.is_above else (mine, cosine)
+        proof = Sum(("goal", name), (equation,))
+        return self.relations.lemma(Claim("<=", *sides), proof, self.goal.context)
+
+    def least(self, cosine: Term) -> str:
+        """The name of the fact -1 <= cosine."""
+        (angle,) = cosine.children
+        half = Term(cosine.op, angle / 2)
+        zero = Term(cosine.op, ZERO)
+        product = self.relations.product(half, half, cosine, zero)
+        proof = Sum(
+            ("goal", ("mul", "2", ("square", half))),
+            (self.relations.exact(zero, 1),),
+            ((product, as_term(-1)),),
+        )
+        return self.relations.lemma(Claim("<=", as_term(-1), cosine), proof, self.goal.context)
+
+    # --- the whole domain -----------------------------------------------------------------------
+
+    def whole(self, length: int) -> Proof | None:
+        """Bounds around 0, or -1 and 1, everywhere."""
+        addends: list[Value] = []
+        rest = -self.constant
+        for cosine, b in self.parts.items():
+            if not b.is_constant():
+                return None
+            above = self.clearing.term(b).value > 0
+            number = str(abs(self.clearing.term(b).value))
+            bound = self.bound(cosine, Fraction(0), 1, length, above)
+            polynomial = bound.polynomial
+            fact = None
+            if length == 1 and not above:
+                polynomial = -self.one
+                fact = self.least(cosine)
+            rest -= b * polynomial
+            addends.append(("mul", number, fact or self.fact(cosine, bound) or ""))
+        claim = Claim(self.goal.claim.relation, ZERO, self.clearing.term(rest))
+        if self.is_false(claim):
+            return None
+        name = self.universal.fact(claim, self.goal.context)
+        if name is None:
+            return None
+        return self._sum([*addends, name])
+
+    def is_false(self, claim: Claim) -> bool:
+        """Whether some point shows at once that a claim is false."""
+        from verify.prover.search.strategy import Strategy
+
+        goal = self.universal.goal(claim, self.goal.context)
+        minima = Strategy(goal, self.universal).minima
+        return bool(minima) and minima[0][0] < -1e-9
+
+    def _sum(self, addends: Sequence[Value]) -> Proof:
+        return Sum(("goal", *addends), tuple(self.linear.using), self.linear.cofactors(-1))
+
+    # --- parts of an interval -------------------------------------------------------------------
+
+    def parted(self) -> Proof | None:
+        """The parts of the interval of the only variable."""
+        ((self.name, bounds),) = self.goal.variables.items()
+        self.index = next(
+            (i for i, atom in enumerate(self.linear.atoms) if atom == symbol(self.name)), -1
+        )
+        others = [p for p in (self.constant, *self.parts.values()) if not self._is_in_variable(p)]
+        if others or self.index < 0 or "=" in (bounds.low_relation, bounds.high_relation):
+            return None
+        self.domain = bounds.ends or (Fraction(0), Fraction(0))
+        self.exact = ExactRanges([self.name], self.goal.definitions, BITS)
+        return self._cover(bounds, 0)
+
+    def _is_in_variable(self, p: Polynomial) -> bool:
+        return all(not d or i == self.index for i, d in enumerate(p.degrees()))
+
+    def numbers(self, p: Polynomial) -> list[Fraction]:
+        """The coefficients of a polynomial in the variable."""
+        found = {int(m[self.index]): Fraction(int(c.p), int(c.q)) for m, c in p.to_dict().items()}
+        return [found.get(k, Fraction(0)) for k in range(max(found, default=0) + 1)]
+
+    def _cover(self, bounds: Bounds, depth: int) -> Proof | None:
+        low, high = bounds.ends or self.domain
+        self.leaves += 1
+        ranges = self.exact.of([(low, high)], self.goal.claim.lhs, self.goal.claim.rhs)
+        if ranges is not None:
+            x, y = ranges
+            if x.high < y.low or (self.goal.claim.relation == "<=" and x.high <= y.low):
+                return Interval(BITS, ((self.name, bounds.low_fact, bounds.high_fact),))
+        for length in LENGTHS:
+            found = self._leaf(bounds, length)
+            if found is not None:
+                return found
+        if depth == MAX_DEPTH or self.leaves > MAX_LEAVES:
+            return None
+        cut, hypothesis = self._cut(low, high), f"@{depth + 1}"
+        below = bounds._replace(high=cut, high_fact=hypothesis, high_relation="<=")
+        above = bounds._replace(low=cut, low_fact=hypothesis, low_relation="<=")
+        branches = []
+        for part in (below, above):
+            proof = self._cover(part, depth + 1)
+            if proof is None:
+                return None
+            branches.append(proof)
+        return Cuts(symbol(self.name), (cut,), tuple(branches))
+
+    def _cut(self, low: Fraction, high: Fraction) -> Fraction:
+        """Where an angle is a multiple of 1/2, or else the middle."""
+        places = []
+        for cosine in self.parts:
+            numbers = self.numbers(self.linear.angle(cosine))
+            if len(numbers) != 2:
+                continue
+            ends = sorted(numbers[0] + numbers[1] * x for x in (low, high))
+            step = HALF if cosine.op == "cos_pi" else Fraction(10**9)
+            multiples = range(ceil(ends[0] / step), floor(ends[1] / step) + 1)
+            places += [(k * step - numbers[0]) / numbers[1] for k in multiples]
+        middle = (low + high) / 2
+        inner = [place for place in places if low < place < high]
+        return min(inner, key=lambda place: (abs(place - middle), place), default=middle)
+
+    def _centres(self, cosine: Term, low: Fraction, high: Fraction) -> list[tuple[Fraction, int]]:
+        """Where bounds may be developed, with the side on which the interval lies."""
+        numbers = self.numbers(self.linear.angle(cosine))
+        if cosine.op == "cos" or len(numbers) != 2:
+            return [(Fraction(0), 1)]
+        ends = sorted(numbers[0] + numbers[1] * x for x in (low, high))
+        all_ends = sorted(numbers[0] + numbers[1] * x for x in self.domain)
+        middle = (ends[0] + ends[1]) / 2
+        found = [(Fraction(round(middle)), 1)]
+        for centre in (floor(middle - HALF) + HALF, floor(middle + HALF) + HALF):
+            if centre <= all_ends[0]:
+                found.append((centre, 1))
+            elif centre >= all_ends[1]:
+                found.append((centre, -1))
+        found.sort(key=lambda pair: abs(pair[0] - middle))
+        return [pair for pair in found if abs(pair[0]) <= MAX_TURNS][:2]
+
+    def _leaf(self, bounds: Bounds, length: int) -> Proof | None:
+        """Bernstein coefficients of what is left, on a part."""
+        low, high = bounds.ends or self.domain
+        choices: list[tuple[Term, list[Fraction], list[tuple[Fraction, int]]]] = []
+        for cosine, b in self.parts.items():
+            basis = _basis(self.numbers(b), low, high)
+            if basis is None:
+                return None
+            choices.append((cosine, basis, self._centres(cosine, low, high)))
+        for pick in range(max(len(centres) for *_, centres in choices)):
+            found = self._bounded(bounds, length, choices, pick)
+            if found is not None:
+                return found
+        return None
+
+    def _bounded(
+        self,
+        bounds: Bounds,
+        length: int,
+        choices: Iterable[tuple[Term, list[Fraction], list[tuple[Fraction, int]]]],
+        pick: int,
+    ) -> Proof | None:
+        low, high = bounds.ends or self.domain
+        used, rest = [], -self.constant
+        for cosine, basis, centres in choices:
+            if not centres:
+                return None
+            centre, sign = centres[min(pick, len(centres) - 1)]
+            above = max(basis) > 0
+            bound = self.bound(cosine, centre, sign, length, above)
+            rest -= self.parts[cosine] * bound.polynomial
+            used.append((cosine, bound, [abs(value) for value in basis]))
+        strict = self.goal.claim.relation == "<"
+        values = _positive(self.numbers(rest), bounds, strict=strict)
+        if values is None:
+            return None
+        addends = []
+        for cosine, bound, basis in used:
+            name = self.fact(cosine, bound)
+            if name is None:
+                return None
+            addends.append(("mul", name, _value(basis, bounds, high - low)))
+        return self._sum([*addends, _value(values, bounds, high - low)])
+
+
+def _basis(numbers: Sequence[Fraction], low: Fraction, high: Fraction) -> list[Fraction] | None:
+    """Bernstein coefficients of one sign."""
+    shifted = shift(numbers, low, high - low)
+    for degree in range(len(numbers) - 1, len(numbers) + MAX_ELEVATION):
+        values = coefficients(shifted, degree)
+        if min(values) >= 0 or max(values) <= 0:
+            return values
+    return None
+
+
+def _positive(
+    numbers: Sequence[Fraction], bounds: Bounds, *, strict: bool
+) -> list[Fraction] | None:
+    """Bernstein coefficients that are >= 0, and show that a number is positive if it must be."""
+    low, high = bounds.ends or (Fraction(0), Fraction(1))
+    shifted = shift(numbers, low, high - low)
+    for degree in range(len(shifted) - 1, len(shifted) + MAX_ELEVATION):
+        values = coefficients(shifted, degree)
+        if min(values) < 0:
+            continue
+        first = 0 if bounds.high_relation == "<" else degree
+        last = degree if bounds.low_relation == "<" else 0
+        if not strict or min(values) > 0 or any(values[first : last + 1]):
+            return values
+    return None
+
+
+def _value(values: Sequence[Fraction], bounds: Bounds, width: Fraction) -> Value:
+    """A polynomial with these Bernstein coefficients, as a sum of products of facts."""
+    n, parts = len(values) - 1, list[Value]()
+    smallest = min(values)
+    if smallest > 0:  # a number is strict
+        parts.append(str(smallest))
+    for k, value in enumerate(values):
+        if value > smallest:
+            number = (value - smallest) * comb(n, k) / width**n
+            powers = ((bounds.low_fact, k), (bounds.high_fact, n - k))
+            factors = [("pow", fact, e) for fact, e in powers if e]
+            parts.append(("mul", str(number), *factors))
+    return ("add", *parts) if parts else "0"
+
+
+def by_cosines(goal: Goal, universal: Universal, using: tuple[str, ...]) -> Iterator[Proof | None]:
+    """Proofs of a claim in which there are cosines."""
+    linear = Linear(goal, universal.session, using)
+    if not linear.is_plain:
+        return
+    yield linear.identity(goal.claim.relation)
+    if goal.claim.relation != "=":
+        yield from CosineBounds(goal, universal, linear).proofs()

@@ -237,6 +237,22 @@ def test_what_is_given_of_one_variable_may_be_more_than_a_bound(claim: Claim) ->
     assert checked(statement(row(claim), contexts=(beyond,))).verdict == PROVED
 
 
+@pytest.mark.parametrize(
+    ("givens", "expected"),
+    [
+        ({"low": 0 < x, "room": 1 / x <= as_term(2)}, PROVED),
+        ({"room": 1 / x <= as_term(2), "low": 0 < x}, UNDECIDED),
+        ({"room": 1 / x <= as_term(2)}, UNDECIDED),
+        ({"low": 0 <= x, "room": sqrt(x) <= as_term(2)}, PROVED),
+        ({"room": sqrt(x) <= as_term(2)}, UNDECIDED),
+        ({"room": x / (1 - sqrt(2)) <= as_term(2)}, PROVED),
+    ],
+)
+def test_givens_are_defined_by_those_before(givens: dict[str, Claim], expected: str) -> None:
+    stated = statement(row(x <= x + 1), contexts=(context(givens, {"x": 1}),))
+    assert checked(stated).verdict == expected
+
+
 def test_givens_about_other_variables_are_used() -> None:
     """From 0 < x <= y <= k <= 1 follows what names x and k leave unsaid."""
     givens = {"low": 0 < x, "xy": x <= y, "yk": y <= k, "high": k <= as_term(1)}

@@ -110,12 +110,12 @@ class Universal:
             if part.op == "div":
                 divisor = part.children[1]
                 if divisor.op == "rational":
-                    return divisor.value != 0
+                    return bool(divisor.value != 0)
                 return is_known("<", divisor) or is_known("<", -divisor)
             if part.op == "sqrt":
                 radicand = part.children[0]
                 if radicand.op == "rational":
-                    return radicand.value >= 0
+                    return bool(radicand.value >= 0)
                 return is_known("<", radicand) or is_known("<=", radicand)
             return True
 

@@ -7,6 +7,7 @@ each angle is written in one way, up to its sign.
 from __future__ import annotations
 
 from fractions import Fraction
+from math import floor
 
 from verify.language.terms import Claim, Term, as_term, equal, names_of, symbol
 from verify.prover.clearing import Clearing, Polynomial
@@ -119,11 +120,10 @@ class Linear:
             if len(factors) > MAX_FACTORS:
                 self.is_plain = False
                 return
-            factors = [self._canonical(factor) for factor in factors]
-            waiting.append((factors, self.clearing.context.from_dict({rest: value})))
+            coefficient = self.clearing.context.from_dict({rest: value})
+            waiting.append(self._canonical(factors, coefficient))
         while waiting:
             factors, coefficient = waiting.pop()
-            factors = [factor for factor in factors if factor.children[0] != as_term(0)]
             if len(waiting) > MAX_PARTS:
                 self.is_plain = False
                 return
@@ -134,14 +134,38 @@ class Linear:
                 continue
             waiting += self._split(factors, coefficient)
 
-    def _canonical(self, cosine: Term) -> Term:
-        """The same cosine, with its angle written in one way."""
-        other, same = self.at(cosine.op, self.angle(cosine))
-        if other.children[0] == as_term(0):
-            self.using[self.relations.exact(other, 1)] = None
-        if other != cosine:
-            self.using[self.relations.written(cosine, other, same=same)] = None
-        return other
+    def _canonical(
+        self, cosines: list[Term], coefficient: Polynomial
+    ) -> tuple[list[Term], Polynomial]:
+        """The same product, with each angle written in one way."""
+        found = []
+        for cosine in cosines:
+            other, turns, same = self._turned(cosine)
+            if turns:
+                angle = cosine.children[0], other.children[0]
+                self.using[self.relations.turned(*angle, turns, same=same)] = None
+            elif other != cosine:
+                self.using[self.relations.written(cosine, other, same=same)] = None
+            coefficient = coefficient * (-1) ** (turns % 2)
+            if other in (Term(other.op, as_term(0)), Term("cos_pi", as_term(HALF))):
+                value = int(other.children[0] == as_term(0))
+                self.using[self.relations.exact(other, value)] = None
+                coefficient = coefficient * value
+            else:
+                found.append(other)
+        return found, coefficient
+
+    def _turned(self, cosine: Term) -> tuple[Term, int, bool]:
+        """The cosine of an angle near 0, how many turns by pi that is, and whether not opposite."""
+        angle = self.angle(cosine)
+        if cosine.op == "cos":
+            other, same = self.at("cos", angle)
+            return other, 0, same
+        sign = 1 if self.at("cos_pi", angle)[1] else -1
+        number = (angle * sign).to_dict().get((0,) * len(self.atoms), 0)
+        turns = floor(Fraction(int(number.p), int(number.q)) + HALF) if number else 0
+        other, same = self.at("cos_pi", angle * sign - self.clearing.constant(Fraction(turns)))
+        return other, turns * sign, same == (sign == 1)
 
     def _split(
         self, factors: list[Term], coefficient: Polynomial
@@ -153,16 +177,14 @@ class Linear:
             first, second, u, v = second, first, v, u
         sums = [self.at(first.op, angle)[0] for angle in (u + v, u - v)]
         name = self.relations.product(first, second, *sums)
-        for cosine in sums:
-            if cosine.children[0] == as_term(0):
-                self.using[self.relations.exact(cosine, 1)] = None
         half = self.clearing.constant(HALF) * coefficient
         cofactor = self.clearing.term(half)
         for factor in rest:
             cofactor = cofactor * factor
         known = self.equations.get(name)
         self.equations[name] = cofactor if known is None else known + cofactor
-        return [([cosine, *rest], half) for cosine in sums]
+        found = [self._canonical([cosine], half) for cosine in sums]
+        return [([*cosines, *rest], number) for cosines, number in found]
 
     def identity(self, relation: str) -> Proof | None:
         """A proof if the sides are the same."""

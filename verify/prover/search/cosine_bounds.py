@@ -205,7 +205,7 @@ class CosineBounds:
         return self._cover(bounds, 0)
 
     def _is_in_variable(self, p: Polynomial) -> bool:
-        return all(not d or i == self.index for i, d in enumerate(p.degrees()))
+        return all(d <= 0 or i == self.index for i, d in enumerate(p.degrees()))
 
     def numbers(self, p: Polynomial) -> list[Fraction]:
         """The coefficients of a polynomial in the variable."""

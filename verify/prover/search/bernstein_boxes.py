@@ -1,50 +1,48 @@
 """Polynomials in a few variables on a box, by Bernstein coefficients on parts of it.
 
-On a box with sides [a_i, b_i] a polynomial p of degree n_i in x_i is
-
-    p(x) = sum_k B_k prod_i binomial(n_i, k_i) ((x_i - a_i)/(b_i - a_i))^k_i
-                                               ((b_i - x_i)/(b_i - a_i))^(n_i - k_i).
-
-It is >= 0 if no B_k is negative. The corners of B are values of p: a negative one ends the search.
-A part is cut where a zero of p is known, else in the middle.
+A part is cut where a zero is known, else in the middle. A claim about a maximum need only hold for
+one entry of it on each part.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from itertools import pairwise
-from math import comb, prod
+from math import prod
 
 from flint import fmpq, fmpq_mpoly
 
 from verify.language.record import TYPE_CHECKING, Record
-from verify.language.terms import symbol
+from verify.language.terms import Term, symbol
 from verify.prover.clearing import Clearing
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cuts, Sum
-from verify.prover.search.numbers import fmpq_of, fraction_of
+from verify.prover.search.bernstein_tensor import Side, Tensor
+from verify.prover.search.numbers import fraction_of
 
 if TYPE_CHECKING:
     from verify.prover.search.strategy import Strategy
 
 #: More coefficients, or parts, or nested cuts, are not tried.
-MAX_SIZE = 400
-MAX_PARTS = 300
+MAX_SIZE = 800
+MAX_PARTS = 2000
 MAX_DEPTH = 40
 #: What leaves may cost the checker, in its units.
 MAX_UNITS = 4_500_000
 
-Coefficients = list[fmpq]
+
+class Alternative(Record):
+    """A polynomial that is at most p, if a value is >= 0: their difference."""
+
+    polynomial: fmpq_mpoly
+    values: tuple[Value, ...]
 
 
 class Part(Record):
-    """A box with the facts that bound it, and the coefficients in the order of the last index."""
+    """A box, and the coefficients of each alternative that may be >= 0 on it."""
 
-    ends: tuple[tuple[Fraction, Fraction], ...]
-    facts: tuple[tuple[str, str], ...]
-    strict: tuple[tuple[bool, bool], ...]
-    coefficients: Coefficients
+    sides: tuple[Side, ...]
+    tensors: tuple[tuple[int, Tensor], ...]
     depth: int
 
 
@@ -56,23 +54,66 @@ def by_bernstein(strategy: Strategy, zeros: Sequence[Mapping[str, Fraction]]) ->
     goal = strategy.goal
     replaced = {symbol(name): term for name, term in goal.definitions.items()}
     clearing = Clearing((goal.claim.lhs, goal.claim.rhs), replaced)
-    bounds = [goal.variables.get(atom.name) for atom in clearing.atoms if atom.op == "symbol"]
-    known = [b for b in bounds if b is not None and b.ends is not None and b.ends[0] < b.ends[1]]
-    if not known or len(known) < len(clearing.atoms):
-        return None
     p = clearing.difference(goal.claim.rhs, goal.claim.lhs)
-    degrees = [int(d) for d in p.degrees()]
-    if not 0 < prod(d + 1 for d in degrees) <= MAX_SIZE:  # 0 has degree -1 in each variable
+    found = _alternatives(strategy, clearing, p)
+    names = [atom.name if atom.op == "symbol" else "" for atom in clearing.atoms]
+    sides = [_side(strategy, name) for name in names]
+    used = {i for a in found for i, d in enumerate(a.polynomial.degrees()) if d > 0}
+    if not used or any(sides[i] is None for i in used):
         return None
-    names = [atom.name for atom in clearing.atoms]
-    points = [[zero[name] for name in names] for zero in zeros]
-    search = _Search(strategy, names, degrees, points)
-    ends = tuple(b.ends for b in known if b.ends is not None)
-    facts = tuple((b.low_fact, b.high_fact) for b in known)
-    strict = tuple((b.low_relation == "<", b.high_relation == "<") for b in known)
-    if any("=" in (b.low_relation, b.high_relation) for b in known):
+    # What is not used gets a side all the same, of which nothing depends.
+    nothing = Side((Fraction(0), Fraction(1)), ("", ""), (False, False))
+    box = tuple(nothing if side is None else side for side in sides)
+    tensors = []
+    for i, alternative in enumerate(found):
+        if prod(max(int(d), 0) + 1 for d in alternative.polynomial.degrees()) > MAX_SIZE:
+            return None
+        tensors.append((i, Tensor.of(alternative.polynomial, [side.ends for side in box])))
+    tensors.sort(key=lambda pair: len(pair[1].coefficients))
+    points = [[zero.get(name, Fraction(0)) for name in names] for zero in zeros]
+    search = _Search(strategy, names, sorted(used), found, points)
+    return search.cover(Part(box, tuple(tensors), 0))
+
+
+def _side(strategy: Strategy, name: str) -> Side | None:
+    bounds = strategy.goal.variables.get(name)
+    if bounds is None or bounds.ends is None or bounds.ends[0] >= bounds.ends[1]:
         return None
-    return search.cover(Part(ends, facts, strict, _coefficients(p, degrees, ends), 0))
+    if "=" in (bounds.low_relation, bounds.high_relation):
+        return None
+    strict = bounds.low_relation == "<", bounds.high_relation == "<"
+    return Side(bounds.ends, (bounds.low_fact, bounds.high_fact), strict)
+
+
+def _alternatives(strategy: Strategy, clearing: Clearing, p: fmpq_mpoly) -> list[Alternative]:
+    """For p = P + c m, where m is a maximum and c > 0 (or a minimum and c < 0), each P + c e."""
+    extrema = [
+        (i, atom)
+        for i, (atom, degree) in enumerate(zip(clearing.atoms, p.degrees(), strict=True))
+        if degree and atom.op in ("min", "max")
+    ]
+    if not extrema:
+        return [Alternative(p, ())]
+    index, term = extrema[-1]
+    parts = dict(clearing.coefficients(p, index))
+    factor = parts.get(1)
+    if len(extrema) > 1 or max(parts) > 1 or factor is None or not factor.is_constant():
+        return []
+    c = factor.leading_coefficient()
+    if (c > 0) != (term.op == "max"):
+        return []
+    rest = parts.get(0, clearing.one - clearing.one)
+    return [
+        Alternative(rest + factor * n, (("mul", str(fraction_of(abs(c))), fact),))
+        for entry, fact in _entries(strategy, term)
+        for n, d in (clearing.clear(entry),)
+        if d == clearing.one
+    ]
+
+
+def _entries(strategy: Strategy, term: Term) -> list[tuple[Term, str]]:
+    facts = [(entry, strategy.entry(term, entry)) for entry in term.children]
+    return [(entry, fact) for entry, fact in facts if fact is not None]
 
 
 class _Search:
@@ -82,15 +123,15 @@ class _Search:
         self,
         strategy: Strategy,
         names: Sequence[str],
-        degrees: Sequence[int],
+        used: Sequence[int],
+        alternatives: Sequence[Alternative],
         zeros: Sequence[Sequence[Fraction]],
     ) -> None:
-        self.names, self.degrees, self.zeros = names, degrees, zeros
+        self.names, self.used, self.zeros = names, used, zeros
+        self.alternatives = alternatives
         self.budget, self.using = strategy.budget, strategy.using
         self.strict = strategy.goal.claim.relation == "<"
-        self.parts, size = 0, prod(d + 1 for d in degrees)
-        self.cost = 2 * size * sum(degrees)
-        self.most = min(MAX_PARTS, MAX_UNITS // (20 * size * sum(d + 1 for d in degrees)))
+        self.parts = self.units = 0
 
     def cover(self, part: Part) -> Proof | None:
         """A proof on a part."""
@@ -98,7 +139,9 @@ class _Search:
         if proof is not None:
             return proof
         self.parts += 1
-        if self.parts > self.most or part.depth >= MAX_DEPTH or self._is_negative(part):
+        if self.parts > MAX_PARTS or self.units > MAX_UNITS or part.depth >= MAX_DEPTH:
+            return None
+        if self._fails(part):
             return None
         index, cut, halves = self._best(part)
         branches = []
@@ -109,172 +152,71 @@ class _Search:
             branches.append(branch)
         return Cuts(symbol(self.names[index]), (cut,), tuple(branches))
 
-    def _is_negative(self, part: Part) -> bool:
-        """Whether p is negative at a corner."""
-        return any(value < 0 for value in self._corners(part.coefficients))
-
-    def _corners(self, coefficients: Coefficients) -> Iterator[fmpq]:
-        places = [0]
-        for degree in self.degrees:
-            places = [place * (degree + 1) + k for place in places for k in (0, degree)]
-        return (coefficients[place] for place in places)
+    @staticmethod
+    def _fails(part: Part) -> bool:
+        """Whether all alternatives are negative at a corner; False if there are many corners."""
+        corners = [[*tensor.corners()] for _, tensor in part.tensors]
+        return any(all(v < 0 for v in values) for values in zip(*corners, strict=True))
 
     def _best(self, part: Part) -> tuple[int, Fraction, tuple[Part, Part]]:
         """The cut after which the negative coefficients are smallest."""
         found = []
-        for index, degree in enumerate(self.degrees):
-            if degree:
-                low, high = part.ends[index]
-                cut = self._cut(part, index)
-                self.budget.spend(self.cost)
-                halves = self._halves(part, index, cut)
-                least = [min(half.coefficients) for half in halves]
-                score = sum((value for value in least if value < 0), fmpq(0))
-                found.append(((score, high - low), (index, cut, halves)))
+        for index in self.used:
+            low, high = part.sides[index].ends
+            cut = self._cut(part, index)
+            halves = self._halves(part, index, cut)
+            score = sum((_worst(half) for half in halves), fmpq(0)), high - low
+            found.append((score, (index, cut, halves)))
         return max(found, key=lambda pair: pair[0])[1]
 
     def _cut(self, part: Part, index: int) -> Fraction:
         """The coordinate of a zero in the part, or its middle."""
-        low, high = part.ends[index]
+        low, high = part.sides[index].ends
         for zero in self.zeros:
-            inside = all(a <= x <= b for x, (a, b) in zip(zero, part.ends, strict=True))
+            inside = all(
+                part.sides[i].ends[0] <= zero[i] <= part.sides[i].ends[1] for i in self.used
+            )
             if inside and low < zero[index] < high:
                 return zero[index]
         return (low + high) / 2
 
     def _halves(self, part: Part, index: int, cut: Fraction) -> tuple[Part, Part]:
-        """The parts below and above a cut (de Casteljau)."""
-        low, high = part.ends[index]
-        share = fmpq_of((cut - low) / (high - low))
-        stride = prod(d + 1 for d in self.degrees[index + 1 :])
-        count = self.degrees[index] + 1
-        below, above = [*part.coefficients], [*part.coefficients]
-        for start in range(0, len(below), stride * count):
-            for offset in range(start, start + stride):
-                places = range(offset, offset + stride * count, stride)
-                row = [part.coefficients[place] for place in places]
-                for step, place in enumerate(places):
-                    below[place], above[places[count - 1 - step]] = row[0], row[-1]
-                    row = [a + share * (b - a) for a, b in pairwise(row)]
-        fact = f"@{part.depth + 1}"
+        """The parts below and above a cut."""
+        low, high = part.sides[index].ends
+        sides = part.sides[index].cut(cut, f"@{part.depth + 1}")
+        tensors: tuple[list[tuple[int, Tensor]], list[tuple[int, Tensor]]] = ([], [])
+        for i, tensor in part.tensors:
+            self.budget.spend(len(tensor.coefficients) * (1 + tensor.degrees[index]) // 2)
+            for known, half in zip(
+                tensors, tensor.halves(index, (cut - low) / (high - low)), strict=True
+            ):
+                known.append((i, half))
         return (
-            self._half(part, index, (low, cut), (part.facts[index][0], fact), below),
-            self._half(part, index, (cut, high), (fact, part.facts[index][1]), above),
+            _part(part, index, sides[0], tensors[0]),
+            _part(part, index, sides[1], tensors[1]),
         )
-
-    @staticmethod
-    def _half(
-        part: Part,
-        index: int,
-        ends: tuple[Fraction, Fraction],
-        facts: tuple[str, str],
-        coefficients: Coefficients,
-    ) -> Part:
-        strict = tuple(
-            known and fact == old
-            for known, fact, old in zip(part.strict[index], facts, part.facts[index], strict=True)
-        )
-        return Part(
-            (*part.ends[:index], ends, *part.ends[index + 1 :]),
-            (*part.facts[:index], facts, *part.facts[index + 1 :]),
-            (*part.strict[:index], (strict[0], strict[1]), *part.strict[index + 1 :]),
-            coefficients,
-            part.depth + 1,
-        )
-
-    # --- leaves ---------------------------------------------------------------------------------
 
     def _leaf(self, part: Part) -> Sum | None:
-        """The sum, if no coefficient is negative."""
-        least = min(part.coefficients)
-        if least < 0 or (self.strict and least == 0 and not self._is_strict(part)):
-            return None
-        widths = prod((b - a) ** d for (a, b), d in zip(part.ends, self.degrees, strict=True))
-        goal: Value = "goal" if widths == 1 else ("mul", str(widths), "goal")
-        addends: list[Value] = [goal]
-        rest = part.coefficients
-        if self.strict and least > 0:
-            rest = [value - least for value in rest]
-            addends.append(str(fraction_of(least) * widths))
-        value = self._value(part, rest, 0, Fraction(1))
-        return Sum((*addends, *((value,) if value is not None else ())), self.using)
-
-    def _is_strict(self, part: Part) -> bool:
-        """Whether a positive coefficient has only factors that are positive."""
-        for place, value in enumerate(part.coefficients):
-            if value > 0:
-                good, left = True, place
-                for degree, strict in zip(self.degrees[::-1], part.strict[::-1], strict=True):
-                    left, k = divmod(left, degree + 1)
-                    good = good and (strict[0] or k == 0) and (strict[1] or k == degree)
-                if good:
-                    return True
-        return False
-
-    def _value(
-        self, part: Part, coefficients: Coefficients, index: int, factor: Fraction
-    ) -> Value | None:
-        """The sum over the indices from this one on; None for 0."""
-        if index == len(self.degrees):
-            number = fraction_of(coefficients[0]) * factor
-            return str(number) if number else None
-        degree = self.degrees[index]
-        size, values = len(coefficients) // (degree + 1), []
-        for k in range(degree + 1):
-            inner = coefficients[k * size : (k + 1) * size]
-            value = self._value(part, inner, index + 1, factor * comb(degree, k))
-            if value is not None:
-                low, high = part.facts[index]
-                powers = [_power(low, k), _power(high, degree - k)]
-                factors = [value, *(power for power in powers if power)]
-                values.append(factors[0] if len(factors) == 1 else ("mul", *factors))
-        if not values:
-            return None
-        return values[0] if len(values) == 1 else ("add", *values)
+        """The sum for the first alternative without negative coefficients."""
+        for i, tensor in part.tensors:
+            addends = tensor.addends(part.sides, strict=self.strict)
+            if addends is not None:
+                scale = tensor.scale(part.sides)
+                known: tuple[Value, ...] = ("goal", *self.alternatives[i].values)
+                size = len(tensor.coefficients)
+                self.units += 20 * size * sum(d + 1 for d in tensor.degrees if d)
+                scaled = (v if scale == 1 else ("mul", str(scale), v) for v in known)
+                return Sum((*scaled, *addends), self.using)
+        return None
 
 
-def _power(fact: str, exponent: int) -> Value:
-    return fact if exponent == 1 else ("pow", fact, exponent) if exponent else ""
+def _part(part: Part, index: int, side: Side, tensors: list[tuple[int, Tensor]]) -> Part:
+    """The part with another side; without alternatives that are negative everywhere on it."""
+    kept = [(i, t) for i, t in tensors if max(t.coefficients) >= 0]
+    sides = (*part.sides[:index], side, *part.sides[index + 1 :])
+    return Part(sides, tuple(kept or tensors[:1]), part.depth + 1)
 
 
-def _coefficients(
-    p: fmpq_mpoly, degrees: Sequence[int], ends: Sequence[tuple[Fraction, Fraction]]
-) -> Coefficients:
-    """The Bernstein coefficients of p on a box."""
-    size = prod(d + 1 for d in degrees)
-    table = [fmpq(0)] * size
-    for exponents, value in p.to_dict().items():
-        place = 0
-        for e, degree in zip(exponents, degrees, strict=True):
-            place = place * (degree + 1) + int(e)
-        table[place] = value
-    stride = size
-    for degree, (low, high) in zip(degrees, ends, strict=True):
-        stride //= degree + 1
-        rows = [_row(e, degree, low, high) for e in range(degree + 1)]
-        for start in range(0, size, stride * (degree + 1)):
-            for offset in range(start, start + stride):
-                places = range(offset, offset + stride * (degree + 1), stride)
-                old = [table[place] for place in places]
-                for k, place in enumerate(places):
-                    table[place] = sum(
-                        (c * row[k] for c, row in zip(old, rows, strict=True)), fmpq(0)
-                    )
-    return table
-
-
-def _row(exponent: int, degree: int, low: Fraction, high: Fraction) -> Coefficients:
-    """The coefficients of x^exponent on [low, high]: mixed products of the ends (blossoms)."""
-    return [
-        fmpq_of(
-            sum(
-                (
-                    comb(k, j) * comb(degree - k, exponent - j) * high**j * low ** (exponent - j)
-                    for j in range(max(0, exponent - degree + k), min(k, exponent) + 1)
-                ),
-                Fraction(0),
-            )
-            / comb(degree, exponent)
-        )
-        for k in range(degree + 1)
-    ]
+def _worst(part: Part) -> fmpq:
+    """The least coefficient of the alternative for which it is largest, if that is negative."""
+    return min(fmpq(0), max(min(tensor.coefficients) for _, tensor in part.tensors))

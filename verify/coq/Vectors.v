@@ -1,12 +1,12 @@
 (* Vectors in R^d, and the inequality of Cauchy and Schwarz for them. *)
-Require Import Reals Lra.
+From Coq Require Import Reals Lra FunctionalExtensionality.
+From Verify Require Import Theorem1.
 Open Scope R_scope.
 
-Definition vector := nat -> R.
-(* The inner product of the first ``dimension`` coordinates. *)
-Fixpoint dot (dimension : nat) (u v : vector) : R :=
-  match dimension with O => 0 | S k => dot k u v + u k * v k end.
 Definition combined (a : R) (u : vector) (b : R) (v : vector) : vector := fun i => a * u i + b * v i.
+Definition scaled (a : R) (u : vector) : vector := fun i => a * u i.
+Lemma same_vector (u v : vector) : (forall i, u i = v i) -> u = v.
+Proof. intros E. extensionality i. apply E. Qed.
 
 Section Dimension.
 Variable dimension : nat.
@@ -19,6 +19,12 @@ Proof.
 Qed.
 Lemma dot_linear_right a u b v w : w ** combined a u b v = a * (w ** u) + b * (w ** v).
 Proof. now rewrite dot_symmetric, dot_linear, (dot_symmetric u), (dot_symmetric v). Qed.
+Lemma dot_scaled a u v : scaled a u ** v = a * (u ** v).
+Proof.
+  induction dimension as [|k IH]; cbn [dot]; [ring|]. rewrite IH. unfold scaled. ring.
+Qed.
+Lemma dot_scaled_right a u v : v ** scaled a u = a * (v ** u).
+Proof. now rewrite dot_symmetric, dot_scaled, (dot_symmetric u). Qed.
 Lemma dot_self u : 0 <= u ** u.
 Proof.
   induction dimension as [|k IH]; cbn [dot]; [lra|]. pose proof (Rle_0_sqr (u k)). unfold Rsqr in *. lra.

@@ -1,0 +1,279 @@
+(* One collision: if a scene has the numbers of a state, then the next collision is that of ball 0
+   with the other ball, after the time tau, and the scene after it has the numbers that the
+   certificate of the step calls next. *)
+From Coq Require Import Reals List Lra Lia.
+From Verify Require Import Theorem1 Vectors Motion Meaning Terms Checker Readable Extension Gram.
+From Verify Require Step.
+Import ListNotations.
+Open Scope R_scope.
+
+(* --- what the certificate says of a state ----------------------------------------------------- *)
+
+Ltac row_of w is_row inside :=
+  refine (row_in_scope S0 Step.the_order Step.the_table Step.the_table_is Step.the_rows_hold
+    Step.all_values _ _ _ w Step.all_right is_row _); exact inside.
+
+(* All givens in scope. *)
+Definition the_conditions := Eval vm_compute in map (fun a => read_claim Step.the_table (given_claim a))
+  (flat_map (givens_of S0) (rev (around S0 state_context))).
+Lemma the_conditions_are : map (fun a => read_claim Step.the_table (given_claim a))
+  (flat_map (givens_of S0) (rev (around S0 state_context))) = the_conditions.
+Proof. vm_compute. reflexivity. Qed.
+Definition same_shape (s t : shape) : {s = t} + {s <> t}.
+Proof. decide equality; apply Z.eq_dec || apply Pos.eq_dec || apply Nat.eq_dec. Defined.
+Definition same_shown (g h : shown_claim) : {g = h} + {g <> h}.
+Proof. repeat decide equality; apply same_shape. Defined.
+Lemma condition v g : scope S0 state_context v ->
+  (if in_dec same_shown g the_conditions then true else false) = true -> shown_here v g.
+Proof.
+  intros I G. destruct (in_dec _ _ _) as [J|]; [clear G | discriminate].
+  rewrite <- the_conditions_are in J.
+  apply (scope_shown S0 Step.the_order Step.the_table Step.the_table_is _ _ _ Step.all_right) in I.
+  rewrite Forall_forall in I. exact (I g J).
+Qed.
+Ltac is_condition g inside := refine (condition _ g inside _); vm_compute; reflexivity.
+
+Section OneStep.
+Variable w : valuation.
+Hypothesis inside : scope S0 state_context w.
+
+Notation r := (w Step.number_of_r).
+Notation y := (w Step.number_of_y).
+Notation eta_s := (w Step.number_of_eta_s).
+Notation C := (w Step.number_of_C).
+Notation a := (w Step.number_of_a).
+Notation b := (w Step.number_of_b).
+Notation A := (w Step.number_of_A).
+Notation B := (w Step.number_of_B).
+Notation n := (w Step.number_of_w).
+Notation d := (w Step.number_of_d).
+Definition flight : R := Step.tau y A d.
+Definition new : valuation := after S0 w next.
+Lemma new_value x t : put next x = Some t ->
+  new x = show S0 Step.all_values w (read Step.the_table 400 t).
+Proof.
+  intros E. rewrite (read_right S0 Step.the_order Step.the_table Step.the_table_is _ _ Step.all_right).
+  unfold new, after. now rewrite E.
+Qed.
+Ltac is_new x := exact (new_value x _ eq_refl).
+
+Lemma flight_positive : 0 < flight.
+Proof. row_of w Step.row_of_tau_positive_is inside. Qed.
+Lemma recedes : 0 < eta_s.
+Proof. is_condition (Less, Whole 0, Named Step.number_of_eta_s) inside. Qed.
+Lemma far : 0 < 1 + d.
+Proof. is_condition (Less, Whole 0, Plus (Whole 1) (Named Step.number_of_d)) inside. Qed.
+Lemma touching : (1 + d) * (1 + d) + (1 + d) * flight * - y + flight * (1 + d) * - y
+  + flight * flight * A = 1.
+Proof. row_of w Step.row_of_contact_is inside. Qed.
+Lemma approaching : Step.kappa y A d < 0.
+Proof.
+  assert (E : Step.kappa y A d = - ((1 + d) * y * Step.S y A d))
+    by row_of w Step.row_of_impact_speed_is inside.
+  assert (P : 0 < (1 + d) * y * Step.S y A d) by row_of w Step.row_of_impact_positive_is inside.
+  lra.
+Qed.
+Lemma far_after : 0 < Step.D y eta_s A B d.
+Proof.
+  assert (P : 0 < Step.d_next y eta_s A B d) by row_of w Step.row_of_next_d_positive_is inside.
+  unfold Step.d_next in P. lra.
+Qed.
+
+(* What makes the sums over all collisions converge. *)
+Notation V_1 := (w Step.number_of_V_1).
+Definition drift (v : valuation) : R :=
+  v Step.number_of_Delta_theta / 4 + (v Step.number_of_d_bar + 14 / (1 - v Step.number_of_C_eta) *
+    (sqrt (v Step.number_of_V_1) / v Step.number_of_V_0) * v Step.number_of_eta_bar).
+Ltac in_new x value := replace (new x) with value by (symmetry; is_new x).
+Lemma clock_next : new Step.number_of_clock = w Step.number_of_clock + flight.
+Proof. is_new Step.number_of_clock. Qed.
+Lemma clock_bounded : w Step.number_of_clock <= w Step.number_of_T_star.
+Proof. row_of w Step.row_of_time_total_is inside. Qed.
+Lemma distance_next : new Step.number_of_d <= 3 / 2 * sqrt V_1 * flight.
+Proof.
+  in_new Step.number_of_d (Step.d_next y eta_s A B d). row_of w Step.row_of_distance_time_is inside.
+Qed.
+Lemma cosine_up : new Step.number_of_C - C <= d + new Step.number_of_d + 4 * sqrt V_1 * flight.
+Proof.
+  in_new Step.number_of_C (Step.C_next y eta_s C a b A B n d).
+  in_new Step.number_of_d (Step.d_next y eta_s A B d).
+  row_of w Step.row_of_angle_step_upper_is inside.
+Qed.
+Lemma cosine_down : C - new Step.number_of_C <= d + new Step.number_of_d + 4 * sqrt V_1 * flight.
+Proof.
+  in_new Step.number_of_C (Step.C_next y eta_s C a b A B n d).
+  in_new Step.number_of_d (Step.d_next y eta_s A B d).
+  row_of w Step.row_of_angle_step_lower_is inside.
+Qed.
+Lemma cosine_near : Rabs (new Step.number_of_C - w Step.number_of_c) <= drift w.
+Proof.
+  set (beta := 14 / (1 - w Step.number_of_C_eta) * (sqrt V_1 / w Step.number_of_V_0)).
+  set (later_g := w Step.number_of_C_eta * w Step.number_of_g).
+  assert (G : 0 <= beta * later_g).
+  { assert (Y : 0 < y) by is_condition (Less, Whole 0, Named Step.number_of_y) inside.
+    assert (Yg : y <= w Step.number_of_g)
+      by is_condition (AtMost, Named Step.number_of_y, Named Step.number_of_g) inside.
+    assert (P : 0 < w Step.number_of_C_eta)
+      by is_condition (Less, Whole 0, Named Step.number_of_C_eta) inside.
+    assert (E : 0 < 1 - w Step.number_of_C_eta)
+      by is_condition (Less, Whole 0, Minus (Whole 1) (Named Step.number_of_C_eta)) inside.
+    assert (V : 0 < w Step.number_of_V_0) by is_condition (Less, Whole 0, Named Step.number_of_V_0) inside.
+    unfold beta, later_g. repeat apply Rmult_le_pos; try apply sqrt_pos; try lra;
+      now apply Rlt_le, Rinv_0_lt_compat. }
+  in_new Step.number_of_C (Step.C_next y eta_s C a b A B n d).
+  assert (P : 0 < Step.d_next y eta_s A B d) by row_of w Step.row_of_next_d_positive_is inside.
+  assert (U : Step.C_next y eta_s C a b A B n d - w Step.number_of_c <=
+    drift w - Step.d_next y eta_s A B d - beta * later_g)
+    by row_of w Step.row_of_next_Cnd8_upper_is inside.
+  assert (L : - (drift w - Step.d_next y eta_s A B d - beta * later_g) <=
+    Step.C_next y eta_s C a b A B n d - w Step.number_of_c)
+    by row_of w Step.row_of_next_Cnd8_lower_is inside.
+  apply Rabs_le. lra.
+Qed.
+
+(* Within the flight: an inner context has a time as its variable, and two givens. *)
+Definition at_time (key : positive) (t : R) : valuation := extended w [key] (fun _ => t).
+Lemma at_a_time c key t relation flight_number : (0 < c)%nat -> parent_of S0 c = state_context ->
+  map (fun a => read_claim Step.the_table (given_claim a)) (givens_of S0 c) =
+    [(AtMost, Whole 0, Named key); (relation, Named key, Abbreviated flight_number)] ->
+  belong Step.the_table c [key] = true ->
+  related AtMost 0 t -> related relation t (look_up S0 Step.all_values flight_number (at_time key t)) ->
+  scope S0 c (at_time key t).
+Proof.
+  intros P Parent G K L U.
+  apply (scope_extended S0 well Step.the_table c w [key] _ Step.the_table_is P K).
+  - now rewrite Parent.
+  - fold (at_time key t). unfold satisfies. assert (Q : at_time key t key = t).
+    { unfold at_time, extended. cbn [existsb]. now rewrite Pos.eqb_refl. }
+    assert (F : Forall (shown_here (at_time key t))
+      (map (fun a => read_claim Step.the_table (given_claim a)) (givens_of S0 c))).
+    { rewrite G. apply Forall_cons; [|apply Forall_cons; [|apply Forall_nil]];
+        unfold shown; cbn [fst snd show]; now rewrite Q. }
+    rewrite Forall_map in F. revert F. apply Forall_impl. intros g.
+    apply (read_claim_right S0 Step.the_order Step.the_table Step.the_table_is _ _ _ Step.all_right).
+Qed.
+Lemma before t : 0 <= t < flight -> scope S0 6 (at_time Step.number_of_s t).
+Proof.
+  intros T. eapply at_a_time; try (vm_compute; reflexivity); try apply T. lia.
+Qed.
+Lemma meanwhile t : 0 <= t <= flight -> scope S0 7 (at_time Step.number_of_t t).
+Proof.
+  intros T. eapply at_a_time; try (vm_compute; reflexivity); try apply T. lia.
+Qed.
+Lemma colliding_apart t : 0 <= t < flight ->
+  1 < (1 + d) * (1 + d) + (1 + d) * t * - y + t * (1 + d) * - y + t * t * A.
+Proof. intros T. row_of (at_time Step.number_of_s t) Step.row_of_colliding_pair_apart_is (before t T). Qed.
+Lemma spectator_apart t : 0 <= t <= flight ->
+  1 + 2 * t * eta_s <= 1 + t * eta_s + t * eta_s + t * t * B.
+Proof. intros T. row_of (at_time Step.number_of_t t) Step.row_of_spectator_apart_is (meanwhile t T). Qed.
+Lemma outer_apart t : 0 <= t <= flight ->
+  1 < 1 - 2 * (1 + d) * - C + (1 + d) ^ 2 + 2 * t * (eta_s - a - (1 + d) * b + (1 + d) * - y)
+    + t ^ 2 * (A + B - 2 * n).
+Proof.
+  intros T.
+  assert (Q : 1 < (-1) * (-1) + (-1) * (t * (-1)) * eta_s + (-1) * (1 + d) * (- C) + (-1) * t * a
+    + t * (-1) * (-1) * eta_s + t * (-1) * (t * (-1)) * B + t * (-1) * (1 + d) * b + t * (-1) * t * n
+    + (1 + d) * (-1) * (- C) + (1 + d) * (t * (-1)) * b + (1 + d) * (1 + d) + (1 + d) * t * (- y)
+    + t * (-1) * a + t * (t * (-1)) * n + t * (1 + d) * (- y) + t * t * A)
+    by row_of (at_time Step.number_of_t t) Step.row_of_outer_pair_apart_is (meanwhile t T).
+  apply (Rlt_le_trans _ _ _ Q), Req_le. ring.
+Qed.
+
+(* --- the scene -------------------------------------------------------------------------------- *)
+
+Variable D : nat.  (* the dimension *)
+Variable x : scene.
+Variable i j : ball.
+Hypothesis others : i <> B0 /\ j <> B0 /\ i <> j.
+Hypothesis shown_by : shows w D x i j.
+
+(* Inner products of combinations of p, q, s and c, in the numbers of the state. *)
+Ltac in_numbers :=
+  repeat (rewrite ?dot_linear, ?dot_linear_right, ?dot_scaled, ?dot_scaled_right);
+  match goal with
+  | PQ : dot D ?p ?q = - C, SC : dot D ?s ?c = n |- _ =>
+      rewrite ?(dot_symmetric D q p), ?(dot_symmetric D s p), ?(dot_symmetric D c p),
+        ?(dot_symmetric D s q), ?(dot_symmetric D c q), ?(dot_symmetric D c s)
+  end;
+  repeat match goal with E : dot D _ _ = _ |- _ => progress rewrite ?E; clear E end.
+
+(* The squared distances after a time. *)
+Lemma squares t :
+  square D (later t x) B0 i = 1 + t * eta_s + t * eta_s + t * t * B /\
+  square D (later t x) B0 j =
+    (1 + d) * (1 + d) + (1 + d) * t * - y + t * (1 + d) * - y + t * t * A /\
+  square D (later t x) i j =
+    1 - 2 * (1 + d) * - C + (1 + d) ^ 2 + 2 * t * (eta_s - a - (1 + d) * b + (1 + d) * - y)
+      + t ^ 2 * (A + B - 2 * n).
+Proof.
+  destruct shown_by as (q & X & [P Q PQ PS QC PC QS SS CC SC]). unfold square.
+  rewrite (to_outer _ i j), !to_later, X. in_numbers. repeat split; ring.
+Qed.
+
+(* --- the next collision ----------------------------------------------------------------------- *)
+
+Theorem meets : first_to_meet D x B0 j flight.
+Proof.
+  destruct others as (Ni & Nj & Nij). pose proof flight_positive as F. pose proof recedes as E.
+  assert (Pairs : forall k l, k <> l -> (k = B0 /\ l = i) \/ (k = i /\ l = B0) \/ (k = B0 /\ l = j) \/
+    (k = j /\ l = B0) \/ (k = i /\ l = j) \/ (k = j /\ l = i)).
+  { intros k l. destruct i, j, k, l; tauto || easy. }
+  assert (Away : forall t, 0 < t <= flight ->
+    1 < distance D (later t x) B0 i /\ 1 < distance D (later t x) i j).
+  { intros t T. destruct (squares t) as (Qi & _ & Qo). split; apply distance_above.
+    - rewrite Qi. pose proof (spectator_apart t ltac:(lra)) as S.
+      assert (0 < t * eta_s) by (apply Rmult_lt_0_compat; lra). lra.
+    - rewrite Qo. apply outer_apart. lra. }
+  split; trivial.
+  - intros t k l T N. destruct (Away t ltac:(lra)) as [Ai Ao]. destruct (squares t) as (_ & Qj & _).
+    assert (Aj : 1 < distance D (later t x) B0 j)
+      by (apply distance_above; rewrite Qj; apply colliding_apart; lra).
+    destruct (Pairs k l N) as [[-> ->]|[[-> ->]|[[-> ->]|[[-> ->]|[[-> ->]|[-> ->]]]]]]; trivial;
+      now rewrite distance_symmetric.
+  - apply distance_one. destruct (squares flight) as (_ & Qj & _). rewrite Qj. exact touching.
+  - replace (rate D (later flight x) B0 j) with (Step.kappa y A d); [exact approaching|].
+    destruct shown_by as (q & X & [P Q PQ PS QC PC QS SS CC SC]).
+    unfold rate. rewrite to_later, relative_later, X. in_numbers. unfold Step.kappa. fold flight. ring.
+  - intros k K0 Kj. destruct (Away flight ltac:(lra)) as [Ai Ao].
+    assert (k = i) by (destruct i, j, k; easy). subst k. split; trivial. now rewrite distance_symmetric.
+Qed.
+Theorem shows_next : shows new D (collided D r j (later flight x)) j i.
+Proof.
+  destruct others as (Ni & Nj & Nij). pose proof far_after as F.
+  destruct shown_by as (q & X & [P Q PQ PS QC PC QS SS CC SC]).
+  set (p := to x B0 i) in *. set (s := relative x B0 i) in *. set (c := relative x B0 j) in *.
+  set (omega := combined (1 + d) q flight c).
+  set (root := Step.D y eta_s A B d) in *. set (kappa := Step.kappa y A d).
+  assert (Omega : to (later flight x) B0 j = omega).
+  { rewrite to_later, X. fold c. apply same_vector. intros k. unfold omega, combined, scaled. ring. }
+  assert (Kappa : rate D (later flight x) B0 j = kappa).
+  { unfold rate. rewrite Omega. change (relative (later flight x) B0 j) with c. unfold omega.
+    in_numbers. unfold kappa, Step.kappa. fold flight. ring. }
+  assert (Root : root * root = 1 + flight * eta_s + flight * eta_s + flight * flight * B).
+  { unfold root, Step.D. fold flight. apply sqrt_sqrt.
+    destruct (squares flight) as (E & _). rewrite <- E. apply dot_self. }
+  exists (combined (1 / root) p (flight / root) s).
+  rewrite !to_collided, Omega, (relative_collided _ _ _ _ Nj),
+    (relative_collided_other _ _ _ _ _ Ni Nij), Kappa, Omega.
+  change (relative (later flight x) B0 j) with c. change (relative (later flight x) B0 i) with s.
+  split.
+  - rewrite to_later. fold p s. replace (1 + new Step.number_of_d) with root.
+    + apply same_vector. intros k. unfold combined, scaled. field. lra.
+    + replace (new Step.number_of_d) with (root - 1); [ring | symmetry; is_new Step.number_of_d].
+  - pose proof touching as T. split; unfold omega; in_numbers.
+    + etransitivity; [|exact T]. ring.
+    + transitivity ((root * root) / (root * root)); [rewrite Root at 1 | ]; field; lra.
+    + in_new Step.number_of_C (Step.C_next y eta_s C a b A B n d).
+      unfold Step.C_next. fold flight root. ring.
+    + in_new Step.number_of_eta_s (Step.eta_s_next r y A d).
+      unfold Step.eta_s_next. fold flight kappa. ring.
+    + in_new Step.number_of_y (Step.y_next r y eta_s C a b A B n d).
+      unfold Step.y_next. fold flight root kappa. ring.
+    + in_new Step.number_of_a (Step.a_next r y b A n d). unfold Step.a_next. fold flight kappa. ring.
+    + in_new Step.number_of_b (Step.b_next r y eta_s C a b A B n d).
+      unfold Step.b_next. fold flight root kappa. ring.
+    + in_new Step.number_of_B (Step.B_next r y A d). unfold Step.B_next. fold flight kappa. ring.
+    + in_new Step.number_of_A (Step.A_next r y b A B n d). unfold Step.A_next. fold flight kappa. ring.
+    + in_new Step.number_of_w (Step.w_next r y b A n d). unfold Step.w_next. fold flight kappa. ring.
+Qed.
+End OneStep.

@@ -87,8 +87,13 @@ class _Writing:
             missing.append(folder)
             folder = os.path.dirname(folder)
         for path in reversed(missing):
-            os.mkdir(path)
-            self._made.append(path)
+            try:
+                os.mkdir(path)
+            except FileExistsError:  # another process has made it meanwhile
+                if not os.path.isdir(path):
+                    raise
+            else:
+                self._made.append(path)
 
     def finish(self) -> None:
         """Put every file into its place."""

@@ -137,9 +137,7 @@ def _processes(jobs: int) -> Executor:
     import signal
     from concurrent.futures import ProcessPoolExecutor  # loaded only where it is used
 
-    pool = ProcessPoolExecutor(
-        jobs, initializer=signal.signal, initargs=(signal.SIGINT, signal.SIG_IGN)
-    )
+    pool = ProcessPoolExecutor(jobs, initializer=_attend)
     # All processes start with the first task; until they ignore Ctrl-C it waits.
     signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
@@ -149,6 +147,23 @@ def _processes(jobs: int) -> Executor:
         pool.shutdown()
         raise
     return pool
+
+
+def _attend() -> None:
+    """In a worker: Ctrl-C is not for it, and it ends with the process that started it."""
+    import os
+    import signal
+    from multiprocessing import parent_process
+    from threading import Thread
+
+    def end() -> None:
+        if parent is not None:
+            parent.join()
+            os._exit(1)
+
+    parent = parent_process()
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    Thread(target=end, daemon=True).start()
 
 
 def _dask(address: str) -> Workers:

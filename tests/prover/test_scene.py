@@ -10,7 +10,7 @@ import mpmath
 import pytest
 
 from tests.prover.random_scenes import random_scene
-from tests.prover.scenes import CASES, aligned, on_a_line
+from tests.prover.scenes import CASES, REST, aligned, on_a_line, scene
 from verify.jobs.scene_verdict import central, pairs_of, scene_lines, time_ends
 from verify.measure.simulation import DIGITS, Impact, simulate
 from verify.prover import balls
@@ -109,6 +109,15 @@ def test_faster_scenes_collapse_sooner() -> None:
     (low, high), fast = (time_ends(decide_scene(aligned(scale))) for scale in ("1", "1e100"))
     assert low / 10**100 <= fast[1]
     assert fast[0] <= high / 10**100
+
+
+@pytest.mark.parametrize("r", ["1e-15", "1e-50", "1e-300"])
+def test_a_restitution_far_below_the_precision(r: str) -> None:
+    places, velocities = (("1.5", 0), ("-1.6", "0.01")), ((-1, 0), (1, 0))
+    found = decide_scene(scene(r, (REST, *places), (REST, *velocities)), Budget(collisions=10))
+    assert found.verdict == COLLAPSES
+    assert found.collapse is not None
+    assert found.collapse.angle[1] - found.collapse.angle[0] < Fraction(1, 10**12)
 
 
 def test_the_verdict_does_not_depend_on_the_first_precision() -> None:

@@ -114,6 +114,7 @@ class Trial:
         total = 2 * TV * e / (1 - L) + (self.k + TV * TV) * e * e / (1 - L * L)
         self.Theta = max((total + TV * self.k * e**3 / (1 - L**3)) * SLACK, TINY)
         self.m, self.X = widened(min(self.q, r * s / L), max(self.q, r * G / (self.p - self.Y)))
+        self.m = max(self.m, self.X)  # which the theorem asks for
         low, high = max(self.m - self.X, 0.0), self.m + self.X
         top = h * G * (self.C + self.Theta) - low / G
         bottom = h * s * (self.C - self.Theta) - high - T * V * V
@@ -149,6 +150,8 @@ def search_numbers(r: Fraction, start: Start) -> dict[str, Number] | None:
         if abs(size - before) < 2e-5 * size:
             break
         before = size
+    low, high = balls.ends(balls.as_ball(start.C))
+    trial.Theta = max(trial.Theta, 4 * float(high - low))  # no less than what is known of the angle
     return _rational(trial, start) | {"r": balls.exact(r), "V_0": V_0, "eta_0": eta_0}
 
 

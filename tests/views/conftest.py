@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -68,8 +69,9 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (directory / "data").mkdir()
     (directory / "data" / "bench.json").write_text(json.dumps(BENCH), encoding="utf-8")
     (directory / "map").mkdir()
-    log = Path(__file__).parents[2] / "certificates" / "map" / "map.jsonl"
-    (directory / "map" / "map.jsonl").write_bytes(few_boxes(log.read_bytes()))
+    maps = Path(__file__).parents[2] / "certificates" / "map"
+    (directory / "map" / "map.jsonl").write_bytes(few_boxes((maps / "map.jsonl").read_bytes()))
+    shutil.copytree(maps / "strip", directory / "map" / "strip")
     pages = build(directory, draw=True)
     write_all("--directory", str(directory), pages)
     return directory

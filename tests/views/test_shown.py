@@ -14,7 +14,7 @@ from tests.views.conftest import few_boxes
 from verify.jobs import everywhere, scene_files
 from verify.jobs.regenerate import is_right_when_accepted
 from verify.jobs.report_files import CertificateError
-from verify.jobs.report_maps import CertifiedMap, log_names, read_map
+from verify.jobs.report_maps import CertifiedMap, log_names, read_map, read_strip
 from verify.paper.scene.scene import Scene
 from verify.views.graph import graph
 from verify.views.page.blueprint import direct, edges_between_labels, levels
@@ -66,6 +66,28 @@ def test_drawn_areas_are_those_of_the_log(found: CertifiedMap) -> None:
     inside = [(max(a, e), min(b, f), max(c, g), min(d, h)) for e, f, g, h in decided]
     covered = sum((f - e) * (h - g) for e, f, g, h in inside if e < f and g < h)
     assert 0 < covered < (b - a) * (d - c)
+
+
+def test_the_curve_of_the_strip_lies_in_no_decided_box(found: CertifiedMap) -> None:
+    """Two logs, made in different ways, agree on the border."""
+    strip = read_strip(str(HERE), "map/strip/map.jsonl")
+    plane = found.progress.plane
+    assert map_figure.is_border_of(strip.plane, plane)
+    decided = [*map_figure.cells(found.progress, "c"), *map_figure.cells(found.progress, "d")]
+    points = list(map_figure.border(strip.plane))
+    assert len(points) > 50
+    for x, y in points:
+        u = (x - float(plane.x[0])) / float(plane.x[1] - plane.x[0])
+        v = (y - float(plane.y[0])) / float(plane.y[1] - plane.y[0])
+        assert not any(a < u < b and c < v < d for a, b, c, d in decided)
+
+
+def test_a_strip_with_an_open_tile_is_not_shown(tmp_path: Path) -> None:
+    text = (HERE / "map" / "strip" / "map.jsonl").read_text(encoding="utf-8")
+    for broken in (text.replace('"verdicts":"c', '"verdicts":"u'), text.splitlines()[0], "{}"):
+        (tmp_path / "map.jsonl").write_text(broken)
+        with pytest.raises(CertificateError):
+            read_strip(str(tmp_path), "map.jsonl")
 
 
 def test_marks_are_short_and_lie_within() -> None:

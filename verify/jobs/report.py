@@ -14,7 +14,14 @@ from typing import Any
 from verify import check
 from verify.jobs.regenerate import is_right_when_accepted
 from verify.jobs.report_files import CertificateError, read_file, unusable
-from verify.jobs.report_maps import CertifiedMap, log_names, read_map
+from verify.jobs.report_maps import (
+    CertifiedMap,
+    ReadStrip,
+    is_strip,
+    log_names,
+    read_map,
+    read_strip,
+)
 from verify.language.record import Record
 from verify.paper.parameters import THEOREM
 from verify.prover.outcome import Outcome
@@ -44,8 +51,15 @@ class Material(Record):
 
     folders: tuple[CertifiedOutcome, ...]
     maps: tuple[CertifiedMap, ...]
+    strips: tuple[ReadStrip, ...]
     measurements: dict[str, dict[str, Any]]
     digests: dict[str, str]
+
+    @property
+    def logs(self) -> dict[str, str]:
+        """The logs of maps and strips with their digests."""
+        found = {one.name: one.digest for one in self.maps}
+        return found | {one.name: one.digest for one in self.strips}
 
     def about(self, theorem_name: str) -> list[CertifiedOutcome]:
         """The certificates of one theorem."""
@@ -76,11 +90,14 @@ def read_material(directory: str, progress: Callable[[str], None] = lambda _: No
         path = os.path.join(directory, name)
         progress(f"checking {path}")
         folders.append(_folder(path, name, contents[name], available))
-    maps = []
+    maps, strips = [], []
     for name in log_names(directory):
-        progress(f"checking {os.path.join(directory, name)}")
-        maps.append(read_map(directory, name))
-    material = Material(tuple(folders), tuple(maps), measurements, digests)
+        progress(f"reading {os.path.join(directory, name)}")
+        if is_strip(directory, name):
+            strips.append(read_strip(directory, name))
+        else:
+            maps.append(read_map(directory, name))
+    material = Material(tuple(folders), tuple(maps), tuple(strips), measurements, digests)
     if not material.about(THEOREM):
         raise unusable(
             f"{directory!r} has no certificate of {THEOREM}; make it with verify certify"

@@ -49,6 +49,6 @@ def digests(material: Material) -> Iterator[Block]:
         for folder in material.folders
         for file, digest in folder.digests.items()
     ]
-    rows += [[[Code(log.name)], [Code(log.digest)]] for log in material.maps]
-    rows += [[[Code(file)], [Code(digest)]] for file, digest in material.digests.items()]
+    more = material.logs | material.digests
+    rows += [[[Code(file)], [Code(digest)]] for file, digest in more.items()]
     yield Table("Files", ("File", "SHA-256"), rows, folded=True)

@@ -60,7 +60,7 @@ def files(
     stories = dict(_stories(material))
     precision = material.measurements.get("bench", {}).get("precision")
     plots = figures(everywhere, precision, depth)
-    pictures = Pictures(plots, collapses(stories), maps(material.maps))
+    pictures = Pictures(plots, collapses(stories), maps(material.maps, material.strips))
     drawn: dict[str, list[str]] = {}
     made: dict[str, bytes] = {}
     if draw:

@@ -57,7 +57,8 @@ def _checkers(material: Material) -> Iterator[Block]:
 
 def _logs(material: Material) -> str:
     number = len(material.maps)
-    return "the log of the map" if number == 1 else f"the {number} logs of maps"
+    logs = "the log of the map" if number == 1 else f"the {number} logs of maps"
+    return f"{logs}, but not that of the strip," if material.strips else logs
 
 
 def _recheck(material: Material) -> Iterator[Block]:
@@ -71,7 +72,8 @@ def _recheck(material: Material) -> Iterator[Block]:
         "python3 -I verify/check.py certificates/theorem1-all certificates/step",
         f"python3 -I verify/check.py $(dirname {EVERY})",
     ]
-    lines += [f"python3 -I verify/check_map.py certificates/{log.name}" for log in material.maps]
+    logs = [f"certificates/{name}" for name in material.logs]
+    lines += [f"python3 -I verify/check_map.py {' '.join(logs)}"] if logs else []
     yield Commands(lines)
     yield Paragraph([
         Text("With the program installed, "), Code("verify check --statement FOLDER"),

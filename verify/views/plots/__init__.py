@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from verify.jobs.covers import DEPTH
-from verify.jobs.report_maps import CertifiedMap
+from verify.jobs.report_maps import CertifiedMap, ReadStrip
 from verify.language.record import Record
 from verify.prover.outcome import Outcome
 from verify.views.plots import map_figure, margins, minimum, region, roots, speed
@@ -55,7 +55,11 @@ def collapses(stories: Mapping[str, Story]) -> list[Figure]:
     ]
 
 
-def maps(logs: Iterable[CertifiedMap]) -> list[Figure]:
-    """A figure for each map of boxes."""
-    boxes = [log for log in logs if not log.is_strip]
-    return [map_figure.figure(log, f"map-{number}") for number, log in enumerate(boxes, 1)]
+def maps(logs: Iterable[CertifiedMap], strips: Sequence[ReadStrip]) -> list[Figure]:
+    """A figure for each map, with the strip that encloses its border, if there is one."""
+    found = []
+    for number, log in enumerate(logs, 1):
+        plane = log.progress.plane
+        own = [strip for strip in strips if map_figure.is_border_of(strip.plane, plane)]
+        found.append(map_figure.figure(log, own[0] if own else None, f"map-{number}"))
+    return found

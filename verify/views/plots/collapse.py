@@ -79,12 +79,12 @@ def figure(shown: Story, name: str, title: str) -> Figure:
     first = next(one for one in shown.instants if one.collapse is not None)
     last = shown.instants[-1]
     caption = (
-        f"Left: the gaps are to scale, and the scale grows with each collision; the spheres are "
+        f"The gaps are to scale, and the scale grows with each collision; the spheres are "
         f"not, and each flight takes {FLIGHT:g} seconds on the screen. After collision "
         f"{first.number} the sharper theorem shows that collisions go on for ever, at times that "
         f"tend to one between {_between(first)}; this is in the certificate. In the same way ball "
         f"arithmetic shows after collision {last.number} that it lies between {_between(last)}. "
-        f"Right: each bar is what is shown, just after that collision, of the time that is left."
+        f"Each bar is what is shown, just after that collision, of the time that is left."
     )
     return Figure(name, title, caption, (_bounds(shown),), moves=True)
 

@@ -21,6 +21,7 @@ from verify.views.plots.shapes import (
     Scale,
     Shape,
     Straight,
+    Trace,
     Words,
 )
 
@@ -158,6 +159,10 @@ def _shape(name: str, shape: Shape, place: _Place) -> Iterator[str]:
             for colour, width in (("paper", 4), ("ink", 1.5)):
                 style = f'stroke="var(--{colour})" stroke-width="{width}"'
                 yield f'<rect x="{x:.1f}" y="{y:.1f}" {size} fill="none" {style}/>'
+        case Trace(points=points, colour=colour):
+            path = "L".join(f"{place.x(x):.1f} {place.y(y):.1f}" for x, y in points)
+            style = f'stroke="var(--{colour})" stroke-width="2"'
+            yield f'<path d="M{path}" fill="none" {style}/>'
         case Straight(start=start, end=end, colour=colour):
             (x, y), (u, v) = ((place.x(a), place.y(b)) for a, b in (start, end))
             yield (

@@ -6,8 +6,10 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
-from verify.jobs.report_maps import CertifiedMap
-from verify.paper.map.planes import Phi
+from verify.jobs.report_maps import CertifiedMap, ReadStrip
+from verify.paper.map.planes import Phi, Plane
+from verify.paper.map.strip import BorderStrip
+from verify.prover.decimals import short
 from verify.views.map import AREAS, area_shares, axis_names, percent, plane_line
 from verify.views.plots.figure import Figure
 from verify.views.plots.shapes import (
@@ -15,9 +17,11 @@ from verify.views.plots.shapes import (
     Curve,
     Frame,
     Panel,
+    Point,
     Scale,
     Shape,
     Straight,
+    Trace,
     Words,
     merged,
     powers,
@@ -36,8 +40,8 @@ Cell = tuple[Fraction, Fraction, Fraction, Fraction]
 Law = Sequence[tuple[int, Fraction]]
 
 
-def figure(found: CertifiedMap, name: str) -> Figure:
-    """The figure of a map of boxes."""
+def figure(found: CertifiedMap, strip: ReadStrip | None, name: str) -> Figure:
+    """The figure of a map of boxes, with the strip that encloses its border."""
     progress = found.progress
     shares = {key: percent(share) for key, share in area_shares(progress).items()}
     law, finest = work(progress), len(progress.found[-1].keys[0])
@@ -50,8 +54,35 @@ def figure(found: CertifiedMap, name: str) -> Figure:
         f"(seconds differ from run to run): the border is a curve, so that four times as many "
         f"boxes leave about a quarter."
     )
-    panels = [_whole(progress, shares), _closer(progress), _law(law)]
+    if strip is not None:
+        caption += _about(strip)
+    line = [] if strip is None else [Trace(list(border(strip.plane)), "paper")]
+    panels = [_whole(progress, shares), _closer(progress, line), _law(law)]
     return Figure(name, "Which scenes collapse", caption, panels)
+
+
+def is_border_of(strip: BorderStrip, plane: Plane | BorderStrip) -> bool:
+    """Whether a strip lies in the plane of a map."""
+    return isinstance(plane, Phi) and strip.phi._replace(x=plane.x, y=plane.y) == plane
+
+
+def border(strip: BorderStrip) -> Iterator[Point]:
+    """The curve of a strip: its values in the middle of each part."""
+    low, high = strip.x
+    for number, (value, *_) in enumerate(strip.curve):
+        middle = low + (high - low) * Fraction(2 * number + 1, 2 * len(strip.curve))
+        yield float(middle), float(value)
+
+
+def _about(strip: ReadStrip) -> str:
+    low, high = strip.plane.x
+    delta = short((strip.plane.delta, strip.plane.delta))
+    return (
+        f" The line in the second panel is the curve f of the log {strip.name}: for φ₁ in "
+        f"[{low}, {high}] all states with φ₂ ≤ f - {delta} collapse and all with φ₂ ≥ f + {delta} "
+        f"disperse, in {strip.tiles} tiles. For this page that log was only read: its check "
+        "takes several seconds more."
+    )
 
 
 def work(progress: Progress) -> Law:
@@ -158,7 +189,7 @@ def _whole(progress: Progress, shares: dict[str, str]) -> Panel:
     return Panel("The whole map", x, y, shapes, told, height=372)
 
 
-def _closer(progress: Progress) -> Panel:
+def _closer(progress: Progress, line: Sequence[Shape]) -> Panel:
     piece = window(progress)
     x, y = _scales(progress, piece)
     named = {name: name for name, _ in AREAS.values()}
@@ -168,14 +199,16 @@ def _closer(progress: Progress) -> Panel:
         "right, between what disperses above and what collapses below."
     )
     title = f"The border, {CLOSER.denominator} times closer"
-    return Panel(title, x, y, lambda: _areas(progress, piece, named), told, height=372)
+    return Panel(title, x, y, lambda: [*_areas(progress, piece, named), *line], told, height=372)
 
 
 def _law(law: Law) -> Panel:
     points = [(float(boxes), 100 * float(share)) for boxes, share in law]
     x = Scale("boxes looked at", 100, 10**5, powers(2, 5), logarithmic=True)
-    y = Scale("undecided, in % of the area", 0.1, 100, powers(-1, 2), logarithmic=True)
     boxes, share = points[-1]
+    least = math.floor(math.log10(share))
+    marks = powers(least, 2)
+    y = Scale("undecided, in % of the area", 10.0**least, 100, marks, logarithmic=True)
 
     def shapes() -> Iterable[Shape]:
         yield Straight((boxes / 30, share * 30), (boxes * 4, share / 4), "faint")

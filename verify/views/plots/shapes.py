@@ -85,7 +85,15 @@ class Straight(Record):
     colour: str
 
 
-Shape = Areas | Curve | Words | Circle | Rule | Frame | Straight
+class Trace(Record):
+    """A line through points, without marks."""
+
+    points: Sequence[Point]
+    colour: str
+    name: str = ""
+
+
+Shape = Areas | Curve | Words | Circle | Rule | Frame | Straight | Trace
 
 
 class Panel(Record):

@@ -216,6 +216,7 @@ BACKED: dict[str, tuple[Check, ...]] = {
     "It writes nothing while a row": (
         "tests/cli/test_prove.py::test_an_undecided_row_writes_nothing",
     ),
+    "Numbers are texts like": ("tests/cli/test_prove.py::test_an_unusable_statement",),
     "For three given particles a sharper theorem decides": ("tests/paper/sharper/test_sharper.py",),
     "three `positions` and three `velocities`": (
         "tests/cli/test_scene.py::test_numbers_are_read_exactly",

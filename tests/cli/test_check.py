@@ -16,9 +16,12 @@ from verify import check
 from verify.cli import main
 from verify.jobs import theorem1
 from verify.jobs.regenerate import is_right_statement
+from verify.jobs.scene import scene_outcome
+from verify.jobs.scene_files import read_scene
 from verify.language.statement import UNDECIDED
 from verify.language.terms import Term, as_term, cos, cos_pi
 from verify.prover.outcome import Outcome
+from verify.prover.scene import decide_scene
 from verify.wire.write import write
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "certificates/examples"
@@ -151,6 +154,22 @@ def test_what_the_program_calls_proved_is_its_own(
     code, out, _ = run(capsys, "--statement", folder)
     assert code == 0
     assert out.splitlines()[-1].startswith("STATEMENT: it is the one")
+
+
+def test_a_scene_with_another_restitution_is_refused_with_a_reason(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """Its rows are true, as the flow is an algebraic law; but it is no scene of the paper."""
+    path = Path(__file__).resolve().parents[2] / "certificates/scenes/parting.toml"
+    scene = read_scene(str(path), path.read_bytes())._replace(r=Fraction(2))
+    found = decide_scene(scene)
+    folder = save(tmp_path / "x", scene_outcome(found, found.flow.bits))
+    assert run(capsys, folder)[0] == 0
+    code, out, _ = run(capsys, "--statement", folder)
+    assert code == 4
+    last = out.splitlines()[-1]
+    assert last.startswith("STATEMENT: it is not the one that the program makes")
+    assert last.endswith(": its r = 2 is not in ]0,1[")
 
 
 def unwritten_one() -> Term:

@@ -1,6 +1,10 @@
-"""Citations that Coq closes: what a statement cites is proved in another file of the same run.
+"""Citations that Coq closes: what a statement cites is proved in other files of the same run.
 
-python -m tests.coq.closing DIRECTORY        # writes Closed.v; says what stays open
+    python -m tests.coq.closing DIRECTORY        # writes Closed.v, and prints the files it needs
+
+A statement has the terms and contexts of those that it cites first, in order, so that it begins
+with the numbers of the first one. Of a second one the numbers come after those: it is exported once
+more, as a statement that cites the first one, too.
 """
 
 from __future__ import annotations
@@ -11,6 +15,9 @@ import sys
 from hashlib import sha256
 from pathlib import Path
 
+from verify import check
+from verify.views.coq.export import export
+
 ROOT = Path(__file__).resolve().parents[2] / "certificates"
 
 
@@ -19,24 +26,61 @@ def module(folder: Path) -> str:
     return "Checked_" + re.sub("[^A-Za-z0-9]", "_", str(folder.relative_to(ROOT)))
 
 
+def beside(folder: Path, first: Path) -> check.Folder:
+    """A certificate whose statement cites another one, without use of it."""
+    other = (first / "statement.json").read_bytes()
+    statement = json.loads((folder / "statement.json").read_bytes())
+    certificate = json.loads((folder / "certificate.json").read_bytes())
+    assert not statement["cites"], folder
+    theorem = json.loads(other)["theorem"]
+    cite = {"name": "beside", "statement_sha256": sha256(other).hexdigest(), "theorem": theorem}
+    data = json.dumps({**statement, "cites": [cite]}).encode()
+    certificate["statement_sha256"] = sha256(data).hexdigest()
+    return check.Folder(folder.name, data, json.dumps(certificate).encode(), [other])
+
+
+def closed(name: str, own: str, others: list[str], proofs: list[str]) -> list[str]:
+    """The theorem that a statement is true, from proofs of those that it cites."""
+    sizes = "; ".join(
+        f"({other}.the_statement, size {other}.the_statement {own}.the_statement)"
+        for other in others
+    )
+    return [
+        f"Theorem {name} : true_statement {own}.the_statement.",
+        f"Proof. apply {own}.proved, (citations_closed [{sizes}]).",
+        "  vm_compute; reflexivity.",
+        f"  repeat apply Forall_cons; [{' | '.join(f'exact {x}' for x in proofs)} | constructor].",
+        "Qed.",
+    ]
+
+
 def main(directory: Path) -> None:
-    """Write one theorem for each statement that cites just one other."""
+    """Write one theorem for each statement that cites others."""
     statements = {path.parent: path.read_bytes() for path in sorted(ROOT.rglob("statement.json"))}
     folders = {sha256(data).hexdigest(): folder for folder, data in statements.items()}
-    lines = ["From Verify Require Import Meaning Citations."]
+    lines = ["From Coq Require Import List.", "From Verify Require Import Meaning Citations."]
+    lines += ["Import ListNotations."]
+    made: set[str] = set()
     for folder, data in statements.items():
-        cites = [item["statement_sha256"] for item in json.loads(data)["cites"]]
-        if len(cites) > 1:
-            print(f"open in Coq, since it cites several: {folder.name}")
-        if len(cites) != 1:
+        cited = [folders[item["statement_sha256"]] for item in json.loads(data)["cites"]]
+        if not cited:
             continue
-        own, other = module(folder), module(folders[cites[0]])
-        lines.append(f"Require {own} {other}.")
-        lines.append(f"Theorem closed_{own} : true_statement {own}.the_statement.")
-        lines.append(f"Proof. apply {own}.proved, (citations_closed {other}.the_statement")
-        lines.append(f"  {own}.the_statement (size {other}.the_statement {own}.the_statement)).")
-        lines.append(f"  vm_compute; reflexivity. exact {other}.proved. Qed.")
-        print(f"closed in Coq: {folder.name} with {folders[cites[0]].name}")
+        assert len(cited) <= 2, folder  # a third one would have to be exported beside two
+        own, modules = module(folder), [module(cited[0])]
+        proofs = [f"{modules[0]}.proved"]
+        lines.append(f"Require {own} {modules[0]}.")
+        for other in cited[1:]:
+            name = f"{module(other)}_beside_{module(cited[0])}"
+            if name not in made:
+                text = export(beside(other, cited[0])).rpartition("Print Assumptions")[0]
+                (directory / f"{name}.v").write_text(text)
+                lines.append(f"Require {name}.")
+                lines += closed(f"closed_{name}", name, modules[:1], proofs[:1])
+                made.add(name)
+                print(name)
+            modules.append(name)
+            proofs.append(f"closed_{name}")
+        lines += closed(f"closed_{own}", own, modules, proofs)
     (directory / "Closed.v").write_text("\n".join(lines) + "\n")
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.coq.readback import Exported, Interner, Written
+from tests.coq.readback import Exported, Interner, Written, definition
 from tests.lies.lies import honest
 from verify import check
 from verify.cli import main
@@ -24,7 +24,8 @@ SOURCES = sorted((ROOT / "verify/coq").glob("*.v"))
 def test_the_definitions_say_what_the_statement_says(folder: Path) -> None:
     (found,) = check.read_folders([str(folder)])
     text = export(found)
-    assert sha256(found.statement).hexdigest() in text.split("*)")[0]
+    (digest,) = definition(text, "the_digest")
+    assert digest == f"0x{sha256(found.statement).hexdigest()}%N"
     intern = Interner()
     exported = Exported(text, intern)
     available = {sha256(data).hexdigest(): data for data in found.cited}

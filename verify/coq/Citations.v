@@ -47,13 +47,10 @@ Definition closes_constant (i : positive) : bool :=
   | Some (NConstant c a) => is_shared a && Nat.leb c (length (contexts S))
   | _ => false
   end.
-Definition closes : bool :=
-  Nat.leb m size && ordered (numbered S) &&
-  forallb same_context (seq 1 (length (contexts S))) &&
-  forallb (fun x => proves (fst (snd x)) (snd (snd x))) (cited S') &&
-  forallb closes_constant (cited_constants S') &&
-  forallb (fun c => existsb (Nat.eqb c) (own_contexts S') ||
-                    Nat.leb c (length (contexts S)) && own c) (seq 1 (length (contexts S'))).
+Definition closes_context (c : nat) : bool :=
+  Nat.ltb 0 c && Nat.leb c (length (contexts S)) && own c.
+Definition begins : bool :=
+  Nat.leb m size && ordered (numbered S) && forallb same_context (seq 1 (length (contexts S))).
 
 (* --- soundness --- *)
 
@@ -70,7 +67,17 @@ Proof.
   - apply grow_before. lia.
   - apply IH. lia.
 Qed.
-Hypothesis enough : (m <= size)%nat.
+Hypothesis beginning : begins = true.
+Lemma enough : (m <= size)%nat.
+Proof.
+  pose proof beginning as B. unfold begins in B. apply andb_prop in B. destruct B as [B _].
+  apply andb_prop in B. now apply Nat.leb_le.
+Qed.
+Lemma in_order : ordered (numbered S) = true.
+Proof.
+  pose proof beginning as B. unfold begins in B. apply andb_prop in B. destruct B as [B _].
+  now apply andb_prop in B.
+Qed.
 Lemma term_shared i : is_shared i = true -> term_at S' i = term_at S i.
 Proof.
   unfold is_shared. intros L. apply Nat.leb_le in L. pose proof enough as M. unfold size in M.
@@ -96,11 +103,10 @@ Proof.
   unfold defined_at. rewrite !term_shared by assumption. tauto.
 Qed.
 
-Hypothesis closing : closes = true.
 Lemma contexts_same c : (0 < c <= length (contexts S))%nat -> same_context c = true.
 Proof.
-  pose proof closing as C. unfold closes in C. repeat (apply andb_prop in C; destruct C as [C ?]).
-  intros L. rewrite forallb_forall in H2. apply H2, in_seq. lia.
+  pose proof beginning as B. unfold begins in B. apply andb_prop in B. destruct B as [_ B].
+  intros L. rewrite forallb_forall in B. apply B, in_seq. lia.
 Qed.
 Lemma givens_same v : forall l l', same_givens l l' = true -> (satisfies S' v l' <-> satisfies S v l).
 Proof.
@@ -143,68 +149,90 @@ Proof.
   intros L G A v V. apply (holds_shared v g G), A. now apply (scope_same c v L).
 Qed.
 
-Theorem shared_citations : true_statement S -> citations_true S'.
+Hypothesis true_cited : true_statement S.
+Lemma own_good c : own c = true -> context_good S c.
 Proof.
-  intros (Constants & Contexts & Rows & _).
-  pose proof closing as C. unfold closes in C.
-  apply andb_prop in C. destruct C as [C Open]. apply andb_prop in C. destruct C as [C Values].
-  apply andb_prop in C. destruct C as [C Facts]. apply andb_prop in C. destruct C as [C _].
-  apply andb_prop in C. destruct C as [_ Order].
-  rewrite forallb_forall in Open, Values, Facts. rewrite Forall_forall in Constants, Contexts, Rows.
-  assert (Good : forall c, own c = true -> context_good S c).
-  { intros c E. apply existsb_exists in E. destruct E as (d & I & E). apply Nat.eqb_eq in E.
-    subst. now apply Contexts. }
+  destruct true_cited as (_ & Contexts & _). rewrite Forall_forall in Contexts.
+  intros E. apply existsb_exists in E. destruct E as (d & I & E). apply Nat.eqb_eq in E.
+  subst. now apply Contexts.
+Qed.
+Lemma constant_closed i : closes_constant i = true -> constant_defined S' i.
+Proof.
+  destruct true_cited as (Constants & _). rewrite Forall_forall in Constants. unfold closes_constant.
+  intros C. apply andb_prop in C. destruct C as [E M]. apply andb_prop in E. destruct E as [E Sh].
+  apply existsb_exists in E. destruct E as (j & J & E). apply Pos.eqb_eq in E. subst j.
+  specialize (Constants i J). unfold constant_defined in *. rewrite (node_shared i Sh).
+  destruct (nth_error _ _) as [[]|]; try discriminate. apply andb_prop in M. destruct M as [M L].
+  apply Nat.leb_le in L. intros v V. unfold defined_at. rewrite (term_shared _ M).
+  apply Constants. now apply (scope_same _ v L).
+Qed.
+Lemma fact_closed c g : proves c g = true -> fact S' c g.
+Proof.
+  destruct true_cited as (Constants & _ & Rows & _). rewrite Forall_forall in Constants, Rows.
+  unfold proves. intros F. apply andb_prop in F. destruct F as [E F].
+  apply andb_prop in E. destruct E as [G L]. apply Nat.leb_le in L. apply fact_same; trivial.
+  apply orb_prop in F. destruct F as [F|F]; [apply orb_prop in F; destruct F as [F|F]|].
+  - apply existsb_exists in F. destruct F as (r & J & F). specialize (Rows r J).
+    unfold proves_row in F. unfold row_true in Rows. apply andb_prop in F. destruct F as [A B].
+    apply Nat.eqb_eq in A. destruct (row_verdict r), (row_sentence r); try discriminate.
+    apply same_claim_sound in B. subst. exact Rows.
+  - apply existsb_exists in F. destruct F as (i & J & F). specialize (Constants i J).
+    unfold proves_constant in F. apply andb_prop in F. destruct F as [_ F].
+    unfold constant_defined in Constants.
+    destruct (nth_error (nodes S) (pred (Pos.to_nat i))) as [[]|] eqn:E; try discriminate.
+    apply andb_prop in F. destruct F as [A B]. apply Nat.eqb_eq in A. apply same_claim_sound in B.
+    subst. replace (pred (Pos.to_nat i)) with (Pos.to_nat i - Pos.to_nat 1)%nat in E
+      by (change (Pos.to_nat 1) with 1%nat; lia).
+    rewrite <- nth_listed in E by lia. fold (numbered S) in E. intros v V.
+    specialize (Constants v V).
+    split; [|split]; trivial.
+    + apply (defined_node S in_order v _ _ E). cbn [subterms proviso In]. split; trivial.
+      now intros a [<-|[]].
+    + unfold stands. cbn [related relation_of lhs rhs]. now rewrite (value_node S in_order v _ _ E).
+  - apply andb_prop in F. destruct F as [O F]. apply existsb_exists in F.
+    destruct F as (a & J & F). apply same_claim_sound in F. subst g.
+    destruct (own_good c O) as [_ A]. intros v V. specialize (A v V). rewrite Forall_forall in A.
+    now apply A.
+Qed.
+Lemma context_closed c : closes_context c = true -> context_good S' c.
+Proof.
+  unfold closes_context. intros O. apply andb_prop in O. destruct O as [M O].
+  apply andb_prop in M. destruct M as [Z M]. apply Nat.leb_le in M. apply Nat.ltb_lt in Z.
+  destruct (own_good c O) as [[v V] A]. split; [exists v; now apply (scope_same c v M)|].
+  intros w W. apply (scope_same c w M) in W. specialize (A w W).
+  destruct c as [|c]; [lia|]. pose proof (contexts_same (Datatypes.S c) ltac:(lia)) as E.
+  unfold same_context in E. apply andb_prop in E. destruct E as [_ E]. clear - A E beginning.
+  revert E. generalize (givens_of S' (Datatypes.S c)). revert A.
+  induction (givens_of S (Datatypes.S c)) as [|a l IH]; intros A [|a' l']; cbn [same_givens];
+    try discriminate; intros E; constructor.
+  - apply andb_prop in E. destruct E as [E _]. apply andb_prop in E. destruct E as [E B].
+    apply same_claim_sound in E. rewrite <- E. apply (holds_shared w _ B). now inversion A.
+  - apply andb_prop in E. destruct E as [_ E]. apply IH; trivial. now inversion A.
+Qed.
+End Closing.
+
+(* What a statement believes is proved by some others: each with the number of terms it shares. *)
+Definition closes (l : list (statement * nat)) (S' : statement) : bool :=
+  let by_one f := existsb (fun x : statement * nat => f (fst x) (snd x)) l in
+  forallb (fun x => begins (fst x) S' (snd x)) l &&
+  forallb (fun x => by_one (fun S m => proves S m (fst (snd x)) (snd (snd x)))) (cited S') &&
+  forallb (fun i => by_one (fun S m => closes_constant S m i)) (cited_constants S') &&
+  forallb (fun c => existsb (Nat.eqb c) (own_contexts S') || by_one (fun S _ => closes_context S c))
+    (seq 1 (length (contexts S'))).
+Theorem citations_closed l S' : closes l S' = true ->
+  Forall (fun x => true_statement (fst x)) l -> citations_true S'.
+Proof.
+  unfold closes. intros C T. apply andb_prop in C. destruct C as [C Open]. apply andb_prop in C.
+  destruct C as [C Values]. apply andb_prop in C. destruct C as [Begin Facts].
+  rewrite forallb_forall in Begin, Open, Values, Facts. rewrite Forall_forall in T.
   split; [|split].
-  - apply Forall_forall. intros i I. specialize (Values i I). unfold closes_constant in Values.
-    apply andb_prop in Values. destruct Values as [E M]. apply andb_prop in E. destruct E as [E Sh].
-    apply existsb_exists in E. destruct E as (j & J & E). apply Pos.eqb_eq in E. subst j.
-    specialize (Constants i J). unfold constant_defined in *. rewrite (node_shared i Sh).
-    destruct (nth_error _ _) as [[]|]; try discriminate. apply andb_prop in M. destruct M as [M L].
-    apply Nat.leb_le in L. intros v V. unfold defined_at. rewrite (term_shared _ M).
-    apply Constants. now apply (scope_same _ v L).
-  - apply Forall_forall. intros [n [c g]] I. specialize (Facts _ I). cbn [fst snd] in *.
-    unfold proves in Facts. apply andb_prop in Facts. destruct Facts as [E F].
-    apply andb_prop in E. destruct E as [G L]. apply Nat.leb_le in L. apply fact_same; trivial.
-    apply orb_prop in F. destruct F as [F|F]; [apply orb_prop in F; destruct F as [F|F]|].
-    + apply existsb_exists in F. destruct F as (r & J & F). specialize (Rows r J).
-      unfold proves_row in F. unfold row_true in Rows. apply andb_prop in F. destruct F as [A B].
-      apply Nat.eqb_eq in A. destruct (row_verdict r), (row_sentence r); try discriminate.
-      apply same_claim_sound in B. subst. exact Rows.
-    + apply existsb_exists in F. destruct F as (i & J & F). specialize (Constants i J).
-      unfold proves_constant in F. apply andb_prop in F. destruct F as [_ F].
-      unfold constant_defined in Constants.
-      destruct (nth_error (nodes S) (pred (Pos.to_nat i))) as [[]|] eqn:E; try discriminate.
-      apply andb_prop in F. destruct F as [A B]. apply Nat.eqb_eq in A. apply same_claim_sound in B.
-      subst. replace (pred (Pos.to_nat i)) with (Pos.to_nat i - Pos.to_nat 1)%nat in E
-        by (change (Pos.to_nat 1) with 1%nat; lia).
-      rewrite <- nth_listed in E by lia. fold (numbered S) in E. intros v V.
-      specialize (Constants v V).
-      split; [|split]; trivial.
-      * apply (defined_node S Order v _ _ E). cbn [subterms proviso In]. split; trivial.
-        now intros a [<-|[]].
-      * unfold stands. cbn [related relation_of lhs rhs]. now rewrite (value_node S Order v _ _ E).
-    + apply andb_prop in F. destruct F as [O F]. apply existsb_exists in F.
-      destruct F as (a & J & F). apply same_claim_sound in F. subst g.
-      destruct (Good c O) as [_ A]. intros v V. specialize (A v V). rewrite Forall_forall in A.
-      now apply A.
+  - apply Forall_forall. intros i I. specialize (Values i I). apply existsb_exists in Values.
+    destruct Values as ([S m] & J & V). eapply constant_closed; [apply (Begin _ J) | apply (T _ J) | exact V].
+  - apply Forall_forall. intros x I. specialize (Facts x I). apply existsb_exists in Facts.
+    destruct Facts as ([S m] & J & V). eapply fact_closed; [apply (Begin _ J) | apply (T _ J) | exact V].
   - intros c L. specialize (Open c ltac:(apply in_seq; lia)). apply orb_prop in Open.
     destruct Open as [O|O].
     + left. apply existsb_exists in O. destruct O as (d & I & E). apply Nat.eqb_eq in E. now subst.
-    + right. apply andb_prop in O. destruct O as [M O]. apply Nat.leb_le in M.
-      destruct (Good c O) as [[v V] A]. split; [exists v; now apply (scope_same c v M)|].
-      intros w W. apply (scope_same c w M) in W. specialize (A w W).
-      destruct c as [|c]; [lia|]. pose proof (contexts_same (Datatypes.S c) ltac:(lia)) as E.
-      unfold same_context in E. apply andb_prop in E. destruct E as [_ E]. clear - A E enough.
-      revert E. generalize (givens_of S' (Datatypes.S c)). revert A.
-      induction (givens_of S (Datatypes.S c)) as [|a l IH]; intros A [|a' l']; cbn [same_givens];
-        try discriminate; intros E; constructor.
-      * apply andb_prop in E. destruct E as [E _]. apply andb_prop in E. destruct E as [E B].
-        apply same_claim_sound in E. rewrite <- E. apply (holds_shared w _ B). now inversion A.
-      * apply andb_prop in E. destruct E as [_ E]. apply IH; trivial. now inversion A.
-Qed.
-End Closing.
-Theorem citations_closed S S' m : closes S S' m = true -> true_statement S -> citations_true S'.
-Proof.
-  intros C. assert (E := C). unfold closes in E. do 5 (apply andb_prop in E; destruct E as [E _]).
-  apply Nat.leb_le in E. exact (shared_citations S S' m E C).
+    + right. apply existsb_exists in O. destruct O as ([S m] & J & V).
+      eapply context_closed; [apply (Begin _ J) | apply (T _ J) | exact V].
 Qed.

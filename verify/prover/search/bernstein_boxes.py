@@ -23,11 +23,11 @@ from verify.prover.search.numbers import fraction_of
 if TYPE_CHECKING:
     from verify.prover.search.strategy import Strategy
 
-#: More coefficients, or parts, or nested cuts, are not tried.
+#: More coefficients, or nested cuts, are not tried.
 MAX_SIZE = 800
-MAX_PARTS = 2000
 MAX_DEPTH = 40
-#: What leaves may cost the checker, in its units.
+#: What leaves may cost the checker, in its units, for each part that may be tried; and at most.
+UNITS = 15_000
 MAX_UNITS = 4_500_000
 
 
@@ -46,10 +46,12 @@ class Part(Record):
     depth: int
 
 
-def by_bernstein(strategy: Strategy, zeros: Sequence[Mapping[str, Fraction]]) -> Proof | None:
+def by_bernstein(
+    strategy: Strategy, zeros: Sequence[Mapping[str, Fraction]], parts: int
+) -> Proof | None:
     """A proof for a polynomial, or a quotient, in variables between numbers.
 
-    ``zeros`` are points where p may be 0.
+    ``zeros`` are points where p may be 0; so many ``parts`` are tried at most.
     """
     goal = strategy.goal
     replaced = {symbol(name): term for name, term in goal.definitions.items()}
@@ -72,6 +74,7 @@ def by_bernstein(strategy: Strategy, zeros: Sequence[Mapping[str, Fraction]]) ->
     tensors.sort(key=lambda pair: len(pair[1].coefficients))
     points = [[zero.get(name, Fraction(0)) for name in names] for zero in zeros]
     search = _Search(strategy, names, sorted(used), found, points)
+    search.most = parts
     return search.cover(Part(box, tuple(tensors), 0))
 
 
@@ -131,7 +134,7 @@ class _Search:
         self.alternatives = alternatives
         self.budget, self.using = strategy.budget, strategy.using
         self.strict = strategy.goal.claim.relation == "<"
-        self.parts = self.units = 0
+        self.parts = self.units = self.most = 0
 
     def cover(self, part: Part) -> Proof | None:
         """A proof on a part."""
@@ -139,7 +142,11 @@ class _Search:
         if proof is not None:
             return proof
         self.parts += 1
-        if self.parts > MAX_PARTS or self.units > MAX_UNITS or part.depth >= MAX_DEPTH:
+        if (
+            self.parts > self.most
+            or self.units > min(UNITS * self.most, MAX_UNITS)
+            or part.depth >= MAX_DEPTH
+        ):
             return None
         if self._fails(part):
             return None
@@ -203,8 +210,7 @@ class _Search:
             if addends is not None:
                 scale = tensor.scale(part.sides)
                 known: tuple[Value, ...] = ("goal", *self.alternatives[i].values)
-                size = len(tensor.coefficients)
-                self.units += 20 * size * sum(d + 1 for d in tensor.degrees if d)
+                self.units += tensor.units()
                 scaled = (v if scale == 1 else ("mul", str(scale), v) for v in known)
                 return Sum((*scaled, *addends), self.using)
         return None

@@ -112,6 +112,12 @@ class Tensor(Record):
         value = self._value(rest, sides, 0, Fraction(1))
         return addends if value is None else [*addends, value]
 
+    def units(self) -> int:
+        """About the work of the checker for such a sum."""
+        bits = 2 * max(value.height_bits() for value in self.coefficients)
+        each = 2 + (bits >> 8) + (bits * bits >> 20)
+        return 500 + 10 * each * len(self.coefficients) * sum(d + 1 for d in self.degrees if d)
+
     def scale(self, sides: Sequence[Side]) -> Fraction:
         """The product of the widths of the sides, as often as their degrees say."""
         widths = (side.ends[1] - side.ends[0] for side in sides)

@@ -42,6 +42,7 @@ MAX_DEPTH = 9
 #: More givens are not used.
 MAX_FACTS = 16
 FEW_LEAVES, MANY_LEAVES = 300, 20_000
+FEW_PARTS, MANY_PARTS = 100, 2000
 
 
 class Strategy:
@@ -62,7 +63,8 @@ class Strategy:
         yield self.tree(FEW_LEAVES)
         yield by_minimal_polynomial(self)
         yield by_multiple_angles(self)
-        yield by_bernstein(self, self.simple_zeros())
+        zeros = self.simple_zeros()
+        yield by_bernstein(self, zeros, FEW_PARTS)
         if len(self.goal.variables) > 2 and self.goal.box is not None:
             polynomials = Polynomials(self)
             if polynomials.is_plain:
@@ -75,6 +77,7 @@ class Strategy:
         bounds = self.root_facts()
         if bounds:
             yield self.squares(self.goal, facts | bounds)
+        yield by_bernstein(self, zeros, MANY_PARTS)
         yield by_entries(self, facts)
         yield split(self, facts)
         yield by_order(self, facts)

@@ -162,8 +162,8 @@ class Linear:
             other, same = self.at("cos", angle)
             return other, 0, same
         sign = 1 if self.at("cos_pi", angle)[1] else -1
-        number = (angle * sign).to_dict().get((0,) * len(self.atoms), 0)
-        turns = floor(Fraction(int(number.p), int(number.q)) + HALF) if number else 0
+        number = (angle * sign).to_dict().get((0,) * len(self.atoms))
+        turns = floor(Fraction(int(number.p), int(number.q)) + HALF) if number is not None else 0
         other, same = self.at("cos_pi", angle * sign - self.clearing.constant(Fraction(turns)))
         return other, turns * sign, same == (sign == 1)
 

@@ -21,6 +21,7 @@ from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cosine, Cuts, Interval, Sum
 from verify.prover.search.angles import HALF, Linear
 from verify.prover.search.exact import ExactRanges
+from verify.prover.search.levels import by_levels
 from verify.prover.session import ZERO
 
 if TYPE_CHECKING:
@@ -33,6 +34,8 @@ LENGTHS = (2, 4, 8, 12)
 #: The proofs on parts of an interval.
 MAX_DEPTH, MAX_LEAVES, MAX_TURNS = 12, 60, 6
 MAX_ELEVATION = 3
+#: Of what is left to other techniques.
+MAX_DEGREE = 8
 BITS = 128
 
 
@@ -74,11 +77,12 @@ class CosineBounds:
         self.leaves = 0
 
     def proofs(self) -> Iterator[Proof | None]:
-        """On the whole domain, and on parts of an interval."""
-        for length in (1, *LENGTHS[:3]):
-            yield self.whole(length)
+        """By factors, on parts of an interval, and on the whole domain."""
+        yield by_levels(self)
         if len(self.goal.variables) == 1 and self.goal.box:
             yield self.parted()
+        for length in (1, *LENGTHS[:2]):
+            yield self.whole(length)
 
     # --- bounds ---------------------------------------------------------------------------------
 
@@ -170,6 +174,8 @@ class CosineBounds:
                 fact = self.least(cosine)
             rest -= b * polynomial
             addends.append(("mul", number, fact or self.fact(cosine, bound) or ""))
+        if rest.total_degree() > MAX_DEGREE or not self._is_in_symbols(rest):
+            return None
         claim = Claim(self.goal.claim.relation, ZERO, self.clearing.term(rest))
         if self.is_false(claim):
             return None
@@ -177,6 +183,10 @@ class CosineBounds:
         if name is None:
             return None
         return self._sum([*addends, name])
+
+    def _is_in_symbols(self, p: Polynomial) -> bool:
+        degrees = zip(self.linear.atoms, p.degrees(), strict=True)
+        return all(atom.op == "symbol" for atom, degree in degrees if degree > 0)
 
     def is_false(self, claim: Claim) -> bool:
         """Whether some point shows at once that a claim is false."""

@@ -81,7 +81,7 @@ def run(options: Options) -> int:
     if options.json:
         print_document({"format": FORMAT, "command": "check", "folders": list(map(_row, found))})
     else:
-        show(_lines(found, every=options.verbose), options)
+        show(_lines(found, every=options.verbose), options, records=True)
     return max(judged.code for judged in found)
 
 

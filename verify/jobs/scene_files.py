@@ -54,7 +54,8 @@ def _table(where: str, content: bytes) -> dict[str, Any]:
     try:
         table = tomllib.loads(content.decode(), parse_float=str)
     except (ValueError, RecursionError) as error:
-        why = " ".join(str(error).split())
+        is_text = not isinstance(error, UnicodeDecodeError)
+        why = " ".join(str(error).split()) if is_text else "it is not UTF-8"
         raise InputError(f"{where}: is no TOML file ({why}); write {', '.join(KEYS)}") from error
     odd = sorted(table.keys() ^ {*KEYS})
     if odd:

@@ -29,6 +29,7 @@ from verify.language.statement import PROVED, Statement
 from verify.language.terms import Term
 from verify.paper.groups import REPAIRED
 from verify.paper.parameters import THEOREM
+from verify.paper.spectrum.theorem import statement as state_spectrum
 from verify.prover.outcome import Outcome
 from verify.wire.term_json import TermReader
 from verify.wire.write import write
@@ -51,6 +52,7 @@ WITHOUT_PARAMETERS: dict[str, Callable[[], Outcome]] = {
 #: What states those of them that take long to decide.
 ONLY_STATED: dict[str, Callable[[], Statement]] = {
     f"{THEOREM} for all parameters": everywhere.state_everywhere,
+    "THEORSS3.5SpectMatricVitLm": state_spectrum,
 }
 
 

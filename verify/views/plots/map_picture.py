@@ -28,7 +28,7 @@ def svg_map(progress: Progress, law: Law, *, boxes: bool = False) -> str:
     """The areas, in dots or as boxes, their shares, and undecided share against CPU seconds."""
     width, height = LEFT + SIDE + 110 + LAW + 20, TOP + SIDE + 90
     size = f'viewBox="0 0 {width} {height}" role="img"'
-    font = 'font-family="sans-serif" font-size="12" fill="currentColor"'
+    font = 'font-family="sans-serif" font-size="12" fill="#1c2128" style="background:#fff"'
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" {size} {font}>',
         f"<title>{escape(plane_line(progress.plane))}</title>",

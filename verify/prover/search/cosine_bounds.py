@@ -34,6 +34,8 @@ LENGTHS = (2, 4, 8, 12)
 #: The proofs on parts of an interval.
 MAX_DEPTH, MAX_LEAVES, MAX_TURNS = 12, 60, 6
 MAX_ELEVATION = 3
+#: Enclosures have to be so far from each other: other checkers round in other ways.
+ROOM = Fraction(1, 2**60)
 #: Of what is left to other techniques.
 MAX_DEGREE = 8
 BITS = 128
@@ -228,7 +230,7 @@ class CosineBounds:
         ranges = self.exact.of([(low, high)], self.goal.claim.lhs, self.goal.claim.rhs)
         if ranges is not None:
             x, y = ranges
-            if x.high < y.low or (self.goal.claim.relation == "<=" and x.high <= y.low):
+            if y.low - x.high > ROOM:
                 return Interval(BITS, ((self.name, bounds.low_fact, bounds.high_fact),))
         for length in LENGTHS:
             found = self._leaf(bounds, length)

@@ -51,7 +51,7 @@ from verify.prover.rules import (
     Witness,
 )
 from verify.prover.search.cosine_bounds import by_cosines
-from verify.prover.search.multiple_angles import by_minimal_polynomial, by_multiple_angles
+from verify.prover.search.multiple_angles import by_multiple_angles
 from verify.prover.search.strategy import Strategy, refuting_minimum
 from verify.prover.session import ZERO
 from verify.prover.signs import signs
@@ -285,7 +285,7 @@ class Universal:
         if not strategy.may_be_equal():
             return None
         proof = next(filter(None, by_cosines(strategy.goal, self, strategy.using)), None)
-        proof = proof or by_minimal_polynomial(strategy) or by_multiple_angles(strategy)
+        proof = proof or by_multiple_angles(strategy)
         if proof is not None:
             return proof
         orders = []

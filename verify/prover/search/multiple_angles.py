@@ -1,8 +1,7 @@
 """Cosines of multiples of one angle, as polynomials in its cosine (Chebyshev's).
 
 With b = C(u), where C is `cos` or `cos_pi`, and c_k = C(k u), the rule *angles* says
-2 c_(k-1) b = c_k + c_(k-2), so that c_k = T_k(b). For u = 1/n, T_n(b) = cos(pi) = -1: one factor of
-T_n + 1 is 0 at b, and the others are not.
+2 c_(k-1) b = c_k + c_(k-2), so that c_k = T_k(b).
 """
 
 from __future__ import annotations
@@ -10,15 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import reduce
-from math import gcd, lcm
-
-from flint import fmpq_mpoly
+from math import gcd
 
 from verify.language.record import TYPE_CHECKING
 from verify.language.terms import Claim, Term, as_term, equal, symbol
 from verify.prover.clearing import Clearing, atoms_of
-from verify.prover.proof import Proof, Value
-from verify.prover.rules import Angles, Antisymmetry, Interval, Sum
+from verify.prover.proof import Proof
+from verify.prover.rules import Angles, Interval, Sum
 from verify.prover.session import ZERO
 
 if TYPE_CHECKING:
@@ -58,11 +55,7 @@ def _families(strategy: Strategy, op: str) -> Iterator[tuple[Term, list[tuple[in
     """Angles u, and the cosines of their multiples in the claim, of which there are others."""
     goal = strategy.goal
     atoms = atoms_of((goal.claim.lhs, goal.claim.rhs, *goal.definitions.values()), {})
-    left = [atom for atom in atoms if atom.op == op]
-    numbers = [atom for atom in left if atom.children[0].op == "rational"]
-    if op == "cos_pi" and numbers:
-        yield from _fractions(numbers)
-    left = [atom for atom in left if atom not in numbers]
+    left = [a for a in atoms if a.op == op and a.children[0].op != "rational"]
     while left:
         first, family = left[0], [(Fraction(1), left[0])]
         for other in left[1:]:
@@ -78,14 +71,6 @@ def _families(strategy: Strategy, op: str) -> Iterator[tuple[Term, list[tuple[in
         multiples = [(int(ratio / common), atom) for ratio, atom in family]
         if max(k for k, _ in multiples) <= MAX_MULTIPLE and len(multiples) > 1:
             yield base, multiples
-
-
-def _fractions(numbers: list[Term]) -> Iterator[tuple[Term, list[tuple[int, Term]]]]:
-    values = [atom.children[0].value for atom in numbers]
-    n = lcm(*(value.denominator for value in values))
-    multiples = [(int(value * n), atom) for value, atom in zip(values, numbers, strict=True)]
-    if all(0 <= k <= MAX_MULTIPLE for k, _ in multiples):
-        yield as_term(Fraction(1, n)), multiples
 
 
 def _common(a: Fraction, b: Fraction) -> Fraction:
@@ -127,8 +112,6 @@ class Chebyshev:
         """The term k u."""
         if k == 0:
             return ZERO
-        if self.base.op == "rational":
-            return as_term(self.base.value * k)
         return self.base if k == 1 else as_term(k) * self.base
 
     def polynomial(self, k: int) -> Term:
@@ -170,67 +153,3 @@ class Chebyshev:
         law = self.session.lemma(equal(product, cosine + cosine), Angles(), self.context)
         terms = ((law, as_term(Fraction(-1, 2))), (self.equation(0), self.cosine))
         return self.session.lemma(claim, Sum((), (), terms), self.context)
-
-    # --- the cosine of a fraction of pi ---------------------------------------------------------
-
-    def minimal(self) -> str | None:
-        """The name of the fact m(b) = 0, for u = 1/n, where m is irreducible."""
-        n = self.base.value.denominator
-        last = self.session.lemma(
-            equal(Term(self.op, as_term(1)), as_term(-1)), Interval(BITS), self.context
-        )
-        clearing = Clearing((self.polynomial(n),), {})
-        p = clearing.difference(self.polynomial(n), as_term(-1))
-        factors = [(f, int(e)) for f, e in p.factor()[1]]
-        value = self.strategy.universal.ground.ball(self.cosine, BITS)
-        if value is None:
-            return None
-        near = float(value.mid())
-        part, exponent = min(factors, key=lambda f: abs(_at(f[0], near)))
-        rest = divmod(p, part**exponent)[0]
-        sign = 1 if _at(rest, near) > 0 else -1
-        other = self.strategy.fact(Claim("<", ZERO, clearing.term(sign * rest)))
-        if other is None:
-            return None
-        facts = ((self.equation(n), 1), (last, -1))
-        m = clearing.term(part)
-        branches = tuple(
-            self._order(other, exponent, sign * (side**exponent), facts) for side in (1, -1)
-        )
-        return self.session.lemma(
-            equal(m, ZERO), Antisymmetry((branches[0], branches[1])), self.context
-        )
-
-    @staticmethod
-    def _order(other: str, exponent: int, sign: int, facts: tuple[tuple[str, int], ...]) -> Sum:
-        """If m were > 0, so would be m^e times the other factors, which is 0."""
-        power: Value = "goal" if exponent == 1 else ("pow", "goal", exponent)
-        equations = tuple((name, as_term(sign * weight)) for name, weight in facts)
-        return Sum((("mul", other, power),), (), equations)
-
-
-def _at(polynomial: fmpq_mpoly, value: float) -> float:
-    return sum(int(c.p) / int(c.q) * value ** int(e) for (e,), c in polynomial.to_dict().items())
-
-
-def by_minimal_polynomial(strategy: Strategy) -> Proof | None:
-    """A claim about the cosine of pi/n whose sides are equal, by the equation that it satisfies."""
-    goal = strategy.goal
-    clearing = Clearing((goal.claim.lhs, goal.claim.rhs), {})
-    found = [atom for atom in clearing.atoms if atom.op == "cos_pi"]
-    if len(found) != 1 or goal.claim.relation == "<" or goal.definitions:
-        return None
-    angle = found[0].children[0]
-    if angle.op != "rational" or angle.value.numerator != 1 or angle.value.denominator < 3:
-        return None
-    p = clearing.reduce(clearing.difference(goal.claim.lhs, goal.claim.rhs))
-    minimal = Chebyshev(strategy, "cos_pi", angle).minimal()
-    if minimal is None:
-        return None
-    m = clearing.difference(strategy.universal.session.claims[minimal].lhs, ZERO)
-    quotient, rest = divmod(p, m)
-    if rest.to_dict():
-        return None
-    if goal.claim.relation == "=":
-        return Sum((), (), ((minimal, clearing.term(quotient)),))
-    return Sum(("goal",), (), ((minimal, clearing.term(-quotient)),))

@@ -23,7 +23,7 @@ from verify.prover.search.domain import Domain
 from verify.prover.search.ends_of_variables import Polynomials
 from verify.prover.search.extrema import by_entries, extrema_of, split
 from verify.prover.search.local_minima import Minima, simple_points
-from verify.prover.search.multiple_angles import by_minimal_polynomial, by_multiple_angles
+from verify.prover.search.multiple_angles import by_multiple_angles
 from verify.prover.search.order import by_order
 from verify.prover.search.positive import by_squares
 from verify.prover.search.squaring import by_squaring
@@ -61,7 +61,6 @@ class Strategy:
             return
         yield from by_cosines(self.goal, self.universal, self.using)
         yield self.tree(FEW_LEAVES)
-        yield by_minimal_polynomial(self)
         yield by_multiple_angles(self)
         zeros = self.simple_zeros()
         yield by_bernstein(self, zeros, FEW_PARTS)

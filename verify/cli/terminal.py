@@ -55,8 +55,7 @@ def show(lines: Iterable[str], options: Options, *, records: bool = False) -> No
     colours = symbols and when != "never" and (when == "always" or not os.environ.get("NO_COLOR"))
     if symbols:
         lines = (re.sub(_VERDICT, _with_symbol, line, count=1) for line in lines)
-    if terminal or not records:
-        lines = wrapped(lines, width())
+    lines = wrapped(lines, width() if terminal or not records else sys.maxsize)
     if colours:
         lines = (re.sub(_SYMBOL, _coloured, line) for line in lines)
     sys.stdout.write("".join(f"{line}\n" for line in lines))

@@ -37,7 +37,7 @@ def run(options: Options) -> int:
     else:
         for name in PAGES:
             _read(os.path.join(options.directory, name))  # said before the long work
-    from verify.jobs.report_files import CertificateError  # loads flint
+    from verify.jobs.report_files import CertificateError
     from verify.views.page.build import files, number_of_steps
 
     try:

@@ -59,14 +59,14 @@ def test_a_log_is_shown_only_if_its_checker_accepts_it(log: Path, tmp_path: Path
 def test_drawn_areas_are_those_of_the_log(found: CertifiedMap) -> None:
     progress = found.progress
     for letter in "cd":
-        boxes = merged(map_figure.cells(progress, letter))
+        boxes = merged(map_figure.squares(progress, letter))
         area = sum((b - a) * (d - c) for a, b, c, d in boxes)
         assert area == pytest.approx(float(progress.share(letter)))
     law = map_figure.work(progress)
     assert law[-1] == (progress.boxes, progress.undecided)
     assert all(a < b and u > v for (a, u), (b, v) in pairwise(law))
     a, b, c, d = map_figure.window(progress)
-    decided = [*map_figure.cells(progress, "c"), *map_figure.cells(progress, "d")]
+    decided = [*map_figure.squares(progress, "c"), *map_figure.squares(progress, "d")]
     inside = [(max(a, e), min(b, f), max(c, g), min(d, h)) for e, f, g, h in decided]
     covered = sum((f - e) * (h - g) for e, f, g, h in inside if e < f and g < h)
     assert 0 < covered < (b - a) * (d - c)
@@ -77,7 +77,7 @@ def test_the_curve_of_the_strip_lies_in_no_decided_box(found: CertifiedMap) -> N
     strip = read_strip(str(HERE), "map/strip/map.jsonl")
     plane = found.progress.plane
     assert map_figure.is_border_of(strip.plane, plane)
-    decided = [*map_figure.cells(found.progress, "c"), *map_figure.cells(found.progress, "d")]
+    decided = [*map_figure.squares(found.progress, "c"), *map_figure.squares(found.progress, "d")]
     points = list(map_figure.border(strip.plane))
     assert len(points) > 50
     for x, y in points:

@@ -96,7 +96,7 @@ def work(progress: Progress) -> Law:
     return list(found.values())
 
 
-def cells(progress: Progress, letter: str) -> Iterator[Cell]:
+def squares(progress: Progress, letter: str) -> Iterator[Cell]:
     """The boxes with a verdict, as left, right, low and high shares of the sides of the map."""
     for key, found, _ in progress.decided():
         if found == letter:
@@ -108,7 +108,7 @@ def cells(progress: Progress, letter: str) -> Iterator[Cell]:
 
 def window(progress: Progress) -> Cell:
     """A square around a piece of the border, in the middle of the map."""
-    below = [c for c in cells(progress, COLLAPSES) if c[0] <= Fraction(1, 4) < c[1]]
+    below = [c for c in squares(progress, COLLAPSES) if c[0] <= Fraction(1, 4) < c[1]]
     height = max((cell[3] for cell in below), default=Fraction(1, 2))
     left, low = (place // CLOSER * CLOSER for place in (Fraction(1, 4), height))
     return left, left + CLOSER, low, low + CLOSER
@@ -149,7 +149,7 @@ def _areas(progress: Progress, shown: Cell, named: dict[str, str]) -> Iterator[S
     (x_0, x_1), (y_0, y_1) = progress.plane.x, progress.plane.y
     corners = {UNDECIDED: [shown]}
     for letter in (COLLAPSES, DISPERSES):
-        inside = (_cut(cell, shown) for cell in cells(progress, letter))
+        inside = (_cut(cell, shown) for cell in squares(progress, letter))
         corners[letter] = [cell for cell in inside if cell[0] < cell[1] and cell[2] < cell[3]]
     for letter, boxes in corners.items():
         placed = [

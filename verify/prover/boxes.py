@@ -8,6 +8,7 @@ from typing import Any
 
 from verify.language.terms import Term, symbol
 from verify.prover import balls
+from verify.prover.budget import WorkBudget
 from verify.prover.ends import BallEnds, EndsArithmetic, ends_between
 from verify.prover.goal import Bounds, Goal
 from verify.prover.program import Machine
@@ -24,13 +25,18 @@ CHECKER_BITS = 224
 #: A part of the box is the result of at most this many cuts, and there are at most so many parts.
 MAX_DEPTH = 16
 MAX_PARTS = 2048
+#: The work that one of them is.
+PART = 100
 
 
 class Boxes:
     """A claim `<` or `<=` on parts of its box; ``enclose`` encloses a constant by its name."""
 
-    def __init__(self, goal: Goal, enclose: Callable[[str, int], Any]) -> None:
+    def __init__(
+        self, goal: Goal, enclose: Callable[[str, int], Any], budget: WorkBudget | None = None
+    ) -> None:
         self._relation, self.parts = goal.claim.relation, 0
+        self.budget = budget or WorkBudget()
         program, self._sides = goal.program()
         with balls.precision(BITS):
             self._machine = Machine(program, EndsArithmetic())
@@ -48,6 +54,7 @@ class Boxes:
     def cover(self, bounds: Mapping[str, Bounds], depth: int) -> Proof | None:
         """A proof on a box that is the result of so many cuts."""
         self.parts += 1
+        self.budget.spend(PART)
         if self.holds(bounds):
             named = ((name, b.low_fact, b.high_fact) for name, b in bounds.items())
             return Interval(CHECKER_BITS, tuple(named))
@@ -86,11 +93,11 @@ def interval(goal: Goal, enclose: Callable[[str, int], Any]) -> Interval | None:
     return Interval(CHECKER_BITS, tuple(named))
 
 
-def cuts(goal: Goal, enclose: Callable[[str, int], Any]) -> Proof | None:
+def cuts(goal: Goal, enclose: Callable[[str, int], Any], budget: WorkBudget) -> Proof | None:
     """A proof by the enclosures on parts of the box."""
     if goal.box is None or not goal.box or goal.claim.relation == "=" or not _is_plain(goal):
         return None
-    return Boxes(goal, enclose).cover(goal.variables, 0)
+    return Boxes(goal, enclose, budget).cover(goal.variables, 0)
 
 
 def _is_plain(goal: Goal) -> bool:

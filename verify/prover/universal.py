@@ -240,7 +240,7 @@ class Universal:
         yield self._extremum(goal)
         yield signs(goal, lambda claim: self.session.known(claim, goal.context))
         yield bernstein(goal)
-        yield boxes.cuts(goal, self.enclosed)
+        yield boxes.cuts(goal, self.enclosed, self.budget)
         yield from Strategy(goal, self).proofs()
         wider = self._with_neighbours(goal)
         if wider is not None:

@@ -70,6 +70,7 @@ def by_bernstein(
     for i, alternative in enumerate(found):
         if prod(max(int(d), 0) + 1 for d in alternative.polynomial.degrees()) > MAX_SIZE:
             return None
+        strategy.budget.spend(1000)
         tensors.append((i, Tensor.of(alternative.polynomial, [side.ends for side in box])))
     tensors.sort(key=lambda pair: len(pair[1].coefficients))
     points = [[zero.get(name, Fraction(0)) for name in names] for zero in zeros]

@@ -57,13 +57,13 @@ def decompose(
     for _ in range(ROUNDS):
         if not blocks or max(len(block.basis) for block in blocks) > MAX_SIZE:
             return None
-        system = _System(p, domain, factors, blocks)
+        system = _System(p, domain, factors, blocks, budget)
         if not system.consistent or len(system.rows) > MAX_EQUATIONS:
             return None
         found = Solver(system.program(), budget).solve()
         if found.t > HOPELESS or found.error > 1e-4:
             return None
-        terms = system.rounded(found) if found.t < 1e-4 else None
+        terms = system.rounded(found, budget) if found.t < 1e-4 else None
         if terms is not None:
             return terms
         smaller = faces(blocks, found)
@@ -82,6 +82,7 @@ class _System:
         domain: Domain,
         factors: Sequence[fmpq_mpoly],
         blocks: Sequence[Block],
+        budget: WorkBudget,
     ) -> None:
         self.blocks = blocks
         wanted = p.to_dict()
@@ -90,6 +91,7 @@ class _System:
         for block in blocks:
             entries = []
             for i, first in enumerate(block.basis):
+                budget.spend(20 * (len(block.basis) - i))
                 part = factors[block.factor] * first
                 for j in range(i, len(block.basis)):
                     product = domain.reduced(part * block.basis[j])
@@ -119,10 +121,12 @@ class _System:
         wanted = [float_of(c) / size for c, size in zip(self.wanted, largest, strict=True)]
         return Equations([len(block.basis) for block in self.blocks], floats, wanted)
 
-    def rounded(self, found: Solution) -> list[Summand] | None:
+    def rounded(self, found: Solution, budget: WorkBudget) -> list[Summand] | None:
         """Exact terms near a solution."""
+        cost = len(self.rows) ** 3 // 10 + sum(len(block.basis) ** 3 for block in self.blocks)
         size = max((abs(v) for m in found.blocks for row in m for v in row), default=1.0)
         for digits in DIGITS:
+            budget.spend(cost)
             unit = _power_of_two(size, digits)
             values = [
                 [[fmpq(round(v / unit)) * fmpq_of(unit) for v in row] for row in matrix]

@@ -98,7 +98,7 @@ def test_a_strip(
     assert check_map.main([str(tmp_path / "map.jsonl")]) == 0
     assert "every state with 0 < φ2 <= f - δ collapses" in capsys.readouterr().out
     # A budget that is spent leaves no strip, and no border is no curve.
-    assert main([*command[:-3], "--boxes", "9", "--json"]) == 3
+    assert main([*command[:-5], "--strip", "1e-7", "--boxes", "9", "--json"]) == 3
     assert json.loads(capsys.readouterr().out)["strip"] is None
     assert main([*PLANE, "--x", "0.1..0.11", "--y", "0..1/100", "--strip", "1e-4"]) == 2
     assert capsys.readouterr().err.startswith("verify: --strip: no border")

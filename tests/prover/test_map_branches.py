@@ -24,7 +24,7 @@ ACROSS = Phi(
 def test_some_states_meet_and_some_end() -> None:
     for kind in (INTERVALS, MODELS):
         with np.errstate(all="ignore"):
-            x, y = kind.sides(*sides(ACROSS, ["0"]))
+            x, y = map(kind.parameter, (0, 1), sides(ACROSS, ["0"]))
             found = start(ACROSS, x, y, kind.number, lambda z: z.root())
             state = State(*(z if isinstance(z, int) else kind.spread(z, 1) for z in found))
             step = advance(kind.number(ACROSS.r), state)

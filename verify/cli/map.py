@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import random
 import re
 import sys
 from contextlib import ExitStack
@@ -25,6 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from verify.jobs.map import Sample, Target
+    from verify.jobs.map_recheck import Rechecked
     from verify.wire.map_log import Progress
 
 LOG, DOCUMENT, PICTURE, DOTS, TIMES = "map.jsonl", "map.json", "map.svg", "map.png", "times.csv"
@@ -52,7 +52,7 @@ def add_arguments(parser: Parser) -> None:
     parser.option("--jobs", "processes (default 1)", "N", default="1")
     parser.option("--dask", "decide on a Dask cluster: tcp://HOST:PORT", "ADDRESS")
     parser.option("--out", "write the log, or go on with it; areas and pictures", "DIR")
-    parser.flag("--recheck", text=f"prove every box a second time, not only {SAMPLE} of them")
+    parser.flag("--recheck", text=f"prove every box again in balls, not only {SAMPLE} of them")
     parser.flag("--show-boxes", text="draw each box in the picture")
     parser.flag("--json", text="one JSON document on stdout")
 
@@ -139,7 +139,7 @@ def run(options: Options) -> int:
         from verify.jobs.map import Target  # numpy is loaded only where it is used
     except ImportError as error:
         raise InputError(f"map: {error}") from error
-    from verify.views.map import map_document, map_lines, saddle_lines
+    from verify.views.map import map_document, map_lines, recheck_lines, saddle_lines
     from verify.wire.map_log import LogMismatchError, Progress, plane_document
 
     try:
@@ -155,11 +155,11 @@ def run(options: Options) -> int:
             f"--out: {shown(os.path.join(options.out, LOG))} is no log of this map ({error}); "
             "name another folder"
         ) from error
-    _recheck(progress, everything=options.recheck)
+    again = _recheck(progress, everything=options.recheck)
     if options.json:
-        print_document(map_document(progress))
+        print_document(map_document(progress) | {"rechecked": again._asdict()})
     else:
-        lines = (*map_lines(progress), *saddle_lines(progress.plane))
+        lines = (*map_lines(progress), *recheck_lines(again), *saddle_lines(progress.plane))
         sys.stdout.write("".join(f"{line}\n" for line in lines))
     done = progress.undecided <= share if delta is None else not progress.due
     return 0 if done else UNDECIDED_CODE
@@ -253,23 +253,15 @@ def _write(options: Options, progress: Progress, times: list[Sample]) -> None:
     write_all("--out", options.out, files)
 
 
-def _recheck(progress: Progress, *, everything: bool) -> None:
-    """Afterwards the checker has proved boxes anew, in whole numbers.
+def _recheck(progress: Progress, *, everything: bool) -> Rechecked:
+    """What was proved a second time, in balls; or by the checker, in whole numbers.
 
     Raises:
-        OwnError: if it does not accept one of them.
+        OwnError: if neither accepts a box.
     """
-    from verify.wire.map_log import plane_document
+    from verify.jobs.map_recheck import rechecked
 
-    plane = check_map.plane_of(plane_document(progress.plane))
-    law = check_map.law_in(plane)
-    begin = check_map.beginning(law, plane)
-    chosen = list(progress.decided())
-    if not everything and len(chosen) > SAMPLE:
-        # Which boxes are proved a second time is no secret.
-        chosen = random.Random(len(chosen)).sample(chosen, SAMPLE)  # noqa: S311
-    for key, letter, numbers in chosen:
-        try:
-            check_map.prove_box(law, begin, key, letter, check_map.sixes(numbers, letter))
-        except check_map.RefusedError as error:
-            raise OwnError(f"our own checker does not accept a box ({error})") from error
+    try:
+        return rechecked(progress, 10**9 if everything else SAMPLE)
+    except check_map.RefusedError as error:
+        raise OwnError(f"our own checker does not accept a box ({error})") from error

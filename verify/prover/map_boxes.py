@@ -53,9 +53,14 @@ def sides(plane: Plane, keys: Sequence[str]) -> tuple[Intervals, Intervals]:
 
 
 class BoxNumbers(Record):
-    """A kind of numbers for boxes: how to make them of the sides, and of a constant."""
+    """A kind of numbers for boxes.
 
-    sides: Callable[[Intervals, Intervals], tuple[Any, Any]]
+    They are made of intervals that one of the two parameters runs over, or of which nothing else is
+    known, and of a constant.
+    """
+
+    parameter: Callable[[int, Intervals], Any]
+    flat: Callable[[Intervals], Any]
     number: Callable[[Fraction], Any]
     spread: Callable[[Any, int], Any]
 
@@ -69,12 +74,10 @@ def _spread_model(x: Models, size: int) -> Models:
     return Models(c, e, _spread(x.bounds, size))
 
 
-INTERVALS = BoxNumbers(lambda x, y: (x, y), enclosed, _spread)
-MODELS = BoxNumbers(
-    lambda x, y: (parameter(0, x), parameter(1, y)),
-    lambda value: one_model(enclosed(value)),
-    _spread_model,
-)
+INTERVALS = BoxNumbers(lambda _, x: x, lambda x: x, enclosed, _spread)
+MODELS = BoxNumbers(parameter, from_bounds, lambda value: one_model(enclosed(value)), _spread_model)
+#: Branches that are shown to collapse, of states with their boxes, and the numbers of each.
+Closing = Callable[[State, Array], tuple[Array, Array]]
 
 
 class _Boxes:
@@ -136,25 +139,31 @@ def verdicts(plane: Plane | BorderStrip, keys: Sequence[str]) -> Verdicts:
     return Verdicts("".join(letters), numbers)
 
 
-def verdicts_of(kind: BoxNumbers, plane: Plane | BorderStrip, keys: Sequence[str]) -> Verdicts:
+def verdicts_of(
+    kind: BoxNumbers,
+    plane: Plane | BorderStrip,
+    keys: Sequence[str],
+    closing: Closing | None = None,
+) -> Verdicts:
     """The verdicts that one kind of numbers shows."""
     with np.errstate(all="ignore"):
+        phi: Plane = plane.phi if isinstance(plane, BorderStrip) else plane
         if isinstance(plane, BorderStrip):
-            state = start(plane.phi, *tiles(plane, keys), kind.number, lambda x: x.root())
-            return follow(plane.r, kind, _whole(kind, state, len(keys)), np.arange(len(keys)))
-        x, y = kind.sides(*sides(plane, keys))
-        if isinstance(plane, Phi):
-            state = start(plane, x, y, kind.number, lambda x: x.root())
-            return follow(plane.r, kind, _whole(kind, state, len(keys)), np.arange(len(keys)))
-        scenes, pairs = views(plane, x, y, kind.number)
+            x, y = tiles(kind, plane, keys)
+        else:
+            x, y = map(kind.parameter, (0, 1), sides(plane, keys))
+        if isinstance(phi, Phi):
+            state = _whole(kind, start(phi, x, y, kind.number, lambda x: x.root()), len(keys))
+            return follow(phi.r, kind, state, np.arange(len(keys)), closing=closing)
+        scenes, pairs = views(phi, x, y, kind.number)
         scenes = [_whole(kind, view, len(keys)) for view in scenes]
         pairs = [Pair(*(kind.spread(x, len(keys)) for x in pair)) for pair in pairs]
         boxes = _Boxes(len(keys))
-        step = begin(kind.number(plane.r), scenes, pairs)
-        return follow(plane.r, kind, *boxes.take_step(step, np.arange(len(keys))), boxes)
+        step = begin(kind.number(phi.r), scenes, pairs)
+        return follow(phi.r, kind, *boxes.take_step(step, np.arange(len(keys))), boxes, closing)
 
 
-def tiles(plane: BorderStrip, keys: Sequence[str]) -> tuple[Models, Models]:
+def tiles(kind: BoxNumbers, plane: BorderStrip, keys: Sequence[str]) -> tuple[Any, Any]:
     """φ1 and φ2 on the tiles of a strip."""
     columns, rows = corners(keys)
     below = len(keys[0]) - plane.level
@@ -162,24 +171,24 @@ def tiles(plane: BorderStrip, keys: Sequence[str]) -> tuple[Models, Models]:
     half = (plane.x[1] - plane.x[0]) / parts / 2
     bands = plane.bands
 
-    def each(values: Sequence[Fraction]) -> Models:
+    def each(values: Sequence[Fraction]) -> Any:
         found = {value: enclosed(value) for value in {*values}}
         ends = [found[value] for value in values]
         low, high = (np.array([getattr(x, name) for x in ends]) for name in ("low", "high"))
-        return from_bounds(Intervals(low, high))
+        return kind.flat(Intervals(low, high))
 
     def between(lows: Sequence[Fraction], highs: Sequence[Fraction]) -> Intervals:
         return Intervals(each(lows).low, each(highs).high)
 
     places = [column >> below for column in columns]
     rest = [(column & (1 << below) - 1) * share for column in columns]
-    t = parameter(
+    t = kind.parameter(
         0,
         between([half * (2 * x - 1) for x in rest], [half * (2 * (x + share) - 1) for x in rest]),
     )
     band = [bands[row >> below] for row in rows]
     lift = [(row & (1 << below) - 1) * share for row in rows]
-    u = parameter(
+    u = kind.parameter(
         1,
         between(
             [a + (b - a) * x for (a, b), x in zip(band, lift, strict=True)],
@@ -199,7 +208,12 @@ def _whole(kind: BoxNumbers, state: State, size: int) -> State:
 
 
 def follow(
-    r: Fraction, kind: BoxNumbers, state: State, owners: Array, boxes: _Boxes | None = None
+    r: Fraction,
+    kind: BoxNumbers,
+    state: State,
+    owners: Array,
+    boxes: _Boxes | None = None,
+    closing: Closing | None = None,
 ) -> Verdicts:
     """The verdicts on boxes whose branches are in these states."""
     if boxes is None:
@@ -209,7 +223,7 @@ def follow(
     for _ in range(MAX_COLLISIONS):
         if not len(owners):
             break
-        shown, numbers = collapsing(interval, state)
+        shown, numbers = closing(state, owners) if closing else collapsing(interval, state)
         boxes.closed(owners[shown], numbers)
         rest = np.ones(len(owners), bool)
         rest[shown] = False

@@ -14,14 +14,9 @@ import numpy as np
 
 from verify.language.record import Record
 from verify.paper.flow.law import Flight, Pair, State, collided, flight, inner, outer, recentred
-from verify.prover.map_intervals import (
-    Array,
-    down,
-    joined,
-)
-from verify.prover.map_models import Models, joined_models
+from verify.prover.map_intervals import Array, down
 
-#: One number of many boxes of states: `Intervals`, or `Models`.
+#: One number of many boxes of states: `Intervals`, `Models`, or `BallModels`.
 Boxes = Any
 
 
@@ -63,11 +58,7 @@ def is_empty(state: State) -> Array:
 def together(parts: Sequence[State]) -> State:
     """All states in one; they have the spectator in contact."""
     columns = zip(*parts, strict=True)
-    return State(*(0 if isinstance(c[0], int) else _joined(c) for c in columns))
-
-
-def _joined(parts: Sequence[Boxes]) -> Boxes:
-    return joined_models(parts) if isinstance(parts[0], Models) else joined(parts)
+    return State(*(0 if isinstance(c[0], int) else type(c[0]).joined(c) for c in columns))
 
 
 def meeting_part(state: State) -> tuple[State, Flight]:

@@ -80,14 +80,20 @@ def collapsing(r: Intervals, state: State) -> tuple[Array, Array]:
 
 
 @cache
-def _rows() -> tuple[Machine, tuple[Claim, ...]]:
+def conditions() -> tuple[Program, tuple[Claim, ...]]:
     """What the sharper theorem asks of its numbers, with Theta as the sum of all turns."""
     program = Program((*NUMBERS, *OTHERS))
     parts = (over / under for over, under in (SUMS[f"turn_{i}"] for i in (1, 2, 3)))
     program.define("Theta", total(eta_0, *parts))
-    return Machine(program, IntervalsArithmetic()), tuple(
-        claim for name, claim in ROOM.items() if name not in CHOSEN
-    )
+    claims = tuple(claim for name, claim in ROOM.items() if name not in CHOSEN)
+    for claim in claims:
+        program.add(claim.lhs), program.add(claim.rhs)
+    return program, claims
+
+
+@cache
+def _machine() -> Machine:
+    return Machine(conditions()[0], IntervalsArithmetic())
 
 
 def closes(r: Intervals, box: Approach, numbers: Array) -> Array:
@@ -95,13 +101,12 @@ def closes(r: Intervals, box: Approach, numbers: Array) -> Array:
     found = dict(zip(NUMBERS, map(exactly, numbers * UNIT), strict=True))
     m, X, k, V = (found[name] for name in ("m", "X", "k", "V"))
     T = 2 * k / (1 + square_root(1 - 2 * k * V**2))
-    machine, claims = _rows()
     others = (r, T, exactly(box.speed), exactly(box.eta), box.C)
-    run = machine.run((*found.values(), *others))
+    run = _machine().run((*found.values(), *others))
     # What is asked of the state, divided by -eta_c.
     shown = (box.ratio.low > 0) & (box.ratio.high <= (m + X).low)
     shown &= ((m - X).high <= box.ratio.low) & (box.slope.high <= k.low)
-    for claim in claims:
+    for claim in conditions()[1]:
         low, high = run[claim.lhs], run[claim.rhs]
         shown &= low.high < high.low if claim.relation == "<" else low.high <= high.low
     return shown

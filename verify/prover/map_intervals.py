@@ -114,6 +114,12 @@ class Intervals:
     def __getitem__(self, chosen: Array) -> Intervals:
         return Intervals(self.low[chosen], self.high[chosen])
 
+    @staticmethod
+    def joined(parts: Sequence[Intervals]) -> Intervals:
+        """One array after the other."""
+        ends = ([part.low for part in parts], [part.high for part in parts])
+        return Intervals(*map(np.concatenate, ends))
+
 
 def _around(*ends: Array) -> Intervals:
     low, high = ends[0], ends[0]
@@ -138,13 +144,6 @@ def enclosed(value: Fraction) -> Intervals:
 def exactly(values: Array) -> Intervals:
     """The doubles themselves."""
     return Intervals(values, values)
-
-
-def joined(parts: Sequence[Intervals]) -> Intervals:
-    """One array after the other."""
-    return Intervals(
-        np.concatenate([part.low for part in parts]), np.concatenate([part.high for part in parts])
-    )
 
 
 class IntervalsArithmetic:

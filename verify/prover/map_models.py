@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from verify.prover.map_intervals import Array, Intervals, down, exactly, joined, square_root, up
+from verify.prover.map_intervals import Array, Intervals, down, exactly, square_root, up
 
 U = 2.0**-53
 WIDER, TINY = 1 + 64 * U, 2.0**-900
@@ -114,6 +114,15 @@ class Models:
     def above(self, least: Array) -> Models:
         """The same numbers where they are no less than that."""
         return Models(self.c, self.e, self.bounds.above(least))
+
+    @staticmethod
+    def joined(parts: Sequence[Models]) -> Models:
+        """One array after the other."""
+        return Models(
+            np.concatenate([part.c for part in parts], axis=1),
+            np.concatenate([part.e for part in parts]),
+            Intervals.joined([part.bounds for part in parts]),
+        )
 
 
 def _rescued(c: Array, e: Array, bounds: Intervals) -> Models:
@@ -213,12 +222,3 @@ def parameter(place: int, x: Intervals) -> Models:
     c[0] = x.low / 2 + x.high / 2
     c[1 + place] = up(np.maximum(up(x.high - c[0]), up(c[0] - x.low)))
     return Models(c, np.zeros(len(x.low)), x)
-
-
-def joined_models(parts: Sequence[Models]) -> Models:
-    """One array after the other."""
-    return Models(
-        np.concatenate([part.c for part in parts], axis=1),
-        np.concatenate([part.e for part in parts]),
-        joined([part.bounds for part in parts]),
-    )

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
+from verify.language.record import TYPE_CHECKING
 from verify.paper.map.planes import Phi, Plane
 from verify.paper.map.strip import BorderStrip
 from verify.prover.decimals import short
@@ -18,6 +19,9 @@ from verify.wire.map_log import (
     place_text,
     plane_document,
 )
+
+if TYPE_CHECKING:
+    from verify.jobs.map_recheck import Rechecked  # which needs numpy
 
 DOCUMENT = "verify-map/1"
 #: The three areas: their letters in a log, their names, and what is true of every scene in them.
@@ -93,6 +97,13 @@ def map_lines(progress: Progress) -> Iterator[str]:
     for name, says in AREAS.values():
         yield f"{name:<10} {percent(found[name]):>9} %  {says}"
     yield f"{progress.boxes} boxes, down to 1/{4 ** (progress.level - 1)} of the area"
+
+
+def recheck_lines(again: Rechecked) -> Iterator[str]:
+    """What was proved again."""
+    whole = again.whole_numbers
+    others = f", {whole} by verify/check_map.py in whole numbers" if whole else ""
+    yield f"proved again: {again.balls} of {again.decided} decided boxes in balls{others}"
 
 
 def saddle_lines(plane: Plane | BorderStrip) -> Iterator[str]:

@@ -10,6 +10,7 @@ import pytest
 
 from verify import check
 from verify.cli import main
+from verify.cli import prove as command
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "certificates/examples"
 
@@ -62,6 +63,20 @@ def test_an_undecided_row_writes_nothing(
     assert main(["prove", written(tmp_path, document), "--out", str(tmp_path / "other")]) == 3
     assert "undecided" in capsys.readouterr().err
     assert not (tmp_path / "other").exists()
+
+
+def test_what_the_checker_refuses_is_not_called_proved(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    decide = command.decide_statement
+
+    def too_short(*arguments: Any) -> Any:
+        outcome = decide(*arguments)
+        return outcome._replace(steps=outcome.steps[:-1])
+
+    monkeypatch.setattr(command, "decide_statement", too_short)
+    assert main(["prove", written(tmp_path, example("instance"))]) == 5
+    assert capsys.readouterr().out == ""
 
 
 def test_time_only_leaves_rows_undecided(tmp_path: Path) -> None:

@@ -11,11 +11,12 @@ from errno import EISDIR
 from verify.cli.errors import OwnError, UnreadError
 from verify.jobs.inputs import InputError, shown
 from verify.language.record import TYPE_CHECKING
-from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED
+from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, UNDECIDED
 
 if TYPE_CHECKING:
     from typing import Any
 
+    from verify.language.statement import Obligation
     from verify.prover.outcome import Outcome
 
 #: Numbers with more digits, above or below the fraction bar, are not in the checker's format.
@@ -147,6 +148,24 @@ def write_certificate(option: str, directory: str, outcome: Outcome) -> None:
             "budget of work; write parameters with fewer digits"
         ) from error
     write_all(option, directory, files)
+
+
+def accept_decided(outcome: Outcome) -> None:
+    """Afterwards the checker accepts the proofs of all rows that are decided; nothing is written.
+
+    Raises:
+        OwnError: if it does not.
+    """
+    from verify.wire.write import write
+
+    def asked(row: Obligation) -> Obligation:
+        undecided = outcome.decisions[row.name].verdict == UNDECIDED
+        return row._replace(role=PRINTED) if undecided else row
+
+    rows = tuple(map(asked, outcome.statement.obligations))
+    if not outcome.spent and any(row.role == NEEDED for row in rows):
+        decided = outcome._replace(statement=outcome.statement._replace(obligations=rows))
+        accept(write(decided), decided.verdict)
 
 
 def accept(files: Mapping[str, bytes], verdict: str) -> None:

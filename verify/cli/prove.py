@@ -5,7 +5,13 @@ from __future__ import annotations
 import os
 from hashlib import sha256
 
-from verify.cli.files import print_document, read_bytes, test_folder, write_certificate
+from verify.cli.files import (
+    accept_decided,
+    print_document,
+    read_bytes,
+    test_folder,
+    write_certificate,
+)
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import add_color, show
 from verify.jobs.inputs import InputError, integer, rational, shown
@@ -39,6 +45,7 @@ def run(options: Options) -> int:
     content, cited = read_bytes("STATEMENT", options.STATEMENT), _cited(options.STATEMENT)
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = decide_statement(content, cited, WorkBudget(work, _seconds(options.time)))
+    accept_decided(outcome)
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
     if options.json:

@@ -189,6 +189,21 @@ def witness_of(row: Obligation, decision: Decision) -> dict[str, Term]:
     return {name: term for name, term in decision.witness.items() if name in used}
 
 
+def witness_shown(outcome: Outcome, row: Obligation, decision: Decision) -> dict[str, Term]:
+    """The same, of the variables on which the claim depends, through definitions too."""
+    if not isinstance(row.claim, Claim):
+        return dict(decision.witness)
+    contexts = outcome.statement.contexts
+    defined = {one.name: one.term for context in contexts for one in context.constants}
+    used: set[str] = set()
+    left = [row.claim.lhs, row.claim.rhs]
+    while left:
+        new = set(names_of(left.pop())) - used
+        used |= new
+        left += [defined[name] for name in new if name in defined]
+    return {name: term for name, term in decision.witness.items() if name in used}
+
+
 def sides_of(row: Obligation, decision: Decision) -> tuple[Ends, Ends] | None:
     """Enclosures of both sides, where the claim compares numbers and these are known."""
     if decision.sides is None or not isinstance(row.claim, Claim):

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Obligation
-from verify.language.terms import Claim
+from verify.language.terms import Claim, symbol
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.rows import BREAKS, HARMLESS, SLIP
 from verify.paper.theorem1 import theorem
 from verify.prover.decimals import outward, short
 from verify.prover.outcome import Decision
-from verify.views.markdown import witness_text
 from verify.views.page.blocks import (
     Block,
     Cell,
@@ -38,7 +37,7 @@ from verify.views.page.writer import (
     with_verdict,
 )
 from verify.views.point import place
-from verify.views.words import in_letters, sides_of
+from verify.views.words import in_letters, sides_of, witness_shown
 
 #: The classes, the worst first: anchor and title.
 CLASSES = {
@@ -112,7 +111,10 @@ def _margin(writer: Writer, row: Obligation, found: Decision) -> Cell:
     """An enclosure of right - left, from the certified ends of both; or where the claim fails."""
     sides = sides_of(row, found)
     if sides is None:
-        where = witness_text(found, writer.typesetter) if found.witness else ""
+        values = witness_shown(writer.outcome, row, found)
+        where = ", ".join(
+            f"{writer.plain(symbol(n))} = {writer.plain(t)}" for n, t in values.items()
+        )
         return [Text(f"false at {where}" if where else "")]
     lhs, rhs = sides
     margin = (rhs[0] - lhs[1], rhs[1] - lhs[0])

@@ -57,6 +57,10 @@ class Writer:
         widest = max(len(self.typesetter.term(part)) for part in summands(claim))
         return Math(self._mathml.claim(claim) if widest <= WIDEST else "", text)
 
+    def plain(self, term: Term) -> str:
+        """A term in plain letters."""
+        return self.typesetter.term(term)
+
     def term(self, term: Term, before: str = "") -> Math:
         """A term after a relation."""
         text = f"{before} {self.typesetter.term(term)}".strip()

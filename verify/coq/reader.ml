@@ -217,12 +217,13 @@ type kernel = {
   mutable cited_constants : positive list;
   mutable constants : (string * int) list;
   mutable own_contexts : nat list;
+  mutable often : int list;  (* ground terms that are worth to be enclosed once *)
 }
 let kernel () = {
   nodes = []; count = 0; by_number = Hashtbl.create 999; index = Hashtbl.create 999; names = Hashtbl.create 99;
   definitions = Hashtbl.create 99; taken = Hashtbl.create 99; unread = Hashtbl.create 99; read = Hashtbl.create 99;
   places = Hashtbl.create 9; contexts = []; facts = Hashtbl.create 99; known = Hashtbl.create 99;
-  cited = []; cited_constants = []; constants = []; own_contexts = [] }
+  cited = []; cited_constants = []; constants = []; own_contexts = []; often = [] }
 
 let home k i = let _, h, _ = Hashtbl.find k.by_number i in h
 let height k i = let _, _, n = Hashtbl.find k.by_number i in n
@@ -339,9 +340,7 @@ let rec substituted k c at memo i =
       Hashtbl.replace memo i j; j
 let put k c at claims =
   let memo = Hashtbl.create 99 in
-  List.iter (fun g ->
-    ignore (substituted k c at memo (int_of g.lhs));
-    ignore (substituted k c at memo (int_of g.rhs))) claims
+  List.concat_map (fun g -> List.map (fun i -> substituted k c at memo (int_of i)) [g.lhs; g.rhs]) claims
 let put_givens k c at more = put k c at (more @ List.map (fun (_, g, _) -> g) c.given)
 
 (* --- the statement ---------------------------------------------------------------------------- *)
@@ -389,7 +388,7 @@ let context k prefix assumptions item =
     c.given <- c.given @ [s, g, kind]) (list (get "givens"));
   let at = values k prefix c parent (get "point") in
   List.iter (fun (s, _) -> ignore (name (Str s))) (table (get "point"));
-  put_givens k c at [];
+  ignore (put_givens k c at []);
   let kind = function "plain" -> Plain | "carried" -> Carried | _ -> Standing in
   k.contexts <- { parent = nat parent.number; variables = List.map (fun (_, v) -> pos v) c.own;
     givens = List.map (fun (s, g, t) -> { given_name = fact k s; given_claim = g; given_kind = kind t }) c.given;
@@ -401,13 +400,13 @@ let sentence k prefix c = function
   | List [Str "applies"; d; at] ->
       let d = find k prefix (Some (long_name d)) in
       let at = values k prefix d c at in
-      put_givens k d at [];
+      ignore (put_givens k d at []);
       Applies (nat d.number, pairs at), Some d
   | List [Str "always"; d; start; next] ->
       let d = find k prefix (Some (long_name d)) in
       let start = values k prefix d c start in
       let next = values k prefix d d next in
-      put_givens k d start []; put_givens k d next [];
+      ignore (put_givens k d start []); ignore (put_givens k d next []);
       Always (nat d.number, pairs start, pairs next), Some d
   | x -> Compare (claim k prefix c x), None
 let row k prefix assumptions item =
@@ -521,7 +520,7 @@ let rec proof k c x =
       let s = long_name (get "of") in
       let d, g = try Hashtbl.find k.known s with Not_found -> bad ("no fact " ^ s) in
       let at = values k "" d c (get "at") in
-      put_givens k d at [g];
+      ignore (put_givens k d at [g]);
       Instance (fact k s, pairs at, premises k c (get "givens"))
   | s -> bad ("no rule here: " ^ s)
 and proofs k c x = List.map (proof k c) (list x)
@@ -539,7 +538,8 @@ let row_proof k (r : line) x =
       let get = keys ["at"; "givens"; "negation"] in
       let outside = match r.inside.up with Some p -> p | None -> bad "a witness, but no variable" in
       let at = values k "" r.inside outside (get "at") in
-      put_givens k r.inside at [g];
+      let terms = put_givens k r.inside at [g] in
+      if outside.number = 0 then k.often <- terms @ k.often;
       let given = premises k outside (get "givens") in
       ByWitness (pairs at, given, proof k outside (get "negation"))
   | Compare _, _ -> ByProof (proof k r.inside x)
@@ -645,7 +645,7 @@ let check available folder =
       row_verdict = state r.state; row_needed = r.needed; row_sentence = r.said }) lines;
     cited = List.rev k.cited; cited_constants = k.cited_constants } in
   let constants = List.map (fun s -> pos (List.assoc s k.constants)) own in
-  let terms = List.sort_uniq compare (List.map (fun e -> int_of e.enclosed) enclosures) in
+  let terms = List.sort_uniq compare (k.often @ List.map (fun e -> int_of e.enclosed) enclosures) in
   let shared = List.map (fun b -> b, if b = pos 128 then List.map pos terms else constants) precisions in
   let c : certificate = { shared; steps = List.rev steps; enclosures } in
   if accepts s c then "PROVED"

@@ -230,6 +230,22 @@ def test_a_claim_that_fails_in_a_corner_alone_is_refuted() -> None:
     assert (found.verdict, found.witness) == (REFUTED, {"r": as_term(1), "k": as_term(1)})
 
 
+@pytest.mark.parametrize(
+    ("claim", "expected"),
+    [
+        (a / (-1 - a) <= as_term(0), PROVED),
+        (as_term(0) <= a / (-1 - a), REFUTED),
+        (as_term(0) <= r / (-1 - r), REFUTED),
+        ((x - y) ** 2 / (-1 - a) <= as_term(0), PROVED),
+        (a / (-1 - p / (-1 - a)) <= a, REFUTED),
+        (1 / (1 / (-1 - a) - 1) <= as_term(0), PROVED),
+    ],
+)
+def test_divisors_may_be_negative(claim: Claim, expected: str) -> None:
+    """What is decided is accepted by the checker, which turns a/b into -a/-b."""
+    assert decide(claim).verdict == expected
+
+
 @pytest.mark.parametrize("claim", [2 <= p**2, 1 <= p, p / 2 + 1 / p <= p])
 def test_what_is_given_of_one_variable_may_be_more_than_a_bound(claim: Claim) -> None:
     """The step of Heron for the root of 2: what it starts from is no bound by a number."""

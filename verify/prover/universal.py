@@ -207,6 +207,24 @@ class Universal:
             return term.value != 0
         return any(self.fact(Claim("<", ZERO, t), context) for t in (term, -term))
 
+    def _turned(self, term: Term, context: str | None) -> Term:
+        """The same number, with -a/-b for a/b where b is known to be negative.
+
+        The checker clears both to the same quotient, so that a sum for one is one for the other;
+        the quotients of the search are those of the latter. Atoms stay as they are.
+        """
+        if term.op not in ("add", "sub", "mul", "neg", "pow", "div"):
+            return term
+        children = tuple(self._turned(child, context) for child in term.children)
+        if term.op == "div" and self._is_negative(term.children[1], context):
+            return -children[0] / -children[1]
+        return Term(term.op, *children, *term.args[len(children) :])
+
+    def _is_negative(self, term: Term, context: str | None) -> bool:
+        """Whether this is how a divisor is cleared."""
+        known = (self.session.known(Claim("<", ZERO, t), context) for t in (term, -term))
+        return term.op != "rational" and [*map(bool, known)] == [False, True]
+
     def _radicand(self, term: Term, context: str | None) -> bool:
         if term.op == "rational":
             return term.value >= 0
@@ -233,6 +251,11 @@ class Universal:
         yield boxes.interval(goal, self.enclosed)
         if not self.clears(sides, goal.context):
             return
+        turned = Claim(goal.claim.relation, *(self._turned(t, goal.context) for t in sides))
+        if turned != goal.claim:
+            goal, sides = goal._replace(claim=turned), (turned.lhs, turned.rhs)
+            if not self.clears(sides, goal.context):
+                return
         if goal.claim.lhs == ZERO and goal.claim.rhs.op == "sqrt":
             yield self._root(goal)
         if any(side.op in ("min", "max") for side in sides):

@@ -186,6 +186,7 @@ def test_a_statement_that_says_less_is_not_the_program_s(made: Path, folder: str
 
 def test_minus_signs_are_no_hyphens() -> None:
     assert prose("0 < -cos x, (-a) - b, |-c|") == "0 &lt; −cos x, (−a) − b, |−c|"
+    assert prose("9-4√5, (1-h₅/4)") == "9−4√5, (1−h₅/4)"
     assert prose("Cauchy-Schwarz, 0-1, verify graph --out") == (
         "Cauchy-Schwarz, 0-1, verify graph --out"
     )

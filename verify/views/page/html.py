@@ -71,7 +71,9 @@ _POWER_OF_TEN = re.compile(
     r"|(?:([0-9]+(?:\.[0-9]+)?)·)?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))"
 )
 _RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
-_MINUS = re.compile(r"(?<![^\s(\[{|·≤<=])-(?=[\w(|√])|(?<= )-(?= )")
+_MINUS = re.compile(
+    r"(?<![^\s(\[{|·≤<=])-(?=[\w(|√])|(?<= )-(?= )|(?<=[0-9₀-₉)])-(?=[0-9]*√|[α-ωh][₀-₉_])"
+)
 _TAGS = re.compile("<[^>]*>")
 #: So many letters in a line fit a phone.
 NARROW = 36

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, islice
 
 from flint import fmpq_mpoly
 
@@ -46,10 +46,11 @@ def by_squares(
     zeros: Sequence[Sequence[Fraction]],
     budget: WorkBudget,
     using: tuple[str, ...] = (),
+    attempts: int | None = None,
 ) -> Sum | None:
     """A proof of the claim; ``zeros`` are points of the domain where p is 0.
 
-    A square that divides p is left out at first.
+    A square that divides p is left out at first. So many ``attempts`` are made at most.
     """
     if domain.p.is_zero():
         return None if domain.strict else Sum((domain.goal,), using)
@@ -57,7 +58,7 @@ def by_squares(
     zeros = [point for point in zeros if domain.is_zero(point)]
     near = zeros_in_floats(domain, budget)
     tried = set()
-    for attempt in _attempts(domain):
+    for attempt in islice(_attempts(domain), attempts):
         polynomials = [factor.polynomial for factor in attempt.factors]
         p = domain.p
         if attempt.multiple is not None:

@@ -43,6 +43,7 @@ MAX_DEPTH = 9
 MAX_FACTS = 16
 FEW_LEAVES, MANY_LEAVES = 300, 20_000
 FEW_PARTS, MANY_PARTS = 100, 2000
+FEW_ATTEMPTS, MANY_ATTEMPTS = 4, 100
 
 
 class Strategy:
@@ -72,13 +73,15 @@ class Strategy:
         yield by_coefficients(self)
         yield by_squaring(self)
         facts = self.facts()
+        if extrema_of((self.goal.claim.lhs, self.goal.claim.rhs), self.goal.definitions):
+            yield self.squares(self.goal, facts, attempts=FEW_ATTEMPTS)
+            yield by_entries(self, facts)
+            yield split(self, facts)
         yield self.squares(self.goal, facts)
         bounds = self.root_facts()
         if bounds:
             yield self.squares(self.goal, facts | bounds)
         yield by_bernstein(self, zeros, MANY_PARTS)
-        yield by_entries(self, facts)
-        yield split(self, facts)
         yield by_order(self, facts)
         yield by_subterms(self)
         yield self.tree(MANY_LEAVES)
@@ -111,14 +114,14 @@ class Strategy:
         return by_squares(domain, [], self.budget, self.using)
 
     def squares(
-        self, goal: Goal, facts: dict[str, Claim], zeros: list[list[Fraction]] | None = None
+        self, goal: Goal, facts: dict[str, Claim], attempts: int = MANY_ATTEMPTS
     ) -> Proof | None:
         """Squares times facts."""
         domain = Domain(goal, facts)
         if not domain.is_plain:
             return None
-        zeros = self.zeros(domain) if zeros is None else zeros
-        return by_squares(domain, zeros, self.budget, self.using)
+        zeros = self.zeros(domain) if goal is self.goal else []
+        return by_squares(domain, zeros, self.budget, self.using, attempts)
 
     def wider_squares(self, facts: dict[str, Claim]) -> Proof | None:
         """Squares times facts, with givens that have other variables too."""
@@ -132,7 +135,7 @@ class Strategy:
         if len(wider) == len(facts) or len(wider) > MAX_FACTS:
             return None
         variables = {name: universal.bounds[name] for name in sorted(names)}
-        return self.squares(self.goal._replace(variables=variables), wider, [])
+        return self.squares(self.goal._replace(variables=variables), wider)
 
     def facts(self) -> dict[str, Claim]:
         """The bounds of the variables, and that a maximum is at least its entries."""

@@ -256,7 +256,7 @@ class Universal:
             goal, sides = goal._replace(claim=turned), (turned.lhs, turned.rhs)
             if not self.clears(sides, goal.context):
                 return
-        if goal.claim.lhs == ZERO and goal.claim.rhs.op == "sqrt":
+        if goal.claim.key == ("<", ZERO, goal.claim.rhs) and goal.claim.rhs.op == "sqrt":
             yield self._root(goal)
         if any(side.op in ("min", "max") for side in sides):
             yield Strategy(goal, self).plain_squares()

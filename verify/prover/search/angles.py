@@ -7,7 +7,7 @@ each angle is written in one way, up to its sign.
 from __future__ import annotations
 
 from fractions import Fraction
-from math import floor
+from math import ceil
 
 from verify.language.terms import Claim, Term, as_term, equal, names_of, symbol
 from verify.prover.clearing import Clearing, Polynomial
@@ -163,7 +163,7 @@ class Linear:
             return other, 0, same
         sign = 1 if self.at("cos_pi", angle)[1] else -1
         number = (angle * sign).to_dict().get((0,) * len(self.atoms))
-        turns = floor(Fraction(int(number.p), int(number.q)) + HALF) if number is not None else 0
+        turns = ceil(Fraction(int(number.p), int(number.q)) - HALF) if number is not None else 0
         other, same = self.at("cos_pi", angle * sign - self.clearing.constant(Fraction(turns)))
         return other, turns * sign, same == (sign == 1)
 

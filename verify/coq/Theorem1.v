@@ -1,5 +1,6 @@
 (* Theorem 1 for all parameters: what it says. This page can be read alone; it proves nothing.
-   The proof is in Collapse.v, from two certificates that Coq has checked.
+   The proof is in Collapse.v and Inhabited.v, from two certificates that Coq has checked. The
+   constants are those of the repaired set, with their minima as they stand.
 
    Three balls of diameter 1 and of equal mass in R^d lose energy when they collide. From every
    scene in a set that is given by inequalities, the ball 0 collides with 2, 1, 2, 1, ... and so on

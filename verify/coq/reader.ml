@@ -3,7 +3,8 @@
      reader FOLDER [FOLDER ...]
 
    One line for each folder: PROVED, or why not. Exit code 0 if all are proved, 1 if one is refused,
-   4 if one is malformed. This file is not proved: what it hands over is what has to be believed. *)
+   4 if one is malformed. It counts no work: a folder that takes more than a minute of the processor,
+   or a gigabyte, is malformed. This file is not proved: what it hands over is what has to be believed. *)
 open Checker
 
 exception Malformed of string
@@ -653,6 +654,20 @@ let check available folder =
     | Some (AtStep _) -> "REFUSED: a step" | Some (AtEnclosure _) -> "REFUSED: an enclosure"
     | _ -> "REFUSED: not all that is needed is proved"
 
+let seconds = 60. and words = 1 lsl 27
+let too_much = Malformed "more than a minute of work, or a gigabyte"
+(* What a function answers, within these limits. *)
+let limited f x =
+  let timer value = ignore (Unix.setitimer Unix.ITIMER_VIRTUAL { Unix.it_interval = 0.; it_value = value }) in
+  Sys.set_signal Sys.sigvtalrm (Sys.Signal_handle (fun _ -> raise too_much));
+  let alarm = Gc.create_alarm (fun () -> if (Gc.quick_stat ()).Gc.heap_words > words then raise too_much) in
+  let stop () = timer 0.; Gc.delete_alarm alarm in
+  timer seconds;
+  match f x with
+  | found -> stop (); found
+  | exception (Stack_overflow | Out_of_memory) -> stop (); raise too_much
+  | exception e -> stop (); raise e
+
 let () =
   let folders = List.tl (Array.to_list Sys.argv) in
   let available = Hashtbl.create 9 in
@@ -663,7 +678,7 @@ let () =
         remember (Filename.concat folder "statement.json");
         let cited = Filename.concat folder "cited" in
         if Sys.file_exists cited then Array.iter (fun f -> remember (Filename.concat cited f)) (Sys.readdir cited);
-        let said = check available folder in
+        let said = limited (check available) folder in
         said, (if said = "PROVED" then 0 else 1)
       with Malformed what -> "MALFORMED: " ^ what, 4 in
     Printf.printf "%s: %s\n%!" folder said; max code own) 0 folders in

@@ -60,14 +60,15 @@ def grow(
 ) -> Iterator[Sample]:
     """Decide boxes until the goal is reached; each line of the log is kept before it counts."""
     seconds = 0.0
-    while not is_reached(goal, progress):
-        work = partial(decide_chunk, progress.plane)
-        for chunk, spent in workers.in_order(work, progress.chunks()):
-            keep(progress.append(chunk))
-            seconds += spent
-            yield Sample(progress.boxes, progress.undecided, seconds)
-            if is_reached(goal, progress):
-                return
+    if is_reached(goal, progress):
+        return
+    work = partial(decide_chunk, progress.plane)
+    for chunk, spent in workers.in_order(work, progress.chunks()):
+        keep(progress.append(chunk))
+        seconds += spent
+        yield Sample(progress.boxes, progress.undecided, seconds)
+        if is_reached(goal, progress):
+            return
 
 
 def open_log(path: str, progress: Progress) -> BinaryIO:

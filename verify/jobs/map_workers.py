@@ -67,13 +67,15 @@ class Workers:
     def in_order(self, work: Work, tasks: Iterable[Any]) -> Iterator[Any]:
         """The results in the order of the tasks, some of which are done ahead.
 
+        A task None says that the next one depends on results that are not known yet.
         After Ctrl-C nothing new is begun, and what is finished still comes.
         """
         waiting: Waiting = deque()
         try:
             for task in tasks:
-                waiting.append((task, self._submit(work, task)))
-                if len(waiting) >= self._ahead:
+                if task is not None:
+                    waiting.append((task, self._submit(work, task)))
+                if task is None or len(waiting) >= self._ahead:
                     yield self._first(work, waiting)
             while waiting:
                 yield self._first(work, waiting)

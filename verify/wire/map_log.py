@@ -99,9 +99,24 @@ class Progress:
         self._shares = {COLLAPSES: Fraction(0), DISPERSES: Fraction(0)}
         self.found: list[Chunk] = []
 
-    def chunks(self) -> list[list[str]]:
-        """The boxes of this level that are not decided yet, in chunks."""
-        return [self.due[i : i + CHUNK] for i in range(self.at, len(self.due), CHUNK)]
+    def chunks(self) -> Iterator[list[str] | None]:
+        """The boxes that are next, in chunks; None where it depends on those before which they are.
+
+        Boxes of the next level are known as soon as so many of this one are undecided.
+        """
+        level, given = self.level, self.at
+        while self.due:
+            if level < self.level:
+                level, given = self.level, self.at
+            whole = level == self.level
+            boxes = self.due if whole else self.children
+            if given < len(boxes) and (whole or len(boxes) - given >= CHUNK):
+                yield boxes[given : given + CHUNK]
+                given += CHUNK
+            elif whole and given >= len(boxes):
+                level, given = level + 1, 0
+            else:
+                yield None
 
     def append(self, chunk: Chunk) -> bytes:
         """The line of the next chunk."""

@@ -68,9 +68,16 @@ class Algebraic:
         found = self._vanishes(self._clearing.difference(claim.lhs, claim.rhs))
         if found is None:
             return None
+        sign = self._sign(claim)
         if claim.relation == "=":
-            return Sum((), self._using, self._cofactors(found, 1))
-        return Sum(("goal",), self._using, self._cofactors(found, -1))
+            return Sum((), self._using, self._cofactors(found, sign))
+        return Sum(("goal",), self._using, self._cofactors(found, -sign))
+
+    def _sign(self, claim: Claim) -> int:
+        """-1 where the product of the denominators, which the checker makes positive, is not."""
+        (_, d), (_, e) = map(self._clearing.clear, (claim.lhs, claim.rhs))
+        ball = self.ground.ball(self._clearing.term(self._clearing.times(d, e)), BITS)
+        return -1 if ball is not None and balls.strict_sign(ball) < 0 else 1
 
     def _may_be_equal(self, claim: Claim) -> bool:
         ball = self.ground.ball(claim.lhs - claim.rhs, BITS)

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
-from collections.abc import Callable
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
 from fractions import Fraction
 from pathlib import Path
 
@@ -18,6 +22,7 @@ from verify.paper.map.planes import Phi
 from verify.wire import map_log
 from verify.wire.map_log import LogMismatchError, Progress
 
+ROOT = Path(__file__).parents[2]
 PLANE = Phi(Fraction(3, 100), Fraction(1))
 TARGET = Target(Fraction(1, 25), 10**6, 20)
 
@@ -156,6 +161,43 @@ def test_dask_writes_the_same_file(whole: bytes, tmp_path: Path) -> None:
                     os.kill(pids.popitem()[1], signal.SIGKILL)
                     pids.clear()
     assert (tmp_path / "log").read_bytes() == whole
+
+
+@contextmanager
+def dask_processes() -> Iterator[tuple[subprocess.Popen[str], str]]:
+    """A scheduler with a worker, each a process of its own, and its address."""
+    module, options = "distributed.cli.dask_", {"text": True, "cwd": ROOT}
+    paths = os.environ | {"PYTHONPATH": str(ROOT)}
+    command = [sys.executable, "-m", f"{module}scheduler", "--port", "0", "--no-dashboard"]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, env=paths, **options) as first:  # type: ignore[call-overload]
+        said = iter(first.stderr.readline, "")
+        address = next(found[0] for line in said if (found := re.search(r"tcp://[\d.:]+", line)))
+        command = [sys.executable, "-m", f"{module}worker", address, "--nthreads", "1"]
+        with subprocess.Popen(command, stderr=subprocess.DEVNULL, env=paths, **options) as second:  # type: ignore[call-overload]
+            try:
+                yield first, address
+            finally:
+                second.kill(), first.kill()
+
+
+def test_a_scheduler_that_dies_loses_nothing(whole: bytes, tmp_path: Path) -> None:
+    """The map ends with one line; what was proved is in the log, and another run goes on."""
+    pytest.importorskip("distributed")
+    path, progress = tmp_path / "log", Progress(PLANE)
+    with dask_processes() as (scheduler, address):
+        staff = workers(1, address)
+        with staff, open_log(str(path), progress) as file:
+            results = grow(progress, TARGET, staff, lambda line: write_line(file, line))
+            for _ in range(3):
+                next(results)
+            scheduler.kill()
+            with pytest.raises(InputError, match="the log has what was proved"):
+                list(results)
+    kept = path.read_bytes()
+    assert whole.startswith(kept)
+    assert 4 <= kept.count(b"\n") < whole.count(b"\n")
+    made(path, workers(1, None))
+    assert path.read_bytes() == whole
 
 
 def test_no_dask_is_said_in_a_line() -> None:

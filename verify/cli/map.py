@@ -31,6 +31,8 @@ LOG, DOCUMENT, PICTURE, DOTS, TIMES = "map.jsonl", "map.json", "map.svg", "map.p
 UNDECIDED_CODE = 3
 #: A strip has 2^6 parts and 2^6 rows of tiles, so many of them below the curve.
 STRIP_LEVEL, BANDS_BELOW = 6, 16
+#: And twice as many where δ is less than this.
+FINE, FINER = Fraction(1, 10**7), Fraction(1, 10**8)
 MAX_BOXES, MAX_LEVEL, MAX_JOBS = 10**8, 26, 256
 #: So many boxes, chosen at random, are proved a second time.
 SAMPLE = 100
@@ -181,7 +183,8 @@ def _strip(plane: Plane, delta: Fraction) -> BorderStrip:
 
     if not isinstance(plane, Phi) or plane.y[0] != 0:
         raise InputError("--strip: φ2 has to begin at 0")
-    strip = strip_along(plane, delta, STRIP_LEVEL, BANDS_BELOW)
+    level = STRIP_LEVEL + (delta < FINE) + (delta < FINER)
+    strip = strip_along(plane, delta, level, BANDS_BELOW << level - STRIP_LEVEL)
     half = (plane.x[1] - plane.x[0]) / len(strip.curve) / 2
     for c_0, c_1, c_2 in strip.curve:
         spread = abs(c_1) * half + abs(c_2) * half**2 + delta

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future
@@ -52,9 +53,13 @@ class Workers:
     """An executor that is made anew when its workers are lost; what they finished is kept."""
 
     def __init__(
-        self, make: Callable[[], Executor], ahead: int, lost: tuple[type[BaseException], ...] = ()
+        self,
+        make: Callable[[], Executor],
+        ahead: int,
+        lost: tuple[type[BaseException], ...] = (),
+        unfit: tuple[type[BaseException], ...] = (),
     ) -> None:
-        self._make, self._executor = make, make()
+        self._make, self._executor, self._unfit = make, make(), unfit
         self._ahead, self._losses = ahead, 0
         self._lost: tuple[type[BaseException], ...] = (BrokenExecutor, CancelledError, *lost)
 
@@ -102,6 +107,11 @@ class Workers:
             except self._lost as error:
                 self._renew(work, waiting, error)
                 continue
+            except self._unfit as error:
+                raise InputError(
+                    "--dask: the cluster cannot do this work; install the same version of this "
+                    f"program there ({str(error).partition('.')[0]})"
+                ) from error
             waiting.popleft()
             return result
 
@@ -174,13 +184,22 @@ def _dask(address: str) -> Workers:
     except ImportError as error:
         raise InputError("--dask: needs Dask; install it with: pip install -e '.[dask]'") from error
 
+    # It writes pages about each lost connection; one line is written here.
+    logging.getLogger("distributed").setLevel(logging.CRITICAL + 1)
+    answered = False
+
     def make() -> Executor:
+        nonlocal answered
         try:
             client = Client(address, timeout=10)
         except (OSError, ValueError) as error:
-            raise InputError(
-                f"--dask: no scheduler answers at {address!r}; write tcp://HOST:PORT"
-            ) from error
+            advice = (
+                "the log has what was proved, so start it and run this again"
+                if answered
+                else "write tcp://HOST:PORT"
+            )
+            raise InputError(f"--dask: no scheduler answers at {address!r}; {advice}") from error
+        answered = True
         return DaskExecutor(client)
 
-    return Workers(make, AHEAD * MAX_JOBS, (KilledWorker,))
+    return Workers(make, AHEAD * MAX_JOBS, (KilledWorker,), (RuntimeError,))

@@ -101,8 +101,8 @@ def theorem_in_numbers(outcome: Outcome) -> str:
     root = "undefined" if phi is None else short(phi)
     v_0, delta = (told_number(known[name].value) for name in ("V_0", "delta_theta"))
     return (
-        f"Given the assumptions: let {place(outcome)}{_cosine(outcome)}. Three particles, 0 and 1 "
-        f"in contact and just collided, with "
+        f"Given the assumptions: let {place(outcome)}{_cosine(outcome)}. Three particles in "
+        f"dimension 2 or more, 0 and 1 in contact and just collided, with "
         f"0 < -η_c ≤ {told('eta_bar')}, |η_s/(-η_c) - φ⁻| ≤ {told('x_0')} and η_s > 0 "
         f"(φ⁻ = {root}), 0 < d ≤ min({told('d_const')}, {told('d_slope')} η_c²), "
         f"|W_c|² and |W_s|² in [{low}, {high}], and |cos θ - cos θ₀| ≤ "

@@ -33,6 +33,7 @@ def result(
     """The theorem, and the verdicts on it."""
     repaired, printed = main.of_group(REPAIRED), rows_as_printed(main)
     proved, refuted = with_verdict(repaired, PROVED), with_verdict(printed, REFUTED)
+    alone = [row for row, _ in refuted if row.name.startswith("printed.alone-")]
     closing = [row for row, _ in proved if isinstance(row.claim, Claim)]
     for folder in everywhere:
         if headline(folder.outcome) == PROVED:
@@ -47,8 +48,9 @@ def result(
         ]),
         (REFUTED, [
             Strong("The proof as printed does not close. "),
-            Text(f"{len(refuted)} of its {len(printed)} steps, taken one by one, are refuted "
-                 "there; each is "),
+            Text(f"{len(refuted)} of its {len(printed)} rows are refuted there, {len(alone)} of "
+                 "them ask of one entry of a minimum alone what the text claims of the whole "
+                 "minimum; each is "),
             Link("#printed", "listed with both sides and its repair"), Text("."),
         ]),
         *_conditional(others),

@@ -41,9 +41,10 @@ def picture(everywhere: Outcome) -> Figure:
         f"the printed proof fails at each of them; {len(refuted) - len(always)} more fail at some, "
         f"as the table says. The numbers count those that are refuted at all points of their part "
         f"of the region; the boundaries are φ⁺ = 1/22 and φ⁺ = 5/33. "
-        f"Right: {len(proved)} of {len(needed)} rows of the repaired set are proved at all "
-        f"parameters. Thresholds are drawn as boxes that contain the curves: the lower curve is "
-        f"that of existence 4√r/(1+r), the upper one that of stability 2r^(1/3)(1+r^(1/3))/(1+r), "
+        f"Right: {len(proved)} of {len(needed)} needed rows (the repaired set, the hypotheses, "
+        f"which entries are least, the step) are proved at all parameters. Thresholds are drawn as "
+        f"boxes that contain the curves: the lower curve is that of existence 4√r/(1+r), the upper "
+        f"one that of stability 2r^(1/3)(1+r^(1/3))/(1+r), "
         f"which the proof needs. V₀ = 1, δ_θ = 1/10."
     )
     return Figure(

@@ -54,8 +54,7 @@ def by_bernstein(
     ``zeros`` are points where p may be 0; so many ``parts`` are tried at most.
     """
     goal = strategy.goal
-    replaced = {symbol(name): term for name, term in goal.definitions.items()}
-    clearing = Clearing((goal.claim.lhs, goal.claim.rhs), replaced)
+    clearing = strategy.clearing
     p = clearing.difference(goal.claim.rhs, goal.claim.lhs)
     found = _alternatives(strategy, clearing, p)
     names = [atom.name if atom.op == "symbol" else "" for atom in clearing.atoms]

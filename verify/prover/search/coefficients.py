@@ -11,8 +11,6 @@ from fractions import Fraction
 from flint import fmpq_mpoly
 
 from verify.language.record import TYPE_CHECKING
-from verify.language.terms import symbol
-from verify.prover.clearing import Clearing
 from verify.prover.proof import Value
 from verify.prover.rules import Sum
 
@@ -29,8 +27,7 @@ def by_coefficients(
 ) -> Sum | None:
     """A proof, for variables in an order: ``above`` has the fact that one is not above the next."""
     goal = strategy.goal
-    replaced = {symbol(name): term for name, term in goal.definitions.items()}
-    clearing = Clearing((goal.claim.lhs, goal.claim.rhs), replaced)
+    clearing = strategy.clearing
     if any(atom.op != "symbol" for atom in clearing.atoms):
         return None
     gens = dict(zip((atom.name for atom in clearing.atoms), clearing.context.gens(), strict=True))

@@ -12,6 +12,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from math import ceil, comb, floor
 
+from flint import fmpq
+
 from verify.language.record import TYPE_CHECKING, Record
 from verify.language.terms import Claim, Term, as_term, symbol
 from verify.prover.bernstein import coefficients, shift
@@ -36,6 +38,8 @@ MAX_DEPTH, MAX_LEAVES, MAX_TURNS = 12, 60, 6
 MAX_ELEVATION = 3
 #: Enclosures have to be so far from each other: other checkers round in other ways.
 ROOM = Fraction(1, 2**60)
+#: Where a polynomial is tried first, as shares of the ranges of variables.
+SHARES = [Fraction(k, 47) for k in range(48)]
 #: Of what is left to other techniques.
 MAX_DEGREE = 8
 BITS = 128
@@ -178,6 +182,8 @@ class CosineBounds:
             addends.append(("mul", number, fact or self.fact(cosine, bound) or ""))
         if rest.total_degree() > MAX_DEGREE or not self._is_in_symbols(rest):
             return None
+        if self._fails(rest):
+            return None
         claim = Claim(self.goal.claim.relation, ZERO, self.clearing.term(rest))
         if self.is_false(claim):
             return None
@@ -189,6 +195,20 @@ class CosineBounds:
     def _is_in_symbols(self, p: Polynomial) -> bool:
         degrees = zip(self.linear.atoms, p.degrees(), strict=True)
         return all(atom.op == "symbol" for atom, degree in degrees if degree > 0)
+
+    def _fails(self, p: Polynomial) -> bool:
+        """Whether a polynomial is negative at one of some points that cost little."""
+        for share in SHARES:
+            values = []
+            for atom in self.linear.atoms:
+                bounds = self.goal.variables.get(atom.name) if atom.op == "symbol" else None
+                low, high = _near(bounds or Bounds())
+                value = low + (high - low) * share
+                values.append(fmpq(value.numerator, value.denominator))
+                share = share * 7 % 1  # another one for each variable
+            if p(*values) < 0:
+                return True
+        return False
 
     def is_false(self, claim: Claim) -> bool:
         """Whether some point shows at once that a claim is false."""
@@ -324,6 +344,14 @@ class CosineBounds:
                 return None
             addends.append(("mul", name, _value(basis, bounds, high - low)))
         return self._sum([*addends, _value(values, bounds, high - low)])
+
+
+def _near(bounds: Bounds) -> tuple[Fraction, Fraction]:
+    """Both ends, or a number beside the one that there is."""
+    low, high = bounds.low, bounds.high
+    if low is None:
+        low = Fraction(-8) if high is None else high - 16
+    return low, low + 16 if high is None else high
 
 
 def _basis(numbers: Sequence[Fraction], low: Fraction, high: Fraction) -> list[Fraction] | None:

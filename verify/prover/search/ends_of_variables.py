@@ -18,8 +18,8 @@ from fractions import Fraction
 from flint import fmpq, fmpq_mpoly
 
 from verify.language.record import TYPE_CHECKING
-from verify.language.terms import Claim, Term, symbol
-from verify.prover.clearing import Clearing, expanded
+from verify.language.terms import Claim, Term
+from verify.prover.clearing import expanded
 from verify.prover.goal import Bounds
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Sum
@@ -42,8 +42,7 @@ class Polynomials:
     def __init__(self, strategy: Strategy) -> None:
         self.strategy, self.goal = strategy, strategy.goal
         claim = self.goal.claim
-        replaced = {symbol(name): term for name, term in self.goal.definitions.items()}
-        self.clearing = Clearing((claim.lhs, claim.rhs), replaced)
+        self.clearing = strategy.clearing
         self.p = self.clearing.difference(claim.rhs, claim.lhs)
         self.atoms = self.clearing.atoms
 

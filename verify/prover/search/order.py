@@ -26,16 +26,14 @@ if TYPE_CHECKING:
 
 def by_order(strategy: Strategy, facts: Mapping[str, Claim]) -> Proof | None:
     """A proof in which the values of variables that may be exchanged have an order."""
-    names = _exchanged(strategy.goal)
+    names = _exchanged(strategy.goal, strategy.clearing)
     if not 2 <= len(names) <= 3:
         return None
     return _split(strategy, names, [], dict(facts), 0)
 
 
-def _exchanged(goal: Goal) -> list[str]:
+def _exchanged(goal: Goal, clearing: Clearing) -> list[str]:
     """Variables with equal bounds, of which neighbours may be exchanged in the claim."""
-    replaced = {symbol(name): term for name, term in goal.definitions.items()}
-    clearing = Clearing((goal.claim.lhs, goal.claim.rhs), replaced)
     p = clearing.difference(goal.claim.rhs, goal.claim.lhs)
     gens = clearing.context.gens()
     if any(atom.op != "symbol" for atom in clearing.atoms):

@@ -19,8 +19,8 @@ from collections.abc import Iterator
 from flint import fmpq_mpoly
 
 from verify.language.record import TYPE_CHECKING, Record
-from verify.language.terms import Claim, Term, maximum, symbol
-from verify.prover.clearing import Clearing, atoms_of
+from verify.language.terms import Claim, Term, maximum
+from verify.prover.clearing import atoms_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cases, Sum
 from verify.prover.search.local_minima import Minima
@@ -56,8 +56,7 @@ class Squaring:
     def __init__(self, strategy: Strategy) -> None:
         self.strategy, self.goal = strategy, strategy.goal
         claim = self.goal.claim
-        replaced = {symbol(name): term for name, term in self.goal.definitions.items()}
-        self.clearing = Clearing((claim.lhs, claim.rhs), replaced)
+        self.clearing = strategy.clearing
         self.p = self.clearing.difference(claim.rhs, claim.lhs)
         roots = [atom for atom in self.clearing.atoms if atom.op == "sqrt"]
         self.squares = {root: self.clearing.clear(root.children[0]) for root in roots}

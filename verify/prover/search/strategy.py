@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import cached_property
 
 from flint import fmpq, fmpq_mpoly
 
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import Given
-from verify.language.terms import Claim, Term, names_of
-from verify.prover.clearing import atoms_of
+from verify.language.terms import Claim, Term, names_of, symbol
+from verify.prover.clearing import Clearing, atoms_of
 from verify.prover.goal import Goal
 from verify.prover.points import failure_test
 from verify.prover.proof import Proof, Value
@@ -56,12 +57,22 @@ class Strategy:
         self.given = dict(self.givens())
         self.minima = Minima(self.goal, self.budget, [*self.given.values()]).found()
 
+    @cached_property
+    def clearing(self) -> Clearing:
+        """The ring of the claim's atoms; long definitions are expanded in it once."""
+        replaced = {symbol(name): term for name, term in self.goal.definitions.items()}
+        return Clearing((self.goal.claim.lhs, self.goal.claim.rhs), replaced)
+
     def proofs(self) -> Iterator[Proof | None]:
         """What each technique finds."""
         if self.minima and self.minima[0][0] < 0 and self.is_refuted():
             return
-        yield from by_cosines(self.goal, self.universal, self.using)
+        is_near = bool(self.minima) and self.minima[0][0] < NEAR_ZERO
+        if is_near:
+            yield from by_cosines(self.goal, self.universal, self.using)
         yield self.tree(FEW_LEAVES)
+        if not is_near:
+            yield from by_cosines(self.goal, self.universal, self.using)
         yield by_multiple_angles(self)
         zeros = self.simple_zeros()
         yield by_bernstein(self, zeros, FEW_PARTS)

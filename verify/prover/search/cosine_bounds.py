@@ -83,11 +83,12 @@ class CosineBounds:
         self.leaves = 0
 
     def proofs(self) -> Iterator[Proof | None]:
-        """By factors, on parts of an interval, and on the whole domain."""
+        """By factors, on parts of an interval, or on the whole domain; -1 and 1 come first."""
         yield by_levels(self)
+        yield self.whole(1)
         if len(self.goal.variables) == 1 and self.goal.box:
             yield self.parted()
-        for length in (1, *LENGTHS[:2]):
+        for length in LENGTHS[:2]:
             yield self.whole(length)
 
     # --- bounds ---------------------------------------------------------------------------------

@@ -17,6 +17,7 @@ from verify.paper.map.planes import Phi
 from verify.paper.map.strip import BorderStrip
 from verify.prover.map_boxes import verdicts
 from verify.prover.map_curve import strip_along
+from verify.views.map import tile_corners
 from verify.wire.map_log import Progress, all_keys, plane_document
 
 ONE = Fraction(1)
@@ -88,6 +89,22 @@ def test_the_checker_reads_the_same_tiles(strip: BorderStrip) -> None:
     assert whole == 1 - 2 * DELTA / (PLANE.y[1] - PLANE.y[0])
     children = sum(strip.share("0123" + digit) for digit in "0123")
     assert children == strip.share("0123")
+
+
+def test_corners_of_tiles_lie_at_their_distance_from_the_curve(strip: BorderStrip) -> None:
+    gaps = []
+    for key in [*all_keys(3), "012301", "321012"]:
+        corners = strip.corners(key)
+        assert {x >= strip.x[0] for x, _ in corners} == {x <= strip.x[1] for x, _ in corners}
+        row = int("".join("01"[int(digit) >> 1] for digit in key), 2) >> len(key) - 3
+        for x, gap in corners:
+            assert gap >= strip.delta if strip.is_above(row) else gap <= -strip.delta
+            assert strip.y[0] <= height(strip, x) + gap or x in (strip.x[0], strip.x[1])
+            gaps.append(gap)
+        # Drawn, it stays on its side of the middle, within the square.
+        drawn = [y for _, y in tile_corners(strip, key)]
+        assert all(0.5 <= y <= 1 if strip.is_above(row) else 0 <= y <= 0.5 for y in drawn)
+    assert min(map(abs, gaps)) == strip.delta
 
 
 def test_a_tile_across_the_border_has_no_verdict(strip: BorderStrip) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
@@ -83,6 +84,17 @@ def axis_names(plane: Plane | BorderStrip) -> tuple[str, str]:
     if isinstance(plane, Phi | BorderStrip):
         return "φ1 = η_s/(-η_c)", "d/η_c²"
     return place_text(plane.x_at), place_text(plane.y_at)
+
+
+def tile_corners(plane: BorderStrip, key: str) -> list[tuple[float, float]]:
+    """Corners of a tile in a square: φ1, and |φ2 - f| from δ on, logarithmic, up and down."""
+    scale = 2 * math.log(plane.y[1] / plane.delta)
+    found = []
+    for x, gap in plane.corners(key):
+        height = math.log(max(float(abs(gap) / plane.delta), 1.0)) / scale
+        share = (x - plane.x[0]) / (plane.x[1] - plane.x[0])
+        found.append((float(share), 0.5 + math.copysign(height, gap)))
+    return found
 
 
 def map_lines(progress: Progress) -> Iterator[str]:

@@ -69,6 +69,22 @@ class BorderStrip(Record):
         whole = (self.x[1] - self.x[0]) * (self.y[1] - self.y[0])
         return gap * (last - first) * size / whole
 
+    def corners(self, key: str) -> list[tuple[Fraction, Fraction]]:
+        """The corners of a tile in turn: φ1, and φ2 - f(φ1)."""
+        column, row = (int("".join("01"[int(d) >> k & 1] for d in key), 2) for k in (0, 1))
+        depth = len(key) - self.level
+        place, band, size = column >> depth, row >> depth, Fraction(1, 1 << depth)
+        width, (first, last) = (self.x[1] - self.x[0]) / len(self.curve), self.bands[band]
+        found = []
+        for i, k in ((0, 0), (1, 0), (1, 1), (0, 1)):
+            t = width * ((column - (place << depth) + i) * size - Fraction(1, 2))
+            u = first + (last - first) * (row - (band << depth) + k) * size
+            f = sum((c * t**n for n, c in enumerate(self.curve[place])), Fraction(0))
+            delta, goal = (self.delta, self.y[1]) if self.is_above(band) else (-self.delta, 0)
+            x = self.x[0] + width * (place + Fraction(1, 2)) + t
+            found.append((x, (1 - u) * (f + delta) + u * goal - f))
+        return found
+
     def is_above(self, row: int) -> bool:
         """Whether a row of tiles lies above the curve."""
         return row >= len(self.below) - 1

@@ -9,8 +9,9 @@ from base64 import b64encode
 from collections.abc import Iterator, Sequence
 from html import escape
 
+from verify.paper.map.planes import Plane
 from verify.paper.map.strip import BorderStrip
-from verify.views.map import AREAS, area_shares, axis_names, percent, plane_line
+from verify.views.map import AREAS, area_shares, axis_names, percent, plane_line, tile_corners
 from verify.wire.map_log import Progress
 
 #: The colours of the areas, on light and on dark paper: they differ in grey, too.
@@ -46,7 +47,8 @@ def _areas(progress: Progress, *, boxes: bool) -> Iterator[str]:
         yield f'<rect {place} fill="{COLOURS["u"]}"/>'
         yield f'<g transform="translate({LEFT} {TOP + SIDE}) scale({SIDE} {-SIDE})">'
         for letter in "cd":
-            path = "".join(_square(key) for key, found, _ in progress.decided() if found == letter)
+            keys = (key for key, found, _ in progress.decided() if found == letter)
+            path = "".join(_box(progress.plane, key) for key in keys)
             style = f'stroke="{COLOURS["u"]}" stroke-width=".0004"'
             yield f'<path fill="{COLOURS[letter]}" {style} d="{path}"/>'
         yield "</g>"
@@ -55,6 +57,9 @@ def _areas(progress: Progress, *, boxes: bool) -> Iterator[str]:
         yield f'<image {place} image-rendering="pixelated" href="data:image/png;base64,{data}"/>'
     (x_0, x_1), (y_0, y_1) = progress.plane.x, progress.plane.y
     x_name, y_name = axis_names(progress.plane)
+    if boxes and isinstance(progress.plane, BorderStrip):
+        delta, y_0 = progress.plane.delta, -y_1
+        y_name = f"φ2 - f(φ1), logarithmic; in the middle all from -{delta} to {delta}"
     low, right = TOP + SIDE, LEFT + SIDE
     yield _text(LEFT, low + 16, str(x_0), "start")
     yield _text(right, low + 16, str(x_1), "end")
@@ -62,6 +67,14 @@ def _areas(progress: Progress, *, boxes: bool) -> Iterator[str]:
     yield _text(LEFT - 6, low, str(y_0), "end")
     yield _text(LEFT - 6, TOP + 10, str(y_1), "end")
     yield _text(LEFT - 6, TOP - 6, y_name, "start")
+
+
+def _box(plane: Plane | BorderStrip, key: str) -> str:
+    """Tiles of a strip are drawn by their distance from the curve."""
+    if not isinstance(plane, BorderStrip):
+        return _square(key)
+    corners = (f"{_short(x)} {_short(y)}" for x, y in tile_corners(plane, key))
+    return f"M{'L'.join(corners)}z"
 
 
 def _square(key: str) -> str:

@@ -18,6 +18,7 @@ from verify.views.page.blocks import (
     Table,
     Text,
 )
+from verify.views.page.coq import checked_in_coq
 from verify.views.page.writer import label_cell
 
 #: The certificates, for a shell.
@@ -42,7 +43,7 @@ def _checkers(material: Material) -> Iterator[Block]:
         [
             [Code("verify/coq")],
             [Text("Coq: that the checker is right is a theorem there")],
-            [Text("reads the same certificates; run "), Code(".ci/coq")],
+            checked_in_coq(material),
         ],
     ]
     if material.maps:

@@ -1,0 +1,41 @@
+"""The record of what Coq has checked, and that the page counts no file that has changed since."""
+
+from __future__ import annotations
+
+import json
+import re
+from types import SimpleNamespace
+from typing import Any
+
+from tests.coq.record import RECORD, without_times
+from verify.views.coq.record import checked
+from verify.views.page.coq import checked_in_coq
+
+
+def said(digests: list[dict[str, str]]) -> str:
+    """The cell of the page for certificates with these digests."""
+    folders = [
+        SimpleNamespace(name=f"number {i}", digests=pair) for i, pair in enumerate(digests, 1)
+    ]
+    material: Any = SimpleNamespace(folders=folders)
+    return "".join(piece.text for piece in checked_in_coq(material))  # type: ignore[union-attr]
+
+
+def test_the_record_is_read() -> None:
+    record = json.loads(RECORD.read_text())
+    found = checked()
+    assert re.fullmatch(r"8\.\d+\.\d+", found.version)
+    assert len(found.seconds) == len(record["certificates"]) > 30
+    assert without_times(record)["certificates"][0]["seconds"] == 0
+    for item in record["certificates"]:
+        assert (RECORD.parents[2] / item["folder"] / "statement.json").exists()
+
+
+def test_a_file_that_has_changed_is_not_counted() -> None:
+    (statement, certificate), *_ = checked().seconds
+    right = {"statement.json": statement, "certificate.json": certificate}
+    assert said([right]).startswith("accepted all 1 certificates, with Coq 8.")
+    for name in right:
+        text = said([right, {**right, name: "0" * 64}])
+        assert text.startswith("accepted 1 of 2 certificates, with Coq 8.")
+        assert "; not number 2, which may have changed since;" in text

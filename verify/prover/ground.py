@@ -29,6 +29,8 @@ from verify.prover.session import ZERO, Session
 if TYPE_CHECKING:
     from typing import Any
 
+    from verify.prover.tight import Tight
+
 DEFAULT_PRECISION = 128
 DEFAULT_MAX_PRECISION = 1 << 16
 
@@ -227,17 +229,22 @@ class Ground:
 
     def _decide_tight(self, claim: Claim, bits: int) -> tuple[str, Proof] | None:
         """What algebra decides."""
-        # loaded only where they are needed
-        from verify.prover.search.algebraic import Algebraic
-        from verify.prover.tight import TIGHT_BITS, Tight
+        from verify.prover.tight import TIGHT_BITS, Tight  # loaded only where it is needed
 
         if self._decides_by(claim, TIGHT_BITS):
             return None
         for verdict, wanted in ((PROVED, claim), (REFUTED, negation(claim))):
-            if wanted is None:
-                continue
-            tight = Tight(self, bits)
-            proof = tight.prove(wanted) or Algebraic(tight).prove(wanted)
+            proof = None if wanted is None else Tight(self, bits).prove(wanted)
+            if proof is not None:
+                return verdict, proof
+        return self._decide_equal(claim, Tight(self, bits))
+
+    def _decide_equal(self, claim: Claim, tight: Tight) -> tuple[str, Proof] | None:
+        """What the equality of nested roots, or of cosines, decides."""
+        from verify.prover.search.algebraic import Algebraic
+
+        for verdict, wanted in ((PROVED, claim), (REFUTED, negation(claim))):
+            proof = None if wanted is None else Algebraic(tight).prove(wanted)
             if proof is not None:
                 return verdict, proof
         return None

@@ -168,6 +168,10 @@ BACKED: dict[str, tuple[Check, ...]] = {
     # maps
     "`certificates/map` has the plane of": (areas_of_the_map,),
     "-η_c = 1/100 and both tangential speeds 1": (areas_of_the_map,),
+    "Boxes are proved again in balls, 100 chosen at random": (
+        "tests/prover/test_map_balls.py::test_all_of_a_strip_in_balls",
+        "tests/cli/test_map.py::test_a_strip",
+    ),
     "with a curve f that its log has, every state": (
         "tests/check/test_check_map.py::test_the_committed_strip",
     ),

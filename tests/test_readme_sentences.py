@@ -168,6 +168,9 @@ BACKED: dict[str, tuple[Check, ...]] = {
     # maps
     "`certificates/map` has the plane of": (areas_of_the_map,),
     "-η_c = 1/100 and both tangential speeds 1": (areas_of_the_map,),
+    "this plane have centres and velocities in one plane, also in space": (
+        "tests/prover/test_map_boxes.py::test_points_of_decided_boxes_do_what_was_proved",
+    ),
     "Boxes are proved again in balls, 100 chosen at random": (
         "tests/prover/test_map_balls.py::test_all_of_a_strip_in_balls",
         "tests/cli/test_map.py::test_a_strip",

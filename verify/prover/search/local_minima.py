@@ -54,6 +54,13 @@ class Minima:
                 result.append((value, point))
         return sorted(result)
 
+    def at_starts(self) -> Iterator[tuple[float, tuple[float, ...]]]:
+        """The values where the search starts, with these points, but for those without a value."""
+        for start in self._starts():
+            value = self.function(start)
+            if value < math.inf:
+                yield value, tuple(start)
+
     def _starts(self) -> Iterator[list[float]]:
         """The centre, then points that fill the box."""
         n = len(self.bounds)

@@ -55,7 +55,16 @@ class Strategy:
         self.goal = unfolded(goal, universal)
         self.using = tuple(self.goal.definitions)
         self.given = dict(self.givens())
-        self.minima = Minima(self.goal, self.budget, [*self.given.values()]).found()
+
+    @cached_property
+    def estimates(self) -> Minima:
+        """The difference of the sides, where the givens hold."""
+        return Minima(self.goal, self.budget, [*self.given.values()])
+
+    @cached_property
+    def minima(self) -> list[tuple[float, tuple[float, ...]]]:
+        """Where the claim is most nearly false: searched for once, and only where it is used."""
+        return self.estimates.found()
 
     @cached_property
     def clearing(self) -> Clearing:
@@ -99,9 +108,12 @@ class Strategy:
         yield self.wider_squares(facts)
 
     def may_be_equal(self) -> bool:
-        """Whether the sides of an equation are equal, as far as estimates tell."""
-        return all(
-            abs(value) < NEAR_ZERO * (1 + max(map(abs, p), default=0)) for value, p in self.minima
+        """Whether the sides of an equation are equal, as far as estimates tell.
+
+        At most points they are not, if they are not everywhere: minima are looked for after those.
+        """
+        return all(map(_is_near_zero, self.estimates.at_starts())) and all(
+            map(_is_near_zero, self.minima)
         )
 
     def is_refuted(self) -> bool:
@@ -255,6 +267,11 @@ class Strategy:
                     found.append(scaled)
                     break
         return found
+
+
+def _is_near_zero(found: tuple[float, tuple[float, ...]]) -> bool:
+    value, point = found
+    return abs(value) < NEAR_ZERO * (1 + max(map(abs, point), default=0))
 
 
 def unfolded(goal: Goal, universal: Universal) -> Goal:

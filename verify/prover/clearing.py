@@ -67,6 +67,10 @@ class Quotients(ABC):
     def atom(self, term: Term) -> Polynomial | None:
         """The polynomial of an atom; None for an operation."""
 
+    def is_negative(self, _: Term) -> bool:
+        """Whether the checker will know that this divisor is negative."""
+        return False
+
     def clear(self, term: Term) -> Quotient:
         """Numerator and denominator of a term whose atoms are in the ring."""
         found = self._known.get(term)
@@ -98,6 +102,8 @@ class Quotients(ABC):
             divisor = term.children[1]
             if divisor.op == "rational" and divisor.value != 0:
                 return n * self.constant(1 / divisor.value), d
+            if self.is_negative(divisor):
+                n, m = -n, -m
             return self.times(n, e), self.times(d, m)
         if d is not e and d != e:
             n, m, d = self.times(n, e), self.times(m, d), self.times(d, e)
@@ -118,9 +124,14 @@ class Quotients(ABC):
 class Clearing(Quotients):
     """Terms as quotients of polynomials in the atoms of some terms."""
 
-    def __init__(self, terms: Iterable[Term], replaced: Mapping[Term, Term]) -> None:
+    def __init__(
+        self,
+        terms: Iterable[Term],
+        replaced: Mapping[Term, Term],
+        is_negative: Callable[[Term], bool] | None = None,
+    ) -> None:
         super().__init__()
-        self.replaced = replaced
+        self.replaced, self._is_negative = replaced, is_negative
         self.atoms = atoms_of(terms, replaced)
         names = tuple(f"x{i}" for i in range(len(self.atoms)))
         self.context = fmpq_mpoly_ctx.get(names, Ordering.lex)
@@ -133,6 +144,10 @@ class Clearing(Quotients):
     def replacement(self, term: Term) -> Term | None:
         """What the term is replaced by, if it is."""
         return self.replaced.get(term)
+
+    def is_negative(self, term: Term) -> bool:
+        """What was said of divisors."""
+        return self._is_negative is not None and self._is_negative(term)
 
     def atom(self, term: Term) -> Polynomial | None:
         """The generator of an atom."""

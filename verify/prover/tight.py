@@ -123,7 +123,8 @@ class Tight:
         if not self.cleared(claim.lhs, claim.rhs, entry, *definitions):
             return None
         terms = (claim.lhs, claim.rhs, harder.lhs, harder.rhs, m, entry)
-        clearing = Clearing(terms, self.session.replaced(using))
+        negative = lambda term: self.ground.sign(term) < 0  # noqa: E731
+        clearing = Clearing(terms, self.session.replaced(using), negative)
         goal = clearing.difference(claim.lhs, claim.rhs)
         n, d = clearing.clear(entry)
         index = clearing.atoms.index(m)

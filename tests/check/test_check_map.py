@@ -323,6 +323,47 @@ def test_numbers_that_grow_without_end_are_refused() -> None:
         check_map.prove(law, [state], "d", [])
 
 
+def test_a_branch_without_states_hides_no_other() -> None:
+    law = check_map.law_of(Fraction(1, 2))
+    none = check_map.Sight(*[(check_map.ONE, 0)] * len(check_map.Sight._fields))
+    check_map.prove(law, [none], "c", [])
+    with pytest.raises(RefusedError, match="no two spheres meet"):
+        check_map.prove(law, [none, None], "c", [])
+    wide = check_map.Sight(*[(-check_map.ONE, check_map.ONE)] * len(check_map.Sight._fields))
+    for verdict in "cd":
+        with pytest.raises(RefusedError, match="stay in contact"):
+            check_map.prove(law, [wide, none], verdict, [])
+
+
+def on_a_line(r: str, letter: str, speeds: list[str]) -> list[bytes]:
+    """Two spheres run towards one between them; the velocity of one of them varies."""
+    plane = {
+        "name": "scene",
+        "r": r,
+        "positions": [["0", "0"], ["2", "0"], ["-2", "0"]],
+        "velocities": [["0", "0"], ["-1", "0"], ["1", "0"]],
+        "x_at": "velocities[2][0]",
+        "y_at": "velocities[2][1]",
+        "x": speeds,
+        "y": ["-1/1000", "1/1000"],
+    }
+    header = {"format": "verify-map-log/1", "plane": plane, "first_level": 1, "code": 1}
+    numbers = [[1] * 6] * 4 if letter == "c" else []
+    boxes = {"level": 1, "keys": "0 1 2 3", "verdicts": letter * 4, "numbers": numbers}
+    return sealed([header, boxes])
+
+
+def test_what_ends_does_not_collapse_and_what_collapses_does_not_end() -> None:
+    assert check(on_a_line("9/10", "d", ["11/10", "12/10"])).disperses == 1
+    for r, letter, speeds in (
+        ("9/10", "c", ["11/10", "12/10"]),
+        ("1/100", "d", ["11/10", "12/10"]),
+        ("9/10", "d", ["9/10", "11/10"]),
+    ):
+        with pytest.raises(RefusedError):
+            check(on_a_line(r, letter, speeds))
+
+
 def test_a_line_without_end_is_malformed() -> None:
     command = [sys.executable, "-I", str(CHECKER), "/dev/zero"]
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)

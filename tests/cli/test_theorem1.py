@@ -304,7 +304,9 @@ def test_a_false_hypothesis_is_named_with_both_sides(capsys: pytest.CaptureFixtu
     code, out, _ = run(capsys, "--r", "0.06")
     assert code == 1
     assert "Hypothesis (4.10), EQUATSS4.1ThExiCondiTheta, does not hold" in out
-    assert "Hypothesis (4.9), EQUATSS4.1ThExiCondi_r_1_, does not hold: r < r_stabi = 9 - 4√5" in out
+    assert (
+        "Hypothesis (4.9), EQUATSS4.1ThExiCondi_r_1_, does not hold: r < r_stabi = 9 - 4√5" in out
+    )
     assert "its threshold = 1.0278276" in out
     assert "both sides are equal" in run(capsys, "--r", "1/64", "--neg-cos", "8/13")[1]
     code, doc = document(capsys, "--r", "1/2")

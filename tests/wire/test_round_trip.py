@@ -13,7 +13,7 @@ from tests.points import parameters
 from verify.jobs import spectrum, theorem1
 from verify.language.terms import cos_pi
 from verify.prover.outcome import Outcome
-from verify.views import document, markdown, table
+from verify.views import document, markdown, row_lists, table, words
 from verify.views import spectrum as spectral
 from verify.wire.read import read
 from verify.wire.term_json import WireError
@@ -58,7 +58,7 @@ def test_reading_is_the_inverse_of_writing(name: str) -> None:
 def test_views_say_the_same_of_what_is_read_back(name: str) -> None:
     one, two = fresh(name), again(name)
     views = [markdown.report, *(
-        (spectral.spectrum_document, lambda o: [*spectral.claim_lines(o)], spectral.verdict_line)
+        (spectral.spectrum_document, lambda o: [*row_lists.all_rows(o)], spectral.verdict_line)
         if name == "spectrum"
         else (document.document, lambda o: [*table.report_lines(o)])
     )]  # fmt: skip
@@ -73,7 +73,8 @@ def test_views_agree_on_the_verdict(name: str) -> None:
         found, last = spectral.spectrum_document(outcome), spectral.verdict_line(outcome)
     else:
         found, last = document.document(outcome), [*table.report_lines(outcome)][-1]
-    assert last.startswith(f"Verdict: {found['headline']}: {outcome.statement.title}: ")
+    assert last.startswith(f"Verdict: {found['headline']}: ")
+    assert last.endswith(words.summary(outcome).partition(f": {outcome.statement.title}: ")[2])
     assert found["headline"] in markdown.report(outcome)
 
 

@@ -283,7 +283,7 @@ def parameter(place: int, x: Intervals) -> BallModels:
     return BallModels(c, c[5], within)
 
 
-def number(value: Fraction) -> BallModels:
+def exact_number(value: Fraction) -> BallModels:
     """A rational number."""
     ball = balls.from_fraction(value)
     return flat(_objects([Span(ball, ball)]))
@@ -346,7 +346,7 @@ def _applies(r: Fraction, box: Sequence[Any], six: tuple[int, ...]) -> bool:
     return True
 
 
-BALLS = BoxNumbers(parameter, lambda x: flat(between(x)), number, spread)
+BALLS = BoxNumbers(parameter, lambda x: flat(between(x)), exact_number, spread)
 
 
 def reproved(

@@ -14,7 +14,7 @@ from verify.jobs.map import Target, grow
 from verify.jobs.map_recheck import rechecked
 from verify.jobs.map_workers import workers
 from verify.prover import balls
-from verify.prover.map_balls import BallModels, Span, number, parameter, reproved
+from verify.prover.map_balls import BallModels, Span, exact_models, parameter, reproved
 from verify.prover.map_curve import strip_along
 from verify.prover.map_intervals import exactly
 from verify.wire.map_log import Progress
@@ -80,7 +80,7 @@ def test_models_contain_what_exact_rationals_give() -> None:
             found = (x * y - 3 * x) / (1 + y) ** 2 + 1 / (x + y)
             exact = (p * q - 3 * p) / (1 + q) ** 2 + 1 / (p + q)
             assert is_in(found, shares, exact)
-            root = ((x + y) * (x + y) + number(Fraction(1, 3))).root()
+            root = ((x + y) * (x + y) + exact_models(Fraction(1, 3))).root()
             assert is_in(root * root, shares, (p + q) ** 2 + Fraction(1, 3))
 
 

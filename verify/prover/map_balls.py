@@ -283,7 +283,7 @@ def parameter(place: int, x: Intervals) -> BallModels:
     return BallModels(c, c[5], within)
 
 
-def exact_number(value: Fraction) -> BallModels:
+def exact_models(value: Fraction) -> BallModels:
     """A rational number."""
     ball = balls.from_fraction(value)
     return flat(_objects([Span(ball, ball)]))
@@ -346,7 +346,7 @@ def _applies(r: Fraction, box: Sequence[Any], six: tuple[int, ...]) -> bool:
     return True
 
 
-BALLS = BoxNumbers(parameter, lambda x: flat(between(x)), exact_number, spread)
+BALLS = BoxNumbers(parameter, lambda x: flat(between(x)), exact_models, spread)
 
 
 def reproved(

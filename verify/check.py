@@ -513,6 +513,8 @@ class Kernel:
         nodes = [self.nodes[number] for number in (*numbers, term)]
         good = all(node.op == "rational" for node in nodes)
         need(good, Refused, "found a coefficient that is no number")
+        for node in nodes:
+            self.spend(sum(map(size, node.rest)), 2)
         return [Fraction(*node.rest) for node in nodes]
 
     def series(self, op: str, is_sine: bool) -> Iterable[Interval]:

@@ -8,6 +8,7 @@ from typing import Any
 from tests.check.support import (
     INTERVAL,
     Pair,
+    box,
     cases,
     cuts,
     entry,
@@ -639,3 +640,15 @@ def an_enclosure_of_one_row_after_the_other() -> Pair:
     for i in range(7_000):
         pair.row(f"r{i}", ["<", ["sqrt", str(i)], str(i + 1)], INTERVAL)
     return pair
+
+
+@heavy
+def cosines_with_long_coefficients() -> Pair:
+    """All the coefficients are on their side."""
+    pair = true(box(("0", "1")))
+    pair.terms["t0"] = "1" + "0" * 4290
+    for i in range(1, 97):
+        number = f"{'2' * 4290}/{'1' * 4289}{i % 9 + 1}"
+        pair.terms[f"t{i}"] = ["add", number, ["mul", ["pow", "x", "2"], f"t{i - 1}"]]
+    claim = ["<=", ["cos", "x"], "t96"]
+    return filled(pair, lambda i: lemma(i, claim, {"rule": "cosine"}, "box"))

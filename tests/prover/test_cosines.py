@@ -85,6 +85,7 @@ def test_in_the_plane(claim: str) -> None:
         ("cos_pi(x) <= 1 - 2*x", "0", "1/2"),
         ("cos(2*x) <= 2*cos(x)**2 - 101/100", "0", "1"),
         ("1/2 < cos_pi(x)", "0", "34/100"),
+        ("cos(2*x) < 2*cos(x)**2 - 1", "-1", "1"),
     ],
 )
 def test_false(claim: str, low: str, high: str) -> None:

@@ -311,7 +311,7 @@ class CosineBounds:
             if basis is None:
                 return None
             choices.append((cosine, basis, self._centres(cosine, low, high)))
-        for pick in range(max(len(centres) for *_, centres in choices)):
+        for pick in range(max((len(centres) for *_, centres in choices), default=0)):
             found = self._bounded(bounds, length, choices, pick)
             if found is not None:
                 return found

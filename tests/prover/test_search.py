@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import random
+import time
 from collections.abc import Mapping
 from fractions import Fraction
 
@@ -26,7 +27,17 @@ from verify.language.statement import (
     Statement,
     Variable,
 )
-from verify.language.terms import Claim, Term, as_term, cos_pi, maximum, minimum, sqrt, symbol
+from verify.language.terms import (
+    Claim,
+    Term,
+    as_term,
+    cos_pi,
+    equal,
+    maximum,
+    minimum,
+    sqrt,
+    symbol,
+)
 from verify.prover.budget import WorkBudget
 from verify.prover.outcome import Outcome
 from verify.prover.prove import prove
@@ -156,6 +167,23 @@ def test_little_work_leaves_a_row_undecided() -> None:
     claim = 0 <= x**4 + y**4 + z**4 + 1 - 4 * x * y * z
     ranges = dict.fromkeys("xyz", EVERYWHERE)
     assert judged(claim, ranges, work=10).verdict == UNDECIDED
+
+
+def test_what_is_long_when_expanded_is_left_undecided() -> None:
+    total = as_term(1)
+    for name in "abcdef":
+        total = total + symbol(name)
+    claim = equal(total**24, total**12 * total**12)
+    start = time.process_time()
+    found = judged(claim, dict.fromkeys("abcdef", EVERYWHERE))
+    assert found.verdict == UNDECIDED
+    assert time.process_time() - start < 5
+
+
+def test_no_row_is_begun_when_the_time_is_over() -> None:
+    statement = asked(as_term(0) <= x**2 - 2 * x * y + y**2, dict.fromkeys("xy", EVERYWHERE))
+    assert prove(statement, budget=WorkBudget(seconds=60)).verdict == PROVED
+    assert prove(statement, budget=WorkBudget(seconds=0)).verdict == UNDECIDED
 
 
 def test_the_files_are_the_same_each_time() -> None:

@@ -11,6 +11,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
+from math import comb
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -19,7 +20,15 @@ from verify.language.terms import Term, as_term
 Polynomial = fmpq_mpoly
 Quotient = tuple[fmpq_mpoly, fmpq_mpoly]
 
+#: Products of two monomials that expanding in one ring may take. The checker expands too: it counts
+#: about a hundred units for each, and has six million for a file.
+MAX_PRODUCTS = 20_000
+
 ATOMS = ("symbol", "sqrt", "min", "max", "cos", "cos_pi")
+
+
+class TooLongError(ArithmeticError):
+    """Expanding terms takes more products than ``MAX_PRODUCTS``."""
 
 
 def atoms_of(terms: Iterable[Term], replaced: Mapping[Term, Term]) -> list[Term]:
@@ -94,10 +103,10 @@ class Quotients(ABC):
         if term.op == "neg":
             return -n, d
         if term.op == "pow":
-            return n**term.exponent, d**term.exponent
+            return self.power(n, term.exponent), self.power(d, term.exponent)
         m, e = others[0]
         if term.op == "mul":
-            return n * m, self.times(d, e)
+            return self.times(n, m), self.times(d, e)
         if term.op == "div":
             divisor = term.children[1]
             if divisor.op == "rational" and divisor.value != 0:
@@ -120,9 +129,13 @@ class Quotients(ABC):
             return p
         return q if p is self.one else p * q
 
+    def power(self, p: Polynomial, exponent: int) -> Polynomial:
+        """The power, with a number that is not negative."""
+        return p**exponent
+
 
 class Clearing(Quotients):
-    """Terms as quotients of polynomials in the atoms of some terms."""
+    """Terms as quotients of polynomials in the atoms of some terms, or a TooLongError."""
 
     def __init__(
         self,
@@ -136,6 +149,22 @@ class Clearing(Quotients):
         names = tuple(f"x{i}" for i in range(len(self.atoms)))
         self.context = fmpq_mpoly_ctx.get(names, Ordering.lex)
         self.generators = dict(zip(self.atoms, self.context.gens(), strict=True))
+        self.products = 0
+
+    def times(self, p: Polynomial, q: Polynomial) -> Polynomial:
+        """The product, counted."""
+        self._count(len(p) * len(q))
+        return super().times(p, q)
+
+    def power(self, p: Polynomial, exponent: int) -> Polynomial:
+        """The power, counted."""
+        self._count(comb(len(p) + exponent - 1, exponent) if len(p) > 1 else 1)
+        return super().power(p, exponent)
+
+    def _count(self, products: int) -> None:
+        self.products += products
+        if self.products > MAX_PRODUCTS:
+            raise TooLongError
 
     def constant(self, value: Fraction) -> Polynomial:
         """A number as a polynomial in the atoms."""
@@ -168,7 +197,8 @@ class Clearing(Quotients):
         total = self.context.constant(0)
         for power, part in self.coefficients(polynomial, index):
             half, odd = divmod(power, 2)
-            total += part * x**odd * n**half * d ** (top - half)
+            scale = self.times(self.power(n, half), self.power(d, top - half))
+            total += self.times(part * x**odd, scale)
         return total
 
     def coefficients(self, polynomial: Polynomial, index: int) -> Iterator[tuple[int, Polynomial]]:

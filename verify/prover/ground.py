@@ -228,21 +228,25 @@ class Ground:
         return bits <= self.max_bits and self._compare(claim, bits) is not None
 
     def _decide_tight(self, claim: Claim, bits: int) -> tuple[str, Proof] | None:
-        """What algebra decides."""
-        from verify.prover.tight import TIGHT_BITS, Tight  # loaded only where it is needed
+        """What algebra decides, if that is not too long."""
+        from verify.prover.clearing import TooLongError  # loaded only where they are needed
+        from verify.prover.tight import TIGHT_BITS, Tight
 
         if self._decides_by(claim, TIGHT_BITS):
             return None
-        for verdict, wanted in ((PROVED, claim), (REFUTED, negation(claim))):
-            proof = None if wanted is None else Tight(self, bits).prove(wanted)
-            if proof is not None:
-                return verdict, proof
-        return self._decide_equal(claim, Tight(self, bits))
+        try:
+            return self._decide_algebraically(claim, Tight(self, bits))
+        except TooLongError:
+            return None
 
-    def _decide_equal(self, claim: Claim, tight: Tight) -> tuple[str, Proof] | None:
-        """What the equality of nested roots, or of cosines, decides."""
+    def _decide_algebraically(self, claim: Claim, tight: Tight) -> tuple[str, Proof] | None:
+        """What replacing names, or the equality of nested roots or of cosines, decides."""
         from verify.prover.search.algebraic import Algebraic
 
+        for verdict, wanted in ((PROVED, claim), (REFUTED, negation(claim))):
+            proof = None if wanted is None else tight.prove(wanted)
+            if proof is not None:
+                return verdict, proof
         for verdict, wanted in ((PROVED, claim), (REFUTED, negation(claim))):
             proof = None if wanted is None else Algebraic(tight).prove(wanted)
             if proof is not None:

@@ -58,6 +58,7 @@ def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
             if found.verdict != UNDECIDED:
                 return found
     try:
+        universal.budget.spend(0)
         return universal.decide(row)
     except (SpentError, RecursionError):  # terms may be deeper than Python goes
         return Decision(UNDECIDED)

@@ -32,7 +32,7 @@ from verify.language.terms import (
 from verify.prover import boxes
 from verify.prover.bernstein import bernstein
 from verify.prover.budget import WorkBudget
-from verify.prover.clearing import Clearing
+from verify.prover.clearing import Clearing, TooLongError
 from verify.prover.goal import Bounds, Goal, bounds_of
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision
@@ -240,7 +240,10 @@ class Universal:
         """
         if goal.claim.relation not in MEANINGS:
             raise ValueError(f"{goal.claim.relation!r} is not a relation")
-        return next((proof for proof in self._proofs(goal) if proof is not None), None)
+        try:
+            return next((proof for proof in self._proofs(goal) if proof is not None), None)
+        except TooLongError:
+            return None
 
     def _proofs(self, goal: Goal) -> Iterator[Proof | None]:
         sides = goal.claim.lhs, goal.claim.rhs

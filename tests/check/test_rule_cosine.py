@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from tests.check.support import COSINE, Json, Pair, box, cuts, term, verdict
+from tests.check.support import COSINE, Json, Pair, box, cuts, term, total, verdict
+from verify import check
 
 SIDE = "on the wrong side"
 TERMS = "found a bound on the other side"
@@ -91,6 +92,29 @@ def test_the_sign_of_an_angle_is_that_of_its_branch() -> None:
     assert "not known to be >= 0" in verdict(pair)  # and false
     pair = box(("0", "1")).row("row", claim, COSINE, "box")
     assert verdict(pair) == "proved"
+
+
+def test_a_hypothesis_tells_the_sign() -> None:
+    """The context says 1/8 <= x, which is another claim than the branch's 0 <= x."""
+    claim, none = "cos_pi(1/2 - x) <= x*4", total("x-low", "@1", "1/8")
+    pair = box(("1/8", "1")).row("row", claim, cuts("x", ["0"], none, COSINE), "box")
+    assert verdict(pair) == "proved"
+    pair = box(("1/8", "1")).row("row", claim, COSINE, "box")
+    assert "not known to be >= 0" in verdict(pair)
+
+
+def test_coefficients_have_128_bits() -> None:
+    """Those of pi^2 / 2: the bound of 128 bits is one, and a closer one is not."""
+    lows = []
+    for bits in (127, 128, 129):
+        scope = check.Enclosing(check.Kernel(), bits, None)
+        y = scope.pi()
+        half = scope.div(scope.mul(y, y), scope.rational(2, 1))
+        lows.append(scope.outward(scope.neg(half)).low)
+    assert lows[0] < lows[1] < lows[2]
+    for low, reason in zip(lows, ("proved", "proved", SIDE), strict=True):
+        claim = ["<=", ["add", "1", ["mul", ["pow", "x", "2"], str(low)]], ["cos_pi", "x"]]
+        assert reason in verdict(box(("0", "1")).row("row", claim, COSINE, "box"))
 
 
 def test_many_coefficients() -> None:

@@ -249,6 +249,12 @@ def test_divisors_may_be_negative(claim: Claim, expected: str) -> None:
     assert decide(claim).verdict == expected
 
 
+def test_divisors_inside_a_maximum_may_be_negative() -> None:
+    """What is written down is accepted, if anything is: the cases are about the quotients, too."""
+    claim = maximum(1, 2) + 1 / (r - 1) <= maximum(1 + 1 / (r - 1), 2 + 1 / (r - 1))
+    assert decide(claim).verdict != REFUTED
+
+
 @pytest.mark.parametrize("claim", [2 <= p**2, 1 <= p, p / 2 + 1 / p <= p])
 def test_what_is_given_of_one_variable_may_be_more_than_a_bound(claim: Claim) -> None:
     """The step of Heron for the root of 2: what it starts from is no bound by a number."""

@@ -216,11 +216,11 @@ class Universal:
         if term.op not in ("add", "sub", "mul", "neg", "pow", "div"):
             return term
         children = tuple(self._turned(child, context) for child in term.children)
-        if term.op == "div" and self._is_negative(term.children[1], context):
+        if term.op == "div" and self.is_negative(term.children[1], context):
             return -children[0] / -children[1]
         return Term(term.op, *children, *term.args[len(children) :])
 
-    def _is_negative(self, term: Term, context: str | None) -> bool:
+    def is_negative(self, term: Term, context: str | None) -> bool:
         """Whether this is how a divisor is cleared."""
         known = (self.session.known(Claim("<", ZERO, t), context) for t in (term, -term))
         return term.op != "rational" and [*map(bool, known)] == [False, True]

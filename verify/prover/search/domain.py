@@ -7,7 +7,7 @@ its distance from a bound if it has only one.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 
 from flint import fmpq, fmpq_mpoly
@@ -51,12 +51,13 @@ class Domain:
         goal: Goal,
         facts: Mapping[str, Claim],
         equations: Mapping[Term, Term] | None = None,
+        is_negative: Callable[[Term], bool] | None = None,
     ) -> None:
         claim = goal.claim
         sides = [term for fact in facts.values() for term in (fact.lhs, fact.rhs)]
         replaced = {symbol(name): term for name, term in goal.definitions.items()}
         replaced |= equations or {}
-        self.clearing = Clearing((claim.lhs, claim.rhs, *sides), replaced)
+        self.clearing = Clearing((claim.lhs, claim.rhs, *sides), replaced, is_negative)
         self.atoms: Sequence[Term] = self.clearing.atoms
         self.context = self.clearing.context
         self.gens = self.context.gens()

@@ -80,7 +80,8 @@ def _for_entry(
         for i, e in enumerate(term.children)
         if i != index
     }
-    domain = Domain(goal._replace(claim=Claim(claim.relation, *sides)), {**facts, **beyond})
+    harder = goal._replace(claim=Claim(claim.relation, *sides))
+    domain = Domain(harder, {**facts, **beyond}, None, strategy.is_negative)
     if not domain.is_plain or domain.has_denominators:
         return None
     for i in range(len(term.children)):
@@ -125,7 +126,7 @@ def _split(
     goal = strategy.goal
     if not terms:
         replaced = {claim.lhs: claim.rhs for claim in equations.values()}
-        domain = Domain(goal, facts, replaced)
+        domain = Domain(goal, facts, replaced, strategy.is_negative)
         if not domain.is_plain:
             return None
         using = (*strategy.using, *equations)

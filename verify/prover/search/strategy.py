@@ -70,7 +70,11 @@ class Strategy:
     def clearing(self) -> Clearing:
         """The ring of the claim's atoms; long definitions are expanded in it once."""
         replaced = {symbol(name): term for name, term in self.goal.definitions.items()}
-        return Clearing((self.goal.claim.lhs, self.goal.claim.rhs), replaced)
+        return Clearing((self.goal.claim.lhs, self.goal.claim.rhs), replaced, self.is_negative)
+
+    def is_negative(self, divisor: Term) -> bool:
+        """Whether a divisor, also one in a fact, is cleared as a negative one."""
+        return self.universal.is_negative(divisor, self.goal.context)
 
     def proofs(self) -> Iterator[Proof | None]:
         """What each technique finds."""
@@ -131,7 +135,7 @@ class Strategy:
 
     def plain_squares(self) -> Proof | None:
         """Squares alone, for claims in which minima or maxima cancel."""
-        domain = Domain(self.goal, {})
+        domain = Domain(self.goal, {}, None, self.is_negative)
         if not domain.is_plain or any(domain.atoms[i].op in ("min", "max") for i in domain.used):
             return None
         return by_squares(domain, [], self.budget, self.using)
@@ -140,7 +144,7 @@ class Strategy:
         self, goal: Goal, facts: dict[str, Claim], attempts: int = MANY_ATTEMPTS
     ) -> Proof | None:
         """Squares times facts."""
-        domain = Domain(goal, facts)
+        domain = Domain(goal, facts, None, self.is_negative)
         if not domain.is_plain:
             return None
         zeros = self.zeros(domain) if goal is self.goal else []

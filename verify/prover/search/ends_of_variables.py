@@ -1,4 +1,4 @@
-"""Polynomials on a box by what they are at the ends of a variable, or by separate parts.
+"""Polynomials on a box by what they are at the ends of a variable.
 
 For a polynomial p and a < x < b, with p(a) and p(b) polynomials in the other variables:
 
@@ -23,7 +23,6 @@ from verify.prover.clearing import expanded
 from verify.prover.goal import Bounds
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Sum
-from verify.prover.search.local_minima import Minima, simple_points
 from verify.prover.search.tree import Tree
 from verify.prover.session import ZERO
 
@@ -88,8 +87,6 @@ class Polynomials:
             return False
         claim = Claim("<=", ZERO, self.term(p))
         return Tree(claim, variables, {}, self.strategy.budget).prove(SIGN_LEAVES) is not None
-
-    # --- ends -----------------------------------------------------------------------------------
 
     def by_ends(self) -> Proof | None:
         """By the ends of the first variable for which that is possible."""
@@ -165,84 +162,6 @@ class Polynomials:
     def _sum(self, *values: Value, scale: Fraction = Fraction(1)) -> Proof:
         goal: Value = "goal" if scale == 1 else ("mul", str(scale), "goal")
         return Sum((goal, *values), self.strategy.using)
-
-    # --- separate parts -------------------------------------------------------------------------
-
-    def by_parts(self) -> Proof | None:
-        """P is a sum of polynomials in different variables: each is above its least value."""
-        parts = self._parts()
-        if len(parts) < 2:
-            return None
-        least = [self._least(part) for part in parts]
-        known = [value for value in least if value is not None]
-        if len(known) < len(parts):
-            return None
-        slack = sum(float(value) for value in known)
-        lows = _shared(known, slack)
-        values = [
-            self.lemma(self.goal.claim.relation if i == 0 else "<=", part - self.number(low))
-            for i, (part, low) in enumerate(zip(parts, lows, strict=True))
-        ]
-        return None if None in values else self._sum(*(v for v in values if v is not None))
-
-    def _parts(self) -> list[fmpq_mpoly]:
-        """The parts without a variable in common; the constant goes to the first."""
-        groups: list[tuple[set[int], dict[tuple[int, ...], fmpq]]] = []
-        constant = {}
-        for monomial, value in self.p.to_dict().items():
-            used = {i for i, e in enumerate(monomial) if e}
-            if not used:
-                constant = {monomial: value}
-                continue
-            inside, apart = {monomial: value}, []
-            for names, terms in groups:
-                if names & used:
-                    used, inside = used | names, inside | terms
-                else:
-                    apart.append((names, terms))
-            groups = [*apart, (used, inside)]
-        found = [self.clearing.context.from_dict(terms) for _, terms in groups]
-        return [found[0] + self.clearing.context.from_dict(constant), *found[1:]] if found else []
-
-    def _least(self, part: fmpq_mpoly) -> Fraction | None:
-        """An estimate of the least value: exact where it is taken at a simple point."""
-        names = [atom.name for atom, d in zip(self.atoms, part.degrees(), strict=True) if d]
-        variables = {name: self.goal.variables[name] for name in names}
-        claim = Claim("<=", ZERO, self.term(part))
-        found = Minima(
-            self.goal._replace(claim=claim, variables=variables), self.strategy.budget
-        ).found()
-        if not found:
-            return None
-        value, point = found[0]
-        bounds = [(b.low, b.high) for b in variables.values()]
-        for values in simple_points(point, bounds, inside=False):
-            numbers = dict(zip(names, values, strict=True))
-            at = [fmpq(0)] * len(self.atoms)
-            for i, atom in enumerate(self.atoms):
-                if atom.name in numbers:
-                    number = numbers[atom.name]
-                    at[i] = fmpq(number.numerator, number.denominator)
-            exact = _fraction(part(*at))
-            if abs(float(exact) - value) < 1e-9 * (1 + abs(value)):
-                return exact
-        return Fraction(value)
-
-
-def _shared(least: list[Fraction], slack: float) -> list[Fraction]:
-    """Lower bounds that add up to 0, each a little below the least value where there is room."""
-    if sum(least) == 0:
-        return least
-    share = slack / len(least)
-    digits = max(0, int(2 - _log10(share / 4))) if share > 0 else 12
-    lows = [Fraction(round((float(v) - share) * 10**digits), 10**digits) for v in least[1:]]
-    return [-sum(lows, Fraction(0)), *lows]
-
-
-def _log10(value: float) -> float:
-    from math import log10
-
-    return log10(value) if value > 0 else 0.0
 
 
 def _fraction(value: fmpq) -> Fraction:

@@ -18,14 +18,12 @@ from verify.prover.proof import Proof, Value
 from verify.prover.rules import Entry
 from verify.prover.search.atom_bounds import root_bounds
 from verify.prover.search.bernstein_boxes import by_bernstein
-from verify.prover.search.coefficients import by_coefficients
 from verify.prover.search.cosine_bounds import by_cosines
 from verify.prover.search.domain import Domain
 from verify.prover.search.ends_of_variables import Polynomials
 from verify.prover.search.extrema import by_entries, extrema_of, split
 from verify.prover.search.local_minima import Minima, simple_points
 from verify.prover.search.multiple_angles import by_multiple_angles
-from verify.prover.search.order import by_order
 from verify.prover.search.positive import by_squares
 from verify.prover.search.squaring import by_squaring
 from verify.prover.search.subterms import by_subterms
@@ -92,9 +90,7 @@ class Strategy:
         if len(self.goal.variables) > 2 and self.goal.box is not None:
             polynomials = Polynomials(self)
             if polynomials.is_plain:
-                yield polynomials.by_parts()
                 yield polynomials.by_ends()
-        yield by_coefficients(self)
         yield by_squaring(self)
         facts = self.facts()
         if extrema_of((self.goal.claim.lhs, self.goal.claim.rhs), self.goal.definitions):
@@ -106,7 +102,6 @@ class Strategy:
         if bounds:
             yield self.squares(self.goal, facts | bounds)
         yield by_bernstein(self, zeros, MANY_PARTS)
-        yield by_order(self, facts)
         yield by_subterms(self)
         yield self.tree(MANY_LEAVES)
         yield self.wider_squares(facts)

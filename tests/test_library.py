@@ -36,7 +36,7 @@ print(report.verdict)
 
 FIRST_SAYS = """small proved interval
 entry proved entry
-parabola proved sum
+parabola proved cuts
 wrong refuted witness
 REFUTED
 """

@@ -7,6 +7,7 @@ from verify.language.terms import Claim, names_of
 from verify.prover.budget import SpentError, WorkBudget
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Ground
 from verify.prover.outcome import Decision, Enclosure, Outcome
+from verify.prover.rows_in_contexts import RowsInContexts
 from verify.prover.session import Session
 from verify.prover.universal import Universal
 
@@ -59,7 +60,7 @@ def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
                 return found
     try:
         universal.budget.spend(0)
-        return universal.decide(row)
+        return RowsInContexts(universal).decide(row)
     except (SpentError, RecursionError):  # terms may be deeper than Python goes
         return Decision(UNDECIDED)
 

@@ -1,0 +1,120 @@
+"""The rows of contexts, decided: claims, applications of a context, inductions."""
+
+from __future__ import annotations
+
+from verify.language.statement import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Always,
+    Applies,
+    Context,
+    Obligation,
+)
+from verify.language.terms import Claim, as_term, substitute_claim
+from verify.prover.goal import Goal
+from verify.prover.outcome import Decision
+from verify.prover.points import refuting_point
+from verify.prover.proof import Proof
+from verify.prover.relations import negation
+from verify.prover.rules import Applying, Induction, Witness
+from verify.prover.search.strategy import refuting_minimum
+from verify.prover.universal import Universal, with_constants
+
+
+class RowsInContexts:
+    """Decides rows with what is known in their contexts, and writes their proofs down."""
+
+    def __init__(self, universal: Universal) -> None:
+        self.known = universal
+
+    def decide(self, row: Obligation) -> Decision:
+        """Decide a row of an open context and write its proof down, or leave it undecided."""
+        claim = row.claim
+        if isinstance(claim, Applies):
+            return self._apply(row, claim)
+        if isinstance(claim, Always):
+            return self._always(row, claim)
+        if isinstance(claim, Claim) and self.known.home(claim, row.context) is None:
+            return self._numbers(row, claim)
+        if not isinstance(claim, Claim) or row.context not in self.known.contexts:
+            return Decision(UNDECIDED)
+        goal = self.known.goal(claim, row.context)
+        verdict, proof = PROVED, self.known.prove(goal)
+        if proof is None:
+            verdict, proof = REFUTED, self._refute(goal, self.known.contexts[row.context])
+        if proof is None:
+            return Decision(UNDECIDED)
+        self.known.session.prove_row(row, proof, holds=verdict == PROVED)
+        self.known.rows.add(row.name)
+        return Decision(verdict, proof)
+
+    def _numbers(self, row: Obligation, claim: Claim) -> Decision:
+        """Decide a row without variables that enclosures leave open, such as one with equality."""
+        other = negation(claim)
+        if other is None:
+            return Decision(UNDECIDED)
+        sides = self.known.ground.enclose(claim.lhs, claim.rhs)
+        for verdict, wanted in ((PROVED, claim), (REFUTED, other)):
+            proof = None if sides is None else self.known.prove(self.known.goal(wanted, None))
+            if proof is not None:
+                self.known.session.prove_row(row, proof, holds=verdict == PROVED)
+                return Decision(verdict, proof, sides)
+        return Decision(UNDECIDED)
+
+    def _apply(self, row: Obligation, claim: Applies) -> Decision:
+        """Show that the givens of another context hold at the values of a claim."""
+        context = self.known.contexts.get(claim.context)
+        reached = row.context is None or row.context in self.known.contexts
+        if (
+            context is None
+            or not reached
+            or context.parent not in self.known.session.chain(row.context)
+        ):
+            return Decision(UNDECIDED)
+        premises = self.known.premises(context, claim.at, row.context)
+        if premises is None:
+            return Decision(UNDECIDED)
+        proof = Applying(premises)
+        self.known.session.prove_row(row, proof)
+        return Decision(PROVED, proof)
+
+    def _always(self, row: Obligation, claim: Always) -> Decision:
+        """Show that the carried givens hold at the start, and at the next state."""
+        context = self.known.contexts.get(claim.context)
+        if context is None or context.parent != row.context:
+            return Decision(UNDECIDED)
+        if any(given.kind == "plain" for given in context.givens):
+            return Decision(UNDECIDED)
+        carried = context._replace(givens=tuple(g for g in context.givens if g.kind == "carried"))
+        start = self.known.premises(carried, claim.start, row.context)
+        following = (
+            None if start is None else self.known.premises(carried, claim.next, context.name)
+        )
+        if start is None or following is None:
+            return Decision(UNDECIDED)
+        proof = Induction(start, following)
+        self.known.session.prove_row(row, proof)
+        return Decision(PROVED, proof)
+
+    def _refute(self, goal: Goal, context: Context) -> Witness | None:
+        """Values for the variables of the context at which the claim is false."""
+        point = refuting_point(goal, self.known.enclosed) or refuting_minimum(goal, self.known)
+        if point is None:
+            return None
+        found = {name: as_term(value) for name, value in point.items()}
+        at = {**context.point, **{name: found[name] for name in found if name in context.point}}
+        premises = self.known.premises(context, at, context.parent)
+        false = substitute_claim(goal.claim, with_constants(context, at))
+        negative = self._negation(false, context.parent)
+        if premises is None or negative is None:
+            return None
+        return Witness(at, premises, negative)
+
+    def _negation(self, claim: Claim, context: str | None) -> Proof | None:
+        """A proof that a claim is false, for all values in a context."""
+        if self.known.home(claim, context) is None:
+            verdict, proof = self.known.ground.prove(claim)
+            return proof if verdict == REFUTED else None
+        other = negation(claim)
+        return None if other is None else self.known.prove(self.known.goal(other, context))

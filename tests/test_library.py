@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
+
+from verify import library
+from verify.jobs.errors import OwnError
+from verify.library import ask, for_all, lemma, prove, symbol
+from verify.prover.prove import prove as decided
 
 FIRST = """
 from fractions import Fraction
@@ -83,3 +89,14 @@ def test_what_is_offered_is_there() -> None:
         assert getattr(verify, name) is not None
     with pytest.raises(AttributeError, match="no attribute 'nothing'"):
         verify.nothing  # noqa: B018
+
+
+def test_what_the_checker_does_not_accept_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    x = symbol("x")
+    unit = for_all("unit", {"low": 0 <= x, "high": x <= 1}, point={"x": 0})
+    true = lemma("true", [ask("row", x * (1 - x) <= Fraction(1, 4), unit)], (), [unit])
+    false = lemma("false", [ask("row", x * (1 - x) <= Fraction(1, 5), unit)], (), [unit])
+    found = decided(true)
+    monkeypatch.setattr(library, "decided", lambda *_, **__: found._replace(statement=false))
+    with pytest.raises(OwnError, match="does not accept"):
+        prove(false)

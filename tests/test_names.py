@@ -35,6 +35,7 @@ SHARED = {
     "ground_lines": ("the lines of a chapter that have no variables", ("paper",)),
     "premises": ("the facts which say that the givens hold", ("paper",)),
     "main": ("what runs where a module is the program", ("cli", "jobs")),
+    "prove": ("decides a statement", ("library.py", "prover")),
     "rows": ("the rows of a section of the paper", ("paper",)),
     "misprints": ("what a section of the text prints and is false", ("paper",)),
 }

@@ -12,9 +12,8 @@ __version__ = "0.1.0"
 #: What a program of one's own imports from here, and where it is; each is loaded when it is used.
 _OFFERED = {
     "Statement": "verify.language.statement",
-    "prove": "verify.prover.prove",
     **dict.fromkeys(
-        ("ask", "assume", "certificate", "constant", "for_all", "lemma"), "verify.library"
+        ("ask", "assume", "certificate", "constant", "for_all", "lemma", "prove"), "verify.library"
     ),
     **dict.fromkeys(
         ("equal", "sqrt", "symbol", "minimum", "maximum", "cos_pi"), "verify.language.terms"

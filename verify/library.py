@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from verify.jobs.acceptance import accept_decided
 from verify.language.statement import (
     NEEDED,
     Assumption,
@@ -18,7 +19,9 @@ from verify.language.statement import (
     Variable,
 )
 from verify.language.terms import Claim, Number, as_term, symbol
+from verify.prover.budget import WorkBudget
 from verify.prover.outcome import Outcome
+from verify.prover.prove import prove as decided
 from verify.wire.write import write
 
 
@@ -67,9 +70,22 @@ def lemma(
     )
 
 
+def prove(statement: Statement, budget: WorkBudget | None = None) -> Outcome:
+    """The statement with its rows decided, where that is found; the checker accepts the proofs.
+
+    ``budget`` is how much work each row may be, and how long all of them may take.
+
+    Raises:
+        OwnError: if the checker does not accept a proof.
+    """
+    outcome = decided(statement, budget=budget)
+    accept_decided(outcome)
+    return outcome
+
+
 def certificate(outcome: Outcome) -> dict[str, bytes]:
     """The files of a certificate, by name, for `verify.check.check` or for a folder."""
     return write(outcome)
 
 
-__all__ = ["ask", "assume", "certificate", "constant", "for_all", "lemma", "symbol"]
+__all__ = ["ask", "assume", "certificate", "constant", "for_all", "lemma", "prove", "symbol"]

@@ -11,9 +11,9 @@ from importlib import import_module
 from io import TextIOWrapper
 
 from verify import __version__
-from verify.cli.errors import OwnError
 from verify.cli.options import Parser, beside
 from verify.cli.terminal import width
+from verify.jobs.errors import OwnError
 from verify.jobs.inputs import InputError, shown
 
 #: The commands in the order a newcomer needs them.

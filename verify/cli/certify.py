@@ -5,9 +5,10 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 
-from verify.cli.files import accept, test_folder, write_all
+from verify.cli.files import test_folder, write_all
 from verify.cli.options import Options, Parser
 from verify.cli.steps import Steps
+from verify.jobs.acceptance import accept
 from verify.jobs.inputs import InputError, shown
 from verify.prover.outcome import Outcome
 

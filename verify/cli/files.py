@@ -8,15 +8,14 @@ from collections.abc import Mapping
 from contextlib import suppress
 from errno import EISDIR
 
-from verify.cli.errors import OwnError, UnreadError
+from verify.jobs.errors import UnreadError
 from verify.jobs.inputs import InputError, shown
 from verify.language.record import TYPE_CHECKING
-from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, UNDECIDED
+from verify.language.statement import NEEDED, UNDECIDED
 
 if TYPE_CHECKING:
     from typing import Any
 
-    from verify.language.statement import Obligation
     from verify.prover.outcome import Outcome
 
 #: Numbers with more digits, above or below the fraction bar, are not in the checker's format.
@@ -124,7 +123,10 @@ def write_certificate(option: str, directory: str, outcome: Outcome) -> None:
         InputError: if the directory cannot be written, or the checker cannot read the parameters.
         OwnError: if the checker does not accept what would be written.
     """
-    from verify.wire.write import write  # hashlib and json are loaded only where they are used
+    from verify.jobs.acceptance import (
+        accept,  # hashlib and json are loaded only where they are used
+    )
+    from verify.wire.write import write
 
     if outcome.spent or any(
         row.role == NEEDED and found.verdict == UNDECIDED for row, found in outcome.rows
@@ -148,50 +150,6 @@ def write_certificate(option: str, directory: str, outcome: Outcome) -> None:
             "budget of work; write parameters with fewer digits"
         ) from error
     write_all(option, directory, files)
-
-
-def accept_decided(outcome: Outcome) -> None:
-    """Afterwards the checker accepts the proofs of all rows that are decided; nothing is written.
-
-    Raises:
-        OwnError: if it does not.
-    """
-    from verify.wire.write import write
-
-    def asked(row: Obligation) -> Obligation:
-        undecided = outcome.decisions[row.name].verdict == UNDECIDED
-        return row._replace(role=PRINTED) if undecided else row
-
-    rows = tuple(map(asked, outcome.statement.obligations))
-    if not outcome.spent and any(row.role == NEEDED for row in rows):
-        decided = outcome._replace(statement=outcome.statement._replace(obligations=rows))
-        accept(write(decided), decided.verdict)
-
-
-def accept(files: Mapping[str, bytes], verdict: str) -> None:
-    """Afterwards the checker accepts a certificate, with this verdict.
-
-    Raises:
-        OwnError: if it does not.
-    """
-    from hashlib import sha256
-
-    from verify import check
-
-    others = (content for name, content in files.items() if name.startswith("cited/"))
-    cited = {sha256(content).hexdigest(): content for content in others}
-    try:
-        report = check.check(files["statement.json"], files["certificate.json"], cited)
-    except (check.Malformed, RecursionError) as error:
-        raise UnreadError(_not_accepted(f"MALFORMED: {error}")) from error
-    if report.verdict != {PROVED: "PROVED", REFUTED: "REFUTED"}[verdict]:
-        refused = [line for line in report.lines if line.startswith("REFUSED")]
-        found = refused[0] if refused else f"{report.verdict}, expected {verdict}"
-        raise OwnError(_not_accepted(found))
-
-
-def _not_accepted(why: str) -> str:
-    return f"our own checker does not accept the certificate ({why:.200}); nothing was written"
 
 
 def longest_number(outcome: Outcome) -> int:

@@ -11,9 +11,9 @@ from fractions import Fraction
 from functools import partial
 
 from verify import check_map
-from verify.cli.errors import OwnError
 from verify.cli.files import print_document, read_bytes, write_all
 from verify.cli.options import Options, Parser, field
+from verify.jobs.errors import OwnError
 from verify.jobs.inputs import InputError, integer, rational, shown
 from verify.jobs.scene_files import read_scene
 from verify.language.record import TYPE_CHECKING

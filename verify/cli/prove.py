@@ -6,7 +6,6 @@ import os
 from hashlib import sha256
 
 from verify.cli.files import (
-    accept_decided,
     print_document,
     read_bytes,
     test_folder,
@@ -14,6 +13,7 @@ from verify.cli.files import (
 )
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import add_color, show
+from verify.jobs.acceptance import accept_decided
 from verify.jobs.inputs import InputError, integer, rational, shown
 from verify.jobs.prove import decide_statement
 from verify.prover.budget import WORK, WorkBudget

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sys
 
-from verify.cli.errors import OwnError, UnreadError
 from verify.cli.files import write_certificate
+from verify.jobs.errors import OwnError, UnreadError
 from verify.jobs.inputs import InputError
 from verify.jobs.scene import precisions, scene_outcome
 from verify.prover.program import UndefinedError

@@ -9,12 +9,12 @@ from functools import partial
 from hashlib import sha256
 from typing import Any
 
-from verify.cli.errors import OwnError
 from verify.cli.files import print_document, read_bytes, write_all
 from verify.cli.options import Options
 from verify.cli.scene_certificate import write_scene
 from verify.cli.steps import watched
 from verify.cli.terminal import show
+from verify.jobs.errors import OwnError
 from verify.jobs.inputs import InputError, shown
 from verify.jobs.scene_files import read_scene
 from verify.jobs.scene_verdict import scene_lines

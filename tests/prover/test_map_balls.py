@@ -19,6 +19,7 @@ from verify.prover.map_curve import strip_along
 from verify.prover.map_intervals import exactly
 from verify.wire.map_log import Progress
 
+HERE = workers(1, None)
 #: Numbers that close somewhere.
 SIX = (25193416, 438582174, 4204233, 44262473, 12592029, 2163065221)
 
@@ -43,7 +44,7 @@ def test_all_of_a_strip_in_balls() -> None:
     with workers(1, None) as staff:
         for _ in grow(progress, Target(Fraction(0), 10**6, 12), staff, len):
             pass
-    found = rechecked(progress, 20)
+    found = rechecked(progress, 20, HERE)
     assert found.decided >= 64
     assert found.balls == 20
     assert found.whole_numbers == 0
@@ -55,12 +56,12 @@ def test_what_balls_do_not_show_the_checker_does(monkeypatch: pytest.MonkeyPatch
     with workers(1, None) as staff:
         for _ in grow(progress, Target(Fraction(1, 10), 10**6, 12), staff, len):
             pass
-    found = rechecked(progress, 5)
+    found = rechecked(progress, 5, HERE)
     assert (found.balls, found.whole_numbers) == (0, 5)
     chunk = progress.found[0]
     progress.found[0] = chunk._replace(letters=chunk.letters.replace("c", "d"), numbers=[])
     with pytest.raises(check_map.RefusedError):
-        rechecked(progress, 10**9)
+        rechecked(progress, 10**9, HERE)
 
 
 def test_models_contain_what_exact_rationals_give() -> None:

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
     from verify.jobs.map import Sample, Target
     from verify.jobs.map_recheck import Rechecked
+    from verify.jobs.map_workers import Workers
     from verify.wire.map_log import Progress
 
 LOG, DOCUMENT, PICTURE, DOTS, TIMES = "map.jsonl", "map.json", "map.svg", "map.png", "times.csv"
@@ -151,13 +152,12 @@ def run(options: Options) -> int:
     progress = Progress(plane if delta is None else _strip(plane, delta))
     share = share if delta is None else Fraction(0)
     try:
-        _grow(options, progress, Target(share, boxes, level), jobs)
+        again = _grow(options, progress, Target(share, boxes, level), jobs)
     except LogMismatchError as error:
         raise InputError(
             f"--out: {shown(os.path.join(options.out, LOG))} is no log of this map ({error}); "
             "name another folder"
         ) from error
-    again = _recheck(progress, everything=options.recheck)
     if options.json:
         print_document(map_document(progress) | {"rechecked": again._asdict()})
     else:
@@ -193,8 +193,8 @@ def _strip(plane: Plane, delta: Fraction) -> BorderStrip:
     return strip
 
 
-def _grow(options: Options, progress: Progress, target: Target, jobs: int) -> None:
-    """Afterwards the target is reached, and the files are written."""
+def _grow(options: Options, progress: Progress, target: Target, jobs: int) -> Rechecked:
+    """Afterwards the target is reached, and the files are written; what was proved twice."""
     from verify.jobs.map import grow, open_log, write_line
     from verify.jobs.map_workers import workers
 
@@ -217,8 +217,9 @@ def _grow(options: Options, progress: Progress, target: Target, jobs: int) -> No
         for sample in grow(progress, target, staff, keep):
             times.append(sample._replace(seconds=round(spent + sample.seconds, 3)))
             _watch(sample)
-    if options.out is not None:
-        _write(options, progress, times)
+        if options.out is not None:
+            _write(options, progress, times)
+        return _recheck(progress, staff, everything=options.recheck)
 
 
 def _watch(sample: Sample) -> None:
@@ -256,7 +257,7 @@ def _write(options: Options, progress: Progress, times: list[Sample]) -> None:
     write_all("--out", options.out, files)
 
 
-def _recheck(progress: Progress, *, everything: bool) -> Rechecked:
+def _recheck(progress: Progress, staff: Workers, *, everything: bool) -> Rechecked:
     """What was proved a second time, in balls; or by the checker, in whole numbers.
 
     Raises:
@@ -265,6 +266,6 @@ def _recheck(progress: Progress, *, everything: bool) -> Rechecked:
     from verify.jobs.map_recheck import rechecked
 
     try:
-        return rechecked(progress, 10**9 if everything else SAMPLE)
+        return rechecked(progress, 10**9 if everything else SAMPLE, staff)
     except check_map.RefusedError as error:
         raise OwnError(f"our own checker does not accept a box ({error})") from error

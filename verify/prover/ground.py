@@ -5,7 +5,7 @@ Nothing here is trusted. What is found is written down as the steps of a certifi
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 
 from verify.language.record import TYPE_CHECKING
@@ -241,17 +241,12 @@ class Ground:
 
     def _decide_algebraically(self, claim: Claim, tight: Tight) -> tuple[str, Proof] | None:
         """What replacing names, or the equality of nested roots or of cosines, decides."""
-        from verify.prover.search.algebraic import Algebraic
+        found = _first(claim, tight.prove)
+        if found is None:
+            from verify.prover.search.algebraic import Algebraic  # loaded only where it is needed
 
-        for verdict, wanted in ((PROVED, claim), (REFUTED, negation(claim))):
-            proof = None if wanted is None else tight.prove(wanted)
-            if proof is not None:
-                return verdict, proof
-        for verdict, wanted in ((PROVED, claim), (REFUTED, negation(claim))):
-            proof = None if wanted is None else Algebraic(tight).prove(wanted)
-            if proof is not None:
-                return verdict, proof
-        return None
+            found = _first(claim, lambda wanted: Algebraic(tight).prove(wanted))
+        return found
 
     def lemma(self, claim: Claim) -> str | None:
         """The name of a fact, known or proved by enclosures or exact values; None if it is not."""
@@ -311,3 +306,12 @@ class Enclosures(Mapping[str, Enclosure]):
 
 def _for_checker(bits: int) -> int:
     return min(bits + GUARD_BITS + CHECKER_BITS, MAX_BITS)
+
+
+def _first(claim: Claim, prove: Callable[[Claim], Proof | None]) -> tuple[str, Proof] | None:
+    """The verdict on a claim, if this proves the claim or its negation."""
+    for verdict, wanted in ((PROVED, claim), (REFUTED, negation(claim))):
+        proof = None if wanted is None else prove(wanted)
+        if proof is not None:
+            return verdict, proof
+    return None

@@ -5,7 +5,7 @@ A developer's step, needed only when the page gets a new sign (a test says so):
     pip install fonttools
     python -m tests.views.subset_font STIXTwoMath-Regular.otf verify/data/mathematics.woff
 
-The font is that of Debian's texlive-fonts-extra, or of https://github.com/stipub/stixfonts.
+The font is that of Debian's texlive-fonts-extra, or of the STIX project.
 """
 
 from __future__ import annotations

@@ -50,7 +50,7 @@ def outcome_of(where: str) -> Outcome:
 
 
 def _read(folder: str) -> Outcome:
-    from verify.check import Malformed
+    from verify.check import Malformed, Refused
     from verify.jobs.acceptance import read_judged
     from verify.wire.term_json import WireError
     from verify.wire.write import digest
@@ -61,5 +61,5 @@ def _read(folder: str) -> Outcome:
     contents = [read_bytes("folder", os.path.join(cited, path)) for path in paths]
     try:
         return read_judged(first, second, {digest(content): content for content in contents})
-    except (WireError, Malformed) as error:
+    except (WireError, Malformed, Refused) as error:
         raise InputError(f"folder: {shown(folder)} has no certificate ({error})") from error

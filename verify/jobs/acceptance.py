@@ -85,9 +85,15 @@ def read_judged(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]
     Raises:
         WireError: for files that are not in the format.
         check.Malformed: if the checker cannot read them.
+        check.Refused: if it refuses anything.
     """
-    outcome = read(statement, certificate, cited)
-    return with_verdicts(outcome, check.check(statement, certificate, cited))
+    outcome, report = (
+        read(statement, certificate, cited),
+        check.check(statement, certificate, cited),
+    )
+    if report.verdict == "REFUSED":
+        raise check.Refused(report.summary)
+    return with_verdicts(outcome, report)
 
 
 def _report(files: Mapping[str, bytes]) -> check.Report:

@@ -47,7 +47,7 @@ def test_a_wrong_hypothesis_is_seen() -> None:
     outcome = decide_point(parameters("1/64", "8/13"), "repaired")
     assert stress.hypotheses_are_exact(outcome)
     name = "hypotheses.stability"
-    wrong = outcome.decisions[name]._replace(verdict="proved")
+    wrong = outcome.decisions[name]._replace(judged=Judgement("proved", "a test"))
     outcome = outcome._replace(decisions={**outcome.decisions, name: wrong})
     assert not stress.hypotheses_are_exact(outcome)
 

@@ -12,6 +12,7 @@ from verify.jobs.eigenvalues import Spectrum
 from verify.jobs.theorem1 import decide_point
 from verify.measure import stress
 from verify.measure.stress import Case, run_spectrum, run_theorem1
+from verify.prover.outcome import Judgement
 
 
 def test_every_short_case_is_right() -> None:

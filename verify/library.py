@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from verify.jobs.acceptance import accept_decided
+from verify.jobs.acceptance import judged
 from verify.language.statement import (
     NEEDED,
     Assumption,
@@ -78,9 +78,7 @@ def prove(statement: Statement, budget: WorkBudget | None = None) -> Outcome:
     Raises:
         OwnError: if the checker does not accept a proof.
     """
-    outcome = decided(statement, budget=budget)
-    accept_decided(outcome)
-    return outcome
+    return judged(decided(statement, budget=budget))
 
 
 def certificate(outcome: Outcome) -> dict[str, bytes]:

@@ -311,7 +311,11 @@ def test_a_needed_row_that_is_undecided_is_refused(
     name = "hypotheses.V_0-positive"
     outcome = honest._replace(
         decisions=dict(honest.decisions)
-        | {name: honest.decisions[name]._replace(verdict=UNDECIDED, proof=None, sides=None)},
+        | {
+            name: honest.decisions[name]._replace(
+                claimed=UNDECIDED, judged=None, proof=None, sides=None
+            )
+        },
         steps=tuple(step for step in honest.steps if step.name != name),
     )
     assert run(capsys, "--statement", save(tmp_path / "x", outcome))[0] == 1

@@ -179,7 +179,7 @@ def test_every_fact_can_be_explained_and_drawn(where: str) -> None:
 def test_a_row_that_is_left_open_has_no_proof() -> None:
     outcome = outcome_of("certificates/examples/mean")
     (name, *_) = outcome.decisions
-    open_row = outcome.decisions[name]._replace(verdict=UNDECIDED)
+    open_row = outcome.decisions[name]._replace(claimed=UNDECIDED, judged=None)
     changed = outcome._replace(
         decisions={**outcome.decisions, name: open_row},
         steps=tuple(s for s in outcome.steps if getattr(s, "name", "") != name),

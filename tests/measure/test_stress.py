@@ -12,6 +12,7 @@ from verify.jobs.eigenvalues import Spectrum
 from verify.jobs.theorem1 import decide_point
 from verify.measure import stress
 from verify.measure.stress import Case, run_spectrum, run_theorem1
+from verify.prover.outcome import Judgement
 
 
 def test_every_short_case_is_right() -> None:
@@ -47,7 +48,7 @@ def test_a_wrong_hypothesis_is_seen() -> None:
     outcome = decide_point(parameters("1/64", "8/13"), "repaired")
     assert stress.hypotheses_are_exact(outcome)
     name = "hypotheses.stability"
-    wrong = outcome.decisions[name]._replace(verdict="proved")
+    wrong = outcome.decisions[name]._replace(judged=Judgement("proved", "a test"))
     outcome = outcome._replace(decisions={**outcome.decisions, name: wrong})
     assert not stress.hypotheses_are_exact(outcome)
 

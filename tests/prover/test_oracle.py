@@ -153,7 +153,7 @@ def decided(seed: int) -> tuple[Outcome, dict[str, bool]]:
             continue
         row = Obligation(f"row{i}", "", "", NEEDED, "", claim)
         found = ground.decide(row)
-        role = NEEDED if found.verdict == PROVED else "printed"
+        role = NEEDED if found.claimed == PROVED else "printed"
         rows.append(row._replace(role=role))
         decisions[row.name] = found
     enclosures = {c.name: ground.enclose(c.term) for c in constants}
@@ -170,16 +170,16 @@ def test_agreement(seed: int) -> None:
     for name, decision in outcome.decisions.items():
         if name in truth:
             wanted = PROVED if truth[name] else REFUTED
-            assert decision.verdict in (wanted, "undecided"), (name, outcome.statement.title)
+            assert decision.claimed in (wanted, "undecided"), (name, outcome.statement.title)
     files = write(outcome)
     report = check.check(files["statement.json"], files["certificate.json"], {})
     assert report.verdict == "PROVED", [line for line in report.lines if "REFUSED" in line]
-    assert read(files["statement.json"], files["certificate.json"], {}) == outcome
+    assert read(files["statement.json"], files["certificate.json"], {}) == outcome.draft
 
 
 def test_most_claims_are_decided() -> None:
     decisions = [d for seed in range(60) for d in decided(seed)[0].decisions.values()]
-    verdicts = [decision.verdict for decision in decisions]
+    verdicts = [decision.claimed for decision in decisions]
     assert {PROVED, REFUTED} <= set(verdicts)
     assert verdicts.count("undecided") <= len(verdicts) // 5
     assert {"interval", "sum"} <= {decision.method for decision in decisions}

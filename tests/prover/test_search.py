@@ -68,10 +68,10 @@ def asked(claim: Claim, ranges: Ranges) -> Statement:
 def judged(claim: Claim, ranges: Ranges, work: int = 20_000_000) -> Outcome:
     """The outcome, which the checker accepts if it is decided."""
     outcome = prove(asked(claim, ranges), budget=WorkBudget(work))
-    if outcome.verdict != UNDECIDED:
+    if outcome.claimed != UNDECIDED:
         files = write(outcome)
         report = check.check(files["statement.json"], files["certificate.json"], {})
-        assert report.verdict == outcome.verdict.upper(), report.lines
+        assert report.verdict == outcome.claimed.upper(), report.lines
     return outcome
 
 
@@ -128,7 +128,7 @@ BOX = (-2, 2)
     ],
 )
 def test_true(claim: Claim, ranges: Ranges) -> None:
-    assert judged(claim, ranges).verdict == PROVED
+    assert judged(claim, ranges).claimed == PROVED
 
 
 @pytest.mark.parametrize(
@@ -146,7 +146,7 @@ def test_true(claim: Claim, ranges: Ranges) -> None:
 )
 def test_false(claim: Claim, ranges: Ranges) -> None:
     outcome = judged(claim, ranges)
-    assert outcome.verdict == REFUTED
+    assert outcome.claimed == REFUTED
     assert outcome.decisions["row"].witness
 
 
@@ -160,13 +160,13 @@ def test_false(claim: Claim, ranges: Ranges) -> None:
     ],
 )
 def test_nothing_false_is_proved(claim: Claim, ranges: Ranges) -> None:
-    assert judged(claim, ranges).verdict != PROVED
+    assert judged(claim, ranges).claimed != PROVED
 
 
 def test_little_work_leaves_a_row_undecided() -> None:
     claim = 0 <= x**4 + y**4 + z**4 + 1 - 4 * x * y * z
     ranges = dict.fromkeys("xyz", EVERYWHERE)
-    assert judged(claim, ranges, work=10).verdict == UNDECIDED
+    assert judged(claim, ranges, work=10).claimed == UNDECIDED
 
 
 def test_what_is_long_when_expanded_is_left_undecided() -> None:
@@ -176,14 +176,14 @@ def test_what_is_long_when_expanded_is_left_undecided() -> None:
     claim = equal(total**24, total**12 * total**12)
     start = time.process_time()
     found = judged(claim, dict.fromkeys("abcdef", EVERYWHERE))
-    assert found.verdict == UNDECIDED
+    assert found.claimed == UNDECIDED
     assert time.process_time() - start < 5
 
 
 def test_no_row_is_begun_when_the_time_is_over() -> None:
     statement = asked(as_term(0) <= x**2 - 2 * x * y + y**2, dict.fromkeys("xy", EVERYWHERE))
-    assert prove(statement, budget=WorkBudget(seconds=60)).verdict == PROVED
-    assert prove(statement, budget=WorkBudget(seconds=0)).verdict == UNDECIDED
+    assert prove(statement, budget=WorkBudget(seconds=60)).claimed == PROVED
+    assert prove(statement, budget=WorkBudget(seconds=0)).claimed == UNDECIDED
 
 
 def test_the_files_are_the_same_each_time() -> None:
@@ -255,7 +255,7 @@ def test_random_claims() -> None:
     decided = 0
     for seed in range(FIRST, FIRST + ROUNDS):
         claim, ranges, truth = Maker(seed).claim()
-        verdict = judged(claim, ranges).verdict
+        verdict = judged(claim, ranges).claimed
         assert verdict in (UNDECIDED, PROVED if truth else REFUTED), (seed, claim)
         decided += verdict != UNDECIDED
     assert decided >= ROUNDS * 9 // 10

@@ -80,11 +80,11 @@ def statement(*rows: Obligation, contexts: tuple[Context, ...] = ()) -> Statemen
 def checked(stated: Statement) -> Outcome:
     """The outcome, after the checker has accepted it, if nothing is undecided."""
     outcome = prove(stated)
-    if outcome.verdict != UNDECIDED:
+    if outcome.claimed != UNDECIDED:
         files = write(outcome)
         report = check.check(files["statement.json"], files["certificate.json"], {})
-        assert report.verdict.lower() == outcome.verdict, report.lines
-        assert read(files["statement.json"], files["certificate.json"], {}) == outcome
+        assert report.verdict.lower() == outcome.claimed, report.lines
+        assert read(files["statement.json"], files["certificate.json"], {}) == outcome.draft
     return outcome
 
 
@@ -141,7 +141,7 @@ def decide(claim: Claim) -> Decision:
 )
 def test_verdicts(claim: Claim, expected: tuple[str, str]) -> None:
     found = decide(claim)
-    assert (found.verdict, found.method) == expected
+    assert (found.claimed, found.method) == expected
 
 
 @pytest.mark.parametrize(
@@ -169,7 +169,7 @@ def test_verdicts(claim: Claim, expected: tuple[str, str]) -> None:
     ],
 )
 def test_signs_without_upper_bounds(claim: Claim, expected: str) -> None:
-    assert decide(claim).verdict == expected
+    assert decide(claim).claimed == expected
 
 
 @pytest.mark.parametrize(
@@ -190,7 +190,7 @@ def test_signs_without_upper_bounds(claim: Claim, expected: str) -> None:
 @pytest.mark.parametrize("within", [None, "all"])
 def test_verdicts_without_variables(claim: Claim, expected: str, within: str | None) -> None:
     outcome = prove(statement(row(claim, within)), max_bits=1024)
-    assert outcome.decisions["row"].verdict == expected
+    assert outcome.decisions["row"].claimed == expected
 
 
 @pytest.mark.parametrize(
@@ -206,7 +206,7 @@ def test_verdicts_without_variables(claim: Claim, expected: str, within: str | N
 )
 def test_the_interval_matters(givens: dict[str, Claim], expected: str) -> None:
     stated = statement(row(r**2 < r), contexts=(context(givens, {"r": HALF}),))
-    found = prove(stated).decisions["row"].verdict
+    found = prove(stated).decisions["row"].claimed
     if expected == PROVED:
         assert found == PROVED
     else:
@@ -217,7 +217,7 @@ def test_a_context_whose_point_is_outside_is_not_opened() -> None:
     """Nothing is proved for all of no numbers."""
     stated = statement(row(r < r), contexts=(context({"r.low": 1 < r}, {"r": 1}),))
     outcome = prove(stated)
-    assert outcome.verdict == UNDECIDED
+    assert outcome.claimed == UNDECIDED
     assert "context all" in outcome.spent
 
 
@@ -230,7 +230,7 @@ def test_a_claim_that_fails_in_a_corner_alone_is_refuted() -> None:
     }
     corner = context(givens, {"r": HALF, "k": HALF})
     found = checked(statement(row(r * k < as_term(1)), contexts=(corner,))).decisions["row"]
-    assert (found.verdict, found.witness) == (REFUTED, {"r": as_term(1), "k": as_term(1)})
+    assert (found.claimed, found.witness) == (REFUTED, {"r": as_term(1), "k": as_term(1)})
 
 
 @pytest.mark.parametrize(
@@ -246,20 +246,20 @@ def test_a_claim_that_fails_in_a_corner_alone_is_refuted() -> None:
 )
 def test_divisors_may_be_negative(claim: Claim, expected: str) -> None:
     """What is decided is accepted by the checker, which turns a/b into -a/-b."""
-    assert decide(claim).verdict == expected
+    assert decide(claim).claimed == expected
 
 
 def test_divisors_inside_a_maximum_may_be_negative() -> None:
     """What is written down is accepted, if anything is: the cases are about the quotients, too."""
     claim = maximum(1, 2) + 1 / (r - 1) <= maximum(1 + 1 / (r - 1), 2 + 1 / (r - 1))
-    assert decide(claim).verdict != REFUTED
+    assert decide(claim).claimed != REFUTED
 
 
 @pytest.mark.parametrize("claim", [2 <= p**2, 1 <= p, p / 2 + 1 / p <= p])
 def test_what_is_given_of_one_variable_may_be_more_than_a_bound(claim: Claim) -> None:
     """The step of Heron for the root of 2: what it starts from is no bound by a number."""
     beyond = context({"p.low": 0 < p, "beyond": 2 <= p * p}, {"p": 2})
-    assert checked(statement(row(claim), contexts=(beyond,))).verdict == PROVED
+    assert checked(statement(row(claim), contexts=(beyond,))).claimed == PROVED
 
 
 @pytest.mark.parametrize(
@@ -275,7 +275,7 @@ def test_what_is_given_of_one_variable_may_be_more_than_a_bound(claim: Claim) ->
 )
 def test_givens_are_defined_by_those_before(givens: dict[str, Claim], expected: str) -> None:
     stated = statement(row(x <= x + 1), contexts=(context(givens, {"x": 1}),))
-    assert checked(stated).verdict == expected
+    assert checked(stated).claimed == expected
 
 
 def test_givens_about_other_variables_are_used() -> None:
@@ -283,8 +283,8 @@ def test_givens_about_other_variables_are_used() -> None:
     givens = {"low": 0 < x, "xy": x <= y, "yk": y <= k, "high": k <= as_term(1)}
     linked = context(givens, {"x": 1, "y": 1, "k": 1})
     rows = (row(x <= k, name="a"), row(0 < k, name="b"), row(x <= as_term(1), name="c"))
-    assert checked(statement(*rows, contexts=(linked,))).verdict == PROVED
-    assert checked(statement(row(k <= x), contexts=(linked,))).verdict != PROVED
+    assert checked(statement(*rows, contexts=(linked,))).claimed == PROVED
+    assert checked(statement(row(k <= x), contexts=(linked,))).claimed != PROVED
 
 
 def test_witnesses_have_simple_values() -> None:
@@ -314,16 +314,16 @@ def test_nested_contexts() -> None:
     contexts = nested({"y.low": 0 < y, "y.high": y < as_term(1)}, {"y": r})
     stated = statement(row(y * r <= as_term(1)), row(r < y, name="other"), contexts=contexts)
     outcome = prove(stated)
-    assert outcome.decisions["row"].verdict == PROVED
-    assert outcome.decisions["other"].verdict == UNDECIDED
+    assert outcome.decisions["row"].claimed == PROVED
+    assert outcome.decisions["other"].claimed == UNDECIDED
     first = checked(statement(row(y * r <= as_term(1)), contexts=contexts))
-    assert first.verdict == PROVED
+    assert first.claimed == PROVED
 
 
 def test_a_witness_in_a_nested_context_is_false_for_all_of_the_outer_one() -> None:
     contexts = nested({"y.low": 0 < y}, {"y": as_term(1)})
     outcome = checked(statement(row(r < y - 1), contexts=contexts))
-    assert outcome.decisions["row"].verdict == REFUTED
+    assert outcome.decisions["row"].claimed == REFUTED
     assert outcome.decisions["row"].witness == {"y": as_term(1)}
 
 
@@ -351,16 +351,16 @@ def test_constants_without_variables() -> None:
         row(equal((symbol("root") + x) ** 2, 2 + 2 * symbol("root") * x + x**2), name="identity"),
     )
     outcome = checked(stated._replace(constants=(root,)))
-    assert outcome.verdict == PROVED
+    assert outcome.claimed == PROVED
 
 
 def test_theorems_apply_where_the_givens_hold() -> None:
     small = context({"s.low": 0 < symbol("s")}, {"s": 1}, "small")
     contexts = (small, context(GIVENS, POINT))
     stated = statement(row(Applies("small", {"s": r / (1 + r)})), contexts=contexts)
-    assert checked(stated).verdict == PROVED
+    assert checked(stated).claimed == PROVED
     stated = statement(row(Applies("small", {"s": r - HALF})), contexts=contexts)
-    assert prove(stated).verdict == UNDECIDED
+    assert prove(stated).claimed == UNDECIDED
 
 
 @pytest.mark.parametrize("sides", [(x, x), (r, r + 1)])
@@ -375,9 +375,9 @@ def test_an_unknown_relation_is_an_error(sides: tuple[Term, Term]) -> None:
 def test_a_given_equation_bounds_on_both_sides(given: Claim) -> None:
     contexts = (context({"given": given}, {"r": HALF}),)
     rows = row(r * r <= as_term(Fraction(1, 4))), row(1 - r < r + TINY, name="other")
-    assert checked(statement(*rows, contexts=contexts)).verdict == PROVED
+    assert checked(statement(*rows, contexts=contexts)).claimed == PROVED
     found = checked(statement(row(1 - r < r), contexts=contexts)).decisions["row"]
-    assert found.verdict == REFUTED
+    assert found.claimed == REFUTED
     assert found.witness == {"r": as_term(HALF)}
 
 

@@ -196,7 +196,7 @@ def test_a_broken_leaf_of_the_printed_formulas_is_found() -> None:
             stated = statement(Printed(coefficients=changed))
             rows = [row for row in stated.obligations if row.name == "characteristic"]
             outcome = prove(stated._replace(obligations=tuple(rows)))
-            assert outcome.decisions["characteristic"].verdict == REFUTED
+            assert outcome.decisions["characteristic"].claimed == REFUTED
 
 
 def altered(term: Term) -> list[Term]:

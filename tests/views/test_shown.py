@@ -13,6 +13,7 @@ import pytest
 
 from tests.views.conftest import few_boxes
 from verify.jobs import everywhere, scene_files
+from verify.jobs.acceptance import read_judged as read
 from verify.jobs.regenerate import is_right_when_accepted
 from verify.jobs.report import NAMES
 from verify.jobs.report_files import CertificateError
@@ -24,7 +25,6 @@ from verify.views.page.blueprint import direct, edges_between_labels, levels
 from verify.views.page.html import prose
 from verify.views.plots import collapse, map_figure
 from verify.views.plots.shapes import merged
-from verify.wire.read import read
 from verify.wire.write import write
 
 HERE = Path(__file__).parents[2] / "certificates"

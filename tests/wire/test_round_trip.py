@@ -11,11 +11,12 @@ import pytest
 from tests.citing import cited
 from tests.points import parameters
 from verify.jobs import spectrum, theorem1
+from verify.jobs.acceptance import judged
+from verify.jobs.acceptance import read_judged as read
 from verify.language.terms import cos_pi
 from verify.prover.outcome import Outcome
 from verify.views import document, markdown, row_lists, table, words
 from verify.views import spectrum as spectral
-from verify.wire.read import read
 from verify.wire.term_json import WireError
 from verify.wire.write import write
 
@@ -27,14 +28,16 @@ def fresh(name: str) -> Outcome:
     point = parameters("3/100", "1")
     match name:
         case "proved":
-            return theorem1.decide_point(point)
+            return judged(theorem1.decide_point(point))
         case "printed":
-            return theorem1.decide_point(point, "printed")
+            return judged(theorem1.decide_point(point, "printed"))
         case "refuted":
-            return theorem1.decide_point(parameters("1/2", "1"))
+            return judged(theorem1.decide_point(parameters("1/2", "1")))
         case "cosine":
             angle = -cos_pi(Fraction(5, 6))
-            return theorem1.decide_point(parameters("1/1000", "1") | {"c": angle}, "repaired")
+            return judged(
+                theorem1.decide_point(parameters("1/1000", "1") | {"c": angle}, "repaired")
+            )
     return spectrum.decide_spectrum()
 
 

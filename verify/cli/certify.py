@@ -39,7 +39,7 @@ def run(options: Options) -> int:
         if options.compare:
             differing += _compare(path, contents)
             continue
-        accept(contents, outcome.verdict)
+        accept(contents, outcome.claimed)
         write_all("--directory", path, contents)
         print(f"written  {path}")
     return 1 if differing else 0

@@ -92,15 +92,15 @@ def _print_latex(found: Sequence[CheckedFolder]) -> int:
         why = "not a statement of the program" if judged.own is False else judged.lines[-1]
         print(f"verify: {judged.folder.path}: {why}"[:300], file=sys.stderr)
     if not refused:
+        from verify.jobs.acceptance import read_judged
         from verify.views.tex.article import tex_document  # loaded only where they are used
-        from verify.wire.read import read
         from verify.wire.term_json import WireError
 
         folders = [judged.folder for judged in found]
         everything = [data for folder in folders for data in (folder.statement, *folder.cited)]
         cited = {sha256(data).hexdigest(): data for data in everything}
         try:
-            text = tex_document(read(f.statement, f.certificate, cited) for f in folders)
+            text = tex_document(read_judged(f.statement, f.certificate, cited) for f in folders)
         except WireError as error:
             print(f"verify: {error}"[:300], file=sys.stderr)
             return EXIT_CODES[MALFORMED]

@@ -129,7 +129,7 @@ def write_certificate(option: str, directory: str, outcome: Outcome) -> None:
     from verify.wire.write import write
 
     if outcome.spent or any(
-        row.role == NEEDED and found.verdict == UNDECIDED for row, found in outcome.rows
+        row.role == NEEDED and found.claimed == UNDECIDED for row, found in outcome.rows
     ):
         print("verify: a needed row is undecided; no certificate was written", file=sys.stderr)
         return
@@ -141,7 +141,7 @@ def write_certificate(option: str, directory: str, outcome: Outcome) -> None:
         )
     files = write(outcome)
     try:
-        accept(files, outcome.verdict)
+        accept(files, outcome.claimed)
     except UnreadError as error:
         if digits < LONG_NUMBER:
             raise

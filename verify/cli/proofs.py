@@ -50,7 +50,8 @@ def outcome_of(where: str) -> Outcome:
 
 
 def _read(folder: str) -> Outcome:
-    from verify.wire.read import read
+    from verify.check import Malformed, Refused
+    from verify.jobs.acceptance import read_judged
     from verify.wire.term_json import WireError
     from verify.wire.write import digest
 
@@ -59,6 +60,6 @@ def _read(folder: str) -> Outcome:
     paths = sorted(os.listdir(cited)) if os.path.isdir(cited) else []
     contents = [read_bytes("folder", os.path.join(cited, path)) for path in paths]
     try:
-        return read(first, second, {digest(content): content for content in contents})
-    except WireError as error:
+        return read_judged(first, second, {digest(content): content for content in contents})
+    except (WireError, Malformed, Refused) as error:
         raise InputError(f"folder: {shown(folder)} has no certificate ({error})") from error

@@ -13,7 +13,7 @@ from verify.cli.files import (
 )
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import add_color, show
-from verify.jobs.acceptance import accept_decided
+from verify.jobs.acceptance import judged
 from verify.jobs.inputs import InputError, integer, rational, shown
 from verify.jobs.prove import decide_statement
 from verify.prover.budget import WORK, WorkBudget
@@ -45,7 +45,7 @@ def run(options: Options) -> int:
     content, cited = read_bytes("STATEMENT", options.STATEMENT), _cited(options.STATEMENT)
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = decide_statement(content, cited, WorkBudget(work, _seconds(options.time)))
-    accept_decided(outcome)
+    outcome = judged(outcome)
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
     if options.json:

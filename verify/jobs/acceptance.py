@@ -1,4 +1,10 @@
-"""What the prover has found, asked of the checker before anybody sees it."""
+"""The checker as a judge: what the prover claims gets its verdicts here, and nowhere else.
+
+`judged` is for what the program itself has made: a row that the checker refuses is our own error.
+To judge claims that may be refused, such as those of one row after another, ask `report_on`, whose
+``rows`` say *refused* of each row that is not shown (its ``lines`` that begin with REFUSED say
+why), and give `with_verdicts` that report: what is refused stays undecided.
+"""
 
 from __future__ import annotations
 
@@ -8,8 +14,11 @@ from hashlib import sha256
 from verify import check
 from verify.jobs.errors import OwnError, UnreadError
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, UNDECIDED, Obligation
-from verify.prover.outcome import Outcome
+from verify.prover.outcome import Decision, Judgement, Outcome
+from verify.wire.read import read
 from verify.wire.write import write
+
+CHECKER = "the checker"
 
 
 def accept(files: Mapping[str, bytes], verdict: str) -> None:
@@ -18,33 +27,87 @@ def accept(files: Mapping[str, bytes], verdict: str) -> None:
     Raises:
         OwnError: if it does not.
     """
-    others = (content for name, content in files.items() if name.startswith("cited/"))
-    cited = {sha256(content).hexdigest(): content for content in others}
-    try:
-        report = check.check(files["statement.json"], files["certificate.json"], cited)
-    except (check.Malformed, RecursionError) as error:
-        raise UnreadError(_not_accepted(f"MALFORMED: {error}")) from error
+    report = _report(files)
     if report.verdict != {PROVED: "PROVED", REFUTED: "REFUTED"}[verdict]:
-        refused = [line for line in report.lines if line.startswith("REFUSED")]
-        found = refused[0] if refused else f"{report.verdict}, expected {verdict}"
-        raise OwnError(_not_accepted(found))
+        raise _refused(report, f"{report.verdict}, expected {verdict}")
 
 
-def accept_decided(outcome: Outcome) -> None:
-    """Afterwards the checker accepts the proofs of all rows that are decided; nothing is written.
+def judged(outcome: Outcome) -> Outcome:
+    """The outcome with the checker's verdict on each row of which something is claimed.
 
     Raises:
-        OwnError: if it does not.
+        OwnError: if the checker refuses anything, with the name of what it refuses.
+    """
+    if all(found.claimed == UNDECIDED for found in outcome.decisions.values()):
+        return outcome.draft
+    report = report_on(outcome)
+    found = with_verdicts(outcome, report)
+    for name, decision in found.decisions.items():
+        if decision.verdict != decision.claimed:
+            raise _refused(report, f"{name}: {report.rows[name]}, expected {decision.claimed}")
+    if report.verdict == "REFUSED":
+        raise _refused(report, report.summary)
+    return found
+
+
+def report_on(outcome: Outcome) -> check.Report:
+    """What the checker says of the claims of an outcome; of the other rows it is not asked.
+
+    Raises:
+        UnreadError: if it does not get to the end: too large, too deep, or too much work.
     """
 
     def asked(row: Obligation) -> Obligation:
-        undecided = outcome.decisions[row.name].verdict == UNDECIDED
-        return row._replace(role=PRINTED) if undecided else row
+        claimed = outcome.decisions[row.name].claimed != UNDECIDED
+        return row._replace(role=NEEDED if claimed else PRINTED)
 
-    rows = tuple(map(asked, outcome.statement.obligations))
-    if not outcome.spent and any(row.role == NEEDED for row in rows):
-        decided = outcome._replace(statement=outcome.statement._replace(obligations=rows))
-        accept(write(decided), decided.verdict)
+    if outcome.claimed == UNDECIDED:
+        rows = tuple(map(asked, outcome.statement.obligations))
+        outcome = outcome._replace(statement=outcome.statement._replace(obligations=rows))
+    return _report(write(outcome))
+
+
+def with_verdicts(outcome: Outcome, report: check.Report) -> Outcome:
+    """The outcome with the verdicts in a report on its certificate, and with no others."""
+
+    def decided(name: str, found: Decision) -> Decision:
+        verdict = report.rows[name]
+        shown = verdict == found.claimed != UNDECIDED
+        return found._replace(judged=Judgement(verdict, CHECKER) if shown else None)
+
+    decisions = {name: decided(name, found) for name, found in outcome.decisions.items()}
+    return outcome._replace(decisions=decisions)
+
+
+def read_judged(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]) -> Outcome:
+    """The outcome that two files stand for, each row with the checker's verdict.
+
+    Raises:
+        WireError: for files that are not in the format.
+        check.Malformed: if the checker cannot read them.
+        check.Refused: if it refuses anything.
+    """
+    outcome, report = (
+        read(statement, certificate, cited),
+        check.check(statement, certificate, cited),
+    )
+    if report.verdict == "REFUSED":
+        raise check.Refused(report.summary)
+    return with_verdicts(outcome, report)
+
+
+def _report(files: Mapping[str, bytes]) -> check.Report:
+    others = (content for name, content in files.items() if name.startswith("cited/"))
+    cited = {sha256(content).hexdigest(): content for content in others}
+    try:
+        return check.check(files["statement.json"], files["certificate.json"], cited)
+    except (check.Malformed, RecursionError) as error:
+        raise UnreadError(_not_accepted(f"MALFORMED: {error}")) from error
+
+
+def _refused(report: check.Report, otherwise: str) -> OwnError:
+    complaints = (line for line in report.lines if line.startswith("REFUSED"))
+    return OwnError(_not_accepted(next(complaints, otherwise)))
 
 
 def _not_accepted(why: str) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
+from verify.jobs.acceptance import judged
 from verify.jobs.arguments import Writing, proof_of
 from verify.jobs.everywhere import decide_everywhere
 from verify.language.record import Record
@@ -47,16 +48,20 @@ class Answer(Record):
     """
 
     box: ParameterBox
-    verdict: str
     part: ParameterBox
     outcome: Outcome
+
+    @property
+    def verdict(self) -> str:
+        """That of the outcome, if it is about the whole box."""
+        return self.outcome.verdict if self.part == self.box else UNDECIDED
 
 
 def answer(box: ParameterBox, v_0: Fraction, delta_theta: Fraction) -> Answer:
     """Whether the hypotheses, and the theorem, hold at all points of a box."""
     found = verdict(box)
     part = largest_part(box) if found == UNDECIDED else box
-    return Answer(box, found, part, decide_box(part, v_0, delta_theta))
+    return Answer(box, part, decide_box(part, v_0, delta_theta))
 
 
 def verdict(box: ParameterBox) -> str:
@@ -162,7 +167,7 @@ class BoxRun:
             self.session.prove_row(stability, proof, holds=False)
             self.writing.decisions[stability.name] = Decision(REFUTED, proof)
         steps = tuple(self.session.steps)
-        return Outcome(self.statement, self.writing.decisions, steps, self._enclosures())
+        return judged(Outcome(self.statement, self.writing.decisions, steps, self._enclosures()))
 
     def _number(self, line: Line) -> None:
         if not isinstance(line.reason, ToBeFound):

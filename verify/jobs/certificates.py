@@ -19,6 +19,7 @@ from verify.jobs import (
     theorem1,
     thresholds,
 )
+from verify.jobs.acceptance import judged
 from verify.jobs.scene_files import read_scene
 from verify.language.record import Record
 from verify.language.terms import Term, as_term, cos_pi
@@ -102,4 +103,5 @@ def all_folders(directory: str = "certificates") -> Iterator[tuple[str, Outcome]
             found = decide_scene(read_scene(path, file.read()))
         if found.verdict != UNDECIDED:
             stem = os.path.splitext(os.path.basename(path))[0]
-            yield os.path.join("scenes", stem), scene.scene_outcome(found, found.flow.bits)
+            outcome = scene.scene_outcome(found, found.flow.bits)
+            yield os.path.join("scenes", stem), judged(outcome)

@@ -17,12 +17,15 @@ from verify.paper.preliminaries import alpha_0, discriminant, phi_minus
 from verify.paper.step import numbers
 from verify.paper.step.assumptions import ASSUMPTIONS
 from verify.paper.step.numbers import STEP
-from verify.prover.outcome import Decision, Outcome
+from verify.prover.outcome import Decision, Judgement, Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Proof, Step, Value
 from verify.prover.rules import Applying, Root, Sum
 
 #: The folder of the step, a copy of the one in `certificates`.
 FOLDER = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data", STEP)
+
+#: The judge of the row that the step applies: those that have judged all rows that it needs.
+BY_ROWS = "the rows that the step needs"
 
 
 def packaged() -> bytes:
@@ -57,7 +60,8 @@ def with_step(outcome: Outcome) -> Outcome:
     if applies({name: found.verdict for name, found in outcome.decisions.items()}):
         lemmas, between = _between()
         proof = applying(between)
-        decision, steps = Decision(PROVED, proof), (*lemmas, ObligationStep(row.name, proof))
+        decision = Decision(PROVED, proof, judged=Judgement(PROVED, BY_ROWS))
+        steps = (*lemmas, ObligationStep(row.name, proof))
     old = outcome.statement
     rows = [r._replace(uses=()) if r.role == NEEDED and r.uses else r for r in old.obligations]
     used = {name for r in rows for name in r.uses}

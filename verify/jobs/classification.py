@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from functools import cache
 
+from verify.jobs.acceptance import judged
 from verify.jobs.arguments import NUMBER_BITS, write_down
 from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
@@ -43,10 +44,9 @@ def decide_classification() -> Outcome:
     (givens,) = [c.givens for c in outcome.statement.contexts if c.name == row.context]
     numbers = Interval(NUMBER_BITS)
     proof = Witness(image.FALSE_AT, tuple(numbers for _ in givens), numbers)
-    return outcome._replace(
-        decisions={**outcome.decisions, row.name: Decision(REFUTED, proof)},
-        steps=(*outcome.steps, ObligationStep(row.name, proof)),
-    )
+    decisions = {**outcome.decisions, row.name: Decision(REFUTED, proof)}
+    steps = (*outcome.steps, ObligationStep(row.name, proof))
+    return judged(outcome._replace(decisions=decisions, steps=steps))
 
 
 def at_restitution(r: Fraction) -> AtR:

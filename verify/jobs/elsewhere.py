@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from verify.jobs.acceptance import judged
 from verify.jobs.arguments import NUMBER_BITS, POINT_BITS, Writing
 from verify.language.statement import REFUTED, Context
 from verify.paper.elsewhere.theorem import elsewhere, refutations
@@ -26,7 +27,8 @@ def decide_elsewhere() -> Outcome:
         proof = Witness(found.at, premises, Interval(NUMBER_BITS))
         writing.session.prove_row(row, proof, holds=False)
         writing.decisions[row.name] = Decision(REFUTED, proof)
-    return Outcome(argument.statement, writing.decisions, tuple(writing.session.steps), {})
+    steps = tuple(writing.session.steps)
+    return judged(Outcome(argument.statement, writing.decisions, steps, {}))
 
 
 def _premises(context: Context) -> tuple[Premise, ...]:

@@ -7,6 +7,7 @@ from fractions import Fraction
 from functools import cache
 
 from verify.jobs import arguments
+from verify.jobs.acceptance import judged
 from verify.jobs.citing import applying
 from verify.jobs.row_proofs import RowProofs
 from verify.jobs.step import decide_step
@@ -165,12 +166,12 @@ class Everywhere:
         return self.outcome()
 
     def outcome(self) -> Outcome:
-        """What is decided so far."""
+        """What is decided so far; the checker has judged it."""
         decisions = {
             row.name: self.writing.decisions.get(row.name, Decision(UNDECIDED))
             for row in self.statement.obligations
         }
-        return Outcome(self.statement, decisions, tuple(self.session.steps), {})
+        return judged(Outcome(self.statement, decisions, tuple(self.session.steps), {}))
 
     # --- constants ------------------------------------------------------------------------------
 

@@ -12,6 +12,7 @@ from hashlib import sha256
 from typing import Any
 
 from verify import check
+from verify.jobs.acceptance import with_verdicts
 from verify.jobs.regenerate import is_right_when_accepted
 from verify.jobs.report_files import CertificateError, read_file, unusable
 from verify.jobs.report_maps import (
@@ -25,7 +26,7 @@ from verify.jobs.report_maps import (
 from verify.language.record import Record
 from verify.paper.parameters import THEOREM
 from verify.prover.outcome import Outcome
-from verify.wire.read import read as read_outcome
+from verify.wire.read import read
 from verify.wire.term_json import WireError
 
 NAMES = ("statement.json", "certificate.json")
@@ -156,9 +157,9 @@ def _folder(
     path: str, name: str, contents: Mapping[str, bytes], available: Mapping[str, bytes]
 ) -> CertifiedOutcome:
     statement, certificate = (contents[file] for file in NAMES)
-    said = _checked(path, statement, certificate, available)
+    report = _checked(path, statement, certificate, available)
     try:
-        outcome = read_outcome(statement, certificate, available)
+        outcome = with_verdicts(read(statement, certificate, available), report)
     except WireError as error:
         raise CertificateError(f"{path}: {error}", 4) from error
     if not is_right_when_accepted(statement, outcome):
@@ -166,13 +167,13 @@ def _folder(
             f"{path}: the statement is not the one that the program makes; run verify certify", 1
         )
     digests = {file: sha256(content).hexdigest() for file, content in contents.items()}
-    return CertifiedOutcome(name, outcome, digests, said)
+    return CertifiedOutcome(name, outcome, digests, check.last_line(report, {}))
 
 
 def _checked(
     path: str, statement: bytes, certificate: bytes, available: Mapping[str, bytes]
-) -> str:
-    """The last line of the checker.
+) -> check.Report:
+    """What the checker says.
 
     Raises:
         CertificateError: if it does not accept with the verdict PROVED.
@@ -181,7 +182,7 @@ def _checked(
         report = check.check(statement, certificate, available)
     except (check.Malformed, RecursionError) as error:
         raise CertificateError(f"{path}: the checker finds it malformed ({error})", 4) from error
-    said = check.last_line(report, {})
     if report.verdict != "PROVED":
+        said = check.last_line(report, {})
         raise CertificateError(f"{path}: the checker does not accept it ({said})", 1)
-    return said
+    return report

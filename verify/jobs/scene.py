@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
 
+from verify.jobs.acceptance import judged
 from verify.jobs.arguments import write_down
 from verify.jobs.classification import decide_classification
 from verify.jobs.scene_verdict import scene_lines
@@ -57,7 +58,7 @@ MANY, FEW_BITS = 500, 80
 @cache
 def decide_flow() -> Outcome:
     """One collision of the flow, for every state."""
-    return write_down(flow())
+    return judged(write_down(flow()))
 
 
 @cache

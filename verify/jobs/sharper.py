@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from verify.jobs.acceptance import judged
 from verify.jobs.arguments import write_down
 from verify.paper.sharper.theorem import sharper
 from verify.prover.outcome import Outcome
@@ -12,4 +13,4 @@ from verify.prover.outcome import Outcome
 @cache
 def decide_sharper() -> Outcome:
     """The theorem, each line with the proof that its reason describes."""
-    return write_down(sharper())
+    return judged(write_down(sharper()))

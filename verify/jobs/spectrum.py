@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from verify.jobs.acceptance import judged
 from verify.paper.spectrum.printed import Printed
 from verify.paper.spectrum.theorem import statement
 from verify.prover.outcome import Outcome
@@ -15,10 +16,10 @@ MAX_BITS = 1024
 
 def decide_spectrum(paper: Printed | None = None) -> Outcome:
     """Decide every row, for the printed matrix and polynomial or for altered ones."""
-    return _as_printed() if paper is None else prove(statement(paper), max_bits=MAX_BITS)
+    return _as_printed() if paper is None else judged(prove(statement(paper), max_bits=MAX_BITS))
 
 
 @cache
 def _as_printed() -> Outcome:
     """Decided once a process: whoever compares several statements with it asks again."""
-    return prove(statement(), max_bits=MAX_BITS)
+    return judged(prove(statement(), max_bits=MAX_BITS))

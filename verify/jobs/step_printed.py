@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
 
+from verify.jobs.acceptance import judged
 from verify.jobs.arguments import Writing
 from verify.language.statement import REFUTED, Constant, Statement
 from verify.language.terms import Claim, Term, as_term
@@ -48,7 +49,7 @@ def decide_step_printed() -> Outcome:
         writing.decisions[row.name] = Decision(REFUTED, proof)
     found = {name: ground.enclose(ground.definitions[name]) for name in names}
     enclosures = {name: ends for name, ends in found.items() if ends is not None}
-    return Outcome(statement, writing.decisions, tuple(session.steps), enclosures)
+    return judged(Outcome(statement, writing.decisions, tuple(session.steps), enclosures))
 
 
 def _statement(point: Mapping[str, Term]) -> Statement:

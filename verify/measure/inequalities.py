@@ -93,7 +93,7 @@ def judge(entry: dict[str, Any], seconds: float) -> Judged:
     start = perf_counter()
     outcome = prove(question(entry), budget=WorkBudget(seconds=seconds))
     searched = perf_counter()
-    verdict = outcome.verdict
+    verdict = outcome.claimed
     right = verdict == UNDECIDED or (verdict == PROVED) == entry["truth"]
     rule = outcome.decisions[ROW].method
     if verdict == UNDECIDED:

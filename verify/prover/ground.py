@@ -19,7 +19,7 @@ from verify.language.statement import (
 from verify.language.terms import Claim, Term
 from verify.prover import balls
 from verify.prover.decimals import enclosing_decimals
-from verify.prover.outcome import Decision, Enclosure, Ends
+from verify.prover.outcome import Decision, Enclosure, Ends, Judgement
 from verify.prover.program import ExactArithmetic, Machine, Program, Run
 from verify.prover.proof import Proof
 from verify.prover.relations import fails, holds, negation
@@ -50,6 +50,10 @@ ZERO_BITS = 4096
 #: so that every version of FLINT agrees on them.
 DIGITS = 27
 RELIABLE_BITS = 128
+
+#: The judge of what balls or exact values decide, and of what algebra does.
+FLINT, ALGEBRA = "FLINT at a point", "algebra at a point"
+_JUDGEMENTS = {(v, by): Judgement(v, by) for v in (PROVED, REFUTED) for by in (FLINT, ALGEBRA)}
 
 
 class Ground:
@@ -189,7 +193,8 @@ class Ground:
             if sides is None:
                 return Decision(UNDECIDED)
         self.session.prove_row(row, proof, holds=verdict == PROVED)
-        return Decision(verdict, proof, sides)
+        by = FLINT if isinstance(proof, Interval) else ALGEBRA
+        return Decision(verdict, proof, sides, _JUDGEMENTS[verdict, by])
 
     def prove(self, claim: Claim) -> tuple[str, Proof | None]:
         """A verdict with its proof; the lemmas that it needs are written down.

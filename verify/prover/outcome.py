@@ -1,4 +1,9 @@
-"""What was found: a statement with its decided rows, and the steps that prove them."""
+"""What is claimed of a statement's rows, the steps that are to prove it, and who has judged it.
+
+Whoever searches for a proof, or writes one down, makes claims: an outcome in which every verdict is
+undecided. A `Judgement` gives a claim its verdict. Only judges make judgements: the checker (see
+`verify.jobs.acceptance`) and the decision procedures that are named with the verdict.
+"""
 
 from __future__ import annotations
 
@@ -31,15 +36,34 @@ class Enclosure(Record):
     ends: tuple[Ends, ...]
 
 
-class Decision(Record):
-    """A verdict with its evidence; a refuted row has a proof of its negation.
-
-    ``sides`` encloses both sides of a claim without variables.
-    """
+class Judgement(Record):
+    """A verdict, and the judge that gives it."""
 
     verdict: str
+    by: str
+
+
+class Decision(Record):
+    """What is claimed of a row, with its evidence; a refuted row has a proof of its negation.
+
+    ``sides`` encloses both sides of a claim without variables. A row that no judge has judged is
+    undecided, whatever is claimed of it.
+    """
+
+    claimed: str
     proof: Proof | None = None
     sides: Enclosure | None = None
+    judged: Judgement | None = None
+
+    @property
+    def verdict(self) -> str:
+        """What the judge says, or that nobody has said anything."""
+        return UNDECIDED if self.judged is None else self.judged.verdict
+
+    @property
+    def judge(self) -> str | None:
+        """Who gives the verdict."""
+        return None if self.judged is None else self.judged.by
 
     @property
     def bits(self) -> int:
@@ -88,6 +112,19 @@ class Outcome(Record):
         return UNDECIDED if self.spent and found == PROVED else found
 
     @property
+    def claimed(self) -> str:
+        """What the verdict is if all claims are right."""
+        needed = [decision for row, decision in self.rows if row.role == NEEDED]
+        found = _worst(decision.claimed for decision in needed)
+        return UNDECIDED if self.spent and found == PROVED else found
+
+    @property
+    def draft(self) -> Outcome:
+        """The same claims, judged by nobody."""
+        claims = {name: found._replace(judged=None) for name, found in self.decisions.items()}
+        return self._replace(decisions=claims)
+
+    @property
     def exit_code(self) -> int:
         """0 proved, 1 refuted, 3 undecided."""
         return EXIT_CODES[self.verdict]
@@ -118,8 +155,9 @@ class Outcome(Record):
 
 def conjunction(decisions: Iterable[Decision]) -> str:
     """``refuted`` if one is, else ``undecided`` if one is (or there is none), else ``proved``."""
-    verdicts = {decision.verdict for decision in decisions}
-    for verdict in (REFUTED, UNDECIDED):
-        if verdict in verdicts:
-            return verdict
-    return PROVED if verdicts else UNDECIDED
+    return _worst(decision.verdict for decision in decisions)
+
+
+def _worst(verdicts: Iterable[str]) -> str:
+    found = {*verdicts}
+    return next((v for v in (REFUTED, UNDECIDED, PROVED) if v in found), UNDECIDED)

@@ -128,6 +128,7 @@ def row_document(row: Obligation, decision: Decision, typesetter: Typesetter) ->
         "claim": typesetter.claim(row.claim),
         "statement": sentence(row, typesetter),
         "verdict": decision.verdict,
+        "judged_by": decision.judge,
         "method": decision.method or None,
         "bits": decision.bits,
         "uses": list(row.uses),

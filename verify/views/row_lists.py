@@ -39,7 +39,7 @@ def brief(outcome: Outcome) -> Iterator[str]:
             what = "row, name of its correction, formula" if verdict == REFUTED else "row, formula"
             yield f"{verdict.capitalize()}, {len(found)} ({what}):"
         for severity in ("", *SEVERITIES):
-            here = [row for row, _ in found if (row.severity or "") == severity]
+            here = [row for row, d in found if severity_of(row, d) == severity]
             if severity and here:
                 yield f"  {severity}:"
             yield from map(_one_line, here)
@@ -50,6 +50,11 @@ def brief(outcome: Outcome) -> Iterator[str]:
 def _share(outcome: Outcome, group: str) -> str:
     found = [d.verdict for row, d in outcome.of_group(group) if row.role == NEEDED]
     return f"{found.count('proved')}/{len(found)}"
+
+
+def severity_of(row: Obligation, decision: Decision) -> str:
+    """How bad it is that a row is refuted; nothing if it is not."""
+    return (row.severity or "") if decision.verdict == REFUTED else ""
 
 
 def _one_line(row: Obligation) -> str:

@@ -102,7 +102,7 @@ def _statement(outcome: Outcome, writer: TermWriter) -> dict[str, Any]:
         "terms": writer.shared(),
         "constants": [_constant(constant, writer) for constant in statement.constants],
         "contexts": [_context(context, writer) for context in statement.contexts],
-        "obligations": [_row(row, found.verdict, writer) for row, found in outcome.rows],
+        "obligations": [_row(row, found.claimed, writer) for row, found in outcome.rows],
         "assumptions": [assumption._asdict() for assumption in statement.assumptions],
         "cites": [
             {
@@ -143,7 +143,7 @@ def _certificate(outcome: Outcome, statement: bytes, writer: TermWriter) -> dict
     rows = {
         name: {"bits": found.sides.bits, "lhs": _pair(found.sides, 0), "rhs": _pair(found.sides, 1)}
         for name, found in outcome.decisions.items()
-        if found.sides is not None and found.verdict != UNDECIDED
+        if found.sides is not None and found.claimed != UNDECIDED
     }
     return {
         "format": CERTIFICATE_FORMAT,

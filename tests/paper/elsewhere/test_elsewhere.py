@@ -47,7 +47,7 @@ def test_the_checker_accepts_every_row() -> None:
         (PRINTED, REFUTED),
     }
     assert report(outcome).verdict == "PROVED"
-    assert read(files["statement.json"], files["certificate.json"], {}) == outcome
+    assert read(files["statement.json"], files["certificate.json"], {}) == outcome.draft
     assert is_right_statement(files["statement.json"])
 
 

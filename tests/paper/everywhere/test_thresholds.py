@@ -37,7 +37,7 @@ def test_it_is_proved_and_small() -> None:
     assert outcome.verdict == PROVED
     assert report(outcome).verdict == "PROVED"
     assert sum(map(len, files.values())) < 100_000
-    assert read(files["statement.json"], files["certificate.json"], {}) == outcome
+    assert read(files["statement.json"], files["certificate.json"], {}) == outcome.draft
 
 
 def test_every_strip_is_a_row_of_the_statement() -> None:

@@ -22,7 +22,7 @@ from verify.paper.step import initial, numbers, state
 from verify.paper.step.theorem import step
 from verify.prover import balls
 from verify.prover.ground import Ground
-from verify.prover.outcome import Decision, Outcome
+from verify.prover.outcome import Decision, Judgement, Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Step
 from verify.prover.rules import Sum
 from verify.views.words import headline
@@ -43,7 +43,7 @@ def test_the_step_is_proved_and_small() -> None:
     assert report(outcome).verdict == "PROVED"
     assert outcome.verdict == PROVED
     assert sum(map(len, files.values())) < 200_000
-    assert read(files["statement.json"], files["certificate.json"], {}) == outcome
+    assert read(files["statement.json"], files["certificate.json"], {}) == outcome.draft
 
 
 def test_only_four_kinds_of_sentences_are_assumed() -> None:
@@ -265,7 +265,11 @@ def test_the_step_does_not_apply_where_a_row_that_it_needs_is_not_proved(
 
     def broken(ground: Ground, row: Obligation, *, all_sides: bool = True) -> Decision:
         found = honest(ground, row, all_sides=all_sides)
-        return found._replace(verdict=verdict) if row.name == f"repaired.{name}" else found
+        return (
+            found._replace(judged=Judgement(verdict, "a test"))
+            if row.name == f"repaired.{name}"
+            else found
+        )
 
     monkeypatch.setattr(Ground, "decide", broken)
     texts = {"r": "3/100", "c": "1", "V_0": "1", "delta_theta": "1/10"}

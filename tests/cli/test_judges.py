@@ -1,0 +1,238 @@
+"""No command prints a verdict that no judge has given: every judge is broken, all commands run."""
+
+from __future__ import annotations
+
+import ast
+import gc
+import re
+import shutil
+from collections.abc import Iterator
+from functools import _lru_cache_wrapper
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from verify import check, check_map
+from verify.cli import COMMANDS, main
+from verify.jobs import classification
+from verify.language.statement import PROVED, UNDECIDED
+from verify.language.terms import Claim
+from verify.prover import scene
+from verify.prover.flow import Flow, UnclearError
+from verify.prover.ground import Ground
+from verify.prover.straight import StraightLine
+
+ROOT = Path(__file__).resolve().parents[2]
+#: What nobody may say without a judge.
+VERDICT = re.compile(r"\b(?:proved|PROVED|collapses|disperses)\b|^finite|\"finite", re.MULTILINE)
+#: A heading before numbers, which are 0 then.
+SHARES = re.compile(r"^Rows proved, of those needed:(?!.* [1-9][0-9]*/)", re.MULTILINE)
+POINT = "--r 0.03"
+
+#: What rests on a written proof, which the checker judges.
+WRITTEN = (
+    "classification",
+    "classification --r 0.05",
+    "classification --json",
+    "classification --rows ratio-falls",
+    "elsewhere",
+    "elsewhere --json",
+    "spectrum",
+    "spectrum --r 0.1",
+    "theorem1 --all",
+    "theorem1 --all --constants printed",
+    "theorem1 --r 0.02..0.03",
+    "theorem1 --r 0.02..0.03 --json",
+    f"theorem1 {POINT} --out OUT",
+    "prove certificates/examples/instance/statement.json",
+    "prove certificates/examples/cosine/statement.json --json",
+    "check certificates/step",
+    "check certificates/sharper --json",
+    "check certificates/classification --statement",
+    "check certificates/flow --latex",
+    "explain certificates/sharper impact-energy",
+    "explain step impact-energy",
+    "explain sharper impact-energy",
+    "graph certificates/sharper --out OUT/graph.json",
+    "graph step --out OUT/graph.svg",
+    "export coq certificates/examples/instance",
+    "report --compare",
+    "certify --compare",
+    "scene certificates/scenes/passing.toml --out OUT",
+)
+#: What a named decision procedure judges.
+DECIDED = (
+    f"theorem1 {POINT}",
+    f"theorem1 {POINT} -v",
+    f"theorem1 {POINT} --json",
+    "theorem1 --r 0.02..0.04 --steps 3",
+    "theorem1 --r 0.02..0.04 --steps 3 --json",
+    *(
+        f"scene certificates/scenes/{name}.toml"
+        for name in ("passing", "parting", "nearly-aligned")
+    ),
+    "scene certificates/scenes/on-a-line.toml --json",
+    "scene SCENES",
+    "scene SCENES --json",
+    "stress --quick",
+    "map phi --r 0.03 --undecided 20%",
+)
+#: Commands that print no verdict.
+SILENT = {"bench": "speeds and errors; its verdicts are those of plain doubles, called wrong"}
+
+
+@pytest.fixture(autouse=True)
+def anew(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Nothing that was decided before is remembered, neither by this test nor by later ones."""
+    monkeypatch.chdir(ROOT)
+    monkeypatch.setenv("COLUMNS", "99999")
+    _forget()
+    yield
+    monkeypatch.undo()
+    _forget()
+
+
+def _forget() -> None:
+    for found in gc.get_objects():
+        if isinstance(found, _lru_cache_wrapper) and found.__module__.startswith("verify."):
+            found.cache_clear()
+
+
+def break_checker(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Afterwards both checkers refuse whatever they are shown."""
+
+    def refuse(*_: Any, **__: Any) -> Any:
+        raise check.Refused("a judge that decides nothing")
+
+    def refuse_log(*_: Any, **__: Any) -> Any:
+        raise check_map.RefusedError("a judge that decides nothing")
+
+    monkeypatch.setattr(check, "STEP", dict.fromkeys(check.STEP, refuse))
+    monkeypatch.setattr(check_map, "check_log", refuse_log)
+
+
+def break_procedures(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Afterwards balls, exact numbers and algebra decide nothing at a point, nor on a scene."""
+
+    def unclear(_: Flow) -> bool:
+        raise UnclearError("a judge that decides nothing")
+
+    monkeypatch.setattr(Ground, "prove", lambda *_: (UNDECIDED, None))
+    monkeypatch.setattr(StraightLine, "verdict", lambda *_: "0")
+    monkeypatch.setattr(Flow, "advance", unclear)
+    for name in ("find_collapse", "finitely_many", "follow_line"):
+        monkeypatch.setattr(scene, name, lambda *_: None)
+
+
+def said(words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> tuple[int, str]:
+    """The exit code of a command, and what it prints and writes."""
+    scenes, out = tmp_path / "scenes", tmp_path / "out"
+    scenes.mkdir()
+    out.mkdir()
+    shutil.copy(ROOT / "certificates/scenes/passing.toml", scenes)
+    places = {"SCENES": str(scenes), "OUT": str(out)}
+    for place, path in places.items():
+        words = words.replace(place, path)
+    code = main(words.split())
+    files = (path for path in out.rglob("*") if path.is_file())
+    text = "\n".join([capsys.readouterr().out, *(path.read_text() for path in files)])
+    return code, SHARES.sub("", text)
+
+
+def test_every_command_is_here() -> None:
+    """A new command prints a verdict that some judge gives, or is listed as silent."""
+    tried = {words.split()[0] for words in (*WRITTEN, *DECIDED)}
+    assert tried | SILENT.keys() == set(COMMANDS)
+
+
+@pytest.mark.parametrize("words", WRITTEN)
+def test_what_rests_on_a_proof_is_not_said_without_the_checker(
+    words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    break_checker(monkeypatch)
+    code, text = said(words, tmp_path, capsys)
+    assert code != 0
+    assert VERDICT.search(text) is None, text
+
+
+@pytest.mark.parametrize("words", [*WRITTEN, *DECIDED])
+def test_nothing_is_said_without_judges(
+    words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    break_checker(monkeypatch)
+    break_procedures(monkeypatch)
+    code, text = said(words, tmp_path, capsys)
+    assert code != 0
+    assert VERDICT.search(text) is None, text
+
+
+def test_the_words_are_found_where_the_judges_work(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Otherwise the tests above would see nothing."""
+    for number, words in enumerate((WRITTEN[0], DECIDED[0], DECIDED[5], DECIDED[6])):
+        (tmp_path / str(number)).mkdir()
+        code, text = said(words, tmp_path / str(number), capsys)
+        assert code == 0
+        assert VERDICT.search(text) is not None, text
+
+
+# --- a false line ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("more", ["", "--json", "--rows ratio-falls", "-v", "--out OUT"])
+def test_a_false_line_is_our_own_error(
+    more: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The ratio falls if 2√r <= 1 + r; with another hundred on the left that is false."""
+    honest = classification.classification()
+
+    def falsified(claim: Claim) -> Claim:
+        return Claim(claim.relation, claim.lhs + 100, claim.rhs)
+
+    def changed(item: Any) -> Any:
+        named = getattr(item, "name", "") == "ratio-falls"
+        return item._replace(claim=falsified(item.claim)) if named else item
+
+    rows = tuple(map(changed, honest.statement.obligations))
+    assert rows != honest.statement.obligations
+    chapters = tuple(c._replace(items=tuple(map(changed, c.items))) for c in honest.chapters)
+    statement = honest.statement._replace(obligations=rows)
+    lie = honest._replace(statement=statement, chapters=chapters)
+    monkeypatch.setattr(classification, "classification", lambda: lie)
+    code, text = said(f"classification {more}", tmp_path, capsys)
+    assert (code, text) == (5, "")
+
+
+# --- who makes judgements -------------------------------------------------------------------------
+
+#: Each record that has a verdict, and the modules that may make it.
+JUDGES = {
+    "Judgement": {"jobs/acceptance.py", "jobs/citing.py", "prover/ground.py"},
+    "Fate": {"prover/scene.py"},
+    "ScannedPoint": {"jobs/scan.py"},
+}
+
+
+def test_only_judges_make_judgements() -> None:
+    """Nor does anybody put one into what exists: ``judged=`` is written by the judges only."""
+    makers: dict[str, set[str]] = {name: set() for name in JUDGES}
+    for path in (ROOT / "verify").rglob("*.py"):
+        where = path.relative_to(ROOT / "verify").as_posix()
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call):
+                name = getattr(node.func, "id", getattr(node.func, "attr", ""))
+                if name in makers:
+                    makers[name].add(where)
+                given = [k.value for k in node.keywords if k.arg == "judged"]
+                if any(not (isinstance(v, ast.Constant) and v.value is None) for v in given):
+                    makers["Judgement"].add(where)
+    assert makers == JUDGES
+
+
+def test_a_claim_without_a_judge_is_undecided() -> None:
+    draft = classification.decide_classification().draft
+    assert draft.claimed == PROVED
+    assert draft.verdict == UNDECIDED
+    assert {found.verdict for found in draft.decisions.values()} == {UNDECIDED}

@@ -1581,6 +1581,7 @@ class Checking:
         self.lines: list[str] = []
         self.complaints: list[str] = []
         self.done: set[str] = set()
+        self.accepted: dict[str, str] = {}  # what is proved of a row: proved, or refuted
 
     def step(self, step: Any) -> None:
         """Afterwards the step has made its fact, or its refusal is in the report."""
@@ -1620,6 +1621,7 @@ class Checking:
         row = self.statement.rows[name]
         need(row.verdict != "undecided", Malformed, "found a proof of an undecided row")
         place, claim, proof = self.place(row.context), row.claim, step["proof"]
+        found = "proved"
         if isinstance(claim, Applies):
             APPLYING[rule_of(proof, APPLYING)][0](kernel, place, claim, proof)
         elif isinstance(claim, Always):
@@ -1628,9 +1630,12 @@ class Checking:
             kernel.prove(place, claim, proof)
             kernel.install(name, claim, row.context)
         elif isinstance(proof, dict) and proof.get("rule") == "witness":
+            found = "refuted"
             FAILING[rule_of(proof, FAILING)][0](kernel, place, claim, proof)
         else:
+            found = "refuted"
             kernel.prove(place, negated(claim), proof)
+        self.accepted[name] = found
         self.lines.append(f"proved  {row.words}")
 
     def lemma(self, step: dict[str, Any]) -> None:
@@ -1675,6 +1680,12 @@ class Checking:
     def context(self, name: str | None) -> Context:
         """The context of this name, or the root."""
         return self.reader.find(name, "")
+
+    def rows(self) -> dict[str, str]:
+        """What is accepted of each row; undecided where the statement claims nothing."""
+        asked = {name: row.verdict for name, row in self.statement.rows.items()}
+        other = {name: "undecided" for name in asked if asked[name] == "undecided"}
+        return {name: self.accepted.get(name, other.get(name, "refused")) for name in asked}
 
     def finish(self, enclosures: dict[str, Any]) -> None:
         """Afterwards nothing of the statement is left, and all enclosures are right."""
@@ -1746,13 +1757,18 @@ class Folder(NamedTuple):
 
 
 class Report(NamedTuple):
-    """What was found about one statement: PROVED, REFUTED or REFUSED, and the lines about it."""
+    """What was found about one statement: PROVED, REFUTED or REFUSED, and the lines about it.
+
+    ``rows`` says of each obligation what the steps that were accepted show, whatever the statement
+    says of it: proved, refuted, undecided, or refused.
+    """
 
     verdict: str
     lines: list[str]
     summary: str
     digest: str
     cites: list[tuple[str, str]]
+    rows: Mapping[str, str]
 
 
 def parsed(where: str, data: bytes, shape: Shape) -> Any:
@@ -1810,7 +1826,7 @@ def check(first: bytes, second: bytes, available: Mapping[str, bytes]) -> Report
     words = summary(statement)
     if checking.complaints:  # what the statement claims is not counted as if it were shown
         words = f"{statement.title}: not shown; refused above: {len(checking.complaints)}"
-    return Report(verdict, lines, words, digest, statement.cites)
+    return Report(verdict, lines, words, digest, statement.cites, checking.rows())
 
 
 def summary(statement: Statement) -> str:

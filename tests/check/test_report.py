@@ -264,3 +264,31 @@ def test_a_letter_that_the_terminal_does_not_have(tmp_path: Path) -> None:
     done = run(subprocess_folder(pair), flags=(), env={"PYTHONIOENCODING": "ascii", "LC_ALL": "C"})
     assert (done.returncode, done.stderr) == (0, "")
     assert "\\u0394x" in done.stdout
+
+
+def rows(pair: Pair) -> dict[str, str]:
+    return dict(check.check(*pair.files(), {}).rows)
+
+
+def test_the_rows_of_a_report() -> None:
+    assert rows(proved()) == {
+        "one": "proved", "two": "proved", "three": "refuted", "four": "undecided",
+    }  # fmt: skip
+    assert rows(refused()) == {"row": "refused", "next": "proved"}
+    assert rows(refuted()) == {"row": "refuted"}
+
+
+def test_a_row_is_proved_only_where_its_own_proof_is_accepted() -> None:
+    """A title, another row or an assumption that says proved changes nothing."""
+    pair = Pair().assume("proved  row")
+    pair.row("row", "1 < 1", INTERVAL).row("proved", "0 < 1", INTERVAL)
+    pair.row("wrong", "0 < 1", INTERVAL, verdict="refuted", role="printed")
+    pair.statement["title"] = "PROVED: row"
+    pair.statement["assumptions"][0]["name"] = "law"
+    pair.statement["obligations"][1]["label"] = "\nproved  row"
+    assert rows(pair) == {"row": "refused", "proved": "proved", "wrong": "refused"}
+
+
+def test_a_row_of_a_context_that_is_not_opened_is_refused() -> None:
+    pair = box(("1", "0")).row("one", "0 <= 1", INTERVAL, "box")
+    assert rows(pair) == {"one": "refused"}

@@ -102,7 +102,7 @@ def test_files_to_be_cited_up_to_the_limit(tmp_path: Path, monkeypatch: pytest.M
     (tmp_path / "a").write_bytes(b"12345")
     (tmp_path / "b").write_bytes(b"678")
     monkeypatch.setattr(check, "MAX_CITED", 8)
-    assert check.read_cited(str(tmp_path)) == [b"12345", b"678"]
+    assert check.read_cited(str(tmp_path)) == ([b"12345", b"678"], [])
     monkeypatch.setattr(check, "MAX_CITED", 7)
     with pytest.raises(OSError, match="more than 7 bytes"):
         check.read_cited(str(tmp_path))

@@ -83,11 +83,30 @@ def test_a_sentence_for_each_folder(capsys: pytest.CaptureFixture[str], tmp_path
     assert lines[3].startswith(("REFUSED ", "MALFORMED: "))
 
 
-def test_one_run_closes_citations(capsys: pytest.CaptureFixture[str]) -> None:
-    alone = run(capsys, EXAMPLES / "mean-applied")[1].splitlines()[-1]
-    both = run(capsys, EXAMPLES / "mean", EXAMPLES / "mean-applied")[1].splitlines()[-1]
+def test_one_run_closes_citations(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    applied = tmp_path / "applied"
+    shutil.copytree(EXAMPLES / "mean-applied", applied)
+    assert "which is not proved here" not in run(capsys, applied)[1].splitlines()[-1]
+    (applied / "cited" / "mean.certificate.json").unlink()
+    alone = run(capsys, applied)[1].splitlines()[-1]
+    both = run(capsys, EXAMPLES / "mean", applied)[1].splitlines()[-1]
     assert "which is not proved here" in alone
     assert "which is not proved here" not in both
+
+
+def test_the_document_names_what_needed_rows_rest_on(capsys: pytest.CaptureFixture[str]) -> None:
+    """A theorem at a point takes nothing on trust itself, and eight sentences of the step."""
+    point = EXAMPLES.parent / "theorem1-r-3-100"
+    code, out, _ = run(capsys, point, "--json")
+    (found,) = json.loads(out)["folders"]
+    step = json.loads((EXAMPLES.parent / "step" / "statement.json").read_text())
+    own = json.loads((point / "statement.json").read_text())
+    assert code == 0
+    names = [item["name"] for item in found["assumptions"]]
+    assert names == [f"step:{item['name']}" for item in step["assumptions"]]
+    printed = [item["name"] for item in found["assumptions_of_printed_rows"]]
+    assert printed == [item["name"] for item in own["assumptions"]]
+    assert f"; given {', '.join(names)}; for printed rows only, also given" in found["summary"]
 
 
 def test_the_document(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import random
-from pathlib import Path
 from fractions import Fraction
 from functools import cache
+from pathlib import Path
 
 import pytest
 

@@ -26,7 +26,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from hashlib import sha256
-from itertools import pairwise
+from itertools import islice, pairwise
 from math import isqrt
 from typing import Any, NamedTuple
 
@@ -39,6 +39,7 @@ MAX_BITS = 1 << 16  # of precision
 MAX_SIZE = 1 << 19  # bits of a numerator with its denominator
 MAX_DEGREE = 1 << 20  # of a name or another atom in a polynomial
 MAX_SHOWN = 1 << 12  # bits before or after the point, in messages
+MAX_REFUSED = 1000  # of steps, enclosures, and needed rows that are undecided
 MAX_TOLD = 4  # monomials, and factors of one, in messages
 MAX_WORK = 6_000_000  # about the number of microseconds
 SERIES_BITS = 128  # of the coefficients of cosines
@@ -231,7 +232,9 @@ class Kernel:
         self.homes: list[Context] = []
         self.outermost = Context("", None)
         self.contexts: dict[str, Context] = {}
+        self.numbers: dict[int, int | Fraction] = {}  # the values of terms that are numbers
         self.names: dict[str, int] = {}  # variables and constants
+        self.labels: dict[int, str] = {}  # their names
         self.definitions: dict[int, int] = {}
         self.defined: set[int] = set()  # constants whose definition is known to have a value
         self.facts: dict[str, Fact] = {}
@@ -283,6 +286,13 @@ class Kernel:
         """The term of a number."""
         return self.node("rational", (), value.numerator, value.denominator)
 
+    def number(self, term: int, n: int, d: int) -> int | Fraction:
+        """The number n/d, which is a term; its common factors are looked for once."""
+        if term not in self.numbers:
+            self.spend(size(n) + size(d))
+            self.numbers[term] = n if d == 1 else Fraction(n, d)
+        return self.numbers[term]
+
     def introduce(self, name: str) -> None:
         """Take a name, which nothing else may have."""
         self.spend(0, 1 + len(name) // 4)
@@ -294,7 +304,7 @@ class Kernel:
         """A new variable of a context, or a constant in it with its definition."""
         self.introduce(name)
         term = self.add(Node("name", (), (len(self.nodes),)), 1, context)
-        self.names[name] = term
+        self.names[name], self.labels[term] = term, name
         if definition is not None:
             self.definitions[term] = definition
         return term
@@ -322,7 +332,7 @@ class Kernel:
 
     def knows(self, relation: str, term: int, place: Place) -> bool:
         """Whether 0 < t, or 0 <= t, is a usable fact as it stands."""
-        self.spend(0, 1 + len(place.hypotheses))
+        self.spend(0, 1 + len(place.hypotheses) + (place.context.depth >> 4))
         for claim in place.hypotheses:
             zero = self.nodes[claim.lhs] == Node("rational", (), (0, 1))
             if zero and claim.relation == relation and claim.rhs == term:
@@ -350,6 +360,7 @@ class Kernel:
 
     def substitute(self, claim: Claim, context: Context, at: Mapping[int, int]) -> Claim:
         """The claim at terms for the variables of a context, whose constants are unfolded."""
+        self.spend(0, 2)
         new = dict(at)
 
         def is_leaf(term: int) -> bool:
@@ -417,7 +428,9 @@ class Kernel:
         """A minimum is at most each of its entries (a maximum at least)."""
         op, entries, other = self.extremum(place, claim, proof, {"lhs": "min", "rhs": "max"})
         need(claim.relation == "<=", Refused, "found {}, expected <=", claim.relation)
-        need(other in entries, Refused, "found a side that is no entry of the {}", op)
+        found = entries.index(other) if other in entries else len(entries)
+        self.spend(0, found >> 4)
+        need(found < len(entries), Refused, "found a side that is no entry of the {}", op)
 
     def least(self, place: Place, claim: Claim, proof: Proof) -> None:
         """What is less than each entry is less than their minimum (for a maximum: greater)."""
@@ -701,7 +714,8 @@ class Kernel:
         total = dict(a)
         for monomial, coefficient in b.items():
             before = total.get(monomial, 0)
-            self.spend(size(before) + size(coefficient), 1 if type(coefficient) is int else 2)
+            times = (1 if type(coefficient) is int else 2) + (len(monomial) >> 4)
+            self.spend(size(before) + size(coefficient), times)
             value = before + factor * coefficient
             if value:
                 total[monomial] = value
@@ -865,15 +879,15 @@ class Clearing:
             self.squares[term] = parts[0]
         return {((term, 1),): 1}, ONE
 
-    def number(self, _: int, node: Node) -> Quotient:
+    def number(self, term: int, node: Node) -> Quotient:
         """A rational number."""
-        n, d = node.rest
-        return {(): n if d == 1 else Fraction(n, d)} if n else {}, ONE
+        value = self.kernel.number(term, *node.rest)
+        return {(): value} if value else {}, ONE
 
     def added(self, _: int, node: Node) -> Quotient:
         """A sum or difference; equal denominators are kept."""
         (n, d), (m, e) = map(self.clear, node.subterms)
-        self.kernel.spend(0, len(d))
+        self.kernel.spend(0, sum(map(len, d)) + len(d))
         sign, times = 1 if node.op == "add" else -1, self.kernel.times
         if d == e:
             return self.kernel.plus(n, m, sign), d
@@ -960,13 +974,12 @@ class Clearing:
         """Some monomials of a polynomial, for a message."""
         if not p:
             return "0"
-        names = {term: name for name, term in self.kernel.names.items()}
         parts = []
-        for monomial, coefficient in list(p.items())[:MAX_TOLD]:
+        for monomial, coefficient in islice(p.items(), MAX_TOLD):
             bits = size(coefficient)
             factors = [str(coefficient) if bits < MAX_SHOWN else f"(a number of {bits} bits)"]
             for atom, exponent in monomial[:MAX_TOLD]:
-                name = names.get(atom, f"{self.kernel.nodes[atom].op}(...)")
+                name = self.kernel.labels.get(atom, f"{self.kernel.nodes[atom].op}(...)")
                 factors.append(name if exponent == 1 else f"{name}^{exponent}")
             parts.append("*".join(factors))
         left = len(p) - len(parts)
@@ -1119,7 +1132,8 @@ class Enclosing:
 
     def rational(self, n: int, d: int) -> Interval:
         """A rational number."""
-        return Interval(Fraction(n, d), Fraction(n, d))
+        value = Fraction(n, d)
+        return Interval(value, value)
 
     def cos(self, x: Interval) -> Interval:
         """A cosine of x is a cosine of pi times x/pi."""
@@ -1290,8 +1304,9 @@ def record(**shapes: Shape) -> Shape:
 
 any_text = text("(?s).*", "a text")
 name = text(NAME, "a name")
-reference = text(f"{HYPOTHESIS}|({NAME}:)*{NAME}", "the name of a fact")
-context_name = text(f"({NAME}:)*{NAME}", "the name of a context")
+long_name = f"({NAME}:){{0,{MAX_NAME // 2}}}{NAME}"
+reference = text(f"{HYPOTHESIS}|{long_name}", "the name of a fact")
+context_name = text(long_name, "the name of a context")
 number = text(RATIONAL, "a rational number")
 exponent = text("[1-9][0-9]{0,2}", "an exponent from 1 to 999")
 bits = integer(2, MAX_BITS)
@@ -1621,8 +1636,14 @@ class Checking:
             self.kernel.refused.add(step[kind])
             row = self.statement.rows.get(step[kind])
             what = row.words if row else what
-            self.complaints.append(f"REFUSED {what}: {error}")
-            self.lines.append(self.complaints[-1])
+            self.complain(f"{what}: {error}")
+
+    def complain(self, words: str) -> None:
+        """Put a refusal into the report, if there is room."""
+        good = len(self.complaints) < MAX_REFUSED
+        need(good, Malformed, "found more than {} refusals", MAX_REFUSED)
+        self.complaints.append(f"REFUSED {words}")
+        self.lines.append(self.complaints[-1])
 
     def place(self, context: Context) -> Place:
         """The context, which must be open."""
@@ -1722,8 +1743,7 @@ class Checking:
         need(not left, Malformed, "steps: found none for {}", left)
         for name, row in self.statement.rows.items():
             if row.role == "needed" and row.verdict == "undecided":
-                self.complaints.append(f"REFUSED {name}: a needed row is undecided")
-                self.lines.append(self.complaints[-1])
+                self.complain(f"{name}: a needed row is undecided")
         rows = {
             name: row.claim
             for name, row in self.statement.rows.items()
@@ -1757,8 +1777,7 @@ class Checking:
             good = given.low <= inner.low and inner.high <= given.high
             need(good, Refused, "found the enclosure {}, expected one around {}", given, inner)
         except Refused as error:
-            self.complaints.append(f"REFUSED enclosure of {name}: {error}")
-            self.lines.append(self.complaints[-1])
+            self.complain(f"enclosure of {name}: {error}")
 
 
 STEP: dict[str, Callable[[Checking, dict[str, Any]], None]] = {
@@ -1840,6 +1859,7 @@ def check(first: bytes, second: bytes, available: Mapping[str, bytes]) -> Report
     digest, found = sha256(first).hexdigest(), certificate["statement_sha256"]
     need(found == digest, Malformed, "statement_sha256: found {}, expected {}", found, digest)
     kernel = Kernel()
+    kernel.spend(0, (len(first) + len(second)) // 8)
     reader = Reader(kernel, available)
     statement = reader.read(document)
     needed = [row for row in statement.rows.values() if row.role == "needed"]

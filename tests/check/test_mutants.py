@@ -69,7 +69,7 @@ MUTANTS = [
     ('sides = (entry, other) if op == "min" else (other, entry)', "sides = (entry, other)"),
     ('sides = (entry, other) if op == "min" else (other, entry)', "sides = (other, entry)"),
     ('need(claim.relation == "<=", Refused, "found {}, expected <=", claim.relation)', "pass"),
-    ('need(other in entries, Refused, "found a side that is no entry of the {}", op)', "pass"),
+    ('need(found < len(entries), Refused, "found a side that is no entry of the {}", op)', "pass"),
     ("clearing.clear(term), clearing.clear(other)", "pass"),
     ('good = equation.relation == "=" and equation.lhs == term', "good = True"),
     ('need(op == wanted, Refused, "found {} on the {}, expected {}", op, proof["side"], wanted)',
@@ -177,7 +177,8 @@ MUTANTS = [
     ('need(len(data) <= MAX_BYTES', "need(True"),
     ('need(not level, Malformed', "need(True"),
     ('need(len({*keys}) == len(keys)', "need(True"),
-    ('code = max(code, 0 if report.verdict == "PROVED" else 1)', "code = max(code, 0)"),
+    ('"REFUSED": 1', '"REFUSED": 0'),
+    ('"REFUTED": 1', '"REFUTED": 0'),
 ]  # fmt: skip
 
 
@@ -298,6 +299,7 @@ def steps() -> Iterator[Pair]:
     unopened = Pair().context("c", {"x": "1"}, {}).row("row", "x = x", IDENTITY, "c")
     unopened.steps.reverse()
     yield unopened
+    yield Pair().row("row", "2 < 1", INTERVAL, verdict="refuted")
     applies = box(("0", "1")).row("next", "0 <= 1", INTERVAL)
     proof = {"rule": "instance", "givens": [INTERVAL, INTERVAL]}
     yield applies.row("row", ["applies", "box", {"x": "1/2"}], proof, None, "refuted", "printed")

@@ -1818,7 +1818,7 @@ class Report(NamedTuple):
     rows: Mapping[str, str] = {}
     sentences: Mapping[str, str] = {}
     printed: frozenset[str] = frozenset()
-    work: int = MAX_WORK
+    work: int = 0
 
 
 def parsed(where: str, data: bytes, shape: Shape) -> Any:
@@ -1849,16 +1849,20 @@ def parsed(where: str, data: bytes, shape: Shape) -> Any:
     return value
 
 
-def check(first: bytes, second: bytes, available: Mapping[str, bytes]) -> Report:
+def check(
+    first: bytes, second: bytes, available: Mapping[str, bytes], work: int | None = None
+) -> Report:
     """Whether the certificate in ``second`` proves the statement in ``first``, and a report.
 
-    ``available`` has the bytes of statements that may be cited, by their digests.
+    ``available`` has the bytes of statements that may be cited, by their digests; ``work`` is the
+    limit, if it is another one.
     """
     document = parsed("statement", first, STATEMENT)
     certificate = parsed("certificate", second, CERTIFICATE)
     digest, found = sha256(first).hexdigest(), certificate["statement_sha256"]
     need(found == digest, Malformed, "statement_sha256: found {}, expected {}", found, digest)
     kernel = Kernel()
+    kernel.work = limit = MAX_WORK if work is None else work
     kernel.spend(0, (len(first) + len(second)) // 8)
     reader = Reader(kernel, available)
     statement = reader.read(document)
@@ -1876,7 +1880,7 @@ def check(first: bytes, second: bytes, available: Mapping[str, bytes]) -> Report
     lines = checking.lines + [f"assumed {name}: {s}" for name, s in statement.sentences.items()]
     report = Report(
         verdict, lines, summary(statement), digest, statement.cites, checking.rows(),
-        statement.sentences, statement.printed(), MAX_WORK - kernel.work,
+        statement.sentences, statement.printed(), limit - kernel.work,
     )  # fmt: skip
     return refused(report, statement.title, checking.complaints)
 
@@ -1897,32 +1901,38 @@ def summary(statement: Statement) -> str:
     return f"{statement.title}: {', '.join(counts)}"
 
 
-def examined(first: bytes, second: bytes, available: Mapping[str, bytes]) -> Report:
+def examined(first: bytes, second: bytes, available: Mapping[str, bytes], work: int) -> Report:
     """The same as `check`, with a report also about what is malformed."""
     try:
-        return check(first, second, available)
+        return check(first, second, available, work)
     except (Malformed, RecursionError) as error:
         return Report("MALFORMED", [], str(error), sha256(first).hexdigest())
 
 
 def judged(folders: Sequence[Folder]) -> Iterable[tuple[Report, list[Report]]]:
-    """For each folder its report, and those about the certificates of what it cites."""
+    """For each folder its report, and those about the certificates of what it cites.
+
+    What lies in one folder shares one limit of work, whatever is known of it from another one.
+    """
     everything = [data for folder in folders for data in (folder.statement, *folder.cited)]
     available = {sha256(data).hexdigest(): data for data in everything}
     known: dict[tuple[bytes, bytes], Report] = {}
     for folder in folders:
-        pairs, found, room = [(folder.statement, folder.certificate), *folder.proofs], [], MAX_WORK
-        for pair in pairs:
-            if pair not in known:
-                known[pair] = examined(*pair, available)
-            found.append(known[pair])
-            room -= known[pair].work if len(found) > 1 else 0
-            if room < 0 or found[-1].verdict == "MALFORMED":
+        found: list[Report] = []
+        room = MAX_WORK
+        for pair in ((folder.statement, folder.certificate), *folder.proofs):
+            report = known.get(pair) or examined(*pair, available, room)
+            if report.work > room:
+                report = examined(*pair, available, room)
+            found.append(report)
+            if report.verdict == "MALFORMED":
                 break
-        yield with_cited(found[0], found[1:], room), found[1:]
+            known[pair] = report
+            room -= report.work
+        yield with_cited(found[0], found[1:]), found[1:]
 
 
-def with_cited(report: Report, cited: Sequence[Report], room: int) -> Report:
+def with_cited(report: Report, cited: Sequence[Report]) -> Report:
     """The report about a folder in which those about certificates of what it cites are good."""
     if report.verdict == "MALFORMED":
         return report
@@ -1935,9 +1945,6 @@ def with_cited(report: Report, cited: Sequence[Report], room: int) -> Report:
             said = [line for line in other.lines if line.startswith("REFUSED")]
             why = said[0] if said else f"{other.verdict}: {other.summary}"
             complaints.append(f"REFUSED cited certificate of {other.digest}: {why}")
-    if room < 0:
-        words = f"cited certificates: found more work than the limit of {MAX_WORK}"
-        return Report("MALFORMED", [], words, report.digest)
     title = report.summary.rpartition(": ")[0]
     return refused(report._replace(lines=[*report.lines, *complaints]), title, complaints)
 

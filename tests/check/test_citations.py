@@ -315,16 +315,23 @@ def test_certificates_that_are_cited_share_one_budget(monkeypatch: pytest.Monkey
     """Each is little work, and so is the folder itself; all of them are more than the limit."""
     others, pair = [], Pair("MAIN")
     for i in range(9):
-        other = Pair(f"OTHER {i}").constant("c", "cos(1)", interval(bits=2000 + i))
+        other = Pair(f"OTHER {i}").constant("c", "cos(1)", interval(bits=1000 + i))
         others.append(other.row("row", "0 <= 1", INTERVAL))
         pair.cite(f"c{i}", others[-1])
     pair.row("row", "0 <= 1", INTERVAL)
-    each = max(check.check(*other.files(), {}).work for other in others)
-    monkeypatch.setattr(check, "MAX_WORK", 10 * each)
+    available = {digest(other): other.files()[0] for other in others}
+    works = [check.check(*files.files(), available).work for files in (pair, *others)]
+    monkeypatch.setattr(check, "MAX_WORK", sum(works))
     assert with_proofs(pair, *others)[0] == 0
-    monkeypatch.setattr(check, "MAX_WORK", 8 * each)
+    monkeypatch.setattr(check, "MAX_WORK", sum(works) - 1)
     code, lines = with_proofs(pair, *others)
-    assert (code, "cited certificates: found more work than the limit" in lines[-1]) == (4, True)
+    says = f"cited certificate of {digest(others[-1])}: found more work than the limit"
+    assert (code, says in lines[-1]) == (4, True)
+    folders = [check.Folder(str(i), *other.files(), []) for i, other in enumerate(others)]
+    files = [other.files() for other in others]
+    main = check.Folder("main", *pair.files(), [first for first, _ in files], files)
+    code, lines = check.check_folders([*folders, main])  # where all are known to be proved
+    assert (code, says in lines[-1]) == (4, True)
 
 
 def write_folder(folder: Path, files: dict[str, bytes]) -> str:

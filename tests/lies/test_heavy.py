@@ -24,6 +24,8 @@ TRUE = {
     "names-of-a-deep-context-in-a-long-minimum", "very-many-cuts", "instances-with-many-givens",
     "equations-that-replace-in-a-chain", "very-many-intervals", "many-proofs-over-a-long-minimum",
     "an-enclosure-of-one-row-after-the-other",
+    "a-minimum-of-long-rationals-in-each-branch", "rows-that-use-one-of-many-assumptions",
+    "premises-that-are-names", "roots-in-a-deep-context", "tables-that-are-kept",
 }  # fmt: skip
 
 

@@ -24,7 +24,7 @@ from verify.wire import write
 
 def packaged() -> bytes:
     """The statement of the step that comes with the program."""
-    return write.packaged()[0]
+    return write.packaged_files()[0]
 
 
 def applying(between: Mapping[str, str]) -> Applying:

@@ -64,14 +64,14 @@ def _cited(cites: Iterable[Cite]) -> Iterator[tuple[str, bytes]]:
     for cite in cites:
         name = f"cited/{digest(cite.content)}"
         yield f"{name}.json", cite.content
-        statement, certificate = packaged()
+        statement, certificate = packaged_files()
         if cite.content == statement:
             yield f"{name}.certificate.json", certificate
         yield from _cited(cite.cites)
 
 
 @cache
-def packaged() -> tuple[bytes, bytes]:
+def packaged_files() -> tuple[bytes, bytes]:
     """The statement and the certificate of the step, which come with the program."""
     found = []
     for name in ("statement.json", "certificate.json"):

@@ -26,7 +26,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from hashlib import sha256
-from itertools import pairwise
+from itertools import islice, pairwise
 from math import isqrt
 from typing import Any, NamedTuple
 
@@ -39,9 +39,13 @@ MAX_BITS = 1 << 16  # of precision
 MAX_SIZE = 1 << 19  # bits of a numerator with its denominator
 MAX_DEGREE = 1 << 20  # of a name or another atom in a polynomial
 MAX_SHOWN = 1 << 12  # bits before or after the point, in messages
+MAX_REFUSED = 1000  # of steps, enclosures, and needed rows that are undecided
 MAX_TOLD = 4  # monomials, and factors of one, in messages
 MAX_WORK = 6_000_000  # about the number of microseconds
 SERIES_BITS = 128  # of the coefficients of cosines
+CERTIFIED = ".certificate.json"  # ends the name of the certificate of what is cited
+#: The verdicts about a folder; of several folders the largest code counts.
+EXIT_CODES = {"PROVED": 0, "REFUTED": 1, "REFUSED": 1, "MALFORMED": 4}
 
 
 class Malformed(Exception):  # noqa: N818
@@ -228,7 +232,9 @@ class Kernel:
         self.homes: list[Context] = []
         self.outermost = Context("", None)
         self.contexts: dict[str, Context] = {}
+        self.numbers: dict[int, int | Fraction] = {}  # the values of terms that are numbers
         self.names: dict[str, int] = {}  # variables and constants
+        self.labels: dict[int, str] = {}  # their names
         self.definitions: dict[int, int] = {}
         self.defined: set[int] = set()  # constants whose definition is known to have a value
         self.facts: dict[str, Fact] = {}
@@ -280,6 +286,13 @@ class Kernel:
         """The term of a number."""
         return self.node("rational", (), value.numerator, value.denominator)
 
+    def number(self, term: int, n: int, d: int) -> int | Fraction:
+        """The number n/d, which is a term; its common factors are looked for once."""
+        if term not in self.numbers:
+            self.spend(size(n) + size(d))
+            self.numbers[term] = n if d == 1 else Fraction(n, d)
+        return self.numbers[term]
+
     def introduce(self, name: str) -> None:
         """Take a name, which nothing else may have."""
         self.spend(0, 1 + len(name) // 4)
@@ -291,7 +304,7 @@ class Kernel:
         """A new variable of a context, or a constant in it with its definition."""
         self.introduce(name)
         term = self.add(Node("name", (), (len(self.nodes),)), 1, context)
-        self.names[name] = term
+        self.names[name], self.labels[term] = term, name
         if definition is not None:
             self.definitions[term] = definition
         return term
@@ -319,7 +332,7 @@ class Kernel:
 
     def knows(self, relation: str, term: int, place: Place) -> bool:
         """Whether 0 < t, or 0 <= t, is a usable fact as it stands."""
-        self.spend(0, 1 + len(place.hypotheses))
+        self.spend(0, 1 + len(place.hypotheses) + (place.context.depth >> 4))
         for claim in place.hypotheses:
             zero = self.nodes[claim.lhs] == Node("rational", (), (0, 1))
             if zero and claim.relation == relation and claim.rhs == term:
@@ -347,6 +360,7 @@ class Kernel:
 
     def substitute(self, claim: Claim, context: Context, at: Mapping[int, int]) -> Claim:
         """The claim at terms for the variables of a context, whose constants are unfolded."""
+        self.spend(0, 2)
         new = dict(at)
 
         def is_leaf(term: int) -> bool:
@@ -414,7 +428,9 @@ class Kernel:
         """A minimum is at most each of its entries (a maximum at least)."""
         op, entries, other = self.extremum(place, claim, proof, {"lhs": "min", "rhs": "max"})
         need(claim.relation == "<=", Refused, "found {}, expected <=", claim.relation)
-        need(other in entries, Refused, "found a side that is no entry of the {}", op)
+        found = entries.index(other) if other in entries else len(entries)
+        self.spend(0, found >> 4)
+        need(found < len(entries), Refused, "found a side that is no entry of the {}", op)
 
     def least(self, place: Place, claim: Claim, proof: Proof) -> None:
         """What is less than each entry is less than their minimum (for a maximum: greater)."""
@@ -698,7 +714,8 @@ class Kernel:
         total = dict(a)
         for monomial, coefficient in b.items():
             before = total.get(monomial, 0)
-            self.spend(size(before) + size(coefficient), 1 if type(coefficient) is int else 2)
+            times = (1 if type(coefficient) is int else 2) + (len(monomial) >> 4)
+            self.spend(size(before) + size(coefficient), times)
             value = before + factor * coefficient
             if value:
                 total[monomial] = value
@@ -862,15 +879,15 @@ class Clearing:
             self.squares[term] = parts[0]
         return {((term, 1),): 1}, ONE
 
-    def number(self, _: int, node: Node) -> Quotient:
+    def number(self, term: int, node: Node) -> Quotient:
         """A rational number."""
-        n, d = node.rest
-        return {(): n if d == 1 else Fraction(n, d)} if n else {}, ONE
+        value = self.kernel.number(term, *node.rest)
+        return {(): value} if value else {}, ONE
 
     def added(self, _: int, node: Node) -> Quotient:
         """A sum or difference; equal denominators are kept."""
         (n, d), (m, e) = map(self.clear, node.subterms)
-        self.kernel.spend(0, len(d))
+        self.kernel.spend(0, sum(map(len, d)) + len(d))
         sign, times = 1 if node.op == "add" else -1, self.kernel.times
         if d == e:
             return self.kernel.plus(n, m, sign), d
@@ -957,13 +974,12 @@ class Clearing:
         """Some monomials of a polynomial, for a message."""
         if not p:
             return "0"
-        names = {term: name for name, term in self.kernel.names.items()}
         parts = []
-        for monomial, coefficient in list(p.items())[:MAX_TOLD]:
+        for monomial, coefficient in islice(p.items(), MAX_TOLD):
             bits = size(coefficient)
             factors = [str(coefficient) if bits < MAX_SHOWN else f"(a number of {bits} bits)"]
             for atom, exponent in monomial[:MAX_TOLD]:
-                name = names.get(atom, f"{self.kernel.nodes[atom].op}(...)")
+                name = self.kernel.labels.get(atom, f"{self.kernel.nodes[atom].op}(...)")
                 factors.append(name if exponent == 1 else f"{name}^{exponent}")
             parts.append("*".join(factors))
         left = len(p) - len(parts)
@@ -1116,7 +1132,8 @@ class Enclosing:
 
     def rational(self, n: int, d: int) -> Interval:
         """A rational number."""
-        return Interval(Fraction(n, d), Fraction(n, d))
+        value = Fraction(n, d)
+        return Interval(value, value)
 
     def cos(self, x: Interval) -> Interval:
         """A cosine of x is a cosine of pi times x/pi."""
@@ -1287,8 +1304,9 @@ def record(**shapes: Shape) -> Shape:
 
 any_text = text("(?s).*", "a text")
 name = text(NAME, "a name")
-reference = text(f"{HYPOTHESIS}|({NAME}:)*{NAME}", "the name of a fact")
-context_name = text(f"({NAME}:)*{NAME}", "the name of a context")
+long_name = f"({NAME}:){{0,{MAX_NAME // 2}}}{NAME}"
+reference = text(f"{HYPOTHESIS}|{long_name}", "the name of a fact")
+context_name = text(long_name, "the name of a context")
 number = text(RATIONAL, "a rational number")
 exponent = text("[1-9][0-9]{0,2}", "an exponent from 1 to 999")
 bits = integer(2, MAX_BITS)
@@ -1418,6 +1436,15 @@ class Row(NamedTuple):
     verdict: str
     claim: Claim | Applies | Always
     words: str
+    uses: frozenset[str]
+
+
+class Cite(NamedTuple):
+    """A citation: its name, the theorem, and the digest of its statement."""
+
+    name: str
+    theorem: str
+    digest: str
 
 
 class Statement(NamedTuple):
@@ -1426,8 +1453,16 @@ class Statement(NamedTuple):
     title: str
     constants: list[str]  # those of the root, with the parameters
     rows: dict[str, Row]
-    assumptions: dict[str, str]
-    cites: list[tuple[str, str]]  # theorem and digest
+    sentences: dict[str, str]  # what is assumed
+    standing: set[str]  # those of them that grant a given
+    cites: list[Cite]
+
+    def printed(self) -> frozenset[str]:
+        """The names of the sentences that printed rows use, and nothing else does."""
+        used: dict[str, set[str]] = {"needed": set(self.standing), "printed": set()}
+        for row in self.rows.values():
+            used[row.role] |= row.uses
+        return frozenset(used["printed"] - used["needed"])
 
 
 class Reader:
@@ -1468,8 +1503,10 @@ class Reader:
             if prefix and row.verdict == "proved" and isinstance(row.claim, Claim):
                 kernel.install(prefix + row.name, row.claim, row.context)
         constants = [*terms, *(item["name"] for item in document["constants"])]
-        cites = [(cite["theorem"], cite["statement_sha256"]) for cite in document["cites"]]
-        return Statement(document["title"], constants, rows, assumptions, cites)
+        givens = [given for item in document["contexts"] for given in item["givens"]]
+        standing = {given["assumption"] for given in givens if given["assumption"] is not None}
+        cites = [Cite(c["name"], c["theorem"], c["statement_sha256"]) for c in document["cites"]]
+        return Statement(document["title"], constants, rows, assumptions, standing, cites)
 
     def cite(self, cite: dict[str, Any], prefix: str) -> None:
         """Read a cited statement, whose names get its name and a colon before them."""
@@ -1531,7 +1568,7 @@ class Reader:
 
     def row(self, item: dict[str, Any], prefix: str, assumptions: Mapping[str, str]) -> Row:
         """An obligation."""
-        unknown = sorted(set(item["uses"]) - assumptions.keys())
+        unknown = [name for name in item["uses"] if name not in assumptions]
         need(not unknown, Malformed, "uses: found {}, which are no assumptions", unknown)
         context = self.find(item["context"], prefix)
         claim, words = self.claim(item["name"], item["claim"], context, prefix)
@@ -1541,7 +1578,8 @@ class Reader:
         words = f"{words}{where}" if item["verdict"] == "proved" else f"not ({words}{where})"
         label = f" [{item['label']}]" if item["label"] else ""
         words = f"{item['name']}{label} {words}"
-        return Row(item["name"], context, item["role"], item["verdict"], claim, words)
+        uses = frozenset(item["uses"])
+        return Row(item["name"], context, item["role"], item["verdict"], claim, words, uses)
 
     def claim(
         self, where: str, value: Any, context: Context, prefix: str
@@ -1598,8 +1636,14 @@ class Checking:
             self.kernel.refused.add(step[kind])
             row = self.statement.rows.get(step[kind])
             what = row.words if row else what
-            self.complaints.append(f"REFUSED {what}: {error}")
-            self.lines.append(self.complaints[-1])
+            self.complain(f"{what}: {error}")
+
+    def complain(self, words: str) -> None:
+        """Put a refusal into the report, if there is room."""
+        good = len(self.complaints) < MAX_REFUSED
+        need(good, Malformed, "found more than {} refusals", MAX_REFUSED)
+        self.complaints.append(f"REFUSED {words}")
+        self.lines.append(self.complaints[-1])
 
     def place(self, context: Context) -> Place:
         """The context, which must be open."""
@@ -1699,8 +1743,7 @@ class Checking:
         need(not left, Malformed, "steps: found none for {}", left)
         for name, row in self.statement.rows.items():
             if row.role == "needed" and row.verdict == "undecided":
-                self.complaints.append(f"REFUSED {name}: a needed row is undecided")
-                self.lines.append(self.complaints[-1])
+                self.complain(f"{name}: a needed row is undecided")
         rows = {
             name: row.claim
             for name, row in self.statement.rows.items()
@@ -1734,8 +1777,7 @@ class Checking:
             good = given.low <= inner.low and inner.high <= given.high
             need(good, Refused, "found the enclosure {}, expected one around {}", given, inner)
         except Refused as error:
-            self.complaints.append(f"REFUSED enclosure of {name}: {error}")
-            self.lines.append(self.complaints[-1])
+            self.complain(f"enclosure of {name}: {error}")
 
 
 STEP: dict[str, Callable[[Checking, dict[str, Any]], None]] = {
@@ -1748,27 +1790,35 @@ STEP: dict[str, Callable[[Checking, dict[str, Any]], None]] = {
 
 
 class Folder(NamedTuple):
-    """A statement and its certificate, and statements that lie beside them to be cited."""
+    """A statement and its certificate, and what lies beside them to be cited.
+
+    ``proofs`` has those of the cited statements that lie there with a certificate, and it.
+    """
 
     path: str
     statement: bytes
     certificate: bytes
-    cited: list[bytes]
+    cited: Sequence[bytes]
+    proofs: Sequence[tuple[bytes, bytes]] = ()
 
 
 class Report(NamedTuple):
-    """What was found about one statement: PROVED, REFUTED or REFUSED, and the lines about it.
+    """What was found about one statement: a verdict of `EXIT_CODES`, and the lines about it.
 
     ``rows`` says of each obligation what the steps that were accepted show, whatever the statement
-    says of it: proved, refuted, undecided, or refused.
+    says of it: proved, refuted, undecided, or refused. ``printed`` are the names of the sentences
+    that only printed rows use, ``work`` is what was counted.
     """
 
     verdict: str
     lines: list[str]
     summary: str
     digest: str
-    cites: list[tuple[str, str]]
-    rows: Mapping[str, str]
+    cites: Sequence[Cite] = ()
+    rows: Mapping[str, str] = {}
+    sentences: Mapping[str, str] = {}
+    printed: frozenset[str] = frozenset()
+    work: int = 0
 
 
 def parsed(where: str, data: bytes, shape: Shape) -> Any:
@@ -1799,16 +1849,21 @@ def parsed(where: str, data: bytes, shape: Shape) -> Any:
     return value
 
 
-def check(first: bytes, second: bytes, available: Mapping[str, bytes]) -> Report:
+def check(
+    first: bytes, second: bytes, available: Mapping[str, bytes], work: int | None = None
+) -> Report:
     """Whether the certificate in ``second`` proves the statement in ``first``, and a report.
 
-    ``available`` has the bytes of statements that may be cited, by their digests.
+    ``available`` has the bytes of statements that may be cited, by their digests; ``work`` is the
+    limit, if it is another one.
     """
     document = parsed("statement", first, STATEMENT)
     certificate = parsed("certificate", second, CERTIFICATE)
     digest, found = sha256(first).hexdigest(), certificate["statement_sha256"]
     need(found == digest, Malformed, "statement_sha256: found {}, expected {}", found, digest)
     kernel = Kernel()
+    kernel.work = limit = MAX_WORK if work is None else work
+    kernel.spend(0, (len(first) + len(second)) // 8)
     reader = Reader(kernel, available)
     statement = reader.read(document)
     needed = [row for row in statement.rows.values() if row.role == "needed"]
@@ -1821,40 +1876,134 @@ def check(first: bytes, second: bytes, available: Mapping[str, bytes]) -> Report
         checking.step(step)
     checking.finish(certificate["enclosures"])
     refuted = any(row.verdict == "refuted" for row in needed)
-    verdict = "REFUSED" if checking.complaints else "REFUTED" if refuted else "PROVED"
-    lines = checking.lines + [f"assumed {name}: {s}" for name, s in statement.assumptions.items()]
-    words = summary(statement)
-    if checking.complaints:  # what the statement claims is not counted as if it were shown
-        words = f"{statement.title}: not shown; refused above: {len(checking.complaints)}"
-    return Report(verdict, lines, words, digest, statement.cites, checking.rows())
+    verdict = "REFUTED" if refuted else "PROVED"
+    lines = checking.lines + [f"assumed {name}: {s}" for name, s in statement.sentences.items()]
+    report = Report(
+        verdict, lines, summary(statement), digest, statement.cites, checking.rows(),
+        statement.sentences, statement.printed(), limit - kernel.work,
+    )  # fmt: skip
+    return refused(report, statement.title, checking.complaints)
+
+
+def refused(report: Report, title: str, complaints: Sequence[str]) -> Report:
+    """The report, where what the statement claims is not counted as if it were shown."""
+    words = f"{title}: not shown; refused above: {len(complaints)}"
+    return report._replace(verdict="REFUSED", summary=words) if complaints else report
 
 
 def summary(statement: Statement) -> str:
-    """The title, how many rows of each kind there are, and the assumptions."""
+    """The title, and how many rows of each kind there are."""
     counts = []
     for verdict in ("proved", "refuted", "undecided"):
         for role in ("needed", "printed"):
             n = sum((row.role, row.verdict) == (role, verdict) for row in statement.rows.values())
             counts.append(f"{n} {role} {verdict}")
-    given = ", ".join(statement.assumptions) or "nothing"
-    return f"{statement.title}: {', '.join(counts)}; given {given}"
+    return f"{statement.title}: {', '.join(counts)}"
+
+
+def examined(first: bytes, second: bytes, available: Mapping[str, bytes], work: int) -> Report:
+    """The same as `check`, with a report also about what is malformed."""
+    try:
+        return check(first, second, available, work)
+    except (Malformed, RecursionError) as error:
+        return Report("MALFORMED", [], str(error), sha256(first).hexdigest())
+
+
+def judged(folders: Sequence[Folder]) -> Iterable[tuple[Report, list[Report]]]:
+    """For each folder its report, and those about the certificates of what it cites.
+
+    What lies in one folder shares one limit of work, whatever is known of it from another one.
+    """
+    everything = [data for folder in folders for data in (folder.statement, *folder.cited)]
+    available = {sha256(data).hexdigest(): data for data in everything}
+    known: dict[tuple[bytes, bytes], Report] = {}
+    for folder in folders:
+        found: list[Report] = []
+        room = MAX_WORK
+        for pair in ((folder.statement, folder.certificate), *folder.proofs):
+            report = known.get(pair) or examined(*pair, available, room)
+            if report.work > room:
+                report = examined(*pair, available, room)
+            found.append(report)
+            if report.verdict == "MALFORMED":
+                break
+            known[pair] = report
+            room -= report.work
+        yield with_cited(found[0], found[1:]), found[1:]
+
+
+def with_cited(report: Report, cited: Sequence[Report]) -> Report:
+    """The report about a folder in which those about certificates of what it cites are good."""
+    if report.verdict == "MALFORMED":
+        return report
+    complaints = []
+    for other in cited:
+        if other.verdict == "MALFORMED":
+            words = f"cited certificate of {other.digest}: {other.summary}"
+            return Report("MALFORMED", [], words, report.digest)
+        if other.verdict != "PROVED":
+            said = [line for line in other.lines if line.startswith("REFUSED")]
+            why = said[0] if said else f"{other.verdict}: {other.summary}"
+            complaints.append(f"REFUSED cited certificate of {other.digest}: {why}")
+    title = report.summary.rpartition(": ")[0]
+    return refused(report._replace(lines=[*report.lines, *complaints]), title, complaints)
+
+
+def closed_by(found: Iterable[tuple[Report, list[Report]]]) -> dict[str, Report]:
+    """The reports that close citations, by the digests of the statements: what is proved."""
+    reports = [report for folder, cited in found for report in (folder, *cited)]
+    return {report.digest: report for report in reports if report.verdict == "PROVED"}
+
+
+def rests_on(
+    report: Report, closed: Mapping[str, Report]
+) -> tuple[list[tuple[str, Report]], list[Cite]]:
+    """The reports that close citations, with what its names begin with here; and open citations.
+
+    Any fact of a cited statement may be used, so all its sentences count.
+    """
+    waiting, found, opened = [("", cite) for cite in report.cites], [], []
+    seen: set[str] = set()
+    for prefix, cite in waiting:  # which grows
+        if cite.digest in seen:
+            continue
+        seen.add(cite.digest)
+        if cite.digest in closed:
+            found.append((f"{prefix}{cite.name}:", closed[cite.digest]))
+            waiting += [(found[-1][0], inner) for inner in closed[cite.digest].cites]
+        else:
+            opened.append(cite)
+    return found, opened
+
+
+def conclusion(report: Report, closed: Mapping[str, Report]) -> list[str]:
+    """All lines about a folder: also the sentences of what it cites, and the last line."""
+    cited, _ = rests_on(report, closed)
+    lines = [
+        f"assumed {prefix}{name}: {sentence}"
+        for prefix, other in cited
+        for name, sentence in other.sentences.items()
+    ]
+    return [*report.lines, *lines, last_line(report, closed)]
 
 
 def last_line(report: Report, closed: Mapping[str, Report]) -> str:
-    """The verdict, and what it is about; a citation is closed by a proof in the same run."""
-    waiting, opened, given = [*report.cites], [], []
-    seen: set[str] = set()
-    while waiting:
-        theorem, digest = waiting.pop()
-        if digest in seen:
-            continue
-        seen.add(digest)
-        if digest in closed:
-            waiting += closed[digest].cites
-            given.append(f"; and what {theorem} is given")
-        else:
-            opened.append(f"; citing {theorem}, which is not proved here ({digest})")
-    return f"{report.verdict}: {report.summary}{''.join(given + opened)}"
+    """The verdict, what it is about, and the sentences on which the needed rows rest.
+
+    A citation is closed by a proof in the same run, and then rests on the sentences given there.
+    """
+    words = f"{report.verdict}: {report.summary}"
+    if report.verdict not in ("PROVED", "REFUTED"):
+        return words
+    cited, opened = rests_on(report, closed)
+    given = [name for name in report.sentences if name not in report.printed]
+    given += [prefix + name for prefix, other in cited for name in other.sentences]
+    words += f"; given {', '.join(given) or 'nothing'}"
+    apart = [name for name in report.sentences if name in report.printed]
+    words += f"; for printed rows only, also given {', '.join(apart)}" if apart else ""
+    for cite in opened:
+        words += f"; citing {cite.theorem}, which is not proved here ({cite.digest})"
+    return words
 
 
 def read_file(path: str) -> bytes:
@@ -1863,20 +2012,26 @@ def read_file(path: str) -> bytes:
         return file.read(MAX_BYTES + 1)
 
 
-def read_cited(folder: str) -> list[bytes]:
-    """The bytes of the files in a folder, if there is one."""
-    found, room = [], MAX_CITED
+def read_cited(folder: str) -> tuple[list[bytes], list[tuple[bytes, bytes]]]:
+    """The statements in a folder, if there is one; and those with a certificate, and it."""
+    found, room = {}, MAX_CITED
     for name in sorted(os.listdir(folder)) if os.path.isdir(folder) else []:
         path = os.path.join(folder, name)
         need(os.path.isfile(path), OSError, "found {}, which is no file", path)
-        found.append(read_file(path))
-        room -= len(found[-1])
+        found[name] = read_file(path)
+        room -= len(found[name])
         need(room >= 0, OSError, "found more than {} bytes in {}", MAX_CITED, folder)
-    return found
+    proofs = []
+    for name in [name for name in found if name.endswith(CERTIFIED)]:
+        first, second = f"{name.removesuffix(CERTIFIED)}.json", found.pop(name)
+        message = "found {} in {}, but no {} beside it"
+        need(first in found, OSError, message, name, folder, first)
+        proofs.append((found[first], second))
+    return [*found.values()], proofs
 
 
 def read_folders(arguments: Sequence[str]) -> list[Folder]:
-    """For each folder its name, its two files, and the statements that lie there to be cited."""
+    """For each folder its name, its two files, and what lies there to be cited."""
     found = []
     names = ("statement.json", "certificate.json")
     pairs = [(path, *(os.path.join(path, name) for name in names)) for path in arguments]
@@ -1887,32 +2042,19 @@ def read_folders(arguments: Sequence[str]) -> list[Folder]:
             need(os.path.isfile(path), OSError, "found {}, which is no file", path)
     for path, first, second in pairs:
         others = read_cited(os.path.join(os.path.dirname(first), "cited"))
-        found.append(Folder(path, read_file(first), read_file(second), others))
+        found.append(Folder(path, read_file(first), read_file(second), *others))
     return found
 
 
 def check_folders(folders: Sequence[Folder]) -> tuple[int, list[str]]:
     """The exit code and the report about folders, of which some may cite others."""
-    everything = [data for folder in folders for data in (folder.statement, *folder.cited)]
-    available = {sha256(data).hexdigest(): data for data in everything}
-    reports: list[tuple[str, Report | Malformed]] = []
-    for path, first, second, _ in folders:
-        try:
-            reports.append((path, check(first, second, available)))
-        except (Malformed, RecursionError) as error:
-            reports.append((path, Malformed(str(error))))
-    found = [report for _, report in reports if isinstance(report, Report)]
-    closed = {report.digest: report for report in found if report.verdict == "PROVED"}
-    code, lines = 0, []
-    for path, report in reports:
-        if len(reports) > 1:
-            lines.append(f"{path}:")
-        if isinstance(report, Malformed):
-            code, lines = 4, [*lines, f"MALFORMED: {report}"]
-        else:
-            code = max(code, 0 if report.verdict == "PROVED" else 1)
-            lines += [*report.lines, last_line(report, closed)]
-    return code, lines
+    found = [*judged(folders)]
+    closed = closed_by(found)
+    lines = []
+    for folder, (report, _) in zip(folders, found, strict=True):
+        lines += [f"{folder.path}:"] if len(folders) > 1 else []
+        lines += conclusion(report, closed)
+    return max((EXIT_CODES[report.verdict] for report, _ in found), default=0), lines
 
 
 def main(arguments: Sequence[str]) -> int:

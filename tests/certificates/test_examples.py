@@ -4,6 +4,7 @@ import copy
 import hashlib
 import json
 import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -116,20 +117,26 @@ def test_example_is_called_as_its_folder(name: str) -> None:
     assert load(CERTIFICATES / "examples" / name / "statement.json")["theorem"] == name
 
 
-def test_citation_is_open_alone_and_closed_together() -> None:
-    mean, applied = (CERTIFICATES / "examples" / name for name in ("mean", "mean-applied"))
-    cited = (mean / "statement.json").read_bytes()
-    assert (applied / "cited" / "mean.json").read_bytes() == cited
-    digest = hashlib.sha256(cited).hexdigest()
+def test_citation_is_open_alone_and_closed_together(tmp_path: Path) -> None:
+    mean, stored = (CERTIFICATES / "examples" / name for name in ("mean", "mean-applied"))
+    for name in ("statement", "certificate"):
+        copied = stored / "cited" / f"mean{'.certificate' * (name == 'certificate')}.json"
+        assert copied.read_bytes() == (mean / f"{name}.json").read_bytes()
+    code, lines = report(stored)
+    assert (code, lines[-1].endswith("; given nothing")) == (0, True)
+    applied = tmp_path / "applied"
+    shutil.copytree(stored, applied)
+    (applied / "cited" / "mean.certificate.json").unlink()
+    digest = hashlib.sha256((mean / "statement.json").read_bytes()).hexdigest()
     code, lines = report(applied)
     assert code == 0
-    assert lines[-1].endswith(f"({digest})")
+    assert lines[-1].endswith(f"; citing mean, which is not proved here ({digest})")
     for folders in ([mean, applied], [applied, mean]):
         code, lines = report(*folders)
         last = [line for line in lines if line.startswith("PROVED")]
         assert code == 0
         assert len(last) == 2
-        assert any(line.endswith("; and what mean is given") for line in last)
+        assert all(line.endswith("; given nothing") for line in last)
         assert not any(digest in line for line in last)
 
 

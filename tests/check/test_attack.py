@@ -144,10 +144,10 @@ def test_statements_cited_in_two_ways_are_the_same() -> None:
     leaf = true(Pair()).constant("c", "1")
     top = true(Pair()).cite("a", leaf).cite("b", leaf)
     top.lemma("equal", ["=", "a:c", "b:c"], total(using=["a:c"]))
-    assert sha256(leaf.files()[0]).hexdigest() in answer(top, cited=[leaf])[1][-1]
     assert answer(top, cited=[leaf])[0] == 1
     top.steps[-1]["proof"] = total(using=["a:c", "b:c"])
-    assert answer(top, cited=[leaf])[0] == 0
+    code, lines = answer(top, cited=[leaf])
+    assert (code, lines[-1].count(sha256(leaf.files()[0]).hexdigest())) == (0, 1)
 
 
 def near(generator: random.Random) -> Fraction:

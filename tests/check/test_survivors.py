@@ -102,7 +102,7 @@ def test_files_to_be_cited_up_to_the_limit(tmp_path: Path, monkeypatch: pytest.M
     (tmp_path / "a").write_bytes(b"12345")
     (tmp_path / "b").write_bytes(b"678")
     monkeypatch.setattr(check, "MAX_CITED", 8)
-    assert check.read_cited(str(tmp_path)) == [b"12345", b"678"]
+    assert check.read_cited(str(tmp_path)) == ([b"12345", b"678"], [])
     monkeypatch.setattr(check, "MAX_CITED", 7)
     with pytest.raises(OSError, match="more than 7 bytes"):
         check.read_cited(str(tmp_path))
@@ -405,3 +405,20 @@ def test_the_entries_that_an_equation_brings_in_must_clear() -> None:
     pair = Pair().define("k", "min(1/cos(1), 2)", INTERVAL)
     pair.lemma("f", "k <= 2", entry("lhs", "k"))
     assert "found a division by a term" in verdict(pair.row("row", "0 <= 1", INTERVAL))
+
+
+def test_no_folder_at_all() -> None:
+    assert check.check_folders([]) == (0, [])
+
+
+def test_a_fraction_that_is_whole_becomes_an_integer() -> None:
+    """Integers are less work from then on."""
+    assert [type(check.whole(Fraction(n, 2))) for n in (4, 3)] == [int, Fraction]
+
+
+def test_a_folder_and_a_file_are_no_statement_and_certificate(tmp_path: Path) -> None:
+    """One folder among two arguments, and both are taken for folders."""
+    file = tmp_path / "statement.json"
+    file.write_text("{}")
+    with pytest.raises(OSError, match=r"certificate\.json"):
+        check.read_folders([str(tmp_path), str(file)])

@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from tests.check.support import INTERVAL, Pair
 from verify import check
 from verify.cli import main
 from verify.jobs import theorem1
@@ -66,6 +67,45 @@ def test_the_lines_are_those_of_the_trusted_file(capsys: pytest.CaptureFixture[s
         assert run(capsys, "-v", *paths) == (code, expected, "")
 
 
+FORGED = "x\nPROVED: all of it\x1b[2K"
+
+
+def test_names_that_forge_a_line_are_escaped_in_both(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """Of folders, of theorems, of sentences, in titles and labels: no line but one's own."""
+    paths = []
+    for name in ("mean", "mean-applied"):
+        paths.append(str(tmp_path / f"{FORGED}{name}"))
+        shutil.copytree(EXAMPLES / name, paths[-1])
+    pair = Pair(FORGED).assume("law").row("row", "1 < 1", INTERVAL)
+    pair.statement |= {"title": FORGED}
+    pair.statement["obligations"][0]["label"] = FORGED
+    pair.statement["assumptions"][0]["sentence"] = FORGED
+    other = Pair("citing").cite("c", pair).row("row", "0 <= 1", INTERVAL)
+    for i, found in enumerate((pair, other)):
+        paths.append(str(tmp_path / f"{FORGED}{i}"))
+        Path(paths[-1], "cited").mkdir(parents=True)
+        (Path(paths[-1]) / "cited" / f"{FORGED}.json").write_bytes(pair.files()[0])
+        for name, data in zip(NAMES, found.files(), strict=True):
+            (Path(paths[-1]) / name).write_bytes(data)
+    code = check.main(paths)
+    expected = capsys.readouterr().out
+    assert code == 1
+    assert run(capsys, "-v", *paths) == (code, expected, "")
+    lines = expected.splitlines()
+    assert sum(line.lstrip("'\"").startswith("PROVED") for line in lines) == 3
+    assert "\x1b" not in expected
+    assert not any(line.startswith("PROVED: all of it") for line in lines)
+
+
+def test_a_path_that_forges_a_line_on_stderr(capsys: pytest.CaptureFixture[str]) -> None:
+    assert check.main([FORGED]) == 2
+    assert capsys.readouterr().err.count("\n") == 1
+    code, out, err = run(capsys, FORGED)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+
+
 def test_a_sentence_for_each_folder(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     """Rows that only count are left out, and counts that are 0; complaints are told."""
     code, out, _ = run(capsys, EXAMPLES / "mean")
@@ -83,11 +123,30 @@ def test_a_sentence_for_each_folder(capsys: pytest.CaptureFixture[str], tmp_path
     assert lines[3].startswith(("REFUSED ", "MALFORMED: "))
 
 
-def test_one_run_closes_citations(capsys: pytest.CaptureFixture[str]) -> None:
-    alone = run(capsys, EXAMPLES / "mean-applied")[1].splitlines()[-1]
-    both = run(capsys, EXAMPLES / "mean", EXAMPLES / "mean-applied")[1].splitlines()[-1]
+def test_one_run_closes_citations(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    applied = tmp_path / "applied"
+    shutil.copytree(EXAMPLES / "mean-applied", applied)
+    assert "which is not proved here" not in run(capsys, applied)[1].splitlines()[-1]
+    (applied / "cited" / "mean.certificate.json").unlink()
+    alone = run(capsys, applied)[1].splitlines()[-1]
+    both = run(capsys, EXAMPLES / "mean", applied)[1].splitlines()[-1]
     assert "which is not proved here" in alone
     assert "which is not proved here" not in both
+
+
+def test_the_document_names_what_needed_rows_rest_on(capsys: pytest.CaptureFixture[str]) -> None:
+    """A theorem at a point takes nothing on trust itself, and eight sentences of the step."""
+    point = EXAMPLES.parent / "theorem1-r-3-100"
+    code, out, _ = run(capsys, point, "--json")
+    (found,) = json.loads(out)["folders"]
+    step = json.loads((EXAMPLES.parent / "step" / "statement.json").read_text())
+    own = json.loads((point / "statement.json").read_text())
+    assert code == 0
+    names = [item["name"] for item in found["assumptions"]]
+    assert names == [f"step:{item['name']}" for item in step["assumptions"]]
+    printed = [item["name"] for item in found["assumptions_of_printed_rows"]]
+    assert printed == [item["name"] for item in own["assumptions"]]
+    assert f"; given {', '.join(names)}; for printed rows only, also given" in found["summary"]
 
 
 def test_the_document(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

@@ -36,7 +36,8 @@ def test_all_parameters(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> N
     last = out.splitlines()[-1]
     assert last.startswith("Verdict: proved: For all 0 < r < 1")
     assert "given 8 assumptions" in last
-    (cited,) = (tmp_path / "all/cited").iterdir()
+    cited, proof = sorted((tmp_path / "all/cited").iterdir(), reverse=True)
+    assert proof.name == f"{cited.stem}.certificate.json"
     step_folder = tmp_path / "step"
     step_folder.mkdir()
     assert run(capsys, "check", tmp_path / "all")[0] == 0

@@ -681,13 +681,15 @@ def test_a_reader_who_leaves_early_sees_no_traceback() -> None:
     assert result.stderr == ""
 
 
-def test_the_citation_closes_with_the_folder_of_the_step(
+def test_the_citation_closes_with_the_certificate_beside_it_or_with_the_folder_of_the_step(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     """What a point leaves to the step is proved where both are checked in one run."""
     folder = tmp_path / "x"
     assert run(capsys, "--r", "0.03", "--out", str(folder))[0] == 0
-    for others, opened in (((), 1), ((str(ROOT / "certificates/step"),), 0)):
+    for others, opened in (((), 0), ((), 1), ((str(ROOT / "certificates/step"),), 0)):
+        if opened:
+            next((folder / "cited").glob("*.certificate.json")).unlink()
         assert main(["check", str(folder), *others]) == 0
         last = [line for line in capsys.readouterr().out.splitlines() if line[:7] == "PROVED:"]
         assert len(last) == 1 + len(others)

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from tests.check.support import (
+    DEFINE,
     INTERVAL,
     Pair,
     box,
@@ -18,7 +19,7 @@ from tests.check.support import (
     total,
 )  # fmt: skip
 
-Files = tuple[bytes, bytes]
+Files = dict[str, bytes]
 LIMIT = 1 << 22
 HEAVY: dict[str, Callable[[], Files]] = {}
 BIG = "7" * 4300
@@ -30,12 +31,26 @@ def heavy(make: Callable[[], Pair | Files]) -> Callable[[], Pair | Files]:
 
     def files() -> Files:
         made = make()
-        first, second = made.files() if isinstance(made, Pair) else made
-        assert max(len(first), len(second)) <= LIMIT
-        return first, second
+        found = folder(made) if isinstance(made, Pair) else made
+        assert max(map(len, found.values())) <= LIMIT
+        return found
 
     HEAVY[make.__name__.replace("_", "-")] = files
     return make
+
+
+def folder(pair: Pair, *cited: Pair) -> Files:
+    """The files of a folder, with cited statements and their certificates."""
+    first, second = pair.files()
+    found = {"statement.json": first, "certificate.json": second}
+    for i, other in enumerate(cited):
+        found[f"cited/{i}.json"], found[f"cited/{i}.certificate.json"] = other.files()
+    return found
+
+
+def texts(first: bytes, second: bytes) -> Files:
+    """The files of a folder with these two."""
+    return {"statement.json": first, "certificate.json": second}
 
 
 def true(pair: Pair) -> Pair:
@@ -388,45 +403,45 @@ def many_roots_reduced() -> Pair:
 @heavy
 def a_list_of_zeros() -> Files:
     first, _ = true(Pair()).files()
-    return first, b'{"steps":[' + b"0," * (LIMIT // 2 - 20) + b"0]}"
+    return texts(first, b'{"steps":[' + b"0," * (LIMIT // 2 - 20) + b"0]}")
 
 
 @heavy
 def a_list_of_zeros_among_the_steps() -> Files:
     pair = true(Pair())
     pair.steps = [[0] * 1_300_000]
-    return pair.files()
+    return folder(pair)
 
 
 @heavy
 def empty_lists() -> Files:
-    return b"[" + b"[]," * (LIMIT // 3 - 9) + b"[]]", b"{}"
+    return texts(b"[" + b"[]," * (LIMIT // 3 - 9) + b"[]]", b"{}")
 
 
 @heavy
 def empty_objects() -> Files:
-    return b"[" + b"{}," * (LIMIT // 3 - 9) + b"{}]", b"{}"
+    return texts(b"[" + b"{}," * (LIMIT // 3 - 9) + b"{}]", b"{}")
 
 
 @heavy
 def small_objects() -> Files:
-    return b"[" + b'{"":{}},' * (LIMIT // 8 - 9) + b"{}]", b"{}"
+    return texts(b"[" + b'{"":{}},' * (LIMIT // 8 - 9) + b"{}]", b"{}")
 
 
 @heavy
 def brackets_that_do_not_close() -> Files:
-    return b"[" * LIMIT, b"{}"
+    return texts(b"[" * LIMIT, b"{}")
 
 
 @heavy
 def brackets_a_hundred_deep() -> Files:
     part = b"[" * 99 + b"]" * 99
-    return b"[" + b",".join([part] * 20_000) + b"]", b"{}"
+    return texts(b"[" + b",".join([part] * 20_000) + b"]", b"{}")
 
 
 @heavy
 def one_long_text() -> Files:
-    return b'"' + b"\\u00e9" * (LIMIT // 6 - 9) + b'"', b"{}"
+    return texts(b'"' + b"\\u00e9" * (LIMIT // 6 - 9) + b'"', b"{}")
 
 
 @heavy
@@ -652,3 +667,177 @@ def cosines_with_long_coefficients() -> Pair:
         pair.terms[f"t{i}"] = ["add", number, ["mul", ["pow", "x", "2"], f"t{i - 1}"]]
     claim = ["<=", ["cos", "x"], "t96"]
     return filled(pair, lambda i: lemma(i, claim, {"rule": "cosine"}, "box"))
+
+
+# --- what was once too much ----------------------------------------------------------------------
+
+
+def long_number(i: int) -> str:
+    """A rational that fills the limit of digits."""
+    return f"{7**5085 + i}/{3**9005 + i}"
+
+
+@heavy
+def a_minimum_of_long_rationals_in_each_branch() -> Pair:
+    """Each branch adds hypotheses about all entries, and clears them anew."""
+    pair = true(Pair())
+    pair.statement["terms"] = {f"e{i}": long_number(i) for i in range(470)}
+    term = ["min", *pair.statement["terms"]]
+    branches = [total("goal", "1")] * 470
+    return pair.lemma("l", ["<", term, ["add", term, "1"]], cases(term, *branches))
+
+
+@heavy
+def refused_sums_beside_many_names() -> Pair:
+    pair = true(Pair())
+    for i in range(25_000):
+        pair.statement["parameters"][f"p{i}"] = "1"
+        pair.step(constant=f"p{i}", proof=DEFINE)
+    pair.enclosures["constants"] = {f"p{i}": {"bits": 2, "ends": ["1", "1"]} for i in range(25_000)}
+    return filled(pair, lambda i: lemma(i, ["=", "p1", "2"], total()))
+
+
+@heavy
+def refused_sums() -> Pair:
+    return filled(true(Pair()), lambda i: lemma(i, ["=", "0", "2"], total()))
+
+
+@heavy
+def rows_that_use_one_of_many_assumptions() -> Pair:
+    pair = Pair()
+    for i in range(17_000):
+        pair.assume(f"a{i}")
+    for i in range(7_000):
+        pair.row(f"r{i}", ["<", "x", "1"], None, verdict="undecided", role="printed")
+    pair.context("c", {"x": "1"}, {}, [])
+    for row in pair.statement["obligations"]:
+        row |= {"uses": ["a1"], "context": "c"}
+    return true(pair)
+
+
+@heavy
+def entries_of_a_long_minimum() -> Pair:
+    """Each looks for its side among all entries, and it is the last one."""
+    pair = true(Pair())
+    pair.terms = {"m": ["min", *[str(i) for i in range(100_000)]]}
+    pair.define("d", "m")
+    return filled(pair, lambda i: lemma(i, ["<=", "m", "99999"], entry("lhs")))
+
+
+@heavy
+def sums_of_one_long_monomial() -> Pair:
+    """Its hash is worked out again in each table."""
+    names = [f"v{i}" for i in range(10_000)]
+    pair = true(Pair()).context("c", dict.fromkeys(names, "1"), {}, [])
+    level = names
+    for depth in range(14):
+        pairs = [level[i : i + 2] for i in range(0, len(level), 2)]
+        made = {f"t{depth}.{i}": ["mul", *two] for i, two in enumerate(pairs) if len(two) == 2}
+        pair.terms |= made
+        level = [*made, *(two[0] for two in pairs if len(two) == 1)]
+    proof = total("goal", "1")
+    return filled(pair, lambda i: lemma(i, ["<", level[0], ["add", level[0], "1"]], proof, "c"))
+
+
+@heavy
+def premises_that_are_names() -> Pair:
+    """Thousands of givens, each shown by the same fact, in hundreds of instances."""
+    givens = {f"g{i}": ["<=", "0", "x"] for i in range(3_000)}
+    pair = Pair().context("c", {"x": "1"}, givens)
+    pair.lemma("fact", "0 <= x", total("goal", "g0"), "c").lemma("a", "0 <= 1", INTERVAL)
+    proof = instance("fact", {"x": "1"}, *["a"] * 3_000)
+    return filled(true(pair), lambda i: lemma(i, ["<=", "0", "1"], proof))
+
+
+@heavy
+def roots_in_a_deep_context() -> Pair:
+    """Whether a radicand is known is looked up in a hundred contexts."""
+    pair = Pair()
+    parent = None
+    for i in range(99):
+        pair.context(f"c{i}", {f"v{i}": "1"}, {f"g{i}": f"0 < v{i}"}, None, parent)
+        parent = f"c{i}"
+    claim, proof = ["<", "0", ["sqrt", "v98"]], {"rule": "root"}
+    return filled(true(pair), lambda i: lemma(i, claim, proof, "c98"))
+
+
+@heavy
+def names_with_many_colons() -> Pair:
+    return true(Pair()).lemma("l", "0 < 1", total("goal", using=["a:" * 2_000_000 + "a"]))
+
+
+@heavy
+def one_small_statement_cited_many_times() -> Files:
+    other = true(Pair("T"))
+    pair = true(Pair())
+    pair.cite("c0", other)
+    (item,) = pair.statement["cites"]
+    pair.statement["cites"] = [item | {"name": f"c{i}"} for i in range(30_000)]
+    return folder(pair, other)
+
+
+@heavy
+def long_statements_cited() -> Files:
+    """Seven of them, each with as many variables as it holds."""
+    others, pair = [], true(Pair())
+    for k in range(7):
+        other = true(Pair(f"T{k}"))
+        other.context("c", {f"v{i}": "1" for i in range(45_000)}, {}, [])
+        others.append(other)
+        pair.cite(f"c{k}", other)
+    return folder(pair, *others)
+
+
+@heavy
+def cited_certificates_that_are_much_work_each() -> Files:
+    others, pair = [], true(Pair())
+    for k in range(7):
+        other = true(Pair(f"T{k}"))
+        filled(other, lambda i: lemma(i, ["<", f"{i}/7", str(i + 1)], interval(bits=2)))
+        others.append(other)
+        pair.cite(f"c{k}", other)
+    return folder(pair, *others)
+
+
+@heavy
+def cited_certificates_that_are_too_much_work() -> Files:
+    others, pair = [], true(Pair())
+    for k in range(20):
+        other = Pair(f"T{k}").row("row", "0 <= 1", INTERVAL)
+        other.lemma("l", ["<", ["cos", "1"], "2"], interval(bits=60_000 + k))
+        for i in range(40):
+            other.lemma(f"l{i}", ["<", ["cos", f"{i}"], "2"], interval(bits=4_000))
+        others.append(other)
+        pair.cite(f"c{k}", other)
+    return folder(pair, *others)
+
+
+@heavy
+def polynomials_that_are_kept() -> Pair:
+    """Each term is cleared once and kept: two hundred negatives of a long sum, and so on."""
+    pair = true(Pair()).context("c", {"x": "1", "y": "1"}, {}, [])
+    number = str(2**250 + 1)
+    pair.terms = {"t": ["pow", ["add", ["mul", number, "x"], "y"], "400"]}
+    return filled(
+        pair, lambda i: lemma(i, ["<=", ["mul", str(i), "t"], ["mul", str(i), "t"]],
+                              total("goal", "1"), "c")
+    )  # fmt: skip
+
+
+@heavy
+def tables_that_are_kept() -> Pair:
+    pair = true(Pair()).context("c", {"x": "1"}, {}, [])
+    pair.terms = {"t0": polynomial(12)}
+    for i in range(180):
+        pair.terms[f"t{i + 1}"] = ["neg", f"t{i}"]
+    return pair.lemma("l", ["=", "t180", "t180"], total(), "c")
+
+
+@heavy
+def enclosures_of_very_many_constants() -> Pair:
+    pair = Pair()
+    for i in range(25_000):
+        pair.statement["parameters"][f"p{i}"] = "1/3"
+        pair.step(constant=f"p{i}", proof=DEFINE)
+    pair.enclosures["constants"] = {f"p{i}": {"bits": 2, "ends": ["0", "0"]} for i in range(25_000)}
+    return true(pair)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from hashlib import sha256
 from typing import Any
@@ -23,9 +23,6 @@ FORMAT = "verify-check/1"
 NAMES = ("statement.json", "certificate.json")
 
 MALFORMED = "MALFORMED"
-
-#: The exit code of each verdict; of several folders the largest counts.
-EXIT_CODES = {"PROVED": 0, "REFUTED": 1, "REFUSED": 1, MALFORMED: 4}
 
 FOREIGN = 4
 
@@ -54,19 +51,20 @@ class CheckedFolder(Record):
     """What the checker found in one folder.
 
     ``own`` says whether the statement is one that the program makes and calls proved; None where
-    that was not asked, or the checker does not say PROVED.
+    that was not asked, or the checker does not say PROVED. ``cited`` has the statements on whose
+    sentences it rests, with what their names begin with here.
     """
 
     folder: check.Folder
-    verdict: str
+    report: check.Report
     lines: list[str]
-    report: check.Report | None
+    cited: list[tuple[str, bytes]]
     own: bool | None = None
 
     @property
     def code(self) -> int:
         """The exit code of this folder alone."""
-        return FOREIGN if self.own is False else EXIT_CODES[self.verdict]
+        return FOREIGN if self.own is False else check.EXIT_CODES[self.report.verdict]
 
 
 def run(options: Options) -> int:
@@ -87,7 +85,7 @@ def run(options: Options) -> int:
 
 def _print_latex(found: Sequence[CheckedFolder]) -> int:
     """Print the document if everything is accepted, else say on stderr what is not."""
-    refused = [judged for judged in found if judged.code and judged.verdict != "REFUTED"]
+    refused = [judged for judged in found if judged.code and judged.report.verdict != "REFUTED"]
     for judged in refused:
         why = "not a statement of the program" if judged.own is False else judged.lines[-1]
         print(f"verify: {judged.folder.path}: {why}"[:300], file=sys.stderr)
@@ -97,13 +95,12 @@ def _print_latex(found: Sequence[CheckedFolder]) -> int:
         from verify.wire.term_json import WireError
 
         folders = [judged.folder for judged in found]
-        everything = [data for folder in folders for data in (folder.statement, *folder.cited)]
-        cited = {sha256(data).hexdigest(): data for data in everything}
+        cited = available(folders)
         try:
             text = tex_document(read_judged(f.statement, f.certificate, cited) for f in folders)
         except WireError as error:
             print(f"verify: {error}"[:300], file=sys.stderr)
-            return EXIT_CODES[MALFORMED]
+            return check.EXIT_CODES[MALFORMED]
         sys.stdout.write(text)
     return max(judged.code for judged in found)
 
@@ -137,31 +134,27 @@ def folders_at(paths: Sequence[str]) -> list[check.Folder]:
 
 def judge_folders(folders: Sequence[check.Folder]) -> list[CheckedFolder]:
     """Check folders of which some may cite others, as `verify/check.py` does."""
+    statements = available(folders)
+    found = list(watched(check.judged(folders), len(folders)))
+    closed = check.closed_by(found)
+    results = []
+    for folder, (report, _) in zip(folders, found, strict=True):
+        cited = [
+            (name, statements[other.digest]) for name, other in check.rests_on(report, closed)[0]
+        ]
+        results.append(CheckedFolder(folder, report, check.conclusion(report, closed), cited))
+    return results
+
+
+def available(folders: Sequence[check.Folder]) -> dict[str, bytes]:
+    """The statements that may be cited, by their digests."""
     everything = [data for folder in folders for data in (folder.statement, *folder.cited)]
-    available = {sha256(data).hexdigest(): data for data in everything}
-    work = (_judged(folder, available) for folder in folders)
-    found = list(watched(work, len(folders)))
-    reports = [judged.report for judged in found if judged.report is not None]
-    closed = {report.digest: report for report in reports if report.verdict == "PROVED"}
-    return [
-        judged
-        if judged.report is None
-        else judged._replace(lines=[*judged.lines, check.last_line(judged.report, closed)])
-        for judged in found
-    ]
-
-
-def _judged(folder: check.Folder, available: Mapping[str, bytes]) -> CheckedFolder:
-    try:
-        report = check.check(folder.statement, folder.certificate, available)
-    except (check.Malformed, RecursionError) as error:
-        return CheckedFolder(folder, MALFORMED, [f"{MALFORMED}: {error}"], None)
-    return CheckedFolder(folder, report.verdict, report.lines, report)
+    return {sha256(data).hexdigest(): data for data in everything}
 
 
 def _compared(judged: CheckedFolder) -> CheckedFolder:
     """With the answer whether a proved theorem is the program's own, from the same bytes."""
-    if judged.verdict != "PROVED":
+    if judged.report.verdict != "PROVED":
         return judged
     from verify.jobs.regenerate import is_right_statement  # loads flint
 
@@ -205,11 +198,13 @@ def _out_of_range(statement: bytes) -> str:
 
 def _row(judged: CheckedFolder) -> dict[str, Any]:
     """One folder of the document."""
-    row: dict[str, Any] = {"path": judged.folder.path, "verdict": judged.verdict.lower()}
-    row |= {"title": None, "needed": None, "printed": None, "assumptions": []}
-    if judged.report is not None:
-        row |= _content(judged.folder.statement)
-    if judged.verdict == "REFUSED":  # what the statement claims is not counted as if it were shown
+    verdict = judged.report.verdict
+    row: dict[str, Any] = {"path": judged.folder.path, "verdict": verdict.lower()}
+    row |= {"title": None, "needed": None, "printed": None}
+    row |= {"assumptions": [], "assumptions_of_printed_rows": []}
+    if verdict != MALFORMED:
+        row |= _content(judged)
+    if verdict == "REFUSED":  # what the statement claims is not counted as if it were shown
         row |= {"needed": None, "printed": None}
     row["complaints"] = [
         line for line in judged.lines if line.startswith(("REFUSED ", f"{MALFORMED}: "))
@@ -218,17 +213,27 @@ def _row(judged: CheckedFolder) -> dict[str, Any]:
     return row if judged.own is None else row | {"own_statement": judged.own}
 
 
-def _content(statement: bytes) -> dict[str, Any]:
-    """What a statement that the checker has read is about."""
+def _content(judged: CheckedFolder) -> dict[str, Any]:
+    """What a statement that the checker has read is about, and what it is given."""
     import json  # loaded only where it is used
 
-    from verify.language.statement import PROVED, REFUTED, UNDECIDED, Assumption
-    from verify.views.document import assumption_document
+    from verify.language.statement import PROVED, REFUTED, UNDECIDED
 
-    document = json.loads(statement)
+    document = json.loads(judged.folder.statement)
     found: dict[str, Any] = {"title": document["title"]}
     for role in ("needed", "printed"):
         rows = [row["verdict"] for row in document["obligations"] if row["role"] == role]
         found[role] = {verdict: rows.count(verdict) for verdict in (PROVED, REFUTED, UNDECIDED)}
-    assumptions = (Assumption(**item) for item in document["assumptions"])
-    return found | {"assumptions": list(map(assumption_document, assumptions))}
+    own, apart = _assumptions("", document), judged.report.printed
+    cited = [item for name, data in judged.cited for item in _assumptions(name, json.loads(data))]
+    found["assumptions"] = [item for item in own if item["name"] not in apart] + cited
+    found["assumptions_of_printed_rows"] = [item for item in own if item["name"] in apart]
+    return found
+
+
+def _assumptions(prefix: str, statement: dict[str, Any]) -> list[dict[str, Any]]:
+    from verify.language.statement import Assumption
+    from verify.views.document import assumption_document
+
+    items = [item | {"name": prefix + item["name"]} for item in statement["assumptions"]]
+    return [assumption_document(Assumption(**item)) for item in items]

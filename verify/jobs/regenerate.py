@@ -69,7 +69,7 @@ def is_right_statement(content: bytes) -> bool:
     except (KeyError, TypeError, ValueError, AttributeError, IndexError, RecursionError):
         return False
     return any(
-        outcome.claimed == PROVED and write(outcome)["statement.json"] == content
+        outcome.claimed == PROVED and _written(outcome) == content
         for outcome in _outcomes(theorem, parameters, collisions)
     )
 
@@ -83,7 +83,15 @@ def is_right_when_accepted(content: bytes, accepted: Outcome) -> bool:
         return is_right_statement(content)
     stated = ONLY_STATED[accepted.statement.theorem]()
     own = Outcome(stated, accepted.decisions, (), {})
-    return own.claimed == PROVED and write(own)["statement.json"] == content
+    return own.claimed == PROVED and _written(own) == content
+
+
+def _written(outcome: Outcome) -> bytes | None:
+    """The bytes of the statement; None if a number in it has more digits than can be written."""
+    try:
+        return write(outcome)["statement.json"]
+    except ValueError:
+        return None
 
 
 def _parameters(document: Any) -> dict[str, Term]:

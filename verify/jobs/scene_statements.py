@@ -31,7 +31,8 @@ def read_back(parameters: Mapping[str, Term]) -> Scene | None:
         for letter in ("x", "v")
     }
     names = {"r", *(name for table in rows.values() for row in table for name in row)}
-    if count < 2 or {*parameters} != names:
+    numbers = all(term.op == "rational" for term in parameters.values())
+    if count < 2 or {*parameters} != names or not numbers:
         return None
     positions, velocities = (
         tuple(tuple(parameters[name].value for name in row) for row in rows[letter])

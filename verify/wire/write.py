@@ -6,7 +6,9 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from hashlib import sha256
 from typing import Any
 
@@ -38,26 +40,44 @@ from verify.wire.term_json import TermWriter
 STATEMENT_FORMAT = "verify-statement/2"
 CERTIFICATE_FORMAT = "verify-certificate/2"
 
+#: The folder of the step, a copy of the one in `certificates`.
+PACKAGED = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data", "step")
+
 
 def write(outcome: Outcome) -> dict[str, bytes]:
     """The files of a certificate, by their names in its folder.
 
-    Besides statement and certificate there are the statements that are cited.
+    Besides statement and certificate there are the statements that are cited, with their
+    certificates if those come with the program.
     """
     statement = outcome.statement
     writer = TermWriter("t", statement_terms(statement), {})
     first = encode(_statement(outcome, writer))
     used = [term for step in outcome.steps for term in _step_terms(step)]
     second = encode(_certificate(outcome, first, TermWriter("u", used, writer.names)))
-    cited = {f"cited/{digest(content)}.json": content for content in _cited(statement.cites)}
+    cited = dict(_cited(statement.cites))
     return {"statement.json": first, "certificate.json": second} | cited
 
 
-def _cited(cites: Iterable[Cite]) -> Iterator[bytes]:
-    """The contents of citations, and of the citations in them."""
+def _cited(cites: Iterable[Cite]) -> Iterator[tuple[str, bytes]]:
+    """The files of citations, and of the citations in them."""
     for cite in cites:
-        yield cite.content
+        name = f"cited/{digest(cite.content)}"
+        yield f"{name}.json", cite.content
+        statement, certificate = packaged_files()
+        if cite.content == statement:
+            yield f"{name}.certificate.json", certificate
         yield from _cited(cite.cites)
+
+
+@cache
+def packaged_files() -> tuple[bytes, bytes]:
+    """The statement and the certificate of the step, which come with the program."""
+    found = []
+    for name in ("statement.json", "certificate.json"):
+        with open(os.path.join(PACKAGED, name), "rb") as file:
+            found.append(file.read())
+    return found[0], found[1]
 
 
 def digest(content: bytes) -> str:

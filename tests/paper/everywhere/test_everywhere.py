@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 from functools import cache
+from pathlib import Path
 
 import pytest
 
@@ -58,6 +59,7 @@ def test_the_rows_are_those_of_the_theorem() -> None:
 
 
 def test_the_last_line_closes_the_citation(tmp_path_factory: pytest.TempPathFactory) -> None:
+    """By the certificate beside it, or another folder of the run."""
     folders = []
     for name, outcome in (("everywhere", decide_everywhere()), ("step", step.decide_step())):
         folder = tmp_path_factory.mktemp(name)
@@ -68,6 +70,10 @@ def test_the_last_line_closes_the_citation(tmp_path_factory: pytest.TempPathFact
     code, lines = check.check_folders(check.read_folders(folders))
     assert code == 0
     assert not any("which is not proved here" in line for line in lines)
+    for path in Path(folders[0], "cited").glob("*.certificate.json"):
+        code, lines = check.check_folders(check.read_folders(folders[:1]))
+        assert (code, lines[-1].partition("; given ")[2].count("step:")) == (0, 8)
+        path.unlink()
     code, lines = check.check_folders(check.read_folders(folders[:1]))
     assert "which is not proved here" in lines[-1]
 

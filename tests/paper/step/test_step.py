@@ -27,7 +27,7 @@ from verify.prover.proof import LemmaStep, ObligationStep, Step
 from verify.prover.rules import Sum
 from verify.views.words import headline
 from verify.wire.read import read
-from verify.wire.write import encode, write
+from verify.wire.write import PACKAGED, encode, write
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -242,7 +242,7 @@ def test_a_point_run_cites_the_step(point: tuple[str, str], selection: str) -> N
 def test_the_step_that_comes_with_the_program_is_the_one_that_it_makes() -> None:
     """If not: verify certify, then copy certificates/step/*.json to verify/data/step."""
     for name, content in write(decide_step()).items():
-        for folder in (citing.FOLDER, ROOT / "certificates/step"):
+        for folder in (PACKAGED, ROOT / "certificates/step"):
             assert (Path(folder) / name).read_bytes() == content, folder
     assert citing.packaged() == write(decide_step())["statement.json"]
 

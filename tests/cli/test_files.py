@@ -216,4 +216,4 @@ def test_nobody_waits_at_a_pipe(tmp_path: Path, name: str, words: list[str], cod
     assert "Traceback" not in done.stderr
     assert name in done.stdout + done.stderr
     with pytest.raises(InputError, match="cannot be read"):
-        scene_files.content(str(tmp_path / name))
+        scene_files.scene_bytes(str(tmp_path / name))

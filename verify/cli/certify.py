@@ -9,7 +9,7 @@ from verify.cli.files import MAX_BYTES, test_folder, write_folder
 from verify.cli.options import Options, Parser
 from verify.cli.steps import Steps
 from verify.jobs.acceptance import accept
-from verify.jobs.inputs import InputError, read_file, shown
+from verify.jobs.inputs import InputError, regular_file, shown
 from verify.prover.outcome import Outcome
 
 
@@ -66,6 +66,6 @@ def _compare(path: str, contents: Mapping[str, bytes]) -> int:
 
 def _read(path: str) -> bytes | None:
     try:
-        return read_file(path, MAX_BYTES)
+        return regular_file(path, MAX_BYTES)
     except (OSError, ValueError):
         return None

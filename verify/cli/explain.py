@@ -13,7 +13,7 @@ from verify.cli.files import MAX_BYTES
 from verify.cli.options import Options, Parser
 from verify.cli.proofs import AS_PRINTED, MAIN, outcome_of, statements
 from verify.cli.terminal import add_color, show
-from verify.jobs.inputs import InputError, read_file, shown
+from verify.jobs.inputs import InputError, regular_file, shown
 from verify.language.record import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -136,7 +136,7 @@ def _committed(word: str) -> Iterator[str]:
         if os.path.basename(folder) in statements():
             continue
         try:
-            rows = {row["name"] for row in json.loads(read_file(path, MAX_BYTES))["obligations"]}
+            rows = {row["name"] for row in json.loads(regular_file(path, MAX_BYTES))["obligations"]}
         except (OSError, ValueError, KeyError, TypeError):
             continue
         if word in rows:

@@ -10,7 +10,7 @@ from contextlib import contextmanager, suppress
 from errno import EISDIR
 
 from verify.jobs.errors import UnreadError
-from verify.jobs.inputs import InputError, read_file, shown
+from verify.jobs.inputs import InputError, regular_file, shown
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import NEEDED, UNDECIDED
 
@@ -238,7 +238,7 @@ def _theorem(path: str) -> str | None:
     import json  # loaded only where it is used
 
     try:
-        return str(json.loads(read_file(path, MAX_BYTES))["theorem"])
+        return str(json.loads(regular_file(path, MAX_BYTES))["theorem"])
     except FileNotFoundError:
         return None
     except (ValueError, KeyError, TypeError, RecursionError) as error:
@@ -315,7 +315,7 @@ def read_bytes(option: str, path: str) -> bytes:
         InputError: if it cannot be read, or has no end in sight, naming the option.
     """
     try:
-        return read_file(path, MAX_BYTES)
+        return regular_file(path, MAX_BYTES)
     except (OSError, ValueError) as error:
         raise InputError(
             f"{option}: {shown(path)} cannot be read ({_reason(error)}); name a file"

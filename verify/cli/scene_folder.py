@@ -15,7 +15,7 @@ from verify.cli.scene_certificate import write_scene
 from verify.cli.steps import watched
 from verify.cli.terminal import show
 from verify.jobs.errors import OwnError
-from verify.jobs.inputs import InputError, read_file, shown
+from verify.jobs.inputs import InputError, regular_file, shown
 from verify.jobs.scene_files import read_scene
 from verify.jobs.scene_verdict import scene_lines
 from verify.prover.scene import Budget, decide_scene
@@ -106,7 +106,7 @@ def _decide(
 
 def _known(path: str, key: str) -> Result | None:
     try:
-        result = json.loads(read_file(path, MAX_BYTES))
+        result = json.loads(regular_file(path, MAX_BYTES))
     except (OSError, ValueError, RecursionError):
         return None
     return result if isinstance(result, dict) and result.get("key") == key else None

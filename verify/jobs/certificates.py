@@ -19,7 +19,7 @@ from verify.jobs import (
     theorem1,
     thresholds,
 )
-from verify.jobs.scene_files import content, read_scene
+from verify.jobs.scene_files import read_scene, scene_bytes
 from verify.language.record import Record
 from verify.language.terms import Term, as_term, cos_pi
 from verify.prover.outcome import Outcome
@@ -98,7 +98,7 @@ def all_folders(directory: str = "certificates") -> Iterator[tuple[str, Outcome]
     for folder, decide in THEOREMS.items():
         yield folder, decide()
     for path in scene_paths(directory):
-        found = decide_scene(read_scene(path, content(path)))
+        found = decide_scene(read_scene(path, scene_bytes(path)))
         if found.verdict != UNDECIDED:
             stem = os.path.splitext(os.path.basename(path))[0]
             yield os.path.join("scenes", stem), scene.scene_outcome(found, found.flow.bits)

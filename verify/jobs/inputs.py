@@ -29,7 +29,7 @@ class InputError(ValueError):
     """A text that cannot be used: the message says what, where and what to write instead."""
 
 
-def read_file(path: str, most: int) -> bytes:
+def regular_file(path: str, most: int) -> bytes:
     """The content of a file that has an end: nothing is waited for, and no device is read.
 
     Raises:

@@ -28,7 +28,7 @@ def read_file(path: str) -> bytes:
         CertificateError: if it cannot be read.
     """
     try:
-        return inputs.read_file(path, MAX_BYTES)
+        return inputs.regular_file(path, MAX_BYTES)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
         raise unusable(f"{path!r} cannot be read ({reason}); name a file") from error

@@ -46,10 +46,26 @@ def outcome_of(where: str) -> Outcome:
             f"{', '.join(near)}"
         )
     progress(f"proving {where}")
-    return statements()[where]()
+    return accepted_outcome(statements()[where]())
+
+
+def accepted_outcome(outcome: Outcome) -> Outcome:
+    """The outcome, which `verify/check.py` accepts.
+
+    Raises:
+        InputError: if there is nothing that it could judge.
+        OwnError: if it does not.
+    """
+    from verify.jobs.acceptance import accept_decided  # loaded only where it is used
+
+    if outcome.spent:
+        raise InputError(f"row: nothing is proved there: {outcome.spent}; name another statement")
+    accept_decided(outcome)
+    return outcome
 
 
 def _read(folder: str) -> Outcome:
+    from verify import check
     from verify.wire.read import read
     from verify.wire.term_json import WireError
     from verify.wire.write import digest
@@ -58,7 +74,12 @@ def _read(folder: str) -> Outcome:
     cited = os.path.join(folder, "cited")
     paths = sorted(os.listdir(cited)) if os.path.isdir(cited) else []
     contents = [read_bytes("folder", os.path.join(cited, path)) for path in paths]
+    known = {digest(content): content for content in contents}
     try:
-        return read(first, second, {digest(content): content for content in contents})
-    except WireError as error:
+        report = check.check(first, second, known)
+        outcome = read(first, second, known)
+    except (check.Malformed, RecursionError, WireError) as error:
         raise InputError(f"folder: {shown(folder)} has no certificate ({error})") from error
+    if report.verdict == "REFUSED":
+        raise InputError(f"folder: {shown(folder)}: verify/check.py refuses the certificate there")
+    return outcome

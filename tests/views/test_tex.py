@@ -12,9 +12,11 @@ from pathlib import Path
 
 import pytest
 
+from verify import ask, assume, for_all, lemma, prove
 from verify.language.simplify import simplified
 from verify.language.terms import Term, as_term, sqrt, symbol
 from verify.prover.outcome import Outcome
+from verify.views.markdown import report
 from verify.views.tex.article import part, tex_document
 from verify.views.tex.formulas import Formulas, safe_letter
 from verify.views.tex.sentences import name, tex_number, words
@@ -45,6 +47,24 @@ def test_all_committed_statements_compile_and_no_line_sticks_out(tmp_path: Path)
     log = (tmp_path / "all.log").read_text(encoding="utf-8", errors="replace")
     assert re.findall(r"^!.*|Overfull.*|Missing character.*", log, re.MULTILINE) == []
     assert done.returncode == 0
+
+
+def strange() -> Outcome:
+    """A theorem of somebody else, with names that ours have too, and a sentence of its own."""
+    glue, every = assume("glue", "c is meant"), for_all("all", {}, point={"x": 1})
+    question = ask("square", 0 <= x**2 + symbol("c"), every, uses=[glue])
+    stated = lemma("step", [question], (), [every], [glue])
+    return prove(stated._replace(parameters={"c": as_term(2)}))
+
+
+def test_a_theorem_of_somebody_else_says_nothing_about_our_paper() -> None:
+    for text in (part(strange()), report(strange())):
+        assert "glue" in text
+        for ours in ("Dolmaire", "inelastic", "theta", "θ", "certificates/step", "``", "texttt{}"):
+            assert ours not in text, ours
+    for outcome in committed():
+        ours = outcome.statement.obligations[0].label != ""
+        assert ("Dolmaire" in part(outcome)) == ("Dolmaire" in report(outcome)) == ours
 
 
 def test_every_sign_of_the_files_is_known() -> None:

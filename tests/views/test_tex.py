@@ -72,8 +72,14 @@ def test_every_sign_of_the_files_is_known() -> None:
 
 
 def test_words() -> None:
-    assert words("|x_n| ≤ δ₂²/12 & 50%") == r"$| x _{n} |$ $\le$ $\delta _{2} ^{2}$/12 \& 50\%"
-    assert words("ζ̄ = 5·10⁻⁵") == r"$\bar{\zeta}$ = 5$\cdot 10^{-5}$"
+    assert words("|x_n| ≤ δ₂²/12 & 50%") == r"$|x_{n}|$ $\le$ $\delta_{2}^{2}$/12 \& 50\%"
+    assert words("ζ̄ = 5·10⁻⁵") == r"$\bar{\zeta}$ = 5$\cdot10^{-5}$"
+    assert words("η_c², η_{c,n}² ≤ 4k_d/V₀") == (
+        r"$\eta_{c}^{2}$, $\eta_{c,n}^{2}$ $\le$ 4$k_{d}$/$V_{0}$"
+    )
+    assert words("C_ηη̄ and ρ'² with C_eta-below-one") == (
+        r"$C_{\eta}\bar{\eta}$ and $\rho^{\prime2}$ with C\_eta-below-one"
+    )
     assert words("\\input{x} $ ~ ☃") == (
         r"\textbackslash{}input\{x\} \textdollar{} \~{} \texttt{U+2603}"
     )

@@ -30,7 +30,7 @@ CERTIFICATE = {"statement.json", "certificate.json"}
 
 #: What the program itself puts into such a folder.
 OURS = re.compile(
-    r"statement\.json|certificate\.json|report\.md|scene\.json|cited/[0-9a-f]{64}\.json"
+    r"(statement|certificate|scene)\.json|report\.md|cited/[0-9a-f]{64}(\.certificate)?\.json"
 )
 
 #: Only numbers with this many digits can be more work than the checker is willing to do.

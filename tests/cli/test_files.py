@@ -188,6 +188,23 @@ def test_the_folder_that_one_is_in_stays(tmp_path: Path, monkeypatch: pytest.Mon
 # --- what has no end is not read ------------------------------------------------------------------
 
 
+def test_a_folder_of_cited_files_has_an_end(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert files.read_cited("STATEMENT", str(tmp_path)) == []
+    (tmp_path / "cited").mkdir()
+    for name in "abc":
+        (tmp_path / "cited" / name).write_bytes(name.encode() * 10)
+    assert files.read_cited("STATEMENT", str(tmp_path)) == [b"a" * 10, b"b" * 10, b"c" * 10]
+    monkeypatch.setattr(files, "MAX_CITED", 29)
+    with pytest.raises(InputError, match=r"STATEMENT: .*more than 29 bytes"):
+        files.read_cited("STATEMENT", str(tmp_path))
+    monkeypatch.setattr(files, "MAX_CITED", 30)
+    os.mkfifo(tmp_path / "cited" / "d")
+    with pytest.raises(InputError, match="no regular file"):
+        files.read_cited("STATEMENT", str(tmp_path))
+
+
 @pytest.mark.parametrize(
     ("name", "words", "code"),
     [

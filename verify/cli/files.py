@@ -25,6 +25,9 @@ CHECKER_DIGITS = 4300
 #: Of a file that is read: as many as the checker reads.
 MAX_BYTES = 1 << 22
 
+#: Of all files in a folder `cited`.
+MAX_CITED = 4 * MAX_BYTES
+
 #: A folder for files of these names is a certificate's: it is written, and replaced, as a whole.
 CERTIFICATE = {"statement.json", "certificate.json"}
 
@@ -320,6 +323,24 @@ def read_bytes(option: str, path: str) -> bytes:
         raise InputError(
             f"{option}: {shown(path)} cannot be read ({_reason(error)}); name a file"
         ) from error
+
+
+def read_cited(option: str, folder: str) -> list[bytes]:
+    """The files in the folder `cited` beside a statement; none if there is no such folder.
+
+    Raises:
+        InputError: if one cannot be read, or together they are more than the checker reads.
+    """
+    cited = os.path.join(folder, "cited")
+    found, total = [], 0
+    for name in sorted(os.listdir(cited)) if os.path.isdir(cited) else []:
+        found.append(read_bytes(option, os.path.join(cited, name)))
+        total += len(found[-1])
+        if total > MAX_CITED:
+            raise InputError(
+                f"{option}: {shown(cited)} has more than {MAX_CITED} bytes; keep what is cited"
+            )
+    return found
 
 
 def progress(text: str) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from functools import cache
 
-from verify.cli.files import progress, read_bytes
+from verify.cli.files import progress, read_bytes, read_cited
 from verify.jobs.inputs import InputError, shown
 from verify.language.record import TYPE_CHECKING
 
@@ -71,9 +71,7 @@ def _read(folder: str) -> Outcome:
     from verify.wire.write import digest
 
     first, second = (read_bytes("folder", os.path.join(folder, name)) for name in NAMES)
-    cited = os.path.join(folder, "cited")
-    paths = sorted(os.listdir(cited)) if os.path.isdir(cited) else []
-    contents = [read_bytes("folder", os.path.join(cited, path)) for path in paths]
+    contents = read_cited("folder", folder)
     known = {digest(content): content for content in contents}
     try:
         report = check.check(first, second, known)

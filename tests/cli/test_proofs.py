@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+import re
+import shutil
 from pathlib import Path
+from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import pytest
@@ -81,6 +84,66 @@ def test_explain(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, err = run(capsys, "explain", "no-such-row")
     assert (code, out) == (2, "")
     assert "'no-such-row'" in err
+
+
+def test_explain_says_by_which_rule_and_who_has_judged_it(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    code, out, err = run(capsys, "explain", "flow", "contact")
+    assert (code, err) == (0, "")
+    assert out.startswith("in flow: One collision of three inelastic hard spheres")
+    assert "  proved by the rule sum: verify/check.py accepts what is written here\n" in out
+    assert "(2.2), EQUATSS2.1_Loi_de_Newton_: at the time y T" in out
+    assert "  eps-is: ε = T·(1 + s)·λ²   (lemma)" in out
+    code, out, _ = run(capsys, "explain", "certificates/examples/witness", "wrong")
+    assert "  refuted by the rule witness: verify/check.py accepts the proof of the opposite" in out
+    assert ": x <= x^2" not in out  # a row without a label has none
+    code, out, _ = run(capsys, "explain", "sharper", "(4.57)")
+    assert re.search(r"proved tau-positive: .* \(by the rule sum\)", " ".join(out.split()))
+
+
+def test_explain_shows_the_proof_at_the_point_that_is_asked_for(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """The row of a point run, and not the one of the theorem for all parameters."""
+    code, out, err = run(capsys, "explain", "--r", "0.03", "zeta-term-2")
+    assert (code, err) == (0, "")
+    assert " ".join(out.split()).startswith("in theorem1: Rows of THEORSS4.1ExistenCollapse, ")
+    assert "at r = 3/100, " in " ".join(out.split())
+    assert "left side 3.2663168…, right side 0.027768616…" in out
+    assert "by the rule interval" in out
+    assert "everywhere" not in out
+    code, out, _ = run(capsys, "explain", "zeta-term-2")
+    assert "in theorem1-all: " in out
+    assert "verify explain --r 3/100 zeta-term-2" in out
+    for words in (("--neg-cos", "1", "x"), ("--r", "0.03", "step", "x"), ("--r", "2", "x")):
+        code, out, err = run(capsys, "explain", *words)
+        assert (code, out, err.count("\n")) == (2, "", 1)
+
+
+def test_explain_says_nothing_that_the_checker_does_not_accept(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    folder = tmp_path / "mean"
+    shutil.copytree("certificates/examples/mean", folder)
+    assert run(capsys, "explain", folder, "means")[0] == 0
+    path = folder / "certificate.json"
+    document = json.loads(path.read_text(encoding="utf-8"))
+    document["steps"][-1]["proof"]["addends"][1][1] = "1/5"
+    path.write_text(json.dumps(document), encoding="utf-8")
+    code, out, err = run(capsys, "explain", folder, "means")
+    assert (code, out, err.count("\n")) == (2, "", 1)
+
+    def refuses(*_: object) -> SimpleNamespace:
+        return SimpleNamespace(verdict="REFUSED", lines=["REFUSED all"])
+
+    monkeypatch.setattr(check, "check", refuses)
+    for words, expected in (
+        (("flow", "contact"), 5), (("tau-positive",), 5), (("--r", "0.03", "zeta-term-2"), 5),
+        (("certificates/examples/mean", "means"), 2),
+    ):  # fmt: skip
+        code, out, err = run(capsys, "explain", *words)
+        assert (code, out, err.count("\n")) == (expected, "", 1)
 
 
 def test_explain_finds_labels_and_near_names(

@@ -13,7 +13,7 @@ import pytest
 from tests.views.conftest import DEPTH, TABLE
 from verify.jobs import covers
 from verify.jobs.everywhere import decide_everywhere, decide_printed_everywhere
-from verify.jobs.thresholds import decide_thresholds
+from verify.jobs.thresholds import certified, decide_thresholds
 from verify.language.statement import REFUTED, UNDECIDED
 from verify.language.terms import as_term
 from verify.paper.everywhere.thresholds import STRIPS
@@ -58,7 +58,7 @@ def test_captions_count_what_is_drawn() -> None:
     always = [found for found in refuted if not found.witness]
     assert f"Left: {len(always)} printed rows" in figure.caption
     assert len(figure.rows) == 1 + len(refuted) - len(always)
-    assert len(region.certified()) == len(STRIPS)
+    assert len(certified(decide_thresholds())) == len(STRIPS)
 
 
 def test_a_strip_that_is_not_proved_is_not_drawn(monkeypatch: pytest.MonkeyPatch) -> None:

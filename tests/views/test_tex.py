@@ -12,10 +12,12 @@ from pathlib import Path
 
 import pytest
 
+from verify import ask, assume, for_all, lemma, prove
 from verify.jobs.acceptance import read_judged as read
 from verify.language.simplify import simplified
 from verify.language.terms import Term, as_term, sqrt, symbol
 from verify.prover.outcome import Outcome
+from verify.views.markdown import report
 from verify.views.tex.article import part, tex_document
 from verify.views.tex.formulas import Formulas, safe_letter
 from verify.views.tex.sentences import name, tex_number, words
@@ -47,13 +49,37 @@ def test_all_committed_statements_compile_and_no_line_sticks_out(tmp_path: Path)
     assert done.returncode == 0
 
 
+def strange() -> Outcome:
+    """A theorem of somebody else, with names that ours have too, and a sentence of its own."""
+    glue, every = assume("glue", "c is meant"), for_all("all", {}, point={"x": 1})
+    question = ask("square", 0 <= x**2 + symbol("c"), every, uses=[glue])
+    stated = lemma("step", [question], (), [every], [glue])
+    return prove(stated._replace(parameters={"c": as_term(2)}))
+
+
+def test_a_theorem_of_somebody_else_says_nothing_about_our_paper() -> None:
+    for text in (part(strange()), report(strange())):
+        assert "glue" in text
+        for ours in ("Dolmaire", "inelastic", "theta", "θ", "certificates/step", "``", "texttt{}"):
+            assert ours not in text, ours
+    for outcome in committed():
+        ours = outcome.statement.obligations[0].label != ""
+        assert ("Dolmaire" in part(outcome)) == ("Dolmaire" in report(outcome)) == ours
+
+
 def test_every_sign_of_the_files_is_known() -> None:
     assert not re.findall(r"U\+[0-9A-F]{4}", "".join(map(part, committed())))
 
 
 def test_words() -> None:
-    assert words("|x_n| ≤ δ₂²/12 & 50%") == r"$| x _{n} |$ $\le$ $\delta _{2} ^{2}$/12 \& 50\%"
-    assert words("ζ̄ = 5·10⁻⁵") == r"$\bar{\zeta}$ = 5$\cdot 10^{-5}$"
+    assert words("|x_n| ≤ δ₂²/12 & 50%") == r"$|x_{n}|$ $\le$ $\delta_{2}^{2}$/12 \& 50\%"
+    assert words("ζ̄ = 5·10⁻⁵") == r"$\bar{\zeta}$ = 5$\cdot10^{-5}$"
+    assert words("η_c², η_{c,n}² ≤ 4k_d/V₀") == (
+        r"$\eta_{c}^{2}$, $\eta_{c,n}^{2}$ $\le$ 4$k_{d}$/$V_{0}$"
+    )
+    assert words("C_ηη̄ and ρ'² with C_eta-below-one") == (
+        r"$C_{\eta}\bar{\eta}$ and $\rho^{\prime2}$ with C\_eta-below-one"
+    )
     assert words("\\input{x} $ ~ ☃") == (
         r"\textbackslash{}input\{x\} \textdollar{} \~{} \texttt{U+2603}"
     )

@@ -6,7 +6,6 @@ from verify.cli import columns
 from verify.cli.files import test_folder
 from verify.cli.options import Options, Parser
 from verify.cli.steps import Steps
-from verify.jobs.inputs import InputError
 
 
 def add_arguments(parser: Parser) -> None:
@@ -16,15 +15,8 @@ def add_arguments(parser: Parser) -> None:
 
 def run(options: Options) -> int:
     """Measure, print the tables, and return 0."""
-    try:
-        from verify.measure import bench
-        from verify.measure.engines import MpmathEngine
+    from verify.measure import bench  # loads mpmath
 
-        MpmathEngine()
-    except ImportError as error:
-        raise InputError(
-            f"bench needs {error.name}; install the extra: pip install -e '.[bench]'"
-        ) from error
     test_folder("--out", options.out, "bench.json")
     columns.publish("bench", bench.run_benchmarks(options.quick, Steps(bench.STEPS)), options)
     return 0

@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 
-from verify.cli.files import test_folder, write_all
+from verify.cli.files import MAX_BYTES, test_folder, write_folder
 from verify.cli.options import Options, Parser
 from verify.cli.steps import Steps
 from verify.jobs.acceptance import accept
-from verify.jobs.inputs import InputError, shown
+from verify.jobs.inputs import InputError, regular_file, shown
 from verify.prover.outcome import Outcome
 
 
@@ -40,7 +40,7 @@ def run(options: Options) -> int:
             differing += _compare(path, contents)
             continue
         accept(contents, outcome.claimed)
-        write_all("--directory", path, contents)
+        write_folder("--directory", path, contents)
         print(f"written  {path}")
     return 1 if differing else 0
 
@@ -66,7 +66,6 @@ def _compare(path: str, contents: Mapping[str, bytes]) -> int:
 
 def _read(path: str) -> bytes | None:
     try:
-        with open(path, "rb") as file:
-            return file.read()
-    except OSError:
+        return regular_file(path, MAX_BYTES)
+    except (OSError, ValueError):
         return None

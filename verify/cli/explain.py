@@ -9,10 +9,11 @@ import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from verify.cli.options import Options, Parser
-from verify.cli.proofs import AS_PRINTED, MAIN, outcome_of, statements
+from verify.cli.files import MAX_BYTES
+from verify.cli.options import Options, Parser, field
+from verify.cli.proofs import AS_PRINTED, MAIN, accepted_outcome, outcome_of, statements
 from verify.cli.terminal import add_color, show
-from verify.jobs.inputs import InputError, shown
+from verify.jobs.inputs import InputError, regular_file, shown
 from verify.language.record import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
 
 #: What the prover calls the lemmas that it finds: they stand nowhere in the paper's room.
 NUMBERED = re.compile(r".*\.[0-9]+")
+
+#: The other parameters of a point.
+ANGLES = ("--theta0", "--neg-cos", "--delta-theta", "--V0")
 
 #: Where the committed certificates are, of scenes and points too.
 COMMITTED = "certificates"
@@ -34,6 +38,9 @@ def add_arguments(parser: Parser) -> None:
         "(4.25). FOLDER has a certificate, or is one of step, flow, sharper, theorem1-all, …",
     )
     parser.flag("-v", "--verbose", text="claims as the statement has them, not simplified")
+    parser.option("--r", "the row at this point of Theorem 1, as verify theorem1 has it", "R")
+    for name in ANGLES:
+        parser.option(name, "the same: see verify theorem1 --help")
     add_color(parser)
 
 
@@ -42,8 +49,15 @@ def run(options: Options) -> int:
     *folders, word = options.row
     if len(folders) > 1:
         raise InputError(f"row: {shown(word)} is a word too many; write FOLDER ROW, or ROW")
-    word = _label(word)
-    text = _inside(folders[0], word, options) if folders else _anywhere(word, options)
+    word, point = _label(word), _point(options)
+    if point and folders:
+        raise InputError(f"row: leave out {shown(folders[0])} with --r; write --r R ROW")
+    if point:
+        text = _inside("theorem1", point, word, options)
+    elif folders:
+        text = _inside(folders[0], outcome_of(folders[0]), word, options)
+    else:
+        text = _anywhere(word, options)
     show(text, options)
     return 0
 
@@ -55,17 +69,39 @@ def _label(word: str) -> str:
     return next(iter(labels_called(word)), word)
 
 
-def _inside(folder: str, word: str, options: Options) -> list[str]:
+def _point(options: Options) -> Outcome | None:
+    """The outcome at the point that the options name; None if they name none."""
+    given = {name: getattr(options, field(name)) for name in ("--r", *ANGLES)}
+    if given["--r"] is None:
+        for name in (name for name, value in given.items() if value is not None):
+            raise InputError(f"{name}: is for a point; write --r too")
+        return None
+    from verify.cli.theorem1 import DEFAULTS, read_parameters  # loaded only where they are used
+    from verify.jobs.theorem1 import decide_point
+
+    values = {field(name): value for name, value in given.items() if value is not None}
+    missing = {field(name): DEFAULTS.get(field(name)) for name in given}
+    parameters = read_parameters(Options(**(missing | values)))
+    return accepted_outcome(decide_point(parameters))
+
+
+def _inside(folder: str, outcome: Outcome, word: str, options: Options) -> list[str]:
     """The row in one statement, or the rows of a label there."""
     from verify.views.explain import explain, labelled  # loaded only where they are used
 
-    outcome = outcome_of(folder)
     text = explain(outcome, word, exact=options.verbose) or labelled(outcome, word)
     if not text:
         names = get_close_matches(word, sorted(_names(outcome)), 3, 0.6)
         near = f"is it {', '.join(names)}?" if names else "write a name of its report, or a label"
         raise InputError(f"row: there is no row {shown(word)} in {shown(folder)}; {near}")
-    return text
+    return [_title(folder, outcome), *text]
+
+
+def _title(where: str, outcome: Outcome) -> str:
+    """Which statement it is whose row is shown."""
+    from verify.views.words import in_letters  # loaded only where it is used
+
+    return f"in {where}: {in_letters(outcome.statement.title)}"
 
 
 def _anywhere(word: str, options: Options) -> list[str]:
@@ -79,11 +115,15 @@ def _anywhere(word: str, options: Options) -> list[str]:
         return text
     there = _statements_with(word, found)
     for first in there[:1]:
-        text += [*explain(outcome_of(first), word, exact=options.verbose), ""]
+        outcome = outcome_of(first)
+        shown_there = explain(outcome, word, exact=options.verbose)
+        text += [_title(first, outcome), *shown_there, ""]
     others = [*there[1:], *_committed(word)]
     if others:
         text += [f"{word} stands in other statements too:" if there else f"{word} stands in:"]
         text += [f"  verify explain {other} {word}" for other in others]
+    if any(not place.part for place in found):
+        text += [f"At a point of Theorem 1: verify explain --r 3/100 {word}"]
     if not text:
         raise InputError(f"row: there is no row {shown(word)}; {_instead(word)}")
     return text
@@ -135,8 +175,7 @@ def _committed(word: str) -> Iterator[str]:
         if os.path.basename(folder) in statements():
             continue
         try:
-            with open(path, encoding="utf-8") as file:
-                rows = {row["name"] for row in json.load(file)["obligations"]}
+            rows = {row["name"] for row in json.loads(regular_file(path, MAX_BYTES))["obligations"]}
         except (OSError, ValueError, KeyError, TypeError):
             continue
         if word in rows:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
-from collections.abc import Mapping
-from contextlib import suppress
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 from errno import EISDIR
 
 from verify.jobs.errors import UnreadError
-from verify.jobs.inputs import InputError, shown
+from verify.jobs.inputs import InputError, regular_file, shown
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import NEEDED, UNDECIDED
 
@@ -24,6 +25,17 @@ CHECKER_DIGITS = 4300
 #: Of a file that is read: as many as the checker reads.
 MAX_BYTES = 1 << 22
 
+#: Of all files in a folder `cited`.
+MAX_CITED = 4 * MAX_BYTES
+
+#: A folder for files of these names is a certificate's: it is written, and replaced, as a whole.
+CERTIFICATE = {"statement.json", "certificate.json"}
+
+#: What the program itself puts into such a folder.
+OURS = re.compile(
+    r"(statement|certificate|scene)\.json|report\.md|cited/[0-9a-f]{64}(\.certificate)?\.json"
+)
+
 #: Only numbers with this many digits can be more work than the checker is willing to do.
 LONG_NUMBER = 300
 
@@ -37,7 +49,8 @@ def test_folder(option: str, directory: str | None, *names: str) -> None:
         InputError: if they cannot, naming the option.
     """
     if directory is not None:
-        with _Writing(option, directory) as writing:
+        kind = _Whole if CERTIFICATE <= {*names} else _Writing
+        with kind(option, directory) as writing:
             for name in names:
                 writing.add(name, b"")
 
@@ -45,10 +58,28 @@ def test_folder(option: str, directory: str | None, *names: str) -> None:
 def write_all(option: str, directory: str, contents: Mapping[str, bytes]) -> None:
     """Write files into a directory, created if needed; each appears whole or not at all.
 
+    Files of other names stay as they are.
+
     Raises:
         InputError: if the directory or a file cannot be written, naming the option.
     """
     with _Writing(option, directory) as writing:
+        for name, content in contents.items():
+            writing.add(name, content)
+        writing.finish()
+
+
+def write_folder(option: str, directory: str, contents: Mapping[str, bytes]) -> None:
+    """Write a folder as a whole: these files and no others are in it afterwards.
+
+    Whatever other processes do, and whenever this one is killed, the folder has the files of one
+    run, or there is none. A folder with files that are not the program's own, or with the
+    certificate of another theorem, is left as it is.
+
+    Raises:
+        InputError: if it cannot be written, naming the option.
+    """
+    with _Whole(option, directory) as writing:
         for name, content in contents.items():
             writing.add(name, content)
         writing.finish()
@@ -74,7 +105,7 @@ class _Writing:
         self._make(folder)
         if os.path.isdir(target):
             raise IsADirectoryError(EISDIR, os.strerror(EISDIR), target)
-        path = os.path.join(folder, f".{last}.{os.getpid()}")
+        path = os.path.join(folder, f".{last}.{os.urandom(6).hex()}")
         self._temporary[path] = target
         with open(path, "xb") as file:
             file.write(content)
@@ -107,6 +138,8 @@ class _Writing:
         for path in reversed(self._made):
             with suppress(OSError):  # not empty: its files are in their places
                 os.rmdir(path)
+        if isinstance(error, InputError):
+            raise error
         if isinstance(error, OSError | ValueError | RecursionError):
             raise InputError(
                 f"{self._option}: {shown(self._directory)} cannot be written ({_reason(error)}); "
@@ -114,10 +147,121 @@ class _Writing:
             ) from error
 
 
-def write_certificate(option: str, directory: str, outcome: Outcome) -> None:
+class _Whole(_Writing):
+    """A folder on its way: written beside its place, and then renamed."""
+
+    _fresh = _aside = _target = ""
+
+    def add(self, name: str, content: bytes) -> None:
+        """Write a file of the folder; before the first one, see whether its place can be taken."""
+        if not self._fresh:
+            self._begin()
+        path = os.path.join(self._fresh, name)
+        self._make(os.path.dirname(path))
+        with open(path, "xb") as file:
+            file.write(content)
+
+    def _begin(self) -> None:
+        self._target = os.path.realpath(self._directory)
+        if f"{os.getcwd()}/".startswith(f"{self._target}/") or os.path.ismount(self._target):
+            raise self._refused("has to stay where it is; name a folder inside of it")
+        with suppress(FileNotFoundError):
+            os.stat(self._target)  # a path that is too long fails here
+            with _alone(os.path.dirname(self._target)):
+                self._look(None)
+        hidden = os.path.join(os.path.dirname(self._target), f".verify-{os.urandom(8).hex()}")
+        self._fresh, self._aside = f"{hidden}-new", f"{hidden}-old"
+        self._make(self._fresh)
+
+    def finish(self) -> None:
+        """Put the folder into its place; what was there is gone."""
+        theorem = _theorem(os.path.join(self._fresh, "statement.json"))
+        with _alone(os.path.dirname(self._target)):
+            self._look(theorem)
+            with suppress(FileNotFoundError):
+                os.rename(self._target, self._aside)
+            os.rename(self._fresh, self._target)
+
+    def _look(self, theorem: str | None) -> None:
+        """Afterwards what is at the place may be replaced, by a certificate of this theorem."""
+        with suppress(FileNotFoundError):
+            others = [name for name in _names_in(self._target) if not OURS.fullmatch(name)]
+            if others:
+                raise self._refused(f"has other files ({shown(others[0])}); name a new folder")
+            found = _theorem(os.path.join(self._target, "statement.json"))
+            if None not in (theorem, found) and theorem != found:
+                raise self._refused(
+                    f"has a certificate of {shown(str(found))}; name another folder, or remove it"
+                )
+
+    def _refused(self, why: str) -> InputError:
+        return InputError(f"{self._option}: {shown(self._directory)} {why}")
+
+    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
+        if error is not None and self._aside:
+            with suppress(OSError):  # nothing was there
+                os.rename(self._aside, self._target)
+        for folder in (self._fresh, self._aside):
+            _remove(folder)
+        super().__exit__(kind, error, trace)
+
+
+@contextmanager
+def _alone(folder: str) -> Iterator[None]:
+    """Meanwhile no other process moves a certificate's folder that lies in this one."""
+    import fcntl  # loaded only where it is used
+
+    lock = os.open(folder, os.O_RDONLY)
+    try:
+        with suppress(
+            OSError
+        ):  # a file system without locks: what is renamed is whole all the same
+            fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+    finally:
+        os.close(lock)
+
+
+def _names_in(folder: str) -> Iterator[str]:
+    """The names in a certificate's folder; a slash ends that of a folder with other folders."""
+    for name in sorted(os.listdir(folder)):
+        path = os.path.join(folder, name)
+        if name == "cited" and os.path.isdir(path):
+            yield from (f"cited/{inner}" for inner in sorted(os.listdir(path)))
+        else:
+            yield name if os.path.isfile(path) else f"{name}/"
+
+
+def _theorem(path: str) -> str | None:
+    """The theorem of a statement; None where there is none, and no reason to keep what is there.
+
+    Raises:
+        ValueError: if the file is no statement.
+    """
+    import json  # loaded only where it is used
+
+    try:
+        return str(json.loads(regular_file(path, MAX_BYTES))["theorem"])
+    except FileNotFoundError:
+        return None
+    except (ValueError, KeyError, TypeError, RecursionError) as error:
+        raise ValueError("its statement.json is no statement") from error
+
+
+def _remove(folder: str) -> None:
+    from shutil import rmtree  # loaded only where it is used
+
+    if folder:
+        rmtree(folder, ignore_errors=True)
+
+
+def write_certificate(
+    option: str, directory: str, outcome: Outcome, beside: Mapping[str, bytes] | None = None
+) -> None:
     """Write an outcome as a certificate that `verify/check.py` accepts, or say why not.
 
-    Nothing is written, with a line on stderr, where a needed row is undecided.
+    ``beside`` are other files of the same folder. Nothing is written, with a line on stderr,
+    where a needed row is undecided.
 
     Raises:
         InputError: if the directory cannot be written, or the checker cannot read the parameters.
@@ -149,7 +293,7 @@ def write_certificate(option: str, directory: str, outcome: Outcome) -> None:
             f"{option}: numbers of {digits} digits make the certificate more than the checker's "
             "budget of work; write parameters with fewer digits"
         ) from error
-    write_all(option, directory, files)
+    write_folder(option, directory, {**files, **(beside or {})})
 
 
 def longest_number(outcome: Outcome) -> int:
@@ -174,15 +318,29 @@ def read_bytes(option: str, path: str) -> bytes:
         InputError: if it cannot be read, or has no end in sight, naming the option.
     """
     try:
-        with open(path, "rb") as file:
-            content = file.read(MAX_BYTES + 1)
+        return regular_file(path, MAX_BYTES)
     except (OSError, ValueError) as error:
         raise InputError(
             f"{option}: {shown(path)} cannot be read ({_reason(error)}); name a file"
         ) from error
-    if len(content) > MAX_BYTES:
-        raise InputError(f"{option}: {shown(path)} has more than {MAX_BYTES} bytes; name a file")
-    return content
+
+
+def read_cited(option: str, folder: str) -> list[bytes]:
+    """The files in the folder `cited` beside a statement; none if there is no such folder.
+
+    Raises:
+        InputError: if one cannot be read, or together they are more than the checker reads.
+    """
+    cited = os.path.join(folder, "cited")
+    found, total = [], 0
+    for name in sorted(os.listdir(cited)) if os.path.isdir(cited) else []:
+        found.append(read_bytes(option, os.path.join(cited, name)))
+        total += len(found[-1])
+        if total > MAX_CITED:
+            raise InputError(
+                f"{option}: {shown(cited)} has more than {MAX_CITED} bytes; keep what is cited"
+            )
+    return found
 
 
 def progress(text: str) -> None:

@@ -138,10 +138,7 @@ def run(options: Options) -> int:
     boxes = integer("--boxes", options.boxes, 1, MAX_BOXES)
     level = integer("--level", options.level or str(MAX_LEVEL), 1, MAX_LEVEL)
     jobs = integer("--jobs", options.jobs, 1, MAX_JOBS)
-    try:
-        from verify.jobs.map import Target  # numpy is loaded only where it is used
-    except ImportError as error:
-        raise InputError(f"map: {error}") from error
+    from verify.jobs.map import Target  # numpy is loaded only where it is used
     from verify.views.map import map_document, map_lines, recheck_lines, saddle_lines
     from verify.wire.map_log import LogMismatchError, Progress, plane_document
 

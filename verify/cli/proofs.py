@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from functools import cache
 
-from verify.cli.files import progress, read_bytes
+from verify.cli.files import progress, read_bytes, read_cited
 from verify.jobs.inputs import InputError, shown
 from verify.language.record import TYPE_CHECKING
 
@@ -46,20 +46,36 @@ def outcome_of(where: str) -> Outcome:
             f"{', '.join(near)}"
         )
     progress(f"proving {where}")
-    return statements()[where]()
+    return accepted_outcome(statements()[where]())
+
+
+def accepted_outcome(outcome: Outcome) -> Outcome:
+    """The outcome, which `verify/check.py` accepts.
+
+    Raises:
+        InputError: if there is nothing that it could judge.
+        OwnError: if it does not.
+    """
+    from verify.jobs.acceptance import judged  # loaded only where it is used
+
+    if outcome.spent:
+        raise InputError(f"row: nothing is proved there: {outcome.spent}; name another statement")
+    return judged(outcome)
 
 
 def _read(folder: str) -> Outcome:
-    from verify.check import Malformed, Refused
+    from verify import check
     from verify.jobs.acceptance import read_judged
     from verify.wire.term_json import WireError
     from verify.wire.write import digest
 
     first, second = (read_bytes("folder", os.path.join(folder, name)) for name in NAMES)
-    cited = os.path.join(folder, "cited")
-    paths = sorted(os.listdir(cited)) if os.path.isdir(cited) else []
-    contents = [read_bytes("folder", os.path.join(cited, path)) for path in paths]
+    contents = read_cited("folder", folder)
+    known = {digest(content): content for content in contents}
     try:
-        return read_judged(first, second, {digest(content): content for content in contents})
-    except (WireError, Malformed, Refused) as error:
+        return read_judged(first, second, known)
+    except check.Refused as error:
+        where = shown(folder)
+        raise InputError(f"folder: {where}: verify/check.py refuses the certificate") from error
+    except (WireError, check.Malformed, RecursionError) as error:
         raise InputError(f"folder: {shown(folder)} has no certificate ({error})") from error

@@ -8,6 +8,7 @@ from hashlib import sha256
 from verify.cli.files import (
     print_document,
     read_bytes,
+    read_cited,
     test_folder,
     write_certificate,
 )
@@ -66,7 +67,5 @@ def _seconds(text: str | None) -> float | None:
 
 def _cited(path: str) -> dict[str, bytes]:
     """The statements in the folder `cited` beside a statement, by their digests."""
-    folder = os.path.join(os.path.dirname(path), "cited")
-    names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
-    contents = [read_bytes("STATEMENT", os.path.join(folder, name)) for name in names]
+    contents = read_cited("STATEMENT", os.path.dirname(path))
     return {sha256(content).hexdigest(): content for content in contents}

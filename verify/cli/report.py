@@ -9,7 +9,8 @@ import sys
 from verify.cli.files import test_folder, write_all
 from verify.cli.options import Options, Parser
 from verify.cli.steps import Steps
-from verify.jobs.inputs import InputError, shown
+from verify.jobs.inputs import InputError, regular_file, shown
+from verify.jobs.report_files import MAX_BYTES
 
 #: What is compared.
 PAGES = ("index.html", "index.md", "constants.tex")
@@ -70,9 +71,8 @@ def without_drawings(page: bytes) -> bytes:
 
 def _read(path: str) -> bytes:
     try:
-        with open(path, "rb") as file:
-            return file.read()
-    except OSError as error:
+        return regular_file(path, MAX_BYTES)
+    except (OSError, ValueError) as error:
         raise InputError(
             f"--compare: {path!r} cannot be read; write it with verify report"
         ) from error

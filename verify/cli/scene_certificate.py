@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Mapping
 
 from verify.cli.files import write_certificate
 from verify.jobs.errors import OwnError, UnreadError
@@ -12,10 +13,13 @@ from verify.prover.program import UndefinedError
 from verify.prover.scene import DISPERSES, UNDECIDED, Fate
 
 
-def write_scene(option: str, directory: str, found: Fate) -> None:
+def write_scene(
+    option: str, directory: str, found: Fate, beside: Mapping[str, bytes] | None = None
+) -> None:
     """Write the certificate, which `verify/check.py` accepts.
 
-    Nothing is written, with a line on stderr, where the scene is undecided.
+    ``beside`` are other files of the same folder. Nothing is written, with a line on stderr,
+    where the scene is undecided.
 
     Raises:
         OwnError: if the checker does not accept it with any of the precisions.
@@ -28,7 +32,7 @@ def write_scene(option: str, directory: str, found: Fate) -> None:
     complaint = OwnError("no precision suffices to evaluate the constants of the scene")
     for bits in precisions(found):
         try:
-            write_certificate(option, directory, scene_outcome(found, bits))
+            write_certificate(option, directory, scene_outcome(found, bits), beside)
         except UndefinedError:
             continue
         except UnreadError as error:

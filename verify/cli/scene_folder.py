@@ -9,13 +9,13 @@ from functools import partial
 from hashlib import sha256
 from typing import Any
 
-from verify.cli.files import print_document, read_bytes, write_all
+from verify.cli.files import MAX_BYTES, print_document, read_bytes, write_folder
 from verify.cli.options import Options
 from verify.cli.scene_certificate import write_scene
 from verify.cli.steps import watched
 from verify.cli.terminal import show
 from verify.jobs.errors import OwnError
-from verify.jobs.inputs import InputError, shown
+from verify.jobs.inputs import InputError, regular_file, shown
 from verify.jobs.scene_files import read_scene
 from verify.jobs.scene_verdict import scene_lines
 from verify.prover.scene import Budget, decide_scene
@@ -63,40 +63,51 @@ def _all(work: Any, names: list[str], jobs: int) -> Iterator[Result]:
 
 def decide_file(folder: str, out: str | None, limits: Budget, name: str) -> Result:
     """What is found about one file, or was found before with the same file and limits."""
-    content = read_bytes("scene", os.path.join(folder, name))
+    try:
+        content = read_bytes("scene", os.path.join(folder, name))
+    except InputError as error:
+        return _unusable(name, error)
     key = sha256(repr((tuple(limits), content)).encode()).hexdigest()
     stem = os.path.splitext(name)[0]
     before = None if out is None else _known(os.path.join(out, stem, RESULT), key)
     if before is not None:
         return before
     try:
-        result = _decide(folder, out, limits, name, content)
+        return _decide(folder, out, limits, name, content, key)
     except InputError as error:
-        document = {"verdict": "unusable", "reason": str(error)}
-        result = {"file": name, "code": 2, "lines": [str(error)], "document": document}
+        return _unusable(name, error)
     except OwnError as error:
         document = {"verdict": "error", "reason": str(error)}
-        result = {"file": name, "code": 5, "lines": [str(error)], "document": document}
-    if out is not None and result["code"] in (0, 3):
-        text = json.dumps({"key": key, **result}, ensure_ascii=False, indent=1) + "\n"
-        write_all("--out", os.path.join(out, stem), {RESULT: text.encode()})
-    return result
+        return {"file": name, "code": 5, "lines": [str(error)], "document": document}
 
 
-def _decide(folder: str, out: str | None, limits: Budget, name: str, content: bytes) -> Result:
+def _unusable(name: str, error: InputError) -> Result:
+    document = {"verdict": "unusable", "reason": str(error)}
+    return {"file": name, "code": 2, "lines": [str(error)], "document": document}
+
+
+def _decide(
+    folder: str, out: str | None, limits: Budget, name: str, content: bytes, key: str
+) -> Result:
     found = decide_scene(read_scene(os.path.join(folder, name), content), limits)
     code = exit_code(found)
-    if out is not None and code == 0:
-        write_scene("--out", os.path.join(out, os.path.splitext(name)[0]), found)
     lines, document = [*scene_lines(found)], scene_document(found)
-    return {"file": name, "code": code, "lines": lines, "document": document}
+    result = {"file": name, "code": code, "lines": lines, "document": document}
+    if out is not None:
+        place = os.path.join(out, os.path.splitext(name)[0])
+        text = json.dumps({"key": key, **result}, ensure_ascii=False, indent=1) + "\n"
+        files = {RESULT: text.encode()}
+        if code == 0:
+            write_scene("--out", place, found, files)
+        else:
+            write_folder("--out", place, files)
+    return result
 
 
 def _known(path: str, key: str) -> Result | None:
     try:
-        with open(path, encoding="utf-8") as file:
-            result = json.load(file)
-    except (OSError, ValueError):
+        result = json.loads(regular_file(path, MAX_BYTES))
+    except (OSError, ValueError, RecursionError):
         return None
     return result if isinstance(result, dict) and result.get("key") == key else None
 

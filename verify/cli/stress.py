@@ -8,8 +8,10 @@ from verify.cli import columns
 from verify.cli.files import test_folder
 from verify.cli.options import Options, Parser
 from verify.cli.steps import Steps
-from verify.measure import stress
-from verify.measure.stress import Finding
+from verify.language.record import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from verify.measure.stress import Finding
 
 
 def add_arguments(parser: Parser) -> None:
@@ -19,6 +21,8 @@ def add_arguments(parser: Parser) -> None:
 
 def run(options: Options) -> int:
     """Run the cases; return 0 if every answer is right, else 1."""
+    from verify.measure import stress  # loads mpmath
+
     test_folder("--out", options.out, "stress.json")
     cases = stress.cases(options.quick)
     findings, progress = [], Steps(len(cases))

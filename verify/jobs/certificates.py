@@ -20,7 +20,7 @@ from verify.jobs import (
     thresholds,
 )
 from verify.jobs.acceptance import judged
-from verify.jobs.scene_files import read_scene
+from verify.jobs.scene_files import read_scene, scene_bytes
 from verify.language.record import Record
 from verify.language.terms import Term, as_term, cos_pi
 from verify.prover.outcome import Outcome
@@ -99,8 +99,7 @@ def all_folders(directory: str = "certificates") -> Iterator[tuple[str, Outcome]
     for folder, decide in THEOREMS.items():
         yield folder, decide()
     for path in scene_paths(directory):
-        with open(path, "rb") as file:
-            found = decide_scene(read_scene(path, file.read()))
+        found = decide_scene(read_scene(path, scene_bytes(path)))
         if found.verdict != UNDECIDED:
             stem = os.path.splitext(os.path.basename(path))[0]
             outcome = scene.scene_outcome(found, found.flow.bits)

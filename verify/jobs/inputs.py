@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import re
+import stat
 from fractions import Fraction
 
 from verify.jobs.parameters import is_obtuse
@@ -25,6 +27,22 @@ _DEGREES = r"([0-9][0-9.eE/+-]*) ?(?:deg|degrees|°)"
 
 class InputError(ValueError):
     """A text that cannot be used: the message says what, where and what to write instead."""
+
+
+def regular_file(path: str, most: int) -> bytes:
+    """The content of a file that has an end: nothing is waited for, and no device is read.
+
+    Raises:
+        OSError: if there is none that can be read.
+        ValueError: if it is no regular file, or has more than ``most`` bytes.
+    """
+    with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:
+        if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+            raise ValueError("it is no regular file")
+        content = file.read(most + 1)
+    if len(content) > most:
+        raise ValueError(f"it has more than {most} bytes")
+    return content
 
 
 def rational(option: str, text: str) -> Fraction:

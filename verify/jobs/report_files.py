@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from verify.jobs import inputs
+
+#: Of a file that a report is made from or compared with: more bytes than any of them has.
+MAX_BYTES = 1 << 26
+
 
 class CertificateError(Exception):
     """Something that no report may show; ``code`` is the exit code that says why."""
@@ -23,7 +28,7 @@ def read_file(path: str) -> bytes:
         CertificateError: if it cannot be read.
     """
     try:
-        with open(path, "rb") as file:
-            return file.read()
-    except OSError as error:
-        raise unusable(f"{path!r} cannot be read ({error.strerror}); name a file") from error
+        return inputs.regular_file(path, MAX_BYTES)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise unusable(f"{path!r} cannot be read ({reason}); name a file") from error

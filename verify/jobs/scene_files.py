@@ -13,13 +13,26 @@ import tomllib
 from fractions import Fraction
 from typing import Any
 
-from verify.jobs.inputs import InputError, rational, shown
+from verify.jobs.inputs import InputError, rational, regular_file, shown
 from verify.paper.scene.scene import PAIRS, Coordinates, Scene
 from verify.prover import balls
 
 KEYS = ("r", "positions", "velocities")
 MAX_DIMENSION = 20
 MAX_BYTES = 1 << 20
+
+
+def scene_bytes(where: str) -> bytes:
+    """The bytes of a scene's file.
+
+    Raises:
+        InputError: if it cannot be read, or is no file.
+    """
+    try:
+        return regular_file(where, MAX_BYTES)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise InputError(f"{where}: cannot be read ({reason}); name a scene's file") from error
 
 
 def read_scene(where: str, content: bytes) -> Scene:

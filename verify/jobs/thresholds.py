@@ -6,7 +6,7 @@ c <= 1; p is phi_plus. A strip of it is what lies between two values of p.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from functools import cache
 
@@ -34,14 +34,20 @@ def decide_thresholds() -> Outcome:
 # --- areas ---------------------------------------------------------------------------------------
 
 
-def shares(row: str) -> Mapping[str, Ends]:
+def certified(where: Outcome) -> list[paper.Strip]:
+    """The strips whose verdict an outcome proves."""
+    return [s for s in paper.STRIPS if where.decisions[s.by].verdict == PROVED]
+
+
+def shares(row: str, where: Outcome) -> Mapping[str, Ends]:
     """Bounds of the share of the chart on which a row is proved, refuted, or neither."""
-    found = {verdict: _share(row, verdict) for verdict in (PROVED, REFUTED)}
-    return {**found, UNDECIDED: (Fraction(0), gap(row) / _area(WHOLE)[0])}
+    strips = [strip for strip in certified(where) if strip.row == row]
+    found = {verdict: _share(strips, verdict) for verdict in (PROVED, REFUTED)}
+    return {**found, UNDECIDED: (Fraction(0), gap(strips) / _area(WHOLE)[0])}
 
 
-def _share(row: str, verdict: str) -> Ends:
-    strips = [strip for strip in paper.STRIPS if (strip.row, strip.verdict) == (row, verdict)]
+def _share(every: Iterable[paper.Strip], verdict: str) -> Ends:
+    strips = [strip for strip in every if strip.verdict == verdict]
     if any(strip.low == 0 and strip.high == WHOLE for strip in strips):
         return Fraction(1), Fraction(1)
     (least, most), low, high = _area(WHOLE), Fraction(0), Fraction(0)
@@ -52,10 +58,10 @@ def _share(row: str, verdict: str) -> Ends:
     return low / most, high / least
 
 
-def gap(row: str) -> Fraction:
-    """The total width of the values of p between the strips of a row, which bounds their area."""
-    strips = sorted((strip.low, strip.high) for strip in paper.STRIPS if strip.row == row)
-    ends = [Fraction(0), *(end for strip in strips for end in strip), WHOLE]
+def gap(strips: Iterable[paper.Strip]) -> Fraction:
+    """The total width of the values of p between some strips, which bounds their area."""
+    known = sorted((strip.low, strip.high) for strip in strips)
+    ends = [Fraction(0), *(end for strip in known for end in strip), WHOLE]
     return sum((high - low for low, high in zip(ends[::2], ends[1::2], strict=True)), Fraction(0))
 
 

@@ -82,7 +82,7 @@ class MpmathEngine:
     name = "mpmath iv"
 
     def __init__(self) -> None:
-        from mpmath import iv  # only where it is used; an extra of the package
+        from mpmath import iv  # loaded only where it is used
 
         self._iv = iv
 

@@ -3,7 +3,7 @@ r"""What the paper prints beside each ``\label``: the number of the formula, sec
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cache
 
 TABLE = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data", "numbers.json")
@@ -27,6 +27,11 @@ def printed_number(label: str) -> str:
     """What one label is called in print, or the label itself, without reading all of the table."""
     _, found, rest = _text().partition(f'"{label}": "')
     return rest.partition('"')[0] if found else label
+
+
+def is_in_paper(labels: Iterable[str]) -> bool:
+    """Whether one of the labels is the paper's: a statement without any is somebody else's."""
+    return any(label and printed_number(label) != label for label in labels)
 
 
 def labels_called(number: str) -> list[str]:

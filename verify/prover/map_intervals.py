@@ -12,10 +12,7 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
-try:
-    import numpy as np
-except ImportError as error:
-    raise ImportError("maps need numpy; install it with: pip install -e '.[map]'") from error
+import numpy as np
 
 #: An array of doubles, or of truth values.
 Array = Any

@@ -106,7 +106,7 @@ def _sentences(where: Outcome, name: str) -> Iterator[str]:
     rows = [row for row, found in where.rows if found.verdict == PROVED]
     yield from (row.says for row in rows if row.name.startswith(f"{name}."))
     if any(strip.row == name for strip in STRIPS):
-        parts = shares(name)
+        parts = shares(name, where)
         decided = [
             f"{v} at least {_percent(parts[v][0])}" for v in (PROVED, REFUTED) if parts[v][1]
         ]

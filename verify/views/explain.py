@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
-from verify.language.statement import REFUTED, Obligation
+from verify.language.statement import PROVED, REFUTED, Obligation
 from verify.language.terms import Claim
 from verify.language.typeset import Typesetter
-from verify.paper.numbering import cited
+from verify.paper.numbering import cited, printed_number
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Proof
@@ -27,13 +27,19 @@ from verify.prover.rules import (
     Sum,
     Witness,
 )
+from verify.prover.rules.table import rule_of
 from verify.prover.uses import Node, nodes
 from verify.views.plain import plain_letters
 from verify.views.words import letters, short_name, sides_of
 
+Row = tuple[Obligation, Decision]
+
+#: Who has judged what is shown here: nothing else may call a row proved.
+JUDGE = "verify/check.py"
+
 
 def explain(outcome: Outcome, name: str, *, exact: bool = False) -> list[str]:
-    """The lines about a row or a lemma; none if there is no such name.
+    """The lines about a row or a lemma of what the checker has accepted; none without such a name.
 
     A row is found by its name, with or without its group. Claims are simplified if not ``exact``.
     """
@@ -44,7 +50,7 @@ def explain(outcome: Outcome, name: str, *, exact: bool = False) -> list[str]:
     text: list[str] = []
     for key in full or ([name] if name in found else []):
         if key in found:
-            text += _about(found[key], rows.get(key), found, typesetter)
+            text += _about(found[key], rows, found, typesetter)
         else:
             text += _undecided(*rows[key], typesetter)
     return text
@@ -53,30 +59,45 @@ def explain(outcome: Outcome, name: str, *, exact: bool = False) -> list[str]:
 def labelled(outcome: Outcome, label: str) -> list[str]:
     """A line for each row of a label."""
     return [
-        f"{decision.verdict:<9} {row.name}: {row.says}"
+        f"{decision.verdict:<9} {row.name}: {row.says}{_by(decision)}"
         for row, decision in outcome.rows
         if row.label == label
     ]
 
 
+def _by(decision: Decision) -> str:
+    return f" (by the rule {decision.method})" if decision.method else ""
+
+
+def _said(row: Obligation) -> Iterator[str]:
+    """What the text says, after its label and the number that is printed there."""
+    text = ": ".join(part for part in (cited(row.label), row.says) if part)
+    if text:
+        yield f"  {text}"
+
+
 def _undecided(row: Obligation, decision: Decision, typesetter: Typesetter) -> Iterator[str]:
     yield f"obligation {row.name}"
-    yield f"  {cited(row.label)}: {row.says}"
+    yield from _said(row)
     yield f"  {decision.verdict}, so that there is no proof"
     yield f"  {typesetter.claim(row.claim)}"
 
 
 def _about(
     node: Node,
-    row: tuple[Obligation, Decision] | None,
+    rows: Mapping[str, Row],
     found: dict[str, Node],
     typesetter: Typesetter,
 ) -> Iterator[str]:
+    row = rows.get(node.name)
     where = "" if node.context is None else f", for all values of the context {node.context}"
     yield f"{node.kind} {node.name}{where}"
     if row is not None:
-        yield f"  {cited(row[0].label)}: {row[0].says}"
-        yield f"  {row[1].verdict}"
+        yield from _said(row[0])
+        what = "what is written here" if row[1].verdict == PROVED else "the proof of the opposite"
+        yield f"  {row[1].verdict} by the rule {row[1].method}: {JUDGE} accepts {what}"
+    elif node.proof is not None:
+        yield f"  by the rule {rule_of(node.proof)}"
     yield f"  {typesetter.claim(node.claim)}"
     if row is not None:
         sides = sides_of(*row)
@@ -96,8 +117,14 @@ def _about(
     for name in node.uses:
         used = found.get(name)
         claim = "a fact of a cited statement" if used is None else typesetter.claim(used.claim)
-        kind = "" if used is None else f"   ({used.kind})"
+        kind = "" if used is None else f"   ({_kind(used, rows)})"
         yield f"    {name}: {claim}{kind}"
+
+
+def _kind(node: Node, rows: Mapping[str, Row]) -> str:
+    """What a fact is, and for a row of the paper where the paper has it."""
+    label = rows[node.name][0].label if node.name in rows else ""
+    return f"{node.kind}, {printed_number(label)}" if label else node.kind
 
 
 def _proof(  # noqa: C901  one case a rule
@@ -136,7 +163,7 @@ def _proof(  # noqa: C901  one case a rule
             values = ", ".join(f"{key} = {typesetter.term(term)}" for key, term in at.items())
             yield f"false at {values}"
         case _:
-            yield f"by the rule {type(proof).__name__.lower()}"
+            yield f"by the rule {rule_of(proof)}"
 
 
 def _sum(proof: Sum, sign: str, typesetter: Typesetter) -> Iterator[str]:

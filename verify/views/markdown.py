@@ -30,6 +30,7 @@ from verify.views.point import in_numbers
 from verify.views.words import (
     ends_of,
     groups,
+    is_about_paper,
     letters,
     short_name,
     sides_of,
@@ -52,7 +53,9 @@ def report(outcome: Outcome) -> str:
 
 def _lines(outcome: Outcome) -> Iterator[str]:
     yield f"# {outcome.statement.title}"
-    yield from ("", f"About {PAPER}.", "")
+    yield ""
+    if is_about_paper(outcome):
+        yield from (f"About {PAPER}.", "")
     yield f"Verdict: **{verdict_text(outcome)}**."
     numbers = in_numbers(outcome) if REPAIRED in groups(outcome) else None
     if numbers is not None:
@@ -62,7 +65,7 @@ def _lines(outcome: Outcome) -> Iterator[str]:
     if any(_is_defect(*pair) for pair in outcome.rows):
         yield from section("What is printed and refuted here")
         yield from defects(outcome)
-    if outcome.statement.theorem == THEOREM:
+    if _is_theorem_1(outcome):
         yield from section("What was changed")
         yield from table(
             ("Label", "Paper", "Needed", "Why"),
@@ -74,7 +77,7 @@ def _lines(outcome: Outcome) -> Iterator[str]:
     for context in outcome.statement.contexts:
         yield from _context(context, letters(outcome))
     for group in groups(outcome):
-        yield from section(f"All rows: {group}")
+        yield from section(f"All rows: {group}" if group else "All rows")
         yield from _rows(outcome, outcome.of_group(group))
     yield from section("Taken on trust")
     yield from map(_assumption, outcome.assumptions)
@@ -83,8 +86,13 @@ def _lines(outcome: Outcome) -> Iterator[str]:
         yield from map(_assumption, outcome.printed_assumptions)
 
 
+def _is_theorem_1(outcome: Outcome) -> bool:
+    return outcome.statement.theorem == THEOREM and is_about_paper(outcome)
+
+
 def _assumption(assumption: Assumption) -> str:
-    return f"- {marked(assumption.label)} ({assumption.kind}): {assumption.sentence}"
+    who = marked(assumption.label) or f"`{assumption.name}`"
+    return f"- {who} ({assumption.kind}): {assumption.sentence}"
 
 
 def _context(context: Context, typesetter: Typesetter) -> Iterator[str]:
@@ -186,7 +194,7 @@ def _claim(row: Obligation, typesetter: Typesetter) -> str:
 
 def _constants(outcome: Outcome) -> Iterator[tuple[str, ...]]:
     typesetter = letters(outcome)
-    bounds = bound_of_each() if outcome.statement.theorem == THEOREM else {}
+    bounds = bound_of_each() if _is_theorem_1(outcome) else {}
     for constant in outcome.statement.constants:
         group = constant.name.rpartition(".")[0]
         sign, bound = bounds.get(constant.name, ("=", constant))
@@ -223,8 +231,10 @@ def _short(ends: Ends | None) -> str:
 
 
 def marked(label: str) -> str:
-    """A label of the paper, after the number that is printed there."""
+    """A label of the paper, after the number that is printed there; nothing for no label."""
     number = printed_numbers().get(label)
+    if not label:
+        return ""
     return f"`{label}`" if number is None else f"{number} `{label}`"
 
 

@@ -27,7 +27,7 @@ class Range(Record):
 def verdict_of(found: Iterable[Range]) -> str:
     """The verdict on all points: refuted beats undecided beats proved."""
     kinds = {item.verdict for item in found}
-    return next((v for v in (REFUTED, UNDECIDED) if v in kinds), PROVED)
+    return next((v for v in (REFUTED, UNDECIDED, PROVED) if v in kinds), UNDECIDED)
 
 
 def range_lines(found: Iterable[Range]) -> Iterator[str]:

@@ -88,6 +88,15 @@ def given(assumptions: Iterable[Assumption]) -> str:
     return f"{total} {'assumption' if total == 1 else 'assumptions'} ({parts})"
 
 
+def is_about_paper(outcome: Outcome) -> bool:
+    """Whether a statement says something about the paper: a row or a sentence has its label."""
+    from verify.paper.numbering import is_in_paper  # loaded only where it is used
+
+    statement = outcome.statement
+    labels = [row.label for row in statement.obligations]
+    return is_in_paper([*labels, *(assumption.label for assumption in statement.assumptions)])
+
+
 def given_by(outcome: Outcome) -> str:
     """What an outcome rests on: its own assumptions, and those of each statement that it cites."""
     cites = outcome.statement.cites
@@ -98,7 +107,10 @@ def given_by(outcome: Outcome) -> str:
 
 def cited_as(cite: Cite) -> str:
     """A cited statement, with the folder of its certificate where that is one of ours."""
-    folder = FOLDERS.get(cite.theorem)
+    from verify.paper.numbering import is_in_paper  # loaded only where it is used
+
+    is_ours = is_in_paper(assumption.label for assumption in cite.trusted)
+    folder = FOLDERS.get(cite.theorem) if is_ours else None
     return f"the cited '{cite.name}'" + (f" ({folder})" if folder else "")
 
 
@@ -135,8 +147,8 @@ def taken_on_trust(outcome: Outcome) -> Iterator[str]:
 def _assumption(assumption: Assumption) -> str:
     from verify.paper.numbering import cited  # loaded only where it is used
 
-    where = cited(assumption.label)
-    return f"  {assumption.name} ({assumption.kind}, {where}): {assumption.sentence}"
+    where = f", {cited(assumption.label)}" if assumption.label else ""
+    return f"  {assumption.name} ({assumption.kind}{where}): {assumption.sentence}"
 
 
 def counts(outcome: Outcome, role: str) -> str:
@@ -166,8 +178,14 @@ def letters(outcome: Outcome) -> Typesetter:
     for context in outcome.statement.contexts:
         names |= {v.name: v.letter for v in context.variables}
         names |= {c.name: c.letter for c in context.constants}
-    parameters = {name: LETTERS.get(name, name) for name in parameters_of(outcome)}
-    return Typesetter(names | parameters)
+    return Typesetter(names | parameter_letters(outcome))
+
+
+def parameter_letters(outcome: Outcome) -> dict[str, str]:
+    """The letters of the parameters: the paper's where they are those of Theorem 1."""
+    found = parameters_of(outcome)
+    known = LETTERS if {"V_0", "delta_theta"} <= found.keys() else {}
+    return {name: known.get(name, name) for name in found}
 
 
 def short_name(row: Obligation) -> str:

@@ -10,7 +10,7 @@ import pytest
 
 from verify import check
 from verify.jobs.thresholds import decide_thresholds, gap, shares
-from verify.language.statement import PROVED, UNDECIDED
+from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term
 from verify.paper.everywhere import thresholds as paper
 from verify.paper.everywhere.chart import CONTEXT
@@ -18,7 +18,7 @@ from verify.paper.groups import PRINTED
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.balls import BallArithmetic
-from verify.prover.outcome import Outcome
+from verify.prover.outcome import Decision, Outcome
 from verify.prover.program import Machine, Program
 from verify.prover.proof import LemmaStep
 from verify.prover.relations import fails, holds
@@ -49,10 +49,19 @@ def test_every_strip_is_a_row_of_the_statement() -> None:
 
 def test_little_is_undecided() -> None:
     for row in dict.fromkeys(strip.row for strip in paper.STRIPS):
-        found = shares(row)
+        found = shares(row, decide_thresholds())
         assert found[UNDECIDED][1] < Fraction(1, 10000)
         assert sum(low for low, _ in found.values()) <= 1 <= sum(high for _, high in found.values())
-        assert gap(row) <= paper.STRIP
+        assert gap(s for s in paper.STRIPS if s.row == row) <= paper.STRIP
+
+
+def test_the_share_of_a_strip_that_is_not_proved_is_undecided() -> None:
+    outcome = decide_thresholds()
+    lost = {**outcome.decisions, "angle-absorbed.fails": Decision(UNDECIDED)}
+    before = shares("angle-absorbed", outcome)
+    found = shares("angle-absorbed", outcome._replace(decisions=lost))
+    assert found[REFUTED] == (0, 0) != before[REFUTED]
+    assert found[UNDECIDED][1] > Fraction(1, 10) > before[UNDECIDED][1]
 
 
 def points() -> Iterator[tuple[Fraction, tuple[Fraction, ...]]]:

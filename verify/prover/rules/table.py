@@ -38,6 +38,8 @@ from verify.prover.rules.witness import Witness
 if TYPE_CHECKING:
     from typing import Any
 
+    from verify.prover.proof import Proof
+
 #: For each class of proofs the name of its rule, and the kinds of its fields.
 RULES: dict[type[Any], tuple[str, Kinds]] = {
     Interval: ("interval", interval.KINDS),
@@ -56,3 +58,8 @@ RULES: dict[type[Any], tuple[str, Kinds]] = {
     Induction: ("induction", induction.KINDS),
     Witness: ("witness", witness.KINDS),
 }
+
+
+def rule_of(proof: Proof) -> str:
+    """The name of the rule by which a proof shows its claim."""
+    return RULES[type(proof)][0]

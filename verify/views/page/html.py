@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from html import escape
 from typing import Any
 
+from verify.language.scripts import LOWERED, RAISED, Pieces, Scripted, pieces
 from verify.views.page.blocks import (
     Block,
     Box,
@@ -65,7 +66,6 @@ def html(title: str, subtitle: str, blocks: Sequence[Block]) -> str:
     return "\n".join(lines) + "\n"
 
 
-_SCRIPT = re.compile(r"([_^])(?:\{([^{}]*)\}|\(([^()]*)\)|([^\W\d_⁰¹²³⁴-⁹₀-₉]+|[0-9]+|[⁺⁻±∞]))")
 _POWER_OF_TEN = re.compile(
     r"(?<![\w.])(?:([0-9]+(?:\.[0-9]+)?)e(-?[0-9]+)(?!\w)"
     r"|(?:([0-9]+(?:\.[0-9]+)?)·)?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))"
@@ -82,12 +82,27 @@ _LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 def prose(text: str) -> str:
     """A sentence with its minus signs, subscripts, superscripts and powers of ten set as such."""
-    return _powers(_SCRIPT.sub(_script, escape(_MINUS.sub("−", text), quote=False)))
+    return _powers(_line(pieces(_MINUS.sub("−", text))))
 
 
-def _script(match: re.Match[str]) -> str:
-    tag = "sub" if match[1] == "_" else "sup"
-    return f"<{tag}>{match[2] or match[3] or match[4]}</{tag}>"
+def _line(found: Pieces) -> str:
+    return "".join(
+        _scripted(piece) if isinstance(piece, Scripted) else escape(piece, quote=False)
+        for piece in found
+    )
+
+
+def _scripted(piece: Scripted) -> str:
+    """A letter with what is below and above it; digits are small signs of their own."""
+    text = escape(piece.base) + ("\u0304" if piece.bar else "")
+    for tag, content, small in (("sub", piece.lower, LOWERED), ("sup", piece.upper, RAISED)):
+        signs = {sign: mark for mark, sign in small.items()} | {"′": "′"}
+        inner = "".join(part for part in content if isinstance(part, str))
+        if content == (inner,) and signs.keys() >= {*inner} - {"n"} and "n" not in inner:
+            text += "".join(signs[sign] for sign in inner)
+        elif content:
+            text += f"<{tag}>{_line(content)}</{tag}>"
+    return text
 
 
 def _powers(text: str) -> str:

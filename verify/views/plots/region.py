@@ -7,15 +7,15 @@ stability threshold does.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from itertools import pairwise
 
 from verify.jobs.covers import WIDTH, threshold_boxes
 from verify.jobs.everywhere import decide_printed_everywhere
-from verify.jobs.thresholds import decide_thresholds
+from verify.jobs.thresholds import certified, decide_thresholds
 from verify.language.statement import PRINTED, PROVED, REFUTED
-from verify.paper.everywhere.thresholds import STRIPS, Strip
+from verify.paper.everywhere.thresholds import STRIPS
 from verify.prover.cover import Box
 from verify.prover.outcome import Outcome
 from verify.views.everywhere import dependences
@@ -62,16 +62,11 @@ def picture(everywhere: Outcome) -> Figure:
 # --- cells ---------------------------------------------------------------------------------------
 
 
-def certified() -> Sequence[Strip]:
-    """The strips that the statement about thresholds proves."""
-    decisions = decide_thresholds().decisions
-    return [strip for strip in STRIPS if decisions[strip.by].verdict == PROVED]
-
-
 def refuted_at(low: Fraction, high: Fraction) -> int | None:
     """How many rows are refuted for phi_plus in an open interval; None if one is not decided."""
     rows = dict.fromkeys(strip.row for strip in STRIPS)
-    there = {s.row: s.verdict for s in certified() if s.low <= low and high <= s.high}
+    strips = certified(decide_thresholds())
+    there = {s.row: s.verdict for s in strips if s.low <= low and high <= s.high}
     return None if there.keys() != rows.keys() else list(there.values()).count(REFUTED)
 
 

@@ -29,6 +29,8 @@ from verify.views.words import (
     given_by,
     headline,
     in_letters,
+    is_about_paper,
+    parameter_letters,
     parameters_of,
     sides_of,
     witness_of,
@@ -51,7 +53,6 @@ LONGEST = 800
 
 #: How the parameters of Theorem 1 are written, in LaTeX and in plain text.
 PARAMETERS = {
-    "r": ("r", "r"),
     "c": (r"(-\cos\theta_0)", "(-cos θ₀)"),
     "V_0": ("V_0", "V₀"),
     "delta_theta": (r"\delta_\theta", "δ_θ"),
@@ -82,7 +83,8 @@ class _Part:
     def lines(self) -> Iterator[str]:
         title = in_letters(self.statement.title)
         yield rf"\section*{{{words(title[:1].upper() + title[1:])}}}"
-        yield rf"About {words(AUTHORS)}, \emph{{{words(TITLE)}}}.\par"
+        if is_about_paper(self.outcome):
+            yield rf"About {words(AUTHORS)}, \emph{{{words(TITLE)}}}.\par"
         yield rf"Verdict: \textbf{{{headline(self.outcome)}}},"
         yield f"given {words(given_by(self.outcome))}."
         yield from self._parameters()
@@ -105,7 +107,8 @@ class _Part:
     def _assumptions(self, title: str, found: Iterable[Assumption]) -> Iterator[str]:
         items = []
         for a in found:
-            who = rf"\textbf{{{words(a.name)}}} ({a.kind}; {tex_label(a.label)})"
+            where = f"; {tex_label(a.label)}" if a.label else ""
+            who = rf"\textbf{{{words(a.name)}}} ({a.kind}{where})"
             items.append(rf"\says{{{who}: {words(a.sentence)}}}")
         if items:
             yield from (rf"\subsection*{{{title}}}", *items)
@@ -208,7 +211,10 @@ def tex_label(text: str) -> str:
 def _letters(outcome: Outcome) -> tuple[dict[str, str], dict[str, str]]:
     """For each name of a statement its letter in LaTeX, and in plain text."""
     statement = outcome.statement
-    found = {key: PARAMETERS.get(key, ("", key)) for key in statement.parameters}
+    found = {
+        key: PARAMETERS[key] if letter != key else ("", key)
+        for key, letter in parameter_letters(outcome).items()
+    }
     constants = list(statement.constants)
     for context in statement.contexts:
         found |= {

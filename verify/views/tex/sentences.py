@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
+from itertools import groupby
+from operator import itemgetter
+
+from verify.language.scripts import LOWERED, RAISED, Pieces, Scripted, pieces
 
 #: Signs and what they are in math mode, in pairs.
 _TABLE = str.split(r"""
@@ -10,13 +15,12 @@ _TABLE = str.split(r"""
 λ \lambda μ \mu ν \nu ξ \xi π \pi ρ \rho σ \sigma τ \tau υ \upsilon φ \varphi χ \chi ψ \psi
 ω \omega Γ \Gamma Δ \Delta Θ \Theta Λ \Lambda Ξ \Xi Π \Pi Σ \Sigma Φ \Phi Ψ \Psi Ω \Omega
 ϑ \vartheta ≤ \le ≥ \ge ≠ \ne ≈ \approx · \cdot ⋅ \cdot × \times ± \pm √ \surd ∞ \infty ∧ \wedge
-∨ \vee ⊥ \perp … \ldots → \to ↦ \mapsto ∈ \in ∉ \notin ∑ \sum ½ \tfrac12 ° ^\circ ′ ' − - < < > >
+∨ \vee ⊥ \perp … \ldots → \to ↦ \mapsto ∈ \in ∉ \notin ∑ \sum ½ \tfrac12 ° ^\circ ′ \prime
+− - < < > >
 | | ¬ \neg ∠ \angle ∪ \cup ∩ \cap ⊂ \subset ∫ \int ∂ \partial ℝ \mathbb{R} 𝔄 \mathfrak{A}
 ⇒ \Rightarrow ⇔ \Leftrightarrow ∀ \forall ∃ \exists
 """)
 _SIGNS = dict(zip(_TABLE[::2], _TABLE[1::2], strict=True))
-_RAISED = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ", "0123456789+-n", strict=True))
-_LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋ₙ", "0123456789+-n", strict=True))
 _MARKS = {"–": "--", "—": "---", "’": "'", "‘": "`", "“": "``", "”": "''"}
 #: Letters with accents that every LaTeX reads.
 _LETTERS = "ÀÁÂÄÇÈÉÊËÍÎÏÑÓÔÖØÙÚÛÜàáâäçèéêëíîïñóôöøùúûüß"
@@ -27,46 +31,36 @@ _ESCAPED = {
     "^": r"\^{}",
     "~": r"\~{}",
 }
-_INDEX = r"[_^](?:\{(?P<braced>[^{}]*)\}|\((?P<round>[^()]*)\)|(?P<word>[^\W\d_]+|[0-9]+|[⁺⁻±∞]))"
-_SMALL = "".join((*_RAISED, *_LOWERED))
-_TOKEN = re.compile(
-    rf"(?P<letter>(?<![^\W\d_])[A-Za-z](?=[_^{_SMALL}]))"
-    rf"|(?P<power>10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<bar>.\u0304)|(?P<index>{_INDEX})"
-    rf"|(?P<raised>[{''.join(_RAISED)}]+)|(?P<lowered>[{''.join(_LOWERED)}]+)|(?P<one>.)",
-    re.DOTALL,
-)
-
-_RUN = re.compile(f"[{''.join(_RAISED)}]+|[{''.join(_LOWERED)}]+|.", re.DOTALL)
+_RELATIONS = {"<=": r"\le", ">=": r"\ge"}
 
 
 def words(text: str) -> str:
     """A sentence in text mode."""
-    return _TOKEN.sub(_set, text).replace("$$", " ")
+    found: list[tuple[bool, str]] = []
+    for piece in pieces(text):
+        if isinstance(piece, Scripted):
+            found.append((True, _scripted(piece)))
+        else:
+            found += map(_one, re.findall("<=|>=|.", piece, re.DOTALL))
+    return "".join(
+        f"${_joined(tex for _, tex in group)}$" if is_math else "".join(tex for _, tex in group)
+        for is_math, group in groupby(found, key=itemgetter(0))
+    )
 
 
-def _set(match: re.Match[str]) -> str:
-    found = match[0]
-    if match["letter"]:
-        return f"${found}$"
-    if match["power"]:
-        return rf"$10^{{{_digits(found[2:], _RAISED)}}}$"
-    if match["bar"]:
-        return rf"$\bar{{{math(found[0])}}}$"
-    if match["index"]:
-        inner = match["braced"] or match["round"] or match["word"] or ""
-        return rf"${found[0]}{{{math(inner)}}}$"
-    if match["raised"]:
-        return rf"$^{{{_digits(found, _RAISED)}}}$"
-    if match["lowered"]:
-        return rf"$_{{{_digits(found, _LOWERED)}}}$"
-    return _one(found)
+def _one(sign: str) -> tuple[bool, str]:
+    """Whether a sign is mathematics, and its LaTeX."""
+    for mark, table in (("^", RAISED), ("_", LOWERED)):
+        if sign in table:
+            return True, f"{{}}{mark}{{{table[sign]}}}"
+    if sign in _RELATIONS or sign in _SIGNS:
+        return True, (_RELATIONS.get(sign) or _SIGNS[sign])
+    return False, _in_text(sign)
 
 
-def _one(sign: str) -> str:
+def _in_text(sign: str) -> str:
     if sign in _ESCAPED:
         return _ESCAPED[sign]
-    if sign in _SIGNS:
-        return rf"${_SIGNS[sign]}$"
     if sign.isascii() or sign in _LETTERS:
         return sign
     if sign in _MARKS:
@@ -75,34 +69,56 @@ def _one(sign: str) -> str:
 
 
 def math(text: str) -> str:
-    """A few letters in math mode, as an index has them; several of them upright."""
-    parts = [_in_math(part) for part in _RUN.findall(text)]
-    inner = " ".join(parts) if any(p.startswith("\\") for p in parts) else "".join(parts)
-    return rf"\mathrm{{{inner}}}" if len(text) > 1 and text.isalpha() and text.isascii() else inner
+    """A few letters in math mode; words are upright."""
+    return _formula(pieces(text))
 
 
-def _in_math(part: str) -> str:
-    """A sign, or several raised or lowered digits."""
-    if part[0] in _RAISED:
-        return f"^{{{_digits(part, _RAISED)}}}"
-    if part[0] in _LOWERED:
-        return f"_{{{_digits(part, _LOWERED)}}}"
-    return _SIGNS.get(part, _one(part))
+def _formula(inner: Pieces) -> str:
+    return _joined(
+        _scripted(part) if isinstance(part, Scripted) else _letters(part) for part in inner
+    )
 
 
-def _digits(text: str, table: dict[str, str]) -> str:
-    return "".join(table[sign] for sign in text)
+def _scripted(piece: Scripted) -> str:
+    """A letter with its bar, index and power, in math mode."""
+    base = _letters(piece.base)
+    text = rf"\bar{{{base}}}" if piece.bar else base
+    if piece.lower:
+        text += f"_{{{_formula(piece.lower)}}}"
+    return text + (f"^{{{_formula(piece.upper)}}}" if piece.upper else "")
+
+
+def _letters(text: str) -> str:
+    parts = re.findall("[A-Za-z]+|.", text, re.DOTALL)
+    return _joined(
+        rf"\mathrm{{{part}}}" if part.isalpha() and len(part) > 1 else _one(part)[1]
+        for part in parts
+    )
+
+
+def _joined(parts: Iterable[str]) -> str:
+    """Formulas one after the other; a command ends where letters begin."""
+    text = ""
+    for part in parts:
+        is_command = re.search(r"\\[A-Za-z]+$", text) and part[:1].isalpha()
+        text += f" {part}" if is_command else part
+    return text
 
 
 def name(text: str) -> str:
     """A name or a label in typewriter letters; it breaks where it is long."""
     parts = re.findall(r"[^-_.\s]{1,8}[-_.]*|[-_.]+|\s", text)
-    inner = r"\allowbreak{}".join("".join(map(_one, part)) for part in parts)
+    inner = r"\allowbreak{}".join("".join(map(_in_text, part)) for part in parts)
     return rf"\texttt{{{inner}}}"
 
 
 def tex_number(text: str) -> str:
     """A number as people write it, in math mode: ``5.9…·10⁻⁵`` or ``[0.1, 0.2]``."""
-    text = re.sub("10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)", lambda found: f"10^{{{_digits(found[1], _RAISED)}}}", text)
-    text = text.replace("·", r" \times ").replace("…", r"\ldots{}")
-    return text.replace(", ", r",\allowbreak\ ")
+    signs = {"·": r" \times ", "…": r"\ldots{}", ", ": r",\allowbreak\ "}
+    parts = []
+    for piece in pieces(text):
+        if isinstance(piece, Scripted):
+            parts.append(_scripted(piece))
+        else:
+            parts += [signs.get(sign, sign) for sign in re.findall(", |.", piece)]
+    return "".join(parts)

@@ -358,12 +358,10 @@ BACKED: dict[str, tuple[Check, ...]] = {
     "a file of tests for each rule": (
         "tests/check/test_wall.py::test_every_rule_has_a_test_file",
         "tests/lies/test_lies.py::test_enough_lies",
-        "tests/check/test_mutants.py::test_enough_mutants",
+        "tests/test_mutation.py::test_all_mutants_of_a_function",
     ),
     "With 2000 bits as an oracle": (oracle_bits, "tests/prover/test_oracle.py::test_agreement"),
-    "Mutation testing of `verify/check.py`": (
-        "tests/check/test_mutants.py::test_each_mutant_is_killed",
-    ),
+    "Mutation testing of `verify/check.py`": ("tests/test_mutation.py::test_what_is_noticed",),
     "notice 1502 of 1573 mutants": (mutation_figures,),
     "231 of the 232 mutants of these lines": (
         "tests/check/test_rule_antisymmetry.py::test_antisymmetry",

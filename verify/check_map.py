@@ -40,7 +40,9 @@ PLACES, GRID = 96, 30
 ONE = 1 << PLACES
 #: How far a box is followed, in all its branches together, and all boxes: so checking ends. A step
 #: is a collision, or the six numbers of a collapse tried once.
-MAX_STEPS, MAX_WORK = 2000, 320_000
+MAX_STEPS, MAX_WORK = 2000, 290_000
+#: To begin with a box costs as much as so many steps.
+BOX_PRICE = 3
 MAX_LEVEL, MAX_DIGITS, MAX_SIXES = 40, 40, 64
 #: Of a line in bytes, and of a number of a state in bits: a collision can double its length.
 MAX_LINE, MAX_BITS = 1 << 24, 16 * PLACES
@@ -1082,7 +1084,7 @@ def prove_box(
     """
     work = work or Work()
     try:
-        work.spend(2 * law.kind.price)
+        work.spend(BOX_PRICE * law.kind.price)
         prove(law, begin(key), letter, numbers, work)
     except RefusedError as error:
         raise RefusedError(f"box {key}, {letter}: {error}") from None

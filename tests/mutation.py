@@ -44,9 +44,10 @@ STAGES = {
         ("tests/lies/test_heavy.py",),
     ),
     "verify/check_map.py": (
-        ("tests/check/test_check_map.py",),
-        ("tests/check/test_check_map_numbers.py", "tests/check/test_check_map_lies.py"),
+        ("tests/check/test_check_map.py", "tests/check/test_check_map_branches.py"),
+        ("tests/check/test_check_map_numbers.py", "tests/check/test_check_map_planes.py"),
         ("tests/check/test_check_map_closing.py", "tests/prover/test_map_branches.py"),
+        ("tests/check/test_check_map_lies.py",),
     ),
 }
 #: What the tests of the one file need not run.

@@ -868,10 +868,8 @@ def _at_contact(kind: Arithmetic, plane: Phi) -> Callable[[Number, Number], Sigh
         b = mul(D, sub(across, mul(C, eta_s)))
         B = add(square(eta_s), square(u_s))
         eps = mul(phi_2, add(kind.one, D))
-        found = Sight(v, D, phi_1, eps, A, B, mul(D, C), a, b, w)
-        if far(kind, found).g[0] <= 0:
-            raise RefusedError("the spheres s and c may touch")
-        return found
+        # As -cos > 0, the spheres s and c are apart.
+        return Sight(v, D, phi_1, eps, A, B, mul(D, C), a, b, w)
 
     return state
 

@@ -114,6 +114,7 @@ def test_one_number_changed_to_one_that_proves_nothing(place: int) -> None:
 
 KEYS: dict[str, Callable[[Lines], object]] = {
     "changed": lambda c: c[2].update(keys="1" + c[2]["keys"][1:]),
+    "no-verdict": lambda c: c[2].update(verdicts=c[2]["verdicts"].replace("u", "q", 1)),
     "of-another-level": lambda c: c[2].update(level=6),
     "swapped": lambda c: c[2].update(keys=" ".join(reversed(c[2]["keys"].split(" ")))),
     "twice": lambda c: c.insert(2, c[2]),

@@ -295,13 +295,14 @@ def long_areas() -> bytes:
     """A strip with as many long fractions as there may be."""
     rng, header = random.Random(1), honest("strip")[0]
     long = [f"{rng.getrandbits(100) + 2**101}/{2**104 - 2 * i - 1}" for i in range(900)]
-    count, eps = 256, Fraction(1, 10**38)
-    bands = ["0", *(str(Fraction(i, 128) + eps / (7 + i)) for i in range(1, 128)), "1"]
+    count, size = 256, 10**37
+    bands = ["0", *(f"{i * (size + 2 * i) // 128}/{size + 2 * i + 1}" for i in range(1, 128)), "1"]
     header["plane"] |= {
-        "curve": [[long[i], "0", "0"] for i in range(count)],
+        "curve": [[long[i], long[i + count], "0"] for i in range(count)],
         "below": bands,
         "above": bands,
-        "y": ["0", "9"], "tangential": ["100", "0"],
+        "y": ["0", "9"],
+        "r": "99/100",
     }  # fmt: skip
     header["first_level"] = 8
     keys = [check_map._key(i, 8) for i in range(4**8)]

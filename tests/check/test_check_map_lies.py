@@ -136,6 +136,26 @@ def test_a_strip_says_what_all_its_states_do() -> None:
     assert "every" not in check_map.says(phi, Areas(9, 4, Fraction(1, 4), Fraction(1, 2), True))
 
 
+def test_a_strip_is_one_where_all_tiles_are_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Those below collapse, those above disperse, and none is missing."""
+    monkeypatch.setattr(check_map, "prove_box", lambda *_: None)
+    header, record = honest("strip")
+    strip, keys = check_map.plane_of(header["plane"]), record["keys"].split(" ")
+    assert isinstance(strip, check_map.Strip)
+    good = "".join("d" if check_map.is_above(strip, key) else "c" for key in keys)
+
+    def is_strip(letters: str, count: int = 16) -> bool:
+        numbers = [[1] * 6] * letters[:count].count("c")
+        found = record | {"keys": " ".join(keys[:count]), "verdicts": letters[:count]}
+        return check([*sealed([header, found | {"numbers": numbers}])]).is_strip
+
+    assert is_strip(good)
+    assert not is_strip(good, 15)
+    for place, letter in enumerate(good):
+        for other in "cdu".replace(letter, ""):
+            assert not is_strip(good[:place] + other + good[place + 1 :])
+
+
 # --- malformed logs ------------------------------------------------------------------------------
 
 ODD: list[Any] = [
@@ -211,6 +231,22 @@ def test_what_is_no_json_object_with_the_keys() -> None:
     utf_16 = header.decode().encode("utf-16")
     with pytest.raises(LogError, match="no JSON"):
         check([utf_16])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "velocities[2][0",
+        "velocities[2][2]",
+        "velocities[3][0]",
+        "momenta[2][0]",
+        "velocities[2][000]",
+    ],
+)
+def test_what_is_no_place_of_a_number(text: str) -> None:
+    content = honest("scene")
+    assert code(put(content, (0, "plane", "x_at"), text)) == 4
+    assert code(put(content, (0, "plane", "x_at"), "velocities[0][01]")) == 0
 
 
 def test_whole_numbers_are_no_truths_and_not_long() -> None:

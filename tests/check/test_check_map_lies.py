@@ -249,6 +249,20 @@ def test_what_is_no_place_of_a_number(text: str) -> None:
     assert code(put(content, (0, "plane", "x_at"), "velocities[0][01]")) == 0
 
 
+@pytest.mark.parametrize(
+    ("name", "values", "wanted"),
+    [
+        ("r", ["0", "1", "-1/2"], 4), ("r", ["1/1000", "999/1000"], 0),
+        ("neg_cos", ["0", "-1/2", "11/10"], 4), ("neg_cos", ["1/1000", "1"], 0),
+        ("speed", ["0", "-1"], 4), ("speed", ["1/1000", "1000"], 0),
+        ("x", [["0", "0"], ["1", "0"], ["-1", "1"]], 4), ("y", [["0", "0"], ["-1", "1"]], 4),
+    ],
+)  # fmt: skip
+def test_the_ends_of_what_numbers_may_be(name: str, values: list[Any], wanted: int) -> None:
+    for value in values:
+        assert code(put(honest("phi"), (0, "plane", name), value)) == wanted
+
+
 def test_whole_numbers_are_no_truths_and_not_long() -> None:
     content = honest("phi")
     for at in ((0, "first_level"), (0, "code"), (1, "level")):
@@ -263,7 +277,7 @@ def test_whole_numbers_are_no_truths_and_not_long() -> None:
 def test_limits_of_what_a_box_has() -> None:
     content = on_a_line("1/100", "c", ["11/10", "12/10"])
     header, record = map(json.loads, content)
-    for count, wanted in ((check_map.MAX_SIXES, 1), (check_map.MAX_SIXES + 1, 4)):
+    for count, wanted in ((64, 1), (65, 4)):
         found = record | {"numbers": [[1] * 6 * count] * 4}
         assert code([header, found]) == wanted
     for number, wanted in (((1 << 60) - 1, 1), (1 << 60, 4)):

@@ -266,6 +266,8 @@ def test_a_flight_has_bounds() -> None:
     never = z._replace(lam=(-ONE, 0))
     assert m.way_of(INTERVALS, never._replace(eps=(-ONE, 0))) is None
     assert m.way_of(INTERVALS, never._replace(A=(-5, ONE))) is None
+    assert m.way_of(INTERVALS, z._replace(lam=(-ONE, ONE), A=(-5, ONE))) is None
+    assert m.way_of(INTERVALS, z._replace(lam=(-ONE, ONE), eps=(-5, ONE))) is None
     found = m.way_of(INTERVALS, z._replace(lam=(-ONE, 2 * ONE), A=(4 * ONE, 5 * ONE)))
     assert found is not None
     assert found.lam == (2 * ONE, 2 * ONE)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from argparse import Namespace
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from tests import mutation
 from tests.mutation import STAGES, excused, mutants
 
+ALL = Namespace(sample=None, seed=1, jobs=1, match="", seconds=600.0)
 SOURCE = b'''"""A file."""
 
 def least(x: int, y: int = 3) -> int:  # a comment
@@ -77,19 +79,21 @@ def a_tree(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
 def test_what_is_noticed(a_tree: str, capsys: pytest.CaptureFixture[str]) -> None:
     left_out = mutation.EXCUSED / "small.txt"
     left_out.write_text("")
-    assert mutation.examine(a_tree, None, 1, 1) == 60
+    assert mutation.examine(a_tree, ALL) == 60
     said = capsys.readouterr().out.splitlines()
     assert said[:2] == ["g: {-x => pass}", "g: {-x => (x)}"]
-    assert said[2].startswith("verify/small.py: 3 of 5 mutants are noticed (60.0 %); 0 more")
+    assert said[2].startswith(
+        "verify/small.py: 3 of 5 mutants are noticed (60.0 %), 0 not tried; 0 "
+    )
     left_out.write_text("# Nobody\n# asks for it.\n" + "\n".join(said[:2]))
-    assert mutation.examine(a_tree, None, 1, 1) == 100
+    assert mutation.examine(a_tree, ALL) == 100
     assert excused(a_tree, said) == dict.fromkeys(said[:2], "Nobody asks for it.")
     left_out.write_text("# Why.\n~ g: .*=> pass}\n")
     assert excused(a_tree, said) == {said[0]: "Why."}
     left_out.write_text("# Why.\nno mutant\n")
     with pytest.raises(SystemExit, match="no mutant"):
-        mutation.examine(a_tree, None, 1, 1)
+        mutation.examine(a_tree, ALL)
     left_out.write_text("")
     (mutation.ROOT / a_tree).write_text("def f(x):\n    return x\n")
     with pytest.raises(SystemExit, match="as it stands does not pass"):
-        mutation.examine(a_tree, None, 1, 1)
+        mutation.examine(a_tree, ALL)

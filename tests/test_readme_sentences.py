@@ -171,9 +171,9 @@ BACKED: dict[str, tuple[Check, ...]] = {
     "this plane have centres and velocities in one plane, also in space": (
         "tests/prover/test_map_boxes.py::test_points_of_decided_boxes_do_what_was_proved",
     ),
-    "Boxes are proved again in balls, 100 chosen at random": (
-        "tests/prover/test_map_balls.py::test_all_of_a_strip_in_balls",
-        "tests/cli/test_map.py::test_a_strip",
+    "`verify map` has that checker prove the log": (
+        "tests/cli/test_map.py::test_a_judge_that_decides_nothing",
+        "tests/cli/test_map.py::test_a_log_whose_verdicts_were_changed",
     ),
     "with a curve f that its log has, every state": (
         "tests/check/test_check_map.py::test_the_committed_strip",

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Check the log of a map.
 
-    python3 -I verify/check_map.py LOG [LOG ...]
+    python3 -I verify/check_map.py [--long] LOG [LOG ...]
 
 A map is a rectangle of scenes, each with three spheres, cut into boxes. The log says of a box that
 all its scenes collapse, or that in all of them no two spheres meet any more after finitely many
@@ -18,12 +18,14 @@ that the log has for it. What it takes on trust, besides itself and Python:
 A scene in which two spheres just graze has the verdict that it gets whether this counts as a
 collision or not. Scenes in which all three touch at once, or overlap, at the start are not meant.
 
-The exit code is 0 if all is proved, 1 if a verdict is not, 4 if the log is malformed.
+The exit code is 0 if all is proved, 1 if a verdict is not, 4 if a log is malformed, 2 if a file
+cannot be read. Work is counted: a box, and a log without `--long`, is refused where it is too much.
 """
 
 from __future__ import annotations
 
 import json
+import os
 import re
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -36,11 +38,16 @@ from typing import Any, NamedTuple
 #: Numbers are counted in units of 2^-PLACES; the six numbers of a collapse in units of 2^-30.
 PLACES, GRID = 96, 30
 ONE = 1 << PLACES
-#: How far a box is followed, in all its branches together: so checking ends.
-MAX_STEPS = 2000
-MAX_LEVEL, MAX_DIGITS = 40, 40
-#: Of a line in bytes, and of a number of a state in units: a collision can double its length.
-MAX_LINE, MAX_NUMBER = 1 << 24, 1 << 16 * PLACES
+#: How far a box is followed, in all its branches together, and all boxes: so checking ends. A step
+#: is a collision, or the six numbers of a collapse tried once.
+MAX_STEPS, MAX_WORK = 2000, 290_000
+#: To begin with a box costs as much as so many steps.
+BOX_PRICE = 3
+MAX_LEVEL, MAX_DIGITS, MAX_SIXES = 40, 40, 64
+#: Of a line in bytes, and of a number of a state in bits: a collision can double its length.
+MAX_LINE, MAX_BITS = 1 << 24, 16 * PLACES
+#: Of the fraction of the area, in bits.
+MAX_AREA = 1 << 13
 
 #: Two whole numbers of units with a number between them, ends included.
 Interval = tuple[int, int]
@@ -52,6 +59,24 @@ class LogError(ValueError):
 
 class RefusedError(ValueError):
     """A verdict is not proved."""
+
+
+class Work:
+    """What may still be spent, in steps with short intervals; None for any amount."""
+
+    def __init__(self, left: int | None = MAX_WORK) -> None:
+        self.left = left
+
+    def spend(self, price: int) -> None:
+        """Less is left afterwards.
+
+        Raises:
+            RefusedError: if nothing is.
+        """
+        if self.left is not None:
+            self.left -= price
+            if self.left < 0:
+                raise RefusedError("all boxes together are more work than the limit; use --long")
 
 
 # --- whole numbers around real ones --------------------------------------------------------------
@@ -317,9 +342,10 @@ class Arithmetic(NamedTuple):
     root_of_share: Callable[[Any], Any]
     above: Callable[[Any, int], Any]
     one: Any
+    price: int
 
 
-INTERVALS = Arithmetic(add, sub, mul, div, square, neg, root, root_of_share, above, UNIT)
+INTERVALS = Arithmetic(add, sub, mul, div, square, neg, root, root_of_share, above, UNIT, 1)
 MODELS = Arithmetic(
     add_models,
     sub_models,
@@ -331,6 +357,7 @@ MODELS = Arithmetic(
     root_of_share_model,
     above_model,
     flat(UNIT),
+    5,
 )
 
 # --- states and their collisions -----------------------------------------------------------------
@@ -841,10 +868,8 @@ def _at_contact(kind: Arithmetic, plane: Phi) -> Callable[[Number, Number], Sigh
         b = mul(D, sub(across, mul(C, eta_s)))
         B = add(square(eta_s), square(u_s))
         eps = mul(phi_2, add(kind.one, D))
-        found = Sight(v, D, phi_1, eps, A, B, mul(D, C), a, b, w)
-        if far(kind, found).g[0] <= 0:
-            raise RefusedError("the spheres s and c may touch")
-        return found
+        # As -cos > 0, the spheres s and c are apart.
+        return Sight(v, D, phi_1, eps, A, B, mul(D, C), a, b, w)
 
     return state
 
@@ -928,7 +953,11 @@ def _scenes(
 
 
 def prove(
-    law: Law, states: Sequence[Sight | None], verdict: str, numbers: list[tuple[Interval, ...]]
+    law: Law,
+    states: Sequence[Sight | None],
+    verdict: str,
+    numbers: list[tuple[Interval, ...]],
+    work: Work,
 ) -> None:
     """Show a verdict for all branches of a box; None is one that ends.
 
@@ -939,17 +968,22 @@ def prove(
     while waiting:
         state, steps = waiting.pop(), steps + 1
         if steps > MAX_STEPS:
-            raise RefusedError(f"there is no end after {MAX_STEPS} collisions")
-        if state is not None and any(x[0] > x[1] for x in state):
-            continue  # no state of the box is in this branch
-        if state is not None and not all(-MAX_NUMBER < n < MAX_NUMBER for x in state for n in x):
-            raise RefusedError("the numbers of a state are too large to go on")
-        if state is not None and any(closes(law, state, six) for six in numbers):
+            raise RefusedError(f"there is no end after {MAX_STEPS} steps")
+        if state is None:
+            if verdict == "c":
+                raise RefusedError("it may be that no two spheres meet any more")
             continue
-        may_end, more = (True, []) if state is None else after(law, state)
-        if may_end and verdict == "c":
-            raise RefusedError("it may be that no two spheres meet any more")
-        waiting += more
+        if any(x[0] > x[1] for x in state):
+            continue  # no state of the box is in this branch
+        bits = max(n.bit_length() for x in state for n in x)
+        if bits > MAX_BITS:
+            raise RefusedError("the numbers of a state are too large to go on")
+        steps += len(numbers)
+        work.spend(law.kind.price * (1 + len(numbers)) * (1 + (bits >> 8)))
+        if any(closes(law, state, six) for six in numbers):
+            continue
+        may_end, more = after(law, state)
+        waiting += [None, *more] if may_end else more
 
 
 # --- the log -------------------------------------------------------------------------------------
@@ -975,8 +1009,8 @@ class Areas(NamedTuple):
     is_strip: bool = False
 
 
-def check_log(lines: Iterator[bytes]) -> tuple[Plane, Areas]:
-    """Prove every verdict of a log, and that its boxes cover the rectangle once.
+def check_log(lines: Iterator[bytes], most: int | None = MAX_WORK) -> tuple[Plane, Areas]:
+    """Prove every verdict of a log, with so much work, and that its boxes cover the rectangle once.
 
     Raises:
         LogError: if it is malformed.
@@ -985,7 +1019,7 @@ def check_log(lines: Iterator[bytes]) -> tuple[Plane, Areas]:
     chain, header = _line(next(lines, b""), "", HEADER)
     if header["format"] != FORMAT:
         raise LogError(f"expected the format {FORMAT}")
-    if type(header["code"]) is not int:
+    if type(header["code"]) is not int or not 0 <= header["code"] < 1 << 31:
         raise LogError("expected a whole number for the code")
     plane, level = plane_of(header["plane"]), header["first_level"]
     if type(level) is not int or not 1 <= level <= 8:
@@ -993,7 +1027,7 @@ def check_log(lines: Iterator[bytes]) -> tuple[Plane, Areas]:
     if isinstance(plane, Strip) and 1 << level != len(plane.curve):
         raise LogError("expected a first box for each part of the curve")
     law, sided, boxes, proved = law_in(plane), isinstance(plane, Strip), 0, 0
-    begin = beginning(law, plane)
+    begin, work = beginning(law, plane), Work(most)
     shares = {"c": Fraction(0), "d": Fraction(0)}
     due, children = [_key(i, level) for i in range(4**level)], list[str]()
     at = 0
@@ -1011,12 +1045,19 @@ def check_log(lines: Iterator[bytes]) -> tuple[Plane, Areas]:
             if letter == "u":
                 children += [key + digit for digit in "0123"]
                 continue
-            prove_box(law, begin, key, letter, next(given, []) if letter == "c" else [])
-            shares[letter] += share_of(plane, key)
+            prove_box(law, begin, key, letter, next(given, []) if letter == "c" else [], work)
+            shares[letter] = _and_share(shares[letter], plane, key)
             proved += 1
             sided = isinstance(plane, Strip) and sided and (letter == "d") == is_above(plane, key)
     done = at == len(due) and not children
     return plane, Areas(boxes, proved, shares["c"], shares["d"], sided and done)
+
+
+def _and_share(share: Fraction, plane: Plane, key: str) -> Fraction:
+    found = share + share_of(plane, key)
+    if found.denominator.bit_length() > MAX_AREA:
+        raise LogError("expected a plane whose areas are shorter fractions")
+    return found
 
 
 def law_in(plane: Plane) -> Law:
@@ -1027,15 +1068,22 @@ def law_in(plane: Plane) -> Law:
 
 
 def prove_box(
-    law: Law, begin: Beginning, key: str, letter: str, numbers: list[tuple[Interval, ...]]
+    law: Law,
+    begin: Beginning,
+    key: str,
+    letter: str,
+    numbers: list[tuple[Interval, ...]],
+    work: Work | None = None,
 ) -> None:
     """Show the verdict on a box.
 
     Raises:
         RefusedError: if that fails.
     """
+    work = work or Work()
     try:
-        prove(law, begin(key), letter, numbers)
+        work.spend(BOX_PRICE * law.kind.price)
+        prove(law, begin(key), letter, numbers, work)
     except RefusedError as error:
         raise RefusedError(f"box {key}, {letter}: {error}") from None
 
@@ -1050,7 +1098,15 @@ def _line(line: bytes, chain: str, names: tuple[str, ...]) -> tuple[str, dict[st
         raise LogError(f"a line has more than {MAX_LINE} bytes")
     body, found, digest = line.rpartition(b',"sha256":"')
     try:
-        content = json.loads(line, parse_float=_no_float, parse_constant=_no_float)
+        content = json.loads(
+            line.decode("ascii"),
+            parse_int=_whole,
+            parse_float=_no_float,
+            parse_constant=_no_float,
+            object_pairs_hook=_object,
+        )
+    except LogError:
+        raise
     except (ValueError, RecursionError) as error:
         raise LogError(f"a line is no JSON ({error})") from None
     if not isinstance(content, dict) or tuple(content) != names or not found:
@@ -1061,15 +1117,28 @@ def _line(line: bytes, chain: str, names: tuple[str, ...]) -> tuple[str, dict[st
     return chain, content
 
 
-def _no_float(text: str) -> None:
-    raise LogError(f"{text} is no whole number")
+def _whole(text: str) -> int:
+    if len(text) > MAX_DIGITS:
+        raise LogError(f"expected whole numbers of at most {MAX_DIGITS} digits")
+    return int(text)
+
+
+def _no_float(_: str) -> None:
+    raise LogError("expected whole numbers")
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        raise LogError("expected no key twice")
+    return found
 
 
 def _boxes(
     record: dict[str, Any], level: int
 ) -> tuple[list[str], str, list[list[tuple[Interval, ...]]]]:
     keys, letters, numbers = record["keys"], record["verdicts"], record["numbers"]
-    if record["level"] != level or level > MAX_LEVEL:
+    if type(record["level"]) is not int or record["level"] != level or level > MAX_LEVEL:
         raise LogError(f"expected boxes of level {level}")
     if not isinstance(keys, str) or not re.fullmatch("[0-3 ]*", keys):
         raise LogError("expected keys")
@@ -1091,7 +1160,7 @@ def sixes(flat: object, letter: str) -> list[tuple[Interval, ...]]:
     """
     if letter == "d" and not flat:
         return []
-    if not isinstance(flat, list) or not flat or len(flat) % 6:
+    if not isinstance(flat, list) or not 0 < len(flat) <= 6 * MAX_SIXES or len(flat) % 6:
         raise LogError("expected six numbers for each branch of a box that collapses")
     if not all(type(n) is int and 0 <= n < 1 << 2 * GRID for n in flat):
         raise LogError("expected whole numbers")
@@ -1111,9 +1180,9 @@ def plane_of(found: object) -> Plane:
         return _through(found)
     if isinstance(found, dict) and tuple(found) == STRIP and found["name"] == "strip":
         return _strip(found)
-    raise LogError(
-        f"expected a plane: phi with {', '.join(PHI)}, or scene with {', '.join(THROUGH)}"
-    )
+    expected = (("phi", PHI), ("scene", THROUGH), ("strip", STRIP))
+    words = (f"{name} with {', '.join(names)}" for name, names in expected)
+    raise LogError(f"expected a plane: {'; or '.join(words)}")
 
 
 def _phi(found: dict[str, Any]) -> Phi:
@@ -1128,13 +1197,13 @@ def _phi(found: dict[str, Any]) -> Phi:
 
 def _strip(found: dict[str, Any]) -> Strip:
     phi, delta = _phi(found), _rational(found["delta"])
-    curve, below, above = found["curve"], found["below"], found["above"]
-    if not all(isinstance(x, list) for x in (curve, below, above)):
-        raise LogError("expected a curve, and bands below and above it")
-    coefficients = tuple(tuple(map(_rational, part)) for part in curve)
-    if {*map(len, coefficients)} != {3} or len(below) + len(above) - 2 != len(curve):
+    curve = found["curve"]
+    if not isinstance(curve, list):
+        raise LogError("expected a curve")
+    coefficients = tuple(_row(part) for part in curve)
+    bands = _row(found["below"]), _row(found["above"])
+    if {*map(len, coefficients)} != {3} or sum(map(len, bands)) - 2 != len(curve):
         raise LogError("expected three coefficients for each part, and as many bands as parts")
-    bands = tuple(map(_rational, below)), tuple(map(_rational, above))
     for ends in bands:
         if len(ends) < 2 or ends[0] != 0 or ends[-1] != 1 or [*ends] != sorted({*ends}):
             raise LogError("expected bands from 0 to 1")
@@ -1154,7 +1223,8 @@ def _through(found: dict[str, Any]) -> Through:
         raise LogError("expected 0 < r < 1, and vectors of one length from 2 to 20")
     places = []
     for name in ("x_at", "y_at"):
-        match = re.fullmatch(r"(positions|velocities)\[([0-2])\]\[([0-9]{1,2})\]", str(found[name]))
+        text = found[name] if isinstance(found[name], str) else ""
+        match = re.fullmatch(r"(positions|velocities)\[([0-2])\]\[([0-9]{1,2})\]", text)
         if not match or int(match[3]) >= size:
             raise LogError("expected the places of two numbers, like velocities[2][0]")
         places.append((match[1], int(match[2]), int(match[3])))
@@ -1164,19 +1234,22 @@ def _through(found: dict[str, Any]) -> Through:
 
 
 def _rows_of(found: object) -> Rows:
-    if (
-        not isinstance(found, list)
-        or len(found) != 3
-        or not all(isinstance(x, list) for x in found)
-    ):
+    if not isinstance(found, list) or len(found) != 3:
         raise LogError("expected three vectors")
-    return tuple(tuple(map(_rational, row)) for row in found)
+    return tuple(map(_row, found))
+
+
+def _row(found: object) -> tuple[Fraction, ...]:
+    if not isinstance(found, list):
+        raise LogError("expected a list of numbers")
+    return tuple(map(_rational, found))
 
 
 def _two(found: object) -> tuple[Fraction, Fraction]:
-    if not isinstance(found, list) or len(found) != 2:
+    row = _row(found)
+    if len(row) != 2:
         raise LogError("expected two numbers")
-    return _rational(found[0]), _rational(found[1])
+    return row[0], row[1]
 
 
 def _rational(text: object) -> Fraction:
@@ -1189,59 +1262,122 @@ def _rational(text: object) -> Fraction:
         raise LogError("expected q > 0") from None
 
 
+# --- what is said --------------------------------------------------------------------------------
+
+
 def says(plane: Plane, areas: Areas) -> str:
-    """What was proved."""
-    rest = 1 - areas.collapses - areas.disperses
+    """What was proved, with all that it was proved for."""
     shares = ", ".join(
         f"{name} {share} (about {float(100 * share):.4f} %)"
         for name, share in (
             ("collapses", areas.collapses),
             ("disperses", areas.disperses),
-            ("undecided", rest),
+            ("undecided", 1 - areas.collapses - areas.disperses),
         )
     )
+    told = f"{areas.boxes} boxes, {areas.proved} of them proved"
+    if isinstance(plane, Strip) and areas.is_strip:
+        told = (
+            "every such state with 0 < φ2 <= f - δ collapses and every one with "
+            f"f + δ <= φ2 <= {plane.phi.y[1]} disperses; {areas.proved} tiles"
+        )
+    return f"{hypotheses(plane)}: {told}; of the area: {shares}"
+
+
+def hypotheses(plane: Plane) -> str:
+    """All that a plane fixes, and what varies in it."""
     if isinstance(plane, Strip):
-        return _says_strip(plane, areas, shares)
-    where = f"x in [{plane.x[0]}, {plane.x[1]}], y in [{plane.y[0]}, {plane.y[1]}]"
+        numbers = ";".join(
+            ",".join(map(str, row)) for row in (*plane.curve, plane.below, plane.above)
+        )
+        digest = sha256(numbers.encode()).hexdigest()
+        return (
+            f"{hypotheses(plane.phi)}, δ = {plane.delta}, f the curve of the log over "
+            f"{len(plane.curve)} equal parts of φ1 (SHA-256 of its numbers and bands: {digest})"
+        )
+    x, y = (f"[{low}, {high}]" for low, high in (plane.x, plane.y))
     if isinstance(plane, Phi):
-        what = f"r = {plane.r}, -cos = {plane.neg_cos}, x = φ1 = eta_s/(-eta_c), y = φ2 = d/eta_c²"
-    else:
-        (a, i, k), (b, j, m) = plane.x_at, plane.y_at
-        what = f"r = {plane.r}, x = {a}[{i}][{k}], y = {b}[{j}][{m}]"
-    boxes = f"{areas.boxes} boxes, {areas.proved} of them proved"
-    return f"{what}, {where}: {boxes}; of the area: {shares}"
-
-
-def _says_strip(plane: Strip, areas: Areas, shares: str) -> str:
-    phi = plane.phi
-    what = f"r = {phi.r}, -cos = {phi.neg_cos}, φ1 in [{phi.x[0]}, {phi.x[1]}]"
-    if not areas.is_strip:
-        return f"{what}: a strip with undecided tiles; of the area: {shares}"
-    return (
-        f"{what}: with the curve f of the log and δ = {plane.delta} every state with "
-        f"0 < φ2 <= f - δ collapses and every one with f + δ <= φ2 <= {phi.y[1]} disperses; "
-        f"{areas.proved} tiles; of the area: {shares}"
+        u_c, u_s = plane.tangential
+        return (
+            f"r = {plane.r}, -cos θ = {plane.neg_cos}, -eta_c = {plane.speed}, tangential speeds "
+            f"u_c = {u_c} and u_s = {u_s}, φ1 = eta_s/(-eta_c) in {x}, φ2 = d/eta_c² in {y}"
+        )
+    rows = {
+        name: [[str(number) for number in row] for row in found]
+        for name, found in (("positions", plane.positions), ("velocities", plane.velocities))
+    }
+    for letter, (name, i, k) in (("x", plane.x_at), ("y", plane.y_at)):
+        rows[name][i][k] = letter
+    places = ", ".join(
+        f"{name} {' '.join('(' + ', '.join(row) + ')' for row in found)}"
+        for name, found in rows.items()
     )
+    return f"spheres of diameter 1 with r = {plane.r}, {places}, x in {x}, y in {y}"
 
 
-def main(paths: list[str]) -> int:
-    """Check logs and say what they prove."""
-    worst = 0
-    for path in paths:
-        try:
-            with open(path, "rb") as file:
-                lines = iter(lambda: file.readline(MAX_LINE + 1), b"")
-                print(f"PROVED {path}: {says(*check_log(lines))}")
-        except RefusedError as error:
-            print(f"REFUSED {path}: {error}")
-            worst = worst or 1
-        except (LogError, OSError) as error:
-            print(f"MALFORMED {path}: {error}")
-            worst = 4
-    if not paths:
-        print(__doc__)
-        return 4
-    return worst
+def main(arguments: list[str]) -> int:
+    """Check logs, say what they prove, and return the exit code."""
+    paths = [path for path in arguments if path != "--long"]
+    most = MAX_WORK if len(paths) == len(arguments) else None
+    lines, worst = [], 0
+    try:
+        if not paths:
+            raise OSError("found no log; write: check_map.py [--long] LOG")
+        for path in paths:  # nobody waits for a pipe
+            if not os.path.isfile(path):
+                raise OSError(f"found {path!r}, which is no file; name a log")
+        for path in paths:
+            code, line = answer(path, most)
+            worst = max(worst, code)
+            lines.append(line if line.isprintable() else ascii(line))
+    except (OSError, ValueError) as error:
+        return complaint(str(error), 2)
+    except KeyboardInterrupt:
+        return complaint("interrupted", 130)
+    return output(lines, worst)
+
+
+def answer(path: str, most: int | None) -> tuple[int, str]:
+    """The exit code for a log, and a line about it.
+
+    Raises:
+        OSError: if it cannot be read.
+    """
+    try:
+        with open(path, "rb") as file:
+            lines = iter(lambda: file.readline(MAX_LINE + 1), b"")
+            return 0, f"PROVED {path}: {says(*check_log(lines, most))}"
+    except RefusedError as error:
+        return 1, f"REFUSED {path}: {error}"
+    except LogError as error:
+        return 4, f"MALFORMED {path}: {error}"
+
+
+def complaint(words: str, code: int) -> int:
+    """Say why there is no report, if anybody listens, and return the exit code."""
+    try:
+        if sys.stderr is not None:
+            line = f"check_map: {words}"
+            print(line if line.isprintable() else ascii(line), file=sys.stderr, flush=True)
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stderr.fileno())
+    return code
+
+
+def output(lines: list[str], code: int) -> int:
+    """Print the lines, and return the exit code; 141 if their reader has left, 2 if they cannot."""
+    try:
+        if sys.stdout is None:
+            raise OSError("stdout is closed")
+        encoding = sys.stdout.encoding or "ascii"
+        print("\n".join(lines).encode(encoding, "backslashreplace").decode(encoding), flush=True)
+    except OSError as error:
+        if sys.stdout is not None:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if isinstance(error, BrokenPipeError):
+            return 141
+        return complaint(f"the report cannot be written ({error})", 2)
+    return code
 
 
 if __name__ == "__main__":

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 import jsonschema
 import pytest
 
+from tests.check.test_check_map import sealed
 from verify import check_map
 from verify.cli import main
 
@@ -50,7 +54,7 @@ def test_one_line_about_unusable_input(option: str, capsys: pytest.CaptureFixtur
 
 
 def test_the_document(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main([*PLANE, "--undecided", "5%", "--json", "--recheck"]) == 0
+    assert main([*PLANE, "--undecided", "5%", "--json"]) == 0
     document = json.loads(capsys.readouterr().out)
     jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(
         document
@@ -96,7 +100,7 @@ def test_a_strip(
     assert document["strip"] == {"delta": "1/1000", "from": "1/10", "to": "11/100"}
     assert document["areas"]["undecided"] == "1/125"
     assert check_map.main([str(tmp_path / "map.jsonl")]) == 0
-    assert "every state with 0 < φ2 <= f - δ collapses" in capsys.readouterr().out
+    assert "every such state with 0 < φ2 <= f - δ collapses" in capsys.readouterr().out
     # A budget that is spent leaves no strip, and no border is no curve.
     assert main([*command[:-5], "--strip", "1e-7", "--boxes", "9", "--json"]) == 3
     assert json.loads(capsys.readouterr().out)["strip"] is None
@@ -133,6 +137,87 @@ def test_the_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     # Nor is the log of another map overwritten.
     assert main(["map", "phi", "--r", "0.04", "--out", str(tmp_path / "new")]) == 2
     assert "no log of this map" in capsys.readouterr().err
+
+
+def refuse(*_: object, **__: object) -> None:
+    raise check_map.RefusedError("nothing is decided")
+
+
+def areas_of_nothing(*_: object, **__: object) -> tuple[None, check_map.Areas]:
+    return None, check_map.Areas(256, 0, Fraction(0), Fraction(0))
+
+
+@pytest.mark.parametrize(("judge", "code"), [(refuse, 5), (areas_of_nothing, 3)])
+@pytest.mark.parametrize("kind", ["", "--out", "--json", "--strip"])
+def test_a_judge_that_decides_nothing(
+    judge: Callable[..., Any],
+    code: int,
+    kind: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """There is no verdict then, on the screen or in a file."""
+    monkeypatch.setattr(check_map, "check_log", judge)
+    monkeypatch.setattr("verify.cli.map.STRIP_LEVEL", 3)
+    monkeypatch.setattr("verify.cli.map.BANDS_BELOW", 3)
+    more = {"--out": [str(tmp_path / "out")], "--strip": ["1e-3", "--x", "0.1..0.11"]}
+    command = [*PLANE, "--undecided", "10%"][: 4 if kind == "--strip" else 6]
+    assert main([*command, *([kind] if kind else []), *more.get(kind, [])]) == code
+    printed = capsys.readouterr().out
+    written = [p.read_text(encoding="utf-8") for p in tmp_path.rglob("map.json")]
+    for text in (printed, *written):
+        found = json.loads(text)["areas"] if text.startswith("{") else {}
+        assert {found.pop(name, "0") for name in ("collapses", "disperses")} == {"0"}
+        assert text.startswith("{") or not re.search("collapse|disperse|no two spheres", text)
+
+
+def test_a_log_whose_verdicts_were_changed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Also if its digests fit."""
+    command = [*PLANE, "--undecided", "4%", "--out", str(tmp_path)]
+    assert main(command) == 0
+    log = tmp_path / "map.jsonl"
+    content = [json.loads(line) for line in log.read_bytes().splitlines()]
+    for line in content[1:]:
+        line["verdicts"], line["numbers"] = line["verdicts"].replace("c", "d"), []
+    log.write_bytes(b"".join(sealed(content)))
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    capsys.readouterr()
+    for words in (command, [*command, "--boxes", "1"]):
+        assert main(words) == 2
+        out, err = capsys.readouterr()
+        assert out == ""
+        assert "is refused by verify/check_map.py (box" in err
+        assert err.count("\n") == 1
+    after = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    assert {name for name in after if after[name] != before[name]} <= {"map.jsonl"}
+
+
+BROKEN: dict[str, Callable[[dict[str, Any]], object]] = {
+    "no-verdict": lambda c: c.update(verdicts=c["verdicts"].replace("c", "q")),
+    "a-list": lambda c: c.update(verdicts=list(c["verdicts"])),
+    "numbers": lambda c: c.update(numbers=[]),
+    "no-numbers": lambda c: c.update(numbers=5),
+    "another-key": lambda c: c.update(keys="1" * 50 + c["keys"][4:]),
+    "one-key-more": lambda c: c.update(keys=c["keys"] + " 00", verdicts=c["verdicts"] + "u"),
+}
+
+
+@pytest.mark.parametrize("name", BROKEN)
+def test_a_log_with_a_line_that_is_none(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    command = [*PLANE, "--undecided", "10%", "--out", str(tmp_path)]
+    assert main(command) == 0
+    log = tmp_path / "map.jsonl"
+    content = [json.loads(line) for line in log.read_bytes().splitlines()]
+    BROKEN[name](content[1])
+    log.write_bytes(b"".join(sealed(content)))
+    capsys.readouterr()
+    assert main(command) == 2
+    assert "is no log of this map (a line" in capsys.readouterr().err
 
 
 def test_a_folder_that_cannot_be_written(

@@ -8,7 +8,7 @@ import re
 import sys
 from contextlib import ExitStack
 from fractions import Fraction
-from functools import partial
+from io import BytesIO
 
 from verify import check_map
 from verify.cli.files import print_document, read_bytes, write_all
@@ -21,11 +21,9 @@ from verify.paper.map.planes import Phi, Place, Plane, Side, Through
 from verify.paper.map.strip import BorderStrip
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from typing import BinaryIO
 
     from verify.jobs.map import Sample, Target
-    from verify.jobs.map_recheck import Rechecked
-    from verify.jobs.map_workers import Workers
     from verify.wire.map_log import Progress
 
 LOG, DOCUMENT, PICTURE, DOTS, TIMES = "map.jsonl", "map.json", "map.svg", "map.png", "times.csv"
@@ -35,8 +33,6 @@ STRIP_LEVEL, BANDS_BELOW = 6, 16
 #: And twice as many where δ is less than this.
 FINE, FINER = Fraction(1, 10**7), Fraction(1, 10**8)
 MAX_BOXES, MAX_LEVEL, MAX_JOBS = 10**8, 26, 256
-#: So many boxes, chosen at random, are proved a second time.
-SAMPLE = 100
 
 
 def add_arguments(parser: Parser) -> None:
@@ -55,7 +51,6 @@ def add_arguments(parser: Parser) -> None:
     parser.option("--jobs", "processes (default 1)", "N", default="1")
     parser.option("--dask", "decide on a Dask cluster: tcp://HOST:PORT", "ADDRESS")
     parser.option("--out", "write the log, or go on with it; areas and pictures", "DIR")
-    parser.flag("--recheck", text=f"prove every box again in balls, not only {SAMPLE} of them")
     parser.flag("--show-boxes", text="draw each box in the picture")
     parser.flag("--json", text="one JSON document on stdout")
 
@@ -139,7 +134,7 @@ def run(options: Options) -> int:
     level = integer("--level", options.level or str(MAX_LEVEL), 1, MAX_LEVEL)
     jobs = integer("--jobs", options.jobs, 1, MAX_JOBS)
     from verify.jobs.map import Target  # numpy is loaded only where it is used
-    from verify.views.map import map_document, map_lines, recheck_lines, saddle_lines
+    from verify.views.map import area_shares, areas_of, map_document, map_lines, saddle_lines
     from verify.wire.map_log import LogMismatchError, Progress, plane_document
 
     try:
@@ -149,18 +144,19 @@ def run(options: Options) -> int:
     progress = Progress(plane if delta is None else _strip(plane, delta))
     share = share if delta is None else Fraction(0)
     try:
-        again = _grow(options, progress, Target(share, boxes, level), jobs)
+        _grow(options, progress, Target(share, boxes, level), jobs)
     except LogMismatchError as error:
         raise InputError(
             f"--out: {shown(os.path.join(options.out, LOG))} is no log of this map ({error}); "
             "name another folder"
         ) from error
     if options.json:
-        print_document(map_document(progress) | {"rechecked": again._asdict()})
+        print_document(map_document(progress))
     else:
-        lines = (*map_lines(progress), *recheck_lines(again), *saddle_lines(progress.plane))
+        lines = (*map_lines(progress), *saddle_lines(progress.plane))
         sys.stdout.write("".join(f"{line}\n" for line in lines))
-    done = progress.undecided <= share if delta is None else not progress.due
+    left, areas = area_shares(progress)["undecided"], areas_of(progress)
+    done = left <= share if delta is None else areas.is_strip
     return 0 if done else UNDECIDED_CODE
 
 
@@ -190,13 +186,14 @@ def _strip(plane: Plane, delta: Fraction) -> BorderStrip:
     return strip
 
 
-def _grow(options: Options, progress: Progress, target: Target, jobs: int) -> Rechecked:
-    """Afterwards the target is reached, and the files are written; what was proved twice."""
+def _grow(options: Options, progress: Progress, target: Target, jobs: int) -> None:
+    """Afterwards the target is reached, the log is checked, and the files are written."""
     from verify.jobs.map import grow, open_log, write_line
     from verify.jobs.map_workers import workers
 
     with ExitStack() as stack:
-        keep: Callable[[bytes], object] = len
+        file: BinaryIO = BytesIO(progress.header)
+        file.seek(0, os.SEEK_END)
         times: list[Sample] = []
         if options.out is not None:
             try:
@@ -208,15 +205,34 @@ def _grow(options: Options, progress: Progress, target: Target, jobs: int) -> Re
                     "name a folder that can"
                 ) from error
             times = _read_times(options.out, progress)
-            keep = partial(write_line, file)
+        resumed = progress.boxes
         staff = stack.enter_context(workers(jobs, options.dask))
         spent = times[-1].seconds if times else 0.0
-        for sample in grow(progress, target, staff, keep):
+        for sample in grow(progress, target, staff, lambda line: write_line(file, line)):
             times.append(sample._replace(seconds=round(spent + sample.seconds, 3)))
             _watch(sample)
+        file.seek(0)
+        _judge(progress, file, os.path.join(options.out, LOG) if resumed else None)
         if options.out is not None:
             _write(options, progress, times)
-        return _recheck(progress, staff, everything=options.recheck)
+
+
+def _judge(progress: Progress, file: BinaryIO, resumed: str | None) -> None:
+    """Afterwards all that is told of a log is what the checker has found in it.
+
+    Raises:
+        InputError: if it refuses a log of which a part was there before.
+        OwnError: if it refuses one that was made here.
+    """
+    try:
+        _, progress.areas = check_map.check_log(iter(file), most=None)
+    except (check_map.RefusedError, check_map.LogError) as error:
+        if resumed is None:
+            raise OwnError(f"our own checker does not accept a box ({error})") from error
+        raise InputError(
+            f"--out: {shown(resumed)} is refused by verify/check_map.py ({error}); "
+            "name another folder"
+        ) from error
 
 
 def _watch(sample: Sample) -> None:
@@ -252,17 +268,3 @@ def _write(options: Options, progress: Progress, times: list[Sample]) -> None:
         TIMES: f"boxes,undecided,seconds\n{rows}".encode(),
     }
     write_all("--out", options.out, files)
-
-
-def _recheck(progress: Progress, staff: Workers, *, everything: bool) -> Rechecked:
-    """What was proved a second time, in balls; or by the checker, in whole numbers.
-
-    Raises:
-        OwnError: if neither accepts a box.
-    """
-    from verify.jobs.map_recheck import rechecked
-
-    try:
-        return rechecked(progress, 10**9 if everything else SAMPLE, staff)
-    except check_map.RefusedError as error:
-        raise OwnError(f"our own checker does not accept a box ({error})") from error

@@ -90,6 +90,7 @@ def read_map(directory: str, name: str) -> CertifiedMap:
     except check_map.LogError as error:
         raise CertificateError(f"{path}: {error}", 4) from error
     progress = _appended(_plane_of(plane), map(json.loads, lines[1:]))
+    progress.areas = areas
     return CertifiedMap(name, progress, sha256(content).hexdigest(), check_map.says(plane, areas))
 
 

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from verify.language.record import TYPE_CHECKING
+from verify import check_map
+from verify.jobs.errors import OwnError
 from verify.paper.map.planes import Phi, Plane
 from verify.paper.map.strip import BorderStrip
 from verify.prover.decimals import short
@@ -21,9 +22,6 @@ from verify.wire.map_log import (
     plane_document,
 )
 
-if TYPE_CHECKING:
-    from verify.jobs.map_recheck import Rechecked  # which needs numpy
-
 DOCUMENT = "verify-map/1"
 #: The three areas: their letters in a log, their names, and what is true of every scene in them.
 AREAS = {
@@ -33,12 +31,23 @@ AREAS = {
 }
 
 
+def areas_of(progress: Progress) -> check_map.Areas:
+    """What the checker has found.
+
+    Raises:
+        OwnError: if it was not asked.
+    """
+    if progress.areas is None:
+        raise OwnError("the log of a map was not checked")
+    return progress.areas
+
+
 def area_shares(progress: Progress) -> dict[str, Fraction]:
-    """The share of each area, which add up to 1."""
-    return {
-        name: progress.undecided if letter == UNDECIDED else progress.share(letter)
-        for letter, (name, _) in AREAS.items()
-    }
+    """The share of each area by the checker; they add up to 1."""
+    areas = areas_of(progress)
+    found = {COLLAPSES: areas.collapses, DISPERSES: areas.disperses}
+    found[UNDECIDED] = 1 - areas.collapses - areas.disperses
+    return {name: found[letter] for letter, (name, _) in AREAS.items()}
 
 
 def map_document(progress: Progress) -> dict[str, Any]:
@@ -54,9 +63,9 @@ def map_document(progress: Progress) -> dict[str, Any]:
 
 
 def strip_document(progress: Progress) -> dict[str, str] | None:
-    """The strip, where all its tiles are decided."""
+    """The strip, where all its tiles are proved."""
     plane = progress.plane
-    if not isinstance(plane, BorderStrip) or progress.due:
+    if not isinstance(plane, BorderStrip) or not areas_of(progress).is_strip:
         return None
     return {"delta": str(plane.delta), "from": str(plane.x[0]), "to": str(plane.x[1])}
 
@@ -98,24 +107,15 @@ def tile_corners(plane: BorderStrip, key: str) -> list[tuple[float, float]]:
 
 
 def map_lines(progress: Progress) -> Iterator[str]:
-    """The areas for a reader."""
-    yield plane_line(progress.plane)
-    if isinstance(progress.plane, BorderStrip) and not progress.due:
-        yield (
-            f"with the curve f of the log and δ = {progress.plane.delta} every state with "
-            "φ2 <= f - δ collapses, and every one with φ2 >= f + δ disperses"
-        )
+    """What the checker says, and the areas, for a reader."""
+    areas, plane = areas_of(progress), check_map.plane_of(plane_document(progress.plane))
+    yield check_map.says(plane, areas) if areas.is_strip else check_map.hypotheses(plane)
     found = area_shares(progress)
     for name, says in AREAS.values():
-        yield f"{name:<10} {percent(found[name]):>9} %  {says}"
+        if found[name]:
+            yield f"{name:<10} {percent(found[name]):>9} %  {says}"
     yield f"{progress.boxes} boxes, down to 1/{4 ** (progress.level - 1)} of the area"
-
-
-def recheck_lines(again: Rechecked) -> Iterator[str]:
-    """What was proved again."""
-    whole = again.whole_numbers
-    others = f", {whole} by verify/check_map.py in whole numbers" if whole else ""
-    yield f"proved again: {again.balls} of {again.decided} decided boxes in balls{others}"
+    yield f"checked by verify/check_map.py: {areas.proved} boxes with a verdict"
 
 
 def saddle_lines(plane: Plane | BorderStrip) -> Iterator[str]:

@@ -8,11 +8,13 @@ so the log is the same whoever decides its chunks, and in whatever order.
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from hashlib import sha256
 from typing import Any
 
+from verify.check_map import Areas
 from verify.language.record import Record
 from verify.paper.map.planes import Phi, Place, Plane
 from verify.paper.map.strip import BorderStrip
@@ -98,6 +100,8 @@ class Progress:
         self._fourths = {COLLAPSES: 0, DISPERSES: 0}
         self._shares = {COLLAPSES: Fraction(0), DISPERSES: Fraction(0)}
         self.found: list[Chunk] = []
+        #: What the checker has found in the log; nothing else is told of it.
+        self.areas: Areas | None = None
 
     def chunks(self) -> Iterator[list[str] | None]:
         """The boxes that are next, in chunks; None where it depends on those before which they are.
@@ -159,7 +163,7 @@ class Progress:
 
     @property
     def undecided(self) -> Fraction:
-        """The share of the area without one."""
+        """The share of the area without one, by the log."""
         return 1 - self.share(COLLAPSES) - self.share(DISPERSES)
 
     def resume(self, lines: Iterator[bytes]) -> int:
@@ -175,18 +179,22 @@ class Progress:
             if size == 0:
                 if line != self.header:
                     raise LogMismatchError("its first line is that of another map")
-            elif self.append(_chunk(line)) != line:
+            elif self.append(self._chunk(line)) != line:
                 raise LogMismatchError("a line is not what follows from those before it")
             size += len(line)
         return size
 
-
-def _chunk(line: bytes) -> Chunk:
-    try:
-        found = json.loads(line)
-        return Chunk(found["keys"].split(" "), found["verdicts"], found["numbers"])
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise LogMismatchError("a line is no chunk of boxes") from error
+    def _chunk(self, line: bytes) -> Chunk:
+        try:
+            found = json.loads(line)
+            keys, letters, numbers = found["keys"].split(" "), found["verdicts"], found["numbers"]
+            good = re.fullmatch("[cdu]*", letters) is not None and len(letters) == len(keys)
+            good = good and len(numbers) == letters.count(COLLAPSES)
+        except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+            raise LogMismatchError("a line is no chunk of boxes") from error
+        if not good or keys != self.due[self.at : self.at + len(keys)]:
+            raise LogMismatchError("a line has not the boxes that are next")
+        return Chunk(keys, letters, numbers)
 
 
 def all_keys(level: int) -> Iterator[str]:

@@ -2,9 +2,11 @@
 
      reader FOLDER [FOLDER ...]
 
-   One line for each folder: PROVED, or why not. Exit code 0 if all are proved, 1 if one is refused,
-   4 if one is malformed. It counts no work: a folder that takes more than a minute of the processor,
-   or a gigabyte, is malformed. This file is not proved: what it hands over is what has to be believed. *)
+   One line for each folder: PROVED, with the sentences that are given and with what is cited and not
+   proved in this run; or why not. In it, what is not ASCII is \xNN. Exit code 0 if all are proved, 1 if
+   one is refused, 2 if a file cannot be read (a line on stderr), 4 if one is malformed, 5 for an error
+   of its own. It counts no work: a folder that takes more than a minute of the processor, or a
+   gigabyte, is malformed. This file is not proved: what it hands over is what has to be believed. *)
 open Checker
 open Json
 
@@ -190,6 +192,7 @@ let claim k prefix c = function
       let b = scoped k prefix c b in
       { relation_of = r; lhs = pos a; rhs = pos b }
   | _ -> bad "expected a claim"
+let rec int_of_nat = function O -> 0 | S n -> 1 + int_of_nat n
 let rec int_of = function XH -> 1 | XO p -> 2 * int_of p | XI p -> 2 * int_of p + 1
 let fact k s =
   match Hashtbl.find_opt k.facts s with
@@ -513,21 +516,71 @@ let enclosures k rows own x =
 
 (* --- files ------------------------------------------------------------------------------------ *)
 
-let read_file path =
-  let input = open_in_bin path in
-  let text = really_input_string input (in_channel_length input) in
-  close_in input; text
-let sha256 path =
-  let input = Unix.open_process_args_in "sha256sum" [| "sha256sum"; path |] in
-  let line = input_line input in
-  ignore (Unix.close_process_in input); String.sub line 0 64
+(* A text in one line of ASCII, whatever is in it. *)
+let shown s =
+  let b = Buffer.create 99 in
+  String.iter (fun c ->
+    if c >= ' ' && c <= '~' && c <> '\\' then Buffer.add_char b c
+    else Printf.bprintf b "\\x%02x" (Char.code c)) s;
+  Buffer.contents b
 
-let check available folder =
-  let first = Filename.concat folder "statement.json" and second = Filename.concat folder "certificate.json" in
-  let document = parse (read_file first) and certificate = parse (read_file second) in
+exception Unusable of string
+let is_file path = try (Unix.stat path).Unix.st_kind = Unix.S_REG with Unix.Unix_error _ -> false
+let is_folder path = try Sys.is_directory path with Sys_error _ -> false
+let read_file path =
+  if not (is_file path) then raise (Unusable (path ^ " is no file"));
+  try
+    let input = open_in_bin path in
+    let text = really_input_string input (min (in_channel_length input) (1 lsl 22 + 1)) in
+    close_in input; text
+  with Sys_error why -> raise (Unusable why) | End_of_file -> raise (Unusable (path ^ " has changed"))
+(* The digest of a text, from the program of that name: it reads what was read here. *)
+let sha256 text =
+  let output, input = Unix.open_process_args "sha256sum" [| "sha256sum" |] in
+  output_string input text; close_out input;
+  let line = try input_line output with End_of_file -> "" in
+  ignore (Unix.close_process (output, input));
+  if String.length line < 64 then raise (Unusable "sha256sum answers nothing");
+  String.sub line 0 64
+
+(* Two files, and what lies beside them to be cited: statements, some with certificates. *)
+type pair = { statement_text : string; certificate_text : string }
+type folder = { path : string; own : pair; beside : string list; proofs : pair list }
+let certified = ".certificate.json"
+let read_folder path =
+  let inside = Filename.concat path in
+  let cited = inside "cited" in
+  let names = if path <> "" && is_folder cited then List.sort compare (Array.to_list (Sys.readdir cited)) else [] in
+  let room = ref (1 lsl 25) in
+  let read name =
+    let text = read_file (Filename.concat cited name) in
+    room := !room - String.length text;
+    if !room < 0 then raise (Unusable (cited ^ " has more than 32 MiB"));
+    text in
+  let ends, others = List.partition (fun s -> Filename.check_suffix s certified) names in
+  let others = List.map (fun s -> s, read s) others in
+  let proofs = List.map (fun s ->
+    let first = Filename.chop_suffix s certified ^ ".json" in
+    match List.assoc_opt first others with
+    | Some text -> { statement_text = text; certificate_text = read s }
+    | None -> raise (Unusable (Filename.concat cited s ^ " lies there without " ^ first))) ends in
+  let own = { statement_text = read_file (inside "statement.json");
+              certificate_text = read_file (inside "certificate.json") } in
+  { path; own; beside = List.map snd others; proofs }
+
+(* --- what is found ---------------------------------------------------------------------------- *)
+
+type verdict_ = Proved_ | Refused_ | Malformed_
+type report = { verdict_ : verdict_; why : string; hash : string; sentences : string list;
+                printed_only : string list; cites : (string * string * string) list }
+
+(* The verdict, and why. *)
+let judged available hash { statement_text; certificate_text } =
+  let document = parse statement_text in
+  let certificate = parse certificate_text in
   let get = record (fields "certificate") certificate in
   need (get "format" = Str "verify-certificate/2") "format";
-  need (digest (get "statement_sha256") = sha256 first) "the certificate of another statement";
+  need (digest (get "statement_sha256") = hash) "the certificate of another statement";
   let k = kernel () in
   let lines, own = statement k available "" document in
   need (List.exists (fun r -> r.needed) lines) "no needed row";
@@ -549,10 +602,11 @@ let check available folder =
   let terms = List.sort_uniq compare (k.often @ List.map (fun e -> int_of e.enclosed) enclosures) in
   let shared = List.map (fun b -> b, if b = pos 128 then List.map pos terms else constants) precisions in
   let c : certificate = { shared; steps = List.rev steps; enclosures } in
-  if accepts s c then "PROVED"
-  else match complaint_about s c with
-    | Some (AtStep _) -> "REFUSED: a step" | Some (AtEnclosure _) -> "REFUSED: an enclosure"
-    | _ -> "REFUSED: not all that is needed is proved"
+  if accepts s c then Proved_, ""
+  else Refused_, match complaint_about s c with
+    | Some (AtStep n) -> "step " ^ string_of_int (int_of_nat n) ^ " is refused"
+    | Some (AtEnclosure _) -> "an enclosure is refused"
+    | _ -> "not all that is needed is proved"
 
 let seconds = 60. and words = 1 lsl 27
 let too_much = Malformed "more than a minute of work, or a gigabyte"
@@ -568,18 +622,103 @@ let limited f x =
   | exception (Stack_overflow | Out_of_memory) -> stop (); raise too_much
   | exception e -> stop (); raise e
 
+let malformed hash why =
+  { verdict_ = Malformed_; why; hash; sentences = []; printed_only = []; cites = [] }
+let check available pair =
+  let hash = sha256 pair.statement_text in
+  match limited (judged available hash) pair with
+  | verdict_, why -> { verdict_; why; hash; sentences = []; printed_only = []; cites = [] }
+  | exception Malformed why -> malformed hash why
+
+(* The names of the sentences, of those that only printed rows use, and the citations. *)
+let with_hypotheses pair report =
+  if report.verdict_ = Malformed_ then report
+  else begin
+    let document = parse pair.statement_text in
+    let get = record (fields "statement") document in
+    let texts_of key l = List.map (fun item -> str (List.assoc key (table item))) l in
+    let sentences = texts_of "name" (list (get "assumptions")) in
+    let standing = List.concat_map (fun c ->
+      List.filter_map (fun g -> optional str (List.assoc "assumption" (table g)))
+        (list (List.assoc "givens" (table c)))) (list (get "contexts")) in
+    let used role = List.concat_map (fun row ->
+      if List.assoc "role" (table row) = Str role then List.map str (list (List.assoc "uses" (table row)))
+      else []) (list (get "obligations")) in
+    let needed = standing @ used "needed" and printed = used "printed" in
+    let printed_only = List.filter (fun s -> List.mem s printed && not (List.mem s needed)) sentences in
+    let cites = List.map (fun item ->
+      let get key = str (List.assoc key (table item)) in
+      get "name", get "theorem", get "statement_sha256") (list (get "cites")) in
+    { report with sentences; printed_only; cites }
+  end
+
+(* A folder is as good as the certificates of what it cites. *)
+let with_cited report others =
+  let cited other = "the cited certificate of " ^ other.hash ^ ": " ^ other.why in
+  let worse verdict_ other = { report with verdict_; why = cited other } in
+  match report.verdict_, List.find_opt (fun x -> x.verdict_ = Malformed_) others,
+        List.find_opt (fun x -> x.verdict_ = Refused_) others with
+  | Malformed_, _, _ -> report
+  | _, Some other, _ -> worse Malformed_ other
+  | Proved_, None, Some other -> worse Refused_ other
+  | _ -> report
+
+(* What a proof rests on: sentences, also those of what is cited and proved in this run, and what is
+   cited and not proved. *)
+let rests_on closed report =
+  let seen = Hashtbl.create 9 and given = ref [] and citing = ref [] in
+  let rec follow = function
+    | [] -> ()
+    | (prefix, (name, theorem, hash)) :: rest when not (Hashtbl.mem seen hash) ->
+        Hashtbl.add seen hash ();
+        (match Hashtbl.find_opt closed hash with
+         | Some other ->
+             let prefix = prefix ^ name ^ ":" in
+             given := !given @ List.map (fun s -> prefix ^ s) other.sentences;
+             follow (rest @ List.map (fun c -> prefix, c) other.cites)
+         | None ->
+             citing := !citing @ ["; citing " ^ theorem ^ ", which is not proved here (" ^ hash ^ ")"];
+             follow rest)
+    | _ :: rest -> follow rest in
+  follow (List.map (fun c -> "", c) report.cites);
+  let own = List.filter (fun s -> not (List.mem s report.printed_only)) report.sentences in
+  let names l = if l = [] then "nothing" else String.concat ", " l in
+  let apart = if report.printed_only = [] then ""
+    else "; for printed rows only, also given " ^ names report.printed_only in
+  "given " ^ names (own @ !given) ^ apart ^ String.concat "" !citing
+
+let said closed report = match report.verdict_ with
+  | Proved_ -> "PROVED: " ^ rests_on closed report
+  | Refused_ -> "REFUSED: " ^ report.why
+  | Malformed_ -> "MALFORMED: " ^ report.why
+let exit_code report = match report.verdict_ with Proved_ -> 0 | Refused_ -> 1 | Malformed_ -> 4
+
+let run folders =
+  let found = List.map read_folder folders in
+  let available = Hashtbl.create 9 and known = Hashtbl.create 9 and closed = Hashtbl.create 9 in
+  List.iter (fun f -> List.iter (fun text -> Hashtbl.replace available (sha256 text) text)
+    (f.own.statement_text :: f.beside)) found;
+  let once pair = match Hashtbl.find_opt known pair with
+    | Some report -> report
+    | None ->
+        let report = with_hypotheses pair (check available pair) in
+        Hashtbl.add known pair report; report in
+  let reports = List.map (fun f ->
+    let others = List.map once f.proofs in
+    let report = with_cited (once f.own) others in
+    List.iter (fun x -> if x.verdict_ = Proved_ then Hashtbl.replace closed x.hash x) (report :: others);
+    f.path, report) found in
+  List.iter (fun (path, report) -> Printf.printf "%s: %s\n%!" (shown path) (shown (said closed report)))
+    reports;
+  List.fold_left (fun code (_, report) -> max code (exit_code report)) 0 reports
+
+let complaint code words = prerr_endline ("reader: " ^ shown words); exit code
 let () =
-  let folders = List.tl (Array.to_list Sys.argv) in
-  let available = Hashtbl.create 9 in
-  let remember path = Hashtbl.replace available (sha256 path) (read_file path) in
-  let code = List.fold_left (fun code folder ->
-    let said, own =
-      try
-        remember (Filename.concat folder "statement.json");
-        let cited = Filename.concat folder "cited" in
-        if Sys.file_exists cited then Array.iter (fun f -> remember (Filename.concat cited f)) (Sys.readdir cited);
-        let said = limited (check available) folder in
-        said, (if said = "PROVED" then 0 else 1)
-      with Malformed what -> "MALFORMED: " ^ what, 4 in
-    Printf.printf "%s: %s\n%!" folder said; max code own) 0 folders in
-  exit code
+  match List.tl (Array.to_list Sys.argv) with
+  | [] -> complaint 2 "found no folder; write: reader FOLDER [FOLDER ...]"
+  | folders ->
+      (match run folders with
+       | code -> exit code
+       | exception Unusable why -> complaint 2 why
+       | exception (Sys_error why) -> complaint 2 why
+       | exception e -> complaint 5 ("an error of its own: " ^ Printexc.to_string e))

@@ -49,7 +49,7 @@ def without_comments(text: str) -> str:
 def sentences(text: str) -> Iterator[str]:
     """The sentences, each in one line; bullets and braces of a proof are sentences, too."""
     pieces = re.findall(
-        r'[-+*]+(?=\s)|[{}]|(?:"[^"]*"|[^".]|\.(?!\s|$))+\.(?=\s|$)|\S+',
+        r'\s*([-+*]+(?=\s)|[{}]|(?:"[^"]*"|[^".]|\.(?!\s|$))+\.(?=\s|$)|\S+)',
         without_comments(text),
     )
     yield from (" ".join(piece.split()).removesuffix(".") for piece in pieces)
@@ -64,7 +64,7 @@ def unexpected(text: str, *, extracting: bool = False) -> list[str]:
         elif depth and re.fullmatch(r"End [A-Z]\w*", sentence):
             depth -= 1
         elif proving and sentence not in ("Qed", "Defined"):
-            if not re.match(r"[a-z\[({}*+-]|[0-9]+: ", sentence):
+            if not re.match(r"([0-9]+: )?[a-z\[(]|[{}]$|[*+-]+$", sentence):
                 found.append(sentence)
         else:
             allowed = (*ALLOWED, re.escape(BINDING), *LOCAL * (depth > 0))

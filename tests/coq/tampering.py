@@ -134,10 +134,11 @@ SENTENCES = (
     "Primitive add := #int63_add.", "Register nat as core.nat.", "Coercion f : A >-> B.",
     'Infix "<=" := Rlt.', 'Notation "x <= y" := (Rlt x y).', 'Extract Constant f => "x".',
     "Canonical Structure x := y.", "Include T.", "Fail Lemma x : False.",
-    "Obligation Tactic := idtac.", "Hint Resolve x : core.", "Existing Instance x.", "Inductive",
+    "Obligation Tactic := idtac.", "Hint Resolve x : core.", "Existing Instance x.",
     "Proof using.", "Guarded.",
     "Section A. End A. Variable x : False.", "(* x *) Axiom (* y *) x : False.",
     "Lemma x : True. Proof. trivial. Axiom y : False. Qed.", "Reset Initial.", "Abort.",
+    "Lemma x : True. Proof. - { trivial. } Admitted.", "Lemma x : True. Proof. 1: Admitted.",
 )  # fmt: skip
 
 

@@ -149,7 +149,7 @@ def other_verdicts(reader: str, count: int) -> list[str]:
 
 def main(reader: str) -> int:
     """Compare the two; 1 if they disagree."""
-    found = [*broken(20_000)]
+    found = [*broken(10_000)]
     with tempfile.TemporaryDirectory() as path:
         other = disagreements(compiled(Path(path)), found)
     lines = [*map(repr, other), *other_verdicts(reader, 1000)]

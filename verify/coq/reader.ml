@@ -636,16 +636,16 @@ let with_hypotheses pair report =
   else begin
     let document = parse pair.statement_text in
     let get = record (fields "statement") document in
-    let texts_of key l = List.map (fun item -> str (List.assoc key (table item))) l in
-    let sentences = texts_of "name" (list (get "assumptions")) in
-    let standing = List.concat_map (fun c ->
-      List.filter_map (fun g -> optional str (List.assoc "assumption" (table g)))
-        (list (List.assoc "givens" (table c)))) (list (get "contexts")) in
-    let used role = List.concat_map (fun row ->
-      if List.assoc "role" (table row) = Str role then List.map str (list (List.assoc "uses" (table row)))
-      else []) (list (get "obligations")) in
-    let needed = standing @ used "needed" and printed = used "printed" in
-    let printed_only = List.filter (fun s -> List.mem s printed && not (List.mem s needed)) sentences in
+    let sentences = List.map (fun item -> str (List.assoc "name" (table item))) (list (get "assumptions")) in
+    let needed = Hashtbl.create 99 and printed = Hashtbl.create 99 in
+    let mark where x = Hashtbl.replace where (str x) () in
+    List.iter (fun c ->
+      List.iter (fun g -> ignore (optional (mark needed) (List.assoc "assumption" (table g))))
+        (list (List.assoc "givens" (table c)))) (list (get "contexts"));
+    List.iter (fun row ->
+      let where = if List.assoc "role" (table row) = Str "needed" then needed else printed in
+      List.iter (mark where) (list (List.assoc "uses" (table row)))) (list (get "obligations"));
+    let printed_only = List.filter (fun s -> Hashtbl.mem printed s && not (Hashtbl.mem needed s)) sentences in
     let cites = List.map (fun item ->
       let get key = str (List.assoc key (table item)) in
       get "name", get "theorem", get "statement_sha256") (list (get "cites")) in
@@ -681,7 +681,9 @@ let rests_on closed report =
              follow rest)
     | _ :: rest -> follow rest in
   follow (List.map (fun c -> "", c) report.cites);
-  let own = List.filter (fun s -> not (List.mem s report.printed_only)) report.sentences in
+  let apart = Hashtbl.create 99 in
+  List.iter (fun s -> Hashtbl.replace apart s ()) report.printed_only;
+  let own = List.filter (fun s -> not (Hashtbl.mem apart s)) report.sentences in
   let names l = if l = [] then "nothing" else String.concat ", " l in
   let apart = if report.printed_only = [] then ""
     else "; for printed rows only, also given " ^ names report.printed_only in

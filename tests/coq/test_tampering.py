@@ -124,11 +124,10 @@ def test_another_statement_than_that_of_the_file_is_seen() -> None:
 
 def test_a_certificate_that_was_not_checked_is_missed(tmp_path: Path) -> None:
     lines = [f"{folder.relative_to(ROOT)} 1\n" for folder in folders()]
-    for some in ([], lines[1:], lines[:-1], lines[::-1], [*lines, lines[-1]]):
+    for some in ([], lines[1:], lines[:-1], [*lines, lines[-1]]):
         (tmp_path / "checked").write_text("".join(some))
-        if some != [*lines, lines[-1]]:
-            with pytest.raises(AnotherError, match="was not checked"):
-                found(tmp_path)
+        with pytest.raises(AnotherError, match="was not checked"):
+            found(tmp_path)
 
 
 def test_without_coq_nothing_is_said_to_be_checked(tmp_path: Path) -> None:

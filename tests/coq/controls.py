@@ -133,8 +133,8 @@ def compare(output: str) -> int:
         elif not answer.startswith(wanted):
             elsewhere.append(f"{name}: Coq says {answer}, the checker {wanted}")
     for line in accepted + elsewhere:
-        print(line)
-    print(f"{count} controls, {len(accepted)} with another verdict, {len(elsewhere)} elsewhere")
+        print(line, file=sys.stderr)
+    print(f"controls: {count}, {len(accepted)} with another verdict, {len(elsewhere)} elsewhere")
     return bool(accepted)
 
 

@@ -76,6 +76,15 @@ def definition(text: str, name: str) -> Any:
     return parsed(iter([*tokens(body[1])]))[0]
 
 
+def as_exported(printed: str, module: str) -> str:
+    """What Coq has printed of the definitions in a module, as an exported file has them."""
+    parts = re.findall(
+        rf"^{module}\.(the_\w+) = (.*?)\n {{5}}: (.*?)$", printed, re.DOTALL | re.MULTILINE
+    )
+    lines = [f"Definition {name} : {kind} :=\n{value}.\n" for name, value, kind in parts]
+    return "".join(lines).replace(f"{module}.", "")
+
+
 def number(text: str | list[str]) -> int:
     """A whole number; also in hexadecimal digits."""
     return int(text, 0)  # type: ignore[arg-type]

@@ -4,42 +4,77 @@
     python -m tests.coq.record DIRECTORY --write     # written
 
 DIRECTORY has the file ``checked``, a line for each certificate with its folder and the seconds it
-took, the file ``digests``, in which Coq prints the digest in each of these proofs, and ``version``.
-Times are for the reader and are not compared.
+took; ``printed``, in which Coq prints the statements that it has proved; ``counts``, how many
+controls and lies were refused and accepted; and ``version``. Each printed statement has to say what
+``statement.json`` says, whose digest is then recorded. Times are for the reader, not compared.
 """
 
 from __future__ import annotations
 
 import json
-import re
 import sys
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-ROOT = Path(__file__).resolve().parents[2]
+from tests.coq.closing import ROOT as CERTIFICATES
+from tests.coq.closing import module
+from tests.coq.everything import folders
+from tests.coq.readback import Exported, Interner, Written, as_exported
+
+ROOT = CERTIFICATES.parent
 RECORD = ROOT / "verify/data/coq.json"
 
 
+class AnotherError(ValueError):
+    """Coq has not checked what is committed."""
+
+
+def said_by_coq(folder: Path, printed: str, available: dict[str, bytes]) -> None:
+    """Nothing, if the statement that Coq prints is the one in the folder.
+
+    Raises:
+        AnotherError: if it is another one.
+    """
+    intern = Interner()
+    text = as_exported(printed, module(folder))
+    if not text:
+        raise AnotherError(f"{folder.name}: Coq has printed no statement")
+    exported = Exported(text, intern)
+    written = Written(json.loads((folder / "statement.json").read_bytes()), available, intern)
+    if (exported.said, [*map(int, exported.own)]) != (written.said, written.own):
+        raise AnotherError(f"{folder.name}: Coq has proved another statement")
+
+
+def in_order(line: list[str]) -> str:
+    """Folders are recorded in the order of the files in them."""
+    return f"{line[0]}/"
+
+
 def found(directory: Path) -> dict[str, Any]:
-    """What the run has checked; the digests of statements are those that Coq prints."""
+    """What the run has checked.
+
+    Raises:
+        AnotherError: if that is not every committed certificate.
+    """
     lines = [line.split() for line in (directory / "checked").read_text().splitlines()]
-    printed = re.search(r"= \[(.*?)\]", (directory / "digests").read_text(), re.DOTALL)
-    assert printed
-    digests = [f"{int(number):064x}" for number in re.findall(r"\d+", printed[1])]
+    seconds = {ROOT / folder: int(number) for folder, number in sorted(lines, key=in_order)}
+    if sorted(ROOT / folder for folder, _ in lines) != folders():
+        raise AnotherError("a committed certificate was not checked, or twice")
+    statements = [(folder / "statement.json").read_bytes() for folder in seconds]
+    available = {sha256(data).hexdigest(): data for data in statements}
+    printed = (directory / "printed").read_text()
     certificates = []
-    for (folder, seconds), digest in zip(lines, digests, strict=True):
-        statement, certificate = (
-            sha256((ROOT / folder / f"{name}.json").read_bytes()).hexdigest()
-            for name in ("statement", "certificate")
-        )
-        assert digest == statement, f"{folder}: Coq has proved another statement"
+    for folder, digest in zip(seconds, available, strict=True):
+        said_by_coq(folder, printed, available)
+        certificate = sha256((folder / "certificate.json").read_bytes()).hexdigest()
         certificates.append({
-            "folder": folder, "statement_sha256": statement, "certificate_sha256": certificate,
-            "seconds": int(seconds),
+            "folder": str(folder.relative_to(ROOT)), "statement_sha256": digest,
+            "certificate_sha256": certificate, "seconds": seconds[folder],
         })  # fmt: skip
+    counts = dict(line.split(": ") for line in (directory / "counts").read_text().splitlines())
     version = (directory / "version").read_text().strip()
-    return {"format": 1, "coq": version, "certificates": certificates}
+    return {"format": 1, "coq": version, "counts": counts, "certificates": certificates}
 
 
 def without_times(record: dict[str, Any]) -> dict[str, Any]:
@@ -50,7 +85,11 @@ def without_times(record: dict[str, Any]) -> dict[str, Any]:
 
 def main(directory: Path, *, write: bool) -> int:
     """Write the record or compare it; 1 if it is another one."""
-    record = found(directory)
+    try:
+        record = found(directory)
+    except AnotherError as error:
+        print(error, file=sys.stderr)
+        return 1
     if write:
         RECORD.write_text(json.dumps(record, indent=1) + "\n")
         return 0

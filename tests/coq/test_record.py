@@ -27,6 +27,9 @@ def test_the_record_is_read() -> None:
     assert re.fullmatch(r"8\.\d+\.\d+", found.version)
     assert len(found.seconds) == len(record["certificates"]) > 30
     assert without_times(record)["certificates"][0]["seconds"] == 0
+    assert record["counts"].keys() == {"controls", "lies"}
+    for words in record["counts"].values():
+        assert re.match(r"[1-9]\d\d+, 0 with another verdict, ", words)
     for item in record["certificates"]:
         assert (RECORD.parents[2] / item["folder"] / "statement.json").exists()
 

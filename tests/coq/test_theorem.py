@@ -10,6 +10,7 @@ from pathlib import Path
 
 SOURCES = Path(__file__).resolve().parents[2] / "verify/coq"
 PAGE = (SOURCES / "Theorem1.v").read_text()
+PINNED = (SOURCES / "Pinned.v").read_text()
 
 
 def test_the_page_has_only_definitions() -> None:
@@ -28,7 +29,42 @@ def test_the_theorem_is_what_the_page_says() -> None:
     assert re.search(r"^Definition not_empty : Prop :=\n(.*\n)  forall d, \(2 <= d\)", PAGE, re.M)
     last = (SOURCES / "Inhabited.v").read_text()
     assert "Theorem theorem_1_proved : theorem_1 /\\ not_empty /\\ determined.\n" in last
-    assert last.endswith("Qed.\nPrint Assumptions theorem_1_proved.\n")
+    assert last.endswith("Qed.\n")
+    assert PINNED.endswith("Qed.\nPrint Assumptions collapsing_scene.\n")
+
+
+def constants(page: str) -> dict[str, str]:
+    """The definitions of numbers on a page."""
+    found = re.findall(r"^Definition (\w+) :=(.*?)\.$", page, re.DOTALL | re.MULTILINE)
+    return {
+        name: " ".join(body.split()) for name, body in found if re.search("[+*/]| - |least", body)
+    }
+
+
+def test_both_pages_have_the_same_numbers() -> None:
+    found = constants(PINNED.replace("minimum", "least"))
+    assert len(found) == 19
+    assert found == constants(PAGE)
+    for sentence in (
+        "0 < r < 1", "0 < c <= 1", "0 < V_0", "0 < delta_theta", "0 < y <= eta_bar",
+        "3 * r * ((1 + r) / 2 * c) + r * (1 + r) < ((1 + r) / 2 * c) ^ 3",
+        "0 < d_0 <= Rmin d_const (d_slope * y ^ 2)", "Un_cv time T /\\ T <= T_star",
+        "Rabs (l - c) <= Delta_theta",
+    ):  # fmt: skip
+        assert sentence in PINNED
+        assert sentence in PAGE
+
+
+def test_the_page_that_pins_it_takes_no_notation_from_others() -> None:
+    assert re.findall(r"^.*\b(?:Import|Require)\b.*$", PINNED, re.MULTILINE) == [
+        "From Coq Require Import Reals List Arith Lra FunctionalExtensionality.",
+        "From Verify Require Theorem1 Inhabited.",
+        "Import ListNotations.",
+    ]
+    assert not re.search(r"^(Notation|Infix)", PINNED, re.MULTILINE)
+    for name in ("theorem_1", "not_empty", "determined"):
+        assert f" : Theorem1.{name} <-> {name}.\nProof." in PINNED
+    assert "Theorem admissible_parameters : admissible (3 / 100) 1 1 1.\nProof." in PINNED
 
 
 def test_everything_of_the_proof_is_compiled() -> None:

@@ -139,4 +139,3 @@ Theorem theorem_1_proved : theorem_1 /\ not_empty /\ determined.
 Proof.
   split; [exact theorem_1_holds|]. split; [exact initial_set_not_empty | exact meetings_are_determined].
 Qed.
-Print Assumptions theorem_1_proved.

@@ -2,111 +2,13 @@
 
      reader FOLDER [FOLDER ...]
 
-   One line for each folder: PROVED, or why not. Exit code 0 if all are proved, 1 if one is refused,
-   4 if one is malformed. It counts no work: a folder that takes more than a minute of the processor,
-   or a gigabyte, is malformed. This file is not proved: what it hands over is what has to be believed. *)
+   One line for each folder: PROVED, with the sentences that are given and with what is cited and not
+   proved in this run; or why not. In it, what is not ASCII is \xNN. Exit code 0 if all are proved, 1 if
+   one is refused, 2 if a file cannot be read (a line on stderr), 4 if one is malformed, 5 for an error
+   of its own. It counts no work: a folder that takes more than a minute of the processor, or a
+   gigabyte, is malformed. This file is not proved: what it hands over is what has to be believed. *)
 open Checker
-
-exception Malformed of string
-let bad what = raise (Malformed what)
-let need good what = if not good then bad what
-
-(* --- JSON ------------------------------------------------------------------------------------- *)
-
-type json = Null | Bool | Int of int | Str of string | List of json list | Obj of (string * json) list
-
-let utf8 b code =
-  if code < 0x80 then Buffer.add_char b (Char.chr code)
-  else begin
-    let tail shift = Buffer.add_char b (Char.chr (0x80 lor ((code lsr shift) land 63))) in
-    if code < 0x800 then (Buffer.add_char b (Char.chr (0xc0 lor (code lsr 6))); tail 0)
-    else (Buffer.add_char b (Char.chr (0xe0 lor (code lsr 12))); tail 6; tail 0)
-  end
-
-let is_utf8 s =
-  let n = String.length s in
-  let byte i = if i < n then Char.code s.[i] else 0 in
-  let rec tail i k = k = 0 || (byte i land 0xc0 = 0x80 && tail (i + 1) (k - 1)) in
-  let rec go i =
-    i >= n ||
-    let c = byte i in
-    let k = if c < 0x80 then 0 else if c >= 0xc2 && c < 0xe0 then 1 else if c >= 0xe0 && c < 0xf0 then 2
-      else if c >= 0xf0 && c < 0xf5 then 3 else -1 in
-    let second = byte (i + 1) in
-    k >= 0 && tail (i + 1) k
-    && not (c = 0xe0 && second < 0xa0) && not (c = 0xed && second >= 0xa0)
-    && not (c = 0xf0 && second < 0x90) && not (c = 0xf4 && second >= 0x90)
-    && go (i + 1 + k) in
-  go 0
-
-(* The document in a text; no key twice, and natural numbers below 10^9 are the only ones. *)
-let parse (s : string) : json =
-  let n = String.length s and i = ref 0 in
-  need (n <= 1 lsl 22) "more than 4 MiB";
-  need (is_utf8 s) "no UTF-8";
-  let peek () = if !i < n then s.[!i] else '\000' in
-  let rec blank () =
-    match peek () with ' ' | '\n' | '\t' | '\r' when !i < n -> incr i; blank () | _ -> () in
-  let expect c = need (!i < n && s.[!i] = c) (Printf.sprintf "JSON: expected %c" c); incr i in
-  let word w value =
-    let k = String.length w in
-    need (!i + k <= n && String.sub s !i k = w) "JSON"; i := !i + k; value in
-  let text () =
-    let b = Buffer.create 16 in
-    expect '"';
-    let rec go () =
-      need (!i < n) "JSON: a text has no end";
-      let c = s.[!i] in
-      incr i;
-      if c = '\\' then begin
-        need (!i < n) "JSON"; let e = s.[!i] in incr i;
-        (match e with
-         | '"' | '\\' | '/' -> Buffer.add_char b e
-         | 'b' -> Buffer.add_char b '\b' | 'f' -> Buffer.add_char b '\012'
-         | 'n' -> Buffer.add_char b '\n' | 'r' -> Buffer.add_char b '\r'
-         | 't' -> Buffer.add_char b '\t'
-         | 'u' ->
-             need (!i + 4 <= n) "JSON";
-             let code = try int_of_string ("0x" ^ String.sub s !i 4) with _ -> bad "JSON" in
-             i := !i + 4; utf8 b code
-         | _ -> bad "JSON: an unknown escape");
-        go ()
-      end else if c <> '"' then (need (c >= ' ') "JSON: a control letter"; Buffer.add_char b c; go ())
-    in
-    go (); Buffer.contents b in
-  let rec value depth =
-    need (depth <= 100) "more than 100 nested brackets";
-    blank ();
-    match peek () with
-    | '"' -> Str (text ())
-    | '[' -> incr i; List (items ']' (fun () -> value (depth + 1)))
-    | '{' ->
-        incr i;
-        let found = items '}' (fun () ->
-          blank (); let key = text () in blank (); expect ':'; key, value (depth + 1)) in
-        let keys = List.map fst found in
-        need (List.length (List.sort_uniq compare keys) = List.length keys) "a key twice";
-        Obj found
-    | 'n' -> word "null" Null | 't' -> word "true" Bool | 'f' -> word "false" Bool
-    | '0' .. '9' ->
-        let start = !i in
-        while (match peek () with '0' .. '9' | '.' | 'e' | 'E' | '+' | '-' -> true | _ -> false) do incr i done;
-        let t = String.sub s start (!i - start) in
-        need (String.length t <= 9 && String.for_all (fun c -> c >= '0' && c <= '9') t
-              && (t = "0" || t.[0] <> '0')) "numbers have to be texts";
-        Int (int_of_string t)
-    | _ -> bad "JSON"
-  and items : 'a. char -> (unit -> 'a) -> 'a list = fun close item ->
-    blank ();
-    if peek () = close then (incr i; [])
-    else
-      let rec more found =
-        let found = item () :: found in
-        blank ();
-        if peek () = ',' then (incr i; more found) else (expect close; List.rev found) in
-      more [] in
-  let found = value 0 in
-  blank (); need (!i = n) "JSON: more than one value"; found
+open Json
 
 (* --- shapes ----------------------------------------------------------------------------------- *)
 
@@ -290,6 +192,7 @@ let claim k prefix c = function
       let b = scoped k prefix c b in
       { relation_of = r; lhs = pos a; rhs = pos b }
   | _ -> bad "expected a claim"
+let rec int_of_nat = function O -> 0 | S n -> 1 + int_of_nat n
 let rec int_of = function XH -> 1 | XO p -> 2 * int_of p | XI p -> 2 * int_of p + 1
 let fact k s =
   match Hashtbl.find_opt k.facts s with
@@ -613,21 +516,71 @@ let enclosures k rows own x =
 
 (* --- files ------------------------------------------------------------------------------------ *)
 
-let read_file path =
-  let input = open_in_bin path in
-  let text = really_input_string input (in_channel_length input) in
-  close_in input; text
-let sha256 path =
-  let input = Unix.open_process_args_in "sha256sum" [| "sha256sum"; path |] in
-  let line = input_line input in
-  ignore (Unix.close_process_in input); String.sub line 0 64
+(* A text in one line of ASCII, whatever is in it. *)
+let shown s =
+  let b = Buffer.create 99 in
+  String.iter (fun c ->
+    if c >= ' ' && c <= '~' && c <> '\\' then Buffer.add_char b c
+    else Printf.bprintf b "\\x%02x" (Char.code c)) s;
+  Buffer.contents b
 
-let check available folder =
-  let first = Filename.concat folder "statement.json" and second = Filename.concat folder "certificate.json" in
-  let document = parse (read_file first) and certificate = parse (read_file second) in
+exception Unusable of string
+let is_file path = try (Unix.stat path).Unix.st_kind = Unix.S_REG with Unix.Unix_error _ -> false
+let is_folder path = try Sys.is_directory path with Sys_error _ -> false
+let read_file path =
+  if not (is_file path) then raise (Unusable (path ^ " is no file"));
+  try
+    let input = open_in_bin path in
+    let text = really_input_string input (min (in_channel_length input) (1 lsl 22 + 1)) in
+    close_in input; text
+  with Sys_error why -> raise (Unusable why) | End_of_file -> raise (Unusable (path ^ " has changed"))
+(* The digest of a text, from the program of that name: it reads what was read here. *)
+let sha256 text =
+  let output, input = Unix.open_process_args "sha256sum" [| "sha256sum" |] in
+  output_string input text; close_out input;
+  let line = try input_line output with End_of_file -> "" in
+  ignore (Unix.close_process (output, input));
+  if String.length line < 64 then raise (Unusable "sha256sum answers nothing");
+  String.sub line 0 64
+
+(* Two files, and what lies beside them to be cited: statements, some with certificates. *)
+type pair = { statement_text : string; certificate_text : string }
+type folder = { path : string; own : pair; beside : string list; proofs : pair list }
+let certified = ".certificate.json"
+let read_folder path =
+  let inside = Filename.concat path in
+  let cited = inside "cited" in
+  let names = if path <> "" && is_folder cited then List.sort compare (Array.to_list (Sys.readdir cited)) else [] in
+  let room = ref (1 lsl 25) in
+  let read name =
+    let text = read_file (Filename.concat cited name) in
+    room := !room - String.length text;
+    if !room < 0 then raise (Unusable (cited ^ " has more than 32 MiB"));
+    text in
+  let ends, others = List.partition (fun s -> Filename.check_suffix s certified) names in
+  let others = List.map (fun s -> s, read s) others in
+  let proofs = List.map (fun s ->
+    let first = Filename.chop_suffix s certified ^ ".json" in
+    match List.assoc_opt first others with
+    | Some text -> { statement_text = text; certificate_text = read s }
+    | None -> raise (Unusable (Filename.concat cited s ^ " lies there without " ^ first))) ends in
+  let own = { statement_text = read_file (inside "statement.json");
+              certificate_text = read_file (inside "certificate.json") } in
+  { path; own; beside = List.map snd others; proofs }
+
+(* --- what is found ---------------------------------------------------------------------------- *)
+
+type verdict_ = Proved_ | Refused_ | Malformed_
+type report = { verdict_ : verdict_; why : string; hash : string; sentences : string list;
+                printed_only : string list; cites : (string * string * string) list }
+
+(* The verdict, and why. *)
+let judged available hash { statement_text; certificate_text } =
+  let document = parse statement_text in
+  let certificate = parse certificate_text in
   let get = record (fields "certificate") certificate in
   need (get "format" = Str "verify-certificate/2") "format";
-  need (digest (get "statement_sha256") = sha256 first) "the certificate of another statement";
+  need (digest (get "statement_sha256") = hash) "the certificate of another statement";
   let k = kernel () in
   let lines, own = statement k available "" document in
   need (List.exists (fun r -> r.needed) lines) "no needed row";
@@ -649,10 +602,11 @@ let check available folder =
   let terms = List.sort_uniq compare (k.often @ List.map (fun e -> int_of e.enclosed) enclosures) in
   let shared = List.map (fun b -> b, if b = pos 128 then List.map pos terms else constants) precisions in
   let c : certificate = { shared; steps = List.rev steps; enclosures } in
-  if accepts s c then "PROVED"
-  else match complaint_about s c with
-    | Some (AtStep _) -> "REFUSED: a step" | Some (AtEnclosure _) -> "REFUSED: an enclosure"
-    | _ -> "REFUSED: not all that is needed is proved"
+  if accepts s c then Proved_, ""
+  else Refused_, match complaint_about s c with
+    | Some (AtStep n) -> "step " ^ string_of_int (int_of_nat n) ^ " is refused"
+    | Some (AtEnclosure _) -> "an enclosure is refused"
+    | _ -> "not all that is needed is proved"
 
 let seconds = 60. and words = 1 lsl 27
 let too_much = Malformed "more than a minute of work, or a gigabyte"
@@ -668,18 +622,105 @@ let limited f x =
   | exception (Stack_overflow | Out_of_memory) -> stop (); raise too_much
   | exception e -> stop (); raise e
 
+let malformed hash why =
+  { verdict_ = Malformed_; why; hash; sentences = []; printed_only = []; cites = [] }
+let check available pair =
+  let hash = sha256 pair.statement_text in
+  match limited (judged available hash) pair with
+  | verdict_, why -> { verdict_; why; hash; sentences = []; printed_only = []; cites = [] }
+  | exception Malformed why -> malformed hash why
+
+(* The names of the sentences, of those that only printed rows use, and the citations. *)
+let with_hypotheses pair report =
+  if report.verdict_ = Malformed_ then report
+  else begin
+    let document = parse pair.statement_text in
+    let get = record (fields "statement") document in
+    let sentences = List.map (fun item -> str (List.assoc "name" (table item))) (list (get "assumptions")) in
+    let needed = Hashtbl.create 99 and printed = Hashtbl.create 99 in
+    let mark where x = Hashtbl.replace where (str x) () in
+    List.iter (fun c ->
+      List.iter (fun g -> ignore (optional (mark needed) (List.assoc "assumption" (table g))))
+        (list (List.assoc "givens" (table c)))) (list (get "contexts"));
+    List.iter (fun row ->
+      let where = if List.assoc "role" (table row) = Str "needed" then needed else printed in
+      List.iter (mark where) (list (List.assoc "uses" (table row)))) (list (get "obligations"));
+    let printed_only = List.filter (fun s -> Hashtbl.mem printed s && not (Hashtbl.mem needed s)) sentences in
+    let cites = List.map (fun item ->
+      let get key = str (List.assoc key (table item)) in
+      get "name", get "theorem", get "statement_sha256") (list (get "cites")) in
+    { report with sentences; printed_only; cites }
+  end
+
+(* A folder is as good as the certificates of what it cites. *)
+let with_cited report others =
+  let cited other = "the cited certificate of " ^ other.hash ^ ": " ^ other.why in
+  let worse verdict_ other = { report with verdict_; why = cited other } in
+  match report.verdict_, List.find_opt (fun x -> x.verdict_ = Malformed_) others,
+        List.find_opt (fun x -> x.verdict_ = Refused_) others with
+  | Malformed_, _, _ -> report
+  | _, Some other, _ -> worse Malformed_ other
+  | Proved_, None, Some other -> worse Refused_ other
+  | _ -> report
+
+(* What a proof rests on: sentences, also those of what is cited and proved in this run, and what is
+   cited and not proved. *)
+let rests_on closed report =
+  let seen = Hashtbl.create 9 and given = ref [] and citing = ref [] in
+  let rec follow = function
+    | [] -> ()
+    | (prefix, (name, theorem, hash)) :: rest when not (Hashtbl.mem seen hash) ->
+        Hashtbl.add seen hash ();
+        (match Hashtbl.find_opt closed hash with
+         | Some other ->
+             let prefix = prefix ^ name ^ ":" in
+             given := !given @ List.map (fun s -> prefix ^ s) other.sentences;
+             follow (rest @ List.map (fun c -> prefix, c) other.cites)
+         | None ->
+             citing := !citing @ ["; citing " ^ theorem ^ ", which is not proved here (" ^ hash ^ ")"];
+             follow rest)
+    | _ :: rest -> follow rest in
+  follow (List.map (fun c -> "", c) report.cites);
+  let apart = Hashtbl.create 99 in
+  List.iter (fun s -> Hashtbl.replace apart s ()) report.printed_only;
+  let own = List.filter (fun s -> not (Hashtbl.mem apart s)) report.sentences in
+  let names l = if l = [] then "nothing" else String.concat ", " l in
+  let apart = if report.printed_only = [] then ""
+    else "; for printed rows only, also given " ^ names report.printed_only in
+  "given " ^ names (own @ !given) ^ apart ^ String.concat "" !citing
+
+let said closed report = match report.verdict_ with
+  | Proved_ -> "PROVED: " ^ rests_on closed report
+  | Refused_ -> "REFUSED: " ^ report.why
+  | Malformed_ -> "MALFORMED: " ^ report.why
+let exit_code report = match report.verdict_ with Proved_ -> 0 | Refused_ -> 1 | Malformed_ -> 4
+
+let run folders =
+  let found = List.map read_folder folders in
+  let available = Hashtbl.create 9 and known = Hashtbl.create 9 and closed = Hashtbl.create 9 in
+  List.iter (fun f -> List.iter (fun text -> Hashtbl.replace available (sha256 text) text)
+    (f.own.statement_text :: f.beside)) found;
+  let once pair = match Hashtbl.find_opt known pair with
+    | Some report -> report
+    | None ->
+        let report = with_hypotheses pair (check available pair) in
+        Hashtbl.add known pair report; report in
+  let reports = List.map (fun f ->
+    let others = List.map once f.proofs in
+    let report = with_cited (once f.own) others in
+    List.iter (fun x -> if x.verdict_ = Proved_ then Hashtbl.replace closed x.hash x) (report :: others);
+    f.path, report) found in
+  List.iter (fun (path, report) -> Printf.printf "%s: %s\n%!" (shown path) (shown (said closed report)))
+    reports;
+  List.fold_left (fun code (_, report) -> max code (exit_code report)) 0 reports
+
+let complaint code words = prerr_endline ("reader: " ^ shown words); exit code
 let () =
-  let folders = List.tl (Array.to_list Sys.argv) in
-  let available = Hashtbl.create 9 in
-  let remember path = Hashtbl.replace available (sha256 path) (read_file path) in
-  let code = List.fold_left (fun code folder ->
-    let said, own =
-      try
-        remember (Filename.concat folder "statement.json");
-        let cited = Filename.concat folder "cited" in
-        if Sys.file_exists cited then Array.iter (fun f -> remember (Filename.concat cited f)) (Sys.readdir cited);
-        let said = limited (check available) folder in
-        said, (if said = "PROVED" then 0 else 1)
-      with Malformed what -> "MALFORMED: " ^ what, 4 in
-    Printf.printf "%s: %s\n%!" folder said; max code own) 0 folders in
-  exit code
+  match List.tl (Array.to_list Sys.argv) with
+  | [] -> complaint 2 "found no folder; write: reader FOLDER [FOLDER ...]"
+  | folders ->
+      (match run folders with
+       | code -> exit code
+       | exception Unusable why -> complaint 2 why
+       | exception (Sys_error why) -> complaint 2 why
+       | exception e -> complaint 5 ("an error of its own: " ^ Printexc.to_string e))

@@ -27,14 +27,13 @@ def export(folder: check.Folder, *, ordinary: bool = False) -> str:
 def head(reading: Reading) -> str:
     """What it is about, and the libraries."""
     lines = [
-        f"(* {printable(reading.theorem)}: data for the checker in Coq. *)",
+        f"(* {printable(reading.theorem)}: data for the checker in Coq, written from a",
+        f"   statement.json with the SHA-256 {reading.digest}, which Coq",
+        "   does not compute. *)",
         "From Coq Require Import ZArith QArith List.",
         "From Verify Require Import Meaning Clearing Kernel Checker Accepted.",
         "Import ListNotations.",
         "Open Scope positive_scope.",
-        "",
-        "(* The SHA-256 of statement.json. *)",
-        f"Definition the_digest : N := 0x{reading.digest}%N.",
         "",
     ]
     return "\n".join(lines)

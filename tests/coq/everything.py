@@ -1,0 +1,69 @@
+"""What `.ci/coq` has compiled, asked of Coq at once.
+
+    python -m tests.coq.everything DIRECTORY     # writes Everything.v and Printed.v there
+
+Everything.v has a definition for each committed certificate, whose type says that its statement is
+true: a file that proves something else, or nothing, stops it there. Printed.v prints the statements
+as Coq has them.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+
+from tests.coq.closing import ROOT, module
+
+PARTS = ("the_nodes", "the_contexts", "the_rows", "the_citations", "the_statement")
+
+
+def folders() -> list[Path]:
+    """Those with a committed certificate; each statement has to have one."""
+    found = sorted(path.parent for path in ROOT.rglob("certificate.json"))
+    if found != sorted(path.parent for path in ROOT.rglob("statement.json")) or not found:
+        raise SystemExit("a folder has a statement without a certificate, or there are none")
+    return found
+
+
+def everything(folders: list[Path]) -> str:
+    """The theorems about what is committed, one with another, and what they assume."""
+    own = {module(folder): folder for folder in folders}
+    lines = [f"From Verify Require {name}." for name in own]
+    lines += [
+        "From Verify Require Meaning Checker Accepted Closed Point Pinned PinnedMeaning.",
+        "Definition soundness : forall S C, Checker.accepts S C = true ->",
+        "  Meaning.citations_true S -> Meaning.true_statement S := Accepted.accepts_sound.",
+        "Definition theorem_1 : Pinned.theorem_1 /\\ Pinned.not_empty /\\ Pinned.determined",
+        "  := Pinned.proved.",
+    ]
+    for name, folder in own.items():
+        cites = json.loads((folder / "statement.json").read_bytes())["cites"]
+        proof = f"Closed.closed_{name}" if cites else f"{name}.proved"
+        lines.append(f"Definition true_{name} : Meaning.true_statement {name}.the_statement")
+        lines.append(f"  := {proof}.")
+    names = "".join(f", true_{name}" for name in own)
+    lines.append(
+        f"Definition everything := (soundness, theorem_1, Pinned.collapsing_scene{names})."
+    )
+    return "\n".join([*lines, "Print Assumptions everything.", ""])
+
+
+def printed(folders: list[Path]) -> str:
+    """Coq prints the data of each statement, in the notation in which they were written."""
+    names = [module(folder) for folder in folders]
+    lines = [
+        "From Coq Require Import ZArith List.",
+        f"From Verify Require Import Meaning. From Verify Require {' '.join(names)}.",
+        "Import ListNotations.",
+        "Open Scope positive_scope.",
+        "Set Printing Width 100000000. Set Printing Depth 100000000. Unset Printing Records.",
+        *(f"Print {name}.{part}." for name in names for part in PARTS),
+    ]
+    return "\n".join([*lines, ""])
+
+
+if __name__ == "__main__":
+    directory = Path(sys.argv[1])
+    (directory / "Everything.v").write_text(everything(folders()))
+    (directory / "Printed.v").write_text(printed(folders()))

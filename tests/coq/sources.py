@@ -1,0 +1,93 @@
+"""No file for Coq assumes anything, or changes what Coq checks or how it reads.
+
+    python -m tests.coq.sources DIRECTORY        # exit code 1 if a file does
+
+Only commands on a list are allowed, since no list of forbidden ones is complete. `coqchk` decides
+afterwards what the compiled files rest on; this says in a second which line is to blame.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+#: What a sentence outside a proof may be.
+ALLOWED = (
+    r"(From (Coq|Interval|Verify) )?Require( Import)? [\w. ]+", r"Import ListNotations",
+    r"Open Scope \w+", r"Module [A-Z]\w* := [\w. ]+", r"Opaque numbers", r"Definition \w.*",
+    r"Fixpoint \w.*", r"Inductive \w.*", r"Record \w.*", r"Lemma \w.*", r"Theorem \w.*",
+    r"Ltac \w.*", r"Notation \w.*", r"Proof", r"Qed", r"Defined", r"Check .*",
+    r"Print Assumptions \w+",
+)  # fmt: skip
+#: What it may be in a section besides: it does not reach beyond.
+LOCAL = (r"(Variables?|Hypothesis|Let) \w.*", r"Context \{\w+ : \w+\}", r'Notation ".*')
+#: A notation that is not bound to a section.
+BINDING = (
+    """Notation "'let*' x := a 'in' b" := (match a with Some x => b | None => None end) """
+    "(at level 200, x pattern, a at level 100, b at level 200)"
+)
+#: In the file for extraction; the axiom is Coq's, and nothing that is computed uses it.
+EXTRACTING = (
+    "Extraction Language OCaml", r'Extraction "checker\.ml" [\w. ]+',
+    r"Extract Constant ClassicalDedekindReals\.sig_forall_dec => \"fun _ -> assert false\"",
+)  # fmt: skip
+
+
+def without_comments(text: str) -> str:
+    """The text without comments, which may be nested and may have strings."""
+    kept, depth = [], 0
+    for piece in re.findall(r'"[^"]*"|\(\*|\*\)|[^("*]+|.', text, re.DOTALL):
+        depth += piece == "(*"
+        if not depth:
+            kept.append(piece)
+        depth -= piece == "*)" and depth > 0
+    return "".join(kept)
+
+
+def sentences(text: str) -> Iterator[str]:
+    """The sentences, each in one line; bullets and braces of a proof are sentences, too."""
+    pieces = re.findall(
+        r'\s*([-+*]+(?=\s)|[{}]|(?:"[^"]*"|[^".]|\.(?!\s|$))+\.(?=\s|$)|\S+)',
+        without_comments(text),
+    )
+    yield from (" ".join(piece.split()).removesuffix(".") for piece in pieces)
+
+
+def unexpected(text: str, *, extracting: bool = False) -> list[str]:
+    """The sentences that are not allowed."""
+    found, depth, proving = [], 0, False
+    for sentence in sentences(text):
+        if re.fullmatch(r"Section [A-Z]\w*", sentence):
+            depth += 1
+        elif depth and re.fullmatch(r"End [A-Z]\w*", sentence):
+            depth -= 1
+        elif proving and sentence not in ("Qed", "Defined"):
+            if not re.match(r"([0-9]+: )?[a-z\[(]|[{}]$|[*+-]+$", sentence):
+                found.append(sentence)
+        else:
+            allowed = (*ALLOWED, re.escape(BINDING), *LOCAL * (depth > 0))
+            allowed += EXTRACTING * extracting
+            if not any(re.fullmatch(pattern, sentence) for pattern in allowed):
+                found.append(sentence)
+            proving = sentence == "Proof"
+    return found
+
+
+def complaints(directory: Path) -> list[str]:
+    """What is not allowed in the files of a directory, a line each."""
+    files = sorted(directory.glob("*.v"))
+    if not files:
+        return [f"{directory}: there are no files for Coq"]
+    return [
+        f"{path.name}: this is not allowed here: {sentence[:200]}"
+        for path in files
+        for sentence in unexpected(path.read_text(), extracting=path.name == "Extract.v")
+    ]
+
+
+if __name__ == "__main__":
+    lines = complaints(Path(sys.argv[1]))
+    print("\n".join(lines), end="\n" * bool(lines), file=sys.stderr)
+    sys.exit(bool(lines))

@@ -1,0 +1,309 @@
+"""Ways to make Coq prove what is false, or to say less than it seems. `.ci/coq` sees each of them.
+
+    python -m tests.coq.tampering DIRECTORY      # exit code 1 if one is not seen
+
+DIRECTORY has everything that `.ci/coq` has compiled. Each way changes a copy and compiles only what
+it has to; a false proof stands there as a proof that takes an axiom, so that all else compiles.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import NamedTuple
+
+from tests.coq.closing import ROOT, module
+from tests.coq.everything import everything, printed
+from tests.coq.record import AnotherError, said_by_coq
+from tests.coq.sources import unexpected
+
+SOURCES = Path(__file__).resolve().parents[2] / "verify/coq"
+ASSUMED = SOURCES / "assumed.txt"
+HEAD = "From Verify Require Import Theorem1.\n"
+#: A proof of Theorem 1 from nothing.
+STUB = f"{HEAD}Axioms lemma1 : theorem_1 /\\ not_empty /\\ determined.\n"
+STUB += (
+    "Theorem theorem_1_proved : theorem_1 /\\ not_empty /\\ determined. Proof. exact lemma1. Qed.\n"
+)
+
+
+class Definition(NamedTuple):
+    """Another meaning of a definition, which the page that pins it has to see."""
+
+    file: str
+    old: str
+    new: str
+
+
+#: In Theorem1.v, seen by Pinned.v; and in Meaning.v, seen by PinnedMeaning.v.
+DEFINITIONS = {
+    "time-bound": Definition("Theorem1", "T <= T_star r", "T <= - T_star r"),
+    "vacuous-admissible": Definition("Theorem1", "restitution : 0 <", "restitution : 1 <"),
+    "vacuous-initial": Definition("Theorem1", "touch : distance d s B0 B1 = 1", "touch : 1 = 0"),
+    "dot-product": Definition("Theorem1", "dot k u v + u k * v k", "dot k u v + u k * u k"),
+    "collision": Definition("Theorem1", "velocity s B0 k + J", "velocity s B0 k - J"),
+    "constant": Definition("Theorem1", "(sqrt 2 - 1) / 16", "(sqrt 2 - 1) / 15"),
+    "notation": Definition(
+        "Theorem1", "Open Scope R_scope.",
+        'Open Scope R_scope.\nNotation "x <= y" := (x <= x + y) : R_scope.',
+    ),
+    "arrow": Definition(
+        "Theorem1", "Definition theorem_1 :",
+        'Notation "A -> B" := (A -> B \\/ True) : type_scope.\nDefinition theorem_1 :',
+    ),
+    "another-ball": Definition("Theorem1", "B0 | B1 | B2.", "B0 | B1 | B2 | B3."),
+    "refuted-is-true": Definition("Meaning", "| Refuted, _ => False", "| Refuted, _ => True"),
+    "proved-is-true": Definition(
+        "Meaning", "| Proved, s => says (row_context r) s", "| Proved, s => True"
+    ),
+    "root": Definition("Meaning", "| Sqrt a => sqrt (value v a)", "| Sqrt a => 0 * value v a"),
+    "divisor": Definition("Meaning", " /\\ value v b <> 0", ""),
+    "another-kind": Definition("Meaning", "Carried | Standing.", "Carried | Standing | Hidden."),
+}  # fmt: skip
+
+FALSE = "Theorem proved : False. Proof. exact wrong. Qed.\n"
+#: Whole files that prove False, each with a word that the judge has to say.
+ASSUMPTIONS = {
+    "axioms": ("Axioms wrong : False.\n", "wrong"),
+    "axiom-with-digits": ("Axiom lemma1 : False.\nDefinition wrong := lemma1.\n", "lemma1"),
+    "parameter": ("Parameters wrong : False.\n", "wrong"),
+    "hypothesis": ("Hypothesis wrong : False.\n", "wrong"),
+    "variable": ("Variable wrong : False.\n", "wrong"),
+    "conjecture": ("Conjecture wrong : False.\n", "wrong"),
+    "context": ("Context (wrong : False).\n", "wrong"),
+    "admitted": ("Lemma wrong : False. Proof. Admitted.\n", "wrong"),
+    "declared-instance": (
+        "Class C := c : False.\nDeclare Instance i : C.\nDefinition wrong : False := i.\n",
+        "Verify.Tampered.i",
+    ),
+    "module-type": (
+        "Module Type T. Parameter wrong : False. End T.\nDeclare Module M : T.\nImport M.\n",
+        "Tampered.M.wrong",
+    ),
+    "guard": (
+        ("Unset Guard Checking.\nFixpoint loop (n : nat) {struct n} : False := loop n.\n"
+        "Definition wrong := loop 0.\n"),
+        "loop",
+    ),
+    "bypassed-guard": (
+        ("#[bypass_check(guard)] Fixpoint loop (n : nat) {struct n} : False := loop n.\n"
+        "Definition wrong := loop 0.\n"),
+        "loop",
+    ),
+    "positivity": (
+        ("Unset Positivity Checking.\nInductive bad : Set := Bad (f : bad -> False).\n"
+        "Definition no (b : bad) : False := match b with Bad f => f b end.\n"
+        "Definition wrong : False := no (Bad no).\n"),
+        "bad",
+    ),
+    "bypassed-positivity": (
+        ("#[bypass_check(positivity)] Inductive bad : Set := Bad (f : bad -> False).\n"
+        "Definition no (b : bad) : False := match b with Bad f => f b end.\n"
+        "Definition wrong : False := no (Bad no).\n"),
+        "bad",
+    ),
+    "universes": (
+        ("Require Import Hurkens.\nUnset Universe Checking.\n"
+        "Definition small (A : Type) : Type := A.\n"
+        "Definition wrong : False := TypeNeqSmallType.paradox Type eq_refl.\n"),
+        "wrong",
+    ),
+    "type-in-type": (
+        ("Require Import Hurkens.\n"
+        "Definition wrong : False := TypeNeqSmallType.paradox Type eq_refl.\n"),
+        "wrong",
+    ),
+    "exported-option": (
+        ("#[export] Unset Guard Checking.\nUnset Guard Checking.\n"
+        "Fixpoint loop (n : nat) {struct n} : False := loop n.\nDefinition wrong := loop 0.\n"),
+        "loop",
+    ),
+    "loaded": ('Load "Evil".\n', "wrong"),
+}  # fmt: skip
+#: What is no sentence of ours, whether or not something false follows.
+SENTENCES = (
+    'Declare ML Module "ltac_plugin".', 'Add ML Path ".".', 'Add LoadPath "." as Coq.',
+    'Redirect "assumed" Print nat.', "#[global] Unset Guard Checking.", "Drop.",
+    "Set Universe Polymorphism.", "Global Set Printing Width 3.", "Admit Obligations.",
+    "Program Definition x := 0.",
+    "Primitive add := #int63_add.", "Register nat as core.nat.", "Coercion f : A >-> B.",
+    'Infix "<=" := Rlt.', 'Notation "x <= y" := (Rlt x y).', 'Extract Constant f => "x".',
+    "Canonical Structure x := y.", "Include T.", "Fail Lemma x : False.",
+    "Obligation Tactic := idtac.", "Hint Resolve x : core.", "Existing Instance x.",
+    "Proof using.", "Guarded.",
+    "Section A. End A. Variable x : False.", "(* x *) Axiom (* y *) x : False.",
+    "Lemma x : True. Proof. trivial. Axiom y : False. Qed.", "Reset Initial.", "Abort.",
+    "Lemma x : True. Proof. - { trivial. } Admitted.", "Lemma x : True. Proof. 1: Admitted.",
+)  # fmt: skip
+
+
+def run(directory: Path, *command: str) -> subprocess.CompletedProcess[str]:
+    """A command there; its two streams together."""
+    return subprocess.run(
+        command, cwd=directory, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        timeout=300,
+    )  # fmt: skip
+
+
+def coqc(directory: Path, name: str, *options: str) -> subprocess.CompletedProcess[str]:
+    """A file compiled."""
+    return run(directory, "coqc", "-q", *options, "-R", ".", "Verify", f"{name}.v")
+
+
+def written(directory: Path, name: str, text: str) -> None:
+    """A file for Coq instead of a compiled one."""
+    for suffix in ("v", "vo"):
+        (directory / f"{name}.{suffix}").unlink(missing_ok=True)
+    (directory / f"{name}.v").write_text(text)
+
+
+def pinned(file: str, directory: Path) -> str:
+    """Empty if the page that pins a file compiles; else its complaint."""
+    pages = {"Theorem1": "Pinned", "Meaning": "PinnedMeaning"}
+    written(directory, pages[file], (SOURCES / f"{pages[file]}.v").read_text())
+    others = [file]
+    if file == "Theorem1":
+        written(directory, "Inhabited", STUB)
+        others.append("Inhabited")
+    for name in others:
+        done = coqc(directory, name)
+        if done.returncode:
+            raise ValueError(f"{name} does not compile: {done.stdout}")
+    done = coqc(directory, pages[file])
+    return done.stdout if done.returncode else ""
+
+
+def definition(name: str, directory: Path) -> bool:
+    """Whether the page that pins a definition sees another one."""
+    way = DEFINITIONS[name]
+    text = (SOURCES / f"{way.file}.v").read_text()
+    if text.count(way.old) != 1:
+        raise ValueError(f"{way.old}: {text.count(way.old)} times in {way.file}.v")
+    written(directory, way.file, text.replace(way.old, way.new))
+    return "Error" in pinned(way.file, directory)
+
+
+def the_same_definition(name: str, directory: Path) -> bool:
+    """Whether a page is content with the file that it pins."""
+    written(directory, name, (SOURCES / f"{name}.v").read_text())
+    return not pinned(name, directory)
+
+
+def unknown(output: str) -> list[str]:
+    """What Coq says of assumptions that is not in the committed file."""
+    known = {line.strip() for line in ASSUMED.read_text().splitlines()}
+    lines = [line.strip() for line in output.splitlines() if not line.endswith(": <none>")]
+    return [line for line in lines if line not in known]
+
+
+def rests_on(directory: Path, text: str, *options: str) -> list[str]:
+    """What is new in the summary of `coqchk` about a file with this text."""
+    written(directory, "Tampered", text)
+    done = coqc(directory, "Tampered", *options)
+    if done.returncode:
+        raise ValueError(f"it does not compile: {done.stdout}")
+    arguments = ("-silent", "-o", "-bytecode-compiler", "yes", "-R", ".", "Verify")
+    return unknown(run(directory, "coqchk", *arguments, "-norec", "Verify.Tampered").stdout)
+
+
+def assumption(name: str, directory: Path) -> bool:
+    """Whether `coqchk` sees what a proof of False rests on, and the list of commands the line."""
+    text, word = ASSUMPTIONS[name]
+    (directory / "Evil.v").write_text("Axioms wrong : False.\n")
+    options = ["-type-in-type"] if name == "type-in-type" else []
+    found = rests_on(directory, text + FALSE, *options)
+    return any(word in line for line in found) and (bool(options) or bool(unexpected(text)))
+
+
+def no_assumption(_: str, directory: Path) -> bool:
+    """Whether nothing is said about a file that has nothing wrong."""
+    text = "Theorem proved : True. Proof. exact I. Qed.\n"
+    return not rests_on(directory, text) and not unexpected(text)
+
+
+ONE, CITING = ROOT / "examples/interval", ROOT / "examples/mean-applied"
+NOTHING = {
+    "the-same": ("", ""),
+    "closed-without-theorems": ("Closed", ""),
+    "exported-nothing": (module(ONE), ""),
+    "exported-another-theorem": (
+        module(ONE),
+        (
+            f"From Verify Require {module(ROOT / 'examples/root')}.\n"
+            f"Definition the_statement := {module(ROOT / 'examples/root')}.the_statement.\n"
+            "Theorem proved : True. Proof. exact I. Qed.\n"
+        ),
+    ),
+}
+
+
+def nothing(name: str, directory: Path) -> bool:
+    """Whether the theorems that are asked for are missed, where they are not there."""
+    file, text = NOTHING[name]
+    if file:
+        written(directory, file, text)
+        coqc(directory, file)
+    written(directory, "Everything", everything([ONE, CITING]))
+    done = coqc(directory, "Everything")
+    return (done.returncode == 0) == (name == "the-same")
+
+
+def another_statement(name: str, directory: Path) -> bool:
+    """Whether a proof of another statement than that of the folder is seen."""
+    if name != "the-same":
+        source = (directory / f"{module(ROOT / 'examples/root')}.v").read_text()
+        written(directory, module(ONE), source)
+        coqc(directory, module(ONE))
+    written(directory, "Printed", printed([ONE]))
+    try:
+        said_by_coq(ONE, coqc(directory, "Printed").stdout, {})
+    except AnotherError:
+        return name != "the-same"
+    return name == "the-same"
+
+
+Way = tuple[str, Callable[[str, Path], bool]]
+
+
+def ways() -> list[Way]:
+    """Each with what says whether it is seen; and where there is nothing to see, that."""
+    found: list[Way] = [(name, definition) for name in DEFINITIONS]
+    found += [(name, assumption) for name in ASSUMPTIONS]
+    found += [(name, nothing) for name in NOTHING]
+    found += [("another-statement", another_statement), ("the-same", another_statement)]
+    found += [(name, the_same_definition) for name in ("Theorem1", "Meaning")]
+    return [*found, ("nothing-wrong", no_assumption)]
+
+
+def tried(source: Path, way: Way) -> str:
+    """A line if a way is not seen."""
+    name, judge = way
+    with tempfile.TemporaryDirectory() as path:
+        directory = Path(path)
+        for file in source.glob("*.v*"):
+            if file.suffix in (".v", ".vo"):
+                (directory / file.name).symlink_to(file)
+        try:
+            return "" if judge(name, directory) else f"NOT SEEN {name} ({judge.__name__})"
+        except ValueError as error:
+            return f"NOT TRIED {name} ({judge.__name__}): {error}"
+
+
+def main(source: Path) -> int:
+    """Try each of them on a copy."""
+    lines = [f"NOT SEEN {text}" for text in SENTENCES if not unexpected(text)]
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        lines += filter(None, pool.map(lambda way: tried(source, way), ways()))
+    for line in lines:
+        print(line)
+    print(f"{len(ways()) + len(SENTENCES)} ways to tamper, {len(lines)} not seen")
+    return bool(lines)
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1]).resolve()))

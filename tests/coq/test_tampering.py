@@ -1,0 +1,143 @@
+"""What `.ci/coq` compares, where no Coq is needed; all of it is done there, with Coq."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from tests.coq.everything import everything, folders, printed
+from tests.coq.record import AnotherError, found, said_by_coq
+from tests.coq.sources import complaints, sentences, unexpected
+from tests.coq.tampering import (
+    ASSUMED,
+    ASSUMPTIONS,
+    DEFINITIONS,
+    FALSE,
+    SENTENCES,
+    SOURCES,
+    unknown,
+)
+from verify import check
+from verify.views.coq.export import export
+
+ROOT = SOURCES.parents[1]
+EXAMPLE = ROOT / "certificates/examples/interval"
+
+
+def test_the_files_for_coq_have_only_sentences_on_the_list() -> None:
+    assert complaints(SOURCES) == []
+    assert sum(len([*sentences(path.read_text())]) for path in SOURCES.glob("*.v")) > 5000
+    for folder in folders()[:3]:
+        (data,) = check.read_folders([str(folder)])
+        assert unexpected(export(data, ordinary=True)) == []
+
+
+def test_no_files_for_coq_are_a_complaint(tmp_path: Path) -> None:
+    assert complaints(tmp_path)
+
+
+@pytest.mark.parametrize("text", SENTENCES)
+def test_another_sentence_is_seen(text: str) -> None:
+    page = (SOURCES / "Sequences.v").read_text()
+    assert unexpected(text)
+    assert unexpected(f"{page}{text}\n")
+    assert unexpected(page.replace("Open Scope R_scope.", f"Open Scope R_scope. {text}"))
+    assert not unexpected(f"(* {text} (* {text} *) *) {page}")
+
+
+@pytest.mark.parametrize("name", sorted({*ASSUMPTIONS} - {"type-in-type"}))
+def test_an_assumption_is_seen_in_the_file(name: str) -> None:
+    assert unexpected(ASSUMPTIONS[name][0] + FALSE)
+
+
+def test_in_a_proof_and_in_a_section_other_sentences_are_allowed() -> None:
+    for text in ("Variable x : R.", "Hypothesis a : True.", "Context {A : Type}."):
+        assert unexpected(text)
+        assert not unexpected(f"Section S. {text} End S.")
+        assert unexpected(f"Section S. End S. {text}")
+    assert not unexpected("Lemma a : True. Proof. - { trivial. } Qed.")
+    assert unexpected("Lemma a : True. Proof. - { trivial. } Admitted.")
+    assert unexpected('Definition a := "x. Axiom y : False.')
+
+
+@pytest.mark.parametrize("name", sorted(DEFINITIONS))
+def test_what_is_tampered_with_is_there_once(name: str) -> None:
+    way = DEFINITIONS[name]
+    assert (SOURCES / f"{way.file}.v").read_text().count(way.old) == 1
+
+
+def test_what_all_theorems_rest_on_is_committed() -> None:
+    text = ASSUMED.read_text()
+    named = [*re.findall(r"^([\w.]+)$|^([\w.]+) : ", text, re.MULTILINE)]
+    assert len(named) == 4
+    assert re.findall(r"^\* (.*)$", text, re.MULTILINE) == [
+        "Theory: Set is predicative", "Axioms:",
+        "Constants/Inductives relying on type-in-type: <none>",
+        "Constants/Inductives relying on unsafe (co)fixpoints: <none>",
+        "Inductives whose positivity is assumed: <none>",
+    ]  # fmt: skip
+    assert unknown(text) == []
+    for line in ("lemma1 : theorem_1", "    Verify.Collapse.lemma1"):
+        assert unknown(f"{text}{line}\n") == [line.strip()]
+
+
+def test_every_committed_certificate_is_asked_for() -> None:
+    text = everything(folders())
+    assert len(folders()) > 30
+    for folder in folders():
+        name = re.sub("[^A-Za-z0-9]", "_", str(folder.relative_to(ROOT / "certificates")))
+        assert f" : Meaning.true_statement Checked_{name}.the_statement\n" in text
+        assert text.count(f"true_Checked_{name},") + text.count(f"true_Checked_{name})") == 1
+    for name in ("Pinned.theorem_1", "Accepted.accepts_sound", "Print Assumptions everything."):
+        assert name in text
+
+
+def as_printed(folder: Path) -> str:
+    """What Coq would print of an exported file."""
+    (data,) = check.read_folders([str(folder)])
+    parts = re.findall(r"^Definition (the_\w+) : (.*?) :=(.*?)\.$", export(data), re.S | re.M)
+    name = re.search(r"Print (\w+)\.the_nodes", printed([folder]))
+    assert name
+    lines = [
+        f"{name[1]}.{part} = {' '.join(text.split())}\n     : {kind}\n"
+        for part, kind, text in parts
+    ]
+    plain = re.sub(r"\(\*.*?\*\)", "", "".join(lines))
+    return re.sub(r"(?<= )(?=the_(nodes|contexts|rows|citations) )", f"{name[1]}.", plain)
+
+
+def test_another_statement_than_that_of_the_file_is_seen() -> None:
+    text = as_printed(EXAMPLE)
+    said_by_coq(EXAMPLE, text, {})
+    others = ["", text.replace("the_rows = ", "the_rows_ = ")]
+    others += [text.replace(old, new, 1) for old, new in (("Proved", "Refuted"), ("true", "false"))]
+    for number in ("Less", "AtMost", "Equal"):
+        others += [text.replace(number, other, 1) for other in ("Less", "AtMost") if number in text]
+    for other in others:
+        if other != text:
+            with pytest.raises((AnotherError, AssertionError)):
+                said_by_coq(EXAMPLE, other, {})
+
+
+def test_a_certificate_that_was_not_checked_is_missed(tmp_path: Path) -> None:
+    lines = [f"{folder.relative_to(ROOT)} 1\n" for folder in folders()]
+    for some in ([], lines[1:], lines[:-1], [*lines, lines[-1]]):
+        (tmp_path / "checked").write_text("".join(some))
+        with pytest.raises(AnotherError, match="was not checked"):
+            found(tmp_path)
+
+
+def test_without_coq_nothing_is_said_to_be_checked(tmp_path: Path) -> None:
+    (tmp_path / "dirname").symlink_to("/usr/bin/dirname")
+    done = subprocess.run(
+        ["/bin/bash", str(ROOT / ".ci/coq")],
+        env={"PATH": str(tmp_path)},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 77
+    assert done.stdout == ""
+    assert done.stderr.startswith("coq: NOTHING WAS CHECKED")

@@ -92,11 +92,11 @@ def test_explain_says_by_which_rule_and_who_has_judged_it(
     code, out, err = run(capsys, "explain", "flow", "contact")
     assert (code, err) == (0, "")
     assert out.startswith("in flow: One collision of three inelastic hard spheres")
-    assert "  proved by the rule sum: verify/check.py accepts what is written here\n" in out
+    assert "  proved by the rule sum: the checker accepts what is written here\n" in out
     assert "(2.2), EQUATSS2.1_Loi_de_Newton_: at the time y T" in out
     assert "  eps-is: ε = T·(1 + s)·λ²   (lemma)" in out
     code, out, _ = run(capsys, "explain", "certificates/examples/witness", "wrong")
-    assert "  refuted by the rule witness: verify/check.py accepts the proof of the opposite" in out
+    assert "  refuted by the rule witness: the checker accepts the proof of the opposite" in out
     assert ": x <= x^2" not in out  # a row without a label has none
     code, out, _ = run(capsys, "explain", "sharper", "(4.57)")
     assert re.search(r"proved tau-positive: .* \(by the rule sum\)", " ".join(out.split()))

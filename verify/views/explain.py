@@ -34,9 +34,6 @@ from verify.views.words import letters, short_name, sides_of
 
 Row = tuple[Obligation, Decision]
 
-#: Who has judged what is shown here: nothing else may call a row proved.
-JUDGE = "verify/check.py"
-
 
 def explain(outcome: Outcome, name: str, *, exact: bool = False) -> list[str]:
     """The lines about a row or a lemma of what the checker has accepted; none without such a name.
@@ -95,7 +92,7 @@ def _about(
     if row is not None:
         yield from _said(row[0])
         what = "what is written here" if row[1].verdict == PROVED else "the proof of the opposite"
-        yield f"  {row[1].verdict} by the rule {row[1].method}: {JUDGE} accepts {what}"
+        yield f"  {row[1].verdict} by the rule {row[1].method}: {row[1].judge} accepts {what}"
     elif node.proof is not None:
         yield f"  by the rule {rule_of(node.proof)}"
     yield f"  {typesetter.claim(node.claim)}"

@@ -188,7 +188,7 @@ BACKED: dict[str, tuple[Check, ...]] = {
     ),
     "Coq proves it from the certificates of the step and of `theorem1 --all`": (
         "tests/coq/test_theorem.py",
-        "tests/coq/test_export.py::test_the_checker_assumes_nothing",
+        "tests/coq/test_tampering.py::test_what_all_theorems_rest_on_is_committed",
     ),
     "For each dimension from 2 on there are such scenes": (
         "tests/coq/test_theorem.py::test_the_theorem_is_what_the_page_says",

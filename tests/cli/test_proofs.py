@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import shutil
+from collections import defaultdict
 from pathlib import Path
 from types import SimpleNamespace
 from xml.etree import ElementTree
@@ -135,7 +136,8 @@ def test_explain_says_nothing_that_the_checker_does_not_accept(
     assert (code, out, err.count("\n")) == (2, "", 1)
 
     def refuses(*_: object) -> SimpleNamespace:
-        return SimpleNamespace(verdict="REFUSED", lines=["REFUSED all"])
+        refused = defaultdict(lambda: "refused")
+        return SimpleNamespace(verdict="REFUSED", lines=["REFUSED all"], rows=refused, summary="")
 
     monkeypatch.setattr(check, "check", refuses)
     for words, expected in (

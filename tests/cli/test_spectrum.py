@@ -84,7 +84,12 @@ def test_the_document(capsys: pytest.CaptureFixture[str]) -> None:
         assert claim["role"] in ("printed", "needed")
         assert claim["verdict"] in ("proved", "refuted")
         if claim["verdict"] == "refuted":
-            assert set(claim) - {"lhs", "rhs"} == {*CLAIM_KEYS, "witness", "corrected_by"}
+            assert set(claim) - {"lhs", "rhs"} == {
+                *CLAIM_KEYS,
+                "judged_by",
+                "witness",
+                "corrected_by",
+            }
             assert {str(Fraction(value)) for value in claim["witness"].values()}
             correction = names[claim["corrected_by"]]
             assert (correction["role"], correction["verdict"]) == ("needed", "proved")

@@ -32,6 +32,14 @@ Qed.
 Lemma inverse_positive rho : 0 < rho -> 0 < / rho.
 Proof. apply Rinv_0_lt_compat. Qed.
 
+Lemma ratio_positive rho n : 0 < rho -> 0 < ratio rho n.
+Proof. intros P. unfold ratio. destruct (Nat.even n); auto using inverse_positive. Qed.
+Lemma ratio_shift rho n : ratio rho (S n) = ratio (/ rho) n.
+Proof.
+  unfold ratio. rewrite Nat.even_succ, <- Nat.negb_even. destruct (Nat.even n); simpl; auto.
+  now rewrite Rinv_inv.
+Qed.
+
 Section Step.
 Variables r a : R.
 Hypothesis R1 : 0 < r < 1.
@@ -207,13 +215,6 @@ End Order.
 
 (* --- orbits ----------------------------------------------------------------------------------- *)
 
-Lemma ratio_positive rho n : 0 < rho -> 0 < ratio rho n.
-Proof. intros P. unfold ratio. destruct (Nat.even n); auto using inverse_positive. Qed.
-Lemma ratio_shift rho n : ratio rho (S n) = ratio (/ rho) n.
-Proof.
-  unfold ratio. rewrite Nat.even_succ, <- Nat.negb_even. destruct (Nat.even n); simpl; auto.
-  now rewrite Rinv_inv.
-Qed.
 Lemma orbit_shift rho x n : orbit r a rho x (S n) = orbit r a (/ rho) (next r a rho x) n.
 Proof.
   induction n; [reflexivity|].

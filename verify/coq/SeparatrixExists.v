@@ -141,12 +141,9 @@ Proof.
     change (next r a (ratio rho (2 * n + 1)) (y (2 * n + 1)%nat)) with (y (S (2 * n + 1))) in G1.
     change (next r a (ratio rho (S (2 * n + 1))) (y (S (2 * n + 1))))
       with (y (S (S (2 * n + 1)))) in G2.
-    assert (E : ratio rho (S (2 * n + 1)) * ratio rho (2 * n + 1) = 1).
-    { unfold ratio. rewrite Nat.even_succ, <- Nat.negb_even.
-      destruct (Nat.even (2 * n + 1)); simpl; field; lra. }
     apply Rmult_le_compat_l with (r := ratio rho (S (2 * n + 1))) in G1;
       [|left; now apply ratio_positive].
-    rewrite <- Rmult_assoc, E in G1. lra. }
+    rewrite <- Rmult_assoc, ratio_turn in G1; lra. }
   assert (W0 : 0 < weight (y 1%nat)).
   { unfold weight. apply Rmult_lt_0_compat; [|apply exp_pos]. apply Rdiv_lt_0_compat; [apply U|].
     apply pow_lt. specialize (Q 0%nat). nra. }

@@ -39,6 +39,11 @@ Proof.
   unfold ratio. rewrite Nat.even_succ, <- Nat.negb_even. destruct (Nat.even n); simpl; auto.
   now rewrite Rinv_inv.
 Qed.
+Lemma ratio_turn rho n : 0 < rho -> ratio rho (S n) * ratio rho n = 1.
+Proof.
+  intros P. unfold ratio. rewrite Nat.even_succ, <- Nat.negb_even.
+  destruct (Nat.even n); simpl; field; lra.
+Qed.
 
 Section Step.
 Variables r a : R.

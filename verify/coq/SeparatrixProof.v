@@ -22,9 +22,7 @@ Proof.
       destruct (Rle_lt_or_eq_dec 0 _ (f_not_negative r a R1 A1 rho P y)) as [L|L]; [|lra].
       exfalso. apply (beyond_phi_plus r a s R1 A1 S1 SR HIGH rho _ P) with
         (2 := f_attained r a R1 A1 rho P y Y0 L). exact Y.
-    + intros x X L. destruct (interior_if_below_curve r a R1 A1 rho P x X L) as [e [E H]].
-      apply regime_below with (State (q x + e) (u x + e)); auto; simpl; unfold region in X; try lra.
-      intros N. apply (f_equal q) in N. simpl in N. lra.
+    + intros x X L. now apply regime_under_curve with R1 A1.
     + intros x X L. destruct (unending_or_ends r a R1 A1 rho P x X) as [H|H]; [|exact H].
       apply (f_upper r a R1 A1 rho P) in H. lra.
     + intros x X E. split; [apply unending_at_most with R1 A1; auto; lra|].

@@ -47,6 +47,13 @@ Proof.
   unfold A0, B0 in *. lra.
 Qed.
 
+Lemma share_range t P : 0 < P -> 0 <= t <= P -> 0 <= t / P <= 1.
+Proof.
+  intros P0 T. split.
+  - apply Rmult_le_reg_r with P; [exact P0|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l; lra.
+  - apply Rmult_le_reg_r with P; [exact P0|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l; lra.
+Qed.
+
 Section Convex.
 Variables r a : R.
 Hypothesis R1 : 0 < r < 1.
@@ -66,12 +73,6 @@ Definition cone (S P t : R) := 0 < P /\ 0 <= t <= P /\ B (r * S / P) (1 - t / P)
 Definition failing (S P Q : R) :=
   P <= 0 \/ exists t, cone S P t /\ Q ^ 2 <= t ^ 2 - 2 * a * P * S + a ^ 2 * S ^ 2.
 
-Lemma share_range t P : 0 < P -> 0 <= t <= P -> 0 <= t / P <= 1.
-Proof.
-  intros P0 T. split.
-  - apply Rmult_le_reg_r with P; [exact P0|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l; lra.
-  - apply Rmult_le_reg_r with P; [exact P0|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l; lra.
-Qed.
 Lemma cone_sum S P t S' P' t' : cone S P t -> cone S' P' t' -> cone (S + S') (P + P') (t + t').
 Proof.
   intros [P0 [T H]] [P1 [T' H']]. split; [lra|]. split; [lra|].
@@ -232,4 +233,84 @@ Proof.
       apply failing_sum_ordered with t' t; auto. lra.
 Qed.
 End Projective.
+
+(* --- the states from which collisions end within n steps -------------------------------------- *)
+
+Fixpoint bad (n : nat) (rho x v : R) : Prop :=
+  match n with
+  | O => 0 <= x /\ v = 1
+  | S k => 0 <= x /\ 0 <= v <= 1 /\ failing (bad k (/ rho)) (1 - v) (a * (1 - v) - x - rho * v) x
+  end.
+Lemma bad_range n rho x v : bad n rho x v -> 0 <= x /\ 0 <= v <= 1.
+Proof. destruct n; simpl; intros H; [lra|tauto]. Qed.
+Lemma bad_one n rho x : 0 < rho -> 0 <= x -> bad n rho x 1.
+Proof. destruct n; simpl; intros P X; [lra|]. split; [lra|]. split; [lra|]. left. lra. Qed.
+Lemma bad_upper n : forall rho x v y w, 0 < rho -> bad n rho x v -> x <= y -> v <= w <= 1 ->
+  bad n rho y w.
+Proof.
+  induction n; intros rho x v y w P H XY VW; [simpl in *; lra|].
+  destruct H as [X [V H]]. split; [lra|]. split; [lra|].
+  set (S := 1 - v) in *. set (T := 1 - w). set (A := a * S - x - rho * v) in *.
+  set (C := a * T - y - rho * w). assert (P' := inverse_positive rho P).
+  assert (L : C <= A) by (unfold C, A, T, S; nra).
+  destruct (Rle_lt_dec C 0) as [C0|C0]; [now left|]. right.
+  destruct H as [H|[t [[A0 [T0 H]] J]]]; [lra|]. exists (t * C / A).
+  pose proof (share_range t A A0 T0) as F.
+  assert (E : t = t / A * A) by (field; lra). set (c := t / A) in *.
+  replace (t * C / A) with (c * C) by (unfold c; field; lra). split.
+  - split; [exact C0|]. split; [nra|]. replace (c * C / C) with c by (field; lra).
+    apply (IHn (/ rho)) with (2 := H); [exact P'| |lra].
+    assert (O : S * C <= T * A).
+    { assert (0 <= S * (y + rho * w) - T * (x + rho * v)).
+      { assert (rho * v <= rho * w) by (apply Rmult_le_compat_l; lra).
+        assert (0 <= rho * v) by (apply Rmult_le_pos; lra).
+        assert (T * (x + rho * v) <= S * (y + rho * w))
+          by (apply Rmult_le_compat; unfold S, T; lra). lra. }
+      unfold A, C. lra. }
+    apply Rmult_le_reg_r with (A * C); [nra|].
+    replace (r * S / A * (A * C)) with (r * (S * C)) by (field; lra).
+    replace (r * T / C * (A * C)) with (r * (T * A)) by (field; lra). nra.
+  - rewrite E in J. assert (N : rho * v * (2 * x + rho * v) <= rho * w * (2 * y + rho * w)).
+    { assert (rho * v <= rho * w) by (apply Rmult_le_compat_l; lra).
+      assert (0 <= rho * v) by (apply Rmult_le_pos; lra). apply Rmult_le_compat; lra. }
+    assert (K : (1 - c ^ 2) * C ^ 2 <= (1 - c ^ 2) * A ^ 2).
+    { apply Rmult_le_compat_l; [nra|]. apply pow_incr. lra. }
+    assert (J1 : (1 - c ^ 2) * A ^ 2 <= rho * v * (2 * x + rho * v)).
+    { assert (Q : a * S - A = x + rho * v) by (unfold A; ring).
+      replace (rho * v * (2 * x + rho * v)) with ((a * S - A) ^ 2 - x ^ 2) by (rewrite Q; ring).
+      lra. }
+    assert (J2 : (1 - c ^ 2) * C ^ 2 <= (a * T - C) ^ 2 - y ^ 2).
+    { replace ((a * T - C) ^ 2 - y ^ 2) with (rho * w * (2 * y + rho * w)); [lra|].
+      unfold C. ring. }
+    lra.
+Qed.
+Lemma bad_convex n : forall rho x v y w c, 0 < rho -> bad n rho x v -> bad n rho y w ->
+  0 <= c <= 1 -> bad n rho (c * x + (1 - c) * y) (c * v + (1 - c) * w).
+Proof.
+  induction n; intros rho x v y w c P H K C.
+  { simpl in *. split; [nra|]. destruct H as [_ ->]. destruct K as [_ ->]. ring. }
+  destruct (Rle_lt_or_eq_dec 0 c (proj1 C)) as [C0|C0].
+  2: { rewrite <- C0. replace (0 * x + (1 - 0) * y) with y by ring.
+       replace (0 * v + (1 - 0) * w) with w by ring. exact K. }
+  destruct (Rle_lt_or_eq_dec c 1 (proj2 C)) as [C1|C1].
+  2: { rewrite C1. replace (1 * x + (1 - 1) * y) with x by ring.
+       replace (1 * v + (1 - 1) * w) with v by ring. exact H. }
+  destruct H as [X [V H]]. destruct K as [Y [W K]]. assert (P' := inverse_positive rho P).
+  split; [nra|]. split; [nra|].
+  assert (RV : 0 <= rho * v) by (apply Rmult_le_pos; lra).
+  assert (RW : 0 <= rho * w) by (apply Rmult_le_pos; lra).
+  replace (1 - (c * v + (1 - c) * w)) with (c * (1 - v) + (1 - c) * (1 - w)) by ring.
+  replace (a * (c * (1 - v) + (1 - c) * (1 - w)) - (c * x + (1 - c) * y) -
+    rho * (c * v + (1 - c) * w)) with (c * (a * (1 - v) - x - rho * v) +
+    (1 - c) * (a * (1 - w) - y - rho * w)) by ring.
+  pose proof (bad_range n (/ rho)) as B1. pose proof (fun z => bad_one n (/ rho) z P') as B2.
+  pose proof (fun z0 v0 z1 v1 => bad_upper n (/ rho) z0 v0 z1 v1 P') as B3.
+  pose proof (fun z0 v0 z1 v1 d => IHn (/ rho) z0 v0 z1 v1 d P') as B4.
+  apply failing_sum; auto; try (apply Rmult_le_pos; lra).
+  - split; [apply Rmult_le_pos; lra|]. assert (0 <= c * (rho * v)) by (apply Rmult_le_pos; lra). lra.
+  - split; [apply Rmult_le_pos; lra|].
+    assert (0 <= (1 - c) * (rho * w)) by (apply Rmult_le_pos; lra). lra.
+  - apply failing_scale; auto.
+  - apply failing_scale; auto. lra.
+Qed.
 End Convex.

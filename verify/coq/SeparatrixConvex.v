@@ -1,238 +1,16 @@
 (* The separatrix is a convex function: the states from which collisions end within n steps form a
-   convex set. In the coordinates S = 1 - u, P = p, Q = q, which are affine in the state, a step is
-   projective, and the convex set of the next n steps gives a convex set again. *)
+   convex set, by induction on n. *)
 From Coq Require Import Reals Arith Lra Lia Psatz.
 From Verify Require Import Separatrix SeparatrixOrder SeparatrixMain SeparatrixTopology.
-From Verify Require Import SeparatrixCurve.
+From Verify Require Import SeparatrixCurve SeparatrixProjective.
 Open Scope R_scope.
 Set Default Proof Using "All".
-
-(* The inequality behind it, a Cauchy-Schwarz inequality reversed. *)
-Lemma reversed (a v w k l t s : R) : 0 < a -> 0 < v <= w -> w <= a -> 0 <= t <= s -> s <= w ->
-  s * v <= t * w -> 0 <= k -> 0 <= l ->
-  k ^ 2 <= t ^ 2 - 2 * a * v + a ^ 2 -> l ^ 2 <= s ^ 2 - 2 * a * w + a ^ 2 ->
-  k * l <= t * s - a * (v + w) + a ^ 2.
-Proof.
-  intros A V W T S H K0 L0 K L.
-  set (A0 := t ^ 2 - 2 * a * v + a ^ 2) in *. set (B0 := s ^ 2 - 2 * a * w + a ^ 2) in *.
-  assert (PA : 0 <= A0) by (apply Rle_trans with (2 := K); apply pow2_ge_0).
-  assert (PB : 0 <= B0) by (apply Rle_trans with (2 := L); apply pow2_ge_0).
-  pose proof (sqrt_sqrt A0 PA) as EA. pose proof (sqrt_sqrt B0 PB) as EB.
-  pose proof (sqrt_pos A0) as X0. pose proof (sqrt_pos B0) as Y0.
-  set (x := sqrt A0) in *. set (y := sqrt B0) in *.
-  assert (KX : k <= x) by (apply Rnot_lt_le; intros N; nra).
-  assert (LY : l <= y) by (apply Rnot_lt_le; intros N; nra).
-  assert (I1 : s * y <= a * w - s ^ 2).
-  { assert (0 <= a * w - s ^ 2) by nra.
-    assert (Z : (s * y) * (s * y) <= (a * w - s ^ 2) * (a * w - s ^ 2)).
-    { replace ((s * y) * (s * y)) with (s ^ 2 * (y * y)) by ring. rewrite EB. unfold B0.
-      assert (a ^ 2 * s ^ 2 <= a ^ 2 * w ^ 2)
-        by (apply Rmult_le_compat_l; [apply pow2_ge_0|apply pow_incr; lra]). lra. }
-    apply Rnot_lt_le. intros N. nra. }
-  assert (I2 : (s - t) * (s + y) <= a * (w - v)).
-  { apply Rmult_le_reg_r with w; [lra|].
-    apply Rle_trans with (s * (w - v) * (s + y)).
-    - assert ((s - t) * w <= s * (w - v)) by lra.
-      replace ((s - t) * (s + y) * w) with ((s - t) * w * (s + y)) by ring.
-      apply Rmult_le_compat_r; lra.
-    - assert ((w - v) * (s * (s + y)) <= (w - v) * (a * w)) by (apply Rmult_le_compat_l; lra). lra. }
-  assert (I3 : y + (s - t) <= x).
-  { assert ((y + (s - t)) * (y + (s - t)) <= x * x).
-    { rewrite EA. replace ((y + (s - t)) * (y + (s - t)))
-        with (y * y + 2 * y * (s - t) + (s - t) * (s - t)) by ring. rewrite EB. unfold A0, B0. lra. }
-    apply Rnot_lt_le. intros N. nra. }
-  assert (k * l <= x * y) by (apply Rmult_le_compat; lra).
-  assert (2 * (x * y) <= 2 * (t * s - a * (v + w) + a ^ 2)); [|lra].
-  assert ((s - t) * (s - t) <= (x - y) * (x - y)) by (apply Rmult_le_compat; lra).
-  unfold A0, B0 in *. lra.
-Qed.
-
-Lemma share_range t P : 0 < P -> 0 <= t <= P -> 0 <= t / P <= 1.
-Proof.
-  intros P0 T. split.
-  - apply Rmult_le_reg_r with P; [exact P0|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l; lra.
-  - apply Rmult_le_reg_r with P; [exact P0|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l; lra.
-Qed.
 
 Section Convex.
 Variables r a : R.
 Hypothesis R1 : 0 < r < 1.
 Hypothesis A1 : 0 < a.
-
-(* --- a step, from a convex set of next states to a convex set of states ----------------------- *)
-
-Section Projective.
-Variable B : R -> R -> Prop.
-Hypothesis B_range : forall x v, B x v -> 0 <= x /\ 0 <= v <= 1.
-Hypothesis B_one : forall x, 0 <= x -> B x 1.
-Hypothesis B_upper : forall x v y w, B x v -> x <= y -> v <= w <= 1 -> B y w.
-Hypothesis B_convex : forall x v y w c, B x v -> B y w -> 0 <= c <= 1 ->
-  B (c * x + (1 - c) * y) (c * v + (1 - c) * w).
-
-Definition cone (S P t : R) := 0 < P /\ 0 <= t <= P /\ B (r * S / P) (1 - t / P).
-Definition failing (S P Q : R) :=
-  P <= 0 \/ exists t, cone S P t /\ Q ^ 2 <= t ^ 2 - 2 * a * P * S + a ^ 2 * S ^ 2.
-
-Lemma cone_sum S P t S' P' t' : cone S P t -> cone S' P' t' -> cone (S + S') (P + P') (t + t').
-Proof.
-  intros [P0 [T H]] [P1 [T' H']]. split; [lra|]. split; [lra|].
-  assert (C : 0 <= P / (P + P') <= 1) by (apply share_range; lra).
-  pose proof (B_convex _ _ _ _ _ H H' C) as D.
-  replace (r * (S + S') / (P + P')) with (P / (P + P') * (r * S / P) +
-    (1 - P / (P + P')) * (r * S' / P')) by (field; lra).
-  replace (1 - (t + t') / (P + P')) with (P / (P + P') * (1 - t / P) +
-    (1 - P / (P + P')) * (1 - t' / P')) by (field; lra). exact D.
-Qed.
-Lemma cone_scale c S P t : 0 < c -> cone S P t -> cone (c * S) (c * P) (c * t).
-Proof.
-  intros C [P0 [T H]]. split; [now apply Rmult_lt_0_compat|]. split; [split; nra|].
-  replace (r * (c * S) / (c * P)) with (r * S / P) by (field; lra).
-  replace (c * t / (c * P)) with (t / P) by (field; lra). exact H.
-Qed.
-(* A larger P, with the same t. *)
-Lemma cone_wide S P P' t : cone S P t -> P <= P' -> cone S P' t.
-Proof.
-  intros [P0 [T H]] L. split; [lra|]. split; [lra|].
-  assert (C : 0 <= P / P' <= 1) by (apply share_range; lra).
-  pose proof (B_convex _ _ _ _ _ H (B_one 0 (Rle_refl 0)) C) as D.
-  replace (r * S / P') with (P / P' * (r * S / P) + (1 - P / P') * 0) by (field; lra).
-  replace (1 - t / P') with (P / P' * (1 - t / P) + (1 - P / P') * 1) by (field; lra). exact D.
-Qed.
-(* A larger S/P, with the same t/P. *)
-Lemma cone_narrow S P t S' P' : cone S P t -> 0 < P' -> S * P' <= S' * P ->
-  cone S' P' (t * P' / P).
-Proof.
-  intros [P0 [T H]] P1 L. pose proof (share_range t P P0 T) as C.
-  replace (t * P' / P) with (t / P * P') by (field; lra). split; [exact P1|]. split; [nra|].
-  replace (t / P * P' / P') with (t / P) by (field; lra). apply B_upper with (1 := H); [|lra].
-  apply Rmult_le_reg_r with (P * P'); [nra|].
-  replace (r * S / P * (P * P')) with (r * (S * P')) by (field; lra).
-  replace (r * S' / P' * (P * P')) with (r * (S' * P)) by (field; lra). nra.
-Qed.
-
-Lemma failing_scale c S P Q : 0 < c -> failing S P Q -> failing (c * S) (c * P) (c * Q).
-Proof.
-  intros C [H|[t [H I]]]; [left; nra|]. right. exists (c * t). split; [now apply cone_scale|].
-  replace ((c * t) ^ 2 - 2 * a * (c * P) * (c * S) + a ^ 2 * (c * S) ^ 2)
-    with (c ^ 2 * (t ^ 2 - 2 * a * P * S + a ^ 2 * S ^ 2)) by ring.
-  rewrite Rpow_mult_distr. apply Rmult_le_compat_l; [apply pow2_ge_0|exact I].
-Qed.
-(* One of two states does not even approach. *)
-Lemma failing_sum_flat S P Q S' P' Q' : 0 <= S -> 0 <= Q <= a * S - P -> 0 <= Q' <= a * S' - P' ->
-  P <= 0 -> failing S' P' Q' -> failing (S + S') (P + P') (Q + Q').
-Proof.
-  intros S0 I I' P0 [H|[t [C H]]]; [left; lra|].
-  destruct (Rle_lt_dec (P + P') 0) as [N|N]; [now left|]. right.
-  assert (P1 := proj1 C). exists (t * (P + P') / P').
-  assert (S1 : 0 < S') by nra.
-  split; [apply cone_narrow with (1 := C); nra|].
-  set (e := (P + P') / P'). replace (t * (P + P') / P') with (e * t) by (unfold e; field; lra).
-  assert (E : 0 < e <= 1).
-  { unfold e. split; [now apply Rdiv_lt_0_compat|].
-    apply Rmult_le_reg_r with P'; [exact P1|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l; lra. }
-  assert (EP : P + P' = e * P') by (unfold e; field; lra).
-  set (A := S + (1 - e) * S'). set (D := Q + (1 - e) * Q').
-  assert (A0 : 0 <= A) by (unfold A; nra).
-  assert (D0 : 0 <= D <= a * A).
-  { unfold A, D. split; [nra|]. assert ((1 - e) * Q' <= (1 - e) * (a * S' - P'))
-      by (apply Rmult_le_compat_l; lra). nra. }
-  replace (S + S') with (A + e * S') by (unfold A; ring).
-  replace (Q + Q') with (D + e * Q') by (unfold D; ring). rewrite EP.
-  assert (e ^ 2 * Q' ^ 2 <= e ^ 2 * (t ^ 2 - 2 * a * P' * S' + a ^ 2 * S' ^ 2))
-    by (apply Rmult_le_compat_l; [apply pow2_ge_0|exact H]).
-  assert (D ^ 2 <= (a * A) ^ 2) by (apply pow_incr; lra).
-  assert (D * Q' <= a * A * (a * S' - P')) by (apply Rmult_le_compat; lra).
-  assert (e * (D * Q') <= e * (a * A * (a * S' - P'))) by (apply Rmult_le_compat_l; lra). nra.
-Qed.
-(* Both approach. The first has the smaller P/S. *)
-Lemma failing_sum_steep S P Q t S' P' Q' t' : 0 <= Q <= a * S - P -> 0 <= Q' <= a * S' - P' ->
-  cone S P t -> Q ^ 2 <= t ^ 2 - 2 * a * P * S + a ^ 2 * S ^ 2 ->
-  cone S' P' t' -> Q' ^ 2 <= t' ^ 2 - 2 * a * P' * S' + a ^ 2 * S' ^ 2 ->
-  P * S' <= P' * S -> t * S' <= t' * S -> t' * P <= t * P' ->
-  failing (S + S') (P + P') (Q + Q').
-Proof.
-  intros I I' C H C' H' LP LT LS. right. exists (t + t'). split; [now apply cone_sum|].
-  destruct C as [P0 [T _]]. destruct C' as [P1 [T' _]].
-  assert (S0 : 0 < S) by nra. assert (S1 : 0 < S') by nra.
-  assert (K : Q / S * (Q' / S') <= t / S * (t' / S') - a * (P / S + P' / S') + a ^ 2).
-  { assert (D : forall x y z w, 0 < y -> 0 < w -> x * w <= z * y -> x / y <= z / w).
-    { intros x y z w Y W L. apply Rmult_le_reg_r with (y * w); [now apply Rmult_lt_0_compat|].
-      replace (x / y * (y * w)) with (x * w) by (field; lra).
-      replace (z / w * (y * w)) with (z * y) by (field; lra). exact L. }
-    assert (D0 : forall x y, 0 < y -> 0 <= x -> 0 <= x / y).
-    { intros x y Y X. unfold Rdiv. apply Rmult_le_pos; [exact X|]. left.
-      now apply Rinv_0_lt_compat. }
-    assert (F : forall Q t P S, 0 < S -> Q ^ 2 <= t ^ 2 - 2 * a * P * S + a ^ 2 * S ^ 2 ->
-      (Q / S) ^ 2 <= (t / S) ^ 2 - 2 * a * (P / S) + a ^ 2).
-    { clear - A1. intros Q t P S S0 H. apply Rmult_le_reg_r with (S ^ 2); [apply pow_lt; lra|].
-      replace ((Q / S) ^ 2 * S ^ 2) with (Q ^ 2) by (field; lra).
-      replace (((t / S) ^ 2 - 2 * a * (P / S) + a ^ 2) * S ^ 2)
-        with (t ^ 2 - 2 * a * P * S + a ^ 2 * S ^ 2) by (field; lra). exact H. }
-    apply reversed; auto.
-    - split; [now apply Rdiv_lt_0_compat|]. apply D; lra.
-    - replace a with (a / 1) by field. apply D; lra.
-    - split; [apply D0; lra|]. apply D; lra.
-    - apply D; nra.
-    - replace (t' / S' * (P / S)) with (t' * P / (S' * S)) by (field; lra).
-      replace (t / S * (P' / S')) with (t * P' / (S' * S)) by (field; lra).
-      assert (0 < S' * S) by now apply Rmult_lt_0_compat.
-      apply D; auto. apply Rmult_le_compat_r; lra.
-    - apply D0; lra.
-    - apply D0; lra. }
-  apply Rmult_le_compat_r with (r := S * S') in K; [|nra].
-  replace (Q / S * (Q' / S') * (S * S')) with (Q * Q') in K by (field; lra).
-  replace ((t / S * (t' / S') - a * (P / S + P' / S') + a ^ 2) * (S * S'))
-    with (t * t' - a * (P * S' + P' * S) + a ^ 2 * S * S') in K by (field; lra). lra.
-Qed.
-Lemma failing_sum_ordered S P Q t S' P' Q' t' : 0 <= Q <= a * S - P -> 0 <= Q' <= a * S' - P' ->
-  cone S P t -> Q ^ 2 <= t ^ 2 - 2 * a * P * S + a ^ 2 * S ^ 2 ->
-  cone S' P' t' -> Q' ^ 2 <= t' ^ 2 - 2 * a * P' * S' + a ^ 2 * S' ^ 2 ->
-  P * S' <= P' * S -> failing (S + S') (P + P') (Q + Q').
-Proof.
-  intros I I' C H C' H' LP. assert (P0 := proj1 C). assert (P1 := proj1 C').
-  assert (S0 : 0 < S) by nra. assert (S1 : 0 < S') by nra.
-  destruct (proj2 C) as [T _]. destruct (proj2 C') as [T' _].
-  destruct (Rle_lt_dec (t * S') (t' * S)) as [L|L].
-  - destruct (Rle_lt_dec (t' * P) (t * P')) as [M|M].
-    + now apply failing_sum_steep with t t'.
-    + (* t can be larger. *)
-      assert (E : t' * P / P' * P' = t' * P) by (field; lra).
-      assert (G : t <= t' * P / P') by (apply Rmult_le_reg_r with P'; lra).
-      apply failing_sum_steep with (t' * P / P') t'; auto.
-      * apply cone_narrow with (1 := C'); lra.
-      * apply Rle_trans with (1 := H). assert (t ^ 2 <= (t' * P / P') ^ 2) by (apply pow_incr; lra).
-        lra.
-      * apply Rmult_le_reg_r with P'; [lra|]. 
-        replace (t' * P / P' * S' * P') with (t' * (P * S')) by (field; lra). nra.
-      * lra.
-  - (* t' can be larger. *)
-    assert (E : S' / S * t * S = t * S') by (field; lra).
-    assert (G : t' <= S' / S * t) by (apply Rmult_le_reg_r with S; lra).
-    assert (F : S' / S * P <= P').
-    { apply Rmult_le_reg_r with S; [lra|]. replace (S' / S * P * S) with (P * S') by (field; lra).
-      lra. }
-    apply failing_sum_steep with t (S' / S * t); auto; try lra.
-    + apply cone_wide with (S' / S * P); [|exact F].
-      replace S' with (S' / S * S) at 1 by (field; lra). apply cone_scale; auto.
-      now apply Rdiv_lt_0_compat.
-    + apply Rle_trans with (1 := H'). assert (t' ^ 2 <= (S' / S * t) ^ 2) by (apply pow_incr; lra).
-      lra.
-    + replace (S' / S * t * P) with (S' / S * P * t) by ring. nra.
-Qed.
-Lemma failing_sum S P Q S' P' Q' : 0 <= S -> 0 <= S' -> 0 <= Q <= a * S - P ->
-  0 <= Q' <= a * S' - P' -> failing S P Q -> failing S' P' Q' ->
-  failing (S + S') (P + P') (Q + Q').
-Proof.
-  intros S0 S1 I I' H H'. destruct H as [H|[t [C J]]]; [now apply failing_sum_flat|].
-  destruct H' as [H'|[t' [C' J']]].
-  - rewrite (Rplus_comm S), (Rplus_comm P), (Rplus_comm Q). apply failing_sum_flat; auto.
-    right. eauto.
-  - destruct (Rle_lt_dec (P * S') (P' * S)) as [L|L].
-    + now apply failing_sum_ordered with t t'.
-    + rewrite (Rplus_comm S), (Rplus_comm P), (Rplus_comm Q).
-      apply failing_sum_ordered with t' t; auto. lra.
-Qed.
-End Projective.
+Notation failing := (failing r a).
 
 (* --- the states from which collisions end within n steps -------------------------------------- *)
 
@@ -312,5 +90,97 @@ Proof.
     assert (0 <= (1 - c) * (rho * w)) by (apply Rmult_le_pos; lra). lra.
   - apply failing_scale; auto.
   - apply failing_scale; auto. lra.
+Qed.
+Lemma bad_more n : forall rho x v, 0 < rho -> bad n rho x v -> bad (S n) rho x v.
+Proof.
+  induction n; intros rho x v P H.
+  - destruct H as [X ->]. now apply bad_one.
+  - destruct H as [X [V H]]. split; [exact X|]. split; [exact V|].
+    destruct H as [H|[t [[A0 [T H]] J]]]; [now left|]. right. exists t. split; [|exact J].
+    split; [exact A0|]. split; [exact T|]. apply IHn; [now apply inverse_positive|exact H].
+Qed.
+Lemma bad_later n m rho x v : 0 < rho -> (n <= m)%nat -> bad n rho x v -> bad m rho x v.
+Proof. intros P L H. induction L; [exact H|]. now apply bad_more. Qed.
+
+(* They are what they are called. *)
+Lemma bad_if_stuck rho x : 0 < rho -> region x -> ~ goes_on a rho x -> bad 1 rho (q x) (u x).
+Proof.
+  intros P [Q U] N. split; [exact Q|]. split; [lra|].
+  destruct (Rle_lt_dec (p a rho x) 0) as [L|L]; [now left|]. right. exists 0.
+  assert (W : p a rho x ^ 2 <= width rho x) by (apply Rnot_lt_le; intros M; apply N; now split).
+  fold (p a rho x). split.
+  - split; [exact L|]. split; [lra|]. split; [|unfold Rdiv; ring].
+    apply Rmult_le_pos; [nra|]. left. now apply Rinv_0_lt_compat.
+  - unfold width, p in *. lra.
+Qed.
+Lemma bad_if_ends n : forall rho x, 0 < rho -> region x ->
+  ~ goes_on a (ratio rho n) (orbit r a rho x n) -> exists m, bad m rho (q x) (u x).
+Proof.
+  induction n; intros rho x P X N.
+  - exists 1%nat. now apply bad_if_stuck.
+  - destruct (Classical_Prop.classic (goes_on a rho x)) as [G|G];
+      [|exists 1%nat; now apply bad_if_stuck].
+    rewrite ratio_shift, (orbit_shift r a R1 A1) in N.
+    destruct (IHn _ _ (inverse_positive rho P) (next_region r a R1 A1 rho x P X G) N) as [m M].
+    exists (S m). pose proof (p_positive r a R1 A1 rho x P X G) as A0.
+    pose proof (next_u_range r a R1 A1 rho x P X G) as V.
+    pose proof (next_h r a R1 A1 rho x P X G) as H. destruct X as [Q U].
+    split; [exact Q|]. split; [lra|]. right. fold (p a rho x).
+    set (v := u (next r a rho x)) in *. exists ((1 - v) * p a rho x). split.
+    + split; [exact A0|]. split; [split; nra|].
+      replace (1 - (1 - v) * p a rho x / p a rho x) with v by (field; lra). exact M.
+    + replace (((1 - v) * p a rho x) ^ 2) with (p a rho x ^ 2 - h v * p a rho x ^ 2)
+        by (unfold h; ring). rewrite H. unfold width, p. lra.
+Qed.
+Lemma bad_not_unending n : forall rho x, 0 < rho -> bad n rho (q x) (u x) -> ~ unending r a rho x.
+Proof.
+  induction n; intros rho x P B H; destruct (unending_now _ _ R1 A1 _ _ H) as [X G].
+  - destruct B as [_ B]. destruct X. lra.
+  - pose proof (p_positive r a R1 A1 rho x P X G) as A0.
+    pose proof (next_u_range r a R1 A1 rho x P X G) as V.
+    pose proof (next_h r a R1 A1 rho x P X G) as W. assert (P' := inverse_positive rho P).
+    destruct B as [_ [_ [B|[t [[_ [T B]] J]]]]]; fold (p a rho x) in *; [lra|].
+    apply (IHn _ (next r a rho x) P'); [|now apply unending_next].
+    apply (bad_upper n _ _ _ _ _ P' B); [apply Rle_refl|]. split; [|lra].
+    pose proof (share_range t _ A0 T) as F. set (c := t / p a rho x) in *.
+    apply h_reflects_le; [lra|lra|].
+    apply Rmult_le_reg_r with (p a rho x ^ 2); [apply pow_lt; lra|]. rewrite W.
+    replace (h (1 - c) * p a rho x ^ 2) with (p a rho x ^ 2 - (c * p a rho x) ^ 2)
+      by (unfold h; ring).
+    replace (c * p a rho x) with t by (unfold c; field; lra). unfold width, p in *. lra.
+Qed.
+
+Theorem f_convex rho y z c : 0 < rho -> 0 <= y -> 0 <= z -> 0 <= c <= 1 ->
+  separatrix_at r a R1 A1 rho (c * y + (1 - c) * z) <=
+    c * separatrix_at r a R1 A1 rho y + (1 - c) * separatrix_at r a R1 A1 rho z.
+Proof.
+  intros P Y Z C. set (f := separatrix_at r a R1 A1 rho). set (x := c * y + (1 - c) * z).
+  assert (X : 0 <= x) by (unfold x; nra).
+  assert (F0 : forall v, 0 <= f v) by (intros; now apply f_not_negative).
+  assert (F1 : forall v, f v < 1) by (intros; now apply f_less_1).
+  apply Rnot_lt_le. intros N. set (m := c * f y + (1 - c) * f z) in *.
+  set (e := Rmin (f x - m) (Rmin (1 - f y) (1 - f z)) / 2).
+  assert (E : 0 < e /\ m + e < f x /\ f y + e < 1 /\ f z + e < 1).
+  { pose proof (Rmin_l (f x - m) (Rmin (1 - f y) (1 - f z))).
+    pose proof (Rmin_r (f x - m) (Rmin (1 - f y) (1 - f z))).
+    pose proof (Rmin_l (1 - f y) (1 - f z)). pose proof (Rmin_r (1 - f y) (1 - f z)).
+    assert (0 < Rmin (f x - m) (Rmin (1 - f y) (1 - f z))).
+    { specialize (F1 y) as G. specialize (F1 z) as K. repeat apply Rmin_glb_lt; lra. }
+    unfold e. lra. }
+  assert (BAD : forall v, 0 <= v -> f v + e < 1 -> exists n, bad n rho v (f v + e)).
+  { intros v V L. specialize (F0 v). set (w := State v (f v + e)).
+    assert (W : region w) by (unfold region, w; simpl; lra).
+    destruct (unending_or_ends r a R1 A1 rho P w W) as [H|[n H]].
+    - apply (f_upper r a R1 A1 rho P) in H. simpl in H. fold f in H. lra.
+    - exact (bad_if_ends n rho w P W H). }
+  destruct (BAD y Y) as [i I]; [lra|]. destruct (BAD z Z) as [j J]; [lra|].
+  apply (bad_later i (i + j)) in I; [|exact P|lia]. apply (bad_later j (i + j)) in J; [|exact P|lia].
+  pose proof (bad_convex _ _ _ _ _ _ c P I J C) as K. fold x in K.
+  replace (c * (f y + e) + (1 - c) * (f z + e)) with (m + e) in K by (unfold m; ring).
+  apply (bad_not_unending _ rho (State x (m + e)) P K).
+  apply (unending_under r a R1 A1 rho P); simpl; [|fold f; lra].
+  specialize (F1 x). unfold region, m. simpl. split; [exact X|].
+  assert (0 <= c * f y) by (apply Rmult_le_pos; [lra|apply F0]).
+  assert (0 <= (1 - c) * f z) by (apply Rmult_le_pos; [lra|apply F0]). unfold m in *. lra.
 Qed.
 End Convex.

@@ -45,6 +45,7 @@ Definition ends (rho : R) (x : state) := exists n, ~ goes_on (ratio rho n) (orbi
 Definition vanishing (rho : R) (x : state) := Un_cv (fun n => u (orbit rho x n)) 0.
 Definition regime (rho : R) (x : state) := unending rho x /\ vanishing rho x.
 
+Definition phi_minus := (a - sqrt (a ^ 2 - 4 * r)) / 2.
 Definition phi_plus := (a + sqrt (a ^ 2 - 4 * r)) / 2.
 End Map.
 

@@ -15,24 +15,22 @@ Hypothesis HIGH : s + s ^ 2 < a.
 
 Notation f := (separatrix_at r a R1 A1).
 
-(* If u tends to 0, q gets below s at a time when u is small: otherwise u grows over two steps. *)
-Lemma gets_low rho x e : 0 < rho -> unending r a rho x -> vanishing r a rho x -> 0 < e ->
-  exists n, q (orbit r a rho x n) < s /\ u (orbit r a rho x n) < e.
+(* If u tends to 0, q gets below s again and again: otherwise u grows over two steps. *)
+Lemma gets_low rho x e N : 0 < rho -> unending r a rho x -> vanishing r a rho x -> 0 < e ->
+  exists n, (N <= n)%nat /\ q (orbit r a rho x n) < s /\ u (orbit r a rho x n) < e.
 Proof.
   intros P H V E. set (y := orbit r a rho x) in *.
   assert (Y : forall n, unending r a (ratio rho n) (y n)) by (intros; now apply unending_orbit).
-  destruct (V e E) as [m M].
-  assert (D : forall n, {~ (q (y n) < s /\ u (y n) < e)} + {~ ~ (q (y n) < s /\ u (y n) < e)}).
-  { intros n. destruct (Rlt_dec (q (y n)) s); [|left; tauto].
-    destruct (Rlt_dec (u (y n)) e); [right|left]; tauto. }
-  destruct (ClassicalDedekindReals.sig_forall_dec _ D) as [[n N]|ALL].
-  { exists n. destruct (Rlt_dec (q (y n)) s); [|tauto]. destruct (Rlt_dec (u (y n)) e); tauto. }
+  destruct (V e E) as [m' M']. set (m := (N + m')%nat).
+  assert (M : forall n, (m <= n)%nat -> u (y n) < e).
+  { intros n L. specialize (M' n ltac:(lia)). unfold R_dist in M'. rewrite Rminus_0_r in M'.
+    apply Rle_lt_trans with (2 := M'). apply Rle_abs. }
+  destruct (Classical_Prop.classic (exists n, (m <= n)%nat /\ q (y n) < s)) as [[n [L Q]]|ALL].
+  { exists n. split; [lia|]. auto. }
   exfalso. pose proof (s_less r a s R1 A1 S1 SR) as S2.
   assert (U : forall n, 0 < u (y n)) by (intros n; apply (Y n)).
   assert (Q : forall n, (m <= n)%nat -> s <= q (y n)).
-  { intros n L. apply Rnot_lt_le. intros N. apply (ALL n). split; [exact N|].
-    specialize (M n L). specialize (U n). unfold R_dist in M. fold y in M.
-    rewrite Rminus_0_r, Rabs_pos_eq in M; lra. }
+  { intros n L. apply Rnot_lt_le. intros Z. apply ALL. now exists n. }
   assert (ONE : forall n, (m <= n)%nat -> ratio rho n * u (y n) <= u (y (S n))).
   { intros n L. pose proof (Q n L) as Q0. pose proof (Q (S n) ltac:(lia)) as Q1.
     pose proof (ratio_positive rho n P) as Pn. destruct (unending_now _ _ R1 A1 _ _ (Y n)) as [X G].
@@ -72,7 +70,7 @@ Proof.
       exact (f_upper r a R1 A1 rho P _ HC).
     - apply Rle_trans with (1 := Rmin_r _ _).
       exact (f_upper r a R1 A1 _ (inverse_positive rho P) _ HD). }
-  destruct (gets_low rho x (Rmin c d) P H V) as [n [Q U]]; [now apply Rmin_glb_lt|].
+  destruct (gets_low rho x (Rmin c d) 0 P H V) as [n [_ [Q U]]]; [now apply Rmin_glb_lt|].
   specialize (L n). pose proof (ratio_positive rho n P) as Pn.
   pose proof (unending_orbit r a R1 A1 rho x n P H) as [[Q0 _] _].
   rewrite (stays_on_curve r a R1 A1 rho x n P X E) in U.

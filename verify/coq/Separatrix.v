@@ -36,22 +36,33 @@ Fixpoint orbit (rho : R) (x : state) (n : nat) : state :=
 
 (* --- what becomes of an orbit ----------------------------------------------------------------- *)
 
-(* The collisions never end. This is the set K. *)
+(* The collisions never end. *)
 Definition unending (rho : R) (x : state) :=
   region x /\ forall n, goes_on (ratio rho n) (orbit rho x n).
 (* They end. *)
 Definition ends (rho : R) (x : state) := exists n, ~ goes_on (ratio rho n) (orbit rho x n).
-(* They never end, and u tends to 0: the Zhou-Kadanoff regime. *)
-Definition vanishing (rho : R) (x : state) := Un_cv (fun n => u (orbit rho x n)) 0.
-Definition regime (rho : R) (x : state) := unending rho x /\ vanishing rho x.
 
+(* The Zhou-Kadanoff regime: they never end, u tends to 0, q tends to phi_minus. *)
 Definition phi_minus := (a - sqrt (a ^ 2 - 4 * r)) / 2.
 Definition phi_plus := (a + sqrt (a ^ 2 - 4 * r)) / 2.
+Definition vanishing (rho : R) (x : state) := Un_cv (fun n => u (orbit rho x n)) 0.
+Definition regime (rho : R) (x : state) :=
+  unending rho x /\ vanishing rho x /\ Un_cv (fun n => q (orbit rho x n)) phi_minus.
+
+(* After two collisions the state is the same again. *)
+Definition cycle (rho : R) (y : state) := unending rho y /\ orbit rho y 2 = y.
+(* The orbits of x and of y come together. *)
+Definition tends_to (rho : R) (x y : state) :=
+  Un_cv (fun n => q (orbit rho x n) - q (orbit rho y n)) 0 /\
+  Un_cv (fun n => u (orbit rho x n) - u (orbit rho y n)) 0.
 End Map.
 
 Definition continuous_from_0 (f : R -> R) :=
   forall x e, 0 <= x -> 0 < e ->
   exists d, 0 < d /\ forall y, 0 <= y -> Rabs (y - x) < d -> Rabs (f y - f x) < e.
+Definition convex_from_0 (f : R -> R) :=
+  forall x y c, 0 <= x -> 0 <= y -> 0 <= c <= 1 ->
+  f (c * x + (1 - c) * y) <= c * f x + (1 - c) * f y.
 
 (* --- the theorem ------------------------------------------------------------------------------ *)
 
@@ -63,15 +74,20 @@ Definition separatrix_theorem : Prop :=
     regime r a rho x) /\
   (* 2. There are such states if and only if a exceeds a threshold. *)
   ((exists x, unending r a rho x) <-> s + s ^ 2 < a) /\
-  (* 3. Then there is a separatrix: a continuous curve u = f(q), strictly decreasing until it
-     reaches 0 at phi_plus. Below it is the regime; above it the collisions end; on it they never
-     end, but the state is not in the regime. *)
+  (* 3. Then there is a separatrix: a convex continuous curve u = f(q), strictly decreasing until it
+     reaches 0 at phi_plus. Below it is the regime; above it the collisions end; on it they do
+     neither, and the orbit tends to a cycle on the curve. *)
   (s + s ^ 2 < a -> exists f : R -> R,
-    continuous_from_0 f /\
+    continuous_from_0 f /\ convex_from_0 f /\
     (forall y, 0 <= y -> 0 <= f y <= a / (a + rho)) /\
     (forall y, 0 <= y < phi_plus r a -> 0 < f y) /\
     (forall y z, 0 <= y < z -> z <= phi_plus r a -> f z < f y) /\
     (forall y, phi_plus r a <= y -> f y = 0) /\
     (forall x, region x -> u x < f (q x) -> regime r a rho x) /\
     (forall x, region x -> f (q x) < u x -> ends r a rho x) /\
-    (forall x, region x -> u x = f (q x) -> unending r a rho x /\ ~ vanishing r a rho x)).
+    (forall x, region x -> u x = f (q x) ->
+      unending r a rho x /\ ~ vanishing r a rho x /\
+      exists y, cycle r a rho y /\ u y = f (q y) /\ tends_to r a rho x y)) /\
+  (* 4. If the ratio is 1, there is one cycle, and it is a fixed point. *)
+  (s + s ^ 2 < a -> rho = 1 ->
+    exists y, next r a rho y = y /\ forall z, cycle r a rho z <-> z = y).

@@ -99,10 +99,10 @@ Proof.
   apply interior_below with (State (q x) (f (q x))); auto; unfold region, below; simpl; try lra.
   apply f_attained; lra.
 Qed.
-Lemma regime_under_curve x : region x -> u x < f (q x) -> regime r a rho x.
+Lemma fades_under_curve x : region x -> u x < f (q x) -> fades r a rho x.
 Proof.
   intros X L. destruct (interior_if_below_curve x X L) as [e [E H]].
-  apply regime_below with (State (q x + e) (u x + e)); auto; simpl; unfold region in X; try lra.
+  apply fades_below with (State (q x + e) (u x + e)); auto; simpl; unfold region in X; try lra.
   intros N. apply (f_equal q) in N. simpl in N. lra.
 Qed.
 Lemma f_strict y z : 0 <= y < z -> 0 < f y -> f z < f y.

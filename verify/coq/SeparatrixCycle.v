@@ -269,7 +269,7 @@ Lemma cycle_on_curve rho y : 0 < rho -> unending r a rho y -> orbit r a rho y 2 
 Proof.
   intros P H C. assert (X := proj1 H). split; [exact X|].
   apply Rle_antisym; [now apply f_upper|]. apply Rnot_lt_le. intros L.
-  destruct (regime_under_curve r a R1 A1 rho P y X L) as [_ V].
+  destruct (fades_under_curve r a R1 A1 rho P y X L) as [_ V].
   assert (EVEN : forall n, orbit r a rho y (2 * n) = y).
   { induction n; [reflexivity|]. rewrite (even_step r a R1 A1), IHn. exact C. }
   destruct X as [_ [U _]]. destruct (V (u y) U) as [m M]. specialize (M (2 * m)%nat ltac:(lia)).

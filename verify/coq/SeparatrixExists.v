@@ -160,8 +160,8 @@ Qed.
 Lemma none_low rho x : 0 < rho -> ~ unending r a rho x.
 Proof.
   intros P H. destruct (unending_now _ _ R1 A1 _ _ H) as [[Q U] _].
-  assert (N : regime r a rho (State (q x) (u x / 2))).
-  { apply (regime_below r a R1 A1 rho _ x P H); simpl; try lra.
+  assert (N : fades r a rho (State (q x) (u x / 2))).
+  { apply (fades_below r a R1 A1 rho _ x P H); simpl; try lra.
     intros E. rewrite <- E in U at 2. apply (f_equal u) in E. simpl in E. lra. }
   destruct N as [N V]. now apply (not_vanishing_low rho _ P N).
 Qed.

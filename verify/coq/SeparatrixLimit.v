@@ -137,7 +137,7 @@ Proof.
 Qed.
 End Orbit.
 
-Theorem q_tends rho x : 0 < rho -> regime r a rho x ->
+Theorem q_tends rho x : 0 < rho -> fades r a rho x ->
   Un_cv (fun n => q (orbit r a rho x n)) (phi_minus r a).
 Proof.
   intros P [H V] e E. destruct roots as [SUM [PROD [M T]]].

@@ -1,5 +1,5 @@
-(* The main step: what lies strictly below a state whose collisions never end is in the
-   Zhou-Kadanoff regime. Before it, what is needed on limits. *)
+(* The main step: below a state whose collisions never end they never end either, and u tends to 0.
+   Before it, what is needed on limits. *)
 From Coq Require Import Reals Arith Lra Lia Psatz.
 From Verify Require Import Separatrix SeparatrixOrder.
 Open Scope R_scope.
@@ -60,6 +60,8 @@ Proof.
     apply Rmult_le_compat_l; [apply Rabs_pos|nra]. }
   unfold m in L. nra.
 Qed.
+
+Definition fades (r a rho : R) (x : state) := unending r a rho x /\ vanishing r a rho x.
 
 Section Main.
 Variables r a : R.
@@ -172,8 +174,8 @@ Lemma vanishing_shift rho x :
 Proof.
   intros H. apply cv_unshift. apply cv_ext with (2 := H). intros n. now rewrite (orbit_shift r a R1 A1).
 Qed.
-Theorem regime_below rho x y : 0 < rho -> unending r a rho y -> 0 <= q x <= q y ->
-  0 < u x <= u y -> x <> y -> regime r a rho x.
+Theorem fades_below rho x y : 0 < rho -> unending r a rho y -> 0 <= q x <= q y ->
+  0 < u x <= u y -> x <> y -> fades r a rho x.
 Proof.
   intros P H Q U N. destruct (unending_now _ _ R1 A1 _ _ H) as [Y G].
   assert (X : region x) by (unfold region in *; lra).

@@ -85,7 +85,8 @@ Proof.
   pose proof (fun z0 v0 z1 v1 => bad_upper n (/ rho) z0 v0 z1 v1 P') as B3.
   pose proof (fun z0 v0 z1 v1 d => IHn (/ rho) z0 v0 z1 v1 d P') as B4.
   apply failing_sum; auto; try (apply Rmult_le_pos; lra).
-  - split; [apply Rmult_le_pos; lra|]. assert (0 <= c * (rho * v)) by (apply Rmult_le_pos; lra). lra.
+  - split; [apply Rmult_le_pos; lra|]. assert (0 <= c * (rho * v)) by (apply Rmult_le_pos; lra).
+    lra.
   - split; [apply Rmult_le_pos; lra|].
     assert (0 <= (1 - c) * (rho * w)) by (apply Rmult_le_pos; lra). lra.
   - apply failing_scale; auto.
@@ -174,7 +175,8 @@ Proof.
     - apply (f_upper r a R1 A1 rho P) in H. simpl in H. fold f in H. lra.
     - exact (bad_if_ends n rho w P W H). }
   destruct (BAD y Y) as [i I]; [lra|]. destruct (BAD z Z) as [j J]; [lra|].
-  apply (bad_later i (i + j)) in I; [|exact P|lia]. apply (bad_later j (i + j)) in J; [|exact P|lia].
+  apply (bad_later i (i + j)) in I; [|exact P|lia].
+  apply (bad_later j (i + j)) in J; [|exact P|lia].
   pose proof (bad_convex _ _ _ _ _ _ c P I J C) as K. fold x in K.
   replace (c * (f y + e) + (1 - c) * (f z + e)) with (m + e) in K by (unfold m; ring).
   apply (bad_not_unending _ rho (State x (m + e)) P K).

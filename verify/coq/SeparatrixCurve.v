@@ -1,5 +1,5 @@
-(* The separatrix f(q), the largest u from which collisions never end: it is attained, it bounds what
-   the set is a neighbourhood of, it decreases strictly, it is continuous. *)
+(* The separatrix f(q), the largest u from which collisions never end: it is attained, it bounds
+   what the set is a neighbourhood of, it decreases strictly, it is continuous. *)
 From Coq Require Import Reals Arith Lra Lia Psatz.
 From Coq Require ClassicalDedekindReals.
 From Verify Require Import Separatrix SeparatrixOrder SeparatrixMain SeparatrixTopology.
@@ -57,7 +57,8 @@ Proof.
   { intros n. set (y := orbit r a rho x n). set (c := ratio rho n). unfold goes_on.
     destruct (Rlt_dec 0 (p a c y)); [|right; tauto].
     destruct (Rlt_dec (c * u y * (2 * q y + c * u y)) (p a c y ^ 2)); [left|right]; tauto. }
-  destruct (ClassicalDedekindReals.sig_forall_dec _ E) as [[n N]|H]; [right; now exists n|left; now split].
+  destruct (ClassicalDedekindReals.sig_forall_dec _ E) as [[n N]|H];
+    [right; now exists n|left; now split].
 Qed.
 Lemma unending_under x : region x -> u x < f (q x) -> unending r a rho x.
 Proof.

@@ -45,8 +45,10 @@ Lemma image_order rho x y : 0 < rho -> region x -> region y -> goes_on a rho x -
   u x <= u y.
 Proof.
   intros P X Y GX GY LQ LU.
-  pose proof (next_q r a R1 A1 rho x P X GX) as QX. pose proof (next_q r a R1 A1 rho y P Y GY) as QY.
-  pose proof (next_h r a R1 A1 rho x P X GX) as HX. pose proof (next_h r a R1 A1 rho y P Y GY) as HY.
+  pose proof (next_q r a R1 A1 rho x P X GX) as QX.
+  pose proof (next_q r a R1 A1 rho y P Y GY) as QY.
+  pose proof (next_h r a R1 A1 rho x P X GX) as HX.
+  pose proof (next_h r a R1 A1 rho y P Y GY) as HY.
   pose proof (next_u_range r a R1 A1 rho x P X GX) as UX.
   pose proof (next_u_range r a R1 A1 rho y P Y GY) as UY.
   pose proof (next_q_positive r a R1 A1 rho y P Y GY) as PQ.
@@ -190,7 +192,8 @@ Proof.
   assert (UL : Un_cv (fun n => u (z (2 * n)%nat)) (f rho l)).
   { apply cv_ext with (fun n => f rho (q (z (2 * n)%nat))).
     - intros n. symmetry. apply (on_curve_even r a R1 A1 rho x n P C).
-    - apply (continuous_tends r a R1 A1 (f rho)); auto using f_continuous. intros n. apply (Z (2 * n)%nat). }
+    - apply (continuous_tends r a R1 A1 (f rho)); auto using f_continuous. intros n.
+      apply (Z (2 * n)%nat). }
   destruct (Rle_lt_or_eq_dec 0 _ (f_not_negative r a R1 A1 rho P l)) as [F|F].
   - set (y := State l (f rho l)).
     pose proof (f_less_1 r a R1 A1 rho P l) as F1.
@@ -303,7 +306,8 @@ Proof.
   split; [exact P0|]. split; [|now split].
   apply Rmult_eq_reg_l with (1 - u y); [|lra]. rewrite Rmult_0_r.
   assert (W3 : (2 - u y) * P ^ 3 = 2 * (r * (1 - u y)) + u y * P).
-  { rewrite <- Q. replace ((2 - u y) * P ^ 3) with ((2 - u y) * P ^ 2 * P) by ring. rewrite W'. ring. }
+  { rewrite <- Q. replace ((2 - u y) * P ^ 3) with ((2 - u y) * P ^ 2 * P) by ring. rewrite W'.
+    ring. }
   replace ((1 - u y) * (P ^ 3 + (a + 1) * P ^ 2 - (a + r) * P - r))
     with ((2 - u y) * P ^ 3 - P ^ 3 + P * (1 - u y) - 2 * r * (1 - u y)
       - (1 - P) * ((1 - u y) * ((a + 1) * P - r))) by ring.
@@ -315,7 +319,8 @@ Proof.
   intros Y Z CY CZ. pose proof Rlt_0_1 as P1.
   pose proof (cycle_fixed y (cycle_on_curve 1 y P1 Y CY) CY) as FY.
   pose proof (cycle_fixed z (cycle_on_curve 1 z P1 Z CZ) CZ) as FZ.
-  destruct (fixed_root y Y FY) as [PY [EY [SY QY]]]. destruct (fixed_root z Z FZ) as [PZ [EZ [SZ QZ]]].
+  destruct (fixed_root y Y FY) as [PY [EY [SY QY]]].
+  destruct (fixed_root z Z FZ) as [PZ [EZ [SZ QZ]]].
   set (v := p a 1 y) in *. set (w := p a 1 z) in *.
   assert (E : v = w).
   { assert (N : (w - v) * (v * w * (v + w) + (a + 1) * (v * w) + r) = 0).

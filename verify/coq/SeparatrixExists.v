@@ -1,5 +1,5 @@
-(* When collisions can go on for ever: if and only if a > s + s^2, where s is the cube root of r. Then
-   they do so from small u for every q below phi_plus, and for no q from phi_plus on. *)
+(* When collisions can go on for ever: if and only if a > s + s^2, where s is the cube root of r.
+   Then they do so from small u for every q below phi_plus, and for no q from phi_plus on. *)
 From Coq Require Import Reals Arith Lra Lia Psatz.
 From Verify Require Import Separatrix SeparatrixOrder SeparatrixMain SeparatrixTopology.
 Open Scope R_scope.
@@ -34,7 +34,8 @@ Proof.
   assert (r < q (next r a rho x) * (s + s ^ 2)) by nra. rewrite <- SR in *.
   apply Rmult_le_reg_r with (s + s ^ 2); [nra|].
   assert (s ^ 2 / 2 * (s + s ^ 2) <= s ^ 3); [|lra].
-  assert (0 < s ^ 3) by lra. replace (s ^ 2 / 2 * (s + s ^ 2)) with (s ^ 3 * ((1 + s) / 2)) by field.
+  assert (0 < s ^ 3) by lra. replace (s ^ 2 / 2 * (s + s ^ 2)) with (s ^ 3 * ((1 + s) / 2))
+    by field.
   nra.
 Qed.
 Lemma deficit_falls rho x : 0 < rho -> unending r a rho x ->
@@ -286,7 +287,8 @@ Qed.
 
 (* --- below phi_plus --------------------------------------------------------------------------- *)
 
-Definition reached (y : R) := forall rho, 0 < rho -> exists e, 0 < e /\ unending r a rho (State y e).
+Definition reached (y : R) := forall rho, 0 < rho -> exists e, 0 < e /\
+  unending r a rho (State y e).
 Lemma reached_below y z : 0 <= y <= z -> reached z -> reached y.
 Proof.
   intros L H rho P. destruct (H rho P) as [e [E U]]. exists e. split; [exact E|].
@@ -318,7 +320,8 @@ Proof.
   assert (W : width rho x <= h v * p a rho x ^ 2) by (rewrite PE; unfold width, x; simpl in *; nra).
   assert (G : goes_on a rho x).
   { split; [lra|]. fold (width rho x). assert (0 < p a rho x ^ 2) by (apply pow_lt; lra). nra. }
-  apply unending_from_next; auto. apply unending_below with (State z v); auto using inverse_positive.
+  apply unending_from_next; auto.
+  apply unending_below with (State z v); auto using inverse_positive.
   - now apply next_region.
   - split; [change (q (next r a rho x) <= z)|change (u (next r a rho x) <= v)].
     + apply next_q_le; auto. rewrite PE. simpl. lra.
@@ -340,7 +343,8 @@ Proof.
     - apply Rle_trans with (1 := Rmin_l _ _). unfold g. nra.
     - apply Rle_trans with (1 := Rmin_r _ _). unfold g. nra. }
   set (c := d / (2 * a)). assert (C : 0 < c) by (apply Rdiv_lt_0_compat; lra).
-  assert (CA : c * a < d) by (unfold c; replace (d / (2 * a) * a) with (d / 2) by (field; lra); lra).
+  assert (CA : c * a < d) by (unfold c; replace (d / (2 * a) * a) with (d / 2) by (field; lra);
+    lra).
   assert (ALL : forall n v, 0 <= v <= y -> v <= s ^ 2 + INR n * c -> reached v).
   { induction n; intros v V M.
     - apply reached_below with (s ^ 2); [simpl in M; lra|]. exact sink.

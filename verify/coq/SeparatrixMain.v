@@ -44,7 +44,8 @@ Proof.
   - exists l. split; [exact L|]. exact (cv_le _ _ _ _ (cv_const 0) L P).
 Qed.
 (* A quadratic polynomial that is positive at 0 is positive nearby. *)
-Lemma small (b c d : R) : 0 < b -> exists e, 0 < e /\ forall x, 0 < x <= e -> 0 < b + c * x + d * x ^ 2.
+Lemma small (b c d : R) : 0 < b ->
+  exists e, 0 < e /\ forall x, 0 < x <= e -> 0 < b + c * x + d * x ^ 2.
 Proof.
   intros B. set (m := Rabs c + Rabs d + 1).
   assert (M : 0 < m) by (unfold m; pose proof (Rabs_pos c); pose proof (Rabs_pos d); lra).
@@ -80,7 +81,8 @@ Proof.
   pose proof (next_h r a R1 A1 rho x P X GX) as HX. pose proof (next_h r a R1 A1 rho y P Y G) as HY.
   pose proof (next_u_range r a R1 A1 rho x P X GX) as UX.
   pose proof (next_u_range r a R1 A1 rho y P Y G) as UY.
-  pose proof (p_difference r a R1 A1 rho x y P X Y B G) as D. pose proof (p_order r a R1 A1 rho x y P X Y B G) as O.
+  pose proof (p_difference r a R1 A1 rho x y P X Y B G) as D.
+  pose proof (p_order r a R1 A1 rho x y P X Y B G) as O.
   pose proof (p_positive r a R1 A1 rho y P Y G) as PY.
   set (v := u (next r a rho x)) in *. set (w := u (next r a rho y)) in *.
   set (px := p a rho x) in *. set (py := p a rho y) in *.
@@ -172,7 +174,8 @@ Qed.
 Lemma vanishing_shift rho x :
   vanishing r a (/ rho) (next r a rho x) -> vanishing r a rho x.
 Proof.
-  intros H. apply cv_unshift. apply cv_ext with (2 := H). intros n. now rewrite (orbit_shift r a R1 A1).
+  intros H. apply cv_unshift. apply cv_ext with (2 := H). intros n.
+  now rewrite (orbit_shift r a R1 A1).
 Qed.
 Theorem fades_below rho x y : 0 < rho -> unending r a rho y -> 0 <= q x <= q y ->
   0 < u x <= u y -> x <> y -> fades r a rho x.

@@ -1,6 +1,6 @@
-(* Backwards, a step makes a convex set of a convex set: of the states (q, u) whose next state lies in
-   a convex set that contains what lies above each of its points. In the coordinates S = 1 - u,
-   P = p, Q = q, which are affine in the state, the step is projective. *)
+(* The states whose next state lies in a convex set form a convex set, if the given set contains
+   what lies above each of its points. In the coordinates S = 1 - u, P = p, Q = q, which are affine
+   in the state, the step is projective. *)
 From Coq Require Import Reals Arith Lra Lia Psatz.
 Open Scope R_scope.
 Set Default Proof Using "All".
@@ -33,11 +33,13 @@ Proof.
     - assert ((s - t) * w <= s * (w - v)) by lra.
       replace ((s - t) * (s + y) * w) with ((s - t) * w * (s + y)) by ring.
       apply Rmult_le_compat_r; lra.
-    - assert ((w - v) * (s * (s + y)) <= (w - v) * (a * w)) by (apply Rmult_le_compat_l; lra). lra. }
+    - assert ((w - v) * (s * (s + y)) <= (w - v) * (a * w)) by (apply Rmult_le_compat_l; lra).
+      lra. }
   assert (I3 : y + (s - t) <= x).
   { assert ((y + (s - t)) * (y + (s - t)) <= x * x).
     { rewrite EA. replace ((y + (s - t)) * (y + (s - t)))
-        with (y * y + 2 * y * (s - t) + (s - t) * (s - t)) by ring. rewrite EB. unfold A0, B0. lra. }
+        with (y * y + 2 * y * (s - t) + (s - t) * (s - t)) by ring. rewrite EB. unfold A0, B0.
+        lra. }
     apply Rnot_lt_le. intros N. nra. }
   assert (k * l <= x * y) by (apply Rmult_le_compat; lra).
   assert (2 * (x * y) <= 2 * (t * s - a * (v + w) + a ^ 2)); [|lra].
@@ -196,7 +198,7 @@ Proof.
       * apply cone_narrow with (1 := C'); lra.
       * apply Rle_trans with (1 := H). assert (t ^ 2 <= (t' * P / P') ^ 2) by (apply pow_incr; lra).
         lra.
-      * apply Rmult_le_reg_r with P'; [lra|]. 
+      * apply Rmult_le_reg_r with P'; [lra|].
         replace (t' * P / P' * S' * P') with (t' * (P * S')) by (field; lra). nra.
       * lra.
   - (* t' can be larger. *)

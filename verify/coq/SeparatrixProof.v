@@ -47,7 +47,8 @@ Proof.
       destruct (reached_up_to r a s R1 A1 S1 SR HIGH 0 ltac:(nra) 1 P) as [e [E H]].
       apply (f_upper r a R1 A1 1 P) in H. simpl in H.
       pose proof (f_less_1 r a R1 A1 1 P 0).
-      exists (State 0 (separatrix_at r a R1 A1 1 0)). split; [unfold region; simpl; lra|reflexivity]. }
+      exists (State 0 (separatrix_at r a R1 A1 1 0)).
+      split; [unfold region; simpl; lra|reflexivity]. }
     destruct E as [x C]. destruct (tends_to_cycle r a s R1 A1 S1 SR HIGH 1 x P C) as [y [Y [CY _]]].
     assert (H := on_curve_unending r a R1 A1 1 y P Y).
     exists y. split; [now apply (cycle_fixed r a s R1 A1 S1 SR HIGH)|].

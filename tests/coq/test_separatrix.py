@@ -1,4 +1,4 @@
-"""The page with the separatrix theorem in Coq can be read alone, and what is proved is what it says.
+"""The page with the separatrix theorem in Coq can be read alone, and the theorem is what it says.
 
 That it is proved is for Coq to say: `verify/coq/build-separatrix`.
 """

@@ -76,8 +76,8 @@ Definition separatrix_theorem : Prop :=
   ((exists x, unending r a rho x) <-> s + s ^ 2 < a) /\
   (* 3. Then there is a separatrix: a convex continuous curve u = f(q), strictly decreasing until it
      reaches 0 at phi_plus. Below it is the regime; above it the collisions end; on it they do
-     neither, and the orbit tends to a cycle on the curve. *)
-  (s + s ^ 2 < a -> exists f : R -> R,
+     neither, and all orbits tend to one cycle on the curve, the only cycle that there is. *)
+  (s + s ^ 2 < a -> exists (f : R -> R) (c : state),
     continuous_from_0 f /\ convex_from_0 f /\
     (forall y, 0 <= y -> 0 <= f y <= a / (a + rho)) /\
     (forall y, 0 <= y < phi_plus r a -> 0 < f y) /\
@@ -86,8 +86,6 @@ Definition separatrix_theorem : Prop :=
     (forall x, region x -> u x < f (q x) -> regime r a rho x) /\
     (forall x, region x -> f (q x) < u x -> ends r a rho x) /\
     (forall x, region x -> u x = f (q x) ->
-      unending r a rho x /\ ~ vanishing r a rho x /\
-      exists y, cycle r a rho y /\ u y = f (q y) /\ tends_to r a rho x y)) /\
-  (* 4. If the ratio is 1, there is one cycle, and it is a fixed point. *)
-  (s + s ^ 2 < a -> rho = 1 ->
-    exists y, next r a rho y = y /\ forall z, cycle r a rho z <-> z = y).
+      unending r a rho x /\ ~ vanishing r a rho x /\ tends_to r a rho x c) /\
+    (forall x, cycle r a rho x <-> x = c) /\ u c = f (q c) /\
+    (rho = 1 -> next r a rho c = c)).

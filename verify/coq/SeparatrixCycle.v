@@ -1,5 +1,5 @@
-(* Orbits on the separatrix tend to a cycle of length two, because the map is increasing on it; if
-   the ratio is 1, there is only one such cycle, and it is a fixed point. *)
+(* Orbits on the separatrix tend to a cycle of length two, because the map is increasing on it. If
+   the ratio is 1, the cycle is a fixed point. *)
 From Coq Require Import Reals Arith Lra Lia Psatz.
 From Verify Require Import Separatrix SeparatrixOrder SeparatrixMain SeparatrixTopology.
 From Verify Require Import SeparatrixExists SeparatrixCurve SeparatrixGraph.
@@ -286,55 +286,5 @@ Proof.
   destruct (Rtotal_order (q y) (q (next r a 1 y))) as [L|[E|L]]; [|exact E|].
   - pose proof (increasing r a R1 A1 1 _ _ P Y N L) as M. rewrite C in M. lra.
   - pose proof (increasing r a R1 A1 1 _ _ P N Y L) as M. rewrite C in M. lra.
-Qed.
-(* The factor p of a fixed point is the positive root of a cubic polynomial. *)
-Lemma fixed_root y : unending r a 1 y -> next r a 1 y = y ->
-  let P := p a 1 y in 0 < P /\ P ^ 3 + (a + 1) * P ^ 2 - (a + r) * P - r = 0 /\
-  P * (P + 1) = (1 - u y) * ((a + 1) * P - r) /\ q y * P = r * (1 - u y).
-Proof.
-  intros H F P. destruct (unending_now _ _ R1 A1 _ _ H) as [X G]. pose proof Rlt_0_1 as P1.
-  pose proof (p_positive r a R1 A1 1 y P1 X G) as P0.
-  pose proof (next_q r a R1 A1 1 y P1 X G) as Q. pose proof (next_h r a R1 A1 1 y P1 X G) as W.
-  rewrite F in Q, W. fold P in P0, Q, W. destruct X as [_ [U0 U1]].
-  assert (E : P = a * (1 - u y) - q y - u y) by (unfold P, p; ring).
-  assert (W' : (2 - u y) * P ^ 2 = 2 * q y + u y).
-  { apply Rmult_eq_reg_l with (u y); [|lra]. unfold h, width in W. lra. }
-  assert (C : P * (P + 1) = (1 - u y) * ((a + 1) * P - r)).
-  { replace (P * (P + 1)) with (P * P + P) by ring. rewrite E at 2.
-    replace ((1 - u y) * ((a + 1) * P - r)) with ((1 - u y) * (a + 1) * P - r * (1 - u y)) by ring.
-    rewrite <- Q. ring. }
-  split; [exact P0|]. split; [|now split].
-  apply Rmult_eq_reg_l with (1 - u y); [|lra]. rewrite Rmult_0_r.
-  assert (W3 : (2 - u y) * P ^ 3 = 2 * (r * (1 - u y)) + u y * P).
-  { rewrite <- Q. replace ((2 - u y) * P ^ 3) with ((2 - u y) * P ^ 2 * P) by ring. rewrite W'.
-    ring. }
-  replace ((1 - u y) * (P ^ 3 + (a + 1) * P ^ 2 - (a + r) * P - r))
-    with ((2 - u y) * P ^ 3 - P ^ 3 + P * (1 - u y) - 2 * r * (1 - u y)
-      - (1 - P) * ((1 - u y) * ((a + 1) * P - r))) by ring.
-  rewrite <- C, W3. ring.
-Qed.
-Theorem one_cycle y z : unending r a 1 y -> unending r a 1 z ->
-  orbit r a 1 y 2 = y -> orbit r a 1 z 2 = z -> y = z.
-Proof.
-  intros Y Z CY CZ. pose proof Rlt_0_1 as P1.
-  pose proof (cycle_fixed y (cycle_on_curve 1 y P1 Y CY) CY) as FY.
-  pose proof (cycle_fixed z (cycle_on_curve 1 z P1 Z CZ) CZ) as FZ.
-  destruct (fixed_root y Y FY) as [PY [EY [SY QY]]].
-  destruct (fixed_root z Z FZ) as [PZ [EZ [SZ QZ]]].
-  set (v := p a 1 y) in *. set (w := p a 1 z) in *.
-  assert (E : v = w).
-  { assert (N : (w - v) * (v * w * (v + w) + (a + 1) * (v * w) + r) = 0).
-    { replace ((w - v) * (v * w * (v + w) + (a + 1) * (v * w) + r))
-        with (v * (w ^ 3 + (a + 1) * w ^ 2 - (a + r) * w - r)
-          - w * (v ^ 3 + (a + 1) * v ^ 2 - (a + r) * v - r)) by ring.
-      rewrite EY, EZ. ring. }
-    assert (0 < v * w) by now apply Rmult_lt_0_compat.
-    assert (0 < v * w * (v + w)) by (apply Rmult_lt_0_compat; lra).
-    apply Rmult_integral in N. destruct N as [N|N]; [lra|]. nra. }
-  rewrite E in *. assert (C : (a + 1) * w - r <> 0).
-  { intros N. rewrite N, Rmult_0_r in SZ. nra. }
-  assert (S : 1 - u y = 1 - u z).
-  { apply Rmult_eq_reg_r with ((a + 1) * w - r); [|exact C]. now rewrite <- SY, <- SZ. }
-  apply state_equal; [|lra]. apply Rmult_eq_reg_r with w; [|lra]. now rewrite QY, QZ, S.
 Qed.
 End Cycle.

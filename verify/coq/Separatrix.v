@@ -1,12 +1,12 @@
 (* The separatrix of the limit map: what the theorem says. This page can be read alone; it proves
-   nothing. The proof is in SeparatrixOrder.v, SeparatrixMain.v, SeparatrixExists.v and
-   SeparatrixGraph.v; it uses no certificate.
+   nothing. The proof is in the other files with this name, and SeparatrixProof.v puts it together; it
+   uses no certificate.
 
    Three balls collapse: ball 0 collides with the two others in turn. In the limit of small
-   distances the state just after a collision is a pair of numbers. q >= 0 is the normal speed with
-   which the pair that has just collided recedes, divided by the one with which the next pair
-   approaches. 0 < u < 1 is the share u of the next flight: u(2-u) = 2 phi_2 |W|^2 in the
-   letters of the paper, where q is phi_1. *)
+   distances the state just after a collision is a pair of numbers. q >= 0, phi_1 in the letters of
+   the paper, is the normal speed with which the pair that has just collided recedes, divided by
+   the one with which the next pair approaches. 0 < u < 1 stands for the distance of the next pair:
+   u (2 - u) = 2 phi_2 |W|^2, where W is its tangential velocity. *)
 From Coq Require Import Reals Arith.
 Open Scope R_scope.
 
@@ -16,7 +16,7 @@ Definition region (x : state) := 0 <= q x /\ 0 < u x < 1.
 Section Map.
 Variables r a : R.  (* the coefficient of restitution; (1+r)/2 times minus the cosine *)
 
-(* --- the map: rho is the ratio of the squares of the two tangential speeds -------------------- *)
+(* --- the map: rho is |W|^2 of the pair that has collided, divided by |W|^2 of the next pair ---- *)
 
 (* The factor by which the normal speed shrinks. The next pair approaches if it is positive. *)
 Definition p (rho : R) (x : state) := a * (1 - u x) - q x - rho * u x.
@@ -39,7 +39,7 @@ Fixpoint orbit (rho : R) (x : state) (n : nat) : state :=
 (* The collisions never end. *)
 Definition unending (rho : R) (x : state) :=
   region x /\ forall n, goes_on (ratio rho n) (orbit rho x n).
-(* They end. *)
+(* They end. What next says after that means nothing. *)
 Definition ends (rho : R) (x : state) := exists n, ~ goes_on (ratio rho n) (orbit rho x n).
 
 (* The Zhou-Kadanoff regime: they never end, u tends to 0, q tends to phi_minus. *)

@@ -51,7 +51,8 @@ Lemma chord rho x y : 0 < rho -> on_curve rho x -> on_curve rho y -> q x < q y -
 Proof.
   intros P X Y L. pose proof (phi_plus_root r a s R1 A1 S1 SR HIGH) as [ROOT _].
   pose proof (q_below_phi_plus rho y P Y) as T.
-  pose proof (increasing r a R1 A1 rho x y P X Y L) as LN. destruct (height rho x P X) as [HX DX]. destruct (height rho y P Y) as [HY DY].
+  pose proof (increasing r a R1 A1 rho x y P X Y L) as LN.
+  destruct (height rho x P X) as [HX DX]. destruct (height rho y P Y) as [HY DY].
   set (v := q (next r a rho x)) in *. set (w := q (next r a rho y)) in *.
   set (c := (t - q y) / (t - q x)).
   assert (X0 : 0 <= q x) by apply X.

@@ -1,5 +1,5 @@
 (* The separatrix of the limit map: what the theorem says. This page can be read alone; it proves
-   nothing. The proof is in the other files with this name, and SeparatrixProof.v puts it together; it
+   nothing. The proof is in the other files with this name; SeparatrixProof.v puts it together. It
    uses no certificate.
 
    Three balls collapse: ball 0 collides with the two others in turn. In the limit of small
@@ -16,7 +16,7 @@ Definition region (x : state) := 0 <= q x /\ 0 < u x < 1.
 Section Map.
 Variables r a : R.  (* the coefficient of restitution; (1+r)/2 times minus the cosine *)
 
-(* --- the map: rho is |W|^2 of the pair that has collided, divided by |W|^2 of the next pair ---- *)
+(* --- the map: rho is |W|^2 of the pair that has collided, divided by |W|^2 of the next pair --- *)
 
 (* The factor by which the normal speed shrinks. The next pair approaches if it is positive. *)
 Definition p (rho : R) (x : state) := a * (1 - u x) - q x - rho * u x.

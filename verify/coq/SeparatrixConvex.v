@@ -4,7 +4,6 @@ From Coq Require Import Reals Arith Lra Lia Psatz.
 From Verify Require Import Separatrix SeparatrixOrder SeparatrixMain SeparatrixTopology.
 From Verify Require Import SeparatrixCurve SeparatrixProjective.
 Open Scope R_scope.
-Set Default Proof Using "All".
 
 Section Convex.
 Variables r a : R.
@@ -67,12 +66,12 @@ Lemma bad_convex n : forall rho x v y w c, 0 < rho -> bad n rho x v -> bad n rho
 Proof.
   induction n; intros rho x v y w c P H K C.
   { simpl in *. split; [nra|]. destruct H as [_ ->]. destruct K as [_ ->]. ring. }
-  destruct (Rle_lt_or_eq_dec 0 c (proj1 C)) as [C0|C0].
-  2: { rewrite <- C0. replace (0 * x + (1 - 0) * y) with y by ring.
-       replace (0 * v + (1 - 0) * w) with w by ring. exact K. }
-  destruct (Rle_lt_or_eq_dec c 1 (proj2 C)) as [C1|C1].
-  2: { rewrite C1. replace (1 * x + (1 - 1) * y) with x by ring.
-       replace (1 * v + (1 - 1) * w) with v by ring. exact H. }
+  destruct (Rle_lt_or_eq_dec 0 c (proj1 C)) as [C0|C0];
+    [|rewrite <- C0; replace (0 * x + (1 - 0) * y) with y by ring;
+      replace (0 * v + (1 - 0) * w) with w by ring; exact K].
+  destruct (Rle_lt_or_eq_dec c 1 (proj2 C)) as [C1|C1];
+    [|rewrite C1; replace (1 * x + (1 - 1) * y) with x by ring;
+      replace (1 * v + (1 - 1) * w) with v by ring; exact H].
   destruct H as [X [V H]]. destruct K as [Y [W K]]. assert (P' := inverse_positive rho P).
   split; [nra|]. split; [nra|].
   assert (RV : 0 <= rho * v) by (apply Rmult_le_pos; lra).

@@ -4,7 +4,6 @@ From Coq Require Import Reals Arith Lra Lia Psatz.
 From Coq Require ClassicalDedekindReals.
 From Verify Require Import Separatrix SeparatrixOrder SeparatrixMain SeparatrixTopology.
 Open Scope R_scope.
-Set Default Proof Using "All".
 
 (* A null sequence of positive numbers below 1. *)
 Definition fine (n : nat) : R := RinvN (S n).
@@ -137,8 +136,8 @@ Proof.
       assert (f (y + d) <= f z) by (apply f_decreasing; lra). lra. }
   (* To the left. *)
   assert (LEFT : exists d, 0 < d /\ forall z, 0 <= z -> y - d < z <= y -> f z < f y + e).
-  { destruct (Rle_lt_or_eq_dec 0 y Y) as [Y'| <-].
-    2: { exists 1. split; [lra|]. intros z Z ZL. replace z with 0 by lra. lra. }
+  { destruct (Rle_lt_or_eq_dec 0 y Y) as [Y'| <-];
+      [|exists 1; split; [lra|]; intros z Z ZL; replace z with 0 by lra; lra].
     destruct (ClassicalDedekindReals.sig_forall_dec (fun n => f y + e <= f (y - y * fine n))
       (fun n => Rle_dec (f y + e) (f (y - y * fine n)))) as [[n N]|H].
     - exists (y * fine n). pose proof (fine_range n). split; [nra|]. intros z Z ZL.

@@ -4,7 +4,6 @@ From Coq Require Import Reals Arith Lra Lia Psatz.
 From Verify Require Import Separatrix SeparatrixOrder SeparatrixMain SeparatrixTopology.
 From Verify Require Import SeparatrixExists SeparatrixCurve SeparatrixGraph.
 Open Scope R_scope.
-Set Default Proof Using "All".
 
 Section Limit.
 Variables r a s : R.
@@ -26,7 +25,8 @@ Proof.
 Qed.
 
 Section Orbit.
-Variables (rho : R) (x : state).
+Variable rho : R.
+Variable x : state.
 Hypothesis P : 0 < rho.
 Hypothesis H : unending r a rho x.
 Notation y := (orbit r a rho x).

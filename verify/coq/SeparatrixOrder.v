@@ -4,7 +4,6 @@
 From Coq Require Import Reals Arith Lra Lia Psatz.
 From Verify Require Import Separatrix.
 Open Scope R_scope.
-Set Default Proof Using "All".
 
 Definition h (v : R) := v * (2 - v).
 (* h of the next u, times the square of p. *)
@@ -51,7 +50,8 @@ Hypothesis R1 : 0 < r < 1.
 Hypothesis A1 : 0 < a.
 
 Section One.
-Variables (rho : R) (x : state).
+Variable rho : R.
+Variable x : state.
 Hypothesis P1 : 0 < rho.
 Hypothesis X : region x.
 Hypothesis G : goes_on a rho x.
@@ -151,7 +151,8 @@ End One.
 (* --- order ------------------------------------------------------------------------------------ *)
 
 Section Order.
-Variables (rho : R) (x y : state).
+Variable rho : R.
+Variables x y : state.
 Hypothesis P1 : 0 < rho.
 Hypothesis X : region x.
 Hypothesis Y : region y.

@@ -36,6 +36,8 @@ def everything(folders: list[Path]) -> str:
         "  Meaning.citations_true S -> Meaning.true_statement S := Accepted.accepts_sound.",
         "Definition theorem_1 : Pinned.theorem_1 /\\ Pinned.not_empty /\\ Pinned.determined",
         "  := Pinned.proved.",
+        "From Verify Require Separatrix SeparatrixProof.",
+        "Definition separatrix : Separatrix.separatrix_theorem := SeparatrixProof.separatrix.",
     ]
     for name, folder in own.items():
         cites = json.loads((folder / "statement.json").read_bytes())["cites"]
@@ -43,9 +45,8 @@ def everything(folders: list[Path]) -> str:
         lines.append(f"Definition true_{name} : Meaning.true_statement {name}.the_statement")
         lines.append(f"  := {proof}.")
     names = "".join(f", true_{name}" for name in own)
-    lines.append(
-        f"Definition everything := (soundness, theorem_1, Pinned.collapsing_scene{names})."
-    )
+    main = "soundness, theorem_1, Pinned.collapsing_scene, separatrix"
+    lines.append(f"Definition everything := ({main}{names}).")
     return "\n".join([*lines, "Print Assumptions everything.", ""])
 
 

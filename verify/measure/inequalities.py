@@ -123,7 +123,7 @@ def judge(entry: dict[str, Any], seconds: float) -> Judged:
     )
 
 
-def judged(names: Iterable[str] = (), seconds: float = 60) -> Iterator[Judged]:
+def measured(names: Iterable[str] = (), seconds: float = 60) -> Iterator[Judged]:
     """All of the collection, or some of it."""
     wanted = set(names)
     for entry in entries():
@@ -137,7 +137,7 @@ QUICK = ("ground", "poly-uni", "sqrt", "identity")
 
 def inequality_table(quick: bool, seconds: float = 60) -> dict[str, Any]:
     """For each category how many are decided and accepted, how fast, and how long proofs are."""
-    found = list(judged(QUICK if quick else (), seconds))
+    found = list(measured(QUICK if quick else (), seconds))
     groups = list(dict.fromkeys(one.category for one in found))
     rows = [_counted(group, [one for one in found if one.category == group]) for group in groups]
     return {

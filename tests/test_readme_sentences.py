@@ -23,6 +23,7 @@ import pytest
 from tests.points import parameters
 from verify.jobs.classification import decide_classification
 from verify.jobs.elsewhere import decide_elsewhere
+from verify.jobs.spectrum import decide_spectrum
 from verify.jobs.theorem1 import decide_point
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED
 from verify.language.typeset import Typesetter
@@ -32,6 +33,8 @@ from verify.paper.rows import BREAKS
 from verify.paper.step.numbers import row_names
 from verify.paper.theorem1 import theorem
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
+from verify.prover.outcome import EXIT_CODES
+from verify.views.words import headline
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -123,6 +126,12 @@ def counts_elsewhere() -> None:
     assert len(breaking) == 1
 
 
+def conditionally_proved() -> None:
+    outcome = decide_spectrum()
+    assert headline(outcome) == "conditionally proved"
+    assert EXIT_CODES[outcome.verdict] == 0
+
+
 def sentences_of_the_classification() -> None:
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     assert f"given {len(decide_classification().assumptions)}\nsentences" in text
@@ -165,7 +174,17 @@ COUNTS = "tests/test_readme.py::test_the_counts_are_right"
 TABLES = "tests/test_readme.py::test_the_tables_are_what_the_program_found"
 
 BACKED: dict[str, tuple[Check, ...]] = {
+    # judges
+    "No verdict is given without a judge": (
+        "tests/cli/test_judges.py::test_nothing_is_said_without_judges",
+        "tests/cli/test_judges.py::test_only_judges_make_judgements",
+    ),
+    "For all other verdicts, and whatever is written": (
+        "tests/cli/test_judges.py::test_what_rests_on_a_proof_is_not_said_without_the_checker",
+    ),
+    "`verify spectrum` says *conditionally proved*": (conditionally_proved,),
     # maps
+    "`--long` lifts the limit": ("tests/check/test_check_map_lies.py::test_a_log_without_limit",),
     "`certificates/map` has the plane of": (areas_of_the_map,),
     "-η_c = 1/100 and both tangential speeds 1": (areas_of_the_map,),
     "this plane have centres and velocities in one plane, also in space": (
@@ -189,6 +208,7 @@ BACKED: dict[str, tuple[Check, ...]] = {
     "Coq proves it from the certificates of the step and of `theorem1 --all`": (
         "tests/coq/test_theorem.py",
         "tests/coq/test_tampering.py::test_what_all_theorems_rest_on_is_committed",
+        "tests/coq/test_tampering.py::test_an_assumption_is_seen_in_the_file",
     ),
     "For each dimension from 2 on there are such scenes": (
         "tests/coq/test_theorem.py::test_the_theorem_is_what_the_page_says",

@@ -49,6 +49,9 @@ MAX_LINE, MAX_BITS = 1 << 24, 16 * PLACES
 #: Of the fraction of the area, in bits.
 MAX_AREA = 1 << 13
 
+#: The theorems that are taken on trust; their certificates have these names.
+GIVEN = ("flow", "sharper")
+
 #: Two whole numbers of units with a number between them, ends included.
 Interval = tuple[int, int]
 
@@ -1284,6 +1287,13 @@ def says(plane: Plane, areas: Areas) -> str:
     return f"{hypotheses(plane)}: {told}; of the area: {shares}"
 
 
+def given() -> str:
+    """What is taken on trust, and which scenes are not meant."""
+    theorems = " and ".join(f"certificates/{name}" for name in GIVEN)
+    meant = "scenes with an overlap or a triple contact at the start are not meant"
+    return f"given the theorems of {theorems}; {meant}"
+
+
 def hypotheses(plane: Plane) -> str:
     """All that a plane fixes, and what varies in it."""
     if isinstance(plane, Strip):
@@ -1346,7 +1356,7 @@ def answer(path: str, most: int | None) -> tuple[int, str]:
     try:
         with open(path, "rb") as file:
             lines = iter(lambda: file.readline(MAX_LINE + 1), b"")
-            return 0, f"PROVED {path}: {says(*check_log(lines, most))}"
+            return 0, f"PROVED {path}: {says(*check_log(lines, most))}; {given()}"
     except RefusedError as error:
         return 1, f"REFUSED {path}: {error}"
     except LogError as error:

@@ -456,6 +456,11 @@ def test_exit_codes(logs: Path) -> None:
         code, out, err = run(*paths)
         assert (code, err) == (wanted, "")
         assert [line.split()[0] for line in out.splitlines()] == words
+        for line in out.splitlines():
+            assert line.startswith("PROVED") == line.endswith(
+                "; given the theorems of certificates/flow and certificates/sharper; "
+                "scenes with an overlap or a triple contact at the start are not meant"
+            )
         assert all(str(path) in out for path in paths if path != "--long")
 
 

@@ -63,6 +63,8 @@ def test_the_document(capsys: pytest.CaptureFixture[str]) -> None:
     assert sum(areas.values()) == 1
     assert 0 < areas["undecided"] <= Fraction(1, 20)
     assert min(areas.values()) > 0
+    assert document["judged_by"] == "verify/check_map.py"
+    assert document["cites"] == ["flow", "sharper"]
 
 
 def test_a_plane_through_a_scene(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -46,6 +46,9 @@ def test_the_examples(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert not [error.message for error in VALID.iter_errors(document)]
     behaviour = path.read_text().split(maxsplit=2)[1].strip(":,").lower()
     assert document["verdict"] == behaviour
+    last = {"collapses": ["sharper"], "finite": ["classification"], "disperses": []}.get(behaviour)
+    assert document["cites"] == ([] if last is None else ["flow", *last])
+    assert document["judged_by"] == (None if last is None else "FLINT at a point")
 
 
 def test_numbers_are_read_exactly(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -53,6 +56,8 @@ def test_numbers_are_read_exactly(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert (code, out) == run(capsys, SCENES / "nearly-aligned.toml")[:2]
     assert "collapses: particle 0 central; from collision 3 on 01, 02, 01, … for ever;" in out
     assert "collapse time in [0.0071" in out
+    given = "given certificates/flow and certificates/sharper; judged by FLINT at a point"
+    assert out.splitlines()[-1] == given
 
 
 BAD = {
@@ -158,8 +163,9 @@ def test_the_table_has_a_line_for_each_collision(capsys: pytest.CaptureFixture[s
 
 
 def test_a_certificate_is_accepted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    code, _, err = run(capsys, SCENES / "parting.toml", "--out", tmp_path / "out")
+    code, out, err = run(capsys, SCENES / "parting.toml", "--out", tmp_path / "out")
     assert (code, err) == (0, "")
+    assert out.endswith("given certificates/flow; judged by the checker\n")
     code, lines = check.check_folders(check.read_folders([str(tmp_path / "out")]))
     assert code == 0
     assert lines[-1].startswith("PROVED: disperses: after 4 collisions")
@@ -202,20 +208,17 @@ def test_a_folder_gives_the_same_with_more_processes(
     assert verdicts == ["unusable", "collapses", "disperses", "undecided"]
 
 
-def test_a_folder_is_resumed(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_folder_is_decided_anew(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What was written before is not believed."""
     made, out = folder(tmp_path), tmp_path / "out"
     first = run(capsys, made, "--out", out)
     assert (out / "passing" / "certificate.json").exists()
     assert not (out / "tie" / "certificate.json").exists()
-
-    def never(*_: object) -> None:
-        pytest.fail("it was decided again")
-
-    with monkeypatch.context() as patch:
-        patch.setattr("verify.cli.scene_folder.decide_scene", never)
-        assert run(capsys, made, "--out", out) == first
+    result = out / "passing" / "scene.json"
+    honest = result.read_text()
+    result.write_text(honest.replace("disperses", "collapses"))
+    assert run(capsys, made, "--out", out) == first
+    assert result.read_text() == honest
     (made / "passing.toml").write_text(GOOD)
     assert "passing.toml: collapses" in run(capsys, made, "--out", out)[1]
 

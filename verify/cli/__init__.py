@@ -121,7 +121,7 @@ _EXIT_CODES = {
     USAGE_ERROR: "the input cannot be used",
     3: "undecided within the precision or work budget",
     4: "a malformed certificate, one that is not its statement's, or a foreign theorem",
-    OWN_ERROR: "our own error: the checker does not accept what --out would write",
+    OWN_ERROR: "our own error: the checker does not accept what the program takes for proved",
     INTERRUPTED: "interrupted",
     PIPE_CLOSED: "the reader of the output has left",
 }

@@ -10,8 +10,9 @@ from verify.cli.terminal import add_color, show
 from verify.jobs.inputs import InputError, integer, shown
 from verify.jobs.scene_files import read_scene
 from verify.jobs.scene_verdict import scene_lines
+from verify.prover.ground import FLINT
 from verify.prover.scene import MAX_DIGITS, Budget, Fate, decide_scene
-from verify.views.scene import collision_table, exit_code, scene_document
+from verify.views.scene import collision_table, exit_code, given_line, scene_document
 
 #: More than this would be a mistake.
 MAX_JOBS = 256
@@ -42,6 +43,15 @@ def budget(options: Options) -> Budget:
     return Budget(integer("--collisions", options.collisions, 0, 10**7), digits, bits, last)
 
 
+def judge_of(out: str | None) -> str:
+    """Who gives a verdict: the checker, if its certificate is written."""
+    if out is None:
+        return FLINT
+    from verify.jobs.acceptance import CHECKER  # loaded only where it is used
+
+    return CHECKER
+
+
 def run(options: Options) -> int:
     """Print the verdict, write what is asked for, return the exit code."""
     limits, jobs = budget(options), integer("--jobs", options.jobs, 1, MAX_JOBS)
@@ -64,7 +74,7 @@ def run(options: Options) -> int:
 
         write_plot("--plot", options.plot, plot, found)
     if options.json:
-        print_document(scene_document(found))
+        print_document(scene_document(found, judge_of(options.out)))
     else:
         show(_text(found, options), options)
     return exit_code(found)
@@ -80,5 +90,6 @@ def _plot_kind(path: str | None) -> str | None:
 
 
 def _text(found: Fate, options: Options) -> list[str]:
-    lines = [*scene_lines(found)]
+    given = given_line(found, judge_of(options.out))
+    lines = [*scene_lines(found), *filter(None, [given])]
     return [*collision_table(found), "", *lines] if options.verbose else lines

@@ -14,7 +14,7 @@ from functools import cache
 from verify.jobs.acceptance import judged
 from verify.jobs.arguments import write_down
 from verify.jobs.classification import decide_classification
-from verify.jobs.scene_verdict import scene_lines
+from verify.jobs.scene_verdict import scene_lines, theorems
 from verify.jobs.sharper import decide_sharper
 from verify.language.statement import (
     PROVED,
@@ -164,12 +164,8 @@ def statement_of(telling: Telling, found: Fate) -> Statement:
 
 def cites(found: Fate) -> list[Cite]:
     """The statements whose theorems are applied."""
-    outcomes = {FLOW: decide_flow}
-    if found.verdict == FINITE:
-        outcomes[CLASSIFICATION] = decide_classification
-    if found.verdict == COLLAPSES:
-        outcomes[SHARPER] = decide_sharper
-    return [_cite(name, make()) for name, make in outcomes.items()]
+    makers = {FLOW: decide_flow, CLASSIFICATION: decide_classification, SHARPER: decide_sharper}
+    return [_cite(name, makers[name]()) for name in theorems(found)]
 
 
 def _cite(name: str, outcome: Outcome) -> Cite:

@@ -6,7 +6,9 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from verify.paper.flow.law import Number
+from verify.paper.flow.theorem import NAME as FLOW
 from verify.paper.scene.criteria import SAYS
+from verify.paper.scene.telling import CLASSIFICATION, SHARPER
 from verify.prover import balls
 from verify.prover.decimals import outward
 from verify.prover.flow import name_of
@@ -46,6 +48,12 @@ def reason(found: Fate) -> str:
     if found.criterion is not None:
         return SAYS[found.criterion.name]
     return found.reason
+
+
+def theorems(found: Fate) -> list[str]:
+    """The names of the theorems on which a verdict rests; none without a verdict."""
+    last = {COLLAPSES: [SHARPER], FINITE: [CLASSIFICATION], DISPERSES: []}
+    return [FLOW, *last[found.verdict]] if found.verdict in last else []
 
 
 def scene_lines(found: Fate) -> Iterator[str]:

@@ -58,6 +58,8 @@ def map_document(progress: Progress) -> dict[str, Any]:
         "plane": plane_document(progress.plane),
         "boxes": progress.boxes,
         "areas": {name: str(share) for name, share in area_shares(progress).items()},
+        "judged_by": "verify/check_map.py",
+        "cites": [*check_map.GIVEN],
         "strip": strip_document(progress),
     }
 
@@ -115,7 +117,8 @@ def map_lines(progress: Progress) -> Iterator[str]:
         if found[name]:
             yield f"{name:<10} {percent(found[name]):>9} %  {says}"
     yield f"{progress.boxes} boxes, down to 1/{4 ** (progress.level - 1)} of the area"
-    yield f"checked by verify/check_map.py: {areas.proved} boxes with a verdict"
+    yield f"checked by verify/check_map.py: {areas.proved} boxes with a verdict;"
+    yield check_map.given()
 
 
 def saddle_lines(plane: Plane | BorderStrip) -> Iterator[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from verify.jobs.scene_verdict import central, pairs_of, reason, time_ends
+from verify.jobs.scene_verdict import central, pairs_of, reason, theorems, time_ends
 from verify.prover import balls
 from verify.prover.decimals import outward, short
 from verify.prover.flow import Move, name_of
@@ -27,13 +27,21 @@ def exit_code(found: Fate) -> int:
     return CODES.get(found.verdict, UNDECIDED_CODE)
 
 
-def scene_document(found: Fate) -> dict[str, Any]:
+def given_line(found: Fate, judge: str) -> str:
+    """What a verdict rests on, and who gives it; empty without a verdict."""
+    given = " and ".join(f"certificates/{name}" for name in theorems(found))
+    return f"given {given}; judged by {judge}" if given else ""
+
+
+def scene_document(found: Fate, judge: str) -> dict[str, Any]:
     """The verdict as JSON; every number is a text."""
     time, end = time_ends(found), found.collapse
     return {
         "format": FORMAT,
         "command": "scene",
         "verdict": found.verdict,
+        "judged_by": judge if theorems(found) else None,
+        "cites": theorems(found),
         "reason": reason(found),
         "central": central(found),
         "collisions": found.collisions,

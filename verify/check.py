@@ -626,6 +626,7 @@ class Kernel:
         proofs, the standing ones because this is assumed of every state. Hence so do all facts.
         """
         context = claim.context
+        self.spend(0, len(context.givens))
         need(context.parent is place.context, Refused, "found {} elsewhere", context.name)
         carried = [given for given in context.givens if given.kind == "carried"]
         plain = [given.name for given in context.givens if given.kind == "plain"]
@@ -1514,7 +1515,7 @@ class Reader:
         message = "cites: found {}, whose statement is not at hand"
         need(digest in self.available, Malformed, message, digest)
         self.kernel.introduce(prefix + cite["name"])
-        self.kernel.spend(0, 100 + len(self.available[digest]) // 8)
+        self.kernel.spend(0, 100 + len(self.available[digest]) // 3)
         document = parsed("cited statement", self.available[digest], STATEMENT)
         good = document["theorem"] == cite["theorem"]
         need(good, Malformed, "cites: found {} under another title", cite["theorem"])

@@ -251,3 +251,13 @@ def test_ctrl_c_keeps_what_was_proved(tmp_path: Path) -> None:
     assert log.read_bytes().endswith(b"\n")
     with log.open("rb") as file:
         assert check_map.check_log(line for line, _ in zip(file, range(6), strict=False))
+
+
+def test_a_log_that_is_a_pipe_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The line says why; it said None."""
+    os.mkfifo(tmp_path / "map.jsonl")
+    code = main(["map", "phi", "--r", "0.03", "--undecided", "30%", "--out", str(tmp_path)])
+    captured = capsys.readouterr()
+    assert (code, captured.out) == (2, "")
+    assert "cannot be written" in captured.err
+    assert "None" not in captured.err

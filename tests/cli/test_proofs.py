@@ -7,7 +7,6 @@ import re
 import shutil
 from collections import defaultdict
 from pathlib import Path
-from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import pytest
@@ -135,9 +134,9 @@ def test_explain_says_nothing_that_the_checker_does_not_accept(
     code, out, err = run(capsys, "explain", folder, "means")
     assert (code, out, err.count("\n")) == (2, "", 1)
 
-    def refuses(*_: object) -> SimpleNamespace:
-        refused = defaultdict(lambda: "refused")
-        return SimpleNamespace(verdict="REFUSED", lines=["REFUSED all"], rows=refused, summary="")
+    def refuses(*_: object) -> check.Report:
+        rows = defaultdict(lambda: "refused")
+        return check.Report("REFUSED", ["REFUSED all"], "", "", rows=rows)
 
     monkeypatch.setattr(check, "check", refuses)
     for words, expected in (
@@ -289,3 +288,23 @@ def test_a_proof_uses_only_what_was_proved_before() -> None:
             seen.add(node.name)
     found = view.graph(step.decide_step())
     assert {vertex.state for vertex in found.vertices} >= {"given", "proved", "assumed"}
+
+
+@pytest.mark.parametrize("command", [["explain", "FOLDER", "means"], ["graph", "FOLDER"]])
+def test_nothing_is_shown_of_a_folder_whose_cited_certificate_is_refused(
+    command: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """`verify check` refuses such a folder, so no other command calls its rows proved."""
+    folder = tmp_path / "mean-applied"
+    shutil.copytree("certificates/examples/mean-applied", folder)
+    path = folder / "cited/mean.certificate.json"
+    proofs = json.loads(path.read_text())
+    for proof in (item["proof"] for item in proofs["steps"] if "proof" in item):
+        proof["addends"] = ["goal"]
+    path.write_text(json.dumps(proofs))
+    assert run(capsys, "check", folder)[0] == 1
+    words = [str(folder) if word == "FOLDER" else word for word in command]
+    out = ["--out", str(tmp_path / "graph.json")] if command[0] == "graph" else []
+    code, text, complaint = run(capsys, *words, *out)
+    assert (code, text) == (2, "")
+    assert "verify/check.py refuses the certificate" in complaint

@@ -700,3 +700,13 @@ def test_the_citation_closes_with_the_certificate_beside_it_or_with_the_folder_o
 def test_one_angle_written_in_many_ways(same: str) -> None:
     assert angle("--theta0", same) == angle("--theta0", "5*pi/6") == -cos_pi(Fraction(5, 6))
     assert angle("--theta0", "0.9*pi") == angle("--theta0", "162°") == -cos_pi(Fraction(9, 10))
+
+
+def test_nothing_is_written_where_the_row_that_is_asked_for_is_not_there(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    code, text, complaint = run(capsys, "--r", "0.03", "--rows", "nope", "--out", str(out))
+    assert (code, text) == (2, "")
+    assert "there is no row 'nope'" in complaint
+    assert not [*out.glob("*")]

@@ -716,6 +716,17 @@ def rows_that_use_one_of_many_assumptions() -> Pair:
 
 
 @heavy
+def inductions_over_many_standing_givens() -> Pair:
+    """None of the givens has to be shown, but each induction looks through all of them."""
+    pair = true(Pair()).assume("a")
+    givens = {f"g{i}": (["<", "0", "1"], "standing", "a") for i in range(26_000)}
+    pair.context("c", {}, givens, [INTERVAL] * 26_000)
+    for i in range(8_000):
+        pair.row(f"r{i}", ["always", "c", {}, {}], {"rule": "induction", "start": [], "next": []})
+    return pair
+
+
+@heavy
 def entries_of_a_long_minimum() -> Pair:
     """Each looks for its side among all entries, and it is the last one."""
     pair = true(Pair())
@@ -785,6 +796,21 @@ def long_statements_cited() -> Files:
         other.context("c", {f"v{i}": "1" for i in range(45_000)}, {}, [])
         others.append(other)
         pair.cite(f"c{k}", other)
+    return folder(pair, *others)
+
+
+@heavy
+def long_statements_that_cite_each_other() -> Files:
+    """Each is kept while the next one is read; no claim of theirs is looked at before."""
+    others: list[Pair] = []
+    for k in range(7):
+        other = Pair(f"T{k}").row("row", "0 <= 1", INTERVAL)
+        other.statement["obligations"][0]["claim"] = [["0"]] * 580_000
+        if others:
+            other.cite("c", others[-1])
+        others.append(other)
+    pair = true(Pair())
+    pair.cite("c", others[-1])
     return folder(pair, *others)
 
 

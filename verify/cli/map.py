@@ -200,9 +200,9 @@ def _grow(options: Options, progress: Progress, target: Target, jobs: int) -> No
                 os.makedirs(options.out, exist_ok=True)
                 file = stack.enter_context(open_log(os.path.join(options.out, LOG), progress))
             except OSError as error:
+                why = error.strerror or error
                 raise InputError(
-                    f"--out: {shown(options.out)} cannot be written ({error.strerror}); "
-                    "name a folder that can"
+                    f"--out: {shown(options.out)} cannot be written ({why}); name a folder that can"
                 ) from error
             times = _read_times(options.out, progress)
         resumed = progress.boxes

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from functools import cache
 
-from verify.cli.files import progress, read_bytes, read_cited
+from verify.cli.files import progress, read_bytes
 from verify.jobs.inputs import InputError, shown
 from verify.language.record import TYPE_CHECKING
 
@@ -63,19 +63,25 @@ def accepted_outcome(outcome: Outcome) -> Outcome:
     return judged(outcome)
 
 
-def _read(folder: str) -> Outcome:
+def _read(where: str) -> Outcome:
     from verify import check
-    from verify.jobs.acceptance import read_judged
+    from verify.jobs.acceptance import with_verdicts
+    from verify.wire.read import read
     from verify.wire.term_json import WireError
     from verify.wire.write import digest
 
-    first, second = (read_bytes("folder", os.path.join(folder, name)) for name in NAMES)
-    contents = read_cited("folder", folder)
-    known = {digest(content): content for content in contents}
+    first, second = (read_bytes("folder", os.path.join(where, name)) for name in NAMES)
     try:
-        return read_judged(first, second, known)
-    except check.Refused as error:
-        where = shown(folder)
-        raise InputError(f"folder: {where}: verify/check.py refuses the certificate") from error
-    except (WireError, check.Malformed, RecursionError) as error:
-        raise InputError(f"folder: {shown(folder)} has no certificate ({error})") from error
+        cited = check.read_cited(os.path.join(where, "cited"))
+    except OSError as error:
+        raise InputError(f"folder: {shown(where)} cannot be read ({error})") from error
+    ((report, _),) = check.judged([check.Folder(where, first, second, *cited)])
+    if report.verdict == "MALFORMED":
+        raise InputError(f"folder: {shown(where)} has no certificate ({report.summary})")
+    if report.verdict == "REFUSED":
+        raise InputError(f"folder: {shown(where)}: verify/check.py refuses the certificate")
+    try:
+        outcome = read(first, second, {digest(content): content for content in cited[0]})
+    except (WireError, RecursionError) as error:
+        raise InputError(f"folder: {shown(where)} has no certificate ({error})") from error
+    return with_verdicts(outcome, report)

@@ -101,6 +101,7 @@ def _point(options: Options) -> int:
     table = options.verbose or options.rows is not None
     more = options.out or options.json or table
     outcome = decide_point(parameters, options.constants, bits, last, all_sides=bool(more))
+    text = _table(outcome, options.rows) if table else ()
     if options.out is not None:
         from verify.cli.files import write_certificate
 
@@ -108,8 +109,7 @@ def _point(options: Options) -> int:
     if options.json:
         _print_document(outcome, bits)
         return outcome.exit_code
-    text = _table(outcome, options.rows) if table else screen(outcome)
-    show(text, options)
+    show(text if table else screen(outcome), options)
     return outcome.exit_code
 
 

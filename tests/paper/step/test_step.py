@@ -13,6 +13,7 @@ import pytest
 
 from tests.paper.step.states import BITS, Random, Values, checker, evaluate
 from verify import check
+from verify.cli import main
 from verify.jobs import citing
 from verify.jobs.step import decide_step
 from verify.jobs.theorem1 import decide_point
@@ -26,8 +27,9 @@ from verify.prover.outcome import Decision, Judgement, Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Step
 from verify.prover.rules import Sum
 from verify.views.words import headline
+from verify.wire import write as write_module
 from verify.wire.read import read
-from verify.wire.write import PACKAGED, encode, write
+from verify.wire.write import PACKAGED, PACKAGED_FILES, encode, packaged_files, write
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -240,11 +242,35 @@ def test_a_point_run_cites_the_step(point: tuple[str, str], selection: str) -> N
 
 
 def test_the_step_that_comes_with_the_program_is_the_one_that_it_makes() -> None:
-    """If not: verify certify, then copy certificates/step/*.json to verify/data/step."""
+    """If not: verify certify, copy certificates/step/*.json to verify/data/step; PACKAGED_FILES."""
     for name, content in write(decide_step()).items():
         for folder in (PACKAGED, ROOT / "certificates/step"):
             assert (Path(folder) / name).read_bytes() == content, folder
     assert citing.packaged() == write(decide_step())["statement.json"]
+
+
+@pytest.mark.parametrize("name", ["statement.json", "certificate.json"])
+@pytest.mark.parametrize("words", [["--r", "0.03"], ["--r", "0.02..0.04", "--steps", "2"]])
+def test_nothing_is_proved_by_a_step_that_was_tampered_with(
+    name: str,
+    words: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """A point run does not check the step again, so it compares the digests of both files."""
+    for file in PACKAGED_FILES:
+        content = (Path(PACKAGED) / file).read_bytes()
+        (tmp_path / file).write_bytes(content + b" " * (file == name))
+    monkeypatch.setattr(write_module, "PACKAGED", str(tmp_path))
+    packaged_files.cache_clear()
+    try:
+        assert main(["theorem1", *words]) == 5
+    finally:
+        packaged_files.cache_clear()
+    found = capsys.readouterr()
+    assert found.out == ""
+    assert f"{name} is not the file that came with the program" in found.err
 
 
 def test_every_given_is_a_row_a_definition_or_a_lemma_of_the_point() -> None:

@@ -25,11 +25,6 @@ from verify.wire import write
 BY_ROWS = "the rows that the step needs"
 
 
-def packaged() -> bytes:
-    """The statement of the step that comes with the program."""
-    return write.packaged_files()[0]
-
-
 def applying(between: Mapping[str, str]) -> Applying:
     """The proof that the step applies, from rows, definitions, and the facts that are neither."""
     known = numbers.row_names() | numbers.DEFINED | dict(between)
@@ -61,10 +56,11 @@ def with_step(outcome: Outcome) -> Outcome:
     old = outcome.statement
     rows = [r._replace(uses=()) if r.role == NEEDED and r.uses else r for r in old.obligations]
     used = {name for r in rows for name in r.uses}
+    content, certificate = write.packaged_files()
     statement = old._replace(
         obligations=(*rows, row),
         assumptions=tuple(a for a in old.assumptions if a.name in used),
-        cites=(Cite(STEP, STEP, packaged(), assumptions=ASSUMPTIONS),),
+        cites=(Cite(STEP, STEP, content, (), ASSUMPTIONS, certificate),),
     )
     decisions = {**outcome.decisions, row.name: decision}
     return outcome._replace(

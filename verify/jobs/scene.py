@@ -7,7 +7,7 @@ show the inequalities.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cache
 
@@ -169,12 +169,15 @@ def cites(found: Fate) -> list[Cite]:
         outcomes[CLASSIFICATION] = decide_classification
     if found.verdict == COLLAPSES:
         outcomes[SHARPER] = decide_sharper
-    return [_cite(name, make()) for name, make in outcomes.items()]
+    return [_cite(name, make) for name, make in outcomes.items()]
 
 
-def _cite(name: str, outcome: Outcome) -> Cite:
-    content = write(outcome)["statement.json"]
-    return Cite(name, outcome.statement.theorem, content, assumptions=outcome.assumptions)
+@cache
+def _cite(name: str, make: Callable[[], Outcome]) -> Cite:
+    outcome = make()
+    files, trusted = write(outcome), outcome.assumptions
+    content, certificate = files["statement.json"], files["certificate.json"]
+    return Cite(name, outcome.statement.theorem, content, (), trusted, certificate)
 
 
 def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:

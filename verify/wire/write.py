@@ -48,7 +48,7 @@ def write(outcome: Outcome) -> dict[str, bytes]:
     """The files of a certificate, by their names in its folder.
 
     Besides statement and certificate there are the statements that are cited, with their
-    certificates if those come with the program.
+    certificates if those are at hand.
     """
     statement = outcome.statement
     writer = TermWriter("t", statement_terms(statement), {})
@@ -64,9 +64,8 @@ def _cited(cites: Iterable[Cite]) -> Iterator[tuple[str, bytes]]:
     for cite in cites:
         name = f"cited/{digest(cite.content)}"
         yield f"{name}.json", cite.content
-        statement, certificate = packaged_files()
-        if cite.content == statement:
-            yield f"{name}.certificate.json", certificate
+        if cite.certificate:
+            yield f"{name}.certificate.json", cite.certificate
         yield from _cited(cite.cites)
 
 

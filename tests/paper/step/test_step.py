@@ -13,7 +13,6 @@ import pytest
 
 from tests.paper.step.states import BITS, Random, Values, checker, evaluate
 from verify import check
-from verify.jobs import citing
 from verify.jobs.step import decide_step
 from verify.jobs.theorem1 import decide_point
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Obligation
@@ -27,7 +26,7 @@ from verify.prover.proof import LemmaStep, ObligationStep, Step
 from verify.prover.rules import Sum
 from verify.views.words import headline
 from verify.wire.read import read
-from verify.wire.write import PACKAGED, encode, write
+from verify.wire.write import PACKAGED, encode, packaged_files, write
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -244,7 +243,7 @@ def test_the_step_that_comes_with_the_program_is_the_one_that_it_makes() -> None
     for name, content in write(decide_step()).items():
         for folder in (PACKAGED, ROOT / "certificates/step"):
             assert (Path(folder) / name).read_bytes() == content, folder
-    assert citing.packaged() == write(decide_step())["statement.json"]
+    assert packaged_files()[0] == write(decide_step())["statement.json"]
 
 
 def test_every_given_is_a_row_a_definition_or_a_lemma_of_the_point() -> None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 import re
 import shutil
+from collections import defaultdict
 from pathlib import Path
-from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import pytest
@@ -134,8 +134,10 @@ def test_explain_says_nothing_that_the_checker_does_not_accept(
     code, out, err = run(capsys, "explain", folder, "means")
     assert (code, out, err.count("\n")) == (2, "", 1)
 
-    def refuses(*_: object) -> SimpleNamespace:
-        return SimpleNamespace(verdict="REFUSED", lines=["REFUSED all"])
+    rows = defaultdict[str, str](lambda: "refused")
+
+    def refuses(*_: object) -> check.Report:
+        return check.Report("REFUSED", ["REFUSED all"], "none", "", rows=rows)
 
     monkeypatch.setattr(check, "check", refuses)
     for words, expected in (

@@ -231,6 +231,9 @@ STRIPS: dict[str, Callable[[Lines], object]] = {
     "the-curve-higher": in_plane("curve", lambda c: [["1/5", b, a] for _, b, a in c]),
     "the-curve-shorter": in_plane("curve", lambda c: c[:-1]),
     "the-bands-with-a-gap": in_plane("above", lambda c: [*c[:1], c[2], c[2], *c[3:]]),
+    "no-band-below": lambda c: c[0]["plane"].update(
+        below=[], above=[str(i) for i in range(len(c[0]["plane"]["curve"]) + 2)]
+    ),
     "the-bands-beyond": in_plane("above", lambda c: [*c[:-1], "2"]),
     "another-r": in_plane("r", lambda _: "1/20"),
     "another-interval": in_plane("x", lambda _: ["1/5", "2/5"]),

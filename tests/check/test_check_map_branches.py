@@ -205,3 +205,15 @@ def test_spheres_that_overlap_or_touch_at_the_start() -> None:
                 m.after(LAW, z)
         else:
             m.after(LAW, z)
+
+
+@pytest.mark.parametrize(
+    ("told", "apart"), [(-1, False), (0, False), (0, True), (1, False), (1, True)]
+)
+def test_bounds_alone_tell_only_what_is_known(
+    told: int, apart: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(m, "looks", lambda *_: told)
+    monkeypatch.setattr(m, "is_apart", lambda *_: apart)
+    z = Sight(*[(ONE, ONE)] * 10)
+    assert m.is_plain(z, Way(*[(ONE, ONE)] * 5)) == (told < 0 or apart)

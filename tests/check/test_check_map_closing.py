@@ -10,6 +10,8 @@ import random
 from fractions import Fraction
 from math import isqrt
 
+import pytest
+
 from verify import check_map
 from verify.paper.map.planes import Phi
 from verify.paper.sharper.numbers import ROOM, SUMS, T, V, eta_0, k, total
@@ -93,6 +95,26 @@ def test_what_closes_satisfies_all_conditions() -> None:
     # Both happen, and most conditions are at some time the only one that fails.
     assert min(found.values()) > 20
     assert len(failing) >= 5, failing
+
+
+def test_the_angle_is_that_of_the_unit_vectors(monkeypatch: pytest.MonkeyPatch) -> None:
+    """-cos of the state is C over the length of the vector between the centres, and so below C."""
+    plane = check_map.plane_of(plane_document(PLANE))
+    x, y = Fraction(0.07), Fraction(0.004)
+    six = verdicts(PLANE._replace(x=(x - WIDE, x + WIDE), y=(y / 2, 3 * y / 2)), ["0"]).numbers[0][
+        0
+    ]
+    point = [check_map.around(value) for value in (x, y)]
+    state = check_map._at_contact(check_map.INTERVALS, plane)(*point)
+    state = state._replace(C=(check_map.ONE // 2,) * 2)
+    asked: list[check_map.Interval] = []
+    monkeypatch.setattr(check_map, "_rows", lambda _law, C, *_: asked.append(C))
+    check_map.closes(check_map.law_of(plane.r), state, *check_map.sixes([*six], "c"))
+    one = check_map.ONE
+    eps, v = (Fraction(z[0], one) for z in (state.eps, state.v))
+    exact = Fraction(one, 2) / root_above(1 + eps * v**2)
+    ((low, high),) = asked
+    assert low <= exact <= high <= low + 4
 
 
 def test_the_letters_are_those_of_the_theorem() -> None:

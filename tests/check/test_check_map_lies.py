@@ -513,3 +513,17 @@ def test_any_encoding(logs: Path) -> None:
     code, out, err = run(logs / "good", env={"PYTHONIOENCODING": "ascii"})
     assert (code, err) == (0, "")
     assert "PROVED" in out
+
+
+def test_work_without_limit_only_if_asked(logs: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(check_map, "MAX_WORK", 3)
+    assert check_map.main([str(logs / "good")]) == 1
+    assert check_map.main(["--long", str(logs / "good")]) == 0
+
+
+def test_a_report_that_nobody_can_get_is_none(
+    logs: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sys.stdout", None)
+    assert check_map.main([str(logs / "good")]) == 2
+    assert "stdout is closed" in capsys.readouterr().err

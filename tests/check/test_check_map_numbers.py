@@ -278,3 +278,25 @@ def test_the_two_kinds_have_the_same_operations() -> None:
         bounds = other(*map(m.flat, arguments), *more)[:2]
         assert bounds == found
         assert one.__name__ == name
+
+
+ONES = (-1,) * 5
+FAR = (ONE << 40, 0, 0, 0, 0)
+
+
+@pytest.mark.parametrize(
+    ("c", "e", "f", "off"),
+    [
+        (ONES, ONE - 1, (0, 1, 0), (1, 0, 0)),  # everything is rounded by nearly a unit
+        (FAR, 0, (0, 0, 0), (0, 1, 0)),
+        (FAR, 0, (0, 0, 0), (0, 0, 1)),
+    ],
+)
+def test_a_series_allows_for_coefficients_that_are_a_unit_larger(
+    c: tuple[int, ...], e: int, f: tuple[int, int, int], off: tuple[int, int, int]
+) -> None:
+    """At the point where both parameters are 1."""
+    found, error = m.series((0, 0, 0, *c, e), f, off, 0)
+    t = F(sum(c) + e, ONE)
+    exact = sum((F(a + b) * t**i for i, (a, b) in enumerate(zip(f, off, strict=True))), F(0))
+    assert abs(exact - sum(found)) <= error

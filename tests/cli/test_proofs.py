@@ -134,9 +134,10 @@ def test_explain_says_nothing_that_the_checker_does_not_accept(
     code, out, err = run(capsys, "explain", folder, "means")
     assert (code, out, err.count("\n")) == (2, "", 1)
 
+    rows = defaultdict[str, str](lambda: "refused")
+
     def refuses(*_: object) -> check.Report:
-        rows = defaultdict(lambda: "refused")
-        return check.Report("REFUSED", ["REFUSED all"], "", "", rows=rows)
+        return check.Report("REFUSED", ["REFUSED all"], "none", "", rows=rows)
 
     monkeypatch.setattr(check, "check", refuses)
     for words, expected in (

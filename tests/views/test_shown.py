@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import re
 from fractions import Fraction
@@ -11,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.check.test_check_map import sealed
 from tests.views.conftest import few_boxes
 from verify.jobs import everywhere, scene_files
 from verify.jobs.acceptance import read_judged as read
@@ -92,6 +94,17 @@ def test_a_strip_with_an_open_tile_is_not_shown(tmp_path: Path) -> None:
         (tmp_path / "map.jsonl").write_text(broken)
         with pytest.raises(CertificateError):
             read_strip(str(tmp_path), "map.jsonl")
+
+
+def test_a_strip_is_shown_only_if_its_checker_accepts_it(tmp_path: Path) -> None:
+    """With other numbers, and digests that fit."""
+    log = (HERE / "map" / "strip" / "map.jsonl").read_bytes()
+    lines = [json.loads(line) for line in log.splitlines()]
+    first = next(line for line in lines if line.get("numbers"))
+    first["numbers"][0] = [0] * len(first["numbers"][0])
+    (tmp_path / "map.jsonl").write_bytes(b"".join(sealed(lines)))
+    with pytest.raises(CertificateError, match="does not accept"):
+        read_strip(str(tmp_path), "map.jsonl")
 
 
 def test_marks_are_short_and_lie_within() -> None:

@@ -326,7 +326,7 @@ def read_bytes(option: str, path: str) -> bytes:
 
 
 def read_cited(option: str, folder: str) -> list[bytes]:
-    """The files in the folder `cited` beside a statement; none if there is no such folder.
+    """The statements in the folder `cited` beside another; none if there is no such folder.
 
     Raises:
         InputError: if one cannot be read, or together they are more than the checker reads.
@@ -334,6 +334,8 @@ def read_cited(option: str, folder: str) -> list[bytes]:
     cited = os.path.join(folder, "cited")
     found, total = [], 0
     for name in sorted(os.listdir(cited)) if os.path.isdir(cited) else []:
+        if name.endswith(".certificate.json"):
+            continue
         found.append(read_bytes(option, os.path.join(cited, name)))
         total += len(found[-1])
         if total > MAX_CITED:

@@ -64,25 +64,18 @@ def _all(work: Any, names: list[str], jobs: int) -> Iterator[Result]:
 def decide_file(folder: str, out: str | None, limits: Budget, name: str) -> Result:
     """What is found about one file."""
     try:
-        content = read_bytes("scene", os.path.join(folder, name))
+        return _decide(folder, out, limits, name)
     except InputError as error:
-        return _unusable(name, error)
-    try:
-        return _decide(folder, out, limits, name, content)
-    except InputError as error:
-        return _unusable(name, error)
+        document = {"verdict": "unusable", "reason": str(error)}
+        return {"file": name, "code": 2, "lines": [str(error)], "document": document}
     except OwnError as error:
         document = {"verdict": "error", "reason": str(error)}
         return {"file": name, "code": 5, "lines": [str(error)], "document": document}
 
 
-def _unusable(name: str, error: InputError) -> Result:
-    document = {"verdict": "unusable", "reason": str(error)}
-    return {"file": name, "code": 2, "lines": [str(error)], "document": document}
-
-
-def _decide(folder: str, out: str | None, limits: Budget, name: str, content: bytes) -> Result:
-    found = decide_scene(read_scene(os.path.join(folder, name), content), limits)
+def _decide(folder: str, out: str | None, limits: Budget, name: str) -> Result:
+    path = os.path.join(folder, name)
+    found = decide_scene(read_scene(path, read_bytes("scene", path)), limits)
     code = exit_code(found)
     judge = judge_of(out)
     lines = [*scene_lines(found), *filter(None, [given_line(found, judge)])]

@@ -9,6 +9,7 @@ why), and give `with_verdicts` that report: what is refused stays undecided.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from hashlib import sha256
 
 from verify import check
@@ -22,12 +23,13 @@ CHECKER = "the checker"
 
 
 def accept(files: Mapping[str, bytes], verdict: str) -> None:
-    """Afterwards the checker accepts a certificate, with this verdict.
+    """Afterwards the checker accepts a folder, with this verdict, and the certificates in `cited`.
 
     Raises:
         OwnError: if it does not.
+        UnreadError: if it does not get to the end; what lies in a folder shares one limit of work.
     """
-    report = _report(files)
+    report = _report(files, check.MAX_WORK - _work(_cited(files)))
     if report.verdict != {PROVED: "PROVED", REFUTED: "REFUTED"}[verdict]:
         raise _refused(report, f"{report.verdict}, expected {verdict}")
 
@@ -96,11 +98,29 @@ def read_judged(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]
     return with_verdicts(outcome, report)
 
 
-def _report(files: Mapping[str, bytes]) -> check.Report:
-    others = (content for name, content in files.items() if name.startswith("cited/"))
-    cited = {sha256(content).hexdigest(): content for content in others}
+def _cited(files: Mapping[str, bytes]) -> tuple[tuple[str, bytes], ...]:
+    return tuple((name, data) for name, data in files.items() if name.startswith("cited/"))
+
+
+@lru_cache(maxsize=8)
+def _work(cited: tuple[tuple[str, bytes], ...]) -> int:
+    """What the checker counts for the certificates among these files, all of which it accepts."""
+    work = 0
+    for name, certificate in cited:
+        if name.endswith(check.CERTIFIED):
+            statement = dict(cited)[f"{name.removesuffix(check.CERTIFIED)}.json"]
+            files = {"statement.json": statement, "certificate.json": certificate}
+            report = _report({**dict(cited), **files})
+            if report.verdict != "PROVED":
+                raise _refused(report, f"{name}: {report.verdict}, expected PROVED")
+            work += report.work
+    return work
+
+
+def _report(files: Mapping[str, bytes], work: int | None = None) -> check.Report:
+    cited = {sha256(content).hexdigest(): content for _, content in _cited(files)}
     try:
-        return check.check(files["statement.json"], files["certificate.json"], cited)
+        return check.check(files["statement.json"], files["certificate.json"], cited, work)
     except (check.Malformed, RecursionError) as error:
         raise UnreadError(_not_accepted(f"MALFORMED: {error}")) from error
 

@@ -114,10 +114,10 @@ def decide_box(box: ParameterBox, v_0: Fraction, delta_theta: Fraction) -> Outco
     if found == UNDECIDED:
         raise ValueError("the hypotheses hold on a part of the box only")
     values = dict(zip(paper.PARAMETERS, (*box.r, *box.c, v_0, delta_theta), strict=True))
-    files = write(decide_everywhere())
-    cite = Cite(
-        paper.CITED, EVERYWHERE, files["statement.json"], decide_everywhere().statement.cites
-    )
+    everywhere = decide_everywhere()
+    files, cites = write(everywhere), everywhere.statement.cites
+    content, certificate = files["statement.json"], files["certificate.json"]
+    cite = Cite(paper.CITED, EVERYWHERE, content, cites, certificate=certificate)
     holds = found == PROVED
     terms = {name: as_term(value) for name, value in values.items()}
     return BoxRun(paper.statement(terms, cite, holds=holds)).run(holds=holds)

@@ -7,7 +7,6 @@ the program brings the step's folder along, as `verify/data/step`, and a test sa
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 
 from verify.language.statement import NEEDED, PROVED, UNDECIDED, Cite
@@ -20,18 +19,10 @@ from verify.paper.step.numbers import STEP
 from verify.prover.outcome import Decision, Judgement, Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Proof, Step, Value
 from verify.prover.rules import Applying, Root, Sum
-
-#: The folder of the step, a copy of the one in `certificates`.
-FOLDER = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data", STEP)
+from verify.wire.packaged import packaged_files
 
 #: The judge of the row that the step applies: those that have judged all rows that it needs.
 BY_ROWS = "the rows that the step needs"
-
-
-def packaged() -> bytes:
-    """The statement of the step that comes with the program."""
-    with open(os.path.join(FOLDER, "statement.json"), "rb") as file:
-        return file.read()
 
 
 def applying(between: Mapping[str, str]) -> Applying:
@@ -65,10 +56,11 @@ def with_step(outcome: Outcome) -> Outcome:
     old = outcome.statement
     rows = [r._replace(uses=()) if r.role == NEEDED and r.uses else r for r in old.obligations]
     used = {name for r in rows for name in r.uses}
+    content, certificate = packaged_files()
     statement = old._replace(
         obligations=(*rows, row),
         assumptions=tuple(a for a in old.assumptions if a.name in used),
-        cites=(Cite(STEP, STEP, packaged(), assumptions=ASSUMPTIONS),),
+        cites=(Cite(STEP, STEP, content, (), ASSUMPTIONS, certificate),),
     )
     decisions = {**outcome.decisions, row.name: decision}
     return outcome._replace(

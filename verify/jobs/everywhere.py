@@ -80,7 +80,8 @@ TRIED = (
 
 def state_everywhere() -> Statement:
     """What is claimed, before it is decided."""
-    return statement(write(decide_step())["statement.json"])
+    files = write(decide_step())
+    return statement(files["statement.json"], files["certificate.json"])
 
 
 @cache

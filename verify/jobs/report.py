@@ -17,7 +17,7 @@ from verify.jobs.regenerate import is_right_when_accepted
 from verify.jobs.report_files import CertificateError, read_file, unusable
 from verify.jobs.report_maps import (
     CertifiedMap,
-    ReadStrip,
+    CertifiedStrip,
     is_strip,
     log_names,
     read_map,
@@ -52,7 +52,7 @@ class Material(Record):
 
     folders: tuple[CertifiedOutcome, ...]
     maps: tuple[CertifiedMap, ...]
-    strips: tuple[ReadStrip, ...]
+    strips: tuple[CertifiedStrip, ...]
     measurements: dict[str, dict[str, Any]]
     digests: dict[str, str]
 

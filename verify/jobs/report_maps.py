@@ -28,8 +28,8 @@ class CertifiedMap(Record):
     said: str
 
 
-class ReadStrip(Record):
-    """A log that encloses a border, read but not checked: that takes longer than all maps."""
+class CertifiedStrip(Record):
+    """One accepted log that encloses a border, with the number of its tiles."""
 
     name: str
     plane: BorderStrip
@@ -54,28 +54,21 @@ def is_strip(directory: str, name: str) -> bool:
     return b'"plane":{"name":"strip"' in first
 
 
-def read_strip(directory: str, name: str) -> ReadStrip:
-    """Read a log that encloses a border, and every tile of which has a verdict in it.
+def read_strip(directory: str, name: str) -> CertifiedStrip:
+    """Read a log that encloses a border, and check it and that every tile has a verdict.
 
     Raises:
-        CertificateError: if it is no such log.
+        CertificateError: if it is no such log, or is not accepted.
     """
-    path = os.path.join(directory, name)
-    content = read_file(path)
-    try:
-        header, *lines = map(json.loads, content.splitlines())
-        plane = _plane_of(check_map.plane_of(header["plane"]))
-        tiles = sum(len(line["verdicts"]) - line["verdicts"].count("u") for line in lines)
-        undecided = _appended(plane, lines).due
-    except (check_map.LogError, ValueError, KeyError, TypeError, AttributeError) as error:
-        raise CertificateError(f"{path}: it is no log of a strip ({error!r:.60})", 4) from error
-    if undecided or not isinstance(plane, BorderStrip):
-        raise CertificateError(f"{path}: not all of the strip is decided", 1)
-    return ReadStrip(name, plane, tiles, sha256(content).hexdigest())
+    found = read_map(directory, name, most=None)  # it takes longer than a map
+    plane, areas = found.progress.plane, found.progress.areas
+    if areas is None or not areas.is_strip or not isinstance(plane, BorderStrip):
+        raise CertificateError(f"{os.path.join(directory, name)}: not all of it is decided", 1)
+    return CertifiedStrip(name, plane, areas.proved, found.digest)
 
 
-def read_map(directory: str, name: str) -> CertifiedMap:
-    """Read a log, and check it.
+def read_map(directory: str, name: str, most: int | None = check_map.MAX_WORK) -> CertifiedMap:
+    """Read a log, and check it with so much work.
 
     Raises:
         CertificateError: if it is not accepted.
@@ -84,7 +77,7 @@ def read_map(directory: str, name: str) -> CertifiedMap:
     content = read_file(path)
     lines = content.splitlines(keepends=True)
     try:
-        plane, areas = check_map.check_log(iter(lines))
+        plane, areas = check_map.check_log(iter(lines), most)
     except check_map.RefusedError as error:
         raise CertificateError(f"{path}: its checker does not accept it ({error})", 1) from error
     except check_map.LogError as error:

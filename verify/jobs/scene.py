@@ -7,7 +7,7 @@ show the inequalities.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cache
 
@@ -165,12 +165,15 @@ def statement_of(telling: Telling, found: Fate) -> Statement:
 def cites(found: Fate) -> list[Cite]:
     """The statements whose theorems are applied."""
     makers = {FLOW: decide_flow, CLASSIFICATION: decide_classification, SHARPER: decide_sharper}
-    return [_cite(name, makers[name]()) for name in theorems(found)]
+    return [_cite(name, makers[name]) for name in theorems(found)]
 
 
-def _cite(name: str, outcome: Outcome) -> Cite:
-    content = write(outcome)["statement.json"]
-    return Cite(name, outcome.statement.theorem, content, assumptions=outcome.assumptions)
+@cache
+def _cite(name: str, make: Callable[[], Outcome]) -> Cite:
+    outcome = make()
+    files, trusted = write(outcome), outcome.assumptions
+    content, certificate = files["statement.json"], files["certificate.json"]
+    return Cite(name, outcome.statement.theorem, content, (), trusted, certificate)
 
 
 def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:

@@ -153,7 +153,7 @@ class Cite(Record):
     """Another statement, whose theorems may be used.
 
     ``content`` is its file, ``cites`` has what is cited there, and ``assumptions`` what it takes on
-    trust.
+    trust. ``certificate`` proves it, and is empty if none is at hand.
     """
 
     name: str
@@ -161,6 +161,7 @@ class Cite(Record):
     content: bytes
     cites: tuple[Cite, ...] = ()
     assumptions: tuple[Assumption, ...] = ()
+    certificate: bytes = b""
 
     @property
     def trusted(self) -> tuple[Assumption, ...]:

@@ -31,7 +31,9 @@ from verify.prover.proof import (
     Step,
 )
 from verify.prover.rules.table import RULES
+from verify.wire.packaged import packaged_files
 from verify.wire.term_json import TermReader, WireError
+from verify.wire.write import CERTIFICATE_FORMAT
 
 
 def read(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]) -> Outcome:
@@ -93,11 +95,32 @@ def read_statement(document: Any, reader: TermReader, cited: Mapping[str, bytes]
 
 
 def _cite(item: Any, cited: Mapping[str, bytes]) -> Cite:
-    content = cited[item["statement_sha256"]]
+    digest = item["statement_sha256"]
+    content = cited[digest]
     document = json.loads(content)
     inner = tuple(_cite(other, cited) for other in document["cites"])
     assumptions = tuple(Assumption(**entry) for entry in document["assumptions"])
-    return Cite(item["name"], item["theorem"], content, inner, assumptions)
+    certificate = _certificate_of(digest, content, cited)
+    return Cite(item["name"], item["theorem"], content, inner, assumptions, certificate)
+
+
+def _certificate_of(digest: str, content: bytes, cited: Mapping[str, bytes]) -> bytes:
+    """The certificate of what is cited: the program's own, or one that is given, or none."""
+    statement, certificate = packaged_files()
+    if content == statement:
+        return certificate
+    return next((data for data in cited.values() if _certifies(data, digest)), b"")
+
+
+def _certifies(data: bytes, digest: str) -> bool:
+    if CERTIFICATE_FORMAT.encode() not in data or digest.encode() not in data:
+        return False
+    try:
+        document = json.loads(data)
+    except (ValueError, RecursionError):
+        return False
+    found = document if isinstance(document, dict) else {}
+    return (found.get("format"), found.get("statement_sha256")) == (CERTIFICATE_FORMAT, digest)
 
 
 def _constant(item: Any, reader: TermReader) -> Constant:

@@ -6,13 +6,10 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Iterable, Iterator, Mapping
-from functools import cache
 from hashlib import sha256
 from typing import Any
 
-from verify.jobs.errors import OwnError
 from verify.language.statement import (
     UNDECIDED,
     Always,
@@ -41,20 +38,12 @@ from verify.wire.term_json import TermWriter
 STATEMENT_FORMAT = "verify-statement/2"
 CERTIFICATE_FORMAT = "verify-certificate/2"
 
-#: The folder of the step, a copy of the one in `certificates`.
-PACKAGED = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data", "step")
-#: Its files with their digests. Who cites it rests on them: it is not checked again in each run.
-PACKAGED_FILES = {
-    "statement.json": "126aefb84a92dd59e6c4afa380a85ba3b094248f5695d8074561208f75bd11cb",
-    "certificate.json": "988994f4ca7086141430bca7e6bc35f058d4d39bdc48e62c1319d3d91d84aa84",
-}
-
 
 def write(outcome: Outcome) -> dict[str, bytes]:
     """The files of a certificate, by their names in its folder.
 
     Besides statement and certificate there are the statements that are cited, with their
-    certificates if those come with the program.
+    certificates if those are at hand.
     """
     statement = outcome.statement
     writer = TermWriter("t", statement_terms(statement), {})
@@ -70,27 +59,9 @@ def _cited(cites: Iterable[Cite]) -> Iterator[tuple[str, bytes]]:
     for cite in cites:
         name = f"cited/{digest(cite.content)}"
         yield f"{name}.json", cite.content
-        statement, certificate = packaged_files()
-        if cite.content == statement:
-            yield f"{name}.certificate.json", certificate
+        if cite.certificate:
+            yield f"{name}.certificate.json", cite.certificate
         yield from _cited(cite.cites)
-
-
-@cache
-def packaged_files() -> tuple[bytes, bytes]:
-    """The statement and the certificate of the step, which come with the program.
-
-    Raises:
-        OwnError: if they are not those that the checker has accepted.
-    """
-    found = []
-    for name, expected in PACKAGED_FILES.items():
-        path = os.path.join(PACKAGED, name)
-        with open(path, "rb") as file:
-            found.append(file.read())
-        if digest(found[-1]) != expected:
-            raise OwnError(f"{path} is not the file that came with the program; install it anew")
-    return found[0], found[1]
 
 
 def digest(content: bytes) -> str:

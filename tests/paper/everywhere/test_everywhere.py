@@ -170,6 +170,7 @@ def test_without_a_hypothesis_it_is_refused() -> None:
 
 
 def test_the_search_finds_the_same_again() -> None:
-    cited = write(step.decide_step())["statement.json"]
-    found = everywhere.Everywhere(statement(cited), REPAIRED).run()
+    files = write(step.decide_step())
+    stated = statement(files["statement.json"], files["certificate.json"])
+    found = everywhere.Everywhere(stated, REPAIRED).run()
     assert write(found) == write(decide_everywhere())

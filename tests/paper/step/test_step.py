@@ -14,7 +14,6 @@ import pytest
 from tests.paper.step.states import BITS, Random, Values, checker, evaluate
 from verify import check
 from verify.cli import main
-from verify.jobs import citing
 from verify.jobs.step import decide_step
 from verify.jobs.theorem1 import decide_point
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Obligation
@@ -27,9 +26,10 @@ from verify.prover.outcome import Decision, Judgement, Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Step
 from verify.prover.rules import Sum
 from verify.views.words import headline
-from verify.wire import write as write_module
+from verify.wire import packaged
+from verify.wire.packaged import PACKAGED, PACKAGED_FILES, packaged_files
 from verify.wire.read import read
-from verify.wire.write import PACKAGED, PACKAGED_FILES, encode, packaged_files, write
+from verify.wire.write import encode, write
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -246,7 +246,7 @@ def test_the_step_that_comes_with_the_program_is_the_one_that_it_makes() -> None
     for name, content in write(decide_step()).items():
         for folder in (PACKAGED, ROOT / "certificates/step"):
             assert (Path(folder) / name).read_bytes() == content, folder
-    assert citing.packaged() == write(decide_step())["statement.json"]
+    assert packaged_files()[0] == write(decide_step())["statement.json"]
 
 
 @pytest.mark.parametrize("name", ["statement.json", "certificate.json"])
@@ -262,7 +262,7 @@ def test_nothing_is_proved_by_a_step_that_was_tampered_with(
     for file in PACKAGED_FILES:
         content = (Path(PACKAGED) / file).read_bytes()
         (tmp_path / file).write_bytes(content + b" " * (file == name))
-    monkeypatch.setattr(write_module, "PACKAGED", str(tmp_path))
+    monkeypatch.setattr(packaged, "PACKAGED", str(tmp_path))
     packaged_files.cache_clear()
     try:
         assert main(["theorem1", *words]) == 5

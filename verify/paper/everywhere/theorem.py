@@ -58,7 +58,7 @@ def printed_statement() -> Statement:
     return Statement(PRINTED_NAME, PRINTED_TITLE, {}, (), contexts, tuple(printed_rows()), ())
 
 
-def statement(step: bytes) -> Statement:
-    """The statement; it cites the step, whose statement is given."""
-    cite = Cite(STEP, STEP, step, assumptions=ASSUMPTIONS)
+def statement(step: bytes, certificate: bytes) -> Statement:
+    """The statement; it cites the step, whose statement and certificate are given."""
+    cite = Cite(STEP, STEP, step, (), ASSUMPTIONS, certificate)
     return Statement(NAME, TITLE, {}, (), (context(),), tuple(rows()), (), (cite,))

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from verify.jobs.covers import DEPTH
-from verify.jobs.report_maps import CertifiedMap, ReadStrip
+from verify.jobs.report_maps import CertifiedMap, CertifiedStrip
 from verify.language.record import Record
 from verify.prover.outcome import Outcome
 from verify.views.plots import map_figure, margins, minimum, region, roots, speed
@@ -55,7 +55,7 @@ def collapses(stories: Mapping[str, Story]) -> list[Figure]:
     ]
 
 
-def maps(logs: Iterable[CertifiedMap], strips: Sequence[ReadStrip]) -> list[Figure]:
+def maps(logs: Iterable[CertifiedMap], strips: Sequence[CertifiedStrip]) -> list[Figure]:
     """A figure for each map, with the strip that encloses its border, if there is one."""
     found = []
     for number, log in enumerate(logs, 1):

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
-from verify.jobs.report_maps import CertifiedMap, ReadStrip
+from verify.jobs.report_maps import CertifiedMap, CertifiedStrip
 from verify.paper.map.planes import Phi, Plane
 from verify.paper.map.strip import BorderStrip
 from verify.prover.decimals import short
@@ -40,7 +40,7 @@ Cell = tuple[Fraction, Fraction, Fraction, Fraction]
 Law = Sequence[tuple[int, Fraction]]
 
 
-def figure(found: CertifiedMap, strip: ReadStrip | None, name: str) -> Figure:
+def figure(found: CertifiedMap, strip: CertifiedStrip | None, name: str) -> Figure:
     """The figure of a map of boxes, with the strip that encloses its border."""
     progress = found.progress
     shares = {key: percent(share) for key, share in area_shares(progress).items()}
@@ -74,14 +74,13 @@ def border(strip: BorderStrip) -> Iterator[Point]:
         yield float(middle), float(value)
 
 
-def _about(strip: ReadStrip) -> str:
+def _about(strip: CertifiedStrip) -> str:
     low, high = strip.plane.x
     delta = short((strip.plane.delta, strip.plane.delta))
     return (
         f" The line in the second panel is the curve f of the log {strip.name}: for φ₁ in "
         f"[{low}, {high}] all states with φ₂ ≤ f - {delta} collapse and all with φ₂ ≥ f + {delta} "
-        f"disperse, in {strip.tiles} tiles. For this page that log was only read: its check "
-        "takes several seconds more."
+        f"disperse, in {strip.tiles} tiles, each of which the checker of maps has proved anew."
     )
 
 

@@ -800,21 +800,6 @@ def long_statements_cited() -> Files:
 
 
 @heavy
-def long_statements_that_cite_each_other() -> Files:
-    """Each is kept while the next one is read; no claim of theirs is looked at before."""
-    others: list[Pair] = []
-    for k in range(7):
-        other = Pair(f"T{k}").row("row", "0 <= 1", INTERVAL)
-        other.statement["obligations"][0]["claim"] = [["0"]] * 580_000
-        if others:
-            other.cite("c", others[-1])
-        others.append(other)
-    pair = true(Pair())
-    pair.cite("c", others[-1])
-    return folder(pair, *others)
-
-
-@heavy
 def cited_certificates_that_are_much_work_each() -> Files:
     others, pair = [], true(Pair())
     for k in range(7):

@@ -97,19 +97,32 @@ def test_what_closes_satisfies_all_conditions() -> None:
     assert len(failing) >= 5, failing
 
 
-def test_the_angle_is_that_of_the_unit_vectors(monkeypatch: pytest.MonkeyPatch) -> None:
-    """-cos of the state is C over the length of the vector between the centres, and so below C."""
+def one_state() -> tuple[check_map.Law, check_map.Sight, tuple[check_map.Interval, ...]]:
+    """A state that collapses, by these numbers."""
     plane = check_map.plane_of(plane_document(PLANE))
     x, y = Fraction(0.07), Fraction(0.004)
-    six = verdicts(PLANE._replace(x=(x - WIDE, x + WIDE), y=(y / 2, 3 * y / 2)), ["0"]).numbers[0][
-        0
-    ]
+    near = PLANE._replace(x=(x - WIDE, x + WIDE), y=(y / 2, 3 * y / 2))
+    (numbers,) = check_map.sixes([*verdicts(near, ["0"]).numbers[0][0]], "c")
     point = [check_map.around(value) for value in (x, y)]
     state = check_map._at_contact(check_map.INTERVALS, plane)(*point)
+    return check_map.law_of(plane.r), state, numbers
+
+
+def test_the_ratio_of_the_speeds_has_to_be_between_its_bounds() -> None:
+    law, state, numbers = one_state()
+    assert check_map.closes(law, state, numbers)
+    low, high = state.rho
+    for other in ((low * 100, high * 100), (1, 1), (1, high), (low, high * 100)):
+        assert not check_map.closes(law, state._replace(rho=other), numbers)
+
+
+def test_the_angle_is_that_of_the_unit_vectors(monkeypatch: pytest.MonkeyPatch) -> None:
+    """-cos of the state is C over the length of the vector between the centres, and so below C."""
+    law, state, numbers = one_state()
     state = state._replace(C=(check_map.ONE // 2,) * 2)
     asked: list[check_map.Interval] = []
     monkeypatch.setattr(check_map, "_rows", lambda _law, C, *_: asked.append(C))
-    check_map.closes(check_map.law_of(plane.r), state, *check_map.sixes([*six], "c"))
+    check_map.closes(law, state, numbers)
     one = check_map.ONE
     eps, v = (Fraction(z[0], one) for z in (state.eps, state.v))
     exact = Fraction(one, 2) / root_above(1 + eps * v**2)

@@ -63,7 +63,7 @@ class Statements(Generator):
             return as_term(self.small() * Fraction(10) ** r.choice((-9, -4, 4, 9)))
         return as_term(self.small())
 
-    def term(self, depth: int) -> Term:
+    def term(self, depth: int) -> Term:  # noqa: C901
         r = self.random
         if depth == 0:
             known = bool(self.names) and r.random() < 0.7
@@ -179,9 +179,10 @@ def random_statement(
     constants = tuple(made.constants())
     known = [*made.names]
     context, ends = made.context()
-    rows = []
-    for i in range(made.random.choice((1, 2, 3))):
-        rows.append(Obligation(f"row{i}", "", "", NEEDED, "", made.compared(), context="all"))
+    rows = [
+        Obligation(f"row{i}", "", "", NEEDED, "", made.compared(), context="all")
+        for i in range(made.random.choice((1, 2, 3)))
+    ]
     made.names = known
     rows.append(Obligation("ground", "", "", NEEDED, "", made.compared()))
     title = f"seed {seed}"

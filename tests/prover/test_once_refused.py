@@ -88,6 +88,24 @@ def test_one_name_for_two_things() -> None:
         decided(0 <= x, {"x": 0 <= x}, 0)
 
 
+@pytest.mark.parametrize("levels", [150, 900, 3000])
+def test_terms_that_are_too_deep(levels: int) -> None:
+    term = x
+    for _ in range(levels):
+        term = term + 1
+    with pytest.raises(InputError, match=r"more than 100 nested brackets|too deep"):
+        decided(x < term, {"low": 0 <= x}, 1)
+
+
+@pytest.mark.parametrize("end", [0, -1, Fraction(1, 3)])
+def test_a_variable_with_one_value(end: Fraction) -> None:
+    givens = {"low": as_term(end) <= x, "high": x <= as_term(end)}
+    place = for_all("all", givens, {"x": end})
+    rows = [ask("one", x <= x**2 - end**2 + end, place), ask("two", x * x <= x * end, place)]
+    found = prove(lemma("title", rows, (), [place]), WorkBudget(10**6))
+    assert found.verdict in (PROVED, UNDECIDED)
+
+
 # --- floats say nothing for certain ---------------------------------------------------------------
 
 

@@ -84,7 +84,11 @@ class Reading:
     def __init__(self, statement: Statement) -> None:
         self._statement = statement
         cited = {digest(cite.content): cite.content for cite in _all_cites(statement.cites)}
-        self._content, self._cited = write(_claims(statement, ()))["statement.json"], cited
+        try:
+            self._content = write(_claims(statement, ()))["statement.json"]
+        except RecursionError as error:
+            raise InputError("STATEMENT: its terms are too deep; nest fewer operations") from error
+        self._cited = cited
         self._batches: list[tuple[Obligation | None, str, Sequence[Step]]] = []
         _document(self._content, cited)
         self._begin()
@@ -155,7 +159,8 @@ def _document(content: bytes, cited: Mapping[str, bytes]) -> dict[str, Any]:
 
 def _as_written(error: Exception) -> str:
     twice = re.search("found the name .* twice$", str(error))
-    return f"{error}: one name stands for two things" if twice else str(error)
+    words = str(error).removeprefix("STATEMENT: ")
+    return f"{words}: one name stands for two things" if twice else words
 
 
 def _as_asked(document: dict[str, Any]) -> dict[str, Any]:

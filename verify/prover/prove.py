@@ -109,13 +109,13 @@ def _why(error: Exception) -> str:
 
 def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
     universal.budget.refill()
+    universal.budget.spend(0)  # no row is begun when the time is over
     if isinstance(row.claim, Claim):
         names = names_of(row.claim.lhs, row.claim.rhs)
         if all(name in ground.definitions for name in names):
             found = ground.decide(row)
             if found.claimed != UNDECIDED:
                 return found
-    universal.budget.spend(0)
     return RowsInContexts(universal).decide(row)
 
 

@@ -18,6 +18,7 @@ import mpmath
 import pytest
 
 from tests.prover.test_oracle import CONTEXT, TINY, Generator, holds, value
+from verify.jobs.errors import OwnError
 from verify.jobs.prove import decide
 from verify.language.statement import (
     NEEDED,
@@ -33,7 +34,8 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term, as_term, cos_pi, maximum, minimum, sqrt, symbol
 from verify.prover.budget import WorkBudget
-from verify.prover.outcome import Outcome
+from verify.prover.outcome import Judgement, Outcome
+from verify.prover.rules import Interval
 
 FIRST = int(os.environ.get("STATEMENT_FIRST", "0"))
 ROUNDS = int(os.environ.get("STATEMENT_ROUNDS", "60"))
@@ -248,3 +250,36 @@ def test_many_rows_are_decided() -> None:
     assert verdicts.count(UNDECIDED) < len(verdicts) * 2 // 3
     assert {PROVED, REFUTED} <= {*verdicts}
     assert {"interval", "sum", "witness"} <= {decision.method for decision in decisions}
+
+
+def test_a_lie_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = decide
+    opposite = {PROVED: REFUTED, REFUTED: PROVED, UNDECIDED: UNDECIDED}
+
+    def lies(statement: Statement, budget: WorkBudget) -> Outcome:
+        outcome = honest(statement, budget)
+        decisions = {
+            name: found._replace(judged=Judgement(opposite[found.verdict], "a liar"))
+            for name, found in outcome.decisions.items()
+        }
+        return outcome._replace(decisions=decisions)
+
+    monkeypatch.setattr(f"{__name__}.decide", lies)
+    said = [wrong(seed)[0] for seed in range(20)]
+    assert any("is proved, and false" in words for words in said)
+    assert any("is refuted" in words for words in said)
+
+
+def test_a_search_that_fails_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(*_: object) -> None:
+        raise ValueError("an empty sequence")
+
+    monkeypatch.setattr("verify.prover.rows_in_contexts.RowsInContexts.decide", fails)
+    said = [wrong(seed)[0] for seed in range(10)]
+    assert any("the search failed: ValueError: an empty sequence" in words for words in said)
+
+
+def test_a_refused_proof_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("verify.prover.techniques.boxes.interval", lambda *_: Interval(64, ()))
+    with pytest.raises(OwnError, match="does not accept"):
+        list(map(wrong, range(20)))

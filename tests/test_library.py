@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from verify import library
+from verify.jobs import prove as job
 from verify.jobs.errors import OwnError
 from verify.library import ask, for_all, lemma, prove, symbol
 from verify.prover.prove import prove as decided
@@ -97,6 +97,6 @@ def test_what_the_checker_does_not_accept_is_an_error(monkeypatch: pytest.Monkey
     true = lemma("true", [ask("row", x * (1 - x) <= Fraction(1, 4), unit)], (), [unit])
     false = lemma("false", [ask("row", x * (1 - x) <= Fraction(1, 5), unit)], (), [unit])
     found = decided(true)
-    monkeypatch.setattr(library, "decided", lambda *_, **__: found._replace(statement=false))
+    monkeypatch.setattr(job, "prove", lambda *_, **__: found._replace(statement=false))
     with pytest.raises(OwnError, match="does not accept"):
         prove(false)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from verify.jobs.acceptance import judged
+from verify.jobs.prove import decide
 from verify.language.statement import (
     NEEDED,
     Assumption,
@@ -21,7 +21,6 @@ from verify.language.statement import (
 from verify.language.terms import Claim, Number, as_term, symbol
 from verify.prover.budget import WorkBudget
 from verify.prover.outcome import Outcome
-from verify.prover.prove import prove as decided
 from verify.wire.write import write
 
 
@@ -76,9 +75,10 @@ def prove(statement: Statement, budget: WorkBudget | None = None) -> Outcome:
     ``budget`` is how much work each row may be, and how long all of them may take.
 
     Raises:
-        OwnError: if the checker does not accept a proof.
+        InputError: for a statement that the checker cannot read.
+        OwnError: if the checker refuses a proof.
     """
-    return judged(decided(statement, budget=budget))
+    return decide(statement, budget)
 
 
 def certificate(outcome: Outcome) -> dict[str, bytes]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,8 @@ import pytest
 
 from verify import check
 from verify.cli import main
-from verify.cli import prove as command
+from verify.jobs import prove as job
+from verify.language.terms import Claim
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "certificates/examples"
 
@@ -68,15 +70,19 @@ def test_an_undecided_row_writes_nothing(
 def test_what_the_checker_refuses_is_not_called_proved(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    decide = command.decide_statement
+    search = job.prove
 
-    def too_short(*arguments: Any) -> Any:
-        outcome = decide(*arguments)
-        return outcome._replace(steps=outcome.steps[:-1])
+    def too_strict(*arguments: Any, **options: Any) -> Any:
+        outcome = search(*arguments, **options)
+        claims = [(r, Claim("<", r.claim.rhs, r.claim.rhs)) for r, _ in outcome.rows]
+        rows = [row._replace(claim=claim) for row, claim in claims]
+        return outcome._replace(statement=outcome.statement._replace(obligations=tuple(rows)))
 
-    monkeypatch.setattr(command, "decide_statement", too_short)
+    monkeypatch.setattr(job, "prove", too_strict)
     assert main(["prove", written(tmp_path, example("instance"))]) == 5
-    assert capsys.readouterr().out == ""
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "row two: REFUSED" in captured.err
 
 
 def test_time_only_leaves_rows_undecided(tmp_path: Path) -> None:
@@ -91,6 +97,92 @@ def test_the_files_do_not_depend_on_the_jobs(tmp_path: Path) -> None:
         assert main(["prove", path, "--jobs", jobs, "--out", str(tmp_path / jobs)]) == 0
     for name in ("statement.json", "certificate.json"):
         assert (tmp_path / "1" / name).read_bytes() == (tmp_path / "2" / name).read_bytes()
+
+
+def with_rows(*claims: Any) -> dict[str, Any]:
+    """Questions for all x > 0."""
+    document = example("instance")
+    row = next(row for row in document["obligations"] if row["context"] is not None)
+    rows = [row | {"name": f"r{i}", "claim": claim} for i, claim in enumerate(claims)]
+    return document | {"obligations": rows}
+
+
+def test_one_row_does_not_take_down_the_others(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fails(*_: Any) -> Any:
+        raise ZeroDivisionError("a quotient by 0")
+
+    monkeypatch.setattr("verify.prover.rows_in_contexts.RowsInContexts._apply", fails)
+    document = with_rows(["<=", "0", "x"], ["applies", "positive", {"x": "x"}], ["<", "-1", "x"])
+    document["obligations"][1]["claim"][1] = document["contexts"][0]["name"]
+    assert main(["prove", written(tmp_path, document), "--json"]) == 3
+    rows = json.loads(capsys.readouterr().out)["obligations"]
+    assert [row["verdict"] for row in rows] == ["proved", "undecided", "proved"]
+    assert rows[1]["reason"] == "the search failed: ZeroDivisionError: a quotient by 0"
+    assert [rows[0]["reason"], rows[2]["reason"]] == [None, None]
+
+
+def test_a_proof_that_the_checker_cannot_read_is_not_claimed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    power = ["pow", "x", "200"]
+    most = ["<=", ["mul", power, ["sub", "1", "x"]], "1/201"]
+    document = with_rows(["<=", "0", "x"], most, ["<", "-1", "x"])
+    document["contexts"][0]["givens"].append(
+        document["contexts"][0]["givens"][0] | {"name": "most", "claim": ["<=", "x", "1"]}
+    )
+    document["contexts"][0]["point"] = {"x": "1"}
+    assert main(["prove", written(tmp_path, document)]) == 3
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].startswith("proved")
+    assert lines[1].startswith("undecided r1")
+    assert "because the proof that was found is more than the checker reads" in lines[1]
+    assert lines[2].startswith("proved")
+
+
+def test_an_undecided_row_about_a_context_has_no_certificate(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    document = with_rows(["<=", "0", "x"], ["applies", "", {"x": ["sub", "x", "1"]}])
+    document["obligations"][1]["claim"][1] = document["contexts"][0]["name"]
+    document["obligations"][1]["role"] = "printed"
+    out = tmp_path / "out"
+    assert main(["prove", written(tmp_path, document), "--out", str(out)]) == 0
+    captured = capsys.readouterr()
+    assert captured.out.splitlines()[1].startswith("undecided r1")
+    assert "r1, which is about a context, is undecided" in captured.err
+    assert not out.exists()
+
+
+@pytest.mark.parametrize("kind", ["pipe", "folder", "too much"])
+def test_what_lies_in_the_folder_of_citations(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, kind: str
+) -> None:
+    cited = tmp_path / "cited"
+    cited.mkdir()
+    if kind == "pipe":
+        os.mkfifo(cited / "a.json")
+    elif kind == "folder":
+        (cited / "a.json").mkdir()
+    else:
+        monkeypatch.setattr(check, "MAX_CITED", 100)
+        for name in "ab":
+            (cited / f"{name}.json").write_bytes(b" " * 60)
+    assert main(["prove", written(tmp_path, example("instance"))]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("verify: STATEMENT: the folder ")
+    assert captured.err.count("\n") == 1
+
+
+def test_names_like_those_of_lemmas(tmp_path: Path) -> None:
+    document = with_rows(["<=", "2", ["add", "x", ["div", "1", "x"]]], ["<=", "0", "x"])
+    for i, name in enumerate(("l.1", "u.1")):
+        document["obligations"][i]["name"] = name
+    document["contexts"][0]["givens"][0]["name"] = "ll.1"
+    assert main(["prove", written(tmp_path, document), "--out", str(tmp_path / "out")]) == 0
+    assert check.check_folders(check.read_folders([str(tmp_path / "out")]))[0] == 0
 
 
 def changed(**values: Any) -> dict[str, Any]:

@@ -183,7 +183,13 @@ def test_what_is_long_when_expanded_is_left_undecided() -> None:
 def test_no_row_is_begun_when_the_time_is_over() -> None:
     statement = asked(as_term(0) <= x**2 - 2 * x * y + y**2, dict.fromkeys("xy", EVERYWHERE))
     assert prove(statement, budget=WorkBudget(seconds=60)).claimed == PROVED
-    assert prove(statement, budget=WorkBudget(seconds=0)).claimed == UNDECIDED
+    late = prove(statement, budget=WorkBudget(seconds=0))
+    assert late.claimed == UNDECIDED
+    assert "the time is over" in late.spent + late.decisions["row"].reason
+    ground = statement._replace(
+        contexts=(), obligations=(Obligation("one", "", "", NEEDED, "", as_term(0) <= as_term(1)),)
+    )
+    assert prove(ground, budget=WorkBudget(seconds=0)).claimed == UNDECIDED
 
 
 def test_the_files_are_the_same_each_time() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from hashlib import sha256
 
 from verify.cli.files import (
@@ -14,10 +15,12 @@ from verify.cli.files import (
 )
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import add_color, show
-from verify.jobs.acceptance import judged
 from verify.jobs.inputs import InputError, integer, rational, shown
 from verify.jobs.prove import decide_statement
+from verify.language.statement import PRINTED, UNDECIDED
+from verify.language.terms import Claim
 from verify.prover.budget import WORK, WorkBudget
+from verify.prover.outcome import Outcome
 from verify.views.prove import decided_document, decided_lines
 
 MAX_JOBS = 256
@@ -46,14 +49,27 @@ def run(options: Options) -> int:
     content, cited = read_bytes("STATEMENT", options.STATEMENT), _cited(options.STATEMENT)
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = decide_statement(content, cited, WorkBudget(work, _seconds(options.time)))
-    outcome = judged(outcome)
     if options.out is not None:
-        write_certificate("--out", options.out, outcome)
+        _write(options.out, outcome)
     if options.json:
         print_document(decided_document(outcome))
     else:
         show(decided_lines(outcome), options)
     return outcome.exit_code
+
+
+def _write(directory: str, outcome: Outcome) -> None:
+    """Write a certificate, if there is a form for what is undecided."""
+    unwritten = [
+        row.name
+        for row, found in outcome.rows
+        if found.claimed == UNDECIDED and row.role == PRINTED and not isinstance(row.claim, Claim)
+    ]
+    if unwritten:
+        where = f"{unwritten[0]}, which is about a context, is undecided"
+        print(f"verify: the row {where}; no certificate was written", file=sys.stderr)
+    else:
+        write_certificate("--out", directory, outcome)
 
 
 def _seconds(text: str | None) -> float | None:

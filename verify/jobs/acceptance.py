@@ -14,7 +14,7 @@ from hashlib import sha256
 
 from verify import check
 from verify.jobs.errors import OwnError, UnreadError
-from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, UNDECIDED, Obligation
+from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED
 from verify.prover.outcome import Decision, Judgement, Outcome
 from verify.wire.read import read
 from verify.wire.write import write
@@ -46,7 +46,8 @@ def judged(outcome: Outcome) -> Outcome:
     found = with_verdicts(outcome, report)
     for name, decision in found.decisions.items():
         if decision.verdict != decision.claimed:
-            raise _refused(report, f"{name}: {report.rows[name]}, expected {decision.claimed}")
+            why = f"{report.rows[name]}, expected {decision.claimed}"
+            raise _refused(report, why, name)
     if report.verdict == "REFUSED":
         raise _refused(report, report.summary)
     return found
@@ -58,22 +59,18 @@ def report_on(outcome: Outcome) -> check.Report:
     Raises:
         UnreadError: if it does not get to the end: too large, too deep, or too much work.
     """
-
-    def asked(row: Obligation) -> Obligation:
-        claimed = outcome.decisions[row.name].claimed != UNDECIDED
-        return row._replace(role=NEEDED if claimed else PRINTED)
-
+    rows = tuple(row for row, found in outcome.rows if found.claimed != UNDECIDED)
     if outcome.claimed == UNDECIDED:
-        rows = tuple(map(asked, outcome.statement.obligations))
-        outcome = outcome._replace(statement=outcome.statement._replace(obligations=rows))
-    return _report(write(outcome))
+        rows = tuple(row._replace(role=NEEDED) for row in rows)
+    asked = outcome._replace(statement=outcome.statement._replace(obligations=rows))
+    return _report(write(asked))
 
 
 def with_verdicts(outcome: Outcome, report: check.Report) -> Outcome:
     """The outcome with the verdicts in a report on its certificate, and with no others."""
 
     def decided(name: str, found: Decision) -> Decision:
-        verdict = report.rows[name]
+        verdict = report.rows.get(name, UNDECIDED)
         shown = verdict == found.claimed != UNDECIDED
         return found._replace(judged=Judgement(verdict, CHECKER) if shown else None)
 
@@ -125,9 +122,10 @@ def _report(files: Mapping[str, bytes], work: int | None = None) -> check.Report
         raise UnreadError(_not_accepted(f"MALFORMED: {error}")) from error
 
 
-def _refused(report: check.Report, otherwise: str) -> OwnError:
+def _refused(report: check.Report, otherwise: str, row: str = "") -> OwnError:
     complaints = (line for line in report.lines if line.startswith("REFUSED"))
-    return OwnError(_not_accepted(next(complaints, otherwise)))
+    where = f"row {row}: " if row else ""
+    return OwnError(_not_accepted(where + next(complaints, otherwise)))
 
 
 def _not_accepted(why: str) -> str:

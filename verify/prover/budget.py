@@ -33,5 +33,7 @@ class WorkBudget:
             SpentError: if there is none left.
         """
         self.left -= units
-        if self.left < 0 or (self._end is not None and monotonic() > self._end):
-            raise SpentError
+        if self._end is not None and monotonic() > self._end:
+            raise SpentError("the time is over; allow more, by --time")
+        if self.left < 0:
+            raise SpentError("the work for a row is used up; allow it more, by --work")

@@ -81,6 +81,15 @@ class Ground:
         self._exact = Machine(self._program, ExactArithmetic()).run(())
         self._small = Machine(self._program, ExactArithmetic(RELIABLE_BITS)).run(())
 
+    def mark(self) -> Callable[[], None]:
+        """What forgets the decisions from now on, whose lemmas may be gone."""
+        decided = dict(self._decided)
+
+        def undo() -> None:
+            self._decided = decided
+
+        return undo
+
     # --- values ---------------------------------------------------------------------------------
 
     def define(self, constant: Constant) -> bool:

@@ -47,13 +47,15 @@ class Decision(Record):
     """What is claimed of a row, with its evidence; a refuted row has a proof of its negation.
 
     ``sides`` encloses both sides of a claim without variables. A row that no judge has judged is
-    undecided, whatever is claimed of it.
+    undecided, whatever is claimed of it; ``reason`` says why nothing is claimed, where that is
+    known.
     """
 
     claimed: str
     proof: Proof | None = None
     sides: Enclosure | None = None
     judged: Judgement | None = None
+    reason: str = ""
 
     @property
     def verdict(self) -> str:

@@ -71,10 +71,10 @@ class RowsInContexts:
             or not reached
             or context.parent not in self.known.session.chain(row.context)
         ):
-            return Decision(UNDECIDED)
+            return _undecided(f"the context {claim.context} is not open here")
         premises = self.known.premises(context, claim.at, row.context)
         if premises is None:
-            return Decision(UNDECIDED)
+            return _undecided(f"a given of {claim.context} was not shown at these values")
         proof = Applying(premises)
         self.known.session.prove_row(row, proof)
         return Decision(PROVED, proof)
@@ -83,16 +83,17 @@ class RowsInContexts:
         """Show that the carried givens hold at the start, and at the next state."""
         context = self.known.contexts.get(claim.context)
         if context is None or context.parent != row.context:
-            return Decision(UNDECIDED)
+            return _undecided(f"the context {claim.context} is not one inside that of the row")
         if any(given.kind == "plain" for given in context.givens):
-            return Decision(UNDECIDED)
+            return _undecided(f"a given of {claim.context} is neither carried nor standing")
         carried = context._replace(givens=tuple(g for g in context.givens if g.kind == "carried"))
         start = self.known.premises(carried, claim.start, row.context)
         following = (
             None if start is None else self.known.premises(carried, claim.next, context.name)
         )
         if start is None or following is None:
-            return Decision(UNDECIDED)
+            where = "at the start" if start is None else "at the next state"
+            return _undecided(f"a carried given of {claim.context} was not shown {where}")
         proof = Induction(start, following)
         self.known.session.prove_row(row, proof)
         return Decision(PROVED, proof)
@@ -118,3 +119,7 @@ class RowsInContexts:
             return proof if verdict == REFUTED else None
         other = negation(claim)
         return None if other is None else self.known.prove(self.known.goal(other, context))
+
+
+def _undecided(reason: str) -> Decision:
+    return Decision(UNDECIDED, reason=reason)

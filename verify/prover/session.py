@@ -7,7 +7,8 @@ by `verify/check.py`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
 
 from verify.language.statement import Constant, Context, Obligation
 from verify.language.terms import Claim, Term, as_term, equal
@@ -39,6 +40,27 @@ class Session:
         self.definitions: dict[str, Term] = {}
         self._known: dict[tuple[str | None, Claim], str] = {}
         self._prefix, self._count = prefix, 0
+
+    def mark(self) -> Callable[[], None]:
+        """What undoes all that is done from now on."""
+        count, steps = self._count, len(self.steps)
+        tables: list[dict[Any, Any]] = [
+            self.claims,
+            self.homes,
+            self.parents,
+            self.definitions,
+            self._known,
+        ]
+        copies = [dict(table) for table in tables]
+
+        def undo() -> None:
+            self._count = count
+            del self.steps[steps:]
+            for table, copy in zip(tables, copies, strict=True):
+                table.clear()
+                table.update(copy)
+
+        return undo
 
     # --- looking things up ----------------------------------------------------------------------
 

@@ -95,7 +95,7 @@ def _equation(goal: Goal, universal: Universal) -> Proof | None:
     if not universal.clears((goal.claim.lhs, goal.claim.rhs), goal.context):
         return None
     strategy = Strategy(goal, universal)
-    if not strategy.may_be_equal():
+    if not strategy.clears() or not strategy.may_be_equal():
         return None
     proof = next(filter(None, by_cosines(strategy.goal, universal, strategy.using)), None)
     proof = proof or by_multiple_angles(strategy)

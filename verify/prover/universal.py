@@ -5,7 +5,7 @@ Nothing here is trusted. What is found is written down as the steps of a certifi
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from verify.language.statement import (
@@ -54,6 +54,18 @@ class Universal:
         self._homes: dict[str, str] = {}
         self._local: dict[str, Term] = {}
         self._clear: set[tuple[str | None, Term]] = set()
+
+    def mark(self) -> Callable[[], None]:
+        """What undoes all that is found from now on, but for contexts and constants."""
+        undo_steps, undo_decided = self.session.mark(), self.ground.mark()
+        clear, rows = {*self._clear}, {*self.rows}
+
+        def undo() -> None:
+            undo_steps()
+            undo_decided()
+            self._clear, self.rows, self.depth = clear, rows, 0
+
+        return undo
 
     # --- contexts -------------------------------------------------------------------------------
 

@@ -21,6 +21,8 @@ def decided_lines(outcome: Outcome) -> Iterator[str]:
         line = f"{found.verdict:<9} {row.name}  {sentence(row, typesetter).removeprefix(': ')}"
         if found.verdict != UNDECIDED:
             line += f"   by {found.method}"
+        elif found.reason:
+            line += f"   because {found.reason}"
         if found.witness:
             values = witness_of(row, found).items()
             at = (f"{typesetter.term(symbol(n))} = {typesetter.term(t)}" for n, t in values)
@@ -44,6 +46,9 @@ def decided_document(outcome: Outcome) -> dict[str, Any]:
         "theorem": outcome.statement.title,
         "assumptions": [assumption_document(a) for a in outcome.assumptions],
         "cites": [cite_document(cite) for cite in outcome.statement.cites],
-        "obligations": [row_document(row, found, typesetter) for row, found in outcome.rows],
+        "obligations": [
+            row_document(row, found, typesetter) | {"reason": found.reason or None}
+            for row, found in outcome.rows
+        ],
         "spent": outcome.spent or None,
     }

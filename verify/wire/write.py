@@ -46,12 +46,24 @@ def write(outcome: Outcome) -> dict[str, bytes]:
     certificates if those are at hand.
     """
     statement = outcome.statement
-    writer = TermWriter("t", statement_terms(statement), {})
+    writer = TermWriter(_unused("t", statement), statement_terms(statement), {})
     first = encode(_statement(outcome, writer))
     used = [term for step in outcome.steps for term in _step_terms(step)]
-    second = encode(_certificate(outcome, first, TermWriter("u", used, writer.names)))
+    prefix = _unused("u", statement)
+    second = encode(_certificate(outcome, first, TermWriter(prefix, used, writer.names)))
     cited = dict(_cited(statement.cites))
     return {"statement.json": first, "certificate.json": second} | cited
+
+
+def _unused(prefix: str, statement: Statement) -> str:
+    """What begins the names of shared terms, and no name of the statement."""
+    items: list[Any] = [*statement.constants, *statement.contexts, *statement.obligations]
+    for context in statement.contexts:
+        items += [*context.variables, *context.givens, *context.constants]
+    names = [*statement.parameters, *(item.name for item in items)]
+    while any(name.startswith(f"{prefix}.") and name[-1].isdigit() for name in names):
+        prefix *= 2
+    return prefix
 
 
 def _cited(cites: Iterable[Cite]) -> Iterator[tuple[str, bytes]]:

@@ -100,13 +100,21 @@ class Algebraic:
         cosines = [atom.children[0] for atom in atoms if atom.op == "cos_pi"]
         if any(atom.op in ("min", "max") for atom in atoms) or not (roots or cosines):
             return False
-        angles = [self.ground.exact(term) for term in cosines if not [*names_of(term)]]
-        known = [angle for angle in angles if angle is not None]
+        known = [angle for angle in map(self._angle, cosines) if angle is not None]
         if len(known) < len(cosines):
             return False
         n = lcm(*(angle.denominator for angle in known))
         largest = max((abs(angle) * n for angle in known), default=0)
         return len(roots) <= MAX_ROOTS and max(n, largest) <= MAX_MULTIPLE
+
+    def _angle(self, term: Term) -> Fraction | None:
+        """The rational number that an angle is, as the checker clears it."""
+        angle = None if [*names_of(term)] else self.ground.exact(term)
+        if angle is None:
+            return None
+        clearing = Clearing((term,), {})
+        rest = clearing.reduce(clearing.difference(term, as_term(angle)))
+        return None if rest.to_dict() else angle
 
     # --- polynomials that are 0 -----------------------------------------------------------------
 

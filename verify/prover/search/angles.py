@@ -95,7 +95,7 @@ class Linear:
         """The angle is a polynomial in names without definitions."""
         angle = cosine.children[0]
         n, d = self.clearing.clear(angle)
-        inner = [i for i, degree in enumerate(n.degrees()) if degree]
+        inner = [i for i, degree in enumerate(n.degrees()) if degree > 0]
         return (
             d == self.clearing.one
             and not defined & {*names_of(angle)}

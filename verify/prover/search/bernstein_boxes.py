@@ -93,7 +93,7 @@ def _alternatives(strategy: Strategy, clearing: Clearing, p: fmpq_mpoly) -> list
     extrema = [
         (i, atom)
         for i, (atom, degree) in enumerate(zip(clearing.atoms, p.degrees(), strict=True))
-        if degree and atom.op in ("min", "max")
+        if degree > 0 and atom.op in ("min", "max")
     ]
     if not extrema:
         return [Alternative(p, ())]

@@ -1,6 +1,7 @@
 """Terms as functions of floats, and of intervals between floats: fast, and not rigorous.
 
-What they say is an estimate that guides a search; a proof is decided by exact numbers after it.
+What they say is an estimate that guides a search. Nothing is claimed because of it: exact numbers
+decide after it.
 """
 
 from __future__ import annotations

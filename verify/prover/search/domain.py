@@ -80,7 +80,8 @@ class Domain:
         self.is_plain = len(self.squares) == len(roots)
         self.p = self.reduced(self.scaled(self.clearing.difference(claim.rhs, claim.lhs)))
         self.strict = claim.relation == "<"
-        #: The value of -p, which is > 0 (>= 0 if the claim is strict) if the claim fails.
+        self.whole = self.p  # with the squares that p may have lost
+        #: Its value with the other sign, which is > 0 (>= 0 if strict) if the claim fails.
         self.goal: Value = "goal"
         self.facts = {name: self._factor(name, fact) for name, fact in facts.items()}
         for i, _ in roots:
@@ -139,7 +140,7 @@ class Domain:
     @property
     def used(self) -> list[int]:
         """The indices of the atoms in p."""
-        return [i for i, degree in enumerate(self.p.degrees()) if degree]
+        return [i for i, degree in enumerate(self.p.degrees()) if degree > 0]
 
     def is_zero(self, point: Sequence[Fraction]) -> bool:
         """Whether p is 0, and all facts hold, at a point in scaled coordinates."""

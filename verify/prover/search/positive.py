@@ -146,7 +146,7 @@ def _attempts(domain: Domain) -> Iterator[Attempt]:
         basis = pruned(domain, p * multiple.polynomial, top // 2 + 1, used)
         yield Attempt([one], [Block(0, basis)], multiple)
         return
-    goal = Factor(-p, domain.goal, not domain.strict, (p,))
+    goal = Factor(-domain.whole, domain.goal, not domain.strict, (domain.whole,))
     pairs = [multiplied(a, b) for a, b in combinations(facts, 2)]
     ends = [f for f in pairs if len(_variables(f.polynomial)) == 1]
     mixed = pairs if len(ends) < len(pairs) else []
@@ -200,7 +200,7 @@ def _of_squares(domain: Domain, used: Sequence[int]) -> Factor:
 
 
 def _variables(polynomial: fmpq_mpoly) -> list[int]:
-    return [i for i, d in enumerate(polynomial.degrees()) if d]
+    return [i for i, d in enumerate(polynomial.degrees()) if d > 0]
 
 
 def _connected(domain: Domain) -> list[int]:

@@ -65,7 +65,7 @@ class Squaring:
     def isolated(self) -> Iterator[Isolated]:
         """The roots inside no other atom, of degree 1 after squares are replaced."""
         p = self.reduced(self.p)
-        atoms = [a for a, d in zip(self.clearing.atoms, p.degrees(), strict=True) if d]
+        atoms = [a for a, d in zip(self.clearing.atoms, p.degrees(), strict=True) if d > 0]
         inside = {a for atom in atoms for child in atom.children for a in atoms_of((child,), {})}
         for index, atom in enumerate(self.clearing.atoms):
             if atom.op == "sqrt" and atom not in inside and p.degrees()[index] == 1:

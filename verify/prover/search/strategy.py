@@ -74,8 +74,14 @@ class Strategy:
         """Whether a divisor, also one in a fact, is cleared as a negative one."""
         return self.universal.is_negative(divisor, self.goal.context)
 
+    def clears(self) -> bool:
+        """Afterwards the definitions that a proof may use have the facts that they need."""
+        return self.universal.clears(self.goal.definitions.values(), self.goal.context)
+
     def proofs(self) -> Iterator[Proof | None]:
         """What each technique finds."""
+        if not self.clears():
+            return
         if self.minima and self.minima[0][0] < 0 and self.is_refuted():
             return
         is_near = bool(self.minima) and self.minima[0][0] < NEAR_ZERO
@@ -131,7 +137,11 @@ class Strategy:
     def plain_squares(self) -> Proof | None:
         """Squares alone, for claims in which minima or maxima cancel."""
         domain = Domain(self.goal, {}, None, self.is_negative)
-        if not domain.is_plain or any(domain.atoms[i].op in ("min", "max") for i in domain.used):
+        if (
+            not self.clears()
+            or not domain.is_plain
+            or any(domain.atoms[i].op in ("min", "max") for i in domain.used)
+        ):
             return None
         return by_squares(domain, [], self.budget, self.using)
 

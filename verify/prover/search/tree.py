@@ -1,7 +1,8 @@
 """Claims on a box by a tree of bisections, each leaf by the enclosures of the two sides.
 
-A node is cut where the two halves gain most. Floats guide; where they are too near to each other to
-tell, the checker's own arithmetic decides a leaf.
+A node is cut where the two halves gain most. Floats guide, and say nothing for certain: the
+checker's own arithmetic decides each leaf, at once where floats are too near to each other to tell,
+and for the others when the tree is complete.
 """
 
 from __future__ import annotations
@@ -73,11 +74,15 @@ class Tree:
         )
         self.leaves = 0
         self.most = 0
+        self.guessed: list[tuple[Ends, ...]] = []
+        self.decided: dict[tuple[Ends, ...], bool] = {}
 
     def prove(self, leaves: int) -> Proof | None:
         """A proof with at most so many leaves."""
         self.leaves, self.most = 0, min(leaves, MAX_UNITS // self.cost)
-        return self._cover(self.root, self._gap(self.root.ends))
+        self.guessed = []
+        proof = self._cover(self.root, self._gap(self.root.ends))
+        return proof if proof is not None and all(map(self._holds, self.guessed)) else None
 
     def _gap(self, ends: Sequence[Ends]) -> float:
         """A lower bound of rhs - lhs on a box; minus infinity where none is known."""
@@ -96,16 +101,22 @@ class Tree:
         return gap
 
     def _holds(self, ends: Sequence[Ends]) -> bool:
-        self.budget.spend(self.cost)
-        found = self.exact.of(ends, *self.sides)
-        if found is None:
-            return False
-        x, y = found
-        return x.high < y.low if self.claim.relation == "<" else x.high <= y.low
+        """Whether the checker will see that the claim holds on a box."""
+        box = tuple(ends)
+        if box not in self.decided:
+            self.budget.spend(self.cost)
+            found = self.exact.of(box, *self.sides)
+            if found is None:
+                return False
+            x, y = found
+            strict = self.claim.relation == "<"
+            self.decided[box] = x.high < y.low if strict else x.high <= y.low
+        return self.decided[box]
 
     def _cover(self, box: Piece, gap: float) -> Proof | None:
         if gap >= 0:
             self.leaves += 1
+            self.guessed.append(box.ends)
             named = zip(self.names, self.facts(box), strict=True)
             return Interval(BITS, tuple((name, low, high) for name, (low, high) in named))
         if box.depth >= MAX_DEPTH or self.leaves >= self.most or not self._may_hold(box):

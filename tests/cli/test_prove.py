@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from verify import check
-from verify.cli import main
+from verify.cli import files, main
 from verify.jobs import prove as job
 from verify.language.terms import Claim
 
@@ -166,13 +166,13 @@ def test_what_lies_in_the_folder_of_citations(
     elif kind == "folder":
         (cited / "a.json").mkdir()
     else:
-        monkeypatch.setattr(check, "MAX_CITED", 100)
+        monkeypatch.setattr(files, "MAX_CITED", 100)
         for name in "ab":
             (cited / f"{name}.json").write_bytes(b" " * 60)
     assert main(["prove", written(tmp_path, example("instance"))]) == 2
     captured = capsys.readouterr()
     assert captured.out == ""
-    assert captured.err.startswith("verify: STATEMENT: the folder ")
+    assert captured.err.startswith("verify: STATEMENT: ")
     assert captured.err.count("\n") == 1
 
 

@@ -26,6 +26,7 @@ ORBITS = "balls along monotone orbits"
 RATIONALS = "exact rational arithmetic"
 
 Point = tuple[Ball, Ball]
+Ends = tuple[Fraction, Fraction]
 
 #: Bits beyond those of the digits asked for, and how often they are doubled.
 GUARD_BITS, DOUBLINGS = 48, 3
@@ -87,13 +88,16 @@ def beyond(parameters: Parameters, q: Fraction) -> bool:
     return 2 * q > a and q * q - a * q + r >= 0
 
 
-def fixed_points(parameters: Parameters, bits: int) -> tuple[Ball, Ball]:
-    """phi_minus and phi_plus, where there is a separatrix."""
-    with balls.precision(bits):
-        r, a = balls.from_fraction(parameters.r), balls.from_fraction(parameters.a)
-        square = balls.from_fraction(parameters.a**2 - 4 * parameters.r)
-        plus = (a + balls.root(square)) / 2
-        return r / plus, plus
+def fixed_points(parameters: Parameters, bits: int) -> tuple[Ends, Ends]:
+    """Enclosures of phi_minus and phi_plus, where there is a separatrix; exact where rational."""
+    r, a = parameters.r, parameters.a
+    with balls.precision(2 * bits):  # at which the ends of balls are rounded
+        root = balls.any_root(balls.exact(a * a - 4 * r))
+        if not isinstance(root, Ball):
+            half = balls.as_fraction(root) / 2
+            return (a / 2 - half, a / 2 - half), (a / 2 + half, a / 2 + half)
+        plus = (balls.from_fraction(a) + root) / 2
+        return balls.ends(balls.from_fraction(r) / plus), balls.ends(plus)
 
 
 # --- the trap -------------------------------------------------------------------------------------

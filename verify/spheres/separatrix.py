@@ -12,6 +12,7 @@ from verify.spheres.limit_cycle import cycle
 from verify.spheres.limit_map import (
     Budget,
     Curve,
+    Ends,
     Parameters,
     Strip,
     beyond,
@@ -37,14 +38,12 @@ MORE_DIGITS = 2
 #: Values of q in a table that are tried for its step.
 SCALES = (Fraction(1, 2), Fraction(2, 5), Fraction(1, 2))
 
-Ends = tuple[Fraction, Fraction]
-
 
 class Separatrix(Record):
     """What is known of f: whether it is 0 everywhere, and otherwise its strips and its points.
 
-    ``exists`` is None where that is not decided. ``fixed`` has phi_minus and phi_plus, ``cycle`` q
-    and u of the cycle, if they were asked for and found.
+    ``exists`` is None where that is not decided. ``fixed`` has phi_minus and phi_plus; ``cycle``
+    has q and u of the cycle, if that was asked for (with a table it is) and found.
     """
 
     parameters: Parameters
@@ -77,15 +76,11 @@ def decide_separatrix(
     curve = Curve(parameters, Budget(steps))
     places = tuple(table_of(parameters)) if at is None else (at,)
     strips = tuple(curve.strip(q, digits + MORE_DIGITS) for q in places)
-    if at is not None:
-        return Separatrix(parameters, at, digits, exists, strips)
-    bits = (digits + MORE_DIGITS) * 4 + 2 * parameters.r.denominator.bit_length()
-    found = cycle(curve, digits + MORE_DIGITS) or ()
-    with balls.precision(2 * bits):  # at which the ends of balls are rounded
-        fixed = tuple(map(balls.ends, fixed_points(parameters, bits)))
-        return Separatrix(
-            parameters, at, digits, exists, strips, fixed, tuple(map(balls.ends, found))
-        )
+    found = cycle(curve, digits + MORE_DIGITS) if at is None else None
+    bits = 2 * (digits * 4 + parameters.r.denominator.bit_length() + 64)
+    with balls.precision(bits):  # at which the ends of balls are rounded
+        ends = tuple(map(balls.ends, found or ()))
+    return Separatrix(parameters, at, digits, exists, strips, fixed_points(parameters, bits), ends)
 
 
 def table_of(parameters: Parameters) -> Iterator[Fraction]:

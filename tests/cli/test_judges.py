@@ -219,6 +219,8 @@ JUDGES = {
     "Judgement": {"jobs/acceptance.py", "jobs/citing.py", "prover/ground.py"},
     "Fate": {"prover/scene.py"},
     "ScannedPoint": {"jobs/scan.py"},
+    "Strip": {"spheres/limit_map.py"},
+    "Separatrix": {"spheres/separatrix.py"},
 }
 
 

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import inspect
 import random
+from collections.abc import Callable
 from fractions import Fraction
 from itertools import pairwise
+from textwrap import dedent
+from typing import Any
 
 import pytest
 from mpmath import mp, mpf
 
 from verify.prover import balls
 from verify.spheres import limit_cycle, limit_map, separatrix
-from verify.spheres.limit_map import Budget, Curve, Orbits, Parameters, Trap
+from verify.spheres.limit_map import Allowance, Curve, Orbits, Parameters, Trap
 
 F = Fraction
 AT_3_100 = Parameters(F(3, 100), F(1), F(1))
@@ -19,7 +23,7 @@ STEPS = 2 * 10**6
 
 
 def curve(parameters: Parameters, steps: int = STEPS) -> Curve:
-    return Curve(parameters, Budget(steps))
+    return Curve(parameters, Allowance(steps))
 
 
 # --- the map once more, as the text has it --------------------------------------------------------
@@ -210,19 +214,66 @@ def test_for_equal_speeds_the_cycle_is_the_root_of_a_cubic() -> None:
 # --- what is noticed, and what is not said --------------------------------------------------------
 
 
-def test_another_map_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """With another sign, or the ratio left out, the values are not those of the bisection."""
-    honest = curve(AT_3_100._replace(ratio=F(2))).strip(F(1, 10), 9)
-    monkeypatch.setattr(Orbits, "image", _without_the_ratio)
-    other = curve(AT_3_100._replace(ratio=F(2))).strip(F(1, 10), 9)
-    assert other.high < honest.low or honest.high < other.low
+def _image(change: str) -> Callable[[Orbits, Any, Any], Any]:
+    """The step of the map with a slip in it."""
+    source = dedent(inspect.getsource(Orbits.image))
+    old, new = change.split(" -> ")
+    assert source.count(old) == 1
+    names: dict[str, Any] = {"Ball": balls.Ball, "Point": limit_map.Point}
+    exec(source.replace(old, new), names)
+    image: Callable[[Orbits, Any, Any], Any] = names["image"]
+    return image
 
 
-def _without_the_ratio(
-    self: Orbits, ratio: balls.Ball, state: limit_map.Point, honest: object = Orbits.image
-) -> object:
-    assert callable(honest)
-    return honest(self, ratio / ratio, state)
+@pytest.mark.parametrize(
+    "change",
+    [
+        "1 - u, ratio * u -> 1 + u, ratio * u",
+        "1 - u, ratio * u -> 1 - u, u / ratio",
+        "1 - u, ratio * u -> 1 - u, u",
+        "self.a * rest - q - product -> self.a * rest - q",
+        "self.a * rest - q - product -> self.a * rest - q + product",
+        "(2 * q + product) -> (q + product)",
+        "(2 * q + product) -> 2 * q",
+        "self.r * rest / p -> self.r / p",
+        "self.r * rest / p -> rest / p",
+        "h / (1 + (1 - h).sqrt()) -> h / 2",
+        "h / (1 + (1 - h).sqrt()) -> h",
+    ],
+)
+def test_a_slip_in_the_map_is_noticed(change: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The value is not the one of the bisection any more."""
+    parameters, q = AT_3_100._replace(ratio=F(2)), F(1, 10)
+    with mp.workdps(60):
+        low, high = bisected(parameters, q)
+        monkeypatch.setattr(Orbits, "image", _image(change))
+        strip = curve(parameters, 10**5).strip(q, 9)
+        ends = [mpf(end.numerator) / end.denominator for end in (strip.low, strip.high)]
+        assert high < ends[0] or ends[1] < low or not strip.reached
+
+
+@pytest.mark.parametrize(("wrong", "right"), [("upper", "lower"), ("lower", "upper")])
+def test_rounding_to_the_wrong_side_is_noticed(
+    wrong: str, right: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """At few bits points are then said to lie on the wrong side."""
+    strip = curve(AT_3_100).strip(F(1, 10), 40)
+    name = {"upper": "_ends", "lower": "_never_ends"}[wrong]
+    source = dedent(inspect.getsource(getattr(Orbits, name)))
+    assert source.count(f".{right}()") == 2
+    names: dict[str, Any] = {"Point": limit_map.Point}
+    exec(source.replace(f".{right}()", f".{wrong}()"), names)
+    other = {"_ends": "_never_ends", "_never_ends": "_ends"}[name]
+    monkeypatch.setattr(Orbits, name, names[name])
+    monkeypatch.setattr(Orbits, other, lambda *_: False)
+    says = {"_ends": 1, "_never_ends": -1}[name]
+    inside = {"_ends": strip.low, "_never_ends": strip.high}[name]
+    found = set()
+    for bits in range(12, 40):
+        for k in range(4, 14):
+            u = inside * (1 - says * F(1, 10**k))
+            found.add(curve(AT_3_100).orbits(bits).side(F(1, 10), u))
+    assert says in found
 
 
 def test_a_point_is_never_on_both_sides() -> None:
@@ -246,7 +297,7 @@ def test_a_judge_that_decides_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_budget_is_kept() -> None:
     """Near the threshold orbits take long; what was reached is still an enclosure."""
-    budget = Budget(200)
+    budget = Allowance(200)
     strip = Curve(AT_3_100, budget).strip(F(1, 10), 30)
     assert not strip.reached
     assert budget.left == 0

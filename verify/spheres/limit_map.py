@@ -17,9 +17,12 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from verify.language.record import Record
+from verify.language.record import TYPE_CHECKING, Record
 from verify.prover import balls
 from verify.prover.balls import Ball
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 #: Who decides on which side of the curve a point lies, and whether there is one.
 ORBITS = "balls along monotone orbits"
@@ -30,6 +33,8 @@ Ends = tuple[Fraction, Fraction]
 
 #: Bits beyond those of the digits asked for, and how often they are doubled.
 GUARD_BITS, DOUBLINGS = 48, 3
+#: Of two: f is not looked for below its inverse.
+LARGEST_POWER = 1 << 13
 
 
 class Parameters(Record):
@@ -62,7 +67,7 @@ class Strip(Record):
     judge: str
 
 
-class Budget:
+class Allowance:
     """How many collisions may still be followed."""
 
     def __init__(self, steps: int) -> None:
@@ -140,7 +145,7 @@ def find_trap(parameters: Parameters) -> Trap:
 class Orbits:
     """Orbits of the map at some precision, each rounded up, or each rounded down."""
 
-    def __init__(self, parameters: Parameters, trap: Trap, bits: int, budget: Budget) -> None:
+    def __init__(self, parameters: Parameters, trap: Trap, bits: int, budget: Allowance) -> None:
         self.bits, self.budget = bits, budget
         with balls.precision(bits):
             exact = balls.from_fraction
@@ -206,7 +211,7 @@ class Orbits:
 class Curve:
     """The separatrix at given parameters, where there is one."""
 
-    def __init__(self, parameters: Parameters, budget: Budget) -> None:
+    def __init__(self, parameters: Parameters, budget: Allowance) -> None:
         self.parameters, self.budget = parameters, budget
         self.trap = find_trap(parameters)
         self._orbits: dict[int, Orbits] = {}
@@ -215,26 +220,17 @@ class Curve:
         """An enclosure of f(q), to so many digits if the budget suffices."""
         if beyond(self.parameters, q):
             return Strip(q, Fraction(0), Fraction(0), True, RATIONALS)
-        low, high = Fraction(0), self._highest()
+        low, high, power = Fraction(0), self._highest(), 1
         bits = digits * 3322 // 1000 + GUARD_BITS
-        power = 1
         while not low or (high - low) * 10**digits > low:
-            if not low:
-                cuts = [high / 2**power, high / 2**power * Fraction(3, 4)]
-                power *= 2
-            elif high > 4 * low:
-                size = (high / low).numerator.bit_length() - (high / low).denominator.bit_length()
-                cuts = [low * 2 ** (size // 2), low * 2 ** (size // 2) * Fraction(5, 4)]
-            else:
-                cuts = [(low + high) / 2, (5 * low + 3 * high) / 8]
-            for cut in cuts:
+            for cut in _cuts(low, high, power):
                 side = self._side(q, cut, bits)
                 if side:
                     break
             else:
                 return Strip(q, low, high, False, ORBITS)
             low, high = (cut, high) if side < 0 else (low, cut)
-            power = 1 if side > 0 else power
+            power *= 2
         return Strip(q, low, high, True, ORBITS)
 
     def _side(self, q: Fraction, u: Fraction, bits: int) -> int:
@@ -257,3 +253,21 @@ class Curve:
         a, size = self.parameters.a, 1 << 64
         quotient = a / (a + self.parameters.ratio)
         return Fraction(-(-quotient.numerator * size // quotient.denominator), size)
+
+
+def _cuts(low: Fraction, high: Fraction, power: int) -> Iterator[Fraction]:
+    """Where to cut next, and where if that is too near to the curve to tell.
+
+    While nothing is known from below, far down, but there is an end; then halfway, in powers of two
+    while they differ.
+    """
+    if not low and power > LARGEST_POWER:
+        return
+    if not low:
+        yield from (high / 2**power, high / 2**power * Fraction(3, 4))
+    elif high > 4 * low:
+        quotient = high / low
+        half = (quotient.numerator.bit_length() - quotient.denominator.bit_length()) // 2
+        yield from (low * 2**half, low * 2**half * Fraction(5, 4))
+    else:
+        yield from ((low + high) / 2, (5 * low + 3 * high) / 8)

@@ -10,7 +10,7 @@ from verify.language.statement import PROVED, UNDECIDED
 from verify.prover import balls
 from verify.spheres.limit_cycle import cycle
 from verify.spheres.limit_map import (
-    Budget,
+    Allowance,
     Curve,
     Ends,
     Parameters,
@@ -73,7 +73,7 @@ def decide_separatrix(
     exists = has_separatrix(parameters)
     if not exists:
         return Separatrix(parameters, at, digits, exists)
-    curve = Curve(parameters, Budget(steps))
+    curve = Curve(parameters, Allowance(steps))
     places = tuple(table_of(parameters)) if at is None else (at,)
     strips = tuple(curve.strip(q, digits + MORE_DIGITS) for q in places)
     found = cycle(curve, digits + MORE_DIGITS) if at is None else None

@@ -219,7 +219,7 @@ JUDGES = {
     "Judgement": {"jobs/acceptance.py", "jobs/citing.py", "prover/ground.py"},
     "Fate": {"prover/scene.py"},
     "ScannedPoint": {"jobs/scan.py"},
-    "Strip": {"spheres/limit_map.py"},
+    "CurveAt": {"spheres/limit_map.py"},
     "Separatrix": {"spheres/separatrix.py"},
 }
 

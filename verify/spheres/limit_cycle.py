@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from verify.prover import balls
 from verify.prover.balls import Ball
-from verify.spheres.limit_map import DOUBLINGS, GUARD_BITS, Curve, Orbits, Point, Strip
+from verify.spheres.limit_map import DOUBLINGS, GUARD_BITS, Curve, Orbits, Point, CurveAt
 
 #: The first precision for the cycle, the collisions followed to come near it, and Newton's steps.
 NEAR_DIGITS, NEAR_STEPS, NEWTON_STEPS = 12, 400, 30
@@ -39,7 +39,7 @@ def cycle(curve: Curve, digits: int) -> Point | None:
     return None
 
 
-def _near(orbits: Orbits, start: Strip) -> Point:
+def _near(orbits: Orbits, start: CurveAt) -> Point:
     """Of the states after an even number of collisions the one that moves least, without proof.
 
     In proportion: towards the sink at (phi_minus, 0) u falls by the same factor every time.

@@ -57,7 +57,7 @@ class Trap(Record):
     u: Fraction
 
 
-class Strip(Record):
+class CurveAt(Record):
     """low <= f(q) <= high; ``reached`` says whether that is as narrow as was asked for."""
 
     q: Fraction
@@ -216,10 +216,10 @@ class Curve:
         self.trap = find_trap(parameters)
         self._orbits: dict[int, Orbits] = {}
 
-    def strip(self, q: Fraction, digits: int) -> Strip:
+    def strip(self, q: Fraction, digits: int) -> CurveAt:
         """An enclosure of f(q), to so many digits if the budget suffices."""
         if beyond(self.parameters, q):
-            return Strip(q, Fraction(0), Fraction(0), True, RATIONALS)
+            return CurveAt(q, Fraction(0), Fraction(0), True, RATIONALS)
         low, high, power = Fraction(0), self._highest(), 1
         bits = digits * 3322 // 1000 + GUARD_BITS
         while not low or (high - low) * 10**digits > low:
@@ -228,10 +228,10 @@ class Curve:
                 if side:
                     break
             else:
-                return Strip(q, low, high, False, ORBITS)
+                return CurveAt(q, low, high, False, ORBITS)
             low, high = (cut, high) if side < 0 else (low, cut)
             power *= 2
-        return Strip(q, low, high, True, ORBITS)
+        return CurveAt(q, low, high, True, ORBITS)
 
     def _side(self, q: Fraction, u: Fraction, bits: int) -> int:
         """The side of a point, at a precision that is doubled a few times."""

@@ -14,7 +14,7 @@ from verify.spheres.limit_map import (
     Curve,
     Ends,
     Parameters,
-    Strip,
+    CurveAt,
     beyond,
     fixed_points,
     has_separatrix,
@@ -22,7 +22,7 @@ from verify.spheres.limit_map import (
 
 #: What the verdicts rest on, beside their judges.
 BELIEVED = (
-    "the theorem on the separatrix of the limit map, proved in Coq (verify/coq/Separatrix.v)",
+    "the theorem on the separatrix of the limit map, with its proof in Coq (verify/coq/Separatrix.v)",
     "the ball arithmetic of FLINT, and Python's whole numbers",
 )
 #: What this command says nothing about.
@@ -50,7 +50,7 @@ class Separatrix(Record):
     at: Fraction | None
     digits: int
     exists: bool | None
-    strips: tuple[Strip, ...] = ()
+    strips: tuple[CurveAt, ...] = ()
     fixed: tuple[Ends, ...] = ()
     cycle: tuple[Ends, ...] = ()
 

@@ -9,7 +9,7 @@ from typing import Any
 from verify.language.statement import PROVED, UNDECIDED
 from verify.prover.decimals import exact_number, outward, rational_text, short
 from verify.spheres.limit_cycle import NEWTON
-from verify.spheres.limit_map import RATIONALS, Ends, Strip
+from verify.spheres.limit_map import RATIONALS, Ends, CurveAt
 from verify.spheres.separatrix import BELIEVED, NOT_DECIDED, Separatrix
 
 FORMAT = "verify-separatrix/1"
@@ -57,7 +57,7 @@ def separatrix_document(found: Separatrix) -> dict[str, Any]:
     return document
 
 
-def _row(found: Separatrix, strip: Strip) -> dict[str, Any]:
+def _row(found: Separatrix, strip: CurveAt) -> dict[str, Any]:
     return {
         "q": rational_text(strip.q),
         "f": _values((strip.low, strip.high), found.digits),

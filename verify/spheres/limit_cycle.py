@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from verify.prover import balls
 from verify.prover.balls import Ball
-from verify.spheres.limit_map import DOUBLINGS, GUARD_BITS, Curve, Orbits, Point, CurveAt
+from verify.spheres.limit_map import DOUBLINGS, GUARD_BITS, Curve, CurveAt, Orbits, Point
 
 #: The first precision for the cycle, the collisions followed to come near it, and Newton's steps.
 NEAR_DIGITS, NEAR_STEPS, NEWTON_STEPS = 12, 400, 30

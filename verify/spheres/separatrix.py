@@ -12,9 +12,9 @@ from verify.spheres.limit_cycle import cycle
 from verify.spheres.limit_map import (
     Allowance,
     Curve,
+    CurveAt,
     Ends,
     Parameters,
-    CurveAt,
     beyond,
     fixed_points,
     has_separatrix,
@@ -22,7 +22,7 @@ from verify.spheres.limit_map import (
 
 #: What the verdicts rest on, beside their judges.
 BELIEVED = (
-    "the theorem on the separatrix of the limit map, with its proof in Coq (verify/coq/Separatrix.v)",
+    "the theorem on the curve of the limit map, with its proof in Coq (verify/coq/Separatrix.v)",
     "the ball arithmetic of FLINT, and Python's whole numbers",
 )
 #: What this command says nothing about.

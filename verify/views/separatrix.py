@@ -9,7 +9,7 @@ from typing import Any
 from verify.language.statement import PROVED, UNDECIDED
 from verify.prover.decimals import exact_number, outward, rational_text, short
 from verify.spheres.limit_cycle import NEWTON
-from verify.spheres.limit_map import RATIONALS, Ends, CurveAt
+from verify.spheres.limit_map import RATIONALS, CurveAt, Ends
 from verify.spheres.separatrix import BELIEVED, NOT_DECIDED, Separatrix
 
 FORMAT = "verify-separatrix/1"

@@ -44,7 +44,7 @@ SHARED = {
 SUBJECTS = {
     *("bench", "check", "everywhere", "explain", "graph", "report", "spectrum", "stress"),
     *("theorem1", "parameters", "box", "scene", "sharper", "slack", "classification", "numbering"),
-    *("thresholds", "elsewhere", "map", "prove"),
+    *("thresholds", "elsewhere", "map", "prove", "separatrix"),
 }
 
 

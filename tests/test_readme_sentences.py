@@ -245,6 +245,15 @@ BACKED: dict[str, tuple[Check, ...]] = {
     ),
     "the impulses of all collisions have a finite sum": (COLLAPSES, RUNS),
     "Infinitely many collisions of three balls": (COLLAPSES,),
+    # the separatrix; what Coq proves is for Coq to say, in `verify/coq/build-separatrix`
+    "Coq proves that there is such a curve if and only if": (
+        "tests/coq/test_separatrix.py::test_the_theorem_is_what_the_page_says",
+        "tests/spheres/test_separatrix.py::test_the_threshold_is_strict",
+    ),
+    "f(1/10) = 0.0517785627": ("tests/spheres/test_separatrix.py::test_a_known_value",),
+    "Nothing is decided here about the full dynamics": (
+        "tests/cli/test_separatrix.py::test_what_is_not_decided_is_said",
+    ),
     # scenes
     "The set of Theorem 1 is small": (the_set_is_small,),
     "It writes nothing while a row": (

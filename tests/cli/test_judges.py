@@ -22,6 +22,8 @@ from verify.prover import scene
 from verify.prover.flow import Flow, UnclearError
 from verify.prover.ground import Ground
 from verify.prover.straight import StraightLine
+from verify.spheres import separatrix
+from verify.spheres.limit_map import Orbits
 
 ROOT = Path(__file__).resolve().parents[2]
 #: What nobody may say without a judge.
@@ -77,6 +79,9 @@ DECIDED = (
     "scene SCENES --json",
     "stress --quick",
     "map phi --r 0.03 --undecided 20%",
+    "separatrix --r 0.03",
+    "separatrix --r 0.03 --at 1/10 --json",
+    "separatrix --r 0.08",
 )
 #: Commands that print no verdict.
 SILENT = {"bench": "speeds and errors; its verdicts are those of plain doubles, called wrong"}
@@ -121,6 +126,8 @@ def break_procedures(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Ground, "prove", lambda *_: (UNDECIDED, None))
     monkeypatch.setattr(StraightLine, "verdict", lambda *_: "0")
     monkeypatch.setattr(Flow, "advance", unclear)
+    monkeypatch.setattr(Orbits, "side", lambda *_: 0)
+    monkeypatch.setattr(separatrix, "has_separatrix", lambda *_: None)
     for name in ("find_collapse", "finitely_many", "follow_line"):
         monkeypatch.setattr(scene, name, lambda *_: None)
 
@@ -212,6 +219,8 @@ JUDGES = {
     "Judgement": {"jobs/acceptance.py", "jobs/citing.py", "prover/ground.py"},
     "Fate": {"prover/scene.py"},
     "ScannedPoint": {"jobs/scan.py"},
+    "CurveAt": {"spheres/limit_map.py"},
+    "Separatrix": {"spheres/separatrix.py"},
 }
 
 

@@ -23,6 +23,7 @@ COMMANDS = {
     "scene": "decide whether three given particles collapse",
     "map": "decide whole boxes of scenes, and enclose the border of what collapses",
     "classification": "prove which collapses there are; what that says at one r",
+    "separatrix": "enclose the curve between collapse and the end of collisions",
     "elsewhere": "judge what the paper prints outside Theorem 1's proof and the spectrum",
     "prove": "decide a statement of your own, with a certificate",
     "explain": "print a row with the facts and the identity that prove it",

@@ -1,0 +1,273 @@
+"""The separatrix u = f(q) of the limit map, enclosed by orbits that are rounded to one side.
+
+The map, its letters and the theorem about it stand in `verify/coq/Separatrix.v`, which Coq proves.
+This module relies on these parts of it:
+
+* Order: what lies below a state whose collisions never end has collisions that never end; so an
+  orbit rounded up that never ends shows u <= f(q), and one rounded down that ends u >= f(q).
+* f is positive before phi_plus, 0 from there on, and at most a/(a + rho). It exists if and only if
+  s + s^2 < a, where s^3 = r; otherwise no orbit goes on for ever.
+* There is one cycle of two collisions, and it lies on the curve.
+
+An orbit never ends once it is below a state of a *trap*: two boxes that the map exchanges, checked
+in rational numbers.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from verify.language.record import TYPE_CHECKING, Record
+from verify.prover import balls
+from verify.prover.balls import Ball
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+#: Who decides on which side of the curve a point lies, and whether there is one.
+ORBITS = "balls along monotone orbits"
+RATIONALS = "exact rational arithmetic"
+
+Point = tuple[Ball, Ball]
+Ends = tuple[Fraction, Fraction]
+
+#: Bits beyond those of the digits asked for, and how often they are doubled.
+GUARD_BITS, DOUBLINGS = 48, 3
+#: Of two: f is not looked for below its inverse.
+LARGEST_POWER = 1 << 13
+
+
+class Parameters(Record):
+    """r in ]0,1[, -cos of the angle in ]0,1], and the ratio rho > 0, all exact."""
+
+    r: Fraction
+    neg_cos: Fraction
+    ratio: Fraction
+
+    @property
+    def a(self) -> Fraction:
+        """(1+r)/2 times -cos of the angle."""
+        return (1 + self.r) * self.neg_cos / 2
+
+
+class Trap(Record):
+    """The states (q, u) and (q, rho u): the map takes each below the other one."""
+
+    q: Fraction
+    u: Fraction
+
+
+class CurveAt(Record):
+    """low <= f(q) <= high; ``reached`` says whether that is as narrow as was asked for."""
+
+    q: Fraction
+    low: Fraction
+    high: Fraction
+    reached: bool
+    judge: str
+
+
+class Allowance:
+    """How many collisions may still be followed."""
+
+    def __init__(self, steps: int) -> None:
+        self.left = steps
+
+
+# --- whether there is a separatrix ----------------------------------------------------------------
+
+
+def has_separatrix(parameters: Parameters) -> bool | None:
+    """Whether s + s^2 < a, where s^3 = r: the hypothesis of Theorem 1.
+
+    For a > 0 that is r (1 + r) < a^3 - 3 r a: there is equality at a = s + s^2, the right side
+    grows with a from √r on, and up to 2√r it is at most 2 r √r < r (1 + r).
+    """
+    r, a = parameters.r, parameters.a
+    return r * (1 + r) < a**3 - 3 * r * a
+
+
+def beyond(parameters: Parameters, q: Fraction) -> bool:
+    """Whether q is at least phi_plus, the larger root of x^2 - a x + r."""
+    r, a = parameters.r, parameters.a
+    return 2 * q > a and q * q - a * q + r >= 0
+
+
+def fixed_points(parameters: Parameters, bits: int) -> tuple[Ends, Ends]:
+    """Enclosures of phi_minus and phi_plus, where there is a separatrix; exact where rational."""
+    r, a = parameters.r, parameters.a
+    with balls.precision(2 * bits):  # at which the ends of balls are rounded
+        root = balls.any_root(balls.exact(a * a - 4 * r))
+        if not isinstance(root, Ball):
+            half = balls.as_fraction(root) / 2
+            return (a / 2 - half, a / 2 - half), (a / 2 + half, a / 2 + half)
+        plus = (balls.from_fraction(a) + root) / 2
+        return balls.ends(balls.from_fraction(r) / plus), balls.ends(plus)
+
+
+# --- the trap -------------------------------------------------------------------------------------
+
+
+def is_trap(parameters: Parameters, trap: Trap) -> bool:
+    """Whether the map takes (q, u) below (q, rho u), and with 1/rho that below (q, u).
+
+    With v for the other u, the next u is at most v if rho u (2q + rho u) <= v (2-v) p^2. Here v is
+    rho u, which cancels; the second step is the first with u and v exchanged.
+    """
+    r, a = parameters.r, parameters.a
+    q, one, other = trap.q, trap.u, parameters.ratio * trap.u
+
+    def exchanged(u: Fraction, v: Fraction) -> bool:
+        p = a * (1 - u) - q - v
+        return p > 0 and r * (1 - u) <= q * p and 2 * q + v <= (2 - v) * p * p
+
+    below = q >= 0 and 0 < one < 1 and 0 < other < 1
+    return below and exchanged(one, other) and exchanged(other, one)
+
+
+def find_trap(parameters: Parameters) -> Trap:
+    """A trap near q = s^2, where s^3 = r; there is one wherever there is a separatrix."""
+    digits, power = 4, 2
+    while True:
+        with balls.precision(4 * digits + 64):
+            s = balls.cube_root(balls.from_fraction(parameters.r))
+            q = balls.short_rational(s * s, digits)
+        small = min(Fraction(1), 1 / parameters.ratio) / 2**power
+        trap = Trap(q, small)
+        if is_trap(parameters, trap):
+            return trap
+        digits, power = digits + 2, power + 1 + power // 8
+
+
+# --- orbits ---------------------------------------------------------------------------------------
+
+
+class Orbits:
+    """Orbits of the map at some precision, each rounded up, or each rounded down."""
+
+    def __init__(self, parameters: Parameters, trap: Trap, bits: int, budget: Allowance) -> None:
+        self.bits, self.budget = bits, budget
+        with balls.precision(bits):
+            exact = balls.from_fraction
+            self.r, self.a = exact(parameters.r), exact(parameters.a)
+            self.ratios = exact(parameters.ratio), exact(1 / parameters.ratio)
+            highest = exact(trap.u).lower(), exact(parameters.ratio * trap.u).lower()
+            self.trap = exact(trap.q).lower(), highest
+
+    def side(self, q: Fraction, u: Fraction) -> int:
+        """-1 only if u <= f(q), 1 only if u >= f(q); 0 if neither is known."""
+        with balls.precision(self.bits):
+            start = balls.from_fraction(q), balls.from_fraction(u)
+            if self._never_ends((start[0].upper(), start[1].upper())):
+                return -1
+            return 1 if self._ends((start[0].lower(), start[1].lower())) else 0
+
+    def image(self, ratio: Ball, state: Point) -> tuple[int, Point]:
+        """1 and the next state if there is one for certain, -1 if there is none, 0 if unknown."""
+        q, u = state
+        rest, product = 1 - u, ratio * u
+        p = self.a * rest - q - product
+        top, square = product * (2 * q + product), p * p
+        if p <= 0 or top >= square:
+            return -1, state
+        if not (p > 0 and top < square):
+            return 0, state
+        h = top / square
+        after = self.r * rest / p, h / (1 + (1 - h).sqrt())
+        return (1 if after[0].is_finite() and after[1].is_finite() else 0), after
+
+    def _never_ends(self, state: Point) -> bool:
+        """Whether the orbit of this state, or of one above it, comes into the trap."""
+        most, highest = self.trap
+        parity = 0
+        while self.budget.left > 0:
+            if state[0] <= most and state[1] <= highest[parity]:
+                return True
+            self.budget.left -= 1
+            known, (q, u) = self.image(self.ratios[parity], state)
+            if known <= 0:
+                return False
+            state, parity = (q.upper(), u.upper()), 1 - parity
+        return False
+
+    def _ends(self, state: Point) -> bool:
+        """Whether the orbit of this state, or of one below it, comes to a last collision."""
+        most, highest = self.trap
+        parity = 0
+        while self.budget.left > 0:
+            if state[0] <= most and state[1] <= highest[parity]:
+                return False
+            self.budget.left -= 1
+            known, (q, u) = self.image(self.ratios[parity], state)
+            if known <= 0:
+                return known < 0
+            state, parity = (q.lower(), u.lower()), 1 - parity
+        return False
+
+
+# --- the curve ------------------------------------------------------------------------------------
+
+
+class Curve:
+    """The separatrix at given parameters, where there is one."""
+
+    def __init__(self, parameters: Parameters, budget: Allowance) -> None:
+        self.parameters, self.budget = parameters, budget
+        self.trap = find_trap(parameters)
+        self._orbits: dict[int, Orbits] = {}
+
+    def strip(self, q: Fraction, digits: int) -> CurveAt:
+        """An enclosure of f(q), to so many digits if the budget suffices."""
+        if beyond(self.parameters, q):
+            return CurveAt(q, Fraction(0), Fraction(0), True, RATIONALS)
+        low, high, power = Fraction(0), self._highest(), 1
+        bits = digits * 3322 // 1000 + GUARD_BITS
+        while not low or (high - low) * 10**digits > low:
+            for cut in _cuts(low, high, power):
+                side = self._side(q, cut, bits)
+                if side:
+                    break
+            else:
+                return CurveAt(q, low, high, False, ORBITS)
+            low, high = (cut, high) if side < 0 else (low, cut)
+            power *= 2
+        return CurveAt(q, low, high, True, ORBITS)
+
+    def _side(self, q: Fraction, u: Fraction, bits: int) -> int:
+        """The side of a point, at a precision that is doubled a few times."""
+        for _ in range(DOUBLINGS):
+            side = self.orbits(bits).side(q, u)
+            if side or self.budget.left <= 0:
+                return side
+            bits *= 2
+        return 0
+
+    def orbits(self, bits: int) -> Orbits:
+        """Orbits at a precision."""
+        if bits not in self._orbits:
+            self._orbits[bits] = Orbits(self.parameters, self.trap, bits, self.budget)
+        return self._orbits[bits]
+
+    def _highest(self) -> Fraction:
+        """A short number that is at least a/(a + rho)."""
+        a, size = self.parameters.a, 1 << 64
+        quotient = a / (a + self.parameters.ratio)
+        return Fraction(-(-quotient.numerator * size // quotient.denominator), size)
+
+
+def _cuts(low: Fraction, high: Fraction, power: int) -> Iterator[Fraction]:
+    """Where to cut next, and where if that is too near to the curve to tell.
+
+    While nothing is known from below, far down, but there is an end; then halfway, in powers of two
+    while they differ.
+    """
+    if not low and power > LARGEST_POWER:
+        return
+    if not low:
+        yield from (high / 2**power, high / 2**power * Fraction(3, 4))
+    elif high > 4 * low:
+        quotient = high / low
+        half = (quotient.numerator.bit_length() - quotient.denominator.bit_length()) // 2
+        yield from (low * 2**half, low * 2**half * Fraction(5, 4))
+    else:
+        yield from ((low + high) / 2, (5 * low + 3 * high) / 8)

@@ -1,0 +1,100 @@
+"""What is enclosed of a separatrix: the curve at some places, its fixed points, its cycle."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from verify.language.record import Record
+from verify.language.statement import PROVED, UNDECIDED
+from verify.prover import balls
+from verify.spheres.limit_cycle import cycle
+from verify.spheres.limit_map import (
+    Allowance,
+    Curve,
+    CurveAt,
+    Ends,
+    Parameters,
+    beyond,
+    fixed_points,
+    has_separatrix,
+)
+
+#: What the verdicts rest on, beside their judges.
+BELIEVED = (
+    "the theorem on the curve of the limit map, with its proof in Coq (verify/coq/Separatrix.v)",
+    "the ball arithmetic of FLINT, and Python's whole numbers",
+)
+#: What this command says nothing about.
+NOT_DECIDED = (
+    "the full dynamics: this map is its limit for small distances, and a scene may do otherwise",
+    "how near to the curve a scene may lie for the map to foretell what it does",
+    "what scenes on the curve do, and those of which a tangential speed tends to 0",
+)
+
+
+#: Digits beyond those that are shown, so that those agree at both ends.
+MORE_DIGITS = 2
+#: Values of q in a table that are tried for its step.
+SCALES = (Fraction(1, 2), Fraction(2, 5), Fraction(1, 2))
+
+
+class Separatrix(Record):
+    """What is known of f: whether it is 0 everywhere, and otherwise its strips and its points.
+
+    ``exists`` is None where that is not decided. ``fixed`` has phi_minus and phi_plus; ``cycle``
+    has q and u of the cycle, if that was asked for (with a table it is) and found.
+    """
+
+    parameters: Parameters
+    at: Fraction | None
+    digits: int
+    exists: bool | None
+    strips: tuple[CurveAt, ...] = ()
+    fixed: tuple[Ends, ...] = ()
+    cycle: tuple[Ends, ...] = ()
+
+    @property
+    def verdict(self) -> str:
+        """*Proved* where it is decided whether f exists, and f is enclosed as asked."""
+        known = self.exists is not None and all(strip.reached for strip in self.strips)
+        return PROVED if known else UNDECIDED
+
+    @property
+    def exit_code(self) -> int:
+        """What the command returns."""
+        return 0 if self.verdict == PROVED else 3
+
+
+def decide_separatrix(
+    parameters: Parameters, at: Fraction | None, digits: int, steps: int
+) -> Separatrix:
+    """Enclose f at one q, or make a table of it, following at most so many collisions."""
+    exists = has_separatrix(parameters)
+    if not exists:
+        return Separatrix(parameters, at, digits, exists)
+    curve = Curve(parameters, Allowance(steps))
+    places = tuple(table_of(parameters)) if at is None else (at,)
+    strips = tuple(curve.strip(q, digits + MORE_DIGITS) for q in places)
+    found = cycle(curve, digits + MORE_DIGITS) if at is None else None
+    bits = 2 * (digits * 4 + parameters.r.denominator.bit_length() + 64)
+    with balls.precision(bits):  # at which the ends of balls are rounded
+        ends = tuple(map(balls.ends, found or ()))
+    return Separatrix(parameters, at, digits, exists, strips, fixed_points(parameters, bits), ends)
+
+
+def table_of(parameters: Parameters) -> Iterator[Fraction]:
+    """Some eight to sixteen round values of q, from 0 to the first one that is not below phi_plus.
+
+    The step is 1, 2 or 5 times a power of ten.
+    """
+    step = Fraction(1)
+    for factor in SCALES * 4000:
+        if not beyond(parameters, 8 * step):
+            break
+        step *= factor
+    q = Fraction(0)
+    while not beyond(parameters, q):
+        yield q
+        q += step
+    yield q

@@ -24,6 +24,15 @@ def test_a_place_is_where_the_row_is_written() -> None:
         assert f'"{name.rpartition(".")[2]}"' in near_by, name
 
 
+def test_a_row_of_a_table_has_a_line_of_its_own() -> None:
+    """Of two entries with one name the misprint is the printed one."""
+    found = {place.name: place for place in written("zeta-time-square")}
+    for group, call in (("printed", "k.misprint"), ("repaired", "k.repair")):
+        place = found[f"{group}.zeta-time-square"]
+        lines = (ROOT / place.path).read_text(encoding="utf-8").splitlines()
+        assert f'{call}("zeta-time-square"' in lines[place.line - 1]
+
+
 def test_a_label_has_its_rows() -> None:
     label = "EQUATSS4.1Recurrence_CndT"
     found = written(label)

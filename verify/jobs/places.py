@@ -1,16 +1,19 @@
 """Where in `verify/paper/` a name stands: that of a row, a line, a constant, or something given.
 
 The modules of the paper yield what they say. A generator that hands over to another one tells which
-one is at work, and where: so no table of places is kept by hand.
+one is at work, and where; in a table that it yields each row begins a line with its name. So no
+table of places is kept by hand.
 """
 
 from __future__ import annotations
 
 import inspect
+import re
 from collections.abc import Callable, Iterator
 from difflib import get_close_matches
 from functools import cache
 from importlib import import_module
+from linecache import getline
 from pathlib import Path
 from pkgutil import walk_packages
 from types import CodeType, GeneratorType, ModuleType
@@ -107,13 +110,13 @@ def _arguments(function: Callable[..., Any]) -> Iterator[tuple[Any, ...]]:
 
 def _yielded(running: Any) -> Iterator[Place]:
     for item in running:
-        path, line = _at_work(running)
+        code, line = _at_work(running)
         for part in item.items if isinstance(item, Chapter) else (item,):
             row = part.row if isinstance(part, Refuted) else part
             if isinstance(row, Obligation | Line):
-                yield Place(row.name, row.label, row.says, path, line)
+                yield Place(row.name, row.label, row.says, _path(code), _entry(row, code, line))
             elif isinstance(part, Opened):
-                yield from _known(part.context, path, line)
+                yield from _known(part.context, _path(code), line)
 
 
 def _known(context: Context, path: str, line: int) -> Iterator[Place]:
@@ -123,14 +126,27 @@ def _known(context: Context, path: str, line: int) -> Iterator[Place]:
         yield Place(name, "", f"in the context {context.name}", path, line)
 
 
-def _at_work(running: Any) -> tuple[str, int]:
-    """The file and the line where the innermost function of a module yields."""
+def _entry(row: Obligation | Line, code: CodeType, start: int) -> int:
+    """The line of a row, or its own line in the table that begins at ``start``."""
+    names = "|".join(re.escape(name) for name in (row.name, row.name.partition(".")[2]) if name)
+    entry = re.compile(rf'\s*(?:yield |yield from |\*)?([\w.]+)\("(?:{names})"')
+    true = isinstance(row, Obligation) and row.severity is None
+    end = max(line or 0 for _, _, line in code.co_lines())
+    for number in range(start, end + 1):
+        found = entry.match(getline(code.co_filename, number))
+        if found and not (true and found[1].endswith("misprint")):
+            return number
+    return start
+
+
+def _at_work(running: Any) -> tuple[CodeType, int]:
+    """The innermost function of a module that yields, and the line of its statement."""
     inner = running
     while isinstance(running.gi_yieldfrom, GeneratorType):
         running = running.gi_yieldfrom
         if "." not in running.gi_code.co_qualname:  # a method serves many places
             inner = running
-    return _path(inner.gi_code), inner.gi_frame.f_lineno
+    return inner.gi_code, inner.gi_frame.f_lineno
 
 
 def _start(function: Any) -> tuple[str, int]:

@@ -155,10 +155,9 @@ class ConstantSet:
         label: str,
         says: str,
         claim: Claim,
-        uses: Iterable[str] = (),
-        *,
         severity: str,
         corrected_by: str,
+        uses: Iterable[str] = (),
     ) -> Iterator[Obligation]:
         """A row that only the printed set has, corrected by the repaired row of a name."""
         if self.printed:
@@ -172,6 +171,13 @@ class ConstantSet:
                 severity=severity,
                 corrected_by=f"{REPAIRED}.{corrected_by}",
             )
+
+    def aside(
+        self, name: str, label: str, says: str, claim: Claim, uses: Iterable[str] = ()
+    ) -> Iterator[Obligation]:
+        """A row that only the printed set has, against which nothing is known."""
+        if self.printed:
+            yield printed(f"{self.group}.{name}", label, says, claim, uses, group=self.group)
 
     def repair(
         self, name: str, label: str, says: str, claim: Claim, uses: Iterable[str] = ()

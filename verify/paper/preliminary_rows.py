@@ -34,137 +34,96 @@ C_ETA = "EQUATSS4.1Quantite_C_eta_"
 
 def rows(k: ConstantSet) -> Iterator[Obligation]:
     """Yield the rows on alpha_0, the fixed points, delta_1 to delta_5, C_eta, h_4 and h_5."""
-    yield from _alpha(k)
-    yield from _existence(k)
     yield from _fixed_points(k)
-    yield from _roots(k)
     yield from _stability(k)
-    yield from _gaps(k)
-    yield from _h_4(k)
-    yield from _second_assumption(k)
-    yield from _h_5(k)
+    yield from _second_ratio(k)
     yield k.row("V_0-positive", "EQUATSS4.1Recurrence_Cnd5", "0 < V₀", 0 < V_0)
 
 
-def _alpha(k: ConstantSet) -> Iterator[Obligation]:
-    """α₀ = ((1+r)/2)(-cos θ₀), positive and smaller than 1."""
-    yield k.row("alpha-positive", THEOREM, "α₀ is positive", 0 < alpha_0)
-    yield k.row("alpha-below-one", THEOREM, "α₀ is smaller than 1", alpha_0 < 1)
-
-
-def _existence(k: ConstantSet) -> Iterator[Obligation]:
-    """`EQUATSS4.1ThExiCondi_r_1_` ensures that F₁: φ ↦ r/(α₀-φ) has two positive fixed points.
-
-    At r = 1/20 < r_stabi and c = 1/2, which satisfy the printed hypotheses, it has none:
-    alpha_0^2 = (21/80)^2 is below 4r = 1/5.
-    """
-    yield from k.misprint(
-        "r_stabi-gives-fixed-points",
-        RESTITUTION,
-        "r < r_stabi ensures the two fixed points: at r = 1/20, -cos θ₀ = 1/2 (harmless: the "
-        "condition on the angle, with >, ensures them)",
-        as_term(Fraction(1, 5)) < as_term(Fraction(21, 80)) ** 2,
-        severity=HARMLESS,
-        corrected_by="fixed-points-exist",
-    )
-    yield k.row(
-        "fixed-points-exist",
-        RESTITUTION,
-        "F₁ has two fixed points: α₀² > 4r (from the angle, not from r < r_stabi)",
-        4 * r < alpha_0**2,
-    )
-
-
 def _fixed_points(k: ConstantSet) -> Iterator[Obligation]:
-    """φ^± are the two positive fixed points of F₁: φ ↦ r/(α₀-φ)."""
-    yield k.row("phi-positive", THEOREM, "φ⁻ is positive", 0 < phi_minus)
-    yield k.row("phi-ordered", THEOREM, "φ⁻ is the smaller one", phi_minus < phi_plus)
-    yield k.row("phi-below-pole", THEOREM, "F₁ is defined at φ⁺: φ⁺ < α₀", phi_plus < alpha_0)
-    for name, letter, phi in (("minus", "φ⁻", phi_minus), ("plus", "φ⁺", phi_plus)):
-        image = r / (alpha_0 - phi)
-        says = f"{letter} is a fixed point of F₁, one half"
-        yield k.row(f"phi-{name}-fixed-upper", THEOREM, says, image <= phi)
-        says = f"{letter} is a fixed point of F₁, other half"
-        yield k.row(f"phi-{name}-fixed-lower", THEOREM, says, phi <= image)
-
-
-def _roots(k: ConstantSet) -> Iterator[Obligation]:
-    """φ^± = (α₀ ± √(α₀²-4r))/2."""
+    """α₀ and the two fixed points."""
     root = (alpha_0 - sqrt(discriminant)) / 2
-    says = "φ⁻ = (α₀-√(α₀²-4r))/2, one half"
-    yield k.row("phi-form-upper", THEOREM, says, phi_minus <= root)
-    says = "φ⁻ = (α₀-√(α₀²-4r))/2, other half"
-    yield k.row("phi-form-lower", THEOREM, says, root <= phi_minus)
+    yield from (
+        # α₀ = ((1+r)/2)(-cos θ₀), positive and smaller than 1.
+        k.row("alpha-positive",  THEOREM, "α₀ is positive", 0 < alpha_0),
+        k.row("alpha-below-one", THEOREM, "α₀ is smaller than 1", alpha_0 < 1),
+        # `EQUATSS4.1ThExiCondi_r_1_` ensures that F₁: φ ↦ r/(α₀-φ) has two positive fixed points.
+        # At r = 1/20 < r_stabi and c = 1/2, which satisfy the printed hypotheses, it has none:
+        # alpha_0^2 = (21/80)^2 is below 4r = 1/5.
+        *k.misprint("r_stabi-gives-fixed-points", RESTITUTION, "r < r_stabi ensures the two fixed "
+            "points: at r = 1/20, -cos θ₀ = 1/2 (harmless: the condition on the angle, with >, "
+            "ensures them)", as_term(Fraction(1, 5)) < as_term(Fraction(21, 80)) ** 2, HARMLESS,
+            "fixed-points-exist"),
+        k.row("fixed-points-exist",               RESTITUTION,
+            "F₁ has two fixed points: α₀² > 4r (from the angle, not from r < r_stabi)",
+            4 * r < alpha_0**2),
+        # φ^± are the two positive fixed points of F₁: φ ↦ r/(α₀-φ).
+        k.row("phi-positive",   THEOREM, "φ⁻ is positive", 0 < phi_minus),
+        k.row("phi-ordered",    THEOREM, "φ⁻ is the smaller one", phi_minus < phi_plus),
+        k.row("phi-below-pole", THEOREM, "F₁ is defined at φ⁺: φ⁺ < α₀", phi_plus < alpha_0),
+        k.row("phi-minus-fixed-upper", THEOREM, "φ⁻ is a fixed point of F₁, one half",
+            r / (alpha_0 - phi_minus) <= phi_minus),
+        k.row("phi-minus-fixed-lower", THEOREM, "φ⁻ is a fixed point of F₁, other half",
+            phi_minus <= r / (alpha_0 - phi_minus)),
+        k.row("phi-plus-fixed-upper", THEOREM, "φ⁺ is a fixed point of F₁, one half",
+            r / (alpha_0 - phi_plus) <= phi_plus),
+        k.row("phi-plus-fixed-lower", THEOREM, "φ⁺ is a fixed point of F₁, other half",
+            phi_plus <= r / (alpha_0 - phi_plus)),
+        # φ^± = (α₀ ± √(α₀²-4r))/2.
+        k.row("phi-form-upper", THEOREM, "φ⁻ = (α₀-√(α₀²-4r))/2, one half", phi_minus <= root),
+        k.row("phi-form-lower", THEOREM, "φ⁻ = (α₀-√(α₀²-4r))/2, other half", root <= phi_minus),
+    )  # fmt: skip
 
 
 def _stability(k: ConstantSet) -> Iterator[Obligation]:
-    """Only φ⁻ is stable: |F₁'(φ⁻)| = r/(α₀-φ⁻)² < 1 (`EQUATSS4.1DerivFonctF_1P-`)."""
+    """Which fixed point is stable, and the first constants."""
     slope = r / (alpha_0 - phi_minus) ** 2
-    yield k.row("phi-minus-stable", STABLE, "φ⁻ is stable: |F₁'(φ⁻)| < 1", slope < 1)
-    yield k.row(
-        "phi-plus-unstable",
-        STABLE,
-        "only φ⁻ is stable: |F₁'(φ⁺)| > 1",
-        1 < r / (alpha_0 - phi_plus) ** 2,
-    )
-    yield from k.misprint(
-        "phi-minus-called-unstable",
-        "EQUATSS4.1Recurrence_Cnd9",
-        "the wording 'the unstable fixed point φ⁻': |F₁'(φ⁻)| > 1",
-        1 < slope,
-        severity=SLIP,
-        corrected_by="phi-minus-stable",
-    )
+    at_delta_4 = r / (alpha_0 - (phi_minus + delta_4)) ** 2
+    yield from (
+        # Only φ⁻ is stable: |F₁'(φ⁻)| = r/(α₀-φ⁻)² < 1 (`EQUATSS4.1DerivFonctF_1P-`).
+        k.row("phi-minus-stable",                STABLE, "φ⁻ is stable: |F₁'(φ⁻)| < 1", slope < 1),
+        k.row("phi-plus-unstable",               STABLE, "only φ⁻ is stable: |F₁'(φ⁺)| > 1",
+            1 < r / (alpha_0 - phi_plus) ** 2),
+        *k.misprint("phi-minus-called-unstable", "EQUATSS4.1Recurrence_Cnd9",
+            "the wording 'the unstable fixed point φ⁻': |F₁'(φ⁻)| > 1", 1 < slope, SLIP,
+            "phi-minus-stable"),
+        # φ⁻ < α₀/2 and -1 < φ⁻-α₀ < 0; hence δ₁, δ₂, δ₃ are positive and 0 < C_η < 1.
+        k.row("phi-below-half",   THEOREM, "φ⁻ < α₀/2 by definition", phi_minus < alpha_0 / 2),
+        k.row("delta_1-positive", THEOREM, "0 < δ₁", 0 < delta_1),
+        k.row("gap-below-one",    THEOREM, "-1 < φ⁻ - α₀", -1 < phi_minus - alpha_0),
+        k.row("gap-positive",     THEOREM, "φ⁻ - α₀ < 0", phi_minus - alpha_0 < 0),
+        k.row("delta_2-positive", THEOREM, "0 < δ₂", 0 < delta_2),
+        k.row("delta_3-positive", THEOREM, "0 < δ₃", 0 < delta_3),
+        k.row("C_eta-positive",   C_ETA, "0 < C_η", 0 < C_eta),
+        k.row("C_eta-below-one",  C_ETA, "C_η < 1", C_eta < 1),
+        # h₄ = (1 - r/(α₀-φ⁻)²)/2 > 0, and δ₄ > 0 with r/(α₀-(φ⁻+δ₄))² = 1-h₄.
+        k.row("h_4-positive",      STABLE, "0 < h₄", 0 < h_4),
+        k.row("h_4-below-one",     STABLE, "h₄ < 1", h_4 < 1),
+        k.row("delta_4-positive",  STABLE, "0 < δ₄", 0 < delta_4),
+        k.row("delta_4-below-gap", STABLE, "δ₄ < α₀ - φ⁻", delta_4 < gap),
+        k.row("delta_4-upper",     STABLE, "the equation of δ₄, one half", at_delta_4 <= 1 - h_4),
+        k.row("delta_4-lower",     STABLE, "the equation of δ₄, other half", 1 - h_4 <= at_delta_4),
+    )  # fmt: skip
 
 
-def _gaps(k: ConstantSet) -> Iterator[Obligation]:
-    """φ⁻ < α₀/2 and -1 < φ⁻-α₀ < 0; hence δ₁, δ₂, δ₃ are positive and 0 < C_η < 1."""
-    yield k.row("phi-below-half", THEOREM, "φ⁻ < α₀/2 by definition", phi_minus < alpha_0 / 2)
-    yield k.row("delta_1-positive", THEOREM, "0 < δ₁", 0 < delta_1)
-    yield k.row("gap-below-one", THEOREM, "-1 < φ⁻ - α₀", -1 < phi_minus - alpha_0)
-    yield k.row("gap-positive", THEOREM, "φ⁻ - α₀ < 0", phi_minus - alpha_0 < 0)
-    yield k.row("delta_2-positive", THEOREM, "0 < δ₂", 0 < delta_2)
-    yield k.row("delta_3-positive", THEOREM, "0 < δ₃", 0 < delta_3)
-    yield k.row("C_eta-positive", C_ETA, "0 < C_η", 0 < C_eta)
-    yield k.row("C_eta-below-one", C_ETA, "C_η < 1", C_eta < 1)
-
-
-def _h_4(k: ConstantSet) -> Iterator[Obligation]:
-    """h₄ = (1 - r/(α₀-φ⁻)²)/2 > 0, and δ₄ > 0 with r/(α₀-(φ⁻+δ₄))² = 1-h₄."""
-    yield k.row("h_4-positive", STABLE, "0 < h₄", 0 < h_4)
-    yield k.row("h_4-below-one", STABLE, "h₄ < 1", h_4 < 1)
-    yield k.row("delta_4-positive", STABLE, "0 < δ₄", 0 < delta_4)
-    yield k.row("delta_4-below-gap", STABLE, "δ₄ < α₀ - φ⁻", delta_4 < gap)
-    value = r / (alpha_0 - (phi_minus + delta_4)) ** 2
-    yield k.row("delta_4-upper", STABLE, "the equation of δ₄, one half", value <= 1 - h_4)
-    yield k.row("delta_4-lower", STABLE, "the equation of δ₄, other half", 1 - h_4 <= value)
-
-
-def _second_assumption(k: ConstantSet) -> Iterator[Obligation]:
-    """`EQUATSS4.1ThExiCondiTheta` ensures that φ⁻/(α₀-φ⁻)² lies between 0 and 1.
-
-    r = 1/60, c = 38/61 satisfy the hypothesis as printed; then alpha_0 = 19/60, the fixed points
-    are 1/15 and 1/4, and phi_minus / (alpha_0 - phi_minus)^2 = 16/15.
-    """
-    yield from k.misprint(
-        "second-assumption-as-printed",
-        ANGLE,
-        "-cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r) ensures φ⁻/(α₀-φ⁻)² < 1: at r = 1/60, -cos θ₀ = 38/61",
-        as_term(Fraction(1, 15)) / as_term(Fraction(1, 4)) ** 2 < 1,
-        severity=SLIP,
-        corrected_by="second-ratio",
-    )
+def _second_ratio(k: ConstantSet) -> Iterator[Obligation]:
+    """The second assumption, and h₅."""
     ratio = phi_minus / gap**2
-    yield k.row("second-ratio-positive", ANGLE, "φ⁻/(α₀-φ⁻)² is positive", 0 < ratio)
-    yield k.row("second-ratio", ANGLE, "φ⁻/(α₀-φ⁻)² is strictly smaller than 1", ratio < 1)
-
-
-def _h_5(k: ConstantSet) -> Iterator[Obligation]:
-    """h₅ = (1 - φ⁻/(α₀-φ⁻)²)/2 > 0, and δ₅ > 0 with φ⁻/(α₀-(φ⁻+δ₅))² = 1-h₅."""
-    yield k.row("h_5-positive", ANGLE, "0 < h₅", 0 < h_5)
-    yield k.row("h_5-below-one", ANGLE, "h₅ < 1", h_5 < 1)
-    yield k.row("delta_5-positive", ANGLE, "0 < δ₅", 0 < delta_5)
-    yield k.row("delta_5-below-gap", ANGLE, "δ₅ < α₀ - φ⁻", delta_5 < gap)
-    value = phi_minus / (alpha_0 - (phi_minus + delta_5)) ** 2
-    yield k.row("delta_5-upper", ANGLE, "the equation of δ₅, one half", value <= 1 - h_5)
-    yield k.row("delta_5-lower", ANGLE, "the equation of δ₅, other half", 1 - h_5 <= value)
+    at_delta_5 = phi_minus / (alpha_0 - (phi_minus + delta_5)) ** 2
+    yield from (
+        # `EQUATSS4.1ThExiCondiTheta` ensures that φ⁻/(α₀-φ⁻)² lies between 0 and 1.
+        # r = 1/60, c = 38/61 satisfy the hypothesis as printed; then alpha_0 = 19/60, the fixed
+        # points are 1/15 and 1/4, and phi_minus / (alpha_0 - phi_minus)^2 = 16/15.
+        *k.misprint("second-assumption-as-printed", ANGLE, "-cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r) "
+            "ensures φ⁻/(α₀-φ⁻)² < 1: at r = 1/60, -cos θ₀ = 38/61",
+            as_term(Fraction(1, 15)) / as_term(Fraction(1, 4)) ** 2 < 1, SLIP, "second-ratio"),
+        k.row("second-ratio-positive",              ANGLE, "φ⁻/(α₀-φ⁻)² is positive", 0 < ratio),
+        k.row("second-ratio", ANGLE, "φ⁻/(α₀-φ⁻)² is strictly smaller than 1", ratio < 1),
+        # h₅ = (1 - φ⁻/(α₀-φ⁻)²)/2 > 0, and δ₅ > 0 with φ⁻/(α₀-(φ⁻+δ₅))² = 1-h₅.
+        k.row("h_5-positive",      ANGLE, "0 < h₅", 0 < h_5),
+        k.row("h_5-below-one",     ANGLE, "h₅ < 1", h_5 < 1),
+        k.row("delta_5-positive",  ANGLE, "0 < δ₅", 0 < delta_5),
+        k.row("delta_5-below-gap", ANGLE, "δ₅ < α₀ - φ⁻", delta_5 < gap),
+        k.row("delta_5-upper",     ANGLE, "the equation of δ₅, one half", at_delta_5 <= 1 - h_5),
+        k.row("delta_5-lower",     ANGLE, "the equation of δ₅, other half", 1 - h_5 <= at_delta_5),
+    )  # fmt: skip

@@ -26,8 +26,18 @@ from verify.paper.preliminaries import (
     h_5,
     phi_minus,
 )
-from verify.paper.rows import BREAKS, HARMLESS, SLIP, printed
+from verify.paper.rows import BREAKS, HARMLESS, SLIP
 
+CND1 = "EQUATSS4.1Recurrence_Cnd1"
+CND2 = "EQUATSS4.1Recurrence_Cnd2"
+CND3 = "EQUATSS4.1Recurrence_Cnd3"
+CND4 = "EQUATSS4.1Recurrence_Cnd4"
+CND5 = "EQUATSS4.1Recurrence_Cnd5"
+CND6 = "EQUATSS4.1Recurrence_Cnd6"
+CND8 = "EQUATSS4.1Recurrence_Cnd8"
+CND9 = "EQUATSS4.1Recurrence_Cnd9"
+CNDT = "EQUATSS4.1Recurrence_CndT"
+CND10 = "EQUATSS4.1Recurrence_Cnd10"
 TAU = "EQUATSS4.1_Controle_Tau_n"
 NORM = "EQUATSS4.1EvoluNormeVitRl"
 X_LINK = "EQUATSS4.1Lien_x_n_&_y_n_"
@@ -38,285 +48,141 @@ COSINE = "EQUATSS4.1EvoluCosinAngle"
 def rows(k: ConstantSet) -> Iterator[Obligation]:
     """Yield the rows of the recursion, in the paper's order."""
     for paragraph in (
-        _small_distance,
-        _small_time,
-        _norm_law,
-        _norm_factors,
-        _norm_steps,
-        _norm_steps_below,
-        _norm_bounds,
-        _y_small,
-        _eta_chain,
-        _zeta_root,
-        _zeta_time,
-        _zeta_term_2,
-        _zeta_terms_3_and_4,
+        _distance_and_time,
+        _norms,
+        _eta,
+        _zeta_first_terms,
         _zeta_remainders,
-        _zeta_main_term,
-        _zeta_propagates,
-        _outer_directions,
+        _zeta,
         _no_outer_collision,
         _angle_step,
         _angle_sum,
         _x_term_1,
         _sums_alone,
-        _x_term_2,
-        _x_improved,
-        _y_terms_1_and_2,
-        _y_terms_3_and_4,
-        _y_sum,
+        _x,
+        _y,
     ):
         yield from paragraph(k)
 
 
-def _small_distance(k: ConstantSet) -> Iterator[Obligation]:
-    """d_n ≤ |η_{s,n}|τ_n + |W_{s,n}|²τ_n²/2 ≤ (3/2) V₁^{1/2} τ_n ≤ 3 (V₁^{1/2}/V₀)(-η_{c,n}).
-
-    The display is about d_{n+1}. That it bounds d_n is refuted as follows: as
-    tau_n <= (1 + zeta_n/2) d_n/(-eta_{c,n}) and tau_n <= 2 (-eta_{c,n}) zeta_n/V_0, its right-hand
-    side is at most d_n times the number of the row.
-    """
-    cnd = "EQUATSS4.1Recurrence_Cnd6"
-    yield k.row("d_0-below-one", cnd, "1 + d_n ≤ 2 for n = 0", k.d_bar <= 1)
-    yield k.row("d-below-one", cnd, "1 + d_n ≤ 2 for n ≥ 1", k.d_later <= 1, ["distance", "time"])
-    yield from k.misprint(
-        "d-index",
-        TAU,
-        "d_n ≤ |η_{s,n}|τ_n + |W_{s,n}|²τ_n²/2 (it bounds d_{n+1}): "
-        "as τ_n ≤ (1+ζ_n/2) d_n/(-η_{c,n}) it needs 1 ≤ (1+ζ̄/2)(φ⁻+δ_x+(V₁/V₀)ζ̄)",
-        1 <= (1 + k.zeta_bar / 2) * (phi_minus + k.delta_x + k.V_1 / V_0 * k.zeta_bar),
-        ["time", "root-fine", "zeta-from-distance"],
-        severity=SLIP,
-        corrected_by="d-below-one",
-    )
+def _distance_and_time(k: ConstantSet) -> Iterator[Obligation]:
+    """1 + d_n ≤ 2 and the bounds on τ_n."""
+    yield from (
+        # d_n ≤ |η_{s,n}|τ_n + |W_{s,n}|²τ_n²/2 ≤ (3/2) V₁^{1/2} τ_n ≤ 3 (V₁^{1/2}/V₀)(-η_{c,n}).
+        # The display is about d_{n+1}. That it bounds d_n is refuted as follows: as tau_n <= (1 +
+        # zeta_n/2) d_n/(-eta_{c,n}) and tau_n <= 2 (-eta_{c,n}) zeta_n/V_0, its right-hand side is
+        # at most d_n times the number of the row.
+        k.row("d_0-below-one", CND6, "1 + d_n ≤ 2 for n = 0", k.d_bar <= 1),
+        k.row("d-below-one",   CND6, "1 + d_n ≤ 2 for n ≥ 1", k.d_later <= 1, ["distance", "time"]),
+        *k.misprint("d-index", TAU, "d_n ≤ |η_{s,n}|τ_n + |W_{s,n}|²τ_n²/2 (it bounds d_{n+1}): "
+            "as τ_n ≤ (1+ζ_n/2) d_n/(-η_{c,n}) it needs 1 ≤ (1+ζ̄/2)(φ⁻+δ_x+(V₁/V₀)ζ̄)",
+            1 <= (1 + k.zeta_bar / 2) * (phi_minus + k.delta_x + k.V_1 / V_0 * k.zeta_bar), SLIP,
+            "d-below-one", ["time", "root-fine", "zeta-from-distance"]),
+        # (-η_{c,n})² ≤ -η_{c,n} ≤ 1; V₁τ_n² ≤ V₁^{1/2}τ_n ≤ 1 (`EQUATSS4.1_Controle_Tau_n`).
+        k.row("eta-below-one", CND6, "η² ≤ η ≤ 1", k.eta_bar <= 1),
+        k.row("tau-small", TAU, "V₁ τ_n² ≤ V₁^{1/2} τ_n ≤ 1", k.speed * k.tau_crude <= 1, ["time"]),
+    )  # fmt: skip
 
 
-def _small_time(k: ConstantSet) -> Iterator[Obligation]:
-    """(-η_{c,n})² ≤ -η_{c,n} ≤ 1; V₁τ_n² ≤ V₁^{1/2}τ_n ≤ 1 (`EQUATSS4.1_Controle_Tau_n`)."""
-    yield k.row("eta-below-one", "EQUATSS4.1Recurrence_Cnd6", "η² ≤ η ≤ 1", k.eta_bar <= 1)
-    yield k.row(
-        "tau-small", TAU, "V₁ τ_n² ≤ V₁^{1/2} τ_n ≤ 1", k.speed * k.tau_crude <= 1, ["time"]
-    )
-
-
-def _norm_law(k: ConstantSet) -> Iterator[Obligation]:
-    """|W_{c,n+1}|² = |W_{s,n}|² - (1+r) (…)(…) + ((1+r)²/2)(W_{c,n}·ω_{s,n+1})², as printed."""
+def _norms(k: ConstantSet) -> Iterator[Obligation]:
+    """The law of the norms, and Cnd5 to Cnd7 for n+1."""
     coefficient = ((1 + r) / 2) ** 2
-    yield from k.misprint(
-        "norm-law-as-printed",
-        NORM,
-        "the coefficient of (W_{c,n}·ω_{s,n+1})² is (1+r)²/2: it is the square of (1+r)/2 "
-        "(harmless: only that it is at most 2 is used)",
-        (1 + r) ** 2 / 2 <= coefficient,
-        severity=HARMLESS,
-        corrected_by="norm-law",
-    )
-    yield from k.repair(
-        "norm-law",
-        NORM,
-        "the coefficient of (W_{c,n}·ω_{s,n+1})² is the square of (1+r)/2, (1+r)²/4",
-        coefficient <= (1 + r) ** 2 / 4,
-    )
-
-
-def _norm_factors(k: ConstantSet) -> Iterator[Obligation]:
-    """… ≤ 2 |W_{s,n}| |W_{c,n}·ω_{s,n+1}| + 2 |W_{c,n}·ω_{s,n+1}|²."""
-    cnd = "EQUATSS4.1Recurrence_Cnd6"
-    yield k.row("norm-factor-1", cnd, "1+r ≤ 2", 1 + r <= 2)
-    yield k.row("norm-factor-2", cnd, "(1+r)²/4 ≤ (1+r)²/2 ≤ 2", (1 + r) ** 2 / 2 <= 2)
-    yield k.row("norm-factor-3", cnd, "|W_{s,n+1}|² - |W_{c,n}|² ≤ 0: r² - 1 ≤ 0", r**2 - 1 <= 0)
-
-
-def _norm_steps(k: ConstantSet) -> Iterator[Obligation]:
-    """… ≤ 2V₁^{1/2}(1+d_n)(-η_{c,n}) + 2(1+d_n)²η_{c,n}² ≤ 4(V₁^{1/2}+2)(-η_{c,n})."""
     step = 4 * (k.speed + 2)
-    yield k.row(
-        "norm-c-upper",
-        "EQUATSS4.1Recurrence_Cnd6",
-        "2V₁^{1/2}(1+d_n)η + 2(1+d_n)²η² ≤ 4(V₁^{1/2}+2)η, divided by η = -η_{c,n}",
-        2 * k.speed * (1 + k.d_any) + 2 * (1 + k.d_any) ** 2 * k.eta_bar <= step,
-        ["law-norms", "norm-step"],
-    )
-    yield k.row(
-        "norm-s-upper",
-        "EQUATSS4.1Recurrence_Cnd6",
-        "(1+d_n)²η² ≤ 4η, divided by η = -η_{c,n}",
-        (1 + k.d_any) ** 2 * k.eta_bar <= 4,
-        ["law-norms", "norm-step"],
-    )
-
-
-def _norm_steps_below(k: ConstantSet) -> Iterator[Obligation]:
-    """The same bounds hold for the absolute values of the differences, which Cnd5 needs."""
-    step = 4 * (k.speed + 2)
-    yield k.row(
-        "norm-c-lower",
-        "EQUATSS4.1Recurrence_Cnd6",
-        "|W_{c,n+1}|² - |W_{s,n}|² ≥ -(1+r)V₁^{1/2}(1+d_n)η ≥ -4(V₁^{1/2}+2)η",
-        (1 + r) * k.speed * (1 + k.d_any) <= step,
-        ["law-norms", "norm-step"],
-    )
-    yield k.row(
-        "norm-s-lower",
-        "EQUATSS4.1Recurrence_Cnd6",
-        "|W_{s,n+1}|² - |W_{c,n}|² ≥ -(1-r²)(1+d_n)²η² ≥ -4(V₁^{1/2}+2)η",
-        (1 - r**2) * (1 + k.d_any) ** 2 * k.eta_bar <= step,
-        ["law-norms", "norm-step"],
-    )
-
-
-def _norm_bounds(k: ConstantSet) -> Iterator[Obligation]:
-    """Σ C_η^k < 1/(1-C_η) and η̄ ≤ (1-C_η)(V₁-V₀)/(12(V₁^{1/2}+2)) give Cnd5 for n+1.
-
-    Cnd6 and Cnd7 are printed as upper bounds; with absolute values, which the same constants
-    bound, they give both halves.
-    """
-    cnd = "EQUATSS4.1Recurrence_Cnd5"
     third = (k.V_1 - V_0) / 3
-    yield k.row(
-        "Cnd5-upper",
-        cnd,
-        "|W|² ≤ V₁ - (V₁-V₀)/3 + 4(V₁^{1/2}+2)/(1-C_η) η̄ ≤ V₁",
-        k.norm_drift <= third,
-        ["norm-step"],
-    )
-    yield from k.misprint(
-        "Cnd5-lower-as-printed",
-        cnd,
-        "V₀ ≤ |W_{s,n+1}|² at |W_{c,n}|² = V₀, -η_{c,n} = C_η η̄: Cnd6 and Cnd7 are upper "
-        "bounds, and the law subtracts (1-r²)(1+d_n)²(1-ζ_n)η_{c,n}²",
-        V_0 <= V_0 - (1 - r**2) * (1 - k.zeta_bar) * (C_eta * k.eta_bar) ** 2,
-        ["law-norms"],
-        severity=SLIP,
-        corrected_by="Cnd5-lower",
-    )
-    yield k.row(
-        "Cnd5-lower",
-        cnd,
-        "V₀ ≤ V₀ + (V₁-V₀)/3 - 4(V₁^{1/2}+2)/(1-C_η) η̄ ≤ |W|², by the two-sided estimates",
-        V_0 + k.norm_drift <= V_0 + third,
-        ["norm-step"],
-    )
+    yield from (
+        # |W_{c,n+1}|² = |W_{s,n}|² - (1+r) (…)(…) + ((1+r)²/2)(W_{c,n}·ω_{s,n+1})², as printed.
+        *k.misprint("norm-law-as-printed", NORM, "the coefficient of (W_{c,n}·ω_{s,n+1})² is "
+            "(1+r)²/2: it is the square of (1+r)/2 (harmless: only that it is at most 2 is used)",
+            (1 + r) ** 2 / 2 <= coefficient, HARMLESS, "norm-law"),
+        *k.repair("norm-law",              NORM,
+            "the coefficient of (W_{c,n}·ω_{s,n+1})² is the square of (1+r)/2, (1+r)²/4",
+            coefficient <= (1 + r) ** 2 / 4),
+        # … ≤ 2 |W_{s,n}| |W_{c,n}·ω_{s,n+1}| + 2 |W_{c,n}·ω_{s,n+1}|².
+        k.row("norm-factor-1", CND6, "1+r ≤ 2", 1 + r <= 2),
+        k.row("norm-factor-2", CND6, "(1+r)²/4 ≤ (1+r)²/2 ≤ 2", (1 + r) ** 2 / 2 <= 2),
+        k.row("norm-factor-3", CND6, "|W_{s,n+1}|² - |W_{c,n}|² ≤ 0: r² - 1 ≤ 0", r**2 - 1 <= 0),
+        # … ≤ 2V₁^{1/2}(1+d_n)(-η_{c,n}) + 2(1+d_n)²η_{c,n}² ≤ 4(V₁^{1/2}+2)(-η_{c,n}).
+        k.row("norm-c-upper", CND6,
+            "2V₁^{1/2}(1+d_n)η + 2(1+d_n)²η² ≤ 4(V₁^{1/2}+2)η, divided by η = -η_{c,n}",
+            2 * k.speed * (1 + k.d_any) + 2 * (1 + k.d_any) ** 2 * k.eta_bar <= step,
+            ["law-norms", "norm-step"]),
+        k.row("norm-s-upper", CND6, "(1+d_n)²η² ≤ 4η, divided by η = -η_{c,n}",
+            (1 + k.d_any) ** 2 * k.eta_bar <= 4, ["law-norms", "norm-step"]),
+        # The same bounds hold for the absolute values of the differences, which Cnd5 needs.
+        k.row("norm-c-lower", CND6,
+            "|W_{c,n+1}|² - |W_{s,n}|² ≥ -(1+r)V₁^{1/2}(1+d_n)η ≥ -4(V₁^{1/2}+2)η",
+            (1 + r) * k.speed * (1 + k.d_any) <= step, ["law-norms", "norm-step"]),
+        k.row("norm-s-lower", CND6,
+            "|W_{s,n+1}|² - |W_{c,n}|² ≥ -(1-r²)(1+d_n)²η² ≥ -4(V₁^{1/2}+2)η",
+            (1 - r**2) * (1 + k.d_any) ** 2 * k.eta_bar <= step, ["law-norms", "norm-step"]),
+        # Σ C_η^k < 1/(1-C_η) and η̄ ≤ (1-C_η)(V₁-V₀)/(12(V₁^{1/2}+2)) give Cnd5 for n+1.
+        # Cnd6 and Cnd7 are printed as upper bounds; with absolute values, which the same constants
+        # bound, they give both halves.
+        k.row("Cnd5-upper",                  CND5,
+            "|W|² ≤ V₁ - (V₁-V₀)/3 + 4(V₁^{1/2}+2)/(1-C_η) η̄ ≤ V₁", k.norm_drift <= third,
+            ["norm-step"]),
+        *k.misprint("Cnd5-lower-as-printed", CND5, "V₀ ≤ |W_{s,n+1}|² at |W_{c,n}|² = V₀, "
+            "-η_{c,n} = C_η η̄: Cnd6 and Cnd7 are upper bounds, and the law subtracts "
+            "(1-r²)(1+d_n)²(1-ζ_n)η_{c,n}²",
+            V_0 <= V_0 - (1 - r**2) * (1 - k.zeta_bar) * (C_eta * k.eta_bar) ** 2, SLIP,
+            "Cnd5-lower", ["law-norms"]),
+        k.row("Cnd5-lower",                  CND5,
+            "V₀ ≤ V₀ + (V₁-V₀)/3 - 4(V₁^{1/2}+2)/(1-C_η) η̄ ≤ |W|², by the two-sided estimates",
+            V_0 + k.norm_drift <= V_0 + third, ["norm-step"]),
+    )  # fmt: skip
 
 
-def _y_small(k: ConstantSet) -> Iterator[Obligation]:
-    """|y_n| ≤ δ₂ and |y_n| ≤ δ₃, by Cnd10."""
-    says = "|y_n| ≤ δ₂ by Cnd10"
-    yield k.row("y-below-delta_2", "EQUATSS4.1Recurrence_Cnd1", says, k.delta_y <= delta_2)
-    says = "|y_n| ≤ δ₃ by Cnd10"
-    yield k.row("y-below-delta_3", "EQUATSS4.1Recurrence_Cnd2", says, k.delta_y <= delta_3)
+def _eta(k: ConstantSet) -> Iterator[Obligation]:
+    """Cnd1 and Cnd2 for n+1."""
+    yield from (
+        # |y_n| ≤ δ₂ and |y_n| ≤ δ₃, by Cnd10.
+        k.row("y-below-delta_2", CND1, "|y_n| ≤ δ₂ by Cnd10", k.delta_y <= delta_2),
+        k.row("y-below-delta_3", CND2, "|y_n| ≤ δ₃ by Cnd10", k.delta_y <= delta_3),
+        # -1 < -1 + δ₃ ≤ φ⁻ - α₀ + y_n ≤ -δ₂ < 0, hence Cnd1 and Cnd2 for n+1.
+        k.row("eta-chain-1",     CND2, "-1 < -1 + δ₃", -1 < -1 + delta_3),
+        k.row("eta-chain-2",     CND2, "-1 + δ₃ ≤ φ⁻ - α₀ + y_n",
+            -1 + delta_3 <= phi_minus - alpha_0 - k.delta_y, ["law-eta-c"]),
+        k.row("eta-chain-3",     CND1, "φ⁻ - α₀ + y_n ≤ -δ₂",
+            phi_minus - alpha_0 + k.delta_y <= -delta_2, ["law-eta-c"]),
+        k.row("eta-chain-4",     CND1, "-δ₂ < 0, so η_{c,n+1} < 0", -delta_2 < 0),
+        k.row("eta-contraction", CND2, "|η_{c,n+1}| ≤ C_η |η_{c,n}|",
+            gap + k.delta_y <= C_eta, ["law-eta-c"]),
+    )  # fmt: skip
 
 
-def _eta_chain(k: ConstantSet) -> Iterator[Obligation]:
-    """-1 < -1 + δ₃ ≤ φ⁻ - α₀ + y_n ≤ -δ₂ < 0, hence Cnd1 and Cnd2 for n+1."""
-    cnd1, cnd2 = "EQUATSS4.1Recurrence_Cnd1", "EQUATSS4.1Recurrence_Cnd2"
-    yield k.row("eta-chain-1", cnd2, "-1 < -1 + δ₃", -1 < -1 + delta_3)
-    yield k.row(
-        "eta-chain-2",
-        cnd2,
-        "-1 + δ₃ ≤ φ⁻ - α₀ + y_n",
-        -1 + delta_3 <= phi_minus - alpha_0 - k.delta_y,
-        ["law-eta-c"],
-    )
-    yield k.row(
-        "eta-chain-3",
-        cnd1,
-        "φ⁻ - α₀ + y_n ≤ -δ₂",
-        phi_minus - alpha_0 + k.delta_y <= -delta_2,
-        ["law-eta-c"],
-    )
-    yield k.row("eta-chain-4", cnd1, "-δ₂ < 0, so η_{c,n+1} < 0", -delta_2 < 0)
-    yield k.row(
-        "eta-contraction",
-        cnd2,
-        "|η_{c,n+1}| ≤ C_η |η_{c,n}|",
-        gap + k.delta_y <= C_eta,
-        ["law-eta-c"],
-    )
-
-
-def _zeta_root(k: ConstantSet) -> Iterator[Obligation]:
-    """1-√(1-ζ_n) ≤ ζ_n/2 + ζ_n²/4 as soon as ζ_n ≤ 2(√2-1)."""
-    yield k.row(
-        "zeta-root",
-        "EQUATSS4.1Recurrence_Cnd4",
-        "ζ_n ≤ 2(√2-1), where 1-√(1-ζ) ≤ ζ/2 + ζ²/4",
-        k.zeta_bar <= 2 * (sqrt(2) - 1),
-        ["root-fine"],
-    )
-
-
-def _zeta_time(k: ConstantSet) -> Iterator[Obligation]:
-    """'Bounding τ/(-η_{c,n}) by 4ζ_n²/|W_{c,n}|⁴', which is meant for the square; the factor 1+d_n.
-
-    tau/(-eta_c) >= zeta/(2 |W_c|^2); the state has |W_c|^2 = V_0 and a small zeta.
-    """
-    cnd = "EQUATSS4.1Recurrence_Cnd4"
+def _zeta_first_terms(k: ConstantSet) -> Iterator[Obligation]:
+    """The root, and the second term of ζ_{n+1}."""
     zeta = minimum(k.zeta_bar, V_0 / 16)
-    yield from k.misprint(
-        "zeta-time-square",
-        cnd,
-        "bounding τ/(-η_{c,n}) by 4ζ_n²/|W_{c,n}|⁴, at |W_{c,n}|² = V₀, ζ_n = min(ζ̄, V₀/16)",
-        zeta / (2 * V_0) <= 4 * zeta**2 / V_0**2,
-        ["time"],
-        severity=SLIP,
-        corrected_by="zeta-time-square",
-    )
-    yield from k.repair(
-        "zeta-time-square",
-        cnd,
-        "(τ_n/(-η_{c,n}))² ≤ 4ζ_n²/|W_{c,n}|⁴",
-        (k.tau_crude * k.zeta_bar) ** 2 <= 4 * k.zeta_bar**2 / V_0**2 * k.eta_bar**2,
-        ["time"],
-    )
-    yield k.row(
-        "zeta-dropped-factor",
-        cnd,
-        "the dropped factor 1+d_n: d_n(1+ζ_n/2) ≤ ζ_n/2, as d_n ≤ (4/3) ζ_n η_{c,n}²/V₀",
-        Fraction(4, 3) * (2 + k.zeta_bar) * k.eta_bar**2 <= V_0,
-        ["zeta-step", "zeta-from-distance"],
-    )
-
-
-def _zeta_term_2(k: ConstantSet) -> Iterator[Obligation]:
-    """(|W_{c,n+1}|²/|W_{c,n}|²) |x_n|/(φ⁻-α₀+y_n)² ≤ (V₁/V₀) |x_n|/δ₂² ≤ h₅/12."""
-    cnd = "EQUATSS4.1Recurrence_Cnd4"
     bound = k.V_1 / V_0 / delta_2**2
-    yield k.row(
-        "zeta-denominator",
-        cnd,
-        "|φ⁻ - α₀ + y_n| ≥ δ₂, since |y_n| is small enough",
-        delta_2 + k.delta_y <= gap,
-    )
-    yield k.row(
-        "zeta-x_0",
-        cnd,
-        "second term at n = 0: (V₁/V₀) |x₀|/δ₂² ≤ h₅/12",
-        bound * k.x_0 <= h_5 / 12,
-        ["zeta-step", "time"],
-    )
-    yield k.row(
-        "zeta-x-bound",
-        "EQUATSS4.1Recurrence_Cnd9",
-        "Cnd9 implies |x_n| ≤ (V₀/V₁) δ₂² h₅/12",
-        k.delta_x <= V_0 / k.V_1 * (delta_2**2 * h_5 / 12),
-        if_false=BREAKS,
-    )
-    yield k.row(
-        "zeta-term-2",
-        cnd,
-        "second term: (V₁/V₀) |x_n|/δ₂² ≤ h₅/12",
-        bound * k.delta_x <= h_5 / 12,
-        ["zeta-step"],
-        if_false=BREAKS,
-    )
-    yield k.row(
-        "zeta-term-2-denominator",
-        cnd,
-        "second term: (V₁/V₀) |x_n|/(φ⁻-α₀+y_n)² ≤ (V₁/V₀) |x_n|/δ₂²",
-        k.V_1 / V_0 * k.delta_x / _ratio_square(k) <= bound * k.delta_x,
-        ["zeta-step"],
-    )
+    yield from (
+        # 1-√(1-ζ_n) ≤ ζ_n/2 + ζ_n²/4 as soon as ζ_n ≤ 2(√2-1).
+        k.row("zeta-root", CND4, "ζ_n ≤ 2(√2-1), where 1-√(1-ζ) ≤ ζ/2 + ζ²/4",
+            k.zeta_bar <= 2 * (sqrt(2) - 1), ["root-fine"]),
+        # 'Bounding τ/(-η_{c,n}) by 4ζ_n²/|W_{c,n}|⁴', which is meant for the square; the factor
+        # 1+d_n.
+        # tau/(-eta_c) >= zeta/(2 |W_c|^2); the state has |W_c|^2 = V_0 and a small zeta.
+        *k.misprint("zeta-time-square", CND4,
+            "bounding τ/(-η_{c,n}) by 4ζ_n²/|W_{c,n}|⁴, at |W_{c,n}|² = V₀, ζ_n = min(ζ̄, V₀/16)",
+            zeta / (2 * V_0) <= 4 * zeta**2 / V_0**2, SLIP, "zeta-time-square", ["time"]),
+        *k.repair("zeta-time-square",   CND4, "(τ_n/(-η_{c,n}))² ≤ 4ζ_n²/|W_{c,n}|⁴",
+            (k.tau_crude * k.zeta_bar) ** 2 <= 4 * k.zeta_bar**2 / V_0**2 * k.eta_bar**2, ["time"]),
+        k.row("zeta-dropped-factor",    CND4,
+            "the dropped factor 1+d_n: d_n(1+ζ_n/2) ≤ ζ_n/2, as d_n ≤ (4/3) ζ_n η_{c,n}²/V₀",
+            Fraction(4, 3) * (2 + k.zeta_bar) * k.eta_bar**2 <= V_0,
+            ["zeta-step", "zeta-from-distance"]),
+        # (|W_{c,n+1}|²/|W_{c,n}|²) |x_n|/(φ⁻-α₀+y_n)² ≤ (V₁/V₀) |x_n|/δ₂² ≤ h₅/12.
+        k.row("zeta-denominator",        CND4, "|φ⁻ - α₀ + y_n| ≥ δ₂, since |y_n| is small enough",
+            delta_2 + k.delta_y <= gap),
+        k.row("zeta-x_0",                CND4, "second term at n = 0: (V₁/V₀) |x₀|/δ₂² ≤ h₅/12",
+            bound * k.x_0 <= h_5 / 12, ["zeta-step", "time"]),
+        k.row("zeta-x-bound",            CND9, "Cnd9 implies |x_n| ≤ (V₀/V₁) δ₂² h₅/12",
+            k.delta_x <= V_0 / k.V_1 * (delta_2**2 * h_5 / 12), if_false=BREAKS),
+        k.row("zeta-term-2",             CND4, "second term: (V₁/V₀) |x_n|/δ₂² ≤ h₅/12",
+            bound * k.delta_x <= h_5 / 12, ["zeta-step"], if_false=BREAKS),
+        k.row("zeta-term-2-denominator", CND4,
+            "second term: (V₁/V₀) |x_n|/(φ⁻-α₀+y_n)² ≤ (V₁/V₀) |x_n|/δ₂²",
+            k.V_1 / V_0 * k.delta_x / _ratio_square(k) <= bound * k.delta_x, ["zeta-step"]),
+    )  # fmt: skip
 
 
 def _ratio_square(k: ConstantSet) -> Term:
@@ -338,178 +204,91 @@ def _last_two(k: ConstantSet) -> Term:
     return ratio / (2 * delta_2**2) * (alpha_0 + 8 * ratio)
 
 
-def _zeta_terms_3_and_4(k: ConstantSet) -> Iterator[Obligation]:
-    """… ≤ (V₁/V₀) (α₀/2)/δ₂² and … ≤ (V₁²/V₀²) 4/δ₂², as |x_n| ≤ δ₁."""
-    cnd = "EQUATSS4.1Recurrence_Cnd4"
-    ratio = k.V_1 / V_0
-    square = _ratio_square(k)
-    yield k.row(
-        "zeta-ratio",
-        cnd,
-        "η_{s,n}/(-η_{c,n}) ≤ φ⁻ + |x_n| ≤ α₀/2, as |x_n| ≤ δ₁",
-        phi_minus + k.delta_x <= alpha_0 / 2,
-    )
-    yield k.row(
-        "zeta-term-3",
-        cnd,
-        "third term: at most (V₁/V₀)(α₀/2)/δ₂²",
-        ratio * (phi_minus + k.delta_x) / square <= _third(k),
-        ["zeta-step"],
-    )
-    yield k.row(
-        "zeta-term-4",
-        cnd,
-        "fourth term: at most 4V₁²/(V₀²δ₂²)",
-        ratio**2 * 4 / square <= _fourth(k),
-        ["zeta-step"],
-    )
-
-
 def _zeta_remainders(k: ConstantSet) -> Iterator[Obligation]:
-    """V₁/(2V₀δ₂²)(α₀ + 8V₁/V₀) ζ_n ≤ h₅/6, and the three remainder terms ≤ h₅/12 + h₅/6 = h₅/4."""
-    cnd = "EQUATSS4.1Recurrence_Cnd4"
-    yield k.row(
-        "zeta-terms-3-4",
-        cnd,
-        "third and fourth term: the sum of their bounds is V₁/(2V₀δ₂²)(α₀ + 8V₁/V₀)",
-        _third(k) + _fourth(k) <= _last_two(k),
-        ["zeta-step"],
-    )
-    yield k.row(
-        "zeta-small",
-        cnd,
-        "V₁/(2V₀δ₂²)(α₀ + 8V₁/V₀) ζ_n ≤ h₅/6, implied by Cnd4",
-        _last_two(k) * k.zeta_bar <= h_5 / 6,
-        ["zeta-step"],
-    )
-    yield k.row("zeta-remainder", cnd, "h₅/12 + h₅/6 = h₅/4", h_5 / 12 + h_5 / 6 <= h_5 / 4)
-    yield k.row(
-        "zeta-remainders",
-        cnd,
-        "the three remainder terms together are at most h₅/4, at |x_n| = δ_x",
-        k.V_1 / V_0 / delta_2**2 * k.delta_x + _last_two(k) * k.zeta_bar <= h_5 / 4,
-        ["zeta-step"],
-        if_false=BREAKS,
-    )
-
-
-def _zeta_main_term(k: ConstantSet) -> Iterator[Obligation]:
-    """(|W_{c,n+1}|²/|W_{c,n}|²) φ⁻/(φ⁻-α₀+y_n)² ≤ (V₁/V₀)(1-h₅) ≤ 1-h₅/2."""
-    cnd = "EQUATSS4.1Recurrence_Cnd4"
-    yield k.row(
-        "zeta-y-bound", "EQUATSS4.1Recurrence_Cnd10", "|y_n| ≤ δ₅ by Cnd10", k.delta_y <= delta_5
-    )
-    yield k.row(
-        "zeta-main-y",
-        cnd,
-        "main term: φ⁻/(φ⁻-α₀+y_n)² ≤ 1-h₅",
-        phi_minus / _ratio_square(k) <= 1 - h_5,
-        ["zeta-step"],
-    )
-    yield k.row(
-        "zeta-main",
-        cnd,
-        "main term: (V₁/V₀)(1-h₅) ≤ 1-h₅/2",
-        k.V_1 / V_0 * (1 - h_5) <= 1 - h_5 / 2,
-        ["zeta-step"],
-    )
-
-
-def _zeta_propagates(k: ConstantSet) -> Iterator[Obligation]:
-    """ζ_{n+1} ≤ (1-h₅/2) ζ_n + (h₅/4) ζ_n = (1-h₅/4) ζ_n, hence Cnd3 and Cnd4 for n+1."""
-    cnd = "EQUATSS4.1Recurrence_Cnd4"
+    """The three remainder terms of ζ_{n+1}."""
     ratio = k.V_1 / V_0
     square = _ratio_square(k)
-    yield k.row("zeta-sum", cnd, "(1-h₅/2) + h₅/4 = 1-h₅/4", (1 - h_5 / 2) + h_5 / 4 <= 1 - h_5 / 4)
-    yield k.row("zeta-factor-below-one", cnd, "1-h₅/4 < 1", 1 - h_5 / 4 < 1)
+    yield from (
+        # … ≤ (V₁/V₀) (α₀/2)/δ₂² and … ≤ (V₁²/V₀²) 4/δ₂², as |x_n| ≤ δ₁.
+        k.row("zeta-ratio",  CND4, "η_{s,n}/(-η_{c,n}) ≤ φ⁻ + |x_n| ≤ α₀/2, as |x_n| ≤ δ₁",
+            phi_minus + k.delta_x <= alpha_0 / 2),
+        k.row("zeta-term-3", CND4, "third term: at most (V₁/V₀)(α₀/2)/δ₂²",
+            ratio * (phi_minus + k.delta_x) / square <= _third(k), ["zeta-step"]),
+        k.row("zeta-term-4", CND4, "fourth term: at most 4V₁²/(V₀²δ₂²)",
+            ratio**2 * 4 / square <= _fourth(k), ["zeta-step"]),
+        # V₁/(2V₀δ₂²)(α₀ + 8V₁/V₀) ζ_n ≤ h₅/6, and the three remainder terms ≤ h₅/12 + h₅/6 = h₅/4.
+        k.row("zeta-terms-3-4",  CND4,
+            "third and fourth term: the sum of their bounds is V₁/(2V₀δ₂²)(α₀ + 8V₁/V₀)",
+            _third(k) + _fourth(k) <= _last_two(k), ["zeta-step"]),
+        k.row("zeta-small",      CND4, "V₁/(2V₀δ₂²)(α₀ + 8V₁/V₀) ζ_n ≤ h₅/6, implied by Cnd4",
+            _last_two(k) * k.zeta_bar <= h_5 / 6, ["zeta-step"]),
+        k.row("zeta-remainder",  CND4, "h₅/12 + h₅/6 = h₅/4", h_5 / 12 + h_5 / 6 <= h_5 / 4),
+        k.row("zeta-remainders", CND4,
+            "the three remainder terms together are at most h₅/4, at |x_n| = δ_x",
+            k.V_1 / V_0 / delta_2**2 * k.delta_x + _last_two(k) * k.zeta_bar <= h_5 / 4,
+            ["zeta-step"], if_false=BREAKS),
+    )  # fmt: skip
+
+
+def _zeta(k: ConstantSet) -> Iterator[Obligation]:
+    """The main term of ζ_{n+1}, and Cnd3 and Cnd4 for n+1."""
+    ratio = k.V_1 / V_0
+    square = _ratio_square(k)
     total = (
         ratio * (phi_minus + k.delta_x) / square
         + (ratio * (alpha_0 / 2) / square + ratio**2 * 4 / square) * k.zeta_bar
     )
-    yield k.row(
-        "zeta-total",
-        cnd,
-        "ζ_{n+1} ≤ (1-h₅/4) ζ_n: the four terms together, at |x_n| = δ_x and |y_n| = δ_y",
-        total <= 1 - h_5 / 4,
-        ["zeta-step"],
-        if_false=BREAKS,
-    )
-    yield k.row(
-        "Cnd3",
-        "EQUATSS4.1Recurrence_Cnd3",
-        "ζ_{n+1} ≤ (1-h₅/4) ζ̄ < 1",
-        (1 - h_5 / 4) * k.zeta_bar < 1,
-        ["collision-map"],
-    )
-
-
-def _outer_directions(k: ConstantSet) -> Iterator[Obligation]:
-    """The angle is obtuse, cos θ_{n+1} < 0, hence |ω_{c,n+1} - ω_{s,n+1}| ≥ √2."""
-    cnd = "EQUATSS4.1Recurrence_CndT"
-    yield k.row(
-        "obtuse",
-        cnd,
-        "Cnd8 and Cnd2 imply cos θ_{n+1} < 0",
-        k.drift < c,
-        ["angle-step"],
-    )
-    yield k.row(
-        "obtuse-distance",
-        cnd,
-        "|ω_{c,n+1} - ω_{s,n+1}| ≥ √2",
-        sqrt(2) <= sqrt(2 + 2 * (c - k.drift)),
-        ["outer-distance", "angle-step"],
-    )
+    yield from (
+        # (|W_{c,n+1}|²/|W_{c,n}|²) φ⁻/(φ⁻-α₀+y_n)² ≤ (V₁/V₀)(1-h₅) ≤ 1-h₅/2.
+        k.row("zeta-y-bound", CND10, "|y_n| ≤ δ₅ by Cnd10", k.delta_y <= delta_5),
+        k.row("zeta-main-y",  CND4, "main term: φ⁻/(φ⁻-α₀+y_n)² ≤ 1-h₅",
+            phi_minus / _ratio_square(k) <= 1 - h_5, ["zeta-step"]),
+        k.row("zeta-main",    CND4, "main term: (V₁/V₀)(1-h₅) ≤ 1-h₅/2",
+            k.V_1 / V_0 * (1 - h_5) <= 1 - h_5 / 2, ["zeta-step"]),
+        # ζ_{n+1} ≤ (1-h₅/2) ζ_n + (h₅/4) ζ_n = (1-h₅/4) ζ_n, hence Cnd3 and Cnd4 for n+1.
+        k.row("zeta-sum", CND4, "(1-h₅/2) + h₅/4 = 1-h₅/4", (1 - h_5 / 2) + h_5 / 4 <= 1 - h_5 / 4),
+        k.row("zeta-factor-below-one", CND4, "1-h₅/4 < 1", 1 - h_5 / 4 < 1),
+        k.row("zeta-total",            CND4,
+            "ζ_{n+1} ≤ (1-h₅/4) ζ_n: the four terms together, at |x_n| = δ_x and |y_n| = δ_y",
+            total <= 1 - h_5 / 4, ["zeta-step"], if_false=BREAKS),
+        k.row("Cnd3",                  CND3, "ζ_{n+1} ≤ (1-h₅/4) ζ̄ < 1",
+            (1 - h_5 / 4) * k.zeta_bar < 1, ["collision-map"]),
+    )  # fmt: skip
 
 
 def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
-    """The distance 1-2 ≥ √2 - 3(V₁^{1/2}/V₀)(-η_{c,n}) - 4(V₁^{1/2}/V₀)(-η_{c,n+1}) > 1."""
-    cnd = "EQUATSS4.1Recurrence_CndT"
+    """CndT for n+1."""
     total = 3 * k.speed / V_0 * k.eta_bar + 4 * k.speed / V_0 * k.eta_bar
     half = (sqrt(2) - 1) / 2
-    yield k.row(
-        "CndT-half",
-        cnd,
-        "3(V₁^{1/2}/V₀)(-η_{c,n}) + 4(V₁^{1/2}/V₀)(-η_{c,n+1}) ≤ (√2-1)/2",
-        total <= half,
-        ["outer-distance", "distance", "time"],
-    )
-    yield from k.misprint(
-        "CndT-as-printed",
-        cnd,
-        "the distance 1-2 'is always larger than (√2-1)/2', so there is no collision",
-        as_term(1) <= half,
-        severity=SLIP,
-        corrected_by="CndT",
-    )
-    yield k.row(
-        "CndT",
-        cnd,
-        "√2 - d_{n+1} - 2V₁^{1/2} τ_{n+1} > 1",
-        1 < sqrt(2) - total,
-        ["outer-distance", "distance", "time", "collision-map"],
-    )
+    yield from (
+        # The angle is obtuse, cos θ_{n+1} < 0, hence |ω_{c,n+1} - ω_{s,n+1}| ≥ √2.
+        k.row("obtuse", CNDT, "Cnd8 and Cnd2 imply cos θ_{n+1} < 0", k.drift < c, ["angle-step"]),
+        k.row("obtuse-distance", CNDT, "|ω_{c,n+1} - ω_{s,n+1}| ≥ √2",
+            sqrt(2) <= sqrt(2 + 2 * (c - k.drift)), ["outer-distance", "angle-step"]),
+        # The distance 1-2 ≥ √2 - 3(V₁^{1/2}/V₀)(-η_{c,n}) - 4(V₁^{1/2}/V₀)(-η_{c,n+1}) > 1.
+        k.row("CndT-half",             CNDT,
+            "3(V₁^{1/2}/V₀)(-η_{c,n}) + 4(V₁^{1/2}/V₀)(-η_{c,n+1}) ≤ (√2-1)/2", total <= half,
+            ["outer-distance", "distance", "time"]),
+        *k.misprint("CndT-as-printed", CNDT,
+            "the distance 1-2 'is always larger than (√2-1)/2', so there is no collision",
+            as_term(1) <= half, SLIP, "CndT"),
+        k.row("CndT",                  CNDT, "√2 - d_{n+1} - 2V₁^{1/2} τ_{n+1} > 1",
+            1 < sqrt(2) - total, ["outer-distance", "distance", "time", "collision-map"]),
+    )  # fmt: skip
 
 
 def _angle_step(k: ConstantSet) -> Iterator[Obligation]:
     """|cos θ_{n+2} - cos θ_{n+1}| ≤ d_{n+1} + d_{n+2} + 3V₁^{1/2}τ_{n+1} + V₁τ_{n+1}²."""
-    yield from k.misprint(
-        "angle-sign",
-        COSINE,
-        "|cos θ_{n+2} - cos θ_{n+1}| with - |W_s·W_c| τ²/(1+d_{n+2}) as its last term: in "
-        "dimension ≥ 3, at ω_s·W_c = ω_c·W_s = 0 > W_s·W_c, it enters with the wrong sign",
-        _angle_display(k),
-        ["law-angle"],
-        severity=SLIP,
-        corrected_by="angle-step-time",
-    )
-    yield k.row(
-        "angle-step-time",
-        "EQUATSS4.1Recurrence_Cnd8",
-        "V₁^{1/2} τ + 2V₁^{1/2} τ + V₁ τ² ≤ 8 (V₁^{1/2}/V₀)(-η_{c,n+1})",
-        3 * k.speed * k.tau_crude + k.V_1 * k.tau_crude**2 <= 8 * k.speed / V_0 * k.eta_bar,
-        ["law-angle", "angle-step"],
-    )
+    yield from (
+        *k.misprint("angle-sign", COSINE, "|cos θ_{n+2} - cos θ_{n+1}| with - |W_s·W_c| "
+            "τ²/(1+d_{n+2}) as its last term: in dimension ≥ 3, at ω_s·W_c = ω_c·W_s = 0 > "
+            "W_s·W_c, it enters with the wrong sign", _angle_display(k), SLIP, "angle-step-time",
+            ["law-angle"]),
+        k.row("angle-step-time",  CND8,
+            "V₁^{1/2} τ + 2V₁^{1/2} τ + V₁ τ² ≤ 8 (V₁^{1/2}/V₀)(-η_{c,n+1})",
+            3 * k.speed * k.tau_crude + k.V_1 * k.tau_crude**2 <= 8 * k.speed / V_0 * k.eta_bar,
+            ["law-angle", "angle-step"]),
+    )  # fmt: skip
 
 
 def _angle_display(k: ConstantSet) -> Claim:
@@ -575,29 +354,17 @@ def _absolute(term: Term) -> Term:
 
 def _angle_sum(k: ConstantSet) -> Iterator[Obligation]:
     """… ≤ 3(V₁^{1/2}/V₀)(-η_{c,n}) + (3+8)(V₁^{1/2}/V₀)(-η_{c,n+1}), hence Cnd8 for n+1."""
-    cnd = "EQUATSS4.1Recurrence_Cnd8"
-    yield k.row(
-        "angle-step",
-        cnd,
-        "3 + (3 + 8) C_η ≤ 3 + 11 C_η: one step of Cnd8, divided by (V₁^{1/2}/V₀)(-η_{c,n})",
-        3 + 3 * C_eta + 8 * C_eta <= C_eta * ((3 + 11 * C_eta) / C_eta),
-        ["angle-step"],
-    )
-    yield k.row(
-        "angle-tail",
-        cnd,
-        "11 + (3 + 11C_η)/C_η Σ_{k≥1} C_η^k = 14/(1-C_η)",
-        11 + (3 + 11 * C_eta) / C_eta * (C_eta / (1 - C_eta)) <= 14 / (1 - C_eta),
-        ["angle-step"],
-    )
-    yield k.row(
-        "angle-absorbed",
-        cnd,
-        "|(-cos θ_n) - (-cos θ₀)| ≤ |Δθ| for every n: the bound of Cnd8, summed",
-        k.drift <= k.Delta_theta,
-        ["angle-step"],
-        if_false=HARMLESS,
-    )
+    yield from (
+        k.row("angle-step",     CND8,
+            "3 + (3 + 8) C_η ≤ 3 + 11 C_η: one step of Cnd8, divided by (V₁^{1/2}/V₀)(-η_{c,n})",
+            3 + 3 * C_eta + 8 * C_eta <= C_eta * ((3 + 11 * C_eta) / C_eta), ["angle-step"]),
+        k.row("angle-tail",     CND8, "11 + (3 + 11C_η)/C_η Σ_{k≥1} C_η^k = 14/(1-C_η)",
+            11 + (3 + 11 * C_eta) / C_eta * (C_eta / (1 - C_eta)) <= 14 / (1 - C_eta),
+            ["angle-step"]),
+        k.row("angle-absorbed", CND8,
+            "|(-cos θ_n) - (-cos θ₀)| ≤ |Δθ| for every n: the bound of Cnd8, summed",
+            k.drift <= k.Delta_theta, ["angle-step"], if_false=HARMLESS),
+    )  # fmt: skip
 
 
 def _x_term_1(k: ConstantSet) -> Iterator[Obligation]:
@@ -606,37 +373,15 @@ def _x_term_1(k: ConstantSet) -> Iterator[Obligation]:
     uses = ["x-step", "root-product"]
     half = h_4 * k.delta_x / 2
     d, zeta = k.d_later, 2 * k.zeta_bar
-    yield k.row(
-        "x-term-1-d_0",
-        "EQUATSS4.1Recurrence_Cnd9",
-        says.format("d₀"),
-        k.d_bar / delta_2 <= half,
-        uses,
-    )
-    yield k.row(
-        "x-term-1-d",
-        "EQUATSS4.1Recurrence_Cnd9",
-        says.format("d_n, n ≥ 1"),
-        d / delta_2 <= half,
-        uses,
-        if_false=HARMLESS,
-    )
-    if k.printed:
-        yield printed(
-            f"{k.group}.x-term-1-factor",
-            "EQUATSS4.1Recurrence_Cnd9",
+    yield from (
+        k.row("x-term-1-d_0",       CND9, says.format("d₀"), k.d_bar / delta_2 <= half, uses),
+        k.row("x-term-1-d",         CND9, says.format("d_n, n ≥ 1"),
+            d / delta_2 <= half, uses, if_false=HARMLESS),
+        *k.aside("x-term-1-factor", CND9,
             says.format("r d_n, n ≥ 1, with the factor that the display begins with"),
-            r * d / delta_2 <= half,
-            uses,
-            group=k.group,
-        )
-    yield k.row(
-        "x-term-1-zeta",
-        "EQUATSS4.1Recurrence_Cnd9",
-        says.format("2ζ_n"),
-        zeta / delta_2 <= half,
-        uses,
-    )
+            r * d / delta_2 <= half, uses),
+        k.row("x-term-1-zeta",      CND9, says.format("2ζ_n"), zeta / delta_2 <= half, uses),
+    )  # fmt: skip
 
 
 def _sums_alone(k: ConstantSet) -> Iterator[Obligation]:
@@ -645,152 +390,79 @@ def _sums_alone(k: ConstantSet) -> Iterator[Obligation]:
     The rows show that the sum is not what the step needs. Whether the step holds all the same,
     because another entry of the min is smaller, is the row without `alone`.
     """
-    bounds = k.bounds()
-    share = h_4 * k.delta_x
-    yield from _eta_sum(k, 3 * k.speed / V_0 * bounds["eta_bar"][4], share)
-    yield from _zeta_sum(k, bounds["zeta_bar"][2], share)
-    yield from _d_sum(k, bounds["d_const"][3], share)
+
+    def alone(
+        name: str, label: str, says: str, claim: Claim, corrected_by: str
+    ) -> Iterator[Obligation]:
+        says = f"{says}, alone"
+        return k.misprint(f"alone-{name}", label, says, claim, HARMLESS, corrected_by)
+
+    bounds, share = k.bounds(), h_4 * k.delta_x
+    d_n, zeta = 3 * k.speed / V_0 * bounds["eta_bar"][4], bounds["zeta_bar"][2]
+    d_0 = bounds["d_const"][3]
+    yield from (
+        # (V₀/V₁^{1/2}) (2/(15α₀) + h₄δ₂/6 + h₄/(12α₀) + h₄/24) δ_x
+        *alone("eta-y-1", ETA, "entry 5 of η̄: d_{n+2} α₀/2 ≤ h₄δ_x/8",
+            d_n * alpha_0 / 2 <= share / 8, "y-term-1"),
+        *alone("eta-y-2", ETA, "entry 5 of η̄: d_{n+1} ≤ h₄δ_x/8", d_n <= share / 8, "y-term-2-d"),
+        *alone("eta-x-1", ETA, "entry 5 of η̄: d_n/δ₂ ≤ h₄δ_x/2",
+            d_n / delta_2 <= share / 2, "x-term-1-d"),
+        # (1 + 4δ₂ + V₀/V₁) h₄δ_x/16
+        *alone("zeta-y-2", ZETA, "entry 3 of ζ̄: 2ζ_{n+1} ≤ h₄δ_x/8",
+            2 * zeta <= share / 8, "y-term-2-zeta"),
+        *alone("zeta-x-1", ZETA, "entry 3 of ζ̄: 2ζ_n/δ₂ ≤ h₄δ_x/2",
+            2 * zeta / delta_2 <= share / 2, "x-term-1-zeta"),
+        *alone("zeta-y-4", ZETA, "entry 3 of ζ̄: 2(V₁/V₀)ζ̄ ≤ h₄δ_x/8",
+            2 * k.V_1 / V_0 * zeta <= share / 8, "y-term-4"),
+        # (1 + 2δ₂) h₄δ_x/4
+        *alone("d-y-3", D_0, "entry 4 of d̄: d₀ ≤ h₄δ_x/4", d_0 <= share / 4, "init-y-term-3-d"),
+        *alone("d-x-1", D_0, "entry 4 of d̄: d₀/δ₂ ≤ h₄δ_x/2",
+            d_0 / delta_2 <= share / 2, "x-term-1-d_0"),
+    )  # fmt: skip
 
 
-def _alone(
-    k: ConstantSet, name: str, label: str, says: str, claim: Claim, corrected_by: str
-) -> Iterator[Obligation]:
-    yield from k.misprint(
-        f"alone-{name}",
-        label,
-        f"{says}, alone",
-        claim,
-        severity=HARMLESS,
-        corrected_by=corrected_by,
-    )
-
-
-def _eta_sum(k: ConstantSet, d: Term, share: Term) -> Iterator[Obligation]:
-    """Entry 5 of η̄, (V₀/V₁^{1/2}) (2/(15α₀) + h₄δ₂/6 + h₄/(12α₀) + h₄/24) δ_x, gives this d_n."""
-    says = "entry 5 of η̄: d_{n+2} α₀/2 ≤ h₄δ_x/8"
-    yield from _alone(k, "eta-y-1", ETA, says, d * alpha_0 / 2 <= share / 8, "y-term-1")
-    says = "entry 5 of η̄: d_{n+1} ≤ h₄δ_x/8"
-    yield from _alone(k, "eta-y-2", ETA, says, d <= share / 8, "y-term-2-d")
-    says = "entry 5 of η̄: d_n/δ₂ ≤ h₄δ_x/2"
-    yield from _alone(k, "eta-x-1", ETA, says, d / delta_2 <= share / 2, "x-term-1-d")
-
-
-def _zeta_sum(k: ConstantSet, zeta: Term, share: Term) -> Iterator[Obligation]:
-    """Entry 3 of ζ̄, (1 + 4δ₂ + V₀/V₁) h₄δ_x/16."""
-    says = "entry 3 of ζ̄: 2ζ_{n+1} ≤ h₄δ_x/8"
-    yield from _alone(k, "zeta-y-2", ZETA, says, 2 * zeta <= share / 8, "y-term-2-zeta")
-    says = "entry 3 of ζ̄: 2ζ_n/δ₂ ≤ h₄δ_x/2"
-    yield from _alone(k, "zeta-x-1", ZETA, says, 2 * zeta / delta_2 <= share / 2, "x-term-1-zeta")
-    says = "entry 3 of ζ̄: 2(V₁/V₀)ζ̄ ≤ h₄δ_x/8"
-    claim = 2 * k.V_1 / V_0 * zeta <= share / 8
-    yield from _alone(k, "zeta-y-4", ZETA, says, claim, "y-term-4")
-
-
-def _d_sum(k: ConstantSet, d: Term, share: Term) -> Iterator[Obligation]:
-    """Entry 4 of d̄, (1 + 2δ₂) h₄δ_x/4."""
-    says = "entry 4 of d̄: d₀ ≤ h₄δ_x/4"
-    yield from _alone(k, "d-y-3", D_0, says, d <= share / 4, "init-y-term-3-d")
-    says = "entry 4 of d̄: d₀/δ₂ ≤ h₄δ_x/2"
-    yield from _alone(k, "d-x-1", D_0, says, d / delta_2 <= share / 2, "x-term-1-d_0")
-
-
-def _x_term_2(k: ConstantSet) -> Iterator[Obligation]:
-    """|r/(α₀-φ⁻-y_n) - φ⁻| ≤ (1-h₄)|y_n| ≤ (1-h₄)δ_x, since |y_n| ≤ δ₄."""
-    cnd = "EQUATSS4.1Recurrence_Cnd9"
-    yield k.row(
-        "x-y-bound", "EQUATSS4.1Recurrence_Cnd10", "|y_n| ≤ δ₄ by Cnd10", k.delta_y <= delta_4
-    )
-    yield k.row(
-        "x-contraction",
-        cnd,
-        "|r/(α₀-φ⁻-y_n) - φ⁻| ≤ (1-h₄)|y_n|",
-        r / (gap - k.delta_y) ** 2 <= 1 - h_4,
-        ["x-step"],
-    )
-    yield k.row(
-        "x-term-2", cnd, "(1-h₄)|y_n| ≤ (1-h₄)δ_x", (1 - h_4) * k.delta_y <= (1 - h_4) * k.delta_x
-    )
-
-
-def _x_improved(k: ConstantSet) -> Iterator[Obligation]:
-    """|x_{n+1}| ≤ h₄δ_x/2 + (1-h₄)δ_x = (1-h₄/2)δ_x (`EQUATSS4.1Cntrlx_n+1Ameli`)."""
+def _x(k: ConstantSet) -> Iterator[Obligation]:
+    """The second term of x_{n+1}, and Cnd9 for n+1."""
     better = (1 - h_4 / 2) * k.delta_x
-    yield k.row(
-        "x-improved",
-        X_BETTER,
-        "|x_{n+1}| ≤ h₄δ_x/2 + (1-h₄)δ_x = (1-h₄/2)δ_x",
-        h_4 * k.delta_x / 2 + (1 - h_4) * k.delta_x <= better,
-        ["law-eta-s", "x-step"],
-    )
-    yield k.row(
-        "x-propagates", "EQUATSS4.1Recurrence_Cnd9", "(1-h₄/2)δ_x < δ_x", better < k.delta_x
-    )
+    yield from (
+        # |r/(α₀-φ⁻-y_n) - φ⁻| ≤ (1-h₄)|y_n| ≤ (1-h₄)δ_x, since |y_n| ≤ δ₄.
+        k.row("x-y-bound",     CND10, "|y_n| ≤ δ₄ by Cnd10", k.delta_y <= delta_4),
+        k.row("x-contraction", CND9, "|r/(α₀-φ⁻-y_n) - φ⁻| ≤ (1-h₄)|y_n|",
+            r / (gap - k.delta_y) ** 2 <= 1 - h_4, ["x-step"]),
+        k.row("x-term-2",      CND9, "(1-h₄)|y_n| ≤ (1-h₄)δ_x",
+            (1 - h_4) * k.delta_y <= (1 - h_4) * k.delta_x),
+        # |x_{n+1}| ≤ h₄δ_x/2 + (1-h₄)δ_x = (1-h₄/2)δ_x (`EQUATSS4.1Cntrlx_n+1Ameli`).
+        k.row("x-improved",   X_BETTER, "|x_{n+1}| ≤ h₄δ_x/2 + (1-h₄)δ_x = (1-h₄/2)δ_x",
+            h_4 * k.delta_x / 2 + (1 - h_4) * k.delta_x <= better, ["law-eta-s", "x-step"]),
+        k.row("x-propagates", CND9, "(1-h₄/2)δ_x < δ_x", better < k.delta_x),
+    )  # fmt: skip
 
 
-def _y_terms_1_and_2(k: ConstantSet) -> Iterator[Obligation]:
-    """d_{n+2} η_{s,n+1}/(-η_{c,n+1}) + max(d_{n+1}, 2ζ_{n+1})."""
-    cnd = "EQUATSS4.1Recurrence_Cnd10"
+def _y(k: ConstantSet) -> Iterator[Obligation]:
+    """The four terms of y_{n+1}, and Cnd10 for n+1."""
     eighth = h_4 * k.delta_x / 8
-    yield k.row(
-        "y-ratio",
-        cnd,
-        "η_{s,n+1}/(-η_{c,n+1}) ≤ φ⁻ + |x_{n+1}| ≤ α₀/2",
-        phi_minus + k.delta_x <= alpha_0 / 2,
-    )
-    yield k.row(
-        "y-term-1",
-        cnd,
-        "d_{n+2} α₀/2 ≤ h₄δ_x/8",
-        k.d_later * (alpha_0 / 2) <= eighth,
-        ["y-step", "distance"],
-    )
-    for name, letter, size in (("d", "d_{n+1}", k.d_later), ("zeta", "2ζ_{n+1}", 2 * k.zeta_bar)):
-        yield k.row(
-            f"y-term-2-{name}",
-            cnd,
-            f"second term, at most max(d_{{n+1}}, 2ζ_{{n+1}}): {letter} ≤ h₄δ_x/8",
-            size <= eighth,
-            ["y-step", "root-product"],
-        )
-
-
-def _y_terms_3_and_4(k: ConstantSet) -> Iterator[Obligation]:
-    """|(-cos θ_{n+2}) - (-cos θ₀)| + V₁ τ_{n+1}/(-η_{c,n+1})."""
-    cnd = "EQUATSS4.1Recurrence_Cnd10"
-    eighth = h_4 * k.delta_x / 8
-    yield k.row(
-        "y-term-3",
-        cnd,
-        "|(-cos θ_{n+2}) - (-cos θ₀)| ≤ h₄δ_x/8",
-        k.drift <= eighth,
-        ["y-step", "angle-step"],
-        if_false=HARMLESS,
-    )
-    if k.printed:
-        yield printed(
-            f"{k.group}.y-term-3-factor",
-            X_LINK,
+    yield from (
+        # d_{n+2} η_{s,n+1}/(-η_{c,n+1}) + max(d_{n+1}, 2ζ_{n+1}).
+        k.row("y-ratio",  CND10, "η_{s,n+1}/(-η_{c,n+1}) ≤ φ⁻ + |x_{n+1}| ≤ α₀/2",
+            phi_minus + k.delta_x <= alpha_0 / 2),
+        k.row("y-term-1", CND10, "d_{n+2} α₀/2 ≤ h₄δ_x/8",
+            k.d_later * (alpha_0 / 2) <= eighth, ["y-step", "distance"]),
+        k.row("y-term-2-d", CND10,
+            "second term, at most max(d_{n+1}, 2ζ_{n+1}): d_{n+1} ≤ h₄δ_x/8",
+            k.d_later <= eighth, ["y-step", "root-product"]),
+        k.row("y-term-2-zeta", CND10,
+            "second term, at most max(d_{n+1}, 2ζ_{n+1}): 2ζ_{n+1} ≤ h₄δ_x/8",
+            2 * k.zeta_bar <= eighth, ["y-step", "root-product"]),
+        # |(-cos θ_{n+2}) - (-cos θ₀)| + V₁ τ_{n+1}/(-η_{c,n+1}).
+        k.row("y-term-3",           CND10, "|(-cos θ_{n+2}) - (-cos θ₀)| ≤ h₄δ_x/8",
+            k.drift <= eighth, ["y-step", "angle-step"], if_false=HARMLESS),
+        *k.aside("y-term-3-factor", X_LINK,
             "((1+r)/2) |(-cos θ_{n+2}) - (-cos θ₀)| ≤ h₄δ_x/8, with the factor that y_n has",
-            (1 + r) / 2 * k.drift <= eighth,
-            ["y-step", "angle-step"],
-            group=k.group,
-        )
-    yield k.row(
-        "y-term-4",
-        cnd,
-        "V₁ τ_{n+1}/(-η_{c,n+1}) ≤ 2(V₁/V₀)ζ̄ ≤ h₄δ_x/8",
-        2 * k.V_1 / V_0 * k.zeta_bar <= eighth,
-        ["y-step", "time"],
-    )
-
-
-def _y_sum(k: ConstantSet) -> Iterator[Obligation]:
-    """|y_{n+1}| ≤ 4 · h₄δ_x/8 + (1-h₄/2)δ_x = δ_x, hence Cnd10 for n+1."""
-    eighth = h_4 * k.delta_x / 8
-    yield k.row(
-        "y-sum",
-        "EQUATSS4.1Recurrence_Cnd10",
-        "|y_{n+1}| ≤ 4 · h₄δ_x/8 + (1-h₄/2)δ_x = δ_x",
-        eighth + eighth + eighth + eighth + (1 - h_4 / 2) * k.delta_x <= k.delta_y,
-        ["law-eta-c", "y-step"],
-    )
+            (1 + r) / 2 * k.drift <= eighth, ["y-step", "angle-step"]),
+        k.row("y-term-4",           CND10, "V₁ τ_{n+1}/(-η_{c,n+1}) ≤ 2(V₁/V₀)ζ̄ ≤ h₄δ_x/8",
+            2 * k.V_1 / V_0 * k.zeta_bar <= eighth, ["y-step", "time"]),
+        # |y_{n+1}| ≤ 4 · h₄δ_x/8 + (1-h₄/2)δ_x = δ_x, hence Cnd10 for n+1.
+        k.row("y-sum", CND10, "|y_{n+1}| ≤ 4 · h₄δ_x/8 + (1-h₄/2)δ_x = δ_x",
+            eighth + eighth + eighth + eighth + (1 - h_4 / 2) * k.delta_x <= k.delta_y,
+            ["law-eta-c", "y-step"]),
+    )  # fmt: skip

@@ -94,76 +94,45 @@ def lines() -> Iterator[Item]:
     """In the context: from the next contact to the negation of the display."""
     root = sqrt(1 - zeta)
     whole = times("one-plus-square", "eta-square")
-    yield Line("one-plus-square", 0 < (1 + d) ** 2, proof(power(ONE_D, 2)))
-    yield Line("eta-square", 0 < e**2, proof(power(E, 2)))
-    yield Defined(zeta.name)
-    yield Line("zeta-below-one", 0 < 1 - zeta, proof(given("contact"), using=zeta.name))
-    yield Line("zeta-root", 0 < root, ByRoot())
-    yield Line(
-        "root-lost",
-        0 < 1 - root,
-        scaled(times(whole, plus(1, "zeta-root"), "goal"), times(D, TWO_D, A), using=zeta.name),
-    )
-    yield Defined(time.name)
-    yield Line("time-positive", 0 < time, proof(times(ONE_D, E, "root-lost"), using=time.name))
     radicand = 1 + 2 * s * time + b * time**2
-    yield Line(
-        "next-square",
-        0 < radicand,
-        proof(1, times(2, S, "time-positive"), times(B, power("time-positive", 2))),
-    )
-    yield Line("next-root", 0 < sqrt(radicand), ByRoot())
-    yield Defined(following.name)
-    yield Line("next-positive", 0 < following, proof("next-root", using=following.name))
-    yield Line(
-        "next-law",
-        equal(following**2, radicand),
-        BySum(using=(following.name,)),
-    )
-    yield Line(
-        "contact-law",
-        equal(d * (2 + d), 2 * (1 + d) * e * time - a * time**2),
-        BySum(using=(time.name, zeta.name)),
-    )
+    yield from (
+        Line("one-plus-square", 0 < (1 + d) ** 2, proof(power(ONE_D, 2))),
+        Line("eta-square",      0 < e**2, proof(power(E, 2))),
+        Defined(zeta.name),
+        Line("zeta-below-one",  0 < 1 - zeta, proof(given("contact"), using=zeta.name)),
+        Line("zeta-root",       0 < root, ByRoot()),
+        Line("root-lost",       0 < 1 - root, scaled(times(whole, plus(1, "zeta-root"), "goal"),
+            times(D, TWO_D, A), using=zeta.name)),
+        Defined(time.name),
+        Line("time-positive",   0 < time, proof(times(ONE_D, E, "root-lost"), using=time.name)),
+        Line("next-square",     0 < radicand,
+            proof(1, times(2, S, "time-positive"), times(B, power("time-positive", 2)))),
+        Line("next-root",       0 < sqrt(radicand), ByRoot()),
+        Defined(following.name),
+        Line("next-positive",   0 < following, proof("next-root", using=following.name)),
+        Line("next-law",        equal(following**2, radicand), BySum(using=(following.name,))),
+        Line("contact-law",     equal(d * (2 + d), 2 * (1 + d) * e * time - a * time**2),
+            BySum(using=(time.name, zeta.name))),
+    )  # fmt: skip
     yield from _closer()
     yield from _display()
 
 
 def _closer() -> Iterator[Line]:
     """The pair that is apart is not farther apart at the next contact."""
-    yield Line(
-        "time-most",
-        a * time <= (1 + d) * e,
-        proof(times(A, ONE_D, E, "zeta-root"), using=time.name),
-    )
-    yield Line(
-        "time-small",
-        (1 + d) * e * time <= d * (2 + d),
-        proof(times("time-positive", "time-most"), equations=(("contact-law", as_term(1)),)),
-    )
     more = plus(given("spectator-slower"), times(2, E), times(2, D, E))
-    yield Line(
-        "room",
-        0 <= 2 * ((1 + d) * e - s) - (a + b) * time,
-        scaled(
-            times(ONE_D, E, "goal"),
-            times(plus(A, B), "time-small"),
-            times(TWO_D, given("slow")),
-            times(E, D, more),
-        ),
-    )
-    yield Line(
-        "closer",
-        following <= 1 + d,
-        BySum(
-            (
-                times(plus("next-positive", ONE_D), "goal"),
-                times("time-positive", "room"),
-            ),
-            (),
-            (("next-law", as_term(-1)), ("contact-law", as_term(1))),
-        ),
-    )
+    yield from (
+        Line("time-most",  a * time <= (1 + d) * e,
+            proof(times(A, ONE_D, E, "zeta-root"), using=time.name)),
+        Line("time-small", (1 + d) * e * time <= d * (2 + d),
+            proof(times("time-positive", "time-most"), equations=(("contact-law", as_term(1)),))),
+        Line("room",       0 <= 2 * ((1 + d) * e - s) - (a + b) * time,
+            scaled(times(ONE_D, E, "goal"), times(plus(A, B), "time-small"),
+            times(TWO_D, given("slow")), times(E, D, more))),
+        Line("closer",     following <= 1 + d,
+            BySum((times(plus("next-positive", ONE_D), "goal"), times("time-positive", "room")),
+            (), (("next-law", as_term(-1)), ("contact-law", as_term(1))))),
+    )  # fmt: skip
 
 
 def _display() -> Iterator[Line]:
@@ -172,20 +141,16 @@ def _display() -> Iterator[Line]:
     excess = (1 + d) / following - 1
     most = maximum(excess, -excess)
     change = display.lhs.children[0]
-    yield Line("excess-positive", 0 <= excess, proof("closer"))
-    yield Line(
-        "excess-most",
-        most <= excess,
-        ByLeast((proof(), proof(times(2, "excess-positive", "next-positive"))), side="lhs"),
-    )
-    yield Line("change-least", change <= display.lhs, ByEntry(side="rhs"))
     last = w * time**2 / following
-    yield Line("last-positive", 0 < last, proof(times(W, power("time-positive", 2))))
-    yield Line(
-        FAILS,
-        display.rhs < display.lhs,
-        proof(times(C, "excess-most"), "change-least", times(2, "last-positive")),
-    )
+    yield from (
+        Line("excess-positive", 0 <= excess, proof("closer")),
+        Line("excess-most",     most <= excess,
+            ByLeast((proof(), proof(times(2, "excess-positive", "next-positive"))), side="lhs")),
+        Line("change-least",    change <= display.lhs, ByEntry(side="rhs")),
+        Line("last-positive",   0 < last, proof(times(W, power("time-positive", 2)))),
+        Line(FAILS, display.rhs < display.lhs,
+            proof(times(C, "excess-most"), "change-least", times(2, "last-positive"))),
+    )  # fmt: skip
 
 
 # --- the state, for all parameters ---------------------------------------------------------------
@@ -203,53 +168,39 @@ def state_lines(k: ConstantSet) -> Iterator[Line]:
     eta, V_0s, V_1s = f"{PRINTED}.eta_bar-positive", hypothesis("V_0-positive"), "V_1-sign"
     above, angle = f"{PRINTED}.V_1-above-V_0", hypothesis("angle-real")
     ex, sp, di, co = (f"state-{n}-positive" for n in ("eta", "spectator", "distance", "cosine"))
-    yield Line(ex, 0 < x, ToBeFound())
-    yield Line(sp, 0 < y, ToBeFound())
-    yield Line(di, 0 < z, ToBeFound())
-    yield Line(co, 0 < cos, ToBeFound())
-    yield Line("cos-below", 0 < 1 - cos, proof(times(V_0s, angle), times(11, "V_1-root", eta)))
-    yield Line("sine", 0 < 1 - cos**2, proof(times("cos-below", plus(V_0s, co))))
     e2, half = times(ex, ex, V_0s, V_0s), times(HALF, plus(V_0s, V_1s), "sine")
-    yield Line("state-norm_c-positive", 0 < n_c, proof(half, e2))
-    yield Line("state-norm_s-positive", 0 < n_s, proof(half, times(sp, sp, V_0s, V_0s)))
     mixed = times(sp, ex, co, V_0s, V_0s)
-    yield Line("state-product-positive", 0 < product, proof(times(half, V_0s), mixed))
-    yield Line("state-spectator-slower", y <= x, proof(times(ex, "m-below-one")))
-    yield Line("eta-speed", k.eta_bar <= Fraction(11, 100) * k.speed, ToBeFound())
     hundredth, lost = Fraction(1, 100), times(f"{PRINTED}.C_eta-below-one", plus(1, _decay()))
-    yield Line(
-        "sine-share",
-        x**2 / (1 - cos**2) <= V_0 / 100,
-        proof(
-            times(hundredth, V_0s, "cos-below", co),
-            times(hundredth, V_0s, V_0s, V_0s, angle),
-            times(V_0s, V_0s, eta, "eta-speed"),
-            times(V_0s, V_0s, eta, eta, lost),
-        ),
-    )
     rest = plus(times(Fraction(51, 100), above), times(Fraction(99, 100), V_1s))
     slower = times(V_0s, V_0s, "state-spectator-slower", plus(ex, sp))
-    yield Line("norm_c-most", n_c <= 2 * k.V_1, proof("sine-share", times("sine", rest)))
-    yield Line("norm_s-most", n_s <= 2 * k.V_1, proof("sine-share", slower, times("sine", rest)))
-    yield Line("slope-small", 4 * k.V_1 * k.d_slope <= 1 - phi_minus, ToBeFound())
     two = plus(2, di)
-    yield Line(
-        "state-contact",
-        z * (2 + z) * n_c < (1 + z) ** 2 * x**2,
-        proof(
-            times(di, two, "norm_c-most"),
-            times("sine", ex, ex, HALF, two, "slope-small"),
-            times(
-                "sine", ex, ex,
-                plus(times(HALF, "m-positive", two), times(Fraction(3, 2), di), times(di, di)),
-            ),
-        ),
+    yield from (
+        Line(ex, 0 < x, ToBeFound()),
+        Line(sp, 0 < y, ToBeFound()),
+        Line(di, 0 < z, ToBeFound()),
+        Line(co, 0 < cos, ToBeFound()),
+        Line("cos-below", 0 < 1 - cos, proof(times(V_0s, angle), times(11, "V_1-root", eta))),
+        Line("sine",                   0 < 1 - cos**2, proof(times("cos-below", plus(V_0s, co)))),
+        Line("state-norm_c-positive",  0 < n_c, proof(half, e2)),
+        Line("state-norm_s-positive",  0 < n_s, proof(half, times(sp, sp, V_0s, V_0s))),
+        Line("state-product-positive", 0 < product, proof(times(half, V_0s), mixed)),
+        Line("state-spectator-slower", y <= x, proof(times(ex, "m-below-one"))),
+        Line("eta-speed",              k.eta_bar <= Fraction(11, 100) * k.speed, ToBeFound()),
+        Line("sine-share",             x**2 / (1 - cos**2) <= V_0 / 100,
+            proof(times(hundredth, V_0s, "cos-below", co),
+            times(hundredth, V_0s, V_0s, V_0s, angle), times(V_0s, V_0s, eta, "eta-speed"),
+            times(V_0s, V_0s, eta, eta, lost))),
+        Line("norm_c-most",            n_c <= 2 * k.V_1, proof("sine-share", times("sine", rest))),
+        Line("norm_s-most", n_s <= 2 * k.V_1, proof("sine-share", slower, times("sine", rest))),
+        Line("slope-small",            4 * k.V_1 * k.d_slope <= 1 - phi_minus, ToBeFound()),
+        Line("state-contact",          z * (2 + z) * n_c < (1 + z) ** 2 * x**2,
+            proof(times(di, two, "norm_c-most"), times("sine", ex, ex, HALF, two, "slope-small"),
+            times("sine", ex, ex,
+            plus(times(HALF, "m-positive", two), times(Fraction(3, 2), di), times(di, di))))),
+        Line("state-slow",             (n_c + n_s) * z <= x * (x - y),
+            proof(times(di, plus("norm_c-most", "norm_s-most")),
+            times("sine", ex, ex, "slope-small"))),
     )  # fmt: skip
-    yield Line(
-        "state-slow",
-        (n_c + n_s) * z <= x * (x - y),
-        proof(times(di, plus("norm_c-most", "norm_s-most")), times("sine", ex, ex, "slope-small")),
-    )
 
 
 def _decay() -> str:

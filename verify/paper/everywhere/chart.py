@@ -97,9 +97,11 @@ def context(k: ConstantSet = REPAIRED_SET) -> Context:
 
 def ground_lines() -> Iterator[Item]:
     """The square root of two."""
-    yield Line("root-two", 0 < root_two, ByInterval())
-    yield Line("rest-positive", 0 < rest, ByInterval())
-    yield Line("rest-small", 0 < REST_BELOW - rest, ByInterval())
+    yield from (
+        Line("root-two",      0 < root_two, ByInterval()),
+        Line("rest-positive", 0 < rest, ByInterval()),
+        Line("rest-small",    0 < REST_BELOW - rest, ByInterval()),
+    )  # fmt: skip
 
 
 def lines(k: ConstantSet = REPAIRED_SET) -> Iterator[Item]:
@@ -121,47 +123,23 @@ PLUS_R: Value = plus(1, R)
 
 
 def _hypotheses() -> Iterator[Item]:
-    yield Defined("alpha_0")
-    yield Line("alpha-sign", 0 < alpha_0, proof(times(HALF, PLUS_R, C), using="alpha_0"))
-    yield Line(
-        "alpha-stability",
-        3 * r * alpha_0 + r * (1 + r) < alpha_0**3,
-        proof(hypothesis("stability"), using="alpha_0"),
-    )
-    yield Line(
-        "alpha-angle",
-        alpha_0 <= (1 + r) / 2,
-        proof(times(HALF, PLUS_R, hypothesis("angle-real")), using="alpha_0"),
-    )
-    yield Line(
-        "alpha-existence",
-        4 * r < alpha_0**2,
-        scaled(
-            times("alpha-sign", "goal"),
-            "alpha-stability",
-            times(R, plus("alpha-angle", times(HALF, PLUS_R))),
-        ),
-    )
-    yield Line(
-        hypothesis("existence"), _claim("existence"), proof("alpha-existence", using="alpha_0")
-    )
-    yield Line(
-        "alpha-stabi",
-        18 * r - r**2 < as_term(1),
-        scaled(
-            times(Fraction(1, 8), PLUS_R, "goal"),
-            "alpha-stability",
-            times(
-                "alpha-angle",
-                plus(
-                    times(3, "alpha-existence"),
-                    times(9, R),
-                    times("alpha-angle", plus(times(3, "alpha-sign"), "alpha-angle")),
-                ),
-            ),
-        ),
-    )
-    yield Line(hypothesis("r-below-stabi"), _claim("r-below-stabi"), proof("alpha-stabi"))
+    yield from (
+        Defined("alpha_0"),
+        Line("alpha-sign",      0 < alpha_0, proof(times(HALF, PLUS_R, C), using="alpha_0")),
+        Line("alpha-stability", 3 * r * alpha_0 + r * (1 + r) < alpha_0**3,
+            proof(hypothesis("stability"), using="alpha_0")),
+        Line("alpha-angle",     alpha_0 <= (1 + r) / 2,
+            proof(times(HALF, PLUS_R, hypothesis("angle-real")), using="alpha_0")),
+        Line("alpha-existence", 4 * r < alpha_0**2, scaled(times("alpha-sign", "goal"),
+            "alpha-stability", times(R, plus("alpha-angle", times(HALF, PLUS_R))))),
+        Line(hypothesis("existence"), _claim("existence"),
+            proof("alpha-existence", using="alpha_0")),
+        Line("alpha-stabi",     18 * r - r**2 < as_term(1),
+            scaled(times(Fraction(1, 8), PLUS_R, "goal"), "alpha-stability", times("alpha-angle",
+            plus(times(3, "alpha-existence"), times(9, R), times("alpha-angle",
+            plus(times(3, "alpha-sign"), "alpha-angle")))))),
+        Line(hypothesis("r-below-stabi"), _claim("r-below-stabi"), proof("alpha-stabi")),
+    )  # fmt: skip
 
 
 def _claim(name: str) -> Claim:
@@ -172,75 +150,47 @@ def _claim(name: str) -> Claim:
 
 def _fixed_points() -> Iterator[Item]:
     both = "phi_minus phi_plus"
-    yield Line("discriminant-positive", 0 < discriminant, proof("alpha-existence"))
-    yield Line("discriminant-root", 0 < root, ByRoot())
-    yield Line("phi-divisor", 0 < alpha_0 + root, proof("discriminant-root", "alpha-sign"))
-    yield Defined("phi_minus")
-    yield Defined("phi_plus")
-    yield Line("p-positive", 0 < p, proof(times(HALF, "phi-divisor"), using="phi_plus"))
-    yield Line("m-positive", 0 < m, proof(times(2, R), using="phi_minus"))
-    yield Line("r-of-m", equal(r, m * p), identity(both))
-    yield Line("alpha-of-m", equal(alpha_0, m + p), identity(both))
-    yield Line("root-of-m", equal(root, p - m), identity(both))
-    yield Line("m-below-p", 0 < p - m, proof("discriminant-root", using="root-of-m"))
+    yield from (
+        Line("discriminant-positive", 0 < discriminant, proof("alpha-existence")),
+        Line("discriminant-root",     0 < root, ByRoot()),
+        Line("phi-divisor",           0 < alpha_0 + root, proof("discriminant-root", "alpha-sign")),
+        Defined("phi_minus"),
+        Defined("phi_plus"),
+        Line("p-positive",            0 < p, proof(times(HALF, "phi-divisor"), using="phi_plus")),
+        Line("m-positive",            0 < m, proof(times(2, R), using="phi_minus")),
+        Line("r-of-m",                equal(r, m * p), identity(both)),
+        Line("alpha-of-m",            equal(alpha_0, m + p), identity(both)),
+        Line("root-of-m",             equal(root, p - m), identity(both)),
+        Line("m-below-p",             0 < p - m, proof("discriminant-root", using="root-of-m")),
+    )  # fmt: skip
 
 
 def _region() -> Iterator[Item]:
     of_m = "r-of-m alpha-of-m"
-    yield Line(
-        "m-below-one",
-        0 < 1 - m,
-        scaled(
-            times("goal", plus(1, "m-positive")),
-            ONE,
-            times("m-positive", "m-below-p"),
-            using="r-of-m",
-        ),
-    )
-    yield Line(
-        "p-square",
-        0 < p**2 - m,
-        scaled(
-            times("goal", plus("m-below-p", times("m-positive", "m-below-one"))),
-            "alpha-stability",
-            using=of_m,
-        ),
-    )
-    yield Line("p-square-positive", 0 < p**2, proof(times("p-positive", "p-positive")))
-    yield Defined("u")
-    yield Line("u-positive", 0 < u, proof("m-positive", using="u"))
-    yield Line("u-below-one", 0 < 1 - u, proof("p-square", using="u"))
-    yield Line(
-        "p-below-one",
-        0 < 1 - p,
-        scaled(times(2, "goal"), times(2, "alpha-angle"), ONE, times(2, "m-positive"), using=of_m),
-    )
-    yield Line(
-        "p-below-half",
-        0 < HALF - p,
-        scaled(
-            times(2, "goal"),
-            times(2, "alpha-angle"),
-            times("m-positive", plus("p-below-one", 1)),
-            using=of_m,
-        ),
-    )
-    yield Line("m.chart", equal(m, u * p**2), identity("u"))
-    yield Line("r.chart", equal(r, u * p**3), identity("r-of-m m.chart"))
-    yield Line("alpha.chart", equal(alpha_0, p + u * p**2), identity("alpha-of-m m.chart"))
-    yield Line("root.chart", equal(root, p - u * p**2), identity("root-of-m m.chart"))
-    yield Line("r-sum", 0 < 1 + r, proof(1, R))
-    yield Line("c-of-alpha", equal(c, 2 * alpha_0 / (1 + r)), identity("alpha_0"))
-    yield Line(
-        "c-sum",
-        0 < 1 + u * p**3,
-        proof(1, times("u-positive", ("pow", "p-positive", 3))),
-    )
-    yield Line(
-        "c.chart",
-        equal(c, 2 * (p + u * p**2) / (1 + u * p**3)),
-        identity("c-of-alpha alpha.chart r.chart"),
-    )
+    yield from (
+        Line("m-below-one",       0 < 1 - m, scaled(times("goal", plus(1, "m-positive")), ONE,
+            times("m-positive", "m-below-p"), using="r-of-m")),
+        Line("p-square",          0 < p**2 - m,
+            scaled(times("goal", plus("m-below-p", times("m-positive", "m-below-one"))),
+            "alpha-stability", using=of_m)),
+        Line("p-square-positive", 0 < p**2, proof(times("p-positive", "p-positive"))),
+        Defined("u"),
+        Line("u-positive",        0 < u, proof("m-positive", using="u")),
+        Line("u-below-one",       0 < 1 - u, proof("p-square", using="u")),
+        Line("p-below-one",       0 < 1 - p, scaled(times(2, "goal"), times(2, "alpha-angle"),
+            ONE, times(2, "m-positive"), using=of_m)),
+        Line("p-below-half",      0 < HALF - p, scaled(times(2, "goal"), times(2, "alpha-angle"),
+            times("m-positive", plus("p-below-one", 1)), using=of_m)),
+        Line("m.chart",           equal(m, u * p**2), identity("u")),
+        Line("r.chart",           equal(r, u * p**3), identity("r-of-m m.chart")),
+        Line("alpha.chart",       equal(alpha_0, p + u * p**2), identity("alpha-of-m m.chart")),
+        Line("root.chart",        equal(root, p - u * p**2), identity("root-of-m m.chart")),
+        Line("r-sum",             0 < 1 + r, proof(1, R)),
+        Line("c-of-alpha",        equal(c, 2 * alpha_0 / (1 + r)), identity("alpha_0")),
+        Line("c-sum", 0 < 1 + u * p**3, proof(1, times("u-positive", ("pow", "p-positive", 3)))),
+        Line("c.chart",           equal(c, 2 * (p + u * p**2) / (1 + u * p**3)),
+            identity("c-of-alpha alpha.chart r.chart")),
+    )  # fmt: skip
 
 
 def _first_constants() -> Iterator[Item]:
@@ -257,36 +207,29 @@ def _first_constants() -> Iterator[Item]:
         yield Line(f"{name}.chart", equal(symbol(name), term), identity(f"{using} {name}"))
         using = f"{using} {name}.chart"
     square = times("p-positive", "p-positive")
-    yield Line("gap-square", 0 < gap**2, proof(square, using="alpha.chart m.chart"))
-    yield Defined("h_4")
-    yield Line("h_4.chart", equal(h_4, (1 - u * p) / 2), identity(f"{chart} h_4"))
     small = plus(HALF, times(HALF, "u-positive", "p-positive"))
-    yield Line("h_4-room", 0 < 1 - h_4, proof(small, using="h_4.chart"))
     cube = times("u-positive", ("pow", "p-positive", 3))
-    yield Line("radicand-4", 0 < r / (1 - h_4), proof(cube, using="r.chart h_4.chart"))
-    yield Line("root-4", 0 < root_4, ByRoot())
-    yield Defined("delta_4")
-    yield Line(
-        "delta_4.chart",
-        equal(symbol("delta_4"), p - root_4),
-        identity("alpha.chart m.chart delta_4"),
-    )
-    yield Defined("h_5")
-    yield Line("h_5.chart", equal(h_5, (1 - u) / 2), identity("alpha.chart m.chart h_5"))
     half = plus(HALF, times(HALF, "u-positive"))
-    yield Line("h_5-room", 0 < 1 - h_5, proof(half, using="h_5.chart"))
-    yield Line(
-        "radicand-5",
-        0 < m / (1 - h_5),
-        proof(times("u-positive", square), using="m.chart h_5.chart"),
-    )
-    yield Line("root-5", 0 < root_5, ByRoot())
-    yield Defined("delta_5")
-    yield Line(
-        "delta_5.chart",
-        equal(symbol("delta_5"), p - root_5),
-        identity("alpha.chart m.chart delta_5"),
-    )
+    yield from (
+        Line("gap-square",    0 < gap**2, proof(square, using="alpha.chart m.chart")),
+        Defined("h_4"),
+        Line("h_4.chart",     equal(h_4, (1 - u * p) / 2), identity(f"{chart} h_4")),
+        Line("h_4-room",      0 < 1 - h_4, proof(small, using="h_4.chart")),
+        Line("radicand-4",    0 < r / (1 - h_4), proof(cube, using="r.chart h_4.chart")),
+        Line("root-4",        0 < root_4, ByRoot()),
+        Defined("delta_4"),
+        Line("delta_4.chart", equal(symbol("delta_4"), p - root_4),
+            identity("alpha.chart m.chart delta_4")),
+        Defined("h_5"),
+        Line("h_5.chart",     equal(h_5, (1 - u) / 2), identity("alpha.chart m.chart h_5")),
+        Line("h_5-room",      0 < 1 - h_5, proof(half, using="h_5.chart")),
+        Line("radicand-5",    0 < m / (1 - h_5),
+            proof(times("u-positive", square), using="m.chart h_5.chart")),
+        Line("root-5",        0 < root_5, ByRoot()),
+        Defined("delta_5"),
+        Line("delta_5.chart", equal(symbol("delta_5"), p - root_5),
+            identity("alpha.chart m.chart delta_5")),
+    )  # fmt: skip
 
 
 def _norms(k: ConstantSet) -> Iterator[Item]:
@@ -297,22 +240,23 @@ def _norms(k: ConstantSet) -> Iterator[Item]:
     if not k.printed:
         yield Defined(first)
     both = "V_1" if k.printed else f"{first} V_1"
-    yield Line("V_1-sign", 0 < k.V_1, proof(more, using=f"{both} h_5.chart"))
-    yield Line("V_1-root", 0 < k.speed, ByRoot())
-    yield Defined("v")
-    yield Line("v-positive", 0 < v, proof("V_1-root", using="v"))
-    yield Line("speed", equal(k.speed, v), identity("v"))
+    yield from (
+        Line("V_1-sign",   0 < k.V_1, proof(more, using=f"{both} h_5.chart")),
+        Line("V_1-root",   0 < k.speed, ByRoot()),
+        Defined("v"),
+        Line("v-positive", 0 < v, proof("V_1-root", using="v")),
+        Line("speed",      equal(k.speed, v), identity("v")),
+    )  # fmt: skip
     same = () if k.printed else ((first, as_term(-1)),)
     if not k.printed:
         yield Line("V_1.repaired", equal(k.V_1, v**2), identity("v"))
-    yield Line("V_1.chart", equal(V_1, v**2), identity("v", same))
-    yield Line("V_0-divisor", 0 < 3 + u, proof(3, "u-positive"))
+    yield from (
+        Line("V_1.chart",   equal(V_1, v**2), identity("v", same)),
+        Line("V_0-divisor", 0 < 3 + u, proof(3, "u-positive")),
+    )  # fmt: skip
     same = () if k.printed else ((first, -2 * (1 + u)),)
-    yield Line(
-        "V_0.chart",
-        equal(V_0, v**2 * (2 * (1 + u) / (3 + u))),
-        identity("v h_5.chart", (("V_1", as_term(-4)), *same)),
-    )
+    yield Line("V_0.chart", equal(V_0, v**2 * (2 * (1 + u) / (3 + u))),
+        identity("v h_5.chart", (("V_1", as_term(-4)), *same)))  # fmt: skip
 
 
 def replacements(k: ConstantSet = REPAIRED_SET) -> dict[Term, str]:

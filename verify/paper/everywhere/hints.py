@@ -44,34 +44,20 @@ def about_d_bar() -> Iterator[Line]:
     eta2 = times(row("eta_bar-positive"), row("eta_bar-positive"))
     zeta, angle = row("zeta_bar-positive"), row("Delta_theta-positive")
     share = Fraction(3, 8)
-    yield Line(
-        "d_bar-zeta",
-        size <= Fraction(3, 16) * k.zeta_bar,
-        scaled(
-            times(2, "V_1-sign", "goal"),
-            times(eta2, slope),
-            times(share, zeta, first),
-            times(share, zeta, row("zeta-dropped-factor")),
-            times(HALF, zeta, zeta, eta2),
-        ),
-    )
     V_0s, V_1s = hypothesis("V_0-positive"), "V_1-sign"
     lost, part = row("C_eta-below-one"), Fraction(3, 28)
-    yield Line(
-        "d_bar-angle",
-        size <= k.Delta_theta / 4,
-        scaled(
-            times(8, V_1s, V_1s, "goal"),
-            times(4, V_1s, eta2, slope),
-            times(4, V_1s, eta2, row("init-Cnd3")),
+    yield from (
+        Line("d_bar-zeta",  size <= Fraction(3, 16) * k.zeta_bar,
+            scaled(times(2, "V_1-sign", "goal"), times(eta2, slope), times(share, zeta, first),
+            times(share, zeta, row("zeta-dropped-factor")), times(HALF, zeta, zeta, eta2))),
+        Line("d_bar-angle", size <= k.Delta_theta / 4, scaled(times(8, V_1s, V_1s, "goal"),
+            times(4, V_1s, eta2, slope), times(4, V_1s, eta2, row("init-Cnd3")),
             times(2, "V_1-root", row("eta_bar-positive"), row("tau-small")),
             times(Fraction(1, 7), V_0s, row("angle-absorbed")),
             times(Fraction(1, 7), row("d_bar-positive"), lost, V_0s, V_0s),
             times(part, angle, row("C_eta-positive"), V_0s, V_0s),
-            times(part, angle, first, plus(V_0s, V_1s)),
-            times(2 - part, angle, V_1s, V_1s),
-        ),
-    )
+            times(part, angle, first, plus(V_0s, V_1s)), times(2 - part, angle, V_1s, V_1s))),
+    )  # fmt: skip
     for number, entry in enumerate(k.bounds()["d_const"], 1):
         if number != 2:
             yield Line(f"d_bar-{number}", Fraction(3, 16) * k.zeta_bar <= entry, ToBeFound())
@@ -85,16 +71,11 @@ def about_zeta_bar(k: ConstantSet) -> Iterator[Line]:
     """12 (V_1/V_0) zeta_bar is at most phi_plus h_4 delta_x."""
     left = plus("u-below-one", times("u-positive", "p-below-one"))
     size = 12 * k.V_1 * k.zeta_bar
-    yield Line("zeta_bar-least", size <= p * h_4 * V_0 * LEAST_DELTA, ToBeFound())
-    yield Line(
-        ZETA_SHARE,
-        size <= p * h_4 * V_0 * k.delta_x,
-        proof(
-            "zeta_bar-least",
-            times(HALF, "p-positive", left, hypothesis("V_0-positive"), LEAST),
-            using="h_4.chart",
-        ),
-    )
+    yield from (
+        Line("zeta_bar-least", size <= p * h_4 * V_0 * LEAST_DELTA, ToBeFound()),
+        Line(ZETA_SHARE, size <= p * h_4 * V_0 * k.delta_x, proof("zeta_bar-least",
+            times(HALF, "p-positive", left, hypothesis("V_0-positive"), LEAST), using="h_4.chart")),
+    )  # fmt: skip
 
 
 def _zeta_hints(of: Callable[[str], str]) -> dict[str, BySum]:

@@ -113,8 +113,10 @@ def _obligation(line: Line) -> Obligation:
 
 def lines() -> Iterator[Line]:
     """From the givens about V_0 to the thresholds."""
-    yield from minima.speeds()
-    yield from minima.least()
+    yield from (
+        *minima.speeds(),
+        *minima.least(),
+    )  # fmt: skip
     yield from _drift()
     yield from _angle_rows()
     yield from _final_rows()
@@ -154,30 +156,18 @@ def _tiny() -> Reason:
 
 def _drift() -> Iterator[Line]:
     d_bar = of("d_bar-positive")
-    yield Line("d_bar-tiny", k.d_bar <= STRIP * angle, _tiny())
-    yield Line(
-        "drift.above",
-        28 * angle < 33 * (1 - p) * drift,
-        proof(
-            times(Fraction(33, 2), d_bar, V_0s, ONE, ONE),
-            times(14, ONE, "eta_bar.least"),
-            using=DECAY,
-        ),
-        label("angle-absorbed"),
-        "the drift of the angle is more than 28/(33(1-φ⁺)) |Δθ|",
-    )
     small = plus("d_bar-tiny", times("p-positive", d_bar))
-    yield Line(
-        "drift.below",
-        33 * (1 - p) * drift <= (28 + TINY) * angle,
-        proof(
-            times(14, ONE, of("eta_bar-entry-3")),
-            times(Fraction(33, 2), ONE, V_0s, small),
-            using=DECAY,
-        ),
-        label("angle-absorbed"),
-        "the drift of the angle is at most (28 + 33/100000)/(33(1-φ⁺)) |Δθ|",
-    )
+    yield from (
+        Line("d_bar-tiny",  k.d_bar <= STRIP * angle, _tiny()),
+        Line("drift.above", 28 * angle < 33 * (1 - p) * drift,
+            proof(times(Fraction(33, 2), d_bar, V_0s, ONE, ONE), times(14, ONE, "eta_bar.least"),
+            using=DECAY), label("angle-absorbed"),
+            "the drift of the angle is more than 28/(33(1-φ⁺)) |Δθ|"),
+        Line("drift.below", 33 * (1 - p) * drift <= (28 + TINY) * angle,
+            proof(times(14, ONE, of("eta_bar-entry-3")), times(Fraction(33, 2), ONE, V_0s, small),
+            using=DECAY), label("angle-absorbed"),
+            "the drift of the angle is at most (28 + 33/100000)/(33(1-φ⁺)) |Δθ|"),
+    )  # fmt: skip
 
 
 def _either(name: str, claim: Claim, reason: Reason, says: str) -> Iterator[Line]:
@@ -238,41 +228,26 @@ def _final_rows() -> Iterator[Line]:
         yield from _either(name, claim, scaled(goal, *sides, using=DECAY), says)
     room = Fraction(33, 2) * FINAL_MOST - (28 + TINY) * SHARE_MOST
     left = plus(times(28 + TINY, "angle-small"), times(33 * FINAL_MOST, "p-below-half"), room)
-    yield Line(
-        "final-angle.wide",
-        drift <= FINAL_MOST,
-        scaled(times(33, ONE, "goal"), "drift.below", times(SCALE, left), using=DECAY),
-        THEOREM,
-        "the drift of the angle is at most 1/37, so that it holds where δ_θ ≥ 1/37",
-    )
+    yield Line("final-angle.wide", drift <= FINAL_MOST,
+        scaled(times(33, ONE, "goal"), "drift.below", times(SCALE, left), using=DECAY), THEOREM,
+        "the drift of the angle is at most 1/37, so that it holds where δ_θ ≥ 1/37")  # fmt: skip
 
 
 def _slope_rows() -> Iterator[Line]:
     """`x-term-1-d`: 22 phi_plus d_n/delta_2 is 4 |Delta_theta|."""
     name, scale, using = "x-term-1-d", times(chart.HALF, "p-positive", V_0s), "delta_2.chart"
     ratio = 1 / SLOPE_STARTS * p * d_later
-    yield Line(
-        f"{name}.above",
-        4 * angle <= 22 * p * d_later,
-        proof(times(2, "p-positive", "eta_bar.least"), using=using),
-    )
-    yield Line(
-        f"{name}.below",
-        22 * p * d_later <= 4 * angle,
-        proof(times(2, "p-positive", of("eta_bar-entry-3")), using=using),
-    )
-    yield Line(
-        f"{name}.fails",
-        4 * LEAST <= ratio,
-        proof(f"{name}.above", times(4, scale, "Delta_theta.least"), using=using),
-        label(name),
-        "where h₄δ_x/8 ≤ δ_θ its left side is at least 1/(22 φ⁺) times the right one: "
-        "there it fails where φ⁺ < 1/22",
-    )
-    yield Line(
-        f"{name}.holds",
-        ratio <= 4 * SHARE,
-        proof(f"{name}.below", times(4, scale, of("Delta_theta-entry-2")), using=using),
-        label(name),
-        "its left side is at most 1/(22 φ⁺) times the right one: it holds where φ⁺ ≥ 1/22",
-    )
+    yield from (
+        Line(f"{name}.above", 4 * angle <= 22 * p * d_later,
+            proof(times(2, "p-positive", "eta_bar.least"), using=using)),
+        Line(f"{name}.below", 22 * p * d_later <= 4 * angle,
+            proof(times(2, "p-positive", of("eta_bar-entry-3")), using=using)),
+        Line(f"{name}.fails", 4 * LEAST <= ratio,
+            proof(f"{name}.above", times(4, scale, "Delta_theta.least"), using=using), label(name),
+            "where h₄δ_x/8 ≤ δ_θ its left side is at least 1/(22 φ⁺) times the right one: there "
+            "it fails where φ⁺ < 1/22"),
+        Line(f"{name}.holds", ratio <= 4 * SHARE,
+            proof(f"{name}.below", times(4, scale, of("Delta_theta-entry-2")), using=using),
+            label(name),
+            "its left side is at most 1/(22 φ⁺) times the right one: it holds where φ⁺ ≥ 1/22"),
+    )  # fmt: skip

@@ -69,23 +69,18 @@ DETERMINANTS: tuple[Matrix, ...] = (
 )
 
 _section = Section("characteristic polynomial")
+needed, printed = _section.needed, _section.printed
 
 
 def rows(paper: Printed) -> Iterator[Obligation]:
     """Yield the rows of the appendix, of the factorisation and of the remark on a_1 and a_2."""
     yield from _appendix(paper)
-    yield _section.needed(
-        "characteristic",
-        CHARACTERISTIC,
-        "det(λI - 𝔄) = (λ-1) Q(λ)",
-        equal(determinant(identity_minus(lam, paper.matrix)), (lam - 1) * paper.q(lam)),
-    )
-    yield _section.needed(
-        "Q-at-1", THEOREM, "Q(1) = 27(1+r)³/32", equal(paper.q(1), 27 * (1 + r) ** 3 / 32)
-    )
-    yield _section.needed(
-        "Q-at-1-positive", THEOREM, "1 is not a root of Q", 0 < 27 * (1 + r) ** 3 / 32
-    )
+    yield from (
+        needed("characteristic",  CHARACTERISTIC, "det(λI - 𝔄) = (λ-1) Q(λ)",
+            equal(determinant(identity_minus(lam, paper.matrix)), (lam - 1) * paper.q(lam))),
+        needed("Q-at-1", THEOREM, "Q(1) = 27(1+r)³/32", equal(paper.q(1), 27 * (1 + r) ** 3 / 32)),
+        needed("Q-at-1-positive", THEOREM, "1 is not a root of Q", 0 < 27 * (1 + r) ** 3 / 32),
+    )  # fmt: skip
     yield from _symmetry(paper)
 
 
@@ -99,26 +94,15 @@ def _appendix(paper: Printed) -> Iterator[Obligation]:
         ("λ-1 is taken out of the fourth column", _last_column(fourth, lam - 1), third),
     )
     for number, (says, computed, displayed) in enumerate(steps, 1):
-        yield _section.printed(
-            f"appendix-step-{number}",
-            APPENDIX,
-            f"{says}: u A v = u B v for all u, v",
-            equal(form(ROW, computed, COLUMN), form(ROW, displayed, COLUMN)),
-        )
+        yield printed(f"appendix-step-{number}", APPENDIX, f"{says}: u A v = u B v for all u, v",
+            equal(form(ROW, computed, COLUMN), form(ROW, displayed, COLUMN)))  # fmt: skip
     value = (lam - 1) * paper.q(lam)
     for number, matrix in enumerate(DETERMINANTS[:3], 1):
-        yield _section.printed(
-            f"appendix-determinant-{number}",
-            APPENDIX,
+        yield printed(f"appendix-determinant-{number}", APPENDIX,
             f"the displayed determinant {number} is (λ-1) Q(λ)",
-            equal(determinant(matrix), value),
-        )
-    yield _section.printed(
-        "appendix-determinant-4",
-        APPENDIX,
-        "the last displayed determinant is Q(λ)",
-        equal(determinant(fourth), paper.q(lam)),
-    )
+            equal(determinant(matrix), value))  # fmt: skip
+    yield printed("appendix-determinant-4", APPENDIX, "the last displayed determinant is Q(λ)",
+        equal(determinant(fourth), paper.q(lam)))  # fmt: skip
 
 
 def _rows_combined(matrix: Matrix) -> Matrix:
@@ -148,16 +132,11 @@ def _symmetry(paper: Printed) -> Iterator[Obligation]:
     displayed = -11 + 171 * r - 9 * r**2 + r**3
     product = r * p
     quotient = -11 * (product**2 + product + 1) + 171 * r * (product + 1) - 9 * r**2
-    yield _section.printed(
-        "symmetry-1",
-        Q_LABEL,
-        "the remark after the proof: a₁(1/r) = (-11+171r-9r²+r³)/(64r³); with p in place of 1/r "
-        "and times 64r³, the difference is a multiple of rp-1",
-        equal(64 * r**3 * substitute(a_1, {"r": p}) - displayed, (product - 1) * quotient),
-    )
-    yield _section.printed(
-        "symmetry-2",
-        Q_LABEL,
-        "the remark after the proof: it is a₂(r)/r³, times 64r³",
-        equal(displayed, 64 * a_2),
-    )
+    yield from (
+        printed("symmetry-1", Q_LABEL, "the remark after the proof: a₁(1/r) = "
+            "(-11+171r-9r²+r³)/(64r³); with p in place of 1/r and times 64r³, the difference is a "
+            "multiple of rp-1",
+            equal(64 * r**3 * substitute(a_1, {"r": p}) - displayed, (product - 1) * quotient)),
+        printed("symmetry-2", Q_LABEL, "the remark after the proof: it is a₂(r)/r³, times 64r³",
+            equal(displayed, 64 * a_2)),
+    )  # fmt: skip

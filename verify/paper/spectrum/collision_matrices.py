@@ -60,6 +60,7 @@ COLUMN = symbols("v_1 v_2 v_3 v_4")
 _FLIP = vector(1, 1, 1, -1)
 
 _section = Section("collision matrices")
+needed, printed, misprint = _section.needed, _section.printed, _section.misprint
 
 
 def rows(paper: Printed) -> Iterator[Obligation]:
@@ -83,19 +84,14 @@ def _laws() -> Iterator[Obligation]:
         ("law-12-W1", LAW_C, (v_1 - half) - v_0, (v_1 - v_0) - half),
         ("law-12-W2", LAW_C, (v_2 + half) - v_0, (v_2 - v_0) + half),
     ):
-        yield _section.needed(name, label, says, equal(after, before), ["collision-law"])
+        yield needed(name, label, says, equal(after, before), ["collision-law"])
 
 
 def _triangle() -> Iterator[Obligation]:
     c = symbols("c")[0]
-    yield _section.needed(
-        "triangle",
-        DEFINITION,
-        "|ω₂-ω₁|² = 2 - 2c is 1 exactly if c = ω₁·ω₂ is 1/2",
-        equal((2 - 2 * c) - 1, 2 * (as_term(1) / 2 - c)),
-        within=ANY,
-    )
     t = triangle
+    yield needed("triangle", DEFINITION, "|ω₂-ω₁|² = 2 - 2c is 1 exactly if c = ω₁·ω₂ is 1/2",
+        equal((2 - 2 * c) - 1, 2 * (as_term(1) / 2 - c)), within=ANY)  # fmt: skip
     for name, says, u, v, value in (
         ("unit-omega_3", "ω₃ = ω₂-ω₁ is a unit vector", t.omega_3, t.omega_3, 1),
         ("omega_1-omega_3", "2 ω₁·ω₃ = -1", t.omega_1, t.omega_3, -1),
@@ -106,27 +102,17 @@ def _triangle() -> Iterator[Obligation]:
         ("orthogonal-perp_2", "ω₂⊥ is orthogonal to ω₂", t.omega_2_perp, t.omega_2, 0),
     ):
         factor = as_term(2 if says.startswith("2") else 1)
-        yield _section.needed(
-            name, DEFINITION, says, equal(product_of(factor, t.inner(u, v)), value)
-        )
-    yield _section.needed(
-        "orientation-1",
-        MATRIX_LABEL,
-        "ω₁⊥·ω₂ > 0, as stated",
-        0 < t.inner(t.omega_1_perp, t.omega_2),
-    )
-    yield _section.needed(
-        "orientation-2-stated",
-        MATRIX_LABEL,
-        "the vector that the text calls ω₂⊥ has ω₂⊥·ω₁ > 0",
-        0 < t.inner(t.omega_2_perp_stated, t.omega_1),
-    )
-    yield _section.needed(
-        "orientation-2",
-        MATRIX_LABEL,
-        "the ω₂⊥ of the printed matrices has ω₂⊥·ω₁ < 0",
-        t.inner(t.omega_2_perp, t.omega_1) < 0,
-    )
+        yield needed(name, DEFINITION, says, equal(product_of(factor, t.inner(u, v)), value))
+    yield from (
+        needed("orientation-1",        MATRIX_LABEL, "ω₁⊥·ω₂ > 0, as stated",
+            0 < t.inner(t.omega_1_perp, t.omega_2)),
+        needed("orientation-2-stated", MATRIX_LABEL,
+            "the vector that the text calls ω₂⊥ has ω₂⊥·ω₁ > 0",
+            0 < t.inner(t.omega_2_perp_stated, t.omega_1)),
+        needed("orientation-2",        MATRIX_LABEL,
+            "the ω₂⊥ of the printed matrices has ω₂⊥·ω₁ < 0",
+            t.inner(t.omega_2_perp, t.omega_1) < 0),
+    )  # fmt: skip
 
 
 def _spaces() -> Iterator[Obligation]:
@@ -135,24 +121,14 @@ def _spaces() -> Iterator[Obligation]:
     image = triangle.triple((vector(0, 0, q[0]), vector(0, 0, q[1])))
     weights = symbols("u_1 u_2 u_3 u_4 u_5 u_6")
     components = [component for vector_ in image for component in vector_]
-    yield _section.needed(
-        "identity-on-E",
-        SPACE_F,
+    yield needed("identity-on-E", SPACE_F,
         "𝔄_∞ fixes (q₁e, q₂e) for every e orthogonal to ω₁ and ω₂ (components weighted by u)",
-        equal(dot(weights, components), weights[2] * q[0] + weights[5] * q[1]),
-        uses,
-    )
+        equal(dot(weights, components), weights[2] * q[0] + weights[5] * q[1]), uses)  # fmt: skip
     image = triangle.triple((vector(p[0], p[1], q[0]), vector(p[2], p[3], q[1])))
-    yield _section.needed(
-        "F-invariant",
-        THEOREM,
+    yield needed("F-invariant", THEOREM,
         "𝔄_∞ changes no component outside F, so that the image of F is contained in F",
-        equal(
-            sum_of(product_of(weights[0], image[0][2]), product_of(weights[1], image[1][2])),
-            weights[0] * q[0] + weights[1] * q[1],
-        ),
-        uses,
-    )
+        equal(sum_of(product_of(weights[0], image[0][2]), product_of(weights[1], image[1][2])),
+        weights[0] * q[0] + weights[1] * q[1]), uses)  # fmt: skip
 
 
 def _as_stated(letter: str, claim: Claim) -> Obligation:
@@ -165,10 +141,8 @@ def _as_stated(letter: str, claim: Claim) -> Obligation:
         ),
     )
     if letter == "b":
-        return _section.printed(name, EIGENSPACE, says, claim)
-    return _section.misprint(
-        name, EIGENSPACE, says, claim, severity=SLIP, corrected_by=f"A_{letter}"
-    )
+        return printed(name, EIGENSPACE, says, claim)
+    return misprint(name, EIGENSPACE, says, claim, severity=SLIP, corrected_by=f"A_{letter}")
 
 
 def _printed_factors() -> Iterator[Obligation]:
@@ -180,52 +154,33 @@ def _printed_factors() -> Iterator[Obligation]:
         ("c", triangle.collision_c, A_C),
     ):
         printed = form(ROW, matrix, COLUMN)
-        yield _as_stated(
-            letter, equal(form(ROW, triangle.matrix_of(collision, stated), COLUMN), printed)
-        )
-        yield _section.needed(
-            f"A_{letter}",
-            EIGENSPACE,
-            f"the printed A_{letter}, in the basis with ω₂⊥·ω₁ < 0: "
-            "u A v = u A_printed v for all u, v",
-            equal(form(ROW, triangle.matrix_of(collision, right), COLUMN), printed),
-        )
+        yield _as_stated(letter,
+            equal(form(ROW, triangle.matrix_of(collision, stated), COLUMN), printed))  # fmt: skip
+        yield needed(f"A_{letter}", EIGENSPACE, f"the printed A_{letter}, in the basis with "
+            "ω₂⊥·ω₁ < 0: u A v = u A_printed v for all u, v",
+            equal(form(ROW, triangle.matrix_of(collision, right), COLUMN), printed))  # fmt: skip
 
 
 def _product(paper: Printed) -> Iterator[Obligation]:
     for i, row in enumerate(product(A_C, product(A_B, A_A)), 1):
         for j, entry in enumerate(row, 1):
-            yield _section.needed(
-                f"entry-{i}-{j}",
-                MATRIX_LABEL,
+            yield needed(f"entry-{i}-{j}", MATRIX_LABEL,
                 f"entry ({i},{j}) of A_c A_b A_a is the printed one",
-                equal(entry, paper.matrix[i - 1][j - 1]),
-            )
+                equal(entry, paper.matrix[i - 1][j - 1]))  # fmt: skip
     stated = triangle.matrix_of(triangle.triple, triangle.basis(triangle.omega_2_perp_stated))
     right = triangle.matrix_of(triangle.triple, triangle.basis(triangle.omega_2_perp))
     printed = form(ROW, paper.matrix, COLUMN)
-    yield _section.misprint(
-        "matrix-stated",
-        MATRIX_LABEL,
-        "the printed matrix, in the basis as the text states it (ω₂⊥·ω₁ > 0): "
-        "u 𝔄 v = u 𝔄_printed v for all u, v",
-        equal(form(ROW, stated, COLUMN), printed),
-        severity=SLIP,
-        corrected_by="matrix",
-    )
-    yield _section.needed(
-        "matrix",
-        MATRIX_LABEL,
-        "the printed matrix is 𝔄_∞ on F, in the basis with ω₂⊥·ω₁ < 0: "
-        "u 𝔄 v = u 𝔄_printed v for all u, v",
-        equal(form(ROW, right, COLUMN), printed),
-    )
-    yield _section.needed(
-        "matrix-flipped",
-        MATRIX_LABEL,
-        "in the basis as the text states it the matrix is D 𝔄_printed D, D = diag(1,1,1,-1)",
-        equal(form(ROW, stated, COLUMN), form(ROW, flipped(paper.matrix), COLUMN)),
-    )
+    yield from (
+        misprint("matrix-stated", MATRIX_LABEL, "the printed matrix, in the basis as the text "
+            "states it (ω₂⊥·ω₁ > 0): u 𝔄 v = u 𝔄_printed v for all u, v",
+            equal(form(ROW, stated, COLUMN), printed), SLIP, "matrix"),
+        needed("matrix",          MATRIX_LABEL, "the printed matrix is 𝔄_∞ on F, in the basis "
+            "with ω₂⊥·ω₁ < 0: u 𝔄 v = u 𝔄_printed v for all u, v",
+            equal(form(ROW, right, COLUMN), printed)),
+        needed("matrix-flipped",  MATRIX_LABEL,
+            "in the basis as the text states it the matrix is D 𝔄_printed D, D = diag(1,1,1,-1)",
+            equal(form(ROW, stated, COLUMN), form(ROW, flipped(paper.matrix), COLUMN))),
+    )  # fmt: skip
 
 
 def flipped(matrix: Matrix) -> Matrix:

@@ -32,6 +32,7 @@ k_z = (r**2 - 16 * r - 1) / 16
 _drift = root_3 / 8 * (r + 1)
 
 _section = Section("cone")
+needed, printed, misprint = _section.needed, _section.printed, _section.misprint
 
 
 def bound_x(x: Term, difference: Term) -> tuple[Term, Term]:
@@ -59,29 +60,19 @@ def rows(paper: Printed) -> Iterator[Obligation]:
 
 def _conditions() -> Iterator[Obligation]:
     after_a = apply(A_A, STATE)
-    yield _section.needed(
-        "cone-condition-02",
-        THEOREM,
-        "after 0-1 the normal component of 0-2 is z - (1+r)/4 x, so that 0-2 is pre-collisional "
-        "exactly if z < (1+r)/4 x",
-        equal(after_a[2], z - h * x),
-    )
     w_1 = tuple(x * u + y * v for u, v in zip(triangle.omega_1, triangle.omega_1_perp, strict=True))
     w_2 = tuple(z * u + t * v for u, v in zip(triangle.omega_2, triangle.omega_2_perp, strict=True))
     difference = tuple(v - u for u, v in zip(w_1, w_2, strict=True))
-    yield _section.needed(
-        "cone-normal-12",
-        THEOREM,
-        "(W₂-W₁)·ω₃ in the printed coordinates",
-        equal(triangle.inner(difference, triangle.omega_3), dot(NORMAL_12, STATE)),
-    )
-    yield _section.needed(
-        "cone-condition-12",
-        THEOREM,
-        "the third condition, which the cone of the text leaves out: after 0-1 and 0-2 the normal "
-        "component of 1-2 is this, and it must be negative",
-        equal(dot(NORMAL_12, apply(A_B, after_a)), normal_12(x, z, t - y)),
-    )
+    yield from (
+        needed("cone-condition-02", THEOREM, "after 0-1 the normal component of 0-2 is z - "
+            "(1+r)/4 x, so that 0-2 is pre-collisional exactly if z < (1+r)/4 x",
+            equal(after_a[2], z - h * x)),
+        needed("cone-normal-12",    THEOREM, "(W₂-W₁)·ω₃ in the printed coordinates",
+            equal(triangle.inner(difference, triangle.omega_3), dot(NORMAL_12, STATE))),
+        needed("cone-condition-12", THEOREM, "the third condition, which the cone of the text "
+            "leaves out: after 0-1 and 0-2 the normal component of 1-2 is this, and it must be "
+            "negative", equal(dot(NORMAL_12, apply(A_B, after_a)), normal_12(x, z, t - y))),
+    )  # fmt: skip
 
 
 def normal_12(x: Term, z: Term, difference: Term) -> Term:
@@ -90,32 +81,18 @@ def normal_12(x: Term, z: Term, difference: Term) -> Term:
 
 
 def _signs() -> Iterator[Obligation]:
-    yield _section.needed(
-        "cone-sign-x", THEOREM, "(r²-4r-5)/16 < 0, for every r in ]0,1[", k_x < as_term(0)
-    )
-    yield _section.needed(
-        "cone-sign-z", THEOREM, "(r²-16r-1)/16 < 0, for every r in ]0,1[", k_z < as_term(0)
-    )
-    yield _section.printed(
-        "cone-sign-x-range",
-        THEOREM,
-        "'for r small enough': the first one is negative exactly for -1 < r < 5",
-        equal(k_x, (r + 1) * (r - 5) / 16),
-        uses=["signs"],
-        within=ANY,
-    )
     root = sqrt(65)
-    yield _section.printed(
-        "cone-sign-z-range",
-        THEOREM,
-        "the second one exactly for 8-√65 < r < 8+√65",
-        equal(k_z, (r - (8 - root)) * (r - (8 + root)) / 16),
-        uses=["signs"],
-        within=ANY,
-    )
-    yield _section.printed(
-        "cone-sign-z-below", THEOREM, "8-√65 < 0, so that ]0,1[ lies in it", 8 - root < as_term(0)
-    )
+    yield from (
+        needed("cone-sign-x", THEOREM, "(r²-4r-5)/16 < 0, for every r in ]0,1[", k_x < as_term(0)),
+        needed("cone-sign-z", THEOREM, "(r²-16r-1)/16 < 0, for every r in ]0,1[", k_z < as_term(0)),
+        printed("cone-sign-x-range", THEOREM,
+            "'for r small enough': the first one is negative exactly for -1 < r < 5",
+            equal(k_x, (r + 1) * (r - 5) / 16), ["signs"], within=ANY),
+        printed("cone-sign-z-range", THEOREM, "the second one exactly for 8-√65 < r < 8+√65",
+            equal(k_z, (r - (8 - root)) * (r - (8 + root)) / 16), ["signs"], within=ANY),
+        printed("cone-sign-z-below", THEOREM, "8-√65 < 0, so that ]0,1[ lies in it",
+            8 - root < as_term(0)),
+    )  # fmt: skip
 
 
 def _bounds(paper: Printed) -> Iterator[Obligation]:
@@ -126,74 +103,35 @@ def _bounds(paper: Printed) -> Iterator[Obligation]:
     ):
         first, second = bounds
         name = f"cone-{letter}"
-        yield _section.needed(
-            f"{name}-bound-1",
-            label,
-            f"{letter}' exceeds the first displayed bound by a negative number times "
-            "z - (1+r)/4 x, which is negative on the cone",
-            equal(value - first, factor * (z - h * x)),
-            ["signs"],
-        )
-        yield _section.misprint(
-            f"{name}-bound-2",
-            label,
+        yield needed(f"{name}-bound-1", label, f"{letter}' exceeds the first displayed bound by a "
+            "negative number times z - (1+r)/4 x, which is negative on the cone",
+            equal(value - first, factor * (z - h * x)), ["signs"])  # fmt: skip
+        yield misprint(f"{name}-bound-2", label,
             f"the first bound of {letter}' is larger than the second one, as printed",
-            second < first,
-            severity=SLIP,
-            corrected_by=f"{name}-bound-2-equal",
-            within=CONE,
-        )
-        yield _section.needed(
-            f"{name}-bound-2-equal",
-            label,
-            f"the two displayed bounds of {letter}' are equal",
-            equal(first, second),
-        )
+            second < first, SLIP, f"{name}-bound-2-equal", within=CONE)  # fmt: skip
+        yield needed(f"{name}-bound-2-equal", label,
+            f"the two displayed bounds of {letter}' are equal", equal(first, second))  # fmt: skip
 
 
 def _last_condition(paper: Printed) -> Iterator[Obligation]:
     factor = (2 * r**2 - 4 * r - 6) / 64
-    yield _section.needed(
-        "cone-y-sign",
-        BOUND,
-        "(2r²-4r-6)/64 < 0, for every r in ]0,1[",
-        factor < as_term(0),
-    )
-    yield _section.printed(
-        "cone-y-range",
-        BOUND,
-        "'for r small enough': it is negative exactly for -1 < r < 3",
-        equal(factor, (r - 3) * (r + 1) / 32),
-        uses=["signs"],
-        within=ANY,
-    )
     at = (-a, y, -(h * a) - b, t)
     image = apply(paper.matrix, at)[2]
-    yield _section.needed(
-        "cone-y",
-        BOUND,
-        "z' < 0 imposes y < t: with x = -a, z = hx - b the number √3(1+r)/8 (t-y) is -z' plus "
-        "positive multiples of a and b",
-        equal(_drift * (t - y), -image + (-factor) * a + (-k_z) * b),
-        ["signs"],
-    )
     stated = apply(flipped(paper.matrix), at)[2]
-    yield _section.needed(
-        "cone-y-flipped",
-        BOUND,
-        "in the basis as the text states it the condition is y + t < 0: -√3(1+r)/8 (y+t) is -z' "
-        "plus positive multiples of a and b",
-        equal(-(_drift * (y + t)), -stated + (-factor) * a + (-k_z) * b),
-        ["signs"],
-    )
     solved = -t - (g + (-factor) * a + (-k_z) * b) / _drift
-    yield _section.misprint(
-        "cone-y-stated",
-        BOUND,
-        "y < t in the basis as the text states it (ω₂⊥·ω₁ > 0), where x = -a, z = hx - b, z' = -g "
-        "give this y",
-        solved < t,
-        severity=SLIP,
-        corrected_by="cone-y-flipped",
-        within=CONE,
-    )
+    yield from (
+        needed("cone-y-sign",     BOUND, "(2r²-4r-6)/64 < 0, for every r in ]0,1[",
+            factor < as_term(0)),
+        printed("cone-y-range",   BOUND,
+            "'for r small enough': it is negative exactly for -1 < r < 3",
+            equal(factor, (r - 3) * (r + 1) / 32), ["signs"], within=ANY),
+        needed("cone-y",          BOUND, "z' < 0 imposes y < t: with x = -a, z = hx - b the "
+            "number √3(1+r)/8 (t-y) is -z' plus positive multiples of a and b",
+            equal(_drift * (t - y), -image + (-factor) * a + (-k_z) * b), ["signs"]),
+        needed("cone-y-flipped",  BOUND, "in the basis as the text states it the condition is y + "
+            "t < 0: -√3(1+r)/8 (y+t) is -z' plus positive multiples of a and b",
+            equal(-(_drift * (y + t)), -stated + (-factor) * a + (-k_z) * b), ["signs"]),
+        misprint("cone-y-stated", BOUND, "y < t in the basis as the text states it (ω₂⊥·ω₁ > 0), "
+            "where x = -a, z = hx - b, z' = -g give this y", solved < t, SLIP, "cone-y-flipped",
+            within=CONE),
+    )  # fmt: skip

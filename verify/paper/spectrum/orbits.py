@@ -36,6 +36,7 @@ NORMALS: tuple[Vector, ...] = (vector(1, 0, 0, 0), vector(0, 0, 1, 0), NORMAL_12
 _eighth = as_term(Fraction(1, 8))
 
 _section = Section("orbits")
+needed, misprint = _section.needed, _section.misprint
 
 
 def rows(paper: Printed) -> Iterator[Obligation]:
@@ -56,36 +57,23 @@ def _recurrence(paper: Printed) -> Iterator[Obligation]:
         expected = [
             -r * value if i == own else value - h * before[own] for i, value in enumerate(before)
         ]
-        yield _section.needed(
-            f"normal-components-{name}",
-            THEOREM,
-            f"the collision {name[0]}-{name[1]} turns its own normal component g into -rg and adds "
-            "-(1+r)/4 g to both others (the three components weighted by u)",
-            equal(dot(weights, after), dot(weights, expected)),
-        )
+        yield needed(f"normal-components-{name}", THEOREM, f"the collision {name[0]}-{name[1]} "
+            "turns its own normal component g into -rg and adds -(1+r)/4 g to both others (the "
+            "three components weighted by u)",
+            equal(dot(weights, after), dot(weights, expected)))  # fmt: skip
     first = met(STATE)
     second = met(apply(paper.matrix, STATE))
     sequence = [*first, *second]
     for k in range(3):
-        yield _section.needed(
-            f"recurrence-{k + 1}",
-            THEOREM,
-            f"c_{k + 3} + h c_{k + 2} + h c_{k + 1} + r c_{k} = 0 along an orbit of the printed "
-            "matrix",
-            equal(sequence[k + 3] + h * sequence[k + 2] + h * sequence[k + 1] + r * sequence[k], 0),
-        )
+        yield needed(f"recurrence-{k + 1}", THEOREM, f"c_{k + 3} + h c_{k + 2} + h c_{k + 1} + r "
+            f"c_{k} = 0 along an orbit of the printed matrix", equal(sequence[k + 3]
+            + h * sequence[k + 2] + h * sequence[k + 1] + r * sequence[k], 0))  # fmt: skip
     mu = symbol("mu")
     p_1, p_2, p_3 = mu**3 + r, h * mu, h * mu**2
-    yield _section.needed(
-        "norm",
-        THEOREM,
-        "the eigenvalues other than 1 are the cubes of the roots of P(μ) = μ³+hμ²+hμ+r: "
-        "Q(μ³) = P(μ) P(ωμ) P(ω²μ), where ω³ = 1",
-        equal(
-            paper.q(mu**3),
-            (p_1 + p_2 + p_3) * (p_1**2 + p_2**2 + p_3**2 - p_1 * p_2 - p_2 * p_3 - p_3 * p_1),
-        ),
-    )
+    yield needed("norm", THEOREM, "the eigenvalues other than 1 are the cubes of the roots of "
+        "P(μ) = μ³+hμ²+hμ+r: Q(μ³) = P(μ) P(ωμ) P(ω²μ), where ω³ = 1",
+        equal(paper.q(mu**3), (p_1 + p_2 + p_3) * (p_1**2 + p_2**2 + p_3**2 - p_1
+        * p_2 - p_2 * p_3 - p_3 * p_1)))  # fmt: skip
 
 
 def met(state: Vector) -> tuple[Term, Term, Term]:
@@ -102,21 +90,15 @@ def _one_triple(paper: Printed) -> Iterator[Obligation]:
     found = met(state)
     for k, (value, expected) in enumerate(zip(found, (-a, -b, -c), strict=True)):
         if k:
-            yield _section.needed(
-                f"one-triple-state-{k}",
-                THEOREM,
+            yield needed(f"one-triple-state-{k}", THEOREM,
                 f"the state x = -a, z = hx - b, t - y = δ meets c_{k} < 0; a, b, c > 0 are any",
-                equal(value, expected),
-            )
-    yield _section.needed(
-        "one-triple",
-        BOUND,
-        "a triple of collisions that takes place (a, b, c > 0) ends with x' = ra + hb + hc > 0: "
-        "0-1 recedes, so an orbit has at most one triple, for every r",
-        equal(apply(paper.matrix, state)[0], r * a + h * b + h * c),
-        uses,
-    )
-    yield _section.needed("one-triple-sign", BOUND, "h is positive", 0 < h, uses)
+                equal(value, expected))  # fmt: skip
+    yield from (
+        needed("one-triple",      BOUND, "a triple of collisions that takes place (a, b, c > 0) "
+            "ends with x' = ra + hb + hc > 0: 0-1 recedes, so an orbit has at most one triple, "
+            "for every r", equal(apply(paper.matrix, state)[0], r * a + h * b + h * c), uses),
+        needed("one-triple-sign", BOUND, "h is positive", 0 < h, uses),
+    )  # fmt: skip
 
 
 def _first_condition_alone(paper: Printed) -> Iterator[Obligation]:
@@ -125,12 +107,6 @@ def _first_condition_alone(paper: Printed) -> Iterator[Obligation]:
     states = [STATE]
     for _ in range(3):
         states.append(apply(paper.matrix, states[-1]))
-    yield _section.needed(
-        "x-recurrence",
-        THEOREM,
-        "x_{k+3} + a₂ x_{k+2} + a₁ x_{k+1} + a₀ x_k = 0 along every orbit",
-        equal(states[3][0] + a_2 * states[2][0] + a_1 * states[1][0] + a_0 * x, 0),
-    )
     n_1, n_0 = as_term(Fraction(11, 64)), as_term(Fraction(15, 1024))
     multiple = (
         n_0 * a_0,
@@ -140,21 +116,18 @@ def _first_condition_alone(paper: Printed) -> Iterator[Obligation]:
         a_2 + n_1,
     )
     powers = (as_term(1), lam, lam**2, lam**3, lam**4)
-    yield _section.needed(
-        "x-multiple",
-        THEOREM,
-        "a multiple of Q with positive coefficients: Q(λ)(λ²+11λ/64+15/1024)",
-        equal(paper.q(lam) * (lam**2 + n_1 * lam + n_0), lam**5 + dot(multiple, powers)),
-    )
+    yield from (
+        needed("x-recurrence", THEOREM,
+            "x_{k+3} + a₂ x_{k+2} + a₁ x_{k+1} + a₀ x_k = 0 along every orbit",
+            equal(states[3][0] + a_2 * states[2][0] + a_1 * states[1][0] + a_0 * x, 0)),
+        needed("x-multiple",   THEOREM,
+            "a multiple of Q with positive coefficients: Q(λ)(λ²+11λ/64+15/1024)",
+            equal(paper.q(lam) * (lam**2 + n_1 * lam + n_0), lam**5 + dot(multiple, powers))),
+    )  # fmt: skip
     for k, value in enumerate(multiple):
-        yield _section.needed(
-            f"x-multiple-{k}",
-            THEOREM,
-            f"its coefficient of λ^{k} is positive, so that no orbit has six successive x < 0, "
-            "whatever else it does",
-            0 < value,
-            uses,
-        )
+        yield needed(f"x-multiple-{k}", THEOREM, f"its coefficient of λ^{k} is positive, so that "
+            "no orbit has six successive x < 0, whatever else it does", 0 < value,
+            uses)  # fmt: skip
     # Five successive ones occur at r = 1/100.
     known = [as_term(-1), as_term(Fraction(-1, 400)), as_term(Fraction(-9, 10000))]
     hundredth = as_term(Fraction(1, 100))
@@ -162,9 +135,11 @@ def _first_condition_alone(paper: Printed) -> Iterator[Obligation]:
     for _ in range(3):
         known.append(-(at[2] * known[-1]) - at[1] * known[-2] - at[0] * known[-3])
     says = "five are possible: r = 1/100, x₀ = -1, x₁ = -1/400, x₂ = -9/10000 give"
-    yield _section.needed("x-five-3", THEOREM, f"{says} x₃ < 0", known[3] < as_term(0))
-    yield _section.needed("x-five-4", THEOREM, f"{says} x₄ < 0", known[4] < as_term(0))
-    yield _section.needed("x-five-5", THEOREM, f"{says} x₅ > 0", 0 < known[5])
+    yield from (
+        needed("x-five-3", THEOREM, f"{says} x₃ < 0", known[3] < as_term(0)),
+        needed("x-five-4", THEOREM, f"{says} x₄ < 0", known[4] < as_term(0)),
+        needed("x-five-5", THEOREM, f"{says} x₅ > 0", 0 < known[5]),
+    )  # fmt: skip
 
 
 def sequence(first: Term, second: Term, third: Term, length: int) -> list[Term]:
@@ -181,58 +156,41 @@ def _printed_cone() -> Iterator[Obligation]:
     n_4 = h - h**2 + r - _eighth
     n_3 = _eighth + h * (r - _eighth) - h**2 + r
     n_1 = h / 8 + r * (r - _eighth)
-    yield _section.needed(
-        "C1",
-        BOUND,
-        "the cone of the two conditions alone: c₆ + n₄c₄ + n₃c₃ + n₁c₁ + (r/8)c₀ = 0, so that "
-        "c₀, c₁, c₃, c₄ < 0 give x₂ = c₆ > 0: at most two successive states, for every r",
+    yield needed("C1", BOUND, "the cone of the two conditions alone: c₆ + n₄c₄ + n₃c₃ + n₁c₁ + "
+        "(r/8)c₀ = 0, so that c₀, c₁, c₃, c₄ < 0 give x₂ = c₆ > 0: at most two successive states, "
+        "for every r",
         equal(c_[6] + n_4 * c_[4] + n_3 * c_[3] + n_1 * c_[1] + r * _eighth * c_[0], 0),
-        uses,
-    )
+        uses)  # fmt: skip
     for k, value in ((4, n_4), (3, n_3), (1, n_1)):
-        yield _section.needed(f"C1-n{k}", BOUND, f"n_{k} is positive", 0 < value, uses)
+        yield needed(f"C1-n{k}", BOUND, f"n_{k} is positive", 0 < value, uses)
     tenth = as_term(Fraction(-1, 10))
     at = sequence(tenth, tenth, as_term(1), 5)
     for k in (3, 4):
-        yield _section.needed(
-            f"C1-two-{k}",
-            BOUND,
+        yield needed(f"C1-two-{k}", BOUND,
             f"two are possible for every r: c₀ = c₁ = -1/10, c₂ = 1 give c_{k} < 0",
-            at[k] < as_term(0),
-        )
+            at[k] < as_term(0))  # fmt: skip
     yield from _cone_c2(c_, uses)
 
 
 def _cone_c2(c_: list[Term], uses: list[str]) -> Iterator[Obligation]:
     """The cone C_2: in the normal components, sqrt(3)/2 (t - y) is a linear form."""
-    yield _section.needed(
-        "C2-form",
-        BOUND,
-        "(√3/2)(t-y) = c₂ - (1-h)/2 c₀ - (1/2-h) c₁ for every state",
-        equal(root_3 / 2 * (t - y), tangential(*met(STATE))),
-    )
     image = tangential(c_[3], c_[4], c_[5])
-    yield _section.needed(
-        "C2-image",
-        BOUND,
-        "(√3/2)(t'-y') = (r/2)c₀ + ((5r+1)/8)c₁ + ((1-3r)/4)c₂",
-        equal(image, r / 2 * c_0 + (5 * r + 1) / 8 * c_1 + (1 - 3 * r) / 4 * c_2),
-    )
     k = (3 * r - 1) / (1 + r)
-    yield _section.needed(
-        "C2-large-r",
-        BOUND,
-        "the same in c₀, c₁, c₃, which are negative if two successive states lie in the cone; so "
-        "for r > 1/3 two are impossible",
-        equal(image, r * (as_term(1) / 2 + k) * c_0 + ((5 * r + 1) / 8 + k * h) * c_1 + k * c_[3]),
-        uses,
-    )
-    yield _section.needed(
-        "C2-large-r-sign", BOUND, "3r - 1 > 0 for r > 1/3", 0 < 3 * r - 1, uses, within=LARGE
-    )
     start = -((1 - 3 * r) / 4)
     at = sequence(start, start, as_term(1), 6)
     says = "for r < 1/3 two are possible: c₀ = c₁ = -(1-3r)/4, c₂ = 1 give"
+    yield from (
+        needed("C2-form",         BOUND,
+            "(√3/2)(t-y) = c₂ - (1-h)/2 c₀ - (1/2-h) c₁ for every state",
+            equal(root_3 / 2 * (t - y), tangential(*met(STATE)))),
+        needed("C2-image",        BOUND, "(√3/2)(t'-y') = (r/2)c₀ + ((5r+1)/8)c₁ + ((1-3r)/4)c₂",
+            equal(image, r / 2 * c_0 + (5 * r + 1) / 8 * c_1 + (1 - 3 * r) / 4 * c_2)),
+        needed("C2-large-r",      BOUND, "the same in c₀, c₁, c₃, which are negative if two "
+            "successive states lie in the cone; so for r > 1/3 two are impossible", equal(image,
+            r * (as_term(1) / 2 + k) * c_0 + ((5 * r + 1) / 8 + k * h) * c_1 + k * c_[3]), uses),
+        needed("C2-large-r-sign", BOUND, "3r - 1 > 0 for r > 1/3",
+            0 < 3 * r - 1, uses, within=LARGE),
+    )  # fmt: skip
     for name, what, value in (
         ("c0", "c₀ < 0", start),
         ("c3", "c₃ < 0", at[3]),
@@ -240,9 +198,7 @@ def _cone_c2(c_: list[Term], uses: list[str]) -> Iterator[Obligation]:
         ("y", "y < t", -tangential(*at[:3])),
         ("y-next", "y' < t'", -tangential(*at[3:6])),
     ):
-        yield _section.needed(
-            f"C2-two-{name}", BOUND, f"{says} {what}", value < as_term(0), within=SMALL
-        )
+        yield needed(f"C2-two-{name}", BOUND, f"{says} {what}", value < as_term(0), within=SMALL)
 
 
 def tangential(first: Term, second: Term, third: Term) -> Term:
@@ -255,69 +211,41 @@ def _formal_paragraph(paper: Printed) -> Iterator[Obligation]:
     at_m = [substitute(value, {"r": r_of_m}) for value in c_]
     h_m = substitute(h, {"r": r_of_m})
     weights = (modulus, h_m - m, as_term(1))
-    yield _section.needed(
-        "spiral-plane",
-        THEOREM,
-        "the plane of the spiral is where ψ = (r/m)c₀ + (h-m)c₁ + c₂ vanishes: one collision "
-        "multiplies ψ by -m, at r = r(m)",
-        equal(dot(weights, at_m[1:4]), -m * dot(weights, at_m[:3])),
-        ["every-r", "spiral"],
-    )
-    yield _section.needed(
-        "spiral-transverse",
-        THEOREM,
-        "it is transverse to x = 0, to z = hx and to y = t: their forms are no multiples of ψ, "
-        "because r/m > 0 and -(1-h)/2 < 0",
-        0 < (1 - h) / 2,
-        ["spiral"],
-    )
     k = symbol("k")
     orbit = [
         -entry if fixed == as_term(0) else sum_of(-entry, product_of(k, fixed))
         for entry, fixed in zip(REAL_EIGENVECTOR, FIXED, strict=True)
     ]
     first_row = [substitute(entry, {"r": r_of_m}) for entry in paper.matrix[0]]
-    yield _section.misprint(
-        "manifold",
-        THEOREM,
-        "a triangular collapse is associated to iterations in a manifold of dimension 1: the "
-        "orbits of E₁ + ker(𝔄-λ₀) with x = -1 keep x' < 0 (r = r(m))",
-        dot(first_row, orbit) < as_term(0),
-        severity=HARMLESS,
-        corrected_by="manifold-empty",
-        within=LINE,
-    )
-    yield _section.needed(
-        "manifold-empty",
-        THEOREM,
-        "these orbits have x' = m³ > 0: they leave the cone at once, and the manifold is empty",
-        equal(dot(first_row, orbit), m**3),
-        ["every-r"],
-        within=LINE,
-    )
+    yield from (
+        needed("spiral-plane",      THEOREM, "the plane of the spiral is where ψ = (r/m)c₀ + "
+            "(h-m)c₁ + c₂ vanishes: one collision multiplies ψ by -m, at r = r(m)",
+            equal(dot(weights, at_m[1:4]), -m * dot(weights, at_m[:3])), ["every-r", "spiral"]),
+        needed("spiral-transverse", THEOREM, "it is transverse to x = 0, to z = hx and to y = t: "
+            "their forms are no multiples of ψ, because r/m > 0 and -(1-h)/2 < 0", 0 < (1 - h) / 2,
+            ["spiral"]),
+        misprint("manifold",        THEOREM, "a triangular collapse is associated to iterations "
+            "in a manifold of dimension 1: the orbits of E₁ + ker(𝔄-λ₀) with x = -1 keep x' < 0 "
+            "(r = r(m))", dot(first_row, orbit) < as_term(0), HARMLESS, "manifold-empty",
+            within=LINE),
+        needed("manifold-empty",    THEOREM,
+            "these orbits have x' = m³ > 0: they leave the cone at once, and the manifold is empty",
+            equal(dot(first_row, orbit), m**3), ["every-r"], within=LINE),
+    )  # fmt: skip
 
 
 def _full_dynamics() -> Iterator[Obligation]:
     g, cosine, p, q = symbols("g cosine p q")
     uses = ["no-triangular-collapse"]
-    yield _section.needed(
-        "full-jump",
-        ORDER,
-        "a collision of i with k, normal component g < 0, changes (v_j-v_i)·e by -(1+r)/2 g times "
-        "the cosine of the angle at i: p = v_j·e, q = v_i·e, and n·e is minus that cosine",
-        equal((p - (q - (1 + r) / 2 * g * -cosine)) - (p - q), -((1 + r) / 2 * g * cosine)),
-        uses,
-        within=APPROACH,
-    )
     p_1, p_2, q_1, q_2 = symbols("p_1 p_2 q_1 q_2")
-    yield _section.needed(
-        "full-convex",
-        COLLAPSE,
-        "|W|²ρ² - (W·x)² is a square in the plane of W and x: the distance ρ is convex in free "
-        "flight",
-        equal(
-            (p_1**2 + p_2**2) * (q_1**2 + q_2**2) - (p_1 * q_1 + p_2 * q_2) ** 2,
-            (p_1 * q_2 - p_2 * q_1) ** 2,
-        ),
-        uses,
-    )
+    yield from (
+        needed("full-jump",   ORDER, "a collision of i with k, normal component g < 0, changes "
+            "(v_j-v_i)·e by -(1+r)/2 g times the cosine of the angle at i: p = v_j·e, q = v_i·e, "
+            "and n·e is minus that cosine",
+            equal((p - (q - (1 + r) / 2 * g * -cosine)) - (p - q), -((1 + r) / 2 * g * cosine)),
+            uses, within=APPROACH),
+        needed("full-convex", COLLAPSE, "|W|²ρ² - (W·x)² is a square in the plane of W and x: the "
+            "distance ρ is convex in free flight",
+            equal((p_1**2 + p_2**2) * (q_1**2 + q_2**2) - (p_1 * q_1 + p_2 * q_2) ** 2,
+            (p_1 * q_2 - p_2 * q_1) ** 2), uses),
+    )  # fmt: skip

@@ -33,6 +33,7 @@ _quartic_in_r = 5 * r**4 - 76 * r**3 + 2142 * r**2 - 76 * r + 5
 DISCRIMINANT = -27 * (r + 1) ** 8 * _quartic_in_r / 2**24
 
 _section = Section("real root")
+needed, printed = _section.needed, _section.printed
 
 
 def q(s: Number) -> Term:
@@ -63,200 +64,104 @@ def rows(paper: Printed) -> Iterator[Obligation]:
 
 def _derivatives(paper: Printed) -> Iterator[Obligation]:
     eps = symbol("epsilon")
-    yield _section.needed(
-        "Q-derivatives",
-        THEOREM,
-        "Q(λ+ε) = Q(λ) + ε Q'(λ) + ε² Q''(λ)/2 + ε³",
-        equal(
-            paper.q(lam + eps),
-            paper.q(lam) + eps * paper.q_prime(lam) + eps**2 * paper.q_second(lam) / 2 + eps**3,
-        ),
-    )
-    yield _section.needed(
-        "lambda_c",
-        THEOREM,
-        "Q'' is zero only at λ_c: Q''(λ) = 6(λ-λ_c)",
-        equal(paper.q_second(lam), 6 * (lam - lambda_c)),
-    )
-    yield _section.needed(
-        "Q-prime-minimum",
-        THEOREM,
-        "Q' is a convex parabola with minimum at λ_c: Q'(λ) = 3(λ-λ_c)² + Q'(λ_c)",
-        equal(paper.q_prime(lam), 3 * (lam - lambda_c) ** 2 + paper.q_prime(lambda_c)),
-    )
-    yield _section.needed(
-        "Q-prime-expanded",
-        THEOREM,
-        "Q'(λ_c), the first displayed form",
-        equal(paper.q_prime(lambda_c), MINIMUM),
-    )
     u = r + 1
     bracket = u**4 - 24 * u**3 + 528 * u**2 - 2880 * u + 2304
-    yield _section.needed(
-        "Q-prime-factored",
-        THEOREM,
-        "Q'(λ_c), the second displayed form",
-        equal(paper.q_prime(lambda_c), -(u**2 / 12288) * bracket),
-    )
+    yield from (
+        needed("Q-derivatives",    THEOREM, "Q(λ+ε) = Q(λ) + ε Q'(λ) + ε² Q''(λ)/2 + ε³",
+            equal(paper.q(lam + eps),
+            paper.q(lam) + eps * paper.q_prime(lam) + eps**2 * paper.q_second(lam) / 2 + eps**3)),
+        needed("lambda_c",         THEOREM, "Q'' is zero only at λ_c: Q''(λ) = 6(λ-λ_c)",
+            equal(paper.q_second(lam), 6 * (lam - lambda_c))),
+        needed("Q-prime-minimum",  THEOREM,
+            "Q' is a convex parabola with minimum at λ_c: Q'(λ) = 3(λ-λ_c)² + Q'(λ_c)",
+            equal(paper.q_prime(lam), 3 * (lam - lambda_c) ** 2 + paper.q_prime(lambda_c))),
+        needed("Q-prime-expanded", THEOREM, "Q'(λ_c), the first displayed form",
+            equal(paper.q_prime(lambda_c), MINIMUM)),
+        needed("Q-prime-factored", THEOREM, "Q'(λ_c), the second displayed form",
+            equal(paper.q_prime(lambda_c), -(u**2 / 12288) * bracket)),
+    )  # fmt: skip
 
 
 def _quartic() -> Iterator[Obligation]:
     s, eps = symbols("s epsilon")
-    yield _section.needed(
-        "q-derivatives",
-        THEOREM,
-        "q(s+ε) = q(s) + ε q'(s) + ε² q''(s)/2 + ε³(4s-24) + ε⁴, with q'' as displayed",
-        equal(
-            q(s + eps),
-            q(s) + eps * q_prime(s) + eps**2 * q_second(s) / 2 + eps**3 * (4 * s - 24) + eps**4,
-        ),
-        within=ANY,
-    )
-    yield _section.printed(
-        "q-discriminant",
-        THEOREM,
-        "the discriminant of q'' is -29952",
-        equal(as_term(6 * 24) ** 2 - as_term(4) * 12 * 2 * 528, -29952),
-    )
-    yield _section.printed(
-        "q-discriminant-negative", THEOREM, "it is negative", as_term(-29952) < as_term(0)
-    )
-    yield _section.printed(
-        "q-convex",
-        THEOREM,
-        "so q'' is positive: q''(s) = 12(s-6)² + 624",
-        equal(q_second(s), 12 * (s - 6) ** 2 + 624),
-        within=ANY,
-    )
     says = "q decreases up to some s₀ and increases from there: q' increases and changes sign"
-    yield _section.printed(
-        "q-falls", THEOREM, f"{says}; q'(0) < 0", q_prime(0) < 0, uses=["monotone"]
-    )
-    yield _section.printed(
-        "q-rises", THEOREM, f"{says}; q'(6) > 0", 0 < q_prime(6), uses=["monotone"]
-    )
-    yield _section.needed("q-1", THEOREM, "q(1) = -71", equal(q(1), -71))
-    yield _section.needed("q-2", THEOREM, "q(2) = -1520", equal(q(2), -1520))
-    yield _section.needed(
-        "q-negative",
-        THEOREM,
-        "q(s) < 0 for 1 < s < 2 (and at both ends)",
-        q(s) < 0,
-        within=SHIFTED,
-    )
     u = r + 1
-    yield _section.needed(
-        "q-negative-r",
-        THEOREM,
-        "(r+1)⁴ - 24(r+1)³ + 528(r+1)² - 2880(r+1) + 2304 < 0",
-        u**4 - 24 * u**3 + 528 * u**2 - 2880 * u + 2304 < 0,
-    )
+    yield from (
+        needed("q-derivatives",            THEOREM,
+            "q(s+ε) = q(s) + ε q'(s) + ε² q''(s)/2 + ε³(4s-24) + ε⁴, with q'' as displayed",
+            equal(q(s + eps),
+            q(s) + eps * q_prime(s) + eps**2 * q_second(s) / 2 + eps**3 * (4 * s - 24) + eps**4),
+            within=ANY),
+        printed("q-discriminant",          THEOREM, "the discriminant of q'' is -29952",
+            equal(as_term(6 * 24) ** 2 - as_term(4) * 12 * 2 * 528, -29952)),
+        printed("q-discriminant-negative", THEOREM, "it is negative", as_term(-29952) < as_term(0)),
+        printed("q-convex",                THEOREM, "so q'' is positive: q''(s) = 12(s-6)² + 624",
+            equal(q_second(s), 12 * (s - 6) ** 2 + 624), within=ANY),
+        printed("q-falls", THEOREM, f"{says}; q'(0) < 0", q_prime(0) < 0, ["monotone"]),
+        printed("q-rises", THEOREM, f"{says}; q'(6) > 0", 0 < q_prime(6), ["monotone"]),
+        needed("q-1",                      THEOREM, "q(1) = -71", equal(q(1), -71)),
+        needed("q-2",                      THEOREM, "q(2) = -1520", equal(q(2), -1520)),
+        needed("q-negative",               THEOREM, "q(s) < 0 for 1 < s < 2 (and at both ends)",
+            q(s) < 0, within=SHIFTED),
+        needed("q-negative-r",             THEOREM,
+            "(r+1)⁴ - 24(r+1)³ + 528(r+1)² - 2880(r+1) + 2304 < 0",
+            u**4 - 24 * u**3 + 528 * u**2 - 2880 * u + 2304 < 0),
+    )  # fmt: skip
 
 
 def _increasing(paper: Printed) -> Iterator[Obligation]:
     kappa = symbol("kappa")
-    yield _section.needed(
-        "Q-prime-positive",
-        THEOREM,
-        "the minimum Q'(λ_c) of the derivative is positive",
-        0 < paper.q_prime(lambda_c),
-    )
-    yield _section.needed(
-        "Q-increasing",
-        THEOREM,
-        "Q is strictly increasing: Q(λ)-Q(κ) is λ-κ times a sum of two squares and Q'(λ_c)",
-        equal(
-            paper.q(lam) - paper.q(kappa),
-            (lam - kappa)
-            * (
-                3 * ((lam + kappa) / 2 - lambda_c) ** 2
-                + ((lam - kappa) / 2) ** 2
-                + paper.q_prime(lambda_c)
-            ),
-        ),
-        ["signs"],
-    )
     a_0, a_1, a_2, _ = paper.coefficients
-    yield _section.needed(
-        "Q-discriminant",
-        THEOREM,
-        "the discriminant of Q is -27(r+1)⁸(5r⁴-76r³+2142r²-76r+5)/2²⁴",
-        equal(
-            a_2**2 * a_1**2 - 4 * a_1**3 - 4 * a_2**3 * a_0 + 18 * a_2 * a_1 * a_0 - 27 * a_0**2,
-            DISCRIMINANT,
-        ),
-        ["polynomials"],
-    )
-    yield _section.needed(
-        "Q-discriminant-square",
-        THEOREM,
-        "its quartic factor is a sum of two squares",
-        equal(
-            _quartic_in_r,
-            5 * (r**2 - as_term(Fraction(38, 5)) * r + 1) ** 2 + as_term(Fraction(9216, 5)) * r**2,
-        ),
-        within=ANY,
-    )
-    yield _section.needed(
-        "Q-discriminant-negative",
-        THEOREM,
-        "the discriminant is negative: one real root and a genuine complex pair",
-        DISCRIMINANT < as_term(0),
-        ["polynomials"],
-    )
+    yield from (
+        needed("Q-prime-positive",        THEOREM,
+            "the minimum Q'(λ_c) of the derivative is positive", 0 < paper.q_prime(lambda_c)),
+        needed("Q-increasing",            THEOREM,
+            "Q is strictly increasing: Q(λ)-Q(κ) is λ-κ times a sum of two squares and Q'(λ_c)",
+            equal(paper.q(lam) - paper.q(kappa), (lam - kappa) * (3
+            * ((lam + kappa) / 2 - lambda_c) ** 2 + ((lam - kappa) / 2) ** 2
+            + paper.q_prime(lambda_c))), ["signs"]),
+        needed("Q-discriminant",          THEOREM,
+            "the discriminant of Q is -27(r+1)⁸(5r⁴-76r³+2142r²-76r+5)/2²⁴", equal(a_2**2 * a_1**2
+            - 4 * a_1**3 - 4 * a_2**3 * a_0 + 18 * a_2 * a_1 * a_0 - 27 * a_0**2, DISCRIMINANT),
+            ["polynomials"]),
+        needed("Q-discriminant-square",   THEOREM, "its quartic factor is a sum of two squares",
+            equal(_quartic_in_r,
+            5 * (r**2 - as_term(Fraction(38, 5)) * r + 1) ** 2 + as_term(Fraction(9216, 5)) * r**2),
+            within=ANY),
+        needed("Q-discriminant-negative", THEOREM,
+            "the discriminant is negative: one real root and a genuine complex pair",
+            DISCRIMINANT < as_term(0), ["polynomials"]),
+    )  # fmt: skip
 
 
 def _values(paper: Printed) -> Iterator[Obligation]:
     at_r, at_r3 = paper.q(-r), paper.q(-(r**3))
     bracket = r**4 + 2 * r**3 - 2 * r - 1
     uses = ["intermediate-value"]
-    yield _section.needed(
-        "Q-minus-r", REAL_ROOT, "Q(-r), the first display", equal(at_r, r * (bracket / 64))
-    )
-    yield _section.printed(
-        "Q-minus-r-root",
-        REAL_ROOT,
-        "r⁴+2r³-2r-1 vanishes at r = 1: it is r-1 times (r+1)³",
-        equal(bracket, (r - 1) * (r + 1) ** 3),
-        within=ANY,
-    )
-    yield _section.needed(
-        "Q-minus-r-factored",
-        REAL_ROOT,
-        "Q(-r), the factorised display",
-        equal(at_r, r / 64 * (r - 1) * (r + 1) ** 3),
-    )
-    yield _section.needed(
-        "Q-minus-r-negative", REAL_ROOT, "Q(-r) < 0, so -r < λ₀", at_r < as_term(0), uses
-    )
+    yield from (
+        needed("Q-minus-r", REAL_ROOT, "Q(-r), the first display", equal(at_r, r * (bracket / 64))),
+        printed("Q-minus-r-root",    REAL_ROOT,
+            "r⁴+2r³-2r-1 vanishes at r = 1: it is r-1 times (r+1)³",
+            equal(bracket, (r - 1) * (r + 1) ** 3), within=ANY),
+        needed("Q-minus-r-factored", REAL_ROOT, "Q(-r), the factorised display",
+            equal(at_r, r / 64 * (r - 1) * (r + 1) ** 3)),
+        needed("Q-minus-r-negative", REAL_ROOT, "Q(-r) < 0, so -r < λ₀", at_r < as_term(0), uses),
+    )  # fmt: skip
     bracket = -63 * r**6 - 9 * r**5 + 171 * r**4 - 171 * r**2 + 9 * r + 63
-    yield _section.needed(
-        "Q-minus-r3", REAL_ROOT, "Q(-r³), the first display", equal(at_r3, r**3 / 64 * bracket)
-    )
     factor = 7 * r**2 - 13 * r + 7
-    yield _section.printed(
-        "Q-minus-r3-root",
-        REAL_ROOT,
-        "its bracket vanishes at r = 1 and at r = -1",
-        equal(bracket, -9 * (r - 1) * (r + 1) ** 3 * factor),
-        within=ANY,
-    )
-    yield _section.needed(
-        "Q-minus-r3-factored",
-        REAL_ROOT,
-        "Q(-r³), the factorised display",
-        equal(at_r3, -(9 * r**3 / 64) * (r - 1) * (r + 1) ** 3 * factor),
-    )
-    yield _section.printed(
-        "Q-minus-r3-square",
-        REAL_ROOT,
-        "7r²-13r+7 is always positive: 7(r-13/14)² + 27/28",
-        equal(factor, 7 * (r - as_term(Fraction(13, 14))) ** 2 + as_term(Fraction(27, 28))),
-        within=ANY,
-    )
-    yield _section.needed(
-        "Q-minus-r3-positive", REAL_ROOT, "Q(-r³) > 0, so λ₀ < -r³", 0 < at_r3, uses
-    )
-    yield _section.needed("order-1", REAL_ROOT, "-1 < -r", -1 < -r)
-    yield _section.needed("order-2", REAL_ROOT, "-r < -r³", -r < -(r**3))
-    yield _section.needed("order-3", REAL_ROOT, "-r³ < 0", -(r**3) < as_term(0))
+    yield from (
+        needed("Q-minus-r3",          REAL_ROOT, "Q(-r³), the first display",
+            equal(at_r3, r**3 / 64 * bracket)),
+        printed("Q-minus-r3-root",    REAL_ROOT, "its bracket vanishes at r = 1 and at r = -1",
+            equal(bracket, -9 * (r - 1) * (r + 1) ** 3 * factor), within=ANY),
+        needed("Q-minus-r3-factored", REAL_ROOT, "Q(-r³), the factorised display",
+            equal(at_r3, -(9 * r**3 / 64) * (r - 1) * (r + 1) ** 3 * factor)),
+        printed("Q-minus-r3-square",  REAL_ROOT,
+            "7r²-13r+7 is always positive: 7(r-13/14)² + 27/28",
+            equal(factor, 7 * (r - as_term(Fraction(13, 14))) ** 2 + as_term(Fraction(27, 28))),
+            within=ANY),
+        needed("Q-minus-r3-positive", REAL_ROOT, "Q(-r³) > 0, so λ₀ < -r³", 0 < at_r3, uses),
+        needed("order-1",             REAL_ROOT, "-1 < -r", -1 < -r),
+        needed("order-2",             REAL_ROOT, "-r < -r³", -r < -(r**3)),
+        needed("order-3",             REAL_ROOT, "-r³ < 0", -(r**3) < as_term(0)),
+    )  # fmt: skip

@@ -64,10 +64,10 @@ class Section:
         label: str,
         says: str,
         claim: Claim,
-        uses: Iterable[str] = (),
-        *,
         severity: str,
         corrected_by: str,
+        uses: Iterable[str] = (),
+        *,
         within: str = NUMBERS,
     ) -> Obligation:
         """A row of the paper that is refuted."""

@@ -6,11 +6,13 @@ one is at work, and where: so no table of places is kept by hand.
 
 from __future__ import annotations
 
+import ast
 import inspect
 from collections.abc import Callable, Iterator
 from difflib import get_close_matches
 from functools import cache
 from importlib import import_module
+from operator import length_hint
 from pathlib import Path
 from pkgutil import walk_packages
 from types import CodeType, GeneratorType, ModuleType
@@ -130,7 +132,21 @@ def _at_work(running: Any) -> tuple[str, int]:
         running = running.gi_yieldfrom
         if "." not in running.gi_code.co_qualname:  # a method serves many places
             inner = running
-    return _path(inner.gi_code), inner.gi_frame.f_lineno
+    path, line = _path(inner.gi_code), inner.gi_frame.f_lineno
+    rows = _tables(path).get(line, ())
+    return path, rows[-1 - length_hint(inner.gi_yieldfrom)] if rows else line
+
+
+@cache
+def _tables(path: str) -> dict[int, tuple[int, ...]]:
+    """Where the rows of each table stand that a generator yields from, by the table's line."""
+    nodes = ast.walk(ast.parse((ROOT / path).read_text(encoding="utf-8")))
+    yields = [node for node in nodes if isinstance(node, ast.YieldFrom)]
+    return {
+        node.lineno: tuple(row.lineno for row in node.value.elts)
+        for node in yields
+        if isinstance(node.value, ast.Tuple)
+    }
 
 
 def _start(function: Any) -> tuple[str, int]:

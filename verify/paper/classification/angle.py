@@ -21,11 +21,8 @@ def chapters() -> Iterator[Chapter]:
         {"impulse": 0 < a.J, "mass": 0 < a.m, "angle": 0 <= a.cosine},
     )
     yield Chapter(None, (Opened(context),))
-    line = Line(
-        "acute-keeps",
-        a.rho <= a.rho + a.J / a.m * a.cosine,
-        proof(times("acute-impulse", "acute-angle")),
-        "DEFINSS2.1DecmpVitesNrmTg",
-        "a collision of a with k at which the angle at a is at most a right one lowers ρ_ab never",
-    )
+    line = Line("acute-keeps", a.rho <= a.rho + a.J / a.m * a.cosine,
+                proof(times("acute-impulse", "acute-angle")), "DEFINSS2.1DecmpVitesNrmTg",
+                "a collision of a with k at which the angle at a is at most a right one lowers "
+                "ρ_ab never")  # fmt: skip
     yield Chapter(a.context, (line,))

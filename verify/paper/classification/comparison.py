@@ -82,25 +82,12 @@ def _ratio() -> Iterator[Chapter]:
             ),
         ),
     )
-    yield Chapter(
-        q.context,
-        (
-            Line(
-                "ratio-falls",
-                2 * q.s - q.a <= q.q - (q.a - q.s**2 / q.q),
-                proof(square(q.q - q.s)),
-                EXISTENCE,
-                "q - (a - r/q) ≥ 2√r - a, since (q-√r)² ≥ 0",
-            ),
-            Line(
-                "fall-positive",
-                0 < 2 * q.s - q.a,
-                proof("ratio-small"),
-                EXISTENCE,
-                "so the ratio falls by a fixed amount each time",
-            ),
-        ),
-    )
+    yield Chapter(q.context, (
+        Line("ratio-falls",   2 * q.s - q.a <= q.q - (q.a - q.s**2 / q.q), proof(square(q.q - q.s)),
+             EXISTENCE, "q - (a - r/q) ≥ 2√r - a, since (q-√r)² ≥ 0"),
+        Line("fall-positive", 0 < 2 * q.s - q.a, proof("ratio-small"),
+             EXISTENCE, "so the ratio falls by a fixed amount each time"),
+    ))  # fmt: skip
 
 
 def _final() -> Iterator[Chapter]:
@@ -111,13 +98,9 @@ def _final() -> Iterator[Chapter]:
         {"root": 0 < c.s, "size": 0 < 1 + c.s**2, "angle": c.C < least},
     )
     yield Chapter(None, (Opened(context),))
-    small = Line(
-        "angle-small",
-        (1 + c.s**2) / 2 * c.C < 2 * c.s,
-        scaled(times(2, "goal"), "final-angle"),
-        EXISTENCE,
-        "if -cos θ < 4√r/(1+r), then a = (1+r)/2 (-cos θ) < 2√r",
-    )
+    small = Line("angle-small", (1 + c.s**2) / 2 * c.C < 2 * c.s,
+                 scaled(times(2, "goal"), "final-angle"),
+                 EXISTENCE, "if -cos θ < 4√r/(1+r), then a = (1+r)/2 (-cos θ) < 2√r")  # fmt: skip
     yield Chapter(c.context, (small,))
 
 
@@ -134,61 +117,34 @@ def _values() -> Iterator[Chapter]:
     root = sqrt(below.r)
     apart = times("below-high", plus("below-high", times(8, "root-three")))
     size = plus(1, "below-low")
-    yield Chapter(
-        below.context,
-        (
-            Line("below-size", 0 < 1 + below.r, proof(size)),
-            Line("below-root", 0 < root, ByRoot()),
-            Line(
-                "below-square",
-                0 <= below.r**2 - 14 * below.r + 1,
-                proof(apart),
-                TEXT,
-                "r² - 14r + 1 ≥ 0 for r in ]0, 7-4√3], so that its sign decides",
-            ),
-            Line(
-                "below-real",
-                4 * below.r <= ((1 + below.r) / 2) ** 2,
-                proof(times(Fraction(1, 4), "below-square")),
-                TEXT,
-                "a² ≥ 4r for a = (1+r)/2 and these r",
-            ),
-            Line(
-                "bound-below-one",
-                4 * root / (1 + below.r) <= 1,
-                scaled(
-                    times("goal", plus("goal", times(2, size))),
-                    apart,
-                ),
-                TEXT,
-                "for r ≤ 7-4√3 the bound 4√r/(1+r) excludes nothing on a line",
-            ),
-        ),
-    )
+    yield Chapter(below.context, (
+        Line("below-size",      0 < 1 + below.r, proof(size)),
+        Line("below-root",      0 < root, ByRoot()),
+        Line("below-square",    0 <= below.r**2 - 14 * below.r + 1, proof(apart),
+             TEXT, "r² - 14r + 1 ≥ 0 for r in ]0, 7-4√3], so that its sign decides"),
+        Line("below-real",      4 * below.r <= ((1 + below.r) / 2) ** 2,
+             proof(times(Fraction(1, 4), "below-square")),
+             TEXT, "a² ≥ 4r for a = (1+r)/2 and these r"),
+        Line("bound-below-one", 4 * root / (1 + below.r) <= 1,
+             scaled(times("goal", plus("goal", times(2, size))), apart),
+             TEXT, "for r ≤ 7-4√3 the bound 4√r/(1+r) excludes nothing on a line"),
+    ))  # fmt: skip
 
 
 def _above() -> Iterator[Item]:
     r = above.r
-    yield Line("above-positive", 0 < r, proof("r-exist-positive", "above-low"))
-    yield Line("above-size", 0 < 1 + r, proof(1, "above-positive"))
-    yield Line("above-root", 0 < sqrt(r), ByRoot())
-    yield Line(
-        "above-square",
-        r**2 - 14 * r + 1 < 0,
-        proof(times("above-low", plus("above-high", 6, times(4, "root-three")))),
-        TEXT,
-        "r² - 14r + 1 < 0 for r in ]7-4√3, 1]",
-    )
-    yield Line(
-        "bound-above-one",
-        1 < 4 * sqrt(r) / (1 + r),
-        scaled(
-            times("goal", plus(1, "above-positive", times(4, "above-root"))),
-            "above-square",
-        ),
-        TEXT,
-        "for r > 7-4√3 the bound 4√r/(1+r) exceeds every cosine",
-    )
+    yield from (
+        Line("above-positive",  0 < r, proof("r-exist-positive", "above-low")),
+        Line("above-size",      0 < 1 + r, proof(1, "above-positive")),
+        Line("above-root",      0 < sqrt(r), ByRoot()),
+        Line("above-square",    r**2 - 14 * r + 1 < 0,
+             proof(times("above-low", plus("above-high", 6, times(4, "root-three")))),
+             TEXT, "r² - 14r + 1 < 0 for r in ]7-4√3, 1]"),
+        Line("bound-above-one", 1 < 4 * sqrt(r) / (1 + r),
+             scaled(times("goal", plus(1, "above-positive", times(4, "above-root"))),
+                    "above-square"),
+             TEXT, "for r > 7-4√3 the bound 4√r/(1+r) exceeds every cosine"),
+    )  # fmt: skip
 
 
 def _endless() -> Iterator[Chapter]:
@@ -208,28 +164,16 @@ def _endless() -> Iterator[Chapter]:
     opening = tuple(Line(f"start-{n}", claim, proof(1)) for n, claim in at_start.items())
     yield Chapter(k_0.context, (*opening, Opened(context._replace(givens=carried), names)))
     half = Fraction(1, 2)
-    grows = Line(
-        "next-grows",
-        substitute_claim(givens["grows"], after),
-        scaled(
-            times("unbounded-a", "goal"),
-            times(half, "endless-high", "unbounded-real"),
-            times(2, "unbounded-r", "endless-grows"),
-        ),
-    )
-    high = Line(
-        "next-high",
-        substitute_claim(givens["high"], after),
-        proof("next-grows", times(half, "unbounded-a", "endless-high")),
-    )
+    grows = Line("next-grows", substitute_claim(givens["grows"], after),
+                 scaled(times("unbounded-a", "goal"), times(half, "endless-high", "unbounded-real"),
+                        times(2, "unbounded-r", "endless-grows")))  # fmt: skip
+    high = Line("next-high", substitute_claim(givens["high"], after),
+                proof("next-grows", times(half, "unbounded-a", "endless-high")))  # fmt: skip
     yield Chapter(k.context, (grows, high))
-    always = Line(
-        "comparison-endless",
-        Always(k.context, start, after),
-        ByInduction(names, ("next-high", "next-grows")),
-        TEXT,
-        "if a² ≥ 4r, then s_n > 0 for every n ≥ 1: the comparison sequence ends no run",
-    )
+    always = Line("comparison-endless", Always(k.context, start, after),
+                  ByInduction(names, ("next-high", "next-grows")), TEXT,
+                  "if a² ≥ 4r, then s_n > 0 for every n ≥ 1: the comparison sequence ends no "
+                  "run")  # fmt: skip
     yield Chapter(k_0.context, (always,))
 
 
@@ -245,22 +189,9 @@ def _line() -> Iterator[Chapter]:
         {"term": 0 < n.s_1, "large": n.r * n.s_0 / n.s_1 < n.x},
     )
     yield Chapter(None, (Opened(context),))
-    yield Chapter(
-        n.context,
-        (
-            Line(
-                "line-solution",
-                equal(third, n.a * second - n.r * first),
-                identity(),
-                EXISTENCE,
-                "these u_n solve u_{n+2} = a u_{n+1} - r u_n",
-            ),
-            Line(
-                "line-positive",
-                0 < first,
-                proof("line-large"),
-                EXISTENCE,
-                "and u_n > 0 while s_{n-1} > 0, if u_2 = x is large enough",
-            ),
-        ),
-    )
+    yield Chapter(n.context, (
+        Line("line-solution", equal(third, n.a * second - n.r * first), identity(),
+             EXISTENCE, "these u_n solve u_{n+2} = a u_{n+1} - r u_n"),
+        Line("line-positive", 0 < first, proof("line-large"),
+             EXISTENCE, "and u_n > 0 while s_{n-1} > 0, if u_2 = x is large enough"),
+    ))  # fmt: skip

@@ -16,9 +16,8 @@ from verify.paper.classification.settings import Letters
 LABEL = "DEFINSS3.1Collapse_Inelas"
 HALF = Fraction(1, 2)
 
-v = Letters(
-    "inward", R="R", e="e", A="A", t="t", R_t="R(t)", T="T", Q="Σσ t_n J_n", R_0="R(0)", hit="σ J"
-)
+v = Letters("inward", R="R", e="e", A="A", t="t", R_t="R(t)", T="T", Q="Σσ t_n J_n", R_0="R(0)",
+            hit="σ J")  # fmt: skip
 
 
 def chapters() -> Iterator[Chapter]:
@@ -43,42 +42,20 @@ def chapters() -> Iterator[Chapter]:
 
 
 def _lines() -> Iterator[Item]:
-    yield Line(
-        "ratio-collision",
-        v.A / v.R <= (v.A + v.hit) / v.R,
-        proof(times("inward-R", "inward-hit")),
-        LABEL,
-        "A/R jumps up at a collision",
-    )
-    yield Line(
-        "shrinks",
-        v.R_t**2 <= v.R**2,
-        proof(
-            times("inward-time", "inward-A"),
-            times("inward-time", "inward-A-later"),
-            equations=(("inward-distance", as_term(-1)),),
-        ),
-        LABEL,
-        "R falls while A ≤ 0",
-    )
     later = v.T + v.t
     virial = v.A + v.t * v.e**2 + v.hit
-    yield Line(
-        "next-times",
-        v.Q + later * v.hit + v.R_t**2 / 2 - later * virial <= v.R_0**2 / 2,
-        proof(
-            "inward-weighted",
-            times(HALF, square(v.t * v.e)),
-            times("inward-T", "inward-time", square(v.e)),
-            equations=(("inward-distance", as_term(-HALF)),),
-        ),
-        LABEL,
-        "Σσ t_n J_n + R²/2 - T A never rises",
-    )
-    yield Line(
-        "impulse-times",
-        v.Q <= v.R_0**2 / 2,
-        proof("inward-weighted", times("inward-T", "inward-A"), times(HALF, square(v.R))),
-        LABEL,
-        "so Σσ t_n J_n ≤ R(0)²/2",
-    )
+    yield from (
+        Line("ratio-collision", v.A / v.R <= (v.A + v.hit) / v.R,
+             proof(times("inward-R", "inward-hit")), LABEL, "A/R jumps up at a collision"),
+        Line("shrinks",         v.R_t**2 <= v.R**2,
+             proof(times("inward-time", "inward-A"), times("inward-time", "inward-A-later"),
+                   equations=(("inward-distance", as_term(-1)),)), LABEL, "R falls while A ≤ 0"),
+        Line("next-times",      v.Q + later * v.hit + v.R_t**2 / 2 - later * virial <= v.R_0**2 / 2,
+             proof("inward-weighted", times(HALF, square(v.t * v.e)),
+                   times("inward-T", "inward-time", square(v.e)),
+                   equations=(("inward-distance", as_term(-HALF)),)),
+             LABEL, "Σσ t_n J_n + R²/2 - T A never rises"),
+        Line("impulse-times",   v.Q <= v.R_0**2 / 2,
+             proof("inward-weighted", times("inward-T", "inward-A"), times(HALF, square(v.R))),
+             LABEL, "so Σσ t_n J_n ≤ R(0)²/2"),
+    )  # fmt: skip

@@ -65,28 +65,19 @@ def chapters() -> Iterator[Chapter]:
 def _lines() -> Iterator[Item]:
     uses = ("cauchy-schwarz",)
     square = power("flight-now-apart", 2)
-    yield Line(
-        "flight-tangent",
-        TANGENT,
-        scaled(
-            times("goal", plus("goal", times(2, "flight-later-apart")), square),
-            times(power("flight-time", 2), "flight-cs"),
-        )._replace(equations=(("flight-distance", v.D**2),)),
-        LABEL,
-        "|x| + tρ ≤ |x+tw|: in free flight the distance lies above its tangent",
-        uses,
-    )
-    yield Line(
-        "flight-normal",
-        NORMAL,
-        scaled(
-            times("flight-time", "goal"),
-            times(plus("flight-now-apart", "flight-later-apart"), "flight-tangent"),
-        )._replace(equations=(("flight-distance", as_term(-1)),)),
-        LABEL,
-        "in free flight ρ = x·w/|x|, the speed at which the distance grows, never falls",
-        uses,
-    )
+    yield from (
+        Line("flight-tangent", TANGENT,
+             scaled(times("goal", plus("goal", times(2, "flight-later-apart")), square),
+                    times(power("flight-time", 2), "flight-cs"))
+             ._replace(equations=(("flight-distance", v.D**2),)),
+             LABEL, "|x| + tρ ≤ |x+tw|: in free flight the distance lies above its tangent", uses),
+        Line("flight-normal",  NORMAL,
+             scaled(times("flight-time", "goal"),
+                    times(plus("flight-now-apart", "flight-later-apart"), "flight-tangent"))
+             ._replace(equations=(("flight-distance", as_term(-1)),)), LABEL,
+             "in free flight ρ = x·w/|x|, the speed at which the distance grows, never falls",
+             uses),
+    )  # fmt: skip
 
 
 def used(

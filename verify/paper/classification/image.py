@@ -64,20 +64,13 @@ def _lines() -> Iterator[Item]:
         ("02", before_2[2], n.b),
         ("12", dot(NORMAL_12, before_3), n.c),
     ):
-        yield Line(
-            f"cone-meets-{name}",
-            equal(value, letter),
-            identity(),
-            THEOREM,
-            f"the collision {name[0]}-{name[1]} meets this normal component",
-        )
-    yield Line(
-        "cone-stated-12",
-        equal(dot(NORMAL_STATED, apply(A_B, apply(A_A, stated_state()))), n.c),
-        identity(),
-        MATRIX_LABEL,
-        "and so it does, for other y, if c is read in the basis as the text states it",
-    )
+        yield Line(f"cone-meets-{name}", equal(value, letter), identity(), THEOREM,
+                   f"the collision {name[0]}-{name[1]} meets this normal component")  # fmt: skip
+    yield Line("cone-stated-12",
+               equal(dot(NORMAL_STATED, apply(A_B, apply(A_A, stated_state()))), n.c), identity(),
+               MATRIX_LABEL,
+               "and so it does, for other y, if c is read in the basis as the text states "
+               "it")  # fmt: skip
     quarter = plus("triple-r", 1)
     both = times(QUARTER, quarter, plus("triple-b", "triple-c"))
     last = times(QUARTER, quarter, "triple-c")
@@ -86,20 +79,13 @@ def _lines() -> Iterator[Item]:
         ("z", image[2], -(r * n.b) - h * n.c, ("triple-b", last), "z' = -rb - hc"),
         ("12", dot(NORMAL_12, image), -(r * n.c), ("triple-c",), "the third is -rc"),
     ):
-        yield Line(
-            f"cone-image-{name}",
-            equal(value, expected),
-            identity(),
-            BOUND,
-            f"the image under the printed matrix: {says}, h = (1+r)/4",
-        )
-        yield Line(
-            f"cone-sign-{name}",
-            0 < expected,
-            proof(times("triple-r", addends[0]), *addends[1:]),
-            BOUND,
-            "it is positive: this pair recedes after the triple, for every r",
-        )
+        yield from (
+            Line(f"cone-image-{name}", equal(value, expected), identity(),
+                 BOUND, f"the image under the printed matrix: {says}, h = (1+r)/4"),
+            Line(f"cone-sign-{name}",  0 < expected,
+                 proof(times("triple-r", addends[0]), *addends[1:]),
+                 BOUND, "it is positive: this pair recedes after the triple, for every r"),
+        )  # fmt: skip
 
 
 def stated_state() -> Vector:

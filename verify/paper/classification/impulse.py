@@ -32,21 +32,8 @@ LABEL = "PROPOSS3.2SommaCompNormlV"
 COLLAPSE = "DEFINSS3.1Collapse_Inelas"
 
 w = Letters("whole", R="R", e="e", A="A", t="t", R_t="R(t)")
-g = Letters(
-    "total",
-    R="R",
-    e="e",
-    A="A",
-    P="P",
-    I="I",
-    S="Σσ J",
-    R_0="R(0)",
-    A_0="A(0)",
-    t="t",
-    R_t="R(t)",
-    slow="e'",
-    hit="σ J",
-)
+g = Letters("total", R="R", e="e", A="A", P="P", I="I", S="Σσ J", R_0="R(0)", A_0="A(0)", t="t",
+            R_t="R(t)", slow="e'", hit="σ J")  # fmt: skip
 s = Letters("spin", X="|x|²", V="|v|²", s="x·v", a="x·p", b="x·q", c="v·p", d="v·q", t="t")
 
 
@@ -74,64 +61,37 @@ def _whole() -> Iterator[Item]:
     uses = ("cauchy-schwarz",)
     size = times(2, "whole-R", "whole-e")
     for name, side, letter in (("upper", w.A, "A"), ("lower", -w.A, "-A")):
-        yield Line(
-            f"virial-{name}",
-            side <= w.R * w.e,
-            scaled(times("goal", plus("goal", size)), "whole-cs"),
-            LABEL,
-            f"{letter} ≤ R e",
-            uses,
-        )
-    yield Line(
-        "growth",
-        w.R_t <= w.R + w.t * w.e,
-        scaled(
-            times("goal", plus("goal", times(2, plus("whole-R", times("whole-time", "whole-e"))))),
-            times(2, "whole-time", "virial-upper"),
-        )._replace(equations=(("whole-distance", as_term(-1)),)),
-        LABEL,
-        "R grows at most as fast as e: R(t) ≤ R + te",
-        uses,
-    )
-    yield Line(
-        "trapezoid",
-        equal(w.R_t**2 - w.R**2, w.t * (w.A + (w.A + w.t * w.e**2))),
-        identity("", (("whole-distance", as_term(1)),)),
-        LABEL,
-        "(R²)' = 2A and A' = e², between two instants: R(t)² - R² = t (A + A(t))",
-    )
-    yield Line(
-        "energy-least",
-        w.A / w.R <= w.e,
-        proof("virial-upper"),
-        COLLAPSE,
-        "A/R ≤ e",
-        uses,
-    )
+        yield Line(f"virial-{name}", side <= w.R * w.e,
+                   scaled(times("goal", plus("goal", size)), "whole-cs"),
+                   LABEL, f"{letter} ≤ R e", uses)  # fmt: skip
+    yield from (
+        Line("growth",       w.R_t <= w.R + w.t * w.e,
+             scaled(times("goal",
+                          plus("goal", times(2, plus("whole-R", times("whole-time", "whole-e"))))),
+                    times(2, "whole-time", "virial-upper"))
+             ._replace(equations=(("whole-distance", as_term(-1)),)),
+             LABEL, "R grows at most as fast as e: R(t) ≤ R + te", uses),
+        Line("trapezoid",    equal(w.R_t**2 - w.R**2, w.t * (w.A + (w.A + w.t * w.e**2))),
+             identity("", (("whole-distance", as_term(1)),)),
+             LABEL, "(R²)' = 2A and A' = e², between two instants: R(t)² - R² = t (A + A(t))"),
+        Line("energy-least", w.A / w.R <= w.e, proof("virial-upper"), COLLAPSE, "A/R ≤ e", uses),
+    )  # fmt: skip
 
 
 def _ratio() -> Iterator[Item]:
     at = flight.values(w.R, w.A / w.R, w.e**2, w.t, w.R_t)
-    yield Line(
-        "whole-cs-path",
-        flight.given_at("cs", at),
-        proof(times(power("whole-R", 2), "whole-cs")),
-    )
-    yield Line(
-        "whole-path",
-        flight.given_at("distance", at),
-        identity("", (("whole-distance", w.R),)),
-    )
+    yield from (
+        Line("whole-cs-path", flight.given_at("cs", at),
+             proof(times(power("whole-R", 2), "whole-cs"))),
+        Line("whole-path",    flight.given_at("distance", at),
+             identity("", (("whole-distance", w.R),))),
+    )  # fmt: skip
     premises = ("whole-R", "whole-later", "whole-time", "whole-cs-path", "whole-path")
     yield from flight.used("whole-normal", flight.NORMAL, at, premises)
-    yield Line(
-        "ratio-flight",
-        w.A / w.R <= (w.A + w.t * w.e**2) / w.R_t,
-        scaled(times("whole-R", "goal"), "whole-normal"),
-        COLLAPSE,
-        "A/R never falls in free flight: it is the ρ of the whole system",
-        ("cauchy-schwarz",),
-    )
+    yield Line("ratio-flight", w.A / w.R <= (w.A + w.t * w.e**2) / w.R_t,
+               scaled(times("whole-R", "goal"), "whole-normal"), COLLAPSE,
+               "A/R never falls in free flight: it is the ρ of the whole system",
+               ("cauchy-schwarz",))  # fmt: skip
 
 
 def _total() -> Iterator[Chapter]:
@@ -167,41 +127,20 @@ def _sums() -> Iterator[Item]:
     yield Line("total-growth", g.R_t <= g.R + g.t * g.e, ByInstance("growth", at, premises))
     move = times("total-time", "total-e")
     further, longer = g.P + g.t * g.e, g.I + g.t * g.e**2
-    yield Line(
-        "next-path",
-        g.R_t <= further,
-        proof("total-growth", "total-path"),
-        LABEL,
-        "R stays at most P",
-    )
-    yield Line("next-start", g.R_0 <= further, proof("total-start", move), LABEL, "P stays ≥ R(0)")
-    yield Line(
-        "next-virial",
-        equal((g.A + g.t * g.e**2) + g.hit, g.A_0 + longer + (g.S + g.hit)),
-        identity("", (("total-virial", as_term(1)),)),
-        LABEL,
-        "A = A(0) + I + Σσ J goes on",
-    )
-    yield Line(
-        "next-weighted",
-        further * g.slow <= g.R_0 * g.slow + longer,
-        proof("total-weighted", times(plus("total-start", move), "total-slower")),
-        LABEL,
-        "P e ≤ R(0) e + I goes on, as e never rises",
-    )
-    yield Line(
-        "total-impulse",
-        g.S <= g.R_0 * g.e - g.A_0,
-        proof(
-            "total-upper",
-            times("total-path", "total-e"),
-            "total-weighted",
-            equations=(("total-virial", as_term(1)),),
-        ),
-        LABEL,
-        "so Σ σ J ≤ R(0) e - A(0) for all time",
-        ("cauchy-schwarz",),
-    )
+    yield from (
+        Line("next-path", g.R_t <= further, proof("total-growth", "total-path"),
+             LABEL, "R stays at most P"),
+        Line("next-start", g.R_0 <= further, proof("total-start", move), LABEL, "P stays ≥ R(0)"),
+        Line("next-virial", equal((g.A + g.t * g.e**2) + g.hit, g.A_0 + longer + (g.S + g.hit)),
+             identity("", (("total-virial", as_term(1)),)), LABEL, "A = A(0) + I + Σσ J goes on"),
+        Line("next-weighted", further * g.slow <= g.R_0 * g.slow + longer,
+             proof("total-weighted", times(plus("total-start", move), "total-slower")),
+             LABEL, "P e ≤ R(0) e + I goes on, as e never rises"),
+        Line("total-impulse", g.S <= g.R_0 * g.e - g.A_0,
+             proof("total-upper", times("total-path", "total-e"), "total-weighted",
+                   equations=(("total-virial", as_term(1)),)),
+             LABEL, "so Σ σ J ≤ R(0) e - A(0) for all time", ("cauchy-schwarz",)),
+    )  # fmt: skip
 
 
 def _spin() -> Iterator[Chapter]:
@@ -211,26 +150,10 @@ def _spin() -> Iterator[Chapter]:
         {},
     )
     yield Chapter(None, (Opened(context),))
-    yield Chapter(
-        s.context,
-        (
-            Line(
-                "spin-flight",
-                equal(
-                    (s.a + s.t * s.c) * s.d - (s.b + s.t * s.d) * s.c,
-                    s.a * s.d - s.b * s.c,
-                ),
-                identity(),
-                LABEL,
-                "the angular momentum is kept in free flight, x becomes x+tv",
-            ),
-            Line(
-                "spin-length",
-                s.X * s.V - s.s**2 <= s.X * s.V,
-                proof(square(s.s)),
-                LABEL,
-                "|x∧v|² = |x|²|v|² - (x·v)² ≤ |x|²|v|²",
-                ("cauchy-schwarz",),
-            ),
-        ),
-    )
+    yield Chapter(s.context, (
+        Line("spin-flight",
+             equal((s.a + s.t * s.c) * s.d - (s.b + s.t * s.d) * s.c, s.a * s.d - s.b * s.c),
+             identity(), LABEL, "the angular momentum is kept in free flight, x becomes x+tv"),
+        Line("spin-length", s.X * s.V - s.s**2 <= s.X * s.V, proof(square(s.s)),
+             LABEL, "|x∧v|² = |x|²|v|² - (x·v)² ≤ |x|²|v|²", ("cauchy-schwarz",)),
+    ))  # fmt: skip

@@ -69,119 +69,79 @@ def chapters() -> Iterator[Chapter]:
     )
     yield Chapter(None, (Opened(start),))
     begin = beginning()
-    lines = [
-        Line(f"first-{name}", substitute_claim(claim, begin), proof(*addends))
-        for (name, claim), addends in zip(
-            {**ghosts(), "bent": BENT}.items(),
-            ((), (), (times("first-r", "first-closed"),), ()),
-            strict=True,
-        )
-    ]
+    lines = [Line(f"first-{name}", substitute_claim(claim, begin), proof(*addends))
+             for (name, claim), addends in zip({**ghosts(), "bent": BENT}.items(),
+                                               ((), (), (times("first-r", "first-closed"),), ()),
+                                               strict=True)]  # fmt: skip
     premises = [f"first-{name}" for name in (*carried(), *standing())]
     yield Chapter(first.context, (*lines, Opened(context(), tuple(premises))))
     yield Chapter(v.context, (*_meeting(), *_path_c(), *_path_s(), *_laws(), *_count()))
-    always = Line(
-        "run-always",
-        Always(v.context, begin, following()),
-        ByInduction(
-            tuple(f"first-{name}" for name in carried()),
-            tuple(f"next-{name}" for name in carried()),
-        ),
-        LABEL,
-        "by induction, as long as the run goes on, u_{n+1} s_{n-1} < u_n s_n, where s_0 = 0, "
-        "s_1 = 1, s_{n+1} = a s_n - r s_{n-1}; so s_n > 0 if there is an (n+1)-th collision",
-        ("alternating-run", "cauchy-schwarz"),
-    )
+    always = Line("run-always", Always(v.context, begin, following()),
+                  ByInduction(tuple(f"first-{name}" for name in carried()),
+                              tuple(f"next-{name}" for name in carried())), LABEL,
+                  "by induction, as long as the run goes on, u_{n+1} s_{n-1} < u_n s_n, where s_0 "
+                  "= 0, s_1 = 1, s_{n+1} = a s_n - r s_{n-1}; so s_n > 0 if there is an (n+1)-th "
+                  "collision", ("alternating-run", "cauchy-schwarz"))  # fmt: skip
     yield Chapter(first.context, (always,))
 
 
 def _meeting() -> Iterator[Item]:
     """The time to the next collision, and its closing speed."""
-    yield Line("speed-positive", 0 < v.A, proof("run-cs-c", power("run-approaches", 2)))
-    yield Line("D-positive", 0 < v.D, proof("run-apart", "run-contact-c"))
-    yield Line("root-positive", 0 < sqrt(discriminant(v)), ByRoot())
-    yield Defined("S")
-    yield Line("S-positive", 0 < S, proof("root-positive", using="S"))
-    yield Defined("tau")
-    yield Line(
-        "tau-positive",
-        0 < tau,
-        scaled(
-            times("goal", plus("S-positive", times("D-positive", "run-approaches"))),
-            times("speed-positive", "run-apart", plus("run-apart", times(2, "run-contact-c"))),
-            using="tau S",
-        ),
-        LAW,
-        "the next collision of the run takes place later",
-    )
-    yield Line(
-        "contact",
-        equal(dot(meeting, meeting), v.c**2),
-        identity("tau S"),
-        LAW,
-        "at that time 0 and c are in contact",
-    )
-    yield Defined("u_next")
-    yield Line("u_next-positive", 0 < u_next, proof("S-positive", using="u_next"))
-    yield Line(
-        "impact",
-        equal(dot(new_s, W_c), -u_next),
-        identity("tau u_next"),
-        LAW,
-        "and u_{n+1} is the speed at which they close",
-    )
+    yield from (
+        Line("speed-positive", 0 < v.A, proof("run-cs-c", power("run-approaches", 2))),
+        Line("D-positive", 0 < v.D, proof("run-apart", "run-contact-c")),
+        Line("root-positive", 0 < sqrt(discriminant(v)), ByRoot()),
+        Defined("S"),
+        Line("S-positive", 0 < S, proof("root-positive", using="S")),
+        Defined("tau"),
+        Line("tau-positive", 0 < tau,
+             scaled(times("goal", plus("S-positive", times("D-positive", "run-approaches"))),
+                    times("speed-positive", "run-apart",
+                          plus("run-apart", times(2, "run-contact-c"))), using="tau S"),
+             LAW, "the next collision of the run takes place later"),
+        Line("contact", equal(dot(meeting, meeting), v.c**2), identity("tau S"),
+             LAW, "at that time 0 and c are in contact"),
+        Defined("u_next"),
+        Line("u_next-positive", 0 < u_next, proof("S-positive", using="u_next")),
+        Line("impact", equal(dot(new_s, W_c), -u_next), identity("tau u_next"),
+             LAW, "and u_{n+1} is the speed at which they close"),
+    )  # fmt: skip
 
 
 def _path_c() -> Iterator[Item]:
     """The ball that will collide does not approach faster."""
     at_c = flight.values(v.D, -v.y, v.A, tau, v.c)
-    yield Line(
-        "path-c", flight.given_at("distance", at_c), identity("", (("contact", as_term(-1)),))
-    )
-    yield Line(
-        "cs-path-c",
-        flight.given_at("cs", at_c),
-        proof(times(power("D-positive", 2), "run-cs-c")),
-    )
+    yield from (
+        Line("path-c",    flight.given_at("distance", at_c),
+             identity("", (("contact", as_term(-1)),))),
+        Line("cs-path-c", flight.given_at("cs", at_c),
+             proof(times(power("D-positive", 2), "run-cs-c"))),
+    )  # fmt: skip
     premises = ("D-positive", "run-contact-c", "tau-positive", "cs-path-c", "path-c")
     yield from flight.used("flight-c", flight.NORMAL, at_c, premises)
-    yield Line(
-        "closing",
-        u_next <= v.y,
-        scaled(times("speed-positive", "goal"), "flight-c", using="u_next tau"),
-        LABEL,
-        "u_{n+1} ≤ y: in flight the speed of approach does not grow",
-        ("cauchy-schwarz",),
-    )
+    yield Line("closing", u_next <= v.y,
+               scaled(times("speed-positive", "goal"), "flight-c", using="u_next tau"), LABEL,
+               "u_{n+1} ≤ y: in flight the speed of approach does not grow",
+               ("cauchy-schwarz",))  # fmt: skip
 
 
 def _path_s() -> Iterator[Item]:
     """The ball that has collided does not recede more slowly."""
-    yield Line(
-        "eta-positive",
-        0 < v.eta,
-        proof(times("first-r", "run-closed"), equations=(("run-recedes", as_term(1)),)),
-    )
-    yield Line(
-        "path-positive",
-        0 < dot(end, end),
-        proof(
-            power("run-contact-s", 2),
-            times(2, "run-contact-s", "tau-positive", "eta-positive"),
-            times(power("tau-positive", 2), "run-cs-s"),
-            square(tau * v.eta),
-        ),
-    )
-    yield Line("E-root", 0 < sqrt(dot(end, end)), ByRoot())
-    yield Defined("E")
-    yield Line("E-positive", 0 < E, proof("E-root", using="E"))
     at_s = flight.values(v.s, v.eta, v.B, tau, E)
-    yield Line("path-s", flight.given_at("distance", at_s), identity("E"))
-    yield Line(
-        "cs-path-s",
-        flight.given_at("cs", at_s),
-        proof(times(power("run-contact-s", 2), "run-cs-s")),
-    )
+    yield from (
+        Line("eta-positive", 0 < v.eta,
+             proof(times("first-r", "run-closed"), equations=(("run-recedes", as_term(1)),))),
+        Line("path-positive", 0 < dot(end, end),
+             proof(power("run-contact-s", 2),
+                   times(2, "run-contact-s", "tau-positive", "eta-positive"),
+                   times(power("tau-positive", 2), "run-cs-s"), square(tau * v.eta))),
+        Line("E-root", 0 < sqrt(dot(end, end)), ByRoot()),
+        Defined("E"),
+        Line("E-positive", 0 < E, proof("E-root", using="E")),
+        Line("path-s", flight.given_at("distance", at_s), identity("E")),
+        Line("cs-path-s", flight.given_at("cs", at_s),
+             proof(times(power("run-contact-s", 2), "run-cs-s"))),
+    )  # fmt: skip
     premises = ("run-contact-s", "E-positive", "tau-positive", "cs-path-s", "path-s")
     yield from flight.used("flight-s", flight.NORMAL, at_s, premises)
 
@@ -189,32 +149,21 @@ def _path_s() -> Iterator[Item]:
 def _laws() -> Iterator[Item]:
     for name in NUMBERS:
         yield Defined(f"{name}_next")
-    yield Line(
-        "law-approach",
-        equal(next_["y"], half * next_["C"] * u_next - (v.s * v.eta + tau * v.B) / E),
-        identity("y_next C_next"),
-        LAW,
-        "-η_c' = (1+r)/2 (-cos θ') u_{n+1} - ρ, ρ the speed at which s recedes at the collision",
-        ("hard-spheres",),
-    )
-    yield Line(
-        "next-recedes",
-        equal(next_["eta"], r * u_next),
-        identity("eta_next", (("contact", (1 + r) * u_next), ("impact", v.c))),
-        LAW,
-        "the pair that collided recedes at r times its closing speed",
-        ("hard-spheres",),
-    )
-    yield Line(
-        "next-recursion",
-        next_["y"] <= half * next_["C"] * u_next - r * v.u,
-        scaled(times("E-positive", "goal"), "flight-s")._replace(
-            equations=(("law-approach", as_term(-1)), ("run-recedes", E))
-        ),
-        LABEL,
-        "so u_{n+2} ≤ (1+r)/2 (-cos θ_{n+1}) u_{n+1} - r u_n, by `closing` at the next state",
-        ("hard-spheres", "cauchy-schwarz"),
-    )
+    yield from (
+        Line("law-approach",   equal(next_["y"],
+                                     half * next_["C"] * u_next - (v.s * v.eta + tau * v.B) / E),
+             identity("y_next C_next"), LAW,
+             "-η_c' = (1+r)/2 (-cos θ') u_{n+1} - ρ, ρ the speed at which s recedes at the "
+             "collision", ("hard-spheres",)),
+        Line("next-recedes",   equal(next_["eta"], r * u_next),
+             identity("eta_next", (("contact", (1 + r) * u_next), ("impact", v.c))),
+             LAW, "the pair that collided recedes at r times its closing speed", ("hard-spheres",)),
+        Line("next-recursion", next_["y"] <= half * next_["C"] * u_next - r * v.u,
+             scaled(times("E-positive", "goal"), "flight-s")
+             ._replace(equations=(("law-approach", as_term(-1)), ("run-recedes", E))), LABEL,
+             "so u_{n+2} ≤ (1+r)/2 (-cos θ_{n+1}) u_{n+1} - r u_n, by `closing` at the next state",
+             ("hard-spheres", "cauchy-schwarz")),
+    )  # fmt: skip
 
 
 def _count() -> Iterator[Item]:
@@ -222,39 +171,20 @@ def _count() -> Iterator[Item]:
     for name in ("contact-s", "contact-c"):
         other = "contact-c" if name == "contact-s" else "contact-s"
         yield Line(f"next-{name}", 0 < (v.c if name == "contact-s" else v.s), proof(f"run-{other}"))
-    yield Line("next-closed", 0 < u_next, proof("u_next-positive"))
-    yield Line(
-        "speed-bound",
-        v.y <= a * v.u - r * v.u_0,
-        proof("run-recursion", times("run-bent", "run-closed")),
-        LABEL,
-        "u_{n+1} ≤ y ≤ a u_n - r u_{n-1}, if (1+r)/2 (-cos θ_n) ≤ a",
-    )
-    yield Line(
-        "casoratian-speed",
-        v.y * v.high < v.u * high_next,
-        proof(
-            times("run-comparison", "speed-bound"),
-            times("first-r", "run-casoratian"),
-            using="high_next",
-        ),
-    )
-    yield Line(
-        "comparison-positive",
-        0 < high_next,
-        scaled(
-            times("goal", "run-closed"),
-            "casoratian-speed",
-            times("run-approaches", "run-comparison"),
-        ),
-        LABEL,
-        "s_n > 0 while collision n+1 takes place",
-    )
-    yield Line("next-comparison", 0 <= high_next, proof("comparison-positive"))
-    yield Line(
-        "next-casoratian",
-        u_next * v.high < v.u * high_next,
-        proof("casoratian-speed", times("closing", "run-comparison")),
-        LABEL,
-        "u_{n+1} s_{n-1} < u_n s_n: the Casoratian of the speeds and the comparison sequence",
-    )
+    yield from (
+        Line("next-closed",         0 < u_next, proof("u_next-positive")),
+        Line("speed-bound",         v.y <= a * v.u - r * v.u_0,
+             proof("run-recursion", times("run-bent", "run-closed")),
+             LABEL, "u_{n+1} ≤ y ≤ a u_n - r u_{n-1}, if (1+r)/2 (-cos θ_n) ≤ a"),
+        Line("casoratian-speed",    v.y * v.high < v.u * high_next,
+             proof(times("run-comparison", "speed-bound"), times("first-r", "run-casoratian"),
+                   using="high_next")),
+        Line("comparison-positive", 0 < high_next,
+             scaled(times("goal", "run-closed"), "casoratian-speed",
+                    times("run-approaches", "run-comparison")),
+             LABEL, "s_n > 0 while collision n+1 takes place"),
+        Line("next-comparison",     0 <= high_next, proof("comparison-positive")),
+        Line("next-casoratian",     u_next * v.high < v.u * high_next,
+             proof("casoratian-speed", times("closing", "run-comparison")), LABEL,
+             "u_{n+1} s_{n-1} < u_n s_n: the Casoratian of the speeds and the comparison sequence"),
+    )  # fmt: skip

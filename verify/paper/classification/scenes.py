@@ -34,9 +34,8 @@ three = Letters("three", yy="|y|²", zz="|z|²", yz="y·z")
 touch = Letters("touching", yz="y·z")
 out = Letters("outward", R="R²", e="e", A="A", t="t")
 turn = Letters("turning", L="L²", R="R²", rho="ρ²", e="e²")
-late = Letters(
-    "late", R="R(0)²", A="A(0)", m="L²/ρ²", T="T", R_T="R²", A_T="A", e="e²", t="t", hit="σ J"
-)
+late = Letters("late", R="R(0)²", A="A(0)", m="L²/ρ²", T="T", R_T="R²", A_T="A", e="e²", t="t",
+               hit="σ J")  # fmt: skip
 dead = Letters("deadline", R="R(0)²", A="A(0)", m="L²/ρ²", T="T")
 THIRD, MORE = Fraction(1, 3), Fraction(3, 2)
 
@@ -56,34 +55,17 @@ def _pair() -> Iterator[Chapter]:
     missing = {"X": 1 <= miss.X, "W": 0 <= miss.W, "miss": miss.W < miss.X * miss.W - miss.p**2}
     says = "a pair whose lines miss: |x|²|w|²-(x·w)² > |w|²; t is any time"
     yield Chapter(None, (Opened(opened), Opened(miss.opened(says, "3 0 1 0", missing))))
-    line = Line(
-        "scene-away",
-        away.X <= away.X + 2 * away.t * away.p + away.t**2 * away.W,
-        proof(
-            times(2, "away-time", "away-p"),
-            times(power("away-time", 2), "away-W"),
-        ),
-        MISS,
-        "(i) a pair with x·w ≥ 0 does not come closer",
-    )
+    line = Line("scene-away", away.X <= away.X + 2 * away.t * away.p + away.t**2 * away.W,
+                proof(times(2, "away-time", "away-p"), times(power("away-time", 2), "away-W")),
+                MISS, "(i) a pair with x·w ≥ 0 does not come closer")  # fmt: skip
     yield Chapter(away.context, (line,))
-    yield Chapter(
-        miss.context,
-        (
-            Line(
-                "miss-moves",
-                0 < miss.W,
-                scaled(times("goal", "miss-X"), "miss-miss", square(miss.p)),
-            ),
-            Line(
-                "scene-miss",
-                1 < miss.X + 2 * miss.t * miss.p + miss.t**2 * miss.W,
-                scaled(times("miss-moves", "goal"), "miss-miss", square(miss.t * miss.W + miss.p)),
-                MISS,
-                "(i) a pair with |x|²|w|²-(x·w)² > |w|² never touches in free flight",
-            ),
-        ),
-    )
+    yield Chapter(miss.context, (
+        Line("miss-moves", 0 < miss.W,
+             scaled(times("goal", "miss-X"), "miss-miss", square(miss.p))),
+        Line("scene-miss", 1 < miss.X + 2 * miss.t * miss.p + miss.t**2 * miss.W,
+             scaled(times("miss-moves", "goal"), "miss-miss", square(miss.t * miss.W + miss.p)),
+             MISS, "(i) a pair with |x|²|w|²-(x·w)² > |w|² never touches in free flight"),
+    ))  # fmt: skip
 
 
 def _spread() -> Iterator[Chapter]:
@@ -97,41 +79,25 @@ def _spread() -> Iterator[Chapter]:
     total = [space.dot(x, x) for x in places]
     side = minus(z, y)
     sides = three.yy + three.zz + space.dot(side, side)
-    law = Line(
-        "spread-law",
-        equal(total[0] + total[1] + total[2], sides / 3),
-        identity(),
-        LABEL,
-        "R² is a third of the sum of the squares of the three distances",
-    )
+    law = Line("spread-law", equal(total[0] + total[1] + total[2], sides / 3), identity(),
+               LABEL, "R² is a third of the sum of the squares of the three distances")  # fmt: skip
     touching = {"cs": touch.yz**2 <= 1}
     says = "the vectors from one ball to two others that touch it, |y| = |z| = 1"
     outward = {"time": 0 < out.t, "A": 0 <= out.A, "e": 0 < out.e}
-    yield Chapter(
-        None,
-        (
-            Opened(three.opened("y, z are the vectors from ball 0 to the others", "1 1 0", {})),
-            Opened(touch.opened(says, "0", touching)),
-            Opened(out.opened("a system with A ≥ 0 in free flight", "2 1 0 1", outward)),
-        ),
-    )
+    yield Chapter(None, (
+        Opened(three.opened("y, z are the vectors from ball 0 to the others", "1 1 0", {})),
+        Opened(touch.opened(says, "0", touching)),
+        Opened(out.opened("a system with A ≥ 0 in free flight", "2 1 0 1", outward)),
+    ))  # fmt: skip
     yield Chapter(three.context, (law,))
-    limit = Line(
-        "spread-at-collapse",
-        (1 + 1 + (1 + 1 - 2 * touch.yz)) / 3 <= 2,
-        scaled(times(MORE, "goal", plus(times(MORE, "goal"), 2)), "touching-cs"),
-        LABEL,
-        "R² ≤ 2 where one ball touches two",
-        ("cauchy-schwarz",),
-    )
+    limit = Line("spread-at-collapse", (1 + 1 + (1 + 1 - 2 * touch.yz)) / 3 <= 2,
+                 scaled(times(MORE, "goal", plus(times(MORE, "goal"), 2)), "touching-cs"),
+                 LABEL, "R² ≤ 2 where one ball touches two", ("cauchy-schwarz",))  # fmt: skip
     yield Chapter(touch.context, (limit,))
-    rises = Line(
-        "scene-outward",
-        out.R < out.R + 2 * out.t * out.A + out.t**2 * out.e**2,
-        proof(times(2, "outward-time", "outward-A"), power(times("outward-time", "outward-e"), 2)),
-        LABEL,
-        "(iii) if A ≥ 0 and anything moves, R² grows",
-    )
+    rises = Line("scene-outward", out.R < out.R + 2 * out.t * out.A + out.t**2 * out.e**2,
+                 proof(times(2, "outward-time", "outward-A"),
+                       power(times("outward-time", "outward-e"), 2)),
+                 LABEL, "(iii) if A ≥ 0 and anything moves, R² grows")  # fmt: skip
     yield Chapter(out.context, (rises,))
 
 
@@ -146,13 +112,9 @@ def _turning() -> Iterator[Chapter]:
             "R": turn.R <= turn.rho,
         },
     )
-    bound = Line(
-        "spin-energy",
-        turn.L / turn.rho <= turn.e,
-        proof("turning-spin", times("turning-R", "turning-e")),
-        LABEL,
-        "(iv) e² ≥ L²/ρ² while R² ≤ ρ²",
-    )
+    bound = Line("spin-energy", turn.L / turn.rho <= turn.e,
+                 proof("turning-spin", times("turning-R", "turning-e")),
+                 LABEL, "(iv) e² ≥ L²/ρ² while R² ≤ ρ²")  # fmt: skip
     yield Chapter(None, (Opened(turning),))
     yield Chapter(turn.context, (bound,))
 
@@ -172,30 +134,17 @@ def _later() -> Iterator[Chapter]:
     )
     yield Chapter(None, (Opened(context),))
     then = late.T + late.t
-    yield Chapter(
-        late.context,
-        (
-            Line(
-                "late-slope-next",
-                late.A + then * late.m <= late.A_T + late.t * late.e + late.hit,
-                proof("late-slope", times("late-time", "late-energy"), "late-hit"),
-                LABEL,
-                "(iv) A ≥ A(0) + T L²/ρ² goes on",
-            ),
-            Line(
-                "late-square-next",
-                late.R + 2 * then * late.A + then**2 * late.m
-                <= late.R_T + 2 * late.t * late.A_T + late.t**2 * late.e,
-                proof(
-                    "late-square",
-                    times(2, "late-time", "late-slope"),
-                    times(power("late-time", 2), "late-energy"),
-                ),
-                LABEL,
-                "(iv) R² ≥ R(0)² + 2T A(0) + T² L²/ρ² goes on",
-            ),
-        ),
-    )
+    yield Chapter(late.context, (
+        Line("late-slope-next",  late.A + then * late.m <= late.A_T + late.t * late.e + late.hit,
+             proof("late-slope", times("late-time", "late-energy"), "late-hit"),
+             LABEL, "(iv) A ≥ A(0) + T L²/ρ² goes on"),
+        Line("late-square-next",
+             late.R + 2 * then * late.A + then**2 * late.m
+             <= late.R_T + 2 * late.t * late.A_T + late.t**2 * late.e,
+             proof("late-square", times(2, "late-time", "late-slope"),
+                   times(power("late-time", 2), "late-energy")), LABEL,
+             "(iv) R² ≥ R(0)² + 2T A(0) + T² L²/ρ² goes on"),
+    ))  # fmt: skip
 
 
 def _deadline() -> Iterator[Chapter]:
@@ -215,18 +164,11 @@ def _deadline() -> Iterator[Chapter]:
 
 def _last(radicand: Term) -> Iterator[Item]:
     room = times("deadline-m", "deadline-square")
-    yield Line(
-        "scene-radicand",
-        0 <= radicand,
-        proof(room, square(dead.m * dead.T + dead.A)),
-        LABEL,
-        "(iv) the radicand A² + (2-R²)L²/ρ² is not negative if there is a collapse",
-    )
     root = sqrt(radicand)
-    yield Line(
-        "scene-deadline",
-        dead.T <= (root - dead.A) / dead.m,
-        scaled(times("goal", plus("goal", times(2, ("root", root)))), room),
-        LABEL,
-        "(iv) and it takes place at a time T ≤ (ρ²/L²)(-A + √(A²+(2-R²)L²/ρ²))",
-    )
+    yield from (
+        Line("scene-radicand", 0 <= radicand, proof(room, square(dead.m * dead.T + dead.A)),
+             LABEL, "(iv) the radicand A² + (2-R²)L²/ρ² is not negative if there is a collapse"),
+        Line("scene-deadline", dead.T <= (root - dead.A) / dead.m,
+             scaled(times("goal", plus("goal", times(2, ("root", root)))), room),
+             LABEL, "(iv) and it takes place at a time T ≤ (ρ²/L²)(-A + √(A²+(2-R²)L²/ρ²))"),
+    )  # fmt: skip

@@ -65,11 +65,7 @@ def discriminant(n: Letters) -> Term:
 
 def goes_on(n: Letters) -> dict[str, Claim]:
     """What it means that another collision of the run follows."""
-    return {
-        "apart": n.c < n.D,
-        "approaches": 0 < n.y,
-        "meets": 0 < discriminant(n),
-    }
+    return {"apart": n.c < n.D, "approaches": 0 < n.y, "meets": 0 < discriminant(n)}
 
 
 def schwarz(n: Letters) -> dict[str, Claim]:
@@ -79,20 +75,12 @@ def schwarz(n: Letters) -> dict[str, Claim]:
 
 BENT: Claim = v.b <= a
 
-space = Space(
-    {
-        ("omega_s", "omega_s"): as_term(1),
-        ("omega_c", "omega_c"): as_term(1),
-        ("omega_s", "omega_c"): -v.C,
-        ("omega_s", "W_s"): v.eta,
-        ("omega_c", "W_c"): -v.y,
-        ("omega_s", "W_c"): v.p,
-        ("omega_c", "W_s"): v.q,
-        ("W_c", "W_c"): v.A,
-        ("W_s", "W_s"): v.B,
-        ("W_s", "W_c"): v.w,
-    }
-)
+space = Space({
+    ("omega_s", "omega_s"): as_term(1), ("omega_c", "omega_c"): as_term(1),
+    ("omega_s", "omega_c"): -v.C, ("omega_s", "W_s"): v.eta, ("omega_c", "W_c"): -v.y,
+    ("omega_s", "W_c"): v.p, ("omega_c", "W_s"): v.q, ("W_c", "W_c"): v.A, ("W_s", "W_s"): v.B,
+    ("W_s", "W_c"): v.w,
+})  # fmt: skip
 dot = space.dot
 S, tau, u_next, E, high_next = map(symbol, ("S", "tau", "u_next", "E", "high_next"))
 NUMBERS = ("y", "eta", "C", "p", "q", "A", "B", "w")

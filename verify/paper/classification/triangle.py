@@ -57,13 +57,9 @@ def chapters() -> Iterator[Chapter]:
     sides = g.opened("x and z are any two vectors", "1 1 0", {})
     yield Chapter(None, (Opened(limit()), Opened(sides)))
     x, z = basis_vector("x"), basis_vector("z")
-    law = Line(
-        "law-of-cosines",
-        equal(2 * space.dot(x, z), g.xx + g.zz - space.dot(minus(z, x), minus(z, x))),
-        identity(),
-        LABEL,
-        "2 x·z = |x|² + |z|² - |z-x|²",
-    )
+    law = Line("law-of-cosines",
+               equal(2 * space.dot(x, z), g.xx + g.zz - space.dot(minus(z, x), minus(z, x))),
+               identity(), LABEL, "2 x·z = |x|² + |z|² - |z-x|²")  # fmt: skip
     yield Chapter(g.context, (law,))
     yield Chapter("limit", tuple(_lines()))
 
@@ -73,21 +69,13 @@ def _lines() -> Iterator[Item]:
     for ball, own, other, far in (("1", l.a, "01", l.b), ("2", l.b, "02", l.a)):
         longer = "limit-02-least" if ball == "1" else "limit-01-least"
         apart = "limit-02" if ball == "1" else "limit-01"
-        yield Line(
-            f"side-{other}", 0 < 2 * own * l.c, proof(times(2, f"limit-{other}", "limit-12"))
-        )
         larger = times(longer, plus(longer, times(2, apart)))
-        yield Line(
-            f"cosine-{ball}",
-            own / (2 * l.c) <= cosine(own, l.c, far),
-            proof(times(2, "limit-12", larger)),
-            ORDER,
-            f"the limiting cosine at ball {ball} is at least |{other}|/(2|12|)",
-        )
-        yield Line(
-            f"cosine-{ball}-positive",
-            0 < cosine(own, l.c, far),
-            proof(power(f"limit-{other}", 2), larger),
-            ORDER,
-            f"the limiting angle at ball {ball} is acute",
-        )
+        yield from (
+            Line(f"side-{other}", 0 < 2 * own * l.c, proof(times(2, f"limit-{other}", "limit-12"))),
+            Line(f"cosine-{ball}", own / (2 * l.c) <= cosine(own, l.c, far),
+                 proof(times(2, "limit-12", larger)),
+                 ORDER, f"the limiting cosine at ball {ball} is at least |{other}|/(2|12|)"),
+            Line(f"cosine-{ball}-positive", 0 < cosine(own, l.c, far),
+                 proof(power(f"limit-{other}", 2), larger),
+                 ORDER, f"the limiting angle at ball {ball} is acute"),
+        )  # fmt: skip

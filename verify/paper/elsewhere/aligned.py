@@ -71,18 +71,14 @@ def chapters() -> Iterator[Chapter]:
     says = "a collapse on a line, r = 1/20, after any number of collisions"
     givens = tuple(Given(f"line-{name}", claim, "carried") for name, claim in carried().items())
     context = n.opened(says, "1 1 0", {})._replace(givens=givens)
-    begin = tuple(
-        Line(f"first-{name}", substitute_claim(claim, START), at_start(claim))
-        for name, claim in carried().items()
-    )
+    begin = tuple(Line(f"first-{name}", substitute_claim(claim, START), at_start(claim))
+                  for name, claim in carried()
+                  .items())  # fmt: skip
     premises = tuple(f"first-{name}" for name in carried())
-    always = Line(
-        "line-always",
-        Always(n.context, START, following()),
-        ByInduction(premises, tuple(f"next-{name}" for name in carried())),
-        LARGE,
-        "the orbit of y = d = 1 has infinitely many collisions: all this holds after each",
-    )
+    always = Line("line-always", Always(n.context, START, following()),
+                  ByInduction(premises, tuple(f"next-{name}" for name in carried())), LARGE,
+                  "the orbit of y = d = 1 has infinitely many collisions: all this holds after "
+                  "each")  # fmt: skip
     yield Chapter(None, (*begin, Opened(context, premises)))
     yield Chapter(n.context, (*_images(), *_steps(), *_collapse()))
     yield Chapter(None, (always,))
@@ -115,28 +111,15 @@ def _images() -> Iterator[Item]:
     for name, term, value, says in (
         ("distance", mapping.n.D - 1, SHRUNK * n.d, "d' = d/8"),
         ("normal-1", mapping.dot(mapping.speed_1, mapping.new_1), -next_y, "η₁' = (2/5)η₂"),
-        (
-            "normal-2",
-            mapping.dot(mapping.speed_2, mapping.new_2),
-            SHRUNK * next_y,
-            "η₂' = -(1/8)η₁': so the new colliding ball and the new spectator are as before",
-        ),
-        ("cosine", mapping.dot(mapping.new_1, mapping.new_2), as_term(-1), "ω₁'·ω₂' = -1"),
-        ("speed-1", mapping.dot(mapping.speed_1, mapping.speed_1), next_y**2, "|W₁'|² = η₁'²"),
-        (
-            "speed-2",
-            mapping.dot(mapping.speed_2, mapping.speed_2),
-            (SHRUNK * next_y) ** 2,
-            "|W₂'|² = η₂'²",
-        ),
-    ):
-        yield Line(
-            f"line-{name}",
-            equal(on_the_line(term), value),
-            identity(),
-            LARGE,
-            f"on the line: {says}",
-        )
+        ("normal-2", mapping.dot(mapping.speed_2, mapping.new_2), SHRUNK * next_y,
+         "η₂' = -(1/8)η₁': so the new colliding ball and the new spectator are as before"),
+        ("cosine",   mapping.dot(mapping.new_1, mapping.new_2), as_term(-1), "ω₁'·ω₂' = -1"),
+        ("speed-1",  mapping.dot(mapping.speed_1, mapping.speed_1), next_y**2, "|W₁'|² = η₁'²"),
+        ("speed-2",  mapping.dot(mapping.speed_2, mapping.speed_2), (SHRUNK * next_y) ** 2,
+         "|W₂'|² = η₂'²"),
+    ):  # fmt: skip
+        yield Line(f"line-{name}", equal(on_the_line(term), value), identity(),
+                   LARGE, f"on the line: {says}")  # fmt: skip
     for name in ("contact-time", "speed-time", "distance"):
         claim = mapping.givens()[name]
         held = equal(on_the_line(claim.lhs), on_the_line(claim.rhs))
@@ -160,22 +143,14 @@ def _steps() -> Iterator[Item]:
 
 
 def _collapse() -> Iterator[Item]:
-    yield Line(
-        "line-time",
-        11 * n.T < as_term(16),
-        scaled(times("goal", "line-closing"), times(16, "line-apart"))._replace(
-            equations=(("line-clock", as_term(-1)),)
-        ),
-        LARGE,
-        "all collisions happen before the time 16/11: it is a collapse",
-    )
-    yield Line(
-        "line-tangential",
-        equal(dot(tangential, tangential), 0),
-        identity(),
-        LARGE,
-        "|W₂⊥| = 0 at every collision: so |W₂⊥| = o(-η₂)",
-    )
+    yield from (
+        Line("line-time",       11 * n.T < as_term(16),
+             scaled(times("goal", "line-closing"), times(16, "line-apart"))
+             ._replace(equations=(("line-clock", as_term(-1)),)),
+             LARGE, "all collisions happen before the time 16/11: it is a collapse"),
+        Line("line-tangential", equal(dot(tangential, tangential), 0), identity(),
+             LARGE, "|W₂⊥| = 0 at every collision: so |W₂⊥| = o(-η₂)"),
+    )  # fmt: skip
 
 
 #: The state after six collisions.
@@ -188,36 +163,19 @@ REST = SHRUNK * n.d * ETA_1 + tau * ETA_1**2 + n.d * n.y + tau * n.y**2
 
 def misprints() -> Iterator[Refuted]:
     """What is false here, each with a point at which it is."""
-    yield refuted(
-        n,
-        "tangential-large",
-        n.y**2 <= 10**6 * dot(tangential, tangential),
-        SIXTH,
-        label=LARGE,
-        says="|W₂⊥| = o(-η₂) or |W₂⊥| = O(-η₂) cannot hold; here with the constant 1000: at some "
-        "collision -η₂ ≤ 1000|W₂⊥|, but there is none, with no constant",
-        severity=HARMLESS,
-        corrected_by="line-tangential",
-    )
-    yield refuted(
-        n,
-        "change-1-sign",
-        (1 + r) * n.y <= 1000 * REST,
-        SIXTH,
-        label=PROPOSITION,
-        says="η₁' - η₁ - (1+r)/2 cos θ̄ η₂ = O(d'η₁, τ|W₁|², dη₂, τ|W₂|²), here with the constant "
-        "1000: on the line the left side is (1+r)η₂, and the right side falls with dη₂",
-        severity=SLIP,
-        corrected_by="change-1",
-    )
-    yield refuted(
-        n,
-        "change-2-sign",
-        2 * r * n.y <= 1000 * (n.d * n.y + tau * n.y**2),
-        SIXTH,
-        label=PROPOSITION,
-        says="η₂' - rη₂ = O(dη₂, τ|W₂|²), here with the constant 1000: on the line the left side "
-        "is -2rη₂, and the right side falls with dη₂",
-        severity=SLIP,
-        corrected_by="change-2",
-    )
+    yield from (
+        refuted(n, "tangential-large", n.y**2 <= 10**6 * dot(tangential, tangential), SIXTH,
+                label=LARGE,
+                says="|W₂⊥| = o(-η₂) or |W₂⊥| = O(-η₂) cannot hold; here with the constant 1000: "
+                     "at some collision -η₂ ≤ 1000|W₂⊥|, but there is none, with no constant",
+                severity=HARMLESS, corrected_by="line-tangential"),
+        refuted(n, "change-1-sign", (1 + r) * n.y <= 1000 * REST, SIXTH, label=PROPOSITION,
+                says="η₁' - η₁ - (1+r)/2 cos θ̄ η₂ = O(d'η₁, τ|W₁|², dη₂, τ|W₂|²), here with the "
+                     "constant 1000: on the line the left side is (1+r)η₂, and the right side "
+                     "falls with dη₂", severity=SLIP, corrected_by="change-1"),
+        refuted(n, "change-2-sign", 2 * r * n.y <= 1000 * (n.d * n.y + tau * n.y**2), SIXTH,
+                label=PROPOSITION,
+                says="η₂' - rη₂ = O(dη₂, τ|W₂|²), here with the constant 1000: on the line the "
+                     "left side is -2rη₂, and the right side falls with dη₂", severity=SLIP,
+                corrected_by="change-2"),
+    )  # fmt: skip

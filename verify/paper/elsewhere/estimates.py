@@ -46,78 +46,45 @@ def chapters() -> Iterator[Chapter]:
 
 
 def _root() -> Iterator[Item]:
-    yield Line("A-positive", 0 < A, proof("map-cs-2", power("map-closing", 2)))
-    yield Line("B-positive", 0 < B, proof("map-cs-1", power("map-receding", 2)))
-    yield Line(
-        "S-one",
-        0 < 1 - S,
-        scaled(
-            times("goal", one_d, "map-closing"), times("A-positive", "map-tau-positive")
-        )._replace(equations=(("map-speed-time", as_term(-1)),)),
-    )
-    yield Line(
-        "root-lower",
-        (1 - S**2) / 2 <= 1 - S,
-        proof(times(Fraction(1, 2), square(1 - S))),
-        PROPOSITION,
-        "x/2 ≤ 1-√(1-x), where √(1-x) = S",
-    )
-    yield Line(
-        "root-upper",
-        1 - S <= 1 - S**2,
-        proof(times("map-S-positive", "S-one")),
-        PROPOSITION,
-        "1-√(1-x) ≤ x",
-    )
+    yield from (
+        Line("A-positive", 0 < A, proof("map-cs-2", power("map-closing", 2))),
+        Line("B-positive", 0 < B, proof("map-cs-1", power("map-receding", 2))),
+        Line("S-one",      0 < 1 - S,
+             scaled(times("goal", one_d, "map-closing"), times("A-positive", "map-tau-positive"))
+             ._replace(equations=(("map-speed-time", as_term(-1)),))),
+        Line("root-lower", (1 - S**2) / 2 <= 1 - S, proof(times(Fraction(1, 2), square(1 - S))),
+             PROPOSITION, "x/2 ≤ 1-√(1-x), where √(1-x) = S"),
+        Line("root-upper", 1 - S <= 1 - S**2, proof(times("map-S-positive", "S-one")),
+             PROPOSITION, "1-√(1-x) ≤ x"),
+    )  # fmt: skip
 
 
 def _times() -> Iterator[Item]:
     contact = "map-contact-time"
-    yield Line(
-        "time-lower",
-        d * (2 + d) <= 2 * (1 + d) * y * tau,
-        proof(times(fly, "S-one"), equations=((contact, as_term(1)),)),
-        TIMES,
-        "d(2+d)/(2(1+d)(-η₂)) ≤ τ",
-    )
-    yield Line(
-        "time-upper",
-        (1 + d) * y * tau <= d * (2 + d),
-        proof(times(fly, "map-S-positive"), equations=((contact, as_term(-1)),)),
-        TIMES,
-        "τ ≤ d(2+d)/((1+d)(-η₂))",
-    )
-    yield Line(
-        "distance-by-time",
-        d <= 2 * y * tau,
-        scaled(times("goal", one_d), "time-lower", "map-d-positive"),
-        BY_TIME,
-        "d ≤ 2τ(-η₂): so d = o(τ) and d = o(-η₂) where η₂ and τ tend to 0",
-    )
-    yield Line(
-        "time-by-distance",
-        y * tau <= 2 * d,
-        scaled(times("goal", one_d), "time-upper", power("map-d-positive", 2)),
-        "EQUATSS3.3CompaAsympTauV2",
-        "τ ≤ 2d/(-η₂): with the row before, τ and d/(-η₂) are of one order",
-    )
-    yield Line(
-        "time-leading",
-        d <= (1 + d) * y * tau,
-        scaled(times("goal", 2), "time-lower", power("map-d-positive", 2)),
-        LEADING,
-        "d/(-η₂) ≤ (1+d)τ",
-    )
     last = times("map-d-positive", one_d, "map-S-positive", "S-one", plus(2, "map-S-positive"))
-    yield Line(
-        "time-trailing",
-        y * tau <= d * (2 - S**2),
-        scaled(
-            times("goal", one_d, plus(1, "map-S-positive")), power("map-d-positive", 2), last
-        )._replace(equations=((contact, as_term(-1)),)),
-        LEADING,
-        "τ ≤ (1+ζ) d/(-η₂): with the row before, τ ~ d/(-η₂) where ζ tends to 0",
-    )
+    yield from (
+        Line("time-lower",       d * (2 + d) <= 2 * (1 + d) * y * tau,
+             proof(times(fly, "S-one"), equations=((contact, as_term(1)),)),
+             TIMES, "d(2+d)/(2(1+d)(-η₂)) ≤ τ"),
+        Line("time-upper",       (1 + d) * y * tau <= d * (2 + d),
+             proof(times(fly, "map-S-positive"), equations=((contact, as_term(-1)),)),
+             TIMES, "τ ≤ d(2+d)/((1+d)(-η₂))"),
+        Line("distance-by-time", d <= 2 * y * tau,
+             scaled(times("goal", one_d), "time-lower", "map-d-positive"),
+             BY_TIME, "d ≤ 2τ(-η₂): so d = o(τ) and d = o(-η₂) where η₂ and τ tend to 0"),
+        Line("time-by-distance", y * tau <= 2 * d,
+             scaled(times("goal", one_d), "time-upper", power("map-d-positive", 2)),
+             "EQUATSS3.3CompaAsympTauV2",
+             "τ ≤ 2d/(-η₂): with the row before, τ and d/(-η₂) are of one order"),
+        Line("time-leading",     d <= (1 + d) * y * tau,
+             scaled(times("goal", 2), "time-lower", power("map-d-positive", 2)),
+             LEADING, "d/(-η₂) ≤ (1+d)τ"),
+        Line("time-trailing",    y * tau <= d * (2 - S**2),
+             scaled(times("goal", one_d, plus(1, "map-S-positive")), power("map-d-positive", 2),
+                    last)
+             ._replace(equations=((contact, as_term(-1)),)),
+             LEADING, "τ ≤ (1+ζ) d/(-η₂): with the row before, τ ~ d/(-η₂) where ζ tends to 0"),
+    )  # fmt: skip
 
 
 def _zeta() -> Iterator[Item]:
@@ -126,61 +93,29 @@ def _zeta() -> Iterator[Item]:
     twice, thrice = times(2, "map-d-positive"), times(3, "map-d-positive")
     whole = power(one_d, 2)
     push = times("map-d-positive", "map-d-positive", "A-positive")
-    yield Line(
-        value,
-        equal(left, d * (2 + d) * A),
-        identity("", (("map-contact-time", A), ("map-speed-time", -((1 + d) * y * (1 + S))))),
-        "EQUATSS2.2DefinParZK_zeta",
-        "ζ = d(2+d)|W₂|²/((1+d)²η₂²), where S² = 1-ζ",
-    )
-    yield Line(
-        "discriminant",
-        equal(
-            (2 * (1 + d) * -y) ** 2 - 4 * A * d * (2 + d),
-            4 * ((1 + d) * y * S) ** 2,
-        ),
-        identity("", ((value, as_term(4)),)),
-        "EQUATSS2.2DiscrTrinox2-x0",
-        "Δ = 4[(1+d)²η₂² - d(2+d)|W₂|²] = 4(1+d)²η₂²(1-ζ)",
-    )
-    yield Line(
-        "zeta-below-one",
-        d * (2 + d) * A < (1 + d) ** 2 * y**2,
-        proof(
-            times(power("map-S-positive", 2), whole, power("map-closing", 2)),
-            equations=((value, as_term(1)),),
-        ),
-        SQUARE,
-        "d < (1+d)²/(2+d) η₂²/|W₂|²: so d = O(η₂²) where |W₂| does not tend to 0",
-    )
-    yield Line(
-        "zeta-upper",
-        (1 - S**2) * y**2 <= 2 * d * A,
-        scaled(times("goal", whole), times(push, plus(3, twice)))._replace(
-            equations=((value, as_term(-1)),)
-        ),
-        LEADING,
-        "ζ ≤ 2d|W₂|²/η₂²",
-    )
-    yield Line(
-        "zeta-lower",
-        d * A * (2 - 3 * d) <= (1 - S**2) * y**2,
-        scaled(times("goal", whole), times(push, "map-d-positive", plus(4, thrice)))._replace(
-            equations=((value, as_term(1)),)
-        ),
-        LEADING,
-        "(2-3d) d|W₂|²/η₂² ≤ ζ",
-    )
-    yield Line(
-        "distance-half",
-        equal(
-            (2 + d) * (2 * d * A - y**2),
-            y**2 * (2 * (1 + d) ** 2 * (1 - S**2) - (2 + d)),
-        ),
-        identity("", ((value, as_term(-2)),)),
-        PROPOSITION,
-        "2d|W₂|² exceeds η₂² as soon as S² = 1-ζ is below 1 - (2+d)/(2(1+d)²), at any d > 0",
-    )
+    yield from (
+        Line(value, equal(left, d * (2 + d) * A),
+             identity("", (("map-contact-time", A), ("map-speed-time", -((1 + d) * y * (1 + S))))),
+             "EQUATSS2.2DefinParZK_zeta", "ζ = d(2+d)|W₂|²/((1+d)²η₂²), where S² = 1-ζ"),
+        Line("discriminant",   equal((2 * (1 + d) * -y) ** 2 - 4 * A * d * (2 + d),
+                                     4 * ((1 + d) * y * S) ** 2),
+             identity("", ((value, as_term(4)),)), "EQUATSS2.2DiscrTrinox2-x0",
+             "Δ = 4[(1+d)²η₂² - d(2+d)|W₂|²] = 4(1+d)²η₂²(1-ζ)"),
+        Line("zeta-below-one", d * (2 + d) * A < (1 + d) ** 2 * y**2,
+             proof(times(power("map-S-positive", 2), whole, power("map-closing", 2)),
+                   equations=((value, as_term(1)),)),
+             SQUARE, "d < (1+d)²/(2+d) η₂²/|W₂|²: so d = O(η₂²) where |W₂| does not tend to 0"),
+        Line("zeta-upper",     (1 - S**2) * y**2 <= 2 * d * A,
+             scaled(times("goal", whole), times(push, plus(3, twice)))
+             ._replace(equations=((value, as_term(-1)),)), LEADING, "ζ ≤ 2d|W₂|²/η₂²"),
+        Line("zeta-lower",     d * A * (2 - 3 * d) <= (1 - S**2) * y**2,
+             scaled(times("goal", whole), times(push, "map-d-positive", plus(4, thrice)))
+             ._replace(equations=((value, as_term(1)),)), LEADING, "(2-3d) d|W₂|²/η₂² ≤ ζ"),
+        Line("distance-half",  equal((2 + d) * (2 * d * A - y**2),
+                                     y**2 * (2 * (1 + d) ** 2 * (1 - S**2) - (2 + d))),
+             identity("", ((value, as_term(-2)),)), PROPOSITION,
+             "2d|W₂|² exceeds η₂² as soon as S² = 1-ζ is below 1 - (2+d)/(2(1+d)²), at any d > 0"),
+    )  # fmt: skip
 
 
 def _travel() -> Iterator[Item]:
@@ -189,43 +124,26 @@ def _travel() -> Iterator[Item]:
         times(2, "map-receding", "map-tau-positive"),
         times("B-positive", "map-tau-positive", "map-tau-positive"),
     )
-    yield Line(
-        "longer",
-        0 < D - 1,
-        scaled(times("goal", plus(1, "map-D-positive")), *gains)._replace(
-            equations=((distance, as_term(1)),)
-        ),
-        TRAVEL,
-        "0 < d': the spectator recedes",
-    )
-    yield Line(
-        "travel-upper",
-        D - 1 <= first,
-        scaled(times(2, "goal"), square(D - 1))._replace(equations=((distance, as_term(-1)),)),
-        TRAVEL,
-        "d' ≤ η₁τ + |W₁|²τ²/2",
-    )
-    yield Line(
-        "travel-lower",
-        first - first**2 / 2 <= D - 1,
-        scaled(
-            times(2, "goal"),
-            times("travel-upper", plus("travel-upper", times(2, "longer"))),
-        )._replace(equations=((distance, as_term(1)),)),
-        TRAVEL,
-        "and that is all but (η₁τ + |W₁|²τ²/2)²/2",
-    )
+    yield from (
+        Line("longer",       0 < D - 1,
+             scaled(times("goal", plus(1, "map-D-positive")), *gains)
+             ._replace(equations=((distance, as_term(1)),)),
+             TRAVEL, "0 < d': the spectator recedes"),
+        Line("travel-upper", D - 1 <= first,
+             scaled(times(2, "goal"), square(D - 1))._replace(equations=((distance, as_term(-1)),)),
+             TRAVEL, "d' ≤ η₁τ + |W₁|²τ²/2"),
+        Line("travel-lower", first - first**2 / 2 <= D - 1,
+             scaled(times(2, "goal"),
+                    times("travel-upper", plus("travel-upper", times(2, "longer"))))
+             ._replace(equations=((distance, as_term(1)),)),
+             TRAVEL, "and that is all but (η₁τ + |W₁|²τ²/2)²/2"),
+    )  # fmt: skip
 
 
 def misprints() -> Iterator[Refuted]:
     """What is false here, each with a point at which it is."""
-    yield refuted(
-        n,
-        "distance-half-printed",
-        2 * d * A <= y**2,
-        "1/20 1/10 1 1 -1 1 -1 3993/700 1 1 1/10 21/121 142/121 0 0 0 0",
-        label=PROPOSITION,
-        says="ζ < 1, so d ≤ η₂²/(2|W₂|²) for n large: the factor (1+d)²/(2+d) is above 1/2",
-        severity=HARMLESS,
-        corrected_by="zeta-below-one",
-    )
+    yield refuted(n, "distance-half-printed", 2 * d * A <= y**2,
+                  "1/20 1/10 1 1 -1 1 -1 3993/700 1 1 1/10 21/121 142/121 0 0 0 0",
+                  label=PROPOSITION,
+                  says="ζ < 1, so d ≤ η₂²/(2|W₂|²) for n large: the factor (1+d)²/(2+d) is above "
+                       "1/2", severity=HARMLESS, corrected_by="zeta-below-one")  # fmt: skip

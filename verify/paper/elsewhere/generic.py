@@ -20,19 +20,8 @@ from verify.paper.rows import HARMLESS
 TRAVEL = "EQUATSS3.3PROPOComp2_d'__"
 
 n = Letters("generic", eta="η₁", tau="τ", B="|W₁|²", D="(1+d')", K="K")
-v = Letters(
-    "turn",
-    r="r",
-    u="u",
-    C="-cos θ",
-    rho="ρ",
-    y="|η₂|",
-    d="d",
-    k="k",
-    B="|W₁|²",
-    tau="τ",
-    travel="d'",
-)
+v = Letters("turn", r="r", u="u", C="-cos θ", rho="ρ", y="|η₂|", d="d", k="k", B="|W₁|²", tau="τ",
+            travel="d'")  # fmt: skip
 half = (1 + v.r) / 2
 #: Here 2 eta + B = 9/16, and D = 5/4.
 WIDE = "1/100 1 217/400 5/4 1"
@@ -82,74 +71,42 @@ def _turn() -> Context:
 
 
 def _wide() -> Iterator[Item]:
-    yield Line(
-        "grown-less",
-        n.D <= 2,
-        scaled(times("goal", plus("generic-D", 2)), "generic-short")._replace(
-            equations=(("generic-distance", as_term(-1)),)
-        ),
-    )
     push = times("generic-eta", "generic-tau")
-    yield Line(
-        "travel-not-first-order",
-        n.K * (n.eta * n.tau) < n.D - 1,
-        scaled(
-            times("goal", plus(1, "generic-D")),
-            times("generic-K", push, "grown-less"),
-            times("generic-tau", "generic-slow"),
-            times(plus("generic-K", 2), push),
-        )._replace(equations=(("generic-distance", as_term(1)),)),
-        TRAVEL,
-        "where 4Kη₁ ≤ τ|W₁|² (and d' ≤ 1), d' exceeds Kη₁τ: no constant K suffices",
-    )
+    yield from (
+        Line("grown-less",             n.D <= 2,
+             scaled(times("goal", plus("generic-D", 2)), "generic-short")
+             ._replace(equations=(("generic-distance", as_term(-1)),))),
+        Line("travel-not-first-order", n.K * (n.eta * n.tau) < n.D - 1,
+             scaled(times("goal", plus(1, "generic-D")), times("generic-K", push, "grown-less"),
+                    times("generic-tau", "generic-slow"), times(plus("generic-K", 2), push))
+             ._replace(equations=(("generic-distance", as_term(1)),)),
+             TRAVEL, "where 4Kη₁ ≤ τ|W₁|² (and d' ≤ 1), d' exceeds Kη₁τ: no constant K suffices"),
+    )  # fmt: skip
 
 
 def _narrow() -> Iterator[Item]:
-    yield Line(
-        "turn-speed",
-        v.y <= half * v.u,
-        proof(
-            "turn-law",
-            "turn-receded",
-            times(Fraction(1, 2), plus(1, "turn-r"), "turn-angle", "turn-closed"),
-        ),
-        TRAVEL,
-        "-η₂ ≤ (1+r)/2 u, where η₁ = ru: in alternating order η₂ = O(η₁)",
-    )
-    yield Line(
-        "turn-short",
-        v.tau <= 2 * v.k * v.y,
-        scaled(times("goal", "turn-approach"), "turn-time", times(2, "turn-square")),
-        "EQUATSS3.3PROPOComp2Tau_d",
-        "τ ≤ 2k(-η₂)",
-    )
-    yield Line(
-        "turn-shorter",
-        v.tau <= v.k * (1 + v.r) * v.u,
-        proof("turn-short", times(2, "turn-k", "turn-speed")),
-    )
-    yield Line(
-        "travel-alternating",
-        v.r * v.travel <= (v.r + v.B * v.k * half) * (v.r * v.u * v.tau),
-        proof(
-            times("turn-r", "turn-travel"),
-            times(Fraction(1, 2), "turn-r", "turn-B", "turn-tau", "turn-shorter"),
-        ),
-        TRAVEL,
-        "d' ≤ (1 + k|W₁|²(1+r)/(2r)) η₁τ, with η₁ = ru: true as soon as the order alternates",
-    )
+    yield from (
+        Line("turn-speed",         v.y <= half * v.u,
+             proof("turn-law", "turn-receded",
+                   times(Fraction(1, 2), plus(1, "turn-r"), "turn-angle", "turn-closed")),
+             TRAVEL, "-η₂ ≤ (1+r)/2 u, where η₁ = ru: in alternating order η₂ = O(η₁)"),
+        Line("turn-short",         v.tau <= 2 * v.k * v.y,
+             scaled(times("goal", "turn-approach"), "turn-time", times(2, "turn-square")),
+             "EQUATSS3.3PROPOComp2Tau_d", "τ ≤ 2k(-η₂)"),
+        Line("turn-shorter",       v.tau <= v.k * (1 + v.r) * v.u,
+             proof("turn-short", times(2, "turn-k", "turn-speed"))),
+        Line("travel-alternating", v.r * v.travel <= (v.r + v.B * v.k * half) * (v.r * v.u * v.tau),
+             proof(times("turn-r", "turn-travel"),
+                   times(Fraction(1, 2), "turn-r", "turn-B", "turn-tau", "turn-shorter")), TRAVEL,
+             "d' ≤ (1 + k|W₁|²(1+r)/(2r)) η₁τ, with η₁ = ru: true as soon as the order alternates"),
+    )  # fmt: skip
 
 
 def misprints() -> Iterator[Refuted]:
     """What is false here, each with a point at which it is."""
-    yield refuted(
-        mapping.n,
-        "travel-first-order",
-        mapping.n.D - 1 <= 100 * (mapping.n.eta * mapping.n.tau),
-        "1/20 1 1 1/1000 -1 1 -1/1000 1 1121/2000 1/1000 1/2 1 5/4 0 0 0 0",
-        label=TRAVEL,
-        says="d' = O(η₁τ) where |W₂| does not tend to 0, here with the constant 100 and |W₂| = 1; "
-        "it does not follow from the equations, as τ = O(η₂) is not O(η₁)",
-        severity=HARMLESS,
-        corrected_by="travel-alternating",
-    )
+    yield refuted(mapping.n, "travel-first-order",
+                  mapping.n.D - 1 <= 100 * (mapping.n.eta * mapping.n.tau),
+                  "1/20 1 1 1/1000 -1 1 -1/1000 1 1121/2000 1/1000 1/2 1 5/4 0 0 0 0", label=TRAVEL,
+                  says="d' = O(η₁τ) where |W₂| does not tend to 0, here with the constant 100 and "
+                       "|W₂| = 1; it does not follow from the equations, as τ = O(η₂) is not O(η₁)",
+                  severity=HARMLESS, corrected_by="travel-alternating")  # fmt: skip

@@ -28,44 +28,18 @@ TIME = "EQUATSS2.2TempsColliTauV3"
 SPEEDS = "EQUATSS2.2ViteRPostCVers2"
 
 n = Letters(
-    "map",
-    r="r",
-    d="d",
-    y="|η₂|",
-    eta="η₁",
-    cos="ω₁·ω₂",
-    a="ω₁·W₂",
-    b="ω₂·W₁",
-    A="|W₂|²",
-    B="|W₁|²",
-    w="W₁·W₂",
-    S="√(1-ζ)",
-    tau="τ",
-    D="(1+d')",
-    p_1="p·ω₁",
-    p_2="p·ω₂",
-    q_1="p·W₁",
+    "map", r="r", d="d", y="|η₂|", eta="η₁", cos="ω₁·ω₂", a="ω₁·W₂", b="ω₂·W₁", A="|W₂|²",
+    B="|W₁|²", w="W₁·W₂", S="√(1-ζ)", tau="τ", D="(1+d')", p_1="p·ω₁", p_2="p·ω₂", q_1="p·W₁",
     q_2="p·W₂",
-)
+)  # fmt: skip
 omega_1, W_1, omega_2, W_2, p = map(basis_vector, ("omega_1", "W_1", "omega_2", "W_2", "p"))
-space = Space(
-    {
-        ("omega_1", "omega_1"): as_term(1),
-        ("omega_2", "omega_2"): as_term(1),
-        ("omega_1", "omega_2"): n.cos,
-        ("omega_1", "W_1"): n.eta,
-        ("omega_2", "W_2"): -n.y,
-        ("omega_1", "W_2"): n.a,
-        ("omega_2", "W_1"): n.b,
-        ("W_1", "W_1"): n.B,
-        ("W_2", "W_2"): n.A,
-        ("W_1", "W_2"): n.w,
-        ("p", "omega_1"): n.p_1,
-        ("p", "omega_2"): n.p_2,
-        ("p", "W_1"): n.q_1,
-        ("p", "W_2"): n.q_2,
-    }
-)
+space = Space({
+    ("omega_1", "omega_1"): as_term(1), ("omega_2", "omega_2"): as_term(1),
+    ("omega_1", "omega_2"): n.cos, ("omega_1", "W_1"): n.eta, ("omega_2", "W_2"): -n.y,
+    ("omega_1", "W_2"): n.a, ("omega_2", "W_1"): n.b, ("W_1", "W_1"): n.B, ("W_2", "W_2"): n.A,
+    ("W_1", "W_2"): n.w, ("p", "omega_1"): n.p_1, ("p", "omega_2"): n.p_2, ("p", "W_1"): n.q_1,
+    ("p", "W_2"): n.q_2,
+})  # fmt: skip
 dot = space.dot
 half = (1 + n.r) / 2
 #: W_2.omega_2' = (1+d) eta_2 + tau |W_2|^2, and omega_1'.omega_2', as names.
@@ -115,95 +89,53 @@ def chapters() -> Iterator[Chapter]:
 
 
 def _places() -> Iterator[Item]:
-    yield Defined("map-kappa")
-    yield Defined("map-c")
-    yield Line(
-        "meets",
-        equal(dot(new_2, new_2), 1),
-        identity("", (("map-speed-time", n.tau), ("map-contact-time", as_term(-1)))),
-        "EQUATSS2.2DefinOmeg2Prime",
-        "after the time τ balls 0 and 2 touch: |ω₂'| = 1",
-    )
-    yield Line(
-        "path-square",
-        equal(dot(new_2, new_2), (1 + n.d) ** 2 + 2 * (1 + n.d) * -n.y * n.tau + n.A * n.tau**2),
-        identity(),
-        "EQUATSS2.2CondiColliFutur",
-        "|x₂-x₀|² = (1+d)² + 2(1+d)(ω₂·W₂)τ + |W₂|²τ² after a flight of length τ",
-    )
-    yield Line(
-        "turned-unit",
-        equal(dot(new_1, new_1), 1),
-        identity("", (("map-distance", as_term(-1)),)),
-        "EQUATSS2.2DefinOmeg1Prime",
-        "|ω₁'| = 1",
-    )
-    yield Line(
-        "hit",
-        equal(kappa, -((1 + n.d) * n.y * n.S)),
-        identity("map-kappa", (("map-speed-time", as_term(1)),)),
-        TIME,
-        "W₂·ω₂' = (1+d)η₂ + τ|W₂|² = (1+d)√(1-ζ) η₂",
-    )
-    yield Line(
-        "cosine",
-        equal(
-            n.D * c,
-            (1 + n.d) * n.cos + (n.a + (1 + n.d) * n.b) * n.tau + n.w * n.tau**2,
-        ),
-        identity("map-c"),
-        COSINE,
-        "(1+d') ω₁'·ω₂' = (1+d) ω₁·ω₂ + (ω₁·W₂ + (1+d) ω₂·W₁)τ + W₁·W₂ τ²",
-    )
+    yield from (
+        Defined("map-kappa"),
+        Defined("map-c"),
+        Line("meets", equal(dot(new_2, new_2), 1),
+             identity("", (("map-speed-time", n.tau), ("map-contact-time", as_term(-1)))),
+             "EQUATSS2.2DefinOmeg2Prime", "after the time τ balls 0 and 2 touch: |ω₂'| = 1"),
+        Line("path-square",
+             equal(dot(new_2, new_2),
+                   (1 + n.d) ** 2 + 2 * (1 + n.d) * -n.y * n.tau + n.A * n.tau**2), identity(),
+             "EQUATSS2.2CondiColliFutur",
+             "|x₂-x₀|² = (1+d)² + 2(1+d)(ω₂·W₂)τ + |W₂|²τ² after a flight of length τ"),
+        Line("turned-unit", equal(dot(new_1, new_1), 1),
+             identity("", (("map-distance", as_term(-1)),)),
+             "EQUATSS2.2DefinOmeg1Prime", "|ω₁'| = 1"),
+        Line("hit", equal(kappa, -((1 + n.d) * n.y * n.S)),
+             identity("map-kappa", (("map-speed-time", as_term(1)),)),
+             TIME, "W₂·ω₂' = (1+d)η₂ + τ|W₂|² = (1+d)√(1-ζ) η₂"),
+        Line("cosine",
+             equal(n.D * c, (1 + n.d) * n.cos + (n.a + (1 + n.d) * n.b) * n.tau + n.w * n.tau**2),
+             identity("map-c"), COSINE,
+             "(1+d') ω₁'·ω₂' = (1+d) ω₁·ω₂ + (ω₁·W₂ + (1+d) ω₂·W₁)τ + W₁·W₂ τ²"),
+    )  # fmt: skip
 
 
 def _speeds() -> Iterator[Item]:
-    yield Line(
-        "far-component",
-        equal(dot(W_2, scale(1 + n.d, omega_2)), (1 + n.d) * -n.y),
-        identity(),
-        NORMAL,
-        "W₂·(x₂-x₀) = (1+d)η₂, where 0 and 2 are apart",
-    )
-    yield Line(
-        "grown",
-        equal(dot(W_1, new_1), grown),
-        identity(),
-        FIRST,
-        "W₁·ω₁' = (η₁ + τ|W₁|²)/(1+d')",
-    )
-    yield Line(
-        "normal-1",
-        equal(dot(speed_1, new_1), grown - half * c * kappa),
-        identity("map-c"),
-        FIRST,
-        "η₁' = (η₁ + τ|W₁|²)/(1+d') - (1+r)/2 (ω₁'·ω₂') W₂·ω₂'",
-    )
-    yield Line(
-        "normal-2",
-        equal(dot(speed_2, new_2), -n.r * kappa),
-        identity("", (("meets", -((1 + n.r) * kappa)), ("map-kappa", as_term(-1)))),
-        "EQUATSS2.2Eta_1PrimeVers2",
-        "η₂' = -r W₂·ω₂'",
-    )
+    yield from (
+        Line("far-component", equal(dot(W_2, scale(1 + n.d, omega_2)), (1 + n.d) * -n.y),
+             identity(), NORMAL, "W₂·(x₂-x₀) = (1+d)η₂, where 0 and 2 are apart"),
+        Line("grown",         equal(dot(W_1, new_1), grown), identity(),
+             FIRST, "W₁·ω₁' = (η₁ + τ|W₁|²)/(1+d')"),
+        Line("normal-1",      equal(dot(speed_1, new_1), grown - half * c * kappa),
+             identity("map-c"), FIRST, "η₁' = (η₁ + τ|W₁|²)/(1+d') - (1+r)/2 (ω₁'·ω₂') W₂·ω₂'"),
+        Line("normal-2",      equal(dot(speed_2, new_2), -n.r * kappa),
+             identity("", (("meets", -((1 + n.r) * kappa)), ("map-kappa", as_term(-1)))),
+             "EQUATSS2.2Eta_1PrimeVers2", "η₂' = -r W₂·ω₂'"),
+    )  # fmt: skip
 
 
 def _tangents() -> Iterator[Item]:
-    yield Line(
-        "tangential-1",
-        equal(dot(p, projected(speed_1, new_1)), dot(p, rest_1())),
-        identity("map-c"),
-        TANGENT_1,
-        "p·(W₁⊥)' = p·(W₁ - (η₁+τ|W₁|²)/(1+d') ω₁' + (1+r)/2 (W₂·ω₂')[(ω₁'·ω₂')ω₁' - ω₂'])",
-    )
     after = minus(speed_2, scale(-n.r * kappa, new_2))
-    yield Line(
-        "tangential-2",
-        equal(dot(p, after), dot(p, minus(W_2, scale(kappa, new_2)))),
-        identity(),
-        TANGENT_2,
-        "p·(W₂⊥)' = p·(W₂ - (W₂·ω₂')ω₂')",
-    )
+    yield from (
+        Line("tangential-1", equal(dot(p, projected(speed_1, new_1)), dot(p, rest_1())),
+             identity("map-c"), TANGENT_1,
+             "p·(W₁⊥)' = p·(W₁ - (η₁+τ|W₁|²)/(1+d') ω₁' + (1+r)/2 (W₂·ω₂')[(ω₁'·ω₂')ω₁' - ω₂'])"),
+        Line("tangential-2", equal(dot(p, after), dot(p, minus(W_2, scale(kappa, new_2)))),
+             identity(), TANGENT_2, "p·(W₂⊥)' = p·(W₂ - (W₂·ω₂')ω₂')"),
+    )  # fmt: skip
 
 
 def projected(speed: Combination, direction: Combination) -> Combination:
@@ -222,24 +154,15 @@ def _without_direction() -> Term:
 
 def misprints() -> Iterator[Refuted]:
     """What is false here, each with a point at which it is."""
-    yield refuted(
-        n,
-        "far-component-printed",
-        equal(dot(W_2, scale(1 + n.d, omega_2)), -n.y),
-        POINT,
-        label=NORMAL,
-        says="η_{i,n} = W_i·ω_i = (v_i-v_0)·(x_i-x_0), for the pair that is apart too",
-        severity=SLIP,
-        corrected_by="far-component",
-    )
-    yield refuted(
-        n,
-        "tangential-scalar",
-        equal(dot(p, projected(speed_1, new_1)), _without_direction()),
-        "1/20 1 1 1/8 -1 1 -1/8 1 1/64 1/8 1/2 1 9/8 0 0 0 0",
-        label=NEARLY,
-        says="W_{1,n+1}⊥ = W_{1,n} - (η_{1,n}+τ_n|W_{1,n}|²)/(1+d_{n+1}) + …, twice: a number is "
-        "taken from a vector, ω_{1,n+1} is missing (read along p, as if from each component)",
-        severity=SLIP,
-        corrected_by="tangential-1",
-    )
+    yield from (
+        refuted(n, "far-component-printed", equal(dot(W_2, scale(1 + n.d, omega_2)), -n.y), POINT,
+                label=NORMAL,
+                says="η_{i,n} = W_i·ω_i = (v_i-v_0)·(x_i-x_0), for the pair that is apart too",
+                severity=SLIP, corrected_by="far-component"),
+        refuted(n, "tangential-scalar",
+                equal(dot(p, projected(speed_1, new_1)), _without_direction()),
+                "1/20 1 1 1/8 -1 1 -1/8 1 1/64 1/8 1/2 1 9/8 0 0 0 0", label=NEARLY,
+                says="W_{1,n+1}⊥ = W_{1,n} - (η_{1,n}+τ_n|W_{1,n}|²)/(1+d_{n+1}) + …, twice: a "
+                     "number is taken from a vector, ω_{1,n+1} is missing (read along p, as if "
+                     "from each component)", severity=SLIP, corrected_by="tangential-1"),
+    )  # fmt: skip

@@ -21,21 +21,8 @@ TANGENT = "PROPOSS3.4CLineConveTangt"
 run = Letters("speeds", r="r", C="-cos θ", u_0="u_{n-1}", u="u_n", u_2="u_{n+1}")
 forced = Letters("forced", n="n", q="q")
 energy = Letters("energy", s_0="|v₀|²", s_1="|v₁|²", s_2="|v₂|²", m="v₀·v₁")
-plane = Letters(
-    "plane",
-    r="r",
-    d="d",
-    tau="τ",
-    D="(1+d')",
-    o_x="(ω₂)₁",
-    o_y="(ω₂)₂",
-    a_x="(v₀)₁",
-    a_y="(v₀)₂",
-    b_x="(v₁)₁",
-    b_y="(v₁)₂",
-    c_x="(v₂)₁",
-    c_y="(v₂)₂",
-)
+plane = Letters("plane", r="r", d="d", tau="τ", D="(1+d')", o_x="(ω₂)₁", o_y="(ω₂)₂", a_x="(v₀)₁",
+                a_y="(v₀)₂", b_x="(v₁)₁", b_y="(v₁)₂", c_x="(v₂)₁", c_y="(v₂)₂")  # fmt: skip
 Pair = tuple[Term, Term]
 
 
@@ -70,58 +57,34 @@ def chapters() -> Iterator[Chapter]:
 
 
 def _speeds() -> Iterator[Item]:
-    yield Line(
-        "speeds-fall",
-        run.u_2 <= (1 + run.r) / 2 * run.u,
-        proof(
-            "speeds-recursion",
-            times("speeds-r", "speeds-before"),
-            times(Fraction(1, 2), plus(1, "speeds-r"), "speeds-angle", "speeds-now"),
-        ),
-        NORMAL,
-        "u_{n+1} ≤ (1+r)/2 u_n in a nearly-linear collapse, as u_{n+1} ≤ (1+r)/2 (-cos θ)u_n - "
-        "r u_{n-1}: so the normal components do fall exponentially",
-    )
+    yield Line("speeds-fall", run.u_2 <= (1 + run.r) / 2 * run.u,
+               proof("speeds-recursion", times("speeds-r", "speeds-before"),
+                     times(Fraction(1, 2), plus(1, "speeds-r"), "speeds-angle", "speeds-now")),
+               NORMAL,
+               "u_{n+1} ≤ (1+r)/2 u_n in a nearly-linear collapse, as u_{n+1} ≤ (1+r)/2 (-cos "
+               "θ)u_n - r u_{n-1}: so the normal components do fall exponentially")  # fmt: skip
 
 
 def _forced() -> Iterator[Item]:
     n, q = forced.n, forced.q
-    yield Line(
-        "forcing-positive",
-        0 <= 2 * n**2 - (n + 1) ** 2,
-        proof(times("forced-later", plus("forced-later", 6)), 7),
-        NORMAL,
-        "x_n = 1/n² satisfies x_{n+1} = x_n/2 + f_n with f_n ≥ 0 …",
-    )
-    yield Line(
-        "forcing-summable",
-        n * (n + 1) <= (n + 1) ** 2,
-        proof("forced-later", 5),
-        NORMAL,
-        "… and f_n ≤ 1/(n+1)² ≤ 1/n - 1/(n+1), which is summable; but …",
-    )
-    yield Line(
-        "forcing-slow",
-        q * (n + 1) ** 2 < n**2,
-        proof(
-            times("forced-late", plus("forced-later", 6)),
-            "forced-q-one",
-            3,
-        ),
-        NORMAL,
-        "… x_{n+1} > q x_n from some n on, for every q < 1",
-    )
+    yield from (
+        Line("forcing-positive", 0 <= 2 * n**2 - (n + 1) ** 2,
+             proof(times("forced-later", plus("forced-later", 6)), 7),
+             NORMAL, "x_n = 1/n² satisfies x_{n+1} = x_n/2 + f_n with f_n ≥ 0 …"),
+        Line("forcing-summable", n * (n + 1) <= (n + 1) ** 2, proof("forced-later", 5),
+             NORMAL, "… and f_n ≤ 1/(n+1)² ≤ 1/n - 1/(n+1), which is summable; but …"),
+        Line("forcing-slow",     q * (n + 1) ** 2 < n**2,
+             proof(times("forced-late", plus("forced-later", 6)), "forced-q-one", 3),
+             NORMAL, "… x_{n+1} > q x_n from some n on, for every q < 1"),
+    )  # fmt: skip
 
 
 def _energy() -> Iterator[Item]:
     n = energy
-    yield Line(
-        "relative-speed",
-        n.s_0 + n.s_1 - 2 * n.m <= 2 * (n.s_0 + n.s_1 + n.s_2),
-        proof("energy-sum", times(2, "energy-third")),
-        TANGENT,
-        "|W₁|² ≤ 4E₀: with flown-1, hit and bracket-short |δ_n| ≤ 4τE₀ + (1+r)/2 (1+d)|η₂|",
-    )
+    yield Line("relative-speed", n.s_0 + n.s_1 - 2 * n.m <= 2 * (n.s_0 + n.s_1 + n.s_2),
+               proof("energy-sum", times(2, "energy-third")), TANGENT,
+               "|W₁|² ≤ 4E₀: with flown-1, hit and bracket-short |δ_n| ≤ 4τE₀ + (1+r)/2 "
+               "(1+d)|η₂|")  # fmt: skip
 
 
 # --- a state in the plane -------------------------------------------------------------------------
@@ -200,25 +163,15 @@ STATE = _state()
 
 def misprints() -> Iterator[Refuted]:
     """What is false here, each with a point at which it is."""
-    yield refuted(
-        forced,
-        "forced-exponential",
-        forced.n**2 <= forced.q * (forced.n + 1) ** 2,
-        "4 1/2",
-        label=NORMAL,
-        says="matrices with a norm below 1 and forcing terms that are summable give exponential "
-        "convergence; here x_{n+1} = x_n/2 + f_n with x_n = 1/n², q = 1/2, n = 4",
-        severity=HARMLESS,
-        corrected_by="speeds-fall",
-    )
-    yield refuted(
-        plane,
-        "change-bound",
-        inner(_change(), _change()) <= _bound() ** 2,
-        STATE,
-        label=TANGENT,
-        says="|δ_n| ≤ 2|η_{1,n}| + τ_n E₀ + (1+r)(2|η_{2,n}| + τ_n E₀), squared, with the energy "
-        "E₀ for |W|²: |W|² can be 4E₀, and is 3E₀ here",
-        severity=HARMLESS,
-        corrected_by="relative-speed",
-    )
+    yield from (
+        refuted(forced, "forced-exponential", forced.n**2 <= forced.q * (forced.n + 1) ** 2,
+                "4 1/2", label=NORMAL,
+                says="matrices with a norm below 1 and forcing terms that are summable give "
+                     "exponential convergence; here x_{n+1} = x_n/2 + f_n with x_n = 1/n², q = "
+                     "1/2, n = 4", severity=HARMLESS, corrected_by="speeds-fall"),
+        refuted(plane, "change-bound", inner(_change(), _change()) <= _bound() ** 2, STATE,
+                label=TANGENT,
+                says="|δ_n| ≤ 2|η_{1,n}| + τ_n E₀ + (1+r)(2|η_{2,n}| + τ_n E₀), squared, with the "
+                     "energy E₀ for |W|²: |W|² can be 4E₀, and is 3E₀ here", severity=HARMLESS,
+                corrected_by="relative-speed"),
+    )  # fmt: skip

@@ -17,17 +17,8 @@ from verify.paper.rows import HARMLESS
 SYSTEM = "EQUATSS2.2IterationSystm1"
 
 n = Letters("outer", G="|x|²", k="x·u", U="|u|²", t="t", tau="τ")
-v = Letters(
-    "three",
-    X_1="X₁",
-    X_2="X₂",
-    a_1="(W₁)₁",
-    a_2="(W₁)₂",
-    b_1="(W₂)₁",
-    b_2="(W₂)₂",
-    tau="τ",
-    t="t",
-)
+v = Letters("three", X_1="X₁", X_2="X₂", a_1="(W₁)₁", a_2="(W₁)₂", b_1="(W₂)₁", b_2="(W₂)₂",
+            tau="τ", t="t")  # fmt: skip
 STATE = "3/4 1 1/10 1 -3/40 -1/10 2 1/10"
 
 
@@ -68,31 +59,21 @@ def conditions() -> dict[str, Claim]:
 
 
 def _lines() -> Iterator[Item]:
-    yield Line("tau-positive", 0 < n.tau, proof("outer-time", "outer-before"))
-    yield Line(
-        "outer-apart",
-        1 < n.G + 2 * n.t * n.k + n.t**2 * n.U,
-        scaled(
-            times("goal", "tau-positive"),
-            times("outer-now", "outer-before"),
-            times("outer-later", "outer-time"),
-            times("tau-positive", power("outer-time", 2), "outer-speed"),
-        ),
-        SYSTEM,
-        "they stay apart if 1 < |x|² + 2τx·u besides: then 0 and 2 are the next to collide",
-    )
+    yield from (
+        Line("tau-positive", 0 < n.tau, proof("outer-time", "outer-before")),
+        Line("outer-apart",  1 < n.G + 2 * n.t * n.k + n.t**2 * n.U,
+             scaled(times("goal", "tau-positive"), times("outer-now", "outer-before"),
+                    times("outer-later", "outer-time"),
+                    times("tau-positive", power("outer-time", 2), "outer-speed")), SYSTEM,
+             "they stay apart if 1 < |x|² + 2τx·u besides: then 0 and 2 are the next to collide"),
+    )  # fmt: skip
 
 
 def misprints() -> Iterator[Refuted]:
     """What is false here, each with a point at which it is."""
-    yield refuted(
-        v,
-        "next-collision",
-        1 <= (v.X_1 + v.t * (v.b_1 - v.a_1) - 1) ** 2 + (v.X_2 + v.t * (v.b_2 - v.a_2)) ** 2,
-        STATE,
-        label=SYSTEM,
-        says="0 and 2 are the next to collide if η₁ > 0, η₂ < 0 and ζ < 1, as the definition of "
-        "the mapping writes it out; here 1 and 2 meet before",
-        severity=HARMLESS,
-        corrected_by="outer-apart",
-    )
+    yield refuted(v, "next-collision",
+                  1 <= (v.X_1 + v.t * (v.b_1 - v.a_1) - 1) ** 2
+                  + (v.X_2 + v.t * (v.b_2 - v.a_2)) ** 2, STATE, label=SYSTEM,
+                  says="0 and 2 are the next to collide if η₁ > 0, η₂ < 0 and ζ < 1, as the "
+                       "definition of the mapping writes it out; here 1 and 2 meet before",
+                  severity=HARMLESS, corrected_by="outer-apart")  # fmt: skip

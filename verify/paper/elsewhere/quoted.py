@@ -53,85 +53,51 @@ def chapters() -> Iterator[Chapter]:
 
 def _below() -> Iterator[Item]:
     s = below.s
-    yield Line(
-        "quoted-threshold",
-        equal((1 + s**3) - 2 * s * (1 + s), (1 + s) * (1 - 3 * s + s**2)),
-        identity(),
-        STABLE,
-        "2s(1+s)/(1+s³) < 1 is 1-3s+s² > 0, that is r < 9-4√5: for larger r no angle satisfies it",
-    )
+    yield Line("quoted-threshold",
+               equal((1 + s**3) - 2 * s * (1 + s), (1 + s) * (1 - 3 * s + s**2)), identity(),
+               STABLE,
+               "2s(1+s)/(1+s³) < 1 is 1-3s+s² > 0, that is r < 9-4√5: for larger r no angle "
+               "satisfies it")  # fmt: skip
 
 
 def _slow() -> Iterator[Item]:
     s, c = slow.s, slow.c
     whole = plus(1, "slow-s")
-    yield Line(
-        "angle-if-r-is-small",
-        2 * s * (1 + s) < c * (1 + s**3),
-        proof(
-            times(Fraction(1, 2), "slow-small", whole),
-            times(
-                Fraction(1, 2), "slow-obtuse", plus("slow-real", "slow-small", times(3, "slow-s"))
-            ),
-            times("slow-obtuse", power("slow-s", 3)),
-        ),
-        THEOREM,
-        "every obtuse angle can be prescribed once r is small enough for it",
-    )
+    yield Line("angle-if-r-is-small", 2 * s * (1 + s) < c * (1 + s**3),
+               proof(times(Fraction(1, 2), "slow-small", whole),
+                     times(Fraction(1, 2), "slow-obtuse",
+                           plus("slow-real", "slow-small", times(3, "slow-s"))),
+                     times("slow-obtuse", power("slow-s", 3))), THEOREM,
+               "every obtuse angle can be prescribed once r is small enough for it")  # fmt: skip
 
 
 def _count() -> Iterator[Item]:
     n = count.n
-    yield Line(
-        "dimension",
-        equal((n - 1) + n + 1 + (n - 1) + n, 4 * n - 1),
-        identity(),
-        SYSTEM,
-        "ω₁, W₁, d, ω₂, W₂ are 4n-1 numbers: 7 for n = 2, 11 for n = 3",
-    )
-    yield Line(
-        "dimension-in-parts",
-        equal((n - 1) + (1 + (n - 1)) + 1 + (n - 1) + (1 + (n - 1)), 4 * n - 1),
-        identity(),
-        SYSTEM,
-        "η and W⊥, orthogonal to ω, are n numbers, as many as W: nothing is saved",
-    )
+    yield from (
+        Line("dimension",          equal((n - 1) + n + 1 + (n - 1) + n, 4 * n - 1), identity(),
+             SYSTEM, "ω₁, W₁, d, ω₂, W₂ are 4n-1 numbers: 7 for n = 2, 11 for n = 3"),
+        Line("dimension-in-parts",
+             equal((n - 1) + (1 + (n - 1)) + 1 + (n - 1) + (1 + (n - 1)), 4 * n - 1), identity(),
+             SYSTEM, "η and W⊥, orthogonal to ω, are n numbers, as many as W: nothing is saved"),
+    )  # fmt: skip
 
 
 def misprints() -> Iterator[Refuted]:
     """What is false here, each with a point at which it is."""
-    yield refuted(
-        below,
-        "quoted-limit",
-        2 * below.s * (1 + below.s) < 1 + below.s**3,
-        "2/5",
-        label=STABLE,
-        says="the introduction: the displayed condition can be met up to r_c = 7-4√3, which "
-        "belongs to the other condition, 4√r/(1+r); here θ = π and r = 8/125 < 7-4√3",
-        severity=SLIP,
-        corrected_by="quoted-threshold",
-    )
-    yield refuted(
-        wide,
-        "angle-for-every-r",
-        2 * wide.s * (1 + wide.s) < wide.c * (1 + wide.s**3),
-        "1/4 1/2",
-        label=THEOREM,
-        says="the introduction: the limiting angle can be chosen in ]π/2,π]; the theorem has that "
-        "for no fixed r, only for angles above a bound that depends on r; here r = 1/64",
-        severity=SLIP,
-        corrected_by="angle-if-r-is-small",
-    )
-    yield refuted(
-        count,
-        "dimension-less",
-        equal(
-            (count.n - 1) + (1 + (count.n - 1)) + 1 + (count.n - 1) + (1 + (count.n - 1)),
-            4 * count.n - 3,
-        ),
-        "2",
-        label=SYSTEM,
-        says="as W⊥ is orthogonal to ω, the dimension 4n-1 could be reduced by 2",
-        severity=HARMLESS,
-        corrected_by="dimension-in-parts",
-    )
+    yield from (
+        refuted(below, "quoted-limit", 2 * below.s * (1 + below.s) < 1 + below.s**3, "2/5",
+                label=STABLE,
+                says="the introduction: the displayed condition can be met up to r_c = 7-4√3, "
+                     "which belongs to the other condition, 4√r/(1+r); here θ = π and r = 8/125 < "
+                     "7-4√3", severity=SLIP, corrected_by="quoted-threshold"),
+        refuted(wide, "angle-for-every-r", 2 * wide.s * (1 + wide.s) < wide.c * (1 + wide.s**3),
+                "1/4 1/2", label=THEOREM,
+                says="the introduction: the limiting angle can be chosen in ]π/2,π]; the theorem "
+                     "has that for no fixed r, only for angles above a bound that depends on r; "
+                     "here r = 1/64", severity=SLIP, corrected_by="angle-if-r-is-small"),
+        refuted(count, "dimension-less",
+                equal((count.n - 1) + (1 + (count.n - 1)) + 1 + (count.n - 1) + (1 + (count.n - 1)),
+                      4 * count.n - 3), "2", label=SYSTEM,
+                says="as W⊥ is orthogonal to ω, the dimension 4n-1 could be reduced by 2",
+                severity=HARMLESS, corrected_by="dimension-in-parts"),
+    )  # fmt: skip

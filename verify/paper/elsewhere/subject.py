@@ -39,14 +39,6 @@ def refuted(
     corrected_by: str,
 ) -> Refuted:
     """The row, and the numbers of the point in the order of the letters."""
-    row = misprint(
-        name,
-        label,
-        says,
-        claim,
-        group="",
-        severity=severity,
-        corrected_by=corrected_by,
-        context=letters.context,
-    )
+    row = misprint(name, label, says, claim, group="", severity=severity, corrected_by=corrected_by,
+                   context=letters.context)  # fmt: skip
     return Refuted(row, letters.point(at))

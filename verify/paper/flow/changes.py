@@ -119,10 +119,6 @@ def _rows(
     frame, frame_next = Frame(now), Frame(after)
     for k, i in enumerate(BASIS):
         for j in BASIS[k:]:
-            yield Line(
-                f"{name}-{i}-{j}",
-                equal(frame.dot(vectors[i], vectors[j]), frame_next.gram(i, j)),
-                identity(" ".join(using)),
-                FREE,
-                f"the next {i}·{j}",
-            )
+            yield Line(f"{name}-{i}-{j}",
+                       equal(frame.dot(vectors[i], vectors[j]), frame_next.gram(i, j)),
+                       identity(" ".join(using)), FREE, f"the next {i}·{j}")  # fmt: skip

@@ -128,92 +128,60 @@ def chapters() -> Iterator[Chapter]:
 def _numbers() -> Iterator[Item]:
     s, T = way.s, way.T
     one = as_term(1)
+    cofactors = (("kap-is", as_term(-1)), ("kap-linear", now.lam**2))
     yield Line("root-positive", 0 < definitions()["s-is"].rhs, ByRoot())
     yield Line("s-positive", 0 < s, proof("root-positive", using="s-is"))
     yield Line("T-linear", equal(now.A * T, 1 - s), identity("T-is s-is"))
     yield Line("s-linear", equal(s, 1 - now.A * T), identity("", (("T-linear", one),)))
     yield Line("kap-linear", equal(way.kap, T * (1 + s)), identity("T-is"))
-    cofactors = (("kap-is", as_term(-1)), ("kap-linear", now.lam**2))
     yield Line("eps-is", equal(now.eps, T * (1 + s) * now.lam**2), identity("", cofactors))
     yield Line("rho-is", equal(now.rho, way.q * now.lam), identity("q-is"))
     yield Line("y-positive", 0 < way.y, proof(times("lam-positive", "v-positive"), using="y-is"))
 
 
 def _contact() -> Iterator[Item]:
-    yield Line(
-        "contact",
-        equal(frame.square(omega), 1),
-        identity(BASE),
-        FREE,
-        "at the time y T the spheres o and c are in contact: |ω| = 1 for ω = x_c + yT W_c",
-    )
-    yield Line(
-        "impact",
-        equal(speed, -(way.y * way.s)),
-        identity(BASE),
-        LAW,
-        "and approach with the speed y s: W_c·ω = -y s",
-    )
-    yield Line(
-        "impact-positive",
-        0 < way.y * way.s,
-        proof(times("y-positive", "s-positive")),
-        LAW,
-        "which is positive",
-    )
+    yield from (
+        Line("contact",         equal(frame.square(omega), 1), identity(BASE), FREE,
+             "at the time y T the spheres o and c are in contact: |ω| = 1 for ω = x_c + yT W_c"),
+        Line("impact",          equal(speed, -(way.y * way.s)), identity(BASE),
+             LAW, "and approach with the speed y s: W_c·ω = -y s"),
+        Line("impact-positive", 0 < way.y * way.s, proof(times("y-positive", "s-positive")),
+             LAW, "which is positive"),
+    )  # fmt: skip
 
 
 def _law() -> Iterator[Item]:
     using = " ".join((BASE, *(f"{name}_next-is" for name in NAMED)))
     for k, i in enumerate(BASIS):
         for j in BASIS[k:]:
-            yield Line(
-                f"next-{i}-{j}",
-                equal(frame.dot(NEXT[i], NEXT[j]), frame_next.gram(i, j)),
-                identity(using),
-                LAW,
-                f"the next {i}·{j}, where c is the spectator: x_s' = ω, W_s' = W_c - (1+r)(W_c·ω)ω,"
-                " x_c' = x_s + yT W_s and W_c' = W_s - (1+r)/2 (W_c·ω)ω",
-                ("hard-spheres",),
-            )
+            yield Line(f"next-{i}-{j}", equal(frame.dot(NEXT[i], NEXT[j]), frame_next.gram(i, j)),
+                       identity(using), LAW,
+                       f"the next {i}·{j}, where c is the spectator: x_s' = ω, W_s' = W_c - "
+                       "(1+r)(W_c·ω)ω, x_c' = x_s + yT W_s and W_c' = W_s - (1+r)/2 (W_c·ω)ω",
+                       ("hard-spheres",))  # fmt: skip
 
 
 def _pairs() -> Iterator[Item]:
     path = moved(x_c, share * tau, W_c)
-    yield Line(
-        "colliding-pair-apart",
-        1 + 2 * (1 - share) * tau * (way.y * way.s) <= frame.square(path),
-        proof(times("A-nonnegative", square((1 - share) * tau)), using=BASE),
-        FREE,
-        "o and c are apart before: |x_c + tW_c|² >= 1 + 2(τ-t) y s for t = share τ, τ = yT",
-    )
+    yield Line("colliding-pair-apart",
+               1 + 2 * (1 - share) * tau * (way.y * way.s) <= frame.square(path),
+               proof(times("A-nonnegative", square((1 - share) * tau)), using=BASE), FREE,
+               "o and c are apart before: |x_c + tW_c|² >= 1 + 2(τ-t) y s for t = share τ, τ = "
+               "yT")  # fmt: skip
     path, scaled = moved(x_s, share * tau, W_s), power("v-positive", 2)
-    yield Line(
-        "spectator-apart",
-        1 < frame.square(path),
-        proof(
-            times(scaled, between("spectator", "share-positive", "share-most")),
-            using=f"{BASE} eps_next-is",
-        ),
-        FREE,
-        "o and s are apart in ]0, τ]: |x_s + tW_s| > 1",
-    )
+    yield Line("spectator-apart", 1 < frame.square(path),
+               proof(times(scaled, between("spectator", "share-positive", "share-most")),
+                     using=f"{BASE} eps_next-is"),
+               FREE, "o and s are apart in ]0, τ]: |x_s + tW_s| > 1")  # fmt: skip
     path = moved(minus(x_c, x_s), share * tau, minus(W_c, W_s))
-    yield Line(
-        "outer-apart",
-        1 < frame.square(path),
-        proof(between("outer", "share-positive", "share-most")),
-        FREE,
-        "s and c are apart in ]0, τ]: |x_c - x_s + t(W_c - W_s)| > 1",
-    )
+    yield Line("outer-apart", 1 < frame.square(path),
+               proof(between("outer", "share-positive", "share-most")),
+               FREE, "s and c are apart in ]0, τ]: |x_c - x_s + t(W_c - W_s)| > 1")  # fmt: skip
 
 
 def _parting() -> Line:
     push = times(2, "t_after-positive", "r-positive", "s-positive", "y-positive")
-    return Line(
-        "pair-that-met-parts",
-        1 < frame_next.square(moved(x_s, t_after, W_s)),
-        proof(push, times(square(t_after), "B-nonnegative")),
-        FREE,
-        "after the collision o and c do not meet again in free flight: |x_s' + tW_s'| > 1, t > 0",
-    )
+    return Line("pair-that-met-parts", 1 < frame_next.square(moved(x_s, t_after, W_s)),
+                proof(push, times(square(t_after), "B-nonnegative")), FREE,
+                "after the collision o and c do not meet again in free flight: |x_s' + tW_s'| > 1, "
+                "t > 0")  # fmt: skip

@@ -49,13 +49,10 @@ def _parting() -> Iterator[Chapter]:
     inside = space("parting-later", "a later time", {t.name: 1}, time, PARTING)
     yield Chapter(None, (Opened(outside),))
     yield Chapter(PARTING, (Opened(inside),))
-    line = Line(
-        "never-approach",
-        0 <= p + t * m,
-        proof("parting-slow", times("t_parting-positive", "parting-speed")),
-        FREE,
-        "nor do they after any time t of free flight: (x + tw)·w >= 0, so they do not collide",
-    )
+    line = Line("never-approach", 0 <= p + t * m,
+                proof("parting-slow", times("t_parting-positive", "parting-speed")), FREE,
+                "nor do they after any time t of free flight: (x + tw)·w >= 0, so they do not "
+                "collide")  # fmt: skip
     yield Chapter(inside.name, (line,))
 
 
@@ -68,13 +65,9 @@ def _passing() -> Iterator[Chapter]:
     inside = space("passing-time", "a time", {t.name: 1}, {}, PASSING)
     yield Chapter(None, (Opened(outside),))
     yield Chapter(PASSING, (Opened(inside),))
-    line = Line(
-        "never-touch",
-        0 < g + t * (2 * p + m * t),
-        scaled(times("goal", "passing-speed"), square(m * t + p), "passing-far"),
-        FREE,
-        "they never touch: |x + tw| > 1 at any time t",
-    )
+    line = Line("never-touch", 0 < g + t * (2 * p + m * t),
+                scaled(times("goal", "passing-speed"), square(m * t + p), "passing-far"),
+                FREE, "they never touch: |x + tw| > 1 at any time t")  # fmt: skip
     yield Chapter(inside.name, (line,))
 
 

@@ -62,31 +62,20 @@ def _signs() -> Iterator[Item]:
     y2 = power("start-Cnd1", 2)
     both = ("start-ratio-upper", "start-ratio-lower")
     used = ("least-ratio-positive", "ratio-positive", LOSS)
-    yield Line("eta_0-positive", 0 < eta_0, proof("start-Cnd1", "start-Cnd2"))
-    yield Line("V_0-positive", 0 < V_0, proof("eta_0-positive", "speed-start"))
-    yield Line("k-positive", 0 < k, scaled(times("goal", y2), "start-d-positive", "start-d-small"))
-    yield Line(
-        "T-positive",
-        0 < T,
-        scaled(times(2, "goal"), "time-room", square(T * V), times(2, "k-positive")),
-    )
-    yield Line("T-least", k <= T, scaled(times(2, "goal"), "time-room", square(T * V)))
-    yield Line("X-positive", 0 <= X, scaled(times(2, "goal", "start-Cnd1"), *both))
-    yield Line(
-        "ratio-positive",
-        0 < m + X,
-        scaled(times("goal", "start-Cnd1"), "start-ratio-upper", "start-recedes"),
-    )
-    yield Line(
-        "root-room",
-        0 < root,
-        scaled(times(HALF, "obtuse", "goal"), "y-lower-room", *used),
-    )
-    yield Line(
-        "zeta-room",
-        0 < 1 - 2 * k * V**2,
-        proof(times(square(V), "time-room"), power("root-room", 2)),
-    )
+    yield from (
+        Line("eta_0-positive", 0 < eta_0, proof("start-Cnd1", "start-Cnd2")),
+        Line("V_0-positive", 0 < V_0, proof("eta_0-positive", "speed-start")),
+        Line("k-positive", 0 < k, scaled(times("goal", y2), "start-d-positive", "start-d-small")),
+        Line("T-positive", 0 < T,
+             scaled(times(2, "goal"), "time-room", square(T * V), times(2, "k-positive"))),
+        Line("T-least", k <= T, scaled(times(2, "goal"), "time-room", square(T * V))),
+        Line("X-positive", 0 <= X, scaled(times(2, "goal", "start-Cnd1"), *both)),
+        Line("ratio-positive", 0 < m + X,
+             scaled(times("goal", "start-Cnd1"), "start-ratio-upper", "start-recedes")),
+        Line("root-room", 0 < root, scaled(times(HALF, "obtuse", "goal"), "y-lower-room", *used)),
+        Line("zeta-room", 0 < 1 - 2 * k * V**2,
+             proof(times(square(V), "time-room"), power("root-room", 2))),
+    )  # fmt: skip
 
 
 def _sums() -> Iterator[Item]:
@@ -110,12 +99,11 @@ def _sums() -> Iterator[Item]:
     for side, change in (("upper", start.C - C_0), ("lower", C_0 - start.C)):
         claim = change <= Theta - total(eta_0)
         yield Line(f"start-angle-{side}", claim, proof(f"start-C-{side}", using=using))
-    yield Line(
-        "Theta-room",
-        0 <= Theta - total(eta_0),
-        scaled(times(2, "goal"), "start-angle-upper", "start-angle-lower"),
-    )
-    yield Line("Theta-positive", 0 < Theta, proof("Theta-room", TOTAL))
+    yield from (
+        Line("Theta-room",     0 <= Theta - total(eta_0),
+             scaled(times(2, "goal"), "start-angle-upper", "start-angle-lower")),
+        Line("Theta-positive", 0 < Theta, proof("Theta-room", TOTAL)),
+    )  # fmt: skip
 
 
 TOTAL = plus(
@@ -131,60 +119,28 @@ def _ratios() -> Iterator[Item]:
         times(2, "Theta-positive"),
         times(LOSS, "obtuse"),
     )
-    yield Line(
-        "ratio-order",
-        least_ratio + loss <= ratio,
-        scaled(
-            times(REACH, "goal"),
-            "y-upper-room",
-            times(REACH, "y-lower-room"),
-            times(2, "X-positive"),
-            times(EXCESS, "ratio-positive"),
-            times(HALF, REACH, angle),
-        ),
-        says="p - Y + TV² ≤ p + Y",
-    )
-    yield Line("loss-decay", loss <= ratio, proof("ratio-order", "least-ratio-positive"))
-    yield Line("growth-positive", 0 < ratio, proof("ratio-order", "least-ratio-positive", LOSS))
-    yield Line(
-        "least-ratio-below", 0 < 1 - least_ratio, proof("ratio-order", LOSS, "decay-positive")
-    )
     below = times("least-ratio-below", plus(1, "least-ratio-positive"))
-    yield Line(
-        "ratio-below",
-        0 < 1 - (m + X),
-        scaled(
-            times("T-positive", "goal"),
-            "d-room",
-            times("T-least", power("least-ratio-positive", 2)),
-            times("T-positive", below),
-            times(Fraction(1, 2), square(T * V)),
-        ),
-    )
-    yield Line(
-        "r-below-one",
-        0 < 1 - r,
-        proof(
-            "x-upper-room",
-            times("r-positive", EXCESS),
-            times("ratio-positive", "least-ratio-below"),
-            "ratio-below",
-        ),
-        says="the inequalities imply r < 1",
-    )
+    yield from (
+        Line("ratio-order",       least_ratio + loss <= ratio,
+             scaled(times(REACH, "goal"), "y-upper-room", times(REACH, "y-lower-room"),
+                    times(2, "X-positive"), times(EXCESS, "ratio-positive"),
+                    times(HALF, REACH, angle)), says="p - Y + TV² ≤ p + Y"),
+        Line("loss-decay",        loss <= ratio, proof("ratio-order", "least-ratio-positive")),
+        Line("growth-positive",   0 < ratio, proof("ratio-order", "least-ratio-positive", LOSS)),
+        Line("least-ratio-below", 0 < 1 - least_ratio,
+             proof("ratio-order", LOSS, "decay-positive")),
+        Line("ratio-below",       0 < 1 - (m + X),
+             scaled(times("T-positive", "goal"), "d-room",
+                    times("T-least", power("least-ratio-positive", 2)), times("T-positive", below),
+                    times(Fraction(1, 2), square(T * V)))),
+        Line("r-below-one",       0 < 1 - r,
+             proof("x-upper-room", times("r-positive", EXCESS),
+                   times("ratio-positive", "least-ratio-below"), "ratio-below"),
+             says="the inequalities imply r < 1"),
+    )  # fmt: skip
 
 
 def _apart() -> Iterator[Item]:
-    yield Line(
-        "loss-bound",
-        loss <= half * root,
-        proof(
-            "y-lower-room",
-            times(HALF, "root-room", plus("angle-real", "Theta-positive")),
-            "ratio-positive",
-            "least-ratio-positive",
-        ),
-    )
     cubic = plus(
         times("root-room", square(1 - Fraction(27, 10) * loss)),
         times(LOSS, square(Fraction(3, 2) * loss - Fraction(3, 5))),
@@ -192,34 +148,20 @@ def _apart() -> Iterator[Item]:
         times(Fraction(11, 100), power(LOSS, 2)),
         times(Fraction(1, 25), power(LOSS, 3)),
     )
-    yield Line(
-        "apart-least",
-        0 <= root * (1 - 5 * loss) + half,
-        scaled(times("root-room", "goal"), "loss-bound", cubic),
-    )
-    yield Line(
-        "apart-most",
-        0 <= (1 - ratio) * (1 - 5 * loss) + half,
-        scaled(
-            times("root-room", "goal"),
-            times("decay-positive", "apart-least"),
-            times(HALF, "loss-decay"),
-        ),
-    )
-    yield Line(
-        "apart-scaled",
-        5 * loss * eta_0 <= V,
-        scaled(
-            times("decay-positive", "goal"),
-            "speed-room",
-            times("decay-positive", "speed-start"),
-            times("eta_0-positive", "apart-most"),
-            times(HALF, EXCESS, "eta_0-positive"),
-        ),
-    )
-    yield Line(
-        "apart-room",
-        5 * T * V * eta_0 <= 1,
-        scaled(times("V-positive", "goal"), "apart-scaled"),
-        says="the inequalities imply TVη₀ ≤ 1/5: in one step no particle gets far",
-    )
+    yield from (
+        Line("loss-bound",   loss <= half * root,
+             proof("y-lower-room", times(HALF, "root-room", plus("angle-real", "Theta-positive")),
+                   "ratio-positive", "least-ratio-positive")),
+        Line("apart-least",  0 <= root * (1 - 5 * loss) + half,
+             scaled(times("root-room", "goal"), "loss-bound", cubic)),
+        Line("apart-most",   0 <= (1 - ratio) * (1 - 5 * loss) + half,
+             scaled(times("root-room", "goal"), times("decay-positive", "apart-least"),
+                    times(HALF, "loss-decay"))),
+        Line("apart-scaled", 5 * loss * eta_0 <= V,
+             scaled(times("decay-positive", "goal"), "speed-room",
+                    times("decay-positive", "speed-start"), times("eta_0-positive", "apart-most"),
+                    times(HALF, EXCESS, "eta_0-positive"))),
+        Line("apart-room",   5 * T * V * eta_0 <= 1,
+             scaled(times("V-positive", "goal"), "apart-scaled"),
+             says="the inequalities imply TVη₀ ≤ 1/5: in one step no particle gets far"),
+    )  # fmt: skip

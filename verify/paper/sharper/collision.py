@@ -60,12 +60,12 @@ def next_condition(
 
 
 def _turning() -> Iterator[Item]:
-    yield TURN
     sums = plus(
         times("turn_1-positive", "g-positive"),
         times("turn_2-positive", power("g-positive", 2)),
         times("turn_3-positive", power("g-positive", 3)),
     )
+    yield TURN
     yield Line("C-positive", 0 < C, proof("angle-lower", "obtuse", sums))
     tv, y1, tau = times("T-positive", "V-positive"), "Cnd1", "tau-positive"
     turned = plus(
@@ -80,46 +80,24 @@ def _turning() -> Iterator[Item]:
         times(square(V), "time", plus(tau, times("T-positive", y1))),
     )
     for side, sign, other, near in (
-        (
-            "upper",
-            1,
-            "lower",
-            (times("D-one", "C-positive"), times("d-positive", "C-one"), "d-small"),
-        ),
-        (
-            "lower",
-            -1,
-            "upper",
-            (times("d-positive", "C-positive"), times("D-one", "C-one"), "distance-here"),
-        ),
-    ):
-        yield Line(
-            f"angle-step-{side}",
-            (C_next - C if sign == 1 else C - C_next) <= change,
-            scaled(
-                times("D-positive", "goal"),
-                times("D-one", turned),
-                *near,
-                times(tau, f"a-{other}"),
-                times("d-sum-positive", tau, f"b-{other}"),
-                times(power(tau, 2), f"w-{other}"),
-                *late,
-            )._replace(equations=(("turn", as_term(-sign)),)),
-            ANGLE,
-            "|cos θ' - cos θ| ≤ 2TV(-η_c) + (κ+T²V²)η_c² + TVκ(-η_c)³",
-        )
+        ("upper", 1, "lower",
+         (times("D-one", "C-positive"), times("d-positive", "C-one"), "d-small")),
+        ("lower", -1, "upper",
+         (times("d-positive", "C-positive"), times("D-one", "C-one"), "distance-here")),
+    ):  # fmt: skip
+        yield Line(f"angle-step-{side}", (C_next - C if sign == 1 else C - C_next) <= change,
+                   scaled(times("D-positive", "goal"), times("D-one", turned), *near,
+                          times(tau, f"a-{other}"), times("d-sum-positive", tau, f"b-{other}"),
+                          times(power(tau, 2), f"w-{other}"), *late)
+                   ._replace(equations=(("turn", as_term(-sign)),)),
+                   ANGLE, "|cos θ' - cos θ| ≤ 2TV(-η_c) + (κ+T²V²)η_c² + TVκ(-η_c)³")  # fmt: skip
 
 
 def _angle() -> Iterator[Item]:
     for side in ("upper", "lower"):
-        yield next_condition(
-            f"angle-{side}",
-            "|(-cos θ) - C₀| stays below Θ less the sum of all later changes",
-            f"angle-step-{side}",
-            f"angle-{side}",
-            *TURNED,
-            equations=SUMMED,
-        )
+        yield next_condition(f"angle-{side}",
+                   "|(-cos θ) - C₀| stays below Θ less the sum of all later changes",
+                   f"angle-step-{side}", f"angle-{side}", *TURNED, equations=SUMMED)  # fmt: skip
     later = plus(
         *(
             times(f"turn_{i}-positive", power(times("growth-positive", "g-positive"), i))
@@ -132,21 +110,15 @@ def _angle() -> Iterator[Item]:
 
 
 def _impact() -> Iterator[Item]:
-    yield IMPACT_POSITIVE
-    yield Line(
-        "impact-bound",
-        impact <= reach * y,
-        proof(times("d-sum-positive", "Cnd1", "S-one"), times("Cnd1", "d-crude")),
-        COMPONENTS,
-        "|W_c·ω_s'| ≤ (1+κη₀²)(-η_c)",
-    )
-    yield Line(
-        "impact-least",
-        root * y <= impact,
-        proof(times("Cnd1", "S-least"), times("d-positive", "Cnd1", "S-positive")),
-        COMPONENTS,
-        "|W_c·ω_s'| ≥ (1-TV²)(-η_c)",
-    )
+    yield from (
+        IMPACT_POSITIVE,
+        Line("impact-bound", impact <= reach * y,
+             proof(times("d-sum-positive", "Cnd1", "S-one"), times("Cnd1", "d-crude")),
+             COMPONENTS, "|W_c·ω_s'| ≤ (1+κη₀²)(-η_c)"),
+        Line("impact-least", root * y <= impact,
+             proof(times("Cnd1", "S-least"), times("d-positive", "Cnd1", "S-positive")),
+             COMPONENTS, "|W_c·ω_s'| ≥ (1-TV²)(-η_c)"),
+    )  # fmt: skip
 
 
 def _speeds() -> Iterator[Item]:
@@ -154,40 +126,23 @@ def _speeds() -> Iterator[Item]:
     yield SPIN_SQUARE
     yield from absolute("spin", spin, (speed, "speed-positive"), ("spin-square", "B-upper"))
     hit = times(2, HALF, "impact-positive")
-    yield Line(
-        "norm-c",
-        A_next <= (speed + half * impact) ** 2,
-        proof(times(hit, "spin-upper"), "B-upper", using="law-norm-c impact-speed"),
-        NORMS,
-        "|W_c'| ≤ |W_s| + (1+r)/2 |W_c·ω_s'|, with a bound for |W_s|",
-    )
-    yield Line(
-        "speed-hit",
-        speed + half * impact <= speed_next,
-        proof(
-            times(HALF, "impact-bound"),
-            times(HALF, REACH, "Cnd2"),
-            equations=(("gain-sum", g),),
-        ),
-    )
-    yield Line(
-        "speed-grows",
-        speed <= speed_next,
-        proof(times("gain-positive", "decay-positive", "g-positive")),
-    )
     struck = plus("speed-hit", times(2, "speed-positive"), hit)
-    yield next_condition(
-        "A-upper", "|W_c'| stays below V less the sum of all later changes", "norm-c",
-        times("speed-hit", struck),
-    )  # fmt: skip
-    yield next_condition(
-        "B-upper",
-        "|W_s'| stays below V less the sum of all later changes",
-        "A-upper",
-        times("r-below-one", plus(1, "r-positive"), power("impact-positive", 2)),
-        times("speed-grows", plus("speed-grows", times(2, "speed-positive"))),
-        using="law-norm-s impact-speed",
-    )
     slower = times("gain-positive", "growth-positive", "g-positive")
     rest = plus(slower, times(2, plus("speed-positive", "speed-grows")))
-    yield Line("next-A-below", A_next <= V**2, proof("next-A-upper", times(slower, rest)))
+    yield from (
+        Line("norm-c", A_next <= (speed + half * impact) ** 2,
+             proof(times(hit, "spin-upper"), "B-upper", using="law-norm-c impact-speed"),
+             NORMS, "|W_c'| ≤ |W_s| + (1+r)/2 |W_c·ω_s'|, with a bound for |W_s|"),
+        Line("speed-hit", speed + half * impact <= speed_next,
+             proof(times(HALF, "impact-bound"), times(HALF, REACH, "Cnd2"),
+                   equations=(("gain-sum", g),))),
+        Line("speed-grows", speed <= speed_next,
+             proof(times("gain-positive", "decay-positive", "g-positive"))),
+        next_condition("A-upper", "|W_c'| stays below V less the sum of all later changes",
+             "norm-c", times("speed-hit", struck)),
+        next_condition("B-upper", "|W_s'| stays below V less the sum of all later changes",
+             "A-upper", times("r-below-one", plus(1, "r-positive"), power("impact-positive", 2)),
+             times("speed-grows", plus("speed-grows", times(2, "speed-positive"))),
+             using="law-norm-s impact-speed"),
+        Line("next-A-below", A_next <= V**2, proof("next-A-upper", times(slower, rest))),
+    )  # fmt: skip

@@ -48,9 +48,8 @@ def _sizes() -> Iterator[Item]:
     yield Line("speed-positive", 0 < speed, proof("speed-above", "V_0-positive"))
     slower = times(SLOWER, plus(SLOWER, times(2, "speed-positive")))
     for name, letter, size in (("A", "c", A), ("B", "s", B)):
-        yield Line(
-            f"{name}-below", size <= V**2, proof(f"{name}-upper", slower), says=f"|W_{letter}| ≤ V"
-        )
+        yield Line(f"{name}-below", size <= V**2,
+                   proof(f"{name}-upper", slower), says=f"|W_{letter}| ≤ V")  # fmt: skip
     yield Line("A-positive", 0 < A, proof("cs-c", power("Cnd1", 2)))
     yield Line("B-positive", 0 < B, proof("cs-s", power("recedes", 2)))
     yield Line("d-crude", 1 + d <= reach, proof("d-small", _crude()))
@@ -71,85 +70,44 @@ def _components() -> Iterator[Item]:
 
 
 def _root() -> Iterator[Item]:
-    yield Line(
-        "zeta-bound",
-        zeta <= 2 * k * V**2,
-        proof(zeta_small("", "A-below"), using="zeta"),
-        says="ζ ≤ 2κV²",
-    )
-    yield Line(
-        "S-least",
-        root <= S,
-        scaled(
-            times("goal", plus("goal", times(2, "S-positive"))),
-            "zeta-bound",
-            times(square(V), "time-room"),
-            using="S-square",
-        ),
-        says="√(1-ζ) ≥ 1 - TV²",
-    )
+    yield from (
+        Line("zeta-bound", zeta <= 2 * k * V**2,
+             proof(zeta_small("", "A-below"), using="zeta"), says="ζ ≤ 2κV²"),
+        Line("S-least",    root <= S,
+             scaled(times("goal", plus("goal", times(2, "S-positive"))), "zeta-bound",
+                    times(square(V), "time-room"), using="S-square"), says="√(1-ζ) ≥ 1 - TV²"),
+    )  # fmt: skip
 
 
 def _time() -> Iterator[Item]:
     d_sum, y2 = "d-sum-positive", power("Cnd1", 2)
-    yield Line(
-        "time-root",
-        equal(tau * (1 + d) * y * (1 + S), d * (2 + d)),
-        identity("tau S"),
-        TIME,
-        "τ = d(2+d)/((1+d)(-η_c)(1+√(1-ζ)))",
-    )
-    yield Line(
-        "time",
-        tau <= T * y,
-        scaled(
-            times("goal", d_sum, "Cnd1", plus(1, "S-positive")),
-            times("T-positive", y2, d_sum, "S-least"),
-            times(y2, d_sum, "time-room"),
-            times(2, d_sum, "d-small"),
-            power("d-positive", 2),
-        )._replace(equations=(("time-root", as_term(-1)),)),
-        TIME,
-        "τ ≤ T(-η_c)",
-    )
-    yield Line(
-        "time-short",
-        5 * V * tau <= 1,
-        proof(
-            times(5, "V-positive", "time"),
-            times(5, "T-positive", "V-positive", "y-bound"),
-            "apart-room",
-        ),
-        TIME,
-        "Vτ ≤ 1/5",
-    )
+    yield from (
+        Line("time-root",  equal(tau * (1 + d) * y * (1 + S), d * (2 + d)), identity("tau S"),
+             TIME, "τ = d(2+d)/((1+d)(-η_c)(1+√(1-ζ)))"),
+        Line("time",       tau <= T * y,
+             scaled(times("goal", d_sum, "Cnd1", plus(1, "S-positive")),
+                    times("T-positive", y2, d_sum, "S-least"), times(y2, d_sum, "time-room"),
+                    times(2, d_sum, "d-small"), power("d-positive", 2))
+             ._replace(equations=(("time-root", as_term(-1)),)), TIME, "τ ≤ T(-η_c)"),
+        Line("time-short", 5 * V * tau <= 1,
+             proof(times(5, "V-positive", "time"), times(5, "T-positive", "V-positive", "y-bound"),
+                   "apart-room"), TIME, "Vτ ≤ 1/5"),
+    )  # fmt: skip
 
 
 def _distance() -> Iterator[Item]:
     y2 = power("Cnd1", 2)
     further = times("T-positive", "Cnd1")
-    yield Line(
-        "distance-slope",
-        D - 1 <= k * least_ratio**2 * y**2,
-        proof(
-            "distance",
-            times("recedes", "time"),
-            times(further, "ratio-upper"),
-            times(Fraction(1, 2), power("tau-positive", 2), "B-below"),
-            times(Fraction(1, 2), square(V), "time", plus("tau-positive", further)),
-            times(y2, "d-room"),
-        ),
-        DISTANCE,
-        "d' ≤ κ(p-Y)²η_c²",
-    )
     below = times("least-ratio-below", plus(1, "least-ratio-positive"))
-    yield Line(
-        "distance-here",
-        D - 1 <= k * y**2,
-        proof("distance-slope", times("k-positive", y2, below)),
-        DISTANCE,
-        "d' ≤ κη_c²",
-    )
-    yield Line("distance-crude", reach >= D, proof("distance-here", _crude()))
-    yield flight.NEXT_D_POSITIVE
-    yield flight.NEXT_D_SUM_POSITIVE
+    yield from (
+        Line("distance-slope", D - 1 <= k * least_ratio**2 * y**2,
+             proof("distance", times("recedes", "time"), times(further, "ratio-upper"),
+                   times(Fraction(1, 2), power("tau-positive", 2), "B-below"),
+                   times(Fraction(1, 2), square(V), "time", plus("tau-positive", further)),
+                   times(y2, "d-room")), DISTANCE, "d' ≤ κ(p-Y)²η_c²"),
+        Line("distance-here", D - 1 <= k * y**2,
+             proof("distance-slope", times("k-positive", y2, below)), DISTANCE, "d' ≤ κη_c²"),
+        Line("distance-crude", reach >= D, proof("distance-here", _crude())),
+        flight.NEXT_D_POSITIVE,
+        flight.NEXT_D_SUM_POSITIVE,
+    )  # fmt: skip

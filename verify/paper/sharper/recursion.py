@@ -25,91 +25,51 @@ def lines() -> Iterator[Item]:
 
 def _ratio() -> Iterator[Item]:
     yield from parts()
-    yield GAINED_UPPER
-    yield Line(
-        "kept-least",
-        (m - X) * y <= reach * kept,
-        proof(times("D-positive", "ratio-lower"), times("distance-crude", "recedes"), using="kept"),
-    )
-    yield Line(
-        "y-upper-bound",
-        y_next <= ratio * y,
-        scaled(
-            times(REACH, "goal"),
-            times(REACH, HALF, "impact-bound", "C_next-positive"),
-            times(REACH, HALF, REACH, "Cnd1", "C_next-most"),
-            times(REACH, "gained-positive"),
-            "kept-least",
-            times("Cnd1", "y-upper-room"),
-            using="normal-parts",
-        ),
-        GROWTH,
-        "η_c'/η_c ≤ p + Y",
-    )
-    yield Line(
-        "y-lower-bound",
-        least_ratio * y <= y_next,
-        proof(
-            times(HALF, "impact-least", "C_next-positive"),
-            times(HALF, "root-room", "Cnd1", "C_next-least"),
-            "kept-upper",
-            "ratio-upper",
-            "gained-upper",
-            times("tau-positive", "B-below"),
-            times(square(V), "time"),
-            times("Cnd1", "y-lower-room"),
-            using="normal-parts",
-        ),
-        GROWTH,
-        "η_c'/η_c ≥ p - Y",
-    )
+    yield from (
+        GAINED_UPPER,
+        Line("kept-least", (m - X) * y <= reach * kept,
+             proof(times("D-positive", "ratio-lower"), times("distance-crude", "recedes"),
+                   using="kept")),
+        Line("y-upper-bound", y_next <= ratio * y,
+             scaled(times(REACH, "goal"), times(REACH, HALF, "impact-bound", "C_next-positive"),
+                    times(REACH, HALF, REACH, "Cnd1", "C_next-most"),
+                    times(REACH, "gained-positive"), "kept-least", times("Cnd1", "y-upper-room"),
+                    using="normal-parts"), GROWTH, "η_c'/η_c ≤ p + Y"),
+        Line("y-lower-bound", least_ratio * y <= y_next,
+             proof(times(HALF, "impact-least", "C_next-positive"),
+                   times(HALF, "root-room", "Cnd1", "C_next-least"), "kept-upper", "ratio-upper",
+                   "gained-upper", times("tau-positive", "B-below"), times(square(V), "time"),
+                   times("Cnd1", "y-lower-room"), using="normal-parts"),
+             GROWTH, "η_c'/η_c ≥ p - Y"),
+    )  # fmt: skip
 
 
 def _sizes() -> Iterator[Item]:
     survives = times("least-ratio-positive", "Cnd1")
-    yield next_condition("Cnd1", "η_c' < 0", "y-lower-bound", survives)
-    yield next_condition(
-        "Cnd2",
-        "|η_c'| ≤ (p+Y)^{n+1} η₀",
-        "y-upper-bound",
-        times("growth-positive", "Cnd2"),
-    )
-    yield next_condition(
-        "g-bound", "(p+Y)^{n+1} η₀ ≤ η₀", "g-bound", times("g-positive", "decay-positive")
-    )
     longer = times("k-positive", "y-lower-bound", plus("next-Cnd1", survives))
-    yield next_condition("d-small", "d' ≤ κη_c'²", "distance-slope", longer, using="d_next")
+    yield from (
+        next_condition("Cnd1",    "η_c' < 0", "y-lower-bound", survives),
+        next_condition("Cnd2",    "|η_c'| ≤ (p+Y)^{n+1} η₀", "y-upper-bound",
+             times("growth-positive", "Cnd2")),
+        next_condition("g-bound", "(p+Y)^{n+1} η₀ ≤ η₀", "g-bound",
+             times("g-positive", "decay-positive")),
+        next_condition("d-small", "d' ≤ κη_c'²", "distance-slope", longer, using="d_next"),
+    )  # fmt: skip
 
 
 def _others() -> Iterator[Item]:
-    yield next_condition(
-        "recedes",
-        "η_s' > 0: the pair that just met separates",
-        times("r-positive", "impact-positive"),
-        using="law-eta-s",
-    )
-    yield next_condition(
-        "ratio-upper",
-        "η_s'/(-η_c') ≤ m + X",
-        times("r-positive", "impact-bound"),
-        times("Cnd1", "x-upper-room"),
-        times("ratio-positive", "y-lower-bound"),
-        using="law-eta-s",
-    )
-    yield next_condition(
-        "ratio-lower",
-        "η_s'/(-η_c') ≥ m - X",
-        times("r-positive", "impact-least"),
-        times("Cnd1", "x-lower-room"),
-        times("ratio-room", "y-upper-bound"),
-        using="law-eta-s",
-    )
+    yield from (
+        next_condition("recedes",     "η_s' > 0: the pair that just met separates",
+             times("r-positive", "impact-positive"), using="law-eta-s"),
+        next_condition("ratio-upper", "η_s'/(-η_c') ≤ m + X", times("r-positive", "impact-bound"),
+             times("Cnd1", "x-upper-room"), times("ratio-positive", "y-lower-bound"),
+             using="law-eta-s"),
+        next_condition("ratio-lower", "η_s'/(-η_c') ≥ m - X", times("r-positive", "impact-least"),
+             times("Cnd1", "x-lower-room"), times("ratio-room", "y-upper-bound"),
+             using="law-eta-s"),
+    )  # fmt: skip
     yield from root_lines("next-", following(), zeta_small("next-", "next-A-below"))
-    yield next_condition(
-        "clock-bound",
-        "the time of the next collision is at most T(η₀ - (p+Y)^{n+1}η₀)/(1-p-Y)",
-        "clock-bound",
-        "time",
-        times("T-positive", "Cnd2"),
-        equations=(("duration-sum", g),),
-    )
+    yield next_condition("clock-bound",
+               "the time of the next collision is at most T(η₀ - (p+Y)^{n+1}η₀)/(1-p-Y)",
+               "clock-bound", "time", times("T-positive", "Cnd2"),
+               equations=(("duration-sum", g),))  # fmt: skip

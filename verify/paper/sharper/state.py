@@ -43,16 +43,7 @@ from verify.paper.sharper.numbers import (
 
 CAUCHY_SCHWARZ = "cauchy-schwarz"
 #: The pairs of vectors for which Cauchy-Schwarz is used.
-PAIRS = (
-    "cs-omega",
-    "cs-s",
-    "cs-c",
-    "cs-a",
-    "cs-b",
-    "cs-w",
-    "cs-apart",
-    "cs-impact",
-)
+PAIRS = ("cs-omega", "cs-s", "cs-c", "cs-a", "cs-b", "cs-w", "cs-apart", "cs-impact")
 
 #: g stands for ratio^n eta_0, clock for the time; `speed` bounds the speeds in this state.
 g, clock = symbol("g"), symbol("clock")

@@ -23,13 +23,9 @@ def chapters() -> Iterator[Chapter]:
 
 def _outer_pair() -> Line:
     outer: Combination = add(add(scale(1 + d, omega_c), scale(-1, omega_s)), scale(t, difference))
-    return Line(
-        "outer-pair-apart",
-        1 < dot(outer, outer),
-        _outer_reason(),
-        "EQUATSS4.1Recurrence_CndT",
-        "the outer pair s-c is apart for all times from 0 to τ, both included",
-    )
+    return Line("outer-pair-apart", 1 < dot(outer, outer), _outer_reason(),
+                "EQUATSS4.1Recurrence_CndT",
+                "the outer pair s-c is apart for all times from 0 to τ, both included")  # fmt: skip
 
 
 def _outer_reason() -> BySum:

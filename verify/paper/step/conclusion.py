@@ -16,22 +16,15 @@ def lines() -> Iterator[Item]:
     goal = times("decay-speed-positive", "goal")
     spent = (times("decay-speed-positive", "d-positive"), times(14, "speed-positive", "g-positive"))
     for side, term in (("upper", C - c), ("lower", c - C)):
-        yield Line(
-            f"angle-final-{side}",
-            term <= delta_theta,
-            scaled(goal, f"Cnd8-{side}", *spent, "final-angle"),
-            THEOREM,
-            "|(-cos θ_n) - (-cos θ₀)| ≤ δ_θ for every n, hence for the final angle",
-            ("bounded-monotone",),
-        )
-    yield Line(
-        "time-total",
-        clock <= T_star,
-        scaled(goal, "clock-bound", "collapse-time", times(2, "zeta_bar-positive", "g-positive")),
-        THEOREM,
-        "t_n ≤ T* for every n: the times of the collisions converge",
-        ("bounded-monotone",),
-    )
+        yield Line(f"angle-final-{side}", term <= delta_theta,
+                   scaled(goal, f"Cnd8-{side}", *spent, "final-angle"), THEOREM,
+                   "|(-cos θ_n) - (-cos θ₀)| ≤ δ_θ for every n, hence for the final angle",
+                   ("bounded-monotone",))  # fmt: skip
+    yield Line("time-total", clock <= T_star,
+               scaled(goal, "clock-bound", "collapse-time",
+                      times(2, "zeta_bar-positive", "g-positive")), THEOREM,
+               "t_n ≤ T* for every n: the times of the collisions converge",
+               ("bounded-monotone",))  # fmt: skip
     moving = (
         times(2, "decay-positive", "distance-speed"),
         times(4, "decay-positive", "speed-positive", "time-crude"),
@@ -43,11 +36,7 @@ def lines() -> Iterator[Item]:
         ("lower", C - size <= C_next - size_next, "-cos θ_n - d_n - β g_n rises with n"),
     ):
         changes = (times("decay-speed-positive", f"angle-step-{side}"), *moving)
-        yield Line(
-            f"angle-monotone-{side}",
-            claim,
-            proof(*(times("decay-speed-positive", change) for change in changes), using="d_next"),
-            THEOREM,
-            f"{says}: the angle converges",
-            ("bounded-monotone",),
-        )
+        yield Line(f"angle-monotone-{side}", claim,
+                   proof(*(times("decay-speed-positive", change) for change in changes),
+                         using="d_next"),
+                   THEOREM, f"{says}: the angle converges", ("bounded-monotone",))  # fmt: skip

@@ -43,20 +43,12 @@ def _norms() -> Iterator[Item]:
     goal = times("decay-positive", "goal")
     for name, letter, size in (("A", "c", A), ("B", "s", B)):
         facts = ("Cnd5-upper", times(SHIFT, "g-positive"))
-        yield Line(
-            f"{name}-above",
-            V_0 <= size,
-            scaled(goal, f"{name}-lower", *facts),
-            "EQUATSS4.1Recurrence_Cnd5",
-            f"V₀ ≤ |W_{letter}|²",
-        )
-        yield Line(
-            f"{name}-below",
-            size <= V_1,
-            scaled(goal, f"{name}-upper", *facts),
-            "EQUATSS4.1Recurrence_Cnd5",
-            f"|W_{letter}|² ≤ V₁",
-        )
+        yield from (
+            Line(f"{name}-above", V_0 <= size, scaled(goal, f"{name}-lower", *facts),
+                 "EQUATSS4.1Recurrence_Cnd5", f"V₀ ≤ |W_{letter}|²"),
+            Line(f"{name}-below", size <= V_1, scaled(goal, f"{name}-upper", *facts),
+                 "EQUATSS4.1Recurrence_Cnd5", f"|W_{letter}|² ≤ V₁"),
+        )  # fmt: skip
     yield Line("B-positive", 0 < B, proof("B-above", "V_0-positive"))
 
 
@@ -67,9 +59,9 @@ def _components() -> Iterator[Item]:
     yield from below_speed("y", y, ("cs-c", "A-below"))
     yield from below_speed("a", a, ("cs-a", "A-below"))
     yield from below_speed("b", b, ("cs-b", "B-below"))
-    yield Line("C-one", C <= 1, scaled(times("goal", plus("goal", 2)), "cs-omega"))
     goal = times("goal", plus("goal", times(2, "V_1-positive")))
     facts = ("cs-w", times("A-below", "B-positive"), times("V_1-positive", "B-below"))
+    yield Line("C-one", C <= 1, scaled(times("goal", plus("goal", 2)), "cs-omega"))
     yield Line("w-upper", w <= V_1, scaled(goal, *facts))
     yield Line("w-lower", -w <= V_1, scaled(goal, *facts))
 
@@ -77,143 +69,69 @@ def _components() -> Iterator[Item]:
 def _root() -> Iterator[Item]:
     cnd3 = "EQUATSS4.1Recurrence_Cnd3"
     yield from flight.root()
-    yield Line(
-        "zeta-bound",
-        zeta <= zeta_bar,
-        proof("Cnd4", using="zeta"),
-        "EQUATSS4.1Recurrence_Cnd4",
-        "ζ ≤ ζ̄",
-    )
+    yield Line("zeta-bound", zeta <= zeta_bar, proof("Cnd4", using="zeta"),
+               "EQUATSS4.1Recurrence_Cnd4", "ζ ≤ ζ̄")  # fmt: skip
     yield from flight.between_zero_and_one()
-    yield Line(
-        "root-crude",
-        1 - S <= zeta,
-        proof(times("S-positive", "S-one"), using="S-square"),
-        cnd3,
-        "1 - √(1-ζ) ≤ ζ",
-    )
-    yield Line(
-        "root-room",
-        root_two - 1 <= S,
-        scaled(
-            times("goal", plus("S-positive", "root-two-lower")),
-            "zeta-bound",
-            "zeta-root",
-            using="S-square",
-        ),
-    )
     fine = times(Fraction(1, 4), power("S-one", 2), "root-room")
-    yield Line(
-        "root-fine",
-        1 - S <= zeta / 2 + zeta**2 / 4,
-        proof(times(fine, plus("S-positive", 2, "root-two-lower")), using="S-square"),
-        FINE,
-        "1 - √(1-ζ) ≤ ζ/2 + ζ²/4",
-    )
-    yield Line(
-        "root-product-upper",
-        (1 + d) * S - 1 <= d,
-        proof(times("d-sum-positive", "S-one")),
-        PRODUCT,
-        "(1+d)√(1-ζ) - 1 ≤ d",
-    )
-    yield Line(
-        "root-product-lower",
-        1 - (1 + d) * S <= 2 * zeta,
-        proof("root-crude", times("d-positive", "S-positive"), "zeta-positive"),
-        PRODUCT,
-        "1 - (1+d)√(1-ζ) ≤ 2ζ",
-    )
+    yield from (
+        Line("root-crude",         1 - S <= zeta,
+             proof(times("S-positive", "S-one"), using="S-square"), cnd3, "1 - √(1-ζ) ≤ ζ"),
+        Line("root-room",          root_two - 1 <= S,
+             scaled(times("goal", plus("S-positive", "root-two-lower")), "zeta-bound", "zeta-root",
+                    using="S-square")),
+        Line("root-fine",          1 - S <= zeta / 2 + zeta**2 / 4,
+             proof(times(fine, plus("S-positive", 2, "root-two-lower")), using="S-square"),
+             FINE, "1 - √(1-ζ) ≤ ζ/2 + ζ²/4"),
+        Line("root-product-upper", (1 + d) * S - 1 <= d, proof(times("d-sum-positive", "S-one")),
+             PRODUCT, "(1+d)√(1-ζ) - 1 ≤ d"),
+        Line("root-product-lower", 1 - (1 + d) * S <= 2 * zeta,
+             proof("root-crude", times("d-positive", "S-positive"), "zeta-positive"),
+             PRODUCT, "1 - (1+d)√(1-ζ) ≤ 2ζ"),
+    )  # fmt: skip
 
 
 def _time() -> Iterator[Item]:
     yield from flight.time(times("d-sum-positive", "Cnd1", "S-one"))
-    yield Line(
-        "time-product",
-        A * tau <= 2 * y * zeta,
-        proof(
-            times("d-one", "Cnd1", "S-one"),
-            times(2, "Cnd1", "root-crude"),
-            equations=(("tau-product", as_term(-1)),),
-        ),
-        TIME,
-        "τ ≤ 2(-η_c)ζ/|W_c|²",
-    )
-    yield Line(
-        "time",
-        V_0 * tau <= 2 * y * zeta,
-        proof("time-product", times("tau-positive", "A-above")),
-        TIME,
-        "τ ≤ 2(-η_c)ζ/V₀",
-    )
-    yield Line(
-        "time-crude", V_0 * tau <= 2 * y, proof("time", times(2, "Cnd1", "zeta-one")), TIME,
-        "τ ≤ 2(-η_c)/V₀",
+    yield from (
+        Line("time-product", A * tau <= 2 * y * zeta,
+             proof(times("d-one", "Cnd1", "S-one"), times(2, "Cnd1", "root-crude"),
+                   equations=(("tau-product", as_term(-1)),)), TIME, "τ ≤ 2(-η_c)ζ/|W_c|²"),
+        Line("time",         V_0 * tau <= 2 * y * zeta,
+             proof("time-product", times("tau-positive", "A-above")), TIME, "τ ≤ 2(-η_c)ζ/V₀"),
+        Line("time-crude",   V_0 * tau <= 2 * y, proof("time", times(2, "Cnd1", "zeta-one")),
+             TIME, "τ ≤ 2(-η_c)/V₀"),
+        Line("time-speed",   speed * tau <= 1,
+             scaled(times("V_0-positive", "goal"), "tau-small",
+                    times(2, "speed-positive", "y-bound"), times("speed-positive", "time-crude")),
+             TIME, "V₁^{1/2} τ ≤ 1"),
+        Line("time-square",  V_1 * tau**2 <= speed * tau,
+             proof(times("speed-positive", "tau-positive", "time-speed")),
+             TIME, "V₁ τ² ≤ V₁^{1/2} τ"),
     )  # fmt: skip
-    yield Line(
-        "time-speed",
-        speed * tau <= 1,
-        scaled(
-            times("V_0-positive", "goal"),
-            "tau-small",
-            times(2, "speed-positive", "y-bound"),
-            times("speed-positive", "time-crude"),
-        ),
-        TIME,
-        "V₁^{1/2} τ ≤ 1",
-    )
-    yield Line(
-        "time-square",
-        V_1 * tau**2 <= speed * tau,
-        proof(times("speed-positive", "tau-positive", "time-speed")),
-        TIME,
-        "V₁ τ² ≤ V₁^{1/2} τ",
-    )
 
 
 def _distance() -> Iterator[Item]:
     yield from flight.distance()
-    yield Line(
-        "distance-time",
-        D - 1 <= Fraction(3, 2) * speed * tau,
-        proof(
-            "distance",
-            times("tau-positive", "eta_s-upper"),
-            times(HALF, "tau-positive", "tau-positive", "B-below"),
-            times(HALF, "speed-positive", "tau-positive", "time-speed"),
-        ),
-        DISTANCE,
-        "d' ≤ (3/2) V₁^{1/2} τ",
-    )
-    yield Line(
-        "distance-speed",
-        V_0 * (D - 1) <= 3 * speed * y,
-        proof(
-            times("V_0-positive", "distance-time"),
-            times(Fraction(3, 2), "speed-positive", "time-crude"),
-        ),
-        DISTANCE,
-        "d' ≤ 3 (V₁^{1/2}/V₀)(-η_c)",
-    )
-    yield Line(
-        "distance-later",
-        D - 1 <= d_later,
-        proof("distance-speed", times(3, "speed-positive", "y-bound")),
-    )
     goal = times("V_0-positive", "goal")
-    yield flight.NEXT_D_POSITIVE
-    yield Line(
-        "next-d-one", d_next <= 1, scaled(goal, "distance-later", "d-below-one", using="d_next"),
-        "EQUATSS4.1Recurrence_Cnd6", "d' ≤ 1",
+    yield from (
+        Line("distance-time", D - 1 <= Fraction(3, 2) * speed * tau,
+             proof("distance", times("tau-positive", "eta_s-upper"),
+                   times(HALF, "tau-positive", "tau-positive", "B-below"),
+                   times(HALF, "speed-positive", "tau-positive", "time-speed")),
+             DISTANCE, "d' ≤ (3/2) V₁^{1/2} τ"),
+        Line("distance-speed", V_0 * (D - 1) <= 3 * speed * y,
+             proof(times("V_0-positive", "distance-time"),
+                   times(Fraction(3, 2), "speed-positive", "time-crude")),
+             DISTANCE, "d' ≤ 3 (V₁^{1/2}/V₀)(-η_c)"),
+        Line("distance-later", D - 1 <= d_later,
+             proof("distance-speed", times(3, "speed-positive", "y-bound"))),
+        flight.NEXT_D_POSITIVE,
+        Line("next-d-one", d_next <= 1,
+             scaled(goal, "distance-later", "d-below-one", using="d_next"),
+             "EQUATSS4.1Recurrence_Cnd6", "d' ≤ 1"),
+        flight.NEXT_D_SUM_POSITIVE,
+        Line("next-d-share", d_next <= eighth,
+             scaled(goal, "distance-later", "y-term-2-d", using="d_next")),
+        Line("next-d-small", d_next <= small,
+             scaled(goal, "distance-later", "d_later-small", using="d_next")),
     )  # fmt: skip
-    yield flight.NEXT_D_SUM_POSITIVE
-    yield Line(
-        "next-d-share",
-        d_next <= eighth,
-        scaled(goal, "distance-later", "y-term-2-d", using="d_next"),
-    )
-    yield Line(
-        "next-d-small",
-        d_next <= small,
-        scaled(goal, "distance-later", "d_later-small", using="d_next"),
-    )

@@ -134,43 +134,33 @@ def lines() -> Iterator[Item]:
     yield from _angle()
     spread = times(HALF, "h_4-positive", "delta_x-positive", "start-Cnd1")
     for side in ("upper", "lower"):
-        yield _at_start(
-            f"Cnd9-{side}", f"start-x-{side}", times("start-Cnd1", "x_0-entry-1"), spread
-        )
+        yield _at_start(f"Cnd9-{side}", f"start-x-{side}",
+                   times("start-Cnd1", "x_0-entry-1"), spread)  # fmt: skip
     yield _at_start("clock-bound", times(2, "zeta_bar-positive", "start-eta_bar"))
 
 
 def _zeta() -> Iterator[Item]:
     y2 = power("start-Cnd1", 2)
     d2 = power("start-d-sum-positive", 2)
-    yield _at_start(
-        "Cnd4",
-        times(
-            "start-A-positive", power("start-d-positive", 2), plus(3, times(2, "start-d-positive"))
-        ),
-        times(2, d2, "start-A-positive", "start-d-slope"),
-        times(2, d2, "d_slope-positive", y2, "start-A-one"),
-        times(d2, y2, "init-Cnd4"),
-    )
-    yield _at_start("Cnd3", "start-Cnd4", times(d2, y2, "init-Cnd3"))
+    yield from (
+        _at_start("Cnd4",
+             times("start-A-positive", power("start-d-positive", 2),
+                   plus(3, times(2, "start-d-positive"))),
+             times(2, d2, "start-A-positive", "start-d-slope"),
+             times(2, d2, "d_slope-positive", y2, "start-A-one"), times(d2, y2, "init-Cnd4")),
+        _at_start("Cnd3", "start-Cnd4", times(d2, y2, "init-Cnd3")),
+    )  # fmt: skip
 
 
 def _angle() -> Iterator[Item]:
     slope = times("d_slope-positive", "start-eta_bar", plus("eta_bar-positive", "start-Cnd1"))
-    yield Line(
-        "start-d_bar",
-        d <= d_bar,
-        ByLeast((proof("start-d-const"), proof("start-d-slope", slope)), "d_bar-least"),
-        DATA,
-        "d₀ ≤ d̄",
-    )
+    yield Line("start-d_bar", d <= d_bar,
+               ByLeast((proof("start-d-const"), proof("start-d-slope", slope)), "d_bar-least"),
+               DATA, "d₀ ≤ d̄")  # fmt: skip
     for side in ("upper", "lower"):
-        yield _at_start(
-            f"Cnd8-{side}",
-            times("decay-speed-positive", f"start-C-{side}"),
-            times("decay-speed-positive", "start-d_bar"),
-            times(14, "speed-positive", "start-eta_bar"),
-        )
+        yield _at_start(f"Cnd8-{side}", times("decay-speed-positive", f"start-C-{side}"),
+                   times("decay-speed-positive", "start-d_bar"),
+                   times(14, "speed-positive", "start-eta_bar"))  # fmt: skip
 
 
 # --- the point -----------------------------------------------------------------------------------

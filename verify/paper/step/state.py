@@ -52,17 +52,7 @@ time_sum = 2 / (V_0 * (1 - C_eta)) * zeta_bar
 
 
 #: The pairs of vectors for which Cauchy-Schwarz is used.
-PAIRS = (
-    "cs-omega",
-    "cs-s",
-    "cs-c",
-    "cs-a",
-    "cs-b",
-    "cs-w",
-    "cs-outer",
-    "cs-impact",
-    "cs-angle",
-)
+PAIRS = ("cs-omega", "cs-s", "cs-c", "cs-a", "cs-b", "cs-w", "cs-outer", "cs-impact", "cs-angle")
 
 
 def conditions() -> dict[str, Claim]:

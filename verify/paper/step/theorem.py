@@ -64,14 +64,8 @@ def chapters() -> Iterator[Chapter]:
 
 def _always() -> Line:
     conditions = state.conditions()
-    return Line(
-        "always",
-        Always(CONTEXT, initial.start, state.following()),
-        ByInduction(
-            tuple(initial.premise(name) for name in conditions),
-            tuple(f"next-{name}" for name in conditions),
-        ),
-        THEOREM,
-        "by induction on n all conditions hold after the n-th collision, for every n",
-        tuple(assumption.name for assumption in ASSUMPTIONS),
-    )
+    return Line("always", Always(CONTEXT, initial.start, state.following()),
+                ByInduction(tuple(initial.premise(name) for name in conditions),
+                            tuple(f"next-{name}" for name in conditions)), THEOREM,
+                "by induction on n all conditions hold after the n-th collision, for every n",
+                tuple(assumption.name for assumption in ASSUMPTIONS))  # fmt: skip

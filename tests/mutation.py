@@ -45,7 +45,7 @@ STAGES = {
     "verify/check_map.py": (
         ("tests/check/test_check_map.py", "tests/check/test_check_map_branches.py"),
         ("tests/check/test_check_map_numbers.py", "tests/check/test_check_map_planes.py"),
-        ("tests/check/test_check_map_closing.py", "tests/prover/test_map_branches.py"),
+        ("tests/check/test_check_map_closing.py", "tests/spheres/map/test_branches.py"),
         ("tests/check/test_check_map_lies.py",),
     ),
 }

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from verify.jobs import prove as job
-from verify.jobs.errors import OwnError
+from verify.language.errors import OwnError
 from verify.library import ask, for_all, lemma, prove, symbol
 from verify.prover.prove import prove as decided
+from verify.wire import questions as job
 
 FIRST = """
 from fractions import Fraction

@@ -8,9 +8,9 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from tests.points import parameters
-from verify.jobs import everywhere, spectrum
-from verify.jobs.theorem1 import decide_point
 from verify.language.statement import PRINTED, PROVED, REFUTED
+from verify.paper.commands import everywhere, spectrum
+from verify.paper.commands.theorem1 import decide_point
 from verify.paper.groups import REPAIRED
 from verify.paper.rows import BREAKS, HARMLESS, SLIP
 from verify.paper.step.numbers import COLLAPSE

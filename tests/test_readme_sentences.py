@@ -21,12 +21,12 @@ from pathlib import Path
 import pytest
 
 from tests.points import parameters
-from verify.jobs.classification import decide_classification
-from verify.jobs.elsewhere import decide_elsewhere
-from verify.jobs.spectrum import decide_spectrum
-from verify.jobs.theorem1 import decide_point
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED
 from verify.language.typeset import Typesetter
+from verify.paper.commands.classification import decide_classification
+from verify.paper.commands.elsewhere import decide_elsewhere
+from verify.paper.commands.spectrum import decide_spectrum
+from verify.paper.commands.theorem1 import decide_point
 from verify.paper.groups import REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.rows import BREAKS
@@ -188,7 +188,7 @@ BACKED: dict[str, tuple[Check, ...]] = {
     "`certificates/map` has the plane of": (areas_of_the_map,),
     "-η_c = 1/100 and both tangential speeds 1": (areas_of_the_map,),
     "this plane have centres and velocities in one plane, also in space": (
-        "tests/prover/test_map_boxes.py::test_points_of_decided_boxes_do_what_was_proved",
+        "tests/spheres/map/test_boxes.py::test_points_of_decided_boxes_do_what_was_proved",
     ),
     "`verify map` has that checker prove the log": (
         "tests/cli/test_map.py::test_a_judge_that_decides_nothing",
@@ -267,7 +267,7 @@ BACKED: dict[str, tuple[Check, ...]] = {
     ),
     "it *disperses*, no two collide any more": (
         "tests/cli/test_scene.py::test_the_examples",
-        "tests/jobs/test_scene.py::test_random_scenes_with_every_kind_of_move",
+        "tests/paper/commands/test_scene.py::test_random_scenes_with_every_kind_of_move",
     ),
     # what the paper says, in the words of its abstract
     "construct an explicit set of initial data from which three hard spheres": (
@@ -277,7 +277,7 @@ BACKED: dict[str, tuple[Check, ...]] = {
     "of its rows are refuted, each with both sides enclosed": (COUNTS, the_counts),
     "rows of the repaired set are proved there": (
         COUNTS,
-        "tests/jobs/test_theorem1.py::test_chosen_constants_are_short_and_do_not_depend_on_the_precision",
+        "tests/paper/commands/test_theorem1.py::test_chosen_constants_are_short_and_do_not_depend_on_the_precision",
     ),
     "The step is proved for every state": (
         "tests/paper/step/test_step.py::test_the_step_is_proved_and_small",
@@ -334,10 +334,10 @@ BACKED: dict[str, tuple[Check, ...]] = {
     ),
     "There is no tolerance": (
         "tests/prover/test_cover.py::test_an_equality_on_a_cell_is_never_decided",
-        "tests/jobs/test_theorem1.py::test_equality_in_the_hypothesis_is_a_definite_no",
+        "tests/paper/commands/test_theorem1.py::test_equality_in_the_hypothesis_is_a_definite_no",
     ),
     "for a claim about all values, at a witness": (
-        "tests/spectrum/test_rows.py::test_each_witness_is_exact",
+        "tests/paper/spectrum/test_rows.py::test_each_witness_is_exact",
         "tests/check/test_rule_witness.py",
     ),
     "128 bits, doubled up to 65536": (ladder,),
@@ -358,19 +358,19 @@ BACKED: dict[str, tuple[Check, ...]] = {
         "tests/paper/test_rows.py::test_each_row_with_a_severity_has_one_cause",
     ),
     "`verify spectrum` judges formulas of Sections 4.1": (
-        "tests/spectrum/test_rows.py::test_a_row_is_claimed_for_its_numbers",
+        "tests/paper/spectrum/test_rows.py::test_a_row_is_claimed_for_its_numbers",
     ),
     "each with an exact witness": (
         COUNTS,
-        "tests/spectrum/test_rows.py::test_exactly_these_sentences_are_refuted",
-        "tests/spectrum/test_rows.py::test_each_witness_is_exact",
+        "tests/paper/spectrum/test_rows.py::test_exactly_these_sentences_are_refuted",
+        "tests/paper/spectrum/test_rows.py::test_each_witness_is_exact",
     ),
     # what is changed
     "is in the committed reports on Theorem 1": (changes_in_reports,),
     "the tail of the angle sum is 14": (changed_constants,),
     "rounded down to three digits": (
-        "tests/jobs/test_theorem1.py::test_each_chosen_constant_is_the_last_that_works",
-        "tests/jobs/test_theorem1.py::test_chosen_constants_are_short_and_do_not_depend_on_the_precision",
+        "tests/paper/commands/test_theorem1.py::test_each_chosen_constant_is_the_last_that_works",
+        "tests/paper/commands/test_theorem1.py::test_chosen_constants_are_short_and_do_not_depend_on_the_precision",
     ),
     # speed against error
     "Measured by `verify bench`": (TABLES, "tests/measure/test_bench.py::test_the_quick_form"),

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from verify.jobs.prove import decide
 from verify.language.statement import (
     NEEDED,
     Assumption,
@@ -21,6 +20,7 @@ from verify.language.statement import (
 from verify.language.terms import Claim, Number, as_term, symbol
 from verify.prover.budget import WorkBudget
 from verify.prover.outcome import Outcome
+from verify.wire.questions import decide
 from verify.wire.write import write
 
 

@@ -13,12 +13,12 @@ from math import isqrt
 import pytest
 
 from verify import check_map
-from verify.paper.map.planes import Phi
 from verify.paper.sharper.numbers import ROOM, SUMS, T, V, eta_0, k, total
-from verify.prover.map_boxes import verdicts
-from verify.prover.map_closing import NUMBERS, OTHERS
 from verify.prover.program import ExactArithmetic, Machine, Program
-from verify.wire.map_log import plane_document
+from verify.spheres.map.boxes import verdicts
+from verify.spheres.map.closing import NUMBERS, OTHERS
+from verify.spheres.map.log import plane_document
+from verify.spheres.map.planes import Phi
 
 PLANE = Phi(Fraction(3, 100), Fraction(1))
 #: Nearly: roots are rounded up to so many digits.

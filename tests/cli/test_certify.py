@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from verify.cli import main
-from verify.jobs import certificates
+from verify.paper.commands import certificates
 from verify.prover.outcome import Outcome
 
 
@@ -65,7 +65,7 @@ def test_a_path_that_cannot_be_used_is_found_before_the_work(
         raise AssertionError("the work was done first")
 
     for work in (
-        "verify.jobs.certificates.all_folders",
+        "verify.paper.commands.certificates.all_folders",
         "verify.cli.spectrum.decide_spectrum",
         "verify.cli.theorem1.decide_point",
         "verify.measure.stress.run_case",

@@ -15,14 +15,14 @@ import pytest
 from tests.check.support import INTERVAL, Pair
 from verify import check
 from verify.cli import main
-from verify.jobs import theorem1
-from verify.jobs.regenerate import is_right_statement
-from verify.jobs.scene import scene_outcome
-from verify.jobs.scene_files import read_scene
 from verify.language.statement import UNDECIDED
 from verify.language.terms import Term, as_term, cos, cos_pi
+from verify.paper.commands import theorem1
+from verify.paper.commands.regenerate import is_right_statement
+from verify.paper.commands.scene import scene_outcome
 from verify.prover.outcome import Outcome
-from verify.prover.scene import decide_scene
+from verify.spheres.scene.decide import decide_scene
+from verify.spheres.scene.scene_files import read_scene
 from verify.wire.write import write
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "certificates/examples"

@@ -11,7 +11,7 @@ import pytest
 
 from verify import check
 from verify.cli import main
-from verify.jobs import classification as job
+from verify.paper.commands import classification as job
 from verify.paper.numbering import cited
 
 COUNTS = {

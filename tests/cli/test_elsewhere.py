@@ -9,8 +9,8 @@ import pytest
 
 from verify import check
 from verify.cli import main
-from verify.jobs.elsewhere import decide_elsewhere
 from verify.language.statement import REFUTED
+from verify.paper.commands.elsewhere import decide_elsewhere
 
 
 def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:

@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 
 from verify.cli import files
-from verify.jobs import scene_files
-from verify.jobs.inputs import InputError
+from verify.spheres.scene import scene_files
+from verify.wire.inputs import InputError
 
 ROOT = Path(__file__).resolve().parents[2]
 NAMES = ("statement.json", "certificate.json", f"cited/{'0' * 64}.json")

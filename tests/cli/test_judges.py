@@ -15,15 +15,15 @@ import pytest
 
 from verify import check, check_map
 from verify.cli import COMMANDS, main
-from verify.jobs import classification
 from verify.language.statement import PROVED, UNDECIDED
 from verify.language.terms import Claim
-from verify.prover import scene
-from verify.prover.flow import Flow, UnclearError
+from verify.paper.commands import classification
 from verify.prover.ground import Ground
 from verify.prover.straight import StraightLine
 from verify.spheres import separatrix
+from verify.spheres.flow.follow import Flow, UnclearError
 from verify.spheres.limit_map import Orbits
+from verify.spheres.scene import decide as scene
 
 ROOT = Path(__file__).resolve().parents[2]
 #: What nobody may say without a judge.
@@ -216,9 +216,9 @@ def test_a_false_line_is_our_own_error(
 
 #: Each record that has a verdict, and the modules that may make it.
 JUDGES = {
-    "Judgement": {"jobs/acceptance.py", "jobs/citing.py", "prover/ground.py"},
-    "Fate": {"prover/scene.py"},
-    "ScannedPoint": {"jobs/scan.py"},
+    "Judgement": {"wire/judge.py", "paper/commands/citing.py", "prover/ground.py"},
+    "Fate": {"spheres/scene/decide.py"},
+    "ScannedPoint": {"paper/commands/scan.py"},
     "CurveAt": {"spheres/limit_map.py"},
     "Separatrix": {"spheres/separatrix.py"},
 }

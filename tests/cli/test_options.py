@@ -6,7 +6,7 @@ import pytest
 
 from verify.cli import COMMANDS, main
 from verify.cli.options import Options, Parser
-from verify.jobs.inputs import InputError
+from verify.wire.inputs import InputError
 
 
 def parser() -> Parser:

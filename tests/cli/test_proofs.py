@@ -14,8 +14,8 @@ import pytest
 from verify import check
 from verify.cli import main
 from verify.cli.proofs import outcome_of
-from verify.jobs import everywhere, step
 from verify.language.statement import UNDECIDED
+from verify.paper.commands import everywhere, step
 from verify.prover.uses import nodes
 from verify.views import graph as view
 from verify.views.explain import explain

@@ -11,8 +11,8 @@ import pytest
 
 from verify import check
 from verify.cli import files, main
-from verify.jobs import prove as job
 from verify.language.terms import Claim
+from verify.wire import questions as job
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "certificates/examples"
 

@@ -14,8 +14,8 @@ import pytest
 
 from verify import check
 from verify.cli import main
-from verify.jobs import spectrum
 from verify.language.terms import as_term
+from verify.paper.commands import spectrum
 from verify.paper.spectrum.printed import MATRIX, Printed
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -20,10 +20,10 @@ import pytest
 from tests.citing import cited_in
 from verify import check
 from verify.cli import main
-from verify.jobs.inputs import angle
 from verify.language.terms import cos_pi
 from verify.prover.outcome import Outcome
 from verify.wire import write
+from verify.wire.inputs import angle
 
 FILES = ("statement.json", "certificate.json")
 ROOT = Path(__file__).resolve().parents[2]

@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 
 from tests.points import ADMISSIBLE, parameters
-from verify.jobs.theorem1 import decide_point
 from verify.measure.bench import claims_of, definitions_program, theorem_program
 from verify.measure.engines import ArbEngine, CheckerEngine, MpmathEngine, load
+from verify.paper.commands.theorem1 import decide_point
 from verify.prover.outcome import Ends, Outcome
 from verify.prover.program import ExactArithmetic
 

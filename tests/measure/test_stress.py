@@ -8,10 +8,10 @@ import pytest
 
 from tests.points import parameters
 from verify.cli import main
-from verify.jobs.eigenvalues import Spectrum
-from verify.jobs.theorem1 import decide_point
 from verify.measure import stress
 from verify.measure.stress import Case, run_spectrum, run_theorem1
+from verify.paper.commands.eigenvalues import Spectrum
+from verify.paper.commands.theorem1 import decide_point
 from verify.prover.outcome import Judgement
 
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from verify.jobs.classification import decide_classification
-from verify.jobs.elsewhere import decide_elsewhere
-from verify.jobs.everywhere import decide_everywhere
-from verify.jobs.spectrum import decide_spectrum
-from verify.jobs.step import decide_step
 from verify.language.statement import NEEDED, Obligation
 from verify.paper import theorem1
+from verify.paper.commands.classification import decide_classification
+from verify.paper.commands.elsewhere import decide_elsewhere
+from verify.paper.commands.everywhere import decide_everywhere
+from verify.paper.commands.spectrum import decide_spectrum
+from verify.paper.commands.step import decide_step
 from verify.paper.step import printed_estimates
 from verify.prover.outcome import Outcome
 from verify.prover.uses import nodes

@@ -8,12 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from verify.jobs.classification import decide_classification
-from verify.jobs.elsewhere import decide_elsewhere
-from verify.jobs.spectrum import decide_spectrum
-from verify.jobs.step import decide_step
 from verify.language.statement import REFUTED
 from verify.paper import theorem1
+from verify.paper.commands.classification import decide_classification
+from verify.paper.commands.elsewhere import decide_elsewhere
+from verify.paper.commands.spectrum import decide_spectrum
+from verify.paper.commands.step import decide_step
 from verify.paper.numbering import printed_numbers
 from verify.prover.outcome import Outcome
 from verify.prover.uses import nodes

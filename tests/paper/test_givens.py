@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from verify import check
-from verify.jobs.everywhere import decide_everywhere
-from verify.jobs.step import decide_step
 from verify.language.statement import Statement
 from verify.language.terms import Claim, as_term
+from verify.paper.commands.everywhere import decide_everywhere
+from verify.paper.commands.step import decide_step
 from verify.prover.outcome import Outcome
 from verify.prover.proof import OpenStep, Step
 from verify.prover.rules import Interval

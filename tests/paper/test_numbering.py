@@ -12,7 +12,7 @@ from verify.views.plots.letters import letters_drawing
 
 PREFIXES = "EQUAT|THEOR|PROPO|SECTION|SECT|SSECT|SSSCT|DEFIN|LEMME|REMAR|APPEN"
 LABEL = re.compile(rf'"((?:{PREFIXES})S?[^" {{}}]{{6,}})"')
-ROOMS = ("paper", "jobs", "views")
+ROOMS = ("paper", "spheres", "views")
 
 
 def test_every_label_in_the_code_is_one_of_the_paper() -> None:

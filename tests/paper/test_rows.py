@@ -14,11 +14,11 @@ import pytest
 from mpmath import mp, mpf
 
 from tests.points import parameters
-from verify.jobs.theorem1 import decide_point
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Obligation
 from verify.language.terms import as_term, cos_pi, symbol
 from verify.paper import groups, initial_data
 from verify.paper.assumptions import KINDS
+from verify.paper.commands.theorem1 import decide_point
 from verify.paper.recursion import _angle_display
 from verify.paper.rows import BREAKS, HARMLESS, SEVERITIES, SLIP, misprint, needed, printed
 from verify.paper.theorem1 import theorem

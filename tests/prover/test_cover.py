@@ -9,10 +9,24 @@ from random import Random
 import pytest
 
 from tests.prover.judged import JudgedBox, cover
-from verify.jobs.constructions import FIXED, at_point, field_definitions, formulas, sorted_rows
-from verify.jobs.covers import PLANE, SHARE, WHOLE, WIDTH, plane, stability, threshold_boxes
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term, as_term, equal, maximum, minimum, sqrt, symbol
+from verify.paper.commands.constructions import (
+    FIXED,
+    at_point,
+    field_definitions,
+    formulas,
+    sorted_rows,
+)
+from verify.paper.commands.covers import (
+    PLANE,
+    SHARE,
+    WHOLE,
+    WIDTH,
+    plane,
+    stability,
+    threshold_boxes,
+)
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.prover import balls
 from verify.prover.cover import Field, Values, parts, refined

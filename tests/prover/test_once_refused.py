@@ -8,7 +8,6 @@ from typing import Any
 
 import pytest
 
-from verify.jobs.inputs import InputError
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, as_term, cos_pi, equal, minimum, sqrt, symbol
 from verify.library import ask, constant, for_all, lemma, prove
@@ -16,6 +15,7 @@ from verify.prover.budget import WorkBudget
 from verify.prover.goal import Bounds
 from verify.prover.search import tree
 from verify.prover.search.tree import Tree
+from verify.wire.inputs import InputError
 
 x, k = symbol("x"), symbol("k")
 ONE, ZERO = as_term(1), as_term(0)

@@ -18,8 +18,7 @@ import mpmath
 import pytest
 
 from tests.prover.test_oracle import CONTEXT, TINY, Generator, holds, value
-from verify.jobs.errors import OwnError
-from verify.jobs.prove import decide
+from verify.language.errors import OwnError
 from verify.language.statement import (
     NEEDED,
     PROVED,
@@ -36,6 +35,7 @@ from verify.language.terms import Claim, Term, as_term, cos_pi, maximum, minimum
 from verify.prover.budget import WorkBudget
 from verify.prover.outcome import Judgement, Outcome
 from verify.prover.rules import Interval
+from verify.wire.questions import decide
 
 FIRST = int(os.environ.get("STATEMENT_FIRST", "0"))
 ROUNDS = int(os.environ.get("STATEMENT_ROUNDS", "60"))

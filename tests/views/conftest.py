@@ -12,8 +12,8 @@ import pytest
 
 from verify.cli.certify import folder_files
 from verify.cli.files import write_all
-from verify.jobs import report
-from verify.jobs.certificates import all_folders
+from verify.paper.commands import report
+from verify.paper.commands.certificates import all_folders
 from verify.views.page.build import files
 
 Files = Mapping[str, bytes]

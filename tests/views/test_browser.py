@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from verify.jobs.report import NAMES
+from verify.paper.commands.report import NAMES
 
 NAMES_OF_BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
 BROWSER = next(filter(None, map(shutil.which, NAMES_OF_BROWSERS)), None)

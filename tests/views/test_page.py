@@ -16,7 +16,7 @@ import pytest
 
 from tests.views.conftest import DEPTH, TABLE, build
 from verify.cli import main
-from verify.jobs.report import NAMES
+from verify.paper.commands.report import NAMES
 from verify.paper.step.assumptions import ASSUMPTIONS
 from verify.views.page.html import prose
 

@@ -11,11 +11,11 @@ from pathlib import Path
 import pytest
 
 from tests.views.conftest import DEPTH, TABLE
-from verify.jobs import covers
-from verify.jobs.everywhere import decide_everywhere, decide_printed_everywhere
-from verify.jobs.thresholds import certified, decide_thresholds
 from verify.language.statement import REFUTED, UNDECIDED
 from verify.language.terms import as_term
+from verify.paper.commands import covers
+from verify.paper.commands.everywhere import decide_everywhere, decide_printed_everywhere
+from verify.paper.commands.thresholds import certified, decide_thresholds
 from verify.paper.everywhere.thresholds import STRIPS
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part

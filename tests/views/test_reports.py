@@ -8,14 +8,14 @@ import pytest
 
 from tests.citing import cited
 from tests.points import parameters
-from verify.jobs import spectrum, theorem1
-from verify.jobs.acceptance import read_judged as read
 from verify.language.statement import REFUTED
+from verify.paper.commands import spectrum, theorem1
 from verify.prover.decimals import short
 from verify.prover.outcome import Outcome
 from verify.views.markdown import report
 from verify.views.tex.article import part
 from verify.views.tex.sentences import name
+from verify.wire.judge import read_judged as read
 from verify.wire.write import write
 
 

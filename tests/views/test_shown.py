@@ -14,19 +14,20 @@ import pytest
 
 from tests.check.test_check_map import sealed
 from tests.views.conftest import few_boxes
-from verify.jobs import everywhere, scene_files
-from verify.jobs.acceptance import read_judged as read
-from verify.jobs.regenerate import is_right_when_accepted
-from verify.jobs.report import NAMES
-from verify.jobs.report_files import CertificateError
-from verify.jobs.report_maps import CertifiedMap, log_names, read_map, read_strip
-from verify.paper.scene.scene import Scene
+from verify.paper.commands import everywhere
+from verify.paper.commands.regenerate import is_right_when_accepted
+from verify.paper.commands.report import NAMES
+from verify.paper.commands.report_files import CertificateError
+from verify.paper.commands.report_maps import CertifiedMap, log_names, read_map, read_strip
 from verify.prover.outcome import Outcome
+from verify.spheres.scene import scene_files
+from verify.spheres.scene.scene import Scene
 from verify.views.graph import graph
 from verify.views.page.blueprint import direct, edges_between_labels, levels
 from verify.views.page.html import prose
 from verify.views.plots import collapse, map_figure
 from verify.views.plots.shapes import merged
+from verify.wire.judge import read_judged as read
 from verify.wire.write import write
 
 HERE = Path(__file__).parents[2] / "certificates"

@@ -13,7 +13,6 @@ from pathlib import Path
 import pytest
 
 from verify import ask, assume, for_all, lemma, prove
-from verify.jobs.acceptance import read_judged as read
 from verify.language.simplify import simplified
 from verify.language.terms import Term, as_term, sqrt, symbol
 from verify.prover.outcome import Outcome
@@ -21,6 +20,7 @@ from verify.views.markdown import report
 from verify.views.tex.article import part, tex_document
 from verify.views.tex.formulas import Formulas, safe_letter
 from verify.views.tex.sentences import name, tex_number, words
+from verify.wire.judge import read_judged as read
 
 CERTIFICATES = Path(__file__).resolve().parents[2] / "certificates"
 x, y = symbol("x"), symbol("y")

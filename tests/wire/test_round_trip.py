@@ -10,13 +10,13 @@ import pytest
 
 from tests.citing import cited
 from tests.points import parameters
-from verify.jobs import spectrum, theorem1
-from verify.jobs.acceptance import judged
-from verify.jobs.acceptance import read_judged as read
 from verify.language.terms import cos_pi
+from verify.paper.commands import spectrum, theorem1
 from verify.prover.outcome import Outcome
 from verify.views import document, markdown, row_lists, table, words
 from verify.views import spectrum as spectral
+from verify.wire.judge import judged
+from verify.wire.judge import read_judged as read
 from verify.wire.term_json import WireError
 from verify.wire.write import write
 

@@ -13,8 +13,8 @@ from io import TextIOWrapper
 from verify import __version__
 from verify.cli.options import Parser, beside
 from verify.cli.terminal import width
-from verify.jobs.errors import OwnError
-from verify.jobs.inputs import InputError, shown
+from verify.language.errors import OwnError
+from verify.wire.inputs import InputError, shown
 
 #: The commands in the order a newcomer needs them.
 COMMANDS = {

@@ -8,9 +8,9 @@ from collections.abc import Mapping
 from verify.cli.files import MAX_BYTES, test_folder, write_folder
 from verify.cli.options import Options, Parser
 from verify.cli.steps import Steps
-from verify.jobs.acceptance import accept
-from verify.jobs.inputs import InputError, regular_file, shown
 from verify.prover.outcome import Outcome
+from verify.wire.inputs import InputError, regular_file, shown
+from verify.wire.judge import accept
 
 
 def add_arguments(parser: Parser) -> None:
@@ -28,7 +28,7 @@ def run(options: Options) -> int:
         raise InputError(
             f"--directory: {shown(options.directory)} is not a folder; name the certificates"
         )
-    from verify.jobs.certificates import all_folders, number_of_folders  # loads flint
+    from verify.paper.commands.certificates import all_folders, number_of_folders  # loads flint
 
     progress = Steps(number_of_folders(options.directory))
     differing = 0

@@ -15,8 +15,8 @@ from verify.cli.files import print_document
 from verify.cli.options import Options, Parser
 from verify.cli.steps import watched
 from verify.cli.terminal import add_color, show
-from verify.jobs.inputs import InputError, shown
 from verify.language.record import Record
+from verify.wire.inputs import InputError, shown
 
 FORMAT = "verify-check/1"
 
@@ -90,8 +90,8 @@ def _print_latex(found: Sequence[CheckedFolder]) -> int:
         why = "not a statement of the program" if judged.own is False else judged.lines[-1]
         print(f"verify: {judged.folder.path}: {why}"[:300], file=sys.stderr)
     if not refused:
-        from verify.jobs.acceptance import read_judged
         from verify.views.tex.article import tex_document  # loaded only where they are used
+        from verify.wire.judge import read_judged
         from verify.wire.term_json import WireError
 
         folders = [judged.folder for judged in found]
@@ -156,7 +156,7 @@ def _compared(judged: CheckedFolder) -> CheckedFolder:
     """With the answer whether a proved theorem is the program's own, from the same bytes."""
     if judged.report.verdict != "PROVED":
         return judged
-    from verify.jobs.regenerate import is_right_statement  # loads flint
+    from verify.paper.commands.regenerate import is_right_statement  # loads flint
 
     return judged._replace(own=is_right_statement(judged.folder.statement))
 

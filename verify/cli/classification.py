@@ -6,8 +6,12 @@ from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import show
-from verify.jobs.classification import AtR, at_restitution, decide_classification, verdict_at
-from verify.jobs.inputs import restitution
+from verify.paper.commands.classification import (
+    AtR,
+    at_restitution,
+    decide_classification,
+    verdict_at,
+)
 from verify.prover.outcome import EXIT_CODES
 from verify.views.classification import (
     classification_document,
@@ -17,6 +21,7 @@ from verify.views.classification import (
     screen,
     theorem_lines,
 )
+from verify.wire.inputs import restitution
 
 
 def add_arguments(parser: Parser) -> None:

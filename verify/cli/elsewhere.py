@@ -6,7 +6,7 @@ from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import show
-from verify.jobs.elsewhere import decide_elsewhere
+from verify.paper.commands.elsewhere import decide_elsewhere
 
 
 def add_arguments(parser: Parser) -> None:

@@ -13,11 +13,11 @@ from verify.cli.files import MAX_BYTES
 from verify.cli.options import Options, Parser, field
 from verify.cli.proofs import AS_PRINTED, MAIN, accepted_outcome, outcome_of, statements
 from verify.cli.terminal import add_color, show
-from verify.jobs.inputs import InputError, regular_file, shown
 from verify.language.record import TYPE_CHECKING
+from verify.wire.inputs import InputError, regular_file, shown
 
 if TYPE_CHECKING:
-    from verify.jobs.places import Place
+    from verify.paper.commands.places import Place
     from verify.prover.outcome import Outcome
 
 #: What the prover calls the lemmas that it finds: they stand nowhere in the paper's room.
@@ -77,7 +77,7 @@ def _point(options: Options) -> Outcome | None:
             raise InputError(f"{name}: is for a point; write --r too")
         return None
     from verify.cli.theorem1 import DEFAULTS, read_parameters  # loaded only where they are used
-    from verify.jobs.theorem1 import decide_point
+    from verify.paper.commands.theorem1 import decide_point
 
     values = {field(name): value for name, value in given.items() if value is not None}
     missing = {field(name): DEFAULTS.get(field(name)) for name in given}
@@ -106,7 +106,7 @@ def _title(where: str, outcome: Outcome) -> str:
 
 def _anywhere(word: str, options: Options) -> list[str]:
     """Where the word is written, and the row in the first statement that has it."""
-    from verify.jobs.places import written  # loaded only where they are used
+    from verify.paper.commands.places import written  # loaded only where they are used
     from verify.views.explain import explain
 
     found = written(word) if word else []
@@ -183,7 +183,7 @@ def _committed(word: str) -> Iterator[str]:
 
 
 def _instead(word: str) -> str:
-    from verify.jobs.places import near
+    from verify.paper.commands.places import near
 
     names = near(word)
     return f"is it {', '.join(names)}?" if names else "write a name of a report, or a label"

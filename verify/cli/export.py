@@ -6,7 +6,7 @@ import sys
 
 from verify.cli.check import folders_at
 from verify.cli.options import Options, Parser
-from verify.jobs.inputs import InputError, shown
+from verify.wire.inputs import InputError, shown
 
 SYSTEMS = ("coq",)
 

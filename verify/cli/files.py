@@ -9,10 +9,10 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from errno import EISDIR
 
-from verify.jobs.errors import UnreadError
-from verify.jobs.inputs import InputError, regular_file, shown
+from verify.language.errors import UnreadError
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import NEEDED, UNDECIDED
+from verify.wire.inputs import InputError, regular_file, shown
 
 if TYPE_CHECKING:
     from typing import Any
@@ -267,7 +267,7 @@ def write_certificate(
         InputError: if the directory cannot be written, or the checker cannot read the parameters.
         OwnError: if the checker does not accept what would be written.
     """
-    from verify.jobs.acceptance import (
+    from verify.wire.judge import (
         accept,  # hashlib and json are loaded only where they are used
     )
     from verify.wire.write import write

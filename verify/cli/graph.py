@@ -7,7 +7,7 @@ import os
 from verify.cli.files import test_folder, write_all
 from verify.cli.options import Options, Parser
 from verify.cli.proofs import MAIN, outcome_of
-from verify.jobs.inputs import InputError, shown
+from verify.wire.inputs import InputError, shown
 
 ENDINGS = (".svg", ".dot", ".json")
 

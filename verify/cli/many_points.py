@@ -11,10 +11,10 @@ from verify.cli.files import print_document, progress, test_folder, write_certif
 from verify.cli.options import Options
 from verify.cli.terminal import show
 from verify.cli.theorem1 import DEFAULTS, POINT_OPTIONS, read_parameters
-from verify.jobs.inputs import InputError, integer, neg_cos, positive, restitution, shown
 from verify.language.statement import UNDECIDED
 from verify.paper.groups import PRINTED
 from verify.prover.outcome import EXIT_CODES, conjunction
+from verify.wire.inputs import InputError, integer, neg_cos, positive, restitution, shown
 
 #: What takes seconds at a box and without one; all of it is one search.
 PROVING = "proving Theorem 1 for all parameters, which takes seconds"
@@ -42,7 +42,10 @@ def _everywhere(options: Options) -> int:
     """Prove Theorem 1 for all parameters; print, write, return the exit code."""
     _leave_out(options, "--all", (*POINT_OPTIONS, "r", "neg_cos", "V0", "delta_theta", "steps"))
     test_folder("--out", options.out, "statement.json", "certificate.json")
-    from verify.jobs import everywhere, thresholds  # loaded only where they are used
+    from verify.paper.commands import (
+        everywhere,  # loaded only where they are used
+        thresholds,  # loaded only where they are used
+    )
     from verify.views import everywhere as view
     from verify.views.document import claims_document
 
@@ -72,7 +75,7 @@ def _box(options: Options) -> int:
         positive("--delta-theta", options.delta_theta),
     )
     test_folder("--out", options.out, "statement.json", "certificate.json")
-    from verify.jobs import box  # loaded only where they are used
+    from verify.paper.commands import box  # loaded only where they are used
     from verify.views import box as view
 
     progress(PROVING)
@@ -107,7 +110,7 @@ def _side(
 def _scan(options: Options) -> int:
     """Print the verdict at many values of r; the exit code is that of the worst."""
     from verify.cli.steps import watched  # loaded only where they are used
-    from verify.jobs.scan import scan
+    from verify.paper.commands.scan import scan
     from verify.views.ranges import range_lines, ranges, ranges_document, verdict_of
 
     if ".." not in options.r:

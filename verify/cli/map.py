@@ -13,18 +13,18 @@ from io import BytesIO
 from verify import check_map
 from verify.cli.files import print_document, read_bytes, write_all
 from verify.cli.options import Options, Parser, field
-from verify.jobs.errors import OwnError
-from verify.jobs.inputs import InputError, integer, rational, shown
-from verify.jobs.scene_files import read_scene
+from verify.language.errors import OwnError
 from verify.language.record import TYPE_CHECKING
-from verify.paper.map.planes import Phi, Place, Plane, Side, Through
-from verify.paper.map.strip import BorderStrip
+from verify.spheres.map.planes import Phi, Place, Plane, Side, Through
+from verify.spheres.map.strip import BorderStrip
+from verify.spheres.scene.scene_files import read_scene
+from verify.wire.inputs import InputError, integer, rational, shown
 
 if TYPE_CHECKING:
     from typing import BinaryIO
 
-    from verify.jobs.map import Sample, Target
-    from verify.wire.map_log import Progress
+    from verify.spheres.map.grow import Sample, Target
+    from verify.spheres.map.log import Progress
 
 LOG, DOCUMENT, PICTURE, DOTS, TIMES = "map.jsonl", "map.json", "map.svg", "map.png", "times.csv"
 UNDECIDED_CODE = 3
@@ -133,9 +133,9 @@ def run(options: Options) -> int:
     boxes = integer("--boxes", options.boxes, 1, MAX_BOXES)
     level = integer("--level", options.level or str(MAX_LEVEL), 1, MAX_LEVEL)
     jobs = integer("--jobs", options.jobs, 1, MAX_JOBS)
-    from verify.jobs.map import Target  # numpy is loaded only where it is used
+    from verify.spheres.map.grow import Target  # numpy is loaded only where it is used
+    from verify.spheres.map.log import LogMismatchError, Progress, plane_document
     from verify.views.map import area_shares, areas_of, map_document, map_lines, saddle_lines
-    from verify.wire.map_log import LogMismatchError, Progress, plane_document
 
     try:
         check_map.plane_of(plane_document(plane))
@@ -172,7 +172,7 @@ def _delta(options: Options) -> Fraction | None:
 
 
 def _strip(plane: Plane, delta: Fraction) -> BorderStrip:
-    from verify.prover.map_curve import strip_along
+    from verify.spheres.map.curve import strip_along
 
     if not isinstance(plane, Phi) or plane.y[0] != 0:
         raise InputError("--strip: φ2 has to begin at 0")
@@ -188,8 +188,8 @@ def _strip(plane: Plane, delta: Fraction) -> BorderStrip:
 
 def _grow(options: Options, progress: Progress, target: Target, jobs: int) -> None:
     """Afterwards the target is reached, the log is checked, and the files are written."""
-    from verify.jobs.map import grow, open_log, write_line
-    from verify.jobs.map_workers import workers
+    from verify.spheres.map.grow import grow, open_log, write_line
+    from verify.spheres.map.workers import workers
 
     with ExitStack() as stack:
         file: BinaryIO = BytesIO(progress.header)
@@ -243,7 +243,7 @@ def _watch(sample: Sample) -> None:
 
 def _read_times(folder: str, progress: Progress) -> list[Sample]:
     """The CPU seconds of earlier runs; none if they are not known for all boxes."""
-    from verify.jobs.map import Sample
+    from verify.spheres.map.grow import Sample
 
     try:
         with open(os.path.join(folder, TIMES), encoding="utf-8") as file:

@@ -10,7 +10,7 @@ import re
 from collections.abc import Sequence
 from types import SimpleNamespace
 
-from verify.jobs.inputs import InputError, shown
+from verify.wire.inputs import InputError, shown
 
 #: What follows an option as its value although it starts with a minus sign.
 _NEGATIVE = r"-([0-9.]|pi|inf|nan)"

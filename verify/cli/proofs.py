@@ -8,8 +8,8 @@ from difflib import get_close_matches
 from functools import cache
 
 from verify.cli.files import progress, read_bytes
-from verify.jobs.inputs import InputError, shown
 from verify.language.record import TYPE_CHECKING
+from verify.wire.inputs import InputError, shown
 
 if TYPE_CHECKING:
     from verify.prover.outcome import Outcome
@@ -26,7 +26,10 @@ NAMES = ("statement.json", "certificate.json")
 @cache
 def statements() -> Mapping[str, Callable[[], Outcome]]:
     """What the program proves for all values, by the names of the committed folders."""
-    from verify.jobs import certificates, everywhere  # load flint
+    from verify.paper.commands import (
+        certificates,  # load flint
+        everywhere,  # load flint
+    )
 
     return {**certificates.THEOREMS, AS_PRINTED: everywhere.decide_printed_everywhere}
 
@@ -56,7 +59,7 @@ def accepted_outcome(outcome: Outcome) -> Outcome:
         InputError: if there is nothing that it could judge.
         OwnError: if it does not.
     """
-    from verify.jobs.acceptance import judged  # loaded only where it is used
+    from verify.wire.judge import judged  # loaded only where it is used
 
     if outcome.spent:
         raise InputError(f"row: nothing is proved there: {outcome.spent}; name another statement")
@@ -65,7 +68,7 @@ def accepted_outcome(outcome: Outcome) -> Outcome:
 
 def _read(where: str) -> Outcome:
     from verify import check
-    from verify.jobs.acceptance import with_verdicts
+    from verify.wire.judge import with_verdicts
     from verify.wire.read import read
     from verify.wire.term_json import WireError
     from verify.wire.write import digest

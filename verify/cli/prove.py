@@ -15,13 +15,13 @@ from verify.cli.files import (
 )
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import add_color, show
-from verify.jobs.inputs import InputError, integer, rational, shown
-from verify.jobs.prove import decide_statement
 from verify.language.statement import PRINTED, UNDECIDED
 from verify.language.terms import Claim
 from verify.prover.budget import WORK, WorkBudget
 from verify.prover.outcome import Outcome
 from verify.views.prove import decided_document, decided_lines
+from verify.wire.inputs import InputError, integer, rational, shown
+from verify.wire.questions import decide_statement
 
 MAX_JOBS = 256
 

@@ -9,8 +9,8 @@ import sys
 from verify.cli.files import test_folder, write_all
 from verify.cli.options import Options, Parser
 from verify.cli.steps import Steps
-from verify.jobs.inputs import InputError, regular_file, shown
-from verify.jobs.report_files import MAX_BYTES
+from verify.paper.commands.report_files import MAX_BYTES
+from verify.wire.inputs import InputError, regular_file, shown
 
 #: What is compared.
 PAGES = ("index.html", "index.md", "constants.tex")
@@ -38,7 +38,7 @@ def run(options: Options) -> int:
     else:
         for name in PAGES:
             _read(os.path.join(options.directory, name))  # said before the long work
-    from verify.jobs.report_files import CertificateError
+    from verify.paper.commands.report_files import CertificateError
     from verify.views.page.build import files, number_of_steps
 
     try:

@@ -7,12 +7,12 @@ import os
 from verify.cli.files import print_document, read_bytes, test_folder
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import add_color, show
-from verify.jobs.inputs import InputError, integer, shown
-from verify.jobs.scene_files import read_scene
-from verify.jobs.scene_verdict import scene_lines
 from verify.prover.ground import FLINT
-from verify.prover.scene import MAX_DIGITS, Budget, Fate, decide_scene
+from verify.spheres.scene.decide import MAX_DIGITS, Budget, Fate, decide_scene
+from verify.spheres.scene.scene_files import read_scene
+from verify.spheres.scene.verdict import scene_lines
 from verify.views.scene import collision_table, exit_code, given_line, scene_document
+from verify.wire.inputs import InputError, integer, shown
 
 #: More than this would be a mistake.
 MAX_JOBS = 256
@@ -47,7 +47,7 @@ def judge_of(out: str | None) -> str:
     """Who gives a verdict: the checker, if its certificate is written."""
     if out is None:
         return FLINT
-    from verify.jobs.acceptance import CHECKER  # loaded only where it is used
+    from verify.wire.judge import CHECKER  # loaded only where it is used
 
     return CHECKER
 

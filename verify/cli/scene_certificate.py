@@ -6,11 +6,11 @@ import sys
 from collections.abc import Mapping
 
 from verify.cli.files import write_certificate
-from verify.jobs.errors import OwnError, UnreadError
-from verify.jobs.inputs import InputError
-from verify.jobs.scene import precisions, scene_outcome
+from verify.language.errors import OwnError, UnreadError
+from verify.paper.commands.scene import precisions, scene_outcome
 from verify.prover.program import UndefinedError
-from verify.prover.scene import DISPERSES, UNDECIDED, Fate
+from verify.spheres.scene.decide import DISPERSES, UNDECIDED, Fate
+from verify.wire.inputs import InputError
 
 
 def write_scene(

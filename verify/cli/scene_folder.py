@@ -14,12 +14,12 @@ from verify.cli.scene import judge_of
 from verify.cli.scene_certificate import write_scene
 from verify.cli.steps import watched
 from verify.cli.terminal import show
-from verify.jobs.errors import OwnError
-from verify.jobs.inputs import InputError, shown
-from verify.jobs.scene_files import read_scene
-from verify.jobs.scene_verdict import scene_lines
-from verify.prover.scene import Budget, decide_scene
+from verify.language.errors import OwnError
+from verify.spheres.scene.decide import Budget, decide_scene
+from verify.spheres.scene.scene_files import read_scene
+from verify.spheres.scene.verdict import scene_lines
 from verify.views.scene import exit_code, given_line, scene_document
+from verify.wire.inputs import InputError, shown
 
 FORMAT = "verify-scenes/1"
 #: The codes, the one that wins first: our own error, unusable, undecided.
@@ -55,7 +55,7 @@ def _all(work: Any, names: list[str], jobs: int) -> Iterator[Result]:
     if jobs == 1:
         yield from map(work, names)
         return
-    from verify.jobs.map_workers import workers  # loaded only where it is used
+    from verify.spheres.map.workers import workers  # loaded only where it is used
 
     with workers(jobs, None) as staff:
         yield from staff.in_order(work, names)

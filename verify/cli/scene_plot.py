@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 
 from verify.cli.files import write_all
-from verify.jobs.inputs import InputError
-from verify.prover.scene import Fate
+from verify.spheres.scene.decide import Fate
+from verify.wire.inputs import InputError
 
 
 def write_plot(option: str, path: str, kind: str, found: Fate) -> None:

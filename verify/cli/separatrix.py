@@ -10,10 +10,10 @@ from __future__ import annotations
 from verify.cli.files import print_document
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import add_color, show
-from verify.jobs.inputs import InputError, integer, neg_cos, positive, rational, restitution, shown
 from verify.spheres.limit_map import Parameters
 from verify.spheres.separatrix import decide_separatrix
 from verify.views.separatrix import screen, separatrix_document
+from verify.wire.inputs import InputError, integer, neg_cos, positive, rational, restitution, shown
 
 MAX_DIGITS, MAX_BUDGET = 1000, 10**8
 

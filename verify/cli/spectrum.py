@@ -8,8 +8,7 @@ from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import show
-from verify.jobs.inputs import InputError, integer, rational, shown
-from verify.jobs.spectrum import decide_spectrum
+from verify.paper.commands.spectrum import decide_spectrum
 from verify.views.spectrum import (
     point_document,
     point_lines,
@@ -17,6 +16,7 @@ from verify.views.spectrum import (
     spectrum_document,
     verdict_line,
 )
+from verify.wire.inputs import InputError, integer, rational, shown
 
 MAX_PRECISION = 1 << 22
 
@@ -56,7 +56,7 @@ def run(options: Options) -> int:
         write_certificate("--out", options.out, outcome)
     spectrum = None
     if r is not None:
-        from verify.jobs import eigenvalues  # loaded only where it is used
+        from verify.paper.commands import eigenvalues  # loaded only where it is used
 
         spectrum = eigenvalues.at(r[0], bits) if len(r) == 1 else eigenvalues.over(r[0], r[1], bits)
     if options.json:

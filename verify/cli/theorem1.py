@@ -6,12 +6,12 @@ from collections.abc import Iterable
 
 from verify.cli.options import Options, Parser, field
 from verify.cli.terminal import add_color, show
-from verify.jobs.inputs import InputError, angle, integer, neg_cos, positive, restitution, shown
-from verify.jobs.theorem1 import decide_point
 from verify.language.terms import Term, as_term
+from verify.paper.commands.theorem1 import decide_point
 from verify.paper.groups import SELECTIONS
 from verify.prover.outcome import Outcome
 from verify.views.screen import screen
+from verify.wire.inputs import InputError, angle, integer, neg_cos, positive, restitution, shown
 
 MAX_PRECISION = 1 << 16
 

@@ -1,1 +1,1 @@
-"""Measurements: speed against error, and hard cases."""
+"""Measurements: `bench` and `stress`. It may use every other room but the command line."""

@@ -21,9 +21,6 @@ from tempfile import TemporaryDirectory
 from time import perf_counter
 from typing import Any
 
-from verify.jobs import eigenvalues
-from verify.jobs.scan import scan
-from verify.jobs.theorem1 import constants_enclosure, decide_point
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term, as_term
 from verify.measure.engines import (
@@ -36,6 +33,9 @@ from verify.measure.engines import (
 from verify.measure.inequalities import inequality_table
 from verify.measure.scenes import scene_tables
 from verify.measure.slack import slack_table
+from verify.paper.commands import eigenvalues
+from verify.paper.commands.scan import scan
+from verify.paper.commands.theorem1 import constants_enclosure, decide_point
 from verify.prover import balls
 from verify.prover.decimals import decimal_text, round_decimal
 from verify.prover.outcome import Ends, Outcome

@@ -12,11 +12,11 @@ from tempfile import TemporaryDirectory
 from time import perf_counter
 from typing import Any
 
-from verify.jobs.scene_files import read_scene
-from verify.jobs.scene_verdict import time_ends
 from verify.measure.simulation import simulate
-from verify.paper.scene.scene import Scene
-from verify.prover.scene import COLLAPSES, Budget, decide_scene
+from verify.spheres.scene.decide import COLLAPSES, Budget, decide_scene
+from verify.spheres.scene.scene import Scene
+from verify.spheres.scene.scene_files import read_scene
+from verify.spheres.scene.verdict import time_ends
 
 #: The precision of the comparison with a simulation, in bits and in decimal digits.
 BITS, DIGITS = 128, 38

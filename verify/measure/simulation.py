@@ -12,7 +12,7 @@ from typing import Any
 import mpmath
 
 from verify.language.record import Record
-from verify.paper.scene.scene import PAIRS, Scene
+from verify.spheres.scene.scene import PAIRS, Scene
 
 DIGITS = 400
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from verify.jobs.slack import SHARE, find_slack
+from verify.paper.commands.slack import SHARE, find_slack
 
 #: What the quick form looks at.
 SOME = ("repaired.y-ratio", "repaired.zeta-ratio", "repaired.zeta-main", "repaired.x-improved")

@@ -15,20 +15,20 @@ from collections.abc import Callable
 from fractions import Fraction
 from importlib.resources import files
 
-from verify.jobs import eigenvalues
-from verify.jobs.inputs import angle, rational
-from verify.jobs.theorem1 import decide_point
 from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import as_term, sqrt, symbol
 from verify.measure.bench import definitions_program
 from verify.measure.engines import CheckerEngine, load
+from verify.paper.commands import eigenvalues
+from verify.paper.commands.theorem1 import decide_point
 from verify.paper.groups import HYPOTHESES
 from verify.prover import balls
 from verify.prover.ground import MAX_BITS
 from verify.prover.outcome import Ends, Outcome
 from verify.prover.program import ExactArithmetic
 from verify.prover.proof import OpenStep
+from verify.wire.inputs import angle, rational
 
 #: The independent computation has this many bits more than the precision that was needed.
 EXTRA_BITS = 512

@@ -2,7 +2,7 @@
 
 Whoever searches for a proof, or writes one down, makes claims: an outcome in which every verdict is
 undecided. A `Judgement` gives a claim its verdict. Only judges make judgements: the checker (see
-`verify.jobs.acceptance`) and the decision procedures that are named with the verdict.
+`verify.wire.judge`) and the decision procedures that are named with the verdict.
 """
 
 from __future__ import annotations

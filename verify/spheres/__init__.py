@@ -1,6 +1,5 @@
-"""Hard spheres followed rigorously.
+"""Hard balls followed rigorously: the flow, single scenes, maps of many.
 
-What is true here: each answer encloses what it is about, or says that the budget was spent; its
-inputs are exact rationals and every rounding goes outward. It may use the language and the prover;
-the views and the command line use it. A newcomer begins with `verify.spheres.separatrix`.
+It uses the language, the prover and the wire, and calls the checker of maps. Begin with
+`flow/law.py`, then `flow/follow.py`.
 """

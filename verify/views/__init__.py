@@ -1,1 +1,4 @@
-"""What people and scripts see of a result."""
+"""What people see of a statement and its outcome; decides nothing.
+
+Begin with `screen.py` for the terminal, `document.py` for JSON, `page/build.py` for the page.
+"""

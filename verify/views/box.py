@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from verify.jobs.box import Answer, ParameterBox
 from verify.language.statement import PROVED, REFUTED, Assumption
+from verify.paper.commands.box import Answer, ParameterBox
 from verify.prover.decimals import exact_number
 from verify.views.document import assumption_document, claims_document
 from verify.views.everywhere import THEOREM, trusted_there

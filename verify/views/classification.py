@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from verify.jobs.classification import AtR
 from verify.language.statement import PROVED
 from verify.paper.classification.meaning import MEANING
+from verify.paper.commands.classification import AtR
 from verify.paper.numbering import cited
 from verify.prover.decimals import exact_number, rational_text, short
 from verify.prover.outcome import Outcome

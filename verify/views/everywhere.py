@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
-from verify.jobs.thresholds import shares
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Assumption, Obligation
 from verify.language.terms import symbol
+from verify.paper.commands.thresholds import shares
 from verify.paper.everywhere.thresholds import STRIPS
 from verify.paper.numbering import cited
 from verify.prover.outcome import Decision, Outcome

@@ -8,12 +8,9 @@ from fractions import Fraction
 from typing import Any
 
 from verify import check_map
-from verify.jobs.errors import OwnError
-from verify.paper.map.planes import Phi, Plane
-from verify.paper.map.strip import BorderStrip
+from verify.language.errors import OwnError
 from verify.prover.decimals import short
-from verify.prover.map_saddle import saddle
-from verify.wire.map_log import (
+from verify.spheres.map.log import (
     COLLAPSES,
     DISPERSES,
     UNDECIDED,
@@ -21,6 +18,9 @@ from verify.wire.map_log import (
     place_text,
     plane_document,
 )
+from verify.spheres.map.planes import Phi, Plane
+from verify.spheres.map.saddle import saddle
+from verify.spheres.map.strip import BorderStrip
 
 DOCUMENT = "verify-map/1"
 #: The three areas: their letters in a log, their names, and what is true of every scene in them.

@@ -8,9 +8,9 @@ from fractions import Fraction
 from itertools import groupby
 from typing import Any
 
-from verify.jobs.scan import ScannedPoint
 from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
+from verify.paper.commands.scan import ScannedPoint
 from verify.prover.decimals import exact_number
 
 

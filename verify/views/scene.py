@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from verify.jobs.scene_verdict import central, pairs_of, reason, theorems, time_ends
 from verify.prover import balls
 from verify.prover.decimals import outward, short
-from verify.prover.flow import Move, name_of
-from verify.prover.flow_collapse import start_of
-from verify.prover.scene import COLLAPSES, DISPERSES, FINITE, Fate
+from verify.spheres.flow.collapse import start_of
+from verify.spheres.flow.follow import Move, name_of
+from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Fate
+from verify.spheres.scene.verdict import central, pairs_of, reason, theorems, time_ends
 
 FORMAT = "verify-scene/1"
 #: Exit codes: a verdict is there, or not.

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from verify.jobs.eigenvalues import Complex, Spectrum
+from verify.paper.commands.eigenvalues import Complex, Spectrum
 from verify.prover import balls
 from verify.prover.balls import Ball
 from verify.prover.decimals import exact_number, outward, rational_text, short

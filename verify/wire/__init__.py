@@ -1,1 +1,5 @@
-"""The two files of a certificate: written, and read back."""
+"""Statement and certificate, written and read; what people type; and the checker as a judge.
+
+It uses the language and the prover's classes of proofs, and calls the checker. Begin with
+`write.py`; `judge.py` is where verdicts come from.
+"""

@@ -6,7 +6,7 @@ import os
 from functools import cache
 from hashlib import sha256
 
-from verify.jobs.errors import OwnError
+from verify.language.errors import OwnError
 
 #: The folder of the step, a copy of the one in `certificates`.
 PACKAGED = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data", "step")

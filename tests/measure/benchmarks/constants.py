@@ -12,7 +12,7 @@ from time import perf_counter
 
 from flint import arb, ctx, fmpq
 
-from verify.jobs.theorem1 import constants_enclosure
+from verify.paper.commands.theorem1 import constants_enclosure
 
 BITS = 128
 COUNT = 1000

@@ -11,7 +11,7 @@ from fractions import Fraction
 from statistics import median
 from time import perf_counter
 
-from verify.jobs import eigenvalues
+from verify.paper.commands import eigenvalues
 from verify.views.spectrum import point_document
 
 BITS = 128

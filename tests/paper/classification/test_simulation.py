@@ -10,7 +10,7 @@ import pytest
 from mpmath import mp, mpf
 
 from tests.paper.classification.simulation import Balls, Collision, on_a_line, scattered
-from verify.jobs.classification import at_restitution, longest_run
+from verify.paper.commands.classification import at_restitution, longest_run
 
 #: Rounding at 100 digits, far below anything that is compared.
 DUST = mpf(10) ** -70

@@ -10,11 +10,11 @@ import pytest
 
 from tests.paper.elsewhere.values import holds, value, with_constants
 from verify import check
-from verify.jobs.elsewhere import decide_elsewhere
-from verify.jobs.places import places
-from verify.jobs.regenerate import is_right_statement
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Obligation
 from verify.language.terms import Claim, Term, as_term, names_of, substitute, substitute_claim
+from verify.paper.commands.elsewhere import decide_elsewhere
+from verify.paper.commands.places import places
+from verify.paper.commands.regenerate import is_right_statement
 from verify.paper.elsewhere import aligned, mapping, nearly
 from verify.paper.elsewhere.theorem import SECTIONS, elsewhere, refutations
 from verify.paper.numbering import printed_numbers

@@ -15,8 +15,8 @@ import pytest
 from tests.paper.elsewhere.values import holds, value, with_constants
 from verify.language.statement import NEEDED
 from verify.language.terms import Claim, Term
+from verify.language.vectors import scale
 from verify.paper.classification.settings import minus
-from verify.paper.dynamics.vectors import scale
 from verify.paper.elsewhere import mapping
 from verify.paper.elsewhere.theorem import elsewhere
 

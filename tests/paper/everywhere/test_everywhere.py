@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 
 from verify import check
-from verify.jobs import everywhere, step
-from verify.jobs.everywhere import decide_everywhere
 from verify.language.statement import NEEDED, PROVED, Constant
 from verify.language.terms import Claim, Term
+from verify.paper.commands import everywhere, step
+from verify.paper.commands.everywhere import decide_everywhere
 from verify.paper.everywhere.chart import CONTEXT, constants
 from verify.paper.everywhere.theorem import statement
 from verify.paper.groups import REPAIRED

@@ -7,10 +7,10 @@ from fractions import Fraction
 import pytest
 
 from verify import check
-from verify.jobs.everywhere import decide_printed_everywhere
-from verify.jobs.theorem1 import decide_point
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import as_term
+from verify.paper.commands.everywhere import decide_printed_everywhere
+from verify.paper.commands.theorem1 import decide_point
 from verify.paper.everywhere.angle_display import ROW
 from verify.paper.everywhere.thresholds import STRIPS
 from verify.paper.groups import PRINTED

@@ -9,9 +9,9 @@ from fractions import Fraction
 import pytest
 
 from verify import check
-from verify.jobs.thresholds import decide_thresholds, gap, shares
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term
+from verify.paper.commands.thresholds import decide_thresholds, gap, shares
 from verify.paper.everywhere import thresholds as paper
 from verify.paper.everywhere.chart import CONTEXT
 from verify.paper.groups import PRINTED

@@ -12,9 +12,9 @@ from flint import arb
 from tests.paper.sharper.particles import Particles, dot
 from tests.paper.sharper.states import Numbers, Random
 from verify import check
-from verify.jobs.sharper import decide_sharper
 from verify.language.statement import NEEDED, PROVED, Applies, Cite, Context, Obligation, Statement
 from verify.language.terms import Claim, Term, as_term, sqrt
+from verify.paper.commands.sharper import decide_sharper
 from verify.paper.sharper import numbers, state
 from verify.paper.sharper.theorem import sharper
 from verify.prover import balls

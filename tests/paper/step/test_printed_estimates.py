@@ -9,10 +9,10 @@ import pytest
 from flint import fmpq
 
 from verify import check
-from verify.jobs.regenerate import is_right_statement
-from verify.jobs.step_printed import decide_step_printed, state
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import Claim, Term, as_term
+from verify.paper.commands.regenerate import is_right_statement
+from verify.paper.commands.step_printed import decide_step_printed, state
 from verify.paper.parameters import PARAMETERS
 from verify.paper.step import printed_estimates, printed_states
 from verify.paper.step.theorem import step

@@ -17,9 +17,9 @@ from typing import Any
 import pytest
 from flint import arb, fmpq
 
-from verify.jobs.theorem1 import decide_point
 from verify.language.statement import Constant
 from verify.language.terms import Claim, as_term
+from verify.paper.commands.theorem1 import decide_point
 from verify.paper.dynamics import impact
 from verify.paper.parameters import PARAMETERS
 from verify.paper.step import numbers as numbers_of_the_step

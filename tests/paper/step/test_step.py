@@ -14,10 +14,10 @@ import pytest
 from tests.paper.step.states import BITS, Random, Values, checker, evaluate
 from verify import check
 from verify.cli import main
-from verify.jobs.step import decide_step
-from verify.jobs.theorem1 import decide_point
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Obligation
 from verify.language.terms import Claim, as_term
+from verify.paper.commands.step import decide_step
+from verify.paper.commands.theorem1 import decide_point
 from verify.paper.step import initial, numbers, state
 from verify.paper.step.theorem import step
 from verify.prover import balls

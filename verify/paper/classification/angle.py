@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.paper.argument import Chapter, Line, Opened, proof, times
+from verify.language.argument import Chapter, Line, Opened, proof, times
 from verify.paper.classification.settings import Letters
 
 a = Letters("acute", J="J", m="m", cosine="e_ab·e_ak", rho="ρ_ab")

@@ -9,9 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.statement import Constant, Context
-from verify.language.terms import Term, as_term, equal, symbol
-from verify.paper.argument import (
+from verify.language.argument import (
     Chapter,
     Defined,
     Item,
@@ -22,8 +20,10 @@ from verify.paper.argument import (
     proof,
     times,
 )
+from verify.language.statement import Constant, Context
+from verify.language.terms import Term, as_term, equal, symbol
+from verify.language.vectors import Combination, add, basis_vector, scale
 from verify.paper.classification.settings import Letters, Space, minus
-from verify.paper.dynamics.vectors import Combination, add, basis_vector, scale
 
 CONTEXT = "collision"
 LAW = "EQUATSS2.1VitesPost-Colli"

@@ -9,9 +9,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from itertools import pairwise
 
-from verify.language.statement import Always
-from verify.language.terms import equal, sqrt, substitute_claim
-from verify.paper.argument import (
+from verify.language.argument import (
     ByInduction,
     ByInterval,
     ByRoot,
@@ -26,6 +24,8 @@ from verify.paper.argument import (
     square,
     times,
 )
+from verify.language.statement import Always
+from verify.language.terms import equal, sqrt, substitute_claim
 from verify.paper.classification.settings import Letters
 
 EXISTENCE = "EQUATSS3.4ZKCl1CondiExist"

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.argument import Chapter, Item, Line, Opened, proof, square, times
 from verify.language.terms import as_term, equal
-from verify.paper.argument import Chapter, Item, Line, Opened, proof, square, times
 from verify.paper.classification.settings import Letters
 
 LABEL = "DEFINSS3.1Collapse_Inelas"

@@ -9,9 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
-from verify.language.statement import Context
-from verify.language.terms import Claim, Number, Term, as_term, equal, substitute_claim
-from verify.paper.argument import (
+from verify.language.argument import (
     ByInstance,
     Chapter,
     Item,
@@ -22,6 +20,8 @@ from verify.paper.argument import (
     scaled,
     times,
 )
+from verify.language.statement import Context
+from verify.language.terms import Claim, Number, Term, as_term, equal, substitute_claim
 from verify.paper.classification.settings import Letters
 
 CONTEXT = "flight"

@@ -10,8 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.terms import as_term, equal
-from verify.paper.argument import (
+from verify.language.argument import (
     ByInstance,
     Chapter,
     Item,
@@ -25,6 +24,7 @@ from verify.paper.argument import (
     square,
     times,
 )
+from verify.language.terms import as_term, equal
 from verify.paper.classification import flight
 from verify.paper.classification.settings import Letters
 

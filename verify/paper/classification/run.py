@@ -7,9 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.statement import Always
-from verify.language.terms import as_term, equal, sqrt, substitute_claim
-from verify.paper.argument import (
+from verify.language.argument import (
     ByInduction,
     ByRoot,
     Chapter,
@@ -25,6 +23,8 @@ from verify.paper.argument import (
     square,
     times,
 )
+from verify.language.statement import Always
+from verify.language.terms import as_term, equal, sqrt, substitute_claim
 from verify.paper.classification import flight
 from verify.paper.classification.state import (
     BENT,

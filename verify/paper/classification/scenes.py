@@ -8,8 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.terms import Term, equal, sqrt
-from verify.paper.argument import (
+from verify.language.argument import (
     Chapter,
     Item,
     Line,
@@ -22,8 +21,9 @@ from verify.paper.argument import (
     square,
     times,
 )
+from verify.language.terms import Term, equal, sqrt
+from verify.language.vectors import add, basis_vector, scale
 from verify.paper.classification.settings import Letters, Space, minus
-from verify.paper.dynamics.vectors import add, basis_vector, scale
 
 LABEL = "DEFINSS3.1Collapse_Inelas"
 MISS = "EQUATSS2.2DiscrTrinox2-x0"

@@ -8,7 +8,7 @@ from fractions import Fraction
 from verify.language.record import Record
 from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Claim, Number, Term, as_term, symbol
-from verify.paper.dynamics.vectors import Combination, add, scale
+from verify.language.vectors import Combination, add, scale
 
 #: How letters are written in LaTeX, where that is not their name.
 TEX = {

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from verify.language.statement import Constant, Context, Given
 from verify.language.terms import Claim, Term, as_term, equal, sqrt, symbol
+from verify.language.vectors import add, basis_vector, scale
 from verify.paper.classification.settings import Letters, Space, tex
-from verify.paper.dynamics.vectors import add, basis_vector, scale
 
 LABEL = "EQUATSS3.4ZKCl1CondiExist"
 LAW = "EQUATSS2.2IterationSystm1"

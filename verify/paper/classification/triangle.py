@@ -8,9 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.statement import Context
-from verify.language.terms import Term, equal
-from verify.paper.argument import (
+from verify.language.argument import (
     Chapter,
     Item,
     Line,
@@ -21,8 +19,10 @@ from verify.paper.argument import (
     proof,
     times,
 )
+from verify.language.statement import Context
+from verify.language.terms import Term, equal
+from verify.language.vectors import basis_vector
 from verify.paper.classification.settings import Letters, Space, minus
-from verify.paper.dynamics.vectors import basis_vector
 
 LABEL = "DEFINSS3.5CollapseTriangu"
 ORDER = "PROPOSS3.5OrdreTriagColla"

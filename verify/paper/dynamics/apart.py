@@ -5,9 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.argument import (
+    Chapter,
+    Item,
+    Line,
+    Opened,
+    identity,
+    plus,
+    proof,
+    scaled,
+    times,
+)
 from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Term, as_term, equal, symbol
-from verify.paper.argument import Chapter, Item, Line, Opened, identity, plus, proof, scaled, times
 from verify.paper.dynamics.state import CONTEXT, A, S, away, contact, d, frame, tau, y
 from verify.paper.parameters import THEOREM
 

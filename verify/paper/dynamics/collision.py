@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from verify.language.argument import Defined, Item, Line, identity, proof, times
 from verify.language.terms import as_term, equal
-from verify.paper.argument import Defined, Item, Line, identity, proof, times
+from verify.language.vectors import W_s
 from verify.paper.dynamics.state import (
     A,
     A_next,
@@ -32,7 +33,6 @@ from verify.paper.dynamics.state import (
     y,
     y_next,
 )
-from verify.paper.dynamics.vectors import W_s
 
 COMPONENTS = "EQUATSS4.1EvoluCompoNormC"
 NORMS = "EQUATSS4.1EvoluNormeVitRl"

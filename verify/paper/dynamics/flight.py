@@ -8,8 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.terms import Term, equal, sqrt
-from verify.paper.argument import (
+from verify.language.argument import (
     ByRoot,
     Defined,
     Factor,
@@ -23,6 +22,7 @@ from verify.paper.argument import (
     square,
     times,
 )
+from verify.language.terms import Term, equal, sqrt
 from verify.paper.dynamics.state import (
     A,
     B,

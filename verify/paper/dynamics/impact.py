@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.argument import Item, Line, identity
 from verify.language.statement import Context, Variable
 from verify.language.terms import as_term, equal, symbol
-from verify.paper.argument import Item, Line, identity
 
 CONTEXT = "impact"
 LAW = "EQUATSS2.2IterationSystm1"

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from verify.language.argument import Item, Line, Value, plus, power, proof, square, times
 from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Term, as_term, symbol
-from verify.paper.argument import Item, Line, Value, plus, power, proof, square, times
+from verify.language.vectors import Frame
 from verify.paper.dynamics.state import inequalities
-from verify.paper.dynamics.vectors import Frame
 
 CONTEXT = "plane"
 NAMES = ("u_y", "u_s", "u_C", "u_A", "u_B", "u_d", "u_t")

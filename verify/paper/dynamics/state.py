@@ -11,7 +11,7 @@ from collections.abc import Iterable
 
 from verify.language.statement import Constant
 from verify.language.terms import Claim, Term, sqrt, symbol
-from verify.paper.dynamics.vectors import Combination, Frame, W_c, W_s, add, omega_c, omega_s, scale
+from verify.language.vectors import Combination, Frame, W_c, W_s, add, omega_c, omega_s, scale
 
 CONTEXT = "state"
 DYNAMICS = "EQUATSS4.1SysteDynamColSp"

@@ -10,9 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.statement import Always, Given
-from verify.language.terms import Claim, Term, as_term, equal, substitute, substitute_claim
-from verify.paper.argument import (
+from verify.language.argument import (
     ByInduction,
     BySum,
     Chapter,
@@ -24,8 +22,10 @@ from verify.paper.argument import (
     scaled,
     times,
 )
+from verify.language.statement import Always, Given
+from verify.language.terms import Claim, Term, as_term, equal, substitute, substitute_claim
+from verify.language.vectors import basis_vector, scale
 from verify.paper.classification.settings import Letters, Space, minus
-from verify.paper.dynamics.vectors import basis_vector, scale
 from verify.paper.elsewhere import mapping
 from verify.paper.elsewhere.subject import Refuted, refuted
 from verify.paper.rows import HARMLESS, SLIP

@@ -9,8 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.terms import as_term, equal
-from verify.paper.argument import (
+from verify.language.argument import (
     Chapter,
     Item,
     Line,
@@ -23,8 +22,9 @@ from verify.paper.argument import (
     square,
     times,
 )
+from verify.language.terms import as_term, equal
+from verify.language.vectors import scale
 from verify.paper.classification.settings import minus
-from verify.paper.dynamics.vectors import scale
 from verify.paper.elsewhere.estimates import one_d
 from verify.paper.elsewhere.mapping import (
     W_1,

@@ -9,8 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.terms import as_term, equal
-from verify.paper.argument import (
+from verify.language.argument import (
     Chapter,
     Item,
     Line,
@@ -22,6 +21,7 @@ from verify.paper.argument import (
     square,
     times,
 )
+from verify.language.terms import as_term, equal
 from verify.paper.elsewhere.mapping import n
 from verify.paper.elsewhere.subject import Refuted, refuted
 from verify.paper.rows import HARMLESS

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.argument import Chapter, Item, Line, Opened, plus, proof, scaled, times
 from verify.language.statement import Context
 from verify.language.terms import as_term, equal
-from verify.paper.argument import Chapter, Item, Line, Opened, plus, proof, scaled, times
 from verify.paper.classification.settings import Letters
 from verify.paper.elsewhere import mapping
 from verify.paper.elsewhere.subject import Refuted, refuted

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from verify.language.argument import Chapter, Defined, Item, Line, Opened, identity
 from verify.language.statement import Constant
 from verify.language.terms import Claim, Term, as_term, equal, symbol
-from verify.paper.argument import Chapter, Defined, Item, Line, Opened, identity
+from verify.language.vectors import Combination, add, basis_vector, scale
 from verify.paper.classification.settings import Letters, Space, minus
-from verify.paper.dynamics.vectors import Combination, add, basis_vector, scale
 from verify.paper.elsewhere.subject import Refuted, refuted
 from verify.paper.rows import SLIP
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from verify.language.argument import Chapter, Item, Line, Opened, power, proof, scaled, times
 from verify.language.terms import Claim, equal
-from verify.paper.argument import Chapter, Item, Line, Opened, power, proof, scaled, times
 from verify.paper.classification.settings import Letters
 from verify.paper.elsewhere.subject import Refuted, refuted
 from verify.paper.rows import HARMLESS

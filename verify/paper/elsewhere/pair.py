@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.argument import Chapter, Item, Line, Opened, identity, plus, proof, times
 from verify.language.terms import as_term, equal
-from verify.paper.argument import Chapter, Item, Line, Opened, identity, plus, proof, times
+from verify.language.vectors import add, basis_vector, scale
 from verify.paper.classification.settings import Letters, Space, minus
-from verify.paper.dynamics.vectors import add, basis_vector, scale
 from verify.paper.elsewhere.subject import Refuted, refuted
 from verify.paper.rows import SLIP
 

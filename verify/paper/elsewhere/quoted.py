@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.argument import Chapter, Item, Line, identity, plus, power, proof, times
 from verify.language.terms import equal
-from verify.paper.argument import Chapter, Item, Line, identity, plus, power, proof, times
 from verify.paper.classification.settings import Letters
 from verify.paper.elsewhere.subject import Refuted, refuted, subject
 from verify.paper.rows import HARMLESS, SLIP

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from verify.language.argument import Chapter, Item, Opened
 from verify.language.record import Record
 from verify.language.statement import Obligation
 from verify.language.terms import Claim, Term
-from verify.paper.argument import Chapter, Item, Opened
 from verify.paper.classification.settings import Letters
 from verify.paper.rows import misprint
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.terms import as_term, equal
-from verify.paper.argument import (
+from verify.language.argument import (
     Chapter,
     Item,
     Line,
@@ -18,6 +17,7 @@ from verify.paper.argument import (
     square,
     times,
 )
+from verify.language.terms import as_term, equal
 from verify.paper.classification.settings import Letters
 from verify.paper.elsewhere.subject import Refuted, refuted, subject
 from verify.paper.rows import BREAKS, HARMLESS, SLIP

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 
+from verify.language.argument import Argument, Chapter, Line, argue
 from verify.language.statement import NEEDED, Obligation
-from verify.paper.argument import Argument, Chapter, Line, argue
 from verify.paper.elsewhere import (
     aligned,
     changes,

@@ -11,9 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.statement import Constant, Context, Given, Variable
-from verify.language.terms import Claim, as_term, equal, maximum, sqrt, symbol
-from verify.paper.argument import (
+from verify.language.argument import (
     ByEntry,
     ByLeast,
     ByRoot,
@@ -28,6 +26,8 @@ from verify.paper.argument import (
     scaled,
     times,
 )
+from verify.language.statement import Constant, Context, Given, Variable
+from verify.language.terms import Claim, as_term, equal, maximum, sqrt, symbol
 from verify.paper.everywhere.chart import HALF, hypothesis
 from verify.paper.groups import PRINTED
 from verify.paper.initial_data import ConstantSet

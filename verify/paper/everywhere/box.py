@@ -13,6 +13,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
+from verify.language.argument import (
+    BySum,
+    Line,
+    ToBeFound,
+    Value,
+    plus,
+    power,
+    proof,
+    scaled,
+    times,
+)
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import (
     NEEDED,
@@ -25,7 +36,6 @@ from verify.language.statement import (
     Variable,
 )
 from verify.language.terms import Term, as_term, symbol
-from verify.paper.argument import BySum, Line, ToBeFound, Value, plus, power, proof, scaled, times
 from verify.paper.everywhere import chart
 from verify.paper.everywhere.theorem import NAME as EVERYWHERE
 from verify.paper.groups import HYPOTHESES

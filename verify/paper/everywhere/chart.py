@@ -10,9 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.statement import Constant, Context, Given, Variable
-from verify.language.terms import Claim, Term, as_term, equal, sqrt, symbol
-from verify.paper.argument import (
+from verify.language.argument import (
     ByInterval,
     ByRoot,
     Defined,
@@ -25,6 +23,8 @@ from verify.paper.argument import (
     scaled,
     times,
 )
+from verify.language.statement import Constant, Context, Given, Variable
+from verify.language.terms import Claim, Term, as_term, equal, sqrt, symbol
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import THEOREM, V_0, c, r

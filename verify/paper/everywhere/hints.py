@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 
-from verify.paper.argument import (
+from verify.language.argument import (
     ByLeast,
     BySum,
     Line,

@@ -8,8 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.terms import minimum
-from verify.paper.argument import (
+from verify.language.argument import (
     ByEntry,
     ByLeast,
     Line,
@@ -20,6 +19,7 @@ from verify.paper.argument import (
     scaled,
     times,
 )
+from verify.language.terms import minimum
 from verify.paper.everywhere import chart
 from verify.paper.everywhere.chart import p, u
 from verify.paper.groups import PRINTED

@@ -13,6 +13,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.argument import (
+    ByEntry,
+    Line,
+    Reason,
+    plus,
+    proof,
+    scaled,
+    times,
+)
 from verify.language.record import Record
 from verify.language.statement import (
     NEEDED,
@@ -23,15 +32,6 @@ from verify.language.statement import (
     Statement,
 )
 from verify.language.terms import Claim, maximum
-from verify.paper.argument import (
-    ByEntry,
-    Line,
-    Reason,
-    plus,
-    proof,
-    scaled,
-    times,
-)
 from verify.paper.everywhere import chart, minima
 from verify.paper.everywhere.chart import p
 from verify.paper.everywhere.minima import (

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.terms import sqrt
-from verify.paper.argument import (
+from verify.language.argument import (
     ByRoot,
     Chapter,
     Item,
@@ -17,9 +16,10 @@ from verify.paper.argument import (
     square,
     times,
 )
+from verify.language.terms import sqrt
+from verify.language.vectors import add, omega_c, omega_s, scale
 from verify.paper.dynamics.apart import colliding, contexts, opened, spectator, t
 from verify.paper.dynamics.state import CONTEXT, d, difference, frame
-from verify.paper.dynamics.vectors import add, omega_c, omega_s, scale
 from verify.paper.parameters import THEOREM
 from verify.paper.sharper.numbers import V
 

@@ -8,8 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.terms import equal, symbol
-from verify.paper.argument import (
+from verify.language.argument import (
     Defined,
     Item,
     Line,
@@ -21,6 +20,7 @@ from verify.paper.argument import (
     square,
     times,
 )
+from verify.language.terms import equal, symbol
 from verify.paper.dynamics.state import r
 from verify.paper.sharper.numbers import (
     C_0,

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from verify.language.argument import Factor, Item, Line, plus, power, proof, scaled, square, times
 from verify.language.terms import Term, as_term
-from verify.paper.argument import Factor, Item, Line, plus, power, proof, scaled, square, times
 from verify.paper.dynamics.collision import (
     ANGLE,
     COMPONENTS,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.paper.argument import Item, Line, plus, power, proof, times
+from verify.language.argument import Item, Line, plus, power, proof, times
 from verify.paper.dynamics.state import C, C_next
 from verify.paper.parameters import THEOREM
 from verify.paper.sharper.collision import SUMMED, TURNED

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.terms import as_term, equal
-from verify.paper.argument import (
+from verify.language.argument import (
     Item,
     Line,
     Value,
@@ -18,6 +17,7 @@ from verify.paper.argument import (
     square,
     times,
 )
+from verify.language.terms import as_term, equal
 from verify.paper.dynamics import flight
 from verify.paper.dynamics.flight import DISTANCE, TIME, absolute
 from verify.paper.dynamics.state import A, B, C, D, S, a, b, d, tau, w, y, zeta

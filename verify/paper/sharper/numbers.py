@@ -14,8 +14,8 @@ from fractions import Fraction
 
 from verify.language.statement import Constant, Context, Given, Variable
 from verify.language.terms import Claim, Term, as_term, symbol
+from verify.language.vectors import Frame
 from verify.paper.dynamics.state import LETTERS, NAMES, r
-from verify.paper.dynamics.vectors import Frame
 
 CONTEXT = "start"
 

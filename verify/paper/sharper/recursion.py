@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.paper.argument import Item, Line, plus, proof, scaled, square, times
+from verify.language.argument import Item, Line, plus, proof, scaled, square, times
 from verify.paper.dynamics.collision import GAINED_UPPER, parts
 from verify.paper.dynamics.state import kept, y, y_next
 from verify.paper.sharper.bounds import HALF, REACH

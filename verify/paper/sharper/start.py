@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from verify.language.terms import Term, substitute_claim
-from verify.paper.argument import (
+from verify.language.argument import (
     ByInstance,
     ByRoot,
     Item,
@@ -17,6 +16,7 @@ from verify.paper.argument import (
     square,
     times,
 )
+from verify.language.terms import Term, substitute_claim
 from verify.paper.dynamics import plane
 from verify.paper.dynamics.state import frame, inequalities, root_of, time_of
 from verify.paper.sharper.numbers import C_0, V_0, V, start

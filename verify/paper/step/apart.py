@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.paper.argument import BySum, Chapter, Line, plus, scaled, square, times
+from verify.language.argument import BySum, Chapter, Line, plus, scaled, square, times
+from verify.language.vectors import Combination, add, omega_c, omega_s, scale
 from verify.paper.dynamics.apart import colliding, contexts, opened, spectator, t
 from verify.paper.dynamics.state import b, d, difference, frame, y
-from verify.paper.dynamics.vectors import Combination, add, omega_c, omega_s, scale
 
 dot = frame.dot
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.argument import Factor, Item, Line, plus, power, proof, scaled, times
 from verify.language.terms import as_term
-from verify.paper.argument import Factor, Item, Line, plus, power, proof, scaled, times
 from verify.paper.dynamics.apart import dot
 from verify.paper.dynamics.collision import (
     ANGLE,

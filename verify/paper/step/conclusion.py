@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.paper.argument import Item, Line, proof, scaled, times
+from verify.language.argument import Item, Line, proof, scaled, times
 from verify.paper.dynamics.state import C, C_next, d, d_next
 from verify.paper.parameters import THEOREM
 from verify.paper.step.numbers import C_eta, T_star, c, delta_theta

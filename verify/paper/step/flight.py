@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.argument import Item, Line, Value, plus, power, proof, scaled, times
 from verify.language.terms import Term, as_term
-from verify.paper.argument import Item, Line, Value, plus, power, proof, scaled, times
 from verify.paper.dynamics import flight
 from verify.paper.dynamics.flight import DISTANCE, TIME
 from verify.paper.dynamics.state import A, B, C, D, S, a, b, d, d_next, eta_s, tau, w, y, zeta

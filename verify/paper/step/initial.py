@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.statement import Context, Given, Variable
-from verify.language.terms import Claim, as_term, minimum, substitute_claim, symbol
-from verify.paper.argument import (
+from verify.language.argument import (
     ByEntry,
     ByInstance,
     ByLeast,
@@ -20,10 +18,12 @@ from verify.paper.argument import (
     proof,
     times,
 )
+from verify.language.statement import Context, Given, Variable
+from verify.language.terms import Claim, as_term, minimum, substitute_claim, symbol
+from verify.language.vectors import Frame
 from verify.paper.dynamics.plane import CONTEXT as PLANE
 from verify.paper.dynamics.plane import aligned
 from verify.paper.dynamics.state import inequalities, tau_of
-from verify.paper.dynamics.vectors import Frame
 from verify.paper.step import numbers, state
 from verify.paper.step.flight import SHIFT
 from verify.paper.step.numbers import (

@@ -9,9 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.statement import NEEDED, Obligation
-from verify.language.terms import Claim, as_term, equal
-from verify.paper.argument import (
+from verify.language.argument import (
     ByEntry,
     Item,
     Line,
@@ -23,6 +21,8 @@ from verify.paper.argument import (
     square,
     times,
 )
+from verify.language.statement import NEEDED, Obligation
+from verify.language.terms import Claim, as_term, equal
 from verify.paper.groups import REPAIRED
 from verify.paper.parameters import V_0, c, r
 from verify.paper.preliminaries import delta_2, h_4, h_5

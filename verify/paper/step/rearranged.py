@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.argument import ByInterval, ByRoot, Item, Line, power, proof, scaled, times
 from verify.language.terms import sqrt
-from verify.paper.argument import ByInterval, ByRoot, Item, Line, power, proof, scaled, times
 from verify.paper.step.numbers import (
     V_0,
     V_1,

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.argument import Item, Line, plus, power, proof, scaled, times
 from verify.language.terms import as_term
-from verify.paper.argument import Item, Line, plus, power, proof, scaled, times
 from verify.paper.dynamics.collision import GAINED_UPPER, parts
 from verify.paper.dynamics.state import (
     A,

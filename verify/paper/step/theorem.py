@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 
+from verify.language.argument import Argument, ByInduction, Chapter, Item, Line, Opened, argue
 from verify.language.statement import Always
-from verify.paper.argument import Argument, ByInduction, Chapter, Item, Line, Opened, argue
 from verify.paper.dynamics import impact, plane
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM

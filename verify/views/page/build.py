@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from verify.jobs.covers import DEPTH
-from verify.jobs.everywhere import decide_everywhere
-from verify.jobs.report import Material, folder_names, read_material
-from verify.jobs.report_maps import log_names
-from verify.jobs.scene_statements import read_back
+from verify.paper.commands.covers import DEPTH
+from verify.paper.commands.everywhere import decide_everywhere
+from verify.paper.commands.report import Material, folder_names, read_material
+from verify.paper.commands.report_maps import log_names
+from verify.paper.commands.scene_statements import read_back
 from verify.paper.parameters import THEOREM
 from verify.views.page.constants import latex
 from verify.views.page.content import EVERYWHERE, SUBTITLE, TITLE, content

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from verify.jobs.report import Material
+from verify.paper.commands.report import Material
 from verify.paper.parameters import THEOREM
 from verify.paper.source import AUTHORS, COMPANION
 from verify.paper.source import TITLE as PAPER_TITLE

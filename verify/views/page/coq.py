@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from verify.jobs.report import Material
+from verify.paper.commands.report import Material
 from verify.views.coq.record import checked
 from verify.views.page.blocks import Cell, Code, Text
 

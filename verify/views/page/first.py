@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from verify.jobs.report import CertifiedOutcome
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import Claim
+from verify.paper.commands.report import CertifiedOutcome
 from verify.paper.groups import REPAIRED
 from verify.prover.outcome import Outcome
 from verify.views.everywhere import THEOREM as EVERYWHERE_IN_WORDS

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.jobs.report import Material
 from verify.language.statement import PROVED, REFUTED, Constant
 from verify.language.terms import symbol
+from verify.paper.commands.report import Material
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.parameters import THEOREM
 from verify.views.markdown import bound_of_each

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from verify.jobs.report import Material
 from verify.language.statement import NEEDED
+from verify.paper.commands.report import Material
 from verify.paper.glossary import LETTERS
 from verify.prover.outcome import Outcome
 from verify.views.page import blueprint

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.jobs.report import CertifiedOutcome, Material
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, UNDECIDED
+from verify.paper.commands.report import CertifiedOutcome, Material
 from verify.paper.parameters import THEOREM
 from verify.views.classification import SETTING, THEOREMS
 from verify.views.page.blocks import (

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.jobs.report import Material
 from verify.language.statement import Assumption
+from verify.paper.commands.report import Material
 from verify.views.page.blocks import (
     Block,
     Cell,

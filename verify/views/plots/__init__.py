@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from verify.jobs.covers import DEPTH
-from verify.jobs.report_maps import CertifiedMap, CertifiedStrip
 from verify.language.record import Record
+from verify.paper.commands.covers import DEPTH
+from verify.paper.commands.report_maps import CertifiedMap, CertifiedStrip
 from verify.prover.outcome import Outcome
 from verify.views.plots import map_figure, margins, minimum, region, roots, speed
 from verify.views.plots.collapse import Story

@@ -12,13 +12,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from html import escape
 
-from verify.jobs.scene_verdict import central, shown_ends, time_ends
 from verify.language.record import Record
-from verify.paper.scene.scene import Scene
 from verify.prover import balls
 from verify.prover.decimals import short
-from verify.prover.flow_collapse import find_collapse
-from verify.prover.scene import Budget, Fate, decide_scene
+from verify.spheres.flow.collapse import find_collapse
+from verify.spheres.scene.decide import Budget, Fate, decide_scene
+from verify.spheres.scene.scene import Scene
+from verify.spheres.scene.verdict import central, shown_ends, time_ends
 from verify.views.plots.figure import Figure
 from verify.views.plots.scene_path import Leg, Vector, legs, places_at
 from verify.views.plots.shapes import Areas, Panel, Scale, Shape, powers

@@ -6,10 +6,11 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
-from verify.jobs.report_maps import CertifiedMap, CertifiedStrip
-from verify.paper.map.planes import Phi, Plane
-from verify.paper.map.strip import BorderStrip
+from verify.paper.commands.report_maps import CertifiedMap, CertifiedStrip
 from verify.prover.decimals import short
+from verify.spheres.map.log import COLLAPSES, DISPERSES, UNDECIDED, Progress
+from verify.spheres.map.planes import Phi, Plane
+from verify.spheres.map.strip import BorderStrip
 from verify.views.map import AREAS, area_shares, axis_names, percent, plane_line
 from verify.views.plots.figure import Figure
 from verify.views.plots.shapes import (
@@ -26,7 +27,6 @@ from verify.views.plots.shapes import (
     merged,
     powers,
 )
-from verify.wire.map_log import COLLAPSES, DISPERSES, UNDECIDED, Progress
 
 #: The colour of each area; the border is what is left between the two decided ones.
 COLOURS = {COLLAPSES: "refuted-area", DISPERSES: "proved-area", UNDECIDED: "ink"}

@@ -9,10 +9,10 @@ from base64 import b64encode
 from collections.abc import Iterator, Sequence
 from html import escape
 
-from verify.paper.map.planes import Plane
-from verify.paper.map.strip import BorderStrip
+from verify.spheres.map.log import Progress
+from verify.spheres.map.planes import Plane
+from verify.spheres.map.strip import BorderStrip
 from verify.views.map import AREAS, area_shares, axis_names, percent, plane_line, tile_corners
-from verify.wire.map_log import Progress
 
 #: The colours of the areas, on light and on dark paper: they differ in grey, too.
 COLOURS = {"c": "#f7bb70", "d": "#2e6bb6", "u": "#111111"}

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from verify.jobs.covers import END, FACTOR, SHARE, WHOLE, Ratios, intervals, ratios
 from verify.language.statement import PROVED, REFUTED
+from verify.paper.commands.covers import END, FACTOR, SHARE, WHOLE, Ratios, intervals, ratios
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.prover.decimals import decimal_text, round_decimal
 from verify.views.plots.figure import Figure

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from verify.jobs.covers import least_entries
 from verify.language.statement import UNDECIDED
+from verify.paper.commands.covers import least_entries
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.prover.cover import Box
 from verify.views.plots.figure import Figure

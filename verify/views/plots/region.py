@@ -11,10 +11,10 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from itertools import pairwise
 
-from verify.jobs.covers import WIDTH, threshold_boxes
-from verify.jobs.everywhere import decide_printed_everywhere
-from verify.jobs.thresholds import certified, decide_thresholds
 from verify.language.statement import PRINTED, PROVED, REFUTED
+from verify.paper.commands.covers import WIDTH, threshold_boxes
+from verify.paper.commands.everywhere import decide_printed_everywhere
+from verify.paper.commands.thresholds import certified, decide_thresholds
 from verify.paper.everywhere.thresholds import STRIPS
 from verify.prover.cover import Box
 from verify.prover.outcome import Outcome

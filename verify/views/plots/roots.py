@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.jobs.covers import ROOT_CELLS, roots
+from verify.paper.commands.covers import ROOT_CELLS, roots
 from verify.prover.outcome import Ends
 from verify.views.plots.figure import Figure
 from verify.views.plots.shapes import Areas, Circle, Panel, Scale, Shape, Words, marks

@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 from html import escape
 
-from verify.jobs.scene_verdict import scene_lines
-from verify.prover.scene import Fate
+from verify.spheres.scene.decide import Fate
+from verify.spheres.scene.verdict import scene_lines
 from verify.views.plots.drawing import SCHEMES
 from verify.views.plots.scene_drawing import COLOURS, end_time
 from verify.views.plots.scene_path import legs

@@ -6,10 +6,10 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from html import escape
 
-from verify.jobs.scene_verdict import scene_lines, time_ends
 from verify.prover import balls
-from verify.prover.flow_collapse import start_of
-from verify.prover.scene import Fate
+from verify.spheres.flow.collapse import start_of
+from verify.spheres.scene.decide import Fate
+from verify.spheres.scene.verdict import scene_lines, time_ends
 from verify.views.plots.drawing import SCHEMES
 from verify.views.plots.scene_path import Leg, legs, places_at
 

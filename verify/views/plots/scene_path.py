@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.prover.scene import Fate
+from verify.spheres.scene.decide import Fate
 
 Vector = list[float]
 

@@ -1,0 +1,60 @@
+"""Many points in one process have the verdicts of the single points."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from verify.language.terms import as_term
+from verify.paper.commands.scan import Scan, scan
+from verify.paper.commands.theorem1 import decide_point
+
+PARAMETERS = {
+    "r": Fraction(1),
+    "c": Fraction(1),
+    "V_0": Fraction(1),
+    "delta_theta": Fraction(1, 10),
+}
+
+
+def single(parameters) -> tuple[str, dict[str, str]]:
+    outcome = decide_point({name: as_term(value) for name, value in parameters.items()})
+    return outcome.verdict, {row.name: found.verdict for row, found in outcome.rows}
+
+
+@pytest.mark.parametrize("c", ["1", "97/100", "1/2"])
+def test_grid(c) -> None:
+    parameters = PARAMETERS | {"c": Fraction(c)}
+    for r, point in scan((Fraction(1, 1000), Fraction(6, 100)), 13, parameters):
+        here = parameters | {"r": r}
+        assert (point.verdict, dict(point.rows)) == single(here)
+
+
+def test_points_far_apart() -> None:
+    job = Scan()
+    for r, v, deviation in (("3/100", 1, "1/10"), ("1e-9", 10**20, "1/1000"), ("1/50", "1/7", 3)):
+        here = PARAMETERS | {
+            "r": Fraction(r),
+            "V_0": Fraction(v),
+            "delta_theta": Fraction(deviation),
+        }
+        point = job.at(here)
+        assert (point.verdict, dict(point.rows)) == single(here)
+
+
+def test_most_points_need_no_single_run(monkeypatch) -> None:
+    calls = []
+    monkeypatch.setattr(
+        "verify.paper.commands.scan.decide_point",
+        lambda parameters: calls.append(1) or decide_point(parameters),
+    )
+    points = list(scan((Fraction(1, 1000), Fraction(55, 1000)), 200, PARAMETERS))
+    assert len(points) == 200
+    assert len(calls) <= 5
+    assert {point.verdict for _, point in points} == {"proved"}
+
+
+def test_one_point_is_no_grid() -> None:
+    with pytest.raises(ValueError, match="two points"):
+        list(scan((Fraction(1, 100), Fraction(1, 50)), 1, PARAMETERS))

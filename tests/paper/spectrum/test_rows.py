@@ -1,0 +1,212 @@
+"""The rows: which are refuted, by which point, and what breaks them."""
+
+from __future__ import annotations
+
+import operator
+from collections import Counter
+from fractions import Fraction
+
+import pytest
+import sympy
+
+from verify.language.statement import PROVED, REFUTED, Context, Statement
+from verify.language.terms import Claim, Term, as_term, names_of, symbol
+from verify.paper.commands.spectrum import decide_spectrum
+from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX, Printed
+from verify.paper.spectrum.theorem import statement
+from verify.prover.outcome import Outcome
+from verify.prover.prove import prove
+
+#: The sentences that are false as printed, and the rows that correct them.
+FALSE = {
+    "A_a-stated": "A_a",
+    "A_c-stated": "A_c",
+    "matrix-stated": "matrix",
+    "eigenspace-stated": "eigenspace-flipped",
+    "cone-x-bound-2": "cone-x-bound-2-equal",
+    "cone-z-bound-2": "cone-z-bound-2-equal",
+    "cone-y-stated": "cone-y-flipped",
+    "manifold": "manifold-empty",
+    "rate-complex-stated": "rate-complex",
+}
+
+SIXTY_FOURTH = as_term(Fraction(1, 64))
+
+
+@pytest.fixture(scope="module")
+def outcome() -> Outcome:
+    return decide_spectrum()
+
+
+def test_the_numbers_of_rows_and_verdicts(outcome: Outcome) -> None:
+    counts = Counter((row.role, found.verdict) for row, found in outcome.rows)
+    assert counts == {
+        ("needed", PROVED): 191,
+        ("printed", PROVED): 27,
+        ("printed", REFUTED): 9,
+    }
+
+
+def test_every_needed_row_is_proved(outcome: Outcome) -> None:
+    assert outcome.exit_code == 0
+    assert {f.verdict for row, f in outcome.rows if row.role == "needed"} == {PROVED}
+
+
+def test_exactly_these_sentences_are_refuted(outcome: Outcome) -> None:
+    refuted = {row.name: row.corrected_by for row, f in outcome.rows if f.verdict == REFUTED}
+    assert refuted == FALSE
+    roles = {row.name: row.role for row, _ in outcome.rows}
+    assert {roles[name] for name in FALSE} == {"printed"}
+    assert {roles[name] for name in FALSE.values()} == {"needed"}
+
+
+def test_names_are_unique_and_assumptions_exist(outcome: Outcome) -> None:
+    contexts = outcome.statement.contexts
+    names = [row.name for row, _ in outcome.rows]
+    names += [context.name for context in contexts]
+    names += [variable.name for context in contexts for variable in context.variables]
+    names += [given.name for context in contexts for given in context.givens]
+    assert len(names) == len(set(names))
+    known = {a.name for a in outcome.statement.assumptions}
+    assert {a.name for a in outcome.assumptions} == known - {"monotone"}  # of printed rows
+    assert {name for row, _ in outcome.rows for name in row.uses} == known
+
+
+OPERATIONS = {
+    "add": operator.add,
+    "sub": operator.sub,
+    "mul": operator.mul,
+    "div": operator.truediv,
+    "neg": operator.neg,
+    "sqrt": sympy.sqrt,
+    "max": sympy.Max,
+}
+
+
+def to_sympy(term: Term, values: dict[str, sympy.Expr]) -> sympy.Expr:
+    if term.op == "rational":
+        return sympy.Rational(term.value.numerator, term.value.denominator)
+    if term.op == "symbol":
+        return values[term.name]
+    parts = [to_sympy(child, values) for child in term.children]
+    if term.op == "pow":
+        return parts[0] ** term.exponent
+    return OPERATIONS[term.op](*parts)
+
+
+def context_of(statement: Statement, name: str | None) -> Context:
+    return next(context for context in statement.contexts if context.name == name)
+
+
+#: For which numbers rows are claimed that are not claimed for the usual ones.
+INTERVALS = {
+    "q-convex": {},
+    "cone-sign-x-range": {},
+    "triangle": {},
+    "cone-x-bound-2": {"r": (0, 1), "x": (None, 0), "y": None, "t": None},
+    "cone-y-stated": {"a": (0, None), "b": (0, None), "g": (0, None), "r": (0, 1), "t": None},
+    "q-negative": {"s": (1, 2)},
+    "C2-large-r-sign": {"r": (Fraction(1, 3), 1)},
+    "C2-two-y": {"r": (0, Fraction(1, 3))},
+    "manifold": {"k": None, "m": (0, 1)},
+    "full-jump": {"g": (None, 0), "r": (0, 1), "p": None, "q": None, "cosine": None},
+    "rate-complex-stated": {"k": (0, Fraction(1, 2)), "s": (0, 1)},
+    "rate-existence": {"s": (0, 1), "y": (0, None)},
+    "stability-eigenvalues": {"p": (0, 1), "v": (0, 1)},
+    "linear-real-plus": {"C": None, "d": (0, None), "r": (0, 1)},
+    "law-01-W1": {"r": (0, 1), "g": None, "w": None, "v_0": None, "v_1": None},
+}
+
+
+@pytest.mark.parametrize("name", INTERVALS)
+def test_a_row_is_claimed_for_its_numbers(outcome: Outcome, name: str) -> None:
+    row = next(row for row, _ in outcome.rows if row.name == name)
+    givens = {g.name: g.claim for g in context_of(outcome.statement, row.context).givens}
+    assert isinstance(row.claim, Claim)
+    expected = INTERVALS[name]
+    names = {
+        variable.rpartition(".")[2]: variable for variable in names_of(row.claim.lhs, row.claim.rhs)
+    }
+    if expected:
+        assert set(names) == set(expected)
+    for short, variable in names.items():
+        low, high = expected.get(short) or (None, None)
+        claims = (
+            None if low is None else Claim("<", as_term(low), symbol(variable)),
+            None if high is None else Claim("<", symbol(variable), as_term(high)),
+        )
+        assert (givens.get(f"{variable}.low"), givens.get(f"{variable}.high")) == claims
+
+
+@pytest.mark.parametrize("name", FALSE)
+def test_each_witness_is_exact(outcome: Outcome, name: str) -> None:
+    """At the point, inside the intervals, the claim fails in exact arithmetic over Q(sqrt 3)."""
+    row, decision = next(pair for pair in outcome.rows if pair[0].name == name)
+    context = context_of(outcome.statement, row.context)
+    assert isinstance(row.claim, Claim)
+    assert set(decision.witness) == {variable.name for variable in context.variables}
+    values = {key: to_sympy(term, {}) for key, term in decision.witness.items()}
+    for given in context.givens:
+        assert given.claim.relation == "<"
+        assert to_sympy(given.claim.lhs, values) < to_sympy(given.claim.rhs, values)
+    lhs, rhs = (
+        sympy.expand(to_sympy(side, values), deep=True) for side in (row.claim.lhs, row.claim.rhs)
+    )
+    difference = sympy.radsimp(rhs - lhs)
+    if row.claim.relation == "=":
+        assert difference != 0
+    elif row.claim.relation == "<":
+        assert difference.is_nonpositive
+    else:
+        assert difference.is_negative
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("i", range(4))
+@pytest.mark.parametrize("j", range(4))
+def test_a_broken_entry_of_the_matrix_is_found(i: int, j: int, sign: int) -> None:
+    broken = [list(row) for row in MATRIX]
+    broken[i][j] = broken[i][j] + sign * SIXTY_FOURTH
+    outcome = decide_spectrum(Printed(matrix=tuple(map(tuple, broken))))
+    assert outcome.exit_code == 1
+    verdicts = {row.name: f.verdict for row, f in outcome.rows}
+    assert verdicts[f"entry-{i + 1}-{j + 1}"] == REFUTED
+    assert verdicts["matrix"] == REFUTED
+    entries = [name for name, verdict in verdicts.items() if name.startswith("entry-")]
+    assert sum(verdicts[name] == REFUTED for name in entries) == 1
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("power", range(4))
+def test_a_broken_coefficient_of_q_is_found(power: int, sign: int) -> None:
+    broken = list(COEFFICIENTS)
+    broken[power] = broken[power] + sign * SIXTY_FOURTH
+    outcome = decide_spectrum(Printed(coefficients=tuple(broken)))
+    assert outcome.exit_code == 1
+    verdicts = {row.name: f.verdict for row, f in outcome.rows}
+    assert verdicts["characteristic"] == REFUTED
+    assert verdicts["Q-factorised"] == REFUTED
+
+
+def test_a_broken_leaf_of_the_printed_formulas_is_found() -> None:
+    """Each number in the printed coefficients of Q matters, not only their sums."""
+    for power in range(3):
+        for broken in altered(COEFFICIENTS[power]):
+            changed = (*COEFFICIENTS[:power], broken, *COEFFICIENTS[power + 1 :])
+            stated = statement(Printed(coefficients=changed))
+            rows = [row for row in stated.obligations if row.name == "characteristic"]
+            outcome = prove(stated._replace(obligations=tuple(rows)))
+            assert outcome.decisions["characteristic"].claimed == REFUTED
+
+
+def altered(term: Term) -> list[Term]:
+    """The term with each of its rational leaves changed by 1/64, one at a time."""
+    if term.op == "rational":
+        return [as_term(term.value + Fraction(1, 64))]
+    found = []
+    for i, arg in enumerate(term.args):
+        if isinstance(arg, Term):
+            found += [
+                Term(term.op, *term.args[:i], other, *term.args[i + 1 :]) for other in altered(arg)
+            ]
+    return found

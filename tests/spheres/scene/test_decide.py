@@ -1,0 +1,132 @@
+"""Verdicts on scenes: the hard cases, and random ones against 400 digits."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from itertools import pairwise
+from random import Random
+
+import mpmath
+import pytest
+
+from tests.spheres.scene.random_scenes import random_scene
+from tests.spheres.scene.scenes import CASES, REST, aligned, on_a_line, scene
+from verify.measure.simulation import DIGITS, Impact, simulate
+from verify.prover import balls
+from verify.spheres.scene.decide import COLLAPSES, DISPERSES, UNDECIDED, Budget, Fate, decide_scene
+from verify.spheres.scene.verdict import central, pairs_of, scene_lines, time_ends
+
+#: Collisions of the simulation after the last one that was followed.
+MORE = 60
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_hard_cases(name: str) -> None:
+    scene, verdict, count, why = CASES[name]
+    limit = 200 if name == "the-ray" else 1000
+    found = decide_scene(scene, Budget(collisions=limit))
+    assert (found.verdict, found.collisions) == (verdict, count)
+    assert why in found.reason
+
+
+def test_a_hundred_thousand_collisions_on_a_line() -> None:
+    found = decide_scene(on_a_line("0.0717967697388478"), Budget(collisions=400_000))
+    assert found.verdict == DISPERSES
+    assert found.collisions > 100_000
+
+
+def contradictions(found: Fate) -> list[str]:
+    """What an independent simulation with 400 digits does not confirm."""
+    count = len(found.flow.collisions)
+    more = MORE if found.verdict == COLLAPSES else 5
+    seen = simulate(found.flow.scene, count + more)
+    wrong = []
+    if [collision.pair for collision in seen[:count]] != pairs_of(found):
+        wrong.append("the pairs differ")
+    for collision, move in zip(seen, found.flow.collisions, strict=False):
+        with balls.precision(found.flow.bits):
+            if not is_inside(collision.time, balls.ends(balls.as_ball(move.after.time))):
+                wrong.append("a time differs")
+    if found.verdict == DISPERSES and len(seen) != count:
+        wrong.append("there are more collisions")
+    ends, o = time_ends(found), central(found)
+    if found.collapse is not None and ends is not None and o is not None:
+        rest = seen[count - 1 :]
+        turns = pairwise(rest)
+        if any(a.pair == b.pair or str(o) not in b.pair for a, b in turns):
+            wrong.append("the pairs do not take turns")
+        if len(seen) != count + MORE or not is_inside(seen[-1].time, ends):
+            wrong.append("the collapse is at another time")
+        if not all(is_inside(neg_cos(c, o), found.collapse.angle) for c in rest):
+            wrong.append("the angle is another one")
+    return wrong
+
+
+def neg_cos(collision: Impact, central: int) -> object:
+    """-cos of the angle at the central particle, at a collision."""
+    with mpmath.workdps(DIGITS):
+        x = [mpmath.matrix(position) for position in collision.positions]
+        a, b = (x[k] - x[central] for k in range(3) if k != central)
+        return -mpmath.fdot(a, b) / mpmath.norm(a) / mpmath.norm(b)
+
+
+def is_inside(value: object, ends: tuple[Fraction, Fraction]) -> bool:
+    with mpmath.workdps(DIGITS):
+        low, high = (mpmath.mpf(end.numerator) / end.denominator for end in ends)
+        slack = mpmath.mpf(10) ** (20 - DIGITS)
+        return bool(low - slack <= value <= high + slack)
+
+
+def test_random_scenes_against_a_simulation() -> None:
+    rng = Random(7)
+    found = [decide_scene(random_scene(rng)) for _ in range(25)]
+    assert [contradictions(one) for one in found] == [[]] * len(found)
+    assert not [one for one in found if one.verdict == UNDECIDED]
+    assert {one.verdict for one in found} == {COLLAPSES, DISPERSES}
+
+
+def test_a_contradiction_would_be_seen() -> None:
+    found = decide_scene(aligned())
+    assert contradictions(found) == []
+    less = found._replace(verdict=DISPERSES, collapse=None)
+    assert "there are more collisions" in contradictions(less)
+
+
+@pytest.mark.parametrize("digits", [3, 12, 60])
+def test_digits_that_are_asked_for(digits: int) -> None:
+    found = decide_scene(aligned(), Budget(digits=digits))
+    ends = time_ends(found)
+    assert ends is not None
+    assert found.collapse is not None
+    assert 0 < ends[1] - ends[0] <= ends[0] / 10**digits
+    assert 0 < found.collapse.angle[1] - found.collapse.angle[0] <= Fraction(1, 10**digits)
+    coarse = time_ends(decide_scene(aligned()))
+    assert coarse is not None
+    assert coarse[0] <= ends[0] < ends[1] <= coarse[1]
+
+
+def test_faster_scenes_collapse_sooner() -> None:
+    (low, high), fast = (time_ends(decide_scene(aligned(scale))) for scale in ("1", "1e100"))
+    assert low / 10**100 <= fast[1]
+    assert fast[0] <= high / 10**100
+
+
+@pytest.mark.parametrize("r", ["1e-15", "1e-50", "1e-300"])
+def test_a_restitution_far_below_the_precision(r: str) -> None:
+    places, velocities = (("1.5", 0), ("-1.6", "0.01")), ((-1, 0), (1, 0))
+    found = decide_scene(scene(r, (REST, *places), (REST, *velocities)), Budget(collisions=10))
+    assert found.verdict == COLLAPSES
+    assert found.collapse is not None
+    assert found.collapse.angle[1] - found.collapse.angle[0] < Fraction(1, 10**12)
+
+
+def test_the_verdict_does_not_depend_on_the_first_precision() -> None:
+    for bits in (16, 32, 53, 1000):
+        found = decide_scene(aligned(), Budget(bits=bits))
+        assert (found.verdict, len(found.flow.collisions)) == (COLLAPSES, 2)
+
+
+def test_what_is_not_as_tight_as_asked_for_says_so() -> None:
+    found = decide_scene(aligned(), Budget(collisions=5, digits=30))
+    assert (found.verdict, len(found.flow.collisions)) == (COLLAPSES, 5)
+    assert [*scene_lines(found)][-1].startswith("not as tight as asked for: budget")

@@ -1,0 +1,83 @@
+"""The job `classification`: the four theorems, and what they say at one r."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import cache
+
+from verify.language.record import Record
+from verify.language.statement import PROVED, REFUTED, UNDECIDED
+from verify.paper.classification import image
+from verify.paper.classification.theorem import classification
+from verify.prover.arguments import NUMBER_BITS, write_down
+from verify.prover.outcome import Decision, Ends, Outcome
+from verify.prover.proof import ObligationStep
+from verify.prover.rules import Interval, Witness
+from verify.wire.judge import judged
+
+#: Bits of the least final -cos.
+BITS = 160
+#: Work on the numbers of the comparison sequence: products of lengths in bits, added up.
+BUDGET = 1 << 37
+
+
+class AtR(Record):
+    """What the theorems say at one r.
+
+    ``excluded``: three equal balls have no collapse, and finitely many collisions. ``longest``: the
+    largest number of collisions of a run in which one ball meets two others in turn; None if there
+    is no largest one, or where ``undecided`` says that the work did not suffice to find it.
+    """
+
+    r: Fraction
+    least_neg_cos: Ends
+    excluded: bool
+    longest: int | None
+    undecided: bool
+
+
+@cache
+def decide_classification() -> Outcome:
+    """The theorems, each line with the proof that its reason describes; last a misprint."""
+    outcome = write_down(classification())
+    row = outcome.statement.obligations[-1]
+    (givens,) = [c.givens for c in outcome.statement.contexts if c.name == row.context]
+    numbers = Interval(NUMBER_BITS)
+    proof = Witness(image.FALSE_AT, tuple(numbers for _ in givens), numbers)
+    decisions = {**outcome.decisions, row.name: Decision(REFUTED, proof)}
+    steps = (*outcome.steps, ObligationStep(row.name, proof))
+    return judged(outcome._replace(decisions=decisions, steps=steps))
+
+
+def at_restitution(r: Fraction) -> AtR:
+    """What the theorems say for 0 < r < 1; all but the enclosure is exact."""
+    from verify.prover import balls  # flint is loaded only where it is used
+
+    excluded = r**2 - 14 * r + 1 < 0
+    with balls.precision(BITS):
+        root = balls.root(balls.from_fraction(r))
+        least = balls.ends(4 * root / balls.from_fraction(1 + r))
+    longest = longest_run(r) if excluded else None
+    return AtR(r, least, excluded, longest, excluded and longest is None)
+
+
+def verdict_at(outcome: Outcome, found: AtR | None) -> str:
+    """The verdict on all that was asked for: the theorems, and what they say at one r."""
+    short_of_work = found is not None and found.undecided
+    return UNDECIDED if outcome.verdict == PROVED and short_of_work else outcome.verdict
+
+
+def longest_run(r: Fraction) -> int | None:
+    """The least n >= 1 with s_n <= 0, where s_0 = 0, s_1 = 1, s_{n+1} = (1+r)/2 s_n - r s_{n-1}.
+
+    With r = p/q the numbers s_n (2q)^(n-1) are integers. None beyond the budget; r has to be one
+    for which there is such an n.
+    """
+    p, q = r.numerator, r.denominator
+    before, now, n, work = 0, 1, 1, 0
+    while now > 0:
+        before, now, n = now, (p + q) * now - 4 * p * q * before, n + 1
+        work += now.bit_length() * max(64, q.bit_length())
+        if work > BUDGET:
+            return None
+    return n

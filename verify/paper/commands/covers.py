@@ -1,0 +1,197 @@
+"""What holds where: Theorem 1 over the plane of its parameters, and the roots of Q for every r.
+
+The sides of a cell of the plane are intervals of s = r^(1/3) and of c = -cos theta_0. In s both
+thresholds are smooth down to r = 0: the stability threshold is 2s(1+s)/(1+s^3), that of existence
+is 4 s^(3/2)/(1+s^3).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from functools import cache
+from itertools import pairwise
+
+from verify.language.record import Record
+from verify.language.statement import PROVED, REFUTED
+from verify.language.terms import Claim, Term, as_term, sqrt, symbol
+from verify.paper.commands.constructions import field_definitions, formulas, sorted_rows
+from verify.paper.hypotheses import hypotheses
+from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
+from verify.prover import balls
+from verify.prover.cover import Box, Field, Values, refined
+from verify.prover.outcome import Ends
+from verify.prover.slopes import BITS, Side
+
+#: Just beyond (3-√5)/2 = 0.38196…, the cube root of r_stabi = 9-4√5.
+WIDTH = Fraction(49, 128)
+
+INPUTS = ("s", "c")
+CUBE = ("r", symbol("s") ** 3)
+
+#: All of them: r up to just beyond r_stabi, any angle.
+PLANE: Box = ((Fraction(0), WIDTH), (Fraction(0), Fraction(1)))
+
+#: The share of its bound at which each repaired constant stands.
+SHARE = Fraction(1, 2)
+WHOLE = Fraction(1)
+
+#: How many times a side of the plane is halved.
+DEPTH = 7
+
+#: r_stabi = 9 - 4√5 = 0.0557280900008…; intervals of r end just below it.
+END = Fraction("0.055728")
+
+#: A ratio counts as enclosed if its ends differ by at most this factor.
+FACTOR = 2
+
+ROOT_CELLS = 240
+
+
+# --- the plane -----------------------------------------------------------------------------------
+
+
+@cache
+def stability() -> Claim:
+    """The hypothesis that the construction needs."""
+    claim = next(row.claim for row in hypotheses() if row.name == "hypotheses.stability")
+    if not isinstance(claim, Claim):
+        raise TypeError("the hypothesis compares two numbers")
+    return claim
+
+
+def plane(group: str, share: Fraction = SHARE) -> Field:
+    """The constants of a set over the plane."""
+    return Field(INPUTS, (CUBE, *field_definitions(formulas(group, share))))
+
+
+@cache
+def threshold_boxes(cells: int) -> dict[str, list[Box]]:
+    """Enclosures of the two thresholds of c over intervals of s: boxes that contain the curves."""
+    s = symbol("s")
+    root = symbol("q")  # q = s^(1/2), so that the second one is rational too
+    curves = {
+        "stability": (2 * s * (1 + s) / (1 + s**3), "s", WIDTH, 1),
+        "existence": (4 * root**3 / (1 + root**6), "q", Fraction(619, 1000), 2),
+    }
+    return {name: list(_curve(*curve, cells)) for name, curve in curves.items()}
+
+
+def _curve(term: Term, letter: str, end: Fraction, power: int, cells: int) -> Iterable[Box]:
+    field, count = Field((letter,), ()), power * cells
+    with balls.precision(BITS):
+        for index in range(count):
+            low, high = end * index / count, end * (index + 1) / count
+            found = field.on(((low, high),)).ends(term)
+            if found is not None:
+                yield (low**power, high**power), found
+
+
+# --- which entry of the min that bounds eta_bar is the least --------------------------------------
+
+
+@cache
+def least_entries(group: str, depth: int = DEPTH - 1) -> list[tuple[Box, int | None]]:
+    """The cells of the plane, each with the entry that is the least at every point, if one is."""
+    field = plane(group, WHOLE)
+    constants = {constant.name: constant for constant in formulas(group, WHOLE)}
+    slots = [field.slot(entry) for entry in constants[f"{group}.eta_bar"].term.children]
+    gate = field.slots({"stability": stability()})["stability"]
+
+    def judge_cell(values: Values, _before: int | None) -> tuple[int | None, bool] | None:
+        admissible = values.judge(gate)
+        if admissible == REFUTED:
+            return None
+        least = values.least(slots) if admissible == PROVED else None
+        return least, least is not None
+
+    found = refined(field, PLANE, depth, None, judge_cell)
+    return [(box, least) for box, _, least in found]
+
+
+# --- how close the two sides are, over r at theta_0 = pi ------------------------------------------
+
+
+def intervals() -> list[Side]:
+    """Intervals of r that shrink by a fixed factor towards both ends."""
+    left, right = (_distances(Fraction(1, part)) for part in (4, 8))
+    return list(pairwise([*reversed(left), *(END - x for x in right[1:])]))
+
+
+def _distances(share: Fraction) -> list[Fraction]:
+    """Distances from an end, from the middle on; each step is at most a share of what is left."""
+    distances = [END / 2]
+    while distances[-1] > END / 4000:
+        distances.append(distances[-1] - min(distances[-1] * share, END / 36))
+    return distances
+
+
+class Ratios(Record):
+    """A row with its ratio lhs/rhs on each interval of r where it is enclosed, and its verdicts."""
+
+    says: str
+    boxes: list[tuple[Side, Ends]]
+    verdicts: set[str]
+
+    @property
+    def middle(self) -> Fraction:
+        """An upper bound of the ratio halfway between the ends, or where it is next enclosed."""
+        return min(self.boxes, key=lambda pair: abs(pair[0][0] - END / 2))[1][1]
+
+
+@cache
+def ratios(group: str, share: Fraction) -> list[Ratios]:
+    """The rows of a set whose two sides are positive, from the largest ratio to the smallest."""
+    field = Field(("r",), (("c", as_term(1)), *field_definitions(formulas(group, share))))
+    kinds = sorted_rows(group, share)
+    slots = field.slots(kinds.claims)
+    found = {row.name: Ratios(row.says, [], set()) for row in kinds.open}
+    with balls.precision(BITS):
+        for side in intervals():
+            values = field.on((side,))
+            for name, slot in slots.items():
+                found[name].verdicts.add(values.judge(slot))
+                ends = values.ratio(slot)
+                positive = values.positive(slot[1]) and values.positive(slot[2])
+                if positive and ends is not None and ends[1] < FACTOR * ends[0]:
+                    found[name].boxes.append((side, ends))
+    drawn = [row for row in found.values() if len(row.boxes) > 10]
+    return sorted(drawn, key=lambda row: row.middle, reverse=True)
+
+
+# --- the roots of Q ------------------------------------------------------------------------------
+
+
+class Roots(Record):
+    """Enclosures over one interval of m, where -m^3 is the real root."""
+
+    side: Side
+    r: Ends
+    real: Ends
+    re: Ends
+    im: Ends
+    minus_r: Ends
+    minus_r_cubed: Ends
+
+
+@cache
+def roots() -> list[Roots]:
+    """Boxes that contain r, the roots and both bounds at every m of their intervals."""
+    m = symbol("m")
+    terms: tuple[Term, ...] = (
+        r_of_m, -(m**3), real_part, sqrt(imaginary_square), -r_of_m, -(r_of_m**3)
+    )  # fmt: skip
+    field, found = Field(("m",), ()), []
+    with balls.precision(BITS):
+        for index in range(ROOT_CELLS):
+            side = (Fraction(index, ROOT_CELLS), Fraction(index + 1, ROOT_CELLS))
+            values = field.on((side,))
+            found.append(Roots(side, *(_enclosed(values, term) for term in terms)))
+    return found
+
+
+def _enclosed(values: Values, term: Term) -> Ends:
+    ends = values.ends(term)
+    if ends is None:
+        raise ValueError("a root of Q has no enclosure")
+    return ends

@@ -1,0 +1,161 @@
+"""Where in `verify/paper/` a name stands: that of a row, a line, a constant, or something given.
+
+The modules of the paper yield what they say. A generator that hands over to another one tells which
+one is at work, and where; in a table that it yields each row begins a line with its name. So no
+table of places is kept by hand.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Iterator
+from difflib import get_close_matches
+from functools import cache
+from importlib import import_module
+from linecache import getline
+from pathlib import Path
+from pkgutil import walk_packages
+from types import CodeType, GeneratorType, ModuleType
+from typing import Any
+
+from verify import paper
+from verify.language.argument import Chapter, Line, Opened
+from verify.language.record import Record
+from verify.language.statement import Context, Obligation
+from verify.paper.elsewhere.subject import Refuted
+from verify.paper.groups import PRINTED, REPAIRED
+from verify.paper.initial_data import ConstantSet
+from verify.paper.spectrum.printed import Printed
+from verify.spheres import flow, scene
+
+ROOT = Path(paper.__file__).parents[2]
+
+#: What a generator of the paper may ask for, by its annotation.
+ARGUMENTS: dict[str, tuple[Any, ...]] = {
+    "ConstantSet": (ConstantSet(PRINTED), ConstantSet(REPAIRED)),
+    "Printed": (Printed(),),
+}
+
+
+class Place(Record):
+    """A name of the paper's room, what it says there, and where it is written."""
+
+    name: str
+    label: str
+    says: str
+    path: str
+    line: int
+
+    @property
+    def part(self) -> str:
+        """The folder inside `verify/paper/`, or '' for Theorem 1 at a point."""
+        between = self.path.split("/")[2:-1]
+        return between[0] if between else ""
+
+    @property
+    def short(self) -> str:
+        """The name without its group."""
+        return self.name.partition(".")[2]
+
+
+@cache
+def places() -> tuple[Place, ...]:
+    """Every name that a module of the paper yields, in the order of the modules.
+
+    The modules that only collect what others yield come last, and add what is theirs alone.
+    """
+    found: dict[tuple[str, str], Place] = {}
+    for module in _modules():
+        collects = module.__name__.endswith(".theorem")
+        for place in _written_in(module):
+            if not (collects and (place.name, "") in found):
+                found.setdefault((place.name, place.part), place)
+    return tuple(found.values())
+
+
+def written(word: str) -> list[Place]:
+    """Where a name stands, with or without its group, or a label of the paper."""
+    return [place for place in places() if word in (place.name, place.short, place.label)]
+
+
+def near(word: str) -> list[str]:
+    """Names and labels that resemble a word."""
+    names = {text for p in places() for text in (p.name, p.short, p.label) if text}
+    return get_close_matches(word, sorted(names), 3, 0.6)
+
+
+def _modules() -> list[ModuleType]:
+    names = []
+    for room in (paper, flow, scene):
+        names += [m.name for m in walk_packages(room.__path__, f"{room.__name__}.")]
+    rows = sorted(names, key=lambda name: (name.endswith(".theorem"), name))
+    return [import_module(name) for name in rows if ".commands" not in name]
+
+
+def _written_in(module: ModuleType) -> Iterator[Place]:
+    for function in [f for f in vars(module).values() if inspect.isfunction(f)]:
+        if function.__module__ == module.__name__ and not function.__name__.startswith("_"):
+            for arguments in _arguments(function):
+                if inspect.isgeneratorfunction(function):
+                    yield from _yielded(function(*arguments))
+                elif function.__name__ == "context":
+                    yield from _known(function(*arguments), *_start(function))
+
+
+def _arguments(function: Callable[..., Any]) -> Iterator[tuple[Any, ...]]:
+    """The arguments of a function where they are known: none, or one of `ARGUMENTS`."""
+    asked = [p for p in inspect.signature(function).parameters.values() if p.default is p.empty]
+    if not asked:
+        yield ()
+    elif len(asked) == 1:
+        yield from ((argument,) for argument in ARGUMENTS.get(asked[0].annotation, ()))
+
+
+def _yielded(running: Any) -> Iterator[Place]:
+    for item in running:
+        code, line = _at_work(running)
+        for part in item.items if isinstance(item, Chapter) else (item,):
+            row = part.row if isinstance(part, Refuted) else part
+            if isinstance(row, Obligation | Line):
+                yield Place(row.name, row.label, row.says, _path(code), _entry(row, code, line))
+            elif isinstance(part, Opened):
+                yield from _known(part.context, _path(code), line)
+
+
+def _known(context: Context, path: str, line: int) -> Iterator[Place]:
+    """What is given in a context, and its constants."""
+    names = [*(given.name for given in context.givens), *(c.name for c in context.constants)]
+    for name in names:
+        yield Place(name, "", f"in the context {context.name}", path, line)
+
+
+def _entry(row: Obligation | Line, code: CodeType, start: int) -> int:
+    """The line of a row, or its own line in the table that begins at ``start``."""
+    names = "|".join(re.escape(name) for name in (row.name, row.name.partition(".")[2]) if name)
+    entry = re.compile(rf'\s*(?:yield |yield from |\*)?([\w.]+)\("(?:{names})"')
+    true = isinstance(row, Obligation) and row.severity is None
+    end = max(line or 0 for _, _, line in code.co_lines())
+    for number in range(start, end + 1):
+        found = entry.match(getline(code.co_filename, number))
+        if found and not (true and found[1].endswith("misprint")):
+            return number
+    return start
+
+
+def _at_work(running: Any) -> tuple[CodeType, int]:
+    """The innermost function of a module that yields, and the line of its statement."""
+    inner = running
+    while isinstance(running.gi_yieldfrom, GeneratorType):
+        running = running.gi_yieldfrom
+        if "." not in running.gi_code.co_qualname:  # a method serves many places
+            inner = running
+    return inner.gi_code, inner.gi_frame.f_lineno
+
+
+def _start(function: Any) -> tuple[str, int]:
+    return _path(function.__code__), function.__code__.co_firstlineno
+
+
+def _path(code: CodeType) -> str:
+    return Path(code.co_filename).resolve().relative_to(ROOT).as_posix()

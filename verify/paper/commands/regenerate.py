@@ -1,0 +1,119 @@
+"""Is a statement the one that the program makes, and calls proved?
+
+A certificate for a weaker theorem checks, because the checker does not know the paper. This module
+does: it takes only the parameters from the statement and makes everything else anew.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from verify.language.statement import PROVED, Statement
+from verify.language.terms import Term
+from verify.paper.commands import (
+    box,
+    classification,
+    elsewhere,
+    everywhere,
+    scene,
+    scene_statements,
+    sharper,
+    spectrum,
+    step,
+    step_printed,
+    theorem1,
+    thresholds,
+)
+from verify.paper.groups import REPAIRED
+from verify.paper.parameters import THEOREM
+from verify.paper.spectrum.theorem import statement as state_spectrum
+from verify.prover.outcome import Outcome
+from verify.wire.parameters import are_allowed
+from verify.wire.term_json import TermReader
+from verify.wire.write import write
+
+#: The sets of constants with which Theorem 1 is proved; the printed set alone proves nothing.
+SELECTIONS = ("all", REPAIRED)
+
+#: What decides a theorem without parameters, by its name.
+WITHOUT_PARAMETERS: dict[str, Callable[[], Outcome]] = {
+    "elsewhere": elsewhere.decide_elsewhere,
+    "THEORSS3.5SpectMatricVitLm": spectrum.decide_spectrum,
+    "step": step.decide_step,
+    f"{THEOREM} for all parameters": everywhere.decide_everywhere,
+    f"{THEOREM} as printed, where it depends": thresholds.decide_thresholds,
+    "classification": classification.decide_classification,
+    "sharper": sharper.decide_sharper,
+    "flow": scene.decide_flow,
+}
+
+#: What states those of them that take long to decide.
+ONLY_STATED: dict[str, Callable[[], Statement]] = {
+    f"{THEOREM} for all parameters": everywhere.state_everywhere,
+    "THEORSS3.5SpectMatricVitLm": state_spectrum,
+}
+
+
+def is_right_statement(content: bytes) -> bool:
+    """Whether the bytes are those of a statement that the program makes and calls proved.
+
+    The parameters in it must be allowed ones. What is compared has a verdict on the needed rows,
+    and that verdict is `proved`.
+    """
+    try:
+        document = json.loads(content)
+        theorem = str(document["theorem"])
+        parameters, collisions = _parameters(document), _collisions(document)
+    except (KeyError, TypeError, ValueError, AttributeError, IndexError, RecursionError):
+        return False
+    return any(
+        outcome.claimed == PROVED and _written(outcome) == content
+        for outcome in _outcomes(theorem, parameters, collisions)
+    )
+
+
+def is_right_when_accepted(content: bytes, accepted: Outcome) -> bool:
+    """The same for a statement whose certificate is accepted: every verdict in it is certain.
+
+    So only the claims are made anew where it would take long to decide them again.
+    """
+    if accepted.statement.theorem not in ONLY_STATED or accepted.statement.parameters:
+        return is_right_statement(content)
+    stated = ONLY_STATED[accepted.statement.theorem]()
+    own = Outcome(stated, accepted.decisions, (), {})
+    return own.claimed == PROVED and _written(own) == content
+
+
+def _written(outcome: Outcome) -> bytes | None:
+    """The bytes of the statement; None if a number in it has more digits than can be written."""
+    try:
+        return write(outcome)["statement.json"]
+    except ValueError:
+        return None
+
+
+def _parameters(document: Any) -> dict[str, Term]:
+    return TermReader().table(document["parameters"])
+
+
+def _collisions(document: Any) -> int:
+    """How many rows are about collisions of a scene."""
+    return sum(row["name"].startswith("collision.") for row in document["obligations"])
+
+
+def _outcomes(theorem: str, parameters: Mapping[str, Term], collisions: int) -> Iterator[Outcome]:
+    """The outcomes that the program makes for a theorem of this name and these parameters."""
+    if not parameters:
+        if theorem in WITHOUT_PARAMETERS:
+            yield WITHOUT_PARAMETERS[theorem]()
+    elif (found := scene_statements.read_back(parameters)) is not None:
+        yield from scene_statements.statements_of(found, collisions)
+    elif box.are_ends(parameters):
+        yield box.decide_box(*box.read_box(parameters))
+    elif are_allowed(parameters):
+        if theorem == "step-printed" and parameters == step_printed.PARAMETERS:
+            yield step_printed.decide_step_printed()
+        for selection in SELECTIONS:
+            yield theorem1.decide_point(parameters, selection)

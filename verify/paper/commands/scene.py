@@ -1,0 +1,244 @@
+"""The job `scene`: a scene that was decided, as a statement with its certificate.
+
+The prover followed the scene; here the same moves are told in terms, and each row gets its proof:
+a constant of the scene shows that a number is what the theorem about all states says, enclosures
+show the inequalities.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from functools import cache
+
+from verify.language.statement import (
+    PROVED,
+    Applies,
+    Cite,
+    Context,
+    Obligation,
+    Statement,
+)
+from verify.language.terms import Claim, Term
+from verify.paper.commands.classification import decide_classification
+from verify.paper.commands.sharper import decide_sharper
+from verify.paper.sharper.numbers import context as start_context
+from verify.prover import balls
+from verify.prover.arguments import write_down
+from verify.prover.decimals import enclosing_decimals, round_decimal
+from verify.prover.outcome import Decision, Enclosure, Outcome
+from verify.prover.program import Machine, Program, Run, UndefinedError
+from verify.prover.proof import ConstantStep, ObligationStep, Premise, Proof, Step
+from verify.prover.rules import Applying, Interval, Sum
+from verify.spheres.flow.follow import COLLIDE, DRIFT, why_apart
+from verify.spheres.flow.theorem import NAME as FLOW
+from verify.spheres.flow.theorem import flow
+from verify.spheres.scene.assumptions import ASSUMPTIONS
+from verify.spheres.scene.decide import (
+    COLLAPSES,
+    DISPERSES,
+    FINITE,
+    Fate,
+)
+from verify.spheres.scene.telling import CLASSIFICATION, SHARPER, START, Numbers, Telling
+from verify.spheres.scene.verdict import scene_lines, theorems
+from verify.wire.judge import judged
+from verify.wire.write import write
+
+#: Digits of the enclosures in a certificate.
+DIGITS = 16
+#: How the names of the rows begin that show the verdict.
+DECISIVE = ("collapse", "end.", "finite.")
+#: The prover is exact where numbers stay rational; the checker may need more bits for the same.
+MORE_BITS = (1, 2, 4, 8, 16)
+#: More than MANY collisions are checked with few bits first.
+MANY, FEW_BITS = 500, 80
+
+
+@cache
+def decide_flow() -> Outcome:
+    """One collision of the flow, for every state."""
+    return judged(write_down(flow()))
+
+
+@cache
+def cited_contexts() -> dict[str, Context]:
+    """The contexts that a scene applies, by the names by which it cites them."""
+    found = {f"{FLOW}:{context.name}": context for context in flow().statement.contexts}
+    return found | {START: start_context()}
+
+
+def tell(found: Fate) -> Telling:
+    """What happened, in terms."""
+    telling = Telling(found.flow.scene)
+    moves = [] if is_settled_at_start(found) else found.flow.moves
+    if moves:
+        telling.begin(moves[0].before.frame)
+    for move in moves:
+        if move.kind == COLLIDE:
+            telling.collide()
+        elif move.kind == DRIFT:
+            telling.drift(move.time)
+        else:
+            telling.recentre()
+    _tell_end(telling, found)
+    return telling
+
+
+def is_settled_at_start(found: Fate) -> bool:
+    """Whether no collision has to be followed for the verdict."""
+    return found.criterion is not None and found.criterion.at_start
+
+
+def _tell_end(telling: Telling, found: Fate) -> None:
+    if found.verdict == COLLAPSES and found.collapse is not None:
+        with balls.precision(found.flow.bits):
+            low, high = (balls.ends(balls.as_ball(end)) for end in found.collapse.time)
+        time = short_outward((low[0], high[1]))
+        angle = short_outward(found.collapse.angle)
+        numbers = {name: balls.as_fraction(x) for name, x in found.collapse.numbers.items()}
+        telling.collapse(Numbers(numbers, time, angle))
+    elif found.verdict == DISPERSES:
+        with balls.precision(found.flow.bits):
+            telling.disperse(why_apart(found.flow))
+    elif found.verdict == FINITE and found.criterion is not None:
+        telling.limit(found.criterion.name)
+
+
+def short_outward(ends: tuple[Fraction, Fraction]) -> tuple[Fraction, Fraction]:
+    """Decimals around two ends, with a few digits more than those on which they agree."""
+    low, high = ends
+    digits, width = 4, high - low
+    while width and digits < 60 and abs(high) > width * 10 ** (digits - 3):
+        digits += 1
+    down, up = round_decimal(low, digits, up=False), round_decimal(high, digits, up=True)
+    return down[0] * Fraction(10) ** down[1], up[0] * Fraction(10) ** up[1]
+
+
+def precisions(found: Fate) -> list[int]:
+    """The precisions to try, in turn: few bits for many collisions, as work is limited."""
+    bits = found.flow.bits
+    few = [FEW_BITS] if len(found.flow.collisions) > MANY and bits > FEW_BITS else []
+    return [*few, *(factor * bits for factor in MORE_BITS)]
+
+
+# --- the certificate -----------------------------------------------------------------------------
+
+
+def scene_outcome(found: Fate, bits: int) -> Outcome:
+    """The verdict as a statement with a certificate that evaluates with so many bits."""
+    telling = tell(found)
+    if not any(row.name.startswith(DECISIVE) for row in telling.rows):
+        raise ValueError(f"no row shows that the scene {found.verdict}")
+    statement = statement_of(telling, found)
+    proofs = {row.name: _proof(row, telling, bits) for row in telling.rows}
+    run = _evaluated(telling, bits)
+    with balls.precision(bits):
+        enclosures = {
+            name: Enclosure(bits, (_ends(run, term, bits),))
+            for name, term in (*telling.parameters.items(), *_definitions(telling).items())
+        }
+        decisions = {
+            row.name: Decision(PROVED, proofs[row.name], _sides(row, run, bits))
+            for row in telling.rows
+        }
+    steps: list[Step] = [ConstantStep(name, Interval(bits)) for name in enclosures]
+    steps += [ObligationStep(name, proof) for name, proof in proofs.items()]
+    return Outcome(statement, decisions, tuple(steps), enclosures)
+
+
+def statement_of(telling: Telling, found: Fate) -> Statement:
+    """What is claimed."""
+    used = {name for row in telling.rows for name in row.uses}
+    return Statement(
+        "scene",
+        " ".join(scene_lines(found._replace(reason=""))),
+        telling.parameters,
+        tuple(telling.constants),
+        (),
+        tuple(telling.rows),
+        tuple(a for a in ASSUMPTIONS if a.name in used),
+        tuple(cites(found)),
+    )
+
+
+def cites(found: Fate) -> list[Cite]:
+    """The statements whose theorems are applied."""
+    makers = {FLOW: decide_flow, CLASSIFICATION: decide_classification, SHARPER: decide_sharper}
+    return [_cite(name, makers[name]) for name in theorems(found)]
+
+
+@cache
+def _cite(name: str, make: Callable[[], Outcome]) -> Cite:
+    outcome = make()
+    files, trusted = write(outcome), outcome.assumptions
+    content, certificate = files["statement.json"], files["certificate.json"]
+    return Cite(name, outcome.statement.theorem, content, (), trusted, certificate)
+
+
+def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:
+    if isinstance(row.claim, Applies):
+        context = cited_contexts()[row.claim.context]
+        return Applying(
+            tuple(_premise(given.claim, row.claim.at, bits) for given in context.givens)
+        )
+    kind, _, name = row.name.partition(".")
+    given = tuple(telling.parameters)
+    if kind == "is":
+        return Sum((), (*given, name))
+    if kind == "start":
+        gap, _, _ = telling.exact.pair(int(name[0]), int(name[1]))
+        return Sum(("goal", str(gap)), given)
+    if kind == "range":
+        restitution = telling.parameters["r"].value
+        return Sum(("goal", str(restitution if name == "low" else 1 - restitution)), given)
+    return Interval(bits)
+
+
+def _premise(given: Claim, at: Mapping[str, Term], bits: int) -> Premise:
+    """A definition is the fact that a constant of the scene has it; enclosures show the rest."""
+    if given.relation == "=" and at[given.lhs.name].op == "symbol":
+        return at[given.lhs.name].name
+    return Interval(bits)
+
+
+def _definitions(telling: Telling) -> dict[str, Term]:
+    return {constant.name: constant.term for constant in telling.constants}
+
+
+def _evaluated(telling: Telling, bits: int) -> Run:
+    """Balls around all constants and sides of rows."""
+    program = Program(())
+    for name, term in (*telling.parameters.items(), *_definitions(telling).items()):
+        program.define(name, term)
+    for row in telling.rows:
+        if isinstance(row.claim, Claim):
+            program.add(row.claim.lhs), program.add(row.claim.rhs)
+    with balls.precision(bits):
+        machine = Machine(program, balls.BallArithmetic())
+        machine.load()
+        return machine.run(())
+
+
+def _ends(run: Run, term: Term, bits: int) -> tuple[Fraction, Fraction]:
+    """Decimals around all that the checker may find for a term."""
+    if term.op == "rational" and is_short(term.value, bits):
+        top, divisor = term.value.as_integer_ratio()
+        return enclosing_decimals(top, top, divisor, DIGITS)
+    ball = run[term]
+    if ball is None:
+        raise UndefinedError(f"{bits} bits do not suffice to evaluate a number of the scene")
+    low, high, divisor = balls.widened_ends(balls.loosened(ball), 4 * DIGITS)
+    return enclosing_decimals(low, high, divisor, DIGITS)
+
+
+def is_short(value: Fraction, bits: int) -> bool:
+    """Whether the checker keeps a rational number as it is."""
+    top, divisor = value.as_integer_ratio()
+    return top.bit_length() + divisor.bit_length() < 2 * bits
+
+
+def _sides(row: Obligation, run: Run, bits: int) -> Enclosure | None:
+    if not isinstance(row.claim, Claim):
+        return None
+    return Enclosure(bits, (_ends(run, row.claim.lhs, bits), _ends(run, row.claim.rhs, bits)))

@@ -1,0 +1,107 @@
+"""The job `slack`: which bounds of Theorem 1 for all parameters could be sharper.
+
+A row is strengthened by taking nine tenths of its larger side; a row that says the sign of a term
+is left as it is. The proof of the row must not prove the stronger claim, and the checker has to
+say so. Where the program finds another proof of it, which the checker accepts, the bound has slack.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator
+from fractions import Fraction
+
+from verify import check
+from verify.language.record import Record
+from verify.language.statement import Obligation
+from verify.language.terms import Claim, Term, substitute
+from verify.paper.commands.everywhere import Everywhere, everywhere_run
+from verify.paper.everywhere.chart import CONTEXT
+from verify.paper.everywhere.redundant import values_at
+from verify.prover.ground import Ground
+from verify.prover.outcome import Outcome
+from verify.prover.positivity import NotFoundError
+from verify.prover.proof import LemmaStep, Proof, Step
+from verify.wire.write import digest, write
+
+SHARE = Fraction(9, 10)
+#: Where the signs of the sides are looked up.
+POINT = ("3/100", "1", "1", "1/10")
+
+
+class Bound(Record):
+    """A row with its stronger claim; ``fresh`` is a proof of that, if one was found."""
+
+    row: Obligation
+    stronger: Claim
+    proof: Proof
+    fresh: Proof | None = None
+
+
+class Slack(Record):
+    """What the checker says: the bounds that the old proofs prove, too, and those with new ones."""
+
+    bounds: list[Bound]
+    accepted: set[str]
+    slack: set[str]
+
+
+def stronger(claim: Claim, values: dict[str, Term], ground: Ground) -> Claim | None:
+    """The claim with nine tenths of its larger side; None if that has no sign, or is 0."""
+    relation, lhs, rhs = claim.key
+    left, right = (ground.sign(substitute(side, values)) for side in (lhs, rhs))
+    if right > 0 and left:
+        return Claim(relation, lhs, SHARE * rhs)
+    return Claim(relation, SHARE * lhs, rhs) if left < 0 and right else None
+
+
+def find_slack(rows: Collection[str] | None = None, *, search: bool = True) -> Slack:
+    """Bounds strengthened and judged by the checker: all, or those of some rows.
+
+    Without ``search`` no other proofs are looked for.
+    """
+    work, outcome = everywhere_run()
+    bounds = [
+        bound._replace(fresh=_fresh(work, bound)) if search else bound
+        for bound in _bounds(work, outcome)
+        if rows is None or bound.row.name in rows
+    ]
+    steps = (*work.session.steps, *_steps(bounds))
+    lines = _report(outcome._replace(steps=steps))
+    refused = {line.split()[2].rstrip(":") for line in lines if line.startswith("REFUSED lemma")}
+    return Slack(
+        bounds,
+        {b.row.name for b in bounds if f"old.{b.row.name}" not in refused},
+        {b.row.name for b in bounds if b.fresh and f"new.{b.row.name}" not in refused},
+    )
+
+
+def _bounds(work: Everywhere, outcome: Outcome) -> Iterator[Bound]:
+    values, ground = values_at(POINT), Ground(work.session)
+    for row, found in outcome.rows:
+        if isinstance(row.claim, Claim) and row.context == CONTEXT and found.proof is not None:
+            sharper = stronger(row.claim, values, ground)
+            if sharper is not None:
+                yield Bound(row, sharper, found.proof)
+
+
+def _fresh(work: Everywhere, bound: Bound) -> Proof | None:
+    """Another proof; not where already the row itself needs a hint, as the search is long there."""
+    try:
+        return None if bound.row.name in work.hints else work.proofs.proof("", bound.stronger)
+    except NotFoundError:
+        return None
+
+
+def _steps(bounds: Iterable[Bound]) -> Iterator[Step]:
+    for bound in bounds:
+        name = bound.row.name
+        yield LemmaStep(f"old.{name}", CONTEXT, bound.stronger, bound.proof)
+        if bound.fresh is not None:
+            yield LemmaStep(f"new.{name}", CONTEXT, bound.stronger, bound.fresh)
+
+
+def _report(outcome: Outcome) -> list[str]:
+    """What the checker says of a certificate, line by line."""
+    files = write(outcome)
+    cited = {digest(data): data for name, data in files.items() if name.startswith("cited/")}
+    return check.check(files["statement.json"], files["certificate.json"], cited).lines

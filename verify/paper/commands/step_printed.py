@@ -1,0 +1,111 @@
+"""The job `step-printed`: what the recursion prints and is false, each at a state of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import cache
+
+from verify.language.argument import Chapter
+from verify.language.statement import REFUTED, Constant, Statement
+from verify.language.terms import Claim, Term, as_term
+from verify.paper.step import printed_estimates as paper
+from verify.paper.step import printed_states as states
+from verify.prover.arguments import Writing
+from verify.prover.ground import Ground
+from verify.prover.outcome import Decision, Outcome
+from verify.prover.proof import Premise
+from verify.prover.rules import Interval, Sum, Witness
+from verify.wire.judge import judged
+
+#: Enough for the sides of the conditions at the states, some of which differ by 10^-25.
+BITS = 256
+
+PARAMETERS = {name: as_term(Fraction(text)) for name, text in states.PARAMETERS.items()}
+
+Vector = tuple[Fraction, Fraction, Fraction]
+
+
+@cache
+def decide_step_printed() -> Outcome:
+    """Every row with its proof, or the state that refutes it; the checker decides whether."""
+    points = {name: state(numbers) for name, numbers in states.WITNESSES.items()}
+    statement = _statement(points[paper.FIRST])
+    writing = Writing(statement)
+    session, ground = writing.session, Ground(writing.session)
+    given = [Constant(name, name, name, "", x) for name, x in statement.parameters.items()]
+    names = [constant.name for constant in (*given, *statement.constants)]
+    for constant in (*given, *statement.constants):
+        ground.define(constant)
+    for name, claim in states.signs().items():
+        session.lemma(claim, Interval(BITS), name=name)
+    premises = tuple(map(_premise, states.conditions().values()))
+    session.open(statement.contexts[0], premises)
+    writing.chapter(Chapter(states.CONTEXT, tuple(paper.lines())))
+    for row in paper.printed():
+        at = points[paper.FALSE_AT.get(row.name, paper.FIRST)]
+        proof = Witness(at, premises, Interval(BITS))
+        session.prove_row(row, proof, holds=False)
+        writing.decisions[row.name] = Decision(REFUTED, proof)
+    found = {name: ground.enclose(ground.definitions[name]) for name in names}
+    enclosures = {name: ends for name, ends in found.items() if ends is not None}
+    return judged(Outcome(statement, writing.decisions, tuple(session.steps), enclosures))
+
+
+def _statement(point: Mapping[str, Term]) -> Statement:
+    rows = (*paper.needed(), *paper.printed())
+    contexts = (states.context(point),)
+    return Statement(paper.NAME, paper.TITLE, PARAMETERS, states.constants(), contexts, rows, ())
+
+
+def _premise(claim: Claim) -> Premise:
+    """Equations hold identically, between rational numbers; enclosures show the rest."""
+    return Sum() if claim.relation == "=" else Interval(BITS)
+
+
+# --- states ---------------------------------------------------------------------------------------
+
+
+def state(numbers: states.Witnessed) -> Mapping[str, Term]:
+    """The coordinates and numbers of a state, all rational, without a root.
+
+    The directions before and after the flight are drawn; with the time they give the velocities.
+    """
+    t, y, tau = Fraction(numbers.half), Fraction(numbers.y), Fraction(numbers.tau)
+    cosine, sine = (1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)
+    zero, one = Fraction(0), Fraction(1)
+    omega_s, omega_c = (one, zero, zero), (-cosine, sine, zero)
+    contact = _turned(omega_c, (sine, cosine, zero), numbers.turn_c)
+    distance = _dot(contact, omega_c) + tau * y
+    W_c = _velocity(omega_c, distance, contact, one, tau)
+    end = _turned(omega_s, (zero, one, zero), numbers.turn_s)
+    D = (1 + tau * Fraction(numbers.ratio) * y) / _dot(end, omega_s)
+    W_s = _velocity(omega_s, one, end, D, tau)
+    vectors = zip(states.VECTORS, (omega_s, W_s, omega_c, W_c), strict=True)
+    found = {
+        f"{name}_{i}": x
+        for name, vector in vectors
+        for i, x in zip(states.AXES, vector, strict=True)
+    }
+    found |= {"d": distance - 1, "S": -_dot(W_c, contact) / (distance * y), "tau": tau, "D": D}
+    g, d_0 = map(Fraction, states.START)
+    found |= {"g": g, "d_0": d_0, "decay": Fraction(states.DECAY) ** numbers.n}
+    return {name: as_term(value) for name, value in found.items()}
+
+
+def _dot(x: Vector, z: Vector) -> Fraction:
+    return x[0] * z[0] + x[1] * z[1] + x[2] * z[2]
+
+
+def _turned(omega: Vector, side: Vector, turn: tuple[str, str]) -> Vector:
+    """The unit vector whose stereographic coordinates from omega are given, the second in space."""
+    p, q = map(Fraction, turn)
+    scale = 1 + p**2 + q**2
+    x, z, up = (((2 - scale) * a + 2 * p * b) / scale for a, b in zip(omega, side, strict=True))
+    return x, z, up + 2 * q / scale
+
+
+def _velocity(old: Vector, before: Fraction, new: Vector, after: Fraction, tau: Fraction) -> Vector:
+    """The velocity that takes a particle from one place to the other in the time tau."""
+    x, z, up = ((after * b - before * a) / tau for a, b in zip(old, new, strict=True))
+    return x, z, up

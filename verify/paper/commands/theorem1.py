@@ -1,0 +1,159 @@
+"""The job `theorem1`: decide Theorem 1 at one choice of the parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+
+from verify.language.statement import (
+    NEEDED,
+    PROVED,
+    Choice,
+    Constant,
+    Obligation,
+    Statement,
+)
+from verify.language.terms import Claim, Term
+from verify.language.typeset import Typesetter
+from verify.paper.commands.citing import with_step
+from verify.paper.groups import HYPOTHESES, PRINTED, SELECTIONS
+from verify.paper.theorem1 import theorem
+from verify.prover import balls
+from verify.prover.choose import BudgetError, choose
+from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Enclosures, Ground
+from verify.prover.outcome import Decision, Outcome, conjunction
+from verify.prover.session import Session
+
+
+class PointRun:
+    """Theorem 1 at one choice of the parameters, decided step by step."""
+
+    def __init__(
+        self,
+        parameters: Mapping[str, Term],
+        selection: str,
+        start_bits: int,
+        max_bits: int,
+        all_sides: bool,
+    ) -> None:
+        self.parameters, self.selection = parameters, selection
+        self.all_sides = all_sides
+        self.session = Session()
+        self.ground = Ground(self.session, start_bits, max_bits)
+        self.constants: list[Constant] = []
+        self.decisions: dict[str, Decision] = {}
+        self.rows: list[Obligation] = []
+        self.spent = ""
+        for name in theorem().parameters:
+            self.ground.define(Constant(name, name, name, "", parameters[name]))
+
+    def run(self) -> Outcome:
+        """Decide the hypotheses, and where they hold every row of the sets asked for."""
+        parts = theorem().parts
+        self._decide(parts[HYPOTHESES].obligations)
+        if self._hypotheses_hold() and self._define(theorem().common):
+            for group in SELECTIONS[self.selection]:
+                if self._define(parts[group].constants):
+                    self._decide(self._asked(parts[group].obligations))
+        return self._outcome()
+
+    def _hypotheses_hold(self) -> bool:
+        needed = (self.decisions[row.name] for row in self.rows if row.role == NEEDED)
+        return conjunction(needed) == PROVED
+
+    def _asked(self, rows: tuple[Obligation, ...]) -> tuple[Obligation, ...]:
+        """The rows; those of the printed set are needed where that alone is asked for."""
+        if self.selection != PRINTED:
+            return rows
+        return tuple(row._replace(role=NEEDED) for row in rows)
+
+    def _define(self, constants: tuple[Constant | Choice, ...]) -> bool:
+        """Add constants, or say what the precision does not suffice for."""
+        for item in constants:
+            try:
+                constant = choose(self.ground, item) if isinstance(item, Choice) else item
+            except BudgetError as error:
+                self.spent = str(error)
+                return False
+            if not self.ground.define(constant):
+                self.spent = f"{constant.name} has no value at {self.ground.max_bits} bits"
+                return False
+            self.constants.append(constant)
+        return True
+
+    def _decide(self, rows: tuple[Obligation, ...]) -> None:
+        self.ground.compile(row.claim for row in rows if isinstance(row.claim, Claim))
+        for row in rows:
+            self.rows.append(row)
+            self.decisions[row.name] = self.ground.decide(row, all_sides=self.all_sides)
+
+    def _outcome(self) -> Outcome:
+        used = {name for row in self.rows for name in row.uses}
+        values = {name: self.parameters[name] for name in theorem().parameters}
+        statement = Statement(
+            theorem=theorem().name,
+            title=_title(self.selection, values),
+            parameters=values,
+            constants=tuple(self.constants),
+            contexts=(),
+            obligations=tuple(self.rows),
+            assumptions=tuple(a for a in theorem().assumptions if a.name in used),
+        )
+        names = (*values, *(constant.name for constant in self.constants))
+        found = Enclosures(self.ground, names)
+        enclosures = dict(found) if self.all_sides else found
+        steps = tuple(self.session.steps)
+        return with_step(Outcome(statement, self.decisions, steps, enclosures, self.spent))
+
+
+def decide_point(
+    parameters: Mapping[str, Term],
+    selection: str = "all",
+    start_bits: int = DEFAULT_PRECISION,
+    max_bits: int = DEFAULT_MAX_PRECISION,
+    *,
+    all_sides: bool = True,
+) -> Outcome:
+    """Decide Theorem 1 at a point.
+
+    Args:
+        parameters: r, c, V_0, delta_theta as terms without symbols.
+        selection: a key of `SELECTIONS`.
+        start_bits: the first precision.
+        max_bits: the last one.
+        all_sides: whether every row gets enclosures of its sides, not only the refuted ones, and
+            all constants are enclosed now, not when they are asked for.
+    """
+    return PointRun(parameters, selection, start_bits, max_bits, all_sides).run()
+
+
+def _title(selection: str, parameters: Mapping[str, Term]) -> str:
+    """What the statement is about, in one line."""
+    typesetter = Typesetter({})
+    values = ", ".join(f"{name} = {typesetter.term(term)}" for name, term in parameters.items())
+    which = "printed and repaired" if selection == "all" else selection
+    return f"Rows of {theorem().name}, {which} constants, at {values}"
+
+
+def constants_enclosure(bits: int) -> Callable[[Mapping[str, Fraction]], dict[str, balls.Ball]]:
+    """A function that encloses all constants of the printed proof, for many parameters.
+
+    The program is compiled once, here. The function takes the values of r, c, V_0 and delta_theta
+    and returns a ball for each constant that exists there.
+    """
+    from verify.prover.straight import StraightLine  # loaded only where it is used
+
+    names = theorem().parameters
+    constants = (*theorem().common, *theorem().parts[PRINTED].bounds)
+    code = StraightLine(names)
+    for constant in constants:
+        code.define(constant.name, constant.term)
+    found = [constant.name for constant in constants]
+    run = code.function([code.names[name] for name in found], bits)
+
+    def enclose(parameters: Mapping[str, Fraction]) -> dict[str, balls.Ball]:
+        with balls.precision(bits):
+            values = run(*(balls.from_fraction(parameters[name]) for name in names))
+        return {n: v for n, v in zip(found, values, strict=True) if v.is_finite()}
+
+    return enclose

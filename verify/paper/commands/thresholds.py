@@ -1,0 +1,85 @@
+"""The job `thresholds`: where the printed rows hold that depend on the parameters.
+
+The chart is the set of all u and p with 0 < u < 1, 0 < p and 2(p + u p^2) <= 1 + u p^3, which is
+c <= 1; p is phi_plus. A strip of it is what lies between two values of p.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from functools import cache
+
+from verify.language.statement import PROVED, REFUTED, UNDECIDED
+from verify.paper.commands.everywhere import Everywhere
+from verify.paper.everywhere import thresholds as paper
+from verify.paper.groups import PRINTED
+from verify.prover.outcome import Ends, Outcome
+
+#: How many parts 0 < u < 1 is cut into to enclose areas, and how often ends are halved there.
+PARTS, HALVINGS = 500, 24
+#: All of the chart has p less than this.
+WHOLE = Fraction(1, 2)
+
+
+@cache
+def decide_thresholds() -> Outcome:
+    """The thresholds at which the rows begin, or cease, to hold."""
+    work = Everywhere(paper.statement(), PRINTED)
+    work.prepare()
+    work.lines(paper.lines())
+    return work.outcome()
+
+
+# --- areas ---------------------------------------------------------------------------------------
+
+
+def certified(where: Outcome) -> list[paper.Strip]:
+    """The strips whose verdict an outcome proves."""
+    return [s for s in paper.STRIPS if where.decisions[s.by].verdict == PROVED]
+
+
+def shares(row: str, where: Outcome) -> Mapping[str, Ends]:
+    """Bounds of the share of the chart on which a row is proved, refuted, or neither."""
+    strips = [strip for strip in certified(where) if strip.row == row]
+    found = {verdict: _share(strips, verdict) for verdict in (PROVED, REFUTED)}
+    return {**found, UNDECIDED: (Fraction(0), gap(strips) / _area(WHOLE)[0])}
+
+
+def _share(every: Iterable[paper.Strip], verdict: str) -> Ends:
+    strips = [strip for strip in every if strip.verdict == verdict]
+    if any(strip.low == 0 and strip.high == WHOLE for strip in strips):
+        return Fraction(1), Fraction(1)
+    (least, most), low, high = _area(WHOLE), Fraction(0), Fraction(0)
+    for strip in strips:
+        inner, outer = _area(strip.low), _area(strip.high)
+        low += max(Fraction(0), outer[0] - inner[1])
+        high += outer[1] - inner[0]
+    return low / most, high / least
+
+
+def gap(strips: Iterable[paper.Strip]) -> Fraction:
+    """The total width of the values of p between some strips, which bounds their area."""
+    known = sorted((strip.low, strip.high) for strip in strips)
+    ends = [Fraction(0), *(end for strip in known for end in strip), WHOLE]
+    return sum((high - low for low, high in zip(ends[::2], ends[1::2], strict=True)), Fraction(0))
+
+
+@cache
+def _area(most: Fraction) -> Ends:
+    """Bounds of the area of the part of the chart with p at most this."""
+    heights = [_height(Fraction(k, PARTS)) for k in range(PARTS + 1)]
+    low = sum((min(most, height[0]) for height in heights[1:]), Fraction(0))
+    high = sum((min(most, height[1]) for height in heights[:-1]), Fraction(0))
+    return low / PARTS, high / PARTS
+
+
+@cache
+def _height(u: Fraction) -> Ends:
+    """Bounds of the largest p with c <= 1, which falls with u: c grows with u and with p."""
+    low, high = Fraction(0), WHOLE
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        inside = 2 * (middle + u * middle**2) <= 1 + u * middle**3
+        low, high = (middle, high) if inside else (low, middle)
+    return low, high

@@ -1,1 +1,0 @@
-"""The flow of three inelastic hard spheres, one collision at a time, in inner products."""

@@ -1,0 +1,89 @@
+"""An argument as the steps of a certificate: each line with the proof that its reason describes."""
+
+from __future__ import annotations
+
+from verify.language import argument
+from verify.language.argument import Argument, Chapter, Defined, Line, Opened, Reason
+from verify.language.statement import PROVED, Context, Obligation, Statement
+from verify.language.terms import Claim
+from verify.prover.outcome import Decision, Outcome
+from verify.prover.proof import Premise, Proof
+from verify.prover.rules import Define, Entry, Induction, Instance, Interval, Least, Root, Sum
+from verify.prover.session import Session
+
+#: Enough for the exact values of the rational numbers at the point of the parameters.
+POINT_BITS = 512
+NUMBER_BITS = 64
+
+
+def write_down(written: Argument) -> Outcome:
+    """An argument as the steps of a certificate; whether they prove it the checker decides."""
+    writing = Writing(written.statement)
+    for chapter in written.chapters:
+        writing.chapter(chapter)
+    return Outcome(written.statement, writing.decisions, tuple(writing.session.steps), {})
+
+
+class Writing:
+    """The steps so far, and the decisions on obligations."""
+
+    def __init__(self, statement: Statement) -> None:
+        self.session = Session()
+        self.rows = {row.name: row for row in statement.obligations}
+        self.constants = {
+            constant.name: constant
+            for context in statement.contexts
+            for constant in context.constants
+        }
+        self.decisions: dict[str, Decision] = {}
+
+    def chapter(self, chapter: Chapter) -> None:
+        """Take the items of a chapter, in order."""
+        for item in chapter.items:
+            if isinstance(item, Line):
+                self.line(item, chapter.context)
+            elif isinstance(item, Opened):
+                self.opened(item.context, item.premises)
+            elif isinstance(item, Defined):
+                self.session.constant(self.constants[item.name], Define(), chapter.context)
+
+    def opened(self, context: Context, premises: tuple[str, ...] | None) -> None:
+        """Open a context at its point."""
+        numeric: list[Premise] = [Interval(POINT_BITS) for _ in context.givens]
+        self.session.open(context, numeric if premises is None else premises)
+
+    def line(self, line: Line, context: str | None) -> None:
+        """Write down a row, or a lemma."""
+        proof = proof_of(line.reason)
+        row: Obligation | None = self.rows.get(line.name)
+        if row is not None:
+            self.decide(row, proof)
+        elif isinstance(line.claim, Claim):
+            self.session.lemma(line.claim, proof, context, line.name)
+
+    def decide(self, row: Obligation, proof: Proof) -> None:
+        """Write down the proof of a row."""
+        self.decisions[row.name] = Decision(PROVED, proof)
+        self.session.prove_row(row, proof)
+
+
+def proof_of(reason: Reason) -> Proof:
+    """The proof by the rule of the same name."""
+    match reason:
+        case argument.BySum():
+            return Sum(*reason)
+        case argument.ByLeast():
+            branches = tuple(map(proof_of, reason.branches))
+            return Least(reason.side, branches, reason.equation)
+        case argument.ByEntry():
+            return Entry(reason.side, reason.equation)
+        case argument.ByInstance():
+            return Instance(reason.fact, reason.values, reason.givens)
+        case argument.ByRoot():
+            return Root()
+        case argument.ByInterval():
+            return Interval(NUMBER_BITS)
+        case argument.ByInduction():
+            return Induction(reason.start, reason.next)
+        case argument.ToBeFound():
+            raise TypeError("this proof has to be found")

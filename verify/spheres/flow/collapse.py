@@ -1,0 +1,246 @@
+"""From a state just after a collision: numbers with which the sharper theorem shows a collapse.
+
+They are found by a fixed-point iteration in floats, which proves nothing; that they satisfy what
+the theorem asks for is then decided in balls, with the letters of that statement.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from fractions import Fraction
+
+from verify.language.record import Record
+from verify.prover import balls
+from verify.spheres.flow.law import Number, State
+
+#: By how much the iteration widens what it finds, so that inequalities become strict.
+SLACK = 1.001
+ROUNDS = 60
+#: Widths of ratios below this one are not worth a float, and nothing is smaller than that one.
+LEAST, TINY = 1e-11, 1e-250
+
+
+class Start(Record):
+    """The state in the paper's letters: unit vectors, and d the distance of the colliding pair."""
+
+    y: Number
+    eta_s: Number
+    C: Number
+    a: Number
+    b: Number
+    A: Number
+    B: Number
+    w: Number
+    d: Number
+
+
+class Collapse(Record):
+    """The numbers of the sharper theorem, and its conclusions about time and angle."""
+
+    numbers: Mapping[str, Number]
+    start: Start
+    time: tuple[Number, Number]
+
+    @property
+    def angle(self) -> tuple[Fraction, Fraction]:
+        """Between what -cos of the final angle lies."""
+        C, theta = (balls.as_fraction(self.numbers[name]) for name in ("C_0", "Theta"))
+        return C - theta, min(C + theta, Fraction(1))
+
+
+def start_of(state: State) -> Start:
+    """The state with ω_c = x_c/|x_c|, where s is in contact with o."""
+    gap = state.eps * state.v**2
+    reach = balls.any_root(1 + gap)
+    y, b = state.lam * state.v / reach, state.b / reach
+    return Start(
+        y,
+        state.rho * state.v,
+        state.C / reach,
+        state.a,
+        b,
+        state.A,
+        state.B,
+        state.w,
+        gap / (1 + reach),
+    )
+
+
+def find_collapse(r: Fraction, state: State, time: Number) -> Collapse | None:
+    """Why the state collapses; None if the search finds no numbers, or balls do not show it."""
+    if not state.lam > 0 or not may_collapse(float(r), balls.as_float(state.C)):
+        return None
+    start = start_of(state)
+    if not (start.A > 0 and start.B > 0 and start.y > 0):
+        return None
+    numbers = search_numbers(r, start)
+    if numbers is None or not satisfies(numbers, start):
+        return None
+    T, eta_0, p, Y = (numbers[name] for name in ("T", "eta_0", "p", "Y"))
+    return Collapse(numbers, start, (time, time + T * eta_0 / (1 - p - Y)))
+
+
+def may_collapse(r: float, C: float) -> bool:
+    """Whether the first condition of Zhou and Kadanoff holds at this angle, about."""
+    return (1 + r) / 2 * C > 2 * math.sqrt(r)
+
+
+# --- the search ----------------------------------------------------------------------------------
+
+
+class Trial:
+    """Bounds in floats, with velocities in units of the larger relative speed."""
+
+    def __init__(self, r: float, e: float, q: float, C: float, k: float) -> None:
+        self.r, self.e, self.q, self.C, self.h = r, e, q, C, (1 + r) / 2
+        alpha = self.h * C
+        self.p, self.Y = (alpha + math.sqrt(alpha * alpha - 4 * r)) / 2, LEAST
+        self.m, self.X = r / self.p, LEAST
+        self.k0 = self.k = max(k * SLACK, TINY)
+        self.V = self.T = self.Theta = 0.0
+
+    def step(self) -> bool:
+        """One round: each bound from the others; False where they leave the theorem's range."""
+        r, e, h, L = self.r, self.e, self.h, self.p + self.Y
+        G = 1 + self.k * e * e
+        if L >= 1 or self.p <= self.Y:
+            return False
+        self.V = V = (1 + h * G * e / (1 - L)) * SLACK
+        if 2 * self.k * V * V >= 1:
+            return False
+        self.T = T = 2 * self.k / (1 + math.sqrt(1 - 2 * self.k * V * V)) * SLACK
+        s, TV = 1 - T * V * V, T * V
+        total = 2 * TV * e / (1 - L) + (self.k + TV * TV) * e * e / (1 - L * L)
+        self.Theta = max((total + TV * self.k * e**3 / (1 - L**3)) * SLACK, TINY)
+        self.m, self.X = widened(min(self.q, r * s / L), max(self.q, r * G / (self.p - self.Y)))
+        self.m = max(self.m, self.X)  # which the theorem asks for
+        low, high = max(self.m - self.X, 0.0), self.m + self.X
+        top = h * G * (self.C + self.Theta) - low / G
+        bottom = h * s * (self.C - self.Theta) - high - T * V * V
+        if s <= 0 or bottom <= 0:
+            return False
+        self.p, self.Y = widened(bottom, top)
+        lower = self.p - self.Y
+        if lower < LEAST:
+            return False
+        self.k = max(self.k0, (high * T + TV * TV / 2) / (lower * lower) * SLACK)
+        return True
+
+
+def widened(low: float, high: float) -> tuple[float, float]:
+    """The middle, and a little more than half the width."""
+    return (low + high) / 2, (high - low) / 2 * SLACK + LEAST
+
+
+def search_numbers(r: Fraction, start: Start) -> dict[str, Number] | None:
+    """Numbers that probably satisfy what the theorem asks for, as exact rationals."""
+    speed = balls.any_root(balls.larger(start.A, start.B))
+    V_0, eta_0 = _above(speed), _above(start.y)
+    e, C = balls.as_float(eta_0 / V_0), balls.as_float(start.C)
+    if e == 0 or not may_collapse(float(r), C):
+        return None
+    k = balls.as_float(start.d / (start.y * start.y) * (V_0 * V_0))
+    trial = Trial(float(r), e, balls.as_float(start.eta_s / start.y), C, k)
+    before = 0.0
+    for _ in range(ROUNDS):
+        if not trial.step():
+            return None
+        size = trial.Y + trial.k + trial.X
+        if abs(size - before) < 2e-5 * size:
+            break
+        before = size
+    low, high = balls.ends(balls.as_ball(start.C))
+    trial.Theta = max(trial.Theta, 4 * float(high - low))  # no less than what is known of the angle
+    return _rational(trial, start) | {"r": balls.exact(r), "V_0": V_0, "eta_0": eta_0}
+
+
+def _rational(trial: Trial, start: Start) -> dict[str, Number]:
+    """The bounds as short decimals, each rounded to the side where it is weaker."""
+    X, unit = _short(trial.X), _above(balls.any_root(balls.larger(start.A, start.B)))
+    C_0 = balls.decimal(start.C, 3 + _places(trial.Theta))
+    square = unit * unit
+    return {
+        "m": max(_near(trial.m), X),
+        "p": _near(trial.p),
+        "X": X,
+        "Y": _short(trial.Y),
+        "k": _short(trial.k) / square,
+        "V": _short(trial.V) * unit,
+        "T": _short(trial.T) / square,
+        "C_0": min(C_0, balls.ratio(1, 1)),
+        "Theta": _short(trial.Theta),
+    }
+
+
+def _places(value: float) -> int:
+    return max(0, -math.floor(math.log10(value)))
+
+
+def _above(value: Number) -> Number:
+    """A decimal with about six digits that is no less than a positive number."""
+    return balls.decimal(value, 5 - balls.exponent(value), above=True)
+
+
+def _near(value: float) -> Number:
+    """A decimal with twelve places."""
+    return balls.ratio(round(value * 10**12), 10**12)
+
+
+def _short(value: float) -> Number:
+    """A decimal with about five digits that is no less."""
+    power = 10 ** (_places(value) + 4)
+    top, divisor = value.as_integer_ratio()
+    return balls.ratio(-(-top * power // divisor), power)
+
+
+# --- the conditions ------------------------------------------------------------------------------
+
+
+def satisfies(x: Mapping[str, Number], start: Start) -> bool:
+    """True only if the numbers and the state satisfy all that the sharper theorem asks for."""
+    return _close(x) and _begin(x, start)
+
+
+def _close(x: Mapping[str, Number]) -> bool:
+    """The inequalities between the numbers."""
+    r, m, p, X, Y, k, V, T = (x[name] for name in ("r", "m", "p", "X", "Y", "k", "V", "T"))
+    h, s, G, L = (1 + r) / 2, 1 - T * V * V, 1 + k * x["eta_0"] ** 2, p + Y
+    C, theta = x["C_0"], x["Theta"]
+    return bool(
+        X <= m
+        and L < 1
+        and p > Y
+        and theta < C
+        and C <= 1
+        and x["eta_0"] <= x["V_0"]
+        and h * G * x["eta_0"] <= (V - x["V_0"]) * (1 - L)
+        and 2 * k <= T * (2 - T * V * V)
+        and h * G * G * (C + theta) <= L * G + (m - X)
+        and p - Y <= h * s * (C - theta) - (m + X) - T * V * V
+        and r * G <= (m + X) * (p - Y)
+        and (m - X) * L <= r * s
+        and (m + X) * T + V * V * T * T / 2 <= k * (p - Y) ** 2
+    )
+
+
+def _begin(x: Mapping[str, Number], start: Start) -> bool:
+    """The inequalities between the numbers and the state."""
+    m, X, k, V, T, eta, L = *(x[n] for n in ("m", "X", "k", "V", "T", "eta_0")), x["p"] + x["Y"]
+    total = 2 * T * V / (1 - L) * eta + (k + (T * V) ** 2) / (1 - L**2) * eta**2
+    total += T * V * k / (1 - L**3) * eta**3
+    room = x["Theta"] - total
+    return bool(
+        start.y > 0
+        and start.y <= eta
+        and start.eta_s > 0
+        and start.eta_s <= (m + X) * start.y
+        and (m - X) * start.y <= start.eta_s
+        and start.d > 0
+        and start.d <= k * start.y**2
+        and start.A > 0
+        and start.A <= x["V_0"] ** 2
+        and start.B <= x["V_0"] ** 2
+        and start.C - x["C_0"] <= room
+        and x["C_0"] - start.C <= room
+    )

@@ -1,0 +1,235 @@
+"""The flow of a scene, collision by collision, in balls and exact rationals.
+
+Each collision is shown to be the next one: the spheres o and c meet, and the two other pairs stay
+apart until then and at that instant. What balls leave open is never guessed: `UnclearError`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from verify.language.record import Record
+from verify.prover import balls
+from verify.spheres.flow.law import (
+    Flight,
+    Number,
+    Pair,
+    State,
+    collided,
+    drifted,
+    flight,
+    inner,
+    outer,
+    parted,
+    recentred,
+)
+from verify.spheres.flow.pairs import PARTING, PASSING
+from verify.spheres.scene.scene import (
+    FIRST_FRAMES,
+    PAIRS,
+    Coordinates,
+    Frame,
+    Scene,
+    coordinates,
+    pair_name,
+)
+
+COLLIDE, RECENTRE, DRIFT = "collide", "recentre", "drift"
+#: How often one flight may be cut where two spheres pass each other.
+MAX_CUTS = 6
+#: Times that differ by such a share count as a tie in messages.
+SAME = 1e-9
+ZERO = balls.exact(Fraction(0))
+
+
+class UnclearError(ArithmeticError):
+    """What balls of this precision leave open, in words."""
+
+
+class Moment(Record):
+    """A state with the labels of its spheres, and the time since the start."""
+
+    frame: Frame
+    state: State
+    time: Number
+
+
+class Move(Record):
+    """From one moment to the next: a collision (with its flight), a new centre, or a drift."""
+
+    kind: str
+    before: Moment
+    after: Moment
+    way: Flight | None = None
+    time: Fraction = Fraction(0)
+
+
+class Flow:
+    """The moves so far; `advance` adds those of the next collision."""
+
+    def __init__(self, scene: Scene, bits: int) -> None:
+        self.scene, self.bits = scene, bits
+        self.r = balls.exact(scene.r)
+        self.start: Coordinates = coordinates(scene, balls.exact)
+        self.moves: list[Move] = []
+        self.collisions: list[Move] = []
+
+    @property
+    def now(self) -> Moment | None:
+        """The moment just after the last collision; None before the first."""
+        return self.collisions[-1].after if self.collisions else None
+
+    def keep(self, _: str, value: Number) -> Number:
+        """A rational number stays one while it is short."""
+        return balls.shortened(value, self.bits)
+
+    def advance(self) -> bool:
+        """Take the next collision; False if it is certain that there is none.
+
+        Raises:
+            UnclearError: if balls of this precision do not show which one it is.
+        """
+        never = True
+        meets: list[tuple[float, str]] = []
+        unclear: list[str] = []
+        for moves, moment in self._candidates():
+            way = meeting(moment)
+            never = never and way is None
+            if isinstance(way, str):
+                unclear.append(way)
+            elif way is not None:
+                found = self._collide(moment, way)
+                if found is not None:
+                    self.moves += [*moves, *found]
+                    self.collisions.append(found[-1])
+                    return True
+                meets.append((balls.as_float(way.y * way.T), name_of(moment.frame)))
+        if not never:
+            raise UnclearError(_what_is_unclear(meets, unclear))
+        return False
+
+    def end_after(self, collisions: int) -> None:
+        """Forget all that comes after so many collisions, which are at least one."""
+        del self.collisions[collisions:]
+        last = self.collisions[-1]
+        del self.moves[1 + next(i for i, move in enumerate(self.moves) if move is last) :]
+
+    def _candidates(self) -> Iterator[tuple[list[Move], Moment]]:
+        """Moments whose o, c may be the next pair, with the moves that lead there."""
+        now = self.now
+        if now is None:
+            for frame in FIRST_FRAMES:
+                yield [], Moment(frame, self.start.state(frame, self.keep), ZERO)
+            return
+        yield [], now
+        o, s, c = now.frame
+        other = Moment((s, o, c), recentred(now.state, self.keep), now.time)
+        yield [Move(RECENTRE, now, other)], other
+
+    def _collide(self, moment: Moment, way: Flight) -> list[Move] | None:
+        """The flight and the collision of o and c, if no other pair meets before."""
+        moves: list[Move] = []
+        while (cut := passing(moment.state, way)) is not None:
+            moves.append(self._drift(moment, cut))
+            found = meeting(moves[-1].after)
+            if len(moves) > MAX_CUTS or not is_free(moves[-1]) or not isinstance(found, Flight):
+                return None
+            moment, way = moves[-1].after, found
+        if not is_next(moment.state, way):
+            return None
+        o, s, c = moment.frame
+        state = collided(self.r, moment.state, way, self.keep)
+        after = Moment((o, c, s), state, self.keep("time", moment.time + way.y * way.T))
+        return [*moves, Move(COLLIDE, moment, after, way)]
+
+    def _drift(self, moment: Moment, time: Fraction) -> Move:
+        exact = balls.exact(time)
+        state = drifted(moment.state, exact, self.keep)
+        after = Moment(moment.frame, state, self.keep("time", moment.time + exact))
+        return Move(DRIFT, moment, after, None, time)
+
+
+def name_of(frame: Frame) -> str:
+    """The pair o, c."""
+    return pair_name(frame[0], frame[2])
+
+
+def never_meets(pair: Pair) -> str | None:
+    """Why the pair does not collide in free flight: it parts, or it passes by; None if unknown."""
+    g, p, m = pair
+    if p >= 0 and m >= 0:
+        return PARTING
+    return PASSING if m > 0 and p * p < m * g else None
+
+
+def why_apart(flow: Flow) -> dict[str, str]:
+    """Why each pair does not collide any more, by its name."""
+    if flow.now is None:
+        pairs = {pair_name(i, j): flow.start.pair(i, j) for i, j in PAIRS}
+    else:
+        (o, s, c), (own, spectator) = flow.now.frame, inner(flow.now.state)
+        names = (pair_name(o, c), pair_name(o, s), pair_name(s, c))
+        pairs = dict(zip(names, (own, spectator, outer(flow.now.state)), strict=True))
+    return {name: never_meets(pair) or "" for name, pair in pairs.items()}
+
+
+def meeting(moment: Moment) -> Flight | str | None:
+    """How o and c meet; None if they never do in free flight; or what is unclear."""
+    state, name = moment.state, name_of(moment.frame)
+    pair, _ = inner(state)
+    if never_meets(pair):
+        return None
+    if not state.lam > 0:
+        return f"the spheres of {name} may approach or part"
+    reduced = 1 - state.A * (state.eps / state.lam / state.lam)
+    if not reduced > 0:
+        return f"{name} may graze or miss"
+    if not state.eps >= 0:
+        return f"{name} may be in contact"
+    return flight(state, balls.any_root)
+
+
+def is_next(state: State, way: Flight) -> bool:
+    """True only if no other pair meets before o and c do, or at that instant."""
+    return (
+        bool(state.sig >= 0)
+        and bool(state.sig + way.T * state.lam * state.rho >= 0)
+        and bool(parted(state, way) > 0)
+        and stays_apart(outer(state), way.y * way.T)
+    )
+
+
+def stays_apart(pair: Pair, time: Number) -> bool:
+    """True only if the pair is apart at all times in ]0, time]."""
+    g, p, m = pair
+    step = p * time
+    return bool(g >= 0) and bool(g + step >= 0) and bool(g + time * (2 * p + m * time) > 0)
+
+
+def passing(state: State, way: Flight) -> Fraction | None:
+    """The time at which another pair is nearest, if it passes by before o and c meet."""
+    time = way.y * way.T
+    _, spectator = inner(state)
+    times = []
+    for pair in (spectator, outer(state)):
+        g, p, m = pair
+        if g + p * time < 0 and never_meets(pair) and m > 0:
+            times.append(balls.short_rational(-p / m))
+    return min(times, default=None)
+
+
+def is_free(drift: Move) -> bool:
+    """True only if all pairs are apart during a drift."""
+    state, time = drift.before.state, balls.exact(drift.time)
+    pairs = (*inner(state), outer(state))
+    return bool(time > 0) and all(stays_apart(pair, time) for pair in pairs)
+
+
+def _what_is_unclear(meets: list[tuple[float, str]], unclear: list[str]) -> str:
+    first = min(meets, default=(0.0, ""))[0]
+    names = [name for time, name in meets if time <= first * (1 + SAME)]
+    if len(names) > 1:
+        return f"tie: {' and '.join(names)} meet at the same time, or too nearly so"
+    found = [f"triple contact: {name} meets, and another pair may touch then" for name in names]
+    return "; ".join([*found, *unclear])

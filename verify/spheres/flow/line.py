@@ -1,0 +1,72 @@
+"""Three spheres on a line: only the ratio of two speeds matters, and it loses no digits.
+
+While the middle sphere o meets s and c in turn, let q be the speed at which it parts from the one
+that it just met, in units of the speed at which it approaches the other. On a line a pair that
+approaches meets, and the outer two never do. The next collision leaves the speeds r and
+(1+r)/2 - q in the same unit: so another one follows just if q < (1+r)/2, with r/((1+r)/2 - q).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from verify.language.record import Record
+from verify.prover import balls
+from verify.spheres.flow.follow import Flow
+from verify.spheres.flow.law import recentred
+from verify.spheres.scene.scene import Scene, difference
+
+
+class LineRun(Record):
+    """How many collisions there are, if that is certain, and whether they repeat for ever."""
+
+    collisions: int
+    ends: bool
+    repeats: bool = False
+
+
+def is_on_a_line(scene: Scene) -> bool:
+    """Whether all relative positions and velocities are multiples of one vector."""
+    both = (scene.positions, scene.velocities)
+    vectors = [difference(rows, 0, i) for rows in both for i in (1, 2)]
+    first = vectors[0]
+    return all(_parallel(first, other) for other in vectors[1:])
+
+
+def _parallel(x: Sequence[Fraction], z: Sequence[Fraction]) -> bool:
+    k = next(i for i, value in enumerate(x) if value)
+    return all(a * z[k] == b * x[k] for a, b in zip(x, z, strict=True))
+
+
+def follow_line(flow: Flow, most: int) -> LineRun | None:
+    """All collisions of a scene on a line; None where balls do not show how often it goes on.
+
+    The first collision is that of the flow; from then on the sphere in the middle is looked at.
+    """
+    if not flow.collisions or not is_on_a_line(flow.scene):
+        return None
+    state = flow.collisions[0].after.state
+    if state.C < 0:
+        state = recentred(state)
+    if not state.C > 0:
+        return None
+    if state.lam <= 0:
+        return LineRun(1, ends=True)
+    if not state.lam > 0:
+        return None
+    half = (1 + flow.r) / 2
+    reach = balls.any_root(1 + state.eps * state.v**2)
+    q, count = state.rho / state.lam * reach, 1
+    while count < most:
+        count += 1
+        rest = half - q
+        if rest <= 0:
+            return LineRun(count, ends=True)
+        if not rest > 0:
+            return None
+        new = balls.shortened(flow.r / rest, flow.bits)
+        if balls.is_same(new, q):
+            return LineRun(count, ends=False, repeats=True)
+        q = new
+    return LineRun(count, ends=False)

@@ -1,0 +1,153 @@
+"""Boxes of states followed from collision to collision, many at once.
+
+Where a box leaves open whether two spheres meet or miss each other, both is followed: the box is
+split into branches, and what all of them say is true of all its states. A state in which they just
+graze is in both, so it gets the verdict that it has under either convention.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from verify.language.record import Record
+from verify.spheres.flow.law import Flight, Pair, State, collided, flight, inner, outer, recentred
+from verify.spheres.map.intervals import Array, down
+
+#: One number of many boxes of states: `Intervals`, `Models`, or `BallModels`.
+Boxes = Any
+
+
+class Look(Record):
+    """Whether a pair meets in free flight, left alone: shown for never, for always."""
+
+    never: Array
+    always: Array
+
+
+class Step(Record):
+    """What comes next for each box: the states after a collision, with the boxes they come from.
+
+    `ends` says that some states of the box may have no further collision, `unclear` that it is
+    not known which collision is the next one.
+    """
+
+    states: list[tuple[Array, State]]
+    ends: Array
+    unclear: Array
+
+
+def look(lam: Boxes, A: Boxes, eps: Boxes) -> Look:
+    """A pair that closes in at x·W = -lam v from |x|² = 1 + eps v², where A = |W|²."""
+    reach = lam.above(0.0) ** 2 - A * eps
+    return Look((lam.high <= 0) | (reach.high < 0), (lam.low > 0) & (reach.low > 0))
+
+
+def take(state: State, chosen: Array) -> State:
+    """Some of the states."""
+    return State(*(x if isinstance(x, int) else x[chosen] for x in state))
+
+
+def is_empty(state: State) -> Array:
+    """Whether no state is left: bounds that contradict each other."""
+    return sum(x.low > x.high for x in state if not isinstance(x, int)) > 0
+
+
+def together(parts: Sequence[State]) -> State:
+    """All states in one; they have the spectator in contact."""
+    columns = zip(*parts, strict=True)
+    return State(*(0 if isinstance(c[0], int) else type(c[0]).joined(c) for c in columns))
+
+
+def meeting_part(state: State) -> tuple[State, Flight]:
+    """What is known of those states from which o and c meet, and their flight.
+
+    Where they meet, lam² >= A eps and the root is in [0, 1].
+    """
+    least = down(np.sqrt(down(state.A.low * state.eps.low)))
+    met = state._replace(lam=state.lam.above(least))
+    return met, flight(met, lambda x: x.root_of_share())
+
+
+def apart(pair: Pair, time: Boxes) -> Array:
+    """Whether a pair is shown to be apart until that time: Bernstein's coefficients."""
+    g, p, m = pair
+    step = p * time
+    last = g + time * (2 * p + m * time)
+    return (g.low >= 0) & ((g + step).low >= 0) & (last.low > 0)
+
+
+def seen_from_s(state: State) -> State:
+    """The same moment with s as the central sphere."""
+    other = recentred(state)
+    return other._replace(v=other.lam.like(1))
+
+
+def advance(r: Boxes, state: State) -> Step:
+    """The next collision of each box, in each of its branches.
+
+    The spectator s, which is in contact with o, does not approach: rho >= 0, B >= 0.
+    """
+    pair = outer(state)
+    own, far = look(state.lam, state.A, state.eps), look(-pair.p, pair.m, pair.g)
+    met, way = meeting_part(state)
+    first = far.never | apart(pair, way.y * way.T)
+    meets = ~own.never & first
+    other = np.flatnonzero(~far.never & ~(first & own.always))
+    # In the order of `other`: the flight of s and c, and whether it is the first one.
+    here = take(state, other)
+    near, near_way = meeting_part(seen_from_s(here))
+    far_first = own.never[other] | apart(inner(here)[0], near_way.y * near_way.T)
+    known = first.copy()
+    known[other] |= far_first
+    meets[other] |= ~own.never[other] & far_first & ~far.always[other]
+    goes = far_first | first[other]
+    states = [(np.flatnonzero(meets), _after(r, met, way, meets))]
+    if goes.any():
+        states.append((other[goes], _after(r, near, near_way, goes)))
+    ends = ~own.always & ~far.always
+    known |= own.never & far.never
+    return Step(states, ends, ~known | _sticks(state) | ~(state.lam.low <= state.lam.high))
+
+
+def _after(r: Boxes, state: State, way: Flight, chosen: Array) -> State:
+    part = Flight(*(x[chosen] for x in way))
+    return collided(r, take(state, chosen), part)
+
+
+def _sticks(state: State) -> Array:
+    """Whether the spectator may stay in contact: a row of the flow says that it does not."""
+    return ~((state.rho.low > 0) | (state.B.low > 0))
+
+
+def begin(r: Boxes, views: Sequence[State], pairs: Sequence[Pair]) -> Step:
+    """The first collision of scenes: their three pairs, each with the view of its own.
+
+    Of two pairs that may both meet one has to be shown to be apart until the other has met. Then
+    a pair may be the first one unless another one, which always meets, comes before. One pair may
+    be in contact if it does not stay so.
+    """
+    looks = [look(-pair.p, pair.m, pair.g) for pair in pairs]
+    met = [meeting_part(view) for view in views]
+    times = [way.y * way.T for _, way in met]
+    later = [
+        [looks[j].never | apart(pairs[j], time) if i != j else looks[j].never for j in range(3)]
+        for i, time in enumerate(times)
+    ]
+    unclear = np.zeros_like(looks[0].never)
+    for i, j in ((0, 1), (0, 2), (1, 2)):
+        unclear |= ~(later[i][j] | later[j][i] | looks[i].never)
+    states = []
+    for i, (view, way) in enumerate(met):
+        may = ~looks[i].never
+        for j in range(3):
+            may &= ~(later[j][i] & ~later[i][j] & looks[j].always & (i != j))
+        states.append((np.flatnonzero(may), _after(r, view, way, may)))
+    ends = ~(looks[0].always | looks[1].always | looks[2].always)
+    touching = np.zeros_like(unclear, int)
+    for pair in pairs:
+        touching += ~(pair.g.low > 0)
+        unclear |= ~((pair.g.low > 0) | ((pair.g.low >= 0) & (pair.m.low > 0)))
+    return Step(states, ends, unclear | (touching > 1))

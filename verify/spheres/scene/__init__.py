@@ -1,0 +1,1 @@
+"""One scene: what it is, what decides it, and what is told of it."""

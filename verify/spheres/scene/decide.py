@@ -1,0 +1,142 @@
+"""What becomes of a scene: it is followed until a theorem says so, or the budget is spent."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+from verify.language.record import Record
+from verify.prover import balls
+from verify.spheres.flow.collapse import Collapse, find_collapse
+from verify.spheres.flow.criteria import Criterion, finitely_many
+from verify.spheres.flow.follow import Flow, UnclearError
+from verify.spheres.flow.line import LineRun, follow_line
+from verify.spheres.scene.scene import Scene
+
+COLLAPSES, DISPERSES, FINITE, UNDECIDED = "collapses", "disperses", "finite", "undecided"
+FIRST_BITS, MAX_BITS = 128, 4096
+MAX_COLLISIONS = 1000
+#: No more digits of the collapse time can be asked for.
+MAX_DIGITS = 200
+#: More collisions on a line than this cost the flow more digits than they are worth.
+LONG_LINE = 200
+#: After n collisions the sharper theorem is tried again n/PATIENCE collisions later.
+PATIENCE = 16
+
+
+class Budget(Record):
+    """How far a scene is followed, and how many digits of the collapse time are asked for."""
+
+    collisions: int = MAX_COLLISIONS
+    digits: int | None = None
+    bits: int = FIRST_BITS
+    max_bits: int = MAX_BITS
+
+
+class Fate(Record):
+    """The verdict on a scene with its evidence: the flow, and what ends it."""
+
+    verdict: str
+    reason: str
+    flow: Flow
+    collapse: Collapse | None = None
+    criterion: Criterion | None = None
+    line: LineRun | None = None
+
+    @property
+    def collisions(self) -> int:
+        """How many collisions are certain."""
+        return len(self.flow.collisions) if self.line is None else self.line.collisions
+
+
+def decide_scene(scene: Scene, budget: Budget = Budget()) -> Fate:  # noqa: B008
+    """The verdict; the precision is doubled until balls decide every step, or it is spent."""
+    bits = max(budget.bits, 64 + 4 * (budget.digits or 0))
+    while True:
+        found = at_precision(scene, budget, bits)
+        if not (found.verdict == UNDECIDED or (found.collapse and found.reason)):
+            return found
+        spent = len(found.flow.collisions) >= budget.collisions or bits >= budget.max_bits
+        line = on_a_line(found, budget)
+        if spent or (line is not None and line.collisions > LONG_LINE):
+            return line or found
+        bits *= 2
+
+
+def on_a_line(found: Fate, budget: Budget) -> Fate | None:
+    """More about spheres on a line, where the flow itself has become unclear."""
+    with balls.precision(found.flow.bits):
+        line = None if found.collapse else follow_line(found.flow, budget.collisions)
+        criterion = None if line is None else finitely_many(found.flow)
+    if line is None:
+        return None
+    if line.repeats:
+        reason = "on this line collisions go on for ever, with one and the same ratio of speeds"
+        return found._replace(reason=reason)
+    if line.collisions <= found.collisions:
+        return None
+    if line.ends:
+        return Fate(DISPERSES, "no pair meets any more", found.flow, line=line)
+    reason = f"budget: {budget.collisions} collisions were followed"
+    verdict = UNDECIDED if criterion is None else FINITE
+    return Fate(verdict, reason, found.flow, None, criterion, line)
+
+
+def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
+    """The verdict as far as balls of one precision show it."""
+    with balls.precision(bits):
+        flow = Flow(scene, bits)
+        known: Fate | None = None
+        wait = found_at = 0
+        try:
+            while True:
+                now = flow.now
+                end = None
+                if now is not None and wait <= 0:
+                    end = find_collapse(scene.r, now.state, now.time)
+                    wait = len(flow.collisions) // PATIENCE
+                if end is not None:
+                    known, found_at = Fate(COLLAPSES, "", flow, end), len(flow.collisions)
+                    if is_tight(end, budget.digits):
+                        return known
+                    wait = more_collisions(end, budget.digits)
+                if len(flow.collisions) >= budget.collisions:
+                    break
+                if not flow.advance():
+                    return Fate(DISPERSES, "no pair meets any more", flow)
+                wait -= 1
+            reason = f"budget: {budget.collisions} collisions were followed"
+            criterion = None if known else finitely_many(flow)
+        except UnclearError as error:
+            reason, criterion = str(error), None
+        if known is not None:
+            return _at_last(known._replace(reason=reason), found_at, budget.digits)
+        return Fate(UNDECIDED if criterion is None else FINITE, reason, flow, None, criterion)
+
+
+def _at_last(known: Fate, found_at: int, digits: int | None) -> Fate:
+    """A collapse as the last state shows it, or else the one after so many collisions."""
+    flow, now = known.flow, known.flow.now
+    end = None if now is None else find_collapse(flow.scene.r, now.state, now.time)
+    if end is None:
+        flow.end_after(found_at)
+        return known
+    return known._replace(collapse=end, reason="" if is_tight(end, digits) else known.reason)
+
+
+def more_collisions(end: Collapse, digits: int | None) -> int:
+    """About how many collisions later the enclosures may be tight enough."""
+    low, high = end.time
+    share = balls.as_float((high - low) / high) * 10.0 ** (digits or 0)
+    ratio = balls.as_float(end.numbers["m"] / end.numbers["p"])
+    return max(1, int(math.log(max(share, 1.0)) / -math.log(ratio)) - 1)
+
+
+def is_tight(end: Collapse, digits: int | None) -> bool:
+    """Whether the enclosures of time and angle have so many digits."""
+    if digits is None:
+        return True
+    low, high = end.time
+    width = balls.exact(Fraction(1, 10**digits))
+    angle = end.angle[1] - end.angle[0]
+    return bool(high - low <= width * low) and angle <= Fraction(1, 10**digits)

@@ -1,0 +1,118 @@
+"""Scene files: TOML with exact numbers, and one line about each thing that cannot be used.
+
+    r = "3/100"
+    positions = [["0", "0"], ["1.1", "0"], ["-1.1", "0.01"]]
+    velocities = [["0", "0"], ["-1", "0"], ["1", "0"]]
+
+A number is a text or a TOML number; either is read as it is written, and no float is ever seen.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from fractions import Fraction
+from typing import Any
+
+from verify.prover import balls
+from verify.spheres.scene.scene import PAIRS, Coordinates, Scene
+from verify.wire.inputs import InputError, rational, regular_file, shown
+
+KEYS = ("r", "positions", "velocities")
+MAX_DIMENSION = 20
+MAX_BYTES = 1 << 20
+
+
+def scene_bytes(where: str) -> bytes:
+    """The bytes of a scene's file.
+
+    Raises:
+        InputError: if it cannot be read, or is no file.
+    """
+    try:
+        return regular_file(where, MAX_BYTES)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise InputError(f"{where}: cannot be read ({reason}); name a scene's file") from error
+
+
+def read_scene(where: str, content: bytes) -> Scene:
+    """The scene in a file.
+
+    Raises:
+        InputError: naming the file, the key, and what to write instead.
+    """
+    table = _table(where, content)
+    r = _number(f"{where}: r", table["r"])
+    if not 0 < r < 1:
+        raise InputError(f"{where}: r: {shown(str(r))} is not in ]0,1[; write for example 3/100")
+    scene = Scene(r, _rows(where, "positions", table), _rows(where, "velocities", table))
+    lengths = {len(row) for row in (*scene.positions, *scene.velocities)}
+    if len(lengths) > 1 or not 2 <= scene.dimension <= MAX_DIMENSION:
+        raise InputError(
+            f"{where}: the vectors have {', '.join(map(str, sorted(lengths)))} coordinates; write "
+            f"the same number for all, from 2 to {MAX_DIMENSION}"
+        )
+    _apart(where, scene)
+    return scene
+
+
+def is_in_range(scene: Scene) -> bool:
+    """Whether r and the dimension are such that a file of this scene can be read."""
+    return 0 < scene.r < 1 and 2 <= scene.dimension <= MAX_DIMENSION
+
+
+def _table(where: str, content: bytes) -> dict[str, Any]:
+    if len(content) > MAX_BYTES:
+        raise InputError(f"{where}: has {len(content)} bytes; write at most {MAX_BYTES}")
+    try:
+        table = tomllib.loads(content.decode(), parse_float=str)
+    except (ValueError, RecursionError) as error:
+        is_text = not isinstance(error, UnicodeDecodeError)
+        why = " ".join(str(error).split()) if is_text else "it is not UTF-8"
+        raise InputError(f"{where}: is no TOML file ({why}); write {', '.join(KEYS)}") from error
+    odd = sorted(table.keys() ^ {*KEYS})
+    if odd:
+        kind = "is missing" if odd[0] in KEYS else "is not known"
+        raise InputError(f"{where}: {shown(odd[0])} {kind}; write just {', '.join(KEYS)}")
+    return table
+
+
+def _rows(where: str, key: str, table: dict[str, Any]) -> tuple[tuple[Fraction, ...], ...]:
+    rows = table[key]
+    if not isinstance(rows, list) or len(rows) != 3 or not all(isinstance(x, list) for x in rows):
+        raise InputError(f"{where}: {key}: write three lists of numbers, one for each particle")
+    return tuple(
+        tuple(_number(f"{where}: {key} of particle {i}", value) for value in row)
+        for i, row in enumerate(rows)
+    )
+
+
+def _number(where: str, value: Any) -> Fraction:
+    if isinstance(value, str):
+        return rational(where, value)
+    if type(value) is int:
+        return rational(where, str(value))
+    raise InputError(f'{where}: {shown(str(value))} is not a number; write it like 0.03 or "3/100"')
+
+
+def _apart(where: str, scene: Scene) -> None:
+    """Afterwards no two particles overlap."""
+    given = Coordinates(scene.positions, scene.velocities)
+    for i, j in PAIRS:
+        gap, _, _ = given.pair(i, j)
+        if gap < 0:
+            raise InputError(
+                f"{where}: the particles {i} and {j} overlap by about {_overlap(gap)}: their "
+                "distance has to be at least 1"
+            )
+
+
+def _overlap(gap: Fraction) -> str:
+    """1 - |x| where |x|² - 1 = gap < 0, with three digits, however small it is."""
+    from decimal import Context, Decimal  # loaded only where it is used
+
+    with balls.precision(192):
+        reach = balls.from_fraction(1 + gap).sqrt()
+        low, high = balls.ends(-balls.from_fraction(gap) / (1 + reach))
+    top, divisor = map(Decimal, ((low + high) / 2).as_integer_ratio())
+    return f"{Context(prec=3).divide(top, divisor).normalize()}"

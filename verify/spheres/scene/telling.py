@@ -1,0 +1,253 @@
+"""What happens in a scene, as a statement: numbers with names, and a row for each event.
+
+Each row says that a theorem about all states applies to these numbers: the flow's, to each
+collision, and what decides the scene, to the state after the last one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from verify.language.record import Record
+from verify.language.statement import NEEDED, Applies, Constant, Obligation
+from verify.language.terms import Claim, Number, Term, as_term, equal, sqrt, symbol
+from verify.spheres.flow import changes, collision, pairs, readings
+from verify.spheres.flow.law import (
+    Pair,
+    State,
+    collided,
+    drifted,
+    flight,
+    recentred,
+)
+from verify.spheres.flow.spaces import LETTERS
+from verify.spheres.flow.theorem import NAME as FLOW
+from verify.spheres.scene.criteria import INELASTIC, RECEDING, SAYS, inelastic, turning, whole
+from verify.spheres.scene.scene import FIRST_FRAMES, PAIRS, Coordinates, Frame, Scene, pair_name
+
+LABEL = "EQUATSS2.1_Loi_de_Newton_"
+#: The theorems that are cited besides the flow.
+SHARPER, CLASSIFICATION = "sharper", "classification"
+START = f"{SHARPER}:start"
+#: The name of the constant for the time of a move.
+TIME = "time"
+r = symbol("r")
+
+
+class Numbers(Record):
+    """The numbers with which the sharper theorem is applied, and the enclosures that follow."""
+
+    values: Mapping[str, Fraction]
+    time: tuple[Fraction, Fraction]
+    angle: tuple[Fraction, Fraction]
+
+
+class Telling:
+    """The parameters, constants and rows so far, and the state that was reached."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.parameters: dict[str, Term] = {"r": as_term(scene.r)}
+        self.constants: list[Constant] = []
+        self.rows: list[Obligation] = []
+        self.given = Coordinates(
+            self._coordinates("x", scene.positions), self._coordinates("v", scene.velocities)
+        )
+        self.exact = Coordinates(scene.positions, scene.velocities)
+        self.state: State | None = None
+        self.frame: Frame = (0, 1, 2)
+        self.moves = self.collisions = 0
+        self.time = as_term(0)
+        for i, j in PAIRS:
+            says = f"at the start the particles {i} and {j} do not overlap"
+            self.row(f"start.{pair_name(i, j)}", says, 0 <= self.given.pair(i, j).g)
+
+    def _coordinates(self, letter: str, rows: tuple[tuple[Fraction, ...], ...]) -> list[list[Term]]:
+        found = []
+        for i, row in enumerate(rows):
+            names = [f"{letter}.{i}.{k}" for k, _ in enumerate(row, 1)]
+            self.parameters |= {n: as_term(x) for n, x in zip(names, row, strict=True)}
+            found.append([symbol(name) for name in names])
+        return found
+
+    # --- constants and rows ---------------------------------------------------------------------
+
+    def keep(self, name: str, term: Number) -> Term:
+        """A new constant of the present move."""
+        full = f"{name}.{self.moves}"
+        letter, tex = LETTERS.get(name, (name, name))
+        here = Constant(
+            full, f"{letter}_{self.moves}", f"{tex}_{{{self.moves}}}", "", as_term(term)
+        )
+        self.constants.append(here)
+        return symbol(full)
+
+    def known(self, name: str, value: Fraction, term: Term) -> Term:
+        """A new constant with its exact value, and the row that says what it is."""
+        found = self.keep(name, value)
+        self.row(f"is.{found.name}", "what this number is", equal(found, term))
+        return found
+
+    def row(self, name: str, says: str, claim: Claim | Applies, *uses: str) -> None:
+        """A new row."""
+        self.rows.append(Obligation(name, "scene", LABEL, NEEDED, says, claim, uses))
+
+    def apply(
+        self, name: str, says: str, context: str, at: Mapping[str, Number], *uses: str
+    ) -> None:
+        """A new row: the theorem of a context of the flow applies to these numbers."""
+        values = {key: as_term(value) for key, value in at.items()}
+        self.row(name, says, Applies(f"{FLOW}:{context}", values), "scene", *uses)
+
+    # --- what happens ---------------------------------------------------------------------------
+
+    def begin(self, frame: Frame) -> None:
+        """The scene seen from a particle: exact numbers, each with what it is."""
+        self.frame = frame
+        values: dict[str, Fraction] = {}
+        self.exact.state(frame, lambda name, x: values.setdefault(name, x))
+        self.state = _terms(
+            self.given.state(frame, lambda name, term: self.known(name, values[name], term))
+        )
+
+    def collide(self) -> None:
+        """The pair o, c collides: the next collision."""
+        before, (o, s, c) = self._next(), self.frame
+        self.collisions += 1
+        way = flight(before, sqrt, self.keep)
+        after = collided(r, before, way, self.keep)
+        self.time = self.keep(TIME, self.time + way.y * way.T)
+        later = {f"{n}_next": getattr(after, n) for n in collision.NAMED}
+        self.apply(
+            f"collision.{self.collisions}",
+            f"collision {self.collisions}, of {pair_name(o, c)}, at the time t_{self.moves}; no "
+            "other pair meets before",
+            collision.CONTEXT,
+            {"r": r, **before._asdict(), **way._asdict(), **later},
+        )
+        self.frame, self.state = (o, c, s), _terms(after)
+
+    def recentre(self) -> None:
+        """The same moment, seen from the spectator."""
+        before, (o, s, c) = self._next(), self.frame
+        after = recentred(before, self.keep)
+        says = f"the particles {o} and {c} as they are seen from {s}"
+        self._change(changes.RECENTRE, says, before, after, {})
+        self.frame = (s, o, c)
+
+    def drift(self, time: Fraction) -> None:
+        """Free flight for a time."""
+        before = self._next()
+        after = drifted(before, as_term(time), self.keep)
+        self.time = self.keep(TIME, self.time + as_term(time))
+        says = f"free flight until t_{self.moves}; no pair meets"
+        self._change(changes.DRIFT, says, before, after, {"drift.t": time})
+
+    def _next(self) -> State:
+        self.moves += 1
+        if self.state is None:
+            raise ValueError("the scene has not begun")
+        return self.state
+
+    def _change(
+        self, kind: str, says: str, before: State, after: State, more: Mapping[str, Number]
+    ) -> None:
+        named = changes.NAMED[kind]
+        at = {f"{kind}.{name}": value for name, value in before._asdict().items()}
+        at |= {f"{kind}.{name}_next": getattr(after, name) for name in named}
+        self.apply(f"{kind}.{self.moves}", says, kind, {**at, **more})
+        self.state = _terms(after)
+
+    # --- how it ends ----------------------------------------------------------------------------
+
+    def pairs(self) -> dict[str, Pair]:
+        """The three pairs at the end, by their names, each with its numbers."""
+        if self.state is None:
+            return {pair_name(i, j): self._given_pair(i, j) for i, j in PAIRS}
+        state, (o, s, c) = self._next(), self.frame
+        found = readings.pairs_of(state, self.keep)
+        at = _of(readings.PAIRS, state._asdict())
+        for name, pair in found.items():
+            numbers = {f"{field}_{name}": term for field, term in pair._asdict().items()}
+            at |= _of(readings.PAIRS, numbers)
+        says = f"the pairs {pair_name(o, c)}, {pair_name(o, s)} and {pair_name(s, c)} of this state"
+        self.apply(f"pairs.{self.moves}", says, readings.PAIRS, at)
+        names = {"c": pair_name(o, c), "s": pair_name(o, s), "outer": pair_name(s, c)}
+        return {names[name]: pair for name, pair in found.items()}
+
+    def _given_pair(self, i: int, j: int) -> Pair:
+        values, terms = self.exact.pair(i, j), self.given.pair(i, j)
+        name = pair_name(i, j)
+        found = zip(Pair._fields, values, terms, strict=True)
+        return Pair(*(self.known(f"{field}.{name}", x, term) for field, x, term in found))
+
+    def disperse(self, contexts: Mapping[str, str]) -> None:
+        """No pair collides any more, each for a reason: it parts, or it passes by."""
+        words = {pairs.PARTING: "do not approach any more", pairs.PASSING: "will miss each other"}
+        for name, pair in self.pairs().items():
+            context = contexts[name]
+            fields = ("p", "m") if context == pairs.PARTING else ("g", "p", "m")
+            at = {f"{context}.{field}": getattr(pair, field) for field in fields}
+            says = f"the particles {name[0]} and {name[1]} {words[context]}"
+            self.apply(f"end.{name}", says, context, at, "scene-disperses")
+
+    def limit(self, criterion: str) -> None:
+        """Only finitely many collisions are possible, from this state on."""
+        self.row("range.low", "the coefficient of restitution is positive", 0 < r)
+        self.row("range.high", "and below 1: no collision adds energy", r < 1)
+        if criterion == INELASTIC:
+            self._finite("restitution", criterion, inelastic(r) < 0)
+            return
+        if self.state is None:
+            self.begin(FIRST_FRAMES[0])
+        now = whole(self._next())
+        self._finite("far", criterion, 2 <= now.R2)
+        claim = 0 <= now.A if criterion == RECEDING else 0 < turning(now)
+        self._finite(criterion, criterion, claim)
+
+    def _finite(self, name: str, criterion: str, claim: Claim) -> None:
+        self.row(f"finite.{name}", SAYS[criterion], claim, "scene", "scene-finite")
+
+    def collapse(self, found: Numbers) -> None:
+        """The sharper theorem applies; when, and at which angle, the particles collapse."""
+        state, value = self._next(), found.values
+        unit = readings.unit_of(state, sqrt, self.keep)
+        at = _of(readings.UNIT, {**state._asdict(), **unit._asdict()})
+        self.apply(f"unit.{self.moves}", "this state with unit vectors", readings.UNIT, at)
+        start = {
+            "y": unit.closing,
+            "eta_s": unit.parting,
+            "C": unit.cosine,
+            "a": state.a,
+            "b": unit.turning,
+            "A": state.A,
+            "B": state.B,
+            "w": state.w,
+            "d": unit.distance,
+        }
+        o, s, c = self.frame
+        values = {name: as_term(x) for name, x in value.items()}
+        values |= {f"{name}_start": as_term(term) for name, term in start.items()}
+        says = (
+            f"from here on {pair_name(o, c)} and {pair_name(o, s)} collide in turn for ever, in "
+            "finite time"
+        )
+        self.row("collapse", says, Applies(START, values), "scene", "scene-collapses")
+        (low, high), (least, most) = found.time, found.angle
+        later = value["T"] * value["eta_0"] / (1 - value["p"] - value["Y"])
+        self.row("time-from", "the collapse is not before", as_term(low) <= self.time)
+        self.row("time-to", "nor after", self.time + later <= as_term(high))
+        C_0, theta = value["C_0"], value["Theta"]
+        self.row(
+            "angle-from", "the final -cos θ is at least", as_term(least) <= as_term(C_0 - theta)
+        )
+        self.row("angle-to", "and at most", as_term(min(C_0 + theta, Fraction(1))) <= as_term(most))
+
+
+def _of(context: str, values: Mapping[str, Number]) -> dict[str, Number]:
+    """Values for the variables of a context, whose names begin with its name."""
+    return {f"{context}.{name}": value for name, value in values.items()}
+
+
+def _terms(state: State) -> State:
+    return State(*map(as_term, state))

@@ -1,0 +1,94 @@
+"""The verdict on a scene in a sentence, with short decimals that enclose its numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from verify.prover import balls
+from verify.prover.decimals import outward
+from verify.spheres.flow.follow import name_of
+from verify.spheres.flow.law import Number
+from verify.spheres.flow.theorem import NAME as FLOW
+from verify.spheres.scene.criteria import SAYS
+from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Fate
+from verify.spheres.scene.telling import CLASSIFICATION, SHARPER
+
+
+def pairs_of(found: Fate) -> list[str]:
+    """The pairs that collide, in order."""
+    return [name_of(move.before.frame) for move in found.flow.collisions]
+
+
+def central(found: Fate) -> int | None:
+    """The particle that collides with the two others in turn for ever."""
+    now = found.flow.now
+    return now.frame[0] if found.collapse is not None and now is not None else None
+
+
+def ball_ends(value: Number, bits: int) -> tuple[Fraction, Fraction]:
+    """Rational numbers around a ball."""
+    with balls.precision(bits):
+        return balls.ends(balls.as_ball(value))
+
+
+def time_ends(found: Fate) -> tuple[Fraction, Fraction] | None:
+    """The enclosure of the time of the collapse."""
+    if found.collapse is None:
+        return None
+    low, high = (ball_ends(end, found.flow.bits) for end in found.collapse.time)
+    return low[0], high[1]
+
+
+def reason(found: Fate) -> str:
+    """What shows the verdict, or why there is none."""
+    if found.verdict == COLLAPSES:
+        holds = "the conditions of the sharper theorem hold after the last collision"
+        return f"{holds}; not as tight as asked for: {found.reason}" if found.reason else holds
+    if found.criterion is not None:
+        return SAYS[found.criterion.name]
+    return found.reason
+
+
+def theorems(found: Fate) -> list[str]:
+    """The names of the theorems on which a verdict rests; none without a verdict."""
+    last = {COLLAPSES: [SHARPER], FINITE: [CLASSIFICATION], DISPERSES: []}
+    return [FLOW, *last[found.verdict]] if found.verdict in last else []
+
+
+def scene_lines(found: Fate) -> Iterator[str]:
+    """The verdict for a reader."""
+    count = found.collisions
+    after = f"after {count} collision{'' if count == 1 else 's'}"
+    time, end = time_ends(found), found.collapse
+    if end is not None and time is not None and found.flow.now is not None:
+        o, s, c = found.flow.now.frame
+        pairs = ", ".join(f"{min(o, x)}{max(o, x)}" for x in (c, s, c))
+        yield (
+            f"collapses: particle {o} central; from collision {count + 1} on {pairs}, … for ever;"
+        )
+        low, high = shown_ends(time)
+        least, most = shown_ends(end.angle)
+        yield f"collapse time in [{low}, {high}]; final -cos θ in [{least}, {most}]"
+        if found.reason:
+            yield f"not as tight as asked for: {found.reason}"
+    elif found.verdict == FINITE:
+        yield f"finite: {reason(found)};"
+        yield "only finitely many collisions are possible, unless three touch at once or two graze"
+    elif found.verdict == DISPERSES:
+        yield (
+            f"disperses: {after} no two collide again"
+            if count
+            else "disperses: no two ever collide"
+        )
+    else:
+        yield f"undecided: {found.reason}; certain: {count} collision{'' if count == 1 else 's'}"
+
+
+def shown_ends(ends: tuple[Fraction, Fraction]) -> list[str]:
+    """Both ends with the digits on which they differ, rounded outward."""
+    low, high = ends
+    digits, width = 4, high - low
+    while width and digits < 60 and abs(high) * 10 > width * 10 ** (digits - 2):
+        digits += 1
+    return outward(ends, digits)

@@ -1,0 +1,191 @@
+"""Exact reading of what people type: every number stays the number that was written."""
+
+from __future__ import annotations
+
+import os
+import re
+import stat
+from fractions import Fraction
+
+from verify.language.terms import Term, as_term, cos, cos_pi
+from verify.wire.parameters import is_obtuse
+
+#: Longer texts are refused before any arithmetic.
+MAX_LENGTH = 4000
+#: Larger decimal exponents are refused: 1e99999999 would fill the memory.
+MAX_EXPONENT = 4000
+
+#: Numerators and denominators are smaller than 10^4200, so that any reader of JSON can read them.
+MAX_DIGITS = 4200
+
+_RATIONAL = r"([+-]?[0-9]+)/([0-9]+)"
+_DECIMAL = r"([+-]?)([0-9]*)\.?([0-9]*)(?:[eE]([+-]?[0-9]+))?"
+#: ``pi``, ``5pi/6``, ``0.9*pi``, ``5/6*pi``: a factor, and what divides.
+_PI = r"(?:([0-9][0-9.eE/+-]*)\*?)?(?:pi|π)(?:/([0-9]+))?"
+_DEGREES = r"([0-9][0-9.eE/+-]*) ?(?:deg|degrees|°)"
+
+
+class InputError(ValueError):
+    """A text that cannot be used: the message says what, where and what to write instead."""
+
+
+def regular_file(path: str, most: int) -> bytes:
+    """The content of a file that has an end: nothing is waited for, and no device is read.
+
+    Raises:
+        OSError: if there is none that can be read.
+        ValueError: if it is no regular file, or has more than ``most`` bytes.
+    """
+    with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:
+        if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+            raise ValueError("it is no regular file")
+        content = file.read(most + 1)
+    if len(content) > most:
+        raise ValueError(f"it has more than {most} bytes")
+    return content
+
+
+def rational(option: str, text: str) -> Fraction:
+    """Read ``3/100``, ``0.03`` or ``3e-2`` exactly.
+
+    Raises:
+        InputError: for anything else, naming the option.
+    """
+    _check_length(option, text)
+    match = re.fullmatch(_RATIONAL, text)
+    if match:
+        denominator = int(match[2])
+        if denominator == 0:
+            raise InputError(f"{option}: {shown(text)} divides by zero; write p/q with q > 0")
+        return Fraction(int(match[1]), denominator)
+    match = re.fullmatch(_DECIMAL, text)
+    if not match or not (match[2] or match[3]):
+        raise InputError(
+            f"{option}: {shown(text)} is not an exact number; write it like 0.03, 3/100 or 3e-2"
+        )
+    exponent_text = match[4] or "0"
+    if len(exponent_text.lstrip("+-0")) > 6 or abs(int(exponent_text)) > MAX_EXPONENT:
+        raise InputError(
+            f"{option}: the exponent of {shown(text)} is too large; "
+            f"write an exponent between -{MAX_EXPONENT} and {MAX_EXPONENT}"
+        )
+    digits = int(match[1] + (match[2] + match[3]))
+    value = digits * Fraction(10) ** (int(exponent_text) - len(match[3]))
+    if max(abs(value.numerator), value.denominator) >= 10**MAX_DIGITS:
+        raise InputError(
+            f"{option}: {shown(text)} has more than {MAX_DIGITS} digits as a fraction; "
+            "write fewer digits or a smaller exponent"
+        )
+    return value
+
+
+def restitution(text: str) -> Fraction:
+    """Read a restitution coefficient in ]0,1[.
+
+    Raises:
+        InputError: for any other text.
+    """
+    r = rational("--r", text)
+    if not 0 < r < 1:
+        raise InputError(f"--r: {shown(text)} is not in ]0,1[; write for example 0.03")
+    return r
+
+
+def neg_cos(text: str) -> Fraction:
+    """Read -cos of the angle, in ]0,1].
+
+    Raises:
+        InputError: for any other text.
+    """
+    value = rational("--neg-cos", text)
+    if not 0 < value <= 1:
+        raise InputError(f"--neg-cos: {shown(text)} is not in ]0,1]; write for example 9/10")
+    return value
+
+
+def positive(option: str, text: str) -> Fraction:
+    """Read a positive number.
+
+    Raises:
+        InputError: for any other text.
+    """
+    value = rational(option, text)
+    if value <= 0:
+        raise InputError(f"{option}: {shown(text)} is not positive; write for example 1/10")
+    return value
+
+
+def angle(option: str, text: str) -> Term:
+    """Read an angle in ]pi/2, pi] and return -cos of it as a term.
+
+    The angle is a multiple of pi (``pi``, ``5pi/6``, ``0.9*pi``, ``π``), in degrees (``150deg``,
+    ``150°``), or in radians; it is exactly what is written. Where its cosine is rational the term
+    is that rational.
+
+    Raises:
+        InputError: for another form, or an angle outside the interval.
+    """
+    _check_length(option, text)
+    turns = _half_turns(option, text)
+    if turns is not None:
+        if not Fraction(1, 2) < turns <= 1:
+            raise InputError(_outside(option, text))
+        # The only rational cosines of rational multiples of pi here (Niven's theorem).
+        if turns in (1, Fraction(2, 3)):
+            return as_term(1 if turns == 1 else Fraction(1, 2))
+        return -cos_pi(turns)
+    try:
+        radians = rational(option, text)
+    except InputError as error:
+        raise InputError(
+            f"{option}: {shown(text)} is not an angle; write it like pi, 5pi/6, 0.9*pi, 150deg, "
+            "or 2.9 (radians)"
+        ) from error
+    if not is_obtuse(radians):
+        raise InputError(_outside(option, text))
+    return -cos(radians)
+
+
+def _half_turns(option: str, text: str) -> Fraction | None:
+    """An angle as a multiple of pi, where it is written as one or in degrees."""
+    match = re.fullmatch(_PI, text)
+    if match:
+        factor = rational(option, match[1]) if match[1] else Fraction(1)
+        return factor / _positive(option, text, int(match[2] or 1))
+    match = re.fullmatch(_DEGREES, text)
+    return rational(option, match[1]) / 180 if match else None
+
+
+def integer(option: str, text: str, least: int, most: int) -> int:
+    """Read a whole number between two bounds.
+
+    Raises:
+        InputError: for anything else.
+    """
+    if not re.fullmatch(r"[0-9]{1,9}", text) or not least <= int(text) <= most:
+        raise InputError(
+            f"{option}: {shown(text)} is not usable; write a whole number from {least} to {most}"
+        )
+    return int(text)
+
+
+def _check_length(option: str, text: str) -> None:
+    if len(text) > MAX_LENGTH:
+        raise InputError(
+            f"{option}: {shown(text)} has {len(text)} characters; write at most {MAX_LENGTH}"
+        )
+
+
+def _positive(option: str, text: str, number: int) -> int:
+    if number == 0:
+        raise InputError(f"{option}: {shown(text)} divides by zero; write pi/n with n > 0")
+    return number
+
+
+def _outside(option: str, text: str) -> str:
+    return f"{option}: {shown(text)} is not in ]pi/2, pi]; write an obtuse angle such as 5pi/6"
+
+
+def shown(text: str, most: int = 40) -> str:
+    """A text as an error message quotes it: in quotes, and cut if longer than ``most``."""
+    return repr(text if len(text) <= most else f"{text[: most // 2]}...{text[-most // 4 :]}")

@@ -1,0 +1,132 @@
+"""The checker as a judge: what the prover claims gets its verdicts here, and nowhere else.
+
+`judged` is for what the program itself has made: a row that the checker refuses is our own error.
+To judge claims that may be refused, such as those of one row after another, ask `report_on`, whose
+``rows`` say *refused* of each row that is not shown (its ``lines`` that begin with REFUSED say
+why), and give `with_verdicts` that report: what is refused stays undecided.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+from hashlib import sha256
+
+from verify import check
+from verify.language.errors import OwnError, UnreadError
+from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED
+from verify.prover.outcome import Decision, Judgement, Outcome
+from verify.wire.read import read
+from verify.wire.write import write
+
+CHECKER = "the checker"
+
+
+def accept(files: Mapping[str, bytes], verdict: str) -> None:
+    """Afterwards the checker accepts a folder, with this verdict, and the certificates in `cited`.
+
+    Raises:
+        OwnError: if it does not.
+        UnreadError: if it does not get to the end; what lies in a folder shares one limit of work.
+    """
+    report = _report(files, check.MAX_WORK - _work(_cited(files)))
+    if report.verdict != {PROVED: "PROVED", REFUTED: "REFUTED"}[verdict]:
+        raise _refused(report, f"{report.verdict}, expected {verdict}")
+
+
+def judged(outcome: Outcome) -> Outcome:
+    """The outcome with the checker's verdict on each row of which something is claimed.
+
+    Raises:
+        OwnError: if the checker refuses anything, with the name of what it refuses.
+    """
+    if all(found.claimed == UNDECIDED for found in outcome.decisions.values()):
+        return outcome.draft
+    report = report_on(outcome)
+    found = with_verdicts(outcome, report)
+    for name, decision in found.decisions.items():
+        if decision.verdict != decision.claimed:
+            why = f"{report.rows[name]}, expected {decision.claimed}"
+            raise _refused(report, why, name)
+    if report.verdict == "REFUSED":
+        raise _refused(report, report.summary)
+    return found
+
+
+def report_on(outcome: Outcome) -> check.Report:
+    """What the checker says of the claims of an outcome; of the other rows it is not asked.
+
+    Raises:
+        UnreadError: if it does not get to the end: too large, too deep, or too much work.
+    """
+    rows = tuple(row for row, found in outcome.rows if found.claimed != UNDECIDED)
+    if outcome.claimed == UNDECIDED:
+        rows = tuple(row._replace(role=NEEDED) for row in rows)
+    asked = outcome._replace(statement=outcome.statement._replace(obligations=rows))
+    return _report(write(asked))
+
+
+def with_verdicts(outcome: Outcome, report: check.Report) -> Outcome:
+    """The outcome with the verdicts in a report on its certificate, and with no others."""
+
+    def decided(name: str, found: Decision) -> Decision:
+        verdict = report.rows.get(name, UNDECIDED)
+        shown = verdict == found.claimed != UNDECIDED
+        return found._replace(judged=Judgement(verdict, CHECKER) if shown else None)
+
+    decisions = {name: decided(name, found) for name, found in outcome.decisions.items()}
+    return outcome._replace(decisions=decisions)
+
+
+def read_judged(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]) -> Outcome:
+    """The outcome that two files stand for, each row with the checker's verdict.
+
+    Raises:
+        WireError: for files that are not in the format.
+        check.Malformed: if the checker cannot read them.
+        check.Refused: if it refuses anything.
+    """
+    outcome, report = (
+        read(statement, certificate, cited),
+        check.check(statement, certificate, cited),
+    )
+    if report.verdict == "REFUSED":
+        raise check.Refused(report.summary)
+    return with_verdicts(outcome, report)
+
+
+def _cited(files: Mapping[str, bytes]) -> tuple[tuple[str, bytes], ...]:
+    return tuple((name, data) for name, data in files.items() if name.startswith("cited/"))
+
+
+@lru_cache(maxsize=8)
+def _work(cited: tuple[tuple[str, bytes], ...]) -> int:
+    """What the checker counts for the certificates among these files, all of which it accepts."""
+    work = 0
+    for name, certificate in cited:
+        if name.endswith(check.CERTIFIED):
+            statement = dict(cited)[f"{name.removesuffix(check.CERTIFIED)}.json"]
+            files = {"statement.json": statement, "certificate.json": certificate}
+            report = _report({**dict(cited), **files})
+            if report.verdict != "PROVED":
+                raise _refused(report, f"{name}: {report.verdict}, expected PROVED")
+            work += report.work
+    return work
+
+
+def _report(files: Mapping[str, bytes], work: int | None = None) -> check.Report:
+    cited = {sha256(content).hexdigest(): content for _, content in _cited(files)}
+    try:
+        return check.check(files["statement.json"], files["certificate.json"], cited, work)
+    except (check.Malformed, RecursionError) as error:
+        raise UnreadError(_not_accepted(f"MALFORMED: {error}")) from error
+
+
+def _refused(report: check.Report, otherwise: str, row: str = "") -> OwnError:
+    complaints = (line for line in report.lines if line.startswith("REFUSED"))
+    where = f"row {row}: " if row else ""
+    return OwnError(_not_accepted(where + next(complaints, otherwise)))
+
+
+def _not_accepted(why: str) -> str:
+    return f"our own checker does not accept the certificate ({why:.200}); nothing was written"

@@ -1,0 +1,169 @@
+"""The job `prove`: a statement of anybody's, whose rows are questions, decided and judged."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from verify import check
+from verify.language.errors import UnreadError
+from verify.language.statement import NEEDED, PROVED, UNDECIDED, Cite, Obligation, Statement
+from verify.prover.budget import WorkBudget
+from verify.prover.outcome import Decision, Outcome
+from verify.prover.proof import Step
+from verify.prover.prove import prove
+from verify.wire.inputs import InputError
+from verify.wire.judge import judged
+from verify.wire.read import read_statement
+from verify.wire.term_json import TermReader
+from verify.wire.write import digest, write
+
+#: What the checker says where there is more than it reads.
+LIMITS = (
+    "found (.*more (work )?than|a number of [0-9]+ bits|a degree above|equations that are too deep)"
+)
+#: What the enclosures at the end of a certificate, and tables of shared terms, may cost.
+RESERVE = check.MAX_WORK // 10
+
+
+def read_questions(content: bytes, cited: Mapping[str, bytes]) -> Statement:
+    """The statement in a file; which verdicts stand there does not matter.
+
+    ``cited`` has the contents of statements that may be cited, by their digests.
+
+    Raises:
+        InputError: for a file that is not in the format, with the reason in one line.
+    """
+    document = _document(content, cited)
+    reader = TermReader(document["terms"])
+    return read_statement(document, reader, cited)
+
+
+def decide_statement(content: bytes, cited: Mapping[str, bytes], budget: WorkBudget) -> Outcome:
+    """Every row of a statement in a file, decided and judged, or not.
+
+    Raises:
+        InputError: for a file that is not in the format.
+        OwnError: if the checker refuses what the search calls proved.
+    """
+    return decide(read_questions(content, cited), budget)
+
+
+def decide(statement: Statement, budget: WorkBudget | None = None) -> Outcome:
+    """Every row of a statement, decided and judged; or undecided, with the reason.
+
+    Raises:
+        InputError: for a statement that the checker cannot read.
+        OwnError: if the checker refuses what the search calls proved.
+    """
+    outcome = prove(statement, budget=budget, price=Reading(statement).price)
+    try:
+        return judged(outcome)
+    except UnreadError as error:
+        if not _is_limit(error):
+            raise
+        found = Decision(UNDECIDED, reason=str(error))
+        return outcome._replace(decisions=dict.fromkeys(outcome.decisions, found))
+
+
+def _is_limit(error: Exception) -> bool:
+    """Whether the checker stops because of how much there is, not of what it says."""
+    return isinstance(error, RecursionError) or re.search(LIMITS, str(error)) is not None
+
+
+class Reading:
+    """The checker, which reads the steps of a statement's rows as they are found.
+
+    What it thinks of them does not matter here, but whether it comes to their end.
+
+    Raises:
+        InputError: for a statement that it cannot read.
+    """
+
+    def __init__(self, statement: Statement) -> None:
+        self._statement = statement
+        cited = {digest(cite.content): cite.content for cite in _all_cites(statement.cites)}
+        try:
+            self._content = write(_claims(statement, ()))["statement.json"]
+        except RecursionError as error:
+            raise InputError("STATEMENT: its terms are too deep; nest fewer operations") from error
+        self._cited = cited
+        self._batches: list[tuple[Obligation | None, str, Sequence[Step]]] = []
+        _document(self._content, cited)
+        self._begin()
+
+    def price(self, row: Obligation | None, claimed: str, steps: Sequence[Step]) -> str:
+        """Why the checker does not come to the end of the steps for a row; or nothing."""
+        try:
+            self._read(row, claimed, steps)
+        except (check.Malformed, RecursionError) as error:
+            if not _is_limit(error):  # a mistake of ours, which the judge will name
+                return ""
+            self._begin()
+            for batch in self._batches:
+                self._read(*batch)
+            return f"the proof that was found is more than the checker reads: {error!s:.200}"
+        self._batches.append((row, claimed, tuple(steps)))
+        return ""
+
+    def _begin(self) -> None:
+        kernel = check.Kernel()
+        reader = check.Reader(kernel, self._cited)
+        document = _as_asked(check.parsed("statement", self._content, check.STATEMENT))
+        self._checking = check.Checking(kernel, reader, reader.read(document))
+        kernel.work -= RESERVE
+
+    def _read(self, row: Obligation | None, claimed: str, steps: Sequence[Step]) -> None:
+        checking = self._checking
+        certificate = write(_claims(self._statement, steps))["certificate.json"]
+        document = check.parsed("certificate", certificate, check.CERTIFICATE)
+        if row is not None:
+            rows = checking.statement.rows
+            rows[row.name] = rows[row.name]._replace(verdict=claimed)
+        # Each batch has shared terms of its own, whose names are free again after it.
+        own = document["terms"].keys()
+        checking.kernel.shared |= document["terms"]
+        for name in own:
+            checking.kernel.introduce(name)
+        for step in document["steps"]:
+            checking.step(step)
+        checking.kernel.taken -= own
+        for name in own:
+            checking.kernel.shared.pop(name, None)
+            checking.kernel.abbreviations.pop(name, None)
+
+
+def _claims(statement: Statement, steps: Sequence[Step]) -> Outcome:
+    decisions = {row.name: Decision(PROVED) for row in statement.obligations}
+    return Outcome(statement, decisions, tuple(steps), {})
+
+
+def _all_cites(cites: Sequence[Cite]) -> list[Cite]:
+    return [found for cite in cites for found in (cite, *_all_cites(cite.cites))]
+
+
+def _document(content: bytes, cited: Mapping[str, bytes]) -> dict[str, Any]:
+    """The document in a statement's file, which the checker can read."""
+    try:
+        document: dict[str, Any] = check.parsed("STATEMENT", content, check.STATEMENT)
+        check.Reader(check.Kernel(), cited).read(_as_asked(document))
+    except (check.Malformed, RecursionError) as error:
+        raise InputError(
+            f"STATEMENT: {_as_written(error)}; certificates/README.md describes the format"
+        ) from error
+    if not any(row["role"] == NEEDED for row in document["obligations"]):
+        raise InputError('STATEMENT: no row is needed; write "role": "needed" where it is asked')
+    return document
+
+
+def _as_written(error: Exception) -> str:
+    twice = re.search("found the name .* twice$", str(error))
+    words = str(error).removeprefix("STATEMENT: ")
+    return f"{words}: one name stands for two things" if twice else words
+
+
+def _as_asked(document: dict[str, Any]) -> dict[str, Any]:
+    """The document with the verdict that each row asks for."""
+    rows = [row | {"verdict": PROVED} for row in document["obligations"]]
+    return document | {"obligations": rows}

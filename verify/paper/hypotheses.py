@@ -28,9 +28,26 @@ _alpha = (1 + r) / 2 * c
 
 def hypotheses() -> Iterator[Obligation]:
     """Yield the hypotheses, each with its role."""
-    yield from _restitution()
-    yield from _angle()
     yield from (
+        # 0 < r < r_stabi = 9 - 4√5 (`EQUATSS4.1ThExiCondi_r_1_`).
+        _needed("r-positive",    RESTITUTION, "0 < r", 0 < r),
+        _needed("r-below-one",   RESTITUTION, "r < 1", r < 1),
+        _needed("r-below-stabi", RESTITUTION, "r < r_stabi = 9 - 4√5", 18 * r - r**2 < as_term(1)),
+        # 0 < -cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r), as printed (`EQUATSS4.1ThExiCondiTheta`). The
+        # construction needs > (as in `EQUATSS3.4ZKCl2CondiStabi`), so the two exclude each other:
+        # wherever the constants exist, the printed hypothesis does not hold.
+        _needed("angle-obtuse",  ANGLE, "0 < -cos θ₀", 0 < c),
+        _needed("angle-real",    ANGLE, "-cos θ₀ ≤ 1", c <= 1),
+        misprint(f"{HYPOTHESES}.angle-as-printed", ANGLE,
+            "-cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r), as printed (all other rows are judged outside "
+            "it)", _alpha**3 < 3 * r * _alpha + r * (1 + r),
+            group=HYPOTHESES, severity=SLIP, corrected_by=f"{HYPOTHESES}.stability"),
+        _needed("existence",     "EQUATSS3.4ZKCl1CondiExist",
+            "-cos θ₀ > 4√r/(1+r): the fixed points φ⁻ < φ⁺ exist", 4 * r < _alpha**2),
+        _needed("stability",     ANGLE,
+            "-cos θ₀ > 2r^(1/3)(1+r^(1/3))/(1+r), as the construction needs it",
+            3 * r * _alpha + r * (1 + r) < _alpha**3),
+        # The other two parameters.
         _needed("V_0-positive",         "EQUATSS4.1Recurrence_Cnd5", "0 < V₀", 0 < V_0),
         _needed("delta-theta-positive", THEOREM, "0 < δ_θ", 0 < delta_theta),
     )  # fmt: skip
@@ -38,33 +55,3 @@ def hypotheses() -> Iterator[Obligation]:
 
 def _needed(name: str, label: str, says: str, claim: Claim) -> Obligation:
     return needed(f"{HYPOTHESES}.{name}", label, says, claim, group=HYPOTHESES)
-
-
-def _restitution() -> Iterator[Obligation]:
-    """0 < r < r_stabi = 9 - 4√5 (`EQUATSS4.1ThExiCondi_r_1_`)."""
-    yield from (
-        _needed("r-positive",    RESTITUTION, "0 < r", 0 < r),
-        _needed("r-below-one",   RESTITUTION, "r < 1", r < 1),
-        _needed("r-below-stabi", RESTITUTION, "r < r_stabi = 9 - 4√5", 18 * r - r**2 < as_term(1)),
-    )  # fmt: skip
-
-
-def _angle() -> Iterator[Obligation]:
-    """0 < -cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r), as printed (`EQUATSS4.1ThExiCondiTheta`).
-
-    The construction needs > (as in `EQUATSS3.4ZKCl2CondiStabi`), so the two exclude each other:
-    wherever the constants exist, the printed hypothesis does not hold.
-    """
-    yield from (
-        _needed("angle-obtuse",                    ANGLE, "0 < -cos θ₀", 0 < c),
-        _needed("angle-real",                      ANGLE, "-cos θ₀ ≤ 1", c <= 1),
-        misprint(f"{HYPOTHESES}.angle-as-printed", ANGLE, "-cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r), "
-            "as printed (all other rows are judged outside it)",
-            _alpha**3 < 3 * r * _alpha + r * (1 + r), group=HYPOTHESES, severity=SLIP,
-            corrected_by=f"{HYPOTHESES}.stability"),
-        _needed("existence",                       "EQUATSS3.4ZKCl1CondiExist",
-            "-cos θ₀ > 4√r/(1+r): the fixed points φ⁻ < φ⁺ exist", 4 * r < _alpha**2),
-        _needed("stability",                       ANGLE,
-            "-cos θ₀ > 2r^(1/3)(1+r^(1/3))/(1+r), as the construction needs it",
-            3 * r * _alpha + r * (1 + r) < _alpha**3),
-    )  # fmt: skip

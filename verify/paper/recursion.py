@@ -394,29 +394,30 @@ def _sums_alone(k: ConstantSet) -> Iterator[Obligation]:
     def alone(
         name: str, label: str, says: str, claim: Claim, corrected_by: str
     ) -> Iterator[Obligation]:
-        says = f"{says}, alone"
-        return k.misprint(f"alone-{name}", label, says, claim, HARMLESS, corrected_by)
+        return k.misprint(name, label, f"{says}, alone", claim, HARMLESS, corrected_by)
 
     bounds, share = k.bounds(), h_4 * k.delta_x
     d_n, zeta = 3 * k.speed / V_0 * bounds["eta_bar"][4], bounds["zeta_bar"][2]
     d_0 = bounds["d_const"][3]
     yield from (
         # (V₀/V₁^{1/2}) (2/(15α₀) + h₄δ₂/6 + h₄/(12α₀) + h₄/24) δ_x
-        *alone("eta-y-1", ETA, "entry 5 of η̄: d_{n+2} α₀/2 ≤ h₄δ_x/8",
+        *alone("alone-eta-y-1", ETA, "entry 5 of η̄: d_{n+2} α₀/2 ≤ h₄δ_x/8",
             d_n * alpha_0 / 2 <= share / 8, "y-term-1"),
-        *alone("eta-y-2", ETA, "entry 5 of η̄: d_{n+1} ≤ h₄δ_x/8", d_n <= share / 8, "y-term-2-d"),
-        *alone("eta-x-1", ETA, "entry 5 of η̄: d_n/δ₂ ≤ h₄δ_x/2",
+        *alone("alone-eta-y-2", ETA, "entry 5 of η̄: d_{n+1} ≤ h₄δ_x/8",
+            d_n <= share / 8, "y-term-2-d"),
+        *alone("alone-eta-x-1", ETA, "entry 5 of η̄: d_n/δ₂ ≤ h₄δ_x/2",
             d_n / delta_2 <= share / 2, "x-term-1-d"),
         # (1 + 4δ₂ + V₀/V₁) h₄δ_x/16
-        *alone("zeta-y-2", ZETA, "entry 3 of ζ̄: 2ζ_{n+1} ≤ h₄δ_x/8",
+        *alone("alone-zeta-y-2", ZETA, "entry 3 of ζ̄: 2ζ_{n+1} ≤ h₄δ_x/8",
             2 * zeta <= share / 8, "y-term-2-zeta"),
-        *alone("zeta-x-1", ZETA, "entry 3 of ζ̄: 2ζ_n/δ₂ ≤ h₄δ_x/2",
+        *alone("alone-zeta-x-1", ZETA, "entry 3 of ζ̄: 2ζ_n/δ₂ ≤ h₄δ_x/2",
             2 * zeta / delta_2 <= share / 2, "x-term-1-zeta"),
-        *alone("zeta-y-4", ZETA, "entry 3 of ζ̄: 2(V₁/V₀)ζ̄ ≤ h₄δ_x/8",
+        *alone("alone-zeta-y-4", ZETA, "entry 3 of ζ̄: 2(V₁/V₀)ζ̄ ≤ h₄δ_x/8",
             2 * k.V_1 / V_0 * zeta <= share / 8, "y-term-4"),
         # (1 + 2δ₂) h₄δ_x/4
-        *alone("d-y-3", D_0, "entry 4 of d̄: d₀ ≤ h₄δ_x/4", d_0 <= share / 4, "init-y-term-3-d"),
-        *alone("d-x-1", D_0, "entry 4 of d̄: d₀/δ₂ ≤ h₄δ_x/2",
+        *alone("alone-d-y-3", D_0, "entry 4 of d̄: d₀ ≤ h₄δ_x/4",
+            d_0 <= share / 4, "init-y-term-3-d"),
+        *alone("alone-d-x-1", D_0, "entry 4 of d̄: d₀/δ₂ ≤ h₄δ_x/2",
             d_0 / delta_2 <= share / 2, "x-term-1-d_0"),
     )  # fmt: skip
 

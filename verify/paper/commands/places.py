@@ -133,7 +133,7 @@ def _known(context: Context, path: str, line: int) -> Iterator[Place]:
 def _entry(row: Obligation | Line, code: CodeType, start: int) -> int:
     """The line of a row, or its own line in the table that begins at ``start``."""
     names = "|".join(re.escape(name) for name in (row.name, row.name.partition(".")[2]) if name)
-    entry = re.compile(rf'\s*(?:yield |yield from |\*)?([\w.]+)\("(?:{names})"')
+    entry = re.compile(rf'\s*(?:yield |yield from |\*)?([\w.]+)\(f?"(?:{{\w+}}\.)?(?:{names})"')
     true = isinstance(row, Obligation) and row.severity is None
     end = max(line or 0 for _, _, line in code.co_lines())
     for number in range(start, end + 1):

@@ -34,11 +34,9 @@ def rows() -> Iterator[Obligation]:
             yield row._replace(context=CONTEXT, says=f"{row.says}: it follows")
     for row in parts[REPAIRED].obligations:
         yield row._replace(context=CONTEXT, uses=())
-    yield from (
-        *redundant.rows(),
-        *redundant.active_rows(),
-        collapse(REPAIRED)._replace(context=CONTEXT),
-    )  # fmt: skip
+    yield from redundant.rows()
+    yield from redundant.active_rows()
+    yield collapse(REPAIRED)._replace(context=CONTEXT)
 
 
 def printed_rows() -> Iterator[Obligation]:

@@ -69,8 +69,6 @@ def rows(paper: Printed) -> Iterator[Obligation]:
     """Yield the rows on the roots, their moduli, the multiplicities and the eigenvectors."""
     yield from _parametrisation()
     yield from _factorisation(paper)
-    yield from _moduli()
-    yield from _multiplicities()
     yield from _eigenspace(paper)
     yield from _eigenvectors(paper)
 
@@ -95,6 +93,7 @@ def _parametrisation() -> Iterator[Obligation]:
 
 
 def _factorisation(paper: Printed) -> Iterator[Obligation]:
+    """Q in factors, the moduli of its roots, and the multiplicities."""
     every = ["every-r"]
     yield from (
         needed("Q-factorised",        COMPLEX_PAIR, "Q(λ) = (λ+m³)((λ-x)²+w) at r = r(m)",
@@ -108,12 +107,6 @@ def _factorisation(paper: Printed) -> Iterator[Obligation]:
         needed("root-below-minus-r3", REAL_ROOT,
             "λ₀ < -r³, that is r < m, at r = r(m), both sides times the denominator",
             m * numerator < m * denominator, every),
-    )  # fmt: skip
-
-
-def _moduli() -> Iterator[Obligation]:
-    every = ["every-r"]
-    yield from (
         needed("modulus",                 COMPLEX_PAIR,
             "|λ±|² = x² + w is the cube of a rational function of m",
             equal(real_part**2 + imaginary_square, modulus**3), every),
@@ -126,14 +119,11 @@ def _moduli() -> Iterator[Obligation]:
             "root r/m³ exceeds 1, times m² and the denominator", m**2 * denominator < numerator,
             every),
         needed("real-root-nonzero",       COMPLEX_PAIR, "0 < |λ₀| = m³", 0 < m**3, every),
+        needed("geometric-multiplicity", THEOREM, "the discriminant Q(1)² disc(Q) of the "
+            "characteristic polynomial is not 0: four distinct eigenvalues, each of geometric "
+            "multiplicity 1", (27 * (1 + r) ** 3 / 32) ** 2 * DISCRIMINANT < as_term(0),
+            ["polynomials", "linear-algebra"]),
     )  # fmt: skip
-
-
-def _multiplicities() -> Iterator[Obligation]:
-    yield needed("geometric-multiplicity", THEOREM, "the discriminant Q(1)² disc(Q) of the "
-        "characteristic polynomial is not 0: four distinct eigenvalues, each of geometric "
-        "multiplicity 1", (27 * (1 + r) ** 3 / 32) ** 2 * DISCRIMINANT < as_term(0),
-        ["polynomials", "linear-algebra"])  # fmt: skip
 
 
 def _eigenspace(paper: Printed) -> Iterator[Obligation]:

@@ -17,7 +17,13 @@ def test_every_row_has_a_place() -> None:
 
 def test_a_place_is_where_the_row_is_written() -> None:
     """Its own words stand there: the yield that makes it names it within the next few lines."""
-    for name in ("repaired.init-Cnd4", "repaired.set-x_0", "next-d-one", "next-d-small", "matrix-stated"):
+    for name in (
+        "repaired.init-Cnd4",
+        "repaired.set-x_0",
+        "next-d-one",
+        "next-d-small",
+        "matrix-stated",
+    ):
         (place,) = (p for p in written(name) if p.part in ("", "step", "spectrum"))
         lines = (ROOT / place.path).read_text(encoding="utf-8").splitlines()
         near_by = "\n".join(lines[place.line - 2 : place.line + 6])

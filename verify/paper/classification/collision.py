@@ -11,17 +11,7 @@ from collections.abc import Iterator
 
 from verify.language.statement import Constant, Context
 from verify.language.terms import Term, as_term, equal, symbol
-from verify.paper.argument import (
-    Chapter,
-    Defined,
-    Item,
-    Line,
-    Opened,
-    identity,
-    plus,
-    proof,
-    times,
-)
+from verify.paper.argument import Chapter, Defined, Item, Line, Opened, identity, plus, proof, times
 from verify.paper.classification.settings import Letters, Space, minus
 from verify.paper.dynamics.vectors import Combination, add, basis_vector, scale
 
@@ -181,8 +171,8 @@ def _equal() -> Iterator[Chapter]:
     line = Line("equal-masses",
                 equal(reduced * (-(same.r * same.rho) - same.rho) / same.m,
                       (1 + same.r) / 2 * -same.rho), identity(), LAW,
-                "for equal masses and ρ' = -rρ each velocity changes by J/m = (1+r)/2 "
-                "(-ρ)")  # fmt: skip
+                "for equal masses and ρ' = -rρ each velocity changes by J/m = (1+r)/2 (-ρ)",
+    )  # fmt: skip
     inverse = Line("equal-inverse",
                    equal(-(same.r * same.rho) - same.rho, (1 + 1 / same.r) * -(same.r * same.rho)),
                    identity(), LAW,

@@ -10,17 +10,7 @@ from collections.abc import Iterator
 
 from verify.language.statement import Context
 from verify.language.terms import Term, equal
-from verify.paper.argument import (
-    Chapter,
-    Item,
-    Line,
-    Opened,
-    identity,
-    plus,
-    power,
-    proof,
-    times,
-)
+from verify.paper.argument import Chapter, Item, Line, Opened, identity, plus, power, proof, times
 from verify.paper.classification.settings import Letters, Space, minus
 from verify.paper.dynamics.vectors import basis_vector
 

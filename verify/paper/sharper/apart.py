@@ -6,17 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from verify.language.terms import sqrt
-from verify.paper.argument import (
-    ByRoot,
-    Chapter,
-    Item,
-    Line,
-    plus,
-    proof,
-    scaled,
-    square,
-    times,
-)
+from verify.paper.argument import ByRoot, Chapter, Item, Line, plus, proof, scaled, square, times
 from verify.paper.dynamics.apart import colliding, contexts, opened, spectator, t
 from verify.paper.dynamics.state import CONTEXT, d, difference, frame
 from verify.paper.dynamics.vectors import add, omega_c, omega_s, scale

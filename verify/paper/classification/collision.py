@@ -181,8 +181,8 @@ def _equal() -> Iterator[Chapter]:
     line = Line("equal-masses",
                 equal(reduced * (-(same.r * same.rho) - same.rho) / same.m,
                       (1 + same.r) / 2 * -same.rho), identity(), LAW,
-                "for equal masses and ρ' = -rρ each velocity changes by J/m = (1+r)/2 "
-                "(-ρ)")  # fmt: skip
+                "for equal masses and ρ' = -rρ each velocity changes by J/m = (1+r)/2 (-ρ)",
+    )  # fmt: skip
     inverse = Line("equal-inverse",
                    equal(-(same.r * same.rho) - same.rho, (1 + 1 / same.r) * -(same.r * same.rho)),
                    identity(), LAW,

@@ -56,11 +56,7 @@ def _ratio() -> Iterator[Chapter]:
     speeds = u.opened(
         "three closing speeds in turn with u_{n+2} ≤ a u_{n+1} - r u_n",
         "1 1 0 1 1",
-        {
-            "first": 0 < u.u_1,
-            "second": 0 < u.u_2,
-            "recursion": u.u_3 <= u.a * u.u_2 - u.r * u.u_1,
-        },
+        {"first": 0 < u.u_1, "second": 0 < u.u_2, "recursion": u.u_3 <= u.a * u.u_2 - u.r * u.u_1},
     )
     ratio = q.opened(
         "q > 0, √r > 0 and a < 2√r",
@@ -69,19 +65,12 @@ def _ratio() -> Iterator[Chapter]:
     )
     yield Chapter(None, (Opened(speeds), Opened(ratio)))
     quotient = Line("speeds-ratio", 0 < u.u_2 / u.u_1, proof("speeds-second"))
-    yield Chapter(
-        u.context,
-        (
-            quotient,
-            Line(
-                "ratio-law",
-                u.u_3 / u.u_2 <= u.a - u.r / (u.u_2 / u.u_1),
-                proof(times("speeds-second", "speeds-recursion")),
-                EXISTENCE,
-                "q_{n+1} ≤ a - r/q_n for the ratios q_n = u_{n+1}/u_n",
-            ),
-        ),
-    )
+    yield Chapter(u.context, (
+        quotient,
+        Line("ratio-law", u.u_3 / u.u_2 <= u.a - u.r / (u.u_2 / u.u_1),
+             proof(times("speeds-second", "speeds-recursion")),
+             EXISTENCE, "q_{n+1} ≤ a - r/q_n for the ratios q_n = u_{n+1}/u_n"),
+    ))  # fmt: skip
     yield Chapter(q.context, (
         Line("ratio-falls",   2 * q.s - q.a <= q.q - (q.a - q.s**2 / q.q), proof(square(q.q - q.s)),
              EXISTENCE, "q - (a - r/q) ≥ 2√r - a, since (q-√r)² ≥ 0"),
@@ -172,8 +161,8 @@ def _endless() -> Iterator[Chapter]:
     yield Chapter(k.context, (grows, high))
     always = Line("comparison-endless", Always(k.context, start, after),
                   ByInduction(names, ("next-high", "next-grows")), TEXT,
-                  "if a² ≥ 4r, then s_n > 0 for every n ≥ 1: the comparison sequence ends no "
-                  "run")  # fmt: skip
+                  "if a² ≥ 4r, then s_n > 0 for every n ≥ 1: the comparison sequence ends no run",
+    )  # fmt: skip
     yield Chapter(k_0.context, (always,))
 
 

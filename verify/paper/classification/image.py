@@ -69,8 +69,8 @@ def _lines() -> Iterator[Item]:
     yield Line("cone-stated-12",
                equal(dot(NORMAL_STATED, apply(A_B, apply(A_A, stated_state()))), n.c), identity(),
                MATRIX_LABEL,
-               "and so it does, for other y, if c is read in the basis as the text states "
-               "it")  # fmt: skip
+               "and so it does, for other y, if c is read in the basis as the text states it",
+    )  # fmt: skip
     quarter = plus("triple-r", 1)
     both = times(QUARTER, quarter, plus("triple-b", "triple-c"))
     last = times(QUARTER, quarter, "triple-c")

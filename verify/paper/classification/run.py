@@ -121,8 +121,8 @@ def _path_c() -> Iterator[Item]:
     yield from flight.used("flight-c", flight.NORMAL, at_c, premises)
     yield Line("closing", u_next <= v.y,
                scaled(times("speed-positive", "goal"), "flight-c", using="u_next tau"), LABEL,
-               "u_{n+1} ≤ y: in flight the speed of approach does not grow",
-               ("cauchy-schwarz",))  # fmt: skip
+               "u_{n+1} ≤ y: in flight the speed of approach does not grow", ("cauchy-schwarz",),
+    )  # fmt: skip
 
 
 def _path_s() -> Iterator[Item]:

@@ -61,11 +61,7 @@ class Letters:
         return self.at(**dict(zip(self.letters, numbers, strict=True)))
 
     def opened(
-        self,
-        says: str,
-        point: str,
-        givens: Mapping[str, Claim],
-        parent: str | None = None,
+        self, says: str, point: str, givens: Mapping[str, Claim], parent: str | None = None
     ) -> Context:
         """The context, with the names of its givens, and a point with rational coordinates."""
         named = tuple(Given(f"{self.context}-{name}", claim) for name, claim in givens.items())

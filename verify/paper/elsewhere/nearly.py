@@ -83,8 +83,8 @@ def _energy() -> Iterator[Item]:
     n = energy
     yield Line("relative-speed", n.s_0 + n.s_1 - 2 * n.m <= 2 * (n.s_0 + n.s_1 + n.s_2),
                proof("energy-sum", times(2, "energy-third")), TANGENT,
-               "|W₁|² ≤ 4E₀: with flown-1, hit and bracket-short |δ_n| ≤ 4τE₀ + (1+r)/2 "
-               "(1+d)|η₂|")  # fmt: skip
+               "|W₁|² ≤ 4E₀: with flown-1, hit and bracket-short |δ_n| ≤ 4τE₀ + (1+r)/2 (1+d)|η₂|",
+    )  # fmt: skip
 
 
 # --- a state in the plane -------------------------------------------------------------------------

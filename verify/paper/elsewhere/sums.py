@@ -52,8 +52,8 @@ def _clock() -> Iterator[Chapter]:
     telescope = Line("intervals-telescope",
                      equal((c.t_1 - c.t_0) + (c.t_2 - c.t_1) + (c.t_3 - c.t_2), c.t_3 - c.t_0),
                      identity(), INTERVALS,
-                     "τ_n = t_n - t_{n-1} add up to t_N - t_0, so they are summable in a "
-                     "collapse")  # fmt: skip
+                     "τ_n = t_n - t_{n-1} add up to t_N - t_0, so they are summable in a collapse",
+    )  # fmt: skip
     givens = {"first": c.t_0 < c.t_1, "second": c.t_1 < c.t_2, "third": c.t_2 < c.t_3}
     yield from subject(clock, "four times of collisions in a row", "0 1 2 3", givens, (telescope,))
 
@@ -121,8 +121,8 @@ def _window() -> Iterator[Chapter]:
                  scaled(times("goal", c_2), times("window-so-far", plus(1, c_2)),
                         square(w.s - w.c**2 * w.b),
                         times(2, power("window-c", 3), plus("window-Q", square(w.b)))), SUMMABLE,
-                 "so η² ≤ c² Σa² over a window goes on with c+1: with finite gaps Σ η² is "
-                 "finite")  # fmt: skip
+                 "so η² ≤ c² Σa² over a window goes on with c+1: with finite gaps Σ η² is finite",
+    )  # fmt: skip
     givens = {"Q": 0 <= w.Q, "c": 0 < w.c, "so-far": w.s**2 <= w.c**2 * w.Q}
     says = "a normal component η, η² ≤ c² Σa², which others' collisions and flights change by a"
     yield from subject(window, says, "1 1 1 1 1/2", givens, (bound,))

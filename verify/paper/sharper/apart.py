@@ -5,17 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.argument import (
-    ByRoot,
-    Chapter,
-    Item,
-    Line,
-    plus,
-    proof,
-    scaled,
-    square,
-    times,
-)
+from verify.language.argument import ByRoot, Chapter, Item, Line, plus, proof, scaled, square, times
 from verify.language.terms import sqrt
 from verify.language.vectors import add, omega_c, omega_s, scale
 from verify.paper.dynamics.apart import colliding, contexts, opened, spectator, t

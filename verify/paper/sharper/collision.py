@@ -96,8 +96,9 @@ def _turning() -> Iterator[Item]:
 def _angle() -> Iterator[Item]:
     for side in ("upper", "lower"):
         yield next_condition(f"angle-{side}",
-                   "|(-cos θ) - C₀| stays below Θ less the sum of all later changes",
-                   f"angle-step-{side}", f"angle-{side}", *TURNED, equations=SUMMED)  # fmt: skip
+                             "|(-cos θ) - C₀| stays below Θ less the sum of all later changes",
+                             f"angle-step-{side}", f"angle-{side}", *TURNED, equations=SUMMED,
+        )  # fmt: skip
     later = plus(
         *(
             times(f"turn_{i}-positive", power(times("growth-positive", "g-positive"), i))

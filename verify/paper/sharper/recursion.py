@@ -70,6 +70,6 @@ def _others() -> Iterator[Item]:
     )  # fmt: skip
     yield from root_lines("next-", following(), zeta_small("next-", "next-A-below"))
     yield next_condition("clock-bound",
-               "the time of the next collision is at most T(η₀ - (p+Y)^{n+1}η₀)/(1-p-Y)",
-               "clock-bound", "time", times("T-positive", "Cnd2"),
-               equations=(("duration-sum", g),))  # fmt: skip
+                         "the time of the next collision is at most T(η₀ - (p+Y)^{n+1}η₀)/(1-p-Y)",
+                         "clock-bound", "time", times("T-positive", "Cnd2"),
+                         equations=(("duration-sum", g),))  # fmt: skip

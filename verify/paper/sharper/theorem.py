@@ -43,12 +43,10 @@ def _chapters() -> Iterator[Chapter]:
     yield Chapter(impact.CONTEXT, tuple(impact.lines()))
     yield Chapter(plane.CONTEXT, tuple(plane.lines(state.PAIRS)))
     yield Chapter(
-        numbers.CONTEXT,
-        (*bounds.lines(), *start.lines(), Opened(state.context(), start.opening())),
+        numbers.CONTEXT, (*bounds.lines(), *start.lines(), Opened(state.context(), start.opening()))
     )
     yield Chapter(
-        CONTEXT,
-        (*flight.lines(), *collision.lines(), *recursion.lines(), *conclusion.lines()),
+        CONTEXT, (*flight.lines(), *collision.lines(), *recursion.lines(), *conclusion.lines())
     )
     yield from apart.chapters()
     yield Chapter(numbers.CONTEXT, (_always(),))

@@ -19,19 +19,7 @@ from verify.paper.dynamics.collision import (
     spin,
     turn,
 )
-from verify.paper.dynamics.state import (
-    A,
-    A_next,
-    B,
-    B_next,
-    C,
-    C_next,
-    D,
-    d,
-    end,
-    tau,
-    y,
-)
+from verify.paper.dynamics.state import A, A_next, B, B_next, C, C_next, D, d, end, tau, y
 from verify.paper.step.flight import SHIFT, below_speed
 from verify.paper.step.numbers import c as limit
 from verify.paper.step.numbers import eighth, speed
@@ -83,8 +71,8 @@ def _angle() -> Iterator[Item]:
                              f"Cnd8-{side}", times("decay-speed-positive", f"angle-step-{side}"),
                              times(2, "decay-positive", "distance-speed"),
                              times(4, "decay-positive", "speed-positive", "time-crude"),
-                             times(14, "decay-positive", "speed-positive", "Cnd2"),
-                             using="d_next")  # fmt: skip
+                             times(14, "decay-positive", "speed-positive", "Cnd2"), using="d_next",
+        )  # fmt: skip
     tail = times(14, "speed-positive", "C_eta-positive", "g-positive")
     room = times("decay-speed-positive", "D-one")
     goal = times("decay-speed-positive", "goal")
@@ -144,9 +132,10 @@ def _norms() -> Iterator[Item]:
     for new, old, letter in (("A", "B", "c"), ("B", "A", "s")):
         for side in ("upper", "lower"):
             yield next_condition(f"{new}-{side}", "EQUATSS4.1Recurrence_Cnd6",
-                       f"|W_{letter}'|² stays between V₀ and V₁ by the sum of all later changes",
-                       f"{old}-{side}", times("decay-positive", f"norm-{letter}-{side}"),
-                       times("decay-positive", SHIFT, "Cnd2"))  # fmt: skip
+                                 f"|W_{letter}'|² stays between V₀ and V₁ by the sum of all later "
+                                 "changes", f"{old}-{side}",
+                                 times("decay-positive", f"norm-{letter}-{side}"),
+                                 times("decay-positive", SHIFT, "Cnd2"))  # fmt: skip
 
 
 def next_condition(name: str, label: str, says: str, *addends: Factor, using: str = "") -> Line:

@@ -23,8 +23,8 @@ def lines() -> Iterator[Item]:
     yield Line("time-total", clock <= T_star,
                scaled(goal, "clock-bound", "collapse-time",
                       times(2, "zeta_bar-positive", "g-positive")), THEOREM,
-               "t_n ≤ T* for every n: the times of the collisions converge",
-               ("bounded-monotone",))  # fmt: skip
+               "t_n ≤ T* for every n: the times of the collisions converge", ("bounded-monotone",),
+    )  # fmt: skip
     moving = (
         times(2, "decay-positive", "distance-speed"),
         times(4, "decay-positive", "speed-positive", "time-crude"),

@@ -115,17 +115,17 @@ _LABELS = {
 
 def lines() -> Iterator[Item]:
     """The conditions of the recursion for n = 0."""
-    yield _at_start("Cnd2")
-    yield _at_start("d-one", "start-d-const", "d_const-one")
-    yield _at_start("d-sum-positive", 1, "start-d-positive")
-    yield _at_start("d-share", "start-d-const", "d_const-share")
-    yield _at_start("d-small", "start-d-const", "d_const-small")
-    yield Line(
-        "start-A-one", A <= V_1, proof("start-A-below", times(Fraction(1, 3), "V_1-above-V_0"))
-    )
-    yield _at_start(
-        "A-positive", "start-A-above", "V_0-positive", times(Fraction(1, 3), "V_1-above-V_0")
-    )
+    yield from (
+        _at_start("Cnd2"),
+        _at_start("d-one", "start-d-const", "d_const-one"),
+        _at_start("d-sum-positive", 1, "start-d-positive"),
+        _at_start("d-share", "start-d-const", "d_const-share"),
+        _at_start("d-small", "start-d-const", "d_const-small"),
+        Line("start-A-one", A <= V_1,
+             proof("start-A-below", times(Fraction(1, 3), "V_1-above-V_0"))),
+        _at_start("A-positive", "start-A-above", "V_0-positive",
+             times(Fraction(1, 3), "V_1-above-V_0")),
+    )  # fmt: skip
     yield from _zeta()
     for name in ("A", "B"):
         shift = times(SHIFT, "start-eta_bar")
@@ -135,7 +135,7 @@ def lines() -> Iterator[Item]:
     spread = times(HALF, "h_4-positive", "delta_x-positive", "start-Cnd1")
     for side in ("upper", "lower"):
         yield _at_start(f"Cnd9-{side}", f"start-x-{side}",
-                   times("start-Cnd1", "x_0-entry-1"), spread)  # fmt: skip
+                        times("start-Cnd1", "x_0-entry-1"), spread)  # fmt: skip
     yield _at_start("clock-bound", times(2, "zeta_bar-positive", "start-eta_bar"))
 
 
@@ -159,8 +159,8 @@ def _angle() -> Iterator[Item]:
                DATA, "d₀ ≤ d̄")  # fmt: skip
     for side in ("upper", "lower"):
         yield _at_start(f"Cnd8-{side}", times("decay-speed-positive", f"start-C-{side}"),
-                   times("decay-speed-positive", "start-d_bar"),
-                   times(14, "speed-positive", "start-eta_bar"))  # fmt: skip
+                        times("decay-speed-positive", "start-d_bar"),
+                        times(14, "speed-positive", "start-eta_bar"))  # fmt: skip
 
 
 # --- the point -----------------------------------------------------------------------------------

@@ -110,28 +110,9 @@ POINT = {
 }
 
 (
-    r,
-    c,
-    V_0,
-    delta_theta,
-    alpha_0,
-    phi_minus,
-    delta_2,
-    C_eta,
-    h_4,
-    h_5,
-    V_1,
-    delta_x,
-    delta_y,
-    x_0,
-    Delta_theta,
-    eta_bar,
-    zeta_bar,
-    d_slope,
-    d_const,
-    d_bar,
-    T_star,
-) = map(symbol, MEANING)
+    r, c, V_0, delta_theta, alpha_0, phi_minus, delta_2, C_eta, h_4, h_5, V_1, delta_x, delta_y,
+    x_0, Delta_theta, eta_bar, zeta_bar, d_slope, d_const, d_bar, T_star,
+) = map(symbol, MEANING)  # fmt: skip
 gap = alpha_0 - phi_minus
 speed = sqrt(V_1)
 share = h_4 * delta_x
@@ -159,58 +140,19 @@ DEFINITIONS = {
 #: Rows of the theorem that are used; quotients come after the signs of their divisors.
 ROWS_OF_HYPOTHESES = ("r-positive", "r-below-one", "angle-obtuse", "angle-real")
 SIMPLE_ROWS = (
-    "V_0-positive",
-    "V_1-above-V_0",
-    "phi-positive",
-    "gap-positive",
-    "alpha-positive",
-    "delta_2-positive",
-    "C_eta-positive",
-    "C_eta-below-one",
-    "h_4-positive",
-    "h_4-below-one",
-    "h_5-positive",
-    "delta_x-positive",
-    "x_0-positive",
-    "Delta_theta-positive",
-    "eta_bar-positive",
-    "zeta_bar-positive",
-    "d_slope-positive",
-    "d_const-positive",
-)
+    "V_0-positive", "V_1-above-V_0", "phi-positive", "gap-positive", "alpha-positive",
+    "delta_2-positive", "C_eta-positive", "C_eta-below-one", "h_4-positive", "h_4-below-one",
+    "h_5-positive", "delta_x-positive", "x_0-positive", "Delta_theta-positive", "eta_bar-positive",
+    "zeta_bar-positive", "d_slope-positive", "d_const-positive",
+)  # fmt: skip
 ROWS = (
-    "x_0-entry-1",
-    "d_const-entry-1",
-    "d_const-entry-3",
-    "d_const-entry-4",
-    "set-eta_c",
-    "set-eta_s",
-    "phi-below-half",
-    "init-Cnd3",
-    "init-Cnd4",
-    "eta-below-one",
-    "tau-small",
-    "d-below-one",
-    "Cnd5-upper",
-    "eta-contraction",
-    "zeta-root",
-    "zeta-denominator",
-    "zeta-dropped-factor",
-    "zeta-total",
-    "obtuse",
-    "CndT",
-    "x-term-1-d",
-    "x-term-1-zeta",
-    "x-contraction",
-    "y-ratio",
-    "y-term-1",
-    "y-term-2-d",
-    "y-term-2-zeta",
-    "y-term-3",
-    "y-term-4",
-    "final-angle",
-    "collapse-time",
-)
+    "x_0-entry-1", "d_const-entry-1", "d_const-entry-3", "d_const-entry-4", "set-eta_c",
+    "set-eta_s", "phi-below-half", "init-Cnd3", "init-Cnd4", "eta-below-one", "tau-small",
+    "d-below-one", "Cnd5-upper", "eta-contraction", "zeta-root", "zeta-denominator",
+    "zeta-dropped-factor", "zeta-total", "obtuse", "CndT", "x-term-1-d", "x-term-1-zeta",
+    "x-contraction", "y-ratio", "y-term-1", "y-term-2-d", "y-term-2-zeta", "y-term-3", "y-term-4",
+    "final-angle", "collapse-time",
+)  # fmt: skip
 
 
 def row_names() -> dict[str, str]:
@@ -261,15 +203,9 @@ def givens() -> tuple[str, ...]:
 
 def collapse(group: str) -> Obligation:
     """The row of a theorem that cites the step: its constants satisfy all that the step needs."""
-    return Obligation(
-        COLLAPSE,
-        group,
-        parameters.THEOREM,
-        NEEDED,
-        "the constants satisfy what the step needs: from each datum of the set the particles "
-        "collapse",
-        Applies(f"{STEP}:{CONTEXT}", MEANING),
-    )
+    return Obligation(COLLAPSE, group, parameters.THEOREM, NEEDED,
+                      "the constants satisfy what the step needs: from each datum of the set the "
+                      "particles collapse", Applies(f"{STEP}:{CONTEXT}", MEANING))  # fmt: skip
 
 
 def context() -> Context:

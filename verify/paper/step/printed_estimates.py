@@ -216,12 +216,7 @@ def _angle() -> Iterator[Obligation]:
 
 
 def _wrong(
-    name: str,
-    label: str,
-    says: str,
-    claim: Claim,
-    severity: str,
-    corrected_by: str,
+    name: str, label: str, says: str, claim: Claim, severity: str, corrected_by: str
 ) -> Obligation:
     return misprint(f"{WRONG}.{name}", label, says, claim, group=WRONG, severity=severity,
                     corrected_by=corrected_by, context=CONTEXT)  # fmt: skip
@@ -231,6 +226,5 @@ def needed() -> Iterator[Obligation]:
     """The right formulas that are proved here."""
     for item in lines():
         if isinstance(item, Line) and item.says:
-            yield Obligation(
-                item.name, RIGHT, item.label, NEEDED, item.says, item.claim, context=CONTEXT
-            )
+            yield Obligation(item.name, RIGHT, item.label,
+                             NEEDED, item.says, item.claim, context=CONTEXT)  # fmt: skip

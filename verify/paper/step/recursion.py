@@ -93,8 +93,7 @@ def _y() -> Iterator[Item]:
         ("lower", -1, ("Cnd9-upper", "y-term-gained", "kept-upper")),
     ):
         product = plus(
-            times(f"y-term-root-{side}", "C_next-positive"),
-            times("eighth-positive", "C_next-one"),
+            times(f"y-term-root-{side}", "C_next-positive"), times("eighth-positive", "C_next-one")
         )
         rounded = times(MINUS_R, "eighth-positive")
         distance = y_next - gap * y if sign == 1 else gap * y - y_next
@@ -103,8 +102,8 @@ def _y() -> Iterator[Item]:
                          times("Cnd1", plus(times(PLUS_R, f"angle-{side}"), rounded)), *facts,
                          spare, using="normal-parts",
                          equations=(("alpha", y if sign == 1 else -y),)),
-                   "EQUATSS4.1Recurrence_Cnd10",
-                   "|η_c'/(-η_c) - (φ⁻-α₀)| = |y_n| ≤ δ_y")  # fmt: skip
+                   "EQUATSS4.1Recurrence_Cnd10", "|η_c'/(-η_c) - (φ⁻-α₀)| = |y_n| ≤ δ_y",
+        )  # fmt: skip
     yield from (
         Line("y-contracts", y_next <= C_eta * y, proof("y-upper-bound", times("Cnd1", "gap-upper")),
              "EQUATSS4.1Recurrence_Cnd2", "|η_c'| ≤ C_η |η_c|"),
@@ -177,8 +176,8 @@ def _zeta_products() -> Iterator[Item]:
     )  # fmt: skip
     for name, term, fact in (("A_next", A_next, "A_next-below"), ("B", B, "B-below")):
         yield Line(f"{name}-ratio", V_0 * term <= V_1 * A,
-                   proof(times("V_0-positive", fact),
-                         times("V_1-positive", "A-above")))  # fmt: skip
+                   proof(times("V_0-positive", fact), times("V_1-positive", "A-above")),
+        )  # fmt: skip
 
 
 def _zeta() -> Iterator[Item]:
@@ -232,7 +231,8 @@ def _zeta() -> Iterator[Item]:
 
 def _time() -> Iterator[Item]:
     yield next_condition("clock-bound", THEOREM,
-               "the time of the next collision is at most 2ζ̄(η̄ - C_η^{n+1}|η_{c,0}|)/(V₀(1-C_η))",
-               "clock-bound", times("decay-positive", "time"),
-               times(2, "decay-positive", "Cnd1", "zeta-bound"),
-               times(2, "decay-positive", "zeta_bar-positive", "Cnd2"))  # fmt: skip
+                         "the time of the next collision is at most 2ζ̄(η̄ - "
+                         "C_η^{n+1}|η_{c,0}|)/(V₀(1-C_η))", "clock-bound",
+                         times("decay-positive", "time"),
+                         times(2, "decay-positive", "Cnd1", "zeta-bound"),
+                         times(2, "decay-positive", "zeta_bar-positive", "Cnd2"))  # fmt: skip

@@ -50,13 +50,7 @@ def chapters() -> Iterator[Chapter]:
     here = state.context(initial.CONTEXT, initial.state_point)
     yield Chapter(initial.CONTEXT, (Opened(here, initial.opening()),))
     yield Chapter(
-        CONTEXT,
-        (
-            *flight.lines(),
-            *collision.lines(),
-            *recursion.lines(),
-            *conclusion.lines(),
-        ),
+        CONTEXT, (*flight.lines(), *collision.lines(), *recursion.lines(), *conclusion.lines())
     )
     yield from apart.chapters()
     yield Chapter(initial.CONTEXT, (_always(),))

@@ -166,8 +166,8 @@ def _pairs() -> Iterator[Item]:
     yield Line("colliding-pair-apart",
                1 + 2 * (1 - share) * tau * (way.y * way.s) <= frame.square(path),
                proof(times("A-nonnegative", square((1 - share) * tau)), using=BASE), FREE,
-               "o and c are apart before: |x_c + tW_c|² >= 1 + 2(τ-t) y s for t = share τ, τ = "
-               "yT")  # fmt: skip
+               "o and c are apart before: |x_c + tW_c|² >= 1 + 2(τ-t) y s for t = share τ, τ = yT",
+    )  # fmt: skip
     path, scaled = moved(x_s, share * tau, W_s), power("v-positive", 2)
     yield Line("spectator-apart", 1 < frame.square(path),
                proof(times(scaled, between("spectator", "share-positive", "share-most")),

@@ -66,8 +66,8 @@ class Parts:
         self.leaves += 1
         ranges = self.exact.of([(low, high)], self.goal.claim.lhs, self.goal.claim.rhs)
         if ranges is not None:
-            x, y = ranges
-            if y.low - x.high > ROOM:
+            (_, most), (least, _) = ranges
+            if least - most > ROOM:
                 return Interval(BITS, ((self.name, bounds.low_fact, bounds.high_fact),))
         for length in LENGTHS:
             found = self._leaf(bounds, length)

@@ -109,9 +109,8 @@ class Tree:
             found = self.exact.of(box, *self.sides)
             if found is None:
                 return False
-            x, y = found
-            strict = self.claim.relation == "<"
-            self.decided[box] = x.high < y.low if strict else x.high <= y.low
+            (_, high), (low, _) = found
+            self.decided[box] = high < low if self.claim.relation == "<" else high <= low
         return self.decided[box]
 
     def _cover(self, box: Piece, gap: float) -> Proof | None:

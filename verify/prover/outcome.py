@@ -23,6 +23,7 @@ from verify.language.statement import (
 )
 from verify.language.terms import Term
 from verify.prover.proof import Proof, Step
+from verify.prover.rules import RULES
 
 Ends = tuple[Fraction, Fraction]
 
@@ -75,8 +76,6 @@ class Decision(Record):
     @property
     def method(self) -> str:
         """The rule that shows it, or nothing."""
-        from verify.prover.rules.table import RULES  # loaded only where it is used
-
         return "" if self.proof is None else RULES[type(self.proof)][0]
 
     @property

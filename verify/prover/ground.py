@@ -53,7 +53,6 @@ RELIABLE_BITS = 128
 
 #: The judge of what balls or exact values decide, and of what algebra does.
 FLINT, ALGEBRA = "FLINT at a point", "algebra at a point"
-_JUDGEMENTS = {(v, by): Judgement(v, by) for v in (PROVED, REFUTED) for by in (FLINT, ALGEBRA)}
 
 
 class Ground:
@@ -203,7 +202,8 @@ class Ground:
                 return Decision(UNDECIDED)
         self.session.prove_row(row, proof, holds=verdict == PROVED)
         by = FLINT if isinstance(proof, Interval) else ALGEBRA
-        return Decision(verdict, proof, sides, _JUDGEMENTS[verdict, by])
+        judged = Judgement(verdict, by, claim, row.context, self.definitions)
+        return Decision(verdict, proof, sides, judged)
 
     def prove(self, claim: Claim) -> tuple[str, Proof | None]:
         """A verdict with its proof; the lemmas that it needs are written down.

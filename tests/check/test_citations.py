@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from tests.check.support import IDENTITY, INTERVAL, Pair, answer, instance, interval, total
+from tests.lies.heavy import chain
 from verify import check
 
 CUBE = total("goal", ["pow", "v-low", "3"])
@@ -205,6 +206,25 @@ def test_reading_citations_is_work() -> None:
     for i in range(20):
         pair.cite(f"c{i}", other)
     assert "found more work than the limit" in last(pair, beside=(other,))[1]
+
+
+def test_reading_a_chain_of_citations_is_work_before_it_is_done(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """All its documents are in memory at once: of seven that are as long as may be, two are read.
+
+    A smaller chain in a smaller limit; `tests.lies.heavy` has the long one, with its memory.
+    """
+    files, read, honest = chain(7, check.MAX_BYTES >> 6), [], check.parsed
+    monkeypatch.setattr(check, "MAX_WORK", check.MAX_WORK >> 6)
+    monkeypatch.setattr(
+        check, "parsed", lambda where, *rest: read.append(where) or honest(where, *rest)
+    )
+    cited = [data for name, data in files.items() if name.startswith("cited/")]
+    pair = files["statement.json"], files["certificate.json"]
+    code, lines = check.check_folders([check.Folder("", *pair, cited)])
+    assert (code, "found more work than the limit" in lines[-1]) == (4, True)
+    assert read.count("cited statement") == 2
 
 
 def test_statements_beside_a_certificate(tmp_path: Path, capsys: Any) -> None:

@@ -33,7 +33,7 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term, as_term, cos_pi, maximum, minimum, sqrt, symbol
 from verify.prover.budget import WorkBudget
-from verify.prover.outcome import Judgement, Outcome
+from verify.prover.outcome import Outcome
 from verify.prover.rules import Interval
 from verify.wire.questions import decide
 
@@ -259,10 +259,11 @@ def test_a_lie_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     def lies(statement: Statement, budget: WorkBudget) -> Outcome:
         outcome = honest(statement, budget)
         decisions = {
-            name: found._replace(judged=Judgement(opposite[found.verdict], "a liar"))
+            name: found._replace(judged=found.judged._replace(verdict=opposite[found.verdict]))
             for name, found in outcome.decisions.items()
+            if found.judged
         }
-        return outcome._replace(decisions=decisions)
+        return outcome._replace(decisions={**outcome.decisions, **decisions})
 
     monkeypatch.setattr(f"{__name__}.decide", lies)
     said = [wrong(seed)[0] for seed in range(20)]

@@ -603,6 +603,7 @@ def main() -> int:
     parser.add_argument("--least", type=float, default=95, help="percent (default 95)")
     parser.add_argument("--match", default="", help="only mutants whose name has this")
     found = parser.parse_args()
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # tests in the background, too, use it
     shares = [examine(file, found) for file in found.files]
     return int(min(shares) < found.least)
 

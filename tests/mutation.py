@@ -471,8 +471,12 @@ class Task(NamedTuple):
 class Worker:
     """A copy of the tree, in which one task after the other is done; those anew come first."""
 
-    def __init__(self, tree: Path, file: str, told: dict[str, Told], pipe: Connection) -> None:
+    def __init__(
+        self, tree: Path, file: str, told: dict[str, Told], pipe: Connection, others: Any
+    ) -> None:
         self.tree, self.file, self.told, self.pipe = tree, file, told, pipe
+        for other in others:  # so that it is noticed if the first process has ended
+            other.close()
         with (tree.parent / "begun").open("wb") as said:
             os.dup2(said.fileno(), 1), os.dup2(said.fileno(), 2)
         self.receive()
@@ -550,9 +554,10 @@ def examined(file: str, chosen: list[Mutant], jobs: int) -> Iterator[tuple[Mutan
         waiting, told = tasks(file, chosen, trees[0])
         for tree in trees:
             pipe, other = context.Pipe()
-            context.Process(target=Worker, args=(tree, file, told, other), daemon=True).start()
-            other.close()
             free.append(pipe)
+            begin = (tree, file, told, other, [*free])
+            context.Process(target=Worker, args=begin, daemon=True).start()
+            other.close()
         while waiting or busy:
             while waiting and free:
                 task, pipe = waiting.pop(), free.pop()
@@ -564,6 +569,8 @@ def examined(file: str, chosen: list[Mutant], jobs: int) -> Iterator[tuple[Mutan
                     raise SystemExit(f"{task.mutant.name}:\n{said}")
                 kills[task.mutant.where, said.strip().rpartition("\n")[2]] += code == NOTICED
                 free.append(pipe)
+                if sys.stderr.isatty() or len(waiting) % 100 == 0:
+                    print(f"{len(waiting)} mutants are left", file=sys.stderr, flush=True)
                 yield task.mutant, code != 0
 
 

@@ -13,6 +13,7 @@ from verify.paper.hypotheses import hypotheses
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import PARAMETERS, THEOREM
 from verify.paper.preliminaries import CONSTANTS
+from verify.paper.readings import check_definitions
 
 if TYPE_CHECKING:
     from verify.language.statement import Change
@@ -69,11 +70,16 @@ class Theorem(Record):
 
 @cache
 def theorem() -> Theorem:
-    """The theorem, built once per process."""
+    """The theorem, built once per process.
+
+    Raises:
+        OwnError: if a constant is not defined as in the paper.
+    """
     sections = (preliminary_rows, initial_data, initialization, recursion, conclusion)
     parts = {HYPOTHESES: Part(HYPOTHESES, (), tuple(hypotheses()))}
     for group in (PRINTED, REPAIRED):
         k = ConstantSet(group)
         rows = tuple(row for section in sections for row in section.rows(k))
         parts[group] = Part(group, tuple(k.constants()), rows)
+    check_definitions((*CONSTANTS, *parts[PRINTED].bounds))
     return Theorem(THEOREM, PARAMETERS, CONSTANTS, parts, ASSUMPTIONS)

@@ -18,7 +18,7 @@ from verify.language.terms import Claim, Term
 from verify.language.vectors import scale
 from verify.paper.classification.settings import minus
 from verify.paper.elsewhere import mapping
-from verify.paper.elsewhere.theorem import elsewhere
+from verify.paper.elsewhere.elsewhere import elsewhere
 
 Vector = tuple[Fraction, Fraction, Fraction]
 SEEDS = range(25)

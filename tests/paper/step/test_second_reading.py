@@ -24,7 +24,7 @@ from verify.paper.dynamics import impact
 from verify.paper.parameters import PARAMETERS
 from verify.paper.step import numbers as numbers_of_the_step
 from verify.paper.step import state
-from verify.paper.step.theorem import step
+from verify.paper.step.step import step
 from verify.prover.program import ExactArithmetic, Machine, Program
 
 from . import second_estimates

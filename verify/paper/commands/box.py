@@ -11,7 +11,7 @@ from verify.language.statement import PROVED, REFUTED, UNDECIDED, Cite, Constant
 from verify.language.terms import Claim, Term, as_term
 from verify.paper.commands.everywhere import decide_everywhere
 from verify.paper.everywhere import box as paper
-from verify.paper.everywhere.theorem import NAME as EVERYWHERE
+from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
 from verify.prover.arguments import Writing, proof_of
 from verify.prover.decimals import round_decimal
 from verify.prover.ground import Ground

@@ -28,7 +28,7 @@ from verify.paper.commands import (
 )
 from verify.paper.groups import REPAIRED
 from verify.paper.parameters import THEOREM
-from verify.paper.spectrum.theorem import statement as state_spectrum
+from verify.paper.spectrum.spectrum import statement as state_spectrum
 from verify.prover.outcome import Outcome
 from verify.wire.parameters import are_allowed
 from verify.wire.term_json import TermReader

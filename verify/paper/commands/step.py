@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from verify.paper.step.theorem import step
+from verify.paper.step.step import step
 from verify.prover.arguments import write_down
 from verify.prover.outcome import Outcome
 from verify.wire.judge import judged

@@ -9,8 +9,7 @@ from functools import cache
 from verify.language.argument import Chapter
 from verify.language.statement import REFUTED, Constant, Statement
 from verify.language.terms import Claim, Term, as_term
-from verify.paper.step import printed_estimates as paper
-from verify.paper.step import printed_states as states
+from verify.paper.step import misprints
 from verify.prover.arguments import Writing
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
@@ -21,7 +20,7 @@ from verify.wire.judge import judged
 #: Enough for the sides of the conditions at the states, some of which differ by 10^-25.
 BITS = 256
 
-PARAMETERS = {name: as_term(Fraction(text)) for name, text in states.PARAMETERS.items()}
+PARAMETERS = {name: as_term(Fraction(text)) for name, text in misprints.PARAMETERS.items()}
 
 Vector = tuple[Fraction, Fraction, Fraction]
 
@@ -29,21 +28,21 @@ Vector = tuple[Fraction, Fraction, Fraction]
 @cache
 def decide_step_printed() -> Outcome:
     """Every row with its proof, or the state that refutes it; the checker decides whether."""
-    points = {name: state(numbers) for name, numbers in states.WITNESSES.items()}
-    statement = _statement(points[paper.FIRST])
+    points = {name: state(numbers) for name, numbers in misprints.WITNESSES.items()}
+    statement = _statement(points[misprints.FIRST])
     writing = Writing(statement)
     session, ground = writing.session, Ground(writing.session)
     given = [Constant(name, name, name, "", x) for name, x in statement.parameters.items()]
     names = [constant.name for constant in (*given, *statement.constants)]
     for constant in (*given, *statement.constants):
         ground.define(constant)
-    for name, claim in states.signs().items():
+    for name, claim in misprints.signs().items():
         session.lemma(claim, Interval(BITS), name=name)
-    premises = tuple(map(_premise, states.conditions().values()))
+    premises = tuple(map(_premise, misprints.conditions().values()))
     session.open(statement.contexts[0], premises)
-    writing.chapter(Chapter(states.CONTEXT, tuple(paper.lines())))
-    for row in paper.printed():
-        at = points[paper.FALSE_AT.get(row.name, paper.FIRST)]
+    writing.chapter(Chapter(misprints.CONTEXT, tuple(misprints.lines())))
+    for row in misprints.printed():
+        at = points[misprints.FALSE_AT.get(row.name, misprints.FIRST)]
         proof = Witness(at, premises, Interval(BITS))
         session.prove_row(row, proof, holds=False)
         writing.decisions[row.name] = Decision(REFUTED, proof)
@@ -53,9 +52,11 @@ def decide_step_printed() -> Outcome:
 
 
 def _statement(point: Mapping[str, Term]) -> Statement:
-    rows = (*paper.needed(), *paper.printed())
-    contexts = (states.context(point),)
-    return Statement(paper.NAME, paper.TITLE, PARAMETERS, states.constants(), contexts, rows, ())
+    rows = (*misprints.needed(), *misprints.printed())
+    contexts = (misprints.context(point),)
+    return Statement(
+        misprints.NAME, misprints.TITLE, PARAMETERS, misprints.constants(), contexts, rows, ()
+    )
 
 
 def _premise(claim: Claim) -> Premise:
@@ -66,7 +67,7 @@ def _premise(claim: Claim) -> Premise:
 # --- states ---------------------------------------------------------------------------------------
 
 
-def state(numbers: states.Witnessed) -> Mapping[str, Term]:
+def state(numbers: misprints.Witnessed) -> Mapping[str, Term]:
     """The coordinates and numbers of a state, all rational, without a root.
 
     The directions before and after the flight are drawn; with the time they give the velocities.
@@ -81,15 +82,15 @@ def state(numbers: states.Witnessed) -> Mapping[str, Term]:
     end = _turned(omega_s, (zero, one, zero), numbers.turn_s)
     D = (1 + tau * Fraction(numbers.ratio) * y) / _dot(end, omega_s)
     W_s = _velocity(omega_s, one, end, D, tau)
-    vectors = zip(states.VECTORS, (omega_s, W_s, omega_c, W_c), strict=True)
+    vectors = zip(misprints.VECTORS, (omega_s, W_s, omega_c, W_c), strict=True)
     found = {
         f"{name}_{i}": x
         for name, vector in vectors
-        for i, x in zip(states.AXES, vector, strict=True)
+        for i, x in zip(misprints.AXES, vector, strict=True)
     }
     found |= {"d": distance - 1, "S": -_dot(W_c, contact) / (distance * y), "tau": tau, "D": D}
-    g, d_0 = map(Fraction, states.START)
-    found |= {"g": g, "d_0": d_0, "decay": Fraction(states.DECAY) ** numbers.n}
+    g, d_0 = map(Fraction, misprints.START)
+    found |= {"g": g, "d_0": d_0, "decay": Fraction(misprints.DECAY) ** numbers.n}
     return {name: as_term(value) for name, value in found.items()}
 
 

@@ -12,7 +12,6 @@ from verify.language.statement import Obligation
 from verify.language.terms import Claim, as_term, equal
 from verify.paper.rows import SLIP
 from verify.paper.spectrum import triangle
-from verify.paper.spectrum.contexts import ANY
 from verify.paper.spectrum.matrices import (
     ZERO,
     Matrix,
@@ -24,7 +23,7 @@ from verify.paper.spectrum.matrices import (
     vector,
 )
 from verify.paper.spectrum.printed import MATRIX_LABEL, THEOREM, Printed, r, root_3
-from verify.paper.spectrum.section import Section, symbols
+from verify.paper.spectrum.section import ANY, Section, symbols
 
 LAW_A = "EQUATSS3.5VitesColli_0-1_"
 LAW_B = "EQUATSS3.5DefinMatrix_A_b"

@@ -14,10 +14,9 @@ from verify.language.terms import Term, as_term, equal, sqrt
 from verify.paper.rows import SLIP
 from verify.paper.spectrum import triangle
 from verify.paper.spectrum.collision_matrices import A_A, A_B, flipped
-from verify.paper.spectrum.contexts import ANY, CONE
 from verify.paper.spectrum.matrices import Vector, apply, dot, vector
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
-from verify.paper.spectrum.section import Section, symbols
+from verify.paper.spectrum.section import ANY, CONE, Section, symbols
 
 BOUND = "EQUATSS3.5Minor_z'__Triag"
 

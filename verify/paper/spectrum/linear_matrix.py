@@ -11,10 +11,9 @@ from verify.language.statement import Obligation
 from verify.language.terms import as_term, equal, maximum
 from verify.paper.rows import BREAKS
 from verify.paper.spectrum.characteristic import lam
-from verify.paper.spectrum.contexts import LINEAR
 from verify.paper.spectrum.matrices import Matrix, apply, determinant, dot, identity_minus, vector
 from verify.paper.spectrum.printed import r
-from verify.paper.spectrum.section import Section, symbols
+from verify.paper.spectrum.section import LINEAR, Section, symbols
 
 LAW = "EQUATSS3.4EvoluVNormLinea"
 LIMIT = "EQUATSS3.4MatriLimitLinea"

@@ -11,9 +11,8 @@ from fractions import Fraction
 
 from verify.language.statement import Obligation
 from verify.language.terms import Number, Term, as_term, equal, sqrt
-from verify.paper.spectrum.contexts import SMALLER
 from verify.paper.spectrum.printed import r, root_3
-from verify.paper.spectrum.section import Section, symbols
+from verify.paper.spectrum.section import SMALLER, Section, symbols
 
 EXISTENCE = "EQUATSS3.4ZKCl1CondiExist"
 STABILITY = "EQUATSS3.4ZKCl2CondiStabi"

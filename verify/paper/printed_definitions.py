@@ -4,7 +4,7 @@ Each line has the label, the constant and the paper's equation for it. The progr
 constant in another form: with that form in the place of its name the equation must still hold.
 This is tested with rational numbers in the place of all names, chosen so that the roots which
 matter are rational. Numbers can show only that two readings differ; that they are the same is
-proved in `tests/paper/test_readings.py`.
+proved in `tests/paper/test_printed_definitions.py`.
 """
 
 from __future__ import annotations

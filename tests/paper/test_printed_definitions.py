@@ -12,9 +12,9 @@ from verify.cli import main
 from verify.language.errors import OwnError
 from verify.language.statement import Constant
 from verify.language.terms import Term, minimum, substitute, substitute_claim, symbol
-from verify.paper import preliminaries, readings, theorem1
+from verify.paper import preliminaries, printed_definitions, theorem1
 from verify.paper.groups import PRINTED
-from verify.paper.readings import READINGS, Reading, check_definitions, complaints
+from verify.paper.printed_definitions import READINGS, Reading, check_definitions, complaints
 from verify.paper.theorem1 import theorem
 
 OPERATIONS: Mapping[str, Callable[..., Any]] = {
@@ -54,7 +54,7 @@ def expression(term: Term) -> Any:
 @pytest.mark.parametrize("reading", READINGS, ids=NAMES)
 def test_each_definition_satisfies_the_printed_equation_as_algebra_shows(reading: Reading) -> None:
     known = constants()
-    parts = {part.name: known[part.name].term for part in readings.PARTS_OF_D_BAR}
+    parts = {part.name: known[part.name].term for part in printed_definitions.PARTS_OF_D_BAR}
     own = substitute(known[reading.constant.name].term, parts)
     claim = substitute_claim(reading.printed, {reading.constant.name: own})
     left, right = entries(claim.lhs), entries(claim.rhs)
@@ -64,7 +64,7 @@ def test_each_definition_satisfies_the_printed_equation_as_algebra_shows(reading
 
 
 def test_every_constant_of_the_printed_set_has_a_reading() -> None:
-    elsewhere = {term.name for term in readings.NOT_IN_THE_PAPER}
+    elsewhere = {term.name for term in printed_definitions.NOT_IN_THE_PAPER}
     assert set(constants()) == {*NAMES} | elsewhere
     assert len(set(NAMES)) == len(NAMES)
 
@@ -84,7 +84,7 @@ def test_a_changed_definition_is_noticed(name: str, change: Callable[[Term], Ter
 
 def test_a_changed_part_of_d_bar_is_noticed() -> None:
     known = constants()
-    for part in readings.PARTS_OF_D_BAR:
+    for part in printed_definitions.PARTS_OF_D_BAR:
         changed = known[part.name]._replace(term=known[part.name].term / 2)
         (complaint,) = complaints(known | {part.name: changed})
         assert complaint.startswith("d̄ (EQUATSS4.1DefinBorne_d_0_) is not the paper's")

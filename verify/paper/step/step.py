@@ -7,6 +7,7 @@ from functools import cache
 
 from verify.language.argument import Argument, ByInduction, Chapter, Item, Line, Opened, argue
 from verify.language.statement import Always
+from verify.paper.assumptions import STEP_ASSUMPTIONS
 from verify.paper.dynamics import impact, plane
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
@@ -21,7 +22,6 @@ from verify.paper.step import (
     recursion,
     state,
 )
-from verify.paper.step.assumptions import ASSUMPTIONS
 
 TITLE = (
     "One step of the recursion, for every state that satisfies the conditions and all numbers that "
@@ -33,7 +33,7 @@ TITLE = (
 @cache
 def step() -> Argument:
     """The step, built once per process."""
-    return argue(numbers.STEP, TITLE, chapters(), ASSUMPTIONS)
+    return argue(numbers.STEP, TITLE, chapters(), STEP_ASSUMPTIONS)
 
 
 def chapters() -> Iterator[Chapter]:
@@ -62,4 +62,4 @@ def _always() -> Line:
                 ByInduction(tuple(initial.premise(name) for name in conditions),
                             tuple(f"next-{name}" for name in conditions)), THEOREM,
                 "by induction on n all conditions hold after the n-th collision, for every n",
-                tuple(assumption.name for assumption in ASSUMPTIONS))  # fmt: skip
+                tuple(assumption.name for assumption in STEP_ASSUMPTIONS))  # fmt: skip

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from verify.language.statement import Cite, Obligation, Statement
+from verify.paper.assumptions import STEP_ASSUMPTIONS
 from verify.paper.everywhere import angle_display, redundant
 from verify.paper.everywhere.chart import CONTEXT, DERIVED, context, hypothesis
 from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import THEOREM
-from verify.paper.step.assumptions import ASSUMPTIONS
 from verify.paper.step.numbers import STEP, collapse
 from verify.paper.theorem1 import theorem
 
@@ -60,5 +60,5 @@ def printed_statement() -> Statement:
 
 def statement(step: bytes, certificate: bytes) -> Statement:
     """The statement; it cites the step, whose statement and certificate are given."""
-    cite = Cite(STEP, STEP, step, (), ASSUMPTIONS, certificate)
+    cite = Cite(STEP, STEP, step, (), STEP_ASSUMPTIONS, certificate)
     return Statement(NAME, TITLE, {}, (), (context(),), tuple(rows()), (), (cite,))

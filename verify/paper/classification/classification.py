@@ -13,7 +13,6 @@ from verify.language.statement import Assumption, Obligation
 from verify.paper.classification import (
     collision,
     comparison,
-    endless,
     flight,
     image,
     impulse,
@@ -175,7 +174,7 @@ SECTIONS = {
     "II: the recursion of closing speeds": comparison.chapters,
     "II: runs of collisions": run.chapters,
     "III: total impulse": impulse.chapters,
-    "IV: finite or infinite time": endless.chapters,
+    "IV: finite or infinite time": impulse.endless,
     "criteria for scenes": scenes.chapters,
     CONE: image.chapters,
 }

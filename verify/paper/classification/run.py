@@ -31,7 +31,7 @@ from verify.language.statement import Always, Constant, Context, Given
 from verify.language.terms import Claim, Term, as_term, equal, sqrt, substitute_claim, symbol
 from verify.language.vectors import add, basis_vector, scale
 from verify.paper.classification import flight
-from verify.paper.classification.settings import Letters, Space, tex
+from verify.paper.letters import Letters, Space, tex
 
 LABEL = "EQUATSS3.4ZKCl1CondiExist"
 LAW = "EQUATSS2.2IterationSystm1"

@@ -24,7 +24,7 @@ from verify.language.argument import (
 from verify.language.statement import Context
 from verify.language.terms import Term, equal
 from verify.language.vectors import basis_vector
-from verify.paper.classification.settings import Letters, Space, minus
+from verify.paper.letters import Letters, Space, minus
 
 a = Letters("acute", J="J", m="m", cosine="e_ab·e_ak", rho="ρ_ab")
 

@@ -23,9 +23,9 @@ from verify import paper
 from verify.language.argument import Chapter, Line, Opened
 from verify.language.record import Record
 from verify.language.statement import Context, Obligation
-from verify.paper.elsewhere.subject import Refuted
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
+from verify.paper.letters import Refuted
 from verify.paper.spectrum.printed import Printed
 from verify.spheres import flow, scene
 

@@ -24,7 +24,6 @@ from verify.language.argument import (
 )
 from verify.language.terms import as_term, equal
 from verify.language.vectors import scale
-from verify.paper.classification.settings import minus
 from verify.paper.elsewhere.estimates import one_d
 from verify.paper.elsewhere.mapping import (
     W_1,
@@ -45,7 +44,7 @@ from verify.paper.elsewhere.mapping import (
     rest_1,
     speed_1,
 )
-from verify.paper.elsewhere.subject import Refuted
+from verify.paper.letters import Refuted, minus
 
 NORMALS = "EQUATSS3.3PROPOComp1_eta'"
 TURNS = "EQUATSS3.3PROPOComp1omga'"

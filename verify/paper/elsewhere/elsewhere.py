@@ -22,7 +22,7 @@ from verify.paper.elsewhere import (
     quoted,
     sums,
 )
-from verify.paper.elsewhere.subject import Refuted
+from verify.paper.letters import Refuted
 
 MATHEMATICS, GLUE = "general mathematics", "numbered glue"
 

@@ -23,7 +23,7 @@ from verify.language.argument import (
 )
 from verify.language.terms import as_term, equal
 from verify.paper.elsewhere.mapping import n
-from verify.paper.elsewhere.subject import Refuted, refuted
+from verify.paper.letters import Refuted, refuted
 from verify.paper.rows import HARMLESS
 
 TIMES = "EQUATSS3.3AsympCompa_Tau_Zeta_"

@@ -13,8 +13,7 @@ from verify.language.argument import Chapter, Defined, Item, Line, Opened, ident
 from verify.language.statement import Constant
 from verify.language.terms import Claim, Term, as_term, equal, symbol
 from verify.language.vectors import Combination, add, basis_vector, scale
-from verify.paper.classification.settings import Letters, Space, minus
-from verify.paper.elsewhere.subject import Refuted, refuted
+from verify.paper.letters import Letters, Refuted, Space, minus, refuted
 from verify.paper.rows import SLIP
 
 SYSTEM = "EQUATSS2.2IterationSystm1"

@@ -10,8 +10,7 @@ from collections.abc import Iterator
 
 from verify.language.argument import Chapter, Item, Line, Opened, power, proof, scaled, times
 from verify.language.terms import Claim, equal
-from verify.paper.classification.settings import Letters
-from verify.paper.elsewhere.subject import Refuted, refuted
+from verify.paper.letters import Letters, Refuted, refuted
 from verify.paper.rows import HARMLESS
 
 SYSTEM = "EQUATSS2.2IterationSystm1"

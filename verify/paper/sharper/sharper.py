@@ -14,17 +14,7 @@ from verify.paper.assumptions import BOUNDED_MONOTONE, GLUE_NEXT, HARD_SPHERES
 from verify.paper.dynamics import impact, plane
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
-from verify.paper.sharper import (
-    apart,
-    bounds,
-    collision,
-    conclusion,
-    flight,
-    numbers,
-    recursion,
-    start,
-    state,
-)
+from verify.paper.sharper import bounds, collision, flight, numbers, recursion, start, state
 
 ASSUMPTIONS = (
     HARD_SPHERES,
@@ -77,9 +67,9 @@ def _chapters() -> Iterator[Chapter]:
         numbers.CONTEXT, (*bounds.lines(), *start.lines(), Opened(state.context(), start.opening()))
     )
     yield Chapter(
-        CONTEXT, (*flight.lines(), *collision.lines(), *recursion.lines(), *conclusion.lines())
+        CONTEXT, (*flight.lines(), *collision.lines(), *recursion.lines(), *recursion.conclusion())
     )
-    yield from apart.chapters()
+    yield from flight.apart()
     yield Chapter(numbers.CONTEXT, (_always(),))
 
 

@@ -1,15 +1,49 @@
-"""From one collision to the next: sizes, the time between them, and the next distance."""
+"""From one collision to the next: sizes, the time between them, and the next distance.
+
+Until the collision, and at its instant, no other pair of particles is in contact.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.argument import Item, Line, Value, plus, power, proof, scaled, times
+from verify.language.argument import (
+    BySum,
+    Chapter,
+    Item,
+    Line,
+    Value,
+    plus,
+    power,
+    proof,
+    scaled,
+    square,
+    times,
+)
 from verify.language.terms import Term, as_term
+from verify.language.vectors import Combination, add, omega_c, omega_s, scale
 from verify.paper.dynamics import flight
+from verify.paper.dynamics.apart import colliding, contexts, opened, spectator, t
 from verify.paper.dynamics.flight import DISTANCE, TIME
-from verify.paper.dynamics.state import A, B, C, D, S, a, b, d, d_next, eta_s, tau, w, y, zeta
+from verify.paper.dynamics.state import (
+    A,
+    B,
+    C,
+    D,
+    S,
+    a,
+    b,
+    d,
+    d_next,
+    difference,
+    eta_s,
+    frame,
+    tau,
+    w,
+    y,
+    zeta,
+)
 from verify.paper.step.numbers import V_0, V_1, d_later, eighth, eta_bar, speed, zeta_bar
 from verify.paper.step.rearranged import root_two, small
 from verify.paper.step.state import g
@@ -135,3 +169,41 @@ def _distance() -> Iterator[Item]:
         Line("next-d-small", d_next <= small,
              scaled(goal, "distance-later", "d_later-small", using="d_next")),
     )  # fmt: skip
+
+
+dot = frame.dot
+
+
+def apart() -> Iterator[Chapter]:
+    """The three pairs."""
+    before, meanwhile = contexts()
+    yield opened()
+    yield Chapter(before.name, tuple(colliding()))
+    yield Chapter(meanwhile.name, (spectator(), _outer_pair()))
+
+
+def _outer_pair() -> Line:
+    outer: Combination = add(add(scale(1 + d, omega_c), scale(-1, omega_s)), scale(t, difference))
+    return Line("outer-pair-apart", 1 < dot(outer, outer), _outer_reason(),
+                "EQUATSS4.1Recurrence_CndT",
+                "the outer pair s-c is apart for all times from 0 to τ, both included")  # fmt: skip
+
+
+def _outer_reason() -> BySum:
+    v0, speed = "V_0-positive", "speed-positive"
+    together = plus(
+        times(2, "C-positive", "d-sum-positive"),
+        times(2, "d-positive"),
+        square(d - t * (y + b)),
+        times(square(t), "cs-outer"),
+        times(2, "t-lower", plus("y-upper", "a-upper", "b-upper", "recedes")),
+        times(6, "t-upper", speed),
+    )
+    return scaled(
+        times(v0, "goal"),
+        times(v0, together),
+        times(6, speed, "time-crude"),
+        times(12, speed, "y-bound"),
+        times(Fraction(12, 7), "time-short"),
+        times(Fraction(12, 7), v0, "root-two-upper"),
+    )

@@ -11,17 +11,7 @@ from verify.paper.assumptions import STEP_ASSUMPTIONS
 from verify.paper.dynamics import impact, plane
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
-from verify.paper.step import (
-    apart,
-    collision,
-    conclusion,
-    flight,
-    initial,
-    numbers,
-    rearranged,
-    recursion,
-    state,
-)
+from verify.paper.step import collision, flight, initial, numbers, rearranged, recursion, state
 
 TITLE = (
     "One step of the recursion, for every state that satisfies the conditions and all numbers that "
@@ -50,9 +40,9 @@ def chapters() -> Iterator[Chapter]:
     here = state.context(initial.CONTEXT, initial.state_point)
     yield Chapter(initial.CONTEXT, (Opened(here, initial.opening()),))
     yield Chapter(
-        CONTEXT, (*flight.lines(), *collision.lines(), *recursion.lines(), *conclusion.lines())
+        CONTEXT, (*flight.lines(), *collision.lines(), *recursion.lines(), *recursion.conclusion())
     )
-    yield from apart.chapters()
+    yield from flight.apart()
     yield Chapter(initial.CONTEXT, (_always(),))
 
 

@@ -225,6 +225,11 @@ def test_every_needed_row_is_on_a_path_or_beside_a_fact_that_is() -> None:
         there = {name.replace("printed.", "repaired.", 1) for name in names(cells[3])}
         if there & found:
             beside |= there
-    for row, _ in decide_everywhere().rows:
-        if row.role == NEEDED and not row.name.startswith(OF_THEIR_OWN):
-            assert row.name in found | beside, row.name
+    rows = [row.name for row, _ in decide_everywhere().rows if row.role == NEEDED]
+    hanging = [
+        name for name in rows if name not in found | beside and not name.startswith(OF_THEIR_OWN)
+    ]
+    assert not hanging, (
+        f"{', '.join(hanging)}: the theorem does not rest on it; name the row of the printed set "
+        f"in verify/paper/{TABLE.name}, in the line of the formula to which it belongs"
+    )

@@ -14,7 +14,12 @@ from verify.language.statement import Constant
 from verify.language.terms import Term, minimum, substitute, substitute_claim, symbol
 from verify.paper import preliminaries, printed_definitions, theorem1
 from verify.paper.groups import PRINTED
-from verify.paper.printed_definitions import READINGS, Reading, check_definitions, complaints
+from verify.paper.printed_definitions import (
+    DEFINITIONS,
+    AsPrinted,
+    check_definitions,
+    complaints,
+)
 from verify.paper.theorem1 import theorem
 
 OPERATIONS: Mapping[str, Callable[..., Any]] = {
@@ -26,7 +31,7 @@ OPERATIONS: Mapping[str, Callable[..., Any]] = {
     "sqrt": sympy.sqrt,
 }
 
-NAMES = [reading.constant.name for reading in READINGS]
+NAMES = [definition.constant.name for definition in DEFINITIONS]
 
 
 def constants() -> dict[str, Constant]:
@@ -51,19 +56,21 @@ def expression(term: Term) -> Any:
     return OPERATIONS[term.op](*map(expression, term.children))
 
 
-@pytest.mark.parametrize("reading", READINGS, ids=NAMES)
-def test_each_definition_satisfies_the_printed_equation_as_algebra_shows(reading: Reading) -> None:
+@pytest.mark.parametrize("definition", DEFINITIONS, ids=NAMES)
+def test_each_definition_satisfies_the_printed_equation_as_algebra_shows(
+    definition: AsPrinted,
+) -> None:
     known = constants()
     parts = {part.name: known[part.name].term for part in printed_definitions.PARTS_OF_D_BAR}
-    own = substitute(known[reading.constant.name].term, parts)
-    claim = substitute_claim(reading.printed, {reading.constant.name: own})
+    own = substitute(known[definition.constant.name].term, parts)
+    claim = substitute_claim(definition.printed, {definition.constant.name: own})
     left, right = entries(claim.lhs), entries(claim.rhs)
     assert [sympy.radsimp(sympy.simplify(x - z)) for x, z in zip(left, right, strict=True)] == [
         0
     ] * len(left)
 
 
-def test_every_constant_of_the_printed_set_has_a_reading() -> None:
+def test_every_constant_of_the_printed_set_has_a_printed_one() -> None:
     elsewhere = {term.name for term in printed_definitions.NOT_IN_THE_PAPER}
     assert set(constants()) == {*NAMES} | elsewhere
     assert len(set(NAMES)) == len(NAMES)

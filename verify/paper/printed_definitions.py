@@ -36,7 +36,7 @@ from verify.paper.preliminaries import (
 )
 
 
-class Reading(Record):
+class AsPrinted(Record):
     """The paper's equation for a constant, and the label where it stands or that is nearest."""
 
     label: str
@@ -48,29 +48,29 @@ k = ConstantSet(PRINTED)
 half = Fraction(1, 2)
 root_2, root_V_1 = sqrt(2), sqrt(V_1)
 
-READINGS = (
-    Reading(THEOREM, alpha_0, equal(alpha_0, (1 + r) / 2 * c)),
-    Reading(THEOREM, phi_minus, equal(phi_minus, (alpha_0 - sqrt(alpha_0**2 - 4 * r)) / 2)),
-    Reading(THEOREM, phi_plus, equal(phi_plus, (alpha_0 + sqrt(alpha_0**2 - 4 * r)) / 2)),
-    Reading(THEOREM, delta_1, equal(delta_1, alpha_0 / 2 - phi_minus)),
-    Reading(THEOREM, delta_2, equal(delta_2, half * (alpha_0 - phi_minus))),
-    Reading(THEOREM, delta_3, equal(delta_3, half * (1 - (alpha_0 - phi_minus)))),
-    Reading("EQUATSS4.1Quantite_C_eta_", C_eta, equal(C_eta, 1 - delta_3)),
-    Reading("EQUATSS4.1DerivFonctF_1P-", h_4,
+DEFINITIONS = (
+    AsPrinted(THEOREM, alpha_0, equal(alpha_0, (1 + r) / 2 * c)),
+    AsPrinted(THEOREM, phi_minus, equal(phi_minus, (alpha_0 - sqrt(alpha_0**2 - 4 * r)) / 2)),
+    AsPrinted(THEOREM, phi_plus, equal(phi_plus, (alpha_0 + sqrt(alpha_0**2 - 4 * r)) / 2)),
+    AsPrinted(THEOREM, delta_1, equal(delta_1, alpha_0 / 2 - phi_minus)),
+    AsPrinted(THEOREM, delta_2, equal(delta_2, half * (alpha_0 - phi_minus))),
+    AsPrinted(THEOREM, delta_3, equal(delta_3, half * (1 - (alpha_0 - phi_minus)))),
+    AsPrinted("EQUATSS4.1Quantite_C_eta_", C_eta, equal(C_eta, 1 - delta_3)),
+    AsPrinted("EQUATSS4.1DerivFonctF_1P-", h_4,
         equal(h_4, half * (1 - r / (alpha_0 - phi_minus) ** 2))),
-    Reading(THEOREM, delta_4, equal(r / (alpha_0 - (phi_minus + delta_4)) ** 2, 1 - h_4)),
-    Reading("EQUATSS4.1ThExiCondiTheta", h_5,
+    AsPrinted(THEOREM, delta_4, equal(r / (alpha_0 - (phi_minus + delta_4)) ** 2, 1 - h_4)),
+    AsPrinted("EQUATSS4.1ThExiCondiTheta", h_5,
         equal(h_5, half * (1 - phi_minus / (alpha_0 - phi_minus) ** 2))),
-    Reading(THEOREM, delta_5, equal(phi_minus / (alpha_0 - (phi_minus + delta_5)) ** 2, 1 - h_5)),
-    Reading("EQUATSS4.1Recurrence_Cnd5", V_1, equal(V_1 / V_0, (1 - h_5 / 2) / (1 - h_5))),
-    Reading("EQUATSS4.1DefinDeltxDelty", k.delta_x,
+    AsPrinted(THEOREM, delta_5, equal(phi_minus / (alpha_0 - (phi_minus + delta_5)) ** 2, 1 - h_5)),
+    AsPrinted("EQUATSS4.1Recurrence_Cnd5", V_1, equal(V_1 / V_0, (1 - h_5 / 2) / (1 - h_5))),
+    AsPrinted("EQUATSS4.1DefinDeltxDelty", k.delta_x,
         equal(k.delta_x, minimum(delta_1, delta_2, delta_3, delta_4, delta_5))),
-    Reading("EQUATSS4.1DefinDeltxDelty", k.delta_y, equal(k.delta_x, k.delta_y)),
-    Reading("EQUATSS4.1DescrDoIniColla", k.x_0,
+    AsPrinted("EQUATSS4.1DefinDeltxDelty", k.delta_y, equal(k.delta_x, k.delta_y)),
+    AsPrinted("EQUATSS4.1DescrDoIniColla", k.x_0,
         equal(k.x_0, minimum((1 - h_4) * k.delta_x, V_0 / V_1 * (delta_2**2 * h_5 / 12)))),
-    Reading("EQUATSS4.1DescrDoIniColla", k.Delta_theta,  # |cos θ₀|/2, and -cos θ₀ > 0
+    AsPrinted("EQUATSS4.1DescrDoIniColla", k.Delta_theta,  # |cos θ₀|/2, and -cos θ₀ > 0
         equal(k.Delta_theta, minimum(c / 2, h_4 / 8 * k.delta_x, delta_theta))),
-    Reading("EQUATSS4.1DefinBorne_Eta_", k.eta_bar,
+    AsPrinted("EQUATSS4.1DefinBorne_Eta_", k.eta_bar,
         equal(k.eta_bar, minimum(
             1,
             (root_2 - 1) / 16 * (V_0 / root_V_1),
@@ -79,12 +79,12 @@ READINGS = (
             V_0 / root_V_1
             * (2 / (15 * alpha_0) + h_4 * delta_2 / 6 + h_4 / (12 * alpha_0) + h_4 / 24)
             * k.delta_x))),
-    Reading("EQUATSS4.1DefinBorne_Zeta", k.zeta_bar,
+    AsPrinted("EQUATSS4.1DefinBorne_Zeta", k.zeta_bar,
         equal(k.zeta_bar, minimum(
             2 * (root_2 - 1),
             V_0 * h_5 / (3 * V_1 * (alpha_0 + 8 * V_1 / V_0)) * delta_2**2,
             Fraction(1, 16) * (1 + 4 * delta_2 + V_0 / V_1) * h_4 * k.delta_x))),
-    Reading("EQUATSS4.1DefinBorne_d_0_", k.d_bar,  # at |η_{c,0}| = η̄
+    AsPrinted("EQUATSS4.1DefinBorne_d_0_", k.d_bar,  # at |η_{c,0}| = η̄
         equal(k.d_bar, minimum(
             (root_2 - 1) / 4,
             k.Delta_theta / 3,
@@ -124,7 +124,7 @@ def complaints(constants: Mapping[str, Constant]) -> Iterator[str]:
     """What is wrong with the constants, in the paper's order."""
     at = {term.name: Fraction(number) for term, number in NUMBERS.items()}
     parts = {part.name: constants[part.name].term for part in PARTS_OF_D_BAR}
-    for label, symbol, printed in READINGS:
+    for label, symbol, printed in DEFINITIONS:
         own = constants[symbol.name]
         term = substitute(own.term, parts)
         if own.label != label:

@@ -68,81 +68,51 @@ def laws() -> Iterator[Item]:
         yield Defined(name)
     for name in ("a_next", "b_next", "w_next"):
         yield Defined(name)
-    yield Line(
-        "impact-speed",
-        equal(kappa, -impact),
-        identity("kappa tau S"),
-        COMPONENTS,
-        "W_c·ω_s' = -(1+d)√(1-ζ)(-η_c)",
-    )
-    yield Line(
-        "law-angle",
-        equal(C_next, turn / D),
-        identity("C_next"),
-        ANGLE,
-        "-cos θ' = [(1+d)(-cos θ) - τ ω_s·W_c - (1+d)τ ω_c·W_s - τ² W_s·W_c]/(1+d')",
-    )
+    yield from (
+        Line("impact-speed", equal(kappa, -impact), identity("kappa tau S"), COMPONENTS,
+             "W_c·ω_s' = -(1+d)√(1-ζ)(-η_c)"),
+        Line("law-angle", equal(C_next, turn / D), identity("C_next"), ANGLE,
+             "-cos θ' = [(1+d)(-cos θ) - τ ω_s·W_c - (1+d)τ ω_c·W_s - τ² W_s·W_c]/(1+d')"),
+    )  # fmt: skip
     yield from _components()
     yield from _norms()
 
 
 def _components() -> Iterator[Item]:
-    yield Line(
-        "law-eta-c",
-        equal(y_next, half * impact * C_next - (eta_s + tau * B) / D),
-        identity("y_next C_next impact-speed"),
-        COMPONENTS,
-        "η_c' = η_s/(1+d') - (1+r)/2 (1+d)√(1-ζ)(-cos θ')(-η_c) + τ|W_s|²/(1+d')",
-    )
-    yield Line(
-        "law-eta-s",
-        equal(eta_s_next, r * impact),
-        identity(
-            "eta_s_next",
-            (
-                ("contact", -((1 + r) * kappa)),
-                ("kappa", as_term(-1)),
-                ("impact-speed", -r),
-            ),
-        ),
-        COMPONENTS,
-        "η_s' = r(1+d)√(1-ζ)(-η_c)",
-    )
+    yield from (
+        Line("law-eta-c", equal(y_next, half * impact * C_next - (eta_s + tau * B) / D),
+             identity("y_next C_next impact-speed"), COMPONENTS,
+             "η_c' = η_s/(1+d') - (1+r)/2 (1+d)√(1-ζ)(-cos θ')(-η_c) + τ|W_s|²/(1+d')"),
+        Line("law-eta-s", equal(eta_s_next, r * impact),
+             identity("eta_s_next",
+                      (("contact", -((1 + r) * kappa)), ("kappa", as_term(-1)),
+                       ("impact-speed", -r))), COMPONENTS, "η_s' = r(1+d)√(1-ζ)(-η_c)"),
+    )  # fmt: skip
 
 
 def _norms() -> Iterator[Item]:
-    yield Line(
-        "law-norm-c",
-        equal(A_next, B - (1 + r) * kappa * spin + half**2 * kappa**2),
-        identity("A_next", (("contact", half**2 * kappa**2),)),
-        NORMS,
-        "|W_c'|² = |W_s|² - (1+r)(W_c·ω_s')(W_s·ω_s') + ((1+r)²/4)(W_c·ω_s')²",
-    )
-    yield Line(
-        "law-norm-s",
-        equal(B_next, A - (1 - r**2) * kappa**2),
-        identity(
-            "B_next",
-            (("contact", (1 + r) ** 2 * kappa**2), ("kappa", 2 * (1 + r) * kappa)),
-        ),
-        NORMS,
-        "|W_s'|² = |W_c|² - (1-r²)(W_c·ω_s')²",
-    )
+    yield from (
+        Line("law-norm-c", equal(A_next, B - (1 + r) * kappa * spin + half**2 * kappa**2),
+             identity("A_next", (("contact", half**2 * kappa**2),)), NORMS,
+             "|W_c'|² = |W_s|² - (1+r)(W_c·ω_s')(W_s·ω_s') + ((1+r)²/4)(W_c·ω_s')²"),
+        Line("law-norm-s", equal(B_next, A - (1 - r**2) * kappa**2),
+             identity("B_next",
+                      (("contact", (1 + r) ** 2 * kappa**2), ("kappa", 2 * (1 + r) * kappa))),
+             NORMS, "|W_s'|² = |W_c|² - (1-r²)(W_c·ω_s')²"),
+    )  # fmt: skip
 
 
 def parts() -> Iterator[Item]:
     """The two parts of the normal component of W_s after the flight."""
-    yield Defined("kept")
-    yield Defined("gained")
-    yield Line(
-        "gained-positive", 0 < gained, proof(times("tau-positive", "B-positive"), using="gained")
-    )
-    yield Line(
-        "normal-parts",
-        equal(y_next, half * impact * C_next - kept - gained),
-        identity("law-eta-c kept gained"),
-    )
-    yield Line("kept-upper", kept <= eta_s, proof(times("recedes", "D-one"), using="kept"))
+    yield from (
+        Defined("kept"),
+        Defined("gained"),
+        Line("gained-positive", 0 < gained,
+             proof(times("tau-positive", "B-positive"), using="gained")),
+        Line("normal-parts", equal(y_next, half * impact * C_next - kept - gained),
+             identity("law-eta-c kept gained")),
+        Line("kept-upper", kept <= eta_s, proof(times("recedes", "D-one"), using="kept")),
+    )  # fmt: skip
 
 
 #: What is gained, without a quotient.

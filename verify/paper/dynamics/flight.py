@@ -62,68 +62,41 @@ def absolute(
 
 def root() -> Iterator[Item]:
     """The root that the time of the contact needs."""
-    yield Defined("zeta")
-    yield Line("root-positive", 0 < sqrt(1 - zeta_of(frame)), ByRoot())
-    yield Defined("S")
-    yield Defined("tau")
-    yield Line("S-positive", 0 < S, proof("root-positive", using="S"))
-    yield Line(
-        "S-square",
-        equal(zeta, 1 - S**2),
-        identity("zeta S"),
-        "EQUATSS4.1Recurrence_Cnd3",
-        "ζ = 1 - √(1-ζ)²",
-    )
+    yield from (
+        Defined("zeta"),
+        Line("root-positive", 0 < sqrt(1 - zeta_of(frame)), ByRoot()),
+        Defined("S"),
+        Defined("tau"),
+        Line("S-positive", 0 < S, proof("root-positive", using="S")),
+        Line("S-square", equal(zeta, 1 - S**2), identity("zeta S"), "EQUATSS4.1Recurrence_Cnd3",
+             "ζ = 1 - √(1-ζ)²"),
+    )  # fmt: skip
 
 
 def between_zero_and_one() -> Iterator[Item]:
     """Zeta and its root lie between 0 and 1."""
     cnd3 = "EQUATSS4.1Recurrence_Cnd3"
-    yield Line(
-        "zeta-positive",
-        0 < zeta,
-        proof(times("d-positive", plus(2, "d-positive"), "A-positive"), using="zeta"),
-        cnd3,
-        "0 < ζ",
-    )
-    yield Line("zeta-one", 0 < 1 - zeta, proof("Cnd3", using="zeta"), cnd3, "ζ < 1")
-    yield Line(
-        "zeta-product",
-        equal(d * (2 + d) * A, zeta * (1 + d) ** 2 * y**2),
-        identity("zeta"),
-        cnd3,
-        "ζ = d(2+d)|W_c|²/((1+d)²η_c²)",
-    )
-    yield Line(
-        "S-one",
-        0 < 1 - S,
-        scaled(times("goal", plus(1, "S-positive")), "zeta-positive", using="S-square"),
-    )
+    yield from (
+        Line("zeta-positive", 0 < zeta,
+             proof(times("d-positive", plus(2, "d-positive"), "A-positive"), using="zeta"), cnd3,
+             "0 < ζ"),
+        Line("zeta-one", 0 < 1 - zeta, proof("Cnd3", using="zeta"), cnd3, "ζ < 1"),
+        Line("zeta-product", equal(d * (2 + d) * A, zeta * (1 + d) ** 2 * y**2), identity("zeta"),
+             cnd3, "ζ = d(2+d)|W_c|²/((1+d)²η_c²)"),
+        Line("S-one", 0 < 1 - S,
+             scaled(times("goal", plus(1, "S-positive")), "zeta-positive", using="S-square")),
+    )  # fmt: skip
 
 
 def time(positive: Value) -> Iterator[Item]:
     """The time to the contact, and the contact; given why the time is positive."""
-    yield Line(
-        "tau-positive",
-        0 < tau,
-        proof(positive, using="tau S"),
-        TIME,
-        "0 < τ",
-    )
-    yield Line(
-        "tau-product",
-        equal(A * tau, (1 + d) * y * (1 - S)),
-        identity("tau S"),
-        TIME,
-        "|W_c|² τ = (1+d)(-η_c)(1-√(1-ζ))",
-    )
-    yield Line(
-        "contact",
-        equal(dot(omega_next, omega_next), 1),
-        identity("tau"),
-        TIME,
-        "after the time τ particle c is in contact: |ω_s'| = 1",
-    )
+    yield from (
+        Line("tau-positive", 0 < tau, proof(positive, using="tau S"), TIME, "0 < τ"),
+        Line("tau-product", equal(A * tau, (1 + d) * y * (1 - S)), identity("tau S"), TIME,
+             "|W_c|² τ = (1+d)(-η_c)(1-√(1-ζ))"),
+        Line("contact", equal(dot(omega_next, omega_next), 1), identity("tau"), TIME,
+             "after the time τ particle c is in contact: |ω_s'| = 1"),
+    )  # fmt: skip
 
 
 def distance() -> Iterator[Item]:
@@ -132,26 +105,19 @@ def distance() -> Iterator[Item]:
         times(2, "recedes", "tau-positive"),
         times("B-positive", "tau-positive", "tau-positive"),
     )
-    yield Line("end-positive", 0 < dot(end, end), proof(1, *gains))
-    yield Line("end-root", 0 < sqrt(dot(end, end)), ByRoot())
-    yield Defined("D")
-    yield Defined("d_next")
-    yield Line("D-positive", 0 < D, proof("end-root", using="D"))
-    yield Line(
-        "D-square",
-        equal(D**2, 1 + 2 * eta_s * tau + B * tau**2),
-        identity("D"),
-        DISTANCE,
-        "(1+d')² = 1 + 2η_sτ + |W_s|²τ²",
-    )
-    yield Line("D-one", 0 < D - 1, scaled(times("goal", plus(1, "D-positive")), *gains, using="D"))
-    yield Line(
-        "distance",
-        D - 1 <= eta_s * tau + B * tau**2 / 2,
-        scaled(times(2, "goal"), square(D - 1), using="D"),
-        DISTANCE,
-        "d' ≤ η_sτ + |W_s|²τ²/2",
-    )
+    yield from (
+        Line("end-positive", 0 < dot(end, end), proof(1, *gains)),
+        Line("end-root", 0 < sqrt(dot(end, end)), ByRoot()),
+        Defined("D"),
+        Defined("d_next"),
+        Line("D-positive", 0 < D, proof("end-root", using="D")),
+        Line("D-square", equal(D**2, 1 + 2 * eta_s * tau + B * tau**2), identity("D"), DISTANCE,
+             "(1+d')² = 1 + 2η_sτ + |W_s|²τ²"),
+        Line("D-one", 0 < D - 1, scaled(times("goal", plus(1, "D-positive")), *gains, using="D")),
+        Line("distance", D - 1 <= eta_s * tau + B * tau**2 / 2,
+             scaled(times(2, "goal"), square(D - 1), using="D"), DISTANCE,
+             "d' ≤ η_sτ + |W_s|²τ²/2"),
+    )  # fmt: skip
 
 
 #: Two conditions at the next state.

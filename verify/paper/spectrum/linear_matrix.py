@@ -88,16 +88,11 @@ def _rate() -> Iterator[Obligation]:
         "√(Tr²-4det), is α minus (α-d)/2, which is positive (linear-real-bound); so the printed "
         "rate holds", equal((alpha + d) / 2, alpha - (alpha - d) / 2), uses)  # fmt: skip
     # Complex case: |Tr| = 2 s k with s = sqrt(r), k < 1; -cos(theta) = 4sk/(1+s^2).
-    yield misprint(
-        "rate-complex-stated",
-        RATE,
-        "complex case: the spectral radius √r is at most max((1+r)/2 |cos θ|, r), the printed "
-        "rate, where s = √r and |cos θ| = 4sk/(1+s²)",
-        s <= maximum((1 + s**2) / 2 * (4 * s * k / (1 + s**2)), s**2),
-        severity=BREAKS,
-        corrected_by="rate-complex",
-        within=LINEAR,
-    )
+    yield misprint("rate-complex-stated", RATE,
+                   "complex case: the spectral radius √r is at most max((1+r)/2 |cos θ|, r), the "
+                   "printed rate, where s = √r and |cos θ| = 4sk/(1+s²)",
+                   s <= maximum((1 + s**2) / 2 * (4 * s * k / (1 + s**2)), s**2), severity=BREAKS,
+                   corrected_by="rate-complex", within=LINEAR)  # fmt: skip
     y = symbols("y")[0]
     yield from (
         needed("rate-complex-cosine", RATE, "these angles exist: 4sk/(1+s²) ≤ 1 for k ≤ 1/2",

@@ -10,18 +10,7 @@ from functools import cache
 
 from verify.language.argument import Argument, Chapter, Line, argue
 from verify.language.statement import NEEDED, Assumption, Obligation
-from verify.paper.elsewhere import (
-    aligned,
-    changes,
-    estimates,
-    generic,
-    mapping,
-    nearly,
-    outer,
-    pair,
-    quoted,
-    sums,
-)
+from verify.paper.elsewhere import aligned, estimates, generic, mapping, nearly, pair, quoted, sums
 from verify.paper.letters import Refuted
 
 MATHEMATICS, GLUE = "general mathematics", "numbered glue"
@@ -71,18 +60,31 @@ TITLE = (
     "claims of Sections 1 to 4.1, for every state"
 )
 
-#: The modules in the order of the text, with the heading of their rows.
+#: The chapters in the order of the text, by the heading of their rows.
 SECTIONS = {
-    "conditions and counts": quoted,
-    "2.1 the law of a collision": pair,
-    "2.2 the mapping": mapping,
-    "2.2 the next collision": outer,
-    "3.2 times, flights and sums": sums,
-    "3.3 times and distances": estimates,
-    "3.3 what one collision changes": changes,
-    "3.3 large relative velocities": generic,
-    "3.3 a collapse on a line": aligned,
-    "4.1 the nearly-linear collapse": nearly,
+    "conditions and counts": quoted.chapters,
+    "2.1 the law of a collision": pair.chapters,
+    "2.2 the mapping": mapping.chapters,
+    "2.2 the next collision": mapping.outer,
+    "3.2 times, flights and sums": sums.chapters,
+    "3.3 times and distances": estimates.chapters,
+    "3.3 what one collision changes": estimates.changes,
+    "3.3 large relative velocities": generic.chapters,
+    "3.3 a collapse on a line": aligned.chapters,
+    "4.1 the nearly-linear collapse": nearly.chapters,
+}
+
+#: What is false there; `aligned` has the equations on what one collision changes.
+MISPRINTS = {
+    "conditions and counts": quoted.misprints,
+    "2.1 the law of a collision": pair.misprints,
+    "2.2 the mapping": mapping.misprints,
+    "2.2 the next collision": mapping.outer_misprints,
+    "3.2 times, flights and sums": sums.misprints,
+    "3.3 times and distances": estimates.misprints,
+    "3.3 large relative velocities": generic.misprints,
+    "3.3 a collapse on a line": aligned.misprints,
+    "4.1 the nearly-linear collapse": nearly.misprints,
 }
 
 
@@ -93,14 +95,12 @@ def elsewhere() -> Argument:
     headings = {
         item.name: heading
         for heading, section in SECTIONS.items()
-        for chapter in section.chapters()
+        for chapter in section()
         for item in chapter.items
         if isinstance(item, Line)
     }
     headings |= {
-        found.row.name: heading
-        for heading, section in SECTIONS.items()
-        for found in section.misprints()
+        found.row.name: heading for heading, section in MISPRINTS.items() for found in section()
     }
     rows = (*written.statement.obligations, *(found.row for found in refutations()))
     placed = tuple(_placed(row, headings) for row in rows)
@@ -109,12 +109,12 @@ def elsewhere() -> Argument:
 
 def refutations() -> tuple[Refuted, ...]:
     """What is false, in the order of the text, each with a point at which it is."""
-    return tuple(found for section in SECTIONS.values() for found in section.misprints())
+    return tuple(found for section in MISPRINTS.values() for found in section())
 
 
 def _chapters() -> Iterator[Chapter]:
     for section in SECTIONS.values():
-        yield from section.chapters()
+        yield from section()
 
 
 def _placed(row: Obligation, headings: dict[str, str]) -> Obligation:

@@ -24,9 +24,9 @@ from verify.language.argument import (
 )
 from verify.language.terms import as_term, equal, sqrt
 from verify.language.vectors import add, omega_c, omega_s, scale
-from verify.paper.dynamics import flight
+from verify.paper.dynamics import laws
 from verify.paper.dynamics.apart import colliding, contexts, opened, spectator, t
-from verify.paper.dynamics.flight import DISTANCE, TIME, absolute
+from verify.paper.dynamics.laws import DISTANCE, TIME, absolute
 from verify.paper.dynamics.state import (
     CONTEXT,
     A,
@@ -46,8 +46,7 @@ from verify.paper.dynamics.state import (
 )
 from verify.paper.parameters import THEOREM
 from verify.paper.sharper.numbers import V_0, T, V, eta_0, k, least_ratio, reach, root
-from verify.paper.sharper.start import zeta_small
-from verify.paper.sharper.state import g, speed
+from verify.paper.sharper.state import g, speed, zeta_small
 
 SLOWER = times("gain-positive", "g-positive")
 
@@ -56,12 +55,12 @@ def lines() -> Iterator[Item]:
     """Everything about the time tau between the two collisions, and d_next."""
     yield from _sizes()
     yield from _components()
-    yield from flight.root()
-    yield from flight.between_zero_and_one()
+    yield from laws.root()
+    yield from laws.between_zero_and_one()
     yield from _root()
-    yield from flight.time(times("d-positive", plus(2, "d-positive")))
+    yield from laws.time(times("d-positive", plus(2, "d-positive")))
     yield from _time()
-    yield from flight.distance()
+    yield from laws.distance()
     yield from _distance()
 
 
@@ -132,8 +131,8 @@ def _distance() -> Iterator[Item]:
         Line("distance-here", D - 1 <= k * y**2,
              proof("distance-slope", times("k-positive", y2, below)), DISTANCE, "d' ≤ κη_c²"),
         Line("distance-crude", reach >= D, proof("distance-here", _crude())),
-        flight.NEXT_D_POSITIVE,
-        flight.NEXT_D_SUM_POSITIVE,
+        laws.NEXT_D_POSITIVE,
+        laws.NEXT_D_SUM_POSITIVE,
     )  # fmt: skip
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from verify.language.argument import Item, Line, plus, power, proof, scaled, square, times
-from verify.paper.dynamics.collision import GAINED_UPPER, parts
+from verify.paper.dynamics.laws import GAINED_UPPER, parts
 from verify.paper.dynamics.state import C, C_next, kept, y, y_next
 from verify.paper.parameters import THEOREM
 from verify.paper.sharper.bounds import HALF, REACH
@@ -27,8 +27,7 @@ from verify.paper.sharper.numbers import (
     reach,
     total,
 )
-from verify.paper.sharper.start import root_lines, zeta_small
-from verify.paper.sharper.state import clock, following, g
+from verify.paper.sharper.state import clock, following, g, root_lines, zeta_small
 
 GROWTH = "EQUATSS4.1Lien_x_n_&_y_n_"
 

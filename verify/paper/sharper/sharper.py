@@ -11,10 +11,10 @@ from functools import cache
 from verify.language.argument import Argument, ByInduction, Chapter, Line, Opened, argue
 from verify.language.statement import Always, Assumption
 from verify.paper.assumptions import BOUNDED_MONOTONE, GLUE_NEXT, HARD_SPHERES
-from verify.paper.dynamics import impact, plane
+from verify.paper.dynamics import model
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
-from verify.paper.sharper import bounds, collision, flight, numbers, recursion, start, state
+from verify.paper.sharper import bounds, collision, flight, numbers, recursion, state
 
 ASSUMPTIONS = (
     HARD_SPHERES,
@@ -59,12 +59,11 @@ def sharper() -> Argument:
 
 
 def _chapters() -> Iterator[Chapter]:
-    spaces = (numbers.context(), plane.context(), impact.context())
-    yield Chapter(None, tuple(Opened(space) for space in spaces))
-    yield Chapter(impact.CONTEXT, tuple(impact.lines()))
-    yield Chapter(plane.CONTEXT, tuple(plane.lines(state.PAIRS)))
+    spaces = (Opened(numbers.context()), *model.opened())
+    yield Chapter(None, spaces)
+    yield from model.chapters(state.PAIRS)
     yield Chapter(
-        numbers.CONTEXT, (*bounds.lines(), *start.lines(), Opened(state.context(), start.opening()))
+        numbers.CONTEXT, (*bounds.lines(), *state.lines(), Opened(state.context(), state.opening()))
     )
     yield Chapter(
         CONTEXT, (*flight.lines(), *collision.lines(), *recursion.lines(), *recursion.conclusion())

@@ -15,19 +15,17 @@ from verify.paper.spectrum import (
     collision_matrices,
     complex_pair,
     cone,
-    linear_matrix,
     orbits,
     real_root,
     zhou_kadanoff,
 )
 from verify.paper.spectrum.collision_matrices import DEFINITION, LAW_A, SPACE_F
 from verify.paper.spectrum.complex_pair import COMPLEX_PAIR
-from verify.paper.spectrum.linear_matrix import RATE
 from verify.paper.spectrum.orbits import COLLAPSE
 from verify.paper.spectrum.printed import THEOREM, Printed
 from verify.paper.spectrum.real_root import REAL_ROOT
 from verify.paper.spectrum.section import LETTERS, SCOPES
-from verify.paper.spectrum.zhou_kadanoff import EXISTENCE
+from verify.paper.spectrum.zhou_kadanoff import EXISTENCE, RATE
 
 ASSUMPTIONS = (
     Assumption("collision-law", LAW_A,
@@ -93,7 +91,7 @@ def statement(paper: Printed | None = None) -> Statement:
     paper = Printed() if paper is None else paper
     sections = (collision_matrices, characteristic, real_root, complex_pair, cone, orbits)
     rows = [row for section in sections for row in section.rows(paper)]
-    rows += [*linear_matrix.rows(), *zhou_kadanoff.rows()]
+    rows += [*zhou_kadanoff.linear_rows(), *zhou_kadanoff.rows()]
     return Statement(THEOREM, TITLE, {}, (), tuple(contexts_of(rows)), tuple(rows), ASSUMPTIONS)
 
 

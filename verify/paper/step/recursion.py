@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from verify.language.argument import Item, Line, plus, power, proof, scaled, times
 from verify.language.terms import as_term
-from verify.paper.dynamics.collision import GAINED_UPPER, parts
+from verify.paper.dynamics.laws import GAINED_UPPER, parts
 from verify.paper.dynamics.state import (
     A,
     A_next,
@@ -32,7 +32,7 @@ from verify.paper.dynamics.state import (
 )
 from verify.paper.parameters import THEOREM
 from verify.paper.step.collision import next_condition
-from verify.paper.step.flight import SHIFT
+from verify.paper.step.flight import SHIFT, small
 from verify.paper.step.numbers import (
     V_0,
     V_1,
@@ -48,7 +48,6 @@ from verify.paper.step.numbers import (
     phi_minus,
     zeta_bar,
 )
-from verify.paper.step.rearranged import small
 from verify.paper.step.state import beta, clock, g
 
 LINK = "EQUATSS4.1Lien_x_n_&_y_n_"

@@ -8,10 +8,10 @@ from functools import cache
 from verify.language.argument import Argument, ByInduction, Chapter, Item, Line, Opened, argue
 from verify.language.statement import Always
 from verify.paper.assumptions import STEP_ASSUMPTIONS
-from verify.paper.dynamics import impact, plane
+from verify.paper.dynamics import model
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
-from verify.paper.step import collision, flight, initial, numbers, rearranged, recursion, state
+from verify.paper.step import collision, flight, initial, numbers, recursion, state
 
 TITLE = (
     "One step of the recursion, for every state that satisfies the conditions and all numbers that "
@@ -28,11 +28,10 @@ def step() -> Argument:
 
 def chapters() -> Iterator[Chapter]:
     """The chapters of the step, in the order in which each uses what stands before it."""
-    spaces = (numbers.context(), plane.context(), impact.context())
-    yield Chapter(None, (*rearranged.ground_lines(), *(Opened(space) for space in spaces)))
-    yield Chapter(impact.CONTEXT, tuple(impact.lines()))
-    yield Chapter(plane.CONTEXT, tuple(plane.lines(state.PAIRS)))
-    inside: tuple[Item, ...] = (*rearranged.lines(), *initial.inside_the_set())
+    spaces = (Opened(numbers.context()), *model.opened())
+    yield Chapter(None, (*flight.ground_lines(), *spaces))
+    yield from model.chapters(state.PAIRS)
+    inside: tuple[Item, ...] = (*flight.rearranged(), *initial.inside_the_set())
     opened = Opened(initial.context(), tuple(f"at-{name}" for name in initial.GIVENS))
     yield Chapter(numbers.CONTEXT, (*inside, opened))
     yield Chapter(initial.CONTEXT, tuple(initial.lines()))

@@ -9,14 +9,24 @@ proved in `tests/paper/test_printed_definitions.py`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from math import isqrt
 
 from verify.language.errors import OwnError
 from verify.language.record import Record
 from verify.language.statement import Constant
-from verify.language.terms import Claim, Term, equal, minimum, sqrt, substitute, substitute_claim
+from verify.language.terms import (
+    RATIONAL,
+    Claim,
+    Term,
+    equal,
+    minimum,
+    number_at,
+    sqrt,
+    substitute,
+    substitute_claim,
+)
 from verify.paper.groups import PRINTED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import THEOREM, V_0, c, delta_theta, r
@@ -150,18 +160,7 @@ def _numbers(term: Term, at: Mapping[str, Fraction]) -> list[Fraction]:
     """The number that a term is, or those that are the entries of a minimum."""
     if term.op == "min":
         return [number for entry in term.children for number in _numbers(entry, at)]
-    return [_number(term, at)]
-
-
-def _number(term: Term, at: Mapping[str, Fraction]) -> Fraction:
-    if term.op == "symbol":
-        return at[term.name]
-    if term.op == "rational":
-        return term.value
-    parts = [_number(child, at) for child in term.children]
-    if term.op == "pow":
-        return parts[0] ** term.exponent
-    return _OPERATIONS[term.op](*parts)
+    return [number_at(term, at, _OPERATIONS)]
 
 
 def _root(number: Fraction) -> Fraction:
@@ -170,11 +169,4 @@ def _root(number: Fraction) -> Fraction:
     return root if root**2 == number else number + half
 
 
-_OPERATIONS: Mapping[str, Callable[..., Fraction]] = {
-    "add": lambda x, z: x + z,
-    "sub": lambda x, z: x - z,
-    "mul": lambda x, z: x * z,
-    "div": lambda x, z: x / z,
-    "neg": lambda x: -x,
-    "sqrt": _root,
-}
+_OPERATIONS = {**RATIONAL, "sqrt": _root}

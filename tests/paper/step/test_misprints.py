@@ -12,7 +12,7 @@ from verify import check
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import Claim, Term, as_term
 from verify.paper.commands.regenerate import is_right_statement
-from verify.paper.commands.step_printed import decide_step_printed, state
+from verify.paper.commands.step import decide_step_printed, state
 from verify.paper.parameters import PARAMETERS
 from verify.paper.step import misprints
 from verify.paper.step.step import step

@@ -15,7 +15,7 @@ from verify.language.terms import Claim, Term
 from verify.paper.commands import everywhere, step
 from verify.paper.commands.everywhere import decide_everywhere
 from verify.paper.everywhere.chart import CONTEXT, constants
-from verify.paper.everywhere.theorem import statement
+from verify.paper.everywhere.everywhere import statement
 from verify.paper.groups import REPAIRED
 from verify.paper.theorem1 import theorem
 from verify.prover import balls

@@ -19,7 +19,7 @@ from verify.language.terms import Claim, as_term
 from verify.paper.commands.step import decide_step
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.step import initial, numbers, state
-from verify.paper.step.theorem import step
+from verify.paper.step.step import step
 from verify.prover import balls
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome

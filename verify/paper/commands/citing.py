@@ -11,10 +11,10 @@ from collections.abc import Mapping
 
 from verify.language.statement import NEEDED, PROVED, UNDECIDED, Cite
 from verify.language.terms import Claim, sqrt
+from verify.paper.assumptions import STEP_ASSUMPTIONS
 from verify.paper.groups import REPAIRED
 from verify.paper.preliminaries import alpha_0, discriminant, phi_minus
 from verify.paper.step import numbers
-from verify.paper.step.assumptions import ASSUMPTIONS
 from verify.paper.step.numbers import STEP
 from verify.prover.outcome import Decision, Judgement, Outcome, names_in
 from verify.prover.proof import LemmaStep, ObligationStep, Proof, Step, Value
@@ -60,7 +60,7 @@ def with_step(outcome: Outcome) -> Outcome:
     statement = old._replace(
         obligations=(*rows, row),
         assumptions=tuple(a for a in old.assumptions if a.name in used),
-        cites=(Cite(STEP, STEP, content, (), ASSUMPTIONS, certificate),),
+        cites=(Cite(STEP, STEP, content, (), STEP_ASSUMPTIONS, certificate),),
     )
     if decision.claimed == PROVED:
         judged = Judgement(PROVED, BY_ROWS, row.claim, row.context, names_in(statement))

@@ -1,19 +1,31 @@
-"""What the rows of this package do not prove: definitions, and deductions made in words.
+"""All spectral claims, assembled, with what their rows do not prove.
 
 A row proves its claim and nothing else. Where a sentence of the paper follows from rows by an
-argument in words, the argument is one of these sentences.
+argument in words, the argument is one of the sentences here; the others are definitions.
 """
 
 from __future__ import annotations
 
-from verify.language.statement import Assumption
+from collections.abc import Iterable
+
+from verify.language.statement import Assumption, Context, Obligation, Statement
+from verify.language.terms import Claim, names_of
+from verify.paper.spectrum import (
+    characteristic,
+    collision_matrices,
+    complex_pair,
+    cone,
+    orbits,
+    real_root,
+    zhou_kadanoff,
+)
 from verify.paper.spectrum.collision_matrices import DEFINITION, LAW_A, SPACE_F
 from verify.paper.spectrum.complex_pair import COMPLEX_PAIR
-from verify.paper.spectrum.linear_matrix import RATE
 from verify.paper.spectrum.orbits import COLLAPSE
-from verify.paper.spectrum.printed import THEOREM
+from verify.paper.spectrum.printed import THEOREM, Printed
 from verify.paper.spectrum.real_root import REAL_ROOT
-from verify.paper.spectrum.zhou_kadanoff import EXISTENCE
+from verify.paper.spectrum.section import LETTERS, SCOPES
+from verify.paper.spectrum.zhou_kadanoff import EXISTENCE, RATE
 
 ASSUMPTIONS = (
     Assumption("collision-law", LAW_A,
@@ -69,3 +81,25 @@ ASSUMPTIONS = (
         "derivative (full-jump); so no pair meets again, and the triangular collapse, called a "
         "priori possible, does not exist."),
 )  # fmt: skip
+
+
+TITLE = "Spectral claims of Section 5, its appendix and Sections 4.1-4.2, for every r in ]0,1["
+
+
+def statement(paper: Printed | None = None) -> Statement:
+    """The statement, for the printed matrix and polynomial or for altered ones."""
+    paper = Printed() if paper is None else paper
+    sections = (collision_matrices, characteristic, real_root, complex_pair, cone, orbits)
+    rows = [row for section in sections for row in section.rows(paper)]
+    rows += [*zhou_kadanoff.linear_rows(), *zhou_kadanoff.rows()]
+    return Statement(THEOREM, TITLE, {}, (), tuple(contexts_of(rows)), tuple(rows), ASSUMPTIONS)
+
+
+def contexts_of(rows: Iterable[Obligation]) -> list[Context]:
+    """The contexts of some rows, with the symbols that occur in them."""
+    names: dict[str, set[str]] = {}
+    for row in rows:
+        if row.context is not None and isinstance(row.claim, Claim):
+            found = {name.rpartition(".")[2] for name in names_of(row.claim.lhs, row.claim.rhs)}
+            names.setdefault(row.context, set()).update(found)
+    return [SCOPES[name].context(names[name], LETTERS) for name in SCOPES if name in names]

@@ -12,10 +12,10 @@ from verify import check
 from verify.language.statement import PROVED, REFUTED
 from verify.language.terms import Claim, Term, as_term
 from verify.paper.commands.regenerate import is_right_statement
-from verify.paper.commands.step_printed import decide_step_printed, state
+from verify.paper.commands.step import decide_step_printed, state
 from verify.paper.parameters import PARAMETERS
-from verify.paper.step import printed_estimates, printed_states
-from verify.paper.step.theorem import step
+from verify.paper.step import misprints
+from verify.paper.step.step import step
 from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Outcome
 from verify.prover.rules import Witness
@@ -54,9 +54,9 @@ def rational(term: Term) -> fmpq:
 
 def place(name: str) -> Place:
     """The state of a witness, for the second reading."""
-    found = {key: rational(x) for key, x in state(printed_states.WITNESSES[name]).items()}
-    vectors = {v: [found[f"{v}_{i}"] for i in "123"] for v in printed_states.VECTORS}
-    values = [fmpq(*Fraction(printed_states.PARAMETERS[p]).as_integer_ratio()) for p in PARAMETERS]
+    found = {key: rational(x) for key, x in state(misprints.WITNESSES[name]).items()}
+    vectors = {v: [found[f"{v}_{i}"] for i in "123"] for v in misprints.VECTORS}
+    values = [fmpq(*Fraction(misprints.PARAMETERS[p]).as_integer_ratio()) for p in PARAMETERS]
     r, c, V_0, delta_theta = values
     return Place(r, State(d=found["d"], **vectors), Constants(r, c, delta_theta, V_0))
 
@@ -75,14 +75,14 @@ def test_every_printed_row_is_refuted_and_every_other_proved() -> None:
 def test_each_is_corrected_by_a_row_that_is_proved_elsewhere() -> None:
     known = {row.name for row in step().statement.obligations}
     known |= {row.name for part in theorem().parts.values() for row in part.obligations}
-    for row in printed_estimates.printed():
+    for row in misprints.printed():
         assert row.corrected_by in known, row.name
         assert row.corrected_by != row.name
 
 
 def test_what_is_proved_here_has_the_names_and_labels_of_the_step() -> None:
     labels = {row.name: row.label for row in step().statement.obligations}
-    for row in printed_estimates.needed():
+    for row in misprints.needed():
         if not row.name.startswith("angle"):
             assert labels[row.name] == row.label
 
@@ -90,7 +90,7 @@ def test_what_is_proved_here_has_the_names_and_labels_of_the_step() -> None:
 # --- fair -----------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", printed_states.WITNESSES)
+@pytest.mark.parametrize("name", misprints.WITNESSES)
 def test_a_second_reader_allows_the_states(name: str) -> None:
     """All conditions hold for the reader's own vectors, collision and constants."""
     q = place(name)
@@ -99,21 +99,21 @@ def test_a_second_reader_allows_the_states(name: str) -> None:
     assert second_estimates.SAID
 
 
-@pytest.mark.parametrize("name", printed_states.WITNESSES)
+@pytest.mark.parametrize("name", misprints.WITNESSES)
 def test_the_numbers_of_a_state_are_those_of_its_collision(name: str) -> None:
-    q, found = place(name), state(printed_states.WITNESSES[name])
+    q, found = place(name), state(misprints.WITNESSES[name])
     assert q.n.tau == rational(found["tau"])
     assert q.n.still == rational(found["S"])
     assert 1 + q.m.d == rational(found["D"])
-    n = printed_states.WITNESSES[name].n
-    assert found["decay"].value == Fraction(printed_states.DECAY) ** n
-    assert q.K.C_eta == fmpq(*Fraction(printed_states.DECAY).as_integer_ratio())
+    n = misprints.WITNESSES[name].n
+    assert found["decay"].value == Fraction(misprints.DECAY) ** n
+    assert q.K.C_eta == fmpq(*Fraction(misprints.DECAY).as_integer_ratio())
     assert all(dot(v, v) == 1 for v in (q.n.omega_s, q.n.omega_c, q.m.omega_s, q.m.omega_c))
 
 
 def test_the_second_reader_finds_the_same_lines_wrong_at_these_states() -> None:
     for row, line in SAME_LINES.items():
-        at = printed_estimates.FALSE_AT.get(f"state.{row}", printed_estimates.FIRST)
+        at = misprints.FALSE_AT.get(f"state.{row}", misprints.FIRST)
         q, reading = place(at), READINGS[line]
         assert reading.view == "wrong"
         assert any(holds(*part) is False for part in reading.parts(q)), row
@@ -122,15 +122,15 @@ def test_the_second_reader_finds_the_same_lines_wrong_at_these_states() -> None:
 
 
 def test_every_state_refutes_a_row() -> None:
-    names = {row.name for row in printed_estimates.printed()}
-    assert set(printed_estimates.FALSE_AT) < names
-    used = {printed_estimates.FIRST, *printed_estimates.FALSE_AT.values()}
-    assert used == set(printed_states.WITNESSES)
+    names = {row.name for row in misprints.printed()}
+    assert set(misprints.FALSE_AT) < names
+    used = {misprints.FIRST, *misprints.FALSE_AT.values()}
+    assert used == set(misprints.WITNESSES)
 
 
 def test_a_state_in_the_plane_has_no_third_coordinate() -> None:
-    for name, numbers in printed_states.WITNESSES.items():
-        third = {v: state(numbers)[f"{v}_3"].value for v in printed_states.VECTORS}
+    for name, numbers in misprints.WITNESSES.items():
+        third = {v: state(numbers)[f"{v}_3"].value for v in misprints.VECTORS}
         assert any(third.values()) == (name == "space")
 
 

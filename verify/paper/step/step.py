@@ -7,21 +7,11 @@ from functools import cache
 
 from verify.language.argument import Argument, ByInduction, Chapter, Item, Line, Opened, argue
 from verify.language.statement import Always
-from verify.paper.dynamics import impact, plane
+from verify.paper.assumptions import STEP_ASSUMPTIONS
+from verify.paper.dynamics import model
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
-from verify.paper.step import (
-    apart,
-    collision,
-    conclusion,
-    flight,
-    initial,
-    numbers,
-    rearranged,
-    recursion,
-    state,
-)
-from verify.paper.step.assumptions import ASSUMPTIONS
+from verify.paper.step import collision, flight, initial, numbers, recursion, state
 
 TITLE = (
     "One step of the recursion, for every state that satisfies the conditions and all numbers that "
@@ -33,16 +23,15 @@ TITLE = (
 @cache
 def step() -> Argument:
     """The step, built once per process."""
-    return argue(numbers.STEP, TITLE, chapters(), ASSUMPTIONS)
+    return argue(numbers.STEP, TITLE, chapters(), STEP_ASSUMPTIONS)
 
 
 def chapters() -> Iterator[Chapter]:
     """The chapters of the step, in the order in which each uses what stands before it."""
-    spaces = (numbers.context(), plane.context(), impact.context())
-    yield Chapter(None, (*rearranged.ground_lines(), *(Opened(space) for space in spaces)))
-    yield Chapter(impact.CONTEXT, tuple(impact.lines()))
-    yield Chapter(plane.CONTEXT, tuple(plane.lines(state.PAIRS)))
-    inside: tuple[Item, ...] = (*rearranged.lines(), *initial.inside_the_set())
+    spaces = (Opened(numbers.context()), *model.opened())
+    yield Chapter(None, (*flight.ground_lines(), *spaces))
+    yield from model.chapters(state.PAIRS)
+    inside: tuple[Item, ...] = (*flight.rearranged(), *initial.inside_the_set())
     opened = Opened(initial.context(), tuple(f"at-{name}" for name in initial.GIVENS))
     yield Chapter(numbers.CONTEXT, (*inside, opened))
     yield Chapter(initial.CONTEXT, tuple(initial.lines()))
@@ -50,9 +39,9 @@ def chapters() -> Iterator[Chapter]:
     here = state.context(initial.CONTEXT, initial.state_point)
     yield Chapter(initial.CONTEXT, (Opened(here, initial.opening()),))
     yield Chapter(
-        CONTEXT, (*flight.lines(), *collision.lines(), *recursion.lines(), *conclusion.lines())
+        CONTEXT, (*flight.lines(), *collision.lines(), *recursion.lines(), *recursion.conclusion())
     )
-    yield from apart.chapters()
+    yield from flight.apart()
     yield Chapter(initial.CONTEXT, (_always(),))
 
 
@@ -62,4 +51,4 @@ def _always() -> Line:
                 ByInduction(tuple(initial.premise(name) for name in conditions),
                             tuple(f"next-{name}" for name in conditions)), THEOREM,
                 "by induction on n all conditions hold after the n-th collision, for every n",
-                tuple(assumption.name for assumption in ASSUMPTIONS))  # fmt: skip
+                tuple(assumption.name for assumption in STEP_ASSUMPTIONS))  # fmt: skip

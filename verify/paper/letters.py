@@ -1,14 +1,16 @@
-"""How a context of these theorems is written down, and vectors of which only products are known."""
+"""Contexts with letters of their own, their vectors, and rows that are false at a point of one."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
+from verify.language.argument import Chapter, Item, Opened
 from verify.language.record import Record
-from verify.language.statement import Context, Given, Variable
+from verify.language.statement import Context, Given, Obligation, Variable
 from verify.language.terms import Claim, Number, Term, as_term, symbol
 from verify.language.vectors import Combination, add, scale
+from verify.paper.rows import misprint
 
 #: How letters are written in LaTeX, where that is not their name.
 TEX = {
@@ -97,3 +99,35 @@ class Space(Record):
                 part = p * q * self.known(i, j)
                 total = part if total is None else total + part
         return as_term(0) if total is None else total
+
+
+def subject(
+    letters: Letters, says: str, point: str, givens: Mapping[str, Claim], lines: Iterable[Item] = ()
+) -> tuple[Chapter, ...]:
+    """The chapters that open a context without a parent, and prove lines in it."""
+    opened = Chapter(None, (Opened(letters.opened(says, point, givens)),))
+    return opened, Chapter(letters.context, tuple(lines))
+
+
+class Refuted(Record):
+    """A misprint in a context, and a point of the context at which the claim is false."""
+
+    row: Obligation
+    at: Mapping[str, Term]
+
+
+def refuted(
+    letters: Letters,
+    name: str,
+    claim: Claim,
+    at: str,
+    *,
+    label: str,
+    says: str,
+    severity: str,
+    corrected_by: str,
+) -> Refuted:
+    """The row, and the numbers of the point in the order of the letters."""
+    row = misprint(name, label, says, claim, group="", severity=severity, corrected_by=corrected_by,
+                   context=letters.context)  # fmt: skip
+    return Refuted(row, letters.point(at))

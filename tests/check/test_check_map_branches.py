@@ -64,10 +64,15 @@ def test_the_next_collision_of_two_pairs(monkeypatch: pytest.MonkeyPatch) -> Non
         own = Three((ONE, ONE), (9, 9), (ONE, ONE))
         ways = {"here": "near" if way else None, "there": "far" if seen else None}
         codes = {True: away, False: near}
+
+        def seen_from(kind: m.Arithmetic, z: Sight, pair: Three, far: Three = far) -> Sight:
+            assert (kind, name_of(z), pair) == (INTERVALS, "here", far)
+            return sight("there")
+
         monkeypatch.setattr(m, "far", lambda *_, far=far: far)
         monkeypatch.setattr(m, "own", lambda *_, own=own: own)
         monkeypatch.setattr(m, "looks", lambda _, lam, *__, codes=codes: codes[lam == (-7, -7)])
-        monkeypatch.setattr(m, "from_s", lambda *_: sight("there"))
+        monkeypatch.setattr(m, "from_s", seen_from)
         monkeypatch.setattr(m, "way_of", lambda _, z, ways=ways: ways[name_of(z)])
         apart = {(far, "near"): far_apart, (own, "far"): own_apart}
         monkeypatch.setattr(m, "is_apart", lambda _, pair, to, apart=apart: apart[pair, to])

@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from tests.check.test_check_map import sealed
 from verify import check_map
 from verify.check_map import ONE, LogError, RefusedError, Sight, Work
 
@@ -94,3 +95,44 @@ def test_areas_have_8192_bits(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(check_map, "share_of", lambda *_: long)
     with pytest.raises(LogError, match="shorter fractions"):
         check_map._and_share(Fraction(0), PHI, "0")
+
+
+STRIP = {
+    "name": "strip", "r": "1/2", "neg_cos": "1", "speed": "1", "tangential": ["0", "0"],
+    "x": ["0", "8"], "y": ["0", "3"], "delta": "1/10", "below": ["0", "1/2", "1"],
+    "above": ["0", "1/2", "1"],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("row", "good"),
+    [
+        # The parts have half a width of 1, so that f and δ differ from c0 by up to 11/10, or 2.
+        (["111/100", "1", "0"], True),
+        (["11/10", "1", "0"], False),
+        (["189/100", "-1", "0"], True),
+        (["19/10", "-1", "0"], False),
+        (["111/100", "1/2", "-1/2"], True),
+        (["11/10", "1/2", "1/2"], False),
+        (["1/2", "0", "0"], False),
+    ],
+)
+def test_a_curve_lies_between_0_and_the_top(row: list[str], good: bool) -> None:
+    document = {**STRIP, "curve": [["3/2", "1/10", "0"]] * 3 + [row]}
+    if good:
+        assert check_map._strip(document).curve[3] == tuple(map(Fraction, row))
+    else:
+        with pytest.raises(LogError, match="between 0 and the top"):
+            check_map._strip(document)
+
+
+def test_a_strip_begins_with_a_box_for_each_part() -> None:
+    plane = {**STRIP, "curve": [["3/2", "1/10", "0"]] * 4}
+    plane = {name: plane[name] for name in check_map.STRIP}
+    for level in (1, 2, 3):
+        header = {"format": check_map.FORMAT, "plane": plane, "first_level": level, "code": 1}
+        if level == 2:
+            assert check_map.check_log(iter(sealed([header])))[1].boxes == 0
+        else:
+            with pytest.raises(LogError, match="a first box for each part of the curve"):
+                check_map.check_log(iter(sealed([header])))

@@ -346,3 +346,13 @@ def test_both_files_are_parsed() -> None:
         check.check(*pair.files(), {}, room)
     first, second = pair.files()
     assert spent[0] == (0, (len(first) + len(second)) // 8)
+
+
+def test_a_quotient_by_a_number_is_a_product_with_each_monomial(ledger: Ledger) -> None:
+    found = clearing(ledger)
+    name, half = ledger.new_name("n", ledger.outermost), ledger.term("1/2")
+    quotient = ledger.node("div", (name, half))
+    found.cleared |= {name: ({X: 1, LONG: 1, (): 1}, check.ONE), half: ({(): F(1, 2)}, check.ONE)}
+    ledger.bill()
+    assert found.clear(quotient) == ({X: 2, LONG: 2, (): 2}, check.ONE)
+    assert ledger.bill()[:2] == [(0, 2 + 2), (0, 1 + 3)]

@@ -293,3 +293,11 @@ def test_a_row_is_proved_only_where_its_own_proof_is_accepted() -> None:
 def test_a_row_of_a_context_that_is_not_opened_is_refused() -> None:
     pair = box(("1", "0")).row("one", "0 <= 1", INTERVAL, "box")
     assert rows(pair) == {"one": "refused"}
+
+
+def test_what_is_malformed_has_no_work_and_is_told_first() -> None:
+    """Whatever is said of the certificates that lie there to be cited."""
+    report = check.examined(b"{}", b"{}", {}, 100)
+    assert (report.verdict, report.work) == ("MALFORMED", 0)
+    others = [check.examined(*pair.files(), {}, 10**6) for pair in (refused(), proved())]
+    assert check.with_cited(report, others) == report

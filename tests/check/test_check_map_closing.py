@@ -112,6 +112,7 @@ def one_state() -> tuple[check_map.Law, check_map.Sight, tuple[check_map.Interva
 def test_the_ratio_of_the_speeds_has_to_be_between_its_bounds() -> None:
     law, state, numbers = one_state()
     assert check_map.closes(law, state, numbers)
+    assert not check_map.closes(law, state._replace(lam=(0, state.lam[1])), numbers)
     low, high = state.rho
     for other in ((low * 100, high * 100), (1, 1), (1, high), (low, high * 100)):
         assert not check_map.closes(law, state._replace(rho=other), numbers)

@@ -301,3 +301,14 @@ def test_what_is_malformed_has_no_work_and_is_told_first() -> None:
     assert (report.verdict, report.work) == ("MALFORMED", 0)
     others = [check.examined(*pair.files(), {}, 10**6) for pair in (refused(), proved())]
     assert check.with_cited(report, others) == report
+
+
+def test_what_is_malformed_ends_a_folder() -> None:
+    """Nothing that lies there to be cited is checked any more, nor closes a citation elsewhere."""
+    first, second = proved().files()
+    folder = check.Folder("f", b"{}", b"{}", [first], [(first, second), (b"{}", b"{}")])
+    ((report, cited),) = check.judged([folder])
+    assert (report.verdict, cited) == ("MALFORMED", [])
+    ((report, cited),) = check.judged([folder._replace(statement=first, certificate=second)])
+    assert [other.verdict for other in cited] == ["PROVED", "MALFORMED"]
+    assert report.verdict == "MALFORMED"

@@ -63,6 +63,8 @@ STARTING = ("subprocess.Popen", "os.fork", "os.posix_spawn")
 LIBRARIES = ("pytest", "_pytest.assertion.rewrite", "xdist.plugin", "hypothesis", "mpmath")
 LIBRARIES += ("flint", "jsonschema", "numpy")
 MEMORY = 3 << 30
+#: A test that takes so many times as long as it should, and a second, has no end.
+PATIENCE = 10
 #: Exit codes of a process: a test fails; this program does.
 NOTICED, BROKEN = 1, 99
 
@@ -384,7 +386,7 @@ def run(items: Iterable[Any], told: dict[str, Told] | None = None) -> None:
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     for item, following in zip(items, [*items[1:], None], strict=True):
         seconds = told[item.nodeid].seconds if told else 60.0
-        signal.setitimer(signal.ITIMER_REAL, 10 + 10 * seconds)
+        signal.setitimer(signal.ITIMER_REAL, PATIENCE * (1 + seconds))
         item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
     signal.setitimer(signal.ITIMER_REAL, 0)
 
@@ -569,7 +571,7 @@ def examined(file: str, chosen: list[Mutant], jobs: int) -> Iterator[tuple[Mutan
                     raise SystemExit(f"{task.mutant.name}:\n{said}")
                 kills[task.mutant.where, said.strip().rpartition("\n")[2]] += code == NOTICED
                 free.append(pipe)
-                if sys.stderr.isatty() or len(waiting) % 100 == 0:
+                if len(waiting) % 100 == 0:
                     print(f"{len(waiting)} mutants are left", file=sys.stderr, flush=True)
                 yield task.mutant, code != 0
 

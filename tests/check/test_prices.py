@@ -346,3 +346,25 @@ def test_both_files_are_parsed() -> None:
         check.check(*pair.files(), {}, room)
     first, second = pair.files()
     assert spent[0] == (0, (len(first) + len(second)) // 8)
+
+
+def test_a_quotient_by_a_number_is_a_product_with_each_monomial(ledger: Ledger) -> None:
+    found = clearing(ledger)
+    name, half = ledger.new_name("n", ledger.outermost), ledger.term("1/2")
+    quotient = ledger.node("div", (name, half))
+    found.cleared |= {name: ({X: 1, LONG: 1, (): 1}, check.ONE), half: ({(): F(1, 2)}, check.ONE)}
+    ledger.bill()
+    assert found.clear(quotient) == ({X: 2, LONG: 2, (): 2}, check.ONE)
+    assert ledger.bill()[:2] == [(0, 2 + 2), (0, 1 + 3)]
+
+
+def test_the_first_factor_is_gone_through(ledger: Ledger) -> None:
+    found = clearing(ledger)
+    a, b = (ledger.new_name(name, ledger.outermost) for name in "ab")
+    one, three = {X: 2}, {X: 2, LONG: 2, (): 2}
+    found.cleared |= {a: (one, three), b: (three, one)}
+    for first, second, bill in ((a, b, [2, 4]), (b, a, [4, 2])):
+        product = ledger.node("mul", (first, second))
+        ledger.bill()
+        found.clear(product)
+        assert [times for bits, times in ledger.bill() if not bits] == [4, *bill]

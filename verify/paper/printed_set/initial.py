@@ -96,7 +96,7 @@ def premise(name: str) -> str:
     return found if GIVENS.get(found) == numbers.entry()[name] else f"entry-{name}"
 
 
-def inside() -> Iterator[Item]:
+def inside() -> Iterator[Line]:
     """The givens at the point, none of them sharp: the set has an interior."""
     slope = times(Fraction(1, 4), of("d_slope-positive"), power(ETA, 2))
     yield Line("at-least", 0 < _least, ByLeast((proof(of("d_const-positive")), proof(slope))))
@@ -121,7 +121,7 @@ def _reasons() -> dict[str, Reason]:
     }
 
 
-def _vectors() -> Iterator[Item]:
+def _vectors() -> Iterator[Line]:
     """Vectors with this angle, these normal components and these norms exist, in the plane."""
     says = "there are unit vectors and velocities with these numbers"
     p, uses = point_frame, ("cauchy-schwarz",)

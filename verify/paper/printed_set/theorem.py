@@ -34,7 +34,7 @@ ASSUMPTIONS = tuple(
 def rows() -> Iterator[Obligation]:
     """What is claimed of the numbers, of a point of the set, and of each state."""
     yield from _said((*numbers.room(), *numbers.conclusions(), *initial.inside()), chart.CONTEXT)
-    at = numbers.MEANING | {name: symbol(name) for name in initial.point}
+    at = dict(numbers.MEANING) | {name: symbol(name) for name in initial.point}
     uses = tuple(assumption.name for assumption in ASSUMPTIONS)
     yield Obligation(COLLAPSE, PRINTED, THEOREM, NEEDED,
         "the sharper theorem applies to each state of the set: the particles collapse",

@@ -44,12 +44,13 @@ ASSUMPTIONS = (
          "velocity, and they part at the speed r u. Ball 0 is between s and c.", "definition"),
     BOUNDED_MONOTONE,
     Assumption("glue-line", LABEL,
-         "1. Ball 0 has just met s, and c is apart from 0. As 0 is between them, s and c never "
-         "touch; 0 and s part, by line-recedes; so the next collision is that of 0 with c, by "
-         "flight-time, and next-approach, next-recedes and next-distance describe the state after "
-         "it, with s and c exchanged. By induction there is an n-th collision for every n, by "
-         "line-always. Their times increase, and are bounded by time-total: the balls collapse by "
-         "then. As 0 is between the others, the angle is π.", "numbered glue"),
+         "1. Ball 0 has just met s, and meets c after the time τ if it meets nothing before. As 0 "
+         "is between them, s and c never touch; 0 and s part, by line-recedes. So the next "
+         "collision is that of 0 with c, and by next-approaches, next-recedes and next-later the "
+         "state after it is again such a state, with s and c exchanged. By induction there is an "
+         "n-th collision for every n, by line-always. Their times increase, and are at most Eτ₀ "
+         "after the start, by time-total: the balls collapse by then. As 0 is between the others, "
+         "the angle is π.", "numbered glue"),
 )  # fmt: skip
 
 s = Letters("start", r="r", Q="Q", E="E", y="y₀", eta="η₀", T="τ₀")

@@ -82,6 +82,7 @@ THEOREMS: dict[str, Callable[[], Outcome]] = {
     "elsewhere": elsewhere.decide_elsewhere,
     "sharper": sharper.decide_sharper,
     "flow": scene.decide_flow,
+    "line": scene.decide_line,
 }
 
 

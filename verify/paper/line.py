@@ -26,8 +26,8 @@ from verify.language.argument import (
 )
 from verify.language.statement import Always, Assumption, Context, Given
 from verify.language.terms import Claim, substitute_claim
-from verify.paper.classification.settings import Letters
-from verify.paper.dynamics.assumptions import BOUNDED_MONOTONE
+from verify.paper.assumptions import BOUNDED_MONOTONE
+from verify.paper.letters import Letters
 
 NAME = "line"
 TITLE = (

@@ -19,7 +19,7 @@ from verify.language.argument import (
 )
 from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Claim, minimum, substitute_claim
-from verify.paper.dynamics.plane import aligned
+from verify.paper.dynamics.model import aligned
 from verify.paper.dynamics.state import LETTERS
 from verify.paper.everywhere import chart
 from verify.paper.parameters import V_0, c

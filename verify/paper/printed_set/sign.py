@@ -36,9 +36,9 @@ from verify.language.statement import (
     Variable,
 )
 from verify.language.terms import as_term, equal, sqrt, symbol
-from verify.paper.classification.assumptions import ASSUMPTIONS as CITED
+from verify.paper.classification.classification import ASSUMPTIONS as CITED
+from verify.paper.classification.classification import NAME as CLASSIFICATION
 from verify.paper.classification.comparison import c as final
-from verify.paper.classification.theorem import NAME as CLASSIFICATION
 from verify.paper.hypotheses import ANGLE, RESTITUTION
 from verify.paper.parameters import THEOREM, c, delta_theta, r
 

@@ -7,14 +7,14 @@ from collections.abc import Iterable, Iterator
 from verify.language.argument import Item, Line
 from verify.language.statement import NEEDED, Applies, Cite, Obligation, Statement
 from verify.language.terms import symbol
+from verify.paper.assumptions import STEP_ASSUMPTIONS
 from verify.paper.everywhere import chart
 from verify.paper.groups import PRINTED
 from verify.paper.parameters import THEOREM
 from verify.paper.printed_set import initial, numbers
 from verify.paper.sharper import numbers as sharper
-from verify.paper.sharper.assumptions import ASSUMPTIONS as CITED
-from verify.paper.sharper.theorem import NAME as SHARPER
-from verify.paper.step.assumptions import ASSUMPTIONS as OF_THE_STEP
+from verify.paper.sharper.sharper import ASSUMPTIONS as CITED
+from verify.paper.sharper.sharper import NAME as SHARPER
 
 NAME = f"{THEOREM}, the set as printed"
 TITLE = (
@@ -27,7 +27,9 @@ TITLE = (
 COLLAPSE = "collapse"
 #: That the set has an interior is the step's glue, from rows of the same names.
 ASSUMPTIONS = tuple(
-    one for one in OF_THE_STEP if one.name in ("cauchy-schwarz", "open-condition", "glue-interior")
+    one
+    for one in STEP_ASSUMPTIONS
+    if one.name in ("cauchy-schwarz", "open-condition", "glue-interior")
 )
 
 

@@ -8,8 +8,9 @@ from types import SimpleNamespace
 from typing import Any
 
 from tests.coq.record import RECORD, without_times
-from verify.views.coq.record import checked
+from verify.views.material import CoqRecord
 from verify.views.page.coq import checked_in_coq
+from verify.wire.coq.record import checked
 
 
 def said(digests: list[dict[str, str]]) -> str:
@@ -17,7 +18,11 @@ def said(digests: list[dict[str, str]]) -> str:
     folders = [
         SimpleNamespace(name=f"number {i}", digests=pair) for i, pair in enumerate(digests, 1)
     ]
-    material: Any = SimpleNamespace(folders=folders)
+    record = checked()
+    found = record.of(folder.digests for folder in folders)
+    names = [folder.name for folder in folders]
+    coq = CoqRecord(record.version, dict(zip(names, found, strict=True)))
+    material: Any = SimpleNamespace(folders=folders, coq=coq)
     return "".join(piece.text for piece in checked_in_coq(material))  # type: ignore[union-attr]
 
 

@@ -7,6 +7,7 @@ from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import show
 from verify.paper.commands.elsewhere import decide_elsewhere
+from verify.paper.source import PAPER
 
 
 def add_arguments(parser: Parser) -> None:
@@ -25,5 +26,5 @@ def run(options: Options) -> int:
     if options.json:
         print_document(elsewhere_document(outcome))
     else:
-        show(claims.told(outcome, options, screen(outcome)), options)
+        show(claims.told(outcome, options, screen(outcome, PAPER)), options)
     return outcome.exit_code

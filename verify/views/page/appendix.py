@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from verify import __version__
-from verify.paper.commands.report import Material
+from verify.views.material import Material
 from verify.views.page.blocks import (
     Block,
     Cell,

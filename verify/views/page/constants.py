@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from verify.paper.groups import PRINTED, REPAIRED
+from verify.language.statement import PRINTED, REPAIRED
 from verify.prover.decimals import outward
 from verify.prover.outcome import Outcome
 from verify.views.words import constants_of, ends_of

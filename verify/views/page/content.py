@@ -4,11 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from verify.paper.commands.report import Material
-from verify.paper.parameters import THEOREM
-from verify.paper.source import AUTHORS, COMPANION
-from verify.paper.source import TITLE as PAPER_TITLE
-from verify.prover.outcome import Outcome
+from verify.language.statement import Publication
+from verify.views.material import Material
 from verify.views.page import first, numbers, shown, theorems
 from verify.views.page.appendix import digests, measurements
 from verify.views.page.blocks import Block, Heading, Paragraph, Text
@@ -18,29 +15,32 @@ from verify.views.page.writer import Writer
 from verify.views.plots import Pictures
 
 TITLE = "Three particles collapse: what is proved"
-SUBTITLE = (
-    f"{AUTHORS}, {PAPER_TITLE} (its companion is {COMPANION}): Theorem 1 and the spectrum of its "
-    "linear model, every inequality decided in rigorous arithmetic."
-)
-EVERYWHERE = f"{THEOREM} for all parameters"
+
+
+def subtitle(paper: Publication) -> str:
+    """Which paper the page is about."""
+    return (
+        f"{paper.authors}, {paper.title} (its companion is {paper.companion}): Theorem 1 and the "
+        "spectrum of its linear model, every inequality decided in rigorous arithmetic."
+    )
 
 
 def content(
-    material: Material, everywhere: Outcome, pictures: Pictures, drawn: Mapping[str, Sequence[str]]
+    material: Material, pictures: Pictures, drawn: Mapping[str, Sequence[str]]
 ) -> list[Block]:
     """The blocks of the page; ``drawn`` has the panels of each figure that was drawn."""
-    main = material.about(THEOREM)[0].outcome
-    writer = Writer(main)
+    main, paper = material.main, material.paper
+    writer = Writer(main, paper)
     region, *plots = shown.drawings(pictures.plots, drawn)
     return [
-        *first.result(material.about(EVERYWHERE), main, theorems.others(material)),
+        *first.result(material, theorems.others(material)),
         *first.command(),
         region,
         *first.numbers(main),
-        *shown.proof(everywhere, main, draw=bool(drawn)),
-        *shown.letters(draw=bool(drawn)),
+        *shown.proof(material, draw=bool(drawn)),
+        *shown.letters(material, draw=bool(drawn)),
         *printed_proof(writer),
-        *changes(),
+        *changes(paper),
         *shown.scenes(material, shown.drawings(pictures.collapses, drawn)),
         *shown.maps(material, shown.drawings(pictures.maps, drawn)),
         *theorems.classification(material),

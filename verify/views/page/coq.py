@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from verify.paper.commands.report import Material
-from verify.views.coq.record import checked
+from verify.views.material import Material
 from verify.views.page.blocks import Cell, Code, Text
 
 
 def checked_in_coq(material: Material) -> Cell:
     """All, or how many and which not: a file that has changed since is not counted."""
-    record = checked()
-    found = record.of(folder.digests for folder in material.folders)
+    record = material.coq
+    found = [record.seconds[folder.name] for folder in material.folders]
     times = [seconds for seconds in found if seconds is not None]
     both = zip(material.folders, found, strict=True)
     missing = [folder.name for folder, seconds in both if seconds is None]

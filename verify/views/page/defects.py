@@ -4,11 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Obligation
+from verify.language.statement import (
+    BREAKS,
+    HARMLESS,
+    HYPOTHESES,
+    NEEDED,
+    PROVED,
+    REFUTED,
+    REPAIRED,
+    SLIP,
+    UNDECIDED,
+    Obligation,
+    Publication,
+)
 from verify.language.terms import Claim, symbol
-from verify.paper.groups import HYPOTHESES, REPAIRED
-from verify.paper.rows import BREAKS, HARMLESS, SLIP
-from verify.paper.theorem1 import theorem
 from verify.prover.decimals import outward, short
 from verify.prover.outcome import Decision
 from verify.views.page.blocks import (
@@ -93,10 +102,10 @@ def card(writer: Writer, row: Obligation, found: Decision) -> RefutedStep:
     """A refuted row, what is wrong with it, and what takes its place."""
     claim = writer.claim(row.claim)
     lhs, rhs = sides_shown(row, found)
-    cause = next((c.text for c in theorem().causes if row.name in c.rows), "")
+    cause = next((text for rows, text in writer.causes if row.name in rows), "")
     return RefutedStep(
         row.name,
-        label_cell(row.label),
+        label_cell(row.label, writer.paper),
         in_letters(row.says),
         claim if isinstance(claim, Math) else Math("", "(long: see the statement file)"),
         lhs,
@@ -145,14 +154,14 @@ def _repair(writer: Writer, row: Obligation) -> Cell:
     return parts
 
 
-def changes() -> Iterator[Block]:
+def changes(paper: Publication) -> Iterator[Block]:
     """What the repaired set changes."""
     yield Heading("changes", "What is changed")
     yield Table(
         "Paper, needed, why",
         ("Label", "Paper", "Needed", "Why"),
         [
-            (label_cell(c.label), [Text(c.paper)], [Text(c.needed)], [Text(c.why)])
-            for c in theorem().changes
+            (label_cell(c.label, paper), [Text(c.paper)], [Text(c.needed)], [Text(c.why)])
+            for c in paper.notes().changes
         ],
     )

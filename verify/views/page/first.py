@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from verify.language.statement import PROVED, REFUTED
+from verify.language.statement import PROVED, REFUTED, REPAIRED, Publication
 from verify.language.terms import Claim
-from verify.paper.commands.report import CertifiedOutcome
-from verify.paper.groups import REPAIRED
 from verify.prover.outcome import Outcome
 from verify.views.everywhere import THEOREM as EVERYWHERE_IN_WORDS
+from verify.views.material import CertifiedOutcome, Material
 from verify.views.page.blocks import (
     Block,
     Box,
@@ -27,15 +26,14 @@ from verify.views.point import in_numbers, place
 from verify.views.words import CONDITIONALLY_PROVED, given_by, headline, in_letters
 
 
-def result(
-    everywhere: Sequence[CertifiedOutcome], main: Outcome, others: Sequence[CertifiedOutcome]
-) -> Iterator[Block]:
+def result(material: Material, others: Sequence[CertifiedOutcome]) -> Iterator[Block]:
     """The theorem, and the verdicts on it."""
+    main, paper = material.main, material.paper
     repaired, printed = main.of_group(REPAIRED), rows_as_printed(main)
     proved, refuted = with_verdict(repaired, PROVED), with_verdict(printed, REFUTED)
     alone = [row for row, _ in refuted if row.name.startswith("printed.alone-")]
     closing = [row for row, _ in proved if isinstance(row.claim, Claim)]
-    for folder in everywhere:
+    for folder in material.about(material.plotted.region.everywhere.statement.theorem):
         if headline(folder.outcome) == PROVED:
             yield Box("The theorem, repaired", [Text(EVERYWHERE_IN_WORDS)])
     yield Facts([
@@ -43,7 +41,7 @@ def result(
             Strong("The theorem holds with repaired constants. "),
             Text(f"At {place(main)} all {len(closing)} inequalities that close the proof are "
                  "proved, and so is that the step applies to them; given "
-                 f"{given_by(main)}, "),
+                 f"{given_by(main, paper)}, "),
             Link("#assumptions", "listed below"), Text("."),
         ]),
         (REFUTED, [
@@ -53,11 +51,13 @@ def result(
                  "minimum; each is "),
             Link("#printed", "listed with both sides and its repair"), Text("."),
         ]),
-        *_conditional(others),
+        *_conditional(others, paper),
     ])  # fmt: skip
 
 
-def _conditional(others: Sequence[CertifiedOutcome]) -> Iterator[tuple[str, Cell]]:
+def _conditional(
+    others: Sequence[CertifiedOutcome], paper: Publication
+) -> Iterator[tuple[str, Cell]]:
     """What is proved from more than definitions, general mathematics and numbered glue."""
     for folder in others:
         if headline(folder.outcome) == CONDITIONALLY_PROVED:
@@ -65,7 +65,7 @@ def _conditional(others: Sequence[CertifiedOutcome]) -> Iterator[tuple[str, Cell
                 CONDITIONALLY_PROVED,
                 [
                     Strong(f"{title_of(folder.outcome)}: "),
-                    Text(f"given {given_by(folder.outcome)} ("),
+                    Text(f"given {given_by(folder.outcome, paper)} ("),
                     Link(f"#{folder.name}", "list"),
                     Text("). Everything else on this page is complete, given what it names."),
                 ],

@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.statement import PROVED, REFUTED, Constant
+from verify.language.statement import PRINTED, PROVED, REFUTED, REPAIRED, Constant
 from verify.language.terms import symbol
-from verify.paper.commands.report import Material
-from verify.paper.groups import PRINTED, REPAIRED
-from verify.paper.parameters import THEOREM
-from verify.views.markdown import bound_of_each
+from verify.views.material import Material
 from verify.views.page.blocks import (
     Block,
     Cell,
@@ -44,7 +41,7 @@ def constants(writer: Writer) -> Iterator[Block]:
         "repaired constants are chosen: short decimals on the safe side of their bounds, so they "
         "are exact."
     )])  # fmt: skip
-    bounds = bound_of_each()
+    bounds = writer.paper.notes().bounds
     groups = {
         "": "The first constants",
         PRINTED: "The set as printed",
@@ -62,14 +59,14 @@ def constants(writer: Writer) -> Iterator[Block]:
 def _constant(writer: Writer, constant: Constant, definition: Math) -> list[Cell]:
     letter = writer.term(symbol(constant.name))
     number = number_of(ends_of(writer.outcome, constant.name), unfolds=True)
-    return [[letter], cell(number), [definition], label_cell(constant.label)]
+    return [[letter], cell(number), [definition], label_cell(constant.label, writer.paper)]
 
 
 def points(material: Material) -> Iterator[Block]:
     """A row for each point that has a certificate."""
     yield Heading("points", "The same at other points")
     rows: list[list[Cell]] = []
-    for folder in material.about(THEOREM):
+    for folder in material.about(material.paper.theorem):
         outcome = folder.outcome
         printed = rows_as_printed(outcome)
         rows.append([

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from verify.language.statement import NEEDED
-from verify.paper.commands.report import Material
-from verify.paper.glossary import LETTERS
-from verify.prover.outcome import Outcome
+from verify.views.material import Material
 from verify.views.page import blueprint
 from verify.views.page.blocks import (
     Block,
@@ -30,18 +28,22 @@ from verify.views.point import place
 from verify.views.words import counts, headline
 
 
-def letters(*, draw: bool) -> Iterator[Block]:
+def letters(material: Material, *, draw: bool) -> Iterator[Block]:
     """What each letter stands for."""
     yield Heading("letters", "The letters")
     caption = "Three spheres just after a collision of 0 and s; the next one is that of 0 and c."
     figure = Figure("letters", "A state just after a collision", caption, ())
     yield Drawing(figure, [letters_drawing()] if draw else [])
-    rows = [([Text(item.letter)], [Text(item.says)], label_cell(item.label)) for item in LETTERS]
+    rows = [
+        ([Text(letter)], [Text(says)], label_cell(label, material.paper))
+        for letter, says, label in material.letters
+    ]
     yield Table("What each letter stands for", ("Letter", "Meaning", "Paper"), rows, folded=True)
 
 
-def proof(everywhere: Outcome, main: Outcome, *, draw: bool) -> Iterator[Block]:
+def proof(material: Material, *, draw: bool) -> Iterator[Block]:
     """The formulas of the proof, and which rests on which."""
+    everywhere, main = material.plotted.region.everywhere, material.main
     yield Heading("proof", "The proof as a graph")
     caption = (
         f"Each box is a formula of the paper, by its printed number; lines lead down from what it "
@@ -51,7 +53,8 @@ def proof(everywhere: Outcome, main: Outcome, *, draw: bool) -> Iterator[Block]:
         "proof.svg."
     )
     figure = Figure("proof", "Theorem 1, repaired, for all parameters", caption, ())
-    yield Drawing(figure, [blueprint.proof_drawing(everywhere, main)] if draw else [])
+    drawn = [blueprint.proof_drawing(everywhere, main, material.paper)] if draw else []
+    yield Drawing(figure, drawn)
 
 
 def scenes(material: Material, collapses: Sequence[Drawing]) -> Iterator[Block]:

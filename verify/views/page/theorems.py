@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, UNDECIDED
-from verify.paper.commands.report import CertifiedOutcome, Material
-from verify.paper.parameters import THEOREM
+from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, UNDECIDED, Publication
 from verify.views.classification import SETTING, THEOREMS
+from verify.views.material import CertifiedOutcome, Material
 from verify.views.page.blocks import (
     Block,
     Cell,
@@ -34,7 +33,8 @@ def others(material: Material) -> list[CertifiedOutcome]:
     return [
         folder
         for folder in material.folders
-        if folder.outcome.statement.theorem != THEOREM and not folder.name.startswith(SCENES)
+        if folder.outcome.statement.theorem != material.paper.theorem
+        and not folder.name.startswith(SCENES)
     ]
 
 
@@ -43,9 +43,10 @@ def classification(material: Material) -> Iterator[Block]:
     for folder in material.about("classification"):
         outcome = folder.outcome
         if headline(outcome) == PROVED:
+            given = given_by(outcome, material.paper)
             yield Heading("collapses", "Classification: which collapses there are")
             yield Paragraph([
-                Verdict(PROVED), Text(f" {counts(outcome, NEEDED)}; given {given_by(outcome)} ("),
+                Verdict(PROVED), Text(f" {counts(outcome, NEEDED)}; given {given} ("),
                 Link(f"#{folder.name}", "row by row"), Text(f"). {SETTING}"),
             ])  # fmt: skip
             yield Items([[Text(theorem)] for theorem in THEOREMS])
@@ -65,7 +66,7 @@ def in_short(material: Material) -> Iterator[Block]:
             [Link(f"#{folder.name}", title_of(outcome))],
             [Verdict(headline(outcome))],
             [Text("; ".join(part for part in claims if part))],
-            [Text(given_by(outcome))],
+            [Text(given_by(outcome, material.paper))],
         ])  # fmt: skip
     yield Table("Theorems for all values", ("Theorem", "Verdict", "Claims", "Given"), rows)
 
@@ -76,13 +77,13 @@ def row_by_row(material: Material) -> Iterator[Block]:
     if found:
         yield Heading("rows", "Appendix: the other theorems, row by row")
     for folder in found:
-        yield from _rows(folder)
+        yield from _rows(folder, material.paper)
 
 
-def _rows(folder: CertifiedOutcome) -> Iterator[Block]:
+def _rows(folder: CertifiedOutcome, paper: Publication) -> Iterator[Block]:
     outcome = folder.outcome
     yield Heading(folder.name, title_of(outcome), 3)
-    writer = Writer(outcome)
+    writer = Writer(outcome, paper)
     refuted = with_verdict(outcome.rows, REFUTED)
     rest = [(row, found) for row, found in outcome.rows if found.verdict != REFUTED]
     if refuted:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.statement import Assumption
-from verify.paper.commands.report import Material
+from verify.language.statement import Assumption, Publication
+from verify.views.material import Material
 from verify.views.page.blocks import (
     Block,
     Cell,
@@ -95,11 +95,16 @@ def _assumptions(material: Material) -> Iterator[Block]:
         if statement.theorem not in seen:
             seen.add(statement.theorem)
             yield Paragraph([Strong("For "), Code(statement.theorem), Text(":")])
-            yield Items([_assumption(a) for a in folder.outcome.assumptions])
+            yield Items([_assumption(a, material.paper) for a in folder.outcome.assumptions])
             if folder.outcome.printed_assumptions:
                 yield Paragraph([Text("and for its printed rows only:")])
-                yield Items([_assumption(a) for a in folder.outcome.printed_assumptions])
+                yield Items(
+                    [_assumption(a, material.paper) for a in folder.outcome.printed_assumptions]
+                )
 
 
-def _assumption(assumption: Assumption) -> Cell:
-    return [*label_cell(assumption.label), Text(f" ({assumption.kind}): {assumption.sentence}")]
+def _assumption(assumption: Assumption, paper: Publication) -> Cell:
+    return [
+        *label_cell(assumption.label, paper),
+        Text(f" ({assumption.kind}): {assumption.sentence}"),
+    ]

@@ -5,17 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from verify.language.simplify import simplified_claim
-from verify.language.statement import PRINTED as PRINTED_ROLE
-from verify.language.statement import Always, Applies, Obligation
+from verify.language.statement import HYPOTHESES, PRINTED, Always, Applies, Obligation, Publication
 from verify.language.terms import Claim, Term
-from verify.paper.groups import HYPOTHESES, PRINTED
-from verify.paper.numbering import printed_numbers
-from verify.prover.decimals import short
+from verify.prover.decimals import decimal_text, round_decimal, short
 from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views.mathml import MathML
 from verify.views.page.blocks import Cell, Code, Inline, Math, Number, Table, Text, Verdict
 from verify.views.words import in_letters, letters, sides_of
-from verify.wire.write import decimals
 
 Row = tuple[Obligation, Decision]
 
@@ -34,8 +30,9 @@ MANY = 2
 class Writer:
     """Formulas and numbers of one outcome."""
 
-    def __init__(self, outcome: Outcome) -> None:
-        self.outcome = outcome
+    def __init__(self, outcome: Outcome, paper: Publication) -> None:
+        self.outcome, self.paper = outcome, paper
+        self.causes = paper.notes().causes
         self.typesetter = letters(outcome)
         statement = outcome.statement
         tex = {constant.name: constant.tex for constant in statement.constants}
@@ -84,7 +81,7 @@ def number_of(ends: Ends | None, digits: int = 8, unfolds: bool = False) -> Numb
     """An enclosure with both ends as they stand in the certificate."""
     if ends is None:
         return None
-    low, high = decimals(ends)
+    low, high = (decimal_text(*round_decimal(end, 40, up=False)) for end in ends)
     return Number(short(ends, digits), (low, high), unfolds)
 
 
@@ -111,12 +108,12 @@ def of_role(rows: Iterable[Row], role: str) -> list[Row]:
 
 def rows_as_printed(outcome: Outcome) -> list[Row]:
     """What the paper says, of the hypotheses and of the printed set."""
-    return of_role(outcome.of_group(HYPOTHESES, PRINTED), PRINTED_ROLE)
+    return of_role(outcome.of_group(HYPOTHESES, PRINTED), PRINTED)
 
 
-def label_cell(label: str) -> Cell:
+def label_cell(label: str, paper: Publication) -> Cell:
     """A label of the paper, after the number that is printed there."""
-    number = printed_numbers().get(label)
+    number = paper.printed(label)
     return [Code(label)] if number is None else [Text(f"{number} "), Code(label)]
 
 
@@ -134,7 +131,7 @@ def _row(writer: Writer, row: Obligation, found: Decision) -> list[Cell]:
         last = [lhs, Text(f" {SIGNS[row.claim.relation]} "), rhs]
     return [
         [Verdict(found.verdict)],
-        label_cell(row.label),
+        label_cell(row.label, writer.paper),
         [Text(in_letters(row.says))],
         [Text("(long: see the statement file)") if claim is None else claim],
         last,
@@ -151,7 +148,7 @@ def plain_rows(writer: Writer, title: str, rows: Sequence[Row]) -> Table:
         shown.append(
             [
                 [Verdict(found.verdict)],
-                label_cell(row.label),
+                label_cell(row.label, writer.paper),
                 [Text(in_letters(row.says))],
                 [Text(text)],
                 [Text(last)],

@@ -25,7 +25,7 @@ from verify.spheres.scene.scene import Scene
 from verify.views.graph import graph
 from verify.views.material import CertifiedMap
 from verify.views.page.blueprint import direct, edges_between_labels, levels
-from verify.views.page.html import prose
+from verify.views.page.prose import prose
 from verify.views.plots import collapse, map_figure
 from verify.views.plots.shapes import merged
 from verify.wire.judge import read_judged as read

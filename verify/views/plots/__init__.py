@@ -16,13 +16,15 @@ class Pictures(Record):
     """Every figure of the report; the first plot is also the picture of the README."""
 
     plots: Sequence[Figure]
-    collapses: Sequence[Figure] = ()
-    maps: Sequence[Figure] = ()
+    proof: Figure
+    letters: Figure
+    collapses: Sequence[Figure]
+    maps: Sequence[Figure]
 
     @property
     def all(self) -> list[Figure]:
         """One after the other."""
-        return [*self.plots, *self.collapses, *self.maps]
+        return [*self.plots, self.proof, self.letters, *self.collapses, *self.maps]
 
 
 def figures(plotted: Plotted, precision: Mapping[str, Any] | None) -> list[Figure]:

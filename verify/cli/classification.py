@@ -19,9 +19,9 @@ from verify.views.classification import (
     meaning_lines,
     restitution_document,
     restitution_lines,
-    screen,
     theorem_lines,
 )
+from verify.views.row_lists import screen
 from verify.wire.inputs import restitution
 
 
@@ -48,7 +48,7 @@ def run(options: Options) -> int:
             document |= {"verdict": verdict, "headline": verdict}
         print_document(document)
     else:
-        text = [*screen(outcome, PAPER), ""]
+        text = [*screen("Which collapses there are", outcome, PAPER), ""]
         if options.verbose:
             text += [*meaning_lines(MEANING, PAPER), ""]
         if found is not None:

@@ -10,10 +10,10 @@ from verify.cli.options import Options, Parser
 from verify.cli.terminal import show
 from verify.paper.commands.spectrum import decide_spectrum
 from verify.paper.source import PAPER
+from verify.views.row_lists import screen
 from verify.views.spectrum import (
     point_document,
     point_lines,
-    screen,
     spectrum_document,
     verdict_line,
 )
@@ -66,7 +66,7 @@ def run(options: Options) -> int:
             found |= point_document(r, spectrum, bits)
         print_document(found)
     else:
-        text = [*screen(outcome, PAPER)]
+        text = [*screen("Spectral claims, for every r in ]0,1[", outcome, PAPER)]
         if r is not None and spectrum is not None:
             text += point_lines(r, spectrum)
         show(claims.told(outcome, options, [*text, "", verdict_line(outcome, PAPER)]), options)

@@ -127,7 +127,7 @@ def _precisions(options: Options) -> tuple[int, int]:
 def _print_document(outcome: Outcome, bits: int) -> None:
     from verify.cli.files import print_document  # loaded only where they are used
     from verify.views.document import document
-    from verify.views.sharper import sharpened
+    from verify.views.enclosures import sharpened
 
     print_document(document(sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome))
 

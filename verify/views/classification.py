@@ -10,7 +10,6 @@ from verify.prover.decimals import exact_number, rational_text, short
 from verify.prover.outcome import Outcome
 from verify.views.document import claims_document, pair
 from verify.views.material import AtR
-from verify.views.row_lists import MORE, brief
 from verify.views.words import summary
 
 FORMAT = "verify-classification/1"
@@ -55,14 +54,6 @@ THEOREMS = (
         "]7-4√3, 1] it is the first, whatever L."
     ),
 )
-
-
-def screen(outcome: Outcome, paper: Publication) -> Iterator[str]:
-    """What is proved, and given what."""
-    yield "Which collapses there are"
-    yield ""
-    yield from brief(outcome, paper)
-    yield MORE
 
 
 def meaning_lines(remarks: Iterable[tuple[str, str]], paper: Publication) -> Iterator[str]:

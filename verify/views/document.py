@@ -10,7 +10,6 @@ from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import DIGITS, decimal_exponent, outward, rational_text
 from verify.prover.outcome import Decision, Ends, Outcome
-from verify.views.entries import minimum_of
 from verify.views.point import in_numbers
 from verify.views.words import (
     constants_of,
@@ -102,6 +101,8 @@ def _set(outcome: Outcome, group: str, typesetter: Typesetter) -> dict[str, Any]
 
 
 def _minimum(outcome: Outcome, constant: Constant) -> dict[str, Any]:
+    from verify.views.enclosures import minimum_of  # loads flint
+
     minimum = minimum_of(outcome, constant)
     return {"entries": [pair(ends) for ends in minimum.entries], "minimum": minimum.least}
 

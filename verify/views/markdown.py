@@ -21,7 +21,7 @@ from verify.language.terms import Claim, symbol
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Ends, Outcome
-from verify.views.entries import minimum_of
+from verify.views.enclosures import minimum_of
 from verify.views.point import in_numbers
 from verify.views.words import (
     ends_of,

@@ -29,6 +29,16 @@ from verify.views.words import (
 MORE = "All rows: -v; some: --rows NAME; one with its proof: verify explain NAME."
 
 
+def screen(title: str, outcome: Outcome, paper: Publication) -> Iterator[str]:
+    """What fits on a screen; the verdict comes after it."""
+    yield title
+    yield ""
+    yield from brief(outcome, paper)
+    if outcome.spent:
+        yield f"Work budget spent: {outcome.spent}"
+    yield MORE
+
+
 def heading(group: str) -> str:
     """The name of a group as a heading."""
     return group[:1].upper() + group[1:]

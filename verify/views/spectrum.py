@@ -13,7 +13,6 @@ from verify.prover.decimals import exact_number, outward, rational_text, short
 from verify.prover.outcome import Outcome
 from verify.views.document import claims_document
 from verify.views.material import Complex, Spectrum
-from verify.views.row_lists import MORE, brief
 from verify.views.words import summary
 
 FORMAT = "verify-spectrum/1"
@@ -62,16 +61,6 @@ def _point(r: list[Fraction], spectrum: Spectrum, digits: int) -> dict[str, Any]
             "lambda_plus": [complex_pair(entry) for entry in spectrum.vector_plus],
         },
     }
-
-
-def screen(outcome: Outcome, paper: Publication) -> Iterator[str]:
-    """What fits on a screen; `verdict_line` comes after it."""
-    yield "Spectral claims, for every r in ]0,1["
-    yield ""
-    yield from brief(outcome, paper)
-    if outcome.spent:
-        yield f"Work budget spent: {outcome.spent}"
-    yield MORE
 
 
 def verdict_line(outcome: Outcome, paper: Publication) -> str:

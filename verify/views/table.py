@@ -19,7 +19,7 @@ from verify.language.terms import Claim
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import outward, people, short
 from verify.prover.outcome import Decision, Ends, Outcome
-from verify.views.entries import minimum_of
+from verify.views.enclosures import minimum_of
 from verify.views.plain import plain_letters
 from verify.views.point import in_numbers, parameters_told
 from verify.views.screen import SIGNS, TITLES, verdict_lines

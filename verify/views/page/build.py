@@ -32,9 +32,8 @@ from verify.views.page.blueprint import proof_drawing
 from verify.views.plots import Pictures, collapses, figures, maps
 from verify.views.plots.collapse import animation, film
 from verify.views.plots.drawing import SCHEMES, standalone, svg
-from verify.views.plots.figure import Figure
 from verify.views.plots.letters import letters_drawing
-from verify.views.plots.shapes import Panel
+from verify.views.plots.shapes import Figure, Panel
 from verify.views.point import in_numbers, place
 from verify.views.words import (
     CONDITIONALLY_PROVED,

@@ -7,9 +7,9 @@ from typing import Any
 
 from verify.language.record import Record
 from verify.views.material import CertifiedMap, CertifiedStrip, Plotted, Story
-from verify.views.plots import map_figure, margins, minimum, region, roots, speed
+from verify.views.plots import map_figure, margins, region, roots, speed
 from verify.views.plots.collapse import figure as collapse_figure
-from verify.views.plots.figure import Figure
+from verify.views.plots.shapes import Figure
 
 
 class Pictures(Record):
@@ -35,7 +35,7 @@ def figures(plotted: Plotted, precision: Mapping[str, Any] | None) -> list[Figur
     found = [
         region.picture(plotted.region),
         margins.figure(plotted.margins),
-        minimum.figure(plotted.least, plotted.region),
+        region.least_entries(plotted.least, plotted.region),
         roots.figure(plotted.roots),
     ]
     last = None if precision is None else speed.figure(precision)

@@ -21,10 +21,10 @@ from verify.views.map import (
     plane_line,
 )
 from verify.views.material import CertifiedMap, CertifiedStrip
-from verify.views.plots.figure import Figure
 from verify.views.plots.shapes import (
     Areas,
     Curve,
+    Figure,
     Frame,
     Panel,
     Point,

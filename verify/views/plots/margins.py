@@ -8,8 +8,17 @@ from fractions import Fraction
 from verify.language.statement import PROVED, REFUTED
 from verify.prover.decimals import decimal_text, round_decimal
 from verify.views.material import Margins, Ratios
-from verify.views.plots.figure import Figure
-from verify.views.plots.shapes import Areas, Corners, Panel, Rule, Scale, Shape, marks, powers
+from verify.views.plots.shapes import (
+    Areas,
+    Corners,
+    Figure,
+    Panel,
+    Rule,
+    Scale,
+    Shape,
+    marks,
+    powers,
+)
 
 TIGHTEST = 14
 

@@ -7,8 +7,7 @@ from fractions import Fraction
 
 from verify.prover.outcome import Ends
 from verify.views.material import Roots
-from verify.views.plots.figure import Figure
-from verify.views.plots.shapes import Areas, Circle, Panel, Scale, Shape, Words, marks
+from verify.views.plots.shapes import Areas, Circle, Figure, Panel, Scale, Shape, Words, marks
 
 
 def figure(cells: Sequence[Roots]) -> Figure:

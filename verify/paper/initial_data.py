@@ -138,16 +138,8 @@ class ConstantSet:
             return needed(full, label, says, claim, uses, group=self.group)
         if if_false is None:
             return printed(full, label, says, claim, uses, group=self.group)
-        return misprint(
-            full,
-            label,
-            says,
-            claim,
-            uses,
-            group=self.group,
-            severity=if_false,
-            corrected_by=f"{REPAIRED}.{name}",
-        )
+        better = f"{REPAIRED}.{name}"
+        return misprint(full, label, says, claim, if_false, better, uses, group=self.group)
 
     def misprint(
         self,
@@ -161,16 +153,8 @@ class ConstantSet:
     ) -> Iterator[Obligation]:
         """A row that only the printed set has, corrected by the repaired row of a name."""
         if self.printed:
-            yield misprint(
-                f"{self.group}.{name}",
-                label,
-                says,
-                claim,
-                uses,
-                group=self.group,
-                severity=severity,
-                corrected_by=f"{REPAIRED}.{corrected_by}",
-            )
+            full, better = f"{self.group}.{name}", f"{REPAIRED}.{corrected_by}"
+            yield misprint(full, label, says, claim, severity, better, uses, group=self.group)
 
     def aside(
         self, name: str, label: str, says: str, claim: Claim, uses: Iterable[str] = ()

@@ -189,7 +189,7 @@ def _laws() -> Iterator[Obligation]:
 def _triangle() -> Iterator[Obligation]:
     c = symbols("c")[0]
     yield needed("triangle", DEFINITION, "|ω₂-ω₁|² = 2 - 2c is 1 exactly if c = ω₁·ω₂ is 1/2",
-        equal((2 - 2 * c) - 1, 2 * (as_term(1) / 2 - c)), within=ANY)  # fmt: skip
+        equal((2 - 2 * c) - 1, 2 * (as_term(1) / 2 - c)), context=ANY)  # fmt: skip
     for name, says, u, v, value in (
         ("unit-omega_3", "ω₃ = ω₂-ω₁ is a unit vector", omega_3, omega_3, 1),
         ("omega_1-omega_3", "2 ω₁·ω₃ = -1", omega_1, omega_3, -1),

@@ -37,7 +37,7 @@ ZETA = "EQUATSS4.1DefinBorne_Zeta"
 D_0 = "EQUATSS4.1DefinBorne_d_0_"
 
 #: The letter of each constant, for people and in LaTeX, and its label.
-_WRITTEN = {
+WRITTEN = {
     "V_1": ("V₁", "V_1", "EQUATSS4.1Recurrence_Cnd5"),
     "delta_x": ("δ_x", r"\delta_x", DELTA),
     "delta_y": ("δ_y", r"\delta_y", DELTA),
@@ -166,7 +166,7 @@ class ConstantSet:
         """The set's constants, each after those it uses."""
         for name, entries in self.bounds().items():
             term = entries[0] if len(entries) == 1 else minimum(*entries)
-            constant = Constant(f"{self.group}.{name}", *_WRITTEN[name], term)
+            constant = Constant(f"{self.group}.{name}", *WRITTEN[name], term)
             if self.printed or name in {"delta_y", "d_bar"}:
                 yield constant
             else:
@@ -286,7 +286,7 @@ def _collapse_time(k: ConstantSet) -> Term:
 
 def rows(k: ConstantSet) -> Iterator[Obligation]:
     """Both halves of each definition: every constant is positive and below each of its bounds."""
-    label = _WRITTEN["V_1"][2]
+    label = WRITTEN["V_1"][2]
     yield k.row("V_1-above-V_0", label, "0 < V₀ < V₁", V_0 < k.V_1)
     says = "V₁/V₀ = (1-h₅/2)/(1-h₅), of which ≤ is needed"
     yield k.row("V_1-ratio", label, says, k.V_1 / V_0 <= (1 - h_5 / 2) / (1 - h_5))
@@ -307,7 +307,7 @@ def rows(k: ConstantSet) -> Iterator[Obligation]:
 def _definition(
     k: ConstantSet, name: str, constant: Term, entries: tuple[Term, ...]
 ) -> Iterator[Obligation]:
-    letter, _, label = _WRITTEN[name]
+    letter, _, label = WRITTEN[name]
     yield k.row(f"{name}-positive", label, f"0 < {letter}", 0 < constant)
     for index, entry in enumerate(entries, 1):
         says = f"{letter} is at most entry {index} of its min"

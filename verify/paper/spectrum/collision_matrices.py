@@ -34,6 +34,13 @@ from verify.paper.spectrum.matrices import (
 from verify.paper.spectrum.printed import MATRIX_LABEL, THEOREM, Printed, r, root_3
 from verify.paper.spectrum.section import ANY, Section, symbols
 
+LAW_A = "EQUATSS3.5VitesColli_0-1_"
+LAW_B = "EQUATSS3.5DefinMatrix_A_b"
+LAW_C = "EQUATSS3.5DefinMatrix_A_c"
+DEFINITION = "DEFINSS3.5MatriLimitVites"
+SPACE_F = "EQUATSS3.5DefinSs-Ev__F__"
+EIGENSPACE = "EQUATSS3.5Alim_EspPp_L=1_"
+
 Pair = tuple[Vector, Vector]
 Collision = Callable[[Pair], Pair]
 
@@ -124,13 +131,6 @@ def matrix_of(collision: Collision, orthonormal: Sequence[Pair]) -> Matrix:
         for u_1, u_2 in orthonormal
     )
 
-
-LAW_A = "EQUATSS3.5VitesColli_0-1_"
-LAW_B = "EQUATSS3.5DefinMatrix_A_b"
-LAW_C = "EQUATSS3.5DefinMatrix_A_c"
-DEFINITION = "DEFINSS3.5MatriLimitVites"
-SPACE_F = "EQUATSS3.5DefinSs-Ev__F__"
-EIGENSPACE = "EQUATSS3.5Alim_EspPp_L=1_"
 
 A_A: Matrix = (
     vector(-r, 0, 0, 0),

@@ -19,6 +19,10 @@ from verify.paper.spectrum.matrices import Matrix, apply, determinant, dot, iden
 from verify.paper.spectrum.printed import r, root_3
 from verify.paper.spectrum.section import LINEAR, SMALLER, Section, symbols
 
+EXISTENCE = "EQUATSS3.4ZKCl1CondiExist"
+STABILITY = "EQUATSS3.4ZKCl2CondiStabi"
+TEXT = "SSSCT3.4.2LineaZhou-Kadan"
+
 LAW = "EQUATSS3.4EvoluVNormLinea"
 LIMIT = "EQUATSS3.4MatriLimitLinea"
 RATE = "PROPOSS3.4CLineConveNorma"
@@ -114,10 +118,6 @@ def _rate() -> Iterator[Obligation]:
             ["zhou-kadanoff"], context=LINEAR),
     )  # fmt: skip
 
-
-EXISTENCE = "EQUATSS3.4ZKCl1CondiExist"
-STABILITY = "EQUATSS3.4ZKCl2CondiStabi"
-TEXT = "SSSCT3.4.2LineaZhou-Kadan"
 
 s, k, c = symbols("s k c")
 root_5 = sqrt(5)

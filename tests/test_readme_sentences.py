@@ -32,7 +32,7 @@ from verify.paper.initial_data import ConstantSet
 from verify.paper.rows import BREAKS
 from verify.paper.step.numbers import row_names
 from verify.paper.theorem1 import theorem
-from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
+from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.outcome import EXIT_CODES
 from verify.views.words import headline
 

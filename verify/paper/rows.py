@@ -82,11 +82,11 @@ def misprint(
     label: str,
     says: str,
     claim: Claim | Applies | Always,
+    severity: str,
+    corrected_by: str,
     uses: Iterable[str] = (),
     *,
     group: str,
-    severity: str,
-    corrected_by: str,
     context: str | None = None,
 ) -> Obligation:
     """A row of the paper that is refuted, at least for some parameters.

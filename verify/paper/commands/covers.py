@@ -26,7 +26,7 @@ from verify.prover import balls
 from verify.prover.cover import Box, Field, Values, refined
 from verify.prover.ground import Ground
 from verify.prover.outcome import Ends
-from verify.prover.proof import LemmaStep, Proof
+from verify.prover.proof import LemmaStep
 from verify.prover.rules import Interval
 from verify.prover.session import Session
 from verify.prover.slopes import BITS, Side
@@ -113,12 +113,8 @@ def _is_algebraic(ground: Ground, row: Obligation) -> bool:
     if verdict != PROVED or proof is None or isinstance(proof, Interval):
         return False
     lemmas = [s.proof for s in ground.session.steps[before:] if isinstance(s, LemmaStep)]
-    return not any(SAMPLE.keys() & _uses(found) for found in (proof, *lemmas))
-
-
-def _uses(proof: Proof) -> set[str]:
-    """The definitions that a proof by algebra unfolds."""
-    return set(getattr(proof, "using", ()))
+    unfolded = {name for found in (proof, *lemmas) for name in getattr(found, "using", ())}
+    return not SAMPLE.keys() & unfolded
 
 
 #: Just beyond (3-√5)/2 = 0.38196…, the cube root of r_stabi = 9-4√5.

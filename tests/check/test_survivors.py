@@ -441,7 +441,7 @@ def test_words_are_whole(shape: check.Shape, words: list[str]) -> None:
         shape("here", word)
         for other in (word[:-1] if len(word) > 1 else "", word + "?", " " + word):
             if other not in (words[0], "-7/1", "99", "A" + 98 * "."):
-                with pytest.raises(check.Malformed, match="^here: found"):
+                with pytest.raises(check.Malformed, match=r"^here: found"):
                     shape("here", other)
 
 

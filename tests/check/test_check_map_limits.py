@@ -222,3 +222,14 @@ def test_squares_of_what_varies_are_not_negative() -> None:
     varied = check_map._varied(kind, plane, (ONE, 2 * ONE), (-ONE, ONE))
     pairs, sight = check_map._scenes(kind, products, varied)
     assert pairs[1].m == sight(1)[0].A == sight(0)[0].B == (ONE, 5 * ONE)
+
+
+@pytest.mark.parametrize(("x", "meets"), [(["1", "2"], True), (["-2", "-1"], False)])
+def test_a_scene_may_end_only_if_no_pair_must_meet(x: list[str], meets: bool) -> None:
+    """One sphere runs to another one, or away from it; None stands for no collision."""
+    kind = check_map.INTERVALS
+    velocities = [["0", "0"], ["1", "0"], ["1", "0"]]
+    document = {**SCENE, "velocities": velocities, "x": x, "y": ["-1/1000", "1/1000"]}
+    plane = check_map._through(document)
+    states = check_map.beginning(check_map.law_of(plane.r, kind), plane)("0")
+    assert [state is None for state in states] == [not meets]

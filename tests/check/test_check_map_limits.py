@@ -228,7 +228,7 @@ def test_squares_of_what_varies_are_not_negative() -> None:
 def test_a_scene_may_end_only_if_no_pair_must_meet(x: list[str], meets: bool) -> None:
     """One sphere runs to another one, or away from it; None stands for no collision."""
     kind = check_map.INTERVALS
-    velocities = [["0", "0"], ["1", "0"], ["1", "0"]]
+    velocities = [["0", "0"], ["3", "0"], ["1", "0"]]
     document = {**SCENE, "velocities": velocities, "x": x, "y": ["-1/1000", "1/1000"]}
     plane = check_map._through(document)
     states = check_map.beginning(check_map.law_of(plane.r, kind), plane)("0")

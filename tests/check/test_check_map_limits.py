@@ -224,7 +224,7 @@ def test_squares_of_what_varies_are_not_negative() -> None:
     assert pairs[1].m == sight(1)[0].A == sight(0)[0].B == (ONE, 5 * ONE)
 
 
-@pytest.mark.parametrize(("x", "meets"), [(["1", "2"], True), (["-2", "-1"], False)])
+@pytest.mark.parametrize(("x", "meets"), [(["1", "11/10"], True), (["-2", "-1"], False)])
 def test_a_scene_may_end_only_if_no_pair_must_meet(x: list[str], meets: bool) -> None:
     """One sphere runs to another one, or away from it; None stands for no collision."""
     kind = check_map.INTERVALS

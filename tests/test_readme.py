@@ -15,6 +15,7 @@ from verify.paper.commands import everywhere, spectrum
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.groups import REPAIRED
 from verify.paper.rows import BREAKS, HARMLESS, SLIP
+from verify.paper.source import PAPER
 from verify.paper.step.numbers import COLLAPSE
 from verify.paper.theorem1 import theorem
 from verify.views.markdown import defects, table
@@ -26,7 +27,7 @@ DATA = ROOT / "certificates" / "data" / "bench.json"
 
 def expected(text: str) -> str:
     text = between(text, "counts", counts())
-    text = between(text, "defects", defects(decide_point(parameters("3/100", "1"))))
+    text = between(text, "defects", defects(decide_point(parameters("3/100", "1")), PAPER))
     text = between(text, "causes", [f"* `{'`, `'.join(c.rows)}`: {c.text}" for c in causes()])
     remarks = theorem().remarks
     text = between(text, "remarks", [f"* `{remark.label}`: {remark.text}" for remark in remarks])

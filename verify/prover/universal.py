@@ -22,7 +22,6 @@ from verify.language.terms import (
     substitute_claim,
 )
 from verify.prover.budget import WorkBudget
-from verify.prover.clearing import TooLongError
 from verify.prover.goal import Bounds, Goal, bounds_of
 from verify.prover.ground import Ground
 from verify.prover.proof import Proof
@@ -31,10 +30,6 @@ from verify.prover.rules import (
     Define,
 )
 from verify.prover.session import ZERO
-from verify.prover.techniques import techniques
-
-#: With more variables than these a goal is not tried again with those that givens link to its own.
-MAX_LINKED = 5
 
 
 class Universal:
@@ -43,10 +38,14 @@ class Universal:
     Args:
         ground: decides what has no variables; its session takes the steps.
         budget: the work that each row may be.
+        find: looks for the proof of a goal.
     """
 
-    def __init__(self, ground: Ground, budget: WorkBudget) -> None:
-        self.ground, self.session, self.budget = ground, ground.session, budget
+    def __init__(
+        self, ground: Ground, budget: WorkBudget, find: Callable[[Goal, Universal], Proof | None]
+    ) -> None:
+        self.ground, self.session, self.budget, self._find = ground, ground.session, budget, find
+        self.reasons: dict[str, None] = {}  # why nothing is found
         self.contexts: dict[str, Context] = {}
         self.depth = 0  # of lemmas that lemmas need
         self.rows: set[str] = set()  # that are proved, so that later ones may use them
@@ -224,10 +223,7 @@ class Universal:
         """
         if goal.claim.relation not in MEANINGS:
             raise ValueError(f"{goal.claim.relation!r} is not a relation")
-        try:
-            return next((proof for proof in techniques(goal, self) if proof is not None), None)
-        except TooLongError:
-            return None
+        return self._find(goal, self)
 
     def enclosed(self, name: str, bits: int) -> Any:
         """A constant without variables, enclosed; None for any other."""

@@ -6,22 +6,20 @@ one entry of it on each part.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from math import prod
 
 from flint import fmpq, fmpq_mpoly
 
-from verify.language.record import TYPE_CHECKING, Record
+from verify.language.record import Record
 from verify.language.terms import Term, symbol
 from verify.prover.clearing import Clearing
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cuts, Sum
 from verify.prover.search.bernstein_tensor import Side, Tensor
 from verify.prover.search.numbers import fraction_of
-
-if TYPE_CHECKING:
-    from verify.prover.search.strategy import Strategy
+from verify.prover.search.question import Question
 
 #: More coefficients, or nested cuts, are not tried.
 MAX_SIZE = 800
@@ -46,19 +44,17 @@ class Part(Record):
     depth: int
 
 
-def by_bernstein(
-    strategy: Strategy, zeros: Sequence[Mapping[str, Fraction]], parts: int
-) -> Proof | None:
+def by_bernstein(question: Question, parts: int) -> Proof | None:
     """A proof for a polynomial, or a quotient, in variables between numbers.
 
-    ``zeros`` are points where p may be 0; so many ``parts`` are tried at most.
+    So many ``parts`` are tried at most.
     """
-    goal = strategy.goal
-    clearing = strategy.clearing
+    goal = question.goal
+    clearing = question.clearing
     p = clearing.difference(goal.claim.rhs, goal.claim.lhs)
-    found = _alternatives(strategy, clearing, p)
+    found = _alternatives(question, clearing, p)
     names = [atom.name if atom.op == "symbol" else "" for atom in clearing.atoms]
-    sides = [_side(strategy, name) for name in names]
+    sides = [_side(question, name) for name in names]
     used = {i for a in found for i, d in enumerate(a.polynomial.degrees()) if d > 0}
     if not used or any(sides[i] is None for i in used):
         return None
@@ -69,24 +65,24 @@ def by_bernstein(
     for i, alternative in enumerate(found):
         if prod(max(int(d), 0) + 1 for d in alternative.polynomial.degrees()) > MAX_SIZE:
             return None
-        strategy.budget.spend(1000)
+        question.budget.spend(1000)
         tensors.append((i, Tensor.of(alternative.polynomial, [side.ends for side in box])))
     tensors.sort(key=lambda pair: len(pair[1].coefficients))
-    points = [[zero.get(name, Fraction(0)) for name in names] for zero in zeros]
-    search = _Search(strategy, names, sorted(used), found, points)
+    points = [[zero.get(name, Fraction(0)) for name in names] for zero in question.simple_zeros]
+    search = _Search(question, names, sorted(used), found, points)
     search.most = parts
     return search.cover(Part(box, tuple(tensors), 0))
 
 
-def _side(strategy: Strategy, name: str) -> Side | None:
-    bounds = strategy.goal.variables.get(name)
+def _side(question: Question, name: str) -> Side | None:
+    bounds = question.goal.variables.get(name)
     if bounds is None or bounds.interval is None:
         return None
     strict = bounds.low_relation == "<", bounds.high_relation == "<"
     return Side(bounds.interval, (bounds.low_fact, bounds.high_fact), strict)
 
 
-def _alternatives(strategy: Strategy, clearing: Clearing, p: fmpq_mpoly) -> list[Alternative]:
+def _alternatives(question: Question, clearing: Clearing, p: fmpq_mpoly) -> list[Alternative]:
     """For p = P + c m, where m is a maximum and c > 0 (or a minimum and c < 0), each P + c e."""
     extrema = [
         (i, atom)
@@ -106,14 +102,14 @@ def _alternatives(strategy: Strategy, clearing: Clearing, p: fmpq_mpoly) -> list
     rest = parts.get(0, clearing.one - clearing.one)
     return [
         Alternative(rest + factor * n, (("mul", str(fraction_of(abs(c))), fact),))
-        for entry, fact in _entries(strategy, term)
+        for entry, fact in _entries(question, term)
         for n, d in (clearing.clear(entry),)
         if d == clearing.one
     ]
 
 
-def _entries(strategy: Strategy, term: Term) -> list[tuple[Term, str]]:
-    facts = [(entry, strategy.entry(term, entry)) for entry in term.children]
+def _entries(question: Question, term: Term) -> list[tuple[Term, str]]:
+    facts = [(entry, question.entry(term, entry)) for entry in term.children]
     return [(entry, fact) for entry, fact in facts if fact is not None]
 
 
@@ -122,7 +118,7 @@ class _Search:
 
     def __init__(
         self,
-        strategy: Strategy,
+        question: Question,
         names: Sequence[str],
         used: Sequence[int],
         alternatives: Sequence[Alternative],
@@ -130,8 +126,8 @@ class _Search:
     ) -> None:
         self.names, self.used, self.zeros = names, used, zeros
         self.alternatives = alternatives
-        self.budget, self.using = strategy.budget, strategy.using
-        self.strict = strategy.goal.claim.relation == "<"
+        self.budget, self.using = question.budget, question.using
+        self.strict = question.goal.claim.relation == "<"
         self.parts = self.units = self.most = 0
 
     def cover(self, part: Part) -> Proof | None:

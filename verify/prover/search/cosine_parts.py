@@ -10,7 +10,6 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from math import ceil, comb, floor
 
-from verify.language.record import TYPE_CHECKING
 from verify.language.terms import Term, symbol
 from verify.prover.bernstein import coefficients, shift
 from verify.prover.clearing import Polynomial
@@ -18,10 +17,8 @@ from verify.prover.goal import Bounds
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cuts, Interval
 from verify.prover.search.angles import HALF
+from verify.prover.search.cosine_bounds import CosineBounds
 from verify.prover.search.exact import ExactRanges
-
-if TYPE_CHECKING:
-    from verify.prover.search.cosine_bounds import CosineBounds
 
 #: Numbers of terms of the series that are tried, of a lower bound; an upper one has one more.
 LENGTHS = (2, 4, 8, 12)

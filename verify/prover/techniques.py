@@ -9,11 +9,10 @@ from itertools import chain
 from verify.language.record import Record
 from verify.language.terms import Claim, names_of
 from verify.prover import boxes
-from verify.prover.bernstein import bernstein
 from verify.prover.clearing import TooLongError
 from verify.prover.goal import Goal
 from verify.prover.proof import Proof
-from verify.prover.search.bernstein_boxes import by_bernstein
+from verify.prover.search.bernstein_boxes import by_bernstein, on_interval
 from verify.prover.search.cosines import by_cosines
 from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_root
 from verify.prover.search.ends_of_variables import by_ends
@@ -81,7 +80,7 @@ SIMPLE = (
     Technique("plain squares", plain_squares),
     Technique("extremum", by_extremum),
     Technique("signs", _signs),
-    Technique("coefficients", lambda question: bernstein(question.plain)),
+    Technique("coefficients", lambda question: on_interval(question.plain)),
     Technique("cuts", _cuts),
 )
 #: For claims that no estimate refutes.

@@ -12,12 +12,11 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import floor
 
-from flint import fmpq
-
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, as_term
 from verify.prover.clearing import Polynomial
 from verify.prover.goal import Bounds
+from verify.prover.numbers import fmpq_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cosine, Sum
 from verify.prover.search.angles import HALF, Linear
@@ -182,7 +181,7 @@ class CosineBounds:
                 bounds = self.goal.variables.get(atom.name) if atom.op == "symbol" else None
                 low, high = _near(bounds or Bounds())
                 value = low + (high - low) * share
-                values.append(fmpq(value.numerator, value.denominator))
+                values.append(fmpq_of(value))
                 share = share * 7 % 1  # another one for each variable
             if p(*values) < 0:
                 return True

@@ -11,9 +11,9 @@ from math import acos, pi
 
 from verify.language.statement import PROVED
 from verify.language.terms import Claim, Term, as_term, equal, names_of
+from verify.prover.algebraic import MAX_MULTIPLE
 from verify.prover.proof import Proof
 from verify.prover.rules import Sum
-from verify.prover.search.algebraic import MAX_MULTIPLE
 from verify.prover.search.cosine_bounds import CosineBounds
 from verify.prover.session import ZERO
 

@@ -13,6 +13,7 @@ from math import gcd
 
 from verify.language.terms import Claim, Term, as_term, equal, symbol
 from verify.prover.clearing import Clearing, atoms_of
+from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof
 from verify.prover.rules import Angles, Interval, Sum
 from verify.prover.search.question import Question
@@ -86,7 +87,7 @@ def _ratio(question: Question, a: Term, b: Term) -> Fraction | None:
     if not left.to_dict() or not right.to_dict():
         return None
     ratio = right.leading_coefficient() / left.leading_coefficient()
-    return Fraction(int(ratio.p), int(ratio.q)) if right == ratio * left else None
+    return fraction_of(ratio) if right == ratio * left else None
 
 
 def _replaced(term: Term, chosen: dict[Term, Term]) -> Term:

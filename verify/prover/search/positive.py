@@ -16,6 +16,7 @@ from verify.language.record import Record
 from verify.language.terms import Claim, Term, names_of
 from verify.prover.budget import WorkBudget
 from verify.prover.goal import Goal
+from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Sum
 from verify.prover.search.atom_bounds import root_bounds
@@ -179,7 +180,7 @@ def _value(
     constant = square.is_constant()
     if constant:
         leading = square.leading_coefficient()
-        weight *= Fraction(int(leading.p), int(leading.q)) ** 2
+        weight *= fraction_of(leading) ** 2
     parts: list[Value] = [str(weight)] if weight != 1 or factor.value == "1" else []
     if not constant:
         parts.append(("square", domain.term(square)))

@@ -21,10 +21,10 @@ from flint import fmpq_mpoly
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, maximum
 from verify.prover.clearing import atoms_of
+from verify.prover.numbers import float_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cases, Sum
 from verify.prover.search.local_minima import Minima
-from verify.prover.search.numbers import float_of
 from verify.prover.search.question import Question
 from verify.prover.session import ZERO
 

@@ -15,11 +15,11 @@ from verify.language.record import Record
 from verify.language.terms import Claim, Term, symbol
 from verify.prover.budget import WorkBudget
 from verify.prover.goal import Bounds
+from verify.prover.numbers import float_of
 from verify.prover.proof import Proof
 from verify.prover.rules import Cuts, Interval
 from verify.prover.search.compiled import range_function
 from verify.prover.search.exact import ExactRanges
-from verify.prover.search.numbers import float_of
 from verify.prover.search.question import Question
 
 #: Bits of the checker in leaves: few, as its cosines take time in proportion.

@@ -6,6 +6,7 @@ import os
 
 from verify.cli.files import write_all
 from verify.spheres.scene.decide import Fate
+from verify.spheres.scene.verdict import steps, told
 from verify.wire.inputs import InputError
 
 
@@ -29,7 +30,7 @@ def _drawn(kind: str, found: Fate) -> str:
     if kind == ".svg":
         from verify.views.plots.scene_drawing import scene_svg  # loaded only where it is used
 
-        return scene_svg(found)
+        return scene_svg(told(found), list(steps(found)))
     from verify.views.plots.scene_animation import scene_page
 
-    return scene_page(found)
+    return scene_page(told(found), steps(found))

@@ -8,19 +8,45 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from verify.language.statement import NEEDED, PRINTED, Always, Applies, Obligation
+from verify.language.record import Record
+from verify.language.statement import (
+    BREAKS,
+    HARMLESS,
+    NEEDED,
+    PRINTED,
+    SEVERITIES,
+    SLIP,
+    Always,
+    Applies,
+    Obligation,
+)
 from verify.language.terms import Claim
 
-#: The step is refuted, and what the paper concludes from it does not follow.
-BREAKS = "breaks the argument"
+__all__ = [
+    "BREAKS",
+    "HARMLESS",
+    "SEVERITIES",
+    "SLIP",
+    "Cause",
+    "Remark",
+    "misprint",
+    "needed",
+    "printed",
+]
 
-#: The sentence is false, and nothing that follows rests on it; what does rests on other rows.
-HARMLESS = "false, but harmless here"
 
-#: The sentence is false as it is written, and what it plainly means is a row of its own.
-SLIP = "slip of wording"
+class Cause(Record):
+    """What is wrong, once, with the names of all rows that show it."""
 
-SEVERITIES = (BREAKS, HARMLESS, SLIP)
+    rows: tuple[str, ...]
+    text: str
+
+
+class Remark(Record):
+    r"""A sentence about the text near one of the paper's ``\label``s."""
+
+    label: str
+    text: str
 
 
 def needed(
@@ -56,11 +82,11 @@ def misprint(
     label: str,
     says: str,
     claim: Claim | Applies | Always,
+    severity: str,
+    corrected_by: str,
     uses: Iterable[str] = (),
     *,
     group: str,
-    severity: str,
-    corrected_by: str,
     context: str | None = None,
 ) -> Obligation:
     """A row of the paper that is refuted, at least for some parameters.

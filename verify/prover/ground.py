@@ -18,7 +18,6 @@ from verify.prover.session import Session
 
 #: The judge of what balls or exact values decide, and of what algebra does.
 FLINT, ALGEBRA = "FLINT at a point", "algebra at a point"
-_JUDGEMENTS = {(v, by): Judgement(v, by) for v in (PROVED, REFUTED) for by in (FLINT, ALGEBRA)}
 
 
 class Ground(Constants):
@@ -63,7 +62,8 @@ class Ground(Constants):
                 return Decision(UNDECIDED)
         self.session.prove_row(row, proof, holds=verdict == PROVED)
         by = FLINT if isinstance(proof, Interval) else ALGEBRA
-        return Decision(verdict, proof, sides, _JUDGEMENTS[verdict, by])
+        judged = Judgement(verdict, by, claim, row.context, self.definitions)
+        return Decision(verdict, proof, sides, judged)
 
     def prove(self, claim: Claim) -> tuple[str, Proof | None]:
         """A verdict with its proof; the lemmas that it needs are written down.

@@ -8,29 +8,25 @@ from verify.language.statement import (
     NEEDED,
     PRINTED,
     REFUTED,
+    REPAIRED,
     Always,
     Applies,
     Assumption,
     Constant,
     Context,
     Obligation,
+    Publication,
 )
 from verify.language.terms import Claim, symbol
 from verify.language.typeset import Typesetter
-from verify.paper.groups import PRINTED as PRINTED_SET
-from verify.paper.groups import REPAIRED
-from verify.paper.numbering import printed_numbers
-from verify.paper.parameters import THEOREM
-from verify.paper.source import PAPER
-from verify.paper.theorem1 import theorem
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Ends, Outcome
-from verify.views.entries import minimum_of
+from verify.views.enclosures import minimum_of
 from verify.views.point import in_numbers
 from verify.views.words import (
     ends_of,
     groups,
-    is_about_paper,
+    is_about,
     letters,
     short_name,
     sides_of,
@@ -46,17 +42,17 @@ LONG = "(long: see the statement file)"
 Row = tuple[Obligation, Decision]
 
 
-def report(outcome: Outcome) -> str:
+def report(outcome: Outcome, paper: Publication) -> str:
     """The whole report, ending with a line feed."""
-    return "\n".join(_lines(outcome)) + "\n"
+    return "\n".join(_lines(outcome, paper)) + "\n"
 
 
-def _lines(outcome: Outcome) -> Iterator[str]:
+def _lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
     yield f"# {outcome.statement.title}"
     yield ""
-    if is_about_paper(outcome):
-        yield from (f"About {PAPER}.", "")
-    yield f"Verdict: **{verdict_text(outcome)}**."
+    if is_about(outcome, paper):
+        yield from (f"About {paper.authors}, *{paper.title}*.", "")
+    yield f"Verdict: **{verdict_text(outcome, paper)}**."
     numbers = in_numbers(outcome) if REPAIRED in groups(outcome) else None
     if numbers is not None:
         yield from ("", numbers)
@@ -64,34 +60,34 @@ def _lines(outcome: Outcome) -> Iterator[str]:
     yield "Check it with nothing but Python: `python3 -I verify/check.py` and this folder."
     if any(_is_defect(*pair) for pair in outcome.rows):
         yield from section("What is printed and refuted here")
-        yield from defects(outcome)
-    if _is_theorem_1(outcome):
+        yield from defects(outcome, paper)
+    if _is_theorem_1(outcome, paper):
         yield from section("What was changed")
         yield from table(
             ("Label", "Paper", "Needed", "Why"),
-            ((marked(c.label), c.paper, c.needed, c.why) for c in theorem().changes),
+            ((marked(c.label, paper), c.paper, c.needed, c.why) for c in paper.notes().changes),
         )
     if outcome.statement.constants:
         yield from section("Constants")
-        yield from table(("Constant", "Value", "Definition or bound"), _constants(outcome))
+        yield from table(("Constant", "Value", "Definition or bound"), _constants(outcome, paper))
     for context in outcome.statement.contexts:
         yield from _context(context, letters(outcome))
     for group in groups(outcome):
         yield from section(f"All rows: {group}" if group else "All rows")
-        yield from _rows(outcome, outcome.of_group(group))
+        yield from _rows(outcome, outcome.of_group(group), paper)
     yield from section("Taken on trust")
-    yield from map(_assumption, outcome.assumptions)
+    yield from (_assumption(one, paper) for one in outcome.assumptions)
     if outcome.printed_assumptions:
         yield from section("What only printed rows take on trust")
-        yield from map(_assumption, outcome.printed_assumptions)
+        yield from (_assumption(one, paper) for one in outcome.printed_assumptions)
 
 
-def _is_theorem_1(outcome: Outcome) -> bool:
-    return outcome.statement.theorem == THEOREM and is_about_paper(outcome)
+def _is_theorem_1(outcome: Outcome, paper: Publication) -> bool:
+    return outcome.statement.theorem == paper.theorem and is_about(outcome, paper)
 
 
-def _assumption(assumption: Assumption) -> str:
-    who = marked(assumption.label) or f"`{assumption.name}`"
+def _assumption(assumption: Assumption, paper: Publication) -> str:
+    who = marked(assumption.label, paper) or f"`{assumption.name}`"
     return f"- {who} ({assumption.kind}): {assumption.sentence}"
 
 
@@ -132,14 +128,14 @@ def _is_defect(row: Obligation, decision: Decision) -> bool:
     return row.role == PRINTED and decision.verdict == REFUTED
 
 
-def defects(outcome: Outcome) -> Iterator[str]:
+def defects(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """The refuted printed rows, in the paper's order, each with its two sides or its witness."""
     typesetter = letters(outcome)
     yield from table(
         ("Label", "As printed", "Claim that would be needed", "False", "Corrected by"),
         (
             (
-                marked(row.label),
+                marked(row.label, paper),
                 row.says,
                 _claim(row, typesetter),
                 _evidence(row, decision, typesetter),
@@ -166,7 +162,7 @@ def witness_text(decision: Decision, typesetter: Typesetter) -> str:
     return ", ".join(f"{typesetter.term(symbol(n))} = {typesetter.term(t)}" for n, t in pairs)
 
 
-def _rows(outcome: Outcome, rows: Iterable[Row]) -> Iterator[str]:
+def _rows(outcome: Outcome, rows: Iterable[Row], paper: Publication) -> Iterator[str]:
     typesetter = letters(outcome)
     yield from table(
         ("Verdict", "Name", "Label", "Step", "Claim", "Left and right", "By"),
@@ -174,7 +170,7 @@ def _rows(outcome: Outcome, rows: Iterable[Row]) -> Iterator[str]:
             (
                 decision.verdict + ("" if row.role == NEEDED else f" ({row.role})"),
                 f"`{short_name(row)}`",
-                marked(row.label),
+                marked(row.label, paper),
                 row.says,
                 _claim(row, typesetter),
                 _evidence(row, decision, typesetter),
@@ -192,28 +188,15 @@ def _claim(row: Obligation, typesetter: Typesetter) -> str:
 # --- constants -----------------------------------------------------------------------------------
 
 
-def _constants(outcome: Outcome) -> Iterator[tuple[str, ...]]:
+def _constants(outcome: Outcome, paper: Publication) -> Iterator[tuple[str, ...]]:
     typesetter = letters(outcome)
-    bounds = bound_of_each() if _is_theorem_1(outcome) else {}
+    bounds = paper.notes().bounds if _is_theorem_1(outcome, paper) else {}
     for constant in outcome.statement.constants:
         group = constant.name.rpartition(".")[0]
         sign, bound = bounds.get(constant.name, ("=", constant))
         text = f"{sign} {typesetter.term(bound.term)}{_minimum(outcome, constant)}"
         letter = constant.letter + (f" ({group})" if group else "")
         yield letter, _short(ends_of(outcome, constant.name)), text
-
-
-def bound_of_each() -> dict[str, tuple[str, Constant]]:
-    """For each constant of Theorem 1 its definition after =, or its bound after ≤ or ≥."""
-    found = {constant.name: ("=", constant) for constant in theorem().common}
-    for part in (theorem().parts[group] for group in (PRINTED_SET, REPAIRED)):
-        for item in part.constants:
-            if isinstance(item, Constant):
-                found[item.name] = ("=", item)
-            else:
-                sign = "≤" if item.direction == "down" else "≥"
-                found[item.constant.name] = (sign, item.constant)
-    return found
 
 
 def _minimum(outcome: Outcome, constant: Constant) -> str:
@@ -230,9 +213,9 @@ def _short(ends: Ends | None) -> str:
 # --- Markdown ------------------------------------------------------------------------------------
 
 
-def marked(label: str) -> str:
+def marked(label: str, paper: Publication) -> str:
     """A label of the paper, after the number that is printed there; nothing for no label."""
-    number = printed_numbers().get(label)
+    number = paper.printed(label)
     if not label:
         return ""
     return f"`{label}`" if number is None else f"{number} `{label}`"

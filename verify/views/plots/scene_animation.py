@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 from html import escape
 
-from verify.spheres.scene.decide import Fate
-from verify.spheres.scene.verdict import scene_lines
 from verify.views.plots.drawing import SCHEMES
 from verify.views.plots.scene_drawing import COLOURS, end_time
 from verify.views.plots.scene_path import legs
+from verify.views.scene import Step, Told
 
 _PAGE = """<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8">
@@ -103,9 +103,9 @@ requestAnimationFrame(tick);
 """
 
 
-def scene_page(found: Fate) -> str:
+def scene_page(told: Told, steps: Iterable[Step]) -> str:
     """The file."""
-    path = legs(found, most=60)
+    path = legs(told, steps, most=60)
     points = [p for leg in path for p in leg.places]
     low = [min(p[k] for p in points) - 0.7 for k in (0, 1)]
     high = [max(p[k] for p in points) + 0.7 for k in (0, 1)]
@@ -113,7 +113,7 @@ def scene_page(found: Fate) -> str:
     box |= {"width": high[0] - low[0], "height": high[1] - low[1]}
     data = {
         "legs": [leg._asdict() for leg in path],
-        "end": end_time(found, path),
+        "end": end_time(told, path),
         "colours": COLOURS,
         "box": box,
     }
@@ -121,5 +121,5 @@ def scene_page(found: Fate) -> str:
         name: " ".join(f"--{key}: {value};" for key, value in colours.items())
         for name, colours in SCHEMES.items()
     }
-    verdict = "<br>".join(map(escape, scene_lines(found)))
+    verdict = "<br>".join(map(escape, told.lines))
     return _PAGE.format(verdict=verdict, data=json.dumps(data), program=_PROGRAM, **schemes)

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from html import escape
 
 from verify.prover import balls
-from verify.spheres.flow.collapse import start_of
-from verify.spheres.scene.decide import Fate
-from verify.spheres.scene.verdict import scene_lines, time_ends
 from verify.views.plots.drawing import SCHEMES
 from verify.views.plots.scene_path import Leg, legs, places_at
+from verify.views.scene import Step, Told
 
 SIZE, MARGIN, TOP = 420, 46, 92
 COLOURS = ("series-1", "series-2", "series-3")
@@ -22,10 +20,10 @@ Box = tuple[float, float, float, float]
 Place = Callable[[float, float], tuple[float, float]]
 
 
-def scene_svg(found: Fate) -> str:
+def scene_svg(told: Told, steps: Sequence[Step]) -> str:
     """The file."""
-    path = legs(found)
-    end = end_time(found, path)
+    path = legs(told, steps)
+    end = end_time(told, path)
     width = 3 * SIZE + 4 * MARGIN
     height = SIZE + TOP + MARGIN
     size = f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="13"'
@@ -33,9 +31,9 @@ def scene_svg(found: Fate) -> str:
         f'<svg xmlns="http://www.w3.org/2000/svg" {size}>',
         _style(),
         f'<rect class="paper" width="{width}" height="{height}"/>',
-        *_heading(found),
+        *_heading(told),
     ]
-    panels = (_trajectories(path, end), _zoom(path, end), approach(found))
+    panels = (_trajectories(path, end), _zoom(path, end), approach(told, steps))
     titles = ("centre-of-mass frame, to scale", "zoom on a contact", "how the end comes near")
     for k, (panel, title) in enumerate(zip(panels, titles, strict=True)):
         left = MARGIN + k * (SIZE + MARGIN)
@@ -46,11 +44,10 @@ def scene_svg(found: Fate) -> str:
     return "\n".join([*parts, "</svg>", ""])
 
 
-def end_time(found: Fate, path: Sequence[Leg]) -> float:
+def end_time(told: Told, path: Sequence[Leg]) -> float:
     """Until when it is drawn: the collapse, or some time after the last collision."""
-    ends = time_ends(found)
-    if ends is not None:
-        return float(ends[1])
+    if told.time is not None:
+        return float(told.time[1])
     return path[-1].time + (AFTER * path[-1].time or 1.0)
 
 
@@ -72,8 +69,8 @@ def svg_text(x: float, y: float, text: str, anchor: str = "start") -> str:
     return f'<text class="ink" {where}>{escape(text)}</text>'
 
 
-def _heading(found: Fate) -> Iterator[str]:
-    for k, line in enumerate(scene_lines(found)):
+def _heading(told: Told) -> Iterator[str]:
+    for k, line in enumerate(told.lines):
         yield svg_text(MARGIN, 28 + 20 * k, line)
 
 
@@ -137,9 +134,9 @@ def _spheres(places: Sequence[Sequence[float]], box: Box, dashes: str) -> Iterat
 # --- time to collapse, and distance --------------------------------------------------------------
 
 
-def approach(found: Fate) -> Iterator[str]:
+def approach(told: Told, steps: Iterable[Step]) -> Iterator[str]:
     """Distance against time to the collapse, on logarithmic axes, with their enclosures."""
-    points = approach_points(found)
+    points = approach_points(told, steps)
     if not points:
         yield svg_text(20, SIZE / 2, "no collapse to come near to")
         return
@@ -159,18 +156,17 @@ def approach(found: Fate) -> Iterator[str]:
         yield f'<circle class="c0" cx="{(x + x_high) / 2:.2f}" cy="{y:.2f}" r="3"/>'
 
 
-def approach_points(found: Fate) -> list[tuple[float, float, float]]:
+def approach_points(told: Told, steps: Iterable[Step]) -> list[tuple[float, float, float]]:
     """log10 of the least and largest time to the collapse, and of the distance, per collision."""
-    ends = time_ends(found)
-    if ends is None:
+    if told.time is None:
         return []
     points = []
-    with balls.precision(found.flow.bits):
-        for move in found.flow.collisions:
-            low, high = balls.ends(balls.as_ball(move.after.time))
-            size = balls.as_float(start_of(move.after.state).d)
-            if ends[0] > high and size > 0:
-                least, most = float(ends[0] - high), float(ends[1] - low)
+    with balls.precision(told.bits):
+        for step in steps:
+            low, high = balls.ends(balls.as_ball(step.time))
+            size = balls.as_float(step.after.d)
+            if told.time[0] > high and size > 0:
+                least, most = float(told.time[0] - high), float(told.time[1] - low)
                 points.append((math.log10(least), math.log10(most), math.log10(size)))
     return points
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from itertools import islice
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.spheres.scene.decide import Fate
+from verify.views.scene import Step, Told
 
 Vector = list[float]
 
@@ -21,20 +22,19 @@ class Leg(Record):
     velocities: list[Vector]
 
 
-def legs(found: Fate, most: int = 200) -> list[Leg]:
+def legs(told: Told, steps: Iterable[Step], most: int = 200) -> list[Leg]:
     """The flight after the start and after each collision, seen from the centre of mass."""
-    scene, r = found.flow.scene, float(found.flow.scene.r)
+    scene, r = told.scene, float(told.scene.r)
     x = [[float(a) for a in row] for row in scene.positions]
     v = [[float(a) for a in row] for row in scene.velocities]
     x, v = _centred(x), _centred(v)
     path = [Leg(0.0, "", x, v)]
-    with balls.precision(found.flow.bits):
-        for move in found.flow.collisions[:most]:
-            time = balls.as_float(move.after.time)
-            o, _, c = move.before.frame
+    with balls.precision(told.bits):
+        for step in islice(steps, most):
+            time = balls.as_float(step.time)
             x = [_moved(a, time - path[-1].time, b) for a, b in zip(x, v, strict=True)]
-            v = _collided(x, v, (o, c), r)
-            path.append(Leg(time, f"{min(o, c)}{max(o, c)}", x, v))
+            v = _collided(x, v, step.hit, r)
+            path.append(Leg(time, step.pair, x, v))
     return _in_plane(path)
 
 

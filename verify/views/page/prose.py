@@ -1,0 +1,85 @@
+"""Sentences as the page sets them: minus signs, indices, powers of ten."""
+
+from __future__ import annotations
+
+import re
+from html import escape, unescape
+
+from verify.language.scripts import LOWERED, RAISED, Pieces, Scripted, pieces
+
+_POWER_OF_TEN = re.compile(
+    r"(?<![\w.])(?:([0-9]+(?:\.[0-9]+)?)e(-?[0-9]+)(?!\w)"
+    r"|(?:([0-9]+(?:\.[0-9]+)?)·)?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))"
+)
+_RAISED = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
+_MINUS = re.compile(
+    r"(?<![^\s(\[{|·≤<=])-(?=[\w(|√])|(?<= )-(?= )|(?<=[0-9₀-₉)])-(?=[0-9]*√|[α-ωh][₀-₉_])"
+)
+_LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+
+def prose(text: str) -> str:
+    """A sentence with its minus signs, subscripts, superscripts and powers of ten set as such."""
+    return powers(_line(pieces(_MINUS.sub("−", text))))
+
+
+def _line(found: Pieces) -> str:
+    return "".join(
+        _scripted(piece) if isinstance(piece, Scripted) else escape(piece, quote=False)
+        for piece in found
+    )
+
+
+def _scripted(piece: Scripted) -> str:
+    """A letter with what is below and above it; digits are small signs of their own."""
+    text = escape(piece.base) + ("\u0304" if piece.bar else "")
+    for tag, content, small in (("sub", piece.lower, LOWERED), ("sup", piece.upper, RAISED)):
+        signs = {sign: mark for mark, sign in small.items()} | {"′": "′"}
+        inner = "".join(part for part in content if isinstance(part, str))
+        if content == (inner,) and signs.keys() >= {*inner} - {"n"} and "n" not in inner:
+            text += "".join(signs[sign] for sign in inner)
+        elif content:
+            text += f"<{tag}>{_line(content)}</{tag}>"
+    return text
+
+
+def powers(text: str) -> str:
+    """Powers of ten with raised exponents, each with the decimal that machines read."""
+
+    def power(match: re.Match[str]) -> str:
+        digits = match[1] or match[3] or "1"
+        exponent = match[2] or match[4].translate(_LOWERED)
+        shown = f"{'' if digits == '1' else f'{digits}·'}10<sup>{exponent.replace('-', '−')}</sup>"
+        return f'<data value="{digits}e{exponent}">{shown}</data>'
+
+    return _POWER_OF_TEN.sub(power, text)
+
+
+def raised(text: str) -> str:
+    """A number whose exponent is raised, inside of what is marked as one already."""
+    text = escape(text).replace("-", "−")
+    return _RAISED.sub(
+        lambda match: f"<sup>{match[0].translate(_LOWERED).replace('-', '−')}</sup>", text
+    )
+
+
+#: Tags, and elements whose text is set already.
+_TAGS = re.compile(r"(<(?:code|data|math)[ >].*?</(?:code|data|math)>|<[^>]*>)", re.DOTALL)
+
+
+def in_a_line(text: str) -> str:
+    """A text without the line breaks and the indentation with which it is written."""
+    return re.sub("[ \n]+", " ", text).strip(" ")
+
+
+def prose_between(markup: str) -> str:
+    """Markup in a line, with each text between its tags set as a sentence."""
+    parts = _TAGS.split(in_a_line(markup))
+    return "".join(
+        part if number % 2 else prose(unescape(part)) for number, part in enumerate(parts)
+    )
+
+
+def letters_shown(markup: str) -> int:
+    """How many letters are seen of some markup."""
+    return len(re.sub("<[^>]*>", "", markup))

@@ -8,6 +8,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from tests.coq.everything import SENTENCES, conjunction
+
 SOURCES = Path(__file__).resolve().parents[2] / "verify/coq"
 PAGE = (SOURCES / "Theorem1.v").read_text()
 PINNED = (SOURCES / "Pinned.v").read_text()
@@ -23,13 +25,17 @@ def test_the_page_has_only_definitions() -> None:
 
 
 def test_the_theorem_is_what_the_page_says() -> None:
-    assert re.search(
-        r"^Definition theorem_1 : Prop :=\n  forall r c V_0 delta_theta, admis", PAGE, re.M
-    )
-    assert re.search(r"^Definition not_empty : Prop :=\n(.*\n)  forall d, \(2 <= d\)", PAGE, re.M)
-    last = (SOURCES / "Inhabited.v").read_text()
-    assert "Theorem theorem_1_proved : theorem_1 /\\ not_empty /\\ determined.\n" in last
-    assert last.endswith("Qed.\n")
+    for page in (PAGE, PINNED):
+        for name in SENTENCES:
+            assert re.search(rf"^Definition {name} : Prop :=\n  forall (d )?r ", page, re.MULTILINE)
+        for name in ("interior", "printed_theorem"):
+            assert re.search(rf"^Definition {name} : Prop :=\n[^.]* \(2 <= d\)", page, re.MULTILINE)
+    last = " ".join((SOURCES / "AllProved.v").read_text().split())
+    pinned = " ".join(PINNED.split())
+    assert f"Theorem all_proved : {conjunction('')}. Proof." in last
+    assert last.endswith("Qed.")
+    assert f"Check (AllProved.all_proved : {conjunction('Theorem1.')})." in pinned
+    assert f"Theorem proved : {conjunction('')}. Proof." in pinned
     assert PINNED.endswith("Qed.\nPrint Assumptions collapsing_scene.\n")
 
 
@@ -48,8 +54,11 @@ def test_both_pages_have_the_same_numbers() -> None:
     for sentence in (
         "0 < r < 1", "0 < c <= 1", "0 < V_0", "0 < delta_theta", "0 < y <= eta_bar",
         "3 * r * ((1 + r) / 2 * c) + r * (1 + r) < ((1 + r) / 2 * c) ^ 3",
-        "0 < d_0 <= Rmin d_const (d_slope * y ^ 2)", "Un_cv time T /\\ T <= T_star",
-        "Rabs (l - c) <= Delta_theta",
+        "0 < d_0 <= Rmin d_const (d_slope * y ^ 2)", "Un_cv time T", "T <= by_time",
+        "(T_star r c V_0 delta_theta) c (Delta_theta r c V_0 delta_theta)",
+        "0 < Delta_theta r c V_0 delta_theta <= delta_theta", "0 < r < 9 - 4 * sqrt 5",
+        "by_time (- cos theta_0) delta_theta", "PI / 2 < theta_0 <= PI",
+        "i <> j -> 1 < distance d (",
     ):  # fmt: skip
         assert sentence in PINNED
         assert sentence in PAGE
@@ -58,12 +67,12 @@ def test_both_pages_have_the_same_numbers() -> None:
 def test_the_page_that_pins_it_takes_no_notation_from_others() -> None:
     assert re.findall(r"^.*\b(?:Import|Require)\b.*$", PINNED, re.MULTILINE) == [
         "From Coq Require Import Reals List Arith Lra FunctionalExtensionality.",
-        "From Verify Require Theorem1 Inhabited.",
+        "From Verify Require Theorem1 AllProved.",
         "Import ListNotations.",
     ]
     assert not re.search(r"^(Notation|Infix)", PINNED, re.MULTILINE)
-    for name in ("theorem_1", "not_empty", "determined"):
-        assert f" : Theorem1.{name} <-> {name}.\nProof." in PINNED
+    for name in SENTENCES:
+        assert f"Theorem1.{name} <-> {name}.\nProof." in PINNED
     assert "Theorem admissible_parameters : admissible (3 / 100) 1 1 1.\nProof." in PINNED
 
 

@@ -1,5 +1,5 @@
 (* Vectors in R^d, and the inequality of Cauchy and Schwarz for them. *)
-From Coq Require Import Reals Lra FunctionalExtensionality.
+From Coq Require Import Reals Lra Lia FunctionalExtensionality.
 From Verify Require Import Theorem1.
 Open Scope R_scope.
 
@@ -46,3 +46,10 @@ Proof.
     lra.
 Qed.
 End Dimension.
+
+Lemma coordinate_at_most d (u : vector) k : (k < d)%nat -> u k * u k <= dot d u u.
+Proof.
+  induction d as [|d IH]; intros K; [lia|]. cbn [dot].
+  destruct (Nat.eq_dec k d) as [->|N]; [pose proof (dot_self d u); lra|].
+  specialize (IH ltac:(lia)). pose proof (Rle_0_sqr (u d)). unfold Rsqr in *. lra.
+Qed.

@@ -83,3 +83,15 @@ def test_everything_of_the_proof_is_compiled() -> None:
         word for names in re.findall("for name in (.*); do", build) for word in names.split()
     }
     assert compiled == {path.stem for path in SOURCES.glob("*.v")} - {"Extract"} | {"Step", "All"}
+
+
+def test_the_files_are_short_say_what_they_prove_and_name_what_they_need() -> None:
+    sections: dict[str, str] = {}
+    for path in sorted(SOURCES.glob("*.v")):
+        text = path.read_text()
+        assert text.startswith("(* "), path
+        assert text.count("\n") <= 400, path
+        assert not re.search(r"^Require", text, re.MULTILINE), path
+        for name in re.findall(r"^Section (\w+)\.$", text, re.MULTILINE):
+            assert name not in sections, (name, path, sections[name])
+            sections[name] = path.name

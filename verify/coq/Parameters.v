@@ -75,7 +75,7 @@ Qed.
 
 (* --- the constants ---------------------------------------------------------------------------- *)
 
-Section Constants.
+Section PositiveConstants.
 Variables r c V_0 delta_theta : R.
 Hypothesis good : admissible r c V_0 delta_theta.
 
@@ -155,6 +155,6 @@ Proof.
   - apply Rinv_0_lt_compat. lra.
   - rewrite Rmult_0_l. exact S.
 Qed.
-End Constants.
+End PositiveConstants.
 Theorem constants_are_defined : constants_defined.
 Proof. exact defined. Qed.

@@ -92,7 +92,7 @@ Definition has_interior d (set : (ball -> nat -> R) -> (ball -> nat -> R) -> Pro
 
 (* --- the constants, as in the paper, with the repaired minima --------------------------------- *)
 
-Section Constants.
+Section PinnedConstants.
 Variables r c V_0 delta_theta : R.
 Definition minimum (a : R) (others : list R) : R := fold_right Rmin a others.
 
@@ -150,7 +150,7 @@ Definition initial d x v d_0 y : Prop :=
 Definition ZK d x' v : Prop :=
   exists x d_0 y u, initial d x v d_0 y /\ 0 <= u /\
     (forall w i j, 0 < w <= u -> i <> j -> 1 < distance d (moved w x v) i j) /\ x' = moved u x v.
-End Constants.
+End PinnedConstants.
 
 Definition theorem_1 : Prop :=
   forall r c V_0 delta_theta, admissible r c V_0 delta_theta ->

@@ -60,7 +60,8 @@ Definition two_collide (s s' : scene) : Prop :=
 
 (* Z gives the scene at each time from 0 until just before T; at the time of a collision, it is the
    scene after it. After each time there is free flight for a while. Before each time there was, to
-   some scene, which stays as it is if nobody collides. *)
+   some scene, which stays as it is if nobody collides. Where three balls touch and two of them
+   approach, no trajectory goes on. *)
 Record trajectory (s : scene) (T : R) (Z : R -> scene) : Prop := {
   begins : Z 0 = s;
   after_it : forall t, 0 <= t < T ->
@@ -97,8 +98,9 @@ Definition tends_to (f : R -> R) (T l : R) : Prop :=
   forall e, 0 < e -> exists m, m < T /\ forall t, m < t < T -> Rabs (f t - l) < e.
 
 (* From s, there are infinitely many collisions before the time T, but finitely many before each
-   earlier time. Z is the trajectory, and none goes on until T or beyond. The balls' positions tend
-   to those of the scene at_T, in which both other balls touch ball 0; its velocities mean nothing. *)
+   earlier time. Z is a trajectory with just these collisions, and none from s lasts longer. The
+   balls' positions tend to those of the scene at_T, in which both other balls touch ball 0; its
+   velocities mean nothing. *)
 Record collapses (s : scene) (scenes : nat -> scene) (time : nat -> R) (T : R) (Z : R -> scene)
     (at_T : scene) : Prop := {
   first_scene : scenes O = s;

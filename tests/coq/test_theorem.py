@@ -5,12 +5,14 @@ That it is proved is for Coq to say, in `.ci/coq`.
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
-from tests.coq.everything import SENTENCES, conjunction
+from tests.coq.everything import DISCHARGED, SENTENCES, conjunction
 
-SOURCES = Path(__file__).resolve().parents[2] / "verify/coq"
+ROOT = Path(__file__).resolve().parents[2]
+SOURCES = ROOT / "verify/coq"
 PAGE = (SOURCES / "Theorem1.v").read_text()
 PINNED = (SOURCES / "Pinned.v").read_text()
 
@@ -95,3 +97,14 @@ def test_the_files_are_short_say_what_they_prove_and_name_what_they_need() -> No
         for name in re.findall(r"^Section (\w+)\.$", text, re.MULTILINE):
             assert name not in sections, (name, path, sections[name])
             sections[name] = path.name
+
+
+def test_all_that_the_step_takes_for_granted_is_in_coq() -> None:
+    statement = json.loads((ROOT / "certificates/step/statement.json").read_bytes())
+    assert [*DISCHARGED] == [item["name"] for item in statement["assumptions"]]
+    for names in DISCHARGED.values():
+        for name in names:
+            file, _, theorem = name.partition(".")
+            text = (SOURCES / f"{file}.v").read_text()
+            kinds = "Definition|Record" if file == "Theorem1" else "Theorem|Lemma"
+            assert len(re.findall(rf"^({kinds}) {theorem}\b", text, re.MULTILINE)) == 1, name

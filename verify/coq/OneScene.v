@@ -7,14 +7,6 @@ From Verify Require Step.
 Import ListNotations.
 Open Scope R_scope.
 
-(* A vector in the plane. *)
-Definition plane (a b : R) : vector := fun k => match k with O => a | S O => b | _ => 0 end.
-Lemma dot_plane d a b a' b' : (2 <= d)%nat -> dot d (plane a b) (plane a' b') = a * a' + b * b'.
-Proof.
-  intros L. induction L as [|d L IH]; [cbn; ring|]. cbn [dot]. rewrite IH.
-  destruct d as [|[|d]]; [lia | lia | cbn; ring].
-Qed.
-
 Opaque numbers.  (* nothing is to be computed from them *)
 
 Section Point.

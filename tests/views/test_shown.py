@@ -25,9 +25,9 @@ from verify.spheres.scene.scene import Scene
 from verify.views.graph import graph
 from verify.views.material import CertifiedMap
 from verify.views.page.blueprint import direct, edges_between_labels, levels
-from verify.views.page.prose import prose
 from verify.views.plots import collapse, map_figure
 from verify.views.plots.shapes import merged
+from verify.views.setting import prose
 from verify.wire.judge import read_judged as read
 from verify.wire.write import write
 

@@ -293,3 +293,22 @@ def test_a_row_is_proved_only_where_its_own_proof_is_accepted() -> None:
 def test_a_row_of_a_context_that_is_not_opened_is_refused() -> None:
     pair = box(("1", "0")).row("one", "0 <= 1", INTERVAL, "box")
     assert rows(pair) == {"one": "refused"}
+
+
+def test_what_is_malformed_has_no_work_and_is_told_first() -> None:
+    """Whatever is said of the certificates that lie there to be cited."""
+    report = check.examined(b"{}", b"{}", {}, 100)
+    assert (report.verdict, report.work) == ("MALFORMED", 0)
+    others = [check.examined(*pair.files(), {}, 10**6) for pair in (refused(), proved())]
+    assert check.with_cited(report, others) == report
+
+
+def test_what_is_malformed_ends_a_folder() -> None:
+    """Nothing that lies there to be cited is checked any more, nor closes a citation elsewhere."""
+    first, second = proved().files()
+    folder = check.Folder("f", b"{}", b"{}", [first], [(first, second), (b"{}", b"{}")])
+    ((report, cited),) = check.judged([folder])
+    assert (report.verdict, cited) == ("MALFORMED", [])
+    ((report, cited),) = check.judged([folder._replace(statement=first, certificate=second)])
+    assert [other.verdict for other in cited] == ["PROVED", "MALFORMED"]
+    assert report.verdict == "MALFORMED"

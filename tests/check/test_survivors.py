@@ -422,3 +422,70 @@ def test_a_folder_and_a_file_are_no_statement_and_certificate(tmp_path: Path) ->
     file.write_text("{}")
     with pytest.raises(OSError, match=r"certificate\.json"):
         check.read_folders([str(tmp_path), str(file)])
+
+
+# --- words of the format -------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("shape", "words"),
+    [
+        (check.side, ["lhs", "rhs"]),
+        (check.exponent, ["1", "999"]),
+        (check.name, ["a", "A" + 99 * "."]),
+        (check.number, ["0", "-7/12"]),
+    ],
+)
+def test_words_are_whole(shape: check.Shape, words: list[str]) -> None:
+    for word in words:
+        shape("here", word)
+        for other in (word[:-1] if len(word) > 1 else "", word + "?", " " + word):
+            if other not in (words[0], "-7/1", "99", "A" + 98 * "."):
+                with pytest.raises(check.Malformed, match=r"^here: found"):
+                    shape("here", other)
+
+
+@pytest.mark.parametrize("last", ["format", "kind", "role", "verdict"])
+def test_words_of_a_statement_are_whole(last: str) -> None:
+    """Each of the words that may stand there, without its last letter."""
+    words = {
+        "format": ["verify-statement/2"],
+        "kind": ["plain", "carried", "standing"],
+        "role": ["needed", "printed"],
+        "verdict": ["proved", "refuted", "undecided"],
+    }[last]
+    for word in words:
+        pair = Pair().context("c", {"x": "1"}, {"g": "0 < x"}).row("row", "0 < 1", INTERVAL)
+        for item, name in (
+            (pair.statement, "format"),
+            (pair.statement["contexts"][0]["givens"][0], "kind"),
+            (pair.statement["obligations"][0], "role"),
+            (pair.statement["obligations"][0], "verdict"),
+        ):
+            if name == last:
+                item[name] = word[:-1]
+        code, lines = answer(pair)
+        assert (code, f": found {word[:-1]}, expected" in lines[-1]) == (4, True)
+
+
+def test_the_format_of_a_certificate_is_whole() -> None:
+    pair = Pair().row("row", "0 < 1", INTERVAL)
+    first, second = pair.files()
+    assert answer((first, second.replace(b"verify-certificate/2", b"verify-certificate/")))[0] == 4
+
+
+def test_odd_powers_of_roots_leave_one_factor() -> None:
+    kernel = check.Kernel()
+    clearing = check.Clearing(kernel, check.Place(kernel.outermost), ())
+    root = kernel.read("", ["sqrt", "3"], kernel.outermost)
+    clearing.clear(root)
+    for power, number, left in ((1, 1, 1), (2, 3, 0), (3, 3, 1), (4, 9, 0), (5, 9, 1)):
+        found = clearing.reduce({((root, power),): 7, ((root - 1, 1),): 1})
+        once = {((root, 1),): 7 * number} if left else {(): 7 * number}
+        assert found == {**once, ((root - 1, 1),): 1}
+
+
+def test_numbers_are_looked_up_by_texts() -> None:
+    """A file can foresee the hashes of whole numbers, and so make all of them the same."""
+    node = check.Node("rational", (), (2**61 - 1, 7))
+    assert check.key(node) == (hex(2**61 - 1), "0x7")

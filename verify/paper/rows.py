@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from verify.language.record import Record
 from verify.language.statement import (
     BREAKS,
     HARMLESS,
@@ -21,7 +22,31 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim
 
-__all__ = ["BREAKS", "HARMLESS", "SEVERITIES", "SLIP", "misprint", "needed", "printed"]
+__all__ = [
+    "BREAKS",
+    "HARMLESS",
+    "SEVERITIES",
+    "SLIP",
+    "Cause",
+    "Remark",
+    "misprint",
+    "needed",
+    "printed",
+]
+
+
+class Cause(Record):
+    """What is wrong, once, with the names of all rows that show it."""
+
+    rows: tuple[str, ...]
+    text: str
+
+
+class Remark(Record):
+    r"""A sentence about the text near one of the paper's ``\label``s."""
+
+    label: str
+    text: str
 
 
 def needed(
@@ -57,11 +82,11 @@ def misprint(
     label: str,
     says: str,
     claim: Claim | Applies | Always,
+    severity: str,
+    corrected_by: str,
     uses: Iterable[str] = (),
     *,
     group: str,
-    severity: str,
-    corrected_by: str,
     context: str | None = None,
 ) -> Obligation:
     """A row of the paper that is refuted, at least for some parameters.

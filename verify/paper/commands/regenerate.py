@@ -17,18 +17,18 @@ from verify.paper.commands import (
     classification,
     elsewhere,
     everywhere,
+    printed_set,
     scene,
     scene_statements,
     sharper,
     spectrum,
     step,
-    step_printed,
     theorem1,
     thresholds,
 )
 from verify.paper.groups import REPAIRED
 from verify.paper.parameters import THEOREM
-from verify.paper.spectrum.theorem import statement as state_spectrum
+from verify.paper.spectrum.spectrum import statement as state_spectrum
 from verify.prover.outcome import Outcome
 from verify.wire.parameters import are_allowed
 from verify.wire.term_json import TermReader
@@ -47,6 +47,9 @@ WITHOUT_PARAMETERS: dict[str, Callable[[], Outcome]] = {
     "classification": classification.decide_classification,
     "sharper": sharper.decide_sharper,
     "flow": scene.decide_flow,
+    "line": scene.decide_line,
+    f"{THEOREM}, the set as printed": printed_set.decide_printed_set,
+    f"{THEOREM}, the sign as printed": printed_set.decide_printed_sign,
 }
 
 #: What states those of them that take long to decide.
@@ -113,7 +116,7 @@ def _outcomes(theorem: str, parameters: Mapping[str, Term], collisions: int) -> 
     elif box.are_ends(parameters):
         yield box.decide_box(*box.read_box(parameters))
     elif are_allowed(parameters):
-        if theorem == "step-printed" and parameters == step_printed.PARAMETERS:
-            yield step_printed.decide_step_printed()
+        if theorem == "step-printed" and parameters == step.PARAMETERS:
+            yield step.decide_step_printed()
         for selection in SELECTIONS:
             yield theorem1.decide_point(parameters, selection)

@@ -12,12 +12,20 @@ from collections.abc import Iterator
 from verify.language.statement import Obligation
 from verify.language.terms import Term, as_term, equal, sqrt
 from verify.paper.rows import SLIP
-from verify.paper.spectrum import triangle
-from verify.paper.spectrum.collision_matrices import A_A, A_B, flipped
-from verify.paper.spectrum.contexts import ANY, CONE
+from verify.paper.spectrum.collision_matrices import (
+    A_A,
+    A_B,
+    flipped,
+    inner,
+    omega_1,
+    omega_1_perp,
+    omega_2,
+    omega_2_perp,
+    omega_3,
+)
 from verify.paper.spectrum.matrices import Vector, apply, dot, vector
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
-from verify.paper.spectrum.section import Section, symbols
+from verify.paper.spectrum.section import ANY, CONE, Section, symbols
 
 BOUND = "EQUATSS3.5Minor_z'__Triag"
 
@@ -60,15 +68,15 @@ def rows(paper: Printed) -> Iterator[Obligation]:
 
 def _conditions() -> Iterator[Obligation]:
     after_a = apply(A_A, STATE)
-    w_1 = tuple(x * u + y * v for u, v in zip(triangle.omega_1, triangle.omega_1_perp, strict=True))
-    w_2 = tuple(z * u + t * v for u, v in zip(triangle.omega_2, triangle.omega_2_perp, strict=True))
+    w_1 = tuple(x * u + y * v for u, v in zip(omega_1, omega_1_perp, strict=True))
+    w_2 = tuple(z * u + t * v for u, v in zip(omega_2, omega_2_perp, strict=True))
     difference = tuple(v - u for u, v in zip(w_1, w_2, strict=True))
     yield from (
         needed("cone-condition-02", THEOREM, "after 0-1 the normal component of 0-2 is z - "
             "(1+r)/4 x, so that 0-2 is pre-collisional exactly if z < (1+r)/4 x",
             equal(after_a[2], z - h * x)),
         needed("cone-normal-12",    THEOREM, "(W₂-W₁)·ω₃ in the printed coordinates",
-            equal(triangle.inner(difference, triangle.omega_3), dot(NORMAL_12, STATE))),
+            equal(inner(difference, omega_3), dot(NORMAL_12, STATE))),
         needed("cone-condition-12", THEOREM, "the third condition, which the cone of the text "
             "leaves out: after 0-1 and 0-2 the normal component of 1-2 is this, and it must be "
             "negative", equal(dot(NORMAL_12, apply(A_B, after_a)), normal_12(x, z, t - y))),
@@ -87,9 +95,9 @@ def _signs() -> Iterator[Obligation]:
         needed("cone-sign-z", THEOREM, "(r²-16r-1)/16 < 0, for every r in ]0,1[", k_z < as_term(0)),
         printed("cone-sign-x-range", THEOREM,
             "'for r small enough': the first one is negative exactly for -1 < r < 5",
-            equal(k_x, (r + 1) * (r - 5) / 16), ["signs"], within=ANY),
+            equal(k_x, (r + 1) * (r - 5) / 16), ["signs"], context=ANY),
         printed("cone-sign-z-range", THEOREM, "the second one exactly for 8-√65 < r < 8+√65",
-            equal(k_z, (r - (8 - root)) * (r - (8 + root)) / 16), ["signs"], within=ANY),
+            equal(k_z, (r - (8 - root)) * (r - (8 + root)) / 16), ["signs"], context=ANY),
         printed("cone-sign-z-below", THEOREM, "8-√65 < 0, so that ]0,1[ lies in it",
             8 - root < as_term(0)),
     )  # fmt: skip
@@ -108,7 +116,7 @@ def _bounds(paper: Printed) -> Iterator[Obligation]:
             equal(value - first, factor * (z - h * x)), ["signs"])  # fmt: skip
         yield misprint(f"{name}-bound-2", label,
             f"the first bound of {letter}' is larger than the second one, as printed",
-            second < first, SLIP, f"{name}-bound-2-equal", within=CONE)  # fmt: skip
+            second < first, SLIP, f"{name}-bound-2-equal", context=CONE)  # fmt: skip
         yield needed(f"{name}-bound-2-equal", label,
             f"the two displayed bounds of {letter}' are equal", equal(first, second))  # fmt: skip
 
@@ -124,7 +132,7 @@ def _last_condition(paper: Printed) -> Iterator[Obligation]:
             factor < as_term(0)),
         printed("cone-y-range",   BOUND,
             "'for r small enough': it is negative exactly for -1 < r < 3",
-            equal(factor, (r - 3) * (r + 1) / 32), ["signs"], within=ANY),
+            equal(factor, (r - 3) * (r + 1) / 32), ["signs"], context=ANY),
         needed("cone-y",          BOUND, "z' < 0 imposes y < t: with x = -a, z = hx - b the "
             "number √3(1+r)/8 (t-y) is -z' plus positive multiples of a and b",
             equal(_drift * (t - y), -image + (-factor) * a + (-k_z) * b), ["signs"]),
@@ -133,5 +141,5 @@ def _last_condition(paper: Printed) -> Iterator[Obligation]:
             equal(-(_drift * (y + t)), -stated + (-factor) * a + (-k_z) * b), ["signs"]),
         misprint("cone-y-stated", BOUND, "y < t in the basis as the text states it (ω₂⊥·ω₁ > 0), "
             "where x = -a, z = hx - b, z' = -g give this y", solved < t, SLIP, "cone-y-flipped",
-            within=CONE),
+            context=CONE),
     )  # fmt: skip

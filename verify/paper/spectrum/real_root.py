@@ -8,9 +8,8 @@ from fractions import Fraction
 from verify.language.statement import Obligation
 from verify.language.terms import Number, Term, as_term, equal, symbol
 from verify.paper.spectrum.characteristic import lam
-from verify.paper.spectrum.contexts import ANY, SHIFTED
 from verify.paper.spectrum.printed import THEOREM, Printed, r
-from verify.paper.spectrum.section import Section, symbols
+from verify.paper.spectrum.section import ANY, SHIFTED, Section, symbols
 
 REAL_ROOT = "EQUATSS3.5Alim_ContrRacRL"
 
@@ -91,18 +90,18 @@ def _quartic() -> Iterator[Obligation]:
             "q(s+ε) = q(s) + ε q'(s) + ε² q''(s)/2 + ε³(4s-24) + ε⁴, with q'' as displayed",
             equal(q(s + eps),
             q(s) + eps * q_prime(s) + eps**2 * q_second(s) / 2 + eps**3 * (4 * s - 24) + eps**4),
-            within=ANY),
+            context=ANY),
         printed("q-discriminant",          THEOREM, "the discriminant of q'' is -29952",
             equal(as_term(6 * 24) ** 2 - as_term(4) * 12 * 2 * 528, -29952)),
         printed("q-discriminant-negative", THEOREM, "it is negative", as_term(-29952) < as_term(0)),
         printed("q-convex",                THEOREM, "so q'' is positive: q''(s) = 12(s-6)² + 624",
-            equal(q_second(s), 12 * (s - 6) ** 2 + 624), within=ANY),
+            equal(q_second(s), 12 * (s - 6) ** 2 + 624), context=ANY),
         printed("q-falls", THEOREM, f"{says}; q'(0) < 0", q_prime(0) < 0, ["monotone"]),
         printed("q-rises", THEOREM, f"{says}; q'(6) > 0", 0 < q_prime(6), ["monotone"]),
         needed("q-1",                      THEOREM, "q(1) = -71", equal(q(1), -71)),
         needed("q-2",                      THEOREM, "q(2) = -1520", equal(q(2), -1520)),
         needed("q-negative",               THEOREM, "q(s) < 0 for 1 < s < 2 (and at both ends)",
-            q(s) < 0, within=SHIFTED),
+            q(s) < 0, context=SHIFTED),
         needed("q-negative-r",             THEOREM,
             "(r+1)⁴ - 24(r+1)³ + 528(r+1)² - 2880(r+1) + 2304 < 0",
             u**4 - 24 * u**3 + 528 * u**2 - 2880 * u + 2304 < 0),
@@ -127,7 +126,7 @@ def _increasing(paper: Printed) -> Iterator[Obligation]:
         needed("Q-discriminant-square",   THEOREM, "its quartic factor is a sum of two squares",
             equal(_quartic_in_r,
             5 * (r**2 - as_term(Fraction(38, 5)) * r + 1) ** 2 + as_term(Fraction(9216, 5)) * r**2),
-            within=ANY),
+            context=ANY),
         needed("Q-discriminant-negative", THEOREM,
             "the discriminant is negative: one real root and a genuine complex pair",
             DISCRIMINANT < as_term(0), ["polynomials"]),
@@ -142,7 +141,7 @@ def _values(paper: Printed) -> Iterator[Obligation]:
         needed("Q-minus-r", REAL_ROOT, "Q(-r), the first display", equal(at_r, r * (bracket / 64))),
         printed("Q-minus-r-root",    REAL_ROOT,
             "r⁴+2r³-2r-1 vanishes at r = 1: it is r-1 times (r+1)³",
-            equal(bracket, (r - 1) * (r + 1) ** 3), within=ANY),
+            equal(bracket, (r - 1) * (r + 1) ** 3), context=ANY),
         needed("Q-minus-r-factored", REAL_ROOT, "Q(-r), the factorised display",
             equal(at_r, r / 64 * (r - 1) * (r + 1) ** 3)),
         needed("Q-minus-r-negative", REAL_ROOT, "Q(-r) < 0, so -r < λ₀", at_r < as_term(0), uses),
@@ -153,13 +152,13 @@ def _values(paper: Printed) -> Iterator[Obligation]:
         needed("Q-minus-r3",          REAL_ROOT, "Q(-r³), the first display",
             equal(at_r3, r**3 / 64 * bracket)),
         printed("Q-minus-r3-root",    REAL_ROOT, "its bracket vanishes at r = 1 and at r = -1",
-            equal(bracket, -9 * (r - 1) * (r + 1) ** 3 * factor), within=ANY),
+            equal(bracket, -9 * (r - 1) * (r + 1) ** 3 * factor), context=ANY),
         needed("Q-minus-r3-factored", REAL_ROOT, "Q(-r³), the factorised display",
             equal(at_r3, -(9 * r**3 / 64) * (r - 1) * (r + 1) ** 3 * factor)),
         printed("Q-minus-r3-square",  REAL_ROOT,
             "7r²-13r+7 is always positive: 7(r-13/14)² + 27/28",
             equal(factor, 7 * (r - as_term(Fraction(13, 14))) ** 2 + as_term(Fraction(27, 28))),
-            within=ANY),
+            context=ANY),
         needed("Q-minus-r3-positive", REAL_ROOT, "Q(-r³) > 0, so λ₀ < -r³", 0 < at_r3, uses),
         needed("order-1",             REAL_ROOT, "-1 < -r", -1 < -r),
         needed("order-2",             REAL_ROOT, "-r < -r³", -r < -(r**3)),

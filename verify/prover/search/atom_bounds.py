@@ -42,9 +42,11 @@ def _outward(atom: Term, low: Fraction, high: Fraction) -> Iterator[Claim]:
 
 
 def _bounds(root: Term, low: Fraction, high: Fraction) -> Iterator[Claim]:
-    below, above = _floor(low), _floor(high)
+    if high < 0:
+        return  # the root has no value
+    above = _floor(high)
     if low > 0:
-        yield Claim("<=", as_term(below), root)
+        yield Claim("<=", as_term(_floor(low)), root)
     step = 0 if above**2 == high else Fraction(1, 10**DIGITS)
     yield Claim("<=", root, as_term(above + step))
 

@@ -98,7 +98,7 @@ def prose_between(markup: str) -> str:
 Filters = Iterable[Callable[..., Any]]
 
 
-def in_html(name: str, content: Mapping[str, Any], filters: Filters) -> str:
+def in_html(name: str, content: Mapping[str, Any], filters: Filters = ()) -> str:
     """What a template says, in HTML, where everything is escaped."""
     found = _environment(filters, _cells_in_html)
     found.autoescape = True

@@ -47,23 +47,29 @@ def _everywhere(options: Options) -> int:
         everywhere,  # loaded only where they are used
         thresholds,  # loaded only where they are used
     )
+    from verify.paper.commands.printed_set import decide_as_printed
     from verify.views import everywhere as view
     from verify.views.document import claims_document
 
     printed = options.constants == PRINTED
     progress(PROVING)
     outcome = everywhere.decide_printed_everywhere() if printed else everywhere.decide_everywhere()
-    code = EXIT_CODES[conjunction(outcome.decisions.values())]
+    argument = conjunction(outcome.decisions.values())
+    code = EXIT_CODES[argument]
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
+    verdicts = decide_as_printed()
     if options.json:
-        print_document(claims_document(outcome, "theorem1", view.FORMAT))
+        document = claims_document(outcome, "theorem1", view.FORMAT)
+        if printed:
+            document["sets"] = {"printed": {"verdict": argument, **verdicts}}
+        print_document(document)
         return code
     if printed:
         where = thresholds.decide_thresholds()
-        text = view.printed_screen(outcome, where, thresholds.all_shares(where), PAPER)
+        text = view.printed_screen(outcome, where, thresholds.all_shares(where), PAPER, verdicts)
     else:
-        text = view.screen(outcome, PAPER)
+        text = view.screen(outcome, PAPER, verdicts)
     show(claims.told(outcome, options, text), options)
     return code
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from verify.cli.options import Options, Parser, field
 from verify.cli.terminal import add_color, show
 from verify.language.terms import Term, as_term
+from verify.paper.commands.citing import as_printed
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.groups import SELECTIONS
 from verify.paper.source import PAPER
@@ -110,7 +111,7 @@ def _point(options: Options) -> int:
     if options.json:
         _print_document(outcome, bits)
         return outcome.exit_code
-    show(text if table else screen(outcome, PAPER), options)
+    show(text if table else screen(outcome, PAPER, as_printed(outcome)), options)
     return outcome.exit_code
 
 
@@ -129,7 +130,8 @@ def _print_document(outcome: Outcome, bits: int) -> None:
     from verify.views.document import document
     from verify.views.enclosures import sharpened
 
-    print_document(document(sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome))
+    shown_outcome = sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome
+    print_document(document(shown_outcome, as_printed(outcome)))
 
 
 def _table(outcome: Outcome, name: str | None) -> Iterable[str]:

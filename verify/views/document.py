@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from hashlib import sha256
 from typing import Any
 
-from verify.language.statement import HYPOTHESES, REFUTED, Assumption, Cite, Constant, Obligation
+from verify.language.statement import (
+    HYPOTHESES,
+    PRINTED,
+    REFUTED,
+    Assumption,
+    Cite,
+    Constant,
+    Obligation,
+)
 from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import DIGITS, decimal_exponent, outward, rational_text
 from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views.point import in_numbers
 from verify.views.words import (
+    DOES_NOT_APPLY,
     constants_of,
     ends_of,
+    group_fails,
     group_verdict,
     groups,
     headline,
@@ -29,14 +40,17 @@ FORMAT = "verify-theorem1/1"
 PARAMETERS = {"r": "r", "neg_cos_theta0": "c", "delta_theta": "delta_theta", "V_0": "V_0"}
 
 
-def document(outcome: Outcome) -> dict[str, Any]:
-    """The outcome as one JSON document; every number is a string."""
+def document(outcome: Outcome, as_printed: Mapping[str, str] | None = None) -> dict[str, Any]:
+    """The outcome as one JSON document; every number is a string.
+
+    ``as_printed`` has the verdicts on the theorem with its sign, and its set, as printed.
+    """
     typesetter = letters(outcome)
     names = ["V_0", *(constant.name for constant in constants_of(outcome, ""))]
     return {
         "format": FORMAT,
         "command": "theorem1",
-        "verdict": outcome.verdict,
+        "verdict": DOES_NOT_APPLY if group_fails(outcome, HYPOTHESES) else outcome.verdict,
         "headline": headline(outcome),
         "parameters": {key: _parameter(outcome, name) for key, name in PARAMETERS.items()},
         "theorem": in_numbers(outcome) or outcome.statement.title,
@@ -49,6 +63,7 @@ def document(outcome: Outcome) -> dict[str, Any]:
         "constants": {name: pair(ends_of(outcome, name)) for name in names},
         "sets": {
             group: _set(outcome, group, typesetter)
+            | (dict(as_printed or {}) if group == PRINTED else {})
             for group in groups(outcome)
             if group != HYPOTHESES
         },

@@ -14,9 +14,10 @@ from verify.language.statement import (
     Publication,
 )
 from verify.language.terms import symbol
-from verify.prover.outcome import Decision, Ends, Outcome
+from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 from verify.views.plain import plain_letters
 from verify.views.row_lists import MORE
+from verify.views.screen import printed_lines
 from verify.views.words import (
     cited_as,
     counts,
@@ -43,8 +44,8 @@ THEOREM = (
 )
 
 
-def screen(outcome: Outcome, paper: Publication) -> Iterator[str]:
-    """What is proved, given what."""
+def screen(outcome: Outcome, paper: Publication, as_printed: Mapping[str, str]) -> Iterator[str]:
+    """What is proved, given what; ``as_printed`` has the verdicts on the theorem as printed."""
     (cite,) = outcome.statement.cites
     yield "Theorem 1 for all parameters"
     yield ""
@@ -57,6 +58,7 @@ def screen(outcome: Outcome, paper: Publication) -> Iterator[str]:
     if outcome.verdict == PROVED:
         yield THEOREM
         yield ""
+    yield from printed_lines(as_printed)
     title = in_letters(outcome.statement.title)
     yield f"Verdict: {headline(outcome)}: {title}; given {given_by(outcome, paper)}"
 
@@ -69,11 +71,16 @@ def trusted_there(assumptions: Iterable[Assumption]) -> Iterator[str]:
 
 
 def printed_screen(
-    outcome: Outcome, where: Outcome, shares: Shares, paper: Publication
+    outcome: Outcome,
+    where: Outcome,
+    shares: Shares,
+    paper: Publication,
+    as_printed: Mapping[str, str],
 ) -> Iterator[str]:
     """Which rows of the printed set fail for all parameters, and which depend on them, and where.
 
-    ``where`` is the statement about thresholds; ``shares`` follow from it.
+    ``where`` is the statement about thresholds; ``shares`` follow from it. ``as_printed`` has the
+    verdicts on the printed theorem and set.
     """
     yield "The printed set, for all parameters that satisfy the corrected hypothesis"
     yield ""
@@ -94,7 +101,14 @@ def printed_screen(
         "-cos θ₀ ≤ 1 in the plane of φ⁻/(φ⁺)², between 0 and 1, and φ⁺, at V₀ = 1 and δ_θ = 1/10."
     )
     yield ""
-    yield f"Verdict: refuted: for all parameters, {counts(outcome, 'printed')}"
+    yield from printed_lines(as_printed)
+    yield "What the claim needs all the same: room for the angle at the start, which the set fixes."
+    yield ""
+    found_all = conjunction(outcome.decisions.values())
+    argument = (
+        f"{found_all}: the printed argument, for all parameters: {counts(outcome, 'printed')}"
+    )
+    yield f"Verdict: {argument}; {as_printed['set']}: the set as printed, with > for <"
 
 
 def _dependence(outcome: Outcome, row: Obligation, decision: Decision) -> str:

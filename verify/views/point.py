@@ -133,3 +133,19 @@ def failed_hypotheses(outcome: Outcome) -> list[tuple[Obligation, str]]:
             equal = sides is not None and sides[0] == sides[1] and sides[0][0] == sides[0][1]
             found.append((row, "both sides are equal" if equal else thresholds(outcome)))
     return found
+
+
+def known_there(outcome: Outcome) -> str:
+    """What is known where a hypothesis of the theorem does not hold."""
+    refuted = {row.name for row, _ in failed_hypotheses(outcome)}
+    if f"{HYPOTHESES}.existence" in refuted:
+        return (
+            "Known there: no collapse has -cos of its final angle below 4√r/(1+r), by theorem II "
+            "(certificates/classification)"
+        )
+    if f"{HYPOTHESES}.stability" in refuted:
+        return (
+            "Known there: nothing that decides it. Theorem II (certificates/classification) does "
+            "not exclude collapses with this angle"
+        )
+    return ""

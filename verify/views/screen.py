@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from verify.language.statement import (
     BREAKS,
@@ -16,7 +16,7 @@ from verify.language.statement import (
 from verify.language.terms import Claim
 from verify.prover.decimals import short
 from verify.prover.outcome import Outcome
-from verify.views.point import failed_hypotheses, in_numbers, parameters_told
+from verify.views.point import failed_hypotheses, in_numbers, known_there, parameters_told
 from verify.views.words import (
     group_verdict,
     groups,
@@ -27,15 +27,18 @@ from verify.views.words import (
 
 SIGNS = {"<": "<", "<=": "≤", "=": "="}
 TITLES = {
-    PRINTED: "The constants as printed",
-    REPAIRED: "The repaired constants",
+    PRINTED: "The printed argument for it",
+    REPAIRED: "The theorem with repaired constants",
 }
 
 
-def screen(outcome: Outcome, paper: Publication) -> Iterator[str]:
+def screen(
+    outcome: Outcome, paper: Publication, as_printed: Mapping[str, str] | None = None
+) -> Iterator[str]:
     """What fits on a screen: what is proved, given what, and which steps break the argument.
 
-    The last line is the result with everything it is about.
+    ``as_printed`` has the verdicts on the theorem with its sign, and its set, as printed. The last
+    line is the result with everything it is about.
     """
     yield f"Theorem 1 ({outcome.statement.theorem}) at {parameters_told(outcome)}"
     sets = [group for group in groups(outcome) if group != HYPOTHESES]
@@ -52,7 +55,17 @@ def screen(outcome: Outcome, paper: Publication) -> Iterator[str]:
         yield f"Also refuted: {', '.join(rest)}."
     yield "All rows: -v; some: --rows NAME; for programs: --json; a certificate: --out DIR."
     yield ""
+    yield from printed_lines(as_printed or {})
     yield from verdict_lines(outcome, paper, sets)
+
+
+def printed_lines(verdicts: Mapping[str, str]) -> Iterator[str]:
+    """Whether the theorem is true as it is printed, and whether its set is right."""
+    if "sign" in verdicts:
+        told = f"{verdicts['sign']} (certificates/printed-sign)"
+        yield f"Theorem 1 as printed, with < in (4.10): {told}"
+    if "set" in verdicts:
+        yield f"Its set as printed, with > for <: {verdicts['set']} (certificates/printed-set)"
 
 
 def counted(count: int, severity: str) -> str:
@@ -78,6 +91,9 @@ def verdict_lines(outcome: Outcome, paper: Publication, sets: list[str]) -> Iter
     for row, why in failed_hypotheses(outcome):
         where = paper.number(row.label)
         yield f"Hypothesis {where}, {row.label}, does not hold: {row.says} ({why})"
+    known = known_there(outcome)
+    if known:
+        yield known
     if outcome.spent:
         yield f"Precision budget spent: {outcome.spent}"
     for group in sets:

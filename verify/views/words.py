@@ -9,6 +9,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 
 from verify.language.statement import (
+    HYPOTHESES,
     NEEDED,
     PRINTED,
     PROVED,
@@ -26,6 +27,9 @@ from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 
 #: The headline while the verdict rests on more than what is granted, here or in what is cited.
 CONDITIONALLY_PROVED = "conditionally proved"
+
+#: The headline where a hypothesis does not hold.
+DOES_NOT_APPLY = "does not apply"
 
 #: The kinds of assumptions that do not make a proof conditional: what the objects are, theorems of
 #: general mathematics, and sentences that do nothing but put facts together that they name.
@@ -59,11 +63,23 @@ SHOWN_BITS = 192
 
 
 def headline(outcome: Outcome) -> str:
-    """The verdict in one or two words: what is proved from estimates is *conditionally* proved."""
+    """The verdict in a few words.
+
+    What is proved from estimates is *conditionally* proved. Where a hypothesis does not hold, a
+    theorem does not apply.
+    """
+    if outcome.verdict == REFUTED and group_fails(outcome, HYPOTHESES):
+        return DOES_NOT_APPLY
     if outcome.verdict != PROVED:
         return outcome.verdict
     kinds = {assumption.kind for assumption in outcome.assumptions}
     return PROVED if kinds <= set(GRANTED) else CONDITIONALLY_PROVED
+
+
+def group_fails(outcome: Outcome, group: str) -> bool:
+    """Whether a needed row of a group is refuted."""
+    rows = outcome.of_group(group)
+    return any(row.role == NEEDED and found.verdict == REFUTED for row, found in rows)
 
 
 def verdict_text(outcome: Outcome, paper: Publication) -> str:

@@ -12,6 +12,8 @@ from verify.language.errors import OwnError
 PACKAGED = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data")
 #: The one about all parameters.
 ALL = "theorem1-all"
+#: Those about the theorem as printed: its set with > for <, and that with < it is false.
+PRINTED_SET, PRINTED_SIGN = "printed-set", "printed-sign"
 #: Their files with their digests. Who cites one rests on them: it is not checked again in each run.
 PACKAGED_FILES = {
     "step": {
@@ -21,6 +23,14 @@ PACKAGED_FILES = {
     ALL: {
         "statement.json": "da36718f361cf3ab0f00c8f9fbdbc74e8f5a4b127fb80946b6524da2e6143539",
         "certificate.json": "8c8468593e3ffa2bfd9cca1739c6e81e545c7074fc5ed7e2dfcfc9564a4fbbfb",
+    },
+    PRINTED_SET: {
+        "statement.json": "8e75d8078c911f7d02e201247b6db6f5ba1dd163fec39f88a7838953beeb41d4",
+        "certificate.json": "3dfc710e8a17fb645a98620facd45327b068413af9c8a126346faa43405734fb",
+    },
+    PRINTED_SIGN: {
+        "statement.json": "051d302264aa218308a0ff3ff4ed25489ae0f81f5ecf5d0c32f0684978ad706a",
+        "certificate.json": "d1ea6c1643a8dbfc87883eefad90b83fedc4ff6fe37bec8e463aaf6900622549",
     },
 }
 

@@ -2,19 +2,27 @@
 
 from __future__ import annotations
 
+import json
 import os
 import random
+from collections.abc import Callable
 from fractions import Fraction
 
 import pytest
 from flint import arb, ctx
 
 from tests.paper.sharper.particles import Particles, Vector, combine, dot
-from verify.language.statement import PROVED
-from verify.language.terms import Claim
+from verify.cli import main
+from verify.language.errors import OwnError
+from verify.language.statement import PROVED, REFUTED
+from verify.language.terms import Claim, as_term
+from verify.paper.commands.citing import as_printed
 from verify.paper.commands.printed_set import decide_printed_set, decide_printed_sign
+from verify.paper.commands.theorem1 import decide_point
 from verify.paper.printed_set import initial, numbers, sign
+from verify.prover.outcome import Outcome
 from verify.wire.judge import report_on
+from verify.wire.packaged import PACKAGED_FILES, PRINTED_SET, PRINTED_SIGN, packaged_files
 from verify.wire.write import write
 
 #: Orbits in a run; PRINTED_ORBITS chooses more.
@@ -223,3 +231,70 @@ def test_an_orbit_of_the_set(seed: int) -> None:
         check_orbit(seed)
     finally:
         ctx.prec = before
+
+
+# --- what is said ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "decide"), [(PRINTED_SET, decide_printed_set), (PRINTED_SIGN, decide_printed_sign)]
+)
+def test_what_comes_with_the_program_is_what_it_makes(
+    name: str, decide: Callable[[], Outcome]
+) -> None:
+    """If not: verify certify, copy certificates/NAME/*.json to verify/data/NAME; PACKAGED_FILES."""
+    files = write(decide())
+    assert packaged_files(name) == (files["statement.json"], files["certificate.json"])
+
+
+def test_an_altered_file_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    packaged_files.cache_clear()
+    lies = {"statement.json": "0" * 64, "certificate.json": "0" * 64}
+    monkeypatch.setitem(PACKAGED_FILES, PRINTED_SET, lies)
+    with pytest.raises(OwnError, match="is not the file that came with the program"):
+        as_printed(decide_point(PARAMETERS))
+    packaged_files.cache_clear()
+
+
+PARAMETERS = {"r": as_term(Fraction(3, 100)), "c": as_term(1), "V_0": as_term(1),
+              "delta_theta": as_term(Fraction(1, 10))}  # fmt: skip
+
+
+def test_a_referee_reads_the_verdicts(capsys: pytest.CaptureFixture[str]) -> None:
+    said = {}
+    for line in ("--r 0.03", "--all", "--all --constants printed"):
+        code = main(["theorem1", *line.split()])
+        said[line] = capsys.readouterr().out
+        assert code == (1 if "printed" in line else 0)
+        assert "Theorem 1 as printed, with < in (4.10): refuted" in said[line]
+        assert "Its set as printed, with > for <: proved" in said[line]
+    last = " ".join(said["--all --constants printed"].partition("Verdict: ")[2].split())
+    assert last.startswith("refuted: the printed argument, for all parameters")
+    assert last.endswith("; proved: the set as printed, with > for <")
+
+
+def test_programs_read_the_verdicts(capsys: pytest.CaptureFixture[str]) -> None:
+    for line in ("--r 0.03", "--all --constants printed"):
+        main(["theorem1", *line.split(), "--json"])
+        printed = json.loads(capsys.readouterr().out)["sets"]["printed"]
+        assert [printed[key] for key in ("verdict", "sign", "set")] == [REFUTED, REFUTED, PROVED]
+
+
+@pytest.mark.parametrize(
+    ("c", "known"),
+    [
+        ("0.5", "no collapse has -cos of its final angle below 4√r/(1+r)"),
+        ("0.7", "Theorem II (certificates/classification) does not exclude collapses"),
+    ],
+)
+def test_a_theorem_does_not_apply(
+    c: str, known: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "9999")
+    assert main(["theorem1", "--r", "0.03", "--neg-cos", c]) == 1
+    said = capsys.readouterr().out
+    assert "Verdict: does not apply: Theorem 1" in said
+    assert known in said
+    assert "as printed, with <" not in said
+    assert main(["theorem1", "--r", "0.03", "--neg-cos", c, "--json"]) == 1
+    assert json.loads(capsys.readouterr().out)["verdict"] == "does not apply"

@@ -9,17 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from verify.language.statement import NEEDED, PROVED, UNDECIDED, Cite
+from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Cite
 from verify.language.terms import Claim, sqrt
 from verify.paper.assumptions import STEP_ASSUMPTIONS
-from verify.paper.groups import REPAIRED
+from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.preliminaries import alpha_0, discriminant, phi_minus
 from verify.paper.step import numbers
 from verify.paper.step.numbers import STEP
-from verify.prover.outcome import Decision, Judgement, Outcome, names_in
+from verify.prover.outcome import Decision, Judgement, Outcome, conjunction, names_in
 from verify.prover.proof import LemmaStep, ObligationStep, Proof, Step, Value
 from verify.prover.rules import Applying, Root, Sum
-from verify.wire.packaged import packaged_files
+from verify.wire.packaged import PRINTED_SET, PRINTED_SIGN, packaged_files
 
 #: The judge of the row that the step applies: those that have judged all rows that it needs.
 BY_ROWS = "the rows that the step needs"
@@ -74,6 +74,22 @@ def step_cited() -> Cite:
     """The step, by the files that come with the program."""
     content, certificate = packaged_files(STEP)
     return Cite(STEP, STEP, content, (), STEP_ASSUMPTIONS, certificate)
+
+
+def as_printed(outcome: Outcome) -> dict[str, str]:
+    """The verdicts on the theorem with its sign as printed, and on its set, where > holds.
+
+    They are those of two certificates that come with the program.
+
+    Raises:
+        OwnError: if their files are not those that the checker has accepted.
+    """
+    needed = (found for row, found in outcome.of_group(HYPOTHESES) if row.role == NEEDED)
+    if conjunction(needed) != PROVED or not outcome.of_group(PRINTED):
+        return {}
+    for name in (PRINTED_SIGN, PRINTED_SET):
+        packaged_files(name)  # they are those that the checker has accepted
+    return {"sign": REFUTED, "set": PROVED}
 
 
 def _row(name: str) -> str:

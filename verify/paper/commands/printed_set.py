@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from verify.language.argument import Chapter, Opened
+from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import symbol
 from verify.paper.commands.classification import decide_classification
 from verify.paper.commands.everywhere import Everywhere
@@ -62,3 +63,9 @@ def decide_printed_sign() -> Outcome:
         writing.decisions[row.name] = ground.decide(row)
     writing.decide(writing.rows[sign.COLLAPSE], Applying(sign.PREMISES))
     return judged(Outcome(argument.statement, writing.decisions, tuple(writing.session.steps), {}))
+
+
+def decide_as_printed() -> dict[str, str]:
+    """The verdicts on the theorem with its sign as printed, and on its set with the other sign."""
+    is_false = decide_printed_sign().verdict == PROVED
+    return {"sign": REFUTED if is_false else UNDECIDED, "set": decide_printed_set().verdict}

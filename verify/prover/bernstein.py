@@ -49,11 +49,24 @@ def _degree(
     low, high = bounds.ends or (Fraction(0), Fraction(1))
     shifted = shift(polynomial, low, high - low)
     least = len(polynomial) - 1
+    if strict and not _may_be_strict(shifted, bounds):
+        return None
     for degree in range(least, least + MAX_ELEVATION + 1):
         values = coefficients(shifted, degree)
         if min(values) >= 0 and (not strict or _is_strict(values, bounds)):
             return values
     return None
+
+
+def _may_be_strict(shifted: Sequence[Fraction], bounds: Bounds) -> bool:
+    """Whether the coefficients of some degree can pass `_is_strict`.
+
+    If an end is closed, that of the power which is positive there has to be, the value at that end;
+    if both are, there is none in a degree above 0.
+    """
+    low, high = bounds.low_relation != "<", bounds.high_relation != "<"
+    values = [value for value, closed in ((shifted[0], low), (sum(shifted), high)) if closed]
+    return all(values) and (len(values) < 2 or len(shifted) == 1)
 
 
 def _is_strict(values: Sequence[Fraction], bounds: Bounds) -> bool:

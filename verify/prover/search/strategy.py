@@ -13,7 +13,7 @@ from verify.language.statement import Given
 from verify.language.terms import Claim, Term, names_of, symbol
 from verify.prover.clearing import Clearing, atoms_of
 from verify.prover.goal import Goal
-from verify.prover.points import failure_test
+from verify.prover.points import failure_test, refuting_point
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Entry
 from verify.prover.search.atom_bounds import root_bounds
@@ -82,6 +82,8 @@ class Strategy:
         """What each technique finds."""
         if not self.clears():
             return
+        if self.is_false_at_once():
+            return
         if self.minima and self.minima[0][0] < 0 and self.is_refuted():
             return
         is_near = bool(self.minima) and self.minima[0][0] < NEAR_ZERO
@@ -120,6 +122,12 @@ class Strategy:
         return all(map(_is_near_zero, self.estimates.at_starts())) and all(
             map(_is_near_zero, self.minima)
         )
+
+    def is_false_at_once(self) -> bool:
+        """Whether one of a few points shows that the claim is false: cheap, before any minimum."""
+        if any(value < -NEAR_ZERO for value, _ in self.estimates.at_starts()):
+            return True
+        return not self.given and refuting_point(self.goal, self.universal.enclosed) is not None
 
     def is_refuted(self) -> bool:
         """Whether there is a point where the claim is false."""

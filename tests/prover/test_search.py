@@ -12,7 +12,6 @@ import random
 import time
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any
 
 import pytest
 
@@ -39,13 +38,9 @@ from verify.language.terms import (
     sqrt,
     symbol,
 )
-from verify.paper.spectrum import spectrum
-from verify.prover import bernstein
 from verify.prover.budget import WorkBudget
-from verify.prover.goal import Bounds, Goal
 from verify.prover.outcome import Outcome
 from verify.prover.prove import prove
-from verify.prover.search.local_minima import Minima
 from verify.wire.write import write
 
 FIRST = int(os.environ.get("SEARCH_FIRST", "0"))
@@ -166,47 +161,6 @@ def test_false(claim: Claim, ranges: Ranges) -> None:
 )
 def test_nothing_false_is_proved(claim: Claim, ranges: Ranges) -> None:
     assert judged(claim, ranges).claimed != PROVED
-
-
-# --- what is cheap is tried first -----------------------------------------------------------------
-
-
-def test_what_is_false_at_a_simple_point_needs_no_minimum(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The three rows of the spectrum that are false were searched for their minima first."""
-
-    def found(_: Minima) -> Any:
-        raise AssertionError("a search for minima")
-
-    monkeypatch.setattr(Minima, "found", found)
-    outcome = prove(spectrum.statement(), max_bits=1024)
-    assert [row.name for row, found in outcome.rows if found.claimed == REFUTED]
-    assert outcome.claimed == PROVED
-
-
-@pytest.mark.parametrize(
-    ("low", "high", "coefficients", "degrees"),
-    [
-        ("<=", "<=", [0, 1, -1], 0),  # x - x^2 is 0 at both ends
-        ("<=", "<", [0, 1], 0),
-        ("<", "<=", [1, -1], 0),
-        ("<=", "<=", [1, 1, -1], 0),  # no power of x and of 1-x is positive on all of [0, 1]
-        ("<=", "<", [1, 1], 1),
-        ("<", "<=", [0, 1], 1),
-        ("<", "<", [0, 1, -1], 1),
-    ],
-)
-def test_no_degree_is_tried_in_vain(
-    low: str, high: str, coefficients: list[int], degrees: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    tried, honest = [], bernstein.coefficients
-    monkeypatch.setattr(
-        bernstein, "coefficients", lambda p, degree: tried.append(degree) or honest(p, degree)
-    )
-    x = symbol("x")
-    bounds = Bounds(Fraction(0), Fraction(1), "low", "high", low, high)
-    claim = 0 < sum((c * x**k for k, c in enumerate(coefficients) if k), as_term(coefficients[0]))
-    found = bernstein.bernstein(Goal(claim, None, {"x": bounds}, (), {}))
-    assert (found is not None, len(tried)) == (bool(degrees), degrees)
 
 
 def test_little_work_leaves_a_row_undecided() -> None:

@@ -7,9 +7,9 @@ from fractions import Fraction
 
 from verify.language.argument import Chapter, Line, Opened, ToBeFound
 from verify.language.errors import OwnError
-from verify.language.record import Record
+from verify.language.fold import RATIONAL, fold
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Cite, Constant, Statement
-from verify.language.terms import Claim, Term, as_term, number_at
+from verify.language.terms import Claim, Term, as_term, symbol
 from verify.paper.commands.citing import step_cited
 from verify.paper.everywhere import box as paper
 from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
@@ -18,44 +18,14 @@ from verify.prover.decimals import round_decimal
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.rules import Applying
+from verify.views.material import Answer, ParameterBox
 from verify.wire.judge import judged
 from verify.wire.packaged import ALL, packaged_files
-
-Side = tuple[Fraction, Fraction]
 
 #: Digits of the last r of a part on which the hypotheses hold.
 DIGITS = 9
 #: How many parts the interval of c is cut into to look for the largest such part.
 PARTS = 16
-
-
-class ParameterBox(Record):
-    """Closed intervals of r and of -cos theta_0."""
-
-    r: Side
-    c: Side
-
-    @property
-    def area(self) -> Fraction:
-        """The product of the lengths of the sides."""
-        return (self.r[1] - self.r[0]) * (self.c[1] - self.c[0])
-
-
-class Answer(Record):
-    """The verdict on a box, the part of it that is certified, and what is certified about that.
-
-    If the box is undecided, the part is one on which the hypotheses hold, and the outcome is about
-    that part.
-    """
-
-    box: ParameterBox
-    part: ParameterBox
-    outcome: Outcome
-
-    @property
-    def verdict(self) -> str:
-        """That of the outcome, if it is about the whole box."""
-        return self.outcome.verdict if self.part == self.box else UNDECIDED
 
 
 def answer(box: ParameterBox, v_0: Fraction, delta_theta: Fraction) -> Answer:
@@ -66,7 +36,7 @@ def answer(box: ParameterBox, v_0: Fraction, delta_theta: Fraction) -> Answer:
 
 
 def _excess(r: Fraction, c: Fraction) -> Fraction:
-    return number_at(paper.EXCESS, {"r": r, "c": c})
+    return fold(paper.EXCESS, RATIONAL, {symbol("r"): r, symbol("c"): c})
 
 
 def verdict(box: ParameterBox) -> str:

@@ -12,6 +12,7 @@ import random
 import time
 from collections.abc import Mapping
 from fractions import Fraction
+from typing import Any
 
 import pytest
 
@@ -38,9 +39,11 @@ from verify.language.terms import (
     sqrt,
     symbol,
 )
+from verify.paper.spectrum import spectrum
 from verify.prover.budget import WorkBudget
 from verify.prover.outcome import Outcome
 from verify.prover.prove import prove
+from verify.prover.search.local_minima import Minima
 from verify.wire.write import write
 
 FIRST = int(os.environ.get("SEARCH_FIRST", "0"))
@@ -161,6 +164,18 @@ def test_false(claim: Claim, ranges: Ranges) -> None:
 )
 def test_nothing_false_is_proved(claim: Claim, ranges: Ranges) -> None:
     assert judged(claim, ranges).claimed != PROVED
+
+
+def test_what_is_false_at_a_simple_point_needs_no_minimum(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The three rows of the spectrum that are false were searched for their minima first."""
+
+    def found(_: Minima) -> Any:
+        raise AssertionError("a search for minima")
+
+    monkeypatch.setattr(Minima, "found", found)
+    outcome = prove(spectrum.statement(), max_bits=1024)
+    assert [row.name for row, found in outcome.rows if found.claimed == REFUTED]
+    assert outcome.claimed == PROVED
 
 
 def test_little_work_leaves_a_row_undecided() -> None:

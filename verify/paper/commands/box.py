@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from verify.language.argument import Chapter, Line, Opened, ToBeFound
+from verify.language.errors import OwnError
 from verify.language.fold import RATIONAL, fold
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Cite, Constant, Statement
 from verify.language.terms import Claim, Term, as_term, symbol
@@ -147,7 +148,7 @@ class BoxRun:
         elif isinstance(line.claim, Claim):
             found, proof = self.ground.prove(line.claim)
             if found != PROVED or proof is None:
-                raise ArithmeticError(f"{line.name} is not proved")
+                raise OwnError(f"{line.name} is not proved; nothing was written")
             self.session.lemma(line.claim, proof, None, line.name)
 
     def _enclosures(self) -> Mapping[str, Enclosure]:

@@ -12,7 +12,7 @@ from verify.language.statement import Given
 from verify.language.terms import Claim, Term, names_of, symbol
 from verify.prover.clearing import Clearing, atoms_of
 from verify.prover.goal import Goal
-from verify.prover.points import failure_test
+from verify.prover.points import failure_test, refuting_point
 from verify.prover.proof import Value
 from verify.prover.rules import Entry
 from verify.prover.search.domain import Domain
@@ -67,7 +67,11 @@ class Question:
         )
 
     def is_refuted(self) -> bool:
-        """Whether there is a point where the claim is false."""
+        """Whether there is a point where the claim is false; a few are tried before any minimum."""
+        if any(value < -NEAR_ZERO for value, _ in self.estimates.at_starts()):
+            return True
+        if not self.given and refuting_point(self.goal, self.known.enclosed) is not None:
+            return True
         if not self.minima or self.minima[0][0] >= 0:
             return False
         return self.minima[0][0] < -NEAR_ZERO or self.false_at() is not None

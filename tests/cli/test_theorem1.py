@@ -310,7 +310,7 @@ def test_a_false_hypothesis_is_named_with_both_sides(capsys: pytest.CaptureFixtu
     assert "its threshold = 1.0278276" in out
     assert "both sides are equal" in run(capsys, "--r", "1/64", "--neg-cos", "8/13")[1]
     code, doc = document(capsys, "--r", "1/2")
-    assert (code, doc["verdict"], doc["sets"]) == (1, "refuted", {})
+    assert (code, doc["verdict"], doc["sets"]) == (1, "does not apply", {})
     assert set(doc["constants"]) == {"V_0"}
 
 
@@ -453,19 +453,19 @@ def test_an_undecided_printed_row_is_kept_and_counted(
 
 
 @pytest.mark.parametrize(
-    "words",
+    ("words", "verdict"),
     [
-        ["--r", "0.5"],
-        ["--r", "0.03", "--neg-cos", "1/2"],
-        ["--r", "0.03", "--constants", "printed"],
+        (["--r", "0.5"], "does not apply"),
+        (["--r", "0.03", "--neg-cos", "1/2"], "does not apply"),
+        (["--r", "0.03", "--constants", "printed"], "refuted"),
     ],
 )
 def test_a_refuted_run_writes_a_certificate_of_its_refutation(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path, words: list[str]
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, words: list[str], verdict: str
 ) -> None:
     code, out, err = run(capsys, *words, "--out", str(tmp_path / "x"))
     assert (code, err) == (1, "")
-    assert out.splitlines()[-1].startswith("Verdict: refuted: ")
+    assert out.splitlines()[-1].startswith(f"Verdict: {verdict}: ")
     files = [(tmp_path / "x" / name).read_bytes() for name in FILES]
     report = check.check(*files, {})
     assert report.verdict == "REFUTED"

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
+from verify.language.fold import fold
 from verify.language.statement import Choice
 from verify.language.terms import Claim, Term
 from verify.prover import balls
@@ -29,6 +30,7 @@ class Chooser:
         self.values: dict[str, Fraction] = {}
         self.definitions: dict[str, Term] = {}
         self._known: dict[Term, Fraction | None] = {}
+        self._algebra = {**_EXACT, "symbol": self._named}
 
     def rounding(self, choice: Choice) -> Callable[..., Any]:
         """A function from the ball of the bound above the base, and of its entries, to a ball.
@@ -81,34 +83,28 @@ class Chooser:
 
     def _exact(self, term: Term) -> Fraction | None:
         """The value of a term, if it is computed within the rational numbers."""
-        if term.op == "rational":
-            return term.value
-        if term.op == "symbol" and term.name in self.values:
-            return self.values[term.name]
-        if term not in self._known:
-            self._known[term] = self._compute(term)
-        return self._known[term]
+        return fold(term, self._algebra, self._known)
 
-    def _compute(self, term: Term) -> Fraction | None:
-        if term.op == "symbol":
-            return self._exact(self.definitions[term.name])
-        function = _EXACT.get(term.op)
-        if function is None:
-            return None
-        children = [self._exact(child) for child in term.children]
-        found = [child for child in children if child is not None]
-        if len(found) < len(children):
-            return None
-        return function(*found, *term.args[len(children) :])
+    def _named(self, name: str) -> Fraction | None:
+        return self.values[name] if name in self.values else self._exact(self.definitions[name])
 
 
-_EXACT: dict[str, Callable[..., Fraction]] = {
-    "add": operator.add,
-    "sub": operator.sub,
-    "mul": operator.mul,
-    "div": operator.truediv,
-    "neg": operator.neg,
-    "pow": operator.pow,
-    "min": min,
-    "max": max,
+def _known(function: Callable[..., Fraction]) -> Callable[..., Fraction | None]:
+    """The function where all operands are known, and nothing elsewhere."""
+    return lambda *operands: None if any(o is None for o in operands) else function(*operands)
+
+
+_EXACT: dict[str, Callable[..., Fraction | None]] = {
+    "rational": lambda value: value,
+    "add": _known(operator.add),
+    "sub": _known(operator.sub),
+    "mul": _known(operator.mul),
+    "div": _known(operator.truediv),
+    "neg": _known(operator.neg),
+    "pow": _known(operator.pow),
+    "min": _known(min),
+    "max": _known(max),
+    "sqrt": lambda _: None,
+    "cos": lambda _: None,
+    "cos_pi": lambda _: None,
 }

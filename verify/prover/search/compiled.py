@@ -16,7 +16,6 @@ from verify.language.record import Record
 from verify.language.terms import Term
 from verify.prover.numbers import float_of
 
-Estimate = Callable[..., float]
 #: From the ends of all variables, low and high in turn, to the ends of each term.
 Ranges = Callable[..., tuple[float, ...]]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from fractions import Fraction
 from functools import partial
 from typing import TypeVar
 
@@ -51,3 +52,15 @@ TERMS: Mapping[str, Callable[..., Term]] = {
 def replaced(term: Term, chosen: Mapping[Term, Term]) -> Term:
     """The term with some of its parts replaced, all at once."""
     return fold(term, TERMS, dict(chosen))
+
+
+#: The operations on rational numbers whose results are rational.
+RATIONAL: Mapping[str, Callable[..., Fraction]] = {
+    "rational": lambda number: number,
+    "add": lambda x, z: x + z,
+    "sub": lambda x, z: x - z,
+    "mul": lambda x, z: x * z,
+    "div": lambda x, z: x / z,
+    "neg": lambda x: -x,
+    "pow": lambda x, exponent: x**exponent,
+}

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
-from verify.language.fold import fold
+from verify.language.fold import RATIONAL, fold
 from verify.language.statement import Choice, Constant
 from verify.language.terms import Claim, Term, as_term
 from verify.prover import balls
@@ -168,13 +167,7 @@ def _known(function: Callable[..., Fraction]) -> Callable[..., Fraction | None]:
 
 
 _EXACT: dict[str, Callable[..., Fraction | None]] = {
-    "rational": lambda value: value,
-    "add": _known(operator.add),
-    "sub": _known(operator.sub),
-    "mul": _known(operator.mul),
-    "div": _known(operator.truediv),
-    "neg": _known(operator.neg),
-    "pow": _known(operator.pow),
+    **{op: _known(function) for op, function in RATIONAL.items()},
     "min": _known(min),
     "max": _known(max),
     "sqrt": lambda _: None,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from functools import partial
 from typing import TypeVar
 
 from verify.language.terms import Term
@@ -36,6 +37,21 @@ def fold(
     values = [fold(child, algebra, known) for child in children]
     found = known[term] = function(*values, *term.args[len(children) :])
     return found
+
+
+#: The algebra of terms: each is put together again.
+TERMS: Mapping[str, Callable[..., Term]] = {
+    op: partial(Term, op)
+    for op in (
+        *("rational", "symbol", "add", "sub", "mul", "div", "neg", "pow"),
+        *("sqrt", "min", "max", "cos", "cos_pi"),
+    )
+}
+
+
+def replaced(term: Term, chosen: Mapping[Term, Term]) -> Term:
+    """The term with some of its parts replaced, all at once."""
+    return fold(term, TERMS, dict(chosen))
 
 
 #: The operations on rational numbers whose results are rational.

@@ -1,14 +1,18 @@
-"""Short decimals on the safe side of bounds."""
+"""Short decimals on the safe side of bounds: at one point, and at many."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from fractions import Fraction
+from typing import Any
 
+from verify.language.fold import RATIONAL, fold
 from verify.language.statement import Choice, Constant
-from verify.language.terms import Term, as_term
+from verify.language.terms import Claim, Term, as_term
 from verify.prover import balls
 from verify.prover.decimals import round_decimal
 from verify.prover.ground import Ground
+from verify.prover.relations import FAILS, HOLDS, OPEN, holds
 
 #: Chosen constants are rounded to this many significant decimal digits.
 CHOSEN_DIGITS = 3
@@ -81,3 +85,92 @@ def round_to_digits(value: Fraction, up: bool, digits: int = CHOSEN_DIGITS) -> F
 def entries_of(term: Term) -> tuple[Term, ...]:
     """The entries of a minimum, or the one bound itself."""
     return term.children if term.op == "min" else (term,)
+
+
+class OpenChoiceError(ArithmeticError):
+    """Balls do not tell how a bound is rounded."""
+
+
+class Chooser:
+    """Rounds the bounds of choices at many points, like `choose`, from balls.
+
+    ``values`` has the exact value of each parameter, set for a point, and of each chosen constant
+    so far; ``definitions`` the term of each other constant.
+    """
+
+    def __init__(self) -> None:
+        self.values: dict[str, Fraction] = {}
+        self.definitions: dict[str, Term] = {}
+        self._known: dict[Term, Fraction | None] = {}
+        self._algebra = {**_EXACT, "symbol": self._named}
+
+    def rounding(self, choice: Choice) -> Callable[..., Any]:
+        """A function from the ball of the bound above the base, and of its entries, to a ball.
+
+        It raises `OpenChoiceError` where the balls leave open what is chosen.
+        """
+        constant, up = choice.constant, choice.direction == "up"
+        entries = entries_of(constant.term)
+
+        def rounded(ball: Any, *parts: Any) -> Any:
+            if balls.strict_sign(ball) != 1 or balls.accuracy_bits(ball) < 64:
+                raise OpenChoiceError
+            low, high = balls.ends(ball)
+            far, near = (round_to_digits(end, up) for end in ((high, low) if up else (low, high)))
+            value = far
+            if far != near and self._is_safe(near, entries, parts, up):
+                value = near
+            base = Fraction(0) if choice.base is None else self._exact(choice.base)
+            if base is None:
+                raise OpenChoiceError
+            self.values[constant.name] = base + value
+            return balls.from_fraction(base + value)
+
+        return rounded
+
+    def _is_safe(self, value: Fraction, entries: Any, parts: Any, up: bool) -> bool:
+        """Whether the bolder candidate is allowed."""
+        number = balls.from_fraction(value)
+        for entry, part in zip(entries, parts, strict=True):
+            exact = self._exact(entry)
+            pair: tuple[Any, Any] = (part, number) if exact is None else (exact, value)
+            a, b = pair if up else reversed(pair)
+            if not a <= b:
+                if b < a:
+                    return False
+                raise OpenChoiceError
+        return True
+
+    def verdict(self, claim: Claim) -> int:
+        """What exact values say of a claim, as `verify.prover.straight` writes it."""
+        lhs, rhs = self._exact(claim.lhs), self._exact(claim.rhs)
+        if lhs is None or rhs is None:
+            return OPEN
+        return HOLDS if holds(claim.relation, lhs, rhs) else FAILS
+
+    def start(self, parameters: Mapping[str, Fraction]) -> None:
+        """Begin a new point."""
+        self.values = dict(parameters)
+        self._known = {}
+
+    def _exact(self, term: Term) -> Fraction | None:
+        """The value of a term, if it is computed within the rational numbers."""
+        return fold(term, self._algebra, self._known)
+
+    def _named(self, name: str) -> Fraction | None:
+        return self.values[name] if name in self.values else self._exact(self.definitions[name])
+
+
+def _known(function: Callable[..., Fraction]) -> Callable[..., Fraction | None]:
+    """The function where all operands are known, and nothing elsewhere."""
+    return lambda *operands: None if any(o is None for o in operands) else function(*operands)
+
+
+_EXACT: dict[str, Callable[..., Fraction | None]] = {
+    **{op: _known(function) for op, function in RATIONAL.items()},
+    "min": _known(min),
+    "max": _known(max),
+    "sqrt": lambda _: None,
+    "cos": lambda _: None,
+    "cos_pi": lambda _: None,
+}

@@ -33,26 +33,29 @@ class TooLongError(ArithmeticError):
     """Expanding terms takes more products than ``MAX_PRODUCTS``."""
 
 
-def atoms_of(terms: Iterable[Term], replaced: Mapping[Term, Term]) -> list[Term]:
-    """The atoms of terms after replacing, each after those inside it."""
+def inner_first(terms: Iterable[Term], inside: Callable[[Term], Iterable[Term]]) -> list[Term]:
+    """Terms and what is inside them, each once, and after what is inside it."""
     found: dict[Term, None] = {}
-    seen: set[Term] = set()
 
     def visit(term: Term) -> None:
-        if term in seen:
-            return
-        seen.add(term)
-        if term in replaced:
-            visit(replaced[term])
-            return
-        for child in term.children:
-            visit(child)
-        if term.op in ATOMS:
+        if term not in found:
+            for part in inside(term):
+                visit(part)
             found[term] = None
 
     for term in terms:
         visit(term)
-    return list(found)
+    return [*found]
+
+
+def atoms_of(terms: Iterable[Term], replaced: Mapping[Term, Term]) -> list[Term]:
+    """The atoms of terms after replacing, each after those inside it."""
+
+    def inside(term: Term) -> Iterable[Term]:
+        return (replaced[term],) if term in replaced else term.children
+
+    parts = inner_first(terms, inside)
+    return [part for part in parts if part.op in ATOMS and part not in replaced]
 
 
 def has_value(part: Term, is_fact: Callable[[Claim], bool]) -> bool:

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from fractions import Fraction
+from functools import partial
 from math import isqrt
 from operator import add, mul, neg, sub
 from typing import Any, Protocol
 
+from verify.language.fold import fold
 from verify.language.terms import Term
 
 
@@ -29,6 +31,9 @@ class Arithmetic(Protocol):
         """The function of one or two numbers for an operation of `verify.language.terms`."""
 
 
+_OPERATIONS = ("add", "sub", "mul", "div", "neg", "sqrt", "cos", "cos_pi")
+
+
 class Program:
     """A straight-line program with one slot for each distinct subterm; it may grow."""
 
@@ -37,7 +42,15 @@ class Program:
         self.size = len(self.slots)
         self.leaves: list[tuple[int, Fraction]] = []
         self.code: list[tuple[int, str, int, int]] = []
-        self._numbering: dict[object, int] = {}
+        self._slots: dict[Term, int] = {}
+        self._numbering: dict[tuple[str, int, int], int] = {}
+        self._algebra: dict[str, Callable[..., int]] = {
+            "rational": self._rational,
+            "symbol": self.slots.__getitem__,
+            "pow": self._power,
+            **{op: partial(self._least, op) for op in ("min", "max")},
+            **{op: partial(self._instruction, op) for op in _OPERATIONS},
+        }
 
     def define(self, name: str, term: Term) -> None:
         """Give a name to the value of a term over inputs and earlier names."""
@@ -49,31 +62,24 @@ class Program:
         Raises:
             KeyError: for a name that is neither an input nor defined.
         """
-        slot = self._numbering.get(term)
-        if slot is None:
-            slot = self._numbering[term] = self._compile(term)
-        return slot
+        return fold(term, self._algebra, self._slots)
 
     def known(self, term: Term) -> int | None:
         """The slot of a term that was compiled before."""
-        return self._numbering.get(term)
+        return self._slots.get(term)
 
-    def _compile(self, term: Term) -> int:
-        op = term.op
-        if op == "symbol":
-            return self.slots[term.name]
-        if op == "rational":
-            slot = self._new_slot()
-            self.leaves.append((slot, term.value))
-            return slot
-        if op == "pow":
-            base = slot = self.add(term.children[0])
-            for _ in range(term.exponent - 1):
-                slot = self._instruction("mul", slot, base)
-            return slot
-        slot, *others = (self.add(child) for child in term.children)
-        if not others:
-            return self._instruction(op, slot)
+    def _rational(self, value: Fraction) -> int:
+        slot = self._new_slot()
+        self.leaves.append((slot, value))
+        return slot
+
+    def _power(self, base: int, exponent: int) -> int:
+        slot = base
+        for _ in range(exponent - 1):
+            slot = self._instruction("mul", slot, base)
+        return slot
+
+    def _least(self, op: str, slot: int, *others: int) -> int:
         for other in others:
             slot = self._instruction(op, slot, other)
         return slot

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 from verify.language.terms import Claim, Term
-from verify.prover.clearing import ATOMS, Quotients, expanded
+from verify.prover.clearing import ATOMS, Quotients, expanded, inner_first
 from verify.prover.positivity import EntryBound, NotFoundError, Polynomial, Positivity
 from verify.prover.proof import Value
 from verify.prover.rules import Sum
@@ -91,23 +91,12 @@ class Ring(Quotients):
 
     def ensure(self, *terms: Term) -> None:
         """Afterwards each divisor and radicand in the terms is known to be positive."""
-        seen: set[Term] = set()
-
-        def visit(term: Term) -> None:
-            if term in seen:
-                return
-            seen.add(term)
-            if term in self.replaced:
-                return
-            for child in term.children:
-                visit(child)
-            if term.op == "div" or term.op == "sqrt":
+        inside = lambda term: () if term in self.replaced else term.children  # noqa: E731
+        for term in inner_first(terms, inside):
+            if term.op in ("div", "sqrt") and term not in self.replaced:
                 part = term.children[-1]
                 if part.op != "rational":
                     self.lemma(0 < part)
-
-        for term in terms:
-            visit(term)
 
     def lemma(self, claim: Claim, name: str | None = None) -> str:
         """The name of a fact, proved if it is not known."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from verify.language.terms import Claim, Term
+from verify.language.terms import Claim, Term, parts_of
 from verify.prover.goal import Goal
 from verify.prover.proof import Value
 from verify.prover.rules import Sum
@@ -29,15 +29,7 @@ def signs(goal: Goal, known: Known) -> Sum | None:
 
 
 def _has_denominator(term: Term) -> bool:
-    seen, waiting = set(), [term]
-    while waiting:
-        part = waiting.pop()
-        if part.op == "div" and part.children[1].op != "rational":
-            return True
-        if part not in seen:
-            seen.add(part)
-            waiting += part.children
-    return False
+    return any(part.op == "div" and part.children[1].op != "rational" for part in parts_of(term))
 
 
 def _sign(term: Term, known: Known) -> Sign | None:

@@ -8,13 +8,23 @@ that it proves nothing.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
+from functools import reduce
 from typing import Any
 
+from verify.language.fold import fold
 from verify.language.terms import Claim, Term
 from verify.prover import balls
 
-_INFIX = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
-_METHODS = {"sqrt": "sqrt", "min": "min", "max": "max"}
+_UNARY = {"neg": "-{}", "sqrt": "{}.sqrt()"}
+_BINARY = {
+    "add": "{} + {}",
+    "sub": "{} - {}",
+    "mul": "{} * {}",
+    "div": "{} / {}",
+    "min": "{}.min({})",
+    "max": "{}.max({})",
+}
 
 _VERDICTS = {
     "<": "1 if {a} < {b} else 2 if {b} <= {a} else 0",
@@ -35,8 +45,17 @@ class StraightLine:
         self._lines: list[str] = []
         self._known: dict[Term, str] = {}
         self._codes: dict[str, str] = {}
-        self._constants: dict[str, Term] = {}
+        self._constants: dict[str, Fraction] = {}
         self._helpers: dict[str, Any] = {}
+        self._algebra: dict[str, Callable[..., str]] = {
+            "rational": self._rational,
+            "symbol": self.names.__getitem__,
+            "pow": self._power,
+            "cos": self._call("cos"),
+            "cos_pi": self._call("cos_pi"),
+            **{op: self._unary(pattern) for op, pattern in _UNARY.items()},
+            **{op: self._binary(pattern) for op, pattern in _BINARY.items()},
+        }
 
     def define(self, name: str, term: Term) -> None:
         """Give a name to the value of a term over inputs and earlier names."""
@@ -56,34 +75,27 @@ class StraightLine:
         Raises:
             KeyError: for a name that is neither an input nor defined.
         """
-        if term.op == "symbol":
-            return self.names[term.name]
-        found = self._known.get(term)
-        if found is None:
-            found = self._known[term] = self._value(term)
-        return found
+        return fold(term, self._algebra, self._known)
 
-    def _value(self, term: Term) -> str:
-        if term.op == "rational":
-            name = f"q{len(self._constants)}"
-            self._constants[name] = term
-            return name
-        args = [self.value(child) for child in term.children]
-        if term.op in _INFIX:
-            return self._line(f"{args[0]} {_INFIX[term.op]} {args[1]}")
-        if term.op == "neg":
-            return self._line(f"-{args[0]}")
-        if term.op == "pow":
-            return self._power(args[0], term.exponent)
-        if term.op in ("cos", "cos_pi"):
-            self._helpers[term.op] = balls.operation(term.op)
-            return self._line(f"{term.op}({args[0]})")
-        result, *others = args
-        if term.op == "sqrt":
-            return self._line(f"{result}.sqrt()")
-        for other in others:
-            result = self._line(f"{result}.{_METHODS[term.op]}({other})")
-        return result
+    def _rational(self, value: Fraction) -> str:
+        name = f"q{len(self._constants)}"
+        self._constants[name] = value
+        return name
+
+    def _unary(self, pattern: str) -> Callable[[str], str]:
+        return lambda operand: self._line(pattern.format(operand))
+
+    def _binary(self, pattern: str) -> Callable[..., str]:
+        """One line for two operands, and one more for each further one."""
+        line = lambda a, b: self._line(pattern.format(a, b))  # noqa: E731
+        return lambda *operands: reduce(line, operands)
+
+    def _call(self, name: str) -> Callable[[str], str]:
+        def written(operand: str) -> str:
+            self._helpers[name] = balls.operation(name)
+            return self._line(f"{name}({operand})")
+
+        return written
 
     def _power(self, base: str, exponent: int) -> str:
         result = base
@@ -112,7 +124,7 @@ class StraightLine:
         """
         results = ", ".join(outputs)
         with balls.precision(bits):
-            scope = {name: balls.from_fraction(t.value) for name, t in self._constants.items()}
+            scope = {name: balls.from_fraction(value) for name, value in self._constants.items()}
         body = "".join(f"    {line}\n" for line in self._lines)
         code = f"def run({', '.join(self._inputs)}):\n{body}    return ({results},)\n"
         found: dict[str, Any] = {}

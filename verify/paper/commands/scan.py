@@ -27,8 +27,7 @@ from verify.paper.groups import GROUPS, HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.step.numbers import COLLAPSE
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
-from verify.prover.choose import entries_of
-from verify.prover.chooser import Chooser, OpenChoiceError
+from verify.prover.choose import Chooser, OpenChoiceError, entries_of
 from verify.prover.outcome import Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Proof
 from verify.prover.relations import FAILS, HOLDS, OPEN

@@ -8,49 +8,65 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
 from typing import Any
 
+from verify.language.fold import fold
+from verify.language.record import Record
 from verify.language.terms import Term
 from verify.prover.numbers import float_of
 
-Estimate = Callable[..., float]
 #: From the ends of all variables, low and high in turn, to the ends of each term.
 Ranges = Callable[..., tuple[float, ...]]
+
+
+class Place(Record):
+    """The variable that holds a value, and the value where it is a number of the term."""
+
+    at: str
+    number: Fraction | None = None
+
+
+#: The lines that compute a value, for each operation.
+Lines = Mapping[str, Callable[..., list[str]]]
 
 
 def _code(
     names: Sequence[str],
     terms: Sequence[Term],
     definitions: Mapping[str, Term],
-    write: Callable[[Term, str, list[str]], list[str]],
-    inputs: Callable[[str], str],
-    results: Callable[[str], str],
+    algebra: Lines,
+    ends: Sequence[str],
 ) -> Callable[..., Any]:
-    """A function that computes each subterm once."""
-    places = {name: f"x{i}" for i, name in enumerate(names)}
-    known: dict[Term, str] = {}
+    """A function that computes each subterm once, and has variables with these ends."""
+    places = {name: Place(f"x{i}") for i, name in enumerate(names)}
+    known: dict[Term, Place] = {}
     lines: list[str] = []
 
-    def place(term: Term) -> str:
-        if term.op == "symbol":
-            if term.name in places:
-                return places[term.name]
-            return place(definitions[term.name])
-        found = known.get(term)
-        if found is None:
-            children = [place(child) for child in term.children]
-            found = known[term] = f"v{len(known)}"
-            lines.extend(write(term, found, children))
-        return found
+    def writer(write: Callable[..., list[str]]) -> Callable[..., Place]:
+        def written(*operands: Any) -> Place:
+            at = f"v{len(lines)}"
+            lines.extend(write(at, *operands))
+            number = operands[0] if type(operands[0]) is Fraction else None
+            return Place(at, number)
 
-    found = ", ".join(results(place(term)) for term in terms)
-    arguments = ", ".join(inputs(x) for x in places.values())
-    body = "\n ".join([*lines, f"return ({found},)"])
+        return written
+
+    def named(name: str) -> Place:
+        return places[name] if name in places else fold(definitions[name], writers, known)
+
+    writers = {**{op: writer(write) for op, write in algebra.items()}, "symbol": named}
+    found = [fold(term, writers, known).at + end for term in terms for end in ends]
+    arguments = ", ".join(place.at + end for place in places.values() for end in ends)
+    body = "\n ".join([*lines, f"return ({', '.join(found)},)"])
     scope: dict[str, Any] = {"cos": math.cos, "sqrt": math.sqrt, "pair": _cosine}
     scope |= {"pi": math.pi, "inf": math.inf}
     exec(f"def function({arguments}):\n {body}", scope)  # noqa: S102  what is written above
     function: Callable[..., Any] = scope["function"]
     return function
+
+
+# --- values --------------------------------------------------------------------------------------
 
 
 def estimates(
@@ -61,82 +77,82 @@ def estimates(
     The function raises an ArithmeticError or a ValueError where a term has none, a KeyError is
     raised here for a name that is not known.
     """
-    return _code(names, terms, definitions, _value, lambda x: x, lambda v: v)
+    return _code(names, terms, definitions, _VALUES, ("",))
 
 
-def _value(term: Term, at: str, children: list[str]) -> list[str]:
-    signs = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
-    if term.op == "rational":
-        return [f"{at} = {float_of(term.value)!r}"]
-    if term.op in signs:
-        return [f"{at} = {children[0]} {signs[term.op]} {children[1]}"]
-    if term.op == "neg":
-        return [f"{at} = -{children[0]}"]
-    if term.op == "pow":
-        return [f"{at} = {children[0]} ** {term.exponent}"]
-    if term.op == "cos_pi":
-        return [f"{at} = cos(pi * {children[0]})"]
-    return [f"{at} = {term.op}({', '.join(children)})"]
+def _written(pattern: str) -> Callable[..., list[str]]:
+    """A line with the variables of the operands, of which there may be many."""
+
+    def lines(at: str, *operands: Place) -> list[str]:
+        places = [operand.at for operand in operands]
+        return [f"{at} = {pattern.format(*places, all=', '.join(places))}"]
+
+    return lines
+
+
+_VALUES: Lines = {
+    "rational": lambda at, value: [f"{at} = {float_of(value)!r}"],
+    "add": _written("{} + {}"),
+    "sub": _written("{} - {}"),
+    "mul": _written("{} * {}"),
+    "div": _written("{} / {}"),
+    "neg": _written("-{}"),
+    "pow": lambda at, a, exponent: [f"{at} = {a.at} ** {exponent}"],
+    "sqrt": _written("sqrt({})"),
+    "min": _written("min({all})"),
+    "max": _written("max({all})"),
+    "cos": _written("cos({})"),
+    "cos_pi": _written("cos(pi * {})"),
+}
+
+
+# --- ranges --------------------------------------------------------------------------------------
 
 
 def range_function(
     names: Sequence[str], terms: Sequence[Term], definitions: Mapping[str, Term]
 ) -> Ranges:
     """The ends between which terms lie, as the checker evaluates them, up to rounding."""
-    return _code(
-        names, terms, definitions, _range, lambda x: f"{x}l, {x}h", lambda v: f"{v}l, {v}h"
-    )
+    return _code(names, terms, definitions, _RANGES, ("l", "h"))
 
 
-def _range(term: Term, at: str, children: list[str]) -> list[str]:
-    op, low, high = term.op, f"{at}l", f"{at}h"
-    if op == "rational":
-        return [f"{low} = {high} = {float_of(term.value)!r}"]
-    a = children[0]
-    if op == "add":
-        b = children[1]
-        return [f"{low} = {a}l + {b}l", f"{high} = {a}h + {b}h"]
-    if op == "sub":
-        b = children[1]
-        return [f"{low} = {a}l - {b}h", f"{high} = {a}h - {b}l"]
-    if op == "neg":
-        return [f"{low} = -{a}h", f"{high} = -{a}l"]
-    if op == "mul":
-        return _product(at, a, children[1], term)
-    if op == "div":
-        b = children[1]
-        guard = f"if {b}l <= 0.0 <= {b}h: raise ZeroDivisionError"
-        return [guard, f"{at}il = 1.0 / {b}h", f"{at}ih = 1.0 / {b}l", *_product(at, a, f"{at}i")]
-    if op == "pow":
-        return _power(at, a, term.exponent)
-    if op == "sqrt":
-        return [f"{low} = sqrt({a}l)", f"{high} = sqrt({a}h)"]
-    if op in ("min", "max"):
-        ends = [", ".join(f"{child}{end}" for child in children) for end in "lh"]
-        return [f"{low} = {op}({ends[0]})", f"{high} = {op}({ends[1]})"]
-    scale = "" if op == "cos_pi" else " / pi"
-    return [f"{low}, {high} = pair({a}l{scale}, {a}h{scale})"]
+def _ends(low: str, high: str) -> Callable[..., list[str]]:
+    """A line for each end."""
+
+    def lines(at: str, *operands: Place) -> list[str]:
+        places = [operand.at for operand in operands]
+        every = {f"all_{end}": ", ".join(place + end for place in places) for end in "lh"}
+        return [
+            f"{at}l = {low.format(*places, **every)}",
+            f"{at}h = {high.format(*places, **every)}",
+        ]
+
+    return lines
 
 
-def _product(at: str, a: str, b: str, term: Term | None = None) -> list[str]:
-    if term is not None:
-        for child, other in (term.children, term.children[::-1]):
-            if child.op == "rational":
-                x = b if other is term.children[1] else a
-                c = a if x == b else b
-                ends = (f"{x}l", f"{x}h") if child.value >= 0 else (f"{x}h", f"{x}l")
-                return [f"{at}l = {c}l * {ends[0]}", f"{at}h = {c}l * {ends[1]}"]
+def _quotient(at: str, a: Place, b: Place) -> list[str]:
+    guard = f"if {b.at}l <= 0.0 <= {b.at}h: raise ZeroDivisionError"
+    inverse = f"{at}il = 1.0 / {b.at}h; {at}ih = 1.0 / {b.at}l"
+    return [guard, inverse, *_product(at, a._replace(number=None), Place(f"{at}i"))]
+
+
+def _product(at: str, a: Place, b: Place) -> list[str]:
+    for c, x in ((a, b.at), (b, a.at)):
+        if c.number is not None:
+            low, high = (f"{x}l", f"{x}h") if c.number >= 0 else (f"{x}h", f"{x}l")
+            return [f"{at}l = {c.at}l * {low}", f"{at}h = {c.at}l * {high}"]
+    p, q = a.at, b.at
     return [
-        f"if {a}l >= 0.0 and {b}l >= 0.0:",
-        f"  {at}l = {a}l * {b}l; {at}h = {a}h * {b}h",
+        f"if {p}l >= 0.0 and {q}l >= 0.0:",
+        f"  {at}l = {p}l * {q}l; {at}h = {p}h * {q}h",
         "else:",
-        f"  p, q, r, s = {a}l * {b}l, {a}l * {b}h, {a}h * {b}l, {a}h * {b}h",
+        f"  p, q, r, s = {p}l * {q}l, {p}l * {q}h, {p}h * {q}l, {p}h * {q}h",
         f"  {at}l = min(p, q, r, s); {at}h = max(p, q, r, s)",
     ]
 
 
-def _power(at: str, a: str, n: int) -> list[str]:
-    low, high = f"{at}l", f"{at}h"
+def _power(at: str, base: Place, n: int) -> list[str]:
+    a, low, high = base.at, f"{at}l", f"{at}h"
     if n % 2:
         return [f"{low} = {a}l ** {n}", f"{high} = {a}h ** {n}"]
     return [
@@ -144,6 +160,22 @@ def _power(at: str, a: str, n: int) -> list[str]:
         f"elif {a}h <= 0.0: {low} = {a}h ** {n}; {high} = {a}l ** {n}",
         f"else: {low} = 0.0; {high} = max(-{a}l, {a}h) ** {n}",
     ]
+
+
+_RANGES: Lines = {
+    "rational": lambda at, value: [f"{at}l = {at}h = {float_of(value)!r}"],
+    "add": _ends("{0}l + {1}l", "{0}h + {1}h"),
+    "sub": _ends("{0}l - {1}h", "{0}h - {1}l"),
+    "neg": _ends("-{0}h", "-{0}l"),
+    "mul": _product,
+    "div": _quotient,
+    "pow": _power,
+    "sqrt": _ends("sqrt({0}l)", "sqrt({0}h)"),
+    "min": _ends("min({all_l})", "min({all_h})"),
+    "max": _ends("max({all_l})", "max({all_h})"),
+    "cos": lambda at, x: [f"{at}l, {at}h = pair({x.at}l / pi, {x.at}h / pi)"],
+    "cos_pi": lambda at, x: [f"{at}l, {at}h = pair({x.at}l, {x.at}h)"],
+}
 
 
 def _cosine(low: float, high: float) -> tuple[float, float]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from operator import gt
 
@@ -21,8 +21,6 @@ FAR = 4.0
 
 #: Numbers that a point is tried at first.
 MOST = (1, 2, 3, 4, 6, 10, 12, 60, 100, 1000, 10**4, 10**6, 10**9, 10**12, 10**15, 10**18, 10**22)
-
-Function = Callable[[Sequence[float]], float]
 
 
 class Minima:

@@ -11,6 +11,7 @@ from fractions import Fraction
 from functools import reduce
 from math import gcd
 
+from verify.language.fold import replaced
 from verify.language.terms import Claim, Term, as_term, equal, symbol
 from verify.prover.clearing import Clearing, atoms_of
 from verify.prover.numbers import fraction_of
@@ -39,7 +40,7 @@ def by_multiple_angles(question: Question) -> Proof | None:
                     chosen[atom] = chebyshev.polynomial(k)
     if not chosen:
         return None
-    sides = [_replaced(side, chosen) for side in (claim.lhs, claim.rhs)]
+    sides = [replaced(side, chosen) for side in (claim.lhs, claim.rhs)]
     fact = question.fact(Claim(claim.relation, *sides))
     if fact is None:
         return None
@@ -80,21 +81,14 @@ def _common(a: Fraction, b: Fraction) -> Fraction:
 
 def _ratio(question: Question, a: Term, b: Term) -> Fraction | None:
     """The number q with b = q a, if there is one."""
-    replaced = {symbol(name): term for name, term in question.goal.definitions.items()}
-    clearing = Clearing((a, b), replaced)
+    definitions = {symbol(name): term for name, term in question.goal.definitions.items()}
+    clearing = Clearing((a, b), definitions)
     (n, d), (m, e) = clearing.clear(a), clearing.clear(b)
     left, right = clearing.times(n, e), clearing.times(m, d)
     if not left.to_dict() or not right.to_dict():
         return None
     ratio = right.leading_coefficient() / left.leading_coefficient()
     return fraction_of(ratio) if right == ratio * left else None
-
-
-def _replaced(term: Term, chosen: dict[Term, Term]) -> Term:
-    if term in chosen:
-        return chosen[term]
-    children = [_replaced(child, chosen) for child in term.children]
-    return Term(term.op, *children, *term.args[len(children) :]) if children else term
 
 
 class Chebyshev:

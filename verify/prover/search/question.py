@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from functools import cached_property
 
@@ -10,7 +10,7 @@ from flint import fmpq, fmpq_mpoly
 
 from verify.language.statement import Given
 from verify.language.terms import Claim, Term, names_of, symbol
-from verify.prover.clearing import Clearing, atoms_of
+from verify.prover.clearing import Clearing, atoms_of, inner_first
 from verify.prover.goal import Goal
 from verify.prover.points import failure_test, refuting_point
 from verify.prover.proof import Value
@@ -151,23 +151,15 @@ class Question:
     @cached_property
     def extrema(self) -> list[Term]:
         """The minima and maxima in the claim, each after those inside it."""
-        found: dict[Term, None] = {}
-        seen: set[Term] = set()
+        definitions = self.goal.definitions
 
-        def visit(term: Term) -> None:
-            if term in seen:
-                return
-            seen.add(term)
-            for child in term.children:
-                visit(child)
-            if term.op == "symbol" and term.name in self.goal.definitions:
-                visit(self.goal.definitions[term.name])
-            if term.op in ("min", "max"):
-                found[term] = None
+        def inside(term: Term) -> Iterable[Term]:
+            if term.op == "symbol" and term.name in definitions:
+                return (definitions[term.name],)
+            return term.children
 
-        for term in (self.goal.claim.lhs, self.goal.claim.rhs):
-            visit(term)
-        return list(found)
+        parts = inner_first((self.goal.claim.lhs, self.goal.claim.rhs), inside)
+        return [part for part in parts if part.op in ("min", "max")]
 
     @cached_property
     def facts(self) -> dict[str, Claim]:

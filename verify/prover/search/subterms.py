@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from verify.language.fold import replaced
 from verify.language.terms import Claim, Term, as_term, names_of, symbol
 from verify.prover.goal import Bounds
 from verify.prover.proof import Proof
@@ -34,6 +35,7 @@ def by_subterms(question: Question) -> Proof | None:
         return None
     ends = [(_least(question, part), _least(question, -part)) for part in parts]
     names = {part: f"u.{i}" for i, part in enumerate(parts)}
+    inner = {part: symbol(name) for part, name in names.items()}
     for margin in MARGINS:
         bounds = {}
         for part, (low, high) in zip(parts, ends, strict=True):
@@ -41,7 +43,7 @@ def by_subterms(question: Question) -> Proof | None:
                 return None
             room = (-high - low) * margin
             bounds[names[part]] = Bounds(_short(low - room), _short(-high + room), "low", "high")
-        claim = Claim(goal.claim.relation, *(_replaced(t, names) for t in goal.claim.key[1:]))
+        claim = Claim(goal.claim.relation, *(replaced(t, inner) for t in goal.claim.key[1:]))
         rest = {n: b for n, b in goal.variables.items() if n in names_of(claim.lhs, claim.rhs)}
         if Tree(claim, bounds | rest, goal.definitions, question.budget).prove(LEAVES):
             return _written(question, {names[part]: part for part in parts}, bounds, claim, rest)
@@ -63,13 +65,6 @@ def _parts(question: Question, *terms: Term) -> Iterator[Term]:
 
 def _size(term: Term) -> int:
     return 1 + sum(map(_size, term.children)) if term.children else 0
-
-
-def _replaced(term: Term, names: dict[Term, str]) -> Term:
-    if term in names:
-        return symbol(names[term])
-    children = [_replaced(child, names) for child in term.children]
-    return Term(term.op, *children, *term.args[len(children) :]) if children else term
 
 
 def _least(question: Question, term: Term) -> Fraction | None:
@@ -119,8 +114,8 @@ def _written(
             proof = Sum(("goal", lemma), (named[name], *question.using))
             facts.append(session.lemma(Claim("<=", *enclosed), proof, place))
         known[named[name]] = bounds[name]._replace(low_fact=facts[0], high_fact=facts[1])
-    terms = {symbol(old): new for old, new in named.items()}
-    outer = Claim(claim.relation, *(_replaced(t, terms) for t in claim.key[1:]))
+    terms = {symbol(old): symbol(new) for old, new in named.items()}
+    outer = Claim(claim.relation, *(replaced(t, terms) for t in claim.key[1:]))
     proof = Tree(outer, known | rest, goal.definitions, question.budget).prove(LEAVES)
     if proof is None:
         return None

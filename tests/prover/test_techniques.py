@@ -1,0 +1,95 @@
+"""The loop that calls the techniques, and what each of them may rely on."""
+
+from __future__ import annotations
+
+import pytest
+
+from verify.language.fold import replaced
+from verify.language.statement import PROVED, UNDECIDED
+from verify.language.terms import Claim, as_term, cos_pi, minimum, sqrt, symbol
+from verify.library import ask, for_all, lemma, prove
+from verify.prover import techniques
+from verify.prover.clearing import TooLongError, has_value
+from verify.prover.outcome import Decision
+from verify.prover.proof import Proof
+from verify.prover.search.question import Question
+from verify.prover.techniques import EQUATIONS, FREE, SEARCHES, SIMPLE, Technique
+
+x, y = symbol("x"), symbol("y")
+HALF_LINE = for_all("all", {"low": 1 <= x}, {"x": 1})
+
+
+def decided(claim: Claim) -> Decision:
+    return prove(lemma("title", [ask("row", claim, HALF_LINE)], (), [HALF_LINE])).decisions["row"]
+
+
+def too_long(_: Question) -> Proof | None:
+    raise TooLongError
+
+
+def test_a_technique_that_is_too_long_does_not_end_the_search(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(techniques, "SIMPLE", (Technique("a long one", too_long), *SIMPLE))
+    assert decided(2 * x <= x**2 + 1).verdict == PROVED
+
+
+def test_an_undecided_row_says_what_was_too_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("SIMPLE", "SEARCHES"):
+        monkeypatch.setattr(techniques, name, (Technique("a long one", too_long),))
+    found = decided(2 * x <= x**2 + 1)
+    assert found.verdict == UNDECIDED
+    assert found.reason.endswith("; a long one: expanding the claim is too much work")
+    monkeypatch.setattr(techniques, "SIMPLE", ())
+    monkeypatch.setattr(techniques, "SEARCHES", ())
+    assert (
+        decided(2 * x <= x**2 + 1).reason == "neither a proof nor an example against it was found"
+    )
+
+
+def test_each_technique_is_called_with_a_question_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    called: list[str] = []
+
+    def watched(technique: Technique) -> Technique:
+        def prove_nothing(question: Question) -> None:
+            called.append(technique.name)
+            technique.prove(question)
+
+        return technique._replace(prove=prove_nothing)
+
+    for name, every in {"FREE": FREE, "SIMPLE": SIMPLE, "SEARCHES": SEARCHES}.items():
+        monkeypatch.setattr(techniques, name, tuple(map(watched, every)))
+    assert decided(2 * x <= x**2 + 1).verdict == UNDECIDED
+    assert called == [technique.name for technique in (*FREE, *SIMPLE, *SEARCHES)]
+    assert {technique.name for technique in EQUATIONS} == {
+        "cosines",
+        "multiple angles",
+        "both orders",
+    }
+
+
+@pytest.mark.parametrize(
+    ("part", "facts", "expected"),
+    [
+        (x / y, [0 < y], True),
+        (x / y, [0 < -y], True),
+        (x / y, [0 <= y], False),
+        (x / y, [0 < x], False),
+        (sqrt(x), [0 <= x], True),
+        (sqrt(x), [0 < x], True),
+        (sqrt(x), [0 < -x], False),
+        (x / as_term(-2), [], True),
+        (x / as_term(0), [], False),
+        (sqrt(as_term(0)), [], True),
+        (sqrt(as_term(-1)), [], False),
+        (x * y, [], True),
+    ],
+)
+def test_what_a_quotient_or_a_root_needs(part: object, facts: list[Claim], expected: bool) -> None:
+    assert has_value(part, facts.__contains__) is expected
+
+
+def test_parts_of_a_term_are_replaced_all_at_once() -> None:
+    term = minimum(sqrt(x), cos_pi(y / 2) ** 3) - x
+    assert replaced(term, {}) is term
+    assert replaced(term, {x: y, sqrt(x): x}) == minimum(x, cos_pi(y / 2) ** 3) - y

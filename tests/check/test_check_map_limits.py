@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from fractions import Fraction
 from typing import Any
 
@@ -233,3 +234,13 @@ def test_a_scene_may_end_only_if_no_pair_must_meet(x: list[str], meets: bool) ->
     plane = check_map._through(document)
     states = check_map.beginning(check_map.law_of(plane.r, kind), plane)("0")
     assert [state is None for state in states] == [not meets]
+
+
+def test_a_stream_without_an_encoding(monkeypatch: pytest.MonkeyPatch) -> None:
+    stream, file = io.StringIO(), io.BytesIO()
+    monkeypatch.setattr("sys.stdout", stream)
+    assert check_map.output(["Δ = 1"], 3) == 3
+    assert stream.getvalue() == "\\u0394 = 1\n"
+    monkeypatch.setattr("sys.stdout", io.TextIOWrapper(file, encoding="utf-8"))
+    assert check_map.output(["Δ = 1"], 3) == 3
+    assert file.getvalue() == "Δ = 1\n".encode()

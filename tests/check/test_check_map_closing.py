@@ -118,6 +118,14 @@ def test_the_ratio_of_the_speeds_has_to_be_between_its_bounds() -> None:
         assert not check_map.closes(law, state._replace(rho=other), numbers)
 
 
+def test_a_ratio_of_1_leaves_no_room() -> None:
+    """Where p + Y is 1, the numbers are no good; nothing is divided by 0."""
+    law, state, (m, p, X, Y, k_, V_) = one_state()
+    at_1 = (check_map.ONE - Y[0],) * 2
+    assert check_map.closes(law, state, (m, p, X, Y, k_, V_))
+    assert not check_map.closes(law, state, (m, at_1, X, Y, k_, V_))
+
+
 def test_the_angle_is_that_of_the_unit_vectors(monkeypatch: pytest.MonkeyPatch) -> None:
     """-cos of the state is C over the length of the vector between the centres, and so below C."""
     law, state, numbers = one_state()
@@ -138,7 +146,7 @@ def test_the_speeds_are_the_greatest_of_a_box(monkeypatch: pytest.MonkeyPatch) -
     asked: list[tuple[check_map.Interval, int]] = []
     monkeypatch.setattr(check_map, "_rows", lambda *found: asked.append(found[3:]))
     one = check_map.ONE
-    for v, A, B in ((100, 1, 1), (101, 1, 1), (101, 3, 1), (101, 1, 3), (101, -2, 1)):
+    for v, A, B in ((100, 1, 1), (100, 0, 0), (101, 1, 1), (101, 3, 1), (101, 1, 3), (101, -2, 1)):
         wide = state._replace(
             v=(state.v[0], v * state.v[1] // 100), A=(0, A * state.A[1]), B=(0, B * state.B[1])
         )

@@ -18,7 +18,7 @@ from tests.views.conftest import DEPTH, TABLE, build
 from verify.cli import main
 from verify.paper.assumptions import STEP_ASSUMPTIONS as ASSUMPTIONS
 from verify.paper.commands.report import NAMES
-from verify.views.page.prose import prose
+from verify.views.setting import prose
 
 MAIN = "theorem1-r-3-100"
 VOID = {"meta", "link", "br", "wbr", "img", "hr", "input"}

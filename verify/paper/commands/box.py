@@ -6,9 +6,10 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from verify.language.argument import Chapter, Line, Opened, ToBeFound
+from verify.language.fold import RATIONAL, fold
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Cite, Constant, Statement
-from verify.language.terms import Claim, Term, as_term, number_at
-from verify.paper.commands.everywhere import decide_everywhere
+from verify.language.terms import Claim, Term, as_term, symbol
+from verify.paper.commands.citing import step_cited
 from verify.paper.everywhere import box as paper
 from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
 from verify.prover.arguments import Writing, proof_of
@@ -18,7 +19,7 @@ from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.rules import Applying
 from verify.views.material import Answer, ParameterBox
 from verify.wire.judge import judged
-from verify.wire.write import write
+from verify.wire.packaged import ALL, packaged_files
 
 #: Digits of the last r of a part on which the hypotheses hold.
 DIGITS = 9
@@ -34,7 +35,7 @@ def answer(box: ParameterBox, v_0: Fraction, delta_theta: Fraction) -> Answer:
 
 
 def _excess(r: Fraction, c: Fraction) -> Fraction:
-    return number_at(paper.EXCESS, {"r": r, "c": c})
+    return fold(paper.EXCESS, RATIONAL, {symbol("r"): r, symbol("c"): c})
 
 
 def verdict(box: ParameterBox) -> str:
@@ -87,10 +88,8 @@ def decide_box(box: ParameterBox, v_0: Fraction, delta_theta: Fraction) -> Outco
     if found == UNDECIDED:
         raise ValueError("the hypotheses hold on a part of the box only")
     values = dict(zip(paper.PARAMETERS, (*box.r, *box.c, v_0, delta_theta), strict=True))
-    everywhere = decide_everywhere()
-    files, cites = write(everywhere), everywhere.statement.cites
-    content, certificate = files["statement.json"], files["certificate.json"]
-    cite = Cite(paper.CITED, EVERYWHERE, content, cites, certificate=certificate)
+    content, certificate = packaged_files(ALL)
+    cite = Cite(paper.CITED, EVERYWHERE, content, (step_cited(),), certificate=certificate)
     holds = found == PROVED
     terms = {name: as_term(value) for name, value in values.items()}
     return BoxRun(paper.statement(terms, cite, holds=holds)).run(holds=holds)

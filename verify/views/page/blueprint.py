@@ -8,7 +8,7 @@ from html import escape
 from verify.language.record import Record
 from verify.language.statement import PRINTED, REFUTED, Publication
 from verify.prover.outcome import Outcome
-from verify.views.graph import Graph, graph
+from verify.views.graph import Graph, graph, levels
 
 WIDTH, COLUMNS = 420, 4
 BOX, HEIGHT, STEP = 92, 40, 76
@@ -41,15 +41,6 @@ def edges_between_labels(found: Graph) -> Edges:
         if vertex.label:
             edges.setdefault(vertex.label, set()).update(sources - {vertex.label})
     return edges
-
-
-def levels(edges: Edges) -> dict[str, int]:
-    """How far each label is from what it rests on; an edge that closes a circle does not count."""
-    found: dict[str, int] = {}
-    for label in edges:
-        known = [found[source] for source in edges[label] if source in found]
-        found[label] = 1 + max(known, default=-1)
-    return found
 
 
 def direct(edges: Edges, level: Mapping[str, int]) -> Edges:

@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 import os
-import re
 from base64 import b64encode
-from collections.abc import Sequence
+from collections.abc import Iterable
 from importlib.resources import files as package_files
 from typing import Any
-
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
-from markupsafe import Markup, escape
 
 from verify import __version__
 from verify.language.statement import (
@@ -27,7 +23,7 @@ from verify.prover.decimals import outward
 from verify.prover.outcome import Outcome
 from verify.views import classification, everywhere
 from verify.views.material import Material
-from verify.views.page import prose, rows
+from verify.views.page import rows
 from verify.views.page.blueprint import proof_drawing
 from verify.views.plots import Pictures, collapses, figures, maps
 from verify.views.plots.collapse import animation, film
@@ -35,6 +31,7 @@ from verify.views.plots.drawing import SCHEMES, standalone, svg
 from verify.views.plots.letters import letters_drawing
 from verify.views.plots.shapes import Figure, Panel
 from verify.views.point import in_numbers, place
+from verify.views.setting import TEMPLATES, in_html, in_markdown
 from verify.views.words import (
     CONDITIONALLY_PROVED,
     constants_of,
@@ -46,11 +43,8 @@ from verify.views.words import (
 )
 
 TITLE = "Three particles collapse: what is proved"
-TEMPLATES = os.path.join(os.path.dirname(__file__), "templates")
 #: Where the scenes are: a folder of folders.
 SCENES = "scenes/"
-#: So many letters in a line fit a phone.
-NARROW = 36
 
 #: The classes of refuted steps, the worst first: anchor and title.
 CLASSES = (
@@ -83,13 +77,9 @@ def files(material: Material, *, draw: bool) -> dict[str, bytes]:
         drawn["letters"] = [letters_drawing()]
         made["picture.svg"] = standalone(readme_picture(pictures.plots[0])).encode()
     found = _content(material) | {"pictures": pictures, "drawn": drawn}
-    page, twin = (
-        environment(kind).get_template("page.j2").render(found, kind=f"{kind}.j2").lstrip()
-        for kind in ("html", "markdown")
-    )
     return {
-        "index.html": page.encode(),
-        "index.md": (re.sub("\n{3,}", "\n\n", twin).rstrip() + "\n").encode(),
+        "index.html": in_html("page.j2", found, FILTERS).encode(),
+        "index.md": in_markdown("page.j2", found, FILTERS).encode(),
         "constants.tex": found["latex"].encode(),
         **made,
     }
@@ -140,56 +130,6 @@ def readme_picture(figure: Figure) -> str:
 # --- the template --------------------------------------------------------------------------------
 
 
-def in_html(content: object) -> Markup:
-    """A line, with each text between its tags set as a sentence."""
-    return Markup(prose.prose_between(str(escape(content))))  # noqa: S704  it is escaped
-
-
-def raw_in_html(content: object) -> Markup:
-    """What somebody else wrote: its underscores are no subscripts."""
-    return Markup(prose.powers(str(escape(content))))  # noqa: S704
-
-
-def in_cell(content: object) -> str:
-    """A line for a table in Markdown."""
-    return prose.in_a_line(str(content)).replace("|", "\\|")
-
-
-def environment(kind: str) -> Environment:
-    """What reads the templates; Markdown has no tags, and nothing is escaped there."""
-    is_html = kind == "html"
-    found = Environment(
-        loader=FileSystemLoader(TEMPLATES),
-        autoescape=is_html,  # noqa: S701  Markdown has no tags
-        undefined=StrictUndefined,
-        extensions=["jinja2.ext.do"],
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    in_line, raw = (in_html, raw_in_html) if is_html else (in_cell, in_cell)
-    found.filters |= {
-        "set": in_html if is_html else prose.in_a_line,
-        "cells": lambda rows, is_raw=False: [
-            [(raw if is_raw else in_line)(cell) for cell in row] for row in rows
-        ],
-        "is_narrow": is_narrow,
-        "headings": lambda page: re.findall('<h2 id="([^"]*)">(.*?)</h2>', page),
-        "prose": lambda text: Markup(prose.prose(text)),  # noqa: S704
-        "raised": lambda text: Markup(prose.raised(text)),  # noqa: S704
-        "letters": in_letters,
-        "of_severity": lambda found, kind: [pair for pair in found if pair[0].severity == kind],
-        **{filter_.__name__: filter_ for filter_ in FILTERS},
-    }
-    return found
-
-
-def is_narrow(cells: Sequence[Sequence[str]], head: Sequence[str]) -> bool:
-    """Whether a table fits a phone as it is."""
-    columns = zip(head, *cells, strict=True)
-    widths = [max(map(prose.letters_shown, column)) for column in columns]
-    return sum(widths) + 3 * len(widths) <= NARROW
-
-
 def title(outcome: Outcome) -> str:
     """The title of a theorem as the start of a sentence."""
     text = in_letters(outcome.statement.title)
@@ -201,9 +141,14 @@ def constant(outcome: Outcome, name: str) -> rows.Number | None:
     return rows.number_of(ends_of(outcome, f"{REPAIRED}.{name}"))
 
 
+def of_severity(found: Iterable[rows.Row], severity: str | None) -> list[rows.Row]:
+    """The rows of one class."""
+    return [(row, decision) for row, decision in found if row.severity == severity]
+
+
 #: What the template asks of outcomes and rows.
 FILTERS = (
-    *(constant, constants_of, counts, headline, in_numbers, place, title),
+    *(constant, constants_of, counts, headline, in_numbers, of_severity, place, title),
     *(rows.of_role, rows.rows_as_printed, rows.with_verdict),
 )
 

@@ -1,18 +1,11 @@
-(* There are initial scenes for all parameters, in every dimension from 2 on: a point of the set, in
-   the plane of the first two coordinates, with bounds that the certificate of the step proves. *)
+(* A scene for all parameters, in every dimension from 2 on, in the plane of the first two
+   coordinates, and its numbers; the certificate of the step proves bounds for them. The scene lies in
+   the initial set, and Interior.v shows what is near it. *)
 From Coq Require Import Reals List Lra Lia.
 From Verify Require Import Theorem1 Vectors Motion Meaning Readable Gram OneStep Collapse.
 From Verify Require Step.
 Import ListNotations.
 Open Scope R_scope.
-
-(* A vector in the plane. *)
-Definition plane (a b : R) : vector := fun k => match k with O => a | S O => b | _ => 0 end.
-Lemma dot_plane d a b a' b' : (2 <= d)%nat -> dot d (plane a b) (plane a' b') = a * a' + b * b'.
-Proof.
-  intros L. induction L as [|d L IH]; [cbn; ring|]. cbn [dot]. rewrite IH.
-  destruct d as [|[|d]]; [lia | lia | cbn; ring].
-Qed.
 
 Opaque numbers.  (* nothing is to be computed from them *)
 
@@ -80,7 +73,18 @@ Proof.
   rewrite <- (number_phi_minus r c V_0 delta_theta).
   rewrite <- (number_V_0 r c V_0 delta_theta) at 3. row Step.row_of_room_s_is.
 Qed.
-Lemma point_is_initial : initial r c V_0 delta_theta d point d_0 y.
+(* Its numbers. *)
+Record numbers_of_point : Prop := {
+  bounds : 0 < d_0 < Rmin (d_const r c V_0 delta_theta) (d_slope r c V_0 * y ^ 2);
+  point_touch : distance d point B0 B1 = 1;
+  point_distance : distance d point B0 B2 = 1 + d_0;
+  point_recede : rate d point B0 B1 = eta_s;
+  point_approach : rate d point B0 B2 = - y * (1 + d_0);
+  point_speed_1 : dot d (relative point B0 B1) (relative point B0 B1) = norm;
+  point_speed_2 : dot d (relative point B0 B2) (relative point B0 B2) = norm;
+  point_angle : minus_cosine d point = c
+}.
+Lemma numbers_of_point_are : numbers_of_point.
 Proof.
   assert (P : to point B0 B1 = plane 1 0) by in_plane.
   assert (Q : to point B0 B2 = plane ((1 + d_0) * - c) ((1 + d_0) * sine)) by in_plane.
@@ -108,34 +112,20 @@ Proof.
     rewrite Sine.
     replace ((1 + d_0) * (1 + d_0) * (c * c + (1 - c * c))) with ((1 + d_0) * (1 + d_0)) by ring.
     apply sqrt_square. unfold d_0. lra. }
-  assert (R1 : rate d point B0 B1 = eta_s).
-  { unfold rate. rewrite P, S, dot_plane by exact enough. ring. }
-  split; rewrite ?R1; trivial.
+  assert (D0 : 0 < d_0) by (unfold d_0; lra).
+  split; trivial.
+  - unfold d_0 in *. lra.
+  - unfold rate. rewrite P, S, dot_plane by exact enough. ring.
   - unfold rate. rewrite Q, C, dot_plane by exact enough.
     replace ((1 + d_0) * - c * (y * c + free_c * sine) + (1 + d_0) * sine * (- y * sine + free_c * c))
       with (- (1 + d_0) * y * (c * c + sine * sine)) by ring.
     rewrite Sine. ring.
-  - unfold y. lra.
-  - unfold eta_s. replace (phi_minus r c * y - phi_minus r c * y) with 0 by ring. rewrite Rabs_R0.
-    apply Rmult_le_pos; lra.
-  - unfold d_0. lra.
-  - rewrite S, dot_plane, Fs by exact enough. unfold norm. lra.
+  - rewrite S, dot_plane, Fs by exact enough. ring.
   - rewrite C, dot_plane by exact enough.
     replace ((y * c + free_c * sine) * (y * c + free_c * sine) +
       (- y * sine + free_c * c) * (- y * sine + free_c * c))
       with ((y * y + free_c * free_c) * (c * c + sine * sine)) by ring.
-    rewrite Sine, Fc. unfold norm. lra.
-  - unfold minus_cosine. rewrite D1, D2, P, Q, dot_plane by exact enough.
-    replace (- ((1 * ((1 + d_0) * - c) + 0 * ((1 + d_0) * sine)) / (1 * (1 + d_0))) - c) with 0.
-    + rewrite Rabs_R0. lra.
-    + field. unfold d_0. lra.
+    rewrite Sine, Fc. ring.
+  - unfold minus_cosine. rewrite D1, D2, P, Q, dot_plane by exact enough. field. lra.
 Qed.
 End Point.
-
-Theorem initial_set_not_empty : not_empty.
-Proof. intros r c V_0 delta_theta A d L. do 3 eexists. exact (point_is_initial _ _ _ _ A d L). Qed.
-
-Theorem theorem_1_proved : theorem_1 /\ not_empty /\ determined.
-Proof.
-  split; [exact theorem_1_holds|]. split; [exact initial_set_not_empty | exact meetings_are_determined].
-Qed.

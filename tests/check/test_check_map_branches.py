@@ -225,7 +225,26 @@ def test_spheres_that_overlap_or_touch_at_the_start() -> None:
 def test_bounds_alone_tell_only_what_is_known(
     told: int, apart: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(m, "looks", lambda *_: told)
-    monkeypatch.setattr(m, "is_apart", lambda *_: apart)
-    z = Sight(*[(ONE, ONE)] * 10)
-    assert m.is_plain(z, Way(*[(ONE, ONE)] * 5)) == (told < 0 or apart)
+    """Of models the bounds: of s and c, and of the way."""
+    z = Sight(*[m.flat((i * ONE, i * ONE + 3)) for i in range(10)])
+    way = Way(*[m.flat((i * ONE, i * ONE + 1)) for i in range(5)])
+    pair = Three((1, 2), (3, 5), (7, 8))
+    far_of = {(INTERVALS, Sight(*(x[:2] for x in z))): pair}
+    looks_at = {(INTERVALS, (-5, -3), pair.m, pair.g): told}
+    apart_to = {(INTERVALS, pair, Way(*(x[:2] for x in way))): apart}
+    monkeypatch.setattr(m, "far", lambda *given: far_of[given])
+    monkeypatch.setattr(m, "looks", lambda *given: looks_at[given])
+    monkeypatch.setattr(m, "is_apart", lambda *given: apart_to[given])
+    assert m.is_plain(z, way) == (told < 0 or apart)
+
+
+@pytest.mark.parametrize("low", [-1, 0, 1])
+def test_a_pair_is_apart_to_the_last_unit(low: int) -> None:
+    """At the start and between it may touch, and at the end not."""
+    way, positive, zero = Way(*[(ONE, ONE)] * 5), (ONE, ONE), (0, 0)
+    at_start = Three((low, ONE), positive, positive)
+    between = Three((ONE, ONE), (low - ONE, 0), (4 * ONE, 4 * ONE))
+    at_end = Three((ONE, ONE), zero, (low - ONE, 0))
+    assert m.is_apart(INTERVALS, at_start, way) == (low >= 0)
+    assert m.is_apart(INTERVALS, between, way) == (low >= 0)
+    assert m.is_apart(INTERVALS, at_end, way) == (low > 0)

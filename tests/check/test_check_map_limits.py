@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from fractions import Fraction
 from typing import Any
 
@@ -233,3 +234,30 @@ def test_a_scene_may_end_only_if_no_pair_must_meet(x: list[str], meets: bool) ->
     plane = check_map._through(document)
     states = check_map.beginning(check_map.law_of(plane.r, kind), plane)("0")
     assert [state is None for state in states] == [not meets]
+
+
+def test_a_stream_without_an_encoding(monkeypatch: pytest.MonkeyPatch) -> None:
+    stream, file = io.StringIO(), io.BytesIO()
+    monkeypatch.setattr("sys.stdout", stream)
+    assert check_map.output(["Δ = 1"], 3) == 3
+    assert stream.getvalue() == "\\u0394 = 1\n"
+    monkeypatch.setattr("sys.stdout", io.TextIOWrapper(file, encoding="utf-8"))
+    assert check_map.output(["Δ = 1"], 3) == 3
+    assert file.getvalue() == "Δ = 1\n".encode()
+
+
+@pytest.mark.parametrize("level", [-1, 0, 1, 8, 9, True])
+def test_the_first_level_is_from_1_to_8(level: int) -> None:
+    header = {"format": check_map.FORMAT, "plane": SCENE, "first_level": level, "code": 1}
+    if level in (1, 8) and level is not True:
+        assert check_map.check_log(iter(sealed([header])))[1].boxes == 0
+    else:
+        with pytest.raises(LogError, match="a first level from 1 to 8"):
+            check_map.check_log(iter(sealed([header])))
+
+
+def test_a_strip_begins_at_0() -> None:
+    document = {**STRIP, "curve": [["3/2", "1/10", "0"]] * 4}
+    assert check_map._strip(document).phi.y == (0, 3)
+    with pytest.raises(LogError, match="a curve between 0 and the top"):
+        check_map._strip({**document, "y": ["1/10", "3"]})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import signal
 import subprocess
@@ -330,3 +331,13 @@ def test_a_folder_in_the_place_of_a_file(tmp_path: Path, name: str) -> None:
     (tmp_path / name).mkdir()
     with pytest.raises(OSError, match=f"{name}, which is no file"):
         check.read_folders([str(tmp_path)])
+
+
+def test_a_stream_without_an_encoding(monkeypatch: pytest.MonkeyPatch) -> None:
+    stream, file = io.StringIO(), io.BytesIO()
+    monkeypatch.setattr("sys.stdout", stream)
+    assert check.output(["Δ = 1"], 3) == 3
+    assert stream.getvalue() == "\\u0394 = 1\n"
+    monkeypatch.setattr("sys.stdout", io.TextIOWrapper(file, encoding="utf-8"))
+    assert check.output(["Δ = 1"], 3) == 3
+    assert file.getvalue() == "Δ = 1\n".encode()

@@ -1,8 +1,41 @@
-"""What holds in each test."""
+"""What holds in each test, and which tests a person need not wait for.
+
+`pytest` without a file leaves out the tests in `slow.txt`, which take most of the time; `pytest -m
+slow` runs them, as CI does, and a file that is named is run as it is.
+"""
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
+
+SLOW = Path(__file__).with_name("slow.txt").read_text(encoding="utf-8").split()
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """The marker is known."""
+    config.addinivalue_line("markers", "slow: left out where no file is named; see slow.txt")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Mark slow tests; where the whole suite is run, and no marker is asked for, leave them out."""
+    slow, names = [], set()
+    for item in items:
+        test = item.nodeid.partition("[")[0]
+        found = {test, test.partition("::")[0]} & {*SLOW}
+        names |= found
+        if found:
+            item.add_marker("slow")
+            slow.append(item)
+    if [Path(name).name for name in config.args] != [Path(__file__).parent.name]:
+        return
+    stale = [name for name in SLOW if name not in names]
+    if stale:
+        raise pytest.UsageError(f"tests/slow.txt: there is no test {', '.join(stale)}")
+    if not config.option.markexpr and not config.option.keyword:
+        config.hook.pytest_deselected(items=slow)
+        items[:] = [item for item in items if not item.get_closest_marker("slow")]
 
 
 @pytest.fixture(autouse=True)

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 import pytest
 
+from tests.measure.benchmarks.ratios import committed, grown
 from verify.cli import main
 from verify.measure.bench import relative_width, scientific
 
@@ -31,3 +32,14 @@ def test_widths_are_rounded_up() -> None:
     assert relative_width((Fraction(2), Fraction(3))) == Fraction(1, 2)
     assert relative_width((Fraction(-1), Fraction(1))) == 1
     assert Fraction(scientific(Fraction(1, 3))) >= Fraction(1, 3)
+
+
+def test_a_command_that_takes_half_as_much_again_is_named() -> None:
+    figures = committed()
+    assert len(figures) > 5
+    assert grown({name: 1.4 * figure for name, figure in figures.items()}, figures) == []
+    name = "verify spectrum"
+    (line,) = grown(figures | {name: 1.6 * figures[name]}, figures)
+    assert line.startswith(f"{name}: ")
+    (line,) = grown({other: figures[other] for other in figures if other != name}, figures)
+    assert line == f"{name}: not in both"

@@ -57,11 +57,16 @@ Proof. apply (steady_now (fun s => rate d s i j)), steady_rate. Qed.
 Lemma steady_speed i j : steady d s_0 (fun s => dot d (relative s i j) (relative s i j)).
 Proof. apply steady_dot; apply steady_relative. Qed.
 Lemma steady_gap : steady d s_0 gap.
-Proof. apply (steady_plus d s_0 (fun s => distance d s B0 B2)); [apply steady_distance_now | apply steady_constant]. Qed.
+Proof.
+  apply (steady_plus d s_0 (fun s => distance d s B0 B2)); [|apply steady_constant].
+  apply steady_distance_now.
+Qed.
 Lemma steady_approach : steady d s_0 approach_speed.
 Proof.
-  apply steady_quotient; [|apply steady_distance_now | pose proof (gap_open _ inside_0); unfold gap in *; lra].
-  apply steady_opposite, steady_rate_now.
+  apply steady_quotient.
+  - apply steady_opposite, steady_rate_now.
+  - apply steady_distance_now.
+  - pose proof (gap_open _ inside_0). unfold gap in *. lra.
 Qed.
 Lemma steady_angle : steady d s_0 (minus_cosine d).
 Proof.

@@ -69,7 +69,8 @@ Proof.
     assert ((1 + r) / 2 * c <= (1 + r) / 2 * 1) by (apply Rmult_le_compat_l; lra). lra.
   - intros (([R R1] & H) & C1 & V & P). pose proof stable_below_1.
     assert (C : 0 < c).
-    { apply Rlt_trans with (2 := H). unfold Rdiv. repeat apply Rmult_lt_0_compat; try lra. apply Rinv_0_lt_compat. lra. }
+    { apply Rlt_trans with (2 := H). unfold Rdiv.
+      repeat apply Rmult_lt_0_compat; try lra. apply Rinv_0_lt_compat. lra. }
     split; trivial; [lra | lra |]. now apply T, D.
 Qed.
 

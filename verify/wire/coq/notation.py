@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterable
 
 from verify import check
-from verify.views.coq.reading import NotAcceptedError, Reading
-from verify.views.coq.statement import whole
+from verify.wire.coq.reading import NotAcceptedError, Reading
+from verify.wire.coq.statement import whole
 
 SYMBOLS = {"add": (" + ", 1), "sub": (" - ", 1), "mul": (" * ", 2), "div": (" / ", 2)}
 RELATIONS = {"<": "<", "<=": "<=", "=": "="}

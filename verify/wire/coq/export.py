@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from verify import check
-from verify.views.coq.proofs import Proofs
-from verify.views.coq.readable import readable
-from verify.views.coq.reading import NotAcceptedError, Reading, label, read
-from verify.views.coq.statement import listed
+from verify.wire.coq.proofs import Proofs
+from verify.wire.coq.readable import readable
+from verify.wire.coq.reading import NotAcceptedError, Reading, label, read
+from verify.wire.coq.statement import listed
 
 ASSUMPTIONS = "\nPrint Assumptions proved.\n"
 

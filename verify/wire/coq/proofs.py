@@ -7,8 +7,8 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from verify import check
-from verify.views.coq.reading import Json, NotAcceptedError
-from verify.views.coq.statement import Numbers, listed, rational
+from verify.wire.coq.reading import Json, NotAcceptedError
+from verify.wire.coq.statement import Numbers, listed, rational
 
 #: The bits with which Coq tries first.
 LOWEST = 128

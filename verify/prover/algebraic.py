@@ -12,7 +12,7 @@ from __future__ import annotations
 from fractions import Fraction
 from math import lcm
 
-from verify.language.terms import Claim, Term, as_term, equal, names_of
+from verify.language.terms import Claim, Term, as_term, cos_pi, equal, names_of
 from verify.prover import balls
 from verify.prover.clearing import Clearing, Polynomial, atoms_of
 from verify.prover.proof import Proof, Value
@@ -27,11 +27,6 @@ MAX_ROOTS = 8
 BITS = 1024
 HALF = Fraction(1, 2)
 Equations = list[tuple[str, Polynomial]]
-
-
-def cos_pi(angle: Fraction) -> Term:
-    """The cosine of a rational multiple of pi."""
-    return Term("cos_pi", as_term(angle))
 
 
 class Algebraic:

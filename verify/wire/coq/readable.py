@@ -7,9 +7,9 @@ has to be believed: a lemma that does not say what the row says does not compile
 from __future__ import annotations
 
 from verify import check
-from verify.views.coq.notation import Notation
-from verify.views.coq.proofs import Proofs
-from verify.views.coq.reading import Reading
+from verify.wire.coq.notation import Notation
+from verify.wire.coq.proofs import Proofs
+from verify.wire.coq.reading import Reading
 
 HEAD = """
 (* --- the same in ordinary notation --- *)

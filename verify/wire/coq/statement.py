@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 from verify import check
-from verify.views.coq.reading import Reading
+from verify.wire.coq.reading import Reading
 
 RELATIONS = {"<": "Less", "<=": "AtMost", "=": "Equal", "!=": "Differs"}
 #: The nodes of one or two subterms; a constant, a variable, and the rest have more to them.

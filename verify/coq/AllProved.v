@@ -13,8 +13,7 @@ Proof.
   exists (T_star r (- cos theta_0) 1 delta_theta). intros s S.
   destruct (theorem_1_holds _ _ _ _ A d s S) as (scenes & time & T & Z & at_T & C & B & E).
   exists scenes, time, T, Z, at_T. split; trivial. split; trivial.
-  destruct (constants_are_defined _ _ _ _ A) as (_ & _ & _ & _ & _ & _ & _ & _ & _ & _ & _ & _ & _ & _ & D & _).
-  lra.
+  pose proof (constants_are_defined _ _ _ _ A) as D. lra.
 Qed.
 Theorem all_proved : theorem_1 /\ interior /\ determined /\ constants_defined /\ same_hypothesis /\
   printed_theorem.

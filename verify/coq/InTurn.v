@@ -15,8 +15,7 @@ Hypothesis time_0 : time O = 0.
 Hypothesis in_turn : collides_in_turn d r scenes time.
 Hypothesis converges : Un_cv time T.
 
-Notation partner n := (collides_with n).
-Lemma partner_not_0 n : partner n <> B0.
+Lemma partner_not_0 n : collides_with n <> B0.
 Proof. unfold collides_with. destruct Nat.even; discriminate. Qed.
 
 (* --- the times -------------------------------------------------------------------------------- *)
@@ -99,7 +98,7 @@ Proof.
       exists (time (Datatypes.S m) - time m), (later (time (Datatypes.S m) - time m) (scenes m)).
       split; trivial. split.
       * intros u U. rewrite (course_between m) by lra. rewrite later_later. f_equal. ring.
-      * right. exists B0, (partner m). split; [apply not_eq_sym, partner_not_0|].
+      * right. exists B0, (collides_with m). split; [apply not_eq_sym, partner_not_0|].
         repeat (split; [assumption|]). exact E.
 Qed.
 
@@ -109,7 +108,7 @@ Qed.
 Lemma velocity_changes n : velocity (scenes (S n)) <> velocity (scenes n).
 Proof.
   intros E. destruct (in_turn n) as [[_ _ C R _] N].
-  set (arriving := later (time (S n) - time n) (scenes n)) in *. set (j := partner n) in *.
+  set (arriving := later (time (S n) - time n) (scenes n)) in *. set (j := collides_with n) in *.
   assert (Q : rate d (scenes (S n)) B0 j = rate d arriving B0 j).
   { unfold rate, relative. rewrite E, N. reflexivity. }
   assert (U : dot d (to arriving B0 j) (to arriving B0 j) = 1).

@@ -13,8 +13,8 @@ Variable d : nat.
 
 Definition gap (s : scene) : R := distance d s B0 B2 - 1.
 Definition approach_speed (s : scene) : R := - rate d s B0 B2 / distance d s B0 B2.
-Notation lowest := (V_0 + (V_1 r c V_0 - V_0) / 3).
-Notation highest := (V_1 r c V_0 - (V_1 r c V_0 - V_0) / 3).
+Definition lowest : R := V_0 + (V_1 r c V_0 - V_0) / 3.
+Definition highest : R := V_1 r c V_0 - (V_1 r c V_0 - V_0) / 3.
 Record inside (s : scene) : Prop := {
   gap_open : 0 < gap s;
   gap_const : gap s < d_const r c V_0 delta_theta;
@@ -34,7 +34,7 @@ Lemma inside_initial s : inside s -> distance d s B0 B1 = 1 ->
 Proof.
   intros [G1 G2 G3 P A1 A2 Q L1 H1 L2 H2 C] T.
   replace (approach_speed s * approach_speed s) with (approach_speed s ^ 2) in G3 by ring.
-  unfold gap in *.
+  unfold gap, lowest, highest in *.
   split; try lra.
   - unfold approach_speed. field. lra.
   - split; trivial. apply Rmin_glb; lra.
@@ -57,11 +57,16 @@ Proof. apply (steady_now (fun s => rate d s i j)), steady_rate. Qed.
 Lemma steady_speed i j : steady d s_0 (fun s => dot d (relative s i j) (relative s i j)).
 Proof. apply steady_dot; apply steady_relative. Qed.
 Lemma steady_gap : steady d s_0 gap.
-Proof. apply (steady_plus d s_0 (fun s => distance d s B0 B2)); [apply steady_distance_now | apply steady_constant]. Qed.
+Proof.
+  apply (steady_plus d s_0 (fun s => distance d s B0 B2)); [|apply steady_constant].
+  apply steady_distance_now.
+Qed.
 Lemma steady_approach : steady d s_0 approach_speed.
 Proof.
-  apply steady_quotient; [|apply steady_distance_now | pose proof (gap_open _ inside_0); unfold gap in *; lra].
-  apply steady_opposite, steady_rate_now.
+  apply steady_quotient.
+  - apply steady_opposite, steady_rate_now.
+  - apply steady_distance_now.
+  - pose proof (gap_open _ inside_0). unfold gap in *. lra.
 Qed.
 Lemma steady_angle : steady d s_0 (minus_cosine d).
 Proof.
@@ -207,7 +212,7 @@ Proof.
   replace (v ^ 2) with (v * v) in G2 by ring.
   assert (0 < phi_minus r c * v) by (apply Rmult_lt_0_compat; lra).
   assert (0 < x_0 r c V_0 * v) by (apply Rmult_lt_0_compat; lra).
-  split; rewrite ?E, ?F, ?P, ?S1, ?S2, ?C; trivial; try lra; unfold norm, eta_s; fold v; try lra.
+  split; rewrite ?E, ?F, ?P, ?S1, ?S2, ?C; trivial; try lra; unfold norm, eta_s, lowest, highest; fold v; try lra.
   - rewrite Rminus_diag_eq, Rabs_R0; trivial.
   - rewrite Rminus_diag_eq, Rabs_R0; trivial. lra.
 Qed.

@@ -69,7 +69,8 @@ Proof.
     assert ((1 + r) / 2 * c <= (1 + r) / 2 * 1) by (apply Rmult_le_compat_l; lra). lra.
   - intros (([R R1] & H) & C1 & V & P). pose proof stable_below_1.
     assert (C : 0 < c).
-    { apply Rlt_trans with (2 := H). unfold Rdiv. repeat apply Rmult_lt_0_compat; try lra. apply Rinv_0_lt_compat. lra. }
+    { apply Rlt_trans with (2 := H). unfold Rdiv.
+      repeat apply Rmult_lt_0_compat; try lra. apply Rinv_0_lt_compat. lra. }
     split; trivial; [lra | lra |]. now apply T, D.
 Qed.
 
@@ -95,14 +96,14 @@ Proof.
     pose proof (pow_lt s 2 S). assert (0 < s + s ^ 2) by lra. nra. }
   assert (0 <= s ^ 2 * (1 - s) ^ 2) by (apply Rmult_le_pos; apply pow2_ge_0). lra.
 Qed.
-Notation root := (sqrt (alpha_0 r c ^ 2 - 4 * r)).
+Definition root : R := sqrt (alpha_0 r c ^ 2 - 4 * r).
 Lemma root_positive : 0 < root.
 Proof. apply sqrt_lt_R0, discriminant_positive. Qed.
 Lemma phi_minus_is : phi_minus r c = (alpha_0 r c - root) / 2.
 Proof.
   pose proof root_positive. pose proof alpha_between.
-  pose proof (sqrt_sqrt (alpha_0 r c ^ 2 - 4 * r)) as Q. pose proof discriminant_positive.
-  unfold phi_minus. apply Rmult_eq_reg_r with (alpha_0 r c + root); [|lra].
+  pose proof (sqrt_sqrt (alpha_0 r c ^ 2 - 4 * r)) as Q. fold root in Q. pose proof discriminant_positive.
+  unfold phi_minus. fold root. apply Rmult_eq_reg_r with (alpha_0 r c + root); [|lra].
   field_simplify; [|lra]. specialize (Q ltac:(lra)). lra.
 Qed.
 Lemma half_of_square x y : 0 < x -> 0 < y -> 0 < 1 - (1 - x / y ^ 2) / 2.

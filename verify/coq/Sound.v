@@ -59,7 +59,6 @@ Variable F : facts.
 Hypothesis valid_facts : valid S F.
 Variable grounds : list (positive * memory).
 Hypothesis good_grounds : all_remembered S grounds.
-Notation satisfied := (satisfied S).
 Let value_is := value_is S in_order T is_table.
 Let defined_is := defined_is S in_order T is_table.
 Let is_zero_sound := is_zero_sound S in_order T is_table.
@@ -76,7 +75,7 @@ Let clears_sound := clears_sound S in_order parents_first T is_table K F valid_f
 Section AtPlace.
 Variable v : valuation.
 Variable p : place.
-Hypothesis here : satisfied v p.
+Hypothesis here : satisfied S v p.
 Let branch_satisfied := branch_satisfied S v p here.
 Let pieces_cover := pieces_cover S v.
 Let good_points_sound := good_points_sound S in_order T is_table v.
@@ -89,7 +88,7 @@ Section Inner.
 Variable prove : place -> claim -> proof -> bool.
 (* That proofs inside a proof are sound. *)
 Definition proves (q : proof) : Prop :=
-  forall p g, prove p g q = true -> forall v, satisfied v p -> holds S v g.
+  forall p g, prove p g q = true -> forall v, satisfied S v p -> holds S v g.
 
 (* --- cuts --- *)
 
@@ -369,7 +368,7 @@ Lemma prove_step p g q : prove p g q = match q with
   end.
 Proof. destruct q; reflexivity. Qed.
 
-Theorem prove_sound q : forall p g, prove p g q = true -> forall v, satisfied v p -> holds S v g.
+Theorem prove_sound q : forall p g, prove p g q = true -> forall v, satisfied S v p -> holds S v g.
 Proof.
   induction q using proof_induction; intros p g E v here; rewrite prove_step in E.
   - destruct (fact_at S F p f) as [h|] eqn:X; try discriminate.

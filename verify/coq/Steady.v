@@ -121,8 +121,8 @@ Qed.
 Lemma flown_back P u : nearby P -> 0 <= u ->
   exists e, 0 < e /\ forall s, close d e (later u s_0) s -> P (later (- u) s).
 Proof.
-  intros (h & H & A) U. exists (h / (1 + u)). assert (Q : 0 < h / (1 + u)) by (apply Rdiv_lt_0_compat; lra).
-  split; trivial. intros s S. apply A. intros i k K. destruct (S i k K) as [X V].
+  intros (h & H & A) U. exists (h / (1 + u)).
+  assert (Q : 0 < h / (1 + u)) by (apply Rdiv_lt_0_compat; lra). split; trivial. intros s S. apply A. intros i k K. destruct (S i k K) as [X V].
   cbn [position velocity later] in *. set (e := h / (1 + u)) in *.
   assert (E : e + u * e = h) by (unfold e; field; lra).
   assert (L : 0 <= u * e) by (apply Rmult_le_pos; lra). split; [|lra].

@@ -56,8 +56,8 @@ Proof.
     as (scenes & time & <- & Z & C & (T & L & B) & (l & K & M)).
   assert (Q : 0 <= u < time 1%nat).
   { split; trivial. apply Rnot_le_lt. intros N. destruct (C O) as [[P _ E _ _] _].
-    rewrite Z in P, E. specialize (F (time 1%nat - 0) B0 (collides_with 0) ltac:(lra) ltac:(discriminate)).
-    lra. }
+    rewrite Z, Rminus_0_r in P, E. specialize (F _ B0 (collides_with 0) (conj P N)).
+    specialize (F ltac:(discriminate)). lra. }
   pose proof (flown_in_turn d r scenes time Z C u Q) as C'.
   pose proof (in_turn_collapses d r (restitution _ _ _ _ A) (flown_scenes scenes u)
     (flown_time time u) (T - u) eq_refl C' (flown_converges time T L u)) as P.

@@ -116,6 +116,7 @@ def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["check", MEAN, "missing"], "'missing' does not exist"),
         (["export", "isabelle", MEAN], "write coq"),
         (["export", "coq", "folder"], "name a certificate's folder"),
+        (["graph", "", "--out", "x.svg"], "'' is no folder"),
         (["graph", "sharpr", "--out", "x.svg"], "write one of: sharper"),
         (["graph", "folder", "--out", "x.svg"], "cannot be read"),
         (["graph", "--out", "x.png"], "must end in .svg, .dot or .json"),

@@ -92,10 +92,18 @@ def test_time_only_leaves_rows_undecided(tmp_path: Path) -> None:
     assert main(["prove", path, "--time", "60"]) == 0
 
 
-def test_the_files_do_not_depend_on_the_jobs(tmp_path: Path) -> None:
+def test_rows_are_decided_in_one_process(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     path = written(tmp_path, example("instance"))
-    for jobs in ("1", "2"):
-        assert main(["prove", path, "--jobs", jobs, "--out", str(tmp_path / jobs)]) == 0
+    assert main(["prove", path, "--jobs", "2"]) == 2
+    assert "--jobs" in capsys.readouterr().err
+
+
+def test_the_files_are_the_same_again(tmp_path: Path) -> None:
+    path = written(tmp_path, example("instance"))
+    for run in ("1", "2"):
+        assert main(["prove", path, "--out", str(tmp_path / run)]) == 0
     for name in ("statement.json", "certificate.json"):
         assert (tmp_path / "1" / name).read_bytes() == (tmp_path / "2" / name).read_bytes()
 
@@ -262,7 +270,7 @@ def test_an_unusable_statement(
 
 @pytest.mark.parametrize(
     "words",
-    [[], ["missing.json"], ["x", "--work", "0"], ["x", "--time", "0"], ["x", "--jobs", "0"]],
+    [[], ["missing.json"], ["x", "--work", "0"], ["x", "--time", "0"]],
 )
 def test_unusable_options(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["prove", *words]) == 2

@@ -6,11 +6,8 @@ from collections.abc import Iterable
 
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import add_color
-from verify.language.record import TYPE_CHECKING
+from verify.prover.outcome import Outcome
 from verify.wire.inputs import InputError, shown
-
-if TYPE_CHECKING:
-    from verify.prover.outcome import Outcome
 
 
 def add_arguments(parser: Parser) -> None:

@@ -28,7 +28,7 @@ def run(options: Options) -> int:
     test_folder("--out", directory or ".", name)
     from verify.views import graph  # loaded only where it is used
 
-    found = graph.graph(outcome_of(options.folder or MAIN))
+    found = graph.graph(outcome_of(MAIN if options.folder is None else options.folder))
     text = {".svg": graph.to_svg, ".dot": graph.to_dot, ".json": graph.to_json}[ending](found)
     write_all("--out", directory or ".", {name: text.encode()})
     print(f"written  {options.out}: {len(found.vertices)} vertices, {len(found.edges)} edges")

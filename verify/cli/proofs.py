@@ -8,11 +8,8 @@ from difflib import get_close_matches
 from functools import cache
 
 from verify.cli.files import progress, read_bytes
-from verify.language.record import TYPE_CHECKING
+from verify.prover.outcome import Outcome
 from verify.wire.inputs import InputError, shown
-
-if TYPE_CHECKING:
-    from verify.prover.outcome import Outcome
 
 #: The statement whose proof is shown where nobody names one.
 MAIN = "theorem1-all"

@@ -25,8 +25,6 @@ from verify.views.prove import decided_document, decided_lines
 from verify.wire.inputs import InputError, integer, rational, shown
 from verify.wire.questions import all_cites, decide_statement
 
-MAX_JOBS = 256
-
 
 def add_arguments(parser: Parser) -> None:
     """The options."""
@@ -34,12 +32,6 @@ def add_arguments(parser: Parser) -> None:
     parser.option("--out", "write the decided statement and a certificate of it", "DIR")
     parser.option("--work", f"units of work for each row (default {WORK})", "N")
     parser.option("--time", "leave undecided what is not decided after S seconds", "S")
-    parser.option(
-        "--jobs",
-        "processes at most; rows build on earlier ones, so that one is used",
-        "N",
-        default="1",
-    )
     parser.flag("--json", text="one JSON document on stdout")
     add_color(parser)
 
@@ -47,7 +39,6 @@ def add_arguments(parser: Parser) -> None:
 def run(options: Options) -> int:
     """Print a line for each row or the document, write the files, return the exit code."""
     work = WORK if options.work is None else integer("--work", options.work, 1, 999_999_999)
-    integer("--jobs", options.jobs, 1, MAX_JOBS)
     content, cited = read_bytes("STATEMENT", options.STATEMENT), _cited(options.STATEMENT)
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = decide_statement(content, cited, WorkBudget(work, _seconds(options.time)))

@@ -15,14 +15,12 @@ in rational numbers.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.record import TYPE_CHECKING, Record
+from verify.language.record import Record
 from verify.prover import balls
 from verify.prover.balls import Ball
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
 
 #: Who decides on which side of the curve a point lies, and whether there is one.
 ORBITS = "balls along monotone orbits"

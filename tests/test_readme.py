@@ -15,9 +15,11 @@ from verify.paper.commands import everywhere, spectrum
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.groups import REPAIRED
 from verify.paper.rows import BREAKS, HARMLESS, SLIP
+from verify.paper.source import PAPER
 from verify.paper.step.numbers import COLLAPSE
 from verify.paper.theorem1 import theorem
-from verify.views.markdown import defects, table
+from verify.views.markdown import defects
+from verify.views.setting import markdown_template
 
 ROOT = Path(__file__).resolve().parent.parent
 README = ROOT / "README.md"
@@ -26,14 +28,16 @@ DATA = ROOT / "certificates" / "data" / "bench.json"
 
 def expected(text: str) -> str:
     text = between(text, "counts", counts())
-    text = between(text, "defects", defects(decide_point(parameters("3/100", "1"))))
+    table = defects(decide_point(parameters("3/100", "1")), PAPER)
+    text = between(text, "defects", table.splitlines())
     text = between(text, "causes", [f"* `{'`, `'.join(c.rows)}`: {c.text}" for c in causes()])
     remarks = theorem().remarks
     text = between(text, "remarks", [f"* `{remark.label}`: {remark.text}" for remark in remarks])
     for name in ("precision", "equal_width", "double_verdicts"):
         measured = json.loads(DATA.read_text(encoding="utf-8"))["tables"][name]
         rows = [tuple(map(str, row)) for row in measured["rows"]]
-        text = between(text, name, table(tuple(measured["columns"]), rows))
+        table = markdown_template("markdown.j2").module.grid(measured["columns"], rows)
+        text = between(text, name, table.strip().splitlines())
     return text
 
 

@@ -91,7 +91,7 @@ def test_all_boxes_have_290_000_steps() -> None:
 def test_areas_have_8192_bits(monkeypatch: pytest.MonkeyPatch) -> None:
     short, long = Fraction(1, 1 << 8191), Fraction(1, 1 << 8192)
     monkeypatch.setattr(check_map, "share_of", lambda *_: short)
-    assert check_map._and_share(short, PHI, "0") == 2 * short
+    assert check_map._and_share(Fraction(0), PHI, "0") == short
     monkeypatch.setattr(check_map, "share_of", lambda *_: long)
     with pytest.raises(LogError, match="shorter fractions"):
         check_map._and_share(Fraction(0), PHI, "0")
@@ -213,3 +213,23 @@ def test_a_box_that_disperses_needs_no_numbers() -> None:
     for flat, letter in (([], "c"), ([1], "d"), ([1] * 5, "c"), ("", "c"), ([True] * 6, "c")):
         with pytest.raises(LogError):
             check_map.sixes(flat, letter)
+
+
+def test_squares_of_what_varies_are_not_negative() -> None:
+    """Of a velocity that varies in [1, 2] and [-1, 1] the square is in [1, 5]."""
+    kind, plane = check_map.INTERVALS, check_map._through(SCENE)
+    products = [check_map._products(kind, plane, place) for place in check_map.PAIRS]
+    varied = check_map._varied(kind, plane, (ONE, 2 * ONE), (-ONE, ONE))
+    pairs, sight = check_map._scenes(kind, products, varied)
+    assert pairs[1].m == sight(1)[0].A == sight(0)[0].B == (ONE, 5 * ONE)
+
+
+@pytest.mark.parametrize(("x", "meets"), [(["1", "11/10"], True), (["-2", "-1"], False)])
+def test_a_scene_may_end_only_if_no_pair_must_meet(x: list[str], meets: bool) -> None:
+    """One sphere runs to another one, or away from it; None stands for no collision."""
+    kind = check_map.INTERVALS
+    velocities = [["0", "0"], ["3", "0"], ["1", "0"]]
+    document = {**SCENE, "velocities": velocities, "x": x, "y": ["-1/1000", "1/1000"]}
+    plane = check_map._through(document)
+    states = check_map.beginning(check_map.law_of(plane.r, kind), plane)("0")
+    assert [state is None for state in states] == [not meets]

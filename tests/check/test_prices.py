@@ -188,11 +188,13 @@ def test_sums_look_at_both_denominators(ledger: Ledger) -> None:
     a, b, c, d = names
     found = clearing(ledger)
     one, other = {((c, 1), (d, 1)): 1, ((c, 2),): 1}, {((d, 1),): 1}
-    found.cleared |= {a: ({(): 1}, one), b: ({(): 1}, other)}
+    three = {X: 1, ((2, 1),): 1, LONG: 1}
+    found.cleared |= {a: (three, one), b: ({(): 2}, other)}
     total = ledger.node("add", (a, b))
     ledger.bill()
     found.clear(total)
-    assert ledger.bill()[:2] == [(0, 2 + 2), (0, 2 + 1 + 2)]
+    products = [(0, 1 + 3), (0, 1 + 1), (0, 1 + 3), (0, 1 + 2)]  # with the sum of two of them
+    assert [found for found in ledger.bill() if not found[0]] == [(0, 4), (0, 5), *products]
 
 
 def test_squares_of_roots_are_looked_for(ledger: Ledger) -> None:
@@ -368,3 +370,17 @@ def test_the_first_factor_is_gone_through(ledger: Ledger) -> None:
         ledger.bill()
         found.clear(product)
         assert [times for bits, times in ledger.bill() if not bits] == [4, *bill]
+
+
+def test_what_has_no_variables_is_enclosed_once(ledger: Ledger) -> None:
+    """Whatever bounds other names have: all enclosures of a precision share it."""
+    context = check.Context("c", ledger.outermost)
+    x, root = ledger.new_name("x", context), ledger.term("sqrt(2)")
+    total = ledger.node("add", (x, root))
+    base = check.Enclosing(ledger, 64, None)
+    for _ in range(2):
+        scope = check.Enclosing(ledger, 64, base)
+        scope.known[x] = check.UNIT
+        scope.enclose(total)
+        assert {*scope.known} == {x, total}
+    assert root in base.known

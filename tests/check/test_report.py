@@ -312,3 +312,21 @@ def test_what_is_malformed_ends_a_folder() -> None:
     ((report, cited),) = check.judged([folder._replace(statement=first, certificate=second)])
     assert [other.verdict for other in cited] == ["PROVED", "MALFORMED"]
     assert report.verdict == "MALFORMED"
+
+
+def test_an_interrupt_is_told(
+    folder: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted(_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(check, "check_folders", interrupted)
+    assert check.main([folder]) == 130
+    assert capsys.readouterr() == ("", "check: interrupted\n")
+
+
+@pytest.mark.parametrize("name", ["statement.json", "certificate.json"])
+def test_a_folder_in_the_place_of_a_file(tmp_path: Path, name: str) -> None:
+    (tmp_path / name).mkdir()
+    with pytest.raises(OSError, match=f"{name}, which is no file"):
+        check.read_folders([str(tmp_path)])

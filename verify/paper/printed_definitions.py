@@ -141,12 +141,10 @@ def complaints(constants: Mapping[str, Constant]) -> Iterator[str]:
 
 
 def _holds(claim: Claim, at: Mapping[Term, Fraction]) -> bool:
+    """Whether both sides are the same; not with a name, an operation or a pole of its own."""
     try:
         return _numbers(claim.lhs, at) == _numbers(claim.rhs, at)
-    except (
-        MissingOperationError,
-        ZeroDivisionError,
-    ):  # a name, an operation or a pole that the paper has not
+    except (MissingOperationError, ZeroDivisionError):
         return False
 
 

@@ -104,8 +104,9 @@ def to_run(command: Command, folder: str) -> str:
 
 def is_shown(shown: str, printed: str) -> bool:
     """Whether a page shows what was printed, with ``...`` for what it leaves out."""
-    parts = re.split(r"^\.\.\.\n|\.\.\.", shown.rstrip("\n") + "\n", flags=re.MULTILINE)
-    return re.fullmatch(".*".join(map(re.escape, parts)), printed, re.DOTALL) is not None
+    parts = re.split(r"^\.\.\.\n|\.\.\.", shown.rstrip("\n"), flags=re.MULTILINE)
+    whole = ".*".join(map(re.escape, parts))
+    return re.fullmatch(whole, printed.rstrip("\n"), re.DOTALL) is not None
 
 
 def complaint(command: Command, code: int, printed: str) -> str:

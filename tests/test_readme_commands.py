@@ -62,6 +62,8 @@ def test_a_session_has_files_outputs_and_exit_codes() -> None:
         ("...\nb\n", "a\nc\n", False),
         ("in 0... s\n", "in 0.5 s\n", True),
         ("a.b\n", "axb\n", False),
+        ("", "", True),
+        ("\n", "a\n", False),
     ],
 )
 def test_what_a_page_leaves_out(shown: str, printed: str, same: bool) -> None:

@@ -1,9 +1,9 @@
 """What the program itself writes into the pages while they are built.
 
 A line ``<!-- generated: NAME -->`` of a page becomes the Markdown that the function ``NAME``
-returns, and ``{{ name }}`` in a sentence becomes a figure of `figures`. So no table and no count can be out
-of date. At the end each built page is searched for what it would load from elsewhere, since the
-pages have to be readable without a network.
+returns, and ``{{ name }}`` in a sentence becomes a figure of `figures`. So no table and no count
+can be out of date. At the end each built page is searched for what it would load from elsewhere,
+since the pages have to be readable without a network.
 """
 
 from __future__ import annotations

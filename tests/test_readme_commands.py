@@ -26,9 +26,14 @@ def steps() -> list[Command | File]:
     return [step for page in pages() for step in steps_of(page.read_text(encoding="utf-8"))]
 
 
-def test_every_command_is_on_some_page() -> None:
+#: What `.ci/run` does itself.
+IN_CI = {"certify", "report"}
+
+
+def test_every_command_is_run_on_some_page() -> None:
     lines = [step.line for step in steps() if isinstance(step, Command)]
-    assert {line.split()[1] for line in lines if line.startswith("verify ")} == COMMANDS.keys()
+    run = {line.split()[1] for line in lines if line.startswith("verify ")}
+    assert COMMANDS.keys() - IN_CI <= run
     assert len([line for line in lines if line.startswith("python3 -I verify/check")]) >= 3
     assert any(isinstance(step, File) for step in steps())
 

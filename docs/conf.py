@@ -19,6 +19,7 @@ extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "gener
 myst_enable_extensions = ["colon_fence", "substitution"]
 myst_heading_anchors = 3
 myst_substitutions = generated.figures()
+smartquotes = False  # --r is an option
 autodoc_member_order = "bysource"
 autodoc_typehints = "description"
 

@@ -193,6 +193,7 @@ def double_verdicts() -> str:
 # --- the plan of the house ------------------------------------------------------------------------
 
 
+@cache
 def rooms() -> dict[str, Counter[str]]:
     """For each room, how many of its imports go to each other room."""
     from grimp import build_graph
@@ -210,52 +211,71 @@ def rooms() -> dict[str, Counter[str]]:
     return {name: found[name] for name in found if name not in ("", "__main__")}
 
 
-def floors(uses: dict[str, Counter[str]]) -> dict[str, int]:
-    """How high each room stands: above all that it imports, where the imports have no circle."""
+def arrows() -> set[tuple[str, str]]:
+    """Who imports whom, less what follows from others; of a circle the weaker arrow is left out."""
+    uses = rooms()
+    kept = {
+        name: {other for other in others if uses[other][name] <= others[other]}
+        for name, others in uses.items()
+    }
 
-    def height(name: str, above: tuple[str, ...]) -> int:
-        below = (height(other, (*above, name)) for other in uses[name] if other not in above)
-        return 1 + max(below, default=-1) if uses[name] else 0
+    def reaches(name: str, end: str) -> bool:
+        return end in kept[name] or any(reaches(other, end) for other in kept[name])
 
-    return {name: height(name, (name,)) for name in uses}
+    return {
+        (name, end)
+        for name, others in kept.items()
+        for end in others
+        if not any(reaches(other, end) for other in others - {end})
+    }
 
 
 def house() -> str:
-    """The rooms as a picture: an arrow leads from a room to one that it imports."""
-    uses = rooms()
-    floor = floors(uses)
-    top = max(floor.values())
-    place = {}
-    for level in range(top + 1):
-        names = sorted(name for name in uses if floor[name] == level)
-        for column, name in enumerate(names):
-            shift = int((column - (len(names) - 1) / 2) * 170)
-            place[name] = (360 + shift, 40 + (top - level) * 90)
-    arrows = []
-    for name, others in sorted(uses.items()):
-        for other, count in sorted(others.items()):
-            (x1, y1), (x2, y2) = place[name], place[other]
-            far = abs(floor[name] - floor[other]) != 1
-            bend = 0 if not far else 90 if x1 >= 360 else -90
-            path = f"M{x1} {y1 + 17} Q{(x1 + x2) // 2 + bend} {(y1 + y2) // 2} {x2} {y2 - 17}"
-            title = f"{name} imports {other}: {count} imports"
-            arrows.append(ARROW.format(path, 1 + min(count, 60) / 20, title))
+    """The rooms as a picture: an arrow leads from a room to one below, which it imports."""
+    drawn = arrows()
+
+    def floor(name: str) -> int:
+        return max((1 + floor(end) for start, end in drawn if start == name), default=0)
+
+    floors: dict[int, list[str]] = {}
+    for name in sorted(rooms()):
+        floors.setdefault(floor(name), []).append(name)
+    top = max(floors)
+    place = {
+        name: (360 + int((column - (len(names) - 1) / 2) * 180), 40 + (top - level) * 80)
+        for level, names in floors.items()
+        for column, name in enumerate(names)
+    }
+    lines = []
+    for start, end in sorted(drawn):
+        (x1, y1), (x2, y2) = place[start], place[end]
+        bend = 0 if floor(start) == floor(end) + 1 else 130 if x1 >= 360 else -130
+        path = f"M{x1} {y1 + 17} Q{(x1 + x2) // 2 + bend} {(y1 + y2) // 2} {x2} {y2 - 17}"
+        lines.append(ARROW.format(path, f"{start} imports {end}"))
     boxes = [BOX.format(x - 62, y - 17, x, y + 5, name) for name, (x, y) in place.items()]
-    return "\n".join([PICTURE.format(80 + top * 90), *arrows, *boxes, "</svg>"])
+    return "\n".join([PICTURE.format(80 + top * 80), *lines, *boxes, "</svg>"])
 
 
-ARROW = '<path d="{}" stroke-width="{:.1f}" marker-end="url(#tip)"><title>{}</title></path>'
+ARROW = '<path d="{}" marker-end="url(#tip)"><title>{}</title></path>'
 BOX = '<rect x="{}" y="{}" width="124" height="34" rx="5"/><text x="{}" y="{}">{}</text>'
 PICTURE = """<svg class="house" role="img" aria-label="The rooms, and which imports which"
  viewBox="0 0 720 {}" xmlns="http://www.w3.org/2000/svg">
 <style>
-.house path {{ fill: none; stroke: #7a8a99 }}
+.house path {{ fill: none; stroke: #7a8a99; stroke-width: 1.5 }}
 .house rect {{ fill: #e8eef4; stroke: #445566 }}
 .house text {{ font: 14px sans-serif; text-anchor: middle; fill: #112233 }}
-.house marker path {{ fill: #7a8a99 }}
+.house marker path {{ fill: #7a8a99; stroke: none }}
 </style>
-<defs><marker id="tip" viewBox="0 0 8 8" refX="7" refY="4" markerWidth="7" markerHeight="7"
+<defs><marker id="tip" viewBox="0 0 8 8" refX="7" refY="4" markerWidth="9" markerHeight="9"
  markerUnits="userSpaceOnUse" orient="auto"><path d="M0 0L8 4L0 8z"/></marker></defs>"""
+
+
+def imports() -> str:
+    """How many imports lead from each room to each other."""
+    uses = rooms()
+    names = sorted(uses, key=lambda name: -len(uses[name]))
+    rows = ([f"**{name}**", *(str(uses[name][end] or "") for end in names)] for name in names)
+    return table(("imports", *names), rows)
 
 
 # --- Sphinx ---------------------------------------------------------------------------------------
@@ -264,7 +284,7 @@ FRAGMENTS: dict[str, Callable[[], str]] = {
     function.__name__: function
     for function in (
         *(defects, changes, causes, remarks, assumptions, letters, exit_codes, commands),
-        *(schemas, law, precision, equal_width, double_verdicts, house),
+        *(schemas, law, precision, equal_width, double_verdicts, house, imports),
     )
 }
 

@@ -12,14 +12,13 @@ import pytest
 
 from tests.points import parameters
 from tests.readme_commands import ROOT
-from verify.language.statement import PRINTED, PROVED, REFUTED
+from verify.language.statement import PROVED, REFUTED
 from verify.language.typeset import Typesetter
 from verify.paper.commands import everywhere
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.groups import REPAIRED
 from verify.paper.initial_data import ConstantSet
-from verify.paper.rows import BREAKS, HARMLESS, SLIP
-from verify.paper.step.numbers import COLLAPSE
+from verify.paper.rows import BREAKS
 from verify.paper.theorem1 import theorem
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 
@@ -33,48 +32,42 @@ def words(page: str) -> str:
     return " ".join((ROOT / page).read_text(encoding="utf-8").split())
 
 
-def causes():
-    """The causes of rows that are refuted at the point of the README."""
-    found = decide_point(parameters("3/100", "1"))
-    refuted = {row.name for row, decision in found.rows if decision.verdict == REFUTED}
-    return [cause for cause in theorem().causes if refuted & set(cause.rows)]
-
-
 # --- figures -------------------------------------------------------------------------------------
 
 
-def test_the_counts_are_right() -> None:
-    text = words("README.md")
-    outcome = decide_point(parameters("3/100", "1"))
-    refuted = [row for row, d in outcome.rows if row.role == PRINTED and d.verdict == REFUTED]
-    assert f"{len(refuted)} of its inequalities are refuted" in text
-    kinds = (BREAKS, HARMLESS, SLIP)
-    count = {kind: sum(row.severity == kind for row in refuted) for kind in kinds}
-    breaking = {row.name for row in refuted if row.severity == BREAKS}
-    assert sum(bool(breaking & set(cause.rows)) for cause in causes()) == 1
-    assert (
-        f"they have {len(causes())} causes. {count[BREAKS]} of them, with one cause, break the "
-        f"argument; {count[HARMLESS]} are false but harmless there; {count[SLIP]} are slips" in text
-    )
-    own = [(row, d) for row, d in outcome.of_group(REPAIRED) if row.name != COLLAPSE]
-    assert {d.verdict for _, d in own} == {outcome.decisions[COLLAPSE].verdict} == {PROVED}
-    assert f"all {len(own)} rows are proved, at this point and for all parameters" in text
-    every = everywhere.decide_everywhere()
-    assert {row.name for row, _ in every.rows} >= {row.name for row, _ in own}
-    assert outcome.assumptions == every.assumptions
-    kinds = sorted(assumption.kind for assumption in outcome.assumptions)
-    assert kinds == ["definition", *["general mathematics"] * 3, *["numbered glue"] * 4]
-
-
-def test_the_figures_of_the_pages_are_those_of_the_readme() -> None:
+def counts() -> str:
+    """What is wrong with the print at the point of the README, as it stands there."""
     from generated import figures
 
     found = figures()
-    text = words("README.md")
-    assert f"{found['refuted']} of its inequalities are refuted" in text
-    assert f"they have {found['causes']} causes. {found['breaking']} of them" in text
-    assert f"all {found['repaired']} rows are proved" in text
-    assert f"Given {found['assumptions']} assumptions" in text
+    return (
+        f"At r = 0.03, θ₀ = π, {found['refuted']} of its inequalities are refuted; they have "
+        f"{found['causes']} causes. {found['breaking']} of them, with one cause, break the "
+        f"argument; {found['harmless']} are false but harmless there; {found['slips']} are slips "
+        "of wording."
+    )
+
+
+def test_the_counts_are_right() -> None:
+    assert counts() in words("README.md"), f"write in README.md: {counts()}"
+
+
+def test_what_breaks_the_argument_has_one_cause() -> None:
+    outcome = decide_point(parameters("3/100", "1"))
+    refuted = {row.name: row for row, d in outcome.rows if d.verdict == REFUTED}
+    assert all(outcome.decisions[name].sides for name in refuted)
+    breaking = {name for name, row in refuted.items() if row.severity == BREAKS}
+    assert sum(bool(breaking & set(cause.rows)) for cause in theorem().causes) == 1
+
+
+def test_the_assumptions_are_those_of_the_readme() -> None:
+    every = everywhere.decide_everywhere()
+    outcome = decide_point(parameters("3/100", "1"))
+    assert {d.verdict for _, d in (*outcome.of_group(REPAIRED), *every.rows)} == {PROVED}
+    assert outcome.assumptions == every.assumptions
+    kinds = sorted(assumption.kind for assumption in outcome.assumptions)
+    assert kinds == ["definition", *["general mathematics"] * 3, *["numbered glue"] * 4]
+    assert f"Given {len(kinds)} assumptions*: a definition" in words("README.md")
 
 
 def test_what_is_generated_is_there() -> None:

@@ -12,7 +12,8 @@ format, or asks for too much work, raises `Malformed`. Nothing is searched for, 
 floating point, and no tolerance.
 
 Exit codes: 0 all is proved; 1 a needed row is refuted, or a proof is refused; 2 a file cannot be
-read; 4 a file is malformed, or the two do not belong together.
+read; 3 all is proved but for what is cited; 4 a file is malformed, or the two do not belong
+together.
 """
 
 from __future__ import annotations
@@ -44,8 +45,8 @@ MAX_TOLD = 4  # monomials, and factors of one, in messages
 MAX_WORK = 6_000_000  # about the number of microseconds
 SERIES_BITS = 128  # of the coefficients of cosines
 CERTIFIED = ".certificate.json"  # ends the name of the certificate of what is cited
-#: The verdicts about a folder; of several folders the largest code counts.
-EXIT_CODES = {"PROVED": 0, "REFUTED": 1, "REFUSED": 1, "MALFORMED": 4}
+#: The verdicts about a folder; of several folders the last one in this order counts.
+EXIT_CODES = {"PROVED": 0, "UNDECIDED": 3, "REFUTED": 1, "REFUSED": 1, "MALFORMED": 4}
 
 
 class Malformed(Exception):  # noqa: N818
@@ -1441,11 +1442,12 @@ class Row(NamedTuple):
 
 
 class Cite(NamedTuple):
-    """A citation: its name, the theorem, and the digest of its statement."""
+    """A citation: its name, the theorem, the digest of its statement, and what that assumes."""
 
     name: str
     theorem: str
     digest: str
+    sentences: Mapping[str, str]
 
 
 class Statement(NamedTuple):
@@ -1456,7 +1458,7 @@ class Statement(NamedTuple):
     rows: dict[str, Row]
     sentences: dict[str, str]  # what is assumed
     standing: set[str]  # those of them that grant a given
-    cites: list[Cite]
+    cites: list[Cite]  # also those of the cited statements
 
     def printed(self) -> frozenset[str]:
         """The names of the sentences that printed rows use, and nothing else does."""
@@ -1476,8 +1478,7 @@ class Reader:
     def read(self, document: dict[str, Any], prefix: str = "") -> Statement:
         """The statement; if it is cited, its contexts are open and its proved rows are facts."""
         kernel = self.kernel
-        for cite in document["cites"]:
-            self.cite(cite, prefix)
+        cites = [found for cite in document["cites"] for found in self.cite(cite, prefix)]
         kernel.prefix = prefix
         assumptions = {item["name"]: item["sentence"] for item in document["assumptions"]}
         good = len(assumptions) == len(document["assumptions"])
@@ -1506,20 +1507,23 @@ class Reader:
         constants = [*terms, *(item["name"] for item in document["constants"])]
         givens = [given for item in document["contexts"] for given in item["givens"]]
         standing = {given["assumption"] for given in givens if given["assumption"] is not None}
-        cites = [Cite(c["name"], c["theorem"], c["statement_sha256"]) for c in document["cites"]]
         return Statement(document["title"], constants, rows, assumptions, standing, cites)
 
-    def cite(self, cite: dict[str, Any], prefix: str) -> None:
-        """Read a cited statement, whose names get its name and a colon before them."""
-        digest = cite["statement_sha256"]
+    def cite(self, cite: dict[str, Any], prefix: str) -> list[Cite]:
+        """Read a cited statement, whose names get its name and a colon before them.
+
+        What is returned is the citation, and those in the cited statement.
+        """
+        digest, full = cite["statement_sha256"], prefix + cite["name"]
         message = "cites: found {}, whose statement is not at hand"
         need(digest in self.available, Malformed, message, digest)
-        self.kernel.introduce(prefix + cite["name"])
+        self.kernel.introduce(full)
         self.kernel.spend(0, 100 + len(self.available[digest]) // 3)
         document = parsed("cited statement", self.available[digest], STATEMENT)
         good = document["theorem"] == cite["theorem"]
         need(good, Malformed, "cites: found {} under another title", cite["theorem"])
-        self.read(document, f"{prefix}{cite['name']}:")
+        inner = self.read(document, f"{full}:")
+        return [Cite(full, cite["theorem"], digest, inner.sentences), *inner.cites]
 
     def constants(self, items: list[dict[str, Any]], context: Context, prefix: str) -> None:
         """Introduce constants in order, each over earlier names."""
@@ -1808,7 +1812,8 @@ class Report(NamedTuple):
 
     ``rows`` says of each obligation what the steps that were accepted show, whatever the statement
     says of it: proved, refuted, undecided, or refused. ``printed`` are the names of the sentences
-    that only printed rows use, ``work`` is what was counted.
+    that only printed rows use, ``cites`` has all citations, also those in what is cited, and
+    ``work`` is what was counted.
     """
 
     verdict: str
@@ -1956,34 +1961,31 @@ def closed_by(found: Iterable[tuple[Report, list[Report]]]) -> dict[str, Report]
     return {report.digest: report for report in reports if report.verdict == "PROVED"}
 
 
-def rests_on(
-    report: Report, closed: Mapping[str, Report]
-) -> tuple[list[tuple[str, Report]], list[Cite]]:
-    """The reports that close citations, with what its names begin with here; and open citations.
+def rests_on(report: Report) -> list[Cite]:
+    """The citations on which the rows rest, each statement once.
 
-    Any fact of a cited statement may be used, so all its sentences count.
+    Any fact of a cited statement may be used, and of what that cites, so all of them count.
     """
-    waiting, found, opened = [("", cite) for cite in report.cites], [], []
-    seen: set[str] = set()
-    for prefix, cite in waiting:  # which grows
-        if cite.digest in seen:
-            continue
-        seen.add(cite.digest)
-        if cite.digest in closed:
-            found.append((f"{prefix}{cite.name}:", closed[cite.digest]))
-            waiting += [(found[-1][0], inner) for inner in closed[cite.digest].cites]
-        else:
-            opened.append(cite)
-    return found, opened
+    return [*{cite.digest: cite for cite in reversed(report.cites)}.values()][::-1]
+
+
+def verdict(report: Report, closed: Mapping[str, Report]) -> str:
+    """The verdict about a folder; without a proof of all that is cited, it is UNDECIDED."""
+    is_open = any(cite.digest not in closed for cite in report.cites)
+    return "UNDECIDED" if is_open and report.verdict in ("PROVED", "REFUTED") else report.verdict
+
+
+def exit_code(verdicts: Iterable[str]) -> int:
+    """The code of the worst of these verdicts."""
+    return EXIT_CODES[max(verdicts, key=[*EXIT_CODES].index, default="PROVED")]
 
 
 def conclusion(report: Report, closed: Mapping[str, Report]) -> list[str]:
     """All lines about a folder: also the sentences of what it cites, and the last line."""
-    cited, _ = rests_on(report, closed)
     lines = [
-        f"assumed {prefix}{name}: {sentence}"
-        for prefix, other in cited
-        for name, sentence in other.sentences.items()
+        f"assumed {cite.name}:{name}: {sentence}"
+        for cite in rests_on(report)
+        for name, sentence in cite.sentences.items()
     ]
     return [*report.lines, *lines, last_line(report, closed)]
 
@@ -1991,18 +1993,19 @@ def conclusion(report: Report, closed: Mapping[str, Report]) -> list[str]:
 def last_line(report: Report, closed: Mapping[str, Report]) -> str:
     """The verdict, what it is about, and the sentences on which the needed rows rest.
 
-    A citation is closed by a proof in the same run, and then rests on the sentences given there.
+    Also those of all that is cited: its theorem is that its rows follow from them. A proof in the
+    same run closes a citation; one that stays open is named.
     """
-    words = f"{report.verdict}: {report.summary}"
+    words = f"{verdict(report, closed)}: {report.summary}"
     if report.verdict not in ("PROVED", "REFUTED"):
         return words
-    cited, opened = rests_on(report, closed)
+    cited = rests_on(report)
     given = [name for name in report.sentences if name not in report.printed]
-    given += [prefix + name for prefix, other in cited for name in other.sentences]
+    given += [f"{cite.name}:{name}" for cite in cited for name in cite.sentences]
     words += f"; given {', '.join(given) or 'nothing'}"
     apart = [name for name in report.sentences if name in report.printed]
     words += f"; for printed rows only, also given {', '.join(apart)}" if apart else ""
-    for cite in opened:
+    for cite in (cite for cite in cited if cite.digest not in closed):
         words += f"; citing {cite.theorem}, which is not proved here ({cite.digest})"
     return words
 
@@ -2055,7 +2058,7 @@ def check_folders(folders: Sequence[Folder]) -> tuple[int, list[str]]:
     for folder, (report, _) in zip(folders, found, strict=True):
         lines += [f"{folder.path}:"] if len(folders) > 1 else []
         lines += conclusion(report, closed)
-    return max((EXIT_CODES[report.verdict] for report, _ in found), default=0), lines
+    return exit_code(verdict(report, closed) for report, _ in found), lines
 
 
 def main(arguments: Sequence[str]) -> int:

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from tests.check.support import IDENTITY, INTERVAL, Pair, answer, instance, interval, total
+from tests.lies.heavy import chain
 from verify import check
 
 CUBE = total("goal", ["pow", "v-low", "3"])
@@ -55,8 +56,10 @@ def test_a_citation_checked_in_the_same_run() -> None:
 def test_a_citation_at_hand_and_not_checked() -> None:
     other = cited()
     code, line = last(citing(other), beside=(other,))
-    assert code == 0
-    assert line.endswith(f"; citing CUBES, which is not proved here ({digest(other)})")
+    assert code == 3
+    assert line.startswith("UNDECIDED: MAIN's title: 1 needed proved")
+    assert line.endswith(f"; given c:law; citing CUBES, which is not proved here ({digest(other)})")
+    assert last(refused(), citing(other), beside=(other,))[0] == 1  # which is worse
 
 
 def test_a_citation_that_is_not_at_hand() -> None:
@@ -173,13 +176,16 @@ def test_citations_of_citations() -> None:
     code, line = last(first, second, third)
     assert code == 0
     assert line.endswith("; given s:c:law")
-    code, line = last(second, third, beside=(first,))
-    assert code == 0
-    assert line.endswith(
-        f"; given nothing; citing CUBES, which is not proved here ({digest(first)})"
-    )
-    code, line = last(third, beside=(first, second))
-    assert line.endswith(f"; citing SECOND, which is not proved here ({digest(second)})")
+    opened = [
+        f"; citing {name}, which is not proved here ({digest(pair)})"
+        for name, pair in (("SECOND", second), ("CUBES", first))
+    ]
+    for pairs, words in (((second, third), opened[1]), ((first, third), opened[0]),
+                         ((third,), "".join(opened))):  # fmt: skip
+        code, lines = answer(*pairs, cited=(first, second))
+        assert code == 3
+        assert lines[-1].endswith(f"; given s:c:law{words}")
+        assert "assumed s:c:law: sentence of law" in lines
 
 
 def test_citations_that_branch_are_named_once() -> None:
@@ -202,6 +208,25 @@ def test_reading_citations_is_work() -> None:
     assert "found more work than the limit" in last(pair, beside=(other,))[1]
 
 
+def test_reading_a_chain_of_citations_is_work_before_it_is_done(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """All its documents are in memory at once: of seven that are as long as may be, two are read.
+
+    A smaller chain in a smaller limit; `tests.lies.heavy` has the long one, with its memory.
+    """
+    files, read, honest = chain(7, check.MAX_BYTES >> 6), [], check.parsed
+    monkeypatch.setattr(check, "MAX_WORK", check.MAX_WORK >> 6)
+    monkeypatch.setattr(
+        check, "parsed", lambda where, *rest: read.append(where) or honest(where, *rest)
+    )
+    cited = [data for name, data in files.items() if name.startswith("cited/")]
+    pair = files["statement.json"], files["certificate.json"]
+    code, lines = check.check_folders([check.Folder("", *pair, cited)])
+    assert (code, "found more work than the limit" in lines[-1]) == (4, True)
+    assert read.count("cited statement") == 2
+
+
 def test_statements_beside_a_certificate(tmp_path: Path, capsys: Any) -> None:
     other = cited()
     for name, pair in (("main", citing(other)), ("cubes", other)):
@@ -214,10 +239,10 @@ def test_statements_beside_a_certificate(tmp_path: Path, capsys: Any) -> None:
     (tmp_path / "main" / "cited").mkdir()
     (tmp_path / "main" / "cited" / "any-name").write_bytes(other.files()[0])
     capsys.readouterr()
-    assert check.main([main]) == 0
+    assert check.main([main]) == 3
     assert "citing CUBES, which is not proved here" in capsys.readouterr().out
     files = [str(tmp_path / "main" / name) for name in ("statement.json", "certificate.json")]
-    assert check.main(files) == 0
+    assert check.main(files) == 3
     (tmp_path / "main" / "cited" / "any-name").write_bytes(b"{}")
     assert check.main([main]) == 4
 
@@ -276,7 +301,7 @@ def test_a_cited_certificate_that_is_not_accepted(other: Pair, code: int, says: 
     if code == 4:
         assert lines == [f"MALFORMED: {word} {digest(other)}: {says}"]
     else:
-        assert lines[-2].startswith(f"REFUSED {word} {digest(other)}: {says}")
+        assert any(line.startswith(f"REFUSED {word} {digest(other)}: {says}") for line in lines)
         assert lines[-1] == "REFUSED: MAIN's title: not shown; refused above: 1"
     good, files = cited(), refused().files()
     folder = check.Folder("main", *citing(good).files(), [good.files()[0]], [files])

@@ -422,3 +422,53 @@ def test_a_folder_and_a_file_are_no_statement_and_certificate(tmp_path: Path) ->
     file.write_text("{}")
     with pytest.raises(OSError, match=r"certificate\.json"):
         check.read_folders([str(tmp_path), str(file)])
+
+
+# --- words of the format -------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("shape", "words"),
+    [
+        (check.side, ["lhs", "rhs"]),
+        (check.exponent, ["1", "999"]),
+        (check.name, ["a", "A" + 99 * "."]),
+        (check.number, ["0", "-7/12"]),
+    ],
+)
+def test_words_are_whole(shape: check.Shape, words: list[str]) -> None:
+    for word in words:
+        shape("here", word)
+        for other in (word[:-1] if len(word) > 1 else "", word + "?", " " + word):
+            if other not in (words[0], "-7/1", "99", "A" + 98 * "."):
+                with pytest.raises(check.Malformed, match="^here: found"):
+                    shape("here", other)
+
+
+@pytest.mark.parametrize("last", ["format", "kind", "role", "verdict"])
+def test_words_of_a_statement_are_whole(last: str) -> None:
+    """Each of the words that may stand there, without its last letter."""
+    words = {
+        "format": ["verify-statement/2"],
+        "kind": ["plain", "carried", "standing"],
+        "role": ["needed", "printed"],
+        "verdict": ["proved", "refuted", "undecided"],
+    }[last]
+    for word in words:
+        pair = Pair().context("c", {"x": "1"}, {"g": "0 < x"}).row("row", "0 < 1", INTERVAL)
+        for item, name in (
+            (pair.statement, "format"),
+            (pair.statement["contexts"][0]["givens"][0], "kind"),
+            (pair.statement["obligations"][0], "role"),
+            (pair.statement["obligations"][0], "verdict"),
+        ):
+            if name == last:
+                item[name] = word[:-1]
+        code, lines = answer(pair)
+        assert (code, f": found {word[:-1]}, expected" in lines[-1]) == (4, True)
+
+
+def test_the_format_of_a_certificate_is_whole() -> None:
+    pair = Pair().row("row", "0 < 1", INTERVAL)
+    first, second = pair.files()
+    assert answer((first, second.replace(b"verify-certificate/2", b"verify-certificate/")))[0] == 4

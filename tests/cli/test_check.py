@@ -94,7 +94,8 @@ def test_names_that_forge_a_line_are_escaped_in_both(
     assert code == 1
     assert run(capsys, "-v", *paths) == (code, expected, "")
     lines = expected.splitlines()
-    assert sum(line.lstrip("'\"").startswith("PROVED") for line in lines) == 3
+    verdicts = ("PROVED", "UNDECIDED")
+    assert sum(line.lstrip("'\"").startswith(verdicts) for line in lines) == 3
     assert "\x1b" not in expected
     assert not any(line.startswith("PROVED: all of it") for line in lines)
 
@@ -128,7 +129,13 @@ def test_one_run_closes_citations(capsys: pytest.CaptureFixture[str], tmp_path: 
     shutil.copytree(EXAMPLES / "mean-applied", applied)
     assert "which is not proved here" not in run(capsys, applied)[1].splitlines()[-1]
     (applied / "cited" / "mean.certificate.json").unlink()
-    alone = run(capsys, applied)[1].splitlines()[-1]
+    code, out, _ = run(capsys, applied)
+    alone = out.splitlines()[-1]
+    assert (code, alone.partition(":")[0]) == (3, "UNDECIDED")
+    (found,) = json.loads(run(capsys, applied, "--json")[1])["folders"]
+    assert found["verdict"] == "undecided"
+    assert found["summary"].startswith("UNDECIDED: ")
+    assert run(capsys, applied, "--latex")[:2] == (3, "")
     both = run(capsys, EXAMPLES / "mean", applied)[1].splitlines()[-1]
     assert "which is not proved here" in alone
     assert "which is not proved here" not in both

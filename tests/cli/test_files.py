@@ -191,11 +191,11 @@ def test_the_folder_that_one_is_in_stays(tmp_path: Path, monkeypatch: pytest.Mon
 def test_a_folder_of_cited_files_has_an_end(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert files.read_cited("STATEMENT", str(tmp_path)) == []
+    assert files.read_cited("STATEMENT", str(tmp_path)) == {}
     (tmp_path / "cited").mkdir()
     for name in "abc":
         (tmp_path / "cited" / name).write_bytes(name.encode() * 10)
-    assert files.read_cited("STATEMENT", str(tmp_path)) == [b"a" * 10, b"b" * 10, b"c" * 10]
+    assert files.read_cited("STATEMENT", str(tmp_path)) == {s: s.encode() * 10 for s in "abc"}
     monkeypatch.setattr(files, "MAX_CITED", 29)
     with pytest.raises(InputError, match=r"STATEMENT: .*more than 29 bytes"):
         files.read_cited("STATEMENT", str(tmp_path))

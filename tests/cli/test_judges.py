@@ -13,11 +13,13 @@ from typing import Any
 
 import pytest
 
+from tests.points import parameters
 from verify import check, check_map
 from verify.cli import COMMANDS, main
-from verify.language.statement import PROVED, UNDECIDED
-from verify.language.terms import Claim
+from verify.language.statement import PROVED, UNDECIDED, Obligation, Statement
+from verify.language.terms import Claim, as_term
 from verify.paper.commands import classification
+from verify.paper.commands.theorem1 import decide_point
 from verify.prover.ground import Ground
 from verify.prover.straight import StraightLine
 from verify.spheres import separatrix
@@ -245,3 +247,33 @@ def test_a_claim_without_a_judge_is_undecided() -> None:
     assert draft.claimed == PROVED
     assert draft.verdict == UNDECIDED
     assert {found.verdict for found in draft.decisions.values()} == {UNDECIDED}
+
+
+def test_a_judgement_is_about_the_claim_that_was_judged() -> None:
+    """Another claim, another place, or other meanings of the names in it: nobody has judged it."""
+    found = classification.decide_classification()
+    statement = found.statement
+    name, context = "ratio-falls", statement.contexts[0]
+    row = next(row for row in statement.obligations if row.name == name)
+    assert found.decisions[name].verdict == PROVED
+
+    def changed(new: Obligation) -> Statement:
+        rows = tuple(new if old.name == name else old for old in statement.obligations)
+        return statement._replace(obligations=rows)
+
+    false = Claim(row.claim.relation, row.claim.lhs + 100, row.claim.rhs)
+    assert found._replace(statement=changed(row._replace(claim=false))).verdict == UNDECIDED
+    assert found._replace(statement=changed(row._replace(context=None))).verdict == UNDECIDED
+    assert found._replace(statement=changed(row._replace(says="the same"))).verdict == PROVED
+    wider = (context._replace(givens=context.givens[1:]), *statement.contexts[1:])
+    assert found._replace(statement=statement._replace(contexts=wider)).verdict == UNDECIDED
+    other = next(n for n, d in found.decisions.items() if n != name and d.verdict == PROVED)
+    swapped = {**found.decisions, name: found.decisions[other]}
+    assert found._replace(decisions=swapped).verdict == UNDECIDED
+
+
+def test_a_judgement_at_a_point_is_about_that_point() -> None:
+    first, second = (decide_point(parameters(r, "1")) for r in ("3/100", "1/2"))
+    assert first.verdict == PROVED
+    for statement in (second.statement, first.statement._replace(parameters={"r": as_term(1)})):
+        assert first._replace(statement=statement).verdict == UNDECIDED

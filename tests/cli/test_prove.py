@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -153,6 +154,36 @@ def test_an_undecided_row_about_a_context_has_no_certificate(
     assert captured.out.splitlines()[1].startswith("undecided r1")
     assert "r1, which is about a context, is undecided" in captured.err
     assert not out.exists()
+
+
+def test_cited_certificates_are_carried_along(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """With them the folder is proved; without them the whole is undecided, here as there."""
+    folder, out = tmp_path / "mine", tmp_path / "out"
+    shutil.copytree(EXAMPLES / "mean-applied", folder)
+    document = example("mean-applied")
+    document["obligations"] = [o for o in document["obligations"] if o["name"] == "means"]
+    words = ["prove", written(folder, document), "--out", str(out)]
+    assert main(words) == 0
+    assert main(["check", str(out)]) == 0
+    beside = folder / "cited/mean.certificate.json"
+    honest = beside.read_bytes()
+    beside.unlink()
+    shutil.rmtree(out)
+    capsys.readouterr()
+    assert main(words) == 3
+    said = capsys.readouterr().out.splitlines()
+    assert said[-2].startswith("undecided: mean, which is cited, is not proved here")
+    assert said[-1].startswith("Verdict: undecided: ")
+    assert main(["check", str(out)]) == 3
+    capsys.readouterr()
+    for other in (honest.replace(b"square", b"root"), b"{}"):
+        beside.write_bytes(other)
+        assert main(words) == 2
+        captured = capsys.readouterr()
+        assert (captured.out, captured.err.count("\n")) == ("", 1)
+        assert "does not accept cited/'mean.certificate.json'" in captured.err
 
 
 @pytest.mark.parametrize("kind", ["pipe", "folder", "too much"])

@@ -16,18 +16,15 @@ from pathlib import Path
 #: What a sentence outside a proof may be.
 ALLOWED = (
     r"(From (Coq|Interval|Verify) )?Require( Import)? [\w. ]+", r"Import ListNotations",
-    r"Open Scope \w+", r"Module [A-Z]\w* := [\w. ]+", r"Opaque numbers", r"Definition \w.*",
+    r"Open Scope (R|positive)_scope", r"Definition \w.*",
     r"Fixpoint \w.*", r"Inductive \w.*", r"Record \w.*", r"Lemma \w.*", r"Theorem \w.*",
-    r"Ltac \w.*", r"Notation \w.*", r"Proof", r"Qed", r"Defined", r"Check .*",
+    r"Ltac \w.*", r"Proof", r"Qed", r"Defined", r"Check .*",
     r"Print Assumptions \w+",
 )  # fmt: skip
 #: What it may be in a section besides: it does not reach beyond.
-LOCAL = (r"(Variables?|Hypothesis|Let) \w.*", r"Context \{\w+ : \w+\}", r'Notation ".*')
-#: A notation that is not bound to a section.
-BINDING = (
-    """Notation "'let*' x := a 'in' b" := (match a with Some x => b | None => None end) """
-    "(at level 200, x pattern, a at level 100, b at level 200)"
-)
+LOCAL = (r"(Variables?|Hypothesis|Let) \w.*", r"Context \{\w+ : \w+\}")
+#: What gives words another meaning, each line after the file in which alone it may stand.
+NOTATIONS = Path(__file__).with_name("notations.txt").read_text(encoding="utf-8").splitlines()
 #: In the file for extraction; the axiom is Coq's, and nothing that is computed uses it.
 EXTRACTING = (
     "Extraction Language OCaml", r'Extraction "checker\.ml" [\w. ]+',
@@ -55,8 +52,8 @@ def sentences(text: str) -> Iterator[str]:
     yield from (" ".join(piece.split()).removesuffix(".") for piece in pieces)
 
 
-def unexpected(text: str, *, extracting: bool = False) -> list[str]:
-    """The sentences that are not allowed."""
+def unexpected(text: str, name: str = "") -> list[str]:
+    """The sentences that are not allowed, in a file of this name."""
     found, depth, proving = [], 0, False
     for sentence in sentences(text):
         if re.fullmatch(r"Section [A-Z]\w*", sentence):
@@ -67,9 +64,9 @@ def unexpected(text: str, *, extracting: bool = False) -> list[str]:
             if not re.match(r"([0-9]+: )?[a-z\[(]|[{}]$|[*+-]+$", sentence):
                 found.append(sentence)
         else:
-            allowed = (*ALLOWED, re.escape(BINDING), *LOCAL * (depth > 0))
-            allowed += EXTRACTING * extracting
-            if not any(re.fullmatch(pattern, sentence) for pattern in allowed):
+            allowed = ALLOWED + LOCAL * (depth > 0) + EXTRACTING * (name == "Extract")
+            known = f"{name}: {sentence}" in NOTATIONS
+            if not known and not any(re.fullmatch(pattern, sentence) for pattern in allowed):
                 found.append(sentence)
             proving = sentence == "Proof"
     return found
@@ -83,7 +80,7 @@ def complaints(directory: Path) -> list[str]:
     return [
         f"{path.name}: this is not allowed here: {sentence[:200]}"
         for path in files
-        for sentence in unexpected(path.read_text(), extracting=path.name == "Extract.v")
+        for sentence in unexpected(path.read_text(), path.stem)
     ]
 
 

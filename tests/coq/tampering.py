@@ -139,6 +139,9 @@ SENTENCES = (
     "Section A. End A. Variable x : False.", "(* x *) Axiom (* y *) x : False.",
     "Lemma x : True. Proof. trivial. Axiom y : False. Qed.", "Reset Initial.", "Abort.",
     "Lemma x : True. Proof. - { trivial. } Admitted.", "Lemma x : True. Proof. 1: Admitted.",
+    "Notation theorem_1 := True.", "Section A. Notation theorem_1 := True. End A.",
+    'Section A. Notation "x <= y" := True. End A.', "Module Meaning := Fake.", "Opaque plus.",
+    "Open Scope type_scope.",
 )  # fmt: skip
 
 

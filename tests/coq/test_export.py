@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 from hashlib import sha256
 from pathlib import Path
 
@@ -41,6 +42,23 @@ def test_another_term_is_seen() -> None:
         intern = Interner()
         assert other != text
         assert Exported(other, intern).said != Written(document, {}, intern).said
+
+
+@pytest.mark.parametrize("other", [b"{}", b"square"])
+def test_what_cites_a_refused_certificate_is_not_exported(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, other: bytes
+) -> None:
+    folder = tmp_path / "applied"
+    shutil.copytree(ROOT / "certificates/examples/mean-applied", folder)
+    assert main(["export", "coq", str(folder)]) == 0
+    beside = folder / "cited/mean.certificate.json"
+    honest = beside.read_bytes()
+    beside.write_bytes(honest.replace(other, b"root") if other in honest else other)
+    capsys.readouterr()
+    assert main(["export", "coq", str(folder)]) == 2
+    captured = capsys.readouterr()
+    assert (captured.out, captured.err.count("\n")) == ("", 1)
+    assert "cited certificate" in captured.err
 
 
 def test_what_is_not_accepted_is_not_exported(

@@ -10,7 +10,7 @@ import pytest
 
 from tests.coq.everything import everything, folders, printed
 from tests.coq.record import AnotherError, found, said_by_coq
-from tests.coq.sources import complaints, sentences, unexpected
+from tests.coq.sources import NOTATIONS, complaints, sentences, unexpected
 from tests.coq.tampering import (
     ASSUMED,
     ASSUMPTIONS,
@@ -46,6 +46,17 @@ def test_another_sentence_is_seen(text: str) -> None:
     assert unexpected(f"{page}{text}\n")
     assert unexpected(page.replace("Open Scope R_scope.", f"Open Scope R_scope. {text}"))
     assert not unexpected(f"(* {text} (* {text} *) *) {page}")
+
+
+def test_a_notation_is_allowed_in_its_file_only() -> None:
+    """As it is written there; and no line allows what is not there."""
+    for line in NOTATIONS:
+        name, _, sentence = line.partition(": ")
+        assert sentence in sentences((SOURCES / f"{name}.v").read_text())
+        assert not unexpected(f"{sentence}.", name)
+        for text, other in ((sentence, "Pinned"), (sentence, ""), (f"{sentence} -> True", name)):
+            assert unexpected(f"Section S. {text}. End S.", other)
+    assert not {"Pinned", "Theorem1"} & {line.partition(":")[0] for line in NOTATIONS}
 
 
 @pytest.mark.parametrize("name", sorted({*ASSUMPTIONS} - {"type-in-type"}))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from hashlib import sha256
 from typing import Any
 
 from tests.check.support import (
@@ -797,6 +798,29 @@ def long_statements_cited() -> Files:
         others.append(other)
         pair.cite(f"c{k}", other)
     return folder(pair, *others)
+
+
+def chain(length: int, limit: int = LIMIT) -> Files:
+    """Statements of which each cites the next, all of them at hand while the last one is read.
+
+    Empty lists in lists are what takes most memory for its bytes.
+    """
+    found, pair = {}, true(Pair("T"))
+    for k in range(length):
+        empty = (limit - len(pair.files()[0]) - 100) // 5
+        first = pair.files()[0].replace(
+            b'"terms": {', b'"terms": {"t": [' + b"[[]]," * empty + b"[]]"
+        )
+        found[f"cited/{k}.json"] = first
+        pair = true(Pair(f"T{k}"))
+        item = {"name": "c", "theorem": f"T{k - 1}" if k else "T"}
+        pair.statement["cites"] = [item | {"statement_sha256": sha256(first).hexdigest()}]
+    return found | folder(pair)
+
+
+@heavy
+def a_chain_of_long_statements_cited() -> Files:
+    return chain(7)
 
 
 @heavy

@@ -12,7 +12,6 @@ from verify.measure import stress
 from verify.measure.stress import Case, run_spectrum, run_theorem1
 from verify.paper.commands.eigenvalues import Spectrum
 from verify.paper.commands.theorem1 import decide_point
-from verify.prover.outcome import Judgement
 
 
 def test_every_short_case_is_right() -> None:
@@ -48,7 +47,9 @@ def test_a_wrong_hypothesis_is_seen() -> None:
     outcome = decide_point(parameters("1/64", "8/13"), "repaired")
     assert stress.hypotheses_are_exact(outcome)
     name = "hypotheses.stability"
-    wrong = outcome.decisions[name]._replace(judged=Judgement("proved", "a test"))
+    found = outcome.decisions[name]
+    assert found.judged is not None
+    wrong = found._replace(judged=found.judged._replace(verdict="proved"))
     outcome = outcome._replace(decisions={**outcome.decisions, name: wrong})
     assert not stress.hypotheses_are_exact(outcome)
 

@@ -12,7 +12,7 @@ from verify.paper.commands.elsewhere import decide_elsewhere
 from verify.paper.commands.everywhere import decide_everywhere
 from verify.paper.commands.spectrum import decide_spectrum
 from verify.paper.commands.step import decide_step
-from verify.paper.step import printed_estimates
+from verify.paper.step import misprints
 from verify.prover.outcome import Outcome
 from verify.prover.uses import nodes
 
@@ -89,7 +89,7 @@ def constants() -> set[str]:
 
 def facts_elsewhere() -> set[str]:
     """The facts of the step and of other statements, and the rows that are refuted at states."""
-    wrong = {f"step-printed:{row.name}" for row in printed_estimates.printed()}
+    wrong = {f"step-printed:{row.name}" for row in misprints.printed()}
     found = wrong | {f"step:{name}" for name in nodes(decide_step())}
     for prefix, outcome in (
         ("elsewhere", decide_elsewhere()),
@@ -171,7 +171,7 @@ def test_every_label_of_the_theorem_is_in_the_table() -> None:
 
 def test_every_wrong_estimate_is_beside_its_formula() -> None:
     carrying = {name for cells in table() for name in names(cells[3])}
-    assert {f"step-printed:{row.name}" for row in printed_estimates.printed()} <= carrying
+    assert {f"step-printed:{row.name}" for row in misprints.printed()} <= carrying
 
 
 # --- to the theorem -------------------------------------------------------------------------------
@@ -225,6 +225,11 @@ def test_every_needed_row_is_on_a_path_or_beside_a_fact_that_is() -> None:
         there = {name.replace("printed.", "repaired.", 1) for name in names(cells[3])}
         if there & found:
             beside |= there
-    for row, _ in decide_everywhere().rows:
-        if row.role == NEEDED and not row.name.startswith(OF_THEIR_OWN):
-            assert row.name in found | beside, row.name
+    rows = [row.name for row, _ in decide_everywhere().rows if row.role == NEEDED]
+    hanging = [
+        name for name in rows if name not in found | beside and not name.startswith(OF_THEIR_OWN)
+    ]
+    assert not hanging, (
+        f"{', '.join(hanging)}: the theorem does not rest on it; name the row of the printed set "
+        f"in verify/paper/{TABLE.name}, in the line of the formula to which it belongs"
+    )

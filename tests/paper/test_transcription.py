@@ -196,7 +196,11 @@ def test_every_row_here_has_a_blind_row_or_is_accounted_for() -> None:
         and ".alone-" not in name
         and not any(same_claim((row.lhs, row.rhs), pair) for row in blind_rows)
     ]
-    assert missing == []
+    assert not missing, (
+        f"{', '.join(missing)}: read the sentence in the LaTeX text once more and write its row in "
+        "tests/paper/transcription.py; or, if the text has no such sentence, say in HERE_ONLY why "
+        "the row is here"
+    )
 
 
 def test_rows_with_the_same_sides_are_not_confused() -> None:

@@ -11,19 +11,17 @@ import pytest
 from tests.prover.judged import JudgedBox, cover
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term, as_term, equal, maximum, minimum, sqrt, symbol
-from verify.paper.commands.constructions import (
-    FIXED,
-    at_point,
-    field_definitions,
-    formulas,
-    sorted_rows,
-)
 from verify.paper.commands.covers import (
+    FIXED,
     PLANE,
     SHARE,
     WHOLE,
     WIDTH,
+    at_point,
+    field_definitions,
+    formulas,
     plane,
+    sorted_rows,
     stability,
     threshold_boxes,
 )

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
 import pytest
+from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
-from verify.language.terms import Claim, as_term, cos_pi, equal, minimum, sqrt, symbol
+from verify.language.terms import Claim, as_term, cos_pi, equal, maximum, minimum, sqrt, symbol
 from verify.library import ask, constant, for_all, lemma, prove
 from verify.prover.budget import WorkBudget
-from verify.prover.goal import Bounds
+from verify.prover.goal import Bounds, Goal
 from verify.prover.search import tree
-from verify.prover.search.tree import Tree
+from verify.prover.search.faces import value_at
+from verify.prover.search.local_minima import Minima
+from verify.prover.search.numbers import float_of
+from verify.prover.search.tree import Tree, _binary_exponent
 from verify.wire.inputs import InputError
 
-x, k = symbol("x"), symbol("k")
+x, y, k = symbol("x"), symbol("y"), symbol("k")
 ONE, ZERO = as_term(1), as_term(0)
 
 
@@ -78,9 +83,8 @@ def test_what_the_checker_cannot_afford_is_not_claimed(n: int) -> None:
 
 
 def test_equal_minima() -> None:
-    y = symbol("x")
-    least = minimum(y, 2 * y)
-    assert decided(least < least, {"low": -1 <= y}, 0) == REFUTED
+    least = minimum(x, 2 * x)
+    assert decided(least < least, {"low": -1 <= x}, 0) == REFUTED
 
 
 def test_one_name_for_two_things() -> None:
@@ -104,6 +108,94 @@ def test_a_variable_with_one_value(end: Fraction) -> None:
     rows = [ask("one", x <= x**2 - end**2 + end, place), ask("two", x * x <= x * end, place)]
     found = prove(lemma("title", rows, (), [place]), WorkBudget(10**6))
     assert found.verdict in (PROVED, UNDECIDED)
+
+
+@pytest.mark.parametrize("end", [-3, 0, 4])
+def test_a_cosine_of_a_variable_with_one_value(end: int) -> None:
+    givens = {"low": as_term(end) <= x, "high": x <= as_term(end)}
+    sign = as_term(-1 if end % 2 else 1)
+    for claim in (Claim("<=", cos_pi(x), sign), equal(x, sign * cos_pi(x) * x)):
+        assert decided(claim, givens, end) in (PROVED, UNDECIDED)
+
+
+def test_bounds_that_are_no_interval_are_not_used_as_one() -> None:
+    lie = Bounds(Fraction(1), Fraction(1), "low", "high", "<=", "<=")
+    assert lie.ends is not None
+    assert lie.interval is None
+    assert Bounds(Fraction(0), Fraction(1), "low", "high", "=", "<=").interval is None
+    assert Bounds(Fraction(0), Fraction(1), "low", "high", "<=", "<").interval == (0, 1)
+
+
+def test_a_row_that_enclosures_prove_as_a_fact_for_the_next() -> None:
+    givens = {"low": as_term(-3) <= x, "high": x <= as_term(Fraction(-5, 3))}
+    place = for_all("all", givens, {"x": -2, "y": 0})
+    rows = [
+        ask("first", sqrt(x**2) * x < 0 / x - 1, place),
+        ask("second", minimum(y, x) <= (y - 1) * y, place),
+    ]
+    found = prove(lemma("title", rows, (), [place]), WorkBudget(10**6)).decisions
+    assert found["first"].verdict == PROVED
+    assert "failed" not in found["second"].reason
+
+
+# --- numbers beyond the largest float -------------------------------------------------------------
+
+HUGE = as_term(10**400)
+BEYOND: dict[str, tuple[Claim, dict[str, Claim]]] = {
+    "squares": (0 <= HUGE * x**2 - 2 * x + 1, {}),
+    "two": (0 <= x**4 * HUGE + x * y + y**2 * HUGE, {}),
+    "squared": (x * y <= (x**2 + y**2) * HUGE, {"low": 0 <= x, "least": 0 <= y}),
+    "half-line": (1 <= x**2, {"low": HUGE <= x}),
+    "quotient": (0 <= 1 + 1 / x, {"low": HUGE <= x}),
+    "box": (x <= x**2, {"low": HUGE <= x, "high": x <= 2 * HUGE}),
+    "minimum": (minimum(x, y) <= (x + y) / 2, {"low": HUGE <= x, "high": x <= HUGE + 1}),
+    "maximum": (x <= maximum(x * HUGE, y), {"low": 0 <= x, "least": 0 <= y}),
+    "root": (sqrt(x) <= HUGE * x, {"low": HUGE <= x}),
+    "roots": (sqrt(x**2 + 1) * HUGE <= x * HUGE + HUGE, {"low": 0 <= x}),
+    "cosine": (HUGE * cos_pi(x) <= HUGE, {}),
+    "angle": (cos_pi(x * HUGE) <= 1, {"low": 0 <= x, "high": x <= 1}),
+    "equation": (equal(x * HUGE + y, y + x * HUGE + 1 / HUGE), {}),
+    "false": (x * HUGE <= x**2, {"low": HUGE <= x}),
+    "tiny": (x**2 * cos_pi(x) <= x, {"low": 0 <= x, "high": x <= 1 / HUGE}),
+}
+
+
+@pytest.mark.parametrize("name", BEYOND)
+def test_numbers_that_no_float_is_near(name: str) -> None:
+    claim, givens = BEYOND[name]
+    far = any(given.lhs == HUGE for given in givens.values())
+    place = for_all("all", givens, {"x": 10**400 if far else 0, "y": 0})
+    found = prove(lemma("title", [ask("row", claim, place)], (), [place]), WorkBudget(2_000_000))
+    decision = found.decisions["row"]
+    assert found.spent == ""
+    assert "failed" not in decision.reason
+    assert decision.verdict != (PROVED if name in ("equation", "false") else REFUTED)
+
+
+def test_a_float_near_a_number() -> None:
+    assert float_of(Fraction(1, 3)) == float_of(fmpq(1, 3)) == 1 / 3
+    assert float_of(Fraction(10) ** 400) == math.inf
+    assert float_of(fmpq(-10) ** 401) == -math.inf
+    assert float_of(Fraction(1, 10**400)) == 0
+
+
+def test_local_minima_are_finite() -> None:
+    bounds = {"x": Bounds(Fraction(10) ** 400), "y": Bounds(None, Fraction(1))}
+    for claim in (0 <= 1 + 1 / x, 0 <= -(y**3), 0 <= y):
+        found = Minima(Goal(claim, None, bounds, (), {}), WorkBudget(10**7)).found()
+        assert all(math.isfinite(n) for value, point in found for n in (value, *point))
+
+
+def test_a_polynomial_at_floats_that_are_too_large() -> None:
+    (u,) = (context := fmpq_mpoly_ctx.get(("u",), Ordering.lex)).gens()
+    assert value_at(u**2 + context.constant(1), (3.0,)) == 10
+    assert math.isnan(value_at(u**2, (1e200,)))
+
+
+@pytest.mark.parametrize("value", [1, 2, 3, 4, 1023, 1024, Fraction(1, 3), Fraction(1, 10**400)])
+def test_a_binary_exponent(value: Fraction) -> None:
+    e = _binary_exponent(Fraction(value))
+    assert Fraction(2) ** e <= value < Fraction(2) ** (e + 1)
 
 
 # --- floats say nothing for certain ---------------------------------------------------------------

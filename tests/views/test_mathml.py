@@ -10,7 +10,7 @@ import pytest
 
 from verify.language.statement import Constant
 from verify.language.terms import Claim, Term, as_term, cos_pi, equal, minimum, sqrt, symbol
-from verify.paper.spectrum.theorem import statement as spectrum
+from verify.paper.spectrum.spectrum import statement as spectrum
 from verify.paper.theorem1 import theorem
 from verify.views.mathml import MathML, letter
 

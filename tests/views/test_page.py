@@ -16,8 +16,8 @@ import pytest
 
 from tests.views.conftest import DEPTH, TABLE, build
 from verify.cli import main
+from verify.paper.assumptions import STEP_ASSUMPTIONS as ASSUMPTIONS
 from verify.paper.commands.report import NAMES
-from verify.paper.step.assumptions import ASSUMPTIONS
 from verify.views.page.html import prose
 
 MAIN = "theorem1-r-3-100"

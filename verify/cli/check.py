@@ -24,8 +24,6 @@ NAMES = ("statement.json", "certificate.json")
 
 MALFORMED = "MALFORMED"
 
-FOREIGN = 4
-
 #: How the lines of the checker begin that only say what its last line counts.
 ROWS = ("proved  ", "assumed ")
 
@@ -50,13 +48,15 @@ def add_arguments(parser: Parser) -> None:
 class CheckedFolder(Record):
     """What the checker found in one folder.
 
-    ``own`` says whether the statement is one that the program makes and calls proved; None where
-    that was not asked, or the checker does not say PROVED. ``cited`` has the statements on whose
-    sentences it rests, with what their names begin with here.
+    ``verdict`` is undecided where something cited is not proved in this run. ``own`` says whether
+    the statement is one that the program makes and calls proved; None where that was not asked, or
+    the checker does not say PROVED. ``cited`` has the statements on whose sentences it rests, with
+    what their names begin with here.
     """
 
     folder: check.Folder
     report: check.Report
+    verdict: str
     lines: list[str]
     cited: list[tuple[str, bytes]]
     own: bool | None = None
@@ -64,7 +64,12 @@ class CheckedFolder(Record):
     @property
     def code(self) -> int:
         """The exit code of this folder alone."""
-        return FOREIGN if self.own is False else check.EXIT_CODES[self.report.verdict]
+        return check.EXIT_CODES[self.judged]
+
+    @property
+    def judged(self) -> str:
+        """The verdict, also about whose statement it is."""
+        return MALFORMED if self.own is False else self.verdict
 
 
 def run(options: Options) -> int:
@@ -80,12 +85,12 @@ def run(options: Options) -> int:
         print_document({"format": FORMAT, "command": "check", "folders": list(map(_row, found))})
     else:
         show(_lines(found, every=options.verbose), options, records=True)
-    return max(judged.code for judged in found)
+    return check.exit_code(judged.judged for judged in found)
 
 
 def _print_latex(found: Sequence[CheckedFolder]) -> int:
     """Print the document if everything is accepted, else say on stderr what is not."""
-    refused = [judged for judged in found if judged.code and judged.report.verdict != "REFUTED"]
+    refused = [judged for judged in found if judged.code and judged.verdict != "REFUTED"]
     for judged in refused:
         why = "not a statement of the program" if judged.own is False else judged.lines[-1]
         print(f"verify: {judged.folder.path}: {why}"[:300], file=sys.stderr)
@@ -102,7 +107,7 @@ def _print_latex(found: Sequence[CheckedFolder]) -> int:
             print(f"verify: {error}"[:300], file=sys.stderr)
             return check.EXIT_CODES[MALFORMED]
         sys.stdout.write(text)
-    return max(judged.code for judged in found)
+    return check.exit_code(judged.judged for judged in found)
 
 
 def folders_at(paths: Sequence[str]) -> list[check.Folder]:
@@ -139,10 +144,9 @@ def judge_folders(folders: Sequence[check.Folder]) -> list[CheckedFolder]:
     closed = check.closed_by(found)
     results = []
     for folder, (report, _) in zip(folders, found, strict=True):
-        cited = [
-            (name, statements[other.digest]) for name, other in check.rests_on(report, closed)[0]
-        ]
-        results.append(CheckedFolder(folder, report, check.conclusion(report, closed), cited))
+        verdict, lines = check.verdict(report, closed), check.conclusion(report, closed)
+        cited = [(f"{c.name}:", statements[c.digest]) for c in check.rests_on(report)]
+        results.append(CheckedFolder(folder, report, verdict, lines, cited))
     return results
 
 
@@ -198,7 +202,7 @@ def _out_of_range(statement: bytes) -> str:
 
 def _row(judged: CheckedFolder) -> dict[str, Any]:
     """One folder of the document."""
-    verdict = judged.report.verdict
+    verdict = judged.verdict
     row: dict[str, Any] = {"path": judged.folder.path, "verdict": verdict.lower()}
     row |= {"title": None, "needed": None, "printed": None}
     row |= {"assumptions": [], "assumptions_of_printed_rows": []}

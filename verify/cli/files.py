@@ -26,7 +26,7 @@ CHECKER_DIGITS = 4300
 MAX_BYTES = 1 << 22
 
 #: Of all files in a folder `cited`.
-MAX_CITED = 4 * MAX_BYTES
+MAX_CITED = 8 * MAX_BYTES
 
 #: A folder for files of these names is a certificate's: it is written, and replaced, as a whole.
 CERTIFICATE = {"statement.json", "certificate.json"}
@@ -325,19 +325,17 @@ def read_bytes(option: str, path: str) -> bytes:
         ) from error
 
 
-def read_cited(option: str, folder: str) -> list[bytes]:
-    """The statements in the folder `cited` beside another; none if there is no such folder.
+def read_cited(option: str, folder: str) -> dict[str, bytes]:
+    """The files in the folder `cited` beside a statement; none if there is no such folder.
 
     Raises:
         InputError: if one cannot be read, or together they are more than the checker reads.
     """
     cited = os.path.join(folder, "cited")
-    found, total = [], 0
+    found, total = {}, 0
     for name in sorted(os.listdir(cited)) if os.path.isdir(cited) else []:
-        if name.endswith(".certificate.json"):
-            continue
-        found.append(read_bytes(option, os.path.join(cited, name)))
-        total += len(found[-1])
+        found[name] = read_bytes(option, os.path.join(cited, name))
+        total += len(found[name])
         if total > MAX_CITED:
             raise InputError(
                 f"{option}: {shown(cited)} has more than {MAX_CITED} bytes; keep what is cited"

@@ -6,6 +6,7 @@ import os
 import sys
 from hashlib import sha256
 
+from verify import check
 from verify.cli.files import (
     print_document,
     read_bytes,
@@ -21,7 +22,7 @@ from verify.prover.budget import WORK, WorkBudget
 from verify.prover.outcome import Outcome
 from verify.views.prove import decided_document, decided_lines
 from verify.wire.inputs import InputError, integer, rational, shown
-from verify.wire.questions import decide_statement
+from verify.wire.questions import all_cites, decide_statement
 
 MAX_JOBS = 256
 
@@ -51,6 +52,7 @@ def run(options: Options) -> int:
     outcome = decide_statement(content, cited, WorkBudget(work, _seconds(options.time)))
     if options.out is not None:
         _write(options.out, outcome)
+    outcome = _but_for_citations(outcome)
     if options.json:
         print_document(decided_document(outcome))
     else:
@@ -82,6 +84,34 @@ def _seconds(text: str | None) -> float | None:
 
 
 def _cited(path: str) -> dict[str, bytes]:
-    """The statements in the folder `cited` beside a statement, by their digests."""
-    contents = read_cited("STATEMENT", os.path.dirname(path))
-    return {sha256(content).hexdigest(): content for content in contents}
+    """What lies in the folder `cited` beside a statement, by the digests; certificates, too.
+
+    Raises:
+        InputError: if the checker does not accept a certificate there.
+    """
+    files = read_cited("STATEMENT", os.path.dirname(path))
+    found = {sha256(content).hexdigest(): content for content in files.values()}
+    work = check.MAX_WORK
+    for name, certificate in files.items():
+        if name.endswith(check.CERTIFIED):
+            statement = files.get(f"{name.removesuffix(check.CERTIFIED)}.json", b"")
+            report = check.examined(statement, certificate, found, work)
+            if report.verdict != "PROVED":
+                reason = next((s for s in report.lines if s.startswith("REFUSED")), report.summary)
+                raise InputError(
+                    f"STATEMENT: the checker does not accept cited/{shown(name)} ({reason:.200}); "
+                    "mend it, or take it away"
+                )
+            work -= report.work
+    return found
+
+
+def _but_for_citations(outcome: Outcome) -> Outcome:
+    """The outcome, undecided where something cited is not proved."""
+    opened = [c for c in all_cites(outcome.statement.cites) if not c.certificate]
+    if outcome.spent or not opened:
+        return outcome
+    return outcome._replace(
+        spent=f"{opened[0].theorem}, which is cited, is not proved here; put its certificate "
+        f"beside its statement, as cited/NAME{check.CERTIFIED}"
+    )

@@ -570,7 +570,7 @@ let read_folder path =
 
 (* --- what is found ---------------------------------------------------------------------------- *)
 
-type verdict_ = Proved_ | Refused_ | Malformed_
+type verdict_ = Proved_ | Undecided_ | Refused_ | Malformed_  (* from good to bad *)
 type report = { verdict_ : verdict_; why : string; hash : string; sentences : string list;
                 printed_only : string list; cites : (string * string * string) list }
 
@@ -630,13 +630,19 @@ let check available pair =
   | verdict_, why -> { verdict_; why; hash; sentences = []; printed_only = []; cites = [] }
   | exception Malformed why -> malformed hash why
 
+let named_sentences document =
+  List.map (fun item -> str (List.assoc "name" (table item)))
+    (list (record (fields "statement") document "assumptions"))
+let citations_in document = List.map (fun item ->
+  let get key = str (List.assoc key (table item)) in
+  get "name", get "theorem", get "statement_sha256") (list (record (fields "statement") document "cites"))
 (* The names of the sentences, of those that only printed rows use, and the citations. *)
 let with_hypotheses pair report =
   if report.verdict_ = Malformed_ then report
   else begin
     let document = parse pair.statement_text in
     let get = record (fields "statement") document in
-    let sentences = List.map (fun item -> str (List.assoc "name" (table item))) (list (get "assumptions")) in
+    let sentences = named_sentences document in
     let needed = Hashtbl.create 99 and printed = Hashtbl.create 99 in
     let mark where x = Hashtbl.replace where (str x) () in
     List.iter (fun c ->
@@ -646,10 +652,7 @@ let with_hypotheses pair report =
       let where = if List.assoc "role" (table row) = Str "needed" then needed else printed in
       List.iter (mark where) (list (List.assoc "uses" (table row)))) (list (get "obligations"));
     let printed_only = List.filter (fun s -> Hashtbl.mem printed s && not (Hashtbl.mem needed s)) sentences in
-    let cites = List.map (fun item ->
-      let get key = str (List.assoc key (table item)) in
-      get "name", get "theorem", get "statement_sha256") (list (get "cites")) in
-    { report with sentences; printed_only; cites }
+    { report with sentences; printed_only; cites = citations_in document }
   end
 
 (* A folder is as good as the certificates of what it cites. *)
@@ -663,37 +666,41 @@ let with_cited report others =
   | Proved_, None, Some other -> worse Refused_ other
   | _ -> report
 
-(* What a proof rests on: sentences, also those of what is cited and proved in this run, and what is
-   cited and not proved. *)
-let rests_on closed report =
-  let seen = Hashtbl.create 9 and given = ref [] and citing = ref [] in
-  let rec follow = function
-    | [] -> ()
-    | (prefix, (name, theorem, hash)) :: rest when not (Hashtbl.mem seen hash) ->
-        Hashtbl.add seen hash ();
-        (match Hashtbl.find_opt closed hash with
-         | Some other ->
-             let prefix = prefix ^ name ^ ":" in
-             given := !given @ List.map (fun s -> prefix ^ s) other.sentences;
-             follow (rest @ List.map (fun c -> prefix, c) other.cites)
-         | None ->
-             citing := !citing @ ["; citing " ^ theorem ^ ", which is not proved here (" ^ hash ^ ")"];
-             follow rest)
-    | _ :: rest -> follow rest in
-  follow (List.map (fun c -> "", c) report.cites);
-  let apart = Hashtbl.create 99 in
-  List.iter (fun s -> Hashtbl.replace apart s ()) report.printed_only;
-  let own = List.filter (fun s -> not (Hashtbl.mem apart s)) report.sentences in
-  let names l = if l = [] then "nothing" else String.concat ", " l in
-  let apart = if report.printed_only = [] then ""
-    else "; for printed rows only, also given " ^ names report.printed_only in
-  "given " ^ names (own @ !given) ^ apart ^ String.concat "" !citing
+(* All that is cited, each statement once, where it is first cited: what its names begin with, the
+   theorem, the digest, and its sentences. What is cited has been read, so it is at hand. *)
+let citations available report =
+  let seen = Hashtbl.create 9 in
+  let rec follow prefix (name, theorem, hash) =
+    if Hashtbl.mem seen hash then [] else begin
+      Hashtbl.add seen hash ();
+      let prefix = prefix ^ name ^ ":" in
+      let document = parse (Hashtbl.find available hash) in
+      (prefix, theorem, hash, named_sentences document)
+        :: List.concat_map (follow prefix) (citations_in document)
+    end in
+  List.concat_map (follow "") report.cites
 
-let said closed report = match report.verdict_ with
-  | Proved_ -> "PROVED: " ^ rests_on closed report
-  | Refused_ -> "REFUSED: " ^ report.why
-  | Malformed_ -> "MALFORMED: " ^ report.why
-let exit_code report = match report.verdict_ with Proved_ -> 0 | Refused_ -> 1 | Malformed_ -> 4
+(* The verdict, and what it rests on: sentences, also those of what is cited, and what is cited and
+   not proved in this run. Such a citation leaves the whole undecided. *)
+let said available closed report = match report.verdict_ with
+  | Refused_ -> Refused_, "REFUSED: " ^ report.why
+  | Malformed_ -> Malformed_, "MALFORMED: " ^ report.why
+  | Proved_ | Undecided_ ->
+      let cited = citations available report in
+      let opened = List.filter (fun (_, _, hash, _) -> not (Hashtbl.mem closed hash)) cited in
+      let apart = Hashtbl.create 99 in
+      List.iter (fun s -> Hashtbl.replace apart s ()) report.printed_only;
+      let own = List.filter (fun s -> not (Hashtbl.mem apart s)) report.sentences in
+      let given = List.concat_map (fun (prefix, _, _, l) -> List.map (fun s -> prefix ^ s) l) cited in
+      let names l = if l = [] then "nothing" else String.concat ", " l in
+      let apart = if report.printed_only = [] then ""
+        else "; for printed rows only, also given " ^ names report.printed_only in
+      let citing (_, theorem, hash, _) =
+        "; citing " ^ theorem ^ ", which is not proved here (" ^ hash ^ ")" in
+      let verdict_, word = if opened = [] then Proved_, "PROVED" else Undecided_, "UNDECIDED" in
+      verdict_, word ^ ": given " ^ names (own @ given) ^ apart
+                ^ String.concat "" (List.map citing opened)
+let exit_code = function Proved_ -> 0 | Undecided_ -> 3 | Refused_ -> 1 | Malformed_ -> 4
 
 let run folders =
   let found = List.map read_folder folders in
@@ -710,9 +717,11 @@ let run folders =
     let report = with_cited (once f.own) others in
     List.iter (fun x -> if x.verdict_ = Proved_ then Hashtbl.replace closed x.hash x) (report :: others);
     f.path, report) found in
-  List.iter (fun (path, report) -> Printf.printf "%s: %s\n%!" (shown path) (shown (said closed report)))
-    reports;
-  List.fold_left (fun code (_, report) -> max code (exit_code report)) 0 reports
+  let worst found (path, report) =
+    let verdict_, words = said available closed report in
+    Printf.printf "%s: %s\n%!" (shown path) (shown words);
+    max found verdict_ in
+  exit_code (List.fold_left worst Proved_ reports)
 
 let complaint code words = prerr_endline ("reader: " ^ shown words); exit code
 let () =

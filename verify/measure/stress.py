@@ -24,7 +24,7 @@ from verify.paper.commands import eigenvalues
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.groups import HYPOTHESES
 from verify.prover import balls
-from verify.prover.ground import MAX_BITS
+from verify.prover.constants import MAX_BITS
 from verify.prover.outcome import Ends, Outcome
 from verify.prover.program import ExactArithmetic
 from verify.prover.proof import OpenStep

@@ -1,12 +1,15 @@
-"""What the rows of Theorem 1 use and do not prove: the laws, and estimates for every state.
+"""What is used and not proved: by the rows of Theorem 1, and by the step that they apply.
 
-The state just after the n-th collision is the inner products of (omega_s, W_s, omega_c, W_c) and
-the distance d. Each sentence is listed with every verdict that uses it.
+The rows use the laws, and estimates for every state. The state just after the n-th collision is the
+inner products of (omega_s, W_s, omega_c, W_c) and the distance d. The step proves these laws and
+estimates; it takes on trust one definition, sentences of general mathematics, and glue. Each
+sentence is listed with every verdict that uses it.
 """
 
 from __future__ import annotations
 
 from verify.language.statement import Assumption
+from verify.paper.parameters import THEOREM
 
 #: What follows from the definition of the flow by computation alone.
 LAW = "law of motion"
@@ -89,4 +92,60 @@ ASSUMPTIONS = (
         "The initial data whose inequalities are strict form a non-empty open part of the contact "
         "surface |x₁-x₀| = 1, η_s > 0; flowing for a short time before the next collision, they "
         "sweep out an open set.", GLUE),
+)  # fmt: skip
+
+
+#: What the sharper theorem takes on trust, too.
+HARD_SPHERES, BOUNDED_MONOTONE, GLUE_NEXT = (
+    Assumption("hard-spheres", "EQUATSS2.2IterationSystm1",
+         "Three particles of equal mass and diameter 1 move freely until two of them are at "
+         "distance 1 and approach each other. If these are 0 and c, then v_0 and v_c become "
+         "v_0 + J ω and v_c - J ω with J = (1+r)/2 (v_c - v_0)·ω, where ω is the unit vector from "
+         "0 to c; the third keeps its velocity.", "definition"),
+    Assumption("bounded-monotone", THEOREM,
+         "A bounded monotone sequence of real numbers converges.", "general mathematics"),
+    Assumption("glue-next", "EQUATSS4.1SysteDynamColSp",
+         "1. By colliding-pair-apart, spectator-apart with recedes, and outer-pair-apart no pair "
+         "meets after the state and before the time τ, and at τ, which is positive by "
+         "tau-positive, 0-c is the only pair in contact, by contact; it approaches there, by "
+         "impact-speed and impact-positive. By impact-velocity-s and impact-velocity-c, with the "
+         "roles exchanged, the inner products just after that collision are those of the constants "
+         "named ..._next.", "numbered glue"),
+)  # fmt: skip
+
+STEP_ASSUMPTIONS = (
+    HARD_SPHERES,
+    Assumption("cauchy-schwarz", THEOREM,
+         "Cauchy-Schwarz, and that no other condition binds two vectors: in any dimension above 1, "
+         "for any vector x and all numbers p and b, if a vector z has x·z = p and |z|² = b, then "
+         "p² ≤ |x|² b; and if p² ≤ |x|² b and x is not 0, there is such a vector z.",
+         "general mathematics"),
+    BOUNDED_MONOTONE,
+    Assumption("open-condition", THEOREM,
+         "Finitely many strict inequalities between continuous functions describe an open set.",
+         "general mathematics"),
+    GLUE_NEXT,
+    Assumption("glue-collapse", THEOREM,
+         "2. By induction on n there is an n-th collision: the states up to it are those of real "
+         "vectors, so that always applies to them, and glue-next gives the next one. So the "
+         "collisions go on for ever, first 0-2, then 0-1 and 0-2 in turn; their times increase, by "
+         "tau-positive, and are at most T*, by time-total, so that they converge: infinitely many "
+         "collisions in finite time.", "numbered glue"),
+    Assumption("glue-angle", THEOREM,
+         "3. -cos θ_n + d_n + β g_n falls and -cos θ_n - d_n - β g_n rises, by "
+         "angle-monotone-upper and angle-monotone-lower; both are bounded, as -cos θ_n is a cosine "
+         "and d_n and g_n = C_η^n g_0 tend to 0, by distance-speed, Cnd2 and C_eta-below-one; so "
+         "-cos θ_n converges. The relative velocities are bounded, by A-below and B-below, and the "
+         "times converge, so that the relative positions converge, and the limit is that of the "
+         "angle at the time of the collapse. It is within δ_θ of -cos θ_0 by angle-final-upper and "
+         "angle-final-lower.", "numbered glue"),
+    Assumption("glue-interior", "EQUATSS4.1DescrDoIniColla",
+         "4. By the rows named inside-... a configuration satisfies all inequalities of the "
+         "initial set strictly; vectors for it exist by at-angle, room-c and room-s. Take the data "
+         "with |x_1 - x_0| > 1 from which free flight backwards reaches, after a time t > 0, a "
+         "first contact of 0 and 1 with η_s > 0, where the inequalities of the initial set are "
+         "strict and t < τ. As η_s > 0, t and the configuration at the contact depend continuously "
+         "on the datum; so these are finitely many strict inequalities between continuous "
+         "functions: an open set of data, not empty, from which the particles collapse.",
+         "numbered glue"),
 )  # fmt: skip

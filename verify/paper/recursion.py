@@ -1,8 +1,11 @@
-"""The recursion: the conditions at n give the conditions at n + 1.
+"""The recursion: the conditions at n give the conditions at n + 1; and what follows from it.
 
 Each row is judged at the worst state that the conditions at n allow: -eta_{c,n} = eta_bar,
 zeta_n = zeta_bar, |x_n| = delta_x, |y_n| = delta_y, |W|^2 anywhere in [V_0, V_1], d_n up to the
 larger of d_bar and 3 (V_1^{1/2}/V_0) eta_bar.
+
+The conclusion stands at the end: infinitely many collisions, in finite time, with the announced
+final angle.
 """
 
 from __future__ import annotations
@@ -13,7 +16,7 @@ from fractions import Fraction
 from verify.language.statement import Obligation
 from verify.language.terms import Claim, Term, as_term, maximum, minimum, sqrt
 from verify.paper.initial_data import D_0, ETA, ZETA, ConstantSet
-from verify.paper.parameters import V_0, c, r
+from verify.paper.parameters import THEOREM, V_0, c, delta_theta, r
 from verify.paper.preliminaries import (
     C_eta,
     alpha_0,
@@ -466,4 +469,26 @@ def _y(k: ConstantSet) -> Iterator[Obligation]:
         k.row("y-sum", CND10, "|y_{n+1}| ≤ 4 · h₄δ_x/8 + (1-h₄/2)δ_x = δ_x",
             eighth + eighth + eighth + eighth + (1 - h_4 / 2) * k.delta_x <= k.delta_y,
             ["law-eta-c", "y-step"]),
+    )  # fmt: skip
+
+
+# --- conclusion -----------------------------------------------------------------------------------
+
+
+def conclusion(k: ConstantSet) -> Iterator[Obligation]:
+    """Yield what the theorem claims beyond the recursion; the paper leaves these steps out."""
+    yield from (
+        k.row("eta_s-stays-positive",    THEOREM,
+            "η_{s,n+1} ≥ r√(1-ζ̄)(-η_{c,n}) > 0: the pair that just met separates",
+            0 < r * sqrt(1 - k.zeta_bar), ["law-eta-s", "collision-map"]),
+        k.row("distance-stays-positive", THEOREM,
+            "the set leaves room for d₀ > 0, which the model asks for, and then d_{n+1} > 0",
+            0 < k.d_bar, ["distance", "law-eta-s", "time", "induction"]),
+        k.row("final-angle",             THEOREM,
+            "|(-cos θ̄) - (-cos θ₀)| ≤ δ_θ for the final angle", k.drift <= delta_theta,
+            ["angle-step", "induction"], if_false=BREAKS),
+        k.row("collapse-time",           THEOREM,
+            "the collapse time Σ τ_n ≤ 2η̄ζ̄/(V₀(1-C_η)) ≤ T* is finite",
+            2 / (V_0 * (1 - C_eta)) * k.eta_bar * k.zeta_bar <= k.T_star,
+            ["time", "induction", "collision-map", "collision-map-roles"]),
     )  # fmt: skip

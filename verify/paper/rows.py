@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from verify.language.record import Record
 from verify.language.statement import NEEDED, PRINTED, Always, Applies, Obligation
 from verify.language.terms import Claim
 
@@ -21,6 +22,20 @@ HARMLESS = "false, but harmless here"
 SLIP = "slip of wording"
 
 SEVERITIES = (BREAKS, HARMLESS, SLIP)
+
+
+class Cause(Record):
+    """What is wrong, once, with the names of all rows that show it."""
+
+    rows: tuple[str, ...]
+    text: str
+
+
+class Remark(Record):
+    r"""A sentence about the text near one of the paper's ``\label``s."""
+
+    label: str
+    text: str
 
 
 def needed(

@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from functools import cache
 
-from verify.language.record import TYPE_CHECKING, Record
-from verify.language.statement import Assumption, Choice, Constant, Obligation
-from verify.paper import conclusion, initial_data, initialization, preliminary_rows, recursion
+from verify.language.record import Record
+from verify.language.statement import Assumption, Change, Choice, Constant, Obligation
+from verify.paper import initial_data, initialization, recursion
 from verify.paper.assumptions import ASSUMPTIONS
 from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
-from verify.paper.hypotheses import hypotheses
+from verify.paper.hypotheses import hypotheses, observations
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import PARAMETERS, THEOREM
 from verify.paper.preliminaries import CONSTANTS
-
-if TYPE_CHECKING:
-    from verify.language.statement import Change
-    from verify.paper.causes import Cause
-    from verify.paper.remarks import Remark
+from verify.paper.printed_definitions import check_definitions
+from verify.paper.rows import Cause, Remark
 
 
 class Part(Record):
@@ -48,32 +45,38 @@ class Theorem(Record):
     @property
     def changes(self) -> tuple[Change, ...]:
         """What the repaired set changes."""
-        from verify.paper.changes import CHANGES  # texts are loaded where they are shown
+        from verify.paper.commentary import CHANGES  # texts are loaded where they are shown
 
         return CHANGES
 
     @property
     def causes(self) -> tuple[Cause, ...]:
         """Why rows of the printed set are refuted."""
-        from verify.paper.causes import CAUSES
+        from verify.paper.commentary import CAUSES
 
         return CAUSES
 
     @property
     def remarks(self) -> tuple[Remark, ...]:
         """Remarks on the text, where no inequality decides."""
-        from verify.paper.remarks import REMARKS
+        from verify.paper.commentary import REMARKS
 
         return REMARKS
 
 
 @cache
 def theorem() -> Theorem:
-    """The theorem, built once per process."""
-    sections = (preliminary_rows, initial_data, initialization, recursion, conclusion)
+    """The theorem, built once per process.
+
+    Raises:
+        OwnError: if a constant is not defined as in the paper.
+    """
+    first = (observations, initial_data.rows, initialization.rows)
+    sections = (*first, recursion.rows, recursion.conclusion)
     parts = {HYPOTHESES: Part(HYPOTHESES, (), tuple(hypotheses()))}
     for group in (PRINTED, REPAIRED):
         k = ConstantSet(group)
-        rows = tuple(row for section in sections for row in section.rows(k))
+        rows = tuple(row for section in sections for row in section(k))
         parts[group] = Part(group, tuple(k.constants()), rows)
+    check_definitions((*CONSTANTS, *parts[PRINTED].bounds))
     return Theorem(THEOREM, PARAMETERS, CONSTANTS, parts, ASSUMPTIONS)

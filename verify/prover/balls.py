@@ -12,15 +12,12 @@ import operator
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from fractions import Fraction
+from typing import Any
 
 from flint import arb, ctx, fmpq
 
-from verify.language.record import TYPE_CHECKING
 from verify.prover.decimals import round_decimal
 from verify.prover.program import UndefinedError
-
-if TYPE_CHECKING:
-    from typing import Any
 
 Ball = arb
 #: Of two: larger powers are not written down.

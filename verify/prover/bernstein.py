@@ -27,11 +27,7 @@ def bernstein(goal: Goal) -> Sum | None:
         return None
     ((name, bounds),) = goal.variables.items()
     clearing = Clearing((lhs, rhs), {symbol(n): term for n, term in goal.definitions.items()})
-    if "=" in (bounds.low_relation, bounds.high_relation):
-        return None  # an equation is no number >= 0
-    if bounds.ends is None or bounds.ends[0] >= bounds.ends[1]:
-        return None  # the goal would be multiplied by 0
-    if [atom.args for atom in clearing.atoms] != [(name,)]:
+    if bounds.interval is None or [atom.args for atom in clearing.atoms] != [(name,)]:
         return None
     polynomial = _coefficients(clearing.difference(rhs, lhs))
     values = _degree(polynomial, bounds, strict=relation == "<")

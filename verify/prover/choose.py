@@ -4,15 +4,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from verify.language.record import TYPE_CHECKING
 from verify.language.statement import Choice, Constant
 from verify.language.terms import Term, as_term
 from verify.prover import balls
 from verify.prover.decimals import round_decimal
 from verify.prover.ground import Ground
-
-if TYPE_CHECKING:
-    pass
 
 #: Chosen constants are rounded to this many significant decimal digits.
 CHOSEN_DIGITS = 3

@@ -26,6 +26,17 @@ class Bounds(Record):
         """Both numbers, if there are both."""
         return None if self.low is None or self.high is None else (self.low, self.high)
 
+    @property
+    def interval(self) -> tuple[Fraction, Fraction] | None:
+        """Both numbers, if they are different, and facts say that they are bounds.
+
+        Polynomials are written with the distances from both, over the distance between the two;
+        an equation is no number >= 0.
+        """
+        if self.low is None or self.high is None or self.low >= self.high:
+            return None
+        return None if "=" in (self.low_relation, self.high_relation) else (self.low, self.high)
+
 
 class Goal(Record):
     """A claim that is to be proved for all values in a context.

@@ -6,64 +6,22 @@ Nothing here is trusted. What is found is written down as the steps of a certifi
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from fractions import Fraction
 
-from verify.language.record import TYPE_CHECKING
-from verify.language.statement import (
-    PROVED,
-    REFUTED,
-    UNDECIDED,
-    Constant,
-    Obligation,
-)
-from verify.language.terms import Claim, Term
-from verify.prover import balls
-from verify.prover.decimals import enclosing_decimals
-from verify.prover.outcome import Decision, Enclosure, Ends, Judgement
-from verify.prover.program import ExactArithmetic, Machine, Program, Run
+from verify.language.statement import PROVED, REFUTED, UNDECIDED, Obligation
+from verify.language.terms import Claim
+from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Constants
+from verify.prover.outcome import Decision, Enclosure, Judgement
 from verify.prover.proof import Proof
-from verify.prover.relations import fails, holds, negation
+from verify.prover.relations import negation
 from verify.prover.rules import Interval
-from verify.prover.session import ZERO, Session
-
-if TYPE_CHECKING:
-    from typing import Any
-
-    from verify.prover.tight import Tight
-
-DEFAULT_PRECISION = 128
-DEFAULT_MAX_PRECISION = 1 << 16
-
-#: More bits than the precision that is asked for, so that enclosures have as many.
-GUARD_BITS = 64
-
-#: More bits for the checker, whose intervals may be a little wider than balls.
-CHECKER_BITS = 32
-
-MAX_BITS = 1 << 16
-
-#: A value that has no reliable bits with this precision is taken for zero: its enclosure is narrow.
-ZERO_BITS = 4096
-
-
-#: Enclosures are written with this many digits, which come from at least this many relative bits,
-#: so that every version of FLINT agrees on them.
-DIGITS = 27
-RELIABLE_BITS = 128
+from verify.prover.session import Session
 
 #: The judge of what balls or exact values decide, and of what algebra does.
 FLINT, ALGEBRA = "FLINT at a point", "algebra at a point"
-_JUDGEMENTS = {(v, by): Judgement(v, by) for v in (PROVED, REFUTED) for by in (FLINT, ALGEBRA)}
 
 
-class Ground:
-    """Decides claims over constants that are defined one after another.
-
-    Args:
-        session: where the steps are written down.
-        start_bits: the first precision tried.
-        max_bits: the last one.
-    """
+class Ground(Constants):
+    """Decides claims over constants: by enclosures, and where they do not decide by algebra."""
 
     def __init__(
         self,
@@ -71,15 +29,8 @@ class Ground:
         start_bits: int = DEFAULT_PRECISION,
         max_bits: int = DEFAULT_MAX_PRECISION,
     ) -> None:
-        self.session = session
-        self.start_bits, self.max_bits = start_bits, max_bits
-        self.definitions: dict[str, Term] = {}
-        self._program = Program(())
-        self._balls: dict[int, Run] = {}
-        self._enclosed: dict[Term, tuple[int, Ends] | None] = {}
+        super().__init__(session, start_bits, max_bits)
         self._decided: dict[Claim, tuple[str, Proof | None]] = {}
-        self._exact = Machine(self._program, ExactArithmetic()).run(())
-        self._small = Machine(self._program, ExactArithmetic(RELIABLE_BITS)).run(())
 
     def mark(self) -> Callable[[], None]:
         """What forgets the decisions from now on, whose lemmas may be gone."""
@@ -89,98 +40,6 @@ class Ground:
             self._decided = decided
 
         return undo
-
-    # --- values ---------------------------------------------------------------------------------
-
-    def define(self, constant: Constant) -> bool:
-        """Add a constant over names defined before; False if no precision shows its value."""
-        self.definitions[constant.name] = constant.term
-        self._program.define(constant.name, constant.term)
-        bits = self.defined_at(constant.term)
-        if bits is not None:
-            self.session.constant(constant, Interval(bits))
-        return bits is not None
-
-    def defined_at(self, term: Term) -> int | None:
-        """A precision at which the checker sees that a term has a value."""
-        for bits in self.ladder():
-            if self.ball(term, bits) is not None:
-                return _for_checker(bits)
-        return None
-
-    def ball(self, term: Term, bits: int) -> Any:
-        """The ball of a term at this precision, or None where it may be undefined."""
-        working = bits + GUARD_BITS
-        run = self._balls.get(working)
-        slot = self._program.known(term)
-        if run is not None and slot is not None and slot < len(run.values):
-            return run.values[slot]
-        with balls.precision(working):
-            if run is None:
-                machine = Machine(self._program, balls.BallArithmetic())
-                run = self._balls[working] = machine.run(())
-            return run[term]
-
-    def compile(self, claims: Iterable[Claim]) -> None:
-        """Compile many claims, so that the first value that is asked for computes all of them."""
-        for claim in claims:
-            self._program.add(claim.lhs)
-            self._program.add(claim.rhs)
-
-    def exact(self, term: Term) -> Fraction | None:
-        """The value of a term where it is computed within the rational numbers."""
-        value = self._exact[term]
-        return value if isinstance(value, Fraction) else None
-
-    def ladder(self) -> Iterator[int]:
-        """The precisions to try: from the first, doubled, up to the last."""
-        bits = self.start_bits
-        while bits < self.max_bits:
-            yield bits
-            bits *= 2
-        yield self.max_bits
-
-    def sign(self, term: Term) -> int:
-        """1 or -1 for a term that is proved positive or negative, else 0."""
-        for bits in self.ladder():
-            ball = self.ball(term, bits)
-            if ball is not None and (found := balls.strict_sign(ball)):
-                return found
-            if self.exact(term) == 0:
-                return 0
-        return 0
-
-    # --- enclosures for people ------------------------------------------------------------------
-
-    def enclose(self, *terms: Term) -> Enclosure | None:
-        """Decimal ends around values, outside those that the checker will compute."""
-        reached, found = 0, []
-        for term in terms:
-            result = self._enclose(term)
-            if result is None:
-                return None
-            reached = max(reached, result[0])
-            found.append(result[1])
-        return Enclosure(reached, tuple(found))
-
-    def _enclose(self, term: Term) -> tuple[int, Ends] | None:
-        if term not in self._enclosed:
-            self._enclosed[term] = self._find_enclosure(term)
-        return self._enclosed[term]
-
-    def _find_enclosure(self, term: Term) -> tuple[int, Ends] | None:
-        small, best = self._small[term], None
-        if small is not None:
-            n, d = small.numerator, small.denominator
-            return _for_checker(self.start_bits), enclosing_decimals(n, n, d, DIGITS)
-        for bits in self.ladder():
-            ball = self.ball(term, bits)
-            if ball is not None and ball.is_finite():
-                wide = balls.widened_ends(ball, RELIABLE_BITS - 4)
-                best = _for_checker(bits), enclosing_decimals(*wide, DIGITS)
-                if balls.accuracy_bits(ball) >= RELIABLE_BITS or bits >= ZERO_BITS:
-                    break
-        return best
 
     # --- decisions ------------------------------------------------------------------------------
 
@@ -203,7 +62,8 @@ class Ground:
                 return Decision(UNDECIDED)
         self.session.prove_row(row, proof, holds=verdict == PROVED)
         by = FLINT if isinstance(proof, Interval) else ALGEBRA
-        return Decision(verdict, proof, sides, _JUDGEMENTS[verdict, by])
+        judged = Judgement(verdict, by, claim, row.context, self.definitions)
+        return Decision(verdict, proof, sides, judged)
 
     def prove(self, claim: Claim) -> tuple[str, Proof | None]:
         """A verdict with its proof; the lemmas that it needs are written down.
@@ -217,92 +77,45 @@ class Ground:
 
     def _prove(self, claim: Claim) -> tuple[str, Proof | None]:
         bits = self.start_bits
-        found = self._decide_at(claim, bits)
+        found = self.decide_at(claim, bits)
         if found is None:
             found = self._decide_tight(claim, bits)
         for bits in self.ladder():
             if found is not None:
                 return found
-            found = self._decide_at(claim, bits)
+            found = self.decide_at(claim, bits)
         return found or (UNDECIDED, None)
-
-    def _decide_at(self, claim: Claim, bits: int) -> tuple[str, Proof] | None:
-        """What the enclosures at one precision, or exact values, decide."""
-        verdict = self._compare(claim, bits)
-        if verdict is not None:
-            return verdict, Interval(_for_checker(bits))
-        a, b = self.exact(claim.lhs), self.exact(claim.rhs)
-        if a is not None and b is not None:
-            verdict = PROVED if holds(claim.relation, a, b) else REFUTED
-            return verdict, Interval(MAX_BITS)
-        return None
 
     def _decides_by(self, claim: Claim, bits: int) -> bool:
         """Whether enclosures decide at a higher precision, so that no algebra is needed."""
-        return bits <= self.max_bits and self._compare(claim, bits) is not None
+        return bits <= self.max_bits and self.compare(claim, bits) is not None
 
     def _decide_tight(self, claim: Claim, bits: int) -> tuple[str, Proof] | None:
-        """What algebra decides, if that is not too long."""
+        """What algebra decides, if that is not too long.
+
+        Names are replaced at first; then nested roots, or cosines, are shown to be equal.
+        """
         from verify.prover.clearing import TooLongError  # loaded only where they are needed
         from verify.prover.tight import TIGHT_BITS, Tight
 
         if self._decides_by(claim, TIGHT_BITS):
             return None
+        tight = Tight(self, bits)
         try:
-            return self._decide_algebraically(claim, Tight(self, bits))
+            found = _first(claim, tight.prove)
+            if found is None:
+                from verify.prover.search.algebraic import Algebraic  # loaded only where needed
+
+                found = _first(claim, lambda wanted: Algebraic(tight).prove(wanted))
         except TooLongError:
             return None
-
-    def _decide_algebraically(self, claim: Claim, tight: Tight) -> tuple[str, Proof] | None:
-        """What replacing names, or the equality of nested roots or of cosines, decides."""
-        found = _first(claim, tight.prove)
-        if found is None:
-            from verify.prover.search.algebraic import Algebraic  # loaded only where it is needed
-
-            found = _first(claim, lambda wanted: Algebraic(tight).prove(wanted))
         return found
-
-    def lemma(self, claim: Claim) -> str | None:
-        """The name of a fact, known or proved by enclosures or exact values; None if it is not."""
-        known = self.session.known(claim, None)
-        if known is not None:
-            return known
-        for bits in self.ladder():
-            found = self._decide_at(claim, bits)
-            if found is not None:
-                verdict, proof = found
-                return self.session.lemma(claim, proof) if verdict == PROVED else None
-        return None
-
-    def positive(self, term: Term) -> str | None:
-        """The name of the fact that a term is positive, if it is."""
-        return self.lemma(Claim("<", ZERO, term))
-
-    def _compare(self, claim: Claim, bits: int) -> str | None:
-        """The verdict that the enclosures of the two sides give, if any."""
-        lhs, rhs = self.ball(claim.lhs, bits), self.ball(claim.rhs, bits)
-        if lhs is None or rhs is None:
-            return None
-        if holds(claim.relation, lhs, rhs):
-            return PROVED
-        return REFUTED if fails(claim.relation, lhs, rhs) else None
-
-    def holds_at(self, claim: Claim, bits: int) -> bool:
-        """Whether the enclosures at one precision, or exact values, prove the claim."""
-        if self._compare(claim, bits) == PROVED:
-            return True
-        a, b = self.exact(claim.lhs), self.exact(claim.rhs)
-        return a is not None and b is not None and holds(claim.relation, a, b)
-
-    def may_hold(self, claim: Claim, bits: int) -> bool:
-        """False if the enclosures refute the claim."""
-        return self._compare(claim, bits) != REFUTED
 
 
 class Enclosures(Mapping[str, Enclosure]):
     """The enclosures of some names that have one, each found when it is asked for."""
 
-    def __init__(self, ground: Ground, names: Iterable[str]) -> None:
+    def __init__(self, ground: Constants, names: Iterable[str]) -> None:
         self._ground, self._names = ground, tuple(names)
 
     def __getitem__(self, name: str) -> Enclosure:
@@ -316,10 +129,6 @@ class Enclosures(Mapping[str, Enclosure]):
 
     def __len__(self) -> int:
         return sum(1 for _ in self)
-
-
-def _for_checker(bits: int) -> int:
-    return min(bits + GUARD_BITS + CHECKER_BITS, MAX_BITS)
 
 
 def _first(claim: Claim, prove: Callable[[Claim], Proof | None]) -> tuple[str, Proof] | None:

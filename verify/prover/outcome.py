@@ -1,28 +1,33 @@
 """What is claimed of a statement's rows, the steps that are to prove it, and who has judged it.
 
 Whoever searches for a proof, or writes one down, makes claims: an outcome in which every verdict is
-undecided. A `Judgement` gives a claim its verdict. Only judges make judgements: the checker (see
-`verify.wire.judge`) and the decision procedures that are named with the verdict.
+undecided. A `Judgement` gives a claim its verdict, and holds that claim: an outcome drops one about
+another claim. Only judges make judgements: the checker (see `verify.wire.judge`) and the decision
+procedures that are named with the verdict.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
+from typing import Any
 
-from verify.language.record import Record
+from verify.language.record import TYPE_CHECKING, Record
 from verify.language.statement import (
     NEEDED,
     PRINTED,
     PROVED,
     REFUTED,
     UNDECIDED,
+    Always,
+    Applies,
     Assumption,
     Obligation,
     Statement,
 )
-from verify.language.terms import Term
+from verify.language.terms import Claim, Term
 from verify.prover.proof import Proof, Step
+from verify.prover.rules import RULES
 
 Ends = tuple[Fraction, Fraction]
 
@@ -37,10 +42,16 @@ class Enclosure(Record):
 
 
 class Judgement(Record):
-    """A verdict, and the judge that gives it."""
+    """A verdict, the judge that gives it, and the claim about which it is given.
+
+    ``names`` has what the names in the claim stood for, as in `names_in`.
+    """
 
     verdict: str
     by: str
+    claim: Claim | Applies | Always
+    context: str | None
+    names: Mapping[str, Any]
 
 
 class Decision(Record):
@@ -75,8 +86,6 @@ class Decision(Record):
     @property
     def method(self) -> str:
         """The rule that shows it, or nothing."""
-        from verify.prover.rules.table import RULES  # loaded only where it is used
-
         return "" if self.proof is None else RULES[type(self.proof)][0]
 
     @property
@@ -85,11 +94,45 @@ class Decision(Record):
         return getattr(self.proof, "at", {}) if self.method == "witness" else {}
 
 
+def names_in(statement: Statement) -> dict[str, Any]:
+    """What the names in a statement stand for: terms, contexts, and the files that it cites."""
+    names: dict[str, Any] = dict(statement.parameters)
+    names.update((constant.name, constant.term) for constant in statement.constants)
+    names.update((context.name, context) for context in statement.contexts)
+    names.update((cite.name, cite.content) for cite in statement.cites)
+    return names
+
+
+def _about(statement: Statement, decisions: Mapping[str, Decision]) -> Mapping[str, Decision]:
+    """The decisions, without the judgements of other claims than those of the statement's rows."""
+    rows, now = {row.name: row for row in statement.obligations}, names_in(statement)
+    same: dict[int, bool] = {}  # by the tables of names that judges share
+
+    def is_about(judged: Judgement, row: Obligation | None) -> bool:
+        names = judged.names
+        if id(names) not in same:
+            same[id(names)] = all(names.get(name, what) == what for name, what in now.items())
+        return (
+            row is not None
+            and judged.claim == row.claim
+            and judged.context == row.context
+            and same[id(names)]
+        )
+
+    others = {
+        name: found._replace(judged=None)
+        for name, found in decisions.items()
+        if found.judged is not None and not is_about(found.judged, rows.get(name))
+    }
+    return {**decisions, **others} if others else decisions
+
+
 class Outcome(Record):
     """A statement in which every obligation has a decision.
 
-    ``steps`` are those of the certificate, in order; ``enclosures`` has each parameter and each
-    constant without variables; ``spent`` says what precision or work did not suffice for.
+    What was judged of another claim than the row's is judged by nobody. ``steps`` are those of the
+    certificate, in order; ``enclosures`` has each parameter and each constant without variables;
+    ``spent`` says what precision or work did not suffice for.
     """
 
     statement: Statement
@@ -153,6 +196,16 @@ class Outcome(Record):
     def _used_by(self, role: str) -> set[str]:
         rows = self.statement.obligations
         return {name for row in rows if row.role == role for name in row.uses}
+
+
+if not TYPE_CHECKING:  # which takes a record for a NamedTuple, and those may not have this
+
+    def _tied(cls, *values, **named):
+        """An outcome in which each judgement is about the row of its name."""
+        statement, decisions, *others = Record.__new__(cls, *values, **named)
+        return Record.__new__(cls, statement, _about(statement, decisions), *others)
+
+    Outcome.__new__ = _tied
 
 
 def conjunction(decisions: Iterable[Decision]) -> str:

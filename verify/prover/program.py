@@ -10,14 +10,9 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 from math import isqrt
 from operator import add, mul, neg, sub
+from typing import Any, Protocol
 
-from verify.language.record import TYPE_CHECKING
 from verify.language.terms import Term
-
-if TYPE_CHECKING:
-    from typing import Any, Protocol
-else:
-    Protocol = object
 
 
 class UndefinedError(ArithmeticError):

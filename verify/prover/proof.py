@@ -8,12 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from enum import Enum
+from typing import Any
 
-from verify.language.record import TYPE_CHECKING, Record
+from verify.language.record import Record
 from verify.language.terms import Claim, Term
-
-if TYPE_CHECKING:
-    from typing import Any
 
 #: A number that is >= 0 for all values in scope: a rational or the name of a fact as a text,
 #: "goal", or a tuple: ("add" | "mul", value, …), ("pow", value, exponent), ("square" | "root",
@@ -38,7 +36,7 @@ class Kind(Enum):
 Kinds = Mapping[str, Kind]
 
 #: A proof of a claim by one rule: a value of one of the classes in `verify.prover.rules`.
-Proof = tuple["Any", ...]
+Proof = tuple[Any, ...]
 
 #: What shows that a given holds: the name of a fact, or a proof.
 Premise = str | Proof

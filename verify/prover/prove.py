@@ -8,7 +8,8 @@ from collections.abc import Callable, Sequence
 from verify.language.statement import UNDECIDED, Constant, Obligation, Statement
 from verify.language.terms import Claim, names_of
 from verify.prover.budget import SpentError, WorkBudget
-from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Ground
+from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
+from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import Step
 from verify.prover.rows_in_contexts import RowsInContexts

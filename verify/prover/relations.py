@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
-from verify.language.record import TYPE_CHECKING, Record
+from verify.language.record import Record
 from verify.language.terms import Claim
-
-if TYPE_CHECKING:
-    from typing import Any
 
 #: What a claim comes to, in compiled code: the claim is certified, its negation is, or neither.
 HOLDS, FAILS, OPEN = 1, 2, 0

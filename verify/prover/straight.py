@@ -8,13 +8,10 @@ that it proves nothing.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
-from verify.language.record import TYPE_CHECKING
 from verify.language.terms import Claim, Term
 from verify.prover import balls
-
-if TYPE_CHECKING:
-    from typing import Any
 
 _INFIX = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 _METHODS = {"sqrt": "sqrt", "min": "min", "max": "max"}

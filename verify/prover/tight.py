@@ -12,15 +12,12 @@ by enclosures.
 
 from __future__ import annotations
 
-from verify.language.record import TYPE_CHECKING
 from verify.language.terms import Claim, Term, names_of, substitute_claim, symbol
 from verify.prover.clearing import Clearing, Polynomial
+from verify.prover.constants import Constants
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Entry, Interval, Sum
 from verify.prover.session import ZERO
-
-if TYPE_CHECKING:
-    from verify.prover.ground import Ground
 
 #: How many names are replaced at most; the longest proof that the paper needs replaces four.
 MAX_STEPS = 8
@@ -35,7 +32,7 @@ MAX_MONOMIALS = 200
 class Tight:
     """Proofs of claims of one relation `<=` (or of equations) at one precision."""
 
-    def __init__(self, ground: Ground, bits: int) -> None:
+    def __init__(self, ground: Constants, bits: int) -> None:
         self.ground, self.bits = ground, bits
         self.session = ground.session
 

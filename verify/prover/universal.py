@@ -95,24 +95,19 @@ class Universal:
                 return claim in earlier
             return self.fact(claim, context.parent) is not None
 
-        def is_defined(part: Term) -> bool:
-            if part.op == "div":
-                divisor = part.children[1]
-                if divisor.op == "rational":
-                    return bool(divisor.value != 0)
-                return is_known("<", divisor) or is_known("<", -divisor)
-            if part.op == "sqrt":
-                radicand = part.children[0]
-                if radicand.op == "rational":
-                    return bool(radicand.value >= 0)
-                return is_known("<", radicand) or is_known("<=", radicand)
-            return True
-
         for given in context.givens:
-            if not all(map(is_defined, parts_of(given.claim.lhs, given.claim.rhs))):
+            if not is_defined(given.claim, is_known):
                 return False
             earlier.add(given.claim)
         return True
+
+    def is_cleared(self, claim: Claim, context: str | None) -> bool:
+        """Whether each divisor and radicand in a claim has the fact that it needs by now."""
+
+        def is_known(relation: str, term: Term) -> bool:
+            return self.session.known(Claim(relation, ZERO, term), context) is not None
+
+        return is_defined(claim, is_known)
 
     def define(self, constant: Constant, context: str) -> bool:
         """Add a constant of a context; False if its value is not seen to be defined."""
@@ -239,6 +234,22 @@ class Universal:
         if name not in self.ground.definitions:
             return None
         return self.ground.ball(Term("symbol", name), bits)
+
+
+def is_defined(claim: Claim, is_known: Callable[[str, Term], bool]) -> bool:
+    """Whether it is known of each divisor that it is not 0, and that no radicand is negative."""
+
+    def is_fit(part: Term) -> bool:
+        if part.op not in ("div", "sqrt"):
+            return True
+        number = part.children[-1]
+        if number.op == "rational":
+            return bool(number.value != 0 if part.op == "div" else number.value >= 0)
+        if is_known("<", number):
+            return True
+        return is_known("<", -number) if part.op == "div" else is_known("<=", number)
+
+    return all(map(is_fit, parts_of(claim.lhs, claim.rhs)))
 
 
 def with_constants(context: Context, at: Mapping[str, Term]) -> dict[str, Term]:

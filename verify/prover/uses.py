@@ -18,7 +18,7 @@ from verify.prover.proof import (
     OpenStep,
     Proof,
 )
-from verify.prover.rules.table import RULES
+from verify.prover.rules import RULES
 
 #: Values of sums that are no names of facts.
 _NO_FACTS = ("goal", "add", "mul", "pow", "square", "root")

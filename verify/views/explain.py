@@ -26,8 +26,8 @@ from verify.prover.rules import (
     Root,
     Sum,
     Witness,
+    rule_of,
 )
-from verify.prover.rules.table import rule_of
 from verify.prover.uses import Node, nodes
 from verify.views.plain import plain_letters
 from verify.views.words import letters, short_name, sides_of

@@ -14,8 +14,8 @@ from hashlib import sha256
 
 from verify import check
 from verify.language.errors import OwnError, UnreadError
-from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED
-from verify.prover.outcome import Decision, Judgement, Outcome
+from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Obligation
+from verify.prover.outcome import Decision, Judgement, Outcome, names_in
 from verify.wire.read import read
 from verify.wire.write import write
 
@@ -68,13 +68,15 @@ def report_on(outcome: Outcome) -> check.Report:
 
 def with_verdicts(outcome: Outcome, report: check.Report) -> Outcome:
     """The outcome with the verdicts in a report on its certificate, and with no others."""
+    names = names_in(outcome.statement)
 
-    def decided(name: str, found: Decision) -> Decision:
-        verdict = report.rows.get(name, UNDECIDED)
+    def decided(row: Obligation, found: Decision) -> Decision:
+        verdict = report.rows.get(row.name, UNDECIDED)
         shown = verdict == found.claimed != UNDECIDED
-        return found._replace(judged=Judgement(verdict, CHECKER) if shown else None)
+        judgement = Judgement(verdict, CHECKER, row.claim, row.context, names)
+        return found._replace(judged=judgement if shown else None)
 
-    decisions = {name: decided(name, found) for name, found in outcome.decisions.items()}
+    decisions = {row.name: decided(row, found) for row, found in outcome.rows}
     return outcome._replace(decisions=decisions)
 
 

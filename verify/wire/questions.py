@@ -83,7 +83,7 @@ class Reading:
 
     def __init__(self, statement: Statement) -> None:
         self._statement = statement
-        cited = {digest(cite.content): cite.content for cite in _all_cites(statement.cites)}
+        cited = {digest(cite.content): cite.content for cite in all_cites(statement.cites)}
         try:
             self._content = write(_claims(statement, ()))["statement.json"]
         except RecursionError as error:
@@ -139,8 +139,9 @@ def _claims(statement: Statement, steps: Sequence[Step]) -> Outcome:
     return Outcome(statement, decisions, tuple(steps), {})
 
 
-def _all_cites(cites: Sequence[Cite]) -> list[Cite]:
-    return [found for cite in cites for found in (cite, *_all_cites(cite.cites))]
+def all_cites(cites: Sequence[Cite]) -> list[Cite]:
+    """The citations, and those in what is cited."""
+    return [found for cite in cites for found in (cite, *all_cites(cite.cites))]
 
 
 def _document(content: bytes, cited: Mapping[str, bytes]) -> dict[str, Any]:

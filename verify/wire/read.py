@@ -30,7 +30,7 @@ from verify.prover.proof import (
     OpenStep,
     Step,
 )
-from verify.prover.rules.table import RULES
+from verify.prover.rules import RULES
 from verify.wire.packaged import packaged_files
 from verify.wire.term_json import TermReader, WireError
 from verify.wire.write import CERTIFICATE_FORMAT

@@ -32,7 +32,7 @@ from verify.prover.proof import (
     OpenStep,
     Step,
 )
-from verify.prover.rules.table import RULES
+from verify.prover.rules import RULES
 from verify.wire.term_json import TermWriter
 
 STATEMENT_FORMAT = "verify-statement/2"

@@ -13,8 +13,8 @@ import pytest
 from verify import check
 from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Always, Obligation
 from verify.language.terms import Claim, Term, as_term, names_of, substitute
-from verify.paper.classification import state
-from verify.paper.classification.theorem import SECTIONS, classification
+from verify.paper.classification import run as state
+from verify.paper.classification.classification import SECTIONS, classification
 from verify.paper.commands.classification import decide_classification
 from verify.paper.commands.regenerate import is_right_statement
 from verify.prover.outcome import Outcome

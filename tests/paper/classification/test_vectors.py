@@ -11,7 +11,7 @@ import pytest
 from tests.paper.step.states import BITS, checker, evaluate
 from verify.language.terms import Claim
 from verify.paper.classification import collision, impulse, state
-from verify.paper.classification.theorem import classification
+from verify.paper.classification.classification import classification
 from verify.prover import balls
 
 Vector = list[Any]

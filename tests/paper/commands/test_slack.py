@@ -7,7 +7,7 @@ from verify.measure.slack import SOME, slack_table
 from verify.paper.commands.everywhere import decide_everywhere
 from verify.paper.commands.slack import POINT, find_slack, stronger
 from verify.paper.everywhere.chart import CONTEXT
-from verify.paper.everywhere.redundant import values_at
+from verify.paper.everywhere.everywhere import values_at
 from verify.prover.ground import Ground
 from verify.prover.session import Session
 

@@ -16,7 +16,7 @@ from verify.paper.commands.elsewhere import decide_elsewhere
 from verify.paper.commands.places import places
 from verify.paper.commands.regenerate import is_right_statement
 from verify.paper.elsewhere import aligned, mapping, nearly
-from verify.paper.elsewhere.theorem import SECTIONS, elsewhere, refutations
+from verify.paper.elsewhere.elsewhere import SECTIONS, elsewhere, refutations
 from verify.paper.numbering import printed_numbers
 from verify.paper.rows import BREAKS, HARMLESS, SLIP
 from verify.prover.outcome import Outcome

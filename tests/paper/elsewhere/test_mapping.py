@@ -16,9 +16,9 @@ from tests.paper.elsewhere.values import holds, value, with_constants
 from verify.language.statement import NEEDED
 from verify.language.terms import Claim, Term
 from verify.language.vectors import scale
-from verify.paper.classification.settings import minus
 from verify.paper.elsewhere import mapping
-from verify.paper.elsewhere.theorem import elsewhere
+from verify.paper.elsewhere.elsewhere import elsewhere
+from verify.paper.letters import minus
 
 Vector = tuple[Fraction, Fraction, Fraction]
 SEEDS = range(25)

@@ -15,7 +15,7 @@ from verify.language.terms import Claim, Term
 from verify.paper.commands import everywhere, step
 from verify.paper.commands.everywhere import decide_everywhere
 from verify.paper.everywhere.chart import CONTEXT, constants
-from verify.paper.everywhere.theorem import statement
+from verify.paper.everywhere.everywhere import statement
 from verify.paper.groups import REPAIRED
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
@@ -76,6 +76,7 @@ def test_the_last_line_closes_the_citation(tmp_path_factory: pytest.TempPathFact
         assert (code, lines[-1].partition("; given ")[2].count("step:")) == (0, 8)
         path.unlink()
     code, lines = check.check_folders(check.read_folders(folders[:1]))
+    assert (code, lines[-1].partition("; given ")[2].count("step:")) == (3, 8)
     assert "which is not proved here" in lines[-1]
 
 

@@ -16,7 +16,7 @@ from verify.language.statement import NEEDED, PROVED, Applies, Cite, Context, Ob
 from verify.language.terms import Claim, Term, as_term, sqrt
 from verify.paper.commands.sharper import decide_sharper
 from verify.paper.sharper import numbers, state
-from verify.paper.sharper.theorem import sharper
+from verify.paper.sharper.sharper import sharper
 from verify.prover import balls
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, OpenStep, Step

@@ -13,7 +13,7 @@ from verify.language.statement import PROVED, REFUTED, Context, Statement
 from verify.language.terms import Claim, Term, as_term, names_of, symbol
 from verify.paper.commands.spectrum import decide_spectrum
 from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX, Printed
-from verify.paper.spectrum.theorem import statement
+from verify.paper.spectrum.spectrum import statement
 from verify.prover.outcome import Outcome
 from verify.prover.prove import prove
 

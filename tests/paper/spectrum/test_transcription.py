@@ -13,7 +13,7 @@ import sympy
 from tests.paper.spectrum.test_rows import to_sympy
 from verify.language.terms import Term
 from verify.paper.spectrum import characteristic, collision_matrices, cone, printed, real_root
-from verify.paper.spectrum.theorem import statement
+from verify.paper.spectrum.spectrum import statement
 
 SYMBOLS = {name: sympy.Symbol(name, real=True) for name in ("r", "x", "y", "t", "lambda")}
 TOKEN = re.compile(r"\\[a-z]+|[0-9]+|[a-z]|\S")

@@ -20,11 +20,11 @@ from flint import arb, fmpq
 from verify.language.statement import Constant
 from verify.language.terms import Claim, as_term
 from verify.paper.commands.theorem1 import decide_point
-from verify.paper.dynamics import impact
+from verify.paper.dynamics import model
 from verify.paper.parameters import PARAMETERS
 from verify.paper.step import numbers as numbers_of_the_step
 from verify.paper.step import state
-from verify.paper.step.theorem import step
+from verify.paper.step.step import step
 from verify.prover.program import ExactArithmetic, Machine, Program
 
 from . import second_estimates
@@ -321,7 +321,7 @@ def test_both_readings_have_the_same_law_of_collision(dimension: int) -> None:
             "e_omega": omega[axis], "n_0": dot(base, omega), "n_c": dot(v_c, omega),
             "s_0": dot(base, base), "s_c": dot(v_c, v_c),
         }  # fmt: skip
-        assert set(values) == set(impact.LETTERS)
+        assert set(values) == set(model.LETTERS)
         program = Program(values)
         for name, new in (("impact-velocity-s", q.m.W_s), ("impact-velocity-c", q.m.W_c)):
             sides = [program.add(side) for side in (rows()[name].lhs, rows()[name].rhs)]

@@ -19,10 +19,10 @@ from verify.language.terms import Claim, as_term
 from verify.paper.commands.step import decide_step
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.step import initial, numbers, state
-from verify.paper.step.theorem import step
+from verify.paper.step.step import step
 from verify.prover import balls
 from verify.prover.ground import Ground
-from verify.prover.outcome import Decision, Judgement, Outcome
+from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Step
 from verify.prover.rules import Sum
 from verify.views.words import headline
@@ -292,8 +292,8 @@ def test_the_step_does_not_apply_where_a_row_that_it_needs_is_not_proved(
     def broken(ground: Ground, row: Obligation, *, all_sides: bool = True) -> Decision:
         found = honest(ground, row, all_sides=all_sides)
         return (
-            found._replace(judged=Judgement(verdict, "a test"))
-            if row.name == f"repaired.{name}"
+            found._replace(judged=found.judged._replace(verdict=verdict))
+            if found.judged and row.name == f"repaired.{name}"
             else found
         )
 

@@ -23,7 +23,7 @@ from verify.language.argument import (
 from verify.language.statement import Constant, Context
 from verify.language.terms import Term, as_term, equal, symbol
 from verify.language.vectors import Combination, add, basis_vector, scale
-from verify.paper.classification.settings import Letters, Space, minus
+from verify.paper.letters import Letters, Space, minus
 
 CONTEXT = "collision"
 LAW = "EQUATSS2.1VitesPost-Colli"

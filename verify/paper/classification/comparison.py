@@ -26,7 +26,7 @@ from verify.language.argument import (
 )
 from verify.language.statement import Always
 from verify.language.terms import equal, sqrt, substitute_claim
-from verify.paper.classification.settings import Letters
+from verify.paper.letters import Letters
 
 EXISTENCE = "EQUATSS3.4ZKCl1CondiExist"
 TEXT = "SSSCT3.4.2LineaZhou-Kadan"

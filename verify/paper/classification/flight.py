@@ -22,7 +22,7 @@ from verify.language.argument import (
 )
 from verify.language.statement import Context
 from verify.language.terms import Claim, Number, Term, as_term, equal, substitute_claim
-from verify.paper.classification.settings import Letters
+from verify.paper.letters import Letters
 
 CONTEXT = "flight"
 LABEL = "EQUATSS2.1_Loi_de_Newton_"

@@ -12,7 +12,7 @@ from fractions import Fraction
 from verify.language.argument import Chapter, Item, Line, Opened, identity, plus, proof, times
 from verify.language.statement import Given, Obligation, Variable
 from verify.language.terms import Term, as_term, equal
-from verify.paper.classification.settings import Letters
+from verify.paper.letters import Letters
 from verify.paper.rows import SLIP, misprint
 from verify.paper.spectrum.collision_matrices import A_A, A_B
 from verify.paper.spectrum.cone import NORMAL_12

@@ -1,8 +1,12 @@
-"""The whole system in the frame of its centre of mass: the total impulse is bounded for ever.
+"""The whole system in the frame of its centre of mass: the total impulse, and infinite time.
 
 Positions and velocities of all balls are two vectors with the inner product Sum m x.v. R and e are
 their lengths, A is their product. In free flight the one moves in a straight line, so that R is
-a distance like any other.
+a distance like any other. The total impulse is bounded for ever.
+
+If there are infinitely many collisions in infinite time, then A <= 0 always, and the impulses
+times their times have a finite sum. Q is the sum over the collisions so far of sigma t_n J_n, T the
+time. No integral is taken: the number Q + R^2/2 - T A never rises.
 """
 
 from __future__ import annotations
@@ -26,7 +30,7 @@ from verify.language.argument import (
 )
 from verify.language.terms import as_term, equal
 from verify.paper.classification import flight
-from verify.paper.classification.settings import Letters
+from verify.paper.letters import Letters
 
 LABEL = "PROPOSS3.2SommaCompNormlV"
 COLLAPSE = "DEFINSS3.1Collapse_Inelas"
@@ -157,3 +161,50 @@ def _spin() -> Iterator[Chapter]:
         Line("spin-length", s.X * s.V - s.s**2 <= s.X * s.V, proof(square(s.s)),
              LABEL, "|x∧v|² = |x|²|v|² - (x·v)² ≤ |x|²|v|²", ("cauchy-schwarz",)),
     ))  # fmt: skip
+
+
+HALF = Fraction(1, 2)
+
+i = Letters("inward", R="R", e="e", A="A", t="t", R_t="R(t)", T="T", Q="Σσ t_n J_n", R_0="R(0)",
+      hit="σ J")  # fmt: skip
+
+
+def endless() -> Iterator[Chapter]:
+    """One flight and one collision, while A <= 0."""
+    context = i.opened(
+        "a system at the time T with A ≤ 0, then a flight of length t to a collision with σJ, "
+        "before which A ≤ 0 still",
+        "2 1 -2 1 1 0 0 2 1",
+        {
+            "R": 0 < i.R,
+            "time": 0 < i.t,
+            "T": 0 <= i.T,
+            "A": i.A <= 0,
+            "A-later": i.A + i.t * i.e**2 <= 0,
+            "distance": equal(i.R_t**2, i.R**2 + 2 * i.t * i.A + i.t**2 * i.e**2),
+            "weighted": i.Q + i.R**2 / 2 - i.T * i.A <= i.R_0**2 / 2,
+            "hit": 0 < i.hit,
+        },
+    )
+    yield Chapter(None, (Opened(context),))
+    yield Chapter(i.context, tuple(_inward()))
+
+
+def _inward() -> Iterator[Item]:
+    later = i.T + i.t
+    virial = i.A + i.t * i.e**2 + i.hit
+    yield from (
+        Line("ratio-collision", i.A / i.R <= (i.A + i.hit) / i.R,
+             proof(times("inward-R", "inward-hit")), COLLAPSE, "A/R jumps up at a collision"),
+        Line("shrinks",         i.R_t**2 <= i.R**2,
+             proof(times("inward-time", "inward-A"), times("inward-time", "inward-A-later"),
+                   equations=(("inward-distance", as_term(-1)),)), COLLAPSE, "R falls while A ≤ 0"),
+        Line("next-times",      i.Q + later * i.hit + i.R_t**2 / 2 - later * virial <= i.R_0**2 / 2,
+             proof("inward-weighted", times(HALF, square(i.t * i.e)),
+                   times("inward-T", "inward-time", square(i.e)),
+                   equations=(("inward-distance", as_term(-HALF)),)),
+             COLLAPSE, "Σσ t_n J_n + R²/2 - T A never rises"),
+        Line("impulse-times",   i.Q <= i.R_0**2 / 2,
+             proof("inward-weighted", times("inward-T", "inward-A"), times(HALF, square(i.R))),
+             COLLAPSE, "so Σσ t_n J_n ≤ R(0)²/2"),
+    )  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from verify.paper.remarks import Remark
+from verify.paper.rows import Remark
 
 MEANING = (
     Remark(

@@ -23,7 +23,7 @@ from verify.language.argument import (
 )
 from verify.language.terms import Term, equal, sqrt
 from verify.language.vectors import add, basis_vector, scale
-from verify.paper.classification.settings import Letters, Space, minus
+from verify.paper.letters import Letters, Space, minus
 
 LABEL = "DEFINSS3.1Collapse_Inelas"
 MISS = "EQUATSS2.2DiscrTrinox2-x0"

@@ -1,7 +1,9 @@
-"""At a collapse of three balls: the angles at the ends of the longest side are acute.
+"""Which pairs go on colliding: a lemma on angles, and that there is no triangular collapse.
 
-l_01, l_02, l_12 are the limiting distances, and 12 is a pair of the largest one. x and z are the
-vectors from ball 1 to the balls 0 and 2.
+A collision with a third ball at a right or an acute angle never brings a pair together: by the law
+of collision it adds (J/m) times the cosine of the angle to rho. At a collapse of three balls the
+angles at the ends of the longest side are acute: l_01, l_02, l_12 are the limiting distances, and
+12 is a pair of the largest one. x and z are the vectors from ball 1 to the balls 0 and 2.
 """
 
 from __future__ import annotations
@@ -22,7 +24,25 @@ from verify.language.argument import (
 from verify.language.statement import Context
 from verify.language.terms import Term, equal
 from verify.language.vectors import basis_vector
-from verify.paper.classification.settings import Letters, Space, minus
+from verify.paper.letters import Letters, Space, minus
+
+a = Letters("acute", J="J", m="m", cosine="e_ab·e_ak", rho="ρ_ab")
+
+
+def angle() -> Iterator[Chapter]:
+    """Where the angle at the ball that is hit is at most a right one."""
+    context = a.opened(
+        "a ball a collides with k, with the impulse J; e_ab and e_ak make at most a right angle",
+        "1 1 0 0",
+        {"impulse": 0 < a.J, "mass": 0 < a.m, "angle": 0 <= a.cosine},
+    )
+    yield Chapter(None, (Opened(context),))
+    line = Line("acute-keeps", a.rho <= a.rho + a.J / a.m * a.cosine,
+                proof(times("acute-impulse", "acute-angle")), "DEFINSS2.1DecmpVitesNrmTg",
+                "a collision of a with k at which the angle at a is at most a right one lowers "
+                "ρ_ab never")  # fmt: skip
+    yield Chapter(a.context, (line,))
+
 
 LABEL = "DEFINSS3.5CollapseTriangu"
 ORDER = "PROPOSS3.5OrdreTriagColla"

@@ -8,10 +8,10 @@ from fractions import Fraction
 from verify.language.argument import Chapter, Line, Opened, ToBeFound
 from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Cite, Constant, Statement
-from verify.language.terms import Claim, Term, as_term
+from verify.language.terms import Claim, Term, as_term, number_at
 from verify.paper.commands.everywhere import decide_everywhere
 from verify.paper.everywhere import box as paper
-from verify.paper.everywhere.theorem import NAME as EVERYWHERE
+from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
 from verify.prover.arguments import Writing, proof_of
 from verify.prover.decimals import round_decimal
 from verify.prover.ground import Ground
@@ -64,11 +64,15 @@ def answer(box: ParameterBox, v_0: Fraction, delta_theta: Fraction) -> Answer:
     return Answer(box, part, decide_box(part, v_0, delta_theta))
 
 
+def _excess(r: Fraction, c: Fraction) -> Fraction:
+    return number_at(paper.EXCESS, {"r": r, "c": c})
+
+
 def verdict(box: ParameterBox) -> str:
     """Whether the hypotheses hold on the whole box, fail on the whole box, or neither."""
-    if paper.excess(box.r[1], box.c[0]) > 0:
+    if _excess(box.r[1], box.c[0]) > 0:
         return PROVED
-    return REFUTED if paper.excess(box.r[0], box.c[1]) <= 0 else UNDECIDED
+    return REFUTED if _excess(box.r[0], box.c[1]) <= 0 else UNDECIDED
 
 
 def largest_part(box: ParameterBox) -> ParameterBox:
@@ -77,19 +81,19 @@ def largest_part(box: ParameterBox) -> ParameterBox:
     ends = [first + (last - first) * k / PARTS for k in range(PARTS + 1)]
     if low == high:
         ends = [_first_c(low, first, last)]
-    good = [c for c in ends if paper.excess(low, c) > 0]
+    good = [c for c in ends if _excess(low, c) > 0]
     parts = [ParameterBox((low, _last_r(low, high, c)), (c, last)) for c in good]
     return max(parts, key=lambda part: (part.area, part.r[1]))
 
 
 def _last_r(low: Fraction, high: Fraction, c: Fraction) -> Fraction:
     """An r up to which the condition holds with this c, close to the last such r."""
-    if paper.excess(high, c) > 0:
+    if _excess(high, c) > 0:
         return high
     good, bad = low, high
     while (bad - good) * 10**DIGITS > bad:
         middle = (good + bad) / 2
-        good, bad = (middle, bad) if paper.excess(middle, c) > 0 else (good, middle)
+        good, bad = (middle, bad) if _excess(middle, c) > 0 else (good, middle)
     mantissa, exponent = round_decimal(good, DIGITS, up=False)
     return max(low, mantissa * Fraction(10) ** exponent)
 
@@ -99,7 +103,7 @@ def _first_c(r: Fraction, first: Fraction, last: Fraction) -> Fraction:
     bad, good = first, last
     while (good - bad) * 10**DIGITS > good:
         middle = (good + bad) / 2
-        bad, good = (bad, middle) if paper.excess(r, middle) > 0 else (middle, good)
+        bad, good = (bad, middle) if _excess(r, middle) > 0 else (middle, good)
     mantissa, exponent = round_decimal(good, DIGITS, up=True)
     return min(last, mantissa * Fraction(10) ** exponent)
 

@@ -17,7 +17,6 @@ from verify.paper.commands import (
     sharper,
     spectrum,
     step,
-    step_printed,
     theorem1,
     thresholds,
 )
@@ -71,7 +70,7 @@ POINTS = (
 #: What is proved for all values: the folder of each, and what decides it.
 THEOREMS: dict[str, Callable[[], Outcome]] = {
     "step": step.decide_step,
-    "step-printed": step_printed.decide_step_printed,
+    "step-printed": step.decide_step_printed,
     "theorem1-all": everywhere.decide_everywhere,
     "thresholds": thresholds.decide_thresholds,
     "spectrum": spectrum.decide_spectrum,

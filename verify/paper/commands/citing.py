@@ -11,12 +11,12 @@ from collections.abc import Mapping
 
 from verify.language.statement import NEEDED, PROVED, UNDECIDED, Cite
 from verify.language.terms import Claim, sqrt
+from verify.paper.assumptions import STEP_ASSUMPTIONS
 from verify.paper.groups import REPAIRED
 from verify.paper.preliminaries import alpha_0, discriminant, phi_minus
 from verify.paper.step import numbers
-from verify.paper.step.assumptions import ASSUMPTIONS
 from verify.paper.step.numbers import STEP
-from verify.prover.outcome import Decision, Judgement, Outcome
+from verify.prover.outcome import Decision, Judgement, Outcome, names_in
 from verify.prover.proof import LemmaStep, ObligationStep, Proof, Step, Value
 from verify.prover.rules import Applying, Root, Sum
 from verify.wire.packaged import packaged_files
@@ -51,7 +51,7 @@ def with_step(outcome: Outcome) -> Outcome:
     if applies({name: found.verdict for name, found in outcome.decisions.items()}):
         lemmas, between = _between()
         proof = applying(between)
-        decision = Decision(PROVED, proof, judged=Judgement(PROVED, BY_ROWS))
+        decision = Decision(PROVED, proof)
         steps = (*lemmas, ObligationStep(row.name, proof))
     old = outcome.statement
     rows = [r._replace(uses=()) if r.role == NEEDED and r.uses else r for r in old.obligations]
@@ -60,8 +60,11 @@ def with_step(outcome: Outcome) -> Outcome:
     statement = old._replace(
         obligations=(*rows, row),
         assumptions=tuple(a for a in old.assumptions if a.name in used),
-        cites=(Cite(STEP, STEP, content, (), ASSUMPTIONS, certificate),),
+        cites=(Cite(STEP, STEP, content, (), STEP_ASSUMPTIONS, certificate),),
     )
+    if decision.claimed == PROVED:
+        judged = Judgement(PROVED, BY_ROWS, row.claim, row.context, names_in(statement))
+        decision = decision._replace(judged=judged)
     decisions = {**outcome.decisions, row.name: decision}
     return outcome._replace(
         statement=statement, decisions=decisions, steps=(*outcome.steps, *steps)

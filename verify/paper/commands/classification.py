@@ -8,7 +8,7 @@ from functools import cache
 from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.paper.classification import image
-from verify.paper.classification.theorem import classification
+from verify.paper.classification.classification import classification
 from verify.prover.arguments import NUMBER_BITS, write_down
 from verify.prover.outcome import Decision, Ends, Outcome
 from verify.prover.proof import ObligationStep

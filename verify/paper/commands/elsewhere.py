@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from verify.language.statement import REFUTED, Context
-from verify.paper.elsewhere.theorem import elsewhere, refutations
+from verify.paper.elsewhere.elsewhere import elsewhere, refutations
 from verify.prover.arguments import NUMBER_BITS, POINT_BITS, Writing
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Premise

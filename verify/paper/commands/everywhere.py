@@ -20,7 +20,7 @@ from verify.paper.commands.citing import applying
 from verify.paper.commands.step import decide_step
 from verify.paper.everywhere import angle_display, hints
 from verify.paper.everywhere import chart as paper
-from verify.paper.everywhere.theorem import printed_statement, statement
+from verify.paper.everywhere.everywhere import printed_statement, statement
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.recursion import angle_state

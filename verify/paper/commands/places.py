@@ -23,9 +23,9 @@ from verify import paper
 from verify.language.argument import Chapter, Line, Opened
 from verify.language.record import Record
 from verify.language.statement import Context, Obligation
-from verify.paper.elsewhere.subject import Refuted
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
+from verify.paper.letters import Refuted
 from verify.paper.spectrum.printed import Printed
 from verify.spheres import flow, scene
 
@@ -67,9 +67,8 @@ def places() -> tuple[Place, ...]:
     """
     found: dict[tuple[str, str], Place] = {}
     for module in _modules():
-        collects = module.__name__.endswith(".theorem")
         for place in _written_in(module):
-            if not (collects and (place.name, "") in found):
+            if not (_collects(module.__name__) and (place.name, "") in found):
                 found.setdefault((place.name, place.part), place)
     return tuple(found.values())
 
@@ -89,8 +88,14 @@ def _modules() -> list[ModuleType]:
     names = []
     for room in (paper, flow, scene):
         names += [m.name for m in walk_packages(room.__path__, f"{room.__name__}.")]
-    rows = sorted(names, key=lambda name: (name.endswith(".theorem"), name))
+    rows = sorted(names, key=lambda name: (_collects(name), name))
     return [import_module(name) for name in rows if ".commands" not in name]
+
+
+def _collects(module: str) -> bool:
+    """Whether a module is that of a whole theorem: `theorem`, or named like its folder."""
+    *_, folder, name = module.split(".")
+    return name in ("theorem", folder)
 
 
 def _written_in(module: ModuleType) -> Iterator[Place]:

@@ -22,13 +22,12 @@ from verify.paper.commands import (
     sharper,
     spectrum,
     step,
-    step_printed,
     theorem1,
     thresholds,
 )
 from verify.paper.groups import REPAIRED
 from verify.paper.parameters import THEOREM
-from verify.paper.spectrum.theorem import statement as state_spectrum
+from verify.paper.spectrum.spectrum import statement as state_spectrum
 from verify.prover.outcome import Outcome
 from verify.wire.parameters import are_allowed
 from verify.wire.term_json import TermReader
@@ -113,7 +112,7 @@ def _outcomes(theorem: str, parameters: Mapping[str, Term], collisions: int) -> 
     elif box.are_ends(parameters):
         yield box.decide_box(*box.read_box(parameters))
     elif are_allowed(parameters):
-        if theorem == "step-printed" and parameters == step_printed.PARAMETERS:
-            yield step_printed.decide_step_printed()
+        if theorem == "step-printed" and parameters == step.PARAMETERS:
+            yield step.decide_step_printed()
         for selection in SELECTIONS:
             yield theorem1.decide_point(parameters, selection)

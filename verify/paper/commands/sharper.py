@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from verify.paper.sharper.theorem import sharper
+from verify.paper.sharper.sharper import sharper
 from verify.prover.arguments import write_down
 from verify.prover.outcome import Outcome
 from verify.wire.judge import judged

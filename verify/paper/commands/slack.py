@@ -16,7 +16,7 @@ from verify.language.statement import Obligation
 from verify.language.terms import Claim, Term, substitute
 from verify.paper.commands.everywhere import Everywhere, everywhere_run
 from verify.paper.everywhere.chart import CONTEXT
-from verify.paper.everywhere.redundant import values_at
+from verify.paper.everywhere.everywhere import values_at
 from verify.prover.ground import Ground
 from verify.prover.outcome import Outcome
 from verify.prover.positivity import NotFoundError

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from verify.paper.spectrum.printed import Printed
-from verify.paper.spectrum.theorem import statement
+from verify.paper.spectrum.spectrum import statement
 from verify.prover.outcome import Outcome
 from verify.prover.prove import prove
 from verify.wire.judge import judged

@@ -20,7 +20,8 @@ from verify.paper.groups import HYPOTHESES, PRINTED, SELECTIONS
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.choose import BudgetError, choose
-from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Enclosures, Ground
+from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
+from verify.prover.ground import Enclosures, Ground
 from verify.prover.outcome import Decision, Outcome, conjunction
 from verify.prover.session import Session
 

@@ -60,24 +60,14 @@ def colliding() -> Iterator[Item]:
     place = contact(frame, s)
     left = A * tau - A * s
     rest = left * (left + 2 * (1 + d) * y * S)
-    yield Line(
-        "approach",
-        equal(A * (dot(place, place) - 1), rest),
-        identity("tau S"),
-        THEOREM,
-        "|path|² - 1 has the contact at τ as its first root",
-    )
+    yield Line("approach", equal(A * (dot(place, place) - 1), rest), identity("tau S"), THEOREM,
+               "|path|² - 1 has the contact at τ as its first root")  # fmt: skip
     factor = times("A-positive", "s-upper")
     impact = times(2, "d-sum-positive", "Cnd1", "S-positive")
-    yield Line(
-        "colliding-pair-apart",
-        1 < dot(place, place),
-        scaled(times("A-positive", "goal"), times(factor, plus(factor, impact)))._replace(
-            equations=(("approach", as_term(1)),)
-        ),
-        THEOREM,
-        "the pair 0-c does not meet before τ",
-    )
+    yield Line("colliding-pair-apart", 1 < dot(place, place),
+               scaled(times("A-positive", "goal"), times(factor, plus(factor, impact)))
+               ._replace(equations=(("approach", as_term(1)),)), THEOREM,
+               "the pair 0-c does not meet before τ")  # fmt: skip
 
 
 def spectator() -> Line:

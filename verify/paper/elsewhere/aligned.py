@@ -25,9 +25,8 @@ from verify.language.argument import (
 from verify.language.statement import Always, Given
 from verify.language.terms import Claim, Term, as_term, equal, substitute, substitute_claim
 from verify.language.vectors import basis_vector, scale
-from verify.paper.classification.settings import Letters, Space, minus
 from verify.paper.elsewhere import mapping
-from verify.paper.elsewhere.subject import Refuted, refuted
+from verify.paper.letters import Letters, Refuted, Space, minus, refuted
 from verify.paper.rows import HARMLESS, SLIP
 
 LARGE = "EQUATSS3.3PROPOComp1PerpG"

@@ -12,9 +12,8 @@ from fractions import Fraction
 from verify.language.argument import Chapter, Item, Line, Opened, plus, proof, scaled, times
 from verify.language.statement import Context
 from verify.language.terms import as_term, equal
-from verify.paper.classification.settings import Letters
 from verify.paper.elsewhere import mapping
-from verify.paper.elsewhere.subject import Refuted, refuted
+from verify.paper.letters import Letters, Refuted, refuted
 from verify.paper.rows import HARMLESS
 
 TRAVEL = "EQUATSS3.3PROPOComp2_d'__"

@@ -3,19 +3,34 @@
 omega_1, omega_2 are unit vectors from 0, W_1 and W_2 relative velocities, 1 + d the distance of 2,
 y = -eta_2. The time tau of the collision and S = sqrt(1-zeta) are given by what their formulas
 say; c is the cosine of the angle at the collision.
+
+What the definition of the mapping asks for does not keep the outer pair 1 and 2 apart.
+
+In `outer` x is the vector from 1 to 2 and u their relative velocity. In `three` the balls are in a
+plane: 1 touches 0 in the direction (1, 0), and 2 is at X.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.argument import Chapter, Defined, Item, Line, Opened, identity
+from verify.language.argument import (
+    Chapter,
+    Defined,
+    Item,
+    Line,
+    Opened,
+    identity,
+    power,
+    proof,
+    scaled,
+    times,
+)
 from verify.language.statement import Constant
 from verify.language.terms import Claim, Term, as_term, equal, symbol
 from verify.language.vectors import Combination, add, basis_vector, scale
-from verify.paper.classification.settings import Letters, Space, minus
-from verify.paper.elsewhere.subject import Refuted, refuted
-from verify.paper.rows import SLIP
+from verify.paper.letters import Letters, Refuted, Space, minus, refuted
+from verify.paper.rows import HARMLESS, SLIP
 
 SYSTEM = "EQUATSS2.2IterationSystm1"
 TANGENT_1 = "EQUATSS2.2W1prpPrimeVers1"
@@ -166,3 +181,67 @@ def misprints() -> Iterator[Refuted]:
                      "number is taken from a vector, ω_{1,n+1} is missing (read along p, as if "
                      "from each component)", severity=SLIP, corrected_by="tangential-1"),
     )  # fmt: skip
+
+
+o = Letters("outer", G="|x|²", k="x·u", U="|u|²", t="t", tau="τ")
+three = Letters(
+    "three", X_1="X₁", X_2="X₂", a_1="(W₁)₁", a_2="(W₁)₂", b_1="(W₂)₁", b_2="(W₂)₂", tau="τ", t="t",
+)  # fmt: skip
+STATE = "3/4 1 1/10 1 -3/40 -1/10 2 1/10"
+
+
+def outer() -> Iterator[Chapter]:
+    """What keeps them apart, and states that satisfy what the definition asks for."""
+    apart = o.opened(
+        "1 and 2 are apart now, and so far that they are at the time τ of the next collision too",
+        "4 -1 1 1/2 1",
+        {
+            "now": 1 < o.G,
+            "later": 1 < o.G + 2 * o.tau * o.k,
+            "speed": 0 <= o.U,
+            "time": 0 < o.t,
+            "before": o.t <= o.tau,
+        },
+    )
+    says = "three balls in a plane, as in the definition of the mapping, at a time t before τ"
+    yield Chapter(None, (Opened(apart), Opened(three.opened(says, STATE, conditions()))))
+    yield Chapter(o.context, tuple(_outer()))
+
+
+def conditions() -> dict[str, Claim]:
+    """What the definition asks for; that 1 and 2 are apart; and the time of 0 and 2."""
+    inner, size = three.X_1 * three.b_1 + three.X_2 * three.b_2, three.X_1**2 + three.X_2**2
+    speed = three.b_1**2 + three.b_2**2
+    end_1, end_2 = three.X_1 + three.tau * three.b_1, three.X_2 + three.tau * three.b_2
+    return {
+        "apart": 1 < size,
+        "recedes": 0 < three.a_1,
+        "approaches": inner < 0,
+        "zeta": (size - 1) * speed < inner**2,
+        "outer": 1 < (three.X_1 - 1) ** 2 + three.X_2**2,
+        "meets": equal(end_1**2 + end_2**2, 1),
+        "impact": end_1 * three.b_1 + end_2 * three.b_2 < 0,
+        "time": 0 < three.t,
+        "before": three.t < three.tau,
+    }
+
+
+def _outer() -> Iterator[Item]:
+    yield from (
+        Line("tau-positive", 0 < o.tau, proof("outer-time", "outer-before")),
+        Line("outer-apart",  1 < o.G + 2 * o.t * o.k + o.t**2 * o.U,
+             scaled(times("goal", "tau-positive"), times("outer-now", "outer-before"),
+                    times("outer-later", "outer-time"),
+                    times("tau-positive", power("outer-time", 2), "outer-speed")), SYSTEM,
+             "they stay apart if 1 < |x|² + 2τx·u besides: then 0 and 2 are the next to collide"),
+    )  # fmt: skip
+
+
+def outer_misprints() -> Iterator[Refuted]:
+    """What is false here, each with a point at which it is."""
+    yield refuted(three, "next-collision",
+                  1 <= (three.X_1 + three.t * (three.b_1 - three.a_1) - 1) ** 2
+                  + (three.X_2 + three.t * (three.b_2 - three.a_2)) ** 2, STATE, label=SYSTEM,
+                  says="0 and 2 are the next to collide if η₁ > 0, η₂ < 0 and ζ < 1, as the "
+                       "definition of the mapping writes it out; here 1 and 2 meet before",
+                  severity=HARMLESS, corrected_by="outer-apart")  # fmt: skip

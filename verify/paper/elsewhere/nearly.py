@@ -11,8 +11,7 @@ from fractions import Fraction
 
 from verify.language.argument import Chapter, Item, Line, plus, proof, times
 from verify.language.terms import Claim, Term, equal
-from verify.paper.classification.settings import Letters
-from verify.paper.elsewhere.subject import Refuted, refuted, subject
+from verify.paper.letters import Letters, Refuted, refuted, subject
 from verify.paper.rows import HARMLESS
 
 NORMAL = "PROPOSS3.4CLineConveNorma"

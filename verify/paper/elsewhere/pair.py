@@ -12,8 +12,7 @@ from fractions import Fraction
 from verify.language.argument import Chapter, Item, Line, Opened, identity, plus, proof, times
 from verify.language.terms import as_term, equal
 from verify.language.vectors import add, basis_vector, scale
-from verify.paper.classification.settings import Letters, Space, minus
-from verify.paper.elsewhere.subject import Refuted, refuted
+from verify.paper.letters import Letters, Refuted, Space, minus, refuted
 from verify.paper.rows import SLIP
 
 LAW = "EQUATSS2.1VitesPost-Colli"

@@ -7,8 +7,7 @@ from fractions import Fraction
 
 from verify.language.argument import Chapter, Item, Line, identity, plus, power, proof, times
 from verify.language.terms import equal
-from verify.paper.classification.settings import Letters
-from verify.paper.elsewhere.subject import Refuted, refuted, subject
+from verify.paper.letters import Letters, Refuted, refuted, subject
 from verify.paper.rows import HARMLESS, SLIP
 
 STABLE = "EQUATSS3.4ZKCl2CondiStabi"

@@ -18,8 +18,7 @@ from verify.language.argument import (
     times,
 )
 from verify.language.terms import as_term, equal
-from verify.paper.classification.settings import Letters
-from verify.paper.elsewhere.subject import Refuted, refuted, subject
+from verify.paper.letters import Letters, Refuted, refuted, subject
 from verify.paper.rows import BREAKS, HARMLESS, SLIP
 
 INTERVALS = "PROPOSS3.2ConveInterTemps"

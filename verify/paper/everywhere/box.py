@@ -24,7 +24,6 @@ from verify.language.argument import (
     scaled,
     times,
 )
-from verify.language.record import TYPE_CHECKING
 from verify.language.statement import (
     NEEDED,
     Applies,
@@ -35,9 +34,9 @@ from verify.language.statement import (
     Statement,
     Variable,
 )
-from verify.language.terms import Term, as_term, symbol
+from verify.language.terms import Term, as_term, substitute, symbol
 from verify.paper.everywhere import chart
-from verify.paper.everywhere.theorem import NAME as EVERYWHERE
+from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
 from verify.paper.groups import HYPOTHESES
 from verify.paper.parameters import THEOREM, V_0, c, delta_theta, r
 from verify.paper.theorem1 import theorem
@@ -56,15 +55,8 @@ r_low, r_high, c_low, c_high = map(symbol, ("r_low", "r_high", "c_low", "c_high"
 PARAMETERS = ("r_low", "r_high", "c_low", "c_high", "V_0", "delta_theta")
 
 
-if TYPE_CHECKING:
-    from typing import TypeVar
-
-    Number = TypeVar("Number", Term, Fraction)
-
-
-def excess(at_r: Number, at_c: Number) -> Number:
-    """The number g(r, c), which is positive where the stability condition holds."""
-    return (1 + at_r) ** 2 * at_c**3 / 8 - 3 * at_r * at_c / 2 - at_r
+#: The number g(r, c), which is positive where the stability condition holds.
+EXCESS = (1 + r) ** 2 * c**3 / 8 - 3 * r * c / 2 - r
 
 
 def statement(values: Mapping[str, Term], everywhere: Cite, *, holds: bool) -> Statement:
@@ -128,7 +120,8 @@ FALL_LOW = 1 + 3 * c_high / 2 - c_high**3 * (3 + r_low) / 8
 def numbers(*, holds: bool) -> tuple[Line, ...]:
     """What the ends of the box have to satisfy; the corner decides."""
     found = ToBeFound()
-    corner = 0 < excess(r_high, c_low) if holds else 0 <= -excess(r_low, c_high)
+    ends = {"r": r_high, "c": c_low} if holds else {"r": r_low, "c": c_high}
+    corner = substitute(EXCESS, ends)
     return (
         Line("r-ends", r_low <= r_high, found),
         Line("c-ends", c_low <= c_high, found),
@@ -138,7 +131,7 @@ def numbers(*, holds: bool) -> tuple[Line, ...]:
         Line("r_high-below-one", r_high < 1, found),
         Line("c_low-positive", 0 < c_low, found),
         Line("c_high-at-most-one", c_high <= 1, found),
-        Line("corner", corner, found),
+        Line("corner", 0 < corner if holds else 0 <= -corner, found),
         Line("fall", 0 < (FALL_HIGH if holds else FALL_LOW), found),
         Line(chart.hypothesis("V_0-positive"), 0 < V_0, found),
         Line(chart.hypothesis("delta-theta-positive"), 0 < delta_theta, found),

@@ -6,20 +6,20 @@ from collections.abc import Iterator
 
 from verify.language.argument import Factor, Item, Line, plus, power, proof, scaled, square, times
 from verify.language.terms import Term, as_term
-from verify.paper.dynamics.collision import (
+from verify.paper.dynamics.laws import (
     ANGLE,
     COMPONENTS,
     IMPACT_POSITIVE,
     NORMS,
     SPIN_SQUARE,
     TURN,
+    absolute,
     at_the_contact,
     half,
     impact,
     laws,
     spin,
 )
-from verify.paper.dynamics.flight import absolute
 from verify.paper.dynamics.state import A_next, C, C_next, y
 from verify.paper.sharper.bounds import HALF, REACH
 from verify.paper.sharper.numbers import C_0, T, Theta, V, k, reach, root

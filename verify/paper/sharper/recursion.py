@@ -1,17 +1,33 @@
-"""The other conditions at the next state: the ratios, the distance, zeta, and the time."""
+"""The other conditions at the next state: the ratios, the distance, zeta, and the time.
+
+What follows at every n stands at the end: bounds on the angle and on the time, and two monotone
+quantities.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.argument import Item, Line, plus, proof, scaled, square, times
-from verify.paper.dynamics.collision import GAINED_UPPER, parts
-from verify.paper.dynamics.state import kept, y, y_next
+from verify.language.argument import Item, Line, plus, power, proof, scaled, square, times
+from verify.paper.dynamics.laws import GAINED_UPPER, parts
+from verify.paper.dynamics.state import C, C_next, kept, y, y_next
+from verify.paper.parameters import THEOREM
 from verify.paper.sharper.bounds import HALF, REACH
-from verify.paper.sharper.collision import next_condition
-from verify.paper.sharper.numbers import V, X, least_ratio, m, ratio, reach
-from verify.paper.sharper.start import root_lines, zeta_small
-from verify.paper.sharper.state import following, g
+from verify.paper.sharper.collision import SUMMED, TURNED, next_condition
+from verify.paper.sharper.numbers import (
+    C_0,
+    Theta,
+    V,
+    X,
+    duration,
+    eta_0,
+    least_ratio,
+    m,
+    ratio,
+    reach,
+    total,
+)
+from verify.paper.sharper.state import clock, following, g, root_lines, zeta_small
 
 GROWTH = "EQUATSS4.1Lien_x_n_&_y_n_"
 
@@ -73,3 +89,27 @@ def _others() -> Iterator[Item]:
                          "the time of the next collision is at most T(η₀ - (p+Y)^{n+1}η₀)/(1-p-Y)",
                          "clock-bound", "time", times("T-positive", "Cnd2"),
                          equations=(("duration-sum", g),))  # fmt: skip
+
+
+USES = ("bounded-monotone",)
+
+
+def conclusion() -> Iterator[Item]:
+    """In every state that satisfies the conditions."""
+    sums = plus(*(times(f"turn_{i}-positive", power("g-positive", i)) for i in (1, 2, 3)))
+    for side, term in (("upper", C - C_0), ("lower", C_0 - C)):
+        yield Line(f"angle-final-{side}", term <= Theta, proof(f"angle-{side}", sums),
+                   THEOREM, "|(-cos θ_n) - C₀| ≤ Θ for every n, hence for the final angle", USES,
+        )  # fmt: skip
+    yield Line("time-total", clock <= duration * eta_0,
+               proof("clock-bound", times("duration-positive", "g-positive")),
+               THEOREM, "t_n ≤ Tη₀/(1-p-Y) for every n: the times of the collisions converge", USES,
+    )  # fmt: skip
+    for side, claim, says in (
+        ("upper", C_next + total(ratio * g) <= C + total(g), "-cos θ_n + G(g_n) falls with n"),
+        ("lower", C - total(g) <= C_next - total(ratio * g), "-cos θ_n - G(g_n) rises with n"),
+    ):
+        yield Line(f"angle-monotone-{side}", claim,
+                   proof(f"angle-step-{side}", *TURNED, equations=SUMMED), THEOREM,
+                   f"{says}, with G(g) = G_1 g + G_2 g² + G_3 g³: the angle converges", USES,
+        )  # fmt: skip

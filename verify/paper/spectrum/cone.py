@@ -12,12 +12,20 @@ from collections.abc import Iterator
 from verify.language.statement import Obligation
 from verify.language.terms import Term, as_term, equal, sqrt
 from verify.paper.rows import SLIP
-from verify.paper.spectrum import triangle
-from verify.paper.spectrum.collision_matrices import A_A, A_B, flipped
-from verify.paper.spectrum.contexts import ANY, CONE
+from verify.paper.spectrum.collision_matrices import (
+    A_A,
+    A_B,
+    flipped,
+    inner,
+    omega_1,
+    omega_1_perp,
+    omega_2,
+    omega_2_perp,
+    omega_3,
+)
 from verify.paper.spectrum.matrices import Vector, apply, dot, vector
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
-from verify.paper.spectrum.section import Section, symbols
+from verify.paper.spectrum.section import ANY, CONE, Section, symbols
 
 BOUND = "EQUATSS3.5Minor_z'__Triag"
 
@@ -60,15 +68,15 @@ def rows(paper: Printed) -> Iterator[Obligation]:
 
 def _conditions() -> Iterator[Obligation]:
     after_a = apply(A_A, STATE)
-    w_1 = tuple(x * u + y * v for u, v in zip(triangle.omega_1, triangle.omega_1_perp, strict=True))
-    w_2 = tuple(z * u + t * v for u, v in zip(triangle.omega_2, triangle.omega_2_perp, strict=True))
+    w_1 = tuple(x * u + y * v for u, v in zip(omega_1, omega_1_perp, strict=True))
+    w_2 = tuple(z * u + t * v for u, v in zip(omega_2, omega_2_perp, strict=True))
     difference = tuple(v - u for u, v in zip(w_1, w_2, strict=True))
     yield from (
         needed("cone-condition-02", THEOREM, "after 0-1 the normal component of 0-2 is z - "
             "(1+r)/4 x, so that 0-2 is pre-collisional exactly if z < (1+r)/4 x",
             equal(after_a[2], z - h * x)),
         needed("cone-normal-12",    THEOREM, "(W₂-W₁)·ω₃ in the printed coordinates",
-            equal(triangle.inner(difference, triangle.omega_3), dot(NORMAL_12, STATE))),
+            equal(inner(difference, omega_3), dot(NORMAL_12, STATE))),
         needed("cone-condition-12", THEOREM, "the third condition, which the cone of the text "
             "leaves out: after 0-1 and 0-2 the normal component of 1-2 is this, and it must be "
             "negative", equal(dot(NORMAL_12, apply(A_B, after_a)), normal_12(x, z, t - y))),

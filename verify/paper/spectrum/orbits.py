@@ -18,10 +18,9 @@ from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.collision_matrices import A_A, A_B, A_C
 from verify.paper.spectrum.complex_pair import FIXED, REAL_EIGENVECTOR, m, modulus, r_of_m
 from verify.paper.spectrum.cone import BOUND, NORMAL_12, STATE, a, b, normal_12
-from verify.paper.spectrum.contexts import APPROACH, LARGE, LINE, SMALL
 from verify.paper.spectrum.matrices import Vector, apply, dot, product_of, sum_of, vector
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
-from verify.paper.spectrum.section import Section, symbols
+from verify.paper.spectrum.section import APPROACH, LARGE, LINE, SMALL, Section, symbols
 
 COLLAPSE = "DEFINSS3.5CollapseTriangu"
 ORDER = "EQUATSS3.5ConclusionEta1>"

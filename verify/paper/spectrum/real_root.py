@@ -8,9 +8,8 @@ from fractions import Fraction
 from verify.language.statement import Obligation
 from verify.language.terms import Number, Term, as_term, equal, symbol
 from verify.paper.spectrum.characteristic import lam
-from verify.paper.spectrum.contexts import ANY, SHIFTED
 from verify.paper.spectrum.printed import THEOREM, Printed, r
-from verify.paper.spectrum.section import Section, symbols
+from verify.paper.spectrum.section import ANY, SHIFTED, Section, symbols
 
 REAL_ROOT = "EQUATSS3.5Alim_ContrRacRL"
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from verify.language.argument import Factor, Item, Line, plus, power, proof, scaled, times
 from verify.language.terms import as_term
 from verify.paper.dynamics.apart import dot
-from verify.paper.dynamics.collision import (
+from verify.paper.dynamics.laws import (
     ANGLE,
     IMPACT_POSITIVE,
     SPIN_SQUARE,

@@ -1,18 +1,119 @@
-"""From one collision to the next: sizes, the time between them, and the next distance."""
+"""From one collision to the next: sizes, the time between them, and the next distance.
+
+First the rows are solved for what the later lines need; at the end: until the collision, and at its
+instant, no other pair of particles is in contact.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.argument import Item, Line, Value, plus, power, proof, scaled, times
-from verify.language.terms import Term, as_term
-from verify.paper.dynamics import flight
-from verify.paper.dynamics.flight import DISTANCE, TIME
-from verify.paper.dynamics.state import A, B, C, D, S, a, b, d, d_next, eta_s, tau, w, y, zeta
-from verify.paper.step.numbers import V_0, V_1, d_later, eighth, eta_bar, speed, zeta_bar
-from verify.paper.step.rearranged import root_two, small
+from verify.language.argument import (
+    ByInterval,
+    ByRoot,
+    BySum,
+    Chapter,
+    Item,
+    Line,
+    Value,
+    plus,
+    power,
+    proof,
+    scaled,
+    square,
+    times,
+)
+from verify.language.terms import Term, as_term, sqrt
+from verify.language.vectors import Combination, add, omega_c, omega_s, scale
+from verify.paper.dynamics import laws
+from verify.paper.dynamics.apart import colliding, contexts, opened, spectator, t
+from verify.paper.dynamics.laws import DISTANCE, TIME
+from verify.paper.dynamics.state import (
+    A,
+    B,
+    C,
+    D,
+    S,
+    a,
+    b,
+    d,
+    d_next,
+    difference,
+    eta_s,
+    frame,
+    tau,
+    w,
+    y,
+    zeta,
+)
+from verify.paper.step.numbers import (
+    V_0,
+    V_1,
+    C_eta,
+    alpha_0,
+    d_const,
+    d_later,
+    delta_2,
+    delta_x,
+    eighth,
+    eta_bar,
+    gap,
+    h_4,
+    phi_minus,
+    share,
+    speed,
+    zeta_bar,
+)
 from verify.paper.step.state import g
+
+root_two = sqrt(2)
+small = delta_2 * share / 2
+
+
+def ground_lines() -> Iterator[Item]:
+    """Bounds on the square root of two."""
+    yield Line("root-two-lower", 1 < root_two, ByInterval())
+    yield Line("root-two-upper", root_two < Fraction(19, 12), ByInterval())
+
+
+def rearranged() -> Iterator[Item]:
+    """Consequences of the rows alone."""
+    total = V_0 * V_1 * (phi_minus + delta_x) + (V_0 * V_1 * (alpha_0 / 2) + 4 * V_1**2) * zeta_bar
+    yield from (
+        Line("speed-positive", 0 < speed, ByRoot()),
+        Line("ratio-half", phi_minus + (1 - h_4 / 2) * delta_x <= alpha_0 / 2,
+             proof("y-ratio", times(Fraction(1, 2), "h_4-positive", "delta_x-positive"))),
+        Line("gap-upper", gap + delta_x <= C_eta, proof("eta-contraction", using="same-delta")),
+        Line("gap-lower", delta_2 <= gap - delta_x, proof("zeta-denominator", using="same-delta")),
+        Line("gap-room", 0 < gap - delta_x, proof("gap-lower", "delta_2-positive")),
+        Line("h_4-room", 0 < 1 - h_4, proof("h_4-below-one")),
+        Line("contraction", phi_minus <= (1 - h_4) * (gap - delta_x),
+             scaled(times("gap-positive", "goal"), "x-contraction",
+                    times("h_4-room", "gap-room", "delta_x-positive"),
+                    using="same-delta r-product")),
+        Line("zeta_bar-small", 2 * zeta_bar <= small, proof("x-term-1-zeta")),
+        Line("d_later-small", d_later <= small, proof("x-term-1-d")),
+        Line("time-short", 1 < root_two - 7 * speed / V_0 * eta_bar, proof("CndT")),
+        Line("zeta-room", total <= V_0**2 * (gap - delta_x) ** 2,
+             scaled(times("V_0-positive", "V_0-positive", power("gap-room", 4), "goal"),
+                    "zeta-total",
+                    times(Fraction(1, 4), power("V_0-positive", 4), power("gap-room", 6),
+                          "h_5-positive"), using="same-delta")),
+        Line("d_const-one", d_const <= 1,
+             scaled(times(4, "goal"), times(4, "d_const-entry-1"), "root-two-upper",
+                    Fraction(41, 12))),
+        Line("d_const-share", d_const <= eighth, proof("d_const-entry-4")),
+        Line("d_const-small", d_const <= small, proof("d_const-entry-3")),
+        Line("eighth-positive", 0 < eighth, proof(times(Fraction(1, 8), *_SHARE))),
+        Line("small-positive", 0 < small,
+             proof(times(Fraction(1, 2), "delta_2-positive", *_SHARE))),
+        Line("ratio-positive", 0 < phi_minus + delta_x, proof("phi-positive", "delta_x-positive")),
+    )  # fmt: skip
+
+
+_SHARE = ("h_4-positive", "delta_x-positive")
+
 
 FINE = "EQUATSS4.1Recurrence_Cnd4"
 PRODUCT = "EQUATSS4.1Lien_x_n_&_y_n_"
@@ -35,7 +136,7 @@ def below_speed(
     name: str, term: Term, facts: tuple[Value, ...], label: str = "", says: str = ""
 ) -> Iterator[Item]:
     """|x| <= V_1^(1/2), both halves, where the facts add up to x^2 <= V_1."""
-    yield from flight.absolute(name, term, (speed, "speed-positive"), facts, label, says)
+    yield from laws.absolute(name, term, (speed, "speed-positive"), facts, label, says)
 
 
 def _norms() -> Iterator[Item]:
@@ -68,10 +169,10 @@ def _components() -> Iterator[Item]:
 
 def _root() -> Iterator[Item]:
     cnd3 = "EQUATSS4.1Recurrence_Cnd3"
-    yield from flight.root()
+    yield from laws.root()
     yield Line("zeta-bound", zeta <= zeta_bar, proof("Cnd4", using="zeta"),
                "EQUATSS4.1Recurrence_Cnd4", "ζ ≤ ζ̄")  # fmt: skip
-    yield from flight.between_zero_and_one()
+    yield from laws.between_zero_and_one()
     fine = times(Fraction(1, 4), power("S-one", 2), "root-room")
     yield from (
         Line("root-crude",         1 - S <= zeta,
@@ -91,7 +192,7 @@ def _root() -> Iterator[Item]:
 
 
 def _time() -> Iterator[Item]:
-    yield from flight.time(times("d-sum-positive", "Cnd1", "S-one"))
+    yield from laws.time(times("d-sum-positive", "Cnd1", "S-one"))
     yield from (
         Line("time-product", A * tau <= 2 * y * zeta,
              proof(times("d-one", "Cnd1", "S-one"), times(2, "Cnd1", "root-crude"),
@@ -111,7 +212,7 @@ def _time() -> Iterator[Item]:
 
 
 def _distance() -> Iterator[Item]:
-    yield from flight.distance()
+    yield from laws.distance()
     goal = times("V_0-positive", "goal")
     yield from (
         Line("distance-time", D - 1 <= Fraction(3, 2) * speed * tau,
@@ -125,13 +226,51 @@ def _distance() -> Iterator[Item]:
              DISTANCE, "d' ≤ 3 (V₁^{1/2}/V₀)(-η_c)"),
         Line("distance-later", D - 1 <= d_later,
              proof("distance-speed", times(3, "speed-positive", "y-bound"))),
-        flight.NEXT_D_POSITIVE,
+        laws.NEXT_D_POSITIVE,
         Line("next-d-one", d_next <= 1,
              scaled(goal, "distance-later", "d-below-one", using="d_next"),
              "EQUATSS4.1Recurrence_Cnd6", "d' ≤ 1"),
-        flight.NEXT_D_SUM_POSITIVE,
+        laws.NEXT_D_SUM_POSITIVE,
         Line("next-d-share", d_next <= eighth,
              scaled(goal, "distance-later", "y-term-2-d", using="d_next")),
         Line("next-d-small", d_next <= small,
              scaled(goal, "distance-later", "d_later-small", using="d_next")),
     )  # fmt: skip
+
+
+dot = frame.dot
+
+
+def apart() -> Iterator[Chapter]:
+    """The three pairs."""
+    before, meanwhile = contexts()
+    yield opened()
+    yield Chapter(before.name, tuple(colliding()))
+    yield Chapter(meanwhile.name, (spectator(), _outer_pair()))
+
+
+def _outer_pair() -> Line:
+    outer: Combination = add(add(scale(1 + d, omega_c), scale(-1, omega_s)), scale(t, difference))
+    return Line("outer-pair-apart", 1 < dot(outer, outer), _outer_reason(),
+                "EQUATSS4.1Recurrence_CndT",
+                "the outer pair s-c is apart for all times from 0 to τ, both included")  # fmt: skip
+
+
+def _outer_reason() -> BySum:
+    v0, speed = "V_0-positive", "speed-positive"
+    together = plus(
+        times(2, "C-positive", "d-sum-positive"),
+        times(2, "d-positive"),
+        square(d - t * (y + b)),
+        times(square(t), "cs-outer"),
+        times(2, "t-lower", plus("y-upper", "a-upper", "b-upper", "recedes")),
+        times(6, "t-upper", speed),
+    )
+    return scaled(
+        times(v0, "goal"),
+        times(v0, together),
+        times(6, speed, "time-crude"),
+        times(12, speed, "y-bound"),
+        times(Fraction(12, 7), "time-short"),
+        times(Fraction(12, 7), v0, "root-two-upper"),
+    )

@@ -21,8 +21,7 @@ from verify.language.argument import (
 from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Claim, as_term, minimum, substitute_claim, symbol
 from verify.language.vectors import Frame
-from verify.paper.dynamics.plane import CONTEXT as PLANE
-from verify.paper.dynamics.plane import aligned
+from verify.paper.dynamics.model import PLANE, aligned
 from verify.paper.dynamics.state import inequalities, tau_of
 from verify.paper.step import numbers, state
 from verify.paper.step.flight import SHIFT

@@ -21,9 +21,9 @@ from verify.language.terms import (
     substitute_claim,
     symbol,
 )
-from verify.paper import parameters, preliminaries
 from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.initial_data import ConstantSet
+from verify.paper.parameters import THEOREM
 from verify.paper.theorem1 import theorem
 
 #: The step's name where it is cited, and its context of numbers.
@@ -32,56 +32,6 @@ CONTEXT = "parameters"
 
 #: The row that the step applies to the constants of the theorem.
 COLLAPSE = "collapse"
-
-#: Each variable with the term that Theorem 1 has for it.
-_k = ConstantSet(REPAIRED)
-MEANING: Mapping[str, Term] = {
-    "r": parameters.r,
-    "c": parameters.c,
-    "V_0": parameters.V_0,
-    "delta_theta": parameters.delta_theta,
-    "alpha_0": preliminaries.alpha_0,
-    "phi_minus": preliminaries.phi_minus,
-    "delta_2": preliminaries.delta_2,
-    "C_eta": preliminaries.C_eta,
-    "h_4": preliminaries.h_4,
-    "h_5": preliminaries.h_5,
-    "V_1": _k.V_1,
-    "delta_x": _k.delta_x,
-    "delta_y": _k.delta_y,
-    "x_0": _k.x_0,
-    "Delta_theta": _k.Delta_theta,
-    "eta_bar": _k.eta_bar,
-    "zeta_bar": _k.zeta_bar,
-    "d_slope": _k.d_slope,
-    "d_const": _k.d_const,
-    "d_bar": _k.d_bar,
-    "T_star": _k.T_star,
-}
-
-_LETTERS = {
-    "r": ("r", "r"),
-    "c": ("c", "c"),
-    "V_0": ("V₀", "V_0"),
-    "delta_theta": ("δ_θ", r"\delta_\theta"),
-    "alpha_0": ("α₀", r"\alpha_0"),
-    "phi_minus": ("φ⁻", r"\varphi^-"),
-    "delta_2": ("δ₂", r"\delta_2"),
-    "C_eta": ("C_η", r"C_\eta"),
-    "h_4": ("h₄", "h_4"),
-    "h_5": ("h₅", "h_5"),
-    "V_1": ("V₁", "V_1"),
-    "delta_x": ("δ_x", r"\delta_x"),
-    "delta_y": ("δ_y", r"\delta_y"),
-    "x_0": ("|x₀|", "|x_0|"),
-    "Delta_theta": ("|Δθ|", r"|\Delta\theta|"),
-    "eta_bar": ("η̄", r"\overline{\eta}"),
-    "zeta_bar": ("ζ̄", r"\overline{\zeta}"),
-    "d_slope": ("k_d", "k_d"),
-    "d_const": ("c_d", "c_d"),
-    "d_bar": ("d̄", r"\overline{d}"),
-    "T_star": ("T*", "T^*"),
-}
 
 #: Theorem 1 at r = 3/100 and c = 95/103, where the fixed points are rational, V_0 = 1 and
 #: delta_theta = 1/10.
@@ -107,6 +57,22 @@ POINT = {
     "d_const": "19/2000000",
     "d_bar": "5630009/6250000000000000000000000",
     "T_star": "379/10000000000000",
+}
+
+#: The letters of the parameters.
+LETTERS = {
+    "r": ("r", "r"),
+    "c": ("c", "c"),
+    "V_0": ("V₀", "V_0"),
+    "delta_theta": ("δ_θ", r"\delta_\theta"),
+}
+
+#: Those that are the same in both sets of constants.
+COMMON = ("r", "c", "V_0", "delta_theta", "alpha_0", "phi_minus", "delta_2", "C_eta", "h_4", "h_5")
+
+#: Each variable with the term that Theorem 1 has for it.
+MEANING: Mapping[str, Term] = {
+    name: symbol(name if name in COMMON else f"{REPAIRED}.{name}") for name in POINT
 }
 
 (
@@ -203,7 +169,7 @@ def givens() -> tuple[str, ...]:
 
 def collapse(group: str) -> Obligation:
     """The row of a theorem that cites the step: its constants satisfy all that the step needs."""
-    return Obligation(COLLAPSE, group, parameters.THEOREM, NEEDED,
+    return Obligation(COLLAPSE, group, THEOREM, NEEDED,
                       "the constants satisfy what the step needs: from each datum of the set the "
                       "particles collapse", Applies(f"{STEP}:{CONTEXT}", MEANING))  # fmt: skip
 
@@ -211,14 +177,17 @@ def collapse(group: str) -> Obligation:
 def context() -> Context:
     """The numbers of the theorem, with the rows that the step uses."""
     claims = _claims() | SIGNS | DEFINITIONS
+    constants = (*theorem().common, *theorem().parts[REPAIRED].bounds)
+    letters = LETTERS | {constant.name: (constant.letter, constant.tex) for constant in constants}
     return Context(
         CONTEXT,
-        tuple(Variable(name, *_LETTERS[name]) for name in MEANING),
+        tuple(Variable(name, *letters[term.name]) for name, term in MEANING.items()),
         tuple(Given(name, claims[name]) for name in givens()),
         {name: as_term(Fraction(text)) for name, text in POINT.items()},
         says="numbers that satisfy the rows of the repaired set",
     )
 
 
+_k = ConstantSet(REPAIRED)
 drift = renamed_term(_k.drift)
 d_later = renamed_term(_k.d_later)

@@ -1,4 +1,8 @@
-"""The conditions of the recursion at the next state: the ratios, zeta, and the time."""
+"""The conditions of the recursion at the next state: the ratios, zeta, and the time.
+
+What follows at every n stands at the end: bounds on the angle and on the time, and two monotone
+quantities.
+"""
 
 from __future__ import annotations
 
@@ -7,14 +11,17 @@ from fractions import Fraction
 
 from verify.language.argument import Item, Line, plus, power, proof, scaled, times
 from verify.language.terms import as_term
-from verify.paper.dynamics.collision import GAINED_UPPER, parts
+from verify.paper.dynamics.laws import GAINED_UPPER, parts
 from verify.paper.dynamics.state import (
     A,
     A_next,
     B,
+    C,
+    C_next,
     D,
     S,
     d,
+    d_next,
     eta_s,
     gained,
     kept,
@@ -25,20 +32,23 @@ from verify.paper.dynamics.state import (
 )
 from verify.paper.parameters import THEOREM
 from verify.paper.step.collision import next_condition
-from verify.paper.step.flight import SHIFT
+from verify.paper.step.flight import SHIFT, small
 from verify.paper.step.numbers import (
     V_0,
     V_1,
     C_eta,
+    T_star,
     alpha_0,
+    c,
     delta_2,
+    delta_theta,
     delta_x,
     eighth,
     gap,
     phi_minus,
     zeta_bar,
 )
-from verify.paper.step.rearranged import small
+from verify.paper.step.state import beta, clock, g
 
 LINK = "EQUATSS4.1Lien_x_n_&_y_n_"
 RATIO = "EQUATSS4.1DefinReste_x_n_"
@@ -236,3 +246,34 @@ def _time() -> Iterator[Item]:
                          times("decay-positive", "time"),
                          times(2, "decay-positive", "Cnd1", "zeta-bound"),
                          times(2, "decay-positive", "zeta_bar-positive", "Cnd2"))  # fmt: skip
+
+
+def conclusion() -> Iterator[Item]:
+    """In every state that satisfies the conditions."""
+    goal = times("decay-speed-positive", "goal")
+    spent = (times("decay-speed-positive", "d-positive"), times(14, "speed-positive", "g-positive"))
+    for side, term in (("upper", C - c), ("lower", c - C)):
+        yield Line(f"angle-final-{side}", term <= delta_theta,
+                   scaled(goal, f"Cnd8-{side}", *spent, "final-angle"), THEOREM,
+                   "|(-cos θ_n) - (-cos θ₀)| ≤ δ_θ for every n, hence for the final angle",
+                   ("bounded-monotone",))  # fmt: skip
+    yield Line("time-total", clock <= T_star,
+               scaled(goal, "clock-bound", "collapse-time",
+                      times(2, "zeta_bar-positive", "g-positive")), THEOREM,
+               "t_n ≤ T* for every n: the times of the collisions converge", ("bounded-monotone",),
+    )  # fmt: skip
+    moving = (
+        times(2, "decay-positive", "distance-speed"),
+        times(4, "decay-positive", "speed-positive", "time-crude"),
+        times(14, "decay-positive", "speed-positive", "Cnd2"),
+    )
+    size, size_next = d + beta * g, d_next + beta * (C_eta * g)
+    for side, claim, says in (
+        ("upper", C_next + size_next <= C + size, "-cos θ_n + d_n + β g_n falls with n"),
+        ("lower", C - size <= C_next - size_next, "-cos θ_n - d_n - β g_n rises with n"),
+    ):
+        changes = (times("decay-speed-positive", f"angle-step-{side}"), *moving)
+        yield Line(f"angle-monotone-{side}", claim,
+                   proof(*(times("decay-speed-positive", change) for change in changes),
+                         using="d_next"),
+                   THEOREM, f"{says}: the angle converges", ("bounded-monotone",))  # fmt: skip

@@ -12,17 +12,13 @@ from __future__ import annotations
 from fractions import Fraction
 from math import lcm
 
-from verify.language.record import TYPE_CHECKING
 from verify.language.terms import Claim, Term, as_term, equal, names_of
 from verify.prover import balls
 from verify.prover.clearing import Clearing, Polynomial, atoms_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Angles, Antisymmetry, Interval, Sum
 from verify.prover.session import ZERO
-
-if TYPE_CHECKING:
-    from verify.prover.ground import Ground
-    from verify.prover.tight import Tight
+from verify.prover.tight import Tight
 
 #: Larger numerators and denominators of angles are left alone.
 MAX_MULTIPLE = 60
@@ -42,7 +38,7 @@ class Algebraic:
     """Proofs of `=`, and of `<=` between equal sides, for one claim without variables."""
 
     def __init__(self, tight: Tight) -> None:
-        self.ground: Ground = tight.ground
+        self.ground = tight.ground
         self.session, self._tight = tight.session, tight
         self._zero: dict[Term, str | None] = {}
 

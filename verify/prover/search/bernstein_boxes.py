@@ -80,12 +80,10 @@ def by_bernstein(
 
 def _side(strategy: Strategy, name: str) -> Side | None:
     bounds = strategy.goal.variables.get(name)
-    if bounds is None or bounds.ends is None or bounds.ends[0] >= bounds.ends[1]:
-        return None
-    if "=" in (bounds.low_relation, bounds.high_relation):
+    if bounds is None or bounds.interval is None:
         return None
     strict = bounds.low_relation == "<", bounds.high_relation == "<"
-    return Side(bounds.ends, (bounds.low_fact, bounds.high_fact), strict)
+    return Side(bounds.interval, (bounds.low_fact, bounds.high_fact), strict)
 
 
 def _alternatives(strategy: Strategy, clearing: Clearing, p: fmpq_mpoly) -> list[Alternative]:

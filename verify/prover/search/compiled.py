@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from verify.language.terms import Term
+from verify.prover.search.numbers import float_of
 
 Estimate = Callable[..., float]
 #: From the ends of all variables, low and high in turn, to the ends of each term.
@@ -45,7 +46,8 @@ def _code(
     found = ", ".join(results(place(term)) for term in terms)
     arguments = ", ".join(inputs(x) for x in places.values())
     body = "\n ".join([*lines, f"return ({found},)"])
-    scope: dict[str, Any] = {"cos": math.cos, "sqrt": math.sqrt, "pi": math.pi, "pair": _cosine}
+    scope: dict[str, Any] = {"cos": math.cos, "sqrt": math.sqrt, "pair": _cosine}
+    scope |= {"pi": math.pi, "inf": math.inf}
     exec(f"def function({arguments}):\n {body}", scope)  # noqa: S102  what is written above
     function: Callable[..., Any] = scope["function"]
     return function
@@ -65,7 +67,7 @@ def estimates(
 def _value(term: Term, at: str, children: list[str]) -> list[str]:
     signs = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
     if term.op == "rational":
-        return [f"{at} = {_float(term)!r}"]
+        return [f"{at} = {float_of(term.value)!r}"]
     if term.op in signs:
         return [f"{at} = {children[0]} {signs[term.op]} {children[1]}"]
     if term.op == "neg":
@@ -75,14 +77,6 @@ def _value(term: Term, at: str, children: list[str]) -> list[str]:
     if term.op == "cos_pi":
         return [f"{at} = cos(pi * {children[0]})"]
     return [f"{at} = {term.op}({', '.join(children)})"]
-
-
-def _float(term: Term) -> float:
-    value = term.value
-    try:
-        return value.numerator / value.denominator
-    except OverflowError:
-        return math.inf if value > 0 else -math.inf
 
 
 def range_function(
@@ -97,7 +91,7 @@ def range_function(
 def _range(term: Term, at: str, children: list[str]) -> list[str]:
     op, low, high = term.op, f"{at}l", f"{at}h"
     if op == "rational":
-        return [f"{low} = {high} = {_float(term)!r}"]
+        return [f"{low} = {high} = {float_of(term.value)!r}"]
     a = children[0]
     if op == "add":
         b = children[1]

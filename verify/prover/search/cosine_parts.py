@@ -49,7 +49,7 @@ class Parts:
         polynomials = (self.cosines.constant, *self.cosines.parts.values())
         if self.index < 0 or not all(map(self._is_in_variable, polynomials)):
             return None
-        if "=" in (self.whole.low_relation, self.whole.high_relation):
+        if self.whole.interval is None:
             return None
         return self._cover(self.whole, 0)
 
@@ -66,8 +66,8 @@ class Parts:
         self.leaves += 1
         ranges = self.exact.of([(low, high)], self.goal.claim.lhs, self.goal.claim.rhs)
         if ranges is not None:
-            x, y = ranges
-            if y.low - x.high > ROOM:
+            (_, most), (least, _) = ranges
+            if least - most > ROOM:
                 return Interval(BITS, ((self.name, bounds.low_fact, bounds.high_fact),))
         for length in LENGTHS:
             found = self._leaf(bounds, length)
@@ -87,17 +87,15 @@ class Parts:
         return Cuts(symbol(self.name), (cut,), tuple(branches))
 
     def _cut(self, low: Fraction, high: Fraction) -> Fraction:
-        """Where an angle is a multiple of 1/2, or else the middle."""
-        places = []
+        """The place nearest to the middle where an angle is a multiple of 1/2, or the middle."""
+        middle, places = (low + high) / 2, []
         for cosine in self.cosines.parts:
             numbers = self.numbers(self.cosines.linear.angle(cosine))
             if len(numbers) != 2:
                 continue
-            ends = sorted(numbers[0] + numbers[1] * x for x in (low, high))
             step = HALF if cosine.op == "cos_pi" else Fraction(10**9)
-            multiples = range(ceil(ends[0] / step), floor(ends[1] / step) + 1)
-            places += [(k * step - numbers[0]) / numbers[1] for k in multiples]
-        middle = (low + high) / 2
+            turns = (numbers[0] + numbers[1] * middle) / step
+            places += [(k * step - numbers[0]) / numbers[1] for k in (floor(turns), ceil(turns))]
         inner = [place for place in places if low < place < high]
         return min(inner, key=lambda place: (abs(place - middle), place), default=middle)
 

@@ -101,13 +101,11 @@ class Polynomials:
         return None
 
     def _order(self) -> Iterator[int]:
-        """The variables with two strict bounds, those of low degree first."""
+        """The variables between two bounds, those of low degree first."""
         found = []
         for index, (atom, degree) in enumerate(zip(self.atoms, self.p.degrees(), strict=True)):
             bounds = self.goal.variables.get(atom.name)
-            if not degree or bounds is None or bounds.ends is None:
-                continue
-            if "=" not in (bounds.low_relation, bounds.high_relation):
+            if degree and bounds is not None and bounds.interval is not None:
                 found.append((int(degree), index))
         return (index for _, index in sorted(found))
 

@@ -1,49 +1,153 @@
-"""Intervals just as the checker computes them, for the leaves that floats leave open."""
+"""Intervals between rational numbers, rounded outward to the precision that a proof names.
+
+Leaves that floats leave open are decided by them. They have the ends that `verify/check.py`
+computes, so that what they show the checker accepts, also where two sides meet: a test compares
+the two on many terms.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from functools import cached_property
+from math import isqrt
 
-from verify import check
+from verify.language.fold import fold
 from verify.language.terms import Term
+
+Range = tuple[Fraction, Fraction]
+
+#: More bits, in which the series of a cosine is added up.
+GUARD_BITS = 32
 
 
 class ExactRanges:
-    """The checker's intervals of terms, at its precision, for ends of variables."""
+    """Intervals around terms, for ends of variables; ``definitions`` has the other names."""
 
     def __init__(self, names: Sequence[str], definitions: Mapping[str, Term], bits: int) -> None:
-        kernel = check.Kernel()
-        kernel.work = 1 << 62
-        self._scope = check.Enclosing(kernel, bits, None)
-        self._names, self._definitions = tuple(names), definitions
-
-    def of(
-        self, ends: Sequence[tuple[Fraction, Fraction]], *terms: Term
-    ) -> list[check.Interval] | None:
-        """The intervals of terms; None where the checker would refuse one."""
-        known = {
-            name: check.Interval(low, high)
-            for name, (low, high) in zip(self._names, ends, strict=True)
+        self._names, self._definitions, self._bits = tuple(names), definitions, bits
+        operations: dict[str, Callable[..., Range]] = {
+            "rational": lambda value: (value, value),
+            "add": lambda x, y: (x[0] + y[0], x[1] + y[1]),
+            "sub": lambda x, y: (x[0] - y[1], x[1] - y[0]),
+            "neg": lambda x: (-x[1], -x[0]),
+            "mul": _product,
+            "div": _quotient,
+            "pow": self._power,
+            "sqrt": self._root,
+            "min": lambda *xs: (min(x[0] for x in xs), min(x[1] for x in xs)),
+            "max": lambda *xs: (max(x[0] for x in xs), max(x[1] for x in xs)),
+            "cos": lambda x: self._cos_pi(self._outward(_quotient(x, self._pi))),
+            "cos_pi": self._cos_pi,
         }
-        done: dict[Term, check.Interval] = {}
+        self._algebra = {name: self._rounded(function) for name, function in operations.items()}
+
+    def of(self, ends: Sequence[Range], *terms: Term) -> list[Range] | None:
+        """The intervals of terms; None where one may have no value."""
+        given = dict(zip(self._names, ends, strict=True))
+        known: dict[Term, Range] = {}
+
+        def named(name: str) -> Range:
+            if name in given:
+                return given[name]
+            return fold(self._definitions[name], algebra, known)
+
+        algebra = {**self._algebra, "symbol": named}
         try:
-            return [self._value(term, known, done) for term in terms]
-        except (check.Refused, check.Malformed):
+            return [fold(term, algebra, known) for term in terms]
+        except ZeroDivisionError:
             return None
 
-    def _value(
-        self, term: Term, known: dict[str, check.Interval], done: dict[Term, check.Interval]
-    ) -> check.Interval:
-        if term.op == "symbol":
-            if term.name not in known:
-                known[term.name] = self._value(self._definitions[term.name], known, done)
-            return known[term.name]
-        if term not in done:
-            children = [self._value(child, known, done) for child in term.children]
-            rest: tuple[int, ...] = (term.exponent,) if term.op == "pow" else ()
-            if term.op == "rational":
-                rest = term.value.numerator, term.value.denominator
-            result = check.OPERATIONS[term.op](self._scope, *children, *rest)
-            done[term] = self._scope.outward(result)
-        return done[term]
+    # --- rounding -------------------------------------------------------------------------------
+
+    def _rounded(self, function: Callable[..., Range]) -> Callable[..., Range]:
+        return lambda *operands: self._outward(function(*operands))
+
+    def _outward(self, x: Range) -> Range:
+        return self._below(x[0]), -self._below(-x[1])
+
+    def _below(self, end: Fraction) -> Fraction:
+        """The number, or one with fewer bits that is a little smaller."""
+        n, d = end.numerator, end.denominator
+        if n.bit_length() + d.bit_length() <= 2 * self._bits:
+            return end
+        shift = self._bits - n.bit_length() + d.bit_length()
+        if shift < 0:
+            return Fraction(n // (d << -shift) << -shift)
+        return Fraction((n << shift) // d, 1 << shift)
+
+    # --- operations that need the precision -----------------------------------------------------
+
+    def _power(self, x: Range, exponent: int) -> Range:
+        """Odd powers rise; an even power is that of the absolute value, and rises with it."""
+        low, high = x
+        if exponent % 2 == 0 and low < 0:
+            low, high = max(Fraction(0), -high), max(-low, high)
+        return self._powers(low, exponent)[0], self._powers(high, exponent)[1]
+
+    def _powers(self, end: Fraction, exponent: int) -> Range:
+        if exponent == 1:
+            return end, end
+        half = self._outward(self._powers(end, exponent // 2))
+        square = _product(half, half)
+        return _product(square, (end, end)) if exponent % 2 else square
+
+    def _root(self, x: Range) -> Range:
+        if x[0] < 0:
+            raise ZeroDivisionError("the root of an interval that reaches below 0")
+        (low, _), (_, high) = map(self._roots, x)
+        return low, high
+
+    def _roots(self, end: Fraction) -> Range:
+        square = end.numerator * end.denominator << 2 * self._bits
+        root, divisor = isqrt(square), end.denominator << self._bits
+        return Fraction(root, divisor), Fraction(root + (root * root < square), divisor)
+
+    def _cos_pi(self, x: Range) -> Range:
+        """The extremes are at the ends, and at integers."""
+        first = -(-x[0] // 1)
+        values = [self._cosine(end) for end in x]
+        values += [(Fraction((-1) ** (k % 2)),) * 2 for k in (first, first + 1) if k <= x[1]]
+        return min(low for low, _ in values), max(high for _, high in values)
+
+    def _cosine(self, x: Fraction) -> Range:
+        """cos(pi x) by its series around 0, after a shift by an even number into [-1, 1]."""
+        angle = x - (x + 1) // 2 * 2
+        if angle.denominator <= 2:
+            return 1 - 2 * abs(angle), 1 - 2 * abs(angle)
+        unit = 1 << self._bits + GUARD_BITS
+        low, high = self._power(_product((angle, angle), self._pi), 2)
+        square = low * unit // 1, -(-high * unit // 1)
+        t = unit, unit
+        for k in range(self._bits // 2 + 11, 0, -1):
+            ends = [a * b for a in square for b in t]
+            divisor = 2 * k * (2 * k - 1) * unit
+            t = unit + -max(ends) // divisor, unit - min(ends) // divisor
+        rest = unit >> self._bits
+        least, most = Fraction(t[0] - rest, unit), Fraction(t[1] + rest, unit)
+        return max(least, Fraction(-1)), min(most, Fraction(1))
+
+    @cached_property
+    def _pi(self) -> Range:
+        """Machin: pi = 16 arctan(1/5) - 4 arctan(1/239), each an alternating series."""
+        unit, total, error = 1 << self._bits + GUARD_BITS, 0, 0
+        for factor, n in ((16, 5), (-4, 239)):
+            power, k = unit // n, 0
+            while power:
+                total += factor * (-1) ** k * (power // (2 * k + 1))
+                power, k = power // (n * n), k + 1
+            error += abs(factor) * (k + 1)
+        return Fraction(total - error, unit), Fraction(total + error, unit)
+
+
+def _product(x: Range, y: Range) -> Range:
+    if x[0] >= 0 and y[0] >= 0:
+        return x[0] * y[0], x[1] * y[1]
+    ends = [a * b for a in x for b in y]
+    return min(ends), max(ends)
+
+
+def _quotient(x: Range, y: Range) -> Range:
+    if y[0] <= 0 <= y[1]:
+        raise ZeroDivisionError("a division by an interval that contains 0")
+    return _product(x, (1 / y[1], 1 / y[0]))

@@ -7,6 +7,7 @@ reduction). Kernels come from zeros that are known, and from an estimate of the 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
@@ -36,6 +37,8 @@ def faces(blocks: Sequence[Block], found: Solution) -> list[Block] | None:
     """The bases without the directions in which the matrices vanish; None if there are none."""
     result, changed = [], False
     largest = max((m[i][i] for m in found.blocks for i in range(len(m))), default=1.0)
+    if not largest > 0:
+        return None
     for block, matrix in zip(blocks, found.blocks, strict=True):
         kernel = _kernel(matrix, largest)
         if kernel:
@@ -185,13 +188,16 @@ def _rational(value: float) -> Fraction | None:
 
 
 def value_at(polynomial: fmpq_mpoly, point: Sequence[float]) -> float:
-    """The value of a polynomial at floats."""
+    """The value of a polynomial at floats; no number where one is too large."""
     total = 0.0
-    for exponents, c in polynomial.to_dict().items():
-        term = float_of(c)
-        for x, e in zip(point, exponents, strict=True):
-            term *= x ** int(e)
-        total += term
+    try:
+        for exponents, c in polynomial.to_dict().items():
+            term = float_of(c)
+            for x, e in zip(point, exponents, strict=True):
+                term *= x ** int(e)
+            total += term
+    except OverflowError:
+        return math.nan
     return total
 
 

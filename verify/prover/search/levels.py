@@ -52,10 +52,11 @@ def by_levels(bounds: CosineBounds) -> Proof | None:
     product = bounds.relations.product(one, two, opposite, cosine)
     return Sum(
         ("goal", ("mul", str(2 * abs(number)), *signs)),
-        (*bounds.linear.using, turned),
+        tuple(bounds.linear.using),
         (
             *bounds.linear.cofactors(-1),
             (product, as_term(number)),
+            (turned, as_term(number)),
             (equation, as_term(-number)),
         ),
     )

@@ -11,6 +11,7 @@ from verify.language.terms import Claim
 from verify.prover.budget import WorkBudget
 from verify.prover.goal import Goal
 from verify.prover.search.compiled import estimates
+from verify.prover.search.numbers import float_of
 
 #: How many starts there are, and how many steps from each.
 STARTS = 24
@@ -41,7 +42,7 @@ class Minima:
                     return math.inf
             except (ArithmeticError, ValueError):
                 return math.inf
-            return b - a if b - a == b - a else math.inf
+            return b - a if math.isfinite(b - a) else math.inf
 
         self.function = function
 
@@ -50,7 +51,9 @@ class Minima:
         result: list[tuple[float, tuple[float, ...]]] = []
         for start in self._starts():
             value, point = self._descend(start)
-            if value < math.inf and not any(_near(point, other) for _, other in result):
+            if not (value < math.inf and all(map(math.isfinite, point))):
+                continue
+            if not any(_near(point, other) for _, other in result):
                 result.append((value, point))
         return sorted(result)
 
@@ -115,8 +118,8 @@ class Minima:
 
 def _ends(low: Fraction | None, high: Fraction | None) -> tuple[float, float]:
     return (
-        -math.inf if low is None else float(low),
-        math.inf if high is None else float(high),
+        -math.inf if low is None else float_of(low),
+        math.inf if high is None else float_of(high),
     )
 
 

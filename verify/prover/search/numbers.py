@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 from flint import fmpq
 
 
-def float_of(value: fmpq) -> float:
-    """The nearest float, or about that."""
-    return int(value.p) / int(value.q)
+def float_of(value: fmpq | Fraction) -> float:
+    """The nearest float, or about that; an infinite one beyond the largest."""
+    top, bottom = (value.p, value.q) if isinstance(value, fmpq) else value.as_integer_ratio()
+    try:
+        return int(top) / int(bottom)
+    except OverflowError:
+        return math.inf if top > 0 else -math.inf
 
 
 def fmpq_of(value: Fraction | float) -> fmpq:

@@ -13,9 +13,9 @@ Then the entries are rounded, the equations solved exactly again, and Q_j = L D 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
-from math import frexp
 
 from flint import fmpq, fmpq_mat, fmpq_mpoly
 
@@ -60,7 +60,10 @@ def decompose(
         system = _System(p, domain, factors, blocks, budget)
         if not system.consistent or len(system.rows) > MAX_EQUATIONS:
             return None
-        found = Solver(system.program(), budget).solve()
+        program = system.program()
+        if program is None:
+            return None
+        found = Solver(program, budget).solve()
         if found.t > HOPELESS or found.error > 1e-4:
             return None
         terms = system.rounded(found, budget) if found.t < 1e-4 else None
@@ -107,8 +110,8 @@ class _System:
             if monomial in self.rows:
                 self.wanted[self.rows[monomial]] = value
 
-    def program(self) -> Equations:
-        """The same in floating point, with equations of size 1."""
+    def program(self) -> Equations | None:
+        """The same in floating point, with equations of size 1; None if a number is too large."""
         largest = [1e-300] * len(self.rows)
         for entries in self.entries:
             for _, _, pairs in entries:
@@ -119,6 +122,8 @@ class _System:
             for entries in self.entries
         ]
         wanted = [float_of(c) / size for c, size in zip(self.wanted, largest, strict=True)]
+        if not all(map(math.isfinite, (*largest, *wanted))):
+            return None
         return Equations([len(block.basis) for block in self.blocks], floats, wanted)
 
     def rounded(self, found: Solution, budget: WorkBudget) -> list[Summand] | None:
@@ -233,4 +238,4 @@ def _solve(gram: list[list[fmpq]], wanted: list[fmpq]) -> list[fmpq] | None:
 
 
 def _power_of_two(size: float, digits: int) -> float:
-    return 2.0 ** (frexp(size)[1] - digits)
+    return 2.0 ** (math.frexp(size)[1] - digits)

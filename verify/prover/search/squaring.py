@@ -24,6 +24,7 @@ from verify.prover.clearing import atoms_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cases, Sum
 from verify.prover.search.local_minima import Minima
+from verify.prover.search.numbers import float_of
 from verify.prover.session import ZERO
 
 if TYPE_CHECKING:
@@ -145,6 +146,6 @@ class Squaring:
         if polynomial.is_constant():
             return not polynomial.to_dict() or polynomial.leading_coefficient() >= 0
         claim = Claim("<=", ZERO, self.term(polynomial))
-        size = float(max(abs(c) for c in polynomial.coeffs()))
+        size = float_of(max(abs(c) for c in polynomial.coeffs()))
         found = Minima(self.goal._replace(claim=claim), self.strategy.budget).found()
         return bool(found) and found[0][0] >= SLACK * size

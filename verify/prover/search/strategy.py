@@ -178,7 +178,7 @@ class Strategy:
                     found[name] = session.claims[name]
         found |= dict([*self.given.items()][: max(0, MAX_FACTS - len(found))])
         rows = {name: session.claims[name] for name in self.universal.rows & session.claims.keys()}
-        found |= {name: rows[name] for name in sorted(rows) if self._is_near(name, rows[name])}
+        found |= {name: rows[name] for name in sorted(rows) if self._is_usable(name, rows[name])}
         for term in extrema_of((self.goal.claim.lhs, self.goal.claim.rhs), self.goal.definitions):
             for entry in term.children:
                 known = self.entry(term, entry)
@@ -246,6 +246,13 @@ class Strategy:
         names = {*names_of(claim.lhs, claim.rhs)}
         is_bound = {claim.lhs.op, claim.rhs.op} == {"symbol", "rational"}
         return not is_bound and names <= {*self.goal.variables, *self.using}
+
+    def _is_usable(self, name: str, row: Claim) -> bool:
+        """Whether a row that is proved may help, and the checker can clear it.
+
+        Enclosures prove a row without the facts that its divisors and radicands need in a sum.
+        """
+        return self._is_near(name, row) and self.universal.is_cleared(row, self.goal.context)
 
     def simple_zeros(self) -> list[dict[str, Fraction]]:
         """Simple points near those where the claim is nearly false."""

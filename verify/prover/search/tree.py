@@ -19,6 +19,7 @@ from verify.prover.proof import Proof
 from verify.prover.rules import Cuts, Interval
 from verify.prover.search.compiled import range_function
 from verify.prover.search.exact import ExactRanges
+from verify.prover.search.numbers import float_of
 
 #: Bits of the checker in leaves: few, as its cosines take time in proportion.
 BITS = 48
@@ -88,7 +89,7 @@ class Tree:
         """A lower bound of rhs - lhs on a box; minus infinity where none is known."""
         self.budget.spend(1 + self.cost // 25)
         try:
-            low, high, other, top = self.ranges(*(float(end) for pair in ends for end in pair))
+            low, high, other, top = self.ranges(*(float_of(end) for pair in ends for end in pair))
         except (ArithmeticError, ValueError):
             return -math.inf
         gap = other - high
@@ -108,9 +109,8 @@ class Tree:
             found = self.exact.of(box, *self.sides)
             if found is None:
                 return False
-            x, y = found
-            strict = self.claim.relation == "<"
-            self.decided[box] = x.high < y.low if strict else x.high <= y.low
+            (_, high), (low, _) = found
+            self.decided[box] = high < low if self.claim.relation == "<" else high <= low
         return self.decided[box]
 
     def _cover(self, box: Piece, gap: float) -> Proof | None:
@@ -142,7 +142,7 @@ class Tree:
 
     def _may_hold(self, box: Piece) -> bool:
         """Whether the claim is true at the centre, as far as floats tell."""
-        centre = [float(low + high) / 2 for low, high in box.ends]
+        centre = [float_of((low + high) / 2) for low, high in box.ends]
         try:
             low, _, _, top = self.ranges(*(x for x in centre for _ in "lh"))
         except (ArithmeticError, ValueError):
@@ -175,9 +175,15 @@ def _middle(low: Fraction, high: Fraction) -> Fraction:
     if middle.denominator.bit_length() < 30:
         return middle
     width = high - low
-    digits = max(0, 3 - math.floor(math.log2(width))) if width else 0
+    digits = max(0, 3 - _binary_exponent(width)) if width else 0
     short = Fraction(round(middle * 2**digits), 2**digits)
     return short if low < short < high else middle
+
+
+def _binary_exponent(value: Fraction) -> int:
+    """The integer e with 2^e <= value < 2^(e + 1), for a positive number."""
+    found = value.numerator.bit_length() - value.denominator.bit_length()
+    return found if value >= Fraction(2) ** found else found - 1
 
 
 def _cost(terms: Sequence[Term], definitions: Mapping[str, Term]) -> int:

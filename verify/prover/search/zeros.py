@@ -5,6 +5,7 @@ Where a form has a zero it has a line of them: one on each is found by setting a
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
@@ -41,6 +42,8 @@ def zeros_in_floats(domain: Domain, budget: WorkBudget) -> list[Point]:
         return []
     found: list[Point] = []
     size = max(float_of(abs(c)) for c in p.coeffs())
+    if not math.isfinite(size):
+        return []
     for fixed in _slices(domain):
         for point in _minima(domain, fixed, budget, NEAR_ZERO * size):
             polished = _polished(p, point, fixed, used)

@@ -38,13 +38,15 @@ def read(folder: check.Folder) -> Reading:
     """What the checker reads in a folder, with its complaints.
 
     Raises:
-        NotAcceptedError: if a file is not in the format.
+        NotAcceptedError: if a file, or a certificate of what is cited, is not in the format.
     """
     available = {sha256(data).hexdigest(): data for data in (folder.statement, *folder.cited)}
+    ((report, _),) = check.judged([folder])
+    if report.verdict == "MALFORMED":
+        raise NotAcceptedError(f"MALFORMED: {report.summary}")
     try:
         document = check.parsed("statement", folder.statement, check.STATEMENT)
         certificate = check.parsed("certificate", folder.certificate, check.CERTIFICATE)
-        report = check.check(folder.statement, folder.certificate, available)
         kernel = check.Kernel()
         reader = check.Reader(kernel, available)
         statement = reader.read(document)
@@ -63,7 +65,9 @@ def read(folder: check.Folder) -> Reading:
     except (check.Malformed, RecursionError) as error:
         raise NotAcceptedError(f"MALFORMED: {error}") from error
     kernel.work = check.MAX_WORK
-    complaints = [] if report.verdict == "PROVED" else [report.verdict, *checking.complaints]
+    cited_complaints = [line for line in report.lines if line.startswith("REFUSED cited")]
+    complaints = [report.verdict, *checking.complaints, *cited_complaints]
+    complaints = [] if report.verdict == "PROVED" else complaints
     return Reading(
         kernel, reader, statement, document["theorem"], report.digest, certificate, cited, defined,
         refused, complaints,

@@ -1,0 +1,185 @@
+"""What is printed and false: accepted with its states, refused with any other, and fair."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from flint import fmpq
+
+from verify import check
+from verify.language.statement import PROVED, REFUTED
+from verify.language.terms import Claim, Term, as_term
+from verify.paper.commands.regenerate import is_right_statement
+from verify.paper.commands.step import decide_step_printed, state
+from verify.paper.parameters import PARAMETERS
+from verify.paper.step import misprints
+from verify.paper.step.step import step
+from verify.paper.theorem1 import theorem
+from verify.prover.outcome import Outcome
+from verify.prover.rules import Witness
+from verify.wire.read import read
+from verify.wire.write import write
+
+from . import second_estimates
+from .second_constants import Constants, hypothesis
+from .second_reading import READINGS, Place, State, dot, holds, links
+
+ROOT = Path(check.__file__).parents[1]
+
+#: The second reading's lines that are false where these rows are refuted.
+SAME_LINES = {
+    "law-norm-c": "law of |W_c|^2",
+    "d-index": "bound on d_n",
+    "time-square": "tau / (-eta_c) by zeta^2",
+    "x-small": "x_n is small",
+    "term-2-sign": "second term of zeta_{n+1}",
+    "term-2": "second term of zeta_{n+1}",
+    "three-terms": "three remainder terms",
+    "zeta-falls": "zeta_{n+1} <= (1 - h_5/4) zeta_n",
+    "angle-equation": "step of the angle",
+    "angle-sign": "step of the angle",
+}
+
+
+def report(outcome: Outcome) -> check.Report:
+    files = write(outcome)
+    return check.check(files["statement.json"], files["certificate.json"], {})
+
+
+def rational(term: Term) -> fmpq:
+    return fmpq(term.value.numerator, term.value.denominator)
+
+
+def place(name: str) -> Place:
+    """The state of a witness, for the second reading."""
+    found = {key: rational(x) for key, x in state(misprints.WITNESSES[name]).items()}
+    vectors = {v: [found[f"{v}_{i}"] for i in "123"] for v in misprints.VECTORS}
+    values = [fmpq(*Fraction(misprints.PARAMETERS[p]).as_integer_ratio()) for p in PARAMETERS]
+    r, c, V_0, delta_theta = values
+    return Place(r, State(d=found["d"], **vectors), Constants(r, c, delta_theta, V_0))
+
+
+def test_every_printed_row_is_refuted_and_every_other_proved() -> None:
+    outcome = decide_step_printed()
+    files = write(outcome)
+    found = check.check(files["statement.json"], files["certificate.json"], {})
+    assert found.verdict == "PROVED"
+    assert read(files["statement.json"], files["certificate.json"], {}) == outcome.draft
+    assert not outcome.assumptions
+    for row, decision in outcome.rows:
+        assert decision.verdict == (REFUTED if row.severity else PROVED), row.name
+
+
+def test_each_is_corrected_by_a_row_that_is_proved_elsewhere() -> None:
+    known = {row.name for row in step().statement.obligations}
+    known |= {row.name for part in theorem().parts.values() for row in part.obligations}
+    for row in misprints.printed():
+        assert row.corrected_by in known, row.name
+        assert row.corrected_by != row.name
+
+
+def test_what_is_proved_here_has_the_names_and_labels_of_the_step() -> None:
+    labels = {row.name: row.label for row in step().statement.obligations}
+    for row in misprints.needed():
+        if not row.name.startswith("angle"):
+            assert labels[row.name] == row.label
+
+
+# --- fair -----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", misprints.WITNESSES)
+def test_a_second_reader_allows_the_states(name: str) -> None:
+    """All conditions hold for the reader's own vectors, collision and constants."""
+    q = place(name)
+    for label, parts in hypothesis(q).items():
+        assert all(holds(*part) for part in parts), label
+    assert second_estimates.SAID
+
+
+@pytest.mark.parametrize("name", misprints.WITNESSES)
+def test_the_numbers_of_a_state_are_those_of_its_collision(name: str) -> None:
+    q, found = place(name), state(misprints.WITNESSES[name])
+    assert q.n.tau == rational(found["tau"])
+    assert q.n.still == rational(found["S"])
+    assert 1 + q.m.d == rational(found["D"])
+    n = misprints.WITNESSES[name].n
+    assert found["decay"].value == Fraction(misprints.DECAY) ** n
+    assert q.K.C_eta == fmpq(*Fraction(misprints.DECAY).as_integer_ratio())
+    assert all(dot(v, v) == 1 for v in (q.n.omega_s, q.n.omega_c, q.m.omega_s, q.m.omega_c))
+
+
+def test_the_second_reader_finds_the_same_lines_wrong_at_these_states() -> None:
+    for row, line in SAME_LINES.items():
+        at = misprints.FALSE_AT.get(f"state.{row}", misprints.FIRST)
+        q, reading = place(at), READINGS[line]
+        assert reading.view == "wrong"
+        assert any(holds(*part) is False for part in reading.parts(q)), row
+        if reading.instead is not None:
+            assert all(holds(*part) is not False for part in links(reading.instead(q))), row
+
+
+def test_every_state_refutes_a_row() -> None:
+    names = {row.name for row in misprints.printed()}
+    assert set(misprints.FALSE_AT) < names
+    used = {misprints.FIRST, *misprints.FALSE_AT.values()}
+    assert used == set(misprints.WITNESSES)
+
+
+def test_a_state_in_the_plane_has_no_third_coordinate() -> None:
+    for name, numbers in misprints.WITNESSES.items():
+        third = {v: state(numbers)[f"{v}_3"].value for v in misprints.VECTORS}
+        assert any(third.values()) == (name == "space")
+
+
+# --- refused --------------------------------------------------------------------------------------
+
+
+def changed(row: str, claim: Claim) -> Outcome:
+    """The same with another claim in place of a refuted one."""
+    outcome = decide_step_printed()
+    rows = tuple(
+        old._replace(claim=claim) if old.name == row else old
+        for old in outcome.statement.obligations
+    )
+    return outcome._replace(statement=outcome.statement._replace(obligations=rows))
+
+
+def test_what_is_right_is_not_refuted_by_the_same_state() -> None:
+    claims = {row.name: row.claim for row in decide_step_printed().statement.obligations}
+    rights = ("law-norm-c", "distance", "time-product", "angle-step-upper")
+    wrongs = ("law-norm-c", "d-index", "time-square", "angle-sign")
+    for right, wrong in zip(rights, wrongs, strict=True):
+        claim = claims[right]
+        assert isinstance(claim, Claim)
+        upper = Claim("<=", claim.lhs, claim.rhs)
+        assert report(changed(f"state.{wrong}", upper)).verdict == "REFUSED", right
+
+
+@pytest.mark.parametrize("name", ["d", "tau", "W_s_2", "omega_c_1", "decay", "S", "D"])
+def test_another_state_is_refused(name: str) -> None:
+    outcome = decide_step_printed()
+    found = []
+    for old in outcome.steps:
+        proof = getattr(old, "proof", None)
+        if isinstance(proof, Witness):
+            number = proof.at[name].value
+            at = {**proof.at, name: as_term(number * 2 + Fraction(1, 10))}
+            old = old._replace(proof=proof._replace(at=at))
+        found.append(old)
+    assert report(outcome._replace(steps=tuple(found))).verdict == "REFUSED"
+
+
+def test_the_committed_folder_is_what_the_program_makes() -> None:
+    for name, content in write(decide_step_printed()).items():
+        assert (ROOT / "certificates" / "step-printed" / name).read_bytes() == content
+
+
+def test_the_program_calls_its_own_statement_right() -> None:
+    outcome = decide_step_printed()
+    statement = outcome.statement
+    assert is_right_statement(write(outcome)["statement.json"])
+    fewer = outcome._replace(statement=statement._replace(obligations=statement.obligations[:-1]))
+    assert not is_right_statement(write(fewer)["statement.json"])

@@ -1,0 +1,37 @@
+"""The value of a term in an algebra: the one place that takes a term apart by its operation."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TypeVar
+
+from verify.language.terms import Term
+
+Value = TypeVar("Value")
+
+
+class MissingOperationError(LookupError):
+    """An algebra does not have an operation of a term."""
+
+
+def fold(
+    term: Term, algebra: Mapping[str, Callable[..., Value]], known: dict[Term, Value]
+) -> Value:
+    """The value of a term, by a function for each of its operations.
+
+    A function gets the values of the subterms; that of ``rational`` gets the number, that of
+    ``symbol`` the name, and that of ``pow`` the exponent after the value. ``known`` has the values
+    of parts that are known, and keeps those that are computed.
+
+    Raises:
+        MissingOperationError: for an operation that the algebra does not have.
+    """
+    if term in known:
+        return known[term]
+    function = algebra.get(term.op)
+    if function is None:
+        raise MissingOperationError(f"there is no {term.op} among {', '.join(sorted(algebra))}")
+    children = term.children
+    values = [fold(child, algebra, known) for child in children]
+    found = known[term] = function(*values, *term.args[len(children) :])
+    return found

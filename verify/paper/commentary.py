@@ -1,0 +1,128 @@
+"""What is wrong with the print, what the repaired set changes, and remarks on the text.
+
+Every row that has a severity belongs to exactly one cause. A cause is about the print: that its
+rows are refuted is decided for given parameters, and some of them hold for others. The changes are
+the table `paper | needed | why`. Remarks stand where no inequality decides.
+"""
+
+from __future__ import annotations
+
+from verify.language.statement import Change
+from verify.paper.initial_data import D_0, DELTA, ETA, X_0, ZETA
+from verify.paper.parameters import THEOREM
+from verify.paper.recursion import X_LINK
+from verify.paper.rows import Cause, Remark
+
+CAUSES = (
+    Cause(("hypotheses.angle-as-printed", "printed.second-assumption-as-printed"),
+        "< is printed for >, which `EQUATSS3.4ZKCl2CondiStabi` has. The two conditions exclude "
+        "each other: wherever h₅ > 0, as the text asks, the printed hypothesis fails (at r = "
+        "3/100 with -cos θ₀ = 1, for one), and the other rows are judged outside it. One slip, "
+        "two rows."),
+    Cause(("printed.r_stabi-gives-fixed-points",),
+        "The two fixed points come from the condition on the angle, read with >; r < r_stabi does "
+        "not give them."),
+    Cause(("printed.phi-minus-called-unstable",), "'Unstable' is printed for 'stable'."),
+    Cause(("printed.set-interior",),
+        "ω_{c,0}·ω_{s,0} = cos θ₀ is an equation, so this set has no interior, not even among the "
+        "data in contact, and the theorem claims one. The union of such sets over neighbouring "
+        "angles has one; the text does not form it."),
+    Cause(("printed.init-zeta-bound-2",),
+        "The bound 2 is printed for the bound 2x, which is true too and which the display uses."),
+    Cause(("printed.d-index",), "The right-hand side bounds d_{n+1}; d_n is printed."),
+    Cause(("printed.norm-law-as-printed",),
+        "(1+r)²/2 is printed for (1+r)²/4; all that is used is that it is at most 2."),
+    Cause(("printed.Cnd5-lower-as-printed",),
+        "Cnd6 and Cnd7 lack absolute values. The bound (1+d_n)²η² on a difference that is never "
+        "positive shows that they are meant, and the same constants bound them."),
+    Cause(("printed.zeta-time-square",), "τ_n/(-η_{c,n}) is printed for its square."),
+    Cause(("printed.zeta-x-bound", "printed.zeta-term-2", "printed.zeta-remainders",
+        "printed.zeta-total"),
+        "Only of x₀ is it assumed that it is at most (V₀/V₁) δ₂² h₅/12; of the others the text "
+        "has the bound δ_x, which is larger."),
+    Cause(("printed.CndT-as-printed",), "'1 +' is missing in front of (√2-1)/2."),
+    Cause(("printed.angle-sign",),
+        "- is printed for + in front of the last term (and = for ≤); the line below has +."),
+    Cause(("printed.angle-absorbed", "printed.y-term-3", "printed.final-angle"),
+        "The entry V₀/(33 V₁^{1/2}) |Δθ| of η̄ has no factor 1-C_η, and the angles may drift by "
+        "14 (V₁^{1/2}/V₀) η̄/(1-C_η). Which of the three steps fail depends on the parameters: at "
+        "r = 3/100 the first two for δ_θ = 1/10, the first and the last for δ_θ = 1/1000. Only "
+        "the last breaks the argument: in y_n the second has the factor (1+r)/2, with which it "
+        "holds (`y-term-3-factor`)."),
+    Cause(("printed.alone-eta-y-1", "printed.alone-eta-y-2", "printed.alone-eta-x-1",
+        "printed.x-term-1-d", "printed.alone-zeta-y-2", "printed.alone-zeta-x-1",
+        "printed.alone-zeta-y-4", "printed.alone-d-y-3", "printed.alone-d-x-1"),
+        "An entry of a min is the sum of the bounds that several steps need, and so bounds none "
+        "of them. Each step has its own row and may hold all the same, because another entry is "
+        "smaller; `x-term-1-d` does not at r = 1/1000000 with -cos θ₀ = 1/20, but for the factor "
+        "r in front of it (`x-term-1-factor`). Once δ_x is repaired, the steps do need what is "
+        "alone in entry 3 of ζ̄ (at r = 3/100, say)."),
+)  # fmt: skip
+
+
+CHANGES = (
+    Change("EQUATSS4.1ThExiCondiTheta", "-cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r)",
+        "-cos θ₀ > 2r^(1/3)(1+r^(1/3))/(1+r)",
+        "h₅ > 0 is equivalent to >; with < the construction has h₅ < 0."),
+    Change(DELTA, "δ_x = δ_y = min(δ₁, …, δ₅)", "also at most (V₀/V₁) δ₂² h₅/12",
+        "Cnd9 must give |x_n| ≤ (V₀/V₁) δ₂² h₅/12 for every n, not only for n = 0."),
+    Change(X_0, "ω_{c,0}·ω_{s,0} = cos θ₀", "|cos θ_init - cos θ₀| ≤ |Δθ|/4",
+        "with the angle fixed the set has no interior."),
+    Change("EQUATSS4.1Recurrence_Cnd5", "(nothing)",
+        "d_n ≤ 1 among the conditions of the recursion",
+        "1+d_n ≤ 2 is used in the bounds on τ_n and on the norms."),
+    Change(ETA, "entry V₀/(33 V₁^{1/2}) |Δθ|", "(1-C_η)/28 · V₀/V₁^{1/2} · |Δθ|",
+        "the tail of Cnd8 is 14 (V₁^{1/2}/V₀) η̄/(1-C_η); half of |Δθ| is left for it."),
+    Change(ETA, "entry V₀/V₁^{1/2} (2/(15α₀) + h₄δ₂/6 + h₄/(12α₀) + h₄/24) δ_x",
+        "V₀/V₁^{1/2} h₄δ_x times each of 1/(12α₀), δ₂/6, 1/24",
+        "each later step needs its own bound; their sum is larger than each of them."),
+    Change(ZETA, "entry (1 + 4δ₂ + V₀/V₁) h₄δ_x/16", "h₄δ_x/16 times each of 1, 4δ₂, V₀/V₁",
+        "the same."),
+    Change(D_0, "entries |Δθ|/3, (1+δ₂h₄)δ_x/5, (1+2δ₂)h₄δ_x/4", "|Δθ|/4, δ₂h₄δ_x/2, h₄δ_x/8",
+        "the same; and a quarter of |Δθ| is left for the initial angle."),
+    Change("EQUATSS4.1EvoluNormeVitRl", "(1+r)²/2 (W_c·ω)²", "(1+r)²/4 (W_c·ω)²",
+        "the square of the impulse; the printed bound 2|W_c·ω|² holds with either."),
+    Change("EQUATSS4.1Recurrence_Cnd6", "|W_{c,n}|² - |W_{s,0}|² ≤ …, upper bounds only",
+        "the absolute values of the differences",
+        "V₀ ≤ |W|² needs a bound from below; the same constant serves."),
+    Change("THEORSS4.1ExistenCollapse", "(nothing)",
+        "Σ τ_n ≤ 2 η̄ ζ̄/(V₀(1-C_η)) ≤ T*, and |Δθ| ≤ δ_θ for the limit angle",
+        "the finite collapse time and the final angle are claimed and not concluded."),
+)  # fmt: skip
+
+
+REMARKS = (
+    Remark(THEOREM,
+        "δ₄ is defined by an equation with two positive roots, and so is δ₅; the smaller is "
+        "meant."),
+    Remark("EQUATSS4.1DonneInitiColSp",
+        "η_{c,n} < 0, ζ_n < 1 and the condition on the outer pair are called necessary and "
+        "sufficient for the collapse; that it happens in finite time, Σ τ_n < ∞, is a further "
+        "condition."),
+    Remark("EQUATSS4.1EvoluCompoNormC", "The law is stated for n ≥ 1 and used for n = 0."),
+    Remark(ETA, "The 1 and the 2 in η̄ are speeds: they fix a unit."),
+    Remark(ETA, "No step here uses the summand 2/(15α₀)."),
+    Remark(D_0, "No step here uses the entry (1+δ₂h₄)δ_x/5."),
+    Remark(X_0,
+        "The set asks for d₀ ≤ d̄ only: 0 < d₀ is part of the model, `EQUATSS2.2LoiEvDistaInit1`. "
+        "Likewise η_{s,0} > 0 is what post-collisional means, `EQUATSS2.2LoiEvW1Om1Init1`."),
+    Remark("EQUATSS4.1Recurrence_Cnd2",
+        "The second inequality is stated for all k ≤ n and means 1 ≤ k ≤ n."),
+    Remark("EQUATSS4.1Recurrence_Cnd6",
+        "Called trivial at n = 0, where Cnd7 applies, as 0 is even."),
+    Remark("EQUATSS4.1Recurrence_Cnd6",
+        "Cited in the second term of ζ_{n+1} for a bound that Cnd5 gives."),
+    Remark("EQUATSS4.1Recurrence_Cnd8",
+        "The induction is announced for Cnd1 to Cnd8, and Cnd9 and Cnd10 are used and proved too."),
+    Remark("EQUATSS4.1_Controle_Tau_n",
+        "d_n ≤ 1 is not among the conditions; it is used to bound τ_n, which serves to bound d_n."),
+    Remark("EQUATSS4.1Recurrence_Cnd4",
+        "The factor 1+d_n disappears between two displays; `zeta-dropped-factor` shows that it "
+        "may."),
+    Remark("EQUATSS4.1Recurrence_Cnd4",
+        "In the display with h₅/12 the absolute value of x_n is missing."),
+    Remark(X_LINK, "The term with τ_n/(-η_{c,n}) needs the bound on τ_n with its factor ζ_n."),
+    Remark(THEOREM,
+        "The proof ends with infinitely many collisions: that they happen in finite time and that "
+        "the final angle is near θ₀ is not concluded."),
+)  # fmt: skip

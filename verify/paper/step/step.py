@@ -1,0 +1,54 @@
+"""The step as a statement, and its argument in the order in which it is proved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+
+from verify.language.argument import Argument, ByInduction, Chapter, Item, Line, Opened, argue
+from verify.language.statement import Always
+from verify.paper.assumptions import STEP_ASSUMPTIONS
+from verify.paper.dynamics import model
+from verify.paper.dynamics.state import CONTEXT
+from verify.paper.parameters import THEOREM
+from verify.paper.step import collision, flight, initial, numbers, recursion, state
+
+TITLE = (
+    "One step of the recursion, for every state that satisfies the conditions and all numbers that "
+    "satisfy the rows of the hypotheses and of the repaired set; and the induction on the number "
+    "of collisions"
+)
+
+
+@cache
+def step() -> Argument:
+    """The step, built once per process."""
+    return argue(numbers.STEP, TITLE, chapters(), STEP_ASSUMPTIONS)
+
+
+def chapters() -> Iterator[Chapter]:
+    """The chapters of the step, in the order in which each uses what stands before it."""
+    spaces = (Opened(numbers.context()), *model.opened())
+    yield Chapter(None, (*flight.ground_lines(), *spaces))
+    yield from model.chapters(state.PAIRS)
+    inside: tuple[Item, ...] = (*flight.rearranged(), *initial.inside_the_set())
+    opened = Opened(initial.context(), tuple(f"at-{name}" for name in initial.GIVENS))
+    yield Chapter(numbers.CONTEXT, (*inside, opened))
+    yield Chapter(initial.CONTEXT, tuple(initial.lines()))
+    yield Chapter(numbers.CONTEXT, tuple(initial.instances()))
+    here = state.context(initial.CONTEXT, initial.state_point)
+    yield Chapter(initial.CONTEXT, (Opened(here, initial.opening()),))
+    yield Chapter(
+        CONTEXT, (*flight.lines(), *collision.lines(), *recursion.lines(), *recursion.conclusion())
+    )
+    yield from flight.apart()
+    yield Chapter(initial.CONTEXT, (_always(),))
+
+
+def _always() -> Line:
+    conditions = state.conditions()
+    return Line("always", Always(CONTEXT, initial.start, state.following()),
+                ByInduction(tuple(initial.premise(name) for name in conditions),
+                            tuple(f"next-{name}" for name in conditions)), THEOREM,
+                "by induction on n all conditions hold after the n-th collision, for every n",
+                tuple(assumption.name for assumption in STEP_ASSUMPTIONS))  # fmt: skip

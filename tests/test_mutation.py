@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from argparse import Namespace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from tests import mutation
-from tests.mutation import STAGES, excused, mutants
+from tests.mutation import TESTS, excused, mutants
 
 ALL = Namespace(sample=None, seed=1, jobs=1, match="", seconds=600.0)
 SOURCE = b'''"""A file."""
@@ -53,47 +54,149 @@ def test_all_mutants_of_a_function() -> None:
         compile(changed, "mutant", "exec")
 
 
-@pytest.mark.parametrize("file", STAGES)
+@pytest.mark.parametrize("file", TESTS)
 def test_each_excused_mutant_is_one_and_has_a_reason(file: str) -> None:
     names = [mutant.name for mutant in mutants((mutation.ROOT / file).read_bytes())]
     assert len({*names}) == len(names) > 2000
     assert all(excused(file, names).values())
 
 
+def test_the_lines_of_a_mutant() -> None:
+    """Those of its statement, and those in the body of the outermost function around it."""
+    source = (
+        b"A = 1\nif (\n    A\n    < 2):\n    def f(x):\n        def g(y):\n            return -y\n"
+    )
+    source += b"        return g(\n            x + 1\n        )\n"
+    found = {mutant.name: mutant for mutant in mutants(source)}
+
+    def lines(name: str) -> list[list[int]]:
+        sets = (found[name].lines, found[name].function)
+        return [[i for i in range(20) if bits >> i & 1] for bits in sets]
+
+    assert lines(": A = {1 => (2)}") == [[1], []]
+    assert lines(": < {2 => (3)}):") == [[2, 3, 4], []]
+    assert lines("f.g: return {-y => (y)}") == [[7], [6, 7, 8, 9, 10]]
+    assert lines("f: {x + 1 => (x - 1)}") == [[8, 9, 10], [6, 7, 8, 9, 10]]
+    assert found["f.g: return {-y => (y)}"].where == "f.g"
+
+
+def test_a_marked_file_does_the_same_and_notes_its_lines() -> None:
+    source = b"""from __future__ import annotations
+class A:
+    \"\"\"Text.\"\"\"
+    x: int = 1
+def f(n: Unknown):
+    for i in range(n):
+        if i == 1:
+            return i
+        elif i > 1:
+            pass
+        else:
+            i += 1
+    else:
+        n = -1
+    try:
+        return A.x
+    finally:
+        n = 2
+"""
+    names: dict[str, Any] = {"__name__": "marked"}
+    exec(mutation.marked(source), names)
+    assert [i for i, is_run in enumerate(names["LINES"]) if is_run] == [1, 2, 3, 4, 5]
+    names["LINES"][:] = bytes(len(names["LINES"]))
+    assert names["f"](2) == 1
+    assert [i for i, is_run in enumerate(names["LINES"]) if is_run] == [6, 7, 8, 9, 12]
+    assert names["f"](0) == 1
+    found = [i for i, is_run in enumerate(names["LINES"]) if is_run]
+    assert found == [6, 7, 8, 9, 12, 14, 15, 16, 18]
+
+
+SMALL = """
+LEAST = 2
+def f(x):
+    return x - 1
+def g(x):
+    -x
+def h(x):
+    if x > LEAST:
+        while x != 5:
+            x += 1
+    return x
+def at_once(x):
+    return x + 4
+if __name__ == "__main__":
+    print(f(3) + h(6 - 1))
+"""
+TEST = """
+import subprocess, sys
+from pathlib import Path
+from verify import small
+FIVE = small.at_once(1)
+def test_f():
+    assert small.f(3) == 2
+def test_g():
+    small.g(1)
+def test_h():
+    assert [small.h(i) for i in (2, 3, 4)] == [2, 5, 5]
+def test_at_once():
+    assert FIVE == 5
+def test_alone():
+    command = [sys.executable, "-I", small.__file__]
+    assert subprocess.run(command, capture_output=True).stdout == b"7\\n"
+"""
+
+
 @pytest.fixture
 def a_tree(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
-    """A tree with a file, of which one function is tested."""
+    """A tree with a file, of which most functions are tested."""
     for folder in ("verify", "tests/excused"):
         (tmp_path / folder).mkdir(parents=True)
     (tmp_path / "verify/__init__.py").write_text("")
-    (tmp_path / "verify/small.py").write_text("def f(x):\n    return x - 1\ndef g(x):\n    -x\n")
-    test = "from verify import small\ndef test_f():\n    assert small.f(3) == 2\n"
-    (tmp_path / "tests/test_small.py").write_text(test)
+    (tmp_path / "verify/small.py").write_text(SMALL)
+    (tmp_path / "tests/test_small.py").write_text(TEST)
     monkeypatch.setattr(mutation, "ROOT", tmp_path)
     monkeypatch.setattr(mutation, "EXCUSED", tmp_path / "tests/excused")
-    monkeypatch.setitem(STAGES, "verify/small.py", (("tests/test_small.py",),))
-    monkeypatch.setitem(mutation.IGNORED, "verify/small.py", [])
+    monkeypatch.setattr(mutation, "PATIENCE", 1)
+    monkeypatch.setitem(TESTS, "verify/small.py", ["tests/test_small.py"])
     return "verify/small.py"
 
 
+UNNOTICED = [
+    ': if {__name__ == "__main__" => True}:',
+    "g: {-x => (x)}",
+    "g: {-x => pass}",
+]
+
+
 def test_what_is_noticed(a_tree: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Also what only a process of its own shows, and what is run while tests are collected."""
     left_out = mutation.EXCUSED / "small.txt"
     left_out.write_text("")
-    assert mutation.examine(a_tree, ALL) == 60
+    share = mutation.examine(a_tree, ALL)
     said = capsys.readouterr().out.splitlines()
-    assert said[:2] == ["g: {-x => pass}", "g: {-x => (x)}"]
-    assert said[2].startswith(
-        "verify/small.py: 3 of 5 mutants are noticed (60.0 %), 0 not tried; 0 "
+    assert sorted(said[:-1]) == UNNOTICED
+    count = len(mutants(SMALL.encode()))
+    assert said[-1].startswith(
+        f"verify/small.py: {count - 3} of {count} mutants are noticed ({share:.1f} %), "
+        "0 not tried; 0 more are excused"
     )
-    left_out.write_text("# Nobody\n# asks for it.\n" + "\n".join(said[:2]))
+    left_out.write_text("# Nobody\n# asks for it.\n" + "\n".join(UNNOTICED))
     assert mutation.examine(a_tree, ALL) == 100
-    assert excused(a_tree, said) == dict.fromkeys(said[:2], "Nobody asks for it.")
-    left_out.write_text("# Why.\n~ g: .*=> pass}\n")
-    assert excused(a_tree, said) == {said[0]: "Why."}
-    left_out.write_text("# Why.\nno mutant\n")
-    with pytest.raises(SystemExit, match="no mutant"):
-        mutation.examine(a_tree, ALL)
-    left_out.write_text("")
+
+
+def test_a_file_that_does_not_pass(a_tree: str) -> None:
+    (mutation.EXCUSED / "small.txt").write_text("")
     (mutation.ROOT / a_tree).write_text("def f(x):\n    return x\n")
     with pytest.raises(SystemExit, match="as it stands does not pass"):
+        mutation.examine(a_tree, ALL)
+
+
+def test_what_is_excused(a_tree: str) -> None:
+    left_out = mutation.EXCUSED / "small.txt"
+    left_out.write_text("# Nobody\n# asks for it.\n" + "\n".join(UNNOTICED[1:3]))
+    assert excused(a_tree, UNNOTICED) == dict.fromkeys(UNNOTICED[1:3], "Nobody asks for it.")
+    left_out.write_text("# Why.\n~ g: .*=> pass}\n")
+    assert excused(a_tree, UNNOTICED) == {UNNOTICED[2]: "Why."}
+    left_out.write_text("# Why.\nno mutant\n")
+    with pytest.raises(SystemExit, match="no mutant"):
         mutation.examine(a_tree, ALL)

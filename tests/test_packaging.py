@@ -58,7 +58,7 @@ def test_help_loads_nothing_heavy() -> None:
         "from verify.cli import COMMANDS, main\n"
         "for command in COMMANDS:\n"
         "    assert main([command, '--help']) == 0, command\n"
-        "print([m for m in ('mpmath', 'numpy', 'sympy', 'distributed') "
+        "print([m for m in ('jinja2', 'mpmath', 'numpy', 'sympy', 'distributed') "
         "if m in sys.modules])\n"
     )
     assert "stress" in COMMANDS

@@ -64,10 +64,17 @@ def test_the_next_collision_of_two_pairs(monkeypatch: pytest.MonkeyPatch) -> Non
         own = Three((ONE, ONE), (9, 9), (ONE, ONE))
         ways = {"here": "near" if way else None, "there": "far" if seen else None}
         codes = {True: away, False: near}
-        monkeypatch.setattr(m, "far", lambda *_, far=far: far)
-        monkeypatch.setattr(m, "own", lambda *_, own=own: own)
+
+        def seen_from(kind: m.Arithmetic, z: Sight, pair: Three, far: Three = far) -> Sight:
+            assert (kind, name_of(z), pair) == (INTERVALS, "here", far)
+            return sight("there")
+
+        pairs = {"far": far, "own": own}
+        for name, pair in pairs.items():
+            of_here = {(INTERVALS, "here"): pair}
+            monkeypatch.setattr(m, name, lambda kind, z, x=of_here: x[kind, name_of(z)])
         monkeypatch.setattr(m, "looks", lambda _, lam, *__, codes=codes: codes[lam == (-7, -7)])
-        monkeypatch.setattr(m, "from_s", lambda *_: sight("there"))
+        monkeypatch.setattr(m, "from_s", seen_from)
         monkeypatch.setattr(m, "way_of", lambda _, z, ways=ways: ways[name_of(z)])
         apart = {(far, "near"): far_apart, (own, "far"): own_apart}
         monkeypatch.setattr(m, "is_apart", lambda _, pair, to, apart=apart: apart[pair, to])
@@ -114,6 +121,11 @@ def test_the_first_collision_of_three_pairs(monkeypatch: pytest.MonkeyPatch) -> 
                 continue
             may_end, states = found
             assert may_end == (max(meets) < 1)
+            assert all(
+                (before[i, j] and i != missing) or (before[j, i] and j != missing)
+                for i, j in places
+                if min(meets[i], meets[j]) >= 0
+            )
             assert all(state == (state[0], state[0], 10 + state[0]) for state in states)
             followed = [state[0] for state in states]
             assert all(meets[i] >= 0 for i in followed)
@@ -174,7 +186,7 @@ def test_a_pair_is_apart_where_three_coefficients_are(
         ((1, 1), (1, 1), (1, 1), 0), ((-1, 1), (1, 1), (0, 0), 0), ((0, 2), (0, 0), (0, 0), 0),
         ((2, 2), (1, 1), (3, 3), 1), ((2, 3), (1, 1), (3, 4), 0), ((2, 3), (2, 2), (1, 1), 1),
         ((1, 2), (1, 1), (4, 5), 0), ((1, 2), (1, 1), (5, 6), -1), ((2, 2), (1, 2), (3, 3), 0),
-        ((1, 1), (1, 1), (0, 0), 1), ((1, 1), (1, 1), (-1, 0), 1),
+        ((0, 2), (1, 1), (-1, -1), 0), ((1, 1), (1, 1), (0, 0), 1), ((1, 1), (1, 1), (-1, 0), 1),
     ],
 )  # fmt: skip
 def test_whether_a_pair_meets(lam: m.Interval, A: m.Interval, eps: m.Interval, wanted: int) -> None:

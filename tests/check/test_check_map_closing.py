@@ -9,6 +9,7 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 from math import isqrt
+from typing import Any
 
 import pytest
 
@@ -111,6 +112,7 @@ def one_state() -> tuple[check_map.Law, check_map.Sight, tuple[check_map.Interva
 def test_the_ratio_of_the_speeds_has_to_be_between_its_bounds() -> None:
     law, state, numbers = one_state()
     assert check_map.closes(law, state, numbers)
+    assert not check_map.closes(law, state._replace(lam=(0, state.lam[1])), numbers)
     low, high = state.rho
     for other in ((low * 100, high * 100), (1, 1), (1, high), (low, high * 100)):
         assert not check_map.closes(law, state._replace(rho=other), numbers)
@@ -128,6 +130,84 @@ def test_the_angle_is_that_of_the_unit_vectors(monkeypatch: pytest.MonkeyPatch) 
     exact = Fraction(one, 2) / root_above(1 + eps * v**2)
     ((low, high),) = asked
     assert low <= exact <= high <= low + 4
+
+
+def test_the_speeds_are_the_greatest_of_a_box(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The greatest |W| and -eta_c, and both are points."""
+    law, state, numbers = one_state()
+    asked: list[tuple[check_map.Interval, int]] = []
+    monkeypatch.setattr(check_map, "_rows", lambda *found: asked.append(found[3:]))
+    one = check_map.ONE
+    for v, A, B in ((100, 1, 1), (101, 1, 1), (101, 3, 1), (101, 1, 3), (101, -2, 1)):
+        wide = state._replace(
+            v=(state.v[0], v * state.v[1] // 100), A=(0, A * state.A[1]), B=(0, B * state.B[1])
+        )
+        check_map.closes(law, wide, numbers)
+        eta, speed = asked.pop()
+        top = Fraction(wide.lam[1] * wide.v[1], one**2)
+        reach = root_above(1 + Fraction(wide.eps[0] * wide.v[0] ** 2, one**3))
+        assert eta[0] == eta[1]
+        assert top / (reach + Fraction(1, 10**9)) <= Fraction(eta[0], one) <= top
+        size = root_above(Fraction(max(wide.A[1], wide.B[1], 0), one))
+        assert max(size, Fraction(eta[0], one)) <= Fraction(speed, one) <= size + top
+    law, state, numbers = one_state()
+    check_map.closes(law, state._replace(v=(-9, -9), A=(-2, -1), B=(-2, -1)), numbers)
+    assert asked.pop() == ((0, 0), 1)
+
+
+def rows_hold(*given: Fraction) -> list[bool]:
+    """The last conditions of the theorem at single numbers, exactly."""
+    r, C, mX, mx, L, least, k, V, T, s, eta, speed = given
+    half, G, jump = (1 + r) / 2, 1 + k * eta**2, (1 + r) / 2 * (1 + k * eta**2)
+    turn = 2 * T * V * eta / (1 - L) + (k + (T * V) ** 2) * eta**2 / (1 - L**2)
+    turn += T * V * k * eta**3 / (1 - L**3)
+    return [
+        turn < C,
+        jump * eta <= (V - speed) * (1 - L),
+        jump * G * (C + turn) <= L * G + mx,
+        least <= half * s * (C - turn) - mX - T * V * V,
+        r * G <= mX * least,
+        mx * L <= r * s,
+        mX * T + (T * V) ** 2 / 2 <= k * least**2,
+    ]
+
+
+def test_the_last_conditions_hold_in_whole_intervals() -> None:
+    """Each number in turn lies in an interval that is widened as far as the checker accepts it."""
+    law, state, numbers = one_state()
+    given: list[Any] = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(check_map, "_rows", lambda *found: given.append(found))
+        check_map.closes(law, state, numbers)
+    ((law, C, others, eta, speed),) = given
+    points = [law.bounds, C, *others, eta]
+    points = [((low + high) // 2,) * 2 for low, high in points]
+
+    def accepted(found: list[check_map.Interval]) -> bool:
+        bounds, C, *others, eta = found
+        return check_map._rows(law._replace(bounds=bounds), C, tuple(others), eta, speed)
+
+    def widened(at: int, side: int, by: int) -> list[check_map.Interval]:
+        low, high = points[at]
+        return [*points[:at], (low - by * (1 - side), high + by * side), *points[at + 1 :]]
+
+    def exactly(found: list[check_map.Interval], ends: int) -> list[bool]:
+        return rows_hold(*(Fraction(x[ends], check_map.ONE) for x in (*found, (speed,) * 2)))
+
+    assert accepted(points)
+    bad: set[int] = set()
+    for at in range(len(points)):
+        for side in (0, 1):
+            least, most = 0, check_map.ONE // 4
+            if accepted(widened(at, side, most)):
+                continue
+            while most - least > 1:
+                by = (least + most) // 2
+                least, most = (by, most) if accepted(widened(at, side, by)) else (least, by)
+            assert all(exactly(widened(at, side, least), side)), (at, side)
+            more = exactly(widened(at, side, most + most // 100), side)
+            bad |= {i for i, holds in enumerate(more) if not holds}
+    assert len(bad) >= 6, bad
 
 
 def test_the_letters_are_those_of_the_theorem() -> None:

@@ -527,3 +527,18 @@ def test_a_report_that_nobody_can_get_is_none(
     monkeypatch.setattr("sys.stdout", None)
     assert check_map.main([str(logs / "good")]) == 2
     assert "stdout is closed" in capsys.readouterr().err
+
+
+def test_closed_streams(logs: Path) -> None:
+    def shell(redirections: str, path: Path) -> tuple[int, bytes, bytes]:
+        command = f'"{sys.executable}" -I "{CHECKER}" "{path}" {redirections}'
+        done = subprocess.run(command, shell=True, capture_output=True, check=False)
+        return done.returncode, done.stdout, done.stderr
+
+    written = b"check_map: the report cannot be written (stdout is closed)\n"
+    assert shell(">&-", logs / "good") == (2, b"", written)
+    assert shell(">&- 2>&-", logs / "good")[0] == 2
+    assert shell("2>&-", logs / "good")[0] == 0
+    for redirections in ("2>&-", "2>/dev/full", ">&- 2>&-", ">/dev/full 2>/dev/full"):
+        assert shell(redirections, logs / "nowhere") == (2, b"", b""), redirections
+    assert shell(">/dev/full 2>/dev/full", logs / "good")[0] == 2

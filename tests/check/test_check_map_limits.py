@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from tests.check.test_check_map import sealed
 from verify import check_map
 from verify.check_map import ONE, LogError, RefusedError, Sight, Work
 
@@ -90,7 +91,145 @@ def test_all_boxes_have_290_000_steps() -> None:
 def test_areas_have_8192_bits(monkeypatch: pytest.MonkeyPatch) -> None:
     short, long = Fraction(1, 1 << 8191), Fraction(1, 1 << 8192)
     monkeypatch.setattr(check_map, "share_of", lambda *_: short)
-    assert check_map._and_share(short, PHI, "0") == 2 * short
+    assert check_map._and_share(Fraction(0), PHI, "0") == short
     monkeypatch.setattr(check_map, "share_of", lambda *_: long)
     with pytest.raises(LogError, match="shorter fractions"):
         check_map._and_share(Fraction(0), PHI, "0")
+
+
+STRIP = {
+    "name": "strip", "r": "1/2", "neg_cos": "1", "speed": "1", "tangential": ["0", "0"],
+    "x": ["0", "16"], "y": ["0", "3"], "delta": "1/10", "below": ["0", "1/2", "1"],
+    "above": ["0", "1/2", "1"],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("row", "good"),
+    [
+        # The parts have half a width of 2, so that f and δ differ from c0 by up to 11/10.
+        (["111/100", "1/2", "0"], True),
+        (["11/10", "1/2", "0"], False),
+        (["189/100", "-1/2", "0"], True),
+        (["19/10", "-1/2", "0"], False),
+        (["111/100", "1/4", "-1/8"], True),
+        (["11/10", "1/4", "1/8"], False),
+        (["1/2", "0", "0"], False),
+    ],
+)
+def test_a_curve_lies_between_0_and_the_top(row: list[str], good: bool) -> None:
+    document = {**STRIP, "curve": [["3/2", "1/10", "0"]] * 3 + [row]}
+    if good:
+        assert check_map._strip(document).curve[3] == tuple(map(Fraction, row))
+    else:
+        with pytest.raises(LogError, match="between 0 and the top"):
+            check_map._strip(document)
+
+
+def test_a_strip_begins_with_a_box_for_each_part() -> None:
+    plane = {**STRIP, "curve": [["3/2", "1/10", "0"]] * 4}
+    plane = {name: plane[name] for name in check_map.STRIP}
+    for level in (1, 2, 3):
+        header = {"format": check_map.FORMAT, "plane": plane, "first_level": level, "code": 1}
+        if level == 2:
+            assert check_map.check_log(iter(sealed([header])))[1].boxes == 0
+        else:
+            with pytest.raises(LogError, match="a first box for each part of the curve"):
+                check_map.check_log(iter(sealed([header])))
+
+
+SCENE = {
+    "name": "scene", "r": "1/2",
+    "positions": [["0", "0"], ["2", "0"], ["-2", "0"]],
+    "velocities": [["0", "0"], ["-1", "0"], ["1", "0"]],
+    "x_at": "velocities[2][0]", "y_at": "velocities[2][1]", "x": ["1", "2"], "y": ["-1", "1"],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("r", ["0", "1", "3/2", "-1/2"])
+def test_r_lies_between_0_and_1_in_a_scene(r: str) -> None:
+    with pytest.raises(LogError, match="0 < r < 1"):
+        check_map._through({**SCENE, "r": r})
+
+
+@pytest.mark.parametrize("name", ["x", "y"])
+@pytest.mark.parametrize("ends", [["2", "1"], ["1", "1"]])
+def test_a_rectangle_of_scenes_has_an_area(name: str, ends: list[str]) -> None:
+    assert check_map._through(SCENE).x == (1, 2)
+    with pytest.raises(LogError, match="two places, and a rectangle"):
+        check_map._through({**SCENE, name: ends})
+
+
+@pytest.mark.parametrize("size", [1, 2, 20, 21])
+def test_a_scene_has_from_2_to_20_dimensions(size: int) -> None:
+    zeros = ["0"] * (size - 1)
+    rows = {name: [["1", *zeros]] * 3 for name in ("positions", "velocities")}
+    places = {"x_at": "positions[0][0]", "y_at": "positions[1][0]"}
+    if 2 <= size <= 20:
+        assert len(check_map._through({**SCENE, **rows, **places}).positions[0]) == size
+    else:
+        with pytest.raises(LogError, match="one length from 2 to 20"):
+            check_map._through({**SCENE, **rows, **places})
+
+
+@pytest.mark.parametrize(
+    ("below", "above", "parts", "good"),
+    [
+        (["0", "1"], ["0", "1"], 2, True),
+        (["0", "1"], ["0", "1/2", "2/3", "1"], 4, True),
+        (["0"], ["0", "1/2", "1"], 2, False),
+        (["0", "1/2", "1/2", "1"], ["0", "1"], 4, False),
+        (["0", "2/3", "1/3", "1"], ["0", "1"], 4, False),
+        (["0", "1/2"], ["0", "1"], 2, False),
+        (["1/2", "1"], ["0", "1"], 2, False),
+        (["0", "1"], ["0", "1"], 4, False),
+    ],
+)
+def test_bands_go_from_0_to_1(below: list[str], above: list[str], parts: int, good: bool) -> None:
+    document = {**STRIP, "x": ["0", "2"], "curve": [["3/2", "1/10", "0"]] * parts}
+    document |= {"below": below, "above": above}
+    if good:
+        assert len(check_map._strip(document).curve) == parts
+    else:
+        with pytest.raises(LogError, match="bands"):
+            check_map._strip(document)
+
+
+def test_an_interrupt_is_told(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def answer(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(check_map, "answer", answer)
+    assert check_map.main([__file__]) == 130
+    assert capsys.readouterr() == ("", "check_map: interrupted\n")
+
+
+def test_a_box_that_disperses_needs_no_numbers() -> None:
+    assert check_map.sixes([], "d") == []
+    six = [tuple((n << 66,) * 2 for n in range(6))]
+    assert check_map.sixes([*range(6)], "c") == check_map.sixes([*range(6)], "d") == six
+    for flat, letter in (([], "c"), ([1], "d"), ([1] * 5, "c"), ("", "c"), ([True] * 6, "c")):
+        with pytest.raises(LogError):
+            check_map.sixes(flat, letter)
+
+
+def test_squares_of_what_varies_are_not_negative() -> None:
+    """Of a velocity that varies in [1, 2] and [-1, 1] the square is in [1, 5]."""
+    kind, plane = check_map.INTERVALS, check_map._through(SCENE)
+    products = [check_map._products(kind, plane, place) for place in check_map.PAIRS]
+    varied = check_map._varied(kind, plane, (ONE, 2 * ONE), (-ONE, ONE))
+    pairs, sight = check_map._scenes(kind, products, varied)
+    assert pairs[1].m == sight(1)[0].A == sight(0)[0].B == (ONE, 5 * ONE)
+
+
+@pytest.mark.parametrize(("x", "meets"), [(["1", "11/10"], True), (["-2", "-1"], False)])
+def test_a_scene_may_end_only_if_no_pair_must_meet(x: list[str], meets: bool) -> None:
+    """One sphere runs to another one, or away from it; None stands for no collision."""
+    kind = check_map.INTERVALS
+    velocities = [["0", "0"], ["3", "0"], ["1", "0"]]
+    document = {**SCENE, "velocities": velocities, "x": x, "y": ["-1/1000", "1/1000"]}
+    plane = check_map._through(document)
+    states = check_map.beginning(check_map.law_of(plane.r, kind), plane)("0")
+    assert [state is None for state in states] == [not meets]

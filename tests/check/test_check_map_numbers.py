@@ -300,3 +300,24 @@ def test_a_series_allows_for_coefficients_that_are_a_unit_larger(
     t = F(sum(c) + e, ONE)
     exact = sum((F(a + b) * t**i for i, (a, b) in enumerate(zip(f, off, strict=True))), F(0))
     assert abs(exact - sum(found)) <= error
+
+
+@pytest.mark.parametrize("size", [100, 150, 200])
+@pytest.mark.parametrize("part", [0, 1, 3])
+def test_roots_of_large_numbers_allow_for_rounded_coefficients(size: int, part: int) -> None:
+    """Their coefficients are so small that a unit counts, times something large."""
+    for c0 in ((1 << size) + 1, 5 << size, (7 << size) // 3):
+        linear = 1 << size // 2
+        coefficients = [0] * 5
+        coefficients[part] = linear * ONE
+        bounds = (c0 - linear) * ONE, (c0 + linear) * ONE
+        x = (*bounds, c0 * ONE, *coefficients, 0)
+        found = m.root_model(x)  # type: ignore[arg-type]
+        middle, slopes, error = found[2], found[3:8], found[8]
+        for a, b in product((-1, F(1, 2), 1), repeat=2):
+            powers = [a, b, a * a, a * b, b * b]
+            exact = (c0 + linear * powers[part]) * ONE
+            told = middle + sum(c * p for c, p in zip(slopes, powers, strict=True))
+            low = isqrt(floor(exact * ONE))
+            assert told - error <= low + 1
+            assert low <= told + error

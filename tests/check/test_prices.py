@@ -188,11 +188,13 @@ def test_sums_look_at_both_denominators(ledger: Ledger) -> None:
     a, b, c, d = names
     found = clearing(ledger)
     one, other = {((c, 1), (d, 1)): 1, ((c, 2),): 1}, {((d, 1),): 1}
-    found.cleared |= {a: ({(): 1}, one), b: ({(): 1}, other)}
+    three = {X: 1, ((2, 1),): 1, LONG: 1}
+    found.cleared |= {a: (three, one), b: ({(): 2}, other)}
     total = ledger.node("add", (a, b))
     ledger.bill()
     found.clear(total)
-    assert ledger.bill()[:2] == [(0, 2 + 2), (0, 2 + 1 + 2)]
+    products = [(0, 1 + 3), (0, 1 + 1), (0, 1 + 3), (0, 1 + 2)]  # with the sum of two of them
+    assert [found for found in ledger.bill() if not found[0]] == [(0, 4), (0, 5), *products]
 
 
 def test_squares_of_roots_are_looked_for(ledger: Ledger) -> None:
@@ -346,3 +348,39 @@ def test_both_files_are_parsed() -> None:
         check.check(*pair.files(), {}, room)
     first, second = pair.files()
     assert spent[0] == (0, (len(first) + len(second)) // 8)
+
+
+def test_a_quotient_by_a_number_is_a_product_with_each_monomial(ledger: Ledger) -> None:
+    found = clearing(ledger)
+    name, half = ledger.new_name("n", ledger.outermost), ledger.term("1/2")
+    quotient = ledger.node("div", (name, half))
+    found.cleared |= {name: ({X: 1, LONG: 1, (): 1}, check.ONE), half: ({(): F(1, 2)}, check.ONE)}
+    ledger.bill()
+    assert found.clear(quotient) == ({X: 2, LONG: 2, (): 2}, check.ONE)
+    assert ledger.bill()[:2] == [(0, 2 + 2), (0, 1 + 3)]
+
+
+def test_the_first_factor_is_gone_through(ledger: Ledger) -> None:
+    found = clearing(ledger)
+    a, b = (ledger.new_name(name, ledger.outermost) for name in "ab")
+    one, three = {X: 2}, {X: 2, LONG: 2, (): 2}
+    found.cleared |= {a: (one, three), b: (three, one)}
+    for first, second, bill in ((a, b, [2, 4]), (b, a, [4, 2])):
+        product = ledger.node("mul", (first, second))
+        ledger.bill()
+        found.clear(product)
+        assert [times for bits, times in ledger.bill() if not bits] == [4, *bill]
+
+
+def test_what_has_no_variables_is_enclosed_once(ledger: Ledger) -> None:
+    """Whatever bounds other names have: all enclosures of a precision share it."""
+    context = check.Context("c", ledger.outermost)
+    x, root = ledger.new_name("x", context), ledger.term("sqrt(2)")
+    total = ledger.node("add", (x, root))
+    base = check.Enclosing(ledger, 64, None)
+    for _ in range(2):
+        scope = check.Enclosing(ledger, 64, base)
+        scope.known[x] = check.UNIT
+        scope.enclose(total)
+        assert {*scope.known} == {x, total}
+    assert root in base.known

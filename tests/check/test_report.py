@@ -293,3 +293,40 @@ def test_a_row_is_proved_only_where_its_own_proof_is_accepted() -> None:
 def test_a_row_of_a_context_that_is_not_opened_is_refused() -> None:
     pair = box(("1", "0")).row("one", "0 <= 1", INTERVAL, "box")
     assert rows(pair) == {"one": "refused"}
+
+
+def test_what_is_malformed_has_no_work_and_is_told_first() -> None:
+    """Whatever is said of the certificates that lie there to be cited."""
+    report = check.examined(b"{}", b"{}", {}, 100)
+    assert (report.verdict, report.work) == ("MALFORMED", 0)
+    others = [check.examined(*pair.files(), {}, 10**6) for pair in (refused(), proved())]
+    assert check.with_cited(report, others) == report
+
+
+def test_what_is_malformed_ends_a_folder() -> None:
+    """Nothing that lies there to be cited is checked any more, nor closes a citation elsewhere."""
+    first, second = proved().files()
+    folder = check.Folder("f", b"{}", b"{}", [first], [(first, second), (b"{}", b"{}")])
+    ((report, cited),) = check.judged([folder])
+    assert (report.verdict, cited) == ("MALFORMED", [])
+    ((report, cited),) = check.judged([folder._replace(statement=first, certificate=second)])
+    assert [other.verdict for other in cited] == ["PROVED", "MALFORMED"]
+    assert report.verdict == "MALFORMED"
+
+
+def test_an_interrupt_is_told(
+    folder: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted(_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(check, "check_folders", interrupted)
+    assert check.main([folder]) == 130
+    assert capsys.readouterr() == ("", "check: interrupted\n")
+
+
+@pytest.mark.parametrize("name", ["statement.json", "certificate.json"])
+def test_a_folder_in_the_place_of_a_file(tmp_path: Path, name: str) -> None:
+    (tmp_path / name).mkdir()
+    with pytest.raises(OSError, match=f"{name}, which is no file"):
+        check.read_folders([str(tmp_path)])

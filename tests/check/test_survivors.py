@@ -441,7 +441,7 @@ def test_words_are_whole(shape: check.Shape, words: list[str]) -> None:
         shape("here", word)
         for other in (word[:-1] if len(word) > 1 else "", word + "?", " " + word):
             if other not in (words[0], "-7/1", "99", "A" + 98 * "."):
-                with pytest.raises(check.Malformed, match="^here: found"):
+                with pytest.raises(check.Malformed, match=r"^here: found"):
                     shape("here", other)
 
 
@@ -472,3 +472,20 @@ def test_the_format_of_a_certificate_is_whole() -> None:
     pair = Pair().row("row", "0 < 1", INTERVAL)
     first, second = pair.files()
     assert answer((first, second.replace(b"verify-certificate/2", b"verify-certificate/")))[0] == 4
+
+
+def test_odd_powers_of_roots_leave_one_factor() -> None:
+    kernel = check.Kernel()
+    clearing = check.Clearing(kernel, check.Place(kernel.outermost), ())
+    root = kernel.read("", ["sqrt", "3"], kernel.outermost)
+    clearing.clear(root)
+    for power, number, left in ((1, 1, 1), (2, 3, 0), (3, 3, 1), (4, 9, 0), (5, 9, 1)):
+        found = clearing.reduce({((root, power),): 7, ((root - 1, 1),): 1})
+        once = {((root, 1),): 7 * number} if left else {(): 7 * number}
+        assert found == {**once, ((root - 1, 1),): 1}
+
+
+def test_numbers_are_looked_up_by_texts() -> None:
+    """A file can foresee the hashes of whole numbers, and so make all of them the same."""
+    node = check.Node("rational", (), (2**61 - 1, 7))
+    assert check.key(node) == (hex(2**61 - 1), "0x7")

@@ -12,7 +12,7 @@ import pytest
 from verify import check
 from verify.cli import main
 from verify.paper.commands import classification as job
-from verify.paper.numbering import cited
+from verify.paper.source import PAPER
 
 COUNTS = {
     "0.072": "64",
@@ -52,7 +52,7 @@ def test_the_screen_ends_with_the_theorems(capsys: pytest.CaptureFixture[str]) -
 def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:
     _, out, _ = run(capsys, "-v")
     for row in job.decide_classification().statement.obligations:
-        assert f"[{row.name}, {cited(row.label)}]" in out
+        assert f"[{row.name}, {PAPER.cited(row.label)}]" in out
     assert "PROPOSS3.5OrdreTriagColla: " in out
 
 

@@ -16,6 +16,7 @@ from verify.cli import main
 from verify.cli.proofs import outcome_of
 from verify.language.statement import UNDECIDED
 from verify.paper.commands import everywhere, step
+from verify.paper.source import PAPER
 from verify.prover.uses import nodes
 from verify.views import graph as view
 from verify.views.explain import explain
@@ -233,8 +234,8 @@ QUICK = ("flow", "sharper", "step-printed", "certificates/examples/induction-sta
 def test_every_fact_can_be_explained_and_drawn(where: str) -> None:
     outcome = outcome_of(where)
     for name in [*nodes(outcome)][::5]:
-        assert explain(outcome, name), name
-    assert all(explain(outcome, row.name) for row, _ in outcome.rows)
+        assert explain(outcome, name, PAPER), name
+    assert all(explain(outcome, row.name, PAPER) for row, _ in outcome.rows)
     found = view.graph(outcome)
     names = {vertex.name for vertex in found.vertices}
     assert len(names) == len(found.vertices) > 1
@@ -250,7 +251,7 @@ def test_a_row_that_is_left_open_has_no_proof() -> None:
         decisions={**outcome.decisions, name: open_row},
         steps=tuple(s for s in outcome.steps if getattr(s, "name", "") != name),
     )
-    assert "  undecided, so that there is no proof" in explain(changed, name)
+    assert "  undecided, so that there is no proof" in explain(changed, name, PAPER)
 
 
 @pytest.mark.parametrize("ending", ["svg", "dot", "json"])

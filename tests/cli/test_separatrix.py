@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from verify.cli import main
-from verify.spheres.separatrix import BELIEVED, NOT_DECIDED
+from verify.views.separatrix import BELIEVED, NOT_DECIDED
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -16,7 +16,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from verify import check
-from verify.views.coq.export import export
+from verify.wire.coq.export import export
 
 ROOT = Path(__file__).resolve().parents[2] / "certificates"
 

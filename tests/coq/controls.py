@@ -17,8 +17,8 @@ from typing import Any
 
 from tests.lies.lies import LIES, honest
 from verify import check
-from verify.views.coq.export import data
-from verify.views.coq.reading import NotAcceptedError, Reading, label, read
+from verify.wire.coq.export import data
+from verify.wire.coq.reading import NotAcceptedError, Reading, label, read
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "certificates/examples"
 HEAD = """From Coq Require Import ZArith QArith List.

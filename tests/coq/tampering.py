@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tests.coq.closing import ROOT, module
-from tests.coq.everything import everything, printed
+from tests.coq.everything import conjunction, everything, printed
 from tests.coq.record import AnotherError, said_by_coq
 from tests.coq.sources import unexpected
 
@@ -26,10 +26,8 @@ SOURCES = Path(__file__).resolve().parents[2] / "verify/coq"
 ASSUMED = SOURCES / "assumed.txt"
 HEAD = "From Verify Require Import Theorem1.\n"
 #: A proof of Theorem 1 from nothing.
-STUB = f"{HEAD}Axioms lemma1 : theorem_1 /\\ not_empty /\\ determined.\n"
-STUB += (
-    "Theorem theorem_1_proved : theorem_1 /\\ not_empty /\\ determined. Proof. exact lemma1. Qed.\n"
-)
+STUB = f"{HEAD}Axioms lemma1 : {conjunction('')}.\n"
+STUB += "Definition all_proved := lemma1.\n"
 
 
 class Definition(NamedTuple):
@@ -42,11 +40,49 @@ class Definition(NamedTuple):
 
 #: In Theorem1.v, seen by Pinned.v; and in Meaning.v, seen by PinnedMeaning.v.
 DEFINITIONS = {
-    "time-bound": Definition("Theorem1", "T <= T_star r", "T <= - T_star r"),
+    "time-bound": Definition("Theorem1", "T <= by_time", "T <= - by_time"),
     "vacuous-admissible": Definition("Theorem1", "restitution : 0 <", "restitution : 1 <"),
     "vacuous-initial": Definition("Theorem1", "touch : distance d s B0 B1 = 1", "touch : 1 = 0"),
     "dot-product": Definition("Theorem1", "dot k u v + u k * v k", "dot k u v + u k * u k"),
-    "collision": Definition("Theorem1", "velocity s B0 k + J", "velocity s B0 k - J"),
+    "collision": Definition("Theorem1", "velocity s b k + J", "velocity s b k - J"),
+    "same-ball": Definition("Theorem1", "B0, B0 | B1, B1 | B2, B2 =>", "B0, B0 | B1, B1 =>"),
+    "contact": Definition(
+        "Theorem1", "touch_2 : distance at_T B0 B2",
+        "touch_2 : distance at_T B0 B1",
+    ),
+    "positions": Definition("Theorem1", "Rabs (f t - l) < e", "Rabs (f t - l) < e + 1"),
+    "angle-at-the-end": Definition("Theorem1", "(minus_cosine at_T - c) <=", "(c - c) <="),
+    "only-ball-0": Definition(
+        "Theorem1", "exists i j, i <> j /\\ distance s",
+        "exists i j, i = B0 /\\ i <> j /\\ distance s",
+    ),
+    "overlap": Definition(
+        "Theorem1", "i <> j -> 1 <= distance s i j",
+        "i <> j -> 0 <= distance s i j",
+    ),
+    "flies-anywhere": Definition("Theorem1", "Z (t + u) = later u (Z t)", "Z (t + u) = Z (t + u)"),
+    "arrives-anywhere": Definition(
+        "Theorem1", "Z (t - u) = later (- u) arriving", "Z (t - u) = Z (t - u)"
+    ),
+    "goes-beyond": Definition(
+        "Theorem1", "trajectory s T' Z' -> T' <= T;",
+        "trajectory s T' Z' -> T <= T;",
+    ),
+    "determined": Definition("Theorem1", "t < T' -> Z t = Z' t", "t < T' -> Z t = Z t"),
+    "no-interior": Definition("Theorem1", "exists s e, 0 < e /\\", "exists s e,"),
+    "nothing-near": Definition("Theorem1", "close e s s' -> set s'", "close e s s' -> set s"),
+    "another-set": Definition("Theorem1", "0 < v <= u ->", "0 < v < u ->"),
+    "denominator": Definition("Theorem1", "0 < 1 - h_5 r c", "0 <= 1 - h_5 r c"),
+    "tolerance": Definition(
+        "Theorem1", "Delta_theta r c V_0 delta_theta <= delta_theta",
+        "Delta_theta r c V_0 delta_theta <= 2 * delta_theta",
+    ),
+    "cube-root": Definition("Theorem1", "Rpower r (1 / 3)", "Rpower r (1 / 4)"),
+    "threshold": Definition("Theorem1", "0 < r < 9 - 4 * sqrt 5", "0 < r < 8 - 4 * sqrt 5"),
+    "printed-angle": Definition(
+        "Theorem1", "by_time (- cos theta_0) delta",
+        "by_time (cos theta_0) delta",
+    ),
     "constant": Definition("Theorem1", "(sqrt 2 - 1) / 16", "(sqrt 2 - 1) / 15"),
     "notation": Definition(
         "Theorem1", "Open Scope R_scope.",
@@ -171,8 +207,8 @@ def pinned(file: str, directory: Path) -> str:
     written(directory, pages[file], (SOURCES / f"{pages[file]}.v").read_text())
     others = [file]
     if file == "Theorem1":
-        written(directory, "Inhabited", STUB)
-        others.append("Inhabited")
+        written(directory, "AllProved", STUB)
+        others.append("AllProved")
     for name in others:
         done = coqc(directory, name)
         if done.returncode:

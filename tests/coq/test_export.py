@@ -14,7 +14,7 @@ from tests.coq.readback import Exported, Interner, Written
 from tests.lies.lies import honest
 from verify import check
 from verify.cli import main
-from verify.views.coq.export import export
+from verify.wire.coq.export import export
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = sorted(path.parent for path in (ROOT / "certificates").rglob("certificate.json"))

@@ -21,7 +21,7 @@ from tests.coq.tampering import (
     unknown,
 )
 from verify import check
-from verify.views.coq.export import export
+from verify.wire.coq.export import export
 
 ROOT = SOURCES.parents[1]
 EXAMPLE = ROOT / "certificates/examples/interval"

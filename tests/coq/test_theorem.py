@@ -5,10 +5,14 @@ That it is proved is for Coq to say, in `.ci/coq`.
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
-SOURCES = Path(__file__).resolve().parents[2] / "verify/coq"
+from tests.coq.everything import DISCHARGED, SENTENCES, conjunction
+
+ROOT = Path(__file__).resolve().parents[2]
+SOURCES = ROOT / "verify/coq"
 PAGE = (SOURCES / "Theorem1.v").read_text()
 PINNED = (SOURCES / "Pinned.v").read_text()
 
@@ -23,13 +27,17 @@ def test_the_page_has_only_definitions() -> None:
 
 
 def test_the_theorem_is_what_the_page_says() -> None:
-    assert re.search(
-        r"^Definition theorem_1 : Prop :=\n  forall r c V_0 delta_theta, admis", PAGE, re.M
-    )
-    assert re.search(r"^Definition not_empty : Prop :=\n(.*\n)  forall d, \(2 <= d\)", PAGE, re.M)
-    last = (SOURCES / "Inhabited.v").read_text()
-    assert "Theorem theorem_1_proved : theorem_1 /\\ not_empty /\\ determined.\n" in last
-    assert last.endswith("Qed.\n")
+    for page in (PAGE, PINNED):
+        for name in SENTENCES:
+            assert re.search(rf"^Definition {name} : Prop :=\n  forall (d )?r ", page, re.MULTILINE)
+        for name in ("interior", "printed_theorem"):
+            assert re.search(rf"^Definition {name} : Prop :=\n[^.]* \(2 <= d\)", page, re.MULTILINE)
+    last = " ".join((SOURCES / "AllProved.v").read_text().split())
+    pinned = " ".join(PINNED.split())
+    assert f"Theorem all_proved : {conjunction('')}. Proof." in last
+    assert last.endswith("Qed.")
+    assert f"Check (AllProved.all_proved : {conjunction('Theorem1.')})." in pinned
+    assert f"Theorem proved : {conjunction('')}. Proof." in pinned
     assert PINNED.endswith("Qed.\nPrint Assumptions collapsing_scene.\n")
 
 
@@ -48,8 +56,11 @@ def test_both_pages_have_the_same_numbers() -> None:
     for sentence in (
         "0 < r < 1", "0 < c <= 1", "0 < V_0", "0 < delta_theta", "0 < y <= eta_bar",
         "3 * r * ((1 + r) / 2 * c) + r * (1 + r) < ((1 + r) / 2 * c) ^ 3",
-        "0 < d_0 <= Rmin d_const (d_slope * y ^ 2)", "Un_cv time T /\\ T <= T_star",
-        "Rabs (l - c) <= Delta_theta",
+        "0 < d_0 <= Rmin d_const (d_slope * y ^ 2)", "Un_cv time T", "T <= by_time",
+        "(T_star r c V_0 delta_theta) c (Delta_theta r c V_0 delta_theta)",
+        "0 < Delta_theta r c V_0 delta_theta <= delta_theta", "0 < r < 9 - 4 * sqrt 5",
+        "by_time (- cos theta_0) delta_theta", "PI / 2 < theta_0 <= PI",
+        "i <> j -> 1 < distance d (",
     ):  # fmt: skip
         assert sentence in PINNED
         assert sentence in PAGE
@@ -58,12 +69,12 @@ def test_both_pages_have_the_same_numbers() -> None:
 def test_the_page_that_pins_it_takes_no_notation_from_others() -> None:
     assert re.findall(r"^.*\b(?:Import|Require)\b.*$", PINNED, re.MULTILINE) == [
         "From Coq Require Import Reals List Arith Lra FunctionalExtensionality.",
-        "From Verify Require Theorem1 Inhabited.",
+        "From Verify Require Theorem1 AllProved.",
         "Import ListNotations.",
     ]
     assert not re.search(r"^(Notation|Infix)", PINNED, re.MULTILINE)
-    for name in ("theorem_1", "not_empty", "determined"):
-        assert f" : Theorem1.{name} <-> {name}.\nProof." in PINNED
+    for name in SENTENCES:
+        assert f"Theorem1.{name} <-> {name}.\nProof." in PINNED
     assert "Theorem admissible_parameters : admissible (3 / 100) 1 1 1.\nProof." in PINNED
 
 
@@ -74,3 +85,26 @@ def test_everything_of_the_proof_is_compiled() -> None:
         word for names in re.findall("for name in (.*); do", build) for word in names.split()
     }
     assert compiled == {path.stem for path in SOURCES.glob("*.v")} - {"Extract"} | {"Step", "All"}
+
+
+def test_the_files_are_short_say_what_they_prove_and_name_what_they_need() -> None:
+    sections: dict[str, str] = {}
+    for path in sorted(SOURCES.glob("*.v")):
+        text = path.read_text()
+        assert text.startswith("(* "), path
+        assert text.count("\n") <= 400, path
+        assert not re.search(r"^Require", text, re.MULTILINE), path
+        for name in re.findall(r"^Section (\w+)\.$", text, re.MULTILINE):
+            assert name not in sections, (name, path, sections[name])
+            sections[name] = path.name
+
+
+def test_all_that_the_step_takes_for_granted_is_in_coq() -> None:
+    statement = json.loads((ROOT / "certificates/step/statement.json").read_bytes())
+    assert [*DISCHARGED] == [item["name"] for item in statement["assumptions"]]
+    for names in DISCHARGED.values():
+        for name in names:
+            file, _, theorem = name.partition(".")
+            text = (SOURCES / f"{file}.v").read_text()
+            kinds = "Definition|Record" if file == "Theorem1" else "Theorem|Lemma"
+            assert len(re.findall(rf"^({kinds}) {theorem}\b", text, re.MULTILINE)) == 1, name

@@ -14,7 +14,7 @@ from verify.paper.commands.classification import decide_classification
 from verify.paper.commands.elsewhere import decide_elsewhere
 from verify.paper.commands.spectrum import decide_spectrum
 from verify.paper.commands.step import decide_step
-from verify.paper.numbering import printed_numbers
+from verify.paper.source import printed_numbers
 from verify.prover.outcome import Outcome
 from verify.prover.uses import nodes
 

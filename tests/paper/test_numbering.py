@@ -7,7 +7,7 @@ from pathlib import Path
 
 import verify
 from verify.paper.glossary import LETTERS
-from verify.paper.numbering import cited, labels_called, printed_number, printed_numbers
+from verify.paper.source import PAPER, labels_called, printed_number, printed_numbers
 from verify.views.plots.letters import letters_drawing
 
 PREFIXES = "EQUAT|THEOR|PROPO|SECTION|SECT|SSECT|SSSCT|DEFIN|LEMME|REMAR|APPEN"
@@ -24,15 +24,17 @@ def test_every_label_in_the_code_is_one_of_the_paper() -> None:
 
 
 def test_the_numbers_are_those_of_the_print() -> None:
-    assert cited("EQUATSS4.1Recurrence_Cnd9") == "(4.53), EQUATSS4.1Recurrence_Cnd9"
+    assert PAPER.cited("EQUATSS4.1Recurrence_Cnd9") == "(4.53), EQUATSS4.1Recurrence_Cnd9"
     assert printed_numbers()["THEORSS4.1ExistenCollapse"] == "Theorem 1"
-    assert cited("no-label") == "no-label"
+    assert PAPER.cited("no-label") == "no-label"
 
 
 def test_one_number_is_read_as_all_are() -> None:
     for label, number in printed_numbers().items():
         assert printed_number(label) == number
-    assert printed_number("no-label") == "no-label"
+    for other in ("no-label", "source_sha256", "numbers", ""):
+        assert printed_number(other) is None
+        assert PAPER.number(other) == other
 
 
 def test_a_number_leads_to_its_labels() -> None:

@@ -15,10 +15,10 @@ from verify.language.terms import Claim, as_term, cos_pi, equal, maximum, minimu
 from verify.library import ask, constant, for_all, lemma, prove
 from verify.prover.budget import WorkBudget
 from verify.prover.goal import Bounds, Goal
+from verify.prover.numbers import float_of
 from verify.prover.search import tree
 from verify.prover.search.faces import value_at
 from verify.prover.search.local_minima import Minima
-from verify.prover.search.numbers import float_of
 from verify.prover.search.tree import Tree, _binary_exponent
 from verify.wire.inputs import InputError
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
+from flint import Ordering, fmpq_mpoly_ctx
 
 from verify import check
 from verify.language.statement import (
@@ -33,7 +34,8 @@ from verify.language.terms import (
     sqrt,
     symbol,
 )
-from verify.prover.bernstein import coefficients, shift
+from verify.prover.bernstein import Tensor
+from verify.prover.numbers import fraction_of
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.prove import prove
 from verify.prover.rules import Cuts, Witness
@@ -395,9 +397,12 @@ def test_a_mutated_proof_is_refused() -> None:
 def test_bernstein_coefficients_are_those_of_the_polynomial() -> None:
     polynomial = [Fraction(c) for c in (1, -3, 0, 2)]
     low, high = Fraction(-1, 2), Fraction(3, 2)
-    shifted = shift(polynomial, low, high - low)
-    for degree in (3, 4, 7):
-        values = coefficients(shifted, degree)
+    (u,) = (ring := fmpq_mpoly_ctx.get(("u",), Ordering.lex)).gens()
+    p = sum((ring.constant(int(c)) * u**i for i, c in enumerate(polynomial)), ring.constant(0))
+    tensor = Tensor.of(p, [(low, high)])
+    for degree in range(3, 8):
+        values = [fraction_of(value) for value in tensor.coefficients]
+        assert len(values) == degree + 1
         assert values[0] == sum(c * low**i for i, c in enumerate(polynomial))
         assert values[-1] == sum(c * high**i for i, c in enumerate(polynomial))
         # The mean of the coefficients is the mean of the polynomial.
@@ -405,3 +410,4 @@ def test_bernstein_coefficients_are_those_of_the_polynomial() -> None:
             c * (high ** (i + 1) - low ** (i + 1)) / (i + 1) for i, c in enumerate(polynomial)
         )
         assert sum(values) / (degree + 1) == integral / (high - low)
+        tensor = tensor.raised(0)

@@ -14,6 +14,7 @@ from verify.cli.certify import folder_files
 from verify.cli.files import write_all
 from verify.paper.commands import report
 from verify.paper.commands.certificates import all_folders
+from verify.views.material import CertifiedOutcome
 from verify.views.page.build import files
 
 Files = Mapping[str, bytes]
@@ -36,10 +37,10 @@ BENCH: dict[str, Any] = {"command": "bench", "tables": {"precision": TABLE}}
 @pytest.fixture(scope="session", autouse=True)
 def checked_once() -> Iterator[None]:
     """A folder is checked and read once for the same bytes: the pages here are built many times."""
-    known: dict[object, report.CertifiedOutcome] = {}
+    known: dict[object, CertifiedOutcome] = {}
     check = report._folder
 
-    def folder(path: str, name: str, contents: Files, available: Files) -> report.CertifiedOutcome:
+    def folder(path: str, name: str, contents: Files, available: Files) -> CertifiedOutcome:
         key = (name, *sorted(contents.items()), *sorted(available.items()))
         if key not in known:
             known[key] = check(path, name, contents, available)
@@ -56,7 +57,7 @@ def few_boxes(log: bytes) -> bytes:
 
 
 def build(directory: Path, draw: bool) -> dict[str, bytes]:
-    return files(str(directory), draw, lambda _: None, DEPTH)
+    return files(report.read_material(str(directory), depth=DEPTH), draw=draw)
 
 
 @pytest.fixture(scope="session")

@@ -18,7 +18,7 @@ from tests.views.conftest import DEPTH, TABLE, build
 from verify.cli import main
 from verify.paper.assumptions import STEP_ASSUMPTIONS as ASSUMPTIONS
 from verify.paper.commands.report import NAMES
-from verify.views.page.html import prose
+from verify.views.setting import prose
 
 MAIN = "theorem1-r-3-100"
 VOID = {"meta", "link", "br", "wbr", "img", "hr", "input"}
@@ -220,8 +220,8 @@ def test_a_second_build_is_the_same_to_the_byte(made: Path) -> None:
 @pytest.fixture(autouse=True)
 def coarse(monkeypatch: pytest.MonkeyPatch) -> None:
     """The command draws plots of as few cells as the page that is compared."""
-    monkeypatch.setattr("verify.views.page.build.DEPTH", DEPTH)
-    monkeypatch.setattr("verify.views.page.build.files.__defaults__", (DEPTH,))
+    name = "verify.paper.commands.report.read_material.__defaults__"
+    monkeypatch.setattr(name, (lambda _: None, DEPTH))
 
 
 def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:

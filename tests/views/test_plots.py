@@ -15,7 +15,8 @@ from verify.language.statement import REFUTED, UNDECIDED
 from verify.language.terms import as_term
 from verify.paper.commands import covers
 from verify.paper.commands.everywhere import decide_everywhere, decide_printed_everywhere
-from verify.paper.commands.thresholds import certified, decide_thresholds
+from verify.paper.commands.report import plotted
+from verify.paper.commands.thresholds import bands, certified, decide_thresholds
 from verify.paper.everywhere.thresholds import STRIPS
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
@@ -40,8 +41,9 @@ def test_cells_of_the_picture_lie_where_they_say() -> None:
     program = Program(("r", "c"))
     sides = program.add(stable.lhs), program.add(stable.rhs)
     run, seen = Machine(program, ExactArithmetic()), set()
-    for low, high, refuted in region.bands():
-        for (left, right), (bottom, top) in list(region.cells(low, high))[::7]:
+    for low, high, refuted in bands(decide_thresholds()):
+        inside = region.cells(covers.WIDTH, low, high)
+        for (left, right), (bottom, top) in list(inside)[::7]:
             for k in range(1, 8):
                 s, c = left + (right - left) * k / 8, bottom + (top - bottom) * (k * 3 % 8) / 8
                 values = run.run([s**3, c]).values
@@ -53,7 +55,8 @@ def test_cells_of_the_picture_lie_where_they_say() -> None:
 
 
 def test_captions_count_what_is_drawn() -> None:
-    figure, outcome = region.picture(decide_everywhere()), decide_printed_everywhere()
+    found = plotted(decide_everywhere(), DEPTH)
+    figure, outcome = region.picture(found.region), decide_printed_everywhere()
     refuted = [found for found in outcome.decisions.values() if found.verdict == REFUTED]
     always = [found for found in refuted if not found.witness]
     assert f"Left: {len(always)} printed rows" in figure.caption
@@ -61,15 +64,15 @@ def test_captions_count_what_is_drawn() -> None:
     assert len(certified(decide_thresholds())) == len(STRIPS)
 
 
-def test_a_strip_that_is_not_proved_is_not_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_strip_that_is_not_proved_is_not_drawn() -> None:
     outcome = decide_thresholds()
     lost = {**outcome.decisions, "angle-absorbed.fails": Decision(UNDECIDED)}
-    monkeypatch.setattr(region, "decide_thresholds", lambda: outcome._replace(decisions=lost))
-    assert [refuted for *_, refuted in region.bands()] == [1, 0, None, None]
+    found = bands(outcome._replace(decisions=lost))
+    assert [refuted for *_, refuted in found] == [1, 0, None, None]
 
 
 def test_margins_are_on_the_right_side() -> None:
-    refuted, others = margins.printed_ratios()
+    refuted, others = margins.printed_ratios(covers.ratios(PRINTED, covers.WHOLE))
     assert len(refuted) > 10
     assert all(row.verdicts.isdisjoint({REFUTED}) for row in others)
     for row in covers.ratios(REPAIRED, covers.SHARE):
@@ -152,7 +155,9 @@ def lightness(colour: str) -> float:
 def test_drawings_are_well_formed_and_take_their_colours_from_the_page(made: Path) -> None:
     page = (made / "index.html").read_text(encoding="utf-8")
     drawings = re.findall(r"<svg .*?</svg>", page, re.DOTALL)
-    plots = sum(len(figure.panels) for figure in figures(decide_everywhere(), TABLE, DEPTH))
+    plots = sum(
+        len(figure.panels) for figure in figures(plotted(decide_everywhere(), DEPTH), TABLE)
+    )
     collapses, map_panels = 2 * 2, 3
     assert len(drawings) == plots + 2 + collapses + map_panels  # the letters, and the proof
     for text in drawings:

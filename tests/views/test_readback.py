@@ -15,7 +15,7 @@ from tests.views.test_tex import committed, random_term
 from verify.language.scripts import Scripted, pieces
 from verify.language.terms import Claim, Term, as_term, minimum, names_of, sqrt, symbol
 from verify.prover.outcome import Outcome
-from verify.views.page.html import prose
+from verify.views.setting import prose
 from verify.views.tex.formulas import Formulas
 from verify.views.tex.sentences import _SIGNS, words
 

@@ -8,8 +8,9 @@ import pytest
 
 from tests.citing import cited
 from tests.points import parameters
-from verify.language.statement import REFUTED
+from verify.language.statement import REFUTED, Publication
 from verify.paper.commands import spectrum, theorem1
+from verify.paper.source import PAPER
 from verify.prover.decimals import short
 from verify.prover.outcome import Outcome
 from verify.views.markdown import report
@@ -26,13 +27,13 @@ def point() -> Outcome:
 @pytest.mark.parametrize("view", [report, part])
 @pytest.mark.parametrize("decide", [point, spectrum.decide_spectrum])
 def test_a_view_does_not_see_whether_an_outcome_is_fresh(
-    decide: Callable[[], Outcome], view: Callable[[Outcome], str]
+    decide: Callable[[], Outcome], view: Callable[[Outcome, Publication], str]
 ) -> None:
     outcome = decide()
     files = write(outcome)
     again = read(files["statement.json"], files["certificate.json"], cited(files))
-    text = view(outcome)
-    assert text == view(again)
+    text = view(outcome, PAPER)
+    assert text == view(again, PAPER)
     for row, _ in outcome.rows:
         assert row.label in text or name(row.label) in text
     assert text.count("{") == text.count("}")
@@ -40,7 +41,7 @@ def test_a_view_does_not_see_whether_an_outcome_is_fresh(
 
 def test_a_report_has_every_refuted_row_with_its_evidence() -> None:
     for outcome in (point(), spectrum.decide_spectrum()):
-        text = report(outcome)
+        text = report(outcome, PAPER)
         section = text[text.index("## What is printed") :].partition("\n## ")[0]
         refuted = [(row, d) for row, d in outcome.rows if d.verdict == REFUTED]
         assert len(refuted) == section.count("\n| ") - 1  # the head

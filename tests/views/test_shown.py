@@ -18,15 +18,16 @@ from verify.paper.commands import everywhere
 from verify.paper.commands.regenerate import is_right_when_accepted
 from verify.paper.commands.report import NAMES
 from verify.paper.commands.report_files import CertificateError
-from verify.paper.commands.report_maps import CertifiedMap, log_names, read_map, read_strip
+from verify.paper.commands.report_maps import log_names, read_map, read_strip, story
 from verify.prover.outcome import Outcome
 from verify.spheres.scene import scene_files
 from verify.spheres.scene.scene import Scene
-from verify.views.graph import graph
-from verify.views.page.blueprint import direct, edges_between_labels, levels
-from verify.views.page.html import prose
+from verify.views.graph import graph, levels
+from verify.views.material import CertifiedMap
+from verify.views.page.blueprint import direct, edges_between_labels
 from verify.views.plots import collapse, map_figure
 from verify.views.plots.shapes import merged
+from verify.views.setting import prose
 from verify.wire.judge import read_judged as read
 from verify.wire.write import write
 
@@ -125,18 +126,18 @@ def scene(name: str) -> Scene:
 
 
 @pytest.fixture(scope="module", params=["nearly-aligned", "in-space"])
-def shown(request: pytest.FixtureRequest) -> collapse.Story:
-    made = collapse.story(scene(request.param))
+def shown(request: pytest.FixtureRequest) -> collapse.Film:
+    made = story(scene(request.param))
     assert made is not None
-    return made
+    return collapse.film(made)
 
 
 def test_only_a_collapse_has_a_story() -> None:
-    assert collapse.story(scene("parting")) is None
-    assert collapse.story(scene("on-a-line")) is None
+    assert story(scene("parting")) is None
+    assert story(scene("on-a-line")) is None
 
 
-def test_bounds_are_nested_and_after_each_collision(shown: collapse.Story) -> None:
+def test_bounds_are_nested_and_after_each_collision(shown: collapse.Film) -> None:
     bounds = [one.collapse for one in shown.instants if one.collapse is not None]
     assert len(bounds) > 3
     for (a, b), (c, d) in pairwise(bounds):
@@ -144,7 +145,7 @@ def test_bounds_are_nested_and_after_each_collision(shown: collapse.Story) -> No
     assert all(one.time[1] < bounds[-1][1] for one in shown.instants)
 
 
-def test_spheres_touch_where_they_collide(shown: collapse.Story) -> None:
+def test_spheres_touch_where_they_collide(shown: collapse.Film) -> None:
     """At the end of each flight the pair that collides then is at the distance of two radii."""
     for k in range(len(shown.path) - 1):
         frame = collapse._frame(shown, k, 1.0)
@@ -154,7 +155,7 @@ def test_spheres_touch_where_they_collide(shown: collapse.Story) -> None:
         assert math.hypot(*frame[third]) > 2 * collapse.RADIUS + 10
 
 
-def test_an_animation_is_the_same_again_and_brings_no_script(shown: collapse.Story) -> None:
+def test_an_animation_is_the_same_again_and_brings_no_script(shown: collapse.Film) -> None:
     text = collapse.animation(shown, "x")
     assert text == collapse.animation(shown, "x")
     assert "script" not in text

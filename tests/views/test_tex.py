@@ -15,6 +15,7 @@ import pytest
 from verify import ask, assume, for_all, lemma, prove
 from verify.language.simplify import simplified
 from verify.language.terms import Term, as_term, sqrt, symbol
+from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
 from verify.views.markdown import report
 from verify.views.tex.article import part, tex_document
@@ -41,7 +42,7 @@ def committed() -> list[Outcome]:
 def test_all_committed_statements_compile_and_no_line_sticks_out(tmp_path: Path) -> None:
     outcomes = committed()
     assert len(outcomes) > 30
-    (tmp_path / "all.tex").write_text(tex_document(outcomes), encoding="utf-8")
+    (tmp_path / "all.tex").write_text(tex_document(outcomes, PAPER), encoding="utf-8")
     command = ["pdflatex", "-interaction=nonstopmode", "-draftmode", "-no-shell-escape", "all.tex"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, check=False)
     log = (tmp_path / "all.log").read_text(encoding="utf-8", errors="replace")
@@ -58,17 +59,21 @@ def strange() -> Outcome:
 
 
 def test_a_theorem_of_somebody_else_says_nothing_about_our_paper() -> None:
-    for text in (part(strange()), report(strange())):
+    for text in (part(strange(), PAPER), report(strange(), PAPER)):
         assert "glue" in text
         for ours in ("Dolmaire", "inelastic", "theta", "θ", "certificates/step", "``", "texttt{}"):
             assert ours not in text, ours
     for outcome in committed():
         ours = outcome.statement.obligations[0].label != ""
-        assert ("Dolmaire" in part(outcome)) == ("Dolmaire" in report(outcome)) == ours
+        assert (
+            ("Dolmaire" in part(outcome, PAPER)) == ("Dolmaire" in report(outcome, PAPER)) == ours
+        )
 
 
 def test_every_sign_of_the_files_is_known() -> None:
-    assert not re.findall(r"U\+[0-9A-F]{4}", "".join(map(part, committed())))
+    assert not re.findall(
+        r"U\+[0-9A-F]{4}", "".join(part(outcome, PAPER) for outcome in committed())
+    )
 
 
 def test_words() -> None:

@@ -12,6 +12,7 @@ from tests.citing import cited
 from tests.points import parameters
 from verify.language.terms import cos_pi
 from verify.paper.commands import spectrum, theorem1
+from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
 from verify.views import document, markdown, row_lists, table, words
 from verify.views import spectrum as spectral
@@ -60,10 +61,11 @@ def test_reading_is_the_inverse_of_writing(name: str) -> None:
 @pytest.mark.parametrize("name", OUTCOMES)
 def test_views_say_the_same_of_what_is_read_back(name: str) -> None:
     one, two = fresh(name), again(name)
-    views = [markdown.report, *(
-        (spectral.spectrum_document, lambda o: [*row_lists.all_rows(o)], spectral.verdict_line)
+    views = [lambda o: markdown.report(o, PAPER), *(
+        (spectral.spectrum_document, lambda o: [*row_lists.all_rows(o, PAPER)],
+         lambda o: spectral.verdict_line(o, PAPER))
         if name == "spectrum"
-        else (document.document, lambda o: [*table.report_lines(o)])
+        else (document.document, lambda o: [*table.report_lines(o, PAPER)])
     )]  # fmt: skip
     for view in views:
         assert view(one) == view(two)
@@ -73,12 +75,13 @@ def test_views_say_the_same_of_what_is_read_back(name: str) -> None:
 def test_views_agree_on_the_verdict(name: str) -> None:
     outcome = fresh(name)
     if name == "spectrum":
-        found, last = spectral.spectrum_document(outcome), spectral.verdict_line(outcome)
+        found, last = spectral.spectrum_document(outcome), spectral.verdict_line(outcome, PAPER)
     else:
-        found, last = document.document(outcome), [*table.report_lines(outcome)][-1]
+        found, last = document.document(outcome), [*table.report_lines(outcome, PAPER)][-1]
     assert last.startswith(f"Verdict: {found['headline']}: ")
-    assert last.endswith(words.summary(outcome).partition(f": {outcome.statement.title}: ")[2])
-    assert found["headline"] in markdown.report(outcome)
+    told = words.summary(outcome, PAPER)
+    assert last.endswith(told.partition(f": {outcome.statement.title}: ")[2])
+    assert found["headline"] in markdown.report(outcome, PAPER)
 
 
 @pytest.mark.parametrize(

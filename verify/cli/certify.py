@@ -47,10 +47,11 @@ def run(options: Options) -> int:
 
 def folder_files(outcome: Outcome) -> dict[str, bytes]:
     """The files of a folder: statement, certificate, what is cited, and a report for people."""
-    from verify.views.markdown import report  # loaded only where they are used
+    from verify.paper.source import PAPER  # loaded only where they are used
+    from verify.views.markdown import report
     from verify.wire.write import write
 
-    return write(outcome) | {"report.md": report(outcome).encode()}
+    return write(outcome) | {"report.md": report(outcome, PAPER).encode()}
 
 
 def _compare(path: str, contents: Mapping[str, bytes]) -> int:

@@ -95,14 +95,16 @@ def _print_latex(found: Sequence[CheckedFolder]) -> int:
         why = "not a statement of the program" if judged.own is False else judged.lines[-1]
         print(f"verify: {judged.folder.path}: {why}"[:300], file=sys.stderr)
     if not refused:
-        from verify.views.tex.article import tex_document  # loaded only where they are used
+        from verify.paper.source import PAPER  # loaded only where they are used
+        from verify.views.tex.article import tex_document
         from verify.wire.judge import read_judged
         from verify.wire.term_json import WireError
 
         folders = [judged.folder for judged in found]
         cited = available(folders)
         try:
-            text = tex_document(read_judged(f.statement, f.certificate, cited) for f in folders)
+            read = (read_judged(f.statement, f.certificate, cited) for f in folders)
+            text = tex_document(read, PAPER)
         except WireError as error:
             print(f"verify: {error}"[:300], file=sys.stderr)
             return check.EXIT_CODES[MALFORMED]

@@ -30,18 +30,19 @@ def told(outcome: Outcome, options: Options, screen: Iterable[str]) -> list[str]
     Raises:
         InputError: if there is no row of this name.
     """
-    from verify.views.row_lists import all_rows, rows_called  # loaded only where they are used
+    from verify.paper.source import PAPER  # loaded only where they are used
+    from verify.views.row_lists import all_rows, rows_called
     from verify.views.words import taken_on_trust
 
     *lines, verdict = screen
     if options.rows is not None:
-        found = rows_called(outcome, options.rows)
+        found = rows_called(outcome, options.rows, PAPER)
         if not found:
             word = shown(options.rows)
             raise InputError(f"--rows: there is no row {word}; {instead(outcome, options.rows)}")
         return [*found, "", verdict]
     if options.verbose:
-        lines = [*all_rows(outcome), *taken_on_trust(outcome), "", *lines]
+        lines = [*all_rows(outcome, PAPER), *taken_on_trust(outcome, PAPER), "", *lines]
     return [*lines, verdict]
 
 

@@ -6,21 +6,22 @@ from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import show
+from verify.paper.classification.meaning import MEANING
 from verify.paper.commands.classification import (
-    AtR,
     at_restitution,
     decide_classification,
     verdict_at,
 )
+from verify.paper.source import PAPER
 from verify.prover.outcome import EXIT_CODES
 from verify.views.classification import (
     classification_document,
     meaning_lines,
     restitution_document,
     restitution_lines,
-    screen,
     theorem_lines,
 )
+from verify.views.row_lists import screen
 from verify.wire.inputs import restitution
 
 
@@ -35,7 +36,7 @@ def run(options: Options) -> int:
     r = None if options.r is None else restitution(options.r)
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = decide_classification()
-    found: AtR | None = None if r is None else at_restitution(r)
+    found = None if r is None else at_restitution(r)
     verdict = verdict_at(outcome, found)
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
@@ -47,12 +48,12 @@ def run(options: Options) -> int:
             document |= {"verdict": verdict, "headline": verdict}
         print_document(document)
     else:
-        text = [*screen(outcome), ""]
+        text = [*screen("Which collapses there are", outcome, PAPER), ""]
         if options.verbose:
-            text += [*meaning_lines(), ""]
+            text += [*meaning_lines(MEANING, PAPER), ""]
         if found is not None:
             text += [*restitution_lines(found), ""]
-        text += theorem_lines(outcome)
+        text += theorem_lines(outcome, PAPER)
         if verdict != outcome.verdict:
             text += [f"{verdict.capitalize()}: the longest run at this r"]
         show(claims.told(outcome, options, text), options)

@@ -7,6 +7,10 @@ from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import show
 from verify.paper.commands.elsewhere import decide_elsewhere
+from verify.paper.source import PAPER
+
+FORMAT = "verify-elsewhere/1"
+TITLE = "What the paper prints outside the proof of Theorem 1 and the spectrum"
 
 
 def add_arguments(parser: Parser) -> None:
@@ -16,14 +20,23 @@ def add_arguments(parser: Parser) -> None:
 
 def run(options: Options) -> int:
     """Print the rows or the document, write the files, return the exit code."""
-    from verify.views.elsewhere import elsewhere_document, screen
+    from verify.views.document import claims_document  # loaded only where they are used
+    from verify.views.row_lists import screen
+    from verify.views.words import summary
 
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = decide_elsewhere()
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
     if options.json:
-        print_document(elsewhere_document(outcome))
+        print_document(claims_document(outcome, "elsewhere", FORMAT))
     else:
-        show(claims.told(outcome, options, screen(outcome)), options)
+        show(
+            claims.told(
+                outcome,
+                options,
+                [*screen(TITLE, outcome, PAPER), "", f"Verdict: {summary(outcome, PAPER)}"],
+            ),
+            options,
+        )
     return outcome.exit_code

@@ -64,7 +64,7 @@ def run(options: Options) -> int:
 
 def _label(word: str) -> str:
     """The label of what the paper prints as ``(4.25)``; another word as it is."""
-    from verify.paper.numbering import labels_called
+    from verify.paper.source import labels_called
 
     return next(iter(labels_called(word)), word)
 
@@ -87,9 +87,10 @@ def _point(options: Options) -> Outcome | None:
 
 def _inside(folder: str, outcome: Outcome, word: str, options: Options) -> list[str]:
     """The row in one statement, or the rows of a label there."""
-    from verify.views.explain import explain, labelled  # loaded only where they are used
+    from verify.paper.source import PAPER  # loaded only where they are used
+    from verify.views.explain import explain, labelled
 
-    text = explain(outcome, word, exact=options.verbose) or labelled(outcome, word)
+    text = explain(outcome, word, PAPER, exact=options.verbose) or labelled(outcome, word)
     if not text:
         names = get_close_matches(word, sorted(_names(outcome)), 3, 0.6)
         near = f"is it {', '.join(names)}?" if names else "write a name of its report, or a label"
@@ -107,6 +108,7 @@ def _title(where: str, outcome: Outcome) -> str:
 def _anywhere(word: str, options: Options) -> list[str]:
     """Where the word is written, and the row in the first statement that has it."""
     from verify.paper.commands.places import written  # loaded only where they are used
+    from verify.paper.source import PAPER
     from verify.views.explain import explain
 
     found = written(word) if word else []
@@ -116,7 +118,7 @@ def _anywhere(word: str, options: Options) -> list[str]:
     there = _statements_with(word, found)
     for first in there[:1]:
         outcome = outcome_of(first)
-        shown_there = explain(outcome, word, exact=options.verbose)
+        shown_there = explain(outcome, word, PAPER, exact=options.verbose)
         text += [_title(first, outcome), *shown_there, ""]
     others = [*there[1:], *_committed(word)]
     if others:

@@ -23,8 +23,8 @@ def run(options: Options) -> int:
     """Print the file; return 0."""
     if options.system not in SYSTEMS:
         raise InputError(f"system: {shown(options.system)} is not known; write coq")
-    from verify.views.coq.export import export  # loaded only where it is used
-    from verify.views.coq.reading import NotAcceptedError
+    from verify.wire.coq.export import export  # loaded only where it is used
+    from verify.wire.coq.reading import NotAcceptedError
 
     (folder,) = folders_at([options.folder])
     try:

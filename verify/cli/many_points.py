@@ -13,6 +13,7 @@ from verify.cli.terminal import show
 from verify.cli.theorem1 import DEFAULTS, POINT_OPTIONS, read_parameters
 from verify.language.statement import UNDECIDED
 from verify.paper.groups import PRINTED
+from verify.paper.source import PAPER
 from verify.prover.outcome import EXIT_CODES, conjunction
 from verify.wire.inputs import InputError, integer, neg_cos, positive, restitution, shown
 
@@ -59,9 +60,10 @@ def _everywhere(options: Options) -> int:
         print_document(claims_document(outcome, "theorem1", view.FORMAT))
         return code
     if printed:
-        text = view.printed_screen(outcome, thresholds.decide_thresholds())
+        where = thresholds.decide_thresholds()
+        text = view.printed_screen(outcome, where, thresholds.all_shares(where), PAPER)
     else:
-        text = view.screen(outcome)
+        text = view.screen(outcome, PAPER)
     show(claims.told(outcome, options, text), options)
     return code
 
@@ -77,9 +79,10 @@ def _box(options: Options) -> int:
     test_folder("--out", options.out, "statement.json", "certificate.json")
     from verify.paper.commands import box  # loaded only where they are used
     from verify.views import box as view
+    from verify.views.material import ParameterBox
 
     progress(PROVING)
-    found = box.answer(box.ParameterBox(*sides), v_0, delta_theta)
+    found = box.answer(ParameterBox(*sides), v_0, delta_theta)
     cited = found.outcome.assumptions
     if options.out is not None and found.verdict != UNDECIDED:
         write_certificate("--out", options.out, found.outcome)

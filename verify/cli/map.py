@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
     from verify.spheres.map.grow import Sample, Target
     from verify.spheres.map.log import Progress
+    from verify.spheres.map.saddle import Saddle
 
 LOG, DOCUMENT, PICTURE, DOTS, TIMES = "map.jsonl", "map.json", "map.svg", "map.png", "times.csv"
 UNDECIDED_CODE = 3
@@ -151,13 +152,28 @@ def run(options: Options) -> int:
             "name another folder"
         ) from error
     if options.json:
-        print_document(map_document(progress))
+        print_document(map_document(progress, check_map.GIVEN))
     else:
-        lines = (*map_lines(progress), *saddle_lines(progress.plane))
+        lines = (*map_lines(progress, *_said(progress)), *saddle_lines(_saddle(progress.plane)))
         sys.stdout.write("".join(f"{line}\n" for line in lines))
     left, areas = area_shares(progress)["undecided"], areas_of(progress)
     done = left <= share if delta is None else areas.is_strip
     return 0 if done else UNDECIDED_CODE
+
+
+def _said(progress: Progress) -> tuple[str, str]:
+    """What the checker says of a map that it has accepted, and what it is given."""
+    areas, plane = progress.areas, check_map.plane_of(progress.document)
+    if areas is None or not areas.is_strip:
+        return check_map.hypotheses(plane), check_map.given()
+    return check_map.says(plane, areas), check_map.given()
+
+
+def _saddle(plane: Plane | BorderStrip) -> Saddle | None:
+    from verify.spheres.map.saddle import saddle  # loaded only where it is used
+
+    phi = plane.phi if isinstance(plane, BorderStrip) else plane
+    return saddle(phi) if isinstance(phi, Phi) else None
 
 
 def _delta(options: Options) -> Fraction | None:
@@ -260,7 +276,7 @@ def _write(options: Options, progress: Progress, times: list[Sample]) -> None:
 
     law = [(sample.seconds, float(sample.undecided)) for sample in times]
     rows = "".join(f"{s.boxes},{s.undecided},{s.seconds:.3f}\n" for s in times)
-    document = json.dumps(map_document(progress), ensure_ascii=False, indent=1)
+    document = json.dumps(map_document(progress, check_map.GIVEN), ensure_ascii=False, indent=1)
     files = {
         DOCUMENT: f"{document}\n".encode(),
         PICTURE: svg_map(progress, law, boxes=options.show_boxes).encode(),

@@ -18,6 +18,7 @@ from verify.cli.options import Options, Parser
 from verify.cli.terminal import add_color, show
 from verify.language.statement import PRINTED, UNDECIDED
 from verify.language.terms import Claim
+from verify.paper.source import PAPER
 from verify.prover.budget import WORK, WorkBudget
 from verify.prover.outcome import Outcome
 from verify.views.prove import decided_document, decided_lines
@@ -56,7 +57,7 @@ def run(options: Options) -> int:
     if options.json:
         print_document(decided_document(outcome))
     else:
-        show(decided_lines(outcome), options)
+        show(decided_lines(outcome, PAPER), options)
     return outcome.exit_code
 
 

@@ -38,15 +38,19 @@ def run(options: Options) -> int:
     else:
         for name in PAGES:
             _read(os.path.join(options.directory, name))  # said before the long work
+    from verify.paper.commands.report import number_of_steps, read_material
     from verify.paper.commands.report_files import CertificateError
-    from verify.views.page.build import files, number_of_steps
+    from verify.views.page.build import files
 
     try:
         progress = Steps(number_of_steps(options.directory, draw=not options.compare))
-        made = files(options.directory, draw=not options.compare, progress=progress)
+        material = read_material(options.directory, progress)
     except CertificateError as error:
         print(f"verify: {error}", file=sys.stderr)
         return error.code
+    if not options.compare:
+        progress("drawing")
+    made = files(material, draw=not options.compare)
     if not options.compare:
         write_all("--directory", options.directory, made)
         for name in made:

@@ -10,7 +10,7 @@ from verify.cli.terminal import add_color, show
 from verify.prover.ground import FLINT
 from verify.spheres.scene.decide import MAX_DIGITS, Budget, Fate, decide_scene
 from verify.spheres.scene.scene_files import read_scene
-from verify.spheres.scene.verdict import scene_lines
+from verify.spheres.scene.verdict import steps, told
 from verify.views.scene import collision_table, exit_code, given_line, scene_document
 from verify.wire.inputs import InputError, integer, shown
 
@@ -74,10 +74,10 @@ def run(options: Options) -> int:
 
         write_plot("--plot", options.plot, plot, found)
     if options.json:
-        print_document(scene_document(found, judge_of(options.out)))
+        print_document(scene_document(told(found), judge_of(options.out)))
     else:
         show(_text(found, options), options)
-    return exit_code(found)
+    return exit_code(told(found))
 
 
 def _plot_kind(path: str | None) -> str | None:
@@ -90,6 +90,8 @@ def _plot_kind(path: str | None) -> str | None:
 
 
 def _text(found: Fate, options: Options) -> list[str]:
-    given = given_line(found, judge_of(options.out))
-    lines = [*scene_lines(found), *filter(None, [given])]
-    return [*collision_table(found), "", *lines] if options.verbose else lines
+    known = told(found)
+    lines = [*known.lines, *filter(None, [given_line(known, judge_of(options.out))])]
+    if not options.verbose:
+        return lines
+    return [*collision_table(steps(found), known.bits), "", *lines]

@@ -17,7 +17,7 @@ from verify.cli.terminal import show
 from verify.language.errors import OwnError
 from verify.spheres.scene.decide import Budget, decide_scene
 from verify.spheres.scene.scene_files import read_scene
-from verify.spheres.scene.verdict import scene_lines
+from verify.spheres.scene.verdict import told
 from verify.views.scene import exit_code, given_line, scene_document
 from verify.wire.inputs import InputError, shown
 
@@ -76,10 +76,11 @@ def decide_file(folder: str, out: str | None, limits: Budget, name: str) -> Resu
 def _decide(folder: str, out: str | None, limits: Budget, name: str) -> Result:
     path = os.path.join(folder, name)
     found = decide_scene(read_scene(path, read_bytes("scene", path)), limits)
-    code = exit_code(found)
+    known = told(found)
+    code = exit_code(known)
     judge = judge_of(out)
-    lines = [*scene_lines(found), *filter(None, [given_line(found, judge)])]
-    document = scene_document(found, judge)
+    lines = [*known.lines, *filter(None, [given_line(known, judge)])]
+    document = scene_document(known, judge)
     result = {"file": name, "code": code, "lines": lines, "document": document}
     if out is not None:
         place = os.path.join(out, os.path.splitext(name)[0])

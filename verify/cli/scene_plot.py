@@ -6,6 +6,7 @@ import os
 
 from verify.cli.files import write_all
 from verify.spheres.scene.decide import Fate
+from verify.spheres.scene.verdict import steps, told
 from verify.wire.inputs import InputError
 
 
@@ -26,10 +27,8 @@ def write_plot(option: str, path: str, kind: str, found: Fate) -> None:
 
 
 def _drawn(kind: str, found: Fate) -> str:
+    from verify.views.plots.scene_drawing import scene_page, scene_svg  # loaded only here
+
     if kind == ".svg":
-        from verify.views.plots.scene_drawing import scene_svg  # loaded only where it is used
-
-        return scene_svg(found)
-    from verify.views.plots.scene_animation import scene_page
-
-    return scene_page(found)
+        return scene_svg(told(found), list(steps(found)))
+    return scene_page(told(found), steps(found))

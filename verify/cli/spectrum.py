@@ -9,10 +9,11 @@ from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import show
 from verify.paper.commands.spectrum import decide_spectrum
+from verify.paper.source import PAPER
+from verify.views.row_lists import screen
 from verify.views.spectrum import (
     point_document,
     point_lines,
-    screen,
     spectrum_document,
     verdict_line,
 )
@@ -65,8 +66,8 @@ def run(options: Options) -> int:
             found |= point_document(r, spectrum, bits)
         print_document(found)
     else:
-        text = [*screen(outcome)]
+        text = [*screen("Spectral claims, for every r in ]0,1[", outcome, PAPER)]
         if r is not None and spectrum is not None:
             text += point_lines(r, spectrum)
-        show(claims.told(outcome, options, [*text, "", verdict_line(outcome)]), options)
+        show(claims.told(outcome, options, [*text, "", verdict_line(outcome, PAPER)]), options)
     return outcome.exit_code

@@ -9,6 +9,7 @@ from verify.cli.terminal import add_color, show
 from verify.language.terms import Term, as_term
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.groups import SELECTIONS
+from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
 from verify.views.screen import screen
 from verify.wire.inputs import InputError, angle, integer, neg_cos, positive, restitution, shown
@@ -109,7 +110,7 @@ def _point(options: Options) -> int:
     if options.json:
         _print_document(outcome, bits)
         return outcome.exit_code
-    show(text if table else screen(outcome), options)
+    show(text if table else screen(outcome, PAPER), options)
     return outcome.exit_code
 
 
@@ -126,7 +127,7 @@ def _precisions(options: Options) -> tuple[int, int]:
 def _print_document(outcome: Outcome, bits: int) -> None:
     from verify.cli.files import print_document  # loaded only where they are used
     from verify.views.document import document
-    from verify.views.sharper import sharpened
+    from verify.views.enclosures import sharpened
 
     print_document(document(sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome))
 
@@ -136,8 +137,8 @@ def _table(outcome: Outcome, name: str | None) -> Iterable[str]:
     from verify.views.table import report_lines, some_rows  # loaded only where they are used
 
     if name is None:
-        return report_lines(outcome)
-    found = some_rows(outcome, name)
+        return report_lines(outcome, PAPER)
+    found = some_rows(outcome, name, PAPER)
     if not found:
         from verify.cli.claims import instead
 

@@ -1,10 +1,10 @@
 (* The theorem about the checker: if it accepts a certificate, the statement is true. *)
-Require Import Reals QArith Qreals ZArith NArith List Lra Lia Bool Arith FMapPositive.
-Require Import Meaning Polynomials Terms Substitution Clearing Enclosures Kernel Sound Checker.
+From Coq Require Import Reals QArith Qreals ZArith NArith List Lra Lia Bool Arith FMapPositive.
+From Verify Require Import Meaning Polynomials Terms Substitution Clearing Enclosures Kernel Places Sound Checker.
 Import ListNotations.
 Open Scope R_scope.
 
-Section Sound.
+Section Accepted.
 Variable S : statement.
 Hypothesis in_order : ordered (numbered S) = true.
 Hypothesis parents_first : descending S = true.
@@ -299,7 +299,7 @@ Proof.
   - intros i X. now rewrite PM.gempty in X.
   - intros k r X. now rewrite PM.gempty in X.
 Qed.
-End Sound.
+End Accepted.
 
 Lemma ground_terms_sound S T l : ordered (numbered S) = true ->
   (forall i, PM.find i T = PM.find i (table (numbered S))) -> all_remembered S (ground_terms T l).

@@ -1,7 +1,7 @@
-(* Whether a certificate proves its statement: step by step, with the rules of Kernel.v. Theorem.v
+(* Whether a certificate proves its statement: step by step, with the rules of Kernel.v. Accepted.v
    proves that the answer is right. *)
-Require Import Reals QArith Qreals ZArith NArith List Lra Lia Bool Arith FMapPositive.
-Require Import Meaning Polynomials Terms Substitution Clearing Enclosures Kernel.
+From Coq Require Import Reals QArith Qreals ZArith NArith List Lra Lia Bool Arith FMapPositive.
+From Verify Require Import Meaning Polynomials Terms Substitution Clearing Enclosures Kernel.
 Import ListNotations.
 Open Scope R_scope.
 

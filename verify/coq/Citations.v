@@ -1,7 +1,7 @@
 (* A citation is closed by a proof of the cited statement: if the citing statement begins with the
    same terms and contexts, what it believes of them is what the other one proves. *)
-Require Import Reals ZArith List Lia Bool Arith FMapPositive.
-Require Import Meaning Terms Substitution Kernel.
+From Coq Require Import Reals ZArith List Lia Bool Arith FMapPositive.
+From Verify Require Import Meaning Terms Substitution Kernel.
 Import ListNotations.
 
 Section Closing.

@@ -1,5 +1,6 @@
-(* The proof of Theorem 1 for all parameters. Step.v and All.v are what
-   `verify export coq --readable` prints for the certificates of the step and of theorem1 --all. *)
+(* From a scene of the initial set, ball 0 collides with 2 and 1 in turn without end: the certificates
+   of the step and of theorem1 --all, put together. Step.v and All.v are what
+   `verify export coq --readable` prints for them. *)
 From Coq Require Import Reals ZArith List Lra Lia FMapPositive.
 From Verify Require Import Theorem1 Vectors Motion Sequences Meaning Terms Citations Readable Extension.
 From Verify Require Import Gram OneStep Trajectory.
@@ -194,7 +195,13 @@ Proof.
   exact (row_in_scope S1 All.the_order All.the_table All.the_table_is (All.the_rows_hold citations)
     All.all_values _ _ _ parameters All.all_right All.row_of_repaired_angle_absorbed_is parameters_good).
 Qed.
-Theorem collapses : collapse r c V_0 delta_theta D s.
+Definition without_end : Prop :=
+  exists (scenes : nat -> scene) (time : nat -> R),
+    scenes O = s /\ time O = 0 /\ collides_in_turn D r scenes time /\
+    (exists T, Un_cv time T /\ T <= T_star r c V_0 delta_theta) /\
+    (exists l, Un_cv (fun n => minus_cosine D (scenes n)) l /\
+      Rabs (l - c) <= Delta_theta r c V_0 delta_theta).
+Theorem collides_without_end : without_end.
 Proof.
   exists (scenes at_start D s), (time at_start).
   split; [reflexivity|]. split; [|split; [|split]].
@@ -210,6 +217,3 @@ Proof.
       exact (Rle_trans _ _ _ B drift_small).
 Qed.
 End Parameters.
-
-Theorem theorem_1_holds : theorem_1.
-Proof. intros r c V_0 delta_theta A d s d_0 y I. now apply collapses with d_0 y. Qed.

@@ -1,6 +1,6 @@
 (* The rules on cosines: sums of angles, and the partial sums of the series. *)
-Require Import Reals QArith Qreals ZArith NArith List Lra Lia Bool FMapPositive.
-Require Import Meaning Polynomials Terms Clearing Enclosures Series.
+From Coq Require Import Reals QArith Qreals ZArith NArith List Lra Lia Bool FMapPositive.
+From Verify Require Import Meaning Polynomials Terms Clearing Cleared Enclosures Series.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -112,7 +112,7 @@ End Rules.
 
 (* --- soundness -------------------------------------------------------------------------------- *)
 
-Section Sound.
+Section SoundCosines.
 Variable S : statement.
 Hypothesis in_order : ordered (numbered S) = true.
 Variable T : PM.t node.
@@ -335,4 +335,4 @@ Proof.
   destruct r; try discriminate.
   destruct (cosine_of T a); intros H; apply cosine_bound_sound in H; cbn [related]; tauto.
 Qed.
-End Sound.
+End SoundCosines.

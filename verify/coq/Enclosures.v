@@ -1,9 +1,9 @@
 (* Enclosures of real numbers: exact rationals while they are short, else the verified intervals of
    coq-interval, over plain integers. Each operation encloses the results for all real numbers. *)
-Require Import Reals QArith Qreals Qreduction ZArith List Lra Lia Bool.
+From Coq Require Import Reals QArith Qreals Qreduction ZArith List Lra Lia Bool.
 From Interval Require Import Float.Specific_stdz Float.Specific_ops Float.Sig Interval.Interval
   Interval.Float_full Real.Xreal Float.Basic.
-Require Import Meaning Polynomials.
+From Verify Require Import Meaning Polynomials.
 Import ListNotations.
 Open Scope R_scope.
 

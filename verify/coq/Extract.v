@@ -1,8 +1,8 @@
 (* The checker as an OCaml program; numbers stay Coq's own, so that nothing but the reader of files
    (reader.ml) is not proved. *)
-Require Import ZArith QArith.
-Require Import Meaning Clearing Kernel Checker.
-Require Import ExtrOcamlBasic.
+From Coq Require Import ZArith QArith.
+From Verify Require Import Meaning Clearing Kernel Checker.
+From Coq Require Import ExtrOcamlBasic.
 Extraction Language OCaml.
 (* The reals are there since libraries mention them; nothing that is computed uses them. *)
 Extract Constant ClassicalDedekindReals.sig_forall_dec => "fun _ -> assert false".

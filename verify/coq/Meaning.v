@@ -1,6 +1,6 @@
 (* What a statement says. This is the page to read: terms, their values, when they are defined, when
    a claim holds, what contexts, rows and whole statements mean. Nothing here is computed. *)
-Require Import Reals ZArith List FMapPositive.
+From Coq Require Import Reals ZArith List FMapPositive.
 Import ListNotations.
 Module PM := PositiveMap.
 Open Scope R_scope.

@@ -237,7 +237,7 @@ Proof.
   - intros k K0 Kj. destruct (Away flight ltac:(lra)) as [Ai Ao].
     assert (k = i) by (destruct i, j, k; easy). subst k. split; trivial. now rewrite distance_symmetric.
 Qed.
-Theorem shows_next : shows new D (collided D r j (later flight x)) j i.
+Theorem shows_next : shows new D (collided D r B0 j (later flight x)) j i.
 Proof.
   destruct others as (Ni & Nj & Nij). pose proof far_after as F.
   destruct shown_by as (q & X & [P Q PQ PS QC PC QS SS CC SC]).

@@ -1,6 +1,6 @@
 (* Polynomials with rational coefficients: sorted lists of monomials, computed and proved.
    Nothing below needs that lists are sorted; it only makes like terms meet. *)
-Require Import Reals QArith Qreals Qreduction ZArith NArith List Lra Lia Bool.
+From Coq Require Import Reals QArith Qreals Qreduction ZArith NArith List Lra Lia Bool.
 Import ListNotations.
 Open Scope R_scope.
 

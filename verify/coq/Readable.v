@@ -1,7 +1,7 @@
 (* What an accepted statement says in ordinary notation: terms are read back from their numbers,
    down to constants, which have names of their own. *)
-Require Import Reals ZArith List Bool FMapPositive.
-Require Import Meaning Terms.
+From Coq Require Import Reals ZArith List Bool FMapPositive.
+From Verify Require Import Meaning Terms.
 Import ListNotations.
 Open Scope R_scope.
 

@@ -1,5 +1,5 @@
 (* The series of cosine and sine: their partial sums lie above and below, in turn. *)
-Require Import Reals List Lra Lia.
+From Coq Require Import Reals List Lra Lia.
 Import ListNotations.
 Open Scope R_scope.
 

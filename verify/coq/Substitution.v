@@ -1,7 +1,7 @@
 (* Terms put for the variables of a context, whose constants are unfolded. The new terms are looked
    up among the nodes; what is found is compared, so that nothing rests on how it was found. *)
-Require Import Reals ZArith List Lia Bool Arith FMapPositive.
-Require Import Meaning Terms.
+From Coq Require Import Reals ZArith List Lia Bool Arith FMapPositive.
+From Verify Require Import Meaning Terms.
 Import ListNotations.
 Open Scope R_scope.
 

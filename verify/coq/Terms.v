@@ -1,7 +1,7 @@
 (* Terms, names and contexts of a statement as the checker looks them up, and that what it finds is
    what they mean. *)
-Require Import Reals ZArith NArith List Lra Lia Bool Arith Wf_nat FMapPositive.
-Require Import Meaning.
+From Coq Require Import Reals ZArith NArith List Lra Lia Bool Arith Wf_nat FMapPositive.
+From Verify Require Import Meaning.
 Import ListNotations.
 Open Scope R_scope.
 

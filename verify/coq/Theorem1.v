@@ -1,10 +1,11 @@
 (* Theorem 1 for all parameters: what it says. This page can be read alone; it proves nothing.
-   The proof is in Collapse.v and Inhabited.v, from two certificates that Coq has checked. The
-   constants are those of the repaired set, with their minima as they stand.
+   AllProved.v puts the proof together, from two certificates that Coq has checked. The constants
+   are those of the repaired set, with their minima as they stand.
 
    Three balls of diameter 1 and of equal mass in R^d lose energy when they collide. From every
-   scene in a set that is given by inequalities, the ball 0 collides with 2, 1, 2, 1, ... and so on
-   without end, in a finite time, and its angle to the other two converges. *)
+   scene in a set that is given by inequalities, ball 0 collides with 2, 1, 2, 1, ... and so on
+   without end, in a finite time, and nothing else can happen. At the end both other balls touch
+   ball 0, and the angle between them is near the one that was asked for. The set has an interior. *)
 From Coq Require Import Reals List Arith.
 Import ListNotations.
 Open Scope R_scope.
@@ -35,16 +36,42 @@ Definition rate (s : scene) (i j : ball) : R := dot d (to s i j) (relative s i j
 (* Free flight for a time. *)
 Definition later (t : R) (s : scene) : scene :=
   Scene (fun i k => position s i k + t * velocity s i k) (velocity s).
-(* The collision of ball 0 with ball j: momentum is exchanged along the line of the centres. *)
-Definition collided (j : ball) (s : scene) : scene :=
-  let omega := to s B0 j in
-  let J := (1 + r) / 2 * rate s B0 j in
-  Scene (position s) (fun i k =>
-    match i, j with
-    | B0, _ => velocity s B0 k + J * omega k
-    | B1, B1 | B2, B2 => velocity s j k - J * omega k
-    | _, _ => velocity s i k
-    end).
+(* The collision of balls i and j: momentum is exchanged along the line of the centres. *)
+Definition same (i j : ball) : bool :=
+  match i, j with B0, B0 | B1, B1 | B2, B2 => true | _, _ => false end.
+Definition collided (i j : ball) (s : scene) : scene :=
+  let omega := to s i j in
+  let J := (1 + r) / 2 * rate s i j in
+  Scene (position s) (fun b k =>
+    if same b i then velocity s b k + J * omega k
+    else if same b j then velocity s b k - J * omega k
+    else velocity s b k).
+
+(* --- trajectories: any two balls may collide, in any order ------------------------------------ *)
+
+(* Nobody overlaps, and balls that touch do not approach. *)
+Definition nobody_collides (s : scene) : Prop :=
+  forall i j, i <> j -> 1 <= distance s i j /\ (distance s i j = 1 -> 0 <= rate s i j).
+(* Just two balls touch; they approach, and collide. *)
+Definition two_collide (s s' : scene) : Prop :=
+  exists i j, i <> j /\ distance s i j = 1 /\ rate s i j < 0 /\
+    (forall k, k <> i -> k <> j -> 1 < distance s i k /\ 1 < distance s j k) /\
+    s' = collided i j s.
+
+(* Z gives the scene at each time from 0 until just before T; at the time of a collision, it is the
+   scene after it. After each time there is free flight for a while. Before each time there was, to
+   some scene, which stays as it is if nobody collides. Where three balls touch and two of them
+   approach, no trajectory goes on. *)
+Record trajectory (s : scene) (T : R) (Z : R -> scene) : Prop := {
+  begins : Z 0 = s;
+  after_it : forall t, 0 <= t < T ->
+    exists e, 0 < e /\ forall u, 0 <= u < e -> Z (t + u) = later u (Z t);
+  before_it : forall t, 0 < t < T ->
+    exists e arriving, 0 < e /\ (forall u, 0 < u < e -> Z (t - u) = later (- u) arriving) /\
+      (nobody_collides arriving /\ Z t = arriving \/ two_collide arriving (Z t))
+}.
+
+(* --- the collapse: ball 0 collides with 2 and 1 in turn --------------------------------------- *)
 
 (* In free flight from s, balls i and j are the first to meet, after the time t, and only they. *)
 Record first_to_meet (s : scene) (i j : ball) (t : R) : Prop := {
@@ -60,11 +87,46 @@ Record first_to_meet (s : scene) (i j : ball) (t : R) : Prop := {
 Definition collides_with (n : nat) : ball := if Nat.even n then B2 else B1.
 Definition collides_in_turn (s : nat -> scene) (t : nat -> R) : Prop :=
   forall n, first_to_meet (s n) B0 (collides_with n) (t (S n) - t n) /\
-    s (S n) = collided (collides_with n) (later (t (S n) - t n) (s n)).
+    s (S n) = collided B0 (collides_with n) (later (t (S n) - t n) (s n)).
 
 (* Minus the cosine of the angle at ball 0. *)
 Definition minus_cosine (s : scene) : R :=
   - (dot d (to s B0 B1) (to s B0 B2) / (distance s B0 B1 * distance s B0 B2)).
+
+(* f(t) tends to l when t tends to T from below. *)
+Definition tends_to (f : R -> R) (T l : R) : Prop :=
+  forall e, 0 < e -> exists m, m < T /\ forall t, m < t < T -> Rabs (f t - l) < e.
+
+(* From s, there are infinitely many collisions before the time T, but finitely many before each
+   earlier time. Z is a trajectory with just these collisions, and none from s lasts longer. The
+   balls' positions tend to those of the scene at_T, in which both other balls touch ball 0; its
+   velocities mean nothing. *)
+Record collapses (s : scene) (scenes : nat -> scene) (time : nat -> R) (T : R) (Z : R -> scene)
+    (at_T : scene) : Prop := {
+  first_scene : scenes O = s;
+  first_time : time O = 0;
+  in_turn : collides_in_turn scenes time;
+  finite_time : Un_cv time T;
+  between : forall n t, time n <= t < time (S n) -> Z t = later (t - time n) (scenes n);
+  goes_until_T : trajectory s T Z;
+  none_goes_beyond : forall T' Z', trajectory s T' Z' -> T' <= T;
+  positions_converge : forall i k, (k < d)%nat ->
+    tends_to (fun t => position (Z t) i k) T (position at_T i k);
+  touch_1 : distance at_T B0 B1 = 1;
+  touch_2 : distance at_T B0 B2 = 1;
+  angle_converges : Un_cv (fun n => minus_cosine (scenes n)) (minus_cosine at_T)
+}.
+(* By a time, and at an angle whose cosine is known with a tolerance. *)
+Definition collapse (s : scene) (by_time c tolerance : R) : Prop :=
+  exists scenes time T Z at_T, collapses s scenes time T Z at_T /\
+    T <= by_time /\ Rabs (minus_cosine at_T - c) <= tolerance.
+
+(* Scenes with positions and velocities that differ by less than e, coordinate by coordinate. *)
+Definition close (e : R) (s s' : scene) : Prop :=
+  forall i k, (k < d)%nat -> Rabs (position s' i k - position s i k) < e /\
+    Rabs (velocity s' i k - velocity s i k) < e.
+Definition has_interior (set : scene -> Prop) : Prop :=
+  exists s e, 0 < e /\ forall s', close e s s' -> set s'.
 End Motion.
 
 (* --- parameters and constants ----------------------------------------------------------------- *)
@@ -136,30 +198,56 @@ Record initial (d : nat) (s : scene) (d_0 y : R) : Prop := {
     <= V_1 - (V_1 - V_0) / 3;
   angle_0 : Rabs (minus_cosine d s - c) <= Delta_theta / 4
 }.
+
+(* The set: these scenes, and those into which they fly while no two balls touch. *)
+Definition ZK (d : nat) (s : scene) : Prop :=
+  exists s_0 d_0 y u, initial d s_0 d_0 y /\ 0 <= u /\
+    (forall v i j, 0 < v <= u -> i <> j -> 1 < distance d (later v s_0) i j) /\ s = later u s_0.
 End Constants.
 
 (* --- the theorem ------------------------------------------------------------------------------ *)
 
-(* Infinitely many collisions, of ball 0 with 2 and with 1 in turn; their times converge; the angle
-   at ball 0 converges, to one that is as near to theta_0 as is said. *)
-Definition collapse (r c V_0 delta_theta : R) (d : nat) (s : scene) : Prop :=
-  exists (scenes : nat -> scene) (time : nat -> R),
-    scenes O = s /\ time O = 0 /\ collides_in_turn d r scenes time /\
-    (exists T, Un_cv time T /\ T <= T_star r c V_0 delta_theta) /\
-    (exists l, Un_cv (fun n => minus_cosine d (scenes n)) l /\
-      Rabs (l - c) <= Delta_theta r c V_0 delta_theta).
-
 Definition theorem_1 : Prop :=
   forall r c V_0 delta_theta, admissible r c V_0 delta_theta ->
-  forall d s d_0 y, initial r c V_0 delta_theta d s d_0 y -> collapse r c V_0 delta_theta d s.
+  forall d s, ZK r c V_0 delta_theta d s ->
+    collapse d r s (T_star r c V_0 delta_theta) c (Delta_theta r c V_0 delta_theta).
 
-(* It is not about nothing: there are such scenes, in the plane and in every higher dimension. *)
-Definition not_empty : Prop :=
+(* The set contains all scenes, of the 6 d numbers that make one up, near one of them. *)
+Definition interior : Prop :=
   forall r c V_0 delta_theta, admissible r c V_0 delta_theta ->
-  forall d, (2 <= d)%nat -> exists s d_0 y, initial r c V_0 delta_theta d s d_0 y.
+  forall d, (2 <= d)%nat -> has_interior d (ZK r c V_0 delta_theta d).
 
-(* And there is no other way to go on: which balls meet first, and when, is determined. *)
+(* Two trajectories from the same scene are the same for as long as both last. *)
 Definition determined : Prop :=
-  forall d s i j t i' j' t', i <> j -> i' <> j' ->
-  first_to_meet d s i j t -> first_to_meet d s i' j' t' ->
-  t = t' /\ ((i = i' /\ j = j') \/ (i = j' /\ j = i')).
+  forall d r s T Z T' Z', trajectory d r s T Z -> trajectory d r s T' Z' ->
+  forall t, 0 <= t < T -> t < T' -> Z t = Z' t.
+
+(* The constants are defined: what stands under a root or below a fraction bar is made of numbers that
+   are positive, r, c, V_0 and the first seven here, by sums, products, quotients and roots. The next
+   three are equations by which the paper defines phi_minus, delta_4 and delta_5. The rest says that
+   the set is described by positive numbers, and that the angle is as near as was asked for. *)
+Definition constants_defined : Prop :=
+  forall r c V_0 delta_theta, admissible r c V_0 delta_theta ->
+  0 < alpha_0 r c /\ 0 < alpha_0 r c ^ 2 - 4 * r /\ 0 < alpha_0 r c - phi_minus r c /\
+  0 < 1 - h_4 r c /\ 0 < 1 - h_5 r c /\ 0 < 1 - C_eta r c /\ 0 < V_1 r c V_0 /\
+  phi_minus r c = (alpha_0 r c - sqrt (alpha_0 r c ^ 2 - 4 * r)) / 2 /\
+  r / (alpha_0 r c - (phi_minus r c + delta_4 r c)) ^ 2 = 1 - h_4 r c /\
+  phi_minus r c / (alpha_0 r c - (phi_minus r c + delta_5 r c)) ^ 2 = 1 - h_5 r c /\
+  0 < phi_minus r c /\ 0 < delta_x r c V_0 /\ 0 < x_0 r c V_0 /\ V_0 < V_1 r c V_0 /\
+  0 < Delta_theta r c V_0 delta_theta <= delta_theta /\ 0 < eta_bar r c V_0 delta_theta /\
+  0 < zeta_bar r c V_0 /\ 0 < d_const r c V_0 delta_theta /\ 0 < d_slope r c V_0.
+
+(* --- as the paper prints it, with > instead of < for the cosine ------------------------------- *)
+
+Definition cube_root (r : R) : R := Rpower r (1 / 3).
+Definition printed_hypothesis (r c : R) : Prop :=
+  0 < r < 9 - 4 * sqrt 5 /\ 2 * cube_root r * (1 + cube_root r) / (1 + r) < c.
+Definition same_hypothesis : Prop :=
+  forall r c V_0 delta_theta, admissible r c V_0 delta_theta <->
+    printed_hypothesis r c /\ c <= 1 /\ 0 < V_0 /\ 0 < delta_theta.
+
+Definition printed_theorem : Prop :=
+  forall r theta_0 delta_theta d, (2 <= d)%nat -> PI / 2 < theta_0 <= PI ->
+  printed_hypothesis r (- cos theta_0) -> 0 < delta_theta ->
+  exists set, has_interior d set /\
+    exists by_time, forall s, set s -> collapse d r s by_time (- cos theta_0) delta_theta.

@@ -18,7 +18,7 @@ Notation at_step := (state S0 v start next).
 Fixpoint scenes (n : nat) : scene :=
   match n with
   | O => first
-  | S k => collided D (v Step.number_of_r) (collides_with k) (later (flight (at_step k)) (scenes k))
+  | S k => collided D (v Step.number_of_r) B0 (collides_with k) (later (flight (at_step k)) (scenes k))
   end.
 
 Lemma in_turn n : collides_with (S n) <> B0 /\ collides_with n <> B0 /\

@@ -1,5 +1,5 @@
-(* Vectors in R^d, and the inequality of Cauchy and Schwarz for them. *)
-From Coq Require Import Reals Lra FunctionalExtensionality.
+(* Vectors in R^d: the inequality of Cauchy and Schwarz, and that no other condition binds two. *)
+From Coq Require Import Reals Lra Lia FunctionalExtensionality.
 From Verify Require Import Theorem1.
 Open Scope R_scope.
 
@@ -46,3 +46,39 @@ Proof.
     lra.
 Qed.
 End Dimension.
+
+Lemma coordinate_at_most d (u : vector) k : (k < d)%nat -> u k * u k <= dot d u u.
+Proof.
+  induction d as [|d IH]; intros K; [lia|]. cbn [dot].
+  destruct (Nat.eq_dec k d) as [->|N]; [pose proof (dot_self d u); lra|].
+  specialize (IH ltac:(lia)). pose proof (Rle_0_sqr (u d)). unfold Rsqr in *. lra.
+Qed.
+
+(* --- the plane of the first two coordinates --------------------------------------------------- *)
+
+Definition plane (a b : R) : vector := fun k => match k with O => a | S O => b | _ => 0 end.
+Lemma dot_with_plane d x a b : (2 <= d)%nat -> dot d x (plane a b) = x 0%nat * a + x 1%nat * b.
+Proof.
+  intros L. induction L as [|d L IH]; [cbn; ring|]. cbn [dot]. rewrite IH.
+  destruct d as [|[|d]]; [lia | lia | cbn; ring].
+Qed.
+Lemma dot_plane d a b a' b' : (2 <= d)%nat -> dot d (plane a b) (plane a' b') = a * a' + b * b'.
+Proof. intros L. now rewrite dot_with_plane. Qed.
+(* No other condition than the inequality of Cauchy and Schwarz binds two vectors. *)
+Theorem vector_exists d x p b : (2 <= d)%nat -> 0 < dot d x x -> p ^ 2 <= dot d x x * b ->
+  exists z, dot d x z = p /\ dot d z z = b.
+Proof.
+  intros L X P. assert (N : exists n, dot d x n = 0 /\ 0 < dot d n n).
+  { destruct (Req_dec (x 0%nat) 0) as [E|E].
+    - exists (plane 1 0). rewrite dot_with_plane, dot_plane by exact L. rewrite E. lra.
+    - exists (plane (- x 1%nat) (x 0%nat)). rewrite dot_with_plane, dot_plane by exact L.
+      split; [ring|]. pose proof (Rsqr_pos_lt _ E) as A. pose proof (Rle_0_sqr (x 1%nat)) as B.
+      unfold Rsqr in *. lra. }
+  destruct N as (n & O & N). set (m := dot d x x) in *. set (s := (b - p ^ 2 / m) / dot d n n).
+  assert (S : 0 <= s).
+  { assert (A : p ^ 2 / m * m <= b * m) by (unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra).
+    apply Rmult_le_reg_r in A; trivial. apply Rmult_le_pos; [lra | now apply Rlt_le, Rinv_0_lt_compat]. }
+  exists (combined (p / m) x (sqrt s) n). split.
+  - rewrite dot_linear_right, O. fold m. field. lra.
+  - rewrite square_of_combined, O. fold m. rewrite (sqrt_sqrt s S). unfold s. field. lra.
+Qed.

@@ -7,7 +7,7 @@ that say the same are equal.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import MappingProxyType
 
 from verify.language.record import Record
@@ -19,6 +19,18 @@ PRINTED = "printed"
 PROVED = "proved"
 REFUTED = "refuted"
 UNDECIDED = "undecided"
+
+#: The step is refuted, and what the paper concludes from it does not follow.
+BREAKS = "breaks the argument"
+#: The sentence is false, and nothing that follows rests on it; what does rests on other rows.
+HARMLESS = "false, but harmless here"
+#: The sentence is false as it is written, and what it plainly means is a row of its own.
+SLIP = "slip of wording"
+#: How bad it is that a printed row is false, the worst first.
+SEVERITIES = (BREAKS, HARMLESS, SLIP)
+
+#: Groups of rows, beside those of the set as PRINTED: what a theorem assumes, and what repairs it.
+HYPOTHESES, REPAIRED = "hypotheses", "repaired"
 
 NOTHING: Mapping[str, Term] = MappingProxyType({})
 
@@ -147,6 +159,49 @@ class Change(Record):
     paper: str
     needed: str
     why: str
+
+
+class Notes(Record):
+    """What there is to say of a text where no row says it.
+
+    ``causes`` has names of rows that are false for one reason, with the reason; ``remarks`` have a
+    label each. ``bounds`` has for each constant the sign after it, and its definition or bound.
+    """
+
+    changes: Sequence[Change]
+    causes: Sequence[tuple[Sequence[str], str]]
+    remarks: Sequence[tuple[str, str]]
+    bounds: Mapping[str, tuple[str, Constant]]
+
+
+class Publication(Record):
+    r"""The text that statements are about, for those who show them.
+
+    ``theorem`` is the label of its main theorem, ``printed`` gives what stands in print beside a
+    ``\label`` (the number of a formula, a section or a theorem) or None, and ``folders`` says where
+    the certificates of cited theorems are. ``notes`` are made where they are shown.
+    """
+
+    authors: str
+    title: str
+    companion: str
+    theorem: str
+    printed: Callable[[str], str | None]
+    folders: Mapping[str, str]
+    notes: Callable[[], Notes]
+
+    def number(self, label: str) -> str:
+        """What a label is called in print, or the label itself."""
+        return self.printed(label) or label
+
+    def cited(self, label: str) -> str:
+        """A label with its printed number before it; a label that has none as it is."""
+        number = self.printed(label)
+        return label if number is None else f"{number}, {label}"
+
+    def has(self, labels: Iterable[str]) -> bool:
+        """Whether one of the labels is of this text: a statement without any is somebody else's."""
+        return any(self.printed(label) is not None for label in labels)
 
 
 class Cite(Record):

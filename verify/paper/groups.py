@@ -1,8 +1,9 @@
 """The groups of rows of Theorem 1, in the order in which they are shown."""
 
-HYPOTHESES = "hypotheses"
-PRINTED = "printed"
-REPAIRED = "repaired"
+from verify.language.statement import HYPOTHESES, PRINTED, REPAIRED
+
+__all__ = ["GROUPS", "HYPOTHESES", "PRINTED", "REPAIRED", "SELECTIONS"]
+
 GROUPS = (HYPOTHESES, PRINTED, REPAIRED)
 
 #: The sets of constants that each value of ``--constants`` asks for.

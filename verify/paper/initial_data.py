@@ -36,31 +36,19 @@ ETA = "EQUATSS4.1DefinBorne_Eta_"
 ZETA = "EQUATSS4.1DefinBorne_Zeta"
 D_0 = "EQUATSS4.1DefinBorne_d_0_"
 
-_LETTERS = {
-    "V_1": ("V₁", "V_1"),
-    "delta_x": ("δ_x", r"\delta_x"),
-    "delta_y": ("δ_y", r"\delta_y"),
-    "x_0": ("|x₀|", "|x_0|"),
-    "Delta_theta": ("|Δθ|", r"|\Delta\theta|"),
-    "eta_bar": ("η̄", r"\overline{\eta}"),
-    "zeta_bar": ("ζ̄", r"\overline{\zeta}"),
-    "d_slope": ("k_d", "k_d"),
-    "d_const": ("c_d", "c_d"),
-    "d_bar": ("d̄", r"\overline{d}"),
-    "T_star": ("T*", "T^*"),
-}
-_LABELS = {
-    "V_1": "EQUATSS4.1Recurrence_Cnd5",
-    "delta_x": DELTA,
-    "delta_y": DELTA,
-    "x_0": X_0,
-    "Delta_theta": X_0,
-    "eta_bar": ETA,
-    "zeta_bar": ZETA,
-    "d_slope": D_0,
-    "d_const": D_0,
-    "d_bar": D_0,
-    "T_star": "THEORSS4.1ExistenCollapse",
+#: The letter of each constant, for people and in LaTeX, and its label.
+WRITTEN = {
+    "V_1": ("V₁", "V_1", "EQUATSS4.1Recurrence_Cnd5"),
+    "delta_x": ("δ_x", r"\delta_x", DELTA),
+    "delta_y": ("δ_y", r"\delta_y", DELTA),
+    "x_0": ("|x₀|", "|x_0|", X_0),
+    "Delta_theta": ("|Δθ|", r"|\Delta\theta|", X_0),
+    "eta_bar": ("η̄", r"\overline{\eta}", ETA),
+    "zeta_bar": ("ζ̄", r"\overline{\zeta}", ZETA),
+    "d_slope": ("k_d", "k_d", D_0),
+    "d_const": ("c_d", "c_d", D_0),
+    "d_bar": ("d̄", r"\overline{d}", D_0),
+    "T_star": ("T*", "T^*", "THEORSS4.1ExistenCollapse"),
 }
 
 
@@ -138,16 +126,8 @@ class ConstantSet:
             return needed(full, label, says, claim, uses, group=self.group)
         if if_false is None:
             return printed(full, label, says, claim, uses, group=self.group)
-        return misprint(
-            full,
-            label,
-            says,
-            claim,
-            uses,
-            group=self.group,
-            severity=if_false,
-            corrected_by=f"{REPAIRED}.{name}",
-        )
+        better = f"{REPAIRED}.{name}"
+        return misprint(full, label, says, claim, if_false, better, uses, group=self.group)
 
     def misprint(
         self,
@@ -161,16 +141,8 @@ class ConstantSet:
     ) -> Iterator[Obligation]:
         """A row that only the printed set has, corrected by the repaired row of a name."""
         if self.printed:
-            yield misprint(
-                f"{self.group}.{name}",
-                label,
-                says,
-                claim,
-                uses,
-                group=self.group,
-                severity=severity,
-                corrected_by=f"{REPAIRED}.{corrected_by}",
-            )
+            full, better = f"{self.group}.{name}", f"{REPAIRED}.{corrected_by}"
+            yield misprint(full, label, says, claim, severity, better, uses, group=self.group)
 
     def aside(
         self, name: str, label: str, says: str, claim: Claim, uses: Iterable[str] = ()
@@ -194,7 +166,7 @@ class ConstantSet:
         """The set's constants, each after those it uses."""
         for name, entries in self.bounds().items():
             term = entries[0] if len(entries) == 1 else minimum(*entries)
-            constant = Constant(f"{self.group}.{name}", *_LETTERS[name], _LABELS[name], term)
+            constant = Constant(f"{self.group}.{name}", *WRITTEN[name], term)
             if self.printed or name in {"delta_y", "d_bar"}:
                 yield constant
             else:
@@ -314,7 +286,7 @@ def _collapse_time(k: ConstantSet) -> Term:
 
 def rows(k: ConstantSet) -> Iterator[Obligation]:
     """Both halves of each definition: every constant is positive and below each of its bounds."""
-    label = _LABELS["V_1"]
+    label = WRITTEN["V_1"][2]
     yield k.row("V_1-above-V_0", label, "0 < V₀ < V₁", V_0 < k.V_1)
     says = "V₁/V₀ = (1-h₅/2)/(1-h₅), of which ≤ is needed"
     yield k.row("V_1-ratio", label, says, k.V_1 / V_0 <= (1 - h_5 / 2) / (1 - h_5))
@@ -335,7 +307,7 @@ def rows(k: ConstantSet) -> Iterator[Obligation]:
 def _definition(
     k: ConstantSet, name: str, constant: Term, entries: tuple[Term, ...]
 ) -> Iterator[Obligation]:
-    letter, label = _LETTERS[name][0], _LABELS[name]
+    letter, _, label = WRITTEN[name]
     yield k.row(f"{name}-positive", label, f"0 < {letter}", 0 < constant)
     for index, entry in enumerate(entries, 1):
         says = f"{letter} is at most entry {index} of its min"

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 
-from verify.language.argument import Chapter, Item, Opened
+from verify.language.argument import Chapter, Item, Line, Opened
 from verify.language.record import Record
 from verify.language.statement import Context, Given, Obligation, Variable
 from verify.language.terms import Claim, Number, Term, as_term, symbol
@@ -131,3 +131,14 @@ def refuted(
     row = misprint(name, label, says, claim, group="", severity=severity, corrected_by=corrected_by,
                    context=letters.context)  # fmt: skip
     return Refuted(row, letters.point(at))
+
+
+def headings_of(sections: Mapping[str, Callable[[], Iterable[Chapter]]]) -> dict[str, str]:
+    """The heading of each line, for the chapters that stand under each heading."""
+    return {
+        item.name: heading
+        for heading, chapters in sections.items()
+        for chapter in chapters()
+        for item in chapter.items
+        if isinstance(item, Line)
+    }

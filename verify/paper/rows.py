@@ -9,19 +9,30 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from verify.language.record import Record
-from verify.language.statement import NEEDED, PRINTED, Always, Applies, Obligation
+from verify.language.statement import (
+    BREAKS,
+    HARMLESS,
+    NEEDED,
+    PRINTED,
+    SEVERITIES,
+    SLIP,
+    Always,
+    Applies,
+    Obligation,
+)
 from verify.language.terms import Claim
 
-#: The step is refuted, and what the paper concludes from it does not follow.
-BREAKS = "breaks the argument"
-
-#: The sentence is false, and nothing that follows rests on it; what does rests on other rows.
-HARMLESS = "false, but harmless here"
-
-#: The sentence is false as it is written, and what it plainly means is a row of its own.
-SLIP = "slip of wording"
-
-SEVERITIES = (BREAKS, HARMLESS, SLIP)
+__all__ = [
+    "BREAKS",
+    "HARMLESS",
+    "SEVERITIES",
+    "SLIP",
+    "Cause",
+    "Remark",
+    "misprint",
+    "needed",
+    "printed",
+]
 
 
 class Cause(Record):
@@ -71,11 +82,11 @@ def misprint(
     label: str,
     says: str,
     claim: Claim | Applies | Always,
+    severity: str,
+    corrected_by: str,
     uses: Iterable[str] = (),
     *,
     group: str,
-    severity: str,
-    corrected_by: str,
     context: str | None = None,
 ) -> Obligation:
     """A row of the paper that is refuted, at least for some parameters.

@@ -1,10 +1,72 @@
-"""Which paper it is."""
+r"""Which paper it is, and what it prints beside each ``\label``."""
 
 from __future__ import annotations
 
-AUTHORS = "Théophile Dolmaire and Juan J. L. Velázquez"
-TITLE = "Collapse of inelastic hard spheres in dimension d ≥ 2"
-PAPER = f"{AUTHORS}, *{TITLE}*"
+import os
+from functools import cache
 
-#: The paper of the same authors that it builds on.
-COMPANION = "arXiv:2403.16905"
+from verify.language.statement import PRINTED, REPAIRED, Constant, Notes, Publication
+from verify.paper.parameters import THEOREM
+
+TABLE = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data", "numbers.json")
+_START = '"numbers": '
+
+
+@cache
+def _text() -> str:
+    """The table of printed numbers as it is written."""
+    with open(TABLE, encoding="utf-8") as file:
+        return file.read().partition(_START)[2]
+
+
+def printed_number(label: str) -> str | None:
+    """What one label is called in print: ``(4.25)``, ``Theorem 1``, ``Section 4.1``.
+
+    The table is not read as JSON for that; a label that it does not have has no number.
+    """
+    _, found, rest = _text().partition(f'"{label}": "')
+    return rest.partition('"')[0] if found else None
+
+
+@cache
+def printed_numbers() -> dict[str, str]:
+    """Each label with its printed number."""
+    import json  # loaded only where it is used
+
+    with open(TABLE, encoding="utf-8") as file:
+        return dict(json.load(file)["numbers"])
+
+
+def labels_called(number: str) -> list[str]:
+    """The labels of what is called so in print: ``(4.25)``, ``4.25`` or ``Theorem 1``."""
+    called = (number, f"({number})")
+    return [label for label, known in printed_numbers().items() if known in called]
+
+
+def notes() -> Notes:
+    """What is said of Theorem 1 beside its rows."""
+    from verify.paper.theorem1 import theorem  # loaded only where it is used
+
+    found = theorem()
+    bounds = {constant.name: ("=", constant) for constant in found.common}
+    for item in (item for set_ in (PRINTED, REPAIRED) for item in found.parts[set_].constants):
+        if isinstance(item, Constant):
+            bounds[item.name] = ("=", item)
+        else:
+            sign = "≤" if item.direction == "down" else "≥"
+            bounds[item.constant.name] = (sign, item.constant)
+    return Notes(found.changes, found.causes, found.remarks, bounds)
+
+
+PAPER = Publication(
+    authors="Théophile Dolmaire and Juan J. L. Velázquez",
+    title="Collapse of inelastic hard spheres in dimension d ≥ 2",
+    companion="arXiv:2403.16905",  # of the same authors; it builds on that
+    theorem=THEOREM,
+    printed=printed_number,
+    folders={
+        "step": "certificates/step",
+        f"{THEOREM} for all parameters": "certificates/theorem1-all",
+    },
+    notes=notes,
+)

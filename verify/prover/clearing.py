@@ -15,7 +15,9 @@ from math import comb
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from verify.language.terms import Term, as_term
+from verify.language.terms import Claim, Term, as_term
+from verify.prover.numbers import fmpq_of, fraction_of
+from verify.prover.session import ZERO
 
 Polynomial = fmpq_mpoly
 Quotient = tuple[fmpq_mpoly, fmpq_mpoly]
@@ -51,6 +53,20 @@ def atoms_of(terms: Iterable[Term], replaced: Mapping[Term, Term]) -> list[Term]
     for term in terms:
         visit(term)
     return list(found)
+
+
+def has_value(part: Term, is_fact: Callable[[Claim], bool]) -> bool:
+    """Whether a quotient, or a root, has the fact that the checker needs; true of other terms.
+
+    A divisor has to be positive, or its opposite; a radicand must not be negative.
+    """
+    if part.op not in ("div", "sqrt"):
+        return True
+    number = part.children[-1]
+    if number.op == "rational":
+        return bool(number.value != 0 if part.op == "div" else number.value >= 0)
+    other = Claim("<", ZERO, -number) if part.op == "div" else Claim("<=", ZERO, number)
+    return is_fact(Claim("<", ZERO, number)) or is_fact(other)
 
 
 class Quotients(ABC):
@@ -168,7 +184,7 @@ class Clearing(Quotients):
 
     def constant(self, value: Fraction) -> Polynomial:
         """A number as a polynomial in the atoms."""
-        return self.context.constant(_fmpq(value))
+        return self.context.constant(fmpq_of(value))
 
     def replacement(self, term: Term) -> Term | None:
         """What the term is replaced by, if it is."""
@@ -222,7 +238,7 @@ def expanded(polynomial: Polynomial, atoms: Sequence[Term]) -> Term:
 
 
 def _monomial(exponents: tuple[int, ...], value: fmpq, atoms: Sequence[Term]) -> Term:
-    number = Fraction(int(value.p), int(value.q))
+    number = fraction_of(value)
     factors = [
         atom if exponent == 1 else atom ** int(exponent)
         for atom, exponent in zip(atoms, exponents, strict=True)
@@ -239,7 +255,3 @@ def _balanced(terms: list[Term], operation: Callable[[Term, Term], Term]) -> Ter
         pairs = [operation(a, b) for a, b in zip(terms[::2], terms[1::2], strict=False)]
         terms = pairs + terms[len(pairs) * 2 :]
     return terms[0]
-
-
-def _fmpq(value: Fraction) -> fmpq:
-    return fmpq(value.numerator, value.denominator)

@@ -104,7 +104,7 @@ class Ground(Constants):
         try:
             found = _first(claim, tight.prove)
             if found is None:
-                from verify.prover.search.algebraic import Algebraic  # loaded only where needed
+                from verify.prover.algebraic import Algebraic  # loaded only where needed
 
                 found = _first(claim, lambda wanted: Algebraic(tight).prove(wanted))
         except TooLongError:

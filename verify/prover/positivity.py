@@ -16,18 +16,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import cache
-from itertools import combinations
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from verify.language.record import Record
-from verify.prover.proof import Value
+from verify.prover.bernstein import Forms
+from verify.prover.numbers import float_of, fmpq_of, fraction_of
+from verify.prover.proof import Value, power_of, product_of, sum_of
 
 Polynomial = fmpq_mpoly
 
-#: How often degrees are raised before Bernstein coefficients are given up.
-ELEVATIONS = 3
 #: How many polynomials one search looks at, and how deep.
 BUDGET = 3000
 DEPTH = 14
@@ -94,12 +92,12 @@ class Positivity:
         self.points: list[list[float]] = []
         self.left = BUDGET
         self._known: dict[str, Found | None] = {}
-        self._bernstein = _Bernstein([bound for bound, _ in below.values()])
+        self._bernstein = Forms([bound for bound, _ in below.values()])
 
     def constant(self, value: Fraction | int) -> Polynomial:
         """A number as a polynomial."""
         value = Fraction(value)
-        return self.ring.constant(fmpq(value.numerator, value.denominator))
+        return self.ring.constant(fmpq_of(value))
 
     # --- what is known --------------------------------------------------------------------------
 
@@ -195,11 +193,11 @@ class Positivity:
             return Found(value, True)
         content, parts = f.factor()
         if len(parts) > 1 or parts[0][1] > 1:
-            return self._product(_fraction(content), parts, depth)
+            return self._product(fraction_of(content), parts, depth)
         part = parts[0][0] if content > 0 else -parts[0][0]
         if abs(content) != 1:
             found = self._find(part, depth + 1)
-            return found._replace(value=_mul(str(abs(_fraction(content))), found.value))
+            return found._replace(value=product_of(str(abs(fraction_of(content))), found.value))
         for name in self.squares:
             if f.degrees()[self.names.index(name)] == 1:
                 found_root = self._conjugate(f, name, depth)
@@ -221,14 +219,14 @@ class Positivity:
             except NotFoundError:
                 found = self._find(-part, depth + 1)
                 sign = -sign if k % 2 else sign
-            values.append(_power(found.value, k))
+            values.append(power_of(found.value, k))
             factors += found.factors * k
             for _ in range(k):
                 product = _times(product, found.product)
             strict = strict and found.strict
         if sign < 0:
             raise NotFoundError("negative product")
-        return Found(_mul(*values), strict, tuple(factors), product)
+        return Found(product_of(*values), strict, tuple(factors), product)
 
     def _conjugate(self, f: Polynomial, name: str, depth: int) -> Found | None:
         """For f = p + q x with p > 0 > q: (p - q x) f = p^2 - q^2 x^2."""
@@ -272,13 +270,13 @@ class Positivity:
         q, h, below = (self._find(g, depth + 1) for g in (slope, at_entry, d))
         if below.factors or not below.strict:
             raise NotFoundError("a denominator without a plain sign")
-        values = [_mul(*h.factors, entry.fact, q.value)]
+        values = [product_of(*h.factors, entry.fact, q.value)]
         if h.value != "0":
-            values.append(_mul(*q.factors, h.value))
+            values.append(product_of(*q.factors, h.value))
         scale = () if below.value == "1" else (below.value,) * degree
         factors = (*q.factors, *h.factors, *scale)
         product = _times(_times(q.product, h.product), d**degree)
-        return Found(_add(*values), h.strict, factors, product)
+        return Found(sum_of(*values), h.strict, factors, product)
 
     def _by_degree(self, f: Polynomial, index: int, degree: int) -> list[Polynomial]:
         parts: list[dict[tuple[int, ...], fmpq]] = [{} for _ in range(degree + 1)]
@@ -320,76 +318,21 @@ class Positivity:
             terms = self._bernstein.terms(group)
             if terms is None:
                 return None
-            values.append(_mul(*self._outer(outer), _add(*map(self._inner, terms))))
-        return _add(*values)
+            values.append(product_of(*self._outer(outer), sum_of(*map(self._inner, terms))))
+        return sum_of(*values)
 
     def _outer(self, monomial: tuple[int, ...]) -> Iterator[Value]:
         for name, exponent in zip(self.names, monomial, strict=True):
             if exponent:
-                yield _power(self.positive[name], exponent)
+                yield power_of(self.positive[name], exponent)
 
     def _inner(self, term: tuple[Fraction, tuple[tuple[int, int], ...]]) -> Value:
         number, exponents = term
         values: list[Value] = [] if number == 1 else [str(number)]
         for (name, (_, fact)), (low, high) in zip(self.below.items(), exponents, strict=True):
-            values += [_power(self.positive[name], low)] if low else []
-            values += [_power(fact, high)] if high else []
-        return _mul(*values)
-
-
-class _Bernstein:
-    """Polynomials in a few variables x with 0 < x < b, in products of x and b - x."""
-
-    def __init__(self, bounds: Sequence[Fraction]) -> None:
-        names = tuple(f"{letter}{i}" for i in range(len(bounds)) for letter in "xy")
-        self.ring = fmpq_mpoly_ctx.get(names, Ordering.lex)
-        generators = self.ring.gens()
-        self.pairs = [
-            (generators[2 * i], generators[2 * i + 1], fmpq(b.denominator, b.numerator))
-            for i, b in enumerate(bounds)
-        ]
-        self._factor = cache(self._homogeneous)
-
-    def _homogeneous(self, index: int, k: int, degree: int) -> Polynomial:
-        """x^k as a form of some degree in x and b - x, which add up to b."""
-        x, y, inverse = self.pairs[index]
-        return x**k * ((x + y) * inverse) ** (degree - k)
-
-    def _raised(self, degrees: Sequence[int]) -> Iterator[list[int]]:
-        """Degrees to try, 0 for variables that stay as they are; few variables first."""
-        some = [i for i, degree in enumerate(degrees) if degree]
-        for more in range(ELEVATIONS + 1):
-            for size in range(len(some) if more else 1, len(some) + 1):
-                for chosen in combinations(some, size):
-                    yield [d + more if i in chosen else 0 for i, d in enumerate(degrees)]
-
-    def terms(
-        self, group: Mapping[tuple[int, ...], fmpq]
-    ) -> list[tuple[Fraction, tuple[tuple[int, int], ...]]] | None:
-        """Coefficients >= 0 with the exponents of each x and b - x; None if some are negative."""
-        if all(value > 0 for value in group.values()):
-            return [
-                (_fraction(value), tuple((k, 0) for k in monomial))
-                for monomial, value in group.items()
-            ]
-        degrees = [max(monomial[i] for monomial in group) for i in range(len(self.pairs))]
-        for raised in self._raised(degrees):
-            total = self.ring.constant(0)
-            for monomial, value in group.items():
-                part = self.ring.constant(value)
-                for i, k in enumerate(monomial):
-                    if raised[i]:
-                        part *= self._factor(i, k, raised[i])
-                    elif k:
-                        part *= self.pairs[i][0] ** k
-                total += part
-            found = total.to_dict()
-            if found and all(value > 0 for value in found.values()):
-                return [
-                    (_fraction(value), tuple(zip(map(int, m[::2]), map(int, m[1::2]), strict=True)))
-                    for m, value in found.items()
-                ]
-        return None
+            values += [power_of(self.positive[name], low)] if low else []
+            values += [power_of(fact, high)] if high else []
+        return product_of(*values)
 
 
 def _shares() -> Iterator[float]:
@@ -403,7 +346,7 @@ def _shares() -> Iterator[float]:
 def _terms(f: Polynomial) -> list[tuple[float, list[tuple[int, int]]]]:
     """The coefficients of a polynomial with the exponents that are not 0."""
     return [
-        (int(value.p) / int(value.q), [(i, int(k)) for i, k in enumerate(monomial) if k])
+        (float_of(value), [(i, int(k)) for i, k in enumerate(monomial) if k])
         for monomial, value in f.to_dict().items()
     ]
 
@@ -422,22 +365,5 @@ def _float(f: Polynomial, point: Sequence[float]) -> float:
     return sum(_parts(_terms(f), point))
 
 
-def _fraction(value: fmpq) -> Fraction:
-    return Fraction(int(value.p), int(value.q))
-
-
 def _times(a: Polynomial | None, b: Polynomial | None) -> Polynomial | None:
     return b if a is None else a if b is None else a * b
-
-
-def _mul(*values: Value) -> Value:
-    kept = [value for value in values if value != "1"]
-    return kept[0] if len(kept) == 1 else ("mul", *kept) if kept else "1"
-
-
-def _add(*values: Value) -> Value:
-    return values[0] if len(values) == 1 else ("add", *values)
-
-
-def _power(value: Value, exponent: int) -> Value:
-    return value if exponent == 1 else ("pow", value, exponent)

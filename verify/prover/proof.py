@@ -19,6 +19,22 @@ from verify.language.terms import Claim, Term
 Value = str | tuple[object, ...]
 
 
+def product_of(*values: Value) -> Value:
+    """The product of values, without factors 1."""
+    kept = [value for value in values if value != "1"]
+    return kept[0] if len(kept) == 1 else ("mul", *kept) if kept else "1"
+
+
+def sum_of(*values: Value) -> Value:
+    """The sum of values, of which there is one at least."""
+    return values[0] if len(values) == 1 else ("add", *values)
+
+
+def power_of(value: Value, exponent: int) -> Value:
+    """The power of a value."""
+    return value if exponent == 1 else ("pow", value, exponent)
+
+
 class Kind(Enum):
     """How a field of a proof is written down."""
 

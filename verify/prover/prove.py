@@ -14,6 +14,7 @@ from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import Step
 from verify.prover.rows_in_contexts import RowsInContexts
 from verify.prover.session import Session
+from verify.prover.techniques import find
 from verify.prover.universal import Universal
 
 NOTHING_FOUND = "neither a proof nor an example against it was found"
@@ -39,7 +40,7 @@ def prove(
         price: asked before anything is claimed of a row.
     """
     ground = Ground(Session(_unused_prefix(statement)), start_bits, max_bits)
-    universal = Universal(ground, budget or WorkBudget())
+    universal = Universal(ground, budget or WorkBudget(), find)
     spent = _opened(statement, universal) or price(None, "", ground.session.steps)
     decisions = {
         row.name: Decision(UNDECIDED, reason=spent) if spent else _priced(row, universal, price)
@@ -85,13 +86,14 @@ def _defined(statement: Statement, ground: Ground) -> str:
 def _priced(row: Obligation, universal: Universal, price: Price) -> Decision:
     """The decision on a row, if the checker can afford to read its proof."""
     undo, first = universal.mark(), len(universal.session.steps)
+    universal.reasons.clear()
     try:
         found = _decide(row, universal.ground, universal)
     except Exception as error:
         found = Decision(UNDECIDED, reason=_why(error))
     if found.claimed == UNDECIDED:
         undo()
-        return found._replace(reason=found.reason or NOTHING_FOUND)
+        return found._replace(reason=found.reason or "; ".join((NOTHING_FOUND, *universal.reasons)))
     reason = price(row, found.claimed, universal.session.steps[first:])
     if reason:
         undo()

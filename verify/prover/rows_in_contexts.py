@@ -18,7 +18,7 @@ from verify.prover.points import refuting_point
 from verify.prover.proof import Proof
 from verify.prover.relations import negation
 from verify.prover.rules import Applying, Induction, Witness
-from verify.prover.search.strategy import refuting_minimum
+from verify.prover.search.question import refuting_minimum
 from verify.prover.universal import Universal, with_constants
 
 

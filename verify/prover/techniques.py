@@ -1,142 +1,160 @@
-"""What is tried on a claim for all values of the variables in scope, in this order."""
+"""The techniques, in the order in which they are tried on a goal, and the loop that calls them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from itertools import chain
 
-from verify.language.record import TYPE_CHECKING
-from verify.language.statement import Given
+from verify.language.record import Record
 from verify.language.terms import Claim, names_of
 from verify.prover import boxes
-from verify.prover.bernstein import bernstein
-from verify.prover.clearing import Clearing
+from verify.prover.clearing import TooLongError
 from verify.prover.goal import Goal
 from verify.prover.proof import Proof
-from verify.prover.rules import Antisymmetry, Entry, Least, Root, Sum
-from verify.prover.search.cosine_bounds import by_cosines
+from verify.prover.search.bernstein_boxes import by_bernstein, on_interval
+from verify.prover.search.cosines import by_cosines
+from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_root
+from verify.prover.search.ends_of_variables import by_ends
+from verify.prover.search.extrema import by_cases, by_entries
 from verify.prover.search.multiple_angles import by_multiple_angles
-from verify.prover.search.strategy import Strategy
-from verify.prover.session import ZERO
+from verify.prover.search.positive import (
+    few_squares,
+    many_squares,
+    plain_squares,
+    squares_with_roots,
+    wider_squares,
+)
+from verify.prover.search.question import Question
+from verify.prover.search.squaring import by_squaring
+from verify.prover.search.subterms import by_subterms
+from verify.prover.search.tree import by_tree
 from verify.prover.signs import signs
-
-if TYPE_CHECKING:
-    from verify.prover.universal import Universal
+from verify.prover.universal import Universal
 
 #: With more variables than these a goal is not tried again with those that givens link to its own.
 MAX_LINKED = 5
+FEW_LEAVES, MANY_LEAVES = 300, 20_000
+FEW_PARTS, MANY_PARTS = 100, 2000
 
 
-def techniques(goal: Goal, universal: Universal) -> Iterator[Proof | None]:
-    """What each finds; the lemmas that a proof needs are written down by then."""
-    sides = goal.claim.lhs, goal.claim.rhs
-    yield _identity(goal, universal)
+class Technique(Record):
+    """What finds a proof of a claim, or none; the lemmas that the proof needs are written down."""
+
+    name: str
+    prove: Callable[[Question], Proof | None]
+
+
+def _interval(question: Question) -> Proof | None:
+    return boxes.interval(question.plain, question.known.enclosed)
+
+
+def _signs(question: Question) -> Proof | None:
+    known, place = question.session.known, question.goal.context
+    return signs(question.plain, lambda claim: known(claim, place))
+
+
+def _cuts(question: Question) -> Proof | None:
+    return boxes.cuts(question.plain, question.known.enclosed, question.budget)
+
+
+def _near_cosines(question: Question) -> Proof | None:
+    return by_cosines(question) if question.is_near else None
+
+
+def _other_cosines(question: Question) -> Proof | None:
+    return None if question.is_near else by_cosines(question)
+
+
+#: For what needs no facts on divisors and radicands.
+FREE = (Technique("identity", by_identity), Technique("interval", _interval))
+#: For equations.
+EQUATIONS = (
+    Technique("cosines", by_cosines),
+    Technique("multiple angles", by_multiple_angles),
+    Technique("both orders", by_orders),
+)
+#: For what the form of a claim shows, or simple searches.
+SIMPLE = (
+    Technique("root", by_root),
+    Technique("plain squares", plain_squares),
+    Technique("extremum", by_extremum),
+    Technique("signs", _signs),
+    Technique("coefficients", lambda question: on_interval(question.plain)),
+    Technique("cuts", _cuts),
+)
+#: For claims that no estimate refutes.
+SEARCHES = (
+    Technique("cosines", _near_cosines),
+    Technique("a small tree", partial(by_tree, leaves=FEW_LEAVES)),
+    Technique("cosines", _other_cosines),
+    Technique("multiple angles", by_multiple_angles),
+    Technique("coefficients on few parts", partial(by_bernstein, parts=FEW_PARTS)),
+    Technique("ends of variables", by_ends),
+    Technique("squaring", by_squaring),
+    Technique("few squares", few_squares),
+    Technique("entries", by_entries),
+    Technique("cases", by_cases),
+    Technique("squares", many_squares),
+    Technique("squares with bounds of roots", squares_with_roots),
+    Technique("coefficients on many parts", partial(by_bernstein, parts=MANY_PARTS)),
+    Technique("parts with variables of their own", by_subterms),
+    Technique("a large tree", partial(by_tree, leaves=MANY_LEAVES)),
+    Technique("squares with more givens", wider_squares),
+)
+
+
+def find(goal: Goal, known: Universal) -> Proof | None:
+    """The first proof that a technique finds; why one of them gave up is kept as a reason."""
+    for question, techniques in _stages(goal, known):
+        for technique in techniques:
+            try:
+                proof = technique.prove(question)
+            except TooLongError:
+                known.reasons[f"{technique.name}: expanding the claim is too much work"] = None
+                continue
+            if proof is not None:
+                return proof
+    return None
+
+
+def _stages(goal: Goal, known: Universal) -> Iterator[tuple[Question, tuple[Technique, ...]]]:
+    """What is tried on which form of the goal; the next is looked at if nothing is found."""
+    question = Question(goal, known)
     if goal.claim.relation == "=":
-        yield _equation(goal, universal)
+        yield question, FREE[:1]
+        if _clears(question) and question.clears() and question.may_be_equal():
+            yield question, EQUATIONS
         return
-    yield boxes.interval(goal, universal.enclosed)
-    if not universal.clears(sides, goal.context):
+    yield question, FREE
+    if not _clears(question):
         return
-    turned = Claim(goal.claim.relation, *(universal.turned(t, goal.context) for t in sides))
-    if turned != goal.claim:
-        goal, sides = goal._replace(claim=turned), (turned.lhs, turned.rhs)
-        if not universal.clears(sides, goal.context):
+    turned = (known.turned(side, goal.context) for side in (goal.claim.lhs, goal.claim.rhs))
+    claim = Claim(goal.claim.relation, *turned)
+    if claim != goal.claim:
+        question = Question(goal._replace(claim=claim), known)
+        if not _clears(question):
             return
-    if goal.claim.key == ("<", ZERO, goal.claim.rhs) and goal.claim.rhs.op == "sqrt":
-        yield _root(goal, universal)
-    if any(side.op in ("min", "max") for side in sides):
-        yield Strategy(goal, universal).plain_squares()
-    yield _extremum(goal, universal)
-    yield signs(goal, lambda claim: universal.session.known(claim, goal.context))
-    yield bernstein(goal)
-    yield boxes.cuts(goal, universal.enclosed, universal.budget)
-    yield from Strategy(goal, universal).proofs()
-    wider = _with_neighbours(goal, universal)
-    if wider is not None:
-        yield from Strategy(wider, universal).proofs()
+    yield question, SIMPLE
+    for asked in (question, _with_neighbours(question)):
+        if asked is not None and asked.clears() and not asked.is_refuted():
+            yield asked, SEARCHES
 
 
-def _with_neighbours(goal: Goal, universal: Universal) -> Goal | None:
+def _clears(question: Question) -> bool:
+    claim = question.plain.claim
+    return question.known.clears((claim.lhs, claim.rhs), question.plain.context)
+
+
+def _with_neighbours(question: Question) -> Question | None:
     """The goal with the variables that givens link to its own; None if there are none."""
+    goal, bounds = question.plain, question.known.bounds
     found = {*goal.variables}
-    names = [{*names_of(given.claim.lhs, given.claim.rhs)} for given in _givens(goal, universal)]
+    names = [{*names_of(given.claim.lhs, given.claim.rhs)} for given in question.givens()]
     for _ in range(MAX_LINKED):
-        linked = [near & universal.bounds.keys() for near in names if near & found]
+        linked = [near & bounds.keys() for near in names if near & found]
         found |= {*chain(*linked)}
     if len(found) == len(goal.variables) or len(found) > MAX_LINKED:
         return None
-    return goal._replace(variables={name: universal.bounds[name] for name in sorted(found)})
-
-
-def _givens(goal: Goal, universal: Universal) -> Iterator[Given]:
-    """The givens of the contexts around a goal."""
-    for place in universal.session.chain(goal.context):
-        yield from () if place is None else universal.contexts[place].givens
-
-
-def _identity(goal: Goal, universal: Universal) -> Proof | None:
-    claim, known = goal.claim, universal.session.definitions
-    if claim.relation == "<":
-        return None
-    definitions = _definitions((*goal.constants, *goal.definitions), universal)
-    for using in {(): None, definitions: None}:
-        clearing = Clearing((claim.lhs, claim.rhs), universal.session.replaced(using))
-        difference = clearing.difference(claim.lhs, claim.rhs)
-        if not clearing.reduce(difference).to_dict():
-            terms = claim.lhs, claim.rhs, *(known[name] for name in using)
-            if not universal.clears(terms, goal.context):
-                return None
-            return Sum(() if claim.relation == "=" else ("goal",), using)
-    return None
-
-
-def _equation(goal: Goal, universal: Universal) -> Proof | None:
-    """By cosines of multiples of an angle, or because each side is at most the other."""
-    if not universal.clears((goal.claim.lhs, goal.claim.rhs), goal.context):
-        return None
-    strategy = Strategy(goal, universal)
-    if not strategy.clears() or not strategy.may_be_equal():
-        return None
-    proof = next(filter(None, by_cosines(strategy.goal, universal, strategy.using)), None)
-    proof = proof or by_multiple_angles(strategy)
-    if proof is not None:
-        return proof
-    orders = []
-    for sides in ((goal.claim.lhs, goal.claim.rhs), (goal.claim.rhs, goal.claim.lhs)):
-        order = universal.prove(goal._replace(claim=Claim("<=", *sides)))
-        if order is None:
-            return None
-        orders.append(order)
-    return Antisymmetry((orders[0], orders[1]))
-
-
-def _definitions(names: Iterable[str], universal: Universal) -> tuple[str, ...]:
-    """The names that have definitions, and those in their definitions."""
-    found: dict[str, None] = {}
-    waiting = [*names]
-    while waiting:
-        name = waiting.pop()
-        if name in universal.session.definitions and name not in found:
-            found[name] = None
-            waiting += names_of(universal.session.definitions[name])
-    return tuple(sorted(found))
-
-
-def _root(goal: Goal, universal: Universal) -> Proof | None:
-    radicand = goal.claim.rhs.children[0]
-    return Root() if universal.fact(Claim("<", ZERO, radicand), goal.context) else None
-
-
-def _extremum(goal: Goal, universal: Universal) -> Proof | None:
-    """A minimum is at most its entries; what is less than all of them is less than it."""
-    lhs, rhs, relation = goal.claim.lhs, goal.claim.rhs, goal.claim.relation
-    for side, term, other, small in (("lhs", lhs, rhs, "min"), ("rhs", rhs, lhs, "max")):
-        if term.op == small and other in term.children and relation == "<=":
-            return Entry(side)
-        if term.op in ("min", "max") and term.op != small:
-            sides = ((e, other) if side == "lhs" else (other, e) for e in term.children)
-            claims = [Claim(relation, *pair) for pair in sides]
-            proofs = [universal.prove(universal.goal(claim, goal.context)) for claim in claims]
-            found = tuple(proof for proof in proofs if proof is not None)
-            return Least(side, found) if len(found) == len(proofs) else None
-    return None
+    variables = {name: bounds[name] for name in sorted(found)}
+    return Question(goal._replace(variables=variables), question.known)

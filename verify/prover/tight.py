@@ -13,11 +13,10 @@ by enclosures.
 from __future__ import annotations
 
 from verify.language.terms import Claim, Term, names_of, substitute_claim, symbol
-from verify.prover.clearing import Clearing, Polynomial
+from verify.prover.clearing import Clearing, Polynomial, has_value
 from verify.prover.constants import Constants
 from verify.prover.proof import Proof, Value
-from verify.prover.rules import Entry, Interval, Sum
-from verify.prover.session import ZERO
+from verify.prover.rules import Entry, Sum
 
 #: How many names are replaced at most; the longest proof that the paper needs replaces four.
 MAX_STEPS = 8
@@ -210,26 +209,6 @@ class Tight:
                 continue
             seen.add(term)
             waiting += term.children
-            if term.op == "sqrt" and not self._radicand(term.children[0]):
-                return False
-            if term.op == "div" and not self._divisor(term.children[1]):
+            if not has_value(term, lambda claim: self.ground.lemma(claim) is not None):
                 return False
         return True
-
-    def _radicand(self, term: Term) -> bool:
-        if term.op == "rational":
-            return term.value >= 0
-        known = self.session.known(Claim("<=", ZERO, term), None)
-        return known is not None or self.ground.positive(term) is not None or self._is_zero(term)
-
-    def _is_zero(self, term: Term) -> bool:
-        if self.ground.exact(term) != 0:
-            return False
-        self.session.lemma(Claim("<=", ZERO, term), Interval(1 << 16))
-        return True
-
-    def _divisor(self, term: Term) -> bool:
-        if term.op == "rational":
-            return term.value != 0
-        sign = self.ground.sign(term)
-        return sign != 0 and self.ground.positive(term if sign > 0 else -term) is not None

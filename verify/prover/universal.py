@@ -22,7 +22,7 @@ from verify.language.terms import (
     substitute_claim,
 )
 from verify.prover.budget import WorkBudget
-from verify.prover.clearing import TooLongError
+from verify.prover.clearing import has_value
 from verify.prover.goal import Bounds, Goal, bounds_of
 from verify.prover.ground import Ground
 from verify.prover.proof import Proof
@@ -31,10 +31,6 @@ from verify.prover.rules import (
     Define,
 )
 from verify.prover.session import ZERO
-from verify.prover.techniques import techniques
-
-#: With more variables than these a goal is not tried again with those that givens link to its own.
-MAX_LINKED = 5
 
 
 class Universal:
@@ -43,10 +39,14 @@ class Universal:
     Args:
         ground: decides what has no variables; its session takes the steps.
         budget: the work that each row may be.
+        find: looks for the proof of a goal.
     """
 
-    def __init__(self, ground: Ground, budget: WorkBudget) -> None:
-        self.ground, self.session, self.budget = ground, ground.session, budget
+    def __init__(
+        self, ground: Ground, budget: WorkBudget, find: Callable[[Goal, Universal], Proof | None]
+    ) -> None:
+        self.ground, self.session, self.budget, self._find = ground, ground.session, budget, find
+        self.reasons: dict[str, None] = {}  # why nothing is found
         self.contexts: dict[str, Context] = {}
         self.depth = 0  # of lemmas that lemmas need
         self.rows: set[str] = set()  # that are proved, so that later ones may use them
@@ -89,25 +89,22 @@ class Universal:
         earlier: set[Claim] = set()
         variables = {variable.name for variable in context.variables}
 
-        def is_known(relation: str, term: Term) -> bool:
-            claim = Claim(relation, ZERO, term)
-            if claim in earlier or variables & {*names_of(term)}:
+        def is_fact(claim: Claim) -> bool:
+            if claim in earlier or variables & {*names_of(claim.rhs)}:
                 return claim in earlier
             return self.fact(claim, context.parent) is not None
 
         for given in context.givens:
-            if not is_defined(given.claim, is_known):
+            parts = parts_of(given.claim.lhs, given.claim.rhs)
+            if not all(has_value(part, is_fact) for part in parts):
                 return False
             earlier.add(given.claim)
         return True
 
     def is_cleared(self, claim: Claim, context: str | None) -> bool:
         """Whether each divisor and radicand in a claim has the fact that it needs by now."""
-
-        def is_known(relation: str, term: Term) -> bool:
-            return self.session.known(Claim(relation, ZERO, term), context) is not None
-
-        return is_defined(claim, is_known)
+        is_fact = lambda wanted: self.session.known(wanted, context) is not None  # noqa: E731
+        return all(has_value(part, is_fact) for part in parts_of(claim.lhs, claim.rhs))
 
     def define(self, constant: Constant, context: str) -> bool:
         """Add a constant of a context; False if its value is not seen to be defined."""
@@ -179,17 +176,10 @@ class Universal:
             return True
         if not self.clears(term.children, context):
             return False
-        if term.op == "div" and not self._divisor(term.children[1], context):
-            return False
-        if term.op == "sqrt" and not self._radicand(term.children[0], context):
+        if not has_value(term, lambda claim: self.fact(claim, context) is not None):
             return False
         self._clear.add((context, term))
         return True
-
-    def _divisor(self, term: Term, context: str | None) -> bool:
-        if term.op == "rational":
-            return term.value != 0
-        return any(self.fact(Claim("<", ZERO, t), context) for t in (term, -term))
 
     def turned(self, term: Term, context: str | None) -> Term:
         """The same number, with -a/-b for a/b where b is known to be negative.
@@ -209,11 +199,6 @@ class Universal:
         known = (self.session.known(Claim("<", ZERO, t), context) for t in (term, -term))
         return term.op != "rational" and [*map(bool, known)] == [False, True]
 
-    def _radicand(self, term: Term, context: str | None) -> bool:
-        if term.op == "rational":
-            return term.value >= 0
-        return any(self.fact(Claim(relation, ZERO, term), context) for relation in ("<", "<="))
-
     # --- proofs ---------------------------------------------------------------------------------
 
     def prove(self, goal: Goal) -> Proof | None:
@@ -224,32 +209,13 @@ class Universal:
         """
         if goal.claim.relation not in MEANINGS:
             raise ValueError(f"{goal.claim.relation!r} is not a relation")
-        try:
-            return next((proof for proof in techniques(goal, self) if proof is not None), None)
-        except TooLongError:
-            return None
+        return self._find(goal, self)
 
     def enclosed(self, name: str, bits: int) -> Any:
         """A constant without variables, enclosed; None for any other."""
         if name not in self.ground.definitions:
             return None
         return self.ground.ball(Term("symbol", name), bits)
-
-
-def is_defined(claim: Claim, is_known: Callable[[str, Term], bool]) -> bool:
-    """Whether it is known of each divisor that it is not 0, and that no radicand is negative."""
-
-    def is_fit(part: Term) -> bool:
-        if part.op not in ("div", "sqrt"):
-            return True
-        number = part.children[-1]
-        if number.op == "rational":
-            return bool(number.value != 0 if part.op == "div" else number.value >= 0)
-        if is_known("<", number):
-            return True
-        return is_known("<", -number) if part.op == "div" else is_known("<=", number)
-
-    return all(map(is_fit, parts_of(claim.lhs, claim.rhs)))
 
 
 def with_constants(context: Context, at: Mapping[str, Term]) -> dict[str, Term]:

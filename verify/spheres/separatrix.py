@@ -8,8 +8,9 @@ from fractions import Fraction
 from verify.language.record import Record
 from verify.language.statement import PROVED, UNDECIDED
 from verify.prover import balls
-from verify.spheres.limit_cycle import cycle
+from verify.spheres.limit_cycle import NEWTON, cycle
 from verify.spheres.limit_map import (
+    RATIONALS,
     Allowance,
     Curve,
     CurveAt,
@@ -19,19 +20,6 @@ from verify.spheres.limit_map import (
     fixed_points,
     has_separatrix,
 )
-
-#: What the verdicts rest on, beside their judges.
-BELIEVED = (
-    "the theorem on the curve of the limit map, with its proof in Coq (verify/coq/Separatrix.v)",
-    "the ball arithmetic of FLINT, and Python's whole numbers",
-)
-#: What this command says nothing about.
-NOT_DECIDED = (
-    "the full dynamics: this map is its limit for small distances, and a scene may do otherwise",
-    "how near to the curve a scene may lie for the map to foretell what it does",
-    "what scenes on the curve do, and those of which a tangential speed tends to 0",
-)
-
 
 #: Digits beyond those that are shown, so that those agree at both ends.
 MORE_DIGITS = 2
@@ -43,7 +31,8 @@ class Separatrix(Record):
     """What is known of f: whether it is 0 everywhere, and otherwise its strips and its points.
 
     ``exists`` is None where that is not decided. ``fixed`` has phi_minus and phi_plus; ``cycle``
-    has q and u of the cycle, if that was asked for (with a table it is) and found.
+    has q and u of the cycle, if that was asked for (with a table it is) and found. The last two
+    are the judges.
     """
 
     parameters: Parameters
@@ -53,6 +42,8 @@ class Separatrix(Record):
     strips: tuple[CurveAt, ...] = ()
     fixed: tuple[Ends, ...] = ()
     cycle: tuple[Ends, ...] = ()
+    exists_by: str = RATIONALS
+    cycle_by: str = NEWTON
 
     @property
     def verdict(self) -> str:

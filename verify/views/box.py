@@ -7,10 +7,10 @@ from fractions import Fraction
 from typing import Any
 
 from verify.language.statement import PROVED, REFUTED, Assumption
-from verify.paper.commands.box import Answer, ParameterBox
 from verify.prover.decimals import exact_number
 from verify.views.document import assumption_document, claims_document
 from verify.views.everywhere import THEOREM, trusted_there
+from verify.views.material import Answer, ParameterBox
 from verify.views.words import given, in_letters
 
 FORMAT = "verify-theorem1-box/1"

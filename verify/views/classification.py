@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
-from verify.language.statement import PROVED
-from verify.paper.classification.meaning import MEANING
-from verify.paper.commands.classification import AtR
-from verify.paper.numbering import cited
+from verify.language.statement import PROVED, Publication
 from verify.prover.decimals import exact_number, rational_text, short
 from verify.prover.outcome import Outcome
 from verify.views.document import claims_document, pair
-from verify.views.row_lists import MORE, brief
+from verify.views.material import AtR
 from verify.views.words import summary
 
 FORMAT = "verify-classification/1"
@@ -59,28 +56,20 @@ THEOREMS = (
 )
 
 
-def screen(outcome: Outcome) -> Iterator[str]:
-    """What is proved, and given what."""
-    yield "Which collapses there are"
-    yield ""
-    yield from brief(outcome)
-    yield MORE
-
-
-def meaning_lines() -> Iterator[str]:
-    """What the theorems mean for the text."""
+def meaning_lines(remarks: Iterable[tuple[str, str]], paper: Publication) -> Iterator[str]:
+    """What the theorems mean for the text: remarks, each with its label."""
     yield "What it means for the text"
-    for remark in MEANING:
-        yield f"  {cited(remark.label)}: {remark.text}"
+    for label, text in remarks:
+        yield f"  {paper.cited(label)}: {text}"
 
 
-def theorem_lines(outcome: Outcome) -> Iterator[str]:
+def theorem_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """The theorems in words, if they are proved, and the verdict."""
     if outcome.verdict == PROVED:
         yield f"Given what is taken on trust. {SETTING}"
         yield from THEOREMS
         yield ""
-    yield f"Verdict: {summary(outcome)}"
+    yield f"Verdict: {summary(outcome, paper)}"
 
 
 def restitution_lines(found: AtR) -> Iterator[str]:

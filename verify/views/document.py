@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
+from hashlib import sha256
 from typing import Any
 
-from verify.language.statement import REFUTED, Assumption, Cite, Constant, Obligation
+from verify.language.statement import HYPOTHESES, REFUTED, Assumption, Cite, Constant, Obligation
 from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
-from verify.paper.groups import HYPOTHESES
 from verify.prover.decimals import DIGITS, decimal_exponent, outward, rational_text
 from verify.prover.outcome import Decision, Ends, Outcome
-from verify.views.entries import minimum_of
 from verify.views.point import in_numbers
 from verify.views.words import (
     constants_of,
@@ -23,7 +22,6 @@ from verify.views.words import (
     sides_of,
     witness_of,
 )
-from verify.wire.write import digest
 
 FORMAT = "verify-theorem1/1"
 
@@ -103,6 +101,8 @@ def _set(outcome: Outcome, group: str, typesetter: Typesetter) -> dict[str, Any]
 
 
 def _minimum(outcome: Outcome, constant: Constant) -> dict[str, Any]:
+    from verify.views.enclosures import minimum_of  # loads flint
+
     minimum = minimum_of(outcome, constant)
     return {"entries": [pair(ends) for ends in minimum.entries], "minimum": minimum.least}
 
@@ -154,7 +154,7 @@ def cite_document(cite: Cite) -> dict[str, str]:
     return {
         "name": cite.name,
         "theorem": cite.theorem,
-        "statement_sha256": digest(cite.content),
+        "statement_sha256": sha256(cite.content).hexdigest(),
     }
 
 

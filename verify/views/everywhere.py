@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
-from verify.language.statement import PROVED, REFUTED, UNDECIDED, Assumption, Obligation
+from verify.language.statement import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Assumption,
+    Obligation,
+    Publication,
+)
 from verify.language.terms import symbol
-from verify.paper.commands.thresholds import shares
-from verify.paper.everywhere.thresholds import STRIPS
-from verify.paper.numbering import cited
-from verify.prover.outcome import Decision, Outcome
+from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views.plain import plain_letters
 from verify.views.row_lists import MORE
 from verify.views.words import (
@@ -25,6 +29,9 @@ from verify.views.words import (
 
 FORMAT = "verify-theorem1-all/1"
 
+#: For a row, bounds of the share of the plane on which it has each verdict.
+Shares = Mapping[str, Mapping[str, Ends]]
+
 THEOREM = (
     "Theorem 1, given these sentences. Let 0 < r < 1, V₀ > 0, δ_θ > 0, and let θ₀ satisfy "
     "0 < -cos θ₀ ≤ 1 and -cos θ₀ > 2r^(1/3)(1+r^(1/3))/(1+r). Then the constants of the repaired "
@@ -36,13 +43,13 @@ THEOREM = (
 )
 
 
-def screen(outcome: Outcome) -> Iterator[str]:
+def screen(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """What is proved, given what."""
     (cite,) = outcome.statement.cites
     yield "Theorem 1 for all parameters"
     yield ""
     yield f"Rows: {counts(outcome, 'needed')}"
-    yield f"The step, for every state, is {cited_as(cite)}"
+    yield f"The step, for every state, is {cited_as(cite, paper)}"
     yield from trusted_there(cite.trusted)
     yield "The graph of the proof: verify graph --out FILE.svg"
     yield MORE
@@ -51,7 +58,7 @@ def screen(outcome: Outcome) -> Iterator[str]:
         yield THEOREM
         yield ""
     title = in_letters(outcome.statement.title)
-    yield f"Verdict: {headline(outcome)}: {title}; given {given_by(outcome)}"
+    yield f"Verdict: {headline(outcome)}: {title}; given {given_by(outcome, paper)}"
 
 
 def trusted_there(assumptions: Iterable[Assumption]) -> Iterator[str]:
@@ -61,22 +68,26 @@ def trusted_there(assumptions: Iterable[Assumption]) -> Iterator[str]:
     yield f"Taken on trust there: {given(found)}: {names}. The sentences: -v."
 
 
-def printed_screen(outcome: Outcome, where: Outcome) -> Iterator[str]:
+def printed_screen(
+    outcome: Outcome, where: Outcome, shares: Shares, paper: Publication
+) -> Iterator[str]:
     """Which rows of the printed set fail for all parameters, and which depend on them, and where.
 
-    ``where`` is the statement about thresholds.
+    ``where`` is the statement about thresholds; ``shares`` follow from it.
     """
     yield "The printed set, for all parameters that satisfy the corrected hypothesis"
     yield ""
     found = [(row, decision) for row, decision in outcome.rows if decision.verdict == REFUTED]
     for row, decision in found:
         if not decision.witness:
-            yield f"  fails for all: {short_name(row)}   [{cited(row.label)}]"
+            yield f"  fails for all: {short_name(row)}   [{paper.cited(row.label)}]"
     yield ""
     for row, decision in found:
         if decision.witness:
-            yield f"  {_dependence(outcome, row, decision)}   [{cited(row.label)}]"
-            yield from (f"    {sentence}" for sentence in _sentences(where, short_name(row)))
+            yield f"  {_dependence(outcome, row, decision)}   [{paper.cited(row.label)}]"
+            yield from (
+                f"    {sentence}" for sentence in _sentences(where, shares, short_name(row))
+            )
     yield ""
     yield (
         "Thresholds: for 1/16 ≤ V₀ ≤ 10⁶ and all other parameters. Shares are of the area where "
@@ -93,20 +104,20 @@ def _dependence(outcome: Outcome, row: Obligation, decision: Decision) -> str:
     return f"depends: {short_name(row)}: fails at {at}"
 
 
-def dependences(outcome: Outcome, where: Outcome) -> Iterator[tuple[str, str]]:
+def dependences(outcome: Outcome, where: Outcome, shares: Shares) -> Iterator[tuple[str, str]]:
     """The printed rows that fail for some parameters only, with what is known of where."""
     for row, decision in outcome.rows:
         if decision.verdict == REFUTED and decision.witness:
-            found = list(_sentences(where, short_name(row)))
+            found = list(_sentences(where, shares, short_name(row)))
             yield row.says, "; ".join(found) or _dependence(outcome, row, decision)
 
 
-def _sentences(where: Outcome, name: str) -> Iterator[str]:
+def _sentences(where: Outcome, shares: Shares, name: str) -> Iterator[str]:
     """What is certified about one row, and the shares of the plane."""
     rows = [row for row, found in where.rows if found.verdict == PROVED]
     yield from (row.says for row in rows if row.name.startswith(f"{name}."))
-    if any(strip.row == name for strip in STRIPS):
-        parts = shares(name, where)
+    if name in shares:
+        parts = shares[name]
         decided = [
             f"{v} at least {_percent(parts[v][0])}" for v in (PROVED, REFUTED) if parts[v][1]
         ]

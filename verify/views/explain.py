@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from verify.language.statement import PROVED, REFUTED, Obligation
+from verify.language.statement import PROVED, REFUTED, Obligation, Publication
 from verify.language.terms import Claim
 from verify.language.typeset import Typesetter
-from verify.paper.numbering import cited, printed_number
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Proof
@@ -35,7 +34,7 @@ from verify.views.words import letters, short_name, sides_of
 Row = tuple[Obligation, Decision]
 
 
-def explain(outcome: Outcome, name: str, *, exact: bool = False) -> list[str]:
+def explain(outcome: Outcome, name: str, paper: Publication, *, exact: bool = False) -> list[str]:
     """The lines about a row or a lemma of what the checker has accepted; none without such a name.
 
     A row is found by its name, with or without its group. Claims are simplified if not ``exact``.
@@ -47,9 +46,9 @@ def explain(outcome: Outcome, name: str, *, exact: bool = False) -> list[str]:
     text: list[str] = []
     for key in full or ([name] if name in found else []):
         if key in found:
-            text += _about(found[key], rows, found, typesetter)
+            text += _about(found[key], rows, found, typesetter, paper)
         else:
-            text += _undecided(*rows[key], typesetter)
+            text += _undecided(*rows[key], typesetter, paper)
     return text
 
 
@@ -66,16 +65,18 @@ def _by(decision: Decision) -> str:
     return f" (by the rule {decision.method})" if decision.method else ""
 
 
-def _said(row: Obligation) -> Iterator[str]:
+def _said(row: Obligation, paper: Publication) -> Iterator[str]:
     """What the text says, after its label and the number that is printed there."""
-    text = ": ".join(part for part in (cited(row.label), row.says) if part)
+    text = ": ".join(part for part in (paper.cited(row.label), row.says) if part)
     if text:
         yield f"  {text}"
 
 
-def _undecided(row: Obligation, decision: Decision, typesetter: Typesetter) -> Iterator[str]:
+def _undecided(
+    row: Obligation, decision: Decision, typesetter: Typesetter, paper: Publication
+) -> Iterator[str]:
     yield f"obligation {row.name}"
-    yield from _said(row)
+    yield from _said(row, paper)
     yield f"  {decision.verdict}, so that there is no proof"
     yield f"  {typesetter.claim(row.claim)}"
 
@@ -85,12 +86,13 @@ def _about(
     rows: Mapping[str, Row],
     found: dict[str, Node],
     typesetter: Typesetter,
+    paper: Publication,
 ) -> Iterator[str]:
     row = rows.get(node.name)
     where = "" if node.context is None else f", for all values of the context {node.context}"
     yield f"{node.kind} {node.name}{where}"
     if row is not None:
-        yield from _said(row[0])
+        yield from _said(row[0], paper)
         what = "what is written here" if row[1].verdict == PROVED else "the proof of the opposite"
         yield f"  {row[1].verdict} by the rule {row[1].method}: {row[1].judge} accepts {what}"
     elif node.proof is not None:
@@ -114,14 +116,14 @@ def _about(
     for name in node.uses:
         used = found.get(name)
         claim = "a fact of a cited statement" if used is None else typesetter.claim(used.claim)
-        kind = "" if used is None else f"   ({_kind(used, rows)})"
+        kind = "" if used is None else f"   ({_kind(used, rows, paper)})"
         yield f"    {name}: {claim}{kind}"
 
 
-def _kind(node: Node, rows: Mapping[str, Row]) -> str:
+def _kind(node: Node, rows: Mapping[str, Row], paper: Publication) -> str:
     """What a fact is, and for a row of the paper where the paper has it."""
     label = rows[node.name][0].label if node.name in rows else ""
-    return f"{node.kind}, {printed_number(label)}" if label else node.kind
+    return f"{node.kind}, {paper.number(label)}" if label else node.kind
 
 
 def _proof(  # noqa: C901  one case a rule

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from html import escape
 
 from verify.language.record import Record
@@ -100,13 +100,16 @@ def to_dot(found: Graph) -> str:
 
 def to_svg(found: Graph) -> str:
     """A drawing: each fact to the right of what it uses, its name and label as tooltip."""
-    levels = _levels(found)
+    above: dict[str, list[str]] = {vertex.name: [] for vertex in found.vertices}
+    for used, user in found.edges:
+        above[user].append(used)
+    level = levels(above)
     columns: dict[int, list[Vertex]] = {}
     for vertex in found.vertices:
-        columns.setdefault(levels[vertex.name], []).append(vertex)
+        columns.setdefault(level[vertex.name], []).append(vertex)
     place = {
-        vertex.name: (20 + 190 * level, 30 + 16 * i)
-        for level, column in columns.items()
+        vertex.name: (20 + 190 * place, 30 + 16 * i)
+        for place, column in columns.items()
         for i, vertex in enumerate(column)
     }
     width = 40 + 190 * (max(columns, default=0) + 1)
@@ -123,16 +126,15 @@ def to_svg(found: Graph) -> str:
     return "\n".join(parts) + "\n"
 
 
-def _levels(found: Graph) -> dict[str, int]:
-    """How far each fact is from what it rests on; an edge to a correction does not count."""
-    above: dict[str, list[str]] = {vertex.name: [] for vertex in found.vertices}
-    for used, user in found.edges:
-        above[user].append(used)
-    levels: dict[str, int] = {}
-    for vertex in found.vertices:  # facts come after those that they use
-        known = [levels[used] for used in above[vertex.name] if used in levels]
-        levels[vertex.name] = 1 + max(known, default=-1)
-    return levels
+def levels(above: Mapping[str, Iterable[str]]) -> dict[str, int]:
+    """How far each fact is from what it rests on; an edge that closes a circle does not count.
+
+    Such an edge is one to a correction, or between formulas that rest on one another.
+    """
+    found: dict[str, int] = {}
+    for name, sources in above.items():  # facts come after those that they use
+        found[name] = 1 + max((found[one] for one in sources if one in found), default=-1)
+    return found
 
 
 def _lines(found: Graph, place: dict[str, tuple[int, int]]) -> Iterable[str]:

@@ -3,26 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
-from verify import check_map
 from verify.language.errors import OwnError
 from verify.prover.decimals import short
-from verify.spheres.map.log import (
-    COLLAPSES,
-    DISPERSES,
-    UNDECIDED,
-    Progress,
-    place_text,
-    plane_document,
-)
-from verify.spheres.map.planes import Phi, Plane
-from verify.spheres.map.saddle import saddle
-from verify.spheres.map.strip import BorderStrip
+from verify.prover.outcome import Ends
 
 DOCUMENT = "verify-map/1"
+
+#: What the spheres know of a map: its boxes, and what the checker of maps has found in its log; and
+#: what they know of a plane, or a strip of it. These are records of theirs, whose entries are read.
+Progress = Any
+Strip = Any
+#: A plane as the log of a map has it.
+Plane = Mapping[str, Any]
+
+COLLAPSES, DISPERSES, UNDECIDED = "c", "d", "u"
 #: The three areas: their letters in a log, their names, and what is true of every scene in them.
 AREAS = {
     COLLAPSES: ("collapses", "all its scenes collapse"),
@@ -31,7 +29,7 @@ AREAS = {
 }
 
 
-def areas_of(progress: Progress) -> check_map.Areas:
+def areas_of(progress: Progress) -> Any:
     """What the checker has found.
 
     Raises:
@@ -50,54 +48,58 @@ def area_shares(progress: Progress) -> dict[str, Fraction]:
     return {name: found[letter] for letter, (name, _) in AREAS.items()}
 
 
-def map_document(progress: Progress) -> dict[str, Any]:
-    """The areas as JSON; every number that is not a count is a text."""
+def map_document(progress: Progress, cites: Iterable[str]) -> dict[str, Any]:
+    """The areas as JSON; every number that is not a count is a text.
+
+    ``cites`` are the theorems that the checker takes for granted.
+    """
     return {
         "format": DOCUMENT,
         "command": "map",
-        "plane": plane_document(progress.plane),
+        "plane": progress.document,
         "boxes": progress.boxes,
         "areas": {name: str(share) for name, share in area_shares(progress).items()},
         "judged_by": "verify/check_map.py",
-        "cites": [*check_map.GIVEN],
+        "cites": [*cites],
         "strip": strip_document(progress),
     }
 
 
 def strip_document(progress: Progress) -> dict[str, str] | None:
     """The strip, where all its tiles are proved."""
-    plane = progress.plane
-    if not isinstance(plane, BorderStrip) or not areas_of(progress).is_strip:
+    plane = progress.document
+    if not is_strip(plane) or not areas_of(progress).is_strip:
         return None
-    return {"delta": str(plane.delta), "from": str(plane.x[0]), "to": str(plane.x[1])}
+    return {"delta": plane["delta"], "from": plane["x"][0], "to": plane["x"][1]}
 
 
-def plane_line(plane: Plane | BorderStrip) -> str:
+def is_strip(plane: Plane) -> bool:
+    """Whether a plane is a strip along a border."""
+    return bool(plane["name"] == "strip")
+
+
+def plane_line(plane: Plane) -> str:
     """The plane in a line."""
-    if isinstance(plane, BorderStrip):
-        return plane_line(plane.phi)
-    if not isinstance(plane, Phi):
+    (x_0, x_1), (y_0, y_1) = plane["x"], plane["y"]
+    if plane["name"] == "scene":
         x, y = axis_names(plane)
-        return (
-            f"{x} in [{plane.x[0]}, {plane.x[1]}], {y} in [{plane.y[0]}, {plane.y[1]}]; "
-            f"r = {plane.r}"
-        )
-    u_c, u_s = plane.tangential
+        return f"{x} in [{x_0}, {x_1}], {y} in [{y_0}, {y_1}]; r = {plane['r']}"
+    u_c, u_s = plane["tangential"]
     return (
-        f"φ1 = eta_s/(-eta_c) in [{plane.x[0]}, {plane.x[1]}], φ2 = d/eta_c² in "
-        f"[{plane.y[0]}, {plane.y[1]}]; r = {plane.r}, -cos θ = {plane.neg_cos}, "
-        f"-eta_c = {plane.speed}, tangential speeds {u_c} and {u_s}"
+        f"φ1 = eta_s/(-eta_c) in [{x_0}, {x_1}], φ2 = d/eta_c² in [{y_0}, {y_1}]; "
+        f"r = {plane['r']}, -cos θ = {plane['neg_cos']}, -eta_c = {plane['speed']}, "
+        f"tangential speeds {u_c} and {u_s}"
     )
 
 
-def axis_names(plane: Plane | BorderStrip) -> tuple[str, str]:
+def axis_names(plane: Plane) -> tuple[str, str]:
     """What the two axes are."""
-    if isinstance(plane, Phi | BorderStrip):
-        return "φ1 = η_s/(-η_c)", "d/η_c²"
-    return place_text(plane.x_at), place_text(plane.y_at)
+    if plane["name"] == "scene":
+        return plane["x_at"], plane["y_at"]
+    return "φ1 = η_s/(-η_c)", "d/η_c²"
 
 
-def tile_corners(plane: BorderStrip, key: str) -> list[tuple[float, float]]:
+def tile_corners(plane: Strip, key: str) -> list[tuple[float, float]]:
     """Corners of a tile in a square: φ1, and |φ2 - f| from δ on, logarithmic, up and down."""
     scale = 2 * math.log(plane.y[1] / plane.delta)
     found = []
@@ -108,23 +110,21 @@ def tile_corners(plane: BorderStrip, key: str) -> list[tuple[float, float]]:
     return found
 
 
-def map_lines(progress: Progress) -> Iterator[str]:
-    """What the checker says, and the areas, for a reader."""
-    areas, plane = areas_of(progress), check_map.plane_of(plane_document(progress.plane))
-    yield check_map.says(plane, areas) if areas.is_strip else check_map.hypotheses(plane)
+def map_lines(progress: Progress, said: str, given: str) -> Iterator[str]:
+    """What the checker says, and is given, and the areas, for a reader."""
+    areas = areas_of(progress)
+    yield said
     found = area_shares(progress)
     for name, says in AREAS.values():
         if found[name]:
             yield f"{name:<10} {percent(found[name]):>9} %  {says}"
     yield f"{progress.boxes} boxes, down to 1/{4 ** (progress.level - 1)} of the area"
     yield f"checked by verify/check_map.py: {areas.proved} boxes with a verdict;"
-    yield check_map.given()
+    yield given
 
 
-def saddle_lines(plane: Plane | BorderStrip) -> Iterator[str]:
-    """What is known of the border where η goes to 0."""
-    phi = plane.phi if isinstance(plane, BorderStrip) else plane
-    found = saddle(phi) if isinstance(phi, Phi) else None
+def saddle_lines(found: tuple[Ends, Ends, Ends, Ends] | None) -> Iterator[str]:
+    """What is known of the border where η goes to 0: a saddle, and its two multipliers."""
     if found is not None:
         phi_1, phi_2, stable, unstable = (short(ends, 16) for ends in found)
         yield f"limiting map for η → 0: a saddle at φ1 = {phi_1}, φ2 = {phi_2}"

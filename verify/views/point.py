@@ -4,9 +4,15 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from verify.language.statement import NEEDED, PROVED, REFUTED, Obligation
+from verify.language.statement import (
+    HYPOTHESES,
+    NEEDED,
+    PROVED,
+    REFUTED,
+    REPAIRED,
+    Obligation,
+)
 from verify.language.terms import Term
-from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.prover.decimals import decimal_text as decimal
 from verify.prover.decimals import people, round_decimal, short, told_number
 from verify.prover.outcome import Outcome

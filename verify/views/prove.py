@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from verify.language.statement import UNDECIDED
+from verify.language.statement import UNDECIDED, Publication
 from verify.language.terms import symbol
 from verify.prover.outcome import Outcome
 from verify.views.document import assumption_document, cite_document, row_document
@@ -14,7 +14,7 @@ from verify.views.words import headline, letters, sentence, summary, witness_of
 FORMAT = "verify-prove/1"
 
 
-def decided_lines(outcome: Outcome) -> Iterator[str]:
+def decided_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """A line for each row, one for each assumption, and the verdict."""
     typesetter = letters(outcome)
     for row, found in outcome.rows:
@@ -32,7 +32,7 @@ def decided_lines(outcome: Outcome) -> Iterator[str]:
         yield f"assumed   {assumption.name}  {assumption.sentence}"
     if outcome.spent:
         yield f"undecided: {outcome.spent}"
-    yield f"Verdict: {summary(outcome)}"
+    yield f"Verdict: {summary(outcome, paper)}"
 
 
 def decided_document(outcome: Outcome) -> dict[str, Any]:

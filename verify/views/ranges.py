@@ -10,8 +10,8 @@ from typing import Any
 
 from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
-from verify.paper.commands.scan import ScannedPoint
 from verify.prover.decimals import exact_number
+from verify.views.material import ScannedPoint
 
 
 class Range(Record):

@@ -4,11 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.statement import NEEDED, PRINTED, REFUTED, UNDECIDED, Obligation
+from verify.language.statement import (
+    NEEDED,
+    PRINTED,
+    REFUTED,
+    SEVERITIES,
+    UNDECIDED,
+    Obligation,
+    Publication,
+)
 from verify.language.terms import symbol
 from verify.language.typeset import Typesetter
-from verify.paper.numbering import cited, printed_number
-from verify.paper.rows import SEVERITIES
 from verify.prover.outcome import Decision, Outcome
 from verify.views.plain import plain_letters
 from verify.views.words import (
@@ -23,12 +29,22 @@ from verify.views.words import (
 MORE = "All rows: -v; some: --rows NAME; one with its proof: verify explain NAME."
 
 
+def screen(title: str, outcome: Outcome, paper: Publication) -> Iterator[str]:
+    """What fits on a screen; the verdict comes after it."""
+    yield title
+    yield ""
+    yield from brief(outcome, paper)
+    if outcome.spent:
+        yield f"Work budget spent: {outcome.spent}"
+    yield MORE
+
+
 def heading(group: str) -> str:
     """The name of a group as a heading."""
     return group[:1].upper() + group[1:]
 
 
-def brief(outcome: Outcome) -> Iterator[str]:
+def brief(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """The rows by group, each refuted or undecided one in a line, and what is taken on trust."""
     parts = (f"{heading(group)} {_share(outcome, group)}" for group in groups(outcome))
     yield f"Rows proved, of those needed: {', '.join(parts)}."
@@ -42,9 +58,9 @@ def brief(outcome: Outcome) -> Iterator[str]:
             here = [row for row, d in found if severity_of(row, d) == severity]
             if severity and here:
                 yield f"  {severity}:"
-            yield from map(_one_line, here)
+            yield from (_one_line(row, paper) for row in here)
     yield ""
-    yield from trusted_names(outcome)
+    yield from trusted_names(outcome, paper)
 
 
 def _share(outcome: Outcome, group: str) -> str:
@@ -57,42 +73,45 @@ def severity_of(row: Obligation, decision: Decision) -> str:
     return (row.severity or "") if decision.verdict == REFUTED else ""
 
 
-def _one_line(row: Obligation) -> str:
+def _one_line(row: Obligation, paper: Publication) -> str:
     correction = row.corrected_by or ""
-    return f"    {short_name(row):<24} {correction:<26} {printed_number(row.label)}".rstrip()
+    return f"    {short_name(row):<24} {correction:<26} {paper.number(row.label)}".rstrip()
 
 
-def trusted_names(outcome: Outcome) -> Iterator[str]:
+def trusted_names(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """How many assumptions a verdict rests on, and their names."""
     if outcome.assumptions:
         names = ", ".join(assumption.name for assumption in outcome.assumptions)
-        yield f"Taken on trust: {given_by(outcome)}: {names}. The sentences: -v."
+        yield f"Taken on trust: {given_by(outcome, paper)}: {names}. The sentences: -v."
     if outcome.printed_assumptions:
         names = ", ".join(assumption.name for assumption in outcome.printed_assumptions)
         yield f"Only for printed rows: {names}."
 
 
-def all_rows(outcome: Outcome) -> Iterator[str]:
+def all_rows(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """Every row, with its exact claim and what proves or refutes it."""
     typesetter = letters(outcome)
     for group in groups(outcome):
         yield heading(group)
         for row, decision in outcome.of_group(group):
-            yield from row_lines(row, decision, typesetter)
+            yield from row_lines(row, decision, typesetter, paper)
         yield ""
 
 
-def rows_called(outcome: Outcome, name: str) -> list[str]:
+def rows_called(outcome: Outcome, name: str, paper: Publication) -> list[str]:
     """The rows whose name, with or without its group, is this one; their claims simplified."""
     typesetter = plain_letters(outcome)
     found = [p for p in outcome.rows if name in (p[0].name, short_name(p[0]))]
-    return [line for row, decision in found for line in row_lines(row, decision, typesetter)]
+    lines = (row_lines(row, decision, typesetter, paper) for row, decision in found)
+    return [line for part in lines for line in part]
 
 
-def row_lines(row: Obligation, decision: Decision, typesetter: Typesetter) -> Iterator[str]:
+def row_lines(
+    row: Obligation, decision: Decision, typesetter: Typesetter, paper: Publication
+) -> Iterator[str]:
     """A row: its words, its claim, by what it is decided, and where it is false."""
     role = " (as printed)" if row.role == PRINTED else ""
-    yield f"  {decision.verdict:<9} {row.says}{role}   [{row.name}, {cited(row.label)}]"
+    yield f"  {decision.verdict:<9} {row.says}{role}   [{row.name}, {paper.cited(row.label)}]"
     uses = f"; with {', '.join(row.uses)}" if row.uses else ""
     method = decision.method or "no rule that was found"
     yield f"            {typesetter.claim(row.claim)}   by {method}{uses}"

@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from verify.language.statement import REFUTED
+from verify.language.statement import (
+    BREAKS,
+    HYPOTHESES,
+    PRINTED,
+    REFUTED,
+    REPAIRED,
+    Publication,
+)
 from verify.language.terms import Claim
-from verify.paper.groups import HYPOTHESES, REPAIRED
-from verify.paper.groups import PRINTED as PRINTED_SET
-from verify.paper.numbering import printed_number
-from verify.paper.rows import BREAKS
 from verify.prover.decimals import short
 from verify.prover.outcome import Outcome
 from verify.views.point import failed_hypotheses, in_numbers, parameters_told
@@ -24,12 +27,12 @@ from verify.views.words import (
 
 SIGNS = {"<": "<", "<=": "≤", "=": "="}
 TITLES = {
-    PRINTED_SET: "The constants as printed",
+    PRINTED: "The constants as printed",
     REPAIRED: "The repaired constants",
 }
 
 
-def screen(outcome: Outcome) -> Iterator[str]:
+def screen(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """What fits on a screen: what is proved, given what, and which steps break the argument.
 
     The last line is the result with everything it is about.
@@ -40,7 +43,7 @@ def screen(outcome: Outcome) -> Iterator[str]:
     if numbers is not None:
         yield from ("", numbers)
     yield ""
-    yield from _breaking(outcome)
+    yield from _breaking(outcome, paper)
     kinds = Counter(
         row.severity for row, found in outcome.rows if found.verdict == REFUTED and row.severity
     )
@@ -49,7 +52,7 @@ def screen(outcome: Outcome) -> Iterator[str]:
         yield f"Also refuted: {', '.join(rest)}."
     yield "All rows: -v; some: --rows NAME; for programs: --json; a certificate: --out DIR."
     yield ""
-    yield from verdict_lines(outcome, sets)
+    yield from verdict_lines(outcome, paper, sets)
 
 
 def counted(count: int, severity: str) -> str:
@@ -57,7 +60,7 @@ def counted(count: int, severity: str) -> str:
     return f"{count} {severity.replace('slip', 'slips', count != 1)}"
 
 
-def _breaking(outcome: Outcome) -> Iterator[str]:
+def _breaking(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """The refuted steps that break the printed argument, a line each with both numbers."""
     rows = [p for p in outcome.rows if p[1].verdict == REFUTED and p[0].severity == BREAKS]
     if rows:
@@ -67,17 +70,18 @@ def _breaking(outcome: Outcome) -> Iterator[str]:
         if sides is not None and isinstance(row.claim, Claim):
             sign = SIGNS[row.claim.relation]
             numbers = f"{short(sides[0], 3)} {sign} {short(sides[1], 3)}"
-            yield f"  {short_name(row):<18} {numbers:<26} {printed_number(row.label)}"
+            yield f"  {short_name(row):<18} {numbers:<26} {paper.number(row.label)}"
 
 
-def verdict_lines(outcome: Outcome, sets: list[str]) -> Iterator[str]:
+def verdict_lines(outcome: Outcome, paper: Publication, sets: list[str]) -> Iterator[str]:
     """What fails or is left open, and the verdicts; the last line is the whole result."""
     for row, why in failed_hypotheses(outcome):
-        where = printed_number(row.label)
+        where = paper.number(row.label)
         yield f"Hypothesis {where}, {row.label}, does not hold: {row.says} ({why})"
     if outcome.spent:
         yield f"Precision budget spent: {outcome.spent}"
     for group in sets:
         yield f"{TITLES.get(group, group)}: {group_verdict(outcome, group)}"
     which = f", {' and '.join(sets)} constants," if sets else ""
-    yield f"Verdict: {summary(outcome, f'Theorem 1{which} at {parameters_told(outcome)}')}"
+    title = f"Theorem 1{which} at {parameters_told(outcome)}"
+    yield f"Verdict: {summary(outcome, paper, title)}"

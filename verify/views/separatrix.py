@@ -8,11 +8,26 @@ from typing import Any
 
 from verify.language.statement import PROVED, UNDECIDED
 from verify.prover.decimals import exact_number, outward, rational_text, short
-from verify.spheres.limit_cycle import NEWTON
-from verify.spheres.limit_map import RATIONALS, CurveAt, Ends
-from verify.spheres.separatrix import BELIEVED, NOT_DECIDED, Separatrix
+from verify.prover.outcome import Ends
 
 FORMAT = "verify-separatrix/1"
+
+#: What the spheres know of a separatrix, and of its curve at a place: records of theirs, whose
+#: entries are read.
+Separatrix = Any
+CurveAt = Any
+
+#: What the verdicts rest on, beside their judges.
+BELIEVED = (
+    "the theorem on the curve of the limit map, with its proof in Coq (verify/coq/Separatrix.v)",
+    "the ball arithmetic of FLINT, and Python's whole numbers",
+)
+#: What this command says nothing about.
+NOT_DECIDED = (
+    "the full dynamics: this map is its limit for small distances, and a scene may do otherwise",
+    "how near to the curve a scene may lie for the map to foretell what it does",
+    "what scenes on the curve do, and those of which a tangential speed tends to 0",
+)
 
 #: Digits of the ends in a document, beyond those asked for.
 EXTRA_DIGITS = 6
@@ -35,7 +50,7 @@ def separatrix_document(found: Separatrix) -> dict[str, Any]:
         "command": "separatrix",
         "verdict": found.verdict,
         "parameters": {"r": r, "neg_cos_theta": c, "ratio": ratio},
-        "exists": {"answer": found.exists, "judge": RATIONALS},
+        "exists": {"answer": found.exists, "judge": found.exists_by},
         "believed": list(BELIEVED),
         "not_decided": list(NOT_DECIDED),
     }
@@ -53,7 +68,7 @@ def separatrix_document(found: Separatrix) -> dict[str, Any]:
         document["fixed_points"] = {"phi_minus": minus, "phi_plus": plus}
     if found.cycle:
         q, u = (outward(ends, found.digits + EXTRA_DIGITS) for ends in found.cycle)
-        document["cycle"] = {"q": q, "u": u, "judge": NEWTON}
+        document["cycle"] = {"q": q, "u": u, "judge": found.cycle_by}
     return document
 
 
@@ -126,7 +141,7 @@ def _curve(found: Separatrix) -> Iterator[str]:
     yield f"Fixed points with u = 0: q = {minus} (a sink for two collisions), q = {plus}"
     if found.cycle:
         q, u = (short(ends, found.digits) for ends in found.cycle)
-        yield f"The cycle on the curve: q = {q}, u = {u} (judge: {NEWTON})"
+        yield f"The cycle on the curve: q = {q}, u = {u} (judge: {found.cycle_by})"
     elif found.at is None:
         yield "The cycle on the curve was not enclosed."
     yield ""
@@ -134,7 +149,9 @@ def _curve(found: Separatrix) -> Iterator[str]:
 
 def _verdict(found: Separatrix) -> str:
     """The verdict with what it is about, and its judge."""
-    judges = " and ".join(dict.fromkeys([RATIONALS, *(strip.judge for strip in found.strips)]))
+    judges = " and ".join(
+        dict.fromkeys([found.exists_by, *(strip.judge for strip in found.strips)])
+    )
     digits = f"{found.digits} digit{'s' if found.digits > 1 else ''}"
     if found.verdict == UNDECIDED:
         return f"undecided: f is not known to {digits} within the budget; each interval holds it"

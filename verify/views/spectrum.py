@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from verify.paper.commands.eigenvalues import Complex, Spectrum
+from verify.language.statement import Publication
 from verify.prover import balls
 from verify.prover.balls import Ball
 from verify.prover.decimals import exact_number, outward, rational_text, short
 from verify.prover.outcome import Outcome
 from verify.views.document import claims_document
-from verify.views.row_lists import MORE, brief
+from verify.views.material import Complex, Spectrum
 from verify.views.words import summary
 
 FORMAT = "verify-spectrum/1"
@@ -63,19 +63,9 @@ def _point(r: list[Fraction], spectrum: Spectrum, digits: int) -> dict[str, Any]
     }
 
 
-def screen(outcome: Outcome) -> Iterator[str]:
-    """What fits on a screen; `verdict_line` comes after it."""
-    yield "Spectral claims, for every r in ]0,1["
-    yield ""
-    yield from brief(outcome)
-    if outcome.spent:
-        yield f"Work budget spent: {outcome.spent}"
-    yield MORE
-
-
-def verdict_line(outcome: Outcome) -> str:
+def verdict_line(outcome: Outcome, paper: Publication) -> str:
     """The result with everything it is about."""
-    return f"Verdict: {summary(outcome)}"
+    return f"Verdict: {summary(outcome, paper)}"
 
 
 def point_lines(r: list[Fraction], spectrum: Spectrum) -> Iterator[str]:

@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
-from verify.language.statement import PRINTED, PROVED, REFUTED, Constant, Obligation
+from verify.language.statement import (
+    HYPOTHESES,
+    PRINTED,
+    PROVED,
+    REFUTED,
+    REPAIRED,
+    Constant,
+    Obligation,
+    Publication,
+)
 from verify.language.terms import Claim
 from verify.language.typeset import Typesetter
-from verify.paper.groups import HYPOTHESES, REPAIRED
-from verify.paper.groups import PRINTED as PRINTED_SET
-from verify.paper.numbering import cited
-from verify.paper.theorem1 import theorem
 from verify.prover.decimals import outward, people, short
 from verify.prover.outcome import Decision, Ends, Outcome
-from verify.views.entries import minimum_of
+from verify.views.enclosures import minimum_of
 from verify.views.plain import plain_letters
 from verify.views.point import in_numbers, parameters_told
 from verify.views.screen import SIGNS, TITLES, verdict_lines
@@ -30,38 +35,39 @@ from verify.views.words import (
 )
 
 
-def some_rows(outcome: Outcome, name: str) -> list[str]:
+def some_rows(outcome: Outcome, name: str, paper: Publication) -> list[str]:
     """The rows whose name, with or without its group, is this one; their claims simplified."""
     typesetter = plain_letters(outcome)
     found = [p for p in outcome.rows if name in (p[0].name, short_name(p[0]))]
-    return [line for row, decision in found for line in _row(row, decision, typesetter, row.name)]
+    parts = (_row(row, decision, typesetter, paper, row.name) for row, decision in found)
+    return [line for part in parts for line in part]
 
 
-def report_lines(outcome: Outcome) -> Iterator[str]:
+def report_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """The report, line by line; the last line is the result with everything it is about."""
     typesetter = letters(outcome)
     sets = [group for group in groups(outcome) if group != HYPOTHESES]
     yield f"Theorem 1 ({outcome.statement.theorem}) at {parameters_told(outcome)}"
     yield ""
-    yield from _first_screen(outcome, sets)
+    yield from _first_screen(outcome, paper, sets)
     yield ""
     yield "Hypotheses"
     for row, decision in outcome.of_group(HYPOTHESES):
-        yield from _row(row, decision, typesetter)
+        yield from _row(row, decision, typesetter, paper)
     common = constants_of(outcome, "")
     if common:
         yield from ("", "Constants")
     for constant in common:
         yield from _constant(outcome, constant, typesetter)
     for group in sets:
-        yield from _set(outcome, group, typesetter)
+        yield from _set(outcome, group, typesetter, paper)
     yield ""
-    yield from taken_on_trust(outcome)
+    yield from taken_on_trust(outcome, paper)
     yield ""
-    yield from verdict_lines(outcome, sets)
+    yield from verdict_lines(outcome, paper, sets)
 
 
-def _set(outcome: Outcome, group: str, typesetter: Typesetter) -> Iterator[str]:
+def _set(outcome: Outcome, group: str, typesetter: Typesetter, paper: Publication) -> Iterator[str]:
     rows = outcome.of_group(group)
     yield ""
     yield f"{TITLES.get(group, group)}: {group_verdict(outcome, group)}"
@@ -72,33 +78,34 @@ def _set(outcome: Outcome, group: str, typesetter: Typesetter) -> Iterator[str]:
         yield from ("", f"  {numbers}")
     yield ""
     for row, decision in rows:
-        yield from _row(row, decision, typesetter)
+        yield from _row(row, decision, typesetter, paper)
     verdicts = Counter(decision.verdict for _, decision in rows)
     yield ""
     yield "  " + ", ".join(f"{count} {verdict}" for verdict, count in verdicts.items())
-    if group == PRINTED_SET:
-        yield from _causes({row.name for row, found in rows if found.verdict == REFUTED})
+    if group == PRINTED:
+        refuted = {row.name for row, found in rows if found.verdict == REFUTED}
+        yield from _causes(refuted, paper.notes().causes)
     if group == REPAIRED:
-        yield from _changes()
+        yield from _changes(paper)
 
 
-def _causes(refuted: set[str]) -> Iterator[str]:
+def _causes(refuted: set[str], causes: Iterable[tuple[Iterable[str], str]]) -> Iterator[str]:
     """Why rows are refuted, once for all that have one cause."""
     yield from ("", "What is wrong, once for each cause")
-    for cause in theorem().causes:
-        shown = [name for name in cause.rows if name in refuted]
+    for rows, text in causes:
+        shown = [name for name in rows if name in refuted]
         if shown:
-            yield f"  {', '.join(shown)}: {cause.text}"
+            yield f"  {', '.join(shown)}: {text}"
 
 
-def _changes() -> Iterator[str]:
+def _changes(paper: Publication) -> Iterator[str]:
     yield ""
     yield "What was changed: label | paper | needed | why"
-    for change in theorem().changes:
-        yield f"  {cited(change.label)} | {change.paper} | {change.needed} | {change.why}"
+    for change in paper.notes().changes:
+        yield f"  {paper.cited(change.label)} | {change.paper} | {change.needed} | {change.why}"
     yield from ("", "Remarks on the text, where no inequality decides")
-    for remark in theorem().remarks:
-        yield f"  {cited(remark.label)}: {remark.text}"
+    for label, text in paper.notes().remarks:
+        yield f"  {paper.cited(label)}: {text}"
 
 
 def _constant(outcome: Outcome, constant: Constant, typesetter: Typesetter) -> Iterator[str]:
@@ -115,10 +122,14 @@ def _constant(outcome: Outcome, constant: Constant, typesetter: Typesetter) -> I
 
 
 def _row(
-    row: Obligation, decision: Decision, typesetter: Typesetter, name: str = ""
+    row: Obligation,
+    decision: Decision,
+    typesetter: Typesetter,
+    paper: Publication,
+    name: str = "",
 ) -> Iterator[str]:
     role = " (as printed)" if row.role == PRINTED and row.group == HYPOTHESES else ""
-    where = f"[{name or short_name(row)}, {cited(row.label)}]"
+    where = f"[{name or short_name(row)}, {paper.cited(row.label)}]"
     yield f"  {decision.verdict:<9} {row.says}{role}   {where}"
     yield f"            {typesetter.claim(row.claim)}"
     sides = sides_of(row, decision)
@@ -146,9 +157,9 @@ def _margin(decision: Decision, sides: tuple[Ends, Ends]) -> str:
     return f"margin {sign}{people(outward((gap, gap), 3)[0])}"
 
 
-def _first_screen(outcome: Outcome, sets: list[str]) -> Iterator[str]:
+def _first_screen(outcome: Outcome, paper: Publication, sets: list[str]) -> Iterator[str]:
     """The verdicts, and the names of what is refuted."""
-    yield from verdict_lines(outcome, sets)
+    yield from verdict_lines(outcome, paper, sets)
     refuted: dict[str, list[str]] = {}
     for row, decision in outcome.rows:
         if decision.verdict == REFUTED and (row.role == PRINTED or row.group in sets):

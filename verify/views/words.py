@@ -18,10 +18,10 @@ from verify.language.statement import (
     Cite,
     Constant,
     Obligation,
+    Publication,
 )
 from verify.language.terms import Claim, Term, names_of
 from verify.language.typeset import Typesetter
-from verify.paper.parameters import PARAMETERS, THEOREM
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 
 #: The headline while the verdict rests on more than what is granted, here or in what is cited.
@@ -31,14 +31,8 @@ CONDITIONALLY_PROVED = "conditionally proved"
 #: general mathematics, and sentences that do nothing but put facts together that they name.
 GRANTED = ("definition", "general mathematics", "numbered glue")
 
-#: Where the certificates of the statements are that others cite.
-FOLDERS = {
-    "step": "certificates/step",
-    f"{THEOREM} for all parameters": "certificates/theorem1-all",
-}
-
-#: How the parameters of Theorem 1 are written.
-LETTERS = {"V_0": "V₀", "delta_theta": "δ_θ", "c": "(-cos θ₀)"}
+#: How the parameters of Theorem 1 are written, in the paper's order.
+LETTERS = {"r": "r", "c": "(-cos θ₀)", "V_0": "V₀", "delta_theta": "δ_θ"}
 
 #: How they, and some constants, stand in titles and sentences.
 TITLE_LETTERS = {
@@ -72,10 +66,10 @@ def headline(outcome: Outcome) -> str:
     return PROVED if kinds <= set(GRANTED) else CONDITIONALLY_PROVED
 
 
-def verdict_text(outcome: Outcome) -> str:
+def verdict_text(outcome: Outcome, paper: Publication) -> str:
     """The headline, with the number of assumptions on which a proof rests."""
     found = headline(outcome)
-    return found if outcome.verdict != PROVED else f"{found}, given {given_by(outcome)}"
+    return found if outcome.verdict != PROVED else f"{found}, given {given_by(outcome, paper)}"
 
 
 def given(assumptions: Iterable[Assumption]) -> str:
@@ -88,33 +82,29 @@ def given(assumptions: Iterable[Assumption]) -> str:
     return f"{total} {'assumption' if total == 1 else 'assumptions'} ({parts})"
 
 
-def is_about_paper(outcome: Outcome) -> bool:
+def is_about(outcome: Outcome, paper: Publication) -> bool:
     """Whether a statement says something about the paper: a row or a sentence has its label."""
-    from verify.paper.numbering import is_in_paper  # loaded only where it is used
-
     statement = outcome.statement
     labels = [row.label for row in statement.obligations]
-    return is_in_paper([*labels, *(assumption.label for assumption in statement.assumptions)])
+    return paper.has([*labels, *(assumption.label for assumption in statement.assumptions)])
 
 
-def given_by(outcome: Outcome) -> str:
+def given_by(outcome: Outcome, paper: Publication) -> str:
     """What an outcome rests on: its own assumptions, and those of each statement that it cites."""
     cites = outcome.statement.cites
-    cited = [f"{given(c.trusted)} of {cited_as(c)}" for c in cites]
+    cited = [f"{given(c.trusted)} of {cited_as(c, paper)}" for c in cites]
     own = [given(outcome.own_assumptions)] if outcome.own_assumptions or not cited else []
     return ", and ".join([*own, *cited])
 
 
-def cited_as(cite: Cite) -> str:
+def cited_as(cite: Cite, paper: Publication) -> str:
     """A cited statement, with the folder of its certificate where that is one of ours."""
-    from verify.paper.numbering import is_in_paper  # loaded only where it is used
-
-    is_ours = is_in_paper(assumption.label for assumption in cite.trusted)
-    folder = FOLDERS.get(cite.theorem) if is_ours else None
+    is_ours = paper.has(assumption.label for assumption in cite.trusted)
+    folder = paper.folders.get(cite.theorem) if is_ours else None
     return f"the cited '{cite.name}'" + (f" ({folder})" if folder else "")
 
 
-def summary(outcome: Outcome, title: str = "") -> str:
+def summary(outcome: Outcome, paper: Publication, title: str = "") -> str:
     """The whole result in one line: verdict, theorem, parameters, rows, assumptions.
 
     ``title`` stands for that of the statement where it says the same.
@@ -122,7 +112,7 @@ def summary(outcome: Outcome, title: str = "") -> str:
     parts = [counts(outcome, role) for role in (NEEDED, PRINTED)]
     rows = "; ".join(part for part in parts if part)
     title = title or outcome.statement.title
-    return f"{headline(outcome)}: {title}: {rows}; given {given_by(outcome)}"
+    return f"{headline(outcome)}: {title}: {rows}; given {given_by(outcome, paper)}"
 
 
 def in_letters(title: str) -> str:
@@ -132,22 +122,20 @@ def in_letters(title: str) -> str:
     return title
 
 
-def taken_on_trust(outcome: Outcome) -> Iterator[str]:
+def taken_on_trust(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """What the verdict takes on trust, sentence by sentence, and what only printed rows do."""
     if outcome.assumptions:
-        yield f"Taken on trust, and not proved by this program: {given_by(outcome)}"
-        yield from map(_assumption, outcome.assumptions)
+        yield f"Taken on trust, and not proved by this program: {given_by(outcome, paper)}"
+        yield from (_assumption(one, paper) for one in outcome.assumptions)
     others = outcome.printed_assumptions
     if others:
         yield ""
         yield f"What only printed rows take on trust: {given(others)}"
-        yield from map(_assumption, others)
+        yield from (_assumption(one, paper) for one in others)
 
 
-def _assumption(assumption: Assumption) -> str:
-    from verify.paper.numbering import cited  # loaded only where it is used
-
-    where = f", {cited(assumption.label)}" if assumption.label else ""
+def _assumption(assumption: Assumption, paper: Publication) -> str:
+    where = f", {paper.cited(assumption.label)}" if assumption.label else ""
     return f"  {assumption.name} ({assumption.kind}{where}): {assumption.sentence}"
 
 
@@ -237,7 +225,8 @@ def parameters_of(outcome: Outcome) -> dict[str, Term]:
 
 
 def _place(name: str) -> tuple[int, str]:
-    return (PARAMETERS.index(name) if name in PARAMETERS else len(PARAMETERS)), name
+    places = {name: place for place, name in enumerate(LETTERS)}
+    return places.get(name, len(places)), name
 
 
 # --- constants -----------------------------------------------------------------------------------

@@ -16,6 +16,7 @@ from verify import check
 from verify.language.errors import OwnError, UnreadError
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Obligation
 from verify.prover.outcome import Decision, Judgement, Outcome, names_in
+from verify.wire.packaged import PACKAGED_FILES, packaged_files
 from verify.wire.read import read
 from verify.wire.write import write
 
@@ -68,16 +69,33 @@ def report_on(outcome: Outcome) -> check.Report:
 
 def with_verdicts(outcome: Outcome, report: check.Report) -> Outcome:
     """The outcome with the verdicts in a report on its certificate, and with no others."""
+    return _with(outcome, report.rows)
+
+
+def _with(outcome: Outcome, verdicts: Mapping[str, str]) -> Outcome:
     names = names_in(outcome.statement)
 
     def decided(row: Obligation, found: Decision) -> Decision:
-        verdict = report.rows.get(row.name, UNDECIDED)
+        verdict = verdicts.get(row.name, UNDECIDED)
         shown = verdict == found.claimed != UNDECIDED
         judgement = Judgement(verdict, CHECKER, row.claim, row.context, names)
         return found._replace(judged=judgement if shown else None)
 
     decisions = {row.name: decided(row, found) for row, found in outcome.rows}
     return outcome._replace(decisions=decisions)
+
+
+def packaged(name: str) -> Outcome:
+    """The outcome that comes with the program, with the verdicts that the checker has given.
+
+    Raises:
+        OwnError: if its files are not those that it has accepted.
+    """
+    statement, certificate = packaged_files(name)
+    cited = {sha256(data).hexdigest(): data for data, _ in map(packaged_files, PACKAGED_FILES)}
+    outcome = read(statement, certificate, cited)
+    verdicts = {row: found.claimed for row, found in outcome.decisions.items()}
+    return _with(outcome, verdicts)
 
 
 def read_judged(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]) -> Outcome:

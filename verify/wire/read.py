@@ -31,7 +31,7 @@ from verify.prover.proof import (
     Step,
 )
 from verify.prover.rules import RULES
-from verify.wire.packaged import packaged_files
+from verify.wire.packaged import packaged_certificate
 from verify.wire.term_json import TermReader, WireError
 from verify.wire.write import CERTIFICATE_FORMAT
 
@@ -100,16 +100,14 @@ def _cite(item: Any, cited: Mapping[str, bytes]) -> Cite:
     document = json.loads(content)
     inner = tuple(_cite(other, cited) for other in document["cites"])
     assumptions = tuple(Assumption(**entry) for entry in document["assumptions"])
-    certificate = _certificate_of(digest, content, cited)
+    certificate = _certificate_of(digest, cited)
     return Cite(item["name"], item["theorem"], content, inner, assumptions, certificate)
 
 
-def _certificate_of(digest: str, content: bytes, cited: Mapping[str, bytes]) -> bytes:
+def _certificate_of(digest: str, cited: Mapping[str, bytes]) -> bytes:
     """The certificate of what is cited: the program's own, or one that is given, or none."""
-    statement, certificate = packaged_files()
-    if content == statement:
-        return certificate
-    return next((data for data in cited.values() if _certifies(data, digest)), b"")
+    given = (data for data in cited.values() if _certifies(data, digest))
+    return packaged_certificate(digest) or next(given, b"")
 
 
 def _certifies(data: bytes, digest: str) -> bool:

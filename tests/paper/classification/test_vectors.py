@@ -10,7 +10,8 @@ import pytest
 
 from tests.paper.step.states import BITS, checker, evaluate
 from verify.language.terms import Claim
-from verify.paper.classification import collision, impulse, state
+from verify.paper.classification import collision, impulse
+from verify.paper.classification import run as state
 from verify.paper.classification.classification import classification
 from verify.prover import balls
 

@@ -17,8 +17,8 @@ from verify.paper.commands.places import places
 from verify.paper.commands.regenerate import is_right_statement
 from verify.paper.elsewhere import aligned, mapping, nearly
 from verify.paper.elsewhere.elsewhere import SECTIONS, elsewhere, refutations
-from verify.paper.numbering import printed_numbers
 from verify.paper.rows import BREAKS, HARMLESS, SLIP
+from verify.paper.source import printed_numbers
 from verify.prover.outcome import Outcome
 from verify.prover.proof import LemmaStep, ObligationStep
 from verify.prover.rules import Sum, Witness

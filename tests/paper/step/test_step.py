@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import json
+import shutil
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +19,7 @@ from verify import check
 from verify.cli import main
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Obligation
 from verify.language.terms import Claim, as_term
+from verify.paper.commands.everywhere import decide_everywhere
 from verify.paper.commands.step import decide_step
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.step import initial, numbers, state
@@ -26,8 +30,8 @@ from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import LemmaStep, ObligationStep, Step
 from verify.prover.rules import Sum
 from verify.views.words import headline
-from verify.wire import packaged
-from verify.wire.packaged import PACKAGED, PACKAGED_FILES, packaged_files
+from verify.wire import judge, packaged
+from verify.wire.packaged import ALL, PACKAGED, PACKAGED_FILES, packaged_files
 from verify.wire.read import read
 from verify.wire.write import encode, write
 
@@ -241,31 +245,53 @@ def test_a_point_run_cites_the_step(point: tuple[str, str], selection: str) -> N
     assert headline(outcome) == PROVED
 
 
-def test_the_step_that_comes_with_the_program_is_the_one_that_it_makes() -> None:
-    """If not: verify certify, copy certificates/step/*.json to verify/data/step; PACKAGED_FILES."""
-    for name, content in write(decide_step()).items():
-        for folder in (PACKAGED, ROOT / "certificates/step"):
-            assert (Path(folder) / name).read_bytes() == content, folder
-    assert packaged_files()[0] == write(decide_step())["statement.json"]
+@pytest.mark.parametrize(("name", "decide"), [("step", decide_step), (ALL, decide_everywhere)])
+def test_what_comes_with_the_program_is_what_it_makes(
+    name: str, decide: Callable[[], Outcome]
+) -> None:
+    """If not: verify certify, copy certificates/NAME/*.json to verify/data/NAME; PACKAGED_FILES."""
+    files = write(decide())
+    for file in PACKAGED_FILES[name]:
+        for folder in (Path(PACKAGED), ROOT / "certificates"):
+            assert (folder / name / file).read_bytes() == files[file], folder
+    assert packaged_files(name) == (files["statement.json"], files["certificate.json"])
+    assert judge.packaged(name).decisions == judge.read_judged(*packaged_files(name), {
+        sha256(packaged_files(cited)[0]).hexdigest(): packaged_files(cited)[0]
+        for cited in PACKAGED_FILES
+    }).decisions  # fmt: skip
+
+
+BOX = "theorem1 --r 0.02..0.03 --neg-cos 1"
 
 
 @pytest.mark.parametrize("name", ["statement.json", "certificate.json"])
-@pytest.mark.parametrize("words", [["--r", "0.03"], ["--r", "0.02..0.04", "--steps", "2"]])
-def test_nothing_is_proved_by_a_step_that_was_tampered_with(
+@pytest.mark.parametrize(
+    ("folder", "words"),
+    [
+        ("step", "theorem1 --r 0.03"),
+        ("step", "theorem1 --r 0.02..0.04 --steps 2"),
+        ("step", BOX),
+        (ALL, BOX),
+        (ALL, "graph --out OUT/graph.svg"),
+        (ALL, f"explain {ALL} collapse"),
+    ],
+)
+def test_nothing_is_proved_by_a_file_that_was_tampered_with(
     name: str,
-    words: list[str],
+    folder: str,
+    words: str,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    """A point run does not check the step again, so it compares the digests of both files."""
-    for file in PACKAGED_FILES:
-        content = (Path(PACKAGED) / file).read_bytes()
-        (tmp_path / file).write_bytes(content + b" " * (file == name))
+    """What is not checked again in each run is compared, by the digests of both files."""
+    shutil.copytree(PACKAGED, tmp_path, dirs_exist_ok=True)
+    changed = tmp_path / folder / name
+    changed.write_bytes(changed.read_bytes() + b" ")
     monkeypatch.setattr(packaged, "PACKAGED", str(tmp_path))
     packaged_files.cache_clear()
     try:
-        assert main(["theorem1", *words]) == 5
+        assert main(words.replace("OUT", str(tmp_path)).split()) == 5
     finally:
         packaged_files.cache_clear()
     found = capsys.readouterr()

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 
-from verify.language.argument import Argument, Chapter, Line, argue
+from verify.language.argument import Argument, Chapter, argue
 from verify.language.statement import Assumption, Obligation
 from verify.paper.classification import (
     collision,
@@ -20,6 +20,7 @@ from verify.paper.classification import (
     scenes,
     triangle,
 )
+from verify.paper.letters import headings_of
 
 COLLAPSE = "DEFINSS3.1Collapse_Inelas"
 TRIANGLE = "DEFINSS3.5CollapseTriangu"
@@ -199,13 +200,7 @@ CONCLUDES = {
 def classification() -> Argument:
     """The statement with its argument, built once per process."""
     written = argue(NAME, TITLE, _chapters(), ASSUMPTIONS)
-    headings = {
-        item.name: heading
-        for heading, section in SECTIONS.items()
-        for chapter in section()
-        for item in chapter.items
-        if isinstance(item, Line)
-    }
+    headings = headings_of(SECTIONS)
     rows = tuple(_placed(row, headings[row.name]) for row in written.statement.obligations)
     rows = (*rows, image.stated_row(CONE))
     return written._replace(statement=written.statement._replace(obligations=rows))

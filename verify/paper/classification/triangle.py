@@ -26,6 +26,9 @@ from verify.language.terms import Term, equal
 from verify.language.vectors import basis_vector
 from verify.paper.letters import Letters, Space, minus
 
+LABEL = "DEFINSS3.5CollapseTriangu"
+ORDER = "PROPOSS3.5OrdreTriagColla"
+
 a = Letters("acute", J="J", m="m", cosine="e_ab·e_ak", rho="ρ_ab")
 
 
@@ -43,9 +46,6 @@ def angle() -> Iterator[Chapter]:
                 "ρ_ab never")  # fmt: skip
     yield Chapter(a.context, (line,))
 
-
-LABEL = "DEFINSS3.5CollapseTriangu"
-ORDER = "PROPOSS3.5OrdreTriagColla"
 
 l = Letters("limit", a="|01|", b="|02|", c="|12|")  # noqa: E741
 g = Letters("sides", xx="|x|²", zz="|z|²", xz="x·z")

@@ -6,10 +6,9 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from verify.language.argument import Chapter, Line, Opened, ToBeFound
-from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Cite, Constant, Statement
 from verify.language.terms import Claim, Term, as_term, number_at
-from verify.paper.commands.everywhere import decide_everywhere
+from verify.paper.commands.citing import step_cited
 from verify.paper.everywhere import box as paper
 from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
 from verify.prover.arguments import Writing, proof_of
@@ -17,44 +16,14 @@ from verify.prover.decimals import round_decimal
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.rules import Applying
+from verify.views.material import Answer, ParameterBox
 from verify.wire.judge import judged
-from verify.wire.write import write
-
-Side = tuple[Fraction, Fraction]
+from verify.wire.packaged import ALL, packaged_files
 
 #: Digits of the last r of a part on which the hypotheses hold.
 DIGITS = 9
 #: How many parts the interval of c is cut into to look for the largest such part.
 PARTS = 16
-
-
-class ParameterBox(Record):
-    """Closed intervals of r and of -cos theta_0."""
-
-    r: Side
-    c: Side
-
-    @property
-    def area(self) -> Fraction:
-        """The product of the lengths of the sides."""
-        return (self.r[1] - self.r[0]) * (self.c[1] - self.c[0])
-
-
-class Answer(Record):
-    """The verdict on a box, the part of it that is certified, and what is certified about that.
-
-    If the box is undecided, the part is one on which the hypotheses hold, and the outcome is about
-    that part.
-    """
-
-    box: ParameterBox
-    part: ParameterBox
-    outcome: Outcome
-
-    @property
-    def verdict(self) -> str:
-        """That of the outcome, if it is about the whole box."""
-        return self.outcome.verdict if self.part == self.box else UNDECIDED
 
 
 def answer(box: ParameterBox, v_0: Fraction, delta_theta: Fraction) -> Answer:
@@ -118,10 +87,8 @@ def decide_box(box: ParameterBox, v_0: Fraction, delta_theta: Fraction) -> Outco
     if found == UNDECIDED:
         raise ValueError("the hypotheses hold on a part of the box only")
     values = dict(zip(paper.PARAMETERS, (*box.r, *box.c, v_0, delta_theta), strict=True))
-    everywhere = decide_everywhere()
-    files, cites = write(everywhere), everywhere.statement.cites
-    content, certificate = files["statement.json"], files["certificate.json"]
-    cite = Cite(paper.CITED, EVERYWHERE, content, cites, certificate=certificate)
+    content, certificate = packaged_files(ALL)
+    cite = Cite(paper.CITED, EVERYWHERE, content, (step_cited(),), certificate=certificate)
     holds = found == PROVED
     terms = {name: as_term(value) for name, value in values.items()}
     return BoxRun(paper.statement(terms, cite, holds=holds)).run(holds=holds)

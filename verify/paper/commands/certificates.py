@@ -13,6 +13,7 @@ from verify.paper.commands import (
     classification,
     elsewhere,
     everywhere,
+    printed_set,
     scene,
     sharper,
     spectrum,
@@ -72,12 +73,15 @@ THEOREMS: dict[str, Callable[[], Outcome]] = {
     "step": step.decide_step,
     "step-printed": step.decide_step_printed,
     "theorem1-all": everywhere.decide_everywhere,
+    "printed-set": printed_set.decide_printed_set,
+    "printed-sign": printed_set.decide_printed_sign,
     "thresholds": thresholds.decide_thresholds,
     "spectrum": spectrum.decide_spectrum,
     "classification": classification.decide_classification,
     "elsewhere": elsewhere.decide_elsewhere,
     "sharper": sharper.decide_sharper,
     "flow": scene.decide_flow,
+    "line": scene.decide_line,
 }
 
 

@@ -56,11 +56,10 @@ def with_step(outcome: Outcome) -> Outcome:
     old = outcome.statement
     rows = [r._replace(uses=()) if r.role == NEEDED and r.uses else r for r in old.obligations]
     used = {name for r in rows for name in r.uses}
-    content, certificate = packaged_files()
     statement = old._replace(
         obligations=(*rows, row),
         assumptions=tuple(a for a in old.assumptions if a.name in used),
-        cites=(Cite(STEP, STEP, content, (), STEP_ASSUMPTIONS, certificate),),
+        cites=(step_cited(),),
     )
     if decision.claimed == PROVED:
         judged = Judgement(PROVED, BY_ROWS, row.claim, row.context, names_in(statement))
@@ -69,6 +68,12 @@ def with_step(outcome: Outcome) -> Outcome:
     return outcome._replace(
         statement=statement, decisions=decisions, steps=(*outcome.steps, *steps)
     )
+
+
+def step_cited() -> Cite:
+    """The step, by the files that come with the program."""
+    content, certificate = packaged_files(STEP)
+    return Cite(STEP, STEP, content, (), STEP_ASSUMPTIONS, certificate)
 
 
 def _row(name: str) -> str:

@@ -5,35 +5,20 @@ from __future__ import annotations
 from fractions import Fraction
 from functools import cache
 
-from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.paper.classification import image
 from verify.paper.classification.classification import classification
 from verify.prover.arguments import NUMBER_BITS, write_down
-from verify.prover.outcome import Decision, Ends, Outcome
+from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import ObligationStep
 from verify.prover.rules import Interval, Witness
+from verify.views.material import AtR
 from verify.wire.judge import judged
 
 #: Bits of the least final -cos.
 BITS = 160
 #: Work on the numbers of the comparison sequence: products of lengths in bits, added up.
 BUDGET = 1 << 37
-
-
-class AtR(Record):
-    """What the theorems say at one r.
-
-    ``excluded``: three equal balls have no collapse, and finitely many collisions. ``longest``: the
-    largest number of collisions of a run in which one ball meets two others in turn; None if there
-    is no largest one, or where ``undecided`` says that the work did not suffice to find it.
-    """
-
-    r: Fraction
-    least_neg_cos: Ends
-    excluded: bool
-    longest: int | None
-    undecided: bool
 
 
 @cache

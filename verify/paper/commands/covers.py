@@ -26,10 +26,11 @@ from verify.prover import balls
 from verify.prover.cover import Box, Field, Values, refined
 from verify.prover.ground import Ground
 from verify.prover.outcome import Ends
-from verify.prover.proof import LemmaStep, Proof
+from verify.prover.proof import LemmaStep
 from verify.prover.rules import Interval
 from verify.prover.session import Session
 from verify.prover.slopes import BITS, Side
+from verify.views.material import Ratios, Roots
 
 FIXED = {"V_0": as_term(1), "delta_theta": as_term(Fraction(1, 10))}
 
@@ -112,12 +113,8 @@ def _is_algebraic(ground: Ground, row: Obligation) -> bool:
     if verdict != PROVED or proof is None or isinstance(proof, Interval):
         return False
     lemmas = [s.proof for s in ground.session.steps[before:] if isinstance(s, LemmaStep)]
-    return not any(SAMPLE.keys() & _uses(found) for found in (proof, *lemmas))
-
-
-def _uses(proof: Proof) -> set[str]:
-    """The definitions that a proof by algebra unfolds."""
-    return set(getattr(proof, "using", ()))
+    unfolded = {name for found in (proof, *lemmas) for name in getattr(found, "using", ())}
+    return not SAMPLE.keys() & unfolded
 
 
 #: Just beyond (3-√5)/2 = 0.38196…, the cube root of r_stabi = 9-4√5.
@@ -223,52 +220,37 @@ def _distances(share: Fraction) -> list[Fraction]:
     return distances
 
 
-class Ratios(Record):
-    """A row with its ratio lhs/rhs on each interval of r where it is enclosed, and its verdicts."""
-
-    says: str
-    boxes: list[tuple[Side, Ends]]
-    verdicts: set[str]
-
-    @property
-    def middle(self) -> Fraction:
-        """An upper bound of the ratio halfway between the ends, or where it is next enclosed."""
-        return min(self.boxes, key=lambda pair: abs(pair[0][0] - END / 2))[1][1]
-
-
 @cache
 def ratios(group: str, share: Fraction) -> list[Ratios]:
     """The rows of a set whose two sides are positive, from the largest ratio to the smallest."""
     field = Field(("r",), (("c", as_term(1)), *field_definitions(formulas(group, share))))
     kinds = sorted_rows(group, share)
     slots = field.slots(kinds.claims)
-    found = {row.name: Ratios(row.says, [], set()) for row in kinds.open}
+    boxes: dict[str, list[tuple[Side, Ends]]] = {row.name: [] for row in kinds.open}
+    verdicts: dict[str, set[str]] = {row.name: set() for row in kinds.open}
     with balls.precision(BITS):
         for side in intervals():
             values = field.on((side,))
             for name, slot in slots.items():
-                found[name].verdicts.add(values.judge(slot))
+                verdicts[name].add(values.judge(slot))
                 ends = values.ratio(slot)
                 positive = values.positive(slot[1]) and values.positive(slot[2])
                 if positive and ends is not None and ends[1] < FACTOR * ends[0]:
-                    found[name].boxes.append((side, ends))
-    drawn = [row for row in found.values() if len(row.boxes) > 10]
+                    boxes[name].append((side, ends))
+    drawn = [
+        Ratios(row.says, boxes[row.name], verdicts[row.name], _middle(boxes[row.name]))
+        for row in kinds.open
+        if len(boxes[row.name]) > 10
+    ]
     return sorted(drawn, key=lambda row: row.middle, reverse=True)
 
 
+def _middle(boxes: Iterable[tuple[Side, Ends]]) -> Fraction:
+    """An upper bound of the ratio halfway between the ends, or where it is next enclosed."""
+    return min(boxes, key=lambda pair: abs(pair[0][0] - END / 2))[1][1]
+
+
 # --- the roots of Q ------------------------------------------------------------------------------
-
-
-class Roots(Record):
-    """Enclosures over one interval of m, where -m^3 is the real root."""
-
-    side: Side
-    r: Ends
-    real: Ends
-    re: Ends
-    im: Ends
-    minus_r: Ends
-    minus_r_cubed: Ends
 
 
 @cache

@@ -19,9 +19,9 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
-from verify.language.record import Record
 from verify.prover import balls
 from verify.prover.balls import Ball
+from verify.views.material import Complex, Spectrum
 
 Scalar = Any  # a Fraction or a Ball: the same formulas serve both
 
@@ -33,29 +33,6 @@ PIECES = 64
 
 #: The estimate of m by doubles is trusted, until it is verified, to so many relative bits.
 ESTIMATE_BITS = 40
-
-
-class Complex(Record):
-    """A complex number enclosed by real and imaginary part."""
-
-    re: Ball
-    im: Ball
-
-
-class Spectrum(Record):
-    """The eigenvalues other than 1, and eigenvectors with first coordinate 1.
-
-    ``exact`` is lambda_0 where it is rational. ``plus`` is the complex eigenvalue with positive
-    imaginary part; the other one is its conjugate. The eigenvector of 1 is (0, 1, 0, 1).
-    """
-
-    exact: Fraction | None
-    lambda_0: Ball
-    plus: Complex
-    modulus: Ball
-    argument: Ball
-    vector_0: tuple[Ball, ...]
-    vector_plus: tuple[Complex, ...]
 
 
 def at(r: Fraction, bits: int) -> Spectrum:

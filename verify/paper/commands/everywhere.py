@@ -41,7 +41,6 @@ HALF = Fraction(1, 2)
 POINT_BITS = 128
 #: The variables of the ring: those of the chart, two roots, then the constants that are minima.
 MINIMA = ("delta_x", "x_0", "Delta_theta", "eta_bar", "zeta_bar", "d_const", "d_bar")
-EXACT = ("delta_y", "d_slope", "T_star")
 BELOW = {
     "u": (Fraction(1), "u-below-one"),
     "p": (HALF, "p-below-half"),
@@ -140,7 +139,7 @@ class Everywhere:
         self.writing.chapter(Chapter(None, root))
         self.writing.chapter(Chapter(paper.CONTEXT, tuple(paper.lines(self.set))))
         for name in (*MINIMA[:1], "delta_y", *MINIMA[1:5], "d_slope", *MINIMA[5:], "T_star"):
-            self._constant(self.writing.constants[f"{self.set.group}.{name}"], name)
+            self.constant(self.writing.constants[f"{self.set.group}.{name}"], name)
 
     def run(self) -> Outcome:
         """The chart, the constants, the rows, and that the step applies."""
@@ -176,11 +175,12 @@ class Everywhere:
 
     # --- constants ------------------------------------------------------------------------------
 
-    def _constant(self, constant: Constant, name: str) -> None:
+    def constant(self, constant: Constant, name: str) -> None:
+        """A constant has a value: an equation, or for a minimum its sign and its entries."""
         self.ring.ensure(constant.term)
         self.session.constant(constant, Define(), paper.CONTEXT)
         term = symbol(constant.name)
-        if name in EXACT:
+        if constant.term.op != "min":
             self.ring.replaced[term] = constant.name
             return
         facts = []

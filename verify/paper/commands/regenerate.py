@@ -17,6 +17,7 @@ from verify.paper.commands import (
     classification,
     elsewhere,
     everywhere,
+    printed_set,
     scene,
     scene_statements,
     sharper,
@@ -46,6 +47,9 @@ WITHOUT_PARAMETERS: dict[str, Callable[[], Outcome]] = {
     "classification": classification.decide_classification,
     "sharper": sharper.decide_sharper,
     "flow": scene.decide_flow,
+    "line": scene.decide_line,
+    f"{THEOREM}, the set as printed": printed_set.decide_printed_set,
+    f"{THEOREM}, the sign as printed": printed_set.decide_printed_sign,
 }
 
 #: What states those of them that take long to decide.

@@ -7,24 +7,34 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from hashlib import sha256
 from typing import Any
 
 from verify import check
-from verify.language.record import Record
+from verify.paper.commands import covers
+from verify.paper.commands.everywhere import decide_everywhere, decide_printed_everywhere
 from verify.paper.commands.regenerate import is_right_when_accepted
 from verify.paper.commands.report_files import CertificateError, read_file, unusable
-from verify.paper.commands.report_maps import (
-    CertifiedMap,
-    CertifiedStrip,
-    is_strip,
-    log_names,
-    read_map,
-    read_strip,
-)
+from verify.paper.commands.report_maps import is_strip, log_names, read_map, read_strip, story
+from verify.paper.commands.scene_statements import read_back
+from verify.paper.commands.thresholds import all_shares, bands, decide_thresholds
+from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
+from verify.paper.glossary import LETTERS
+from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.parameters import THEOREM
+from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
+from verify.views.material import (
+    CertifiedOutcome,
+    CoqRecord,
+    Margins,
+    Material,
+    Plotted,
+    Region,
+    Story,
+)
+from verify.wire.coq.record import checked
 from verify.wire.judge import with_verdicts
 from verify.wire.read import read
 from verify.wire.term_json import WireError
@@ -38,37 +48,22 @@ MEASUREMENTS = ("bench", "stress")
 FIRST = "theorem1-r-3-100"
 
 
-class CertifiedOutcome(Record):
-    """One accepted certificate, read back; ``said`` is the checker's last line."""
-
-    name: str
-    outcome: Outcome
-    digests: dict[str, str]
-    said: str
+def number_of_steps(directory: str, *, draw: bool) -> int:
+    """How often progress is told, until the report is drawn."""
+    return len(folder_names(directory)) + len(log_names(directory)) + (2 if draw else 1)
 
 
-class Material(Record):
-    """Everything that the report shows."""
+def read_material(
+    directory: str,
+    progress: Callable[[str], None] = lambda _: None,
+    depth: int = covers.DEPTH,
+) -> Material:
+    """Read and check every certificate folder and every map, and enclose what the plots show.
 
-    folders: tuple[CertifiedOutcome, ...]
-    maps: tuple[CertifiedMap, ...]
-    strips: tuple[CertifiedStrip, ...]
-    measurements: dict[str, dict[str, Any]]
-    digests: dict[str, str]
-
-    @property
-    def logs(self) -> dict[str, str]:
-        """The logs of maps and strips with their digests."""
-        found = {one.name: one.digest for one in self.maps}
-        return found | {one.name: one.digest for one in self.strips}
-
-    def about(self, theorem_name: str) -> list[CertifiedOutcome]:
-        """The certificates of one theorem."""
-        return [f for f in self.folders if f.outcome.statement.theorem == theorem_name]
-
-
-def read_material(directory: str, progress: Callable[[str], None] = lambda _: None) -> Material:
-    """Read and check every certificate folder and every map, and the measurements if there are any.
+    Args:
+        directory: where the certificates are, and the measurements if there are any.
+        progress: is told what is being done.
+        depth: how many times a side of the plane of parameters is halved.
 
     Raises:
         CertificateError: with the code 2 if the directory has no certificate, or a file cannot be
@@ -86,7 +81,7 @@ def read_material(directory: str, progress: Callable[[str], None] = lambda _: No
         for name, content in files.items()
         if name != NAMES[1]
     }
-    folders = []
+    folders: list[CertifiedOutcome] = []
     for name in names:
         path = os.path.join(directory, name)
         progress(f"checking {path}")
@@ -98,12 +93,65 @@ def read_material(directory: str, progress: Callable[[str], None] = lambda _: No
             strips.append(read_strip(directory, name))
         else:
             maps.append(read_map(directory, name))
-    material = Material(tuple(folders), tuple(maps), tuple(strips), measurements, digests)
-    if not material.about(THEOREM):
+    if all(folder.outcome.statement.theorem != THEOREM for folder in folders):
         raise unusable(
             f"{directory!r} has no certificate of {THEOREM}; make it with verify certify"
         )
-    return material
+    progress("enclosing what the plots show")
+    found = [f.outcome for f in folders if f.outcome.statement.theorem == EVERYWHERE]
+    return Material(
+        PAPER,
+        LETTERS,
+        folders,
+        maps,
+        strips,
+        measurements,
+        digests,
+        dict(_stories(folders)),
+        plotted(found[0] if found else decide_everywhere(), depth),
+        _checked_in_coq(folders),
+    )
+
+
+def _stories(folders: Iterable[CertifiedOutcome]) -> Iterator[tuple[str, Story]]:
+    """The committed scenes that collapse."""
+    for folder in folders:
+        place, _, name = folder.name.partition("/")
+        scene = read_back(folder.outcome.statement.parameters) if place == SCENES else None
+        told = None if scene is None else story(scene)
+        if told is not None:
+            yield name, told
+
+
+def plotted(everywhere: Outcome, depth: int) -> Plotted:
+    """What the plots show, computed over the plane of parameters and over r."""
+    where = decide_thresholds()
+    return Plotted(
+        Region(
+            everywhere,
+            decide_printed_everywhere(),
+            where,
+            all_shares(where),
+            tuple(bands(where)),
+            covers.WIDTH,
+            tuple(covers.threshold_boxes(400).values()),
+        ),
+        Margins(
+            covers.intervals(),
+            covers.END,
+            covers.FACTOR,
+            covers.ratios(PRINTED, covers.WHOLE),
+            covers.ratios(REPAIRED, covers.SHARE),
+        ),
+        {group: covers.least_entries(group, depth - 1) for group in (PRINTED, REPAIRED)},
+        covers.roots(),
+    )
+
+
+def _checked_in_coq(folders: Iterable[CertifiedOutcome]) -> CoqRecord:
+    record, names = checked(), [folder.name for folder in folders]
+    seconds = record.of(folder.digests for folder in folders)
+    return CoqRecord(record.version, dict(zip(names, seconds, strict=True)))
 
 
 def folder_names(directory: str) -> list[str]:

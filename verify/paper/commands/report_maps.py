@@ -1,40 +1,28 @@
-"""The maps of a report: logs that their checker accepts, read back."""
+"""The maps of a report, logs that their checker accepts; and collapses, followed closely."""
 
 from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from hashlib import sha256
 from typing import Any
 
 from verify import check_map
-from verify.language.record import Record
 from verify.paper.commands.report_files import CertificateError, read_file
+from verify.prover import balls
+from verify.spheres.flow.collapse import find_collapse
 from verify.spheres.map.log import Chunk, Progress
 from verify.spheres.map.planes import Phi, Plane, Through
 from verify.spheres.map.strip import BorderStrip
+from verify.spheres.scene.decide import Budget, Fate, decide_scene
 from verify.spheres.scene.scene import Scene
+from verify.spheres.scene.verdict import shown_ends, steps, told
+from verify.views.material import CertifiedMap, CertifiedStrip, Instant, Story
 
 LOG = ".jsonl"
-
-
-class CertifiedMap(Record):
-    """One accepted log, read back; ``said`` is what its checker says it proves."""
-
-    name: str
-    progress: Progress
-    digest: str
-    said: str
-
-
-class CertifiedStrip(Record):
-    """One accepted log that encloses a border, with the number of its tiles."""
-
-    name: str
-    plane: BorderStrip
-    tiles: int
-    digest: str
+#: So many digits of the collapse time are followed.
+DIGITS = 6
 
 
 def log_names(directory: str) -> list[str]:
@@ -103,3 +91,27 @@ def _plane_of(found: check_map.Plane) -> Plane | BorderStrip:
         return Phi(*found)
     scene = Scene(found.r, found.positions, found.velocities)
     return Through(scene, *found[3:])
+
+
+# --- collapses -----------------------------------------------------------------------------------
+
+
+def story(scene: Scene) -> Story | None:
+    """What there is to show of a scene; None if it is not proved to collapse."""
+    found = decide_scene(scene, Budget(digits=DIGITS))
+    if found.collapse is None:
+        return None
+    return Story(told(found), tuple(steps(found)), tuple(_instants(found)))
+
+
+def _instants(found: Fate) -> Iterator[Instant]:
+    """Each certain collision, with what the sharper theorem says just after it."""
+    with balls.precision(found.flow.bits):
+        for number, move in enumerate(found.flow.collisions, 1):
+            time = balls.ends(balls.as_ball(move.after.time))
+            end = find_collapse(found.flow.scene.r, move.after.state, move.after.time)
+            if end is None:
+                yield Instant(number, time, None)
+            else:
+                low, high = (balls.ends(balls.as_ball(x)) for x in end.time)
+                yield Instant(number, time, (low[0], high[1]), shown_ends((low[0], high[1])))

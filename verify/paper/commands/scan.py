@@ -11,7 +11,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from verify.language.record import Record
 from verify.language.statement import (
     NEEDED,
     PROVED,
@@ -35,6 +34,7 @@ from verify.prover.proof import LemmaStep, ObligationStep, Proof
 from verify.prover.relations import FAILS, HOLDS, OPEN
 from verify.prover.rules import Interval, Sum
 from verify.prover.straight import StraightLine
+from verify.views.material import ScannedPoint
 
 #: The precision at which the points are computed, as in a single run.
 BITS = 192
@@ -43,13 +43,6 @@ BITS = 192
 MAX_ALGEBRAS = 12
 
 _VERDICTS = {HOLDS: PROVED, FAILS: REFUTED}
-
-
-class ScannedPoint(Record):
-    """The verdict on the needed rows at one point, and those on all rows by their names."""
-
-    verdict: str
-    rows: Mapping[str, str]
 
 
 class Scan:

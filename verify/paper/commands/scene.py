@@ -22,6 +22,7 @@ from verify.language.statement import (
 from verify.language.terms import Claim, Term
 from verify.paper.commands.classification import decide_classification
 from verify.paper.commands.sharper import decide_sharper
+from verify.paper.line import line
 from verify.paper.sharper.numbers import context as start_context
 from verify.prover import balls
 from verify.prover.arguments import write_down
@@ -40,7 +41,15 @@ from verify.spheres.scene.decide import (
     FINITE,
     Fate,
 )
-from verify.spheres.scene.telling import CLASSIFICATION, SHARPER, START, Numbers, Telling
+from verify.spheres.scene.telling import (
+    CLASSIFICATION,
+    LINE_START,
+    ON_A_LINE,
+    SHARPER,
+    START,
+    Numbers,
+    Telling,
+)
 from verify.spheres.scene.verdict import scene_lines, theorems
 from verify.wire.judge import judged
 from verify.wire.write import write
@@ -62,10 +71,16 @@ def decide_flow() -> Outcome:
 
 
 @cache
+def decide_line() -> Outcome:
+    """The collapse of spheres on a line."""
+    return judged(write_down(line()))
+
+
+@cache
 def cited_contexts() -> dict[str, Context]:
     """The contexts that a scene applies, by the names by which it cites them."""
     found = {f"{FLOW}:{context.name}": context for context in flow().statement.contexts}
-    return found | {START: start_context()}
+    return found | {START: start_context(), LINE_START: line().statement.contexts[0]}
 
 
 def tell(found: Fate) -> Telling:
@@ -164,7 +179,12 @@ def statement_of(telling: Telling, found: Fate) -> Statement:
 
 def cites(found: Fate) -> list[Cite]:
     """The statements whose theorems are applied."""
-    makers = {FLOW: decide_flow, CLASSIFICATION: decide_classification, SHARPER: decide_sharper}
+    makers = {
+        FLOW: decide_flow,
+        CLASSIFICATION: decide_classification,
+        SHARPER: decide_sharper,
+        ON_A_LINE: decide_line,
+    }
     return [_cite(name, makers[name]) for name in theorems(found)]
 
 
@@ -189,6 +209,8 @@ def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:
     if kind == "start":
         gap, _, _ = telling.exact.pair(int(name[0]), int(name[1]))
         return Sum(("goal", str(gap)), given)
+    if kind == "line":
+        return Sum((), given)
     if kind == "range":
         restitution = telling.parameters["r"].value
         return Sum(("goal", str(restitution if name == "low" else 1 - restitution)), given)

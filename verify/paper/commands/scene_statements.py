@@ -32,7 +32,7 @@ def read_back(parameters: Mapping[str, Term]) -> Scene | None:
     }
     names = {"r", *(name for table in rows.values() for row in table for name in row)}
     numbers = all(term.op == "rational" for term in parameters.values())
-    if count < 2 or {*parameters} != names or not numbers:
+    if count < 1 or {*parameters} != names or not numbers:
         return None
     positions, velocities = (
         tuple(tuple(parameters[name].value for name in row) for row in rows[letter])

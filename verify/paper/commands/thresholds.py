@@ -6,9 +6,10 @@ c <= 1; p is phi_plus. A strip of it is what lies between two values of p.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from functools import cache
+from itertools import pairwise
 
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.paper.commands.everywhere import Everywhere
@@ -39,6 +40,11 @@ def certified(where: Outcome) -> list[paper.Strip]:
     return [s for s in paper.STRIPS if where.decisions[s.by].verdict == PROVED]
 
 
+def all_shares(where: Outcome) -> dict[str, Mapping[str, Ends]]:
+    """For each row that depends on phi_plus the bounds of its shares."""
+    return {row: shares(row, where) for row in dict.fromkeys(strip.row for strip in paper.STRIPS)}
+
+
 def shares(row: str, where: Outcome) -> Mapping[str, Ends]:
     """Bounds of the share of the chart on which a row is proved, refuted, or neither."""
     strips = [strip for strip in certified(where) if strip.row == row]
@@ -56,6 +62,21 @@ def _share(every: Iterable[paper.Strip], verdict: str) -> Ends:
         low += max(Fraction(0), outer[0] - inner[1])
         high += outer[1] - inner[0]
     return low / most, high / least
+
+
+def refuted_at(strips: Iterable[paper.Strip], low: Fraction, high: Fraction) -> int | None:
+    """How many rows are refuted for phi_plus in an open interval; None if one is not decided."""
+    rows = {strip.row for strip in paper.STRIPS}
+    there = {s.row: s.verdict for s in strips if s.low <= low and high <= s.high}
+    return None if there.keys() != rows else list(there.values()).count(REFUTED)
+
+
+def bands(where: Outcome) -> Iterator[tuple[Fraction, Fraction, int | None]]:
+    """The values of phi_plus between neighbouring ends of strips, with what is refuted there."""
+    strips = certified(where)
+    ends = sorted({end for strip in paper.STRIPS for end in (strip.low, strip.high)})
+    for low, high in pairwise(ends):
+        yield low, high, refuted_at(strips, low, high)
 
 
 def gap(strips: Iterable[paper.Strip]) -> Fraction:

@@ -55,6 +55,10 @@ from verify.paper.dynamics.state import (
     zeta_of,
 )
 
+COMPONENTS = "EQUATSS4.1EvoluCompoNormC"
+NORMS = "EQUATSS4.1EvoluNormeVitRl"
+ANGLE = "EQUATSS4.1EvoluCosinAngle"
+
 TIME = "EQUATSS4.1_Controle_Tau_n"
 DISTANCE = "EQUATSS4.1BorneDista_d_1_"
 
@@ -143,10 +147,6 @@ NEXT_D_SUM_POSITIVE = Line(
     "next-d-sum-positive", 0 < 1 + d_next, proof("D-positive", using="d_next")
 )
 
-
-COMPONENTS = "EQUATSS4.1EvoluCompoNormC"
-NORMS = "EQUATSS4.1EvoluNormeVitRl"
-ANGLE = "EQUATSS4.1EvoluCosinAngle"
 
 half = (1 + r) / 2
 #: -W_c.omega_s' = (1+d) sqrt(1-zeta) (-eta_c), the speed of the impact.

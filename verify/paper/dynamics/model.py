@@ -33,6 +33,8 @@ from verify.language.terms import Term, as_term, equal, symbol
 from verify.language.vectors import Frame
 from verify.paper.dynamics.state import inequalities
 
+PLANE = "plane"
+
 IMPACT = "impact"
 LAW = "EQUATSS2.2IterationSystm1"
 LETTERS = {
@@ -90,7 +92,6 @@ def _impact_lines() -> Iterator[Item]:
         yield Line(f"impact-{name}", claim, identity(), LAW, says)
 
 
-PLANE = "plane"
 NAMES = ("u_y", "u_s", "u_C", "u_A", "u_B", "u_d", "u_t")
 y, eta_s, C, A, B, d, t = map(symbol, NAMES)
 

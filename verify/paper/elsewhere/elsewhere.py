@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 
-from verify.language.argument import Argument, Chapter, Line, argue
+from verify.language.argument import Argument, Chapter, argue
 from verify.language.statement import NEEDED, Assumption, Obligation
 from verify.paper.elsewhere import aligned, estimates, generic, mapping, nearly, pair, quoted, sums
-from verify.paper.letters import Refuted
+from verify.paper.letters import Refuted, headings_of
 
 MATHEMATICS, GLUE = "general mathematics", "numbered glue"
 
@@ -92,13 +92,7 @@ MISPRINTS = {
 def elsewhere() -> Argument:
     """The statement with its argument, built once per process."""
     written = argue(NAME, TITLE, _chapters(), ASSUMPTIONS)
-    headings = {
-        item.name: heading
-        for heading, section in SECTIONS.items()
-        for chapter in section()
-        for item in chapter.items
-        if isinstance(item, Line)
-    }
+    headings = headings_of(SECTIONS)
     headings |= {
         found.row.name: heading for heading, section in MISPRINTS.items() for found in section()
     }

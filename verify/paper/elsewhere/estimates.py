@@ -46,6 +46,10 @@ from verify.paper.elsewhere.mapping import (
 from verify.paper.letters import Refuted, minus, refuted
 from verify.paper.rows import HARMLESS
 
+NORMALS = "EQUATSS3.3PROPOComp1_eta'"
+TURNS = "EQUATSS3.3PROPOComp1omga'"
+TANGENTS = "EQUATSS3.3PROPOComp1PerpD"
+
 TIMES = "EQUATSS3.3AsympCompa_Tau_Zeta_"
 BY_TIME = "EQUATSS3.3PROPOComp1Tau_d"
 TRAVEL = "EQUATSS3.3PROPOComp1_d'__"
@@ -168,10 +172,6 @@ def misprints() -> Iterator[Refuted]:
                   says="ζ < 1, so d ≤ η₂²/(2|W₂|²) for n large: the factor (1+d)²/(2+d) is above "
                        "1/2", severity=HARMLESS, corrected_by="zeta-below-one")  # fmt: skip
 
-
-NORMALS = "EQUATSS3.3PROPOComp1_eta'"
-TURNS = "EQUATSS3.3PROPOComp1omga'"
-TANGENTS = "EQUATSS3.3PROPOComp1PerpD"
 
 r = n.r
 

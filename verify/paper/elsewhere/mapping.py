@@ -32,6 +32,8 @@ from verify.language.vectors import Combination, add, basis_vector, scale
 from verify.paper.letters import Letters, Refuted, Space, minus, refuted
 from verify.paper.rows import HARMLESS, SLIP
 
+STATE = "3/4 1 1/10 1 -3/40 -1/10 2 1/10"
+
 SYSTEM = "EQUATSS2.2IterationSystm1"
 TANGENT_1 = "EQUATSS2.2W1prpPrimeVers1"
 TANGENT_2 = "EQUATSS2.2W2prpPrimeVers1"
@@ -187,7 +189,6 @@ o = Letters("outer", G="|x|²", k="x·u", U="|u|²", t="t", tau="τ")
 three = Letters(
     "three", X_1="X₁", X_2="X₂", a_1="(W₁)₁", a_2="(W₁)₂", b_1="(W₂)₁", b_2="(W₂)₂", tau="τ", t="t",
 )  # fmt: skip
-STATE = "3/4 1 1/10 1 -3/40 -1/10 2 1/10"
 
 
 def outer() -> Iterator[Chapter]:

@@ -170,7 +170,8 @@ def state_lines(k: ConstantSet) -> Iterator[Line]:
     ex, sp, di, co = (f"state-{n}-positive" for n in ("eta", "spectator", "distance", "cosine"))
     e2, half = times(ex, ex, V_0s, V_0s), times(HALF, plus(V_0s, V_1s), "sine")
     mixed = times(sp, ex, co, V_0s, V_0s)
-    hundredth, lost = Fraction(1, 100), times(f"{PRINTED}.C_eta-below-one", plus(1, _decay()))
+    hundredth, decay = Fraction(1, 100), f"{PRINTED}.C_eta-positive"
+    lost = times(f"{PRINTED}.C_eta-below-one", plus(1, decay))
     rest = plus(times(Fraction(51, 100), above), times(Fraction(99, 100), V_1s))
     slower = times(V_0s, V_0s, "state-spectator-slower", plus(ex, sp))
     two = plus(2, di)
@@ -201,7 +202,3 @@ def state_lines(k: ConstantSet) -> Iterator[Line]:
             proof(times(di, plus("norm_c-most", "norm_s-most")),
             times("sine", ex, ex, "slope-small"))),
     )  # fmt: skip
-
-
-def _decay() -> str:
-    return f"{PRINTED}.C_eta-positive"

@@ -9,26 +9,26 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.statement import NEEDED, Cite, Obligation, Statement
+from verify.language.statement import Cite, Obligation, Statement
 from verify.language.terms import Term, as_term, minimum, substitute
 from verify.paper.assumptions import STEP_ASSUMPTIONS
 from verify.paper.everywhere import angle_display
 from verify.paper.everywhere.chart import CONTEXT, DERIVED, constants, context, hypothesis
 from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
-from verify.paper.initial_data import D_0, DELTA, ETA, X_0, ZETA, ConstantSet
+from verify.paper.initial_data import WRITTEN, ConstantSet
 from verify.paper.parameters import THEOREM
+from verify.paper.rows import needed
 from verify.paper.step.numbers import STEP, collapse
 from verify.paper.theorem1 import theorem
 
-LABELS = {
-    "delta_x": DELTA,
-    "x_0": X_0,
-    "Delta_theta": X_0,
-    "eta_bar": ETA,
-    "zeta_bar": ZETA,
-    "d_const": D_0,
-    "d_bar": D_0,
-}
+TITLE = (
+    "For all 0 < r < 1, V_0 > 0, delta_theta > 0 and all theta_0 with 0 < -cos theta_0 <= 1 that "
+    "satisfy the stability condition: every row of the repaired set, and the step applies"
+)
+PRINTED_TITLE = (
+    "For all parameters that satisfy the stability condition, the rows of the printed set: which "
+    "hold, and which do not"
+)
 
 #: For each constant its redundant entries, each with an entry that is at most as large.
 REDUNDANT = {
@@ -60,16 +60,10 @@ def redundant_rows() -> Iterator[Obligation]:
     bounds = ConstantSet(REPAIRED).bounds()
     for name, pairs in REDUNDANT.items():
         for entry, other in pairs.items():
-            yield Obligation(
-                f"redundant.{name}-{entry}",
-                REPAIRED,
-                LABELS[name],
-                NEEDED,
-                f"entry {entry} of the minimum for {name} can be left out: it is at least entry "
-                f"{other}",
+            says = f"entry {entry} of the minimum for {name} can be left out: it is at least entry"
+            yield needed(f"redundant.{name}-{entry}", WRITTEN[name][2], f"{says} {other}",
                 bounds[name][other - 1] <= bounds[name][entry - 1],
-                context=CONTEXT,
-            )
+                group=REPAIRED, context=CONTEXT)  # fmt: skip
 
 
 def active_rows() -> Iterator[Obligation]:
@@ -81,15 +75,10 @@ def active_rows() -> Iterator[Obligation]:
             entries = [substitute(term, values) for term in bounds[name]]
             others = entries[: entry - 1] + entries[entry:]
             r, c, V_0, delta_theta = point
-            yield Obligation(
-                f"active.{name}-{entry}",
-                REPAIRED,
-                LABELS[name],
-                NEEDED,
-                f"entry {entry} of the minimum for {name} is the least at r = {r}, "
-                f"-cos θ₀ = {c}, V₀ = {V_0}, δ_θ = {delta_theta}",
-                entries[entry - 1] < minimum(*others),
-            )
+            says = f"entry {entry} of the minimum for {name} is the least at r = {r}, -cos θ₀ = {c}"
+            yield needed(f"active.{name}-{entry}", WRITTEN[name][2],
+                f"{says}, V₀ = {V_0}, δ_θ = {delta_theta}",
+                entries[entry - 1] < minimum(*others), group=REPAIRED)  # fmt: skip
 
 
 def values_at(point: tuple[str, ...]) -> dict[str, Term]:
@@ -102,15 +91,7 @@ def values_at(point: tuple[str, ...]) -> dict[str, Term]:
 
 
 NAME = f"{THEOREM} for all parameters"
-TITLE = (
-    "For all 0 < r < 1, V_0 > 0, delta_theta > 0 and all theta_0 with 0 < -cos theta_0 <= 1 that "
-    "satisfy the stability condition: every row of the repaired set, and the step applies"
-)
 PRINTED_NAME = f"{THEOREM} as printed, for all parameters"
-PRINTED_TITLE = (
-    "For all parameters that satisfy the stability condition, the rows of the printed set: which "
-    "hold, and which do not"
-)
 
 
 def rows() -> Iterator[Obligation]:

@@ -34,6 +34,13 @@ from verify.paper.spectrum.matrices import (
 from verify.paper.spectrum.printed import MATRIX_LABEL, THEOREM, Printed, r, root_3
 from verify.paper.spectrum.section import ANY, Section, symbols
 
+LAW_A = "EQUATSS3.5VitesColli_0-1_"
+LAW_B = "EQUATSS3.5DefinMatrix_A_b"
+LAW_C = "EQUATSS3.5DefinMatrix_A_c"
+DEFINITION = "DEFINSS3.5MatriLimitVites"
+SPACE_F = "EQUATSS3.5DefinSs-Ev__F__"
+EIGENSPACE = "EQUATSS3.5Alim_EspPp_L=1_"
+
 Pair = tuple[Vector, Vector]
 Collision = Callable[[Pair], Pair]
 
@@ -125,13 +132,6 @@ def matrix_of(collision: Collision, orthonormal: Sequence[Pair]) -> Matrix:
     )
 
 
-LAW_A = "EQUATSS3.5VitesColli_0-1_"
-LAW_B = "EQUATSS3.5DefinMatrix_A_b"
-LAW_C = "EQUATSS3.5DefinMatrix_A_c"
-DEFINITION = "DEFINSS3.5MatriLimitVites"
-SPACE_F = "EQUATSS3.5DefinSs-Ev__F__"
-EIGENSPACE = "EQUATSS3.5Alim_EspPp_L=1_"
-
 A_A: Matrix = (
     vector(-r, 0, 0, 0),
     vector(0, 1, 0, 0),
@@ -189,7 +189,7 @@ def _laws() -> Iterator[Obligation]:
 def _triangle() -> Iterator[Obligation]:
     c = symbols("c")[0]
     yield needed("triangle", DEFINITION, "|ω₂-ω₁|² = 2 - 2c is 1 exactly if c = ω₁·ω₂ is 1/2",
-        equal((2 - 2 * c) - 1, 2 * (as_term(1) / 2 - c)), within=ANY)  # fmt: skip
+        equal((2 - 2 * c) - 1, 2 * (as_term(1) / 2 - c)), context=ANY)  # fmt: skip
     for name, says, u, v, value in (
         ("unit-omega_3", "ω₃ = ω₂-ω₁ is a unit vector", omega_3, omega_3, 1),
         ("omega_1-omega_3", "2 ω₁·ω₃ = -1", omega_1, omega_3, -1),

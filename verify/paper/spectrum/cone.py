@@ -95,9 +95,9 @@ def _signs() -> Iterator[Obligation]:
         needed("cone-sign-z", THEOREM, "(r²-16r-1)/16 < 0, for every r in ]0,1[", k_z < as_term(0)),
         printed("cone-sign-x-range", THEOREM,
             "'for r small enough': the first one is negative exactly for -1 < r < 5",
-            equal(k_x, (r + 1) * (r - 5) / 16), ["signs"], within=ANY),
+            equal(k_x, (r + 1) * (r - 5) / 16), ["signs"], context=ANY),
         printed("cone-sign-z-range", THEOREM, "the second one exactly for 8-√65 < r < 8+√65",
-            equal(k_z, (r - (8 - root)) * (r - (8 + root)) / 16), ["signs"], within=ANY),
+            equal(k_z, (r - (8 - root)) * (r - (8 + root)) / 16), ["signs"], context=ANY),
         printed("cone-sign-z-below", THEOREM, "8-√65 < 0, so that ]0,1[ lies in it",
             8 - root < as_term(0)),
     )  # fmt: skip
@@ -116,7 +116,7 @@ def _bounds(paper: Printed) -> Iterator[Obligation]:
             equal(value - first, factor * (z - h * x)), ["signs"])  # fmt: skip
         yield misprint(f"{name}-bound-2", label,
             f"the first bound of {letter}' is larger than the second one, as printed",
-            second < first, SLIP, f"{name}-bound-2-equal", within=CONE)  # fmt: skip
+            second < first, SLIP, f"{name}-bound-2-equal", context=CONE)  # fmt: skip
         yield needed(f"{name}-bound-2-equal", label,
             f"the two displayed bounds of {letter}' are equal", equal(first, second))  # fmt: skip
 
@@ -132,7 +132,7 @@ def _last_condition(paper: Printed) -> Iterator[Obligation]:
             factor < as_term(0)),
         printed("cone-y-range",   BOUND,
             "'for r small enough': it is negative exactly for -1 < r < 3",
-            equal(factor, (r - 3) * (r + 1) / 32), ["signs"], within=ANY),
+            equal(factor, (r - 3) * (r + 1) / 32), ["signs"], context=ANY),
         needed("cone-y",          BOUND, "z' < 0 imposes y < t: with x = -a, z = hx - b the "
             "number √3(1+r)/8 (t-y) is -z' plus positive multiples of a and b",
             equal(_drift * (t - y), -image + (-factor) * a + (-k_z) * b), ["signs"]),
@@ -141,5 +141,5 @@ def _last_condition(paper: Printed) -> Iterator[Obligation]:
             equal(-(_drift * (y + t)), -stated + (-factor) * a + (-k_z) * b), ["signs"]),
         misprint("cone-y-stated", BOUND, "y < t in the basis as the text states it (ω₂⊥·ω₁ > 0), "
             "where x = -a, z = hx - b, z' = -g give this y", solved < t, SLIP, "cone-y-flipped",
-            within=CONE),
+            context=CONE),
     )  # fmt: skip

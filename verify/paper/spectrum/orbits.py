@@ -188,7 +188,7 @@ def _cone_c2(c_: list[Term], uses: list[str]) -> Iterator[Obligation]:
             "successive states lie in the cone; so for r > 1/3 two are impossible", equal(image,
             r * (as_term(1) / 2 + k) * c_0 + ((5 * r + 1) / 8 + k * h) * c_1 + k * c_[3]), uses),
         needed("C2-large-r-sign", BOUND, "3r - 1 > 0 for r > 1/3",
-            0 < 3 * r - 1, uses, within=LARGE),
+            0 < 3 * r - 1, uses, context=LARGE),
     )  # fmt: skip
     for name, what, value in (
         ("c0", "c₀ < 0", start),
@@ -197,7 +197,7 @@ def _cone_c2(c_: list[Term], uses: list[str]) -> Iterator[Obligation]:
         ("y", "y < t", -tangential(*at[:3])),
         ("y-next", "y' < t'", -tangential(*at[3:6])),
     ):
-        yield needed(f"C2-two-{name}", BOUND, f"{says} {what}", value < as_term(0), within=SMALL)
+        yield needed(f"C2-two-{name}", BOUND, f"{says} {what}", value < as_term(0), context=SMALL)
 
 
 def tangential(first: Term, second: Term, third: Term) -> Term:
@@ -226,10 +226,10 @@ def _formal_paragraph(paper: Printed) -> Iterator[Obligation]:
         misprint("manifold",        THEOREM, "a triangular collapse is associated to iterations "
             "in a manifold of dimension 1: the orbits of E₁ + ker(𝔄-λ₀) with x = -1 keep x' < 0 "
             "(r = r(m))", dot(first_row, orbit) < as_term(0), HARMLESS, "manifold-empty",
-            within=LINE),
+            context=LINE),
         needed("manifold-empty",    THEOREM,
             "these orbits have x' = m³ > 0: they leave the cone at once, and the manifold is empty",
-            equal(dot(first_row, orbit), m**3), ["every-r"], within=LINE),
+            equal(dot(first_row, orbit), m**3), ["every-r"], context=LINE),
     )  # fmt: skip
 
 
@@ -242,7 +242,7 @@ def _full_dynamics() -> Iterator[Obligation]:
             "(v_j-v_i)·e by -(1+r)/2 g times the cosine of the angle at i: p = v_j·e, q = v_i·e, "
             "and n·e is minus that cosine",
             equal((p - (q - (1 + r) / 2 * g * -cosine)) - (p - q), -((1 + r) / 2 * g * cosine)),
-            uses, within=APPROACH),
+            uses, context=APPROACH),
         needed("full-convex", COLLAPSE, "|W|²ρ² - (W·x)² is a square in the plane of W and x: the "
             "distance ρ is convex in free flight",
             equal((p_1**2 + p_2**2) * (q_1**2 + q_2**2) - (p_1 * q_1 + p_2 * q_2) ** 2,

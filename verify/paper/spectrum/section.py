@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
+from functools import partial
 
 from verify.language.record import Record
 from verify.language.statement import Context, Given, Obligation, Variable
@@ -162,72 +163,29 @@ LETTERS = {
 
 
 class Section:
-    """The rows of one step: those of `verify.paper.rows`, each placed in its context."""
+    """The rows of one step: those of `verify.paper.rows`, in a context where they hold."""
 
     def __init__(self, group: str) -> None:
-        self.group = group
-
-    def needed(
-        self,
-        name: str,
-        label: str,
-        says: str,
-        claim: Claim,
-        uses: Iterable[str] = (),
-        *,
-        within: str = NUMBERS,
-    ) -> Obligation:
-        """A row on which the conclusions rest, for all values in the context ``within``."""
-        return _placed(needed(name, label, says, claim, uses, group=self.group), claim, within)
-
-    def printed(
-        self,
-        name: str,
-        label: str,
-        says: str,
-        claim: Claim,
-        uses: Iterable[str] = (),
-        *,
-        within: str = NUMBERS,
-    ) -> Obligation:
-        """A row of the paper on which nothing rests, and against which nothing is known."""
-        return _placed(printed(name, label, says, claim, uses, group=self.group), claim, within)
-
-    def misprint(
-        self,
-        name: str,
-        label: str,
-        says: str,
-        claim: Claim,
-        severity: str,
-        corrected_by: str,
-        uses: Iterable[str] = (),
-        *,
-        within: str = NUMBERS,
-    ) -> Obligation:
-        """A row of the paper that is refuted."""
-        row = misprint(
-            name,
-            label,
-            says,
-            claim,
-            uses,
-            group=self.group,
-            severity=severity,
-            corrected_by=corrected_by,
-        )
-        return _placed(row, claim, within)
+        self.needed = partial(needed, group=group, context=NUMBERS)
+        self.printed = partial(printed, group=group, context=NUMBERS)
+        self.misprint = partial(misprint, group=group, context=NUMBERS)
 
 
-def _placed(row: Obligation, claim: Claim, within: str) -> Obligation:
-    """The row over the variables of a context: in none, if its claim is ground."""
-    names = set(names_of(claim.lhs, claim.rhs))
+def placed(row: Obligation) -> Obligation:
+    """The row over the variables of its context: in none, if its claim is ground.
+
+    Raises:
+        TypeError: if the row compares no numbers, or is in no context.
+    """
+    if not isinstance(row.claim, Claim) or row.context is None:
+        raise TypeError(f"{row.name} is no claim about numbers in a context")
+    names = set(names_of(row.claim.lhs, row.claim.rhs))
     if not names:
-        return row
-    scope = SCOPES[within]
+        return row._replace(context=None)
+    scope = SCOPES[row.context]
     variables = {name: symbol(scope.variable(name)) for name in names}
-    there = claim if within == NUMBERS else substitute_claim(claim, variables)
-    return row._replace(claim=there, context=within)
+    here = row.context == NUMBERS
+    return row if here else row._replace(claim=substitute_claim(row.claim, variables))
 
 
 def symbols(names: str) -> tuple[Term, ...]:

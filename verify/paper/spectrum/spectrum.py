@@ -24,7 +24,7 @@ from verify.paper.spectrum.complex_pair import COMPLEX_PAIR
 from verify.paper.spectrum.orbits import COLLAPSE
 from verify.paper.spectrum.printed import THEOREM, Printed
 from verify.paper.spectrum.real_root import REAL_ROOT
-from verify.paper.spectrum.section import LETTERS, SCOPES
+from verify.paper.spectrum.section import LETTERS, SCOPES, placed
 from verify.paper.spectrum.zhou_kadanoff import EXISTENCE, RATE
 
 ASSUMPTIONS = (
@@ -90,8 +90,9 @@ def statement(paper: Printed | None = None) -> Statement:
     """The statement, for the printed matrix and polynomial or for altered ones."""
     paper = Printed() if paper is None else paper
     sections = (collision_matrices, characteristic, real_root, complex_pair, cone, orbits)
-    rows = [row for section in sections for row in section.rows(paper)]
-    rows += [*zhou_kadanoff.linear_rows(), *zhou_kadanoff.rows()]
+    found = [row for section in sections for row in section.rows(paper)]
+    found += [*zhou_kadanoff.linear_rows(), *zhou_kadanoff.rows()]
+    rows = [placed(row) for row in found]
     return Statement(THEOREM, TITLE, {}, (), tuple(contexts_of(rows)), tuple(rows), ASSUMPTIONS)
 
 

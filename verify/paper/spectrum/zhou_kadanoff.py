@@ -19,6 +19,10 @@ from verify.paper.spectrum.matrices import Matrix, apply, determinant, dot, iden
 from verify.paper.spectrum.printed import r, root_3
 from verify.paper.spectrum.section import LINEAR, SMALLER, Section, symbols
 
+EXISTENCE = "EQUATSS3.4ZKCl1CondiExist"
+STABILITY = "EQUATSS3.4ZKCl2CondiStabi"
+TEXT = "SSSCT3.4.2LineaZhou-Kadan"
+
 LAW = "EQUATSS3.4EvoluVNormLinea"
 LIMIT = "EQUATSS3.4MatriLimitLinea"
 RATE = "PROPOSS3.4CLineConveNorma"
@@ -96,7 +100,7 @@ def _rate() -> Iterator[Obligation]:
                    "complex case: the spectral radius √r is at most max((1+r)/2 |cos θ|, r), the "
                    "printed rate, where s = √r and |cos θ| = 4sk/(1+s²)",
                    s <= maximum((1 + s**2) / 2 * (4 * s * k / (1 + s**2)), s**2), severity=BREAKS,
-                   corrected_by="rate-complex", within=LINEAR)  # fmt: skip
+                   corrected_by="rate-complex", context=LINEAR)  # fmt: skip
     y = symbols("y")[0]
     yield from (
         linear.needed("rate-complex-cosine", RATE, "these angles exist: 4sk/(1+s²) ≤ 1 for k ≤ 1/2",
@@ -111,13 +115,9 @@ def _rate() -> Iterator[Obligation]:
             "y + r/y ≥ 2√r for y > 0, "
             "times y, s = √r: in a nearly-linear collapse y_{n+1} ≤ α - r/y_n with y_n > 0, which "
             "is impossible for ever if α < 2√r", equal(y**2 + s**2 - 2 * s * y, (y - s) ** 2),
-            ["zhou-kadanoff"], within=LINEAR),
+            ["zhou-kadanoff"], context=LINEAR),
     )  # fmt: skip
 
-
-EXISTENCE = "EQUATSS3.4ZKCl1CondiExist"
-STABILITY = "EQUATSS3.4ZKCl2CondiStabi"
-TEXT = "SSSCT3.4.2LineaZhou-Kadan"
 
 s, k, c = symbols("s k c")
 root_5 = sqrt(5)
@@ -194,7 +194,7 @@ def _stability() -> Iterator[Obligation]:
         needed("stability-eigenvalues",       STABILITY, "with the eigenvalues p and p²v³ it says "
             "that v < 1, the smaller one below p²: α - (r^{1/3}+r^{2/3}) = p(1-v)(1-pv²), r^{1/3} "
             "= pv", equal(p + p**2 * v**3 - (p * v + (p * v) ** 2), p * (1 - v) * (1 - p * v**2)),
-            ["signs"], within=SMALLER),
+            ["signs"], context=SMALLER),
         needed("stability-implies-existence", TEXT, "the second condition implies the first: "
             "r^{1/3}+r^{2/3} - 2√r is a square, s = r^{1/6}",
             equal(s**2 + s**4 - 2 * s**3, s**2 * (1 - s) ** 2), ["signs"]),

@@ -67,6 +67,9 @@ from verify.paper.step.numbers import (
 )
 from verify.paper.step.state import g
 
+FINE = "EQUATSS4.1Recurrence_Cnd4"
+PRODUCT = "EQUATSS4.1Lien_x_n_&_y_n_"
+
 root_two = sqrt(2)
 small = delta_2 * share / 2
 
@@ -115,8 +118,6 @@ def rearranged() -> Iterator[Item]:
 _SHARE = ("h_4-positive", "delta_x-positive")
 
 
-FINE = "EQUATSS4.1Recurrence_Cnd4"
-PRODUCT = "EQUATSS4.1Lien_x_n_&_y_n_"
 HALF = Fraction(1, 2)
 
 #: The number that the invariant on the norms shifts by at each collision.

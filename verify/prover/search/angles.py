@@ -12,6 +12,7 @@ from math import ceil
 from verify.language.terms import Claim, Term, as_term, equal, names_of, symbol
 from verify.prover.clearing import Clearing, Polynomial
 from verify.prover.goal import Goal
+from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof
 from verify.prover.rules import Angles, Interval, Sum
 from verify.prover.session import Session
@@ -163,7 +164,7 @@ class Linear:
             return other, 0, same
         sign = 1 if self.at("cos_pi", angle)[1] else -1
         number = (angle * sign).to_dict().get((0,) * len(self.atoms))
-        turns = ceil(Fraction(int(number.p), int(number.q)) - HALF) if number is not None else 0
+        turns = ceil(fraction_of(number) - HALF) if number is not None else 0
         other, same = self.at("cos_pi", angle * sign - self.clearing.constant(Fraction(turns)))
         return other, turns * sign, same == (sign == 1)
 

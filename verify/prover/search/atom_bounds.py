@@ -6,22 +6,18 @@ from collections.abc import Iterator
 from fractions import Fraction
 from math import isqrt
 
-from verify.language.record import TYPE_CHECKING
 from verify.language.terms import Claim, Term, as_term, names_of
 from verify.prover.clearing import atoms_of
+from verify.prover.goal import Goal
 from verify.prover.search.exact import ExactRanges
-
-if TYPE_CHECKING:
-    from verify.prover.search.strategy import Strategy
 
 BITS = 64
 #: Bounds have this many digits behind the point, unless they are exact.
 DIGITS = 3
 
 
-def root_bounds(strategy: Strategy) -> Iterator[Claim]:
+def root_bounds(goal: Goal) -> Iterator[Claim]:
     """Claims `low <= atom` and `atom <= high`, where all variables of the atom are bounded."""
-    goal = strategy.goal
     box = {name: bounds.ends for name, bounds in goal.variables.items()}
     ends = {name: pair for name, pair in box.items() if pair is not None}
     terms = goal.claim.lhs, goal.claim.rhs, *goal.definitions.values()
@@ -42,9 +38,11 @@ def _outward(atom: Term, low: Fraction, high: Fraction) -> Iterator[Claim]:
 
 
 def _bounds(root: Term, low: Fraction, high: Fraction) -> Iterator[Claim]:
-    below, above = _floor(low), _floor(high)
+    if high < 0:
+        return  # the root has no value
+    above = _floor(high)
     if low > 0:
-        yield Claim("<=", as_term(below), root)
+        yield Claim("<=", as_term(_floor(low)), root)
     step = 0 if above**2 == high else Fraction(1, 10**DIGITS)
     yield Claim("<=", root, as_term(above + step))
 

@@ -1,4 +1,4 @@
-"""Polynomials in a few variables on a box, by Bernstein coefficients on parts of it.
+"""Polynomials in a few variables, by Bernstein coefficients on a box or on parts of it.
 
 A part is cut where a zero is known, else in the middle. A claim about a maximum need only hold for
 one entry of it on each part.
@@ -6,29 +6,54 @@ one entry of it on each part.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from math import prod
 
 from flint import fmpq, fmpq_mpoly
 
-from verify.language.record import TYPE_CHECKING, Record
+from verify.language.record import Record
 from verify.language.terms import Term, symbol
+from verify.prover.bernstein import ANY, Side, Tensor
 from verify.prover.clearing import Clearing
-from verify.prover.proof import Proof, Value
+from verify.prover.goal import Goal
+from verify.prover.numbers import fraction_of
+from verify.prover.proof import Proof, Value, product_of
 from verify.prover.rules import Cuts, Sum
-from verify.prover.search.bernstein_tensor import Side, Tensor
-from verify.prover.search.numbers import fraction_of
-
-if TYPE_CHECKING:
-    from verify.prover.search.strategy import Strategy
+from verify.prover.search.question import Question
 
 #: More coefficients, or nested cuts, are not tried.
 MAX_SIZE = 800
 MAX_DEPTH = 40
+#: A degree in one variable is at most this much larger than that of the polynomial.
+MAX_ELEVATION = 40
 #: What leaves may cost the checker, in its units, for each part that may be tried; and at most.
 UNITS = 15_000
 MAX_UNITS = 4_500_000
+
+
+def on_interval(goal: Goal) -> Sum | None:
+    """A proof for a polynomial in one variable between two numbers, of degrees that are raised.
+
+    The divisors in the claim need their facts.
+    """
+    claim = goal.claim
+    if claim.relation == "=" or goal.constants or len(goal.variables) != 1:
+        return None
+    ((name, bounds),) = goal.variables.items()
+    replaced = {symbol(known): term for known, term in goal.definitions.items()}
+    clearing = Clearing((claim.lhs, claim.rhs), replaced)
+    side = Side.of(bounds)
+    if side is None or clearing.atoms != [symbol(name)]:
+        return None
+    tensor = Tensor.of(clearing.difference(claim.rhs, claim.lhs), [side.ends])
+    for _ in range(MAX_ELEVATION + 1):
+        addends = tensor.addends([side], strict=claim.relation == "<")
+        if addends is not None:
+            first = product_of(str(tensor.scale([side])), "goal")
+            return Sum((first, *addends), tuple(goal.definitions))
+        tensor = tensor.raised(0)
+    return None
 
 
 class Alternative(Record):
@@ -46,47 +71,35 @@ class Part(Record):
     depth: int
 
 
-def by_bernstein(
-    strategy: Strategy, zeros: Sequence[Mapping[str, Fraction]], parts: int
-) -> Proof | None:
+def by_bernstein(question: Question, parts: int) -> Proof | None:
     """A proof for a polynomial, or a quotient, in variables between numbers.
 
-    ``zeros`` are points where p may be 0; so many ``parts`` are tried at most.
+    So many ``parts`` are tried at most.
     """
-    goal = strategy.goal
-    clearing = strategy.clearing
+    goal = question.goal
+    clearing = question.clearing
     p = clearing.difference(goal.claim.rhs, goal.claim.lhs)
-    found = _alternatives(strategy, clearing, p)
+    found = _alternatives(question, clearing, p)
     names = [atom.name if atom.op == "symbol" else "" for atom in clearing.atoms]
-    sides = [_side(strategy, name) for name in names]
+    sides = [Side.of(goal.variables.get(name)) for name in names]
     used = {i for a in found for i, d in enumerate(a.polynomial.degrees()) if d > 0}
     if not used or any(sides[i] is None for i in used):
         return None
-    # What is not used gets a side all the same, of which nothing depends.
-    nothing = Side((Fraction(0), Fraction(1)), ("", ""), (False, False))
-    box = tuple(nothing if side is None else side for side in sides)
+    box = tuple(ANY if side is None else side for side in sides)
     tensors = []
     for i, alternative in enumerate(found):
         if prod(max(int(d), 0) + 1 for d in alternative.polynomial.degrees()) > MAX_SIZE:
             return None
-        strategy.budget.spend(1000)
+        question.budget.spend(1000)
         tensors.append((i, Tensor.of(alternative.polynomial, [side.ends for side in box])))
     tensors.sort(key=lambda pair: len(pair[1].coefficients))
-    points = [[zero.get(name, Fraction(0)) for name in names] for zero in zeros]
-    search = _Search(strategy, names, sorted(used), found, points)
+    points = [[zero.get(name, Fraction(0)) for name in names] for zero in question.simple_zeros]
+    search = _Search(question, names, sorted(used), found, points)
     search.most = parts
     return search.cover(Part(box, tuple(tensors), 0))
 
 
-def _side(strategy: Strategy, name: str) -> Side | None:
-    bounds = strategy.goal.variables.get(name)
-    if bounds is None or bounds.interval is None:
-        return None
-    strict = bounds.low_relation == "<", bounds.high_relation == "<"
-    return Side(bounds.interval, (bounds.low_fact, bounds.high_fact), strict)
-
-
-def _alternatives(strategy: Strategy, clearing: Clearing, p: fmpq_mpoly) -> list[Alternative]:
+def _alternatives(question: Question, clearing: Clearing, p: fmpq_mpoly) -> list[Alternative]:
     """For p = P + c m, where m is a maximum and c > 0 (or a minimum and c < 0), each P + c e."""
     extrema = [
         (i, atom)
@@ -106,14 +119,14 @@ def _alternatives(strategy: Strategy, clearing: Clearing, p: fmpq_mpoly) -> list
     rest = parts.get(0, clearing.one - clearing.one)
     return [
         Alternative(rest + factor * n, (("mul", str(fraction_of(abs(c))), fact),))
-        for entry, fact in _entries(strategy, term)
+        for entry, fact in _entries(question, term)
         for n, d in (clearing.clear(entry),)
         if d == clearing.one
     ]
 
 
-def _entries(strategy: Strategy, term: Term) -> list[tuple[Term, str]]:
-    facts = [(entry, strategy.entry(term, entry)) for entry in term.children]
+def _entries(question: Question, term: Term) -> list[tuple[Term, str]]:
+    facts = [(entry, question.entry(term, entry)) for entry in term.children]
     return [(entry, fact) for entry, fact in facts if fact is not None]
 
 
@@ -122,7 +135,7 @@ class _Search:
 
     def __init__(
         self,
-        strategy: Strategy,
+        question: Question,
         names: Sequence[str],
         used: Sequence[int],
         alternatives: Sequence[Alternative],
@@ -130,8 +143,8 @@ class _Search:
     ) -> None:
         self.names, self.used, self.zeros = names, used, zeros
         self.alternatives = alternatives
-        self.budget, self.using = strategy.budget, strategy.using
-        self.strict = strategy.goal.claim.relation == "<"
+        self.budget, self.using = question.budget, question.using
+        self.strict = question.goal.claim.relation == "<"
         self.parts = self.units = self.most = 0
 
     def cover(self, part: Part) -> Proof | None:
@@ -209,7 +222,7 @@ class _Search:
                 scale = tensor.scale(part.sides)
                 known: tuple[Value, ...] = ("goal", *self.alternatives[i].values)
                 self.units += tensor.units()
-                scaled = (v if scale == 1 else ("mul", str(scale), v) for v in known)
+                scaled = (product_of(str(scale), value) for value in known)
                 return Sum((*scaled, *addends), self.using)
         return None
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from verify.language.terms import Term
-from verify.prover.search.numbers import float_of
+from verify.prover.numbers import float_of
 
 Estimate = Callable[..., float]
 #: From the ends of all variables, low and high in turn, to the ends of each term.

@@ -8,25 +8,20 @@ Bernstein coefficients, beside parts where enclosures decide.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from math import floor
 
-from flint import fmpq
-
-from verify.language.record import TYPE_CHECKING, Record
+from verify.language.record import Record
 from verify.language.terms import Claim, Term, as_term
 from verify.prover.clearing import Polynomial
-from verify.prover.goal import Bounds, Goal
+from verify.prover.goal import Bounds
+from verify.prover.numbers import fmpq_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cosine, Sum
 from verify.prover.search.angles import HALF, Linear
-from verify.prover.search.cosine_parts import LENGTHS, Parts
-from verify.prover.search.levels import by_levels
+from verify.prover.search.question import Question
 from verify.prover.session import ZERO
-
-if TYPE_CHECKING:
-    from verify.prover.universal import Universal
 
 #: Rational bounds of pi.
 PI = (Fraction(3141592653589793, 10**15), Fraction(3141592653589794, 10**15))
@@ -64,22 +59,13 @@ def series(op: str, length: int, first: int, *, is_above: bool) -> list[Fraction
 class CosineBounds:
     """Proofs of one claim that is linear in cosines."""
 
-    def __init__(self, goal: Goal, universal: Universal, linear: Linear) -> None:
-        self.goal, self.universal, self.linear = goal, universal, linear
+    def __init__(self, question: Question, linear: Linear) -> None:
+        self.question, self.goal, self.linear = question, question.goal, linear
         self.relations, self.clearing = linear.relations, linear.clearing
         self.ring, self.one = self.clearing.context, self.clearing.one
         self.constant = linear.parts.get(None, 0 * self.one)
         self.parts = {c: p for c, p in linear.parts.items() if c is not None and p.to_dict()}
         self.facts: dict[tuple[object, ...], str | None] = {}
-
-    def proofs(self) -> Iterator[Proof | None]:
-        """By factors, on parts of an interval, or on the whole domain; -1 and 1 come first."""
-        yield by_levels(self)
-        yield self.whole(1)
-        if len(self.goal.variables) == 1 and self.goal.box:
-            yield Parts(self).proof()
-        for length in LENGTHS[:2]:
-            yield self.whole(length)
 
     # --- bounds ---------------------------------------------------------------------------------
 
@@ -116,7 +102,7 @@ class CosineBounds:
         u = angle if not bound.centre else angle - as_term(bound.centre)
         if bound.sign < 0:
             u = as_term(bound.centre) - angle
-        if odd and self.universal.fact(Claim("<=", ZERO, u), self.goal.context) is None:
+        if odd and self.question.fact(Claim("<=", ZERO, u)) is None:
             return None
         is_above = bound.is_above != bool(turns % 2)
         length = bound.length
@@ -178,7 +164,7 @@ class CosineBounds:
         claim = Claim(self.goal.claim.relation, ZERO, self.clearing.term(rest))
         if self.is_false(claim):
             return None
-        name = self.universal.fact(claim, self.goal.context)
+        name = self.question.fact(claim)
         if name is None:
             return None
         return self.sum([*addends, name])
@@ -195,7 +181,7 @@ class CosineBounds:
                 bounds = self.goal.variables.get(atom.name) if atom.op == "symbol" else None
                 low, high = _near(bounds or Bounds())
                 value = low + (high - low) * share
-                values.append(fmpq(value.numerator, value.denominator))
+                values.append(fmpq_of(value))
                 share = share * 7 % 1  # another one for each variable
             if p(*values) < 0:
                 return True
@@ -203,10 +189,8 @@ class CosineBounds:
 
     def is_false(self, claim: Claim) -> bool:
         """Whether some point shows at once that a claim is false."""
-        from verify.prover.search.strategy import Strategy
-
-        goal = self.universal.goal(claim, self.goal.context)
-        minima = Strategy(goal, self.universal).minima
+        known = self.question.known
+        minima = Question(known.goal(claim, self.goal.context), known).minima
         return bool(minima) and minima[0][0] < -1e-9
 
     def sum(self, addends: Sequence[Value]) -> Proof:
@@ -220,13 +204,3 @@ def _near(bounds: Bounds) -> tuple[Fraction, Fraction]:
     if low is None:
         low = Fraction(-8) if high is None else high - 16
     return low, low + 16 if high is None else high
-
-
-def by_cosines(goal: Goal, universal: Universal, using: tuple[str, ...]) -> Iterator[Proof | None]:
-    """Proofs of a claim in which there are cosines."""
-    linear = Linear(goal, universal.session, using)
-    if not linear.is_plain:
-        return
-    yield linear.identity(goal.claim.relation)
-    if goal.claim.relation != "=":
-        yield from CosineBounds(goal, universal, linear).proofs()

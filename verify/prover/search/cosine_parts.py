@@ -6,22 +6,21 @@ not negative on the part; on other parts enclosures decide.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from math import ceil, comb, floor
+from math import ceil, floor
 
-from verify.language.record import TYPE_CHECKING
+from verify.language.record import Record
 from verify.language.terms import Term, symbol
-from verify.prover.bernstein import coefficients, shift
+from verify.prover.bernstein import ANY, Side, Tensor
 from verify.prover.clearing import Polynomial
 from verify.prover.goal import Bounds
-from verify.prover.proof import Proof, Value
+from verify.prover.numbers import fraction_of
+from verify.prover.proof import Proof, Value, product_of, sum_of
 from verify.prover.rules import Cuts, Interval
 from verify.prover.search.angles import HALF
+from verify.prover.search.cosine_bounds import CosineBounds
 from verify.prover.search.exact import ExactRanges
-
-if TYPE_CHECKING:
-    from verify.prover.search.cosine_bounds import CosineBounds
 
 #: Numbers of terms of the series that are tried, of a lower bound; an upper one has one more.
 LENGTHS = (2, 4, 8, 12)
@@ -30,6 +29,14 @@ MAX_ELEVATION = 3
 #: Enclosures have to be so far from each other: other checkers round in other ways.
 ROOM = Fraction(1, 2**60)
 BITS = 128
+
+
+class Choice(Record):
+    """A cosine, the coefficients of its factor, and where bounds of it may be developed."""
+
+    cosine: Term
+    tensor: Tensor
+    centres: list[tuple[Fraction, int]]
 
 
 class Parts:
@@ -58,7 +65,7 @@ class Parts:
 
     def numbers(self, p: Polynomial) -> list[Fraction]:
         """The coefficients of a polynomial in the variable."""
-        found = {int(m[self.index]): Fraction(int(c.p), int(c.q)) for m, c in p.to_dict().items()}
+        found = {int(m[self.index]): fraction_of(c) for m, c in p.to_dict().items()}
         return [found.get(k, Fraction(0)) for k in range(max(found, default=0) + 1)]
 
     def _cover(self, bounds: Bounds, depth: int) -> Proof | None:
@@ -118,86 +125,58 @@ class Parts:
 
     def _leaf(self, bounds: Bounds, length: int) -> Proof | None:
         """Bernstein coefficients of what is left, on a part."""
-        low, high = bounds.ends or self.domain
-        choices: list[tuple[Term, list[Fraction], list[tuple[Fraction, int]]]] = []
+        sides = self._sides(bounds)
+        choices: list[Choice] = []
         for cosine, b in self.cosines.parts.items():
-            basis = _basis(self.numbers(b), low, high)
-            if basis is None:
+            tensors = (t for t in self._tensors(b, sides) if _has_sign(t))
+            tensor = next(tensors, None)
+            if tensor is None:
                 return None
-            choices.append((cosine, basis, self._centres(cosine, low, high)))
-        for pick in range(max((len(centres) for *_, centres in choices), default=0)):
-            found = self._bounded(bounds, length, choices, pick)
+            choices.append(Choice(cosine, tensor, self._centres(cosine, *sides[self.index].ends)))
+        for pick in range(max((len(choice.centres) for choice in choices), default=0)):
+            found = self._bounded(sides, length, choices, pick)
             if found is not None:
                 return found
         return None
 
+    def _sides(self, bounds: Bounds) -> list[Side]:
+        """A side for each atom, on none of which but the variable anything depends."""
+        side = Side.of(bounds) or ANY
+        return [side if i == self.index else ANY for i in range(len(self.cosines.linear.atoms))]
+
+    def _tensors(self, p: Polynomial, sides: Sequence[Side]) -> Iterator[Tensor]:
+        """The Bernstein coefficients of degrees that rise, divided by the scale of proofs."""
+        tensor = Tensor.of(p, [side.ends for side in sides])
+        for _ in range(MAX_ELEVATION + 1):
+            yield tensor.scaled(1 / tensor.scale(sides))
+            tensor = tensor.raised(self.index)
+
     def _bounded(
-        self,
-        bounds: Bounds,
-        length: int,
-        choices: Iterable[tuple[Term, list[Fraction], list[tuple[Fraction, int]]]],
-        pick: int,
+        self, sides: Sequence[Side], length: int, choices: Sequence[Choice], pick: int
     ) -> Proof | None:
-        low, high = bounds.ends or self.domain
         used, rest = [], -self.cosines.constant
-        for cosine, basis, centres in choices:
-            if not centres:
+        for choice in choices:
+            if not choice.centres:
                 return None
-            centre, sign = centres[min(pick, len(centres) - 1)]
-            above = max(basis) > 0
-            bound = self.cosines.bound(cosine, centre, sign, length, above)
-            rest -= self.cosines.parts[cosine] * bound.polynomial
-            used.append((cosine, bound, [abs(value) for value in basis]))
+            centre, sign = choice.centres[min(pick, len(choice.centres) - 1)]
+            above = max(choice.tensor.coefficients) > 0
+            bound = self.cosines.bound(choice.cosine, centre, sign, length, above)
+            rest -= self.cosines.parts[choice.cosine] * bound.polynomial
+            used.append((choice.cosine, bound, choice.tensor.scaled(Fraction(1 if above else -1))))
         strict = self.goal.claim.relation == "<"
-        values = _positive(self.numbers(rest), bounds, strict=strict)
+        found = (t.addends(sides, strict=strict) for t in self._tensors(rest, sides))
+        values = next((v for v in found if v is not None), None)
         if values is None:
             return None
-        addends = []
-        for cosine, bound, basis in used:
+        addends: list[Value] = []
+        for cosine, bound, tensor in used:
             name = self.cosines.fact(cosine, bound)
-            if name is None:
+            weight = tensor.addends(sides, strict=False)
+            if name is None or not weight:
                 return None
-            addends.append(("mul", name, _value(basis, bounds, high - low)))
-        return self.cosines.sum([*addends, _value(values, bounds, high - low)])
+            addends.append(product_of(name, sum_of(*weight)))
+        return self.cosines.sum([*addends, *values])
 
 
-def _basis(numbers: Sequence[Fraction], low: Fraction, high: Fraction) -> list[Fraction] | None:
-    """Bernstein coefficients of one sign."""
-    shifted = shift(numbers, low, high - low)
-    for degree in range(len(numbers) - 1, len(numbers) + MAX_ELEVATION):
-        values = coefficients(shifted, degree)
-        if min(values) >= 0 or max(values) <= 0:
-            return values
-    return None
-
-
-def _positive(
-    numbers: Sequence[Fraction], bounds: Bounds, *, strict: bool
-) -> list[Fraction] | None:
-    """Bernstein coefficients that are >= 0, and show that a number is positive if it must be."""
-    low, high = bounds.ends or (Fraction(0), Fraction(1))
-    shifted = shift(numbers, low, high - low)
-    for degree in range(len(shifted) - 1, len(shifted) + MAX_ELEVATION):
-        values = coefficients(shifted, degree)
-        if min(values) < 0:
-            continue
-        first = 0 if bounds.high_relation == "<" else degree
-        last = degree if bounds.low_relation == "<" else 0
-        if not strict or min(values) > 0 or any(values[first : last + 1]):
-            return values
-    return None
-
-
-def _value(values: Sequence[Fraction], bounds: Bounds, width: Fraction) -> Value:
-    """A polynomial with these Bernstein coefficients, as a sum of products of facts."""
-    n, parts = len(values) - 1, list[Value]()
-    smallest = min(values)
-    if smallest > 0:  # a number is strict
-        parts.append(str(smallest))
-    for k, value in enumerate(values):
-        if value > smallest:
-            number = (value - smallest) * comb(n, k) / width**n
-            powers = ((bounds.low_fact, k), (bounds.high_fact, n - k))
-            factors = [("pow", fact, e) for fact, e in powers if e]
-            parts.append(("mul", str(number), *factors))
-    return ("add", *parts) if parts else "0"
+def _has_sign(tensor: Tensor) -> bool:
+    return min(tensor.coefficients) >= 0 or max(tensor.coefficients) <= 0

@@ -16,6 +16,7 @@ from verify.language.record import Record
 from verify.language.terms import Claim, Term, names_of, symbol
 from verify.prover.clearing import Clearing, expanded
 from verify.prover.goal import Bounds, Goal
+from verify.prover.numbers import fmpq_of, fraction_of
 from verify.prover.program import ExactArithmetic, Machine, Program
 from verify.prover.proof import Value
 
@@ -112,7 +113,7 @@ class Domain:
     def number(self, value: Fraction | int) -> fmpq_mpoly:
         """A number as a polynomial."""
         value = Fraction(value)
-        return self.context.constant(fmpq(value.numerator, value.denominator))
+        return self.context.constant(fmpq_of(value))
 
     def scaled(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
         """A polynomial in the atoms as one in the scaled variables."""
@@ -144,7 +145,7 @@ class Domain:
 
     def is_zero(self, point: Sequence[Fraction]) -> bool:
         """Whether p is 0, and all facts hold, at a point in scaled coordinates."""
-        at = [fmpq(v.numerator, v.denominator) for v in point]
+        at = [fmpq_of(v) for v in point]
         return not self.p(*at) and all(f.polynomial(*at) >= 0 for f in self.facts.values())
 
     def divide_by_squares(self) -> Term | None:
@@ -175,7 +176,7 @@ class Domain:
         value: Value = name
         if size != 1:
             polynomial = polynomial / size
-            value = ("mul", str(Fraction(int(size.q), int(size.p))), name)
+            value = ("mul", str(1 / fraction_of(size)), name)
         return Factor(polynomial, value, fact.relation == "<", (plain,))
 
 

@@ -15,33 +15,36 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from flint import fmpq, fmpq_mpoly
+from flint import fmpq_mpoly
 
-from verify.language.record import TYPE_CHECKING
 from verify.language.terms import Claim, Term
 from verify.prover.clearing import expanded
 from verify.prover.goal import Bounds
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Sum
+from verify.prover.search.question import Question
 from verify.prover.search.tree import Tree
 from verify.prover.session import ZERO
 
-if TYPE_CHECKING:
-    from verify.prover.search.strategy import Strategy
-
 #: A sign that takes more leaves is not looked for here.
 SIGN_LEAVES = 40
-#: Lemmas about ends inside lemmas about ends.
-MAX_DEPTH = 9
+
+
+def by_ends(question: Question) -> Proof | None:
+    """A proof for a polynomial in more than two variables between numbers."""
+    if len(question.goal.variables) <= 2 or question.goal.box is None:
+        return None
+    polynomials = Polynomials(question)
+    return polynomials.by_ends() if polynomials.is_plain else None
 
 
 class Polynomials:
     """A claim between polynomials in variables that lie in a box: 0 < p or 0 <= p."""
 
-    def __init__(self, strategy: Strategy) -> None:
-        self.strategy, self.goal = strategy, strategy.goal
+    def __init__(self, question: Question) -> None:
+        self.question, self.goal = question, question.goal
         claim = self.goal.claim
-        self.clearing = strategy.clearing
+        self.clearing = question.clearing
         self.p = self.clearing.difference(claim.rhs, claim.lhs)
         self.atoms = self.clearing.atoms
 
@@ -60,19 +63,7 @@ class Polynomials:
 
     def lemma(self, relation: str, p: fmpq_mpoly) -> Value | None:
         """The value of a fact 0 < p or 0 <= p, which is proved now; None if that fails."""
-        if p.is_constant():
-            value = _fraction(p.leading_coefficient()) if not p.is_zero() else Fraction(0)
-            good = value > 0 or (value == 0 and relation == "<=")
-            return str(value) if good else None
-        universal = self.strategy.universal
-        depth = universal.depth
-        if depth > MAX_DEPTH:
-            return None
-        universal.depth += 1
-        try:
-            return universal.fact(Claim(relation, ZERO, self.term(p)), self.goal.context)
-        finally:
-            universal.depth = depth
+        return self.question.lemma(relation, p, self.term(p))
 
     def not_negative(self, p: fmpq_mpoly) -> bool:
         """Whether a short tree shows that a polynomial is >= 0."""
@@ -86,7 +77,7 @@ class Polynomials:
         if not all(bounds.ends for bounds in variables.values()):
             return False
         claim = Claim("<=", ZERO, self.term(p))
-        return Tree(claim, variables, {}, self.strategy.budget).prove(SIGN_LEAVES) is not None
+        return Tree(claim, variables, {}, self.question.budget).prove(SIGN_LEAVES) is not None
 
     def by_ends(self) -> Proof | None:
         """By the ends of the first variable for which that is possible."""
@@ -159,8 +150,4 @@ class Polynomials:
 
     def _sum(self, *values: Value, scale: Fraction = Fraction(1)) -> Proof:
         goal: Value = "goal" if scale == 1 else ("mul", str(scale), "goal")
-        return Sum((goal, *values), self.strategy.using)
-
-
-def _fraction(value: fmpq) -> Fraction:
-    return Fraction(int(value.p), int(value.q))
+        return Sum((goal, *values), self.question.using)

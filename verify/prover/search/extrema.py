@@ -6,47 +6,22 @@ the claim failed all of them would be, as no entry is above the maximum.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-
-from verify.language.record import TYPE_CHECKING
 from verify.language.terms import Claim, Term, equal
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cases
 from verify.prover.search.domain import Domain
 from verify.prover.search.positive import by_squares
-
-if TYPE_CHECKING:
-    from verify.prover.search.strategy import Strategy
+from verify.prover.search.question import Question
 
 #: Claims with more cases are left alone.
 MAX_CASES = 64
 MAX_ENTRIES = 9
 
 
-def extrema_of(terms: Iterable[Term], definitions: Mapping[str, Term]) -> list[Term]:
-    """The minima and maxima in terms, each after those inside it."""
-    found: dict[Term, None] = {}
-    seen: set[Term] = set()
-
-    def visit(term: Term) -> None:
-        if term in seen:
-            return
-        seen.add(term)
-        for child in term.children:
-            visit(child)
-        if term.op == "symbol" and term.name in definitions:
-            visit(definitions[term.name])
-        if term.op in ("min", "max"):
-            found[term] = None
-
-    for term in terms:
-        visit(term)
-    return list(found)
-
-
-def by_entries(strategy: Strategy, facts: Mapping[str, Claim]) -> Proof | None:
+def by_entries(question: Question) -> Proof | None:
     """The claim for one entry of its maximum (minimum), with the negation of it for the others."""
-    claim, names = strategy.goal.claim, {c: name for name, c in facts.items()}
+    facts = question.facts
+    claim, names = question.goal.claim, {c: name for name, c in facts.items()}
     for term, is_left in ((claim.rhs, False), (claim.lhs, True)):
         if term.op != ("min" if is_left else "max") or len(term.children) > MAX_ENTRIES:
             continue
@@ -57,21 +32,21 @@ def by_entries(strategy: Strategy, facts: Mapping[str, Claim]) -> Proof | None:
         if None in said:
             return None
         for i, entry in enumerate(term.children):
-            proof = _for_entry(strategy, plain, [str(name) for name in said], i, entry, is_left)
+            proof = _for_entry(question, plain, [str(name) for name in said], i, entry, is_left)
             if proof is not None:
                 return proof
     return None
 
 
 def _for_entry(
-    strategy: Strategy,
+    question: Question,
     facts: dict[str, Claim],
     said: list[str],
     index: int,
     entry: Term,
     is_left: bool,
 ) -> Proof | None:
-    goal = strategy.goal
+    goal = question.goal
     claim, term = goal.claim, goal.claim.lhs if is_left else goal.claim.rhs
     sides = (entry, claim.rhs) if is_left else (claim.lhs, entry)
     # Each of the other entries is beyond the other side: facts in the proof that it builds.
@@ -81,7 +56,7 @@ def _for_entry(
         if i != index
     }
     harder = goal._replace(claim=Claim(claim.relation, *sides))
-    domain = Domain(harder, {**facts, **beyond}, None, strategy.is_negative)
+    domain = Domain(harder, {**facts, **beyond}, None, question.is_negative)
     if not domain.is_plain or domain.has_denominators:
         return None
     for i in range(len(term.children)):
@@ -91,7 +66,7 @@ def _for_entry(
             strict = claim.relation == "<="
             domain.facts[f"@{i}"] = factor._replace(value=value, strict=strict)
     domain.goal = ("add", "goal", said[index])
-    return by_squares(domain, strategy.zeros(domain), strategy.budget, strategy.using)
+    return by_squares(domain, question.zeros(domain), question.budget, question.using)
 
 
 def _renamed(value: Value, name: str, other: Value) -> Value:
@@ -102,35 +77,34 @@ def _renamed(value: Value, name: str, other: Value) -> Value:
     return value
 
 
-def split(strategy: Strategy, facts: dict[str, Claim]) -> Proof | None:
+def by_cases(question: Question) -> Proof | None:
     """A proof in which each minimum or maximum is one of its entries."""
-    goal = strategy.goal
-    terms = extrema_of((goal.claim.lhs, goal.claim.rhs), goal.definitions)
+    facts, terms = question.facts, question.extrema
     count = 1
     for term in terms:
         count *= len(term.children)
     if not terms or count > MAX_CASES:
         return None
     plain = {n: c for n, c in facts.items() if not {c.lhs, c.rhs} & set(terms)}
-    return _split(strategy, terms, plain, {}, 0)
+    return _split(question, terms, plain, {}, 0)
 
 
 def _split(
-    strategy: Strategy,
+    question: Question,
     terms: list[Term],
     facts: dict[str, Claim],
     equations: dict[str, Claim],
     count: int,
 ) -> Proof | None:
     """The rest of the cases, below so many hypotheses."""
-    goal = strategy.goal
+    goal = question.goal
     if not terms:
         replaced = {claim.lhs: claim.rhs for claim in equations.values()}
-        domain = Domain(goal, facts, replaced, strategy.is_negative)
+        domain = Domain(goal, facts, replaced, question.is_negative)
         if not domain.is_plain:
             return None
-        using = (*strategy.using, *equations)
-        return by_squares(domain, strategy.zeros(domain), strategy.budget, using)
+        using = (*question.using, *equations)
+        return by_squares(domain, question.zeros(domain), question.budget, using)
     term, *others = terms
     branches = []
     for i, entry in enumerate(term.children):
@@ -141,7 +115,7 @@ def _split(
             for j, e in enumerate(rest)
         }
         proof = _split(
-            strategy, others, {**facts, **order}, {**equations, **equation}, count + 1 + len(rest)
+            question, others, {**facts, **order}, {**equations, **equation}, count + 1 + len(rest)
         )
         if proof is None:
             return None

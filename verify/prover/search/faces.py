@@ -15,7 +15,7 @@ from itertools import pairwise
 from flint import fmpq_mat, fmpq_mpoly
 
 from verify.language.record import Record
-from verify.prover.search.numbers import float_of, fmpq_of, fraction_of
+from verify.prover.numbers import float_of, fmpq_of, fraction_of
 from verify.prover.search.semidefinite import Matrix, Solution
 
 #: Smaller pivots are those of rounding.

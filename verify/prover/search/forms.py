@@ -11,12 +11,12 @@ from collections.abc import Sequence
 from flint import fmpq_mpoly
 
 from verify.prover.budget import WorkBudget
+from verify.prover.numbers import fraction_of
 from verify.prover.proof import Value
 from verify.prover.rules import Sum
 from verify.prover.search.bases import all_monomials, pruned
 from verify.prover.search.domain import Domain
 from verify.prover.search.faces import Block, vanishing_near
-from verify.prover.search.numbers import fraction_of
 from verify.prover.search.squares import Summand, decompose
 
 MAX_DEGREE = 8

@@ -9,16 +9,13 @@ from __future__ import annotations
 from fractions import Fraction
 from math import acos, pi
 
-from verify.language.record import TYPE_CHECKING
 from verify.language.statement import PROVED
 from verify.language.terms import Claim, Term, as_term, equal, names_of
+from verify.prover.algebraic import MAX_MULTIPLE
 from verify.prover.proof import Proof
 from verify.prover.rules import Sum
-from verify.prover.search.algebraic import MAX_MULTIPLE
+from verify.prover.search.cosine_bounds import CosineBounds
 from verify.prover.session import ZERO
-
-if TYPE_CHECKING:
-    from verify.prover.search.cosine_bounds import CosineBounds
 
 BITS = 128
 
@@ -64,7 +61,7 @@ def by_levels(bounds: CosineBounds) -> Proof | None:
 
 def _angle(bounds: CosineBounds, level: Term) -> tuple[Fraction, str] | None:
     """A rational angle whose cosine this is, and the name of that fact."""
-    ground = bounds.universal.ground
+    ground = bounds.question.known.ground
     ball = ground.ball(level, BITS)
     if ball is None or not abs(float(ball.mid())) <= 1:
         return None
@@ -78,7 +75,7 @@ def _angle(bounds: CosineBounds, level: Term) -> tuple[Fraction, str] | None:
 
 def _signs(bounds: CosineBounds, factors: list[Term], wanted: int) -> list[str] | None:
     """Facts on the signs of the factors, whose product has to have this sign."""
-    universal, relation = bounds.universal, bounds.goal.claim.relation
+    relation = bounds.goal.claim.relation
     for first in (1, -1):
         claims = [
             Claim(relation, ZERO, factor if sign == 1 else -factor)
@@ -86,7 +83,7 @@ def _signs(bounds: CosineBounds, factors: list[Term], wanted: int) -> list[str] 
         ]
         if any(bounds.is_false(claim) for claim in claims):
             continue
-        names = [universal.fact(claim, bounds.goal.context) for claim in claims]
+        names = [bounds.question.fact(claim) for claim in claims]
         known = [name for name in names if name is not None]
         if len(known) == len(names):
             return known

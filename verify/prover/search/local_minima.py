@@ -10,8 +10,8 @@ from operator import gt
 from verify.language.terms import Claim
 from verify.prover.budget import WorkBudget
 from verify.prover.goal import Goal
+from verify.prover.numbers import float_of
 from verify.prover.search.compiled import estimates
-from verify.prover.search.numbers import float_of
 
 #: How many starts there are, and how many steps from each.
 STARTS = 24

@@ -11,15 +11,13 @@ from fractions import Fraction
 from functools import reduce
 from math import gcd
 
-from verify.language.record import TYPE_CHECKING
 from verify.language.terms import Claim, Term, as_term, equal, symbol
 from verify.prover.clearing import Clearing, atoms_of
+from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof
 from verify.prover.rules import Angles, Interval, Sum
+from verify.prover.search.question import Question
 from verify.prover.session import ZERO
-
-if TYPE_CHECKING:
-    from verify.prover.search.strategy import Strategy
 
 #: Higher multiples are not used.
 MAX_MULTIPLE = 24
@@ -27,14 +25,14 @@ BITS = 128
 COSINES = ("cos", "cos_pi")
 
 
-def by_multiple_angles(strategy: Strategy) -> Proof | None:
+def by_multiple_angles(question: Question) -> Proof | None:
     """The claim with each cosine replaced by a polynomial in one of them."""
-    claim = strategy.goal.claim
+    claim = question.goal.claim
     equations: dict[Term, str] = {}
     chosen: dict[Term, Term] = {}
     for op in COSINES:
-        for base, multiples in _families(strategy, op):
-            chebyshev = Chebyshev(strategy, op, base)
+        for base, multiples in _families(question, op):
+            chebyshev = Chebyshev(question, op, base)
             for k, atom in multiples:
                 if atom != chebyshev.cosine:
                     equations[atom] = chebyshev.equation(k, atom.children[0])
@@ -42,24 +40,24 @@ def by_multiple_angles(strategy: Strategy) -> Proof | None:
     if not chosen:
         return None
     sides = [_replaced(side, chosen) for side in (claim.lhs, claim.rhs)]
-    fact = strategy.fact(Claim(claim.relation, *sides))
+    fact = question.fact(Claim(claim.relation, *sides))
     if fact is None:
         return None
-    using = (*strategy.using, *equations.values())
+    using = (*question.using, *equations.values())
     if claim.relation == "=":
         return Sum((), using, ((fact, as_term(1)),))
     return Sum(("goal", fact), using)
 
 
-def _families(strategy: Strategy, op: str) -> Iterator[tuple[Term, list[tuple[int, Term]]]]:
+def _families(question: Question, op: str) -> Iterator[tuple[Term, list[tuple[int, Term]]]]:
     """Angles u, and the cosines of their multiples in the claim, of which there are others."""
-    goal = strategy.goal
+    goal = question.goal
     atoms = atoms_of((goal.claim.lhs, goal.claim.rhs, *goal.definitions.values()), {})
     left = [a for a in atoms if a.op == op and a.children[0].op != "rational"]
     while left:
         first, family = left[0], [(Fraction(1), left[0])]
         for other in left[1:]:
-            ratio = _ratio(strategy, first.children[0], other.children[0])
+            ratio = _ratio(question, first.children[0], other.children[0])
             if ratio is not None and ratio > 0:
                 family.append((ratio, other))
         left = [atom for atom in left if all(atom != other for _, other in family)]
@@ -80,16 +78,16 @@ def _common(a: Fraction, b: Fraction) -> Fraction:
     )
 
 
-def _ratio(strategy: Strategy, a: Term, b: Term) -> Fraction | None:
+def _ratio(question: Question, a: Term, b: Term) -> Fraction | None:
     """The number q with b = q a, if there is one."""
-    replaced = {symbol(name): term for name, term in strategy.goal.definitions.items()}
+    replaced = {symbol(name): term for name, term in question.goal.definitions.items()}
     clearing = Clearing((a, b), replaced)
     (n, d), (m, e) = clearing.clear(a), clearing.clear(b)
     left, right = clearing.times(n, e), clearing.times(m, d)
     if not left.to_dict() or not right.to_dict():
         return None
     ratio = right.leading_coefficient() / left.leading_coefficient()
-    return Fraction(int(ratio.p), int(ratio.q)) if right == ratio * left else None
+    return fraction_of(ratio) if right == ratio * left else None
 
 
 def _replaced(term: Term, chosen: dict[Term, Term]) -> Term:
@@ -102,10 +100,10 @@ def _replaced(term: Term, chosen: dict[Term, Term]) -> Term:
 class Chebyshev:
     """The cosines of the multiples of one angle."""
 
-    def __init__(self, strategy: Strategy, op: str, base: Term) -> None:
-        self.strategy, self.op, self.base = strategy, op, base
-        self.session = strategy.universal.session
-        self.context = strategy.goal.context
+    def __init__(self, question: Question, op: str, base: Term) -> None:
+        self.question, self.op, self.base = question, op, base
+        self.session = question.session
+        self.context = question.goal.context
         self.cosine = Term(op, base)
 
     def angle(self, k: int) -> Term:

@@ -13,18 +13,23 @@ from itertools import combinations, islice
 from flint import fmpq_mpoly
 
 from verify.language.record import Record
-from verify.language.terms import Term
+from verify.language.terms import Claim, Term, names_of
 from verify.prover.budget import WorkBudget
-from verify.prover.proof import Value
+from verify.prover.goal import Goal
+from verify.prover.numbers import fraction_of
+from verify.prover.proof import Proof, Value
 from verify.prover.rules import Sum
+from verify.prover.search.atom_bounds import root_bounds
 from verify.prover.search.bases import all_monomials, pruned
 from verify.prover.search.domain import Domain, Factor, multiplied
 from verify.prover.search.faces import Block, vanishing, vanishing_near
 from verify.prover.search.forms import by_form
 from verify.prover.search.gradings import Gradings
+from verify.prover.search.question import MAX_FACTS, Question
 from verify.prover.search.squares import MAX_SIZE, Summand, decompose
 from verify.prover.search.zeros import zeros_in_floats
 
+FEW_ATTEMPTS, MANY_ATTEMPTS = 4, 100
 #: Programmes of more work than this are not tried.
 MAX_COST = 20_000_000
 #: Products of three facts are tried where there are not more facts than this.
@@ -39,6 +44,64 @@ class Attempt(Record):
     factors: list[Factor]
     blocks: list[Block]
     multiple: Factor | None = None
+
+
+def plain_squares(question: Question) -> Proof | None:
+    """Squares alone, for claims in which minima or maxima cancel."""
+    sides = question.goal.claim.lhs, question.goal.claim.rhs
+    if not any(side.op in ("min", "max") for side in sides) or not question.clears():
+        return None
+    domain = Domain(question.goal, {}, None, question.is_negative)
+    if not domain.is_plain or any(domain.atoms[i].op in ("min", "max") for i in domain.used):
+        return None
+    return by_squares(domain, [], question.budget, question.using)
+
+
+def few_squares(question: Question) -> Proof | None:
+    """A few attempts, for claims with minima or maxima."""
+    if not question.extrema:
+        return None
+    return _squares(question, question.goal, question.facts, FEW_ATTEMPTS)
+
+
+def many_squares(question: Question) -> Proof | None:
+    """Squares times facts."""
+    return _squares(question, question.goal, question.facts)
+
+
+def squares_with_roots(question: Question) -> Proof | None:
+    """The same, with bounds of roots and cosines, which are proved at first."""
+    bounds = {}
+    for claim in root_bounds(question.goal):
+        known = question.known.fact(claim, question.goal.context)
+        if known is not None:
+            bounds[known] = claim
+    return _squares(question, question.goal, question.facts | bounds) if bounds else None
+
+
+def wider_squares(question: Question) -> Proof | None:
+    """Squares times facts, with givens that have other variables too."""
+    bounds, names = question.known.bounds, {*question.goal.variables}
+    wider = dict(question.facts)
+    for given in question.givens():
+        own = {*names_of(given.claim.lhs, given.claim.rhs)}
+        if own & names and own <= bounds.keys() and given.claim.relation != "=":
+            names |= own
+            wider[given.name] = given.claim
+    if len(wider) == len(question.facts) or len(wider) > MAX_FACTS:
+        return None
+    variables = {name: bounds[name] for name in sorted(names)}
+    return _squares(question, question.goal._replace(variables=variables), wider)
+
+
+def _squares(
+    question: Question, goal: Goal, facts: dict[str, Claim], attempts: int = MANY_ATTEMPTS
+) -> Proof | None:
+    domain = Domain(goal, facts, None, question.is_negative)
+    if not domain.is_plain:
+        return None
+    zeros = question.zeros(domain) if goal is question.goal else []
+    return by_squares(domain, zeros, question.budget, question.using, attempts)
 
 
 def by_squares(
@@ -117,7 +180,7 @@ def _value(
     constant = square.is_constant()
     if constant:
         leading = square.leading_coefficient()
-        weight *= Fraction(int(leading.p), int(leading.q)) ** 2
+        weight *= fraction_of(leading) ** 2
     parts: list[Value] = [str(weight)] if weight != 1 or factor.value == "1" else []
     if not constant:
         parts.append(("square", domain.term(square)))

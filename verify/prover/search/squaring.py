@@ -18,17 +18,15 @@ from collections.abc import Iterator
 
 from flint import fmpq_mpoly
 
-from verify.language.record import TYPE_CHECKING, Record
+from verify.language.record import Record
 from verify.language.terms import Claim, Term, maximum
 from verify.prover.clearing import atoms_of
+from verify.prover.numbers import float_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cases, Sum
 from verify.prover.search.local_minima import Minima
-from verify.prover.search.numbers import float_of
+from verify.prover.search.question import Question
 from verify.prover.session import ZERO
-
-if TYPE_CHECKING:
-    from verify.prover.search.strategy import Strategy
 
 #: Estimates above this may be zeros.
 SLACK = -1e-7
@@ -45,19 +43,19 @@ class Isolated(Record):
     denominator: fmpq_mpoly
 
 
-def by_squaring(strategy: Strategy) -> Proof | None:
+def by_squaring(question: Question) -> Proof | None:
     """A proof by the square of one root, the others being left to the lemmas."""
-    squaring = Squaring(strategy)
+    squaring = Squaring(question)
     return next(filter(None, map(squaring.proof, squaring.isolated())), None)
 
 
 class Squaring:
     """One claim, cleared."""
 
-    def __init__(self, strategy: Strategy) -> None:
-        self.strategy, self.goal = strategy, strategy.goal
+    def __init__(self, question: Question) -> None:
+        self.question, self.goal = question, question.goal
         claim = self.goal.claim
-        self.clearing = strategy.clearing
+        self.clearing = question.clearing
         self.p = self.clearing.difference(claim.rhs, claim.lhs)
         roots = [atom for atom in self.clearing.atoms if atom.op == "sqrt"]
         self.squares = {root: self.clearing.clear(root.children[0]) for root in roots}
@@ -125,7 +123,7 @@ class Squaring:
 
     def using(self, *equations: str) -> tuple[str, ...]:
         """The definitions, and equations that hold in a branch."""
-        return (*self.strategy.using, *equations)
+        return (*self.question.using, *equations)
 
     def term(self, polynomial: fmpq_mpoly) -> Term:
         """A polynomial as a term."""
@@ -133,11 +131,11 @@ class Squaring:
 
     def lemma(self, relation: str, polynomial: fmpq_mpoly) -> Value | None:
         """The value of a fact 0 < p or 0 <= p."""
-        return self.strategy.lemma(relation, polynomial, self.term(polynomial))
+        return self.question.lemma(relation, polynomial, self.term(polynomial))
 
     def fact(self, claim: Claim) -> str | None:
         """The name of a fact, which is proved now."""
-        return self.strategy.fact(claim)
+        return self.question.fact(claim)
 
     def may_be(self, polynomial: fmpq_mpoly) -> bool:
         """Whether a polynomial is >= 0, as far as estimates tell."""
@@ -147,5 +145,5 @@ class Squaring:
             return not polynomial.to_dict() or polynomial.leading_coefficient() >= 0
         claim = Claim("<=", ZERO, self.term(polynomial))
         size = float_of(max(abs(c) for c in polynomial.coeffs()))
-        found = Minima(self.goal._replace(claim=claim), self.strategy.budget).found()
+        found = Minima(self.goal._replace(claim=claim), self.question.budget).found()
         return bool(found) and found[0][0] >= SLACK * size

@@ -9,17 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.record import TYPE_CHECKING
 from verify.language.terms import Claim, Term, as_term, names_of, symbol
 from verify.prover.goal import Bounds
 from verify.prover.proof import Proof
 from verify.prover.rules import Define, Sum
 from verify.prover.search.local_minima import Minima
+from verify.prover.search.question import Question
 from verify.prover.search.tree import Tree
 from verify.prover.session import ZERO
-
-if TYPE_CHECKING:
-    from verify.prover.search.strategy import Strategy
 
 #: Parts with fewer operations are left as they are.
 LEAST_SIZE = 6
@@ -29,13 +26,13 @@ MARGINS = (Fraction(1, 20), Fraction(1, 200), Fraction(1, 2000))
 LEAVES = 3000
 
 
-def by_subterms(strategy: Strategy) -> Proof | None:
+def by_subterms(question: Question) -> Proof | None:
     """A proof from enclosures of the largest parts that do not have all variables."""
-    goal = strategy.goal
-    parts = list(dict.fromkeys(_parts(strategy, goal.claim.lhs, goal.claim.rhs)))
+    goal = question.goal
+    parts = list(dict.fromkeys(_parts(question, goal.claim.lhs, goal.claim.rhs)))
     if goal.box is None or not 1 <= len(parts) <= MAX_PARTS:
         return None
-    ends = [(_least(strategy, part), _least(strategy, -part)) for part in parts]
+    ends = [(_least(question, part), _least(question, -part)) for part in parts]
     names = {part: f"u.{i}" for i, part in enumerate(parts)}
     for margin in MARGINS:
         bounds = {}
@@ -46,14 +43,14 @@ def by_subterms(strategy: Strategy) -> Proof | None:
             bounds[names[part]] = Bounds(_short(low - room), _short(-high + room), "low", "high")
         claim = Claim(goal.claim.relation, *(_replaced(t, names) for t in goal.claim.key[1:]))
         rest = {n: b for n, b in goal.variables.items() if n in names_of(claim.lhs, claim.rhs)}
-        if Tree(claim, bounds | rest, goal.definitions, strategy.budget).prove(LEAVES):
-            return _written(strategy, {names[part]: part for part in parts}, bounds, claim, rest)
+        if Tree(claim, bounds | rest, goal.definitions, question.budget).prove(LEAVES):
+            return _written(question, {names[part]: part for part in parts}, bounds, claim, rest)
     return None
 
 
-def _parts(strategy: Strategy, *terms: Term) -> Iterator[Term]:
+def _parts(question: Question, *terms: Term) -> Iterator[Term]:
     """The largest subterms that have some but not all of the variables, and are not small."""
-    everything = set(strategy.goal.variables)
+    everything = set(question.goal.variables)
     for term in terms:
         own = {*names_of(term)} & everything
         if not own:
@@ -61,7 +58,7 @@ def _parts(strategy: Strategy, *terms: Term) -> Iterator[Term]:
         if own < everything and _size(term) >= LEAST_SIZE:
             yield term
         else:
-            yield from _parts(strategy, *term.children)
+            yield from _parts(question, *term.children)
 
 
 def _size(term: Term) -> int:
@@ -75,11 +72,11 @@ def _replaced(term: Term, names: dict[Term, str]) -> Term:
     return Term(term.op, *children, *term.args[len(children) :]) if children else term
 
 
-def _least(strategy: Strategy, term: Term) -> Fraction | None:
-    goal = strategy.goal
+def _least(question: Question, term: Term) -> Fraction | None:
+    goal = question.goal
     variables = {n: b for n, b in goal.variables.items() if n in names_of(term)}
     part = goal._replace(claim=Claim("<=", ZERO, term), variables=variables)
-    found = Minima(part, strategy.budget).found()
+    found = Minima(part, question.budget).found()
     return Fraction(found[0][0]) if found else None
 
 
@@ -89,15 +86,15 @@ def _short(value: Fraction) -> Fraction:
 
 
 def _written(
-    strategy: Strategy,
+    question: Question,
     parts: dict[str, Term],
     bounds: dict[str, Bounds],
     claim: Claim,
     rest: dict[str, Bounds],
 ) -> Proof | None:
     """The same, with lemmas: first the enclosures, then the claim about them."""
-    goal, universal = strategy.goal, strategy.universal
-    session, place = universal.session, goal.context
+    goal, session = question.goal, question.session
+    place = goal.context
     named: dict[str, str] = {}
     known: dict[str, Bounds] = {}
     for name, part in parts.items():
@@ -108,24 +105,24 @@ def _written(
             (part, as_term(bounds[name].high or 0)),
         ):
             inner = Claim("<=", *sides)
-            proof = Tree(inner, variables, goal.definitions, strategy.budget).prove(LEAVES)
+            proof = Tree(inner, variables, goal.definitions, question.budget).prove(LEAVES)
             if proof is None:
                 return None
             found.append((inner, session.lemma(inner, proof, place)))
-        if not universal.clears((part,), place):
+        if not question.known.clears((part,), place):
             return None
         named[name] = session.fresh()
         session.define(named[name], part, Define(), place)
         facts = []
         for inner, lemma in found:
             enclosed = (symbol(named[name]) if t == part else t for t in inner.key[1:])
-            proof = Sum(("goal", lemma), (named[name], *strategy.using))
+            proof = Sum(("goal", lemma), (named[name], *question.using))
             facts.append(session.lemma(Claim("<=", *enclosed), proof, place))
         known[named[name]] = bounds[name]._replace(low_fact=facts[0], high_fact=facts[1])
     terms = {symbol(old): new for old, new in named.items()}
     outer = Claim(claim.relation, *(_replaced(t, terms) for t in claim.key[1:]))
-    proof = Tree(outer, known | rest, goal.definitions, strategy.budget).prove(LEAVES)
+    proof = Tree(outer, known | rest, goal.definitions, question.budget).prove(LEAVES)
     if proof is None:
         return None
     lemma = session.lemma(outer, proof, place)
-    return Sum(("goal", lemma), (*known, *strategy.using))
+    return Sum(("goal", lemma), (*known, *question.using))

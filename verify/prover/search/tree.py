@@ -15,11 +15,12 @@ from verify.language.record import Record
 from verify.language.terms import Claim, Term, symbol
 from verify.prover.budget import WorkBudget
 from verify.prover.goal import Bounds
+from verify.prover.numbers import float_of
 from verify.prover.proof import Proof
 from verify.prover.rules import Cuts, Interval
 from verify.prover.search.compiled import range_function
 from verify.prover.search.exact import ExactRanges
-from verify.prover.search.numbers import float_of
+from verify.prover.search.question import Question
 
 #: Bits of the checker in leaves: few, as its cosines take time in proportion.
 BITS = 48
@@ -34,6 +35,14 @@ TINY = 1e-15
 UNSURE = 1e-6
 
 Ends = tuple[Fraction, Fraction]
+
+
+def by_tree(question: Question, leaves: int) -> Proof | None:
+    """Enclosures on at most so many parts of the box."""
+    goal = question.goal
+    if goal.box is None or not goal.variables:
+        return None
+    return Tree(goal.claim, goal.variables, goal.definitions, question.budget).prove(leaves)
 
 
 class Piece(Record):

@@ -15,10 +15,10 @@ from verify.language.terms import Claim, symbol
 from verify.prover.budget import WorkBudget
 from verify.prover.clearing import expanded
 from verify.prover.goal import Bounds, Goal
+from verify.prover.numbers import float_of, fmpq_of
 from verify.prover.search.domain import Domain
 from verify.prover.search.faces import gauss, value_at
 from verify.prover.search.local_minima import Minima
-from verify.prover.search.numbers import float_of, fmpq_of
 from verify.prover.session import ZERO
 
 #: A minimum below this, for coefficients of size 1, may be a zero.

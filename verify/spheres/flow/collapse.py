@@ -17,6 +17,8 @@ from verify.spheres.flow.law import Number, State
 #: By how much the iteration widens what it finds, so that inequalities become strict.
 SLACK = 1.001
 ROUNDS = 60
+#: How many decimals of a root are taken, the next where there is none.
+ROOT_PLACES = (12, 50, 200)
 #: Widths of ratios below this one are not worth a float, and nothing is smaller than that one.
 LEAST, TINY = 1e-11, 1e-250
 
@@ -36,15 +38,29 @@ class Start(Record):
 
 
 class Collapse(Record):
-    """The numbers of the sharper theorem, and its conclusions about time and angle."""
+    """The numbers of the sharper theorem, or of that on a line, and what these conclude."""
 
     numbers: Mapping[str, Number]
     start: Start
     time: tuple[Number, Number]
 
     @property
+    def is_on_a_line(self) -> bool:
+        """Whether the spheres are on a line."""
+        return "E" in self.numbers
+
+    @property
+    def ratio(self) -> float:
+        """About how much shorter the time that is left becomes with each collision."""
+        if self.is_on_a_line:
+            return 1 - 1 / balls.as_float(self.numbers["E"])
+        return balls.as_float(self.numbers["m"] / self.numbers["p"])
+
+    @property
     def angle(self) -> tuple[Fraction, Fraction]:
         """Between what -cos of the final angle lies."""
+        if self.is_on_a_line:
+            return Fraction(1), Fraction(1)
         C, theta = (balls.as_fraction(self.numbers[name]) for name in ("C_0", "Theta"))
         return C - theta, min(C + theta, Fraction(1))
 
@@ -79,6 +95,36 @@ def find_collapse(r: Fraction, state: State, time: Number) -> Collapse | None:
         return None
     T, eta_0, p, Y = (numbers[name] for name in ("T", "eta_0", "p", "Y"))
     return Collapse(numbers, start, (time, time + T * eta_0 / (1 - p - Y)))
+
+
+def find_line_collapse(r: Fraction, state: State, time: Number) -> Collapse | None:
+    """Why spheres on a line collapse; None if balls do not show it."""
+    if not (state.lam > 0 and state.C > 0):
+        return None
+    start, half = start_of(state), (1 + r) / 2
+    if not (start.y > 0 and start.eta_s > 0 and start.d > 0):
+        return None
+    least = _fixed_point(half, r)
+    if least is None:
+        return None
+    q = start.eta_s / start.y
+    Q = max(balls.as_fraction(_above(q)), least)
+    if not (2 * Q < half and r <= Q * (half - Q) and start.eta_s <= balls.exact(Q) * start.y):
+        return None
+    E = balls.exact((half - Q) / (half - 2 * Q))
+    later = E * (start.d / start.y)
+    return Collapse({"Q": balls.exact(Q), "E": E}, start, (time, time + later))
+
+
+def _fixed_point(half: Fraction, r: Fraction) -> Fraction | None:
+    """A rational number just above the smaller root of Q(half - Q) = r; None without two roots."""
+    discriminant = half**2 - 4 * r
+    for places in ROOT_PLACES:
+        scale = 10**places
+        root = math.isqrt(max(0, math.floor(discriminant * scale**2)))
+        if root:
+            return (half - Fraction(root, scale)) / 2
+    return None
 
 
 def may_collapse(r: float, C: float) -> bool:

@@ -86,9 +86,10 @@ class Progress:
 
     def __init__(self, plane: Plane | BorderStrip) -> None:
         first = plane.level if isinstance(plane, BorderStrip) else FIRST_LEVEL
+        self.document = plane_document(plane)
         header = {
             "format": FORMAT,
-            "plane": plane_document(plane),
+            "plane": self.document,
             "first_level": first,
             "code": CODE,
         }

@@ -40,4 +40,15 @@ ASSUMPTIONS = (
         "and its final angle are as it says, and as the rows time and angle enclose them.",
         "numbered glue",
     ),
+    Assumption(
+        "scene-on-a-line",
+        "EQUATSS2.1_Loi_de_Newton_",
+        "2. By the rows line.n all relative positions and velocities at the start are multiples of "
+        "one vector, so that the particles stay on a line. After the last collision s and o are in "
+        "contact, and o is between s and c, by the row between; by the row unit, which applies the "
+        "flow, they part at η and o and c close at y, at the distance d from contact: 0 and c of "
+        "the theorem on a line meet after d/y. So that applies to this state: the particles "
+        "collapse within the time that it says, as the rows time enclose it, and the angle is π.",
+        "numbered glue",
+    ),
 )

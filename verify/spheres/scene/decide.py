@@ -7,10 +7,10 @@ from fractions import Fraction
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.spheres.flow.collapse import Collapse, find_collapse
+from verify.spheres.flow.collapse import Collapse, find_collapse, find_line_collapse
 from verify.spheres.flow.criteria import Criterion, finitely_many
 from verify.spheres.flow.follow import Flow, UnclearError
-from verify.spheres.flow.line import LineRun, follow_line
+from verify.spheres.flow.line import LineRun, follow_line, is_on_a_line
 from verify.spheres.scene.scene import Scene
 
 COLLAPSES, DISPERSES, FINITE, UNDECIDED = "collapses", "disperses", "finite", "undecided"
@@ -90,10 +90,9 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
         wait = found_at = 0
         try:
             while True:
-                now = flow.now
                 end = None
-                if now is not None and wait <= 0:
-                    end = find_collapse(scene.r, now.state, now.time)
+                if flow.now is not None and wait <= 0:
+                    end = find_end(flow)
                     wait = len(flow.collisions) // PATIENCE
                 if end is not None:
                     known, found_at = Fate(COLLAPSES, "", flow, end), len(flow.collisions)
@@ -114,10 +113,20 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
         return Fate(UNDECIDED if criterion is None else FINITE, reason, flow, None, criterion)
 
 
+def find_end(flow: Flow) -> Collapse | None:
+    """Why the spheres collapse, as the moment after the last collision shows it."""
+    now, r = flow.now, flow.scene.r
+    if now is None:
+        return None
+    if is_on_a_line(flow.scene):
+        return find_line_collapse(r, now.state, now.time)
+    return find_collapse(r, now.state, now.time)
+
+
 def _at_last(known: Fate, found_at: int, digits: int | None) -> Fate:
     """A collapse as the last state shows it, or else the one after so many collisions."""
-    flow, now = known.flow, known.flow.now
-    end = None if now is None else find_collapse(flow.scene.r, now.state, now.time)
+    flow = known.flow
+    end = find_end(flow)
     if end is None:
         flow.end_after(found_at)
         return known
@@ -128,8 +137,7 @@ def more_collisions(end: Collapse, digits: int | None) -> int:
     """About how many collisions later the enclosures may be tight enough."""
     low, high = end.time
     share = balls.as_float((high - low) / high) * 10.0 ** (digits or 0)
-    ratio = balls.as_float(end.numbers["m"] / end.numbers["p"])
-    return max(1, int(math.log(max(share, 1.0)) / -math.log(ratio)) - 1)
+    return max(1, int(math.log(max(share, 1.0)) / -math.log(end.ratio)) - 1)
 
 
 def is_tight(end: Collapse, digits: int | None) -> bool:

@@ -47,10 +47,10 @@ def read_scene(where: str, content: bytes) -> Scene:
         raise InputError(f"{where}: r: {shown(str(r))} is not in ]0,1[; write for example 3/100")
     scene = Scene(r, _rows(where, "positions", table), _rows(where, "velocities", table))
     lengths = {len(row) for row in (*scene.positions, *scene.velocities)}
-    if len(lengths) > 1 or not 2 <= scene.dimension <= MAX_DIMENSION:
+    if len(lengths) > 1 or not 1 <= scene.dimension <= MAX_DIMENSION:
         raise InputError(
             f"{where}: the vectors have {', '.join(map(str, sorted(lengths)))} coordinates; write "
-            f"the same number for all, from 2 to {MAX_DIMENSION}"
+            f"the same number for all, from 1 to {MAX_DIMENSION}"
         )
     _apart(where, scene)
     return scene
@@ -58,7 +58,7 @@ def read_scene(where: str, content: bytes) -> Scene:
 
 def is_in_range(scene: Scene) -> bool:
     """Whether r and the dimension are such that a file of this scene can be read."""
-    return 0 < scene.r < 1 and 2 <= scene.dimension <= MAX_DIMENSION
+    return 0 < scene.r < 1 and 1 <= scene.dimension <= MAX_DIMENSION
 
 
 def _table(where: str, content: bytes) -> dict[str, Any]:

@@ -6,7 +6,7 @@ collision, and what decides the scene, to the state after the last one.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from verify.language.record import Record
@@ -24,12 +24,20 @@ from verify.spheres.flow.law import (
 from verify.spheres.flow.spaces import LETTERS
 from verify.spheres.flow.theorem import NAME as FLOW
 from verify.spheres.scene.criteria import INELASTIC, RECEDING, SAYS, inelastic, turning, whole
-from verify.spheres.scene.scene import FIRST_FRAMES, PAIRS, Coordinates, Frame, Scene, pair_name
+from verify.spheres.scene.scene import (
+    FIRST_FRAMES,
+    PAIRS,
+    Coordinates,
+    Frame,
+    Scene,
+    difference,
+    pair_name,
+)
 
 LABEL = "EQUATSS2.1_Loi_de_Newton_"
 #: The theorems that are cited besides the flow.
-SHARPER, CLASSIFICATION = "sharper", "classification"
-START = f"{SHARPER}:start"
+SHARPER, CLASSIFICATION, ON_A_LINE = "sharper", "classification", "line"
+START, LINE_START = f"{SHARPER}:start", f"{ON_A_LINE}:start"
 #: The name of the constant for the time of a move.
 TIME = "time"
 r = symbol("r")
@@ -209,11 +217,39 @@ class Telling:
         self.row(f"finite.{name}", SAYS[criterion], claim, "scene", "scene-finite")
 
     def collapse(self, found: Numbers) -> None:
-        """The sharper theorem applies; when, and at which angle, the particles collapse."""
+        """A theorem applies; when, and at which angle, the particles collapse."""
         state, value = self._next(), found.values
         unit = readings.unit_of(state, sqrt, self.keep)
         at = _of(readings.UNIT, {**state._asdict(), **unit._asdict()})
         self.apply(f"unit.{self.moves}", "this state with unit vectors", readings.UNIT, at)
+        is_on_a_line = "E" in value
+        if is_on_a_line:
+            later = self._collapse_on_a_line(unit, value)
+        else:
+            later = self._collapse_in_space(state, unit, value)
+        low, high = found.time
+        self.row("time-from", "the collapse is not before", as_term(low) <= self.time)
+        self.row("time-to", "nor after", self.time + later <= as_term(high))
+        if not is_on_a_line:
+            (least, most), (C_0, theta) = found.angle, (value["C_0"], value["Theta"])
+            says = "the final -cos θ is at least"
+            self.row("angle-from", says, as_term(least) <= as_term(C_0 - theta))
+            highest = as_term(min(C_0 + theta, Fraction(1)))
+            self.row("angle-to", "and at most", highest <= as_term(most))
+
+    def _applies(self, start: str, values: Mapping[str, Number], *uses: str) -> None:
+        o, s, c = self.frame
+        says = (
+            f"from here on {pair_name(o, c)} and {pair_name(o, s)} collide in turn for ever, in "
+            "finite time"
+        )
+        at = {name: as_term(value) for name, value in values.items()}
+        self.row("collapse", says, Applies(start, at), "scene", *uses)
+
+    def _collapse_in_space(
+        self, state: State, unit: readings.Unit, value: Mapping[str, Fraction]
+    ) -> Term:
+        """The sharper theorem applies; a bound of the time that is left."""
         start = {
             "y": unit.closing,
             "eta_s": unit.parting,
@@ -225,23 +261,31 @@ class Telling:
             "w": state.w,
             "d": unit.distance,
         }
-        o, s, c = self.frame
-        values = {name: as_term(x) for name, x in value.items()}
-        values |= {f"{name}_start": as_term(term) for name, term in start.items()}
-        says = (
-            f"from here on {pair_name(o, c)} and {pair_name(o, s)} collide in turn for ever, in "
-            "finite time"
-        )
-        self.row("collapse", says, Applies(START, values), "scene", "scene-collapses")
-        (low, high), (least, most) = found.time, found.angle
-        later = value["T"] * value["eta_0"] / (1 - value["p"] - value["Y"])
-        self.row("time-from", "the collapse is not before", as_term(low) <= self.time)
-        self.row("time-to", "nor after", self.time + later <= as_term(high))
-        C_0, theta = value["C_0"], value["Theta"]
-        self.row(
-            "angle-from", "the final -cos θ is at least", as_term(least) <= as_term(C_0 - theta)
-        )
-        self.row("angle-to", "and at most", as_term(min(C_0 + theta, Fraction(1))) <= as_term(most))
+        at = {**value, **{f"{name}_start": term for name, term in start.items()}}
+        self._applies(START, at, "scene-collapses")
+        return as_term(value["T"] * value["eta_0"] / (1 - value["p"] - value["Y"]))
+
+    def _collapse_on_a_line(self, unit: readings.Unit, value: Mapping[str, Fraction]) -> Term:
+        """The theorem on a line applies; a bound of the time that is left."""
+        for number, claim in enumerate(self._parallel(), 1):
+            self.row(f"line.{number}", "the relative positions and velocities are on a line", claim)
+        says = f"particle {self.frame[0]} is between the two others"
+        self.row("between", says, 0 < as_term(unit.cosine))
+        first = self.keep("first", as_term(unit.distance) / as_term(unit.closing))
+        numbers = {"r": r, **value, "y": unit.closing, "eta": unit.parting, "T": first}
+        self._applies(LINE_START, _of("start", numbers), "scene-on-a-line")
+        return as_term(value["E"]) * first
+
+    def _parallel(self) -> Iterator[Claim]:
+        """That all relative positions and velocities are multiples of one of them."""
+        first, exact = (difference(rows.x, 0, 1) for rows in (self.given, self.exact))
+        place = next(i for i, value in enumerate(exact) if value)
+        others = [difference(self.given.x, 0, 2)]
+        others += [difference(self.given.v, 0, i) for i in (1, 2)]
+        for other in others:
+            for i, value in enumerate(other):
+                if i != place:
+                    yield equal(value * first[place], other[place] * first[i])
 
 
 def _of(context: str, values: Mapping[str, Number]) -> dict[str, Number]:

@@ -2,17 +2,72 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
+from verify.language.record import Record
 from verify.prover import balls
 from verify.prover.decimals import outward
+from verify.spheres.flow.collapse import Start, start_of
 from verify.spheres.flow.follow import name_of
 from verify.spheres.flow.law import Number
 from verify.spheres.flow.theorem import NAME as FLOW
 from verify.spheres.scene.criteria import SAYS
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Fate
-from verify.spheres.scene.telling import CLASSIFICATION, SHARPER
+from verify.spheres.scene.scene import Scene
+from verify.spheres.scene.telling import CLASSIFICATION, ON_A_LINE, SHARPER
+
+
+class Told(Record):
+    """What is told of a scene; ``time`` and ``angle`` enclose those of a collapse."""
+
+    scene: Scene
+    bits: int
+    verdict: str
+    reason: str
+    theorems: Sequence[str]
+    central: int | None
+    collisions: int
+    pairs: Sequence[str]
+    time: tuple[Fraction, Fraction] | None
+    angle: tuple[Fraction, Fraction] | None
+    lines: Sequence[str]
+
+
+class Step(Record):
+    """A collision: its pair, which two they are (o and c), its time, and the state after it."""
+
+    pair: str
+    hit: tuple[int, int]
+    time: Number
+    after: Start
+
+
+def told(found: Fate) -> Told:
+    """What is told of a scene."""
+    end = found.collapse
+    return Told(
+        found.flow.scene,
+        found.flow.bits,
+        found.verdict,
+        reason(found),
+        theorems(found),
+        central(found),
+        found.collisions,
+        pairs_of(found),
+        time_ends(found),
+        None if end is None else end.angle,
+        list(scene_lines(found)),
+    )
+
+
+def steps(found: Fate) -> Iterator[Step]:
+    """The collisions that were followed."""
+    with balls.precision(found.flow.bits):
+        for move in found.flow.collisions:
+            o, _, c = move.before.frame
+            pair, after = name_of(move.before.frame), start_of(move.after.state)
+            yield Step(pair, (o, c), move.after.time, after)
 
 
 def pairs_of(found: Fate) -> list[str]:
@@ -43,7 +98,8 @@ def time_ends(found: Fate) -> tuple[Fraction, Fraction] | None:
 def reason(found: Fate) -> str:
     """What shows the verdict, or why there is none."""
     if found.verdict == COLLAPSES:
-        holds = "the conditions of the sharper theorem hold after the last collision"
+        which = "theorem on a line" if _is_on_a_line(found) else "sharper theorem"
+        holds = f"the conditions of the {which} hold after the last collision"
         return f"{holds}; not as tight as asked for: {found.reason}" if found.reason else holds
     if found.criterion is not None:
         return SAYS[found.criterion.name]
@@ -52,8 +108,13 @@ def reason(found: Fate) -> str:
 
 def theorems(found: Fate) -> list[str]:
     """The names of the theorems on which a verdict rests; none without a verdict."""
-    last = {COLLAPSES: [SHARPER], FINITE: [CLASSIFICATION], DISPERSES: []}
+    shown_by = ON_A_LINE if _is_on_a_line(found) else SHARPER
+    last = {COLLAPSES: [shown_by], FINITE: [CLASSIFICATION], DISPERSES: []}
     return [FLOW, *last[found.verdict]] if found.verdict in last else []
+
+
+def _is_on_a_line(found: Fate) -> bool:
+    return found.collapse is not None and found.collapse.is_on_a_line
 
 
 def scene_lines(found: Fate) -> Iterator[str]:

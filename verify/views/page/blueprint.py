@@ -6,10 +6,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from html import escape
 
 from verify.language.record import Record
-from verify.language.statement import PRINTED, REFUTED
-from verify.paper.numbering import printed_numbers
+from verify.language.statement import PRINTED, REFUTED, Publication
 from verify.prover.outcome import Outcome
-from verify.views.graph import Graph, graph
+from verify.views.graph import Graph, graph, levels
 
 WIDTH, COLUMNS = 420, 4
 BOX, HEIGHT, STEP = 92, 40, 76
@@ -44,15 +43,6 @@ def edges_between_labels(found: Graph) -> Edges:
     return edges
 
 
-def levels(edges: Edges) -> dict[str, int]:
-    """How far each label is from what it rests on; an edge that closes a circle does not count."""
-    found: dict[str, int] = {}
-    for label in edges:
-        known = [found[source] for source in edges[label] if source in found]
-        found[label] = 1 + max(known, default=-1)
-    return found
-
-
 def direct(edges: Edges, level: Mapping[str, int]) -> Edges:
     """The edges that lead down, without those that follow from others."""
     down = {
@@ -72,10 +62,10 @@ def direct(edges: Edges, level: Mapping[str, int]) -> Edges:
     }
 
 
-def proof_drawing(everywhere: Outcome, point: Outcome) -> str:
+def proof_drawing(everywhere: Outcome, point: Outcome, paper: Publication) -> str:
     """The graph of the theorem for all parameters; what is refuted at the point is hatched."""
     edges = edges_between_labels(graph(everywhere))
-    formulas = {label: _formula(label, everywhere, point) for label in edges}
+    formulas = {label: _formula(label, everywhere, point, paper) for label in edges}
     level = levels(edges)
     place = dict(_places(level))
     height = max(y for _, y in place.values()) + HEIGHT + 60
@@ -100,14 +90,14 @@ def proof_drawing(everywhere: Outcome, point: Outcome) -> str:
     )
 
 
-def _formula(label: str, everywhere: Outcome, point: Outcome) -> Formula:
+def _formula(label: str, everywhere: Outcome, point: Outcome, paper: Publication) -> Formula:
     rows = sum(row.label == label for row, _ in everywhere.rows)
     refuted = [
         row.name
         for row, found in point.rows
         if row.label == label and row.role == PRINTED and found.verdict == REFUTED
     ]
-    return Formula(label, printed_numbers().get(label, label), rows, refuted)
+    return Formula(label, paper.number(label), rows, refuted)
 
 
 def _places(found: Mapping[str, int]) -> Iterator[tuple[str, tuple[float, float]]]:

@@ -1,30 +1,118 @@
-"""The files of the report."""
+"""The files of the report: one template says it all, and is set in HTML and in Markdown."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import os
+from base64 import b64encode
+from collections.abc import Iterable
+from importlib.resources import files as package_files
+from typing import Any
 
-from verify.paper.commands.covers import DEPTH
-from verify.paper.commands.everywhere import decide_everywhere
-from verify.paper.commands.report import Material, folder_names, read_material
-from verify.paper.commands.report_maps import log_names
-from verify.paper.commands.scene_statements import read_back
-from verify.paper.parameters import THEOREM
-from verify.views.page.constants import latex
-from verify.views.page.content import EVERYWHERE, SUBTITLE, TITLE, content
-from verify.views.page.html import html
-from verify.views.page.text import markdown
-from verify.views.page.theorems import SCENES
+from verify import __version__
+from verify.language.statement import (
+    BREAKS,
+    HARMLESS,
+    PRINTED,
+    PROVED,
+    REFUTED,
+    REPAIRED,
+    SLIP,
+)
+from verify.language.terms import Claim
+from verify.prover.decimals import outward
+from verify.prover.outcome import Outcome
+from verify.views import classification, everywhere
+from verify.views.material import Material
+from verify.views.page import rows
+from verify.views.page.blueprint import proof_drawing
 from verify.views.plots import Pictures, collapses, figures, maps
-from verify.views.plots.collapse import Story, animation, story
-from verify.views.plots.drawing import standalone, svg
-from verify.views.plots.figure import Figure
-from verify.views.plots.shapes import Panel
+from verify.views.plots.collapse import animation, film
+from verify.views.plots.drawing import SCHEMES, standalone, svg
+from verify.views.plots.letters import letters_drawing
+from verify.views.plots.shapes import Figure, Panel
+from verify.views.point import in_numbers, place
+from verify.views.setting import TEMPLATES, in_html, in_markdown
+from verify.views.words import (
+    CONDITIONALLY_PROVED,
+    constants_of,
+    counts,
+    ends_of,
+    given_by,
+    headline,
+    in_letters,
+)
+
+TITLE = "Three particles collapse: what is proved"
+#: Where the scenes are: a folder of folders.
+SCENES = "scenes/"
+
+#: The classes of refuted steps, the worst first: anchor and title.
+CLASSES = (
+    (BREAKS, "breaking", "Steps that break the argument"),
+    (HARMLESS, "harmless", "False, but harmless there"),
+    (SLIP, "slips", "Slips of wording"),
+    (None, "", ""),
+)
+SETS = (
+    ("", "The first constants"),
+    (PRINTED, "The set as printed"),
+    (REPAIRED, "The repaired set"),
+)
+MEASURED = (
+    ("bench", "speed", "Appendix: speed", "verify bench"),
+    ("stress", "stability", "Appendix: numerical stability on hard cases", "verify stress"),
+)
 
 
-def number_of_steps(directory: str, *, draw: bool) -> int:
-    """How often `files` tells its progress."""
-    return len(folder_names(directory)) + len(log_names(directory)) + (2 if draw else 1)
+def files(material: Material, *, draw: bool) -> dict[str, bytes]:
+    """Every file of the report; without drawings the page has none, and there is no picture."""
+    pictures = _pictures(material)
+    drawn = {figure.name: _drawn(figure) if draw else [] for figure in pictures.all}
+    made: dict[str, bytes] = {}
+    if draw:
+        for name, story in material.stories.items():
+            drawn[name].insert(0, animation(film(story), name))
+        region = material.plotted.region.everywhere
+        drawn["proof"] = [proof_drawing(region, material.main, material.paper)]
+        drawn["letters"] = [letters_drawing()]
+        made["picture.svg"] = standalone(readme_picture(pictures.plots[0])).encode()
+    found = _content(material) | {"pictures": pictures, "drawn": drawn}
+    return {
+        "index.html": in_html("page.j2", found, FILTERS).encode(),
+        "index.md": in_markdown("page.j2", found, FILTERS).encode(),
+        "constants.tex": found["latex"].encode(),
+        **made,
+    }
+
+
+# --- drawings ------------------------------------------------------------------------------------
+
+
+def _pictures(material: Material) -> Pictures:
+    precision = material.measurements.get("bench", {}).get("precision")
+    told = (
+        "Each box is a formula of the paper, by its printed number; lines lead down from what it "
+        "rests on, as far as other lines do not say so already. A box leads to its rows. Hatched: "
+        f"printed steps with this label are refuted at {place(material.main)}. All facts, "
+        f"{len(material.plotted.region.everywhere.steps)} steps of the certificate, one by one: "
+        "verify graph --out proof.svg."
+    )
+    state = "Three spheres just after a collision of 0 and s; the next one is that of 0 and c."
+    return Pictures(
+        figures(material.plotted, precision),
+        Figure("proof", "Theorem 1, repaired, for all parameters", told, ()),
+        Figure("letters", "A state just after a collision", state, ()),
+        collapses(material.stories),
+        maps(material.maps, material.strips),
+    )
+
+
+def _drawn(figure: Figure) -> list[str]:
+    """The panels of a figure."""
+    return [
+        svg(f"{figure.name}-{number}", [panel], alternative_text(figure, panel))
+        for number, panel in enumerate(figure.panels)
+    ]
 
 
 def alternative_text(figure: Figure, panel: Panel) -> str:
@@ -39,55 +127,145 @@ def readme_picture(figure: Figure) -> str:
     )
 
 
-def files(
-    directory: str, draw: bool, progress: Callable[[str], None], depth: int = DEPTH
-) -> dict[str, bytes]:
-    """Every file of the report; without drawings the page has none, and there is no picture.
+# --- the template --------------------------------------------------------------------------------
 
-    Args:
-        directory: where the certificates are.
-        draw: whether to draw.
-        progress: is told what is being done.
-        depth: how many times a side of the plane of parameters is halved.
 
-    Raises:
-        CertificateError: for files that cannot be used, or a certificate that is not accepted.
-    """
-    material = read_material(directory, progress)
-    progress("enclosing what the plots show")
-    found = [folder.outcome for folder in material.about(EVERYWHERE)]
-    everywhere = found[0] if found else decide_everywhere()
-    stories = dict(_stories(material))
-    precision = material.measurements.get("bench", {}).get("precision")
-    plots = figures(everywhere, precision, depth)
-    pictures = Pictures(plots, collapses(stories), maps(material.maps, material.strips))
-    drawn: dict[str, list[str]] = {}
-    made: dict[str, bytes] = {}
-    if draw:
-        progress("drawing")
-        for figure in pictures.all:
-            drawn[figure.name] = [
-                svg(f"{figure.name}-{index}", [panel], alternative_text(figure, panel))
-                for index, panel in enumerate(figure.panels)
-            ]
-        for name, story in stories.items():
-            drawn[name].insert(0, animation(story, name))
-        made["picture.svg"] = standalone(readme_picture(plots[0])).encode()
-    blocks = content(material, everywhere, pictures, drawn)
-    main = material.about(THEOREM)[0].outcome
+def title(outcome: Outcome) -> str:
+    """The title of a theorem as the start of a sentence."""
+    text = in_letters(outcome.statement.title)
+    return text[:1].upper() + text[1:]
+
+
+def constant(outcome: Outcome, name: str) -> rows.Number | None:
+    """The value of a constant of the repaired set."""
+    return rows.number_of(ends_of(outcome, f"{REPAIRED}.{name}"))
+
+
+def of_severity(found: Iterable[rows.Row], severity: str | None) -> list[rows.Row]:
+    """The rows of one class."""
+    return [(row, decision) for row, decision in found if row.severity == severity]
+
+
+#: What the template asks of outcomes and rows.
+FILTERS = (
+    *(constant, constants_of, counts, headline, in_numbers, of_severity, place, title),
+    *(rows.of_role, rows.rows_as_printed, rows.with_verdict),
+)
+
+
+def _content(material: Material) -> dict[str, Any]:
+    """What the template speaks of."""
+    main, paper = material.main, material.paper
+    printed = rows.rows_as_printed(main)
+    refuted = rows.with_verdict(printed, REFUTED)
+    proved = rows.with_verdict(main.of_group(REPAIRED), PROVED)
+    apart = [folder for folder in material.folders if folder.name.startswith(SCENES)]
+    region = material.plotted.region.everywhere
     return {
-        "index.html": html(TITLE, SUBTITLE, blocks).encode(),
-        "index.md": markdown(TITLE, blocks).encode(),
-        "constants.tex": latex(main).encode(),
-        **made,
+        "material": material,
+        "main": main,
+        "everywhere": material.about(region.statement.theorem),
+        "scenes": apart,
+        "others": [
+            folder
+            for folder in material.folders
+            if folder.outcome.statement.theorem != paper.theorem and folder not in apart
+        ],
+        "printed_rows": printed,
+        "refuted": refuted,
+        "alone": sum(row.name.startswith("printed.alone-") for row, _ in refuted),
+        "closing": sum(isinstance(row.claim, Claim) for row, _ in proved),
+        "writer": rows.Writer(main, paper),
+        "writer_of": lambda outcome: rows.Writer(outcome, paper),
+        "given": lambda outcome: given_by(outcome, paper),
+        "printed": paper.printed,
+        "coq": checked_in_coq(material),
+        "latex": latex(main),
+        "subtitle": (
+            f"{paper.authors}, {paper.title} (its companion is {paper.companion}): Theorem 1 and "
+            "the spectrum of its linear model, every inequality decided in rigorous arithmetic."
+        ),
+        "style": style(),
+        "version": __version__,
+        "TITLE": TITLE,
+        "CLASSES": CLASSES,
+        "SETS": SETS,
+        "MEASURED": MEASURED,
+        "CONDITIONALLY_PROVED": CONDITIONALLY_PROVED,
+        "EVERYWHERE_IN_WORDS": everywhere.THEOREM,
+        "SETTING": classification.SETTING,
+        "THEOREMS": classification.THEOREMS,
+        "LONG": rows.LONG,
     }
 
 
-def _stories(material: Material) -> Iterator[tuple[str, Story]]:
-    """The committed scenes that collapse."""
-    for folder in material.folders:
-        if folder.name.startswith(SCENES):
-            scene = read_back(folder.outcome.statement.parameters)
-            shown = None if scene is None else story(scene)
-            if shown is not None:
-                yield folder.name.removeprefix(SCENES), shown
+def checked_in_coq(material: Material) -> str:
+    """All, or how many and which not: a file that has changed since is not counted."""
+    times = [second for second in material.coq.seconds.values() if second is not None]
+    missing = [name for name, second in material.coq.seconds.items() if second is None]
+    number = f"{len(times)} of {len(material.coq.seconds)}" if missing else f"all {len(times)}"
+    but = f"; not {', '.join(missing)}, which may have changed since" if missing else ""
+    return f"accepted {number} certificates, with Coq {material.coq.version} in {sum(times)} s{but}"
+
+
+# --- the style sheet, and the font that the page brings along -------------------------------------
+
+
+def font_bytes() -> bytes:
+    """The font file: a part of STIX Two Math."""
+    return package_files("verify").joinpath("data/mathematics.woff").read_bytes()
+
+
+def style() -> str:
+    """System fonts and a font for formulas, both colour schemes, a phone, a screen, paper."""
+    light, dark = (
+        ";".join(f"--{name}:{colour}" for name, colour in SCHEMES[scheme].items())
+        for scheme in ("light", "dark")
+    )
+    with open(os.path.join(TEMPLATES, "style.css"), encoding="utf-8") as file:
+        rules = file.read()
+    font = b64encode(font_bytes()).decode()
+    return (
+        f'@font-face{{font-family:VerifyMath;src:url("data:font/woff;base64,{font}")}}'
+        f":root{{{light}}}@media screen and (prefers-color-scheme:dark){{:root{{{dark}}}}}\n{rules}"
+    )
+
+
+# --- LaTeX ---------------------------------------------------------------------------------------
+
+
+def latex(outcome: Outcome) -> str:
+    """The constants as a LaTeX table: enclosures of the first and printed ones, repaired values."""
+    lines = [
+        f"% {outcome.statement.title}",
+        "% Enclosures: the true value lies between the two ends.",
+        r"\begin{tabular}{lll}",
+        r"\hline",
+        r"constant & as printed & repaired \\",
+        r"\hline",
+    ]
+    repaired = {c.short_name: c.name for c in constants_of(outcome, REPAIRED)}
+    first = [*constants_of(outcome, ""), *constants_of(outcome, PRINTED)]
+    known = {constant.short_name for constant in first}
+    only = [c for c in constants_of(outcome, REPAIRED) if c.short_name not in known]
+    for constant in (*first, *only):
+        printed = "" if constant in only else _tex_number(outcome, constant.name)
+        other = _tex_number(outcome, repaired.get(constant.short_name, ""))
+        lines.append(rf"${constant.tex}$ & {printed} & {other} \\")
+    return "\n".join([*lines, r"\hline", r"\end{tabular}"]) + "\n"
+
+
+def _tex_number(outcome: Outcome, name: str) -> str:
+    """An exact decimal, or an interval of 8 digits that contains the enclosure."""
+    ends = ends_of(outcome, name)
+    if ends is None:
+        return ""
+    low, high = outward(ends, 8)
+    if low == high:
+        return f"${_tex_decimal(low)}$"
+    return rf"$[{_tex_decimal(low)},\, {_tex_decimal(high)}]$"
+
+
+def _tex_decimal(text: str) -> str:
+    mantissa, _, exponent = text.partition("e")
+    return mantissa if not exponent else rf"{mantissa}\cdot 10^{{{exponent}}}"

@@ -6,42 +6,37 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from verify.language.record import Record
-from verify.paper.commands.covers import DEPTH
-from verify.paper.commands.report_maps import CertifiedMap, CertifiedStrip
-from verify.prover.outcome import Outcome
-from verify.views.plots import map_figure, margins, minimum, region, roots, speed
-from verify.views.plots.collapse import Story
+from verify.views.material import CertifiedMap, CertifiedStrip, Plotted, Story
+from verify.views.plots import map_figure, margins, region, roots, speed
 from verify.views.plots.collapse import figure as collapse_figure
-from verify.views.plots.figure import Figure
+from verify.views.plots.shapes import Figure
 
 
 class Pictures(Record):
     """Every figure of the report; the first plot is also the picture of the README."""
 
     plots: Sequence[Figure]
-    collapses: Sequence[Figure] = ()
-    maps: Sequence[Figure] = ()
+    proof: Figure
+    letters: Figure
+    collapses: Sequence[Figure]
+    maps: Sequence[Figure]
 
     @property
     def all(self) -> list[Figure]:
         """One after the other."""
-        return [*self.plots, *self.collapses, *self.maps]
+        return [*self.plots, self.proof, self.letters, *self.collapses, *self.maps]
 
 
-def figures(
-    everywhere: Outcome, precision: Mapping[str, Any] | None, depth: int = DEPTH
-) -> list[Figure]:
+def figures(plotted: Plotted, precision: Mapping[str, Any] | None) -> list[Figure]:
     """The plots.
 
-    ``everywhere`` is the theorem for all parameters; ``precision`` is the table of that name of
-    the committed measurements, if there is one; ``depth`` says how often a side of the plane is
-    halved.
+    ``precision`` is the table of that name of the committed measurements, if there is one.
     """
     found = [
-        region.picture(everywhere),
-        margins.figure(),
-        minimum.figure(depth - 1),
-        roots.figure(),
+        region.picture(plotted.region),
+        margins.figure(plotted.margins),
+        region.least_entries(plotted.least, plotted.region),
+        roots.figure(plotted.roots),
     ]
     last = None if precision is None else speed.figure(precision)
     return found if last is None else [*found, last]

@@ -13,65 +13,16 @@ from fractions import Fraction
 from html import escape
 
 from verify.language.record import Record
-from verify.prover import balls
 from verify.prover.decimals import short
-from verify.spheres.flow.collapse import find_collapse
-from verify.spheres.scene.decide import Budget, Fate, decide_scene
-from verify.spheres.scene.scene import Scene
-from verify.spheres.scene.verdict import central, shown_ends, time_ends
-from verify.views.plots.figure import Figure
-from verify.views.plots.scene_path import Leg, Vector, legs, places_at
-from verify.views.plots.shapes import Areas, Panel, Scale, Shape, powers
+from verify.views.material import Instant, Story
+from verify.views.plots.scene_drawing import Leg, Vector, legs, places_at
+from verify.views.plots.shapes import Areas, Figure, Panel, Scale, Shape, powers
 
 WIDTH, HEIGHT, RADIUS, GAP = 420, 262, 50, 48
 CENTRE = (WIDTH / 2, 98)
 #: Seconds of a flight on the screen, and the shares of it at which the places are computed.
 FLIGHT, PARTS = 1.8, 8
-#: So many digits of the collapse time are followed.
-DIGITS = 6
 COLOURS = ("series-1", "series-2", "series-3")
-
-Bounds = tuple[Fraction, Fraction]
-
-
-class Instant(Record):
-    """A collision: its number, its pair, its time, and between what the collapse time lies."""
-
-    number: int
-    pair: str
-    time: Bounds
-    collapse: Bounds | None
-
-
-class Story(Record):
-    """A collapse: the particle in the middle, the flights, and the collisions."""
-
-    middle: int
-    path: Sequence[Leg]
-    instants: Sequence[Instant]
-
-
-def story(scene: Scene) -> Story | None:
-    """What there is to show of a scene; None if it is not proved to collapse."""
-    found = decide_scene(scene, Budget(digits=DIGITS))
-    middle = central(found)
-    if middle is None or time_ends(found) is None:
-        return None
-    return Story(middle, legs(found), list(_instants(found)))
-
-
-def _instants(found: Fate) -> Iterator[Instant]:
-    """Each certain collision, with what the sharper theorem says just after it."""
-    path = legs(found)
-    with balls.precision(found.flow.bits):
-        for number, move in enumerate(found.flow.collisions, 1):
-            time = balls.ends(balls.as_ball(move.after.time))
-            end = find_collapse(found.flow.scene.r, move.after.state, move.after.time)
-            ends = None
-            if end is not None:
-                low, high = (balls.ends(balls.as_ball(x)) for x in end.time)
-                ends = low[0], high[1]
-            yield Instant(number, path[number].pair, time, ends)
 
 
 def figure(shown: Story, name: str, title: str) -> Figure:
@@ -90,8 +41,7 @@ def figure(shown: Story, name: str, title: str) -> Figure:
 
 
 def _between(one: Instant) -> str:
-    low, high = shown_ends(one.collapse) if one.collapse is not None else ("", "")
-    return f"{low} and {high}"
+    return " and ".join(one.told)
 
 
 # --- the bounds ----------------------------------------------------------------------------------
@@ -133,7 +83,20 @@ def _bounds(shown: Story) -> Panel:
 # --- the animation -------------------------------------------------------------------------------
 
 
-def animation(shown: Story, name: str) -> str:
+class Film(Record):
+    """A collapse as it moves: the particle in the middle, the flights, and the collisions."""
+
+    middle: int
+    path: Sequence[Leg]
+    instants: Sequence[Instant]
+
+
+def film(story: Story) -> Film:
+    """What there is to see of a collapse."""
+    return Film(story.scene.central, legs(story.scene, story.steps), story.instants)
+
+
+def animation(shown: Film, name: str) -> str:
     """One SVG element that moves by its style sheet; where nothing may move it shows a state."""
     stops = [leg.time for leg in shown.path]
     frames = [_frame(shown, k, j / PARTS) for k in range(len(stops) - 1) for j in range(PARTS)]
@@ -174,7 +137,7 @@ def animation(shown: Story, name: str) -> str:
     return "\n".join([head, f"<style>{''.join(rules)}</style>", *body, "</svg>"])
 
 
-def _frame(shown: Story, k: int, part: float) -> dict[int, tuple[float, float]]:
+def _frame(shown: Film, k: int, part: float) -> dict[int, tuple[float, float]]:
     """Where the two other spheres are drawn, seen from the middle one, during a flight."""
     start, end = shown.path[k].time, shown.path[k + 1].time
     places = places_at(shown.path[k : k + 1], start + part * (end - start))
@@ -199,7 +162,7 @@ def _seen(middle: Vector, other: Vector) -> tuple[tuple[float, float], float]:
     return (a / distance, b / distance), distance
 
 
-def _largest(shown: Story, k: int) -> float:
+def _largest(shown: Film, k: int) -> float:
     """The larger one of the two gaps at the start of a flight."""
     places = shown.path[k].places
     others = [place for i, place in enumerate(places) if i != shown.middle]
@@ -224,19 +187,19 @@ def _shown(number: int, flights: int) -> str:
     return f"{before}{low:.3g}%{{opacity:1}}{after}"
 
 
-def _lines(shown: Story) -> Iterator[Sequence[str]]:
+def _lines(shown: Film) -> Iterator[Sequence[str]]:
     """What stands below: before the first collision, and after each."""
     yield "the start", "no two have collided"
     for one in shown.instants:
         gap = _largest(shown, one.number)
         rounded = Fraction(f"{gap:.1e}")
         size = short((rounded, rounded), 2)
-        pair = " and ".join(one.pair)
+        pair = " and ".join(shown.path[one.number].pair)
         head = f"after collision {one.number}, of {pair}: the other gap is {size}"
         if one.collapse is None:
             yield head, "nothing is proved of the end yet"
         else:
-            low, high = shown_ends(one.collapse)
+            low, high = one.told
             yield head, f"collapse after time {low}", f"and before {high}"
 
 

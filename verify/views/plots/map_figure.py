@@ -5,17 +5,26 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
+from typing import Any
 
-from verify.paper.commands.report_maps import CertifiedMap, CertifiedStrip
 from verify.prover.decimals import short
-from verify.spheres.map.log import COLLAPSES, DISPERSES, UNDECIDED, Progress
-from verify.spheres.map.planes import Phi, Plane
-from verify.spheres.map.strip import BorderStrip
-from verify.views.map import AREAS, area_shares, axis_names, percent, plane_line
-from verify.views.plots.figure import Figure
+from verify.views.map import (
+    AREAS,
+    COLLAPSES,
+    DISPERSES,
+    UNDECIDED,
+    Progress,
+    Strip,
+    area_shares,
+    axis_names,
+    percent,
+    plane_line,
+)
+from verify.views.material import CertifiedMap, CertifiedStrip
 from verify.views.plots.shapes import (
     Areas,
     Curve,
+    Figure,
     Frame,
     Panel,
     Point,
@@ -61,12 +70,12 @@ def figure(found: CertifiedMap, strip: CertifiedStrip | None, name: str) -> Figu
     return Figure(name, "Which scenes collapse", caption, panels)
 
 
-def is_border_of(strip: BorderStrip, plane: Plane | BorderStrip) -> bool:
+def is_border_of(strip: Strip, plane: Any) -> bool:
     """Whether a strip lies in the plane of a map."""
-    return isinstance(plane, Phi) and strip.phi._replace(x=plane.x, y=plane.y) == plane
+    return bool(strip.phi._replace(x=plane.x, y=plane.y) == plane)
 
 
-def border(strip: BorderStrip) -> Iterator[Point]:
+def border(strip: Strip) -> Iterator[Point]:
     """The curve of a strip: its values in the middle of each part."""
     low, high = strip.x
     for number, (value, *_) in enumerate(strip.curve):
@@ -124,15 +133,15 @@ def _scales(progress: Progress, shown: Cell) -> tuple[Scale, Scale]:
 
 def _plane(progress: Progress) -> str:
     """The plane in a line, in the paper's letters."""
-    line = plane_line(progress.plane)
+    line = plane_line(progress.document)
     return line.replace("eta", "η").replace("φ1", "φ₁").replace("φ2", "φ₂")
 
 
 def names(progress: Progress) -> tuple[str, str]:
     """What the axes are, in short."""
-    if isinstance(progress.plane, Phi):
+    if progress.document["name"] == "phi":
         return "φ₁", "φ₂"
-    return axis_names(progress.plane)
+    return axis_names(progress.document)
 
 
 def round_marks(low: Fraction, high: Fraction) -> list[tuple[float, str]]:

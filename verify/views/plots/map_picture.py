@@ -9,10 +9,17 @@ from base64 import b64encode
 from collections.abc import Iterator, Sequence
 from html import escape
 
-from verify.spheres.map.log import Progress
-from verify.spheres.map.planes import Plane
-from verify.spheres.map.strip import BorderStrip
-from verify.views.map import AREAS, area_shares, axis_names, percent, plane_line, tile_corners
+from verify.views.map import (
+    AREAS,
+    Progress,
+    Strip,
+    area_shares,
+    axis_names,
+    is_strip,
+    percent,
+    plane_line,
+    tile_corners,
+)
 
 #: The colours of the areas, on light and on dark paper: they differ in grey, too.
 COLOURS = {"c": "#f7bb70", "d": "#2e6bb6", "u": "#111111"}
@@ -32,7 +39,7 @@ def svg_map(progress: Progress, law: Law, *, boxes: bool = False) -> str:
     font = 'font-family="sans-serif" font-size="12" fill="#1c2128" style="background:#fff"'
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" {size} {font}>',
-        f"<title>{escape(plane_line(progress.plane))}</title>",
+        f"<title>{escape(plane_line(progress.document))}</title>",
         *_areas(progress, boxes=boxes),
         *_legend(progress),
         *_law(law),
@@ -48,7 +55,7 @@ def _areas(progress: Progress, *, boxes: bool) -> Iterator[str]:
         yield f'<g transform="translate({LEFT} {TOP + SIDE}) scale({SIDE} {-SIDE})">'
         for letter in "cd":
             keys = (key for key, found, _ in progress.decided() if found == letter)
-            path = "".join(_box(progress.plane, key) for key in keys)
+            path = "".join(_box(progress, key) for key in keys)
             style = f'stroke="{COLOURS["u"]}" stroke-width=".0004"'
             yield f'<path fill="{COLOURS[letter]}" {style} d="{path}"/>'
         yield "</g>"
@@ -56,8 +63,8 @@ def _areas(progress: Progress, *, boxes: bool) -> Iterator[str]:
         data = b64encode(png_map(progress)).decode()
         yield f'<image {place} image-rendering="pixelated" href="data:image/png;base64,{data}"/>'
     (x_0, x_1), (y_0, y_1) = progress.plane.x, progress.plane.y
-    x_name, y_name = axis_names(progress.plane)
-    if boxes and isinstance(progress.plane, BorderStrip):
+    x_name, y_name = axis_names(progress.document)
+    if boxes and is_strip(progress.document):
         delta, y_0 = progress.plane.delta, -y_1
         y_name = f"φ2 - f(φ1), logarithmic; in the middle all from -{delta} to {delta}"
     low, right = TOP + SIDE, LEFT + SIDE
@@ -69,11 +76,11 @@ def _areas(progress: Progress, *, boxes: bool) -> Iterator[str]:
     yield _text(LEFT - 6, TOP - 6, y_name, "start")
 
 
-def _box(plane: Plane | BorderStrip, key: str) -> str:
+def _box(progress: Progress, key: str) -> str:
     """Tiles of a strip are drawn by their distance from the curve."""
-    if not isinstance(plane, BorderStrip):
+    if not is_strip(progress.document):
         return _square(key)
-    corners = (f"{_short(x)} {_short(y)}" for x, y in tile_corners(plane, key))
+    corners = (f"{_short(x)} {_short(y)}" for x, y in tile_corners(progress.plane, key))
     return f"M{'L'.join(corners)}z"
 
 
@@ -99,7 +106,7 @@ def _legend(progress: Progress) -> Iterator[str]:
         x, y = LEFT + 132 * place, TOP + SIDE + 34
         yield f'<rect x="{x}" y="{y}" width="12" height="12" fill="{COLOURS[letter]}"/>'
         yield _text(x + 17, y + 10, f"{name} {percent(found[name])} %", "start")
-    yield _text(LEFT, 16, plane_line(progress.plane).partition("; ")[2], "start")
+    yield _text(LEFT, 16, plane_line(progress.document).partition("; ")[2], "start")
 
 
 def _law(law: Law) -> Iterator[str]:
@@ -135,10 +142,10 @@ def png_map(progress: Progress) -> bytes:
     """The areas in dots, the lower row last; a dot in which not all is decided is undecided."""
     side = 1 << FINEST
     dots = [bytearray(side) for _ in range(side)]
-    if isinstance(progress.plane, BorderStrip) and not progress.due:
+    if is_strip(progress.document) and not progress.due:
         _fill_strip(dots, progress.plane)
     for key, letter, _ in progress.decided():
-        if len(key) <= FINEST and not isinstance(progress.plane, BorderStrip):
+        if len(key) <= FINEST and not is_strip(progress.document):
             _fill(dots, key, 1 if letter == "c" else 2)
     rows = b"".join(b"\0" + bytes(row) for row in reversed(dots))
     palette = b"".join(bytes.fromhex(COLOURS[letter][1:]) for letter in "ucd")
@@ -156,7 +163,7 @@ def _fill(dots: list[bytearray], key: str, colour: int) -> None:
         line[column : column + size] = bytes([colour]) * size
 
 
-def _fill_strip(dots: list[bytearray], plane: BorderStrip) -> None:
+def _fill_strip(dots: list[bytearray], plane: Strip) -> None:
     """All tiles are decided: a dot has the colour of its side, by the middle of its column."""
     side, parts = len(dots), len(plane.curve)
     half = float(plane.x[1] - plane.x[0]) / parts / 2

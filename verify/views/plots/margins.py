@@ -6,11 +6,19 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from verify.language.statement import PROVED, REFUTED
-from verify.paper.commands.covers import END, FACTOR, SHARE, WHOLE, Ratios, intervals, ratios
-from verify.paper.groups import PRINTED, REPAIRED
 from verify.prover.decimals import decimal_text, round_decimal
-from verify.views.plots.figure import Figure
-from verify.views.plots.shapes import Areas, Corners, Panel, Rule, Scale, Shape, marks, powers
+from verify.views.material import Margins, Ratios
+from verify.views.plots.shapes import (
+    Areas,
+    Corners,
+    Figure,
+    Panel,
+    Rule,
+    Scale,
+    Shape,
+    marks,
+    powers,
+)
 
 TIGHTEST = 14
 
@@ -21,18 +29,17 @@ TOLD_PRINTED = (
 TOLD_REPAIRED = "Curves over r from 0 to 0.056, all of them below the line at 1."
 
 
-def printed_ratios() -> tuple[list[Ratios], list[Ratios]]:
+def printed_ratios(every: Sequence[Ratios]) -> tuple[list[Ratios], list[Ratios]]:
     """The printed rows that are refuted somewhere, and the tightest of the others."""
-    every = ratios(PRINTED, WHOLE)
     refuted = [row for row in every if REFUTED in row.verdicts]
     others = [row for row in every if REFUTED not in row.verdicts]
     return refuted, others[:TIGHTEST]
 
 
-def figure() -> Figure:
+def figure(found: Margins) -> Figure:
     """Both sets, one below the other on a phone."""
-    refuted, others = printed_ratios()
-    repaired = ratios(REPAIRED, SHARE)
+    refuted, others = printed_ratios(found.printed)
+    repaired, across = found.repaired, _scale(found.end)
     tightest = repaired[:TIGHTEST]
     count = sum(len(row.boxes) for row in (*refuted, *others, *tightest))
     proved = [row for row in repaired if row.verdicts == {PROVED}]
@@ -42,18 +49,18 @@ def figure() -> Figure:
     return Figure(
         "margins",
         "How close each step is, over r at θ₀ = π",
-        f"The ratio of the two sides, left/right, on {len(intervals())} intervals of r between 0 "
-        f"and 9-4√5; the relative margin (right-left)/right is 1 minus it, and a step holds below "
-        f"1. Each of the {count} boxes contains the ratio at every r of its interval; boxes higher "
-        f"than a factor {FACTOR} are left out. Left: the {len(refuted)} printed steps that are "
-        f"refuted (orange), and the {len(others)} tightest of the others (blue). Right: the "
-        f"{len(tightest)} tightest steps of the repaired construction, each constant at half of "
-        f"its bound; {len(proved)} of its {len(repaired)} rows with two positive sides that are "
-        f"not identities are proved on every interval, from r = {_end(0)} to r = {_end(-1)}. A "
-        f"step in the table below leads to its curve.",
+        f"The ratio of the two sides, left/right, on {len(found.intervals)} intervals of r between "
+        f"0 and 9-4√5; the relative margin (right-left)/right is 1 minus it, and a step holds "
+        f"below 1. Each of the {count} boxes contains the ratio at every r of its interval; boxes "
+        f"higher than a factor {found.factor} are left out. Left: the {len(refuted)} printed steps "
+        f"that are refuted (orange), and the {len(others)} tightest of the others (blue). Right: "
+        f"the {len(tightest)} tightest steps of the repaired construction, each constant at half "
+        f"of its bound; {len(proved)} of its {len(repaired)} rows with two positive sides that are "
+        f"not identities are proved on every interval, from r = {_end(found, 0)} to "
+        f"r = {_end(found, -1)}. A step in the table below leads to its curve.",
         (
-            Panel("As printed", _R, _WIDE, _draw_printed, TOLD_PRINTED),
-            Panel("Repaired", _R, _NARROW, _draw_repaired, TOLD_REPAIRED),
+            Panel("As printed", across, _WIDE, lambda: _printed(refuted, others), TOLD_PRINTED),
+            Panel("Repaired", across, _NARROW, lambda: _repaired(tightest), TOLD_REPAIRED),
         ),
         table,
         [
@@ -64,9 +71,9 @@ def figure() -> Figure:
     )
 
 
-def _end(index: int) -> str:
+def _end(found: Margins, index: int) -> str:
     """The first or the last end of the intervals, to three digits inside."""
-    value = intervals()[index][index]
+    value = found.intervals[index][index]
     return decimal_text(*round_decimal(value, 5, up=index == 0))
 
 
@@ -75,16 +82,15 @@ def decimal_up(value: Fraction) -> str:
     return decimal_text(*round_decimal(value, 4, up=True))
 
 
-def _draw_printed() -> Iterator[Shape]:
-    refuted, others = printed_ratios()
+def _printed(refuted: Sequence[Ratios], others: Sequence[Ratios]) -> Iterator[Shape]:
     yield Rule(1)
     yield from _curves("p", others, "proved", "holds", len(refuted))
     yield from _curves("p", refuted, "refuted", "refuted")
 
 
-def _draw_repaired() -> Iterator[Shape]:
+def _repaired(tightest: Sequence[Ratios]) -> Iterator[Shape]:
     yield Rule(1)
-    yield from _curves("r", ratios(REPAIRED, SHARE)[:TIGHTEST], "proved", "proved")
+    yield from _curves("r", tightest, "proved", "proved")
 
 
 def _curves(
@@ -103,6 +109,9 @@ def _boxes(row: Ratios) -> list[Corners]:
     ]
 
 
-_R = Scale("r", 0, float(END), marks("0", "0.01", "0.02", "0.03", "0.04", "0.05"))
+def _scale(end: Fraction) -> Scale:
+    return Scale("r", 0, float(end), marks("0", "0.01", "0.02", "0.03", "0.04", "0.05"))
+
+
 _WIDE = Scale("left / right", 0.1, 3e3, powers(-1, 3), logarithmic=True)
 _NARROW = Scale("left / right", 0.5, 1.05, marks("0.5", "0.6", "0.7", "0.8", "0.9", "1"))

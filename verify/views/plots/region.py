@@ -7,20 +7,24 @@ stability threshold does.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import pairwise
 
-from verify.language.statement import PRINTED, PROVED, REFUTED
-from verify.paper.commands.covers import WIDTH, threshold_boxes
-from verify.paper.commands.everywhere import decide_printed_everywhere
-from verify.paper.commands.thresholds import certified, decide_thresholds
-from verify.paper.everywhere.thresholds import STRIPS
-from verify.prover.cover import Box
-from verify.prover.outcome import Outcome
+from verify.language.statement import PRINTED, PROVED, REFUTED, REPAIRED, UNDECIDED
 from verify.views.everywhere import dependences
-from verify.views.plots.figure import Figure
-from verify.views.plots.shapes import Areas, Corners, Panel, Scale, Shape, Words, marks
+from verify.views.material import Rectangle, Region
+from verify.views.plots.shapes import (
+    Areas,
+    Corners,
+    Figure,
+    Panel,
+    Scale,
+    Shape,
+    Words,
+    marks,
+    merged,
+)
 
 #: Values of r at which the axis of s = r^(1/3) is marked.
 TICKS = ("0.0005", "0.005", "0.02", "0.05")
@@ -29,12 +33,11 @@ TICKS = ("0.0005", "0.005", "0.02", "0.05")
 COLUMNS = 300
 
 
-def picture(everywhere: Outcome) -> Figure:
+def picture(region: Region) -> Figure:
     """The map of the README: the printed proof beside the repaired one, for all parameters."""
-    printed, where = decide_printed_everywhere(), decide_thresholds()
-    refuted = [(row, found) for row, found in printed.rows if found.verdict == REFUTED]
+    refuted = [(row, found) for row, found in region.printed.rows if found.verdict == REFUTED]
     always = [row for row, found in refuted if row.role == PRINTED and not found.witness]
-    needed = everywhere.rows
+    needed, across = region.everywhere.rows, scale(region)
     proved = [row for row, found in needed if found.verdict == PROVED]
     caption = (
         f"Left: {len(always)} printed rows are refuted at all parameters of the region, so that "
@@ -52,35 +55,29 @@ def picture(everywhere: Outcome) -> Figure:
         "Where the printed proof fails, and where the repaired one closes",
         caption,
         (
-            Panel("As printed: steps refuted", S, C, lambda: _printed(len(always)), TOLD_PRINTED),
-            Panel("Repaired: closes", S, C, _closing, TOLD_REPAIRED),
+            Panel(
+                "As printed: steps refuted",
+                across,
+                C,
+                lambda: _printed(region, len(always)),
+                TOLD_PRINTED,
+            ),
+            Panel("Repaired: closes", across, C, lambda: _closing(region), TOLD_REPAIRED),
         ),
-        [("Step", "Where it holds, and where it does not"), *dependences(printed, where)],
+        [
+            ("Step", "Where it holds, and where it does not"),
+            *dependences(region.printed, region.thresholds, region.shares),
+        ],
     )
 
 
 # --- cells ---------------------------------------------------------------------------------------
 
 
-def refuted_at(low: Fraction, high: Fraction) -> int | None:
-    """How many rows are refuted for phi_plus in an open interval; None if one is not decided."""
-    rows = dict.fromkeys(strip.row for strip in STRIPS)
-    strips = certified(decide_thresholds())
-    there = {s.row: s.verdict for s in strips if s.low <= low and high <= s.high}
-    return None if there.keys() != rows.keys() else list(there.values()).count(REFUTED)
-
-
-def bands() -> Iterator[tuple[Fraction, Fraction, int | None]]:
-    """The values of phi_plus between neighbouring ends of strips, with what is refuted there."""
-    ends = sorted({end for strip in STRIPS for end in (strip.low, strip.high)})
-    for low, high in pairwise(ends):
-        yield low, high, refuted_at(low, high)
-
-
-def cells(low: Fraction, high: Fraction) -> Iterator[Box]:
+def cells(width: Fraction, low: Fraction, high: Fraction) -> Iterator[Rectangle]:
     """Areas of s and c inside of the region in which phi_plus lies in an interval."""
     for k in range(COLUMNS):
-        left, right = WIDTH * k / COLUMNS, WIDTH * (k + 1) / COLUMNS
+        left, right = width * k / COLUMNS, width * (k + 1) / COLUMNS
         bottom = max(stability(right), level(low, right) if left < low else Fraction(0))
         top = min(Fraction(1), level(high, left))
         if right <= high and bottom < top:
@@ -100,12 +97,12 @@ def level(q: Fraction, s: Fraction) -> Fraction:
 # --- drawing -------------------------------------------------------------------------------------
 
 
-S = Scale(
-    "r (on the scale of its cube root)",
-    0,
-    float(WIDTH),
-    [(float(Fraction(t)) ** (1 / 3), t) for t in TICKS],
-)
+def scale(region: Region) -> Scale:
+    """The axis of s."""
+    ticks = [(float(Fraction(t)) ** (1 / 3), t) for t in TICKS]
+    return Scale("r (on the scale of its cube root)", 0, float(region.width), ticks)
+
+
 C = Scale("−cos θ₀", 0, 1, marks("0", "0.2", "0.4", "0.6", "0.8", "1"))
 
 TOLD_PRINTED = (
@@ -115,41 +112,88 @@ TOLD_PRINTED = (
 TOLD_REPAIRED = "The same plane: the whole region above the curve of stability is blue: it closes."
 
 
-def _printed(always: int) -> Iterator[Shape]:
+def _printed(region: Region, always: int) -> Iterator[Shape]:
     named = False
-    for low, high, refuted in bands():
+    for low, high, refuted in region.bands:
         colour = "undecided" if refuted is None else "refuted-area"
         name = "" if named or refuted is None else "steps refuted"
-        yield Areas(_corners(cells(low, high)), colour, name=name)
+        yield Areas(_corners(cells(region.width, low, high)), colour, name=name)
         named = named or bool(name)
         middle = float(min(Fraction(1), level(high, Fraction(0))) + level(low, Fraction(0))) / 2
         if refuted is not None:
             yield Words((0.006, middle), f"{always + refuted}")
-    yield from curves()
+    yield from curves(region)
     yield WHICH
 
 
-def _closing() -> Iterator[Shape]:
-    yield Areas(_corners(cells(Fraction(0), Fraction(1, 2))), "proved-area", name="all proved")
-    yield from curves()
+def _closing(region: Region) -> Iterator[Shape]:
+    inside = cells(region.width, Fraction(0), Fraction(1, 2))
+    yield Areas(_corners(inside), "proved-area", name="all proved")
+    yield from curves(region)
     yield WHICH
 
 
 WHICH = Words((0.2, 0.24), "upper curve: stability\nlower curve: existence")
 
 
-def _corners(found: Iterable[Box]) -> list[Corners]:
+def _corners(found: Iterable[Rectangle]) -> list[Corners]:
     return [
         (float(left), float(right), float(low), float(high)) for (left, right), (low, high) in found
     ]
 
 
-def curves() -> Iterator[Areas]:
+def curves(region: Region) -> Iterator[Areas]:
     """Both thresholds."""
-    for curve in threshold_boxes(400).values():
+    for curve in region.curves:
         part = [
             (float(left), float(right), float(low), float(high))
             for (left, right), (low, high) in curve
-            if low <= 1 and left <= WIDTH
+            if low <= 1 and left <= region.width
         ]
         yield Areas(part, "ink", 0.8)
+
+
+# --- which entry of the min that bounds eta_bar is the least, over the region --------------------
+
+#: The colour of each entry; the third one is the usual answer.
+SHADES = ("series-2", "series-4", "proved-area", "series-1", "series-6", "series-7", "series-5")
+
+Cells = Sequence[tuple[Rectangle, int | None]]
+
+
+def least_entries(least: Mapping[str, Cells], region: Region) -> Figure:
+    """Both sets side by side."""
+    captions = []
+    for group in (PRINTED, REPAIRED):
+        counts = Counter(index for _, index in least[group])
+        parts = ", ".join(
+            f"entry {index + 1} on {counts[index]} cells"
+            for index in sorted(i for i in counts if i is not None)
+        )
+        captions.append(f"{group}: {parts}, undecided on {counts[None]}")
+    return Figure(
+        "minimum",
+        "Which entry of η̄ is the smallest",
+        "On each coloured cell one entry of the min that defines or bounds η̄ is at most each other "
+        f"one at every point of the cell ({'; '.join(captions)}). Grey: two entries cross there, "
+        "or the cell is too wide to tell.",
+        (
+            _map("As printed", least[PRINTED], region),
+            _map("Repaired", least[REPAIRED], region),
+        ),
+    )
+
+
+def _map(title: str, cells: Cells, region: Region) -> Panel:
+    present = sorted({i for _, i in cells if i is not None})
+
+    def shapes() -> Iterator[Shape]:
+        for index in [None, *present]:
+            part = merged((*box[0], *box[1]) for box, entry in cells if entry == index)
+            colour = "undecided" if index is None else SHADES[index]
+            yield Areas(part, colour, name=UNDECIDED if index is None else f"entry {index + 1}")
+        yield from curves(region)
+
+    names = " and ".join(f"entry {index + 1}" for index in present)
+    told = f"Above the curve of stability all decided cells have {names} as the smallest."
+    return Panel(title, scale(region), C, shapes, told, 420, 380)

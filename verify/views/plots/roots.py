@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from verify.paper.commands.covers import ROOT_CELLS, roots
 from verify.prover.outcome import Ends
-from verify.views.plots.figure import Figure
-from verify.views.plots.shapes import Areas, Circle, Panel, Scale, Shape, Words, marks
+from verify.views.material import Roots
+from verify.views.plots.shapes import Areas, Circle, Figure, Panel, Scale, Shape, Words, marks
 
 
-def figure() -> Figure:
+def figure(cells: Sequence[Roots]) -> Figure:
     """The complex plane, and the real root between its bounds."""
-    widest = max(cell.re[1] - cell.re[0] for cell in roots())
+    widest = max(cell.re[1] - cell.re[0] for cell in cells)
     return Figure(
         "roots",
         "The roots of Q for every r in ]0,1[",
-        f"{ROOT_CELLS} intervals of m, where λ₀ = -m³ is the real root and "
+        f"{len(cells)} intervals of m, where λ₀ = -m³ is the real root and "
         f"r = m(4m²-m+1)/(m²-m+4). "
         f"Left: each box contains a root for every r of its interval (the widest is "
         f"{float(widest):.2g} wide); λ₀ in orange, the complex pair in blue, and the unit circle, "
@@ -25,28 +24,25 @@ def figure() -> Figure:
         f"and -r³ (grey), as boxes too. That λ₀ lies between them for every r is proved in the "
         f"spectral claims, not by this drawing.",
         (
-            Panel("Complex plane", _RE, _IM, _draw_plane, _TOLD_PLANE, 420, 448),
-            Panel("The real root", _R, _REAL, _draw_real, _TOLD_REAL, 420, 448),
+            Panel("Complex plane", _RE, _IM, lambda: _plane(cells), _TOLD_PLANE, 420, 448),
+            Panel("The real root", _R, _REAL, lambda: _real(cells), _TOLD_REAL, 420, 448),
         ),
     )
 
 
-def _draw_plane() -> Iterator[Shape]:
+def _plane(cells: Sequence[Roots]) -> Iterator[Shape]:
     yield Circle(1)
     pair = [
-        _box(cell.re, (sign * cell.im[0], sign * cell.im[1]))
-        for cell in roots()
-        for sign in (1, -1)
+        _box(cell.re, (sign * cell.im[0], sign * cell.im[1])) for cell in cells for sign in (1, -1)
     ]
     yield Areas(pair, "series-1", 0.8, "complex pair")
     thin = (Fraction(-1, 250), Fraction(1, 250))
-    yield Areas([_box(cell.real, thin) for cell in roots()], "series-2", 0.8, "λ₀")
+    yield Areas([_box(cell.real, thin) for cell in cells], "series-2", 0.8, "λ₀")
     yield Words((0.14, -0.03), "r → 0")
     yield Words((-0.56, 0.68), "r → 1")
 
 
-def _draw_real() -> Iterator[Shape]:
-    cells = roots()
+def _real(cells: Sequence[Roots]) -> Iterator[Shape]:
     for attribute, colour in (
         ("minus_r", "series-3"),
         ("minus_r_cubed", "series-3"),

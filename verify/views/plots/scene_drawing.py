@@ -1,17 +1,17 @@
-"""A drawing of a scene as one SVG file: spheres to scale, a zoom, and how the end comes near."""
+"""A scene as an SVG file (spheres to scale, a zoom, how the end comes near), or as an animation."""
 
 from __future__ import annotations
 
+import json
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from html import escape
+from itertools import islice
 
+from verify.language.record import Record
 from verify.prover import balls
-from verify.spheres.flow.collapse import start_of
-from verify.spheres.scene.decide import Fate
-from verify.spheres.scene.verdict import scene_lines, time_ends
 from verify.views.plots.drawing import SCHEMES
-from verify.views.plots.scene_path import Leg, legs, places_at
+from verify.views.scene import Step, Told
 
 SIZE, MARGIN, TOP = 420, 46, 92
 COLOURS = ("series-1", "series-2", "series-3")
@@ -22,10 +22,10 @@ Box = tuple[float, float, float, float]
 Place = Callable[[float, float], tuple[float, float]]
 
 
-def scene_svg(found: Fate) -> str:
+def scene_svg(told: Told, steps: Sequence[Step]) -> str:
     """The file."""
-    path = legs(found)
-    end = end_time(found, path)
+    path = legs(told, steps)
+    end = end_time(told, path)
     width = 3 * SIZE + 4 * MARGIN
     height = SIZE + TOP + MARGIN
     size = f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="13"'
@@ -33,9 +33,9 @@ def scene_svg(found: Fate) -> str:
         f'<svg xmlns="http://www.w3.org/2000/svg" {size}>',
         _style(),
         f'<rect class="paper" width="{width}" height="{height}"/>',
-        *_heading(found),
+        *_heading(told),
     ]
-    panels = (_trajectories(path, end), _zoom(path, end), approach(found))
+    panels = (_trajectories(path, end), _zoom(path, end), approach(told, steps))
     titles = ("centre-of-mass frame, to scale", "zoom on a contact", "how the end comes near")
     for k, (panel, title) in enumerate(zip(panels, titles, strict=True)):
         left = MARGIN + k * (SIZE + MARGIN)
@@ -46,11 +46,10 @@ def scene_svg(found: Fate) -> str:
     return "\n".join([*parts, "</svg>", ""])
 
 
-def end_time(found: Fate, path: Sequence[Leg]) -> float:
+def end_time(told: Told, path: Sequence[Leg]) -> float:
     """Until when it is drawn: the collapse, or some time after the last collision."""
-    ends = time_ends(found)
-    if ends is not None:
-        return float(ends[1])
+    if told.time is not None:
+        return float(told.time[1])
     return path[-1].time + (AFTER * path[-1].time or 1.0)
 
 
@@ -72,8 +71,8 @@ def svg_text(x: float, y: float, text: str, anchor: str = "start") -> str:
     return f'<text class="ink" {where}>{escape(text)}</text>'
 
 
-def _heading(found: Fate) -> Iterator[str]:
-    for k, line in enumerate(scene_lines(found)):
+def _heading(told: Told) -> Iterator[str]:
+    for k, line in enumerate(told.lines):
         yield svg_text(MARGIN, 28 + 20 * k, line)
 
 
@@ -137,9 +136,9 @@ def _spheres(places: Sequence[Sequence[float]], box: Box, dashes: str) -> Iterat
 # --- time to collapse, and distance --------------------------------------------------------------
 
 
-def approach(found: Fate) -> Iterator[str]:
+def approach(told: Told, steps: Iterable[Step]) -> Iterator[str]:
     """Distance against time to the collapse, on logarithmic axes, with their enclosures."""
-    points = approach_points(found)
+    points = approach_points(told, steps)
     if not points:
         yield svg_text(20, SIZE / 2, "no collapse to come near to")
         return
@@ -159,18 +158,17 @@ def approach(found: Fate) -> Iterator[str]:
         yield f'<circle class="c0" cx="{(x + x_high) / 2:.2f}" cy="{y:.2f}" r="3"/>'
 
 
-def approach_points(found: Fate) -> list[tuple[float, float, float]]:
+def approach_points(told: Told, steps: Iterable[Step]) -> list[tuple[float, float, float]]:
     """log10 of the least and largest time to the collapse, and of the distance, per collision."""
-    ends = time_ends(found)
-    if ends is None:
+    if told.time is None:
         return []
     points = []
-    with balls.precision(found.flow.bits):
-        for move in found.flow.collisions:
-            low, high = balls.ends(balls.as_ball(move.after.time))
-            size = balls.as_float(start_of(move.after.state).d)
-            if ends[0] > high and size > 0:
-                least, most = float(ends[0] - high), float(ends[1] - low)
+    with balls.precision(told.bits):
+        for step in steps:
+            low, high = balls.ends(balls.as_ball(step.time))
+            size = balls.as_float(step.after.d)
+            if told.time[0] > high and size > 0:
+                least, most = float(told.time[0] - high), float(told.time[1] - low)
                 points.append((math.log10(least), math.log10(most), math.log10(size)))
     return points
 
@@ -189,3 +187,119 @@ def _axes(place: Place, xs: tuple[int, int], ys: tuple[int, int]) -> Iterator[st
 def _ten(exponent: int) -> str:
     digits = str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
     return f"10{digits}"
+
+
+# --- the animation -------------------------------------------------------------------------------
+
+
+def scene_page(told: Told, steps: Iterable[Step]) -> str:
+    """The file."""
+    from verify.views.setting import in_html  # loads the templates' library
+
+    path = legs(told, steps, most=60)
+    points = [p for leg in path for p in leg.places]
+    low = [min(p[k] for p in points) - 0.7 for k in (0, 1)]
+    high = [max(p[k] for p in points) + 0.7 for k in (0, 1)]
+    box = {"x": (low[0] + high[0]) / 2, "y": (low[1] + high[1]) / 2}
+    box |= {"width": high[0] - low[0], "height": high[1] - low[1]}
+    data = {
+        "legs": [leg._asdict() for leg in path],
+        "end": end_time(told, path),
+        "colours": COLOURS,
+        "box": box,
+    }
+    schemes = {
+        name: " ".join(f"--{key}: {value};" for key, value in colours.items())
+        for name, colours in SCHEMES.items()
+    }
+    content = {"told": told.lines, "data": json.dumps(data), **schemes}
+    return in_html("scene.html", content) + "\n"
+
+
+# --- where the spheres are: floats, which follow the certain collisions ---------------------------
+
+
+Vector = list[float]
+
+
+class Leg(Record):
+    """From a time on all spheres move straight; ``pair`` has just collided, if any."""
+
+    time: float
+    pair: str
+    places: list[Vector]
+    velocities: list[Vector]
+
+
+def legs(told: Told, steps: Iterable[Step], most: int = 200) -> list[Leg]:
+    """The flight after the start and after each collision, seen from the centre of mass."""
+    scene, r = told.scene, float(told.scene.r)
+    x = [[float(a) for a in row] for row in scene.positions]
+    v = [[float(a) for a in row] for row in scene.velocities]
+    x, v = _centred(x), _centred(v)
+    path = [Leg(0.0, "", x, v)]
+    with balls.precision(told.bits):
+        for step in islice(steps, most):
+            time = balls.as_float(step.time)
+            x = [_moved(a, time - path[-1].time, b) for a, b in zip(x, v, strict=True)]
+            v = _collided(x, v, step.hit, r)
+            path.append(Leg(time, step.pair, x, v))
+    return _in_plane(path)
+
+
+def places_at(path: Sequence[Leg], time: float) -> list[Vector]:
+    """The centres at a time."""
+    leg = next((leg for leg in reversed(path) if leg.time <= time), path[0])
+    pairs = zip(leg.places, leg.velocities, strict=True)
+    return [_moved(x, time - leg.time, v) for x, v in pairs]
+
+
+def _moved(x: Vector, time: float, v: Vector) -> Vector:
+    return [a + time * b for a, b in zip(x, v, strict=True)]
+
+
+def _centred(rows: list[Vector]) -> list[Vector]:
+    middle = [sum(column) / 3 for column in zip(*rows, strict=True)]
+    return [[a - b for a, b in zip(row, middle, strict=True)] for row in rows]
+
+
+def _collided(x: list[Vector], v: list[Vector], pair: tuple[int, int], r: float) -> list[Vector]:
+    i, j = pair
+    e = [b - a for a, b in zip(x[i], x[j], strict=True)]
+    length = math.sqrt(_dot(e, e)) or 1.0
+    e = [a / length for a in e]
+    push = (1 + r) / 2 * _dot(e, [b - a for a, b in zip(v[i], v[j], strict=True)])
+    new = list(v)
+    new[i], new[j] = _moved(v[i], push, e), _moved(v[j], -push, e)
+    return new
+
+
+def _dot(x: Vector, z: Vector) -> float:
+    return sum(a * b for a, b in zip(x, z, strict=True))
+
+
+def _in_plane(path: list[Leg]) -> list[Leg]:
+    """The path projected to the plane of the three centres at its end."""
+    first, second = _basis(path[-1].places)
+
+    def flat(rows: list[Vector]) -> list[Vector]:
+        return [[_dot(row, first), _dot(row, second)] for row in rows]
+
+    return [Leg(leg.time, leg.pair, flat(leg.places), flat(leg.velocities)) for leg in path]
+
+
+def _basis(x: list[Vector]) -> tuple[Vector, Vector]:
+    """Two orthonormal vectors; in the plane they are the usual ones."""
+    axes = [[float(i == k) for i in range(len(x[0]))] for k in range(len(x[0]))]
+    if len(axes) == 2:
+        return axes[0], axes[1]
+    spans = [_moved(x[2], -1.0, x[1]), _moved(x[0], -1.0, x[1]), *axes]
+    found: list[Vector] = []
+    for span in spans:
+        rest = list(span)
+        for unit in found:
+            rest = _moved(rest, -_dot(rest, unit), unit)
+        length = math.sqrt(_dot(rest, rest))
+        if length > 1e-9 and len(found) < 2:
+            found.append([a / length for a in rest])
+    return found[0], found[1]

@@ -1,4 +1,4 @@
-"""What a panel is made of: scales, boxes, curves, words."""
+"""What a figure is made of: panels with scales, boxes, curves, words."""
 
 from __future__ import annotations
 
@@ -106,6 +106,24 @@ class Panel(Record):
     told: str = ""
     width: int = 420
     height: int = 350
+
+
+class Figure(Record):
+    """Panels with one caption.
+
+    ``caption`` has every number that the reader is told, ``rows`` a small table below it (its
+    first row is the head). Both come from the enclosures alone: they are the same whatever draws.
+    """
+
+    name: str
+    title: str
+    caption: str
+    panels: Sequence[Panel]
+    rows: Sequence[Sequence[str]] = ()
+    #: For each row below the head the anchor of its curve.
+    anchors: Sequence[str] = ()
+    #: Whether something in it moves.
+    moves: bool = False
 
 
 def powers(low: int, high: int, step: int = 1) -> list[tuple[float, str]]:

@@ -10,8 +10,7 @@ from typing import Any
 
 from verify.language.record import Record
 from verify.prover.decimals import round_decimal
-from verify.views.plots.figure import Figure
-from verify.views.plots.shapes import Curve, Panel, Scale, powers
+from verify.views.plots.shapes import Curve, Figure, Panel, Scale, powers
 
 _DECIMAL = re.compile(r"[0-9]{1,40}(\.[0-9]{1,40})?(e[+-]?[0-9]{1,5})?")
 

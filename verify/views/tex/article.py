@@ -17,10 +17,9 @@ from verify.language.statement import (
     Constant,
     Context,
     Obligation,
+    Publication,
 )
 from verify.language.terms import Claim, Term
-from verify.paper.numbering import printed_numbers
-from verify.paper.source import AUTHORS, TITLE
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
 from verify.views.tex.formulas import Formulas, safe_letter
@@ -29,7 +28,7 @@ from verify.views.words import (
     given_by,
     headline,
     in_letters,
-    is_about_paper,
+    is_about,
     parameter_letters,
     parameters_of,
     sides_of,
@@ -62,20 +61,21 @@ PARAMETERS = {
 SPELLED = {"delta_theta": r"\delta_\theta"}
 
 
-def tex_document(outcomes: Iterable[Outcome]) -> str:
+def tex_document(outcomes: Iterable[Outcome], paper: Publication) -> str:
     """One document about all of them."""
-    return PREAMBLE + "".join(map(part, outcomes)) + END
+    return PREAMBLE + "".join(part(outcome, paper) for outcome in outcomes) + END
 
 
-def part(outcome: Outcome) -> str:
+def part(outcome: Outcome, paper: Publication) -> str:
     """What the document says of one statement."""
-    return "\n".join(_Part(outcome).lines()) + "\n"
+    return "\n".join(_Part(outcome, paper).lines()) + "\n"
 
 
 class _Part:
     """One statement with its formulas."""
 
-    def __init__(self, outcome: Outcome) -> None:
+    def __init__(self, outcome: Outcome, paper: Publication) -> None:
+        self.paper = paper
         self.outcome, self.statement = outcome, outcome.statement
         self.formulas = Formulas(*_letters(outcome))
         self.contexts = {context.name: context for context in self.statement.contexts}
@@ -83,10 +83,10 @@ class _Part:
     def lines(self) -> Iterator[str]:
         title = in_letters(self.statement.title)
         yield rf"\section*{{{words(title[:1].upper() + title[1:])}}}"
-        if is_about_paper(self.outcome):
-            yield rf"About {words(AUTHORS)}, \emph{{{words(TITLE)}}}.\par"
+        if is_about(self.outcome, self.paper):
+            yield rf"About {words(self.paper.authors)}, \emph{{{words(self.paper.title)}}}.\par"
         yield rf"Verdict: \textbf{{{headline(self.outcome)}}},"
-        yield f"given {words(given_by(self.outcome))}."
+        yield f"given {words(given_by(self.outcome, self.paper))}."
         yield from self._parameters()
         yield from self._assumptions("What is taken on trust", self.outcome.assumptions)
         yield from self._assumptions(
@@ -107,7 +107,7 @@ class _Part:
     def _assumptions(self, title: str, found: Iterable[Assumption]) -> Iterator[str]:
         items = []
         for a in found:
-            where = f"; {tex_label(a.label)}" if a.label else ""
+            where = f"; {tex_label(a.label, self.paper)}" if a.label else ""
             who = rf"\textbf{{{words(a.name)}}} ({a.kind}{where})"
             items.append(rf"\says{{{who}: {words(a.sentence)}}}")
         if items:
@@ -156,7 +156,7 @@ class _Part:
 
     def _row(self, row: Obligation, found: Decision) -> Iterator[str]:
         role = "as printed, " if row.role == PRINTED else ""
-        where = f" {tex_label(row.label)}" if row.label else ""
+        where = f" {tex_label(row.label, self.paper)}" if row.label else ""
         yield rf"\par\medskip\textbf{{{name(row.name)}}}{where}: {role}\textbf{{{found.verdict}}}"
         if row.says:
             yield rf"\says{{{words(in_letters(row.says))}}}"
@@ -202,9 +202,9 @@ def in_order(values: Mapping[str, Term]) -> dict[str, Term]:
     return dict(sorted(values.items()))
 
 
-def tex_label(text: str) -> str:
+def tex_label(text: str, paper: Publication) -> str:
     """A label of the paper, after the number that is printed there."""
-    printed = printed_numbers().get(text)
+    printed = paper.printed(text)
     return name(text) if printed is None else f"{words(printed)} {name(text)}"
 
 

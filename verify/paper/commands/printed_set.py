@@ -1,0 +1,64 @@
+"""The job `printed-set`: the set as printed does what the theorem claims, for all parameters."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from verify.language.argument import Chapter, Opened
+from verify.language.terms import symbol
+from verify.paper.commands.classification import decide_classification
+from verify.paper.commands.everywhere import Everywhere
+from verify.paper.commands.sharper import decide_sharper
+from verify.paper.everywhere import chart, hints
+from verify.paper.groups import PRINTED
+from verify.paper.printed_set import initial, numbers, sign, theorem
+from verify.paper.sharper import numbers as sharper
+from verify.prover.arguments import Writing
+from verify.prover.ground import Ground
+from verify.prover.outcome import Outcome
+from verify.prover.rules import Applying
+from verify.wire.judge import judged
+from verify.wire.write import write
+
+
+@cache
+def decide_printed_set() -> Outcome:
+    """Every row, and that the sharper theorem applies; the checker has judged it."""
+    files = write(decide_sharper())
+    statement = theorem.statement(files["statement.json"], files["certificate.json"])
+    work = Everywhere(statement, PRINTED)
+    work.prepare()
+    least = f"{PRINTED}.delta_x"
+    work._prove(hints.LEAST, chart.LEAST_DELTA <= symbol(least), work._least(least))
+    work.lines(hints.about_zeta_bar(numbers.k))
+    for constant in numbers.CONSTANTS:
+        work.constant(constant, constant.name)
+    work.lines(numbers.room())
+    for constant in numbers.TURNED:
+        work.constant(constant, constant.name)
+    work.lines(numbers.conclusions())
+    work.lines(initial.inside())
+    work.writing.chapter(Chapter(None, (Opened(initial.context(), _at_the_point()),)))
+    work.writing.chapter(Chapter(initial.CONTEXT, tuple(initial.lines())))
+    givens = (*(f"room-{name}" for name in sharper.ROOM), *map(initial.premise, sharper.ENTRY))
+    work.writing.decide(work.writing.rows[theorem.COLLAPSE], Applying(givens))
+    return work.outcome()
+
+
+def _at_the_point() -> tuple[str, ...]:
+    return tuple(f"at-{name}" for name in initial.GIVENS)
+
+
+@cache
+def decide_printed_sign() -> Outcome:
+    """That the theorem is false with the sign as printed; the checker has judged it."""
+    files = write(decide_classification())
+    argument = sign.sign(files["statement.json"], files["certificate.json"])
+    writing = Writing(argument.statement)
+    for chapter in argument.chapters:
+        writing.chapter(chapter)
+    ground = Ground(writing.session)
+    for row in sign.at_the_point():
+        writing.decisions[row.name] = ground.decide(row)
+    writing.decide(writing.rows[sign.COLLAPSE], Applying(sign.PREMISES))
+    return judged(Outcome(argument.statement, writing.decisions, tuple(writing.session.steps), {}))

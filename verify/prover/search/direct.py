@@ -1,0 +1,76 @@
+"""What the form of a claim shows: identities, roots, minima and their entries, both orders."""
+
+from __future__ import annotations
+
+from verify.language.terms import Claim, names_of
+from verify.prover.clearing import Clearing
+from verify.prover.proof import Proof
+from verify.prover.rules import Antisymmetry, Entry, Least, Root, Sum
+from verify.prover.search.question import Question
+from verify.prover.session import ZERO
+
+
+def by_identity(question: Question) -> Proof | None:
+    """The sides are the same polynomial, or quotient, perhaps after names are replaced."""
+    goal, session = question.plain, question.session
+    claim = goal.claim
+    if claim.relation == "<":
+        return None
+    for using in {(): None, _definitions(question): None}:
+        clearing = Clearing((claim.lhs, claim.rhs), session.replaced(using))
+        difference = clearing.difference(claim.lhs, claim.rhs)
+        if not clearing.reduce(difference).to_dict():
+            terms = claim.lhs, claim.rhs, *(session.definitions[name] for name in using)
+            if not question.known.clears(terms, goal.context):
+                return None
+            return Sum(() if claim.relation == "=" else ("goal",), using)
+    return None
+
+
+def _definitions(question: Question) -> tuple[str, ...]:
+    """The names in a claim that have definitions, and those in their definitions."""
+    definitions = question.session.definitions
+    found: dict[str, None] = {}
+    waiting = [*question.plain.constants, *question.plain.definitions]
+    while waiting:
+        name = waiting.pop()
+        if name in definitions and name not in found:
+            found[name] = None
+            waiting += names_of(definitions[name])
+    return tuple(sorted(found))
+
+
+def by_orders(question: Question) -> Proof | None:
+    """Each side of an equation is at most the other."""
+    goal, orders = question.plain, []
+    for sides in ((goal.claim.lhs, goal.claim.rhs), (goal.claim.rhs, goal.claim.lhs)):
+        order = question.known.prove(goal._replace(claim=Claim("<=", *sides)))
+        if order is None:
+            return None
+        orders.append(order)
+    return Antisymmetry((orders[0], orders[1]))
+
+
+def by_root(question: Question) -> Proof | None:
+    """A root is positive, as its radicand is."""
+    claim = question.plain.claim
+    if claim.key != ("<", ZERO, claim.rhs) or claim.rhs.op != "sqrt":
+        return None
+    radicand = claim.rhs.children[0]
+    known = question.known.fact(Claim("<", ZERO, radicand), question.plain.context)
+    return None if known is None else Root()
+
+
+def by_extremum(question: Question) -> Proof | None:
+    """A minimum is at most its entries; what is less than all of them is less than it."""
+    (relation, lhs, rhs), known = question.plain.claim.key, question.known
+    for side, term, other, small in (("lhs", lhs, rhs, "min"), ("rhs", rhs, lhs, "max")):
+        if term.op == small and other in term.children and relation == "<=":
+            return Entry(side)
+        if term.op in ("min", "max") and term.op != small:
+            sides = ((e, other) if side == "lhs" else (other, e) for e in term.children)
+            claims = [Claim(relation, *pair) for pair in sides]
+            proofs = [known.prove(known.goal(claim, question.plain.context)) for claim in claims]
+            found = tuple(proof for proof in proofs if proof is not None)
+            return Least(side, found) if len(found) == len(proofs) else None
+    return None

@@ -1,0 +1,255 @@
+"""One claim that is to be shown, with what is known where it stands: what techniques are given."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cached_property
+
+from flint import fmpq, fmpq_mpoly
+
+from verify.language.statement import Given
+from verify.language.terms import Claim, Term, names_of, symbol
+from verify.prover.clearing import Clearing, atoms_of
+from verify.prover.goal import Goal
+from verify.prover.points import failure_test
+from verify.prover.proof import Value
+from verify.prover.rules import Entry
+from verify.prover.search.domain import Domain
+from verify.prover.search.local_minima import Minima, simple_points
+from verify.prover.session import ZERO
+from verify.prover.universal import Universal
+
+#: An estimate below this may be a zero.
+NEAR_ZERO = 1e-6
+MAX_ZEROS = 12
+#: Lemmas inside lemmas.
+MAX_DEPTH = 9
+#: More givens are not used.
+MAX_FACTS = 16
+
+
+class Question:
+    """A goal, what is known in its context, and what estimates say of it.
+
+    ``plain`` is the goal as it was asked; in ``goal`` constants are names that are defined.
+    """
+
+    def __init__(self, goal: Goal, known: Universal) -> None:
+        self.known, self.budget, self.session = known, known.budget, known.session
+        self.plain, self.goal = goal, unfolded(goal, known)
+        self.using = tuple(self.goal.definitions)
+
+    # --- estimates ------------------------------------------------------------------------------
+
+    @cached_property
+    def estimates(self) -> Minima:
+        """The difference of the sides, where the givens hold."""
+        return Minima(self.goal, self.budget, [*self.given.values()])
+
+    @cached_property
+    def minima(self) -> list[tuple[float, tuple[float, ...]]]:
+        """Where the claim is most nearly false: searched for once, and only where it is used."""
+        return self.estimates.found()
+
+    @property
+    def is_near(self) -> bool:
+        """Whether the sides nearly meet somewhere."""
+        return bool(self.minima) and self.minima[0][0] < NEAR_ZERO
+
+    def may_be_equal(self) -> bool:
+        """Whether the sides of an equation are equal, as far as estimates tell.
+
+        At most points they are not, if they are not everywhere: minima are looked for after those.
+        """
+        return all(map(_is_near_zero, self.estimates.at_starts())) and all(
+            map(_is_near_zero, self.minima)
+        )
+
+    def is_refuted(self) -> bool:
+        """Whether there is a point where the claim is false."""
+        if not self.minima or self.minima[0][0] >= 0:
+            return False
+        return self.minima[0][0] < -NEAR_ZERO or self.false_at() is not None
+
+    def false_at(self) -> dict[str, Fraction] | None:
+        """A simple point inside all bounds, near a local minimum, where the claim is false."""
+        at_fault = failure_test(self.plain, self.known.enclosed)
+        for value, point in self.minima:
+            if value > NEAR_ZERO:
+                break
+            for values in simple_points(point, self._bounds):
+                if at_fault(values):
+                    return dict(zip(self.goal.variables, values, strict=True))
+        return None
+
+    @cached_property
+    def simple_zeros(self) -> list[dict[str, Fraction]]:
+        """Simple points near those where the claim is nearly false."""
+        found = []
+        for point in self._near_zeros():
+            for values in simple_points(point, self._bounds, inside=False):
+                if all(abs(float(a) - b) < 1e-6 for a, b in zip(values, point, strict=True)):
+                    found.append(dict(zip(self.goal.variables, values, strict=True)))
+                    break
+        return found
+
+    def zeros(self, domain: Domain) -> list[list[Fraction]]:
+        """Points with simple coordinates where p is 0."""
+        found = []
+        for point in self._near_zeros():
+            for values in simple_points(point, self._bounds, inside=False):
+                scaled = domain.point(dict(zip(self.goal.variables, values, strict=True)))
+                if scaled is None:
+                    return []
+                if domain.is_zero(scaled):
+                    found.append(scaled)
+                    break
+        return found
+
+    @property
+    def _bounds(self) -> list[tuple[Fraction | None, Fraction | None]]:
+        return [(b.low, b.high) for b in self.goal.variables.values()]
+
+    def _near_zeros(self) -> Iterator[tuple[float, ...]]:
+        """Where the claim is nearly false."""
+        return (point for value, point in self.minima[:MAX_ZEROS] if value <= NEAR_ZERO)
+
+    # --- polynomials ----------------------------------------------------------------------------
+
+    @cached_property
+    def clearing(self) -> Clearing:
+        """The ring of the claim's atoms; long definitions are expanded in it once."""
+        replaced = {symbol(name): term for name, term in self.goal.definitions.items()}
+        return Clearing((self.goal.claim.lhs, self.goal.claim.rhs), replaced, self.is_negative)
+
+    def is_negative(self, divisor: Term) -> bool:
+        """Whether a divisor, also one in a fact, is cleared as a negative one."""
+        return self.known.is_negative(divisor, self.goal.context)
+
+    def clears(self) -> bool:
+        """Afterwards the definitions that a proof may use have the facts that they need."""
+        return self.known.clears(self.goal.definitions.values(), self.goal.context)
+
+    # --- facts ----------------------------------------------------------------------------------
+
+    @cached_property
+    def given(self) -> dict[str, Claim]:
+        """What is given here of the names in the claim, but for bounds by numbers."""
+        return {g.name: g.claim for g in self.givens() if self._is_near(g.name, g.claim)}
+
+    def givens(self) -> Iterator[Given]:
+        """All that is given here."""
+        for place in self.session.chain(self.goal.context):
+            if place is not None:
+                yield from self.known.contexts[place].givens
+
+    @cached_property
+    def extrema(self) -> list[Term]:
+        """The minima and maxima in the claim, each after those inside it."""
+        found: dict[Term, None] = {}
+        seen: set[Term] = set()
+
+        def visit(term: Term) -> None:
+            if term in seen:
+                return
+            seen.add(term)
+            for child in term.children:
+                visit(child)
+            if term.op == "symbol" and term.name in self.goal.definitions:
+                visit(self.goal.definitions[term.name])
+            if term.op in ("min", "max"):
+                found[term] = None
+
+        for term in (self.goal.claim.lhs, self.goal.claim.rhs):
+            visit(term)
+        return list(found)
+
+    @cached_property
+    def facts(self) -> dict[str, Claim]:
+        """The bounds of the variables, givens, rows, and what minima say of their entries."""
+        session, found = self.session, dict[str, Claim]()
+        for bounds in self.goal.variables.values():
+            for name in (bounds.low_fact, bounds.high_fact):
+                if name and session.claims[name].relation != "=":
+                    found[name] = session.claims[name]
+        found |= dict([*self.given.items()][: max(0, MAX_FACTS - len(found))])
+        rows = {name: session.claims[name] for name in self.known.rows & session.claims.keys()}
+        found |= {name: rows[name] for name in sorted(rows) if self._is_usable(name, rows[name])}
+        for term in self.extrema:
+            for entry in term.children:
+                known = self.entry(term, entry)
+                if known is not None:
+                    found[known] = session.claims[known]
+        return found
+
+    def entry(self, term: Term, entry: Term) -> str | None:
+        """The fact that a minimum is at most its entry, or a maximum at least."""
+        place = self.goal.context
+        sides = (term, entry) if term.op == "min" else (entry, term)
+        known = self.session.known(claim := Claim("<=", *sides), place)
+        if known is None and self.known.clears(sides, place):
+            proof = Entry("lhs" if term.op == "min" else "rhs")
+            known = self.session.lemma(claim, proof, place)
+        return known
+
+    def fact(self, claim: Claim) -> str | None:
+        """The name of a fact that is proved now; None if that fails, or lemmas are too deep."""
+        known, depth = self.known, self.known.depth
+        if depth > MAX_DEPTH:
+            known.reasons["lemmas inside lemmas are too deep"] = None
+            return None
+        known.depth += 1
+        try:
+            return known.fact(claim, self.goal.context)
+        finally:
+            known.depth = depth
+
+    def lemma(self, relation: str, polynomial: fmpq_mpoly, term: Term) -> Value | None:
+        """The value of a fact 0 < p or 0 <= p, where the polynomial p is written as a term."""
+        if polynomial.is_constant():
+            number = polynomial.leading_coefficient() if polynomial.to_dict() else fmpq(0)
+            good = number > 0 or (number == 0 and relation == "<=")
+            return str(number) if good else None
+        return self.fact(Claim(relation, ZERO, term))
+
+    def _is_near(self, name: str, claim: Claim) -> bool:
+        """Whether a fact may help: an inequality here, no bound by a number, all in these names."""
+        session = self.session
+        if claim.relation == "=" or session.homes[name] not in session.chain(self.goal.context):
+            return False
+        names = {*names_of(claim.lhs, claim.rhs)}
+        is_bound = {claim.lhs.op, claim.rhs.op} == {"symbol", "rational"}
+        return not is_bound and names <= {*self.goal.variables, *self.using}
+
+    def _is_usable(self, name: str, row: Claim) -> bool:
+        """Whether a row that is proved may help, and the checker can clear it.
+
+        Enclosures prove a row without the facts that its divisors and radicands need in a sum.
+        """
+        return self._is_near(name, row) and self.known.is_cleared(row, self.goal.context)
+
+
+def _is_near_zero(found: tuple[float, tuple[float, ...]]) -> bool:
+    value, point = found
+    return abs(value) < NEAR_ZERO * (1 + max(map(abs, point), default=0))
+
+
+def unfolded(goal: Goal, known: Universal) -> Goal:
+    """The goal with constants as names that are defined."""
+    terms: dict[str, Term] = {}
+    if goal.constants:
+        wanted = set(goal.constants)
+        ground = known.ground.definitions
+        for name in reversed(ground):
+            if name in wanted:
+                wanted |= {
+                    atom.name for atom in atoms_of((ground[name],), {}) if atom.op == "symbol"
+                }
+        terms = {name: term for name, term in ground.items() if name in wanted}
+    return goal._replace(constants=(), definitions={**terms, **goal.definitions})
+
+
+def refuting_minimum(goal: Goal, known: Universal) -> dict[str, Fraction] | None:
+    """A simple point inside all bounds, near a local minimum, where the claim is false."""
+    return None if goal.claim.relation == "=" else Question(goal, known).false_at()

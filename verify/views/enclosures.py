@@ -1,0 +1,95 @@
+"""Enclosures that a view makes itself: entries of minima, and more digits than an outcome has."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+
+from verify.language.record import Record
+from verify.language.statement import Constant
+from verify.language.terms import Claim, Term, names_of
+from verify.prover import balls
+from verify.prover.decimals import outward
+from verify.prover.outcome import Enclosure, Ends, Outcome
+from verify.prover.program import Machine, Program, Run
+from verify.views.words import SHOWN_BITS, definitions_of, ends_of
+
+#: Digits of the entries of minima, as many as enclosures of constants have.
+SHOWN_DIGITS = 27
+
+
+class Minimum(Record):
+    """The entries of a min, and the number (from 1) of the one that is shown to be the least."""
+
+    entries: list[Ends | None]
+    least: int | None
+
+
+def minimum_of(outcome: Outcome, constant: Constant) -> Minimum:
+    """The entries of a constant's min, enclosed from the enclosures of the constants in them."""
+    entries = constant.term.children
+    names = sorted({name for entry in entries for name in names_of(entry)})
+    with balls.precision(SHOWN_BITS):
+        machine = Machine(Program(names), balls.BallArithmetic())
+        known = [ends_of(outcome, name) for name in names]
+        inputs = [None if k is None else balls.hull(*map(balls.from_fraction, k)) for k in known]
+        run = machine.run(inputs)
+        values = [run[entry] for entry in entries]
+        ends = [None if value is None else _rounded(balls.ends(value)) for value in values]
+    return Minimum(ends, _least(ends))
+
+
+def _rounded(ends: Ends) -> Ends:
+    low, high = map(Fraction, outward(ends, SHOWN_DIGITS))
+    return low, high
+
+
+def _least(entries: list[Ends | None]) -> int | None:
+    known = [pair for pair in entries if pair is not None]
+    for number, (_, high) in enumerate(known, 1):
+        others = known[: number - 1] + known[number:]
+        if len(known) == len(entries) and all(high <= low for low, _ in others):
+            return number
+    return None
+
+
+# --- more digits ---------------------------------------------------------------------------------
+
+#: Bits beyond those asked for; what cancels in the formulas takes some of them.
+GUARD_BITS = 64
+
+
+def sharpened(outcome: Outcome, bits: int) -> Outcome:
+    """The same outcome with enclosures from at least ``bits`` bits; no decision changes.
+
+    An enclosure that would not be narrower stays.
+    """
+    program = Program(())
+    for name, term in definitions_of(outcome).items():
+        program.define(name, term)
+    with balls.precision(bits + GUARD_BITS):
+        run = Machine(program, balls.BallArithmetic()).run(())
+        known = definitions_of(outcome)
+        enclosures = {
+            name: _narrower(run, old, (known[name],), bits)
+            for name, old in outcome.enclosures.items()
+        }
+        decisions = dict(outcome.decisions)
+        for row, found in outcome.rows:
+            if found.sides is not None and isinstance(row.claim, Claim):
+                sides = _narrower(run, found.sides, (row.claim.lhs, row.claim.rhs), bits)
+                decisions[row.name] = found._replace(sides=sides)
+    return outcome._replace(enclosures=enclosures, decisions=decisions)
+
+
+def _narrower(run: Run, old: Enclosure, terms: Iterable[Term], bits: int) -> Enclosure:
+    ends = (_ends(run, before, term, bits) for before, term in zip(old.ends, terms, strict=True))
+    return old._replace(ends=tuple(ends))
+
+
+def _ends(run: Run, old: Ends, term: Term, bits: int) -> Ends:
+    ball = run[term]
+    if ball is None:
+        return old
+    low, high = map(Fraction, outward(balls.ends(ball), int(bits * 0.30103) + 3))
+    return (low, high) if high - low < old[1] - old[0] else old

@@ -1,0 +1,182 @@
+"""Formulas, numbers and rows of one outcome, as the page shows them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from verify.language.record import Record
+from verify.language.simplify import simplified_claim
+from verify.language.statement import (
+    HYPOTHESES,
+    PRINTED,
+    Always,
+    Applies,
+    Constant,
+    Obligation,
+    Publication,
+)
+from verify.language.terms import Claim, Term, symbol
+from verify.prover.decimals import decimal_text, outward, round_decimal, short
+from verify.prover.outcome import Decision, Ends, Outcome
+from verify.views.mathml import MathML
+from verify.views.words import ends_of, letters, sides_of, witness_shown
+
+Row = tuple[Obligation, Decision]
+
+SIGNS = {"<": "<", "<=": "≤", "=": "="}
+
+#: Formulas with more letters than this stay in the statement file.
+LONGEST = 400
+LONG = "(long: see the statement file)"
+
+#: A summand with more letters than this is too wide for a line.
+WIDEST = 90
+
+#: A min with more entries than this is written one entry a line.
+MANY = 2
+
+
+class Math(Record):
+    """A formula as MathML, where that can be read, and as text."""
+
+    mathml: str
+    text: str
+
+
+class Number(Record):
+    """An enclosure: its short form, and both ends as they stand in the certificate."""
+
+    short: str
+    ends: tuple[str, str]
+
+
+class Shown(Record):
+    """A row with its formula, and both sides where they are numbers with ``sign`` between them."""
+
+    row: Obligation
+    found: Decision
+    claim: Math
+    lhs: Number | None
+    sign: str
+    rhs: Number | None
+
+
+class Refuted(Record):
+    """A refuted row: by how much, or where it is false; what is wrong; what takes its place.
+
+    ``cause`` is empty where none is known; ``margin`` is an enclosure of right - left.
+    """
+
+    shown: Shown
+    margin: Number | None
+    false_at: str
+    cause: str
+    repair: Shown | None
+
+
+class Writer:
+    """Formulas and numbers of one outcome."""
+
+    def __init__(self, outcome: Outcome, paper: Publication) -> None:
+        self.outcome, self.notes = outcome, paper.notes()
+        self.typesetter = letters(outcome)
+        statement = outcome.statement
+        tex = {constant.name: constant.tex for constant in statement.constants}
+        for context in statement.contexts:
+            tex |= {variable.name: variable.tex for variable in context.variables}
+            tex |= {constant.name: constant.tex for constant in context.constants}
+        self._mathml = MathML(tex | ({"c": r"(-\cos\theta_0)"} if statement.parameters else {}))
+        self._rows = {row.name: (row, found) for row, found in outcome.rows}
+
+    def claim(self, claim: Claim | Applies | Always) -> Math:
+        """A claim, unless it is too long to be read; in letters only if no line can break in it."""
+        if isinstance(claim, Claim):
+            claim = simplified_claim(claim)
+        text = self.typesetter.claim(claim)
+        if len(text) > LONGEST or not isinstance(claim, Claim):
+            return Math("", text if len(text) <= LONGEST else LONG)
+        widest = max(len(self.typesetter.term(part)) for part in summands(claim))
+        return Math(self._mathml.claim(claim) if widest <= WIDEST else "", text)
+
+    def term(self, term: Term, before: str = "") -> Math:
+        """A term after a relation."""
+        text = f"{before} {self.typesetter.term(term)}".strip()
+        if term.op == "min" and len(term.children) > MANY:
+            return Math(self._mathml.entries(term, before), text)
+        return Math(self._mathml.term(term, before), text)
+
+    def constant(self, constant: Constant) -> tuple[Math, Number | None, Math]:
+        """The letter of a constant, its value, and its definition or bound after the sign."""
+        sign, bound = self.notes.bounds[constant.name]
+        value = number_of(ends_of(self.outcome, constant.name))
+        return self.term(symbol(constant.name)), value, self.term(bound.term, sign)
+
+    def shown(self, row: Obligation, found: Decision) -> Shown:
+        """A row with its formula and numbers."""
+        sides = sides_of(row, found)
+        lhs, rhs = (None, None) if sides is None else map(number_of, sides)
+        sign = SIGNS[row.claim.relation] if isinstance(row.claim, Claim) else ""
+        return Shown(row, found, self.claim(row.claim), lhs, sign, rhs)
+
+    def all_shown(self, rows: Iterable[Row]) -> list[Shown]:
+        """Some rows."""
+        return [self.shown(row, found) for row, found in rows]
+
+    def refuted(self, rows: Iterable[Row]) -> Iterator[Refuted]:
+        """Some refuted rows; what is wrong is said where it is met first."""
+        first: dict[str, str] = {}
+        for row, found in rows:
+            cause = next((text for names, text in self.notes.causes if row.name in names), "")
+            before = first.setdefault(cause, row.name)
+            if cause and before != row.name:
+                cause = f"The same as in `{before}`."
+            other = self._rows.get(row.corrected_by or "")
+            repair = None if other is None else self.shown(*other)
+            margin, false_at = self._margin(row, found)
+            yield Refuted(self.shown(row, found), margin, false_at, cause, repair)
+
+    def _margin(self, row: Obligation, found: Decision) -> tuple[Number | None, str]:
+        """An enclosure of right - left, from the certified ends of both; or where a claim fails."""
+        sides = sides_of(row, found)
+        if sides is not None:
+            lhs, rhs = sides
+            margin = (rhs[0] - lhs[1], rhs[1] - lhs[0])
+            low, high = outward(margin, 20)
+            return Number(short(margin, 4), (low, high)), ""
+        values = witness_shown(self.outcome, row, found).items()
+        term = self.typesetter.term
+        return None, ", ".join(f"{term(symbol(name))} = {term(value)}" for name, value in values)
+
+
+def summands(claim: Claim) -> Iterator[Term]:
+    """The parts of both sides between which a line can break."""
+    left = [claim.rhs, claim.lhs]
+    while left:
+        term = left.pop()
+        if term.op in ("add", "sub"):
+            left += reversed(term.children)
+        else:
+            yield term
+
+
+def number_of(ends: Ends | None) -> Number | None:
+    """An enclosure with both ends as they stand in the certificate."""
+    if ends is None:
+        return None
+    low, high = (decimal_text(*round_decimal(end, 40, up=False)) for end in ends)
+    return Number(short(ends), (low, high))
+
+
+def with_verdict(rows: Iterable[Row], verdict: str) -> list[Row]:
+    """The rows with a verdict."""
+    return [(row, found) for row, found in rows if found.verdict == verdict]
+
+
+def of_role(rows: Iterable[Row], role: str) -> list[Row]:
+    """The rows with a role."""
+    return [(row, found) for row, found in rows if row.role == role]
+
+
+def rows_as_printed(outcome: Outcome) -> list[Row]:
+    """What the paper says, of the hypotheses and of the printed set."""
+    return of_role(outcome.of_group(HYPOTHESES, PRINTED), PRINTED)

@@ -1,0 +1,140 @@
+"""The readable form: every constant a definition, every row a lemma in ordinary notation.
+
+Coq reads the terms back from their numbers and compares by conversion, so that nothing written here
+has to be believed: a lemma that does not say what the row says does not compile.
+"""
+
+from __future__ import annotations
+
+from verify import check
+from verify.wire.coq.notation import Notation
+from verify.wire.coq.proofs import Proofs
+from verify.wire.coq.reading import Reading
+
+HEAD = """
+(* --- the same in ordinary notation --- *)
+
+From Coq Require Import Reals.
+From Verify Require Import Terms Readable.
+Open Scope R_scope.
+
+Definition the_table := Eval vm_compute in table (numbered the_statement).
+Lemma the_table_is : table (numbered the_statement) = the_table.
+Proof. vm_cast_no_check (eq_refl the_table). Qed.
+Lemma the_order : ordered (numbered the_statement) = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+Lemma the_rows_hold : Forall (row_true the_statement) (rows the_statement).
+Proof. apply PROVED. Qed.
+Definition values_0 : values := [].
+Lemma right_0 : right_values the_statement values_0.
+Proof. constructor. Qed.
+"""
+
+
+def readable(reading: Reading) -> list[str]:
+    """What is added to the exported file."""
+    form = Readable(reading)
+    constants = [form.constant(i, term) for i, term in enumerate(form.constants, 1)]
+    rows = [form.row(i, row) for i, row in enumerate(reading.statement.rows.values(), 1)]
+    constants += [form.end(), *map(form.variable, form.variables)]
+    if not reading.cites:
+        return [HEAD.replace("PROVED", "proved"), *constants, *rows]
+    given = "Section Citing.\nHypothesis the_citations_hold : citations_true the_statement."
+    head = HEAD.replace("PROVED", "(proved the_citations_hold)").replace(
+        "Lemma the_rows", f"{given}\nLemma the_rows"
+    )
+    return [head, *constants, *rows, "End Citing."]
+
+
+class Readable:
+    """Constants and rows of a statement, one after the other."""
+
+    def __init__(self, reading: Reading) -> None:
+        self.reading, self.kernel = reading, reading.kernel
+        self.notation, self.numbers = Notation(reading), Proofs(reading)
+        own = [self.kernel.names[name] for name in reading.reader.own]
+        self.constants = sorted((*reading.cited_constants, *own))
+        self.count = len(self.constants)
+
+    @property
+    def variables(self) -> list[int]:
+        """All variables."""
+        return [x for c in self.kernel.contexts.values() for x in c.variables.values()]
+
+    def end(self) -> str:
+        """All constants."""
+        lines = f"Definition all_values := values_{self.count}.\nDefinition all_right := right_"
+        return f"\n{lines}{self.count}.\n"
+
+    def variable(self, term: int) -> str:
+        """The number of a variable."""
+        name = self.notation.bound([term])
+        return f"Definition number_of_{name} := {self.numbers.term(term)}%positive."
+
+    def constant(self, i: int, term: int) -> str:
+        """The definition of a constant, and that it is the one of the statement."""
+        notation = self.notation
+        definition, here = self.kernel.definitions[term], notation.name(notation.names[term])
+        variables = notation.variables(term)
+        arguments = f" ({notation.bound(variables)} : R)" if variables else ""
+        at = "".join(f" (v {self.numbers.term(x)}%positive)" for x in variables)
+        number, before = self.numbers.term(term), i - 1
+        return f"""
+Definition {here}{arguments} : R := {notation.term(definition)}.
+Definition shape_{i} := Eval vm_compute in read the_table 400 {self.numbers.term(definition)}.
+Definition values_{i} : values := ({number}%positive, fun v => {here}{at}) :: values_{before}.
+Lemma right_{i} : right_values the_statement values_{i}.
+Proof.
+  refine (one_more the_statement the_order the_table the_table_is values_{before} {number}%positive
+    _ shape_{i} right_{before} _ (fun v => eq_refl)).
+  vm_cast_no_check (eq_refl shape_{i}).
+Qed."""
+
+    def row(self, i: int, row: check.Row) -> str:
+        """The lemma for a row that is decided."""
+        if row.verdict == "undecided":
+            return f"\n(* {row.name} is undecided. *)"
+        if not isinstance(row.claim, check.Claim):
+            return f"""
+(* About a whole context, in the words of Meaning.v. *)
+Lemma {self.notation.name(row.name)} :
+  says the_statement {self.numbers.home(row.context)} {self.numbers.sentence(row)}%positive.
+Proof. apply (said_row the_statement the_rows_hold {i - 1}). vm_compute. reflexivity. Qed."""
+        says = self.proved if row.verdict == "proved" else self.refuted
+        rule = f"{row.verdict}_row the_statement the_order the_table the_table_is the_rows_hold"
+        here = self.notation.name(row.name)
+        fact = f"({rule}\n    all_values {i - 1} _ _ all_right row_of_{here}_is)"
+        claim, proof = says(row.context, self.notation.claim(row.claim), fact)
+        return f"""
+Definition row_of_{here} := Eval vm_compute in read_row the_statement the_table {i - 1}.
+Lemma row_of_{here}_is : read_row the_statement the_table {i - 1} = row_of_{here}.
+Proof. vm_cast_no_check (eq_refl row_of_{here}). Qed.
+Lemma {here} : {claim}.
+Proof. {proof} Qed."""
+
+    def scope(self, context: check.Context) -> tuple[list[int], list[str]]:
+        """The variables and the givens in scope, the outermost first."""
+        variables = [x for c in context.around for x in c.variables.values()]
+        return variables, [self.notation.claim(a.claim) for c in context.around for a in c.givens]
+
+    def proved(self, context: check.Context, claim: str, fact: str) -> tuple[str, str]:
+        """For all values that satisfy the givens."""
+        variables, givens = self.scope(context)
+        says = " -> ".join([*givens, claim])
+        if not variables:
+            return says, f"exact ({fact} (fun _ => 0))."
+        bound = self.notation.bound(variables)
+        cases = " | ".join(
+            f"{self.numbers.term(x)}%positive => {self.notation.bound([x])}" for x in variables
+        )
+        valuation = f"(fun i => match i with {cases} | _ => 0 end)"
+        return f"forall {bound} : R,\n  {says}", f"intros {bound}. exact ({fact} {valuation})."
+
+    def refuted(self, context: check.Context, claim: str, fact: str) -> tuple[str, str]:
+        """There are values that satisfy the givens and not the claim."""
+        variables, givens = self.scope(context)
+        says = " /\\ ".join([*givens, f"~ ({claim})"])
+        if variables:
+            says = f"exists {self.notation.bound(variables)} : R,\n  {says}"
+        there = "".join(f" exists (v {self.numbers.term(x)}%positive)." for x in variables)
+        return says, f"destruct {fact} as [v H].{there} exact H."

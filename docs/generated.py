@@ -60,7 +60,9 @@ def figures() -> dict[str, str]:
     names = {row["name"] for row in [*refuted, *hypotheses]}
     elsewhere, spectrum = document("elsewhere")["claims"], document("spectrum")["claims"]
     every = document("theorem1", "--all")["claims"]
+    ci = (ROOT / ".ci/run").read_text(encoding="utf-8")
     named = {
+        "mutants": re.findall(r"tests\.mutation .*--least (\d+)", ci)[0],
         "refuted": len(refuted) + len(hypotheses),
         "breaking": severity["breaks the argument"],
         "harmless": severity["false, but harmless here"],
@@ -165,7 +167,8 @@ def schemas() -> str:
 def law() -> str:
     """The page on statements and certificates, whose links to folders become names of folders."""
     text = (ROOT / "certificates/README.md").read_text(encoding="utf-8")
-    return re.sub(r"\[(`[^`]*`)\]\([^)]*\)", r"\1", text)
+    title, rest = re.sub(r"\[(`[^`]*`)\]\([^)]*\)", r"\1", text).split("\n\n", 1)
+    return f"{title}\n\nPaths on this page are relative to the folder `certificates/`.\n\n{rest}"
 
 
 def measured(name: str) -> str:

@@ -9,7 +9,7 @@ In a block ``sh`` the lines that begin with ``verify`` or ``python3 -I`` are run
 the lines below it, where a line ``...`` stands for any lines and ``...`` in a line for any text;
 ``$ echo $?`` shows the exit code of the command before. A block ``code-block`` with a caption is a
 file of that name, which the reader writes. The sessions of a page share one folder, in which
-``certificates`` and the two checkers are those of the repository.
+``certificates`` and ``verify`` are those of the repository.
 """
 
 from __future__ import annotations
@@ -121,10 +121,8 @@ def complaint(command: Command, code: int, printed: str) -> str:
 
 def followed(page: Path, place: Path, environment: Mapping[str, str]) -> Iterator[str]:
     """Does what a page says, in an empty folder; yields what goes wrong."""
-    (place / "certificates").symlink_to(ROOT / "certificates")
-    (place / "verify").mkdir()
-    for name in ("check.py", "check_map.py"):
-        (place / "verify" / name).symlink_to(ROOT / "verify" / name)
+    for name in ("certificates", "verify"):
+        (place / name).symlink_to(ROOT / name)
     for number, step in enumerate(steps_of(page.read_text(encoding="utf-8"))):
         if isinstance(step, File):
             (place / step.name).write_text(step.text, encoding="utf-8")

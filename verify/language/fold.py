@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from fractions import Fraction
 from typing import TypeVar
 
 from verify.language.terms import Term
@@ -35,3 +36,15 @@ def fold(
     values = [fold(child, algebra, known) for child in children]
     found = known[term] = function(*values, *term.args[len(children) :])
     return found
+
+
+#: The operations on rational numbers whose results are rational.
+RATIONAL: Mapping[str, Callable[..., Fraction]] = {
+    "rational": lambda number: number,
+    "add": lambda x, z: x + z,
+    "sub": lambda x, z: x - z,
+    "mul": lambda x, z: x * z,
+    "div": lambda x, z: x / z,
+    "neg": lambda x: -x,
+    "pow": lambda x, exponent: x**exponent,
+}

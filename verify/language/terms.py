@@ -6,7 +6,7 @@ Numbers enter as integers or fractions. A float is refused, because it is alread
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from verify.language.record import TYPE_CHECKING
@@ -261,32 +261,3 @@ def substitute(term: Term, values: Mapping[str, Term]) -> Term:
 def substitute_claim(claim: Claim, values: Mapping[str, Term]) -> Claim:
     """The claim with every occurrence of some names replaced, all at once."""
     return Claim(claim.relation, substitute(claim.lhs, values), substitute(claim.rhs, values))
-
-
-#: The operations on rational numbers whose results are rational.
-RATIONAL: Mapping[str, Callable[..., Fraction]] = {
-    "add": lambda x, z: x + z,
-    "sub": lambda x, z: x - z,
-    "mul": lambda x, z: x * z,
-    "div": lambda x, z: x / z,
-    "neg": lambda x: -x,
-}
-
-
-def number_at(
-    term: Term,
-    at: Mapping[str, Fraction],
-    operations: Mapping[str, Callable[..., Fraction]] = RATIONAL,
-) -> Fraction:
-    """The exact value of a term where its names have these values.
-
-    Raises:
-        KeyError: for a name that has no value, or an operation that is not listed.
-        ZeroDivisionError: where the term has no value.
-    """
-    if term.op == "symbol":
-        return at[term.name]
-    if term.op == "rational":
-        return term.value
-    parts = [number_at(child, at, operations) for child in term.children]
-    return parts[0] ** term.exponent if term.op == "pow" else operations[term.op](*parts)

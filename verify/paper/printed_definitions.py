@@ -14,19 +14,10 @@ from fractions import Fraction
 from math import isqrt
 
 from verify.language.errors import OwnError
+from verify.language.fold import RATIONAL, MissingOperationError, fold
 from verify.language.record import Record
 from verify.language.statement import Constant
-from verify.language.terms import (
-    RATIONAL,
-    Claim,
-    Term,
-    equal,
-    minimum,
-    number_at,
-    sqrt,
-    substitute,
-    substitute_claim,
-)
+from verify.language.terms import Claim, Term, equal, minimum, sqrt, substitute, substitute_claim
 from verify.paper.groups import PRINTED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import THEOREM, V_0, c, delta_theta, r
@@ -132,7 +123,7 @@ def check_definitions(constants: Iterable[Constant]) -> None:
 
 def complaints(constants: Mapping[str, Constant]) -> Iterator[str]:
     """What is wrong with the constants, in the paper's order."""
-    at = {term.name: Fraction(number) for term, number in NUMBERS.items()}
+    at = {term: Fraction(number) for term, number in NUMBERS.items()}
     parts = {part.name: constants[part.name].term for part in PARTS_OF_D_BAR}
     for label, symbol, printed in DEFINITIONS:
         own = constants[symbol.name]
@@ -149,18 +140,21 @@ def complaints(constants: Mapping[str, Constant]) -> Iterator[str]:
             )
 
 
-def _holds(claim: Claim, at: Mapping[str, Fraction]) -> bool:
+def _holds(claim: Claim, at: Mapping[Term, Fraction]) -> bool:
     try:
         return _numbers(claim.lhs, at) == _numbers(claim.rhs, at)
-    except (KeyError, ZeroDivisionError):  # a name, an operation or a pole that the paper has not
+    except (
+        MissingOperationError,
+        ZeroDivisionError,
+    ):  # a name, an operation or a pole that the paper has not
         return False
 
 
-def _numbers(term: Term, at: Mapping[str, Fraction]) -> list[Fraction]:
+def _numbers(term: Term, at: Mapping[Term, Fraction]) -> list[Fraction]:
     """The number that a term is, or those that are the entries of a minimum."""
     if term.op == "min":
         return [number for entry in term.children for number in _numbers(entry, at)]
-    return [number_at(term, at, _OPERATIONS)]
+    return [fold(term, _ALGEBRA, dict(at))]
 
 
 def _root(number: Fraction) -> Fraction:
@@ -169,4 +163,4 @@ def _root(number: Fraction) -> Fraction:
     return root if root**2 == number else number + half
 
 
-_OPERATIONS = {**RATIONAL, "sqrt": _root}
+_ALGEBRA = {**RATIONAL, "sqrt": _root}

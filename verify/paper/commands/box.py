@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from verify.language.argument import Chapter, Line, Opened, ToBeFound
+from verify.language.fold import RATIONAL, fold
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Cite, Constant, Statement
-from verify.language.terms import Claim, Term, as_term, number_at
+from verify.language.terms import Claim, Term, as_term, symbol
 from verify.paper.commands.citing import step_cited
 from verify.paper.everywhere import box as paper
 from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
@@ -34,7 +35,7 @@ def answer(box: ParameterBox, v_0: Fraction, delta_theta: Fraction) -> Answer:
 
 
 def _excess(r: Fraction, c: Fraction) -> Fraction:
-    return number_at(paper.EXCESS, {"r": r, "c": c})
+    return fold(paper.EXCESS, RATIONAL, {symbol("r"): r, symbol("c"): c})
 
 
 def verdict(box: ParameterBox) -> str:

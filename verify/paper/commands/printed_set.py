@@ -11,7 +11,7 @@ from verify.paper.commands.everywhere import Everywhere
 from verify.paper.commands.sharper import decide_sharper
 from verify.paper.everywhere import chart, hints
 from verify.paper.groups import PRINTED
-from verify.paper.printed_set import initial, numbers, sign, theorem
+from verify.paper.printed_set import initial, numbers, printed_set, sign
 from verify.paper.sharper import numbers as sharper
 from verify.prover.arguments import Writing
 from verify.prover.ground import Ground
@@ -25,7 +25,7 @@ from verify.wire.write import write
 def decide_printed_set() -> Outcome:
     """Every row, and that the sharper theorem applies; the checker has judged it."""
     files = write(decide_sharper())
-    statement = theorem.statement(files["statement.json"], files["certificate.json"])
+    statement = printed_set.statement(files["statement.json"], files["certificate.json"])
     work = Everywhere(statement, PRINTED)
     work.prepare()
     least = f"{PRINTED}.delta_x"
@@ -41,7 +41,7 @@ def decide_printed_set() -> Outcome:
     work.writing.chapter(Chapter(None, (Opened(initial.context(), _at_the_point()),)))
     work.writing.chapter(Chapter(initial.CONTEXT, tuple(initial.lines())))
     givens = (*(f"room-{name}" for name in sharper.ROOM), *map(initial.premise, sharper.ENTRY))
-    work.writing.decide(work.writing.rows[theorem.COLLAPSE], Applying(givens))
+    work.writing.decide(work.writing.rows[printed_set.COLLAPSE], Applying(givens))
     return work.outcome()
 
 

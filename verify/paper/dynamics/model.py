@@ -154,7 +154,7 @@ def _squares() -> dict[str, tuple[Value, ...]]:
     }
 
 
-def opened() -> tuple[Opened, ...]:
+def spaces() -> tuple[Opened, ...]:
     """Where both contexts open."""
     return Opened(plane()), Opened(impact())
 

@@ -59,7 +59,7 @@ def sharper() -> Argument:
 
 
 def _chapters() -> Iterator[Chapter]:
-    spaces = (Opened(numbers.context()), *model.opened())
+    spaces = (Opened(numbers.context()), *model.spaces())
     yield Chapter(None, spaces)
     yield from model.chapters(state.PAIRS)
     yield Chapter(

@@ -28,7 +28,7 @@ def step() -> Argument:
 
 def chapters() -> Iterator[Chapter]:
     """The chapters of the step, in the order in which each uses what stands before it."""
-    spaces = (Opened(numbers.context()), *model.opened())
+    spaces = (Opened(numbers.context()), *model.spaces())
     yield Chapter(None, (*flight.ground_lines(), *spaces))
     yield from model.chapters(state.PAIRS)
     inside: tuple[Item, ...] = (*flight.rearranged(), *initial.inside_the_set())

@@ -1,8 +1,15 @@
-"""Every command line of the README, where nothing but the package itself is installed.
+"""The commands that README.md, certificates/README.md and docs/ show, run as a reader runs them.
 
 Run this file with any Python: it makes a virtual environment, installs the package there without an
-extra, and runs the commands in a copy of the repository. It fails on an exit code that the README
-does not say, and on a traceback.
+extra, and runs the commands in a copy of the repository. It fails on an exit code or an output that
+the page does not show, and on a traceback.
+
+In a block ``sh`` the lines that begin with ``verify`` or ``python3 -I`` are run; a comment may say
+``exit code 1``. A block ``console`` is a session: each line ``$ command`` is run, and has to print
+the lines below it, where a line ``...`` stands for any lines and ``...`` in a line for any text;
+``$ echo $?`` shows the exit code of the command before. A block ``code-block`` with a caption is a
+file of that name, which the reader writes. The sessions of a page share one folder, in which
+``certificates`` and ``verify`` are those of the repository.
 """
 
 from __future__ import annotations
@@ -15,7 +22,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -29,30 +36,62 @@ PLACES = {
 #: A short form of what takes minutes.
 SHORT = {"verify bench": "verify bench --quick", "verify stress": "verify stress --quick"}
 SECONDS = 600
+FENCE = re.compile(r"^(`{3,})(.*)\n((?:.*\n)*?)\1\s*$", re.MULTILINE)
+
+
+class File(NamedTuple):
+    """A file that the reader of a page writes."""
+
+    name: str
+    text: str
 
 
 class Command(NamedTuple):
-    """A line for a shell, and the exit code that the page says."""
+    """A line for a shell, the exit code that the page says, and what it shows, if it shows it."""
 
     line: str
-    code: int
+    code: int = 0
+    shown: str | None = None
 
 
-def commands() -> list[Command]:
-    """The command lines of the pages, each once, in their order."""
-    texts = ((ROOT / page).read_text(encoding="utf-8") for page in PAGES)
-    return list(dict.fromkeys(command for text in texts for command in commands_of(text)))
+Step = File | Command
 
 
-def commands_of(text: str) -> Iterator[Command]:
-    """The command lines in the blocks of one page."""
-    for block in re.findall(r"^```\w*\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
-        for line in block.splitlines():
-            line, _, comment = line.removeprefix("$ ").partition("#")
-            line = line.strip()
-            if re.match(r"verify |python3 -I ", line):
-                code = re.search(r"exit code ([0-9])", comment)
-                yield Command(SHORT.get(line, line), int(code[1]) if code else 0)
+def pages() -> list[Path]:
+    """The pages whose commands are run."""
+    return [*(ROOT / page for page in PAGES), *sorted((ROOT / "docs").rglob("*.md"))]
+
+
+def steps_of(text: str) -> Iterator[Step]:
+    """What a reader of one page does, in order."""
+    for _, kind, block in FENCE.findall(text):
+        caption = re.match(r":caption: (\S+)\n+", block)
+        if kind.startswith("{code-block}") and caption:
+            yield File(caption[1], block[caption.end() :])
+        elif kind == "console":
+            yield from session(block)
+        elif not kind.startswith("{"):
+            yield from commands_of(block)
+
+
+def session(block: str) -> Iterator[Command]:
+    """The commands of a session with what they print."""
+    parts = [part.split("\n", 1) for part in re.split(r"^\$ ", block, flags=re.MULTILINE)[1:]]
+    for number, (line, shown) in enumerate(parts):
+        following = parts[number + 1] if number + 1 < len(parts) else ["", ""]
+        code = int(following[1]) if following[0] == "echo $?" else 0
+        if line != "echo $?":
+            yield Command(line, code, shown)
+
+
+def commands_of(block: str) -> Iterator[Command]:
+    """The command lines of a block that shows no output."""
+    for whole in block.splitlines():
+        line, _, comment = whole.partition("#")
+        line = line.strip()
+        if re.match(r"verify |python3 -I ", line):
+            code = re.search(r"exit code ([0-9])", comment)
+            yield Command(SHORT.get(line, line), int(code[1]) if code else 0)
 
 
 def to_run(command: Command, folder: str) -> str:
@@ -63,16 +102,53 @@ def to_run(command: Command, folder: str) -> str:
     return line
 
 
-def complaint(command: Command, code: int, err: str) -> str:
+def is_shown(shown: str, printed: str) -> bool:
+    """Whether a page shows what was printed, with ``...`` for what it leaves out."""
+    parts = re.split(r"^\.\.\.\n|\.\.\.", shown.rstrip("\n"), flags=re.MULTILINE)
+    whole = ".*".join(map(re.escape, parts))
+    return re.fullmatch(whole, printed.rstrip("\n"), re.DOTALL) is not None
+
+
+def complaint(command: Command, code: int, printed: str) -> str:
     """What is wrong with how a command ended; nothing if it is right."""
-    if "Traceback" in err:
+    if "Traceback" in printed:
         return "a traceback"
-    return "" if code == command.code else f"exit code {code}, and {command.code} is said"
+    if code != command.code:
+        return f"exit code {code}, and {command.code} is said"
+    wrong = command.shown is not None and not is_shown(command.shown, printed)
+    return "something else is shown" if wrong else ""
+
+
+def followed(page: Path, place: Path, environment: Mapping[str, str]) -> Iterator[str]:
+    """Does what a page says, in an empty folder; yields what goes wrong."""
+    for name in ("certificates", "verify"):
+        (place / name).symlink_to(ROOT / name)
+    for number, step in enumerate(steps_of(page.read_text(encoding="utf-8"))):
+        if isinstance(step, File):
+            (place / step.name).write_text(step.text, encoding="utf-8")
+            continue
+        start = time.monotonic()
+        done = subprocess.run(
+            ["sh", "-c", to_run(step, str(place / f"out-{number}"))],
+            cwd=place,
+            env={**environment, "COLUMNS": "88"},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            encoding="utf-8",
+            timeout=SECONDS,
+            check=False,
+        )
+        print(f"{time.monotonic() - start:6.1f} s  {step.line}", flush=True)
+        found = complaint(step, done.returncode, done.stdout)
+        if found:
+            yield f"{page.relative_to(ROOT)}: {step.line}: {found}:\n{done.stdout[-3000:]}"
 
 
 def installed(place: Path) -> dict[str, str]:
-    """A copy of the repository, and the environment with the package and nothing else."""
-    left_out = shutil.ignore_patterns(".git", ".venv", "__pycache__", ".*_cache", "*.egg-info")
+    """An environment with the package and nothing else, made from a copy of the repository."""
+    left_out = shutil.ignore_patterns(
+        ".git", ".venv", "__pycache__", ".*_cache", "*.egg-info", "build"
+    )
     shutil.copytree(ROOT, place / "copy", symlinks=True, ignore=left_out)
     subprocess.run([sys.executable, "-m", "venv", str(place / "bare")], check=True)
     pip = [str(place / "bare/bin/python"), "-m", "pip", "install", "-q", "."]
@@ -82,28 +158,17 @@ def installed(place: Path) -> dict[str, str]:
 
 
 def main() -> int:
-    """Run every command; return 1 if one of them does not do what is said."""
+    """Follow every page; return 1 if one of them does not say what happens."""
     wrong = 0
     with tempfile.TemporaryDirectory() as name:
         place = Path(name)
         environment = installed(place)
-        for number, command in enumerate(commands()):
-            line = to_run(command, str(place / f"out-{number}"))
-            start = time.monotonic()
-            done = subprocess.run(
-                ["sh", "-c", line],
-                cwd=place / "copy",
-                env=environment,
-                capture_output=True,
-                text=True,
-                timeout=SECONDS,
-                check=False,
-            )
-            found = complaint(command, done.returncode, done.stderr)
-            print(f"{time.monotonic() - start:6.1f} s  {command.line}", flush=True)
-            if found:
+        for number, page in enumerate(pages()):
+            folder = place / f"page-{number}"
+            folder.mkdir()
+            for found in followed(page, folder, environment):
                 wrong += 1
-                print(f"{found}: {command.line}\n{done.stderr[-2000:]}", file=sys.stderr)
+                print(found, file=sys.stderr)
     return 1 if wrong else 0
 
 

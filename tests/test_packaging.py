@@ -41,13 +41,14 @@ def test_what_is_imported_is_installed_and_nothing_else() -> None:
     assert HEAVY.keys() <= imported()
     for module, extra in HEAVY.items():
         assert names(extras[extra]) == {module}
-    assert extras.keys() == {*HEAVY.values(), "test"}
+    assert extras.keys() == {*HEAVY.values(), "docs", "test"}
 
 
 def test_the_lock_file_has_what_is_installed() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    extras = project["optional-dependencies"]
     locked = names((ROOT / "requirements.lock").read_text(encoding="utf-8").split())
-    asked = names([*project["dependencies"], *project["optional-dependencies"]["test"]])
+    asked = names([*project["dependencies"], *extras["docs"], *extras["test"]])
     assert asked <= locked
 
 

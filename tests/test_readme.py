@@ -1,111 +1,127 @@
-"""The README says what the program finds; run this file to bring its tables up to date."""
+"""README.md and docs/: counts are the program's, paths and links lead somewhere, nothing grows."""
 
 from __future__ import annotations
 
 import json
 import re
-from collections import Counter
-from collections.abc import Iterable
+import sys
+from fractions import Fraction
 from pathlib import Path
-from textwrap import wrap
+
+import pytest
 
 from tests.points import parameters
-from verify.language.statement import PRINTED, PROVED, REFUTED
-from verify.paper.commands import everywhere, spectrum
+from tests.readme_commands import ROOT
+from verify.language.statement import PROVED, REFUTED
+from verify.language.typeset import Typesetter
+from verify.paper.commands import everywhere
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.groups import REPAIRED
-from verify.paper.rows import BREAKS, HARMLESS, SLIP
-from verify.paper.source import PAPER
-from verify.paper.step.numbers import COLLAPSE
+from verify.paper.initial_data import ConstantSet
+from verify.paper.rows import BREAKS
 from verify.paper.theorem1 import theorem
-from verify.views.markdown import defects
-from verify.views.setting import markdown_template
+from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 
-ROOT = Path(__file__).resolve().parent.parent
+sys.path.append(str(ROOT / "docs"))
+
 README = ROOT / "README.md"
-DATA = ROOT / "certificates" / "data" / "bench.json"
+PAGES = [README, *sorted((ROOT / "docs").rglob("*.md"))]
 
 
-def expected(text: str) -> str:
-    text = between(text, "counts", counts())
-    table = defects(decide_point(parameters("3/100", "1")), PAPER)
-    text = between(text, "defects", table.splitlines())
-    text = between(text, "causes", [f"* `{'`, `'.join(c.rows)}`: {c.text}" for c in causes()])
-    remarks = theorem().remarks
-    text = between(text, "remarks", [f"* `{remark.label}`: {remark.text}" for remark in remarks])
-    for name in ("precision", "equal_width", "double_verdicts"):
-        measured = json.loads(DATA.read_text(encoding="utf-8"))["tables"][name]
-        rows = [tuple(map(str, row)) for row in measured["rows"]]
-        table = markdown_template("markdown.j2").module.grid(measured["columns"], rows)
-        text = between(text, name, table.strip().splitlines())
-    return text
+def words(page: str) -> str:
+    return " ".join((ROOT / page).read_text(encoding="utf-8").split())
 
 
-def counts() -> list[str]:
-    """What is wrong with the print at the point of the README, in numbers."""
-    outcome = decide_point(parameters("3/100", "1"))
-    refuted = [row for row, d in outcome.rows if row.role == PRINTED and d.verdict == REFUTED]
-    assert all(outcome.decisions[row.name].sides for row in refuted)
-    by_severity = Counter(row.severity for row in refuted)
-    alone = sum(".alone-" in row.name for row in refuted)
-    breaking = {row.name for row in refuted if row.severity == BREAKS}
-    assert sum(bool(breaking & set(cause.rows)) for cause in causes()) == 1
-    text = (
-        f"* **The proof as printed does not close.** At r = 0.03, θ₀ = π, {len(refuted)} of its "
-        f"rows are refuted, each with both sides enclosed; they have {len(causes())} causes. "
-        f"{by_severity[BREAKS]} rows, of one cause, break the argument; {by_severity[HARMLESS]} "
-        f"are false but harmless there, and {alone} of these ask of one entry of a minimum alone "
-        "what the text claims of the whole minimum; "
-        f"{by_severity[SLIP]} are slips of wording."
+# --- figures -------------------------------------------------------------------------------------
+
+
+def counts() -> str:
+    """What is wrong with the print at the point of the README, as it stands there."""
+    from generated import figures
+
+    found = figures()
+    return (
+        f"At r = 0.03, θ₀ = π, {found['refuted']} of its inequalities are refuted; they have "
+        f"{found['causes']} causes. {found['breaking']} of them, with one cause, break the "
+        f"argument; {found['harmless']} are false but harmless there; {found['slips']} are slips "
+        "of wording."
     )
-    return wrap(text, 99, subsequent_indent="  ")
-
-
-def causes():
-    """The causes of rows that are refuted at the point of the README."""
-    found = decide_point(parameters("3/100", "1"))
-    refuted = {row.name for row, decision in found.rows if decision.verdict == REFUTED}
-    return [cause for cause in theorem().causes if refuted & set(cause.rows)]
-
-
-def between(text: str, name: str, lines: Iterable[str]) -> str:
-    begin, end = f"<!-- {name}: begin -->\n", f"<!-- {name}: end -->\n"
-    before, rest = text.split(begin)
-    content = "\n".join(lines)
-    return f"{before}{begin}{content}\n{end}{rest.split(end)[1]}"
-
-
-def test_the_tables_are_what_the_program_found() -> None:
-    text = README.read_text(encoding="utf-8")
-    assert text == expected(text), "run `python -m tests.test_readme`, and look at what it changed"
 
 
 def test_the_counts_are_right() -> None:
-    text = " ".join(README.read_text(encoding="utf-8").split())
+    assert counts() in words("README.md"), f"write in README.md: {counts()}"
+
+
+def test_what_breaks_the_argument_has_one_cause() -> None:
     outcome = decide_point(parameters("3/100", "1"))
-    own = [(row, d) for row, d in outcome.of_group(REPAIRED) if row.name != COLLAPSE]
-    proved = [d.verdict for _, d in own]
-    assert {*proved, outcome.decisions[COLLAPSE].verdict} == {PROVED}
-    assert "all rows of the repaired set are proved" in text
-    assert f"The {len(outcome.printed_assumptions)} sentences that the paper's own rows" in text
-    graded = [assumption.kind for assumption in outcome.assumptions]
-    assert outcome.assumptions == everywhere.decide_everywhere().assumptions
-    assert len(graded) == 8
-    assert "rests on eight sentences: a definition" in text
-    rows = [row for row, _ in everywhere.decide_everywhere().rows if row.group == REPAIRED]
-    assert {row.name for row in rows} >= {row.name for row, _ in outcome.of_group(REPAIRED)}
-    assert sorted(graded) == ["definition", *["general mathematics"] * 3, *["numbered glue"] * 4]
-    witnesses = [d for _, d in spectrum.decide_spectrum().rows if d.verdict == REFUTED]
-    assert len(witnesses) == 9
-    assert all(d.method == "witness" for d in witnesses)
-    assert "Nine rows are refuted, each with an exact witness" in text
+    refuted = {row.name: row for row, d in outcome.rows if d.verdict == REFUTED}
+    assert all(outcome.decisions[name].sides for name in refuted)
+    breaking = {name for name, row in refuted.items() if row.severity == BREAKS}
+    assert sum(bool(breaking & set(cause.rows)) for cause in theorem().causes) == 1
 
 
-def test_the_files_that_it_names_exist() -> None:
-    text = README.read_text(encoding="utf-8")
-    for path in re.findall(r"`((?:verify|tests|certificates)/[\w./-]*)`", text):
+def test_the_assumptions_are_those_of_the_readme() -> None:
+    every = everywhere.decide_everywhere()
+    outcome = decide_point(parameters("3/100", "1"))
+    assert {d.verdict for _, d in (*outcome.of_group(REPAIRED), *every.rows)} == {PROVED}
+    assert outcome.assumptions == every.assumptions
+    kinds = sorted(assumption.kind for assumption in outcome.assumptions)
+    assert kinds == ["definition", *["general mathematics"] * 3, *["numbered glue"] * 4]
+    assert f"Given {len(kinds)} assumptions*: a definition" in words("README.md")
+
+
+def test_what_is_generated_is_there() -> None:
+    from generated import FRAGMENTS, MARK, section
+
+    marks = [mark for page in PAGES for mark in MARK.findall(page.read_text(encoding="utf-8"))]
+    assert sorted(marks) == sorted(FRAGMENTS)
+    assert section("What was changed").startswith("| Label | Paper | Needed | Why |")
+    for name in ("causes", "exit_codes", "schemas", "letters"):
+        assert FRAGMENTS[name]().count("\n") > 5, name
+
+
+def test_the_changes_are_those_of_the_repaired_set() -> None:
+    """The entries of the repaired minima of which the pages speak."""
+    typesetter, k = Typesetter({}), ConstantSet(REPAIRED)
+    bounds = {name: [typesetter.term(e) for e in terms] for name, terms in k.bounds().items()}
+    assert "V_0/repaired.V_1·(delta_2²·h_5/12)" in bounds["delta_x"]
+    assert "(1 - C_eta)/28·(V_0/√repaired.V_1)·repaired.Delta_theta" in bounds["eta_bar"]
+    assert "repaired.Delta_theta/4" in bounds["d_const"]
+    assert "one more entry in the minimum that defines δ_x: (V₀/V₁) δ₂² h₅/12" in words(
+        "docs/explanation/proof.md"
+    )
+
+
+def test_the_precision_of_the_glossary() -> None:
+    said = f"{DEFAULT_PRECISION} bits, doubled up to {DEFAULT_MAX_PRECISION}"
+    assert said in words("docs/reference/glossary.md")
+
+
+def test_equal_width() -> None:
+    """Four bits at a time, and no greater width: in the data that the table is made from."""
+    path = ROOT / "certificates/data/bench.json"
+    table = json.loads(path.read_text(encoding="utf-8"))["tables"]["equal_width"]
+    for bits, arb_bits, width, arb_width, _ in table["rows"]:
+        assert arb_bits > bits
+        assert (arb_bits - bits) % 4 == 0
+        assert Fraction(arb_width) <= Fraction(width)
+
+
+# --- paths and links -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_paths_and_links_lead_somewhere(page: Path) -> None:
+    text = page.read_text(encoding="utf-8")
+    for path in re.findall(r"`((?:verify|tests|certificates|docs)/[\w./-]*)`", text):
         assert (ROOT / path).exists(), path
+    for link in re.findall(r"\]\(([^)#:]+)\)", text):
+        places = [page.parent / link, page.parent / f"{link}.md"]
+        assert any(place.exists() for place in places), link
 
 
-if __name__ == "__main__":
-    README.write_text(expected(README.read_text(encoding="utf-8")), encoding="utf-8")
+def test_the_readme_is_short_and_has_the_lines_that_ci_reads() -> None:
+    lines = README.read_text(encoding="utf-8").splitlines()
+    assert len(lines) <= 120
+    starts = [line for line in lines if line.startswith("python3 -m venv ")]
+    assert [line.endswith("pytest") for line in starts] == [False, True]

@@ -1,24 +1,78 @@
-"""The command lines of the README are found, and a wrong end of one is seen."""
+"""What the pages tell a reader to do is found, is done, and a wrong page is seen."""
 
 from __future__ import annotations
 
-from tests.readme_commands import Command, commands, commands_of, complaint, to_run
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.readme_commands import (
+    ROOT,
+    Command,
+    File,
+    complaint,
+    followed,
+    is_shown,
+    pages,
+    steps_of,
+    to_run,
+)
 from verify.cli import COMMANDS
 
 
-def test_every_command_is_in_the_readme_and_is_found() -> None:
-    found = [command.line for command in commands()]
-    assert {line.split()[1] for line in found if line.startswith("verify ")} == COMMANDS.keys()
-    assert len([line for line in found if line.startswith("python3 -I verify/check")]) >= 3
-    assert Command("verify theorem1 --r 0.03 --constants printed", 1) in commands()
+def steps() -> list[Command | File]:
+    return [step for page in pages() for step in steps_of(page.read_text(encoding="utf-8"))]
+
+
+#: What `.ci/run` does itself.
+IN_CI = {"certify", "report"}
+
+
+def test_every_command_is_run_on_some_page() -> None:
+    lines = [step.line for step in steps() if isinstance(step, Command)]
+    run = {line.split()[1] for line in lines if line.startswith("verify ")}
+    assert COMMANDS.keys() - IN_CI <= run
+    assert len([line for line in lines if line.startswith("python3 -I verify/check")]) >= 3
+    assert any(isinstance(step, File) for step in steps())
 
 
 def test_a_line_is_what_a_shell_can_run() -> None:
-    page = "```sh\nverify map phi --out DIR  # x\nverify/coq/build /tmp\n$ verify check DIR\n```\n"
-    first, second = commands_of(page)
+    page = "```sh\nverify map phi --out DIR  # x\nverify/coq/build /tmp\nverify check DIR\n```\n"
+    first, second = steps_of(page)
     assert to_run(first, "/tmp/a b") == "verify map phi --out '/tmp/a b'"
     assert to_run(second, "x") == "verify check certificates/theorem1-r-3-100"
-    assert not any(word in to_run(c, "x") for c in commands() for word in ("DIR", "STATEMENT"))
+
+
+def test_a_session_has_files_outputs_and_exit_codes() -> None:
+    page = (
+        "```{code-block} toml\n:caption: a.toml\n\nr = 1\n```\n"
+        "```console\n$ verify scene a.toml\none\ntwo\n$ echo $?\n3\n$ ls\n```\n"
+    )
+    file, first, second = steps_of(page)
+    assert file == File("a.toml", "r = 1\n")
+    assert first == Command("verify scene a.toml", 3, "one\ntwo\n")
+    assert second == Command("ls", 0, "")
+
+
+@pytest.mark.parametrize(
+    ("shown", "printed", "same"),
+    [
+        ("a\nb\n", "a\nb\n", True),
+        ("a\n", "a\nb\n", False),
+        ("a\n...\nd\n", "a\nb\nc\nd\n", True),
+        ("a\n...\n", "a\nb\n", True),
+        ("...\nb\n", "a\nb\n", True),
+        ("...\nb\n", "a\nc\n", False),
+        ("in 0... s\n", "in 0.5 s\n", True),
+        ("a.b\n", "axb\n", False),
+        ("", "", True),
+        ("\n", "a\n", False),
+    ],
+)
+def test_what_a_page_leaves_out(shown: str, printed: str, same: bool) -> None:
+    assert is_shown(shown, printed) is same
 
 
 def test_a_wrong_end_is_seen() -> None:
@@ -26,3 +80,12 @@ def test_a_wrong_end_is_seen() -> None:
     assert complaint(command, 1, "") == ""
     assert "exit code 0" in complaint(command, 0, "")
     assert complaint(command, 1, "Traceback (most recent call last):\n") == "a traceback"
+    assert complaint(command._replace(shown="a\n"), 1, "b\n") == "something else is shown"
+
+
+@pytest.mark.parametrize(
+    "page", sorted((ROOT / "docs/tutorials").glob("*.md")), ids=lambda p: p.stem
+)
+def test_a_tutorial_shows_what_happens(page: Path, tmp_path: Path) -> None:
+    path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
+    assert not list(followed(page, tmp_path, {**os.environ, "PATH": path}))

@@ -1,0 +1,318 @@
+"""What the program itself writes into the pages while they are built.
+
+A line ``<!-- generated: NAME -->`` of a page becomes the Markdown that the function ``NAME``
+returns, and ``{{ name }}`` in a sentence becomes a figure of `figures`. So no table and no count
+can be out of date. At the end each built page is searched for what it would load from elsewhere,
+since the pages have to be readable without a network.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterable
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from verify.cli import _EXIT_CODES, COMMANDS
+from verify.cli.options import Parser
+from verify.paper.glossary import LETTERS
+from verify.paper.theorem1 import theorem
+
+ROOT = Path(__file__).resolve().parent.parent
+MARK = re.compile(r"^<!-- generated: (\w+) -->$", re.MULTILINE)
+#: What a built page would load: a script, style, picture or font with an address of its own.
+LOADED = re.compile(
+    r"<(?:script|img|iframe|link(?![^>]*rel=\"(?:canonical|author)\"))[^>]*(?:src|href)=\"(?:https?:)?//"
+    r"|@import|url\([\"']?(?:https?:)?//"
+)
+
+
+# --- what the program says ------------------------------------------------------------------------
+
+
+@cache
+def document(*words: str) -> Any:
+    """The JSON document of a command; its exit code may be that of a refutation."""
+    line = [sys.executable, "-m", "verify", *words, "--json"]
+    done = subprocess.run(line, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+    if done.returncode not in (0, 1):
+        raise RuntimeError(f"verify {' '.join(words)}: {done.stderr}")
+    return json.loads(done.stdout)
+
+
+def point() -> Any:
+    """Theorem 1 at the point that the pages speak about."""
+    return document("theorem1", "--r", "0.03")
+
+
+def figures() -> dict[str, str]:
+    """The figures that sentences name."""
+    printed, repaired = (point()["sets"][name]["obligations"] for name in ("printed", "repaired"))
+    refuted = [row for row in printed if row["verdict"] == "refuted"]
+    hypotheses = [row for row in point()["hypotheses"] if row["verdict"] == "refuted"]
+    severity = Counter(row["severity"] for row in [*refuted, *hypotheses])
+    names = {row["name"] for row in [*refuted, *hypotheses]}
+    elsewhere, spectrum = document("elsewhere")["claims"], document("spectrum")["claims"]
+    every = document("theorem1", "--all")["claims"]
+    ci = (ROOT / ".ci/run").read_text(encoding="utf-8")
+    named = {
+        "mutants": re.findall(r"tests\.mutation .*--least (\d+)", ci)[0],
+        "refuted": len(refuted) + len(hypotheses),
+        "breaking": severity["breaks the argument"],
+        "harmless": severity["false, but harmless here"],
+        "slips": severity["slip of wording"],
+        "causes": sum(bool(names & set(cause.rows)) for cause in theorem().causes),
+        "repaired": sum(not row["name"].endswith("collapse") for row in repaired),
+        "all_rows": len(every),
+        "assumptions": len(point()["assumptions"]),
+        "printed_assumptions": len(point()["assumptions_of_printed_rows"]),
+        "elsewhere_rows": len(elsewhere),
+        "elsewhere_proved": sum(row["verdict"] == "proved" for row in elsewhere),
+        "elsewhere_refuted": sum(row["verdict"] == "refuted" for row in elsewhere),
+        "spectrum_refuted": sum(row["verdict"] == "refuted" for row in spectrum),
+        "classification_assumptions": len(document("classification")["assumptions"]),
+    }
+    return {name: str(value) for name, value in named.items()}
+
+
+# --- tables ---------------------------------------------------------------------------------------
+
+
+def table(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
+    """A table in Markdown."""
+    heads = list(head)
+    lines = [heads, ["---"] * len(heads), *rows]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def escaped(text: str) -> str:
+    """A text in which Markdown sees no markup of its own."""
+    return re.sub(r"([|*_<\[\]])", r"\\\1", text)
+
+
+def section(title: str) -> str:
+    """One section of the committed report on Theorem 1 at the point."""
+    report = (ROOT / "certificates/theorem1-r-3-100/report.md").read_text(encoding="utf-8")
+    return report.split(f"\n## {title}\n")[1].split("\n## ")[0].strip()
+
+
+def defects() -> str:
+    """The rows of the printed set that are refuted, with both sides."""
+    return section("What is printed and refuted here")
+
+
+def changes() -> str:
+    """What the repaired set changes."""
+    return section("What was changed")
+
+
+def causes() -> str:
+    """Why, once for each cause."""
+    return "\n".join(f"* `{'`, `'.join(c.rows)}`: {escaped(c.text)}" for c in theorem().causes)
+
+
+def remarks() -> str:
+    """What else is remarked on the text of the proof."""
+    return "\n".join(f"* `{r.label}`: {escaped(r.text)}" for r in theorem().remarks)
+
+
+def assumptions() -> str:
+    """The sentences that the verdict at the point rests on."""
+    return table(
+        ("Name", "Kind", "Sentence"),
+        ([f"`{a['name']}`", a["kind"], escaped(a["statement"])] for a in point()["assumptions"]),
+    )
+
+
+def letters() -> str:
+    """Every letter of the paper, and where it is introduced."""
+    rows = ([letter.letter, escaped(letter.says), f"`{letter.label}`"] for letter in LETTERS)
+    return table(("Letter", "What it stands for", "Label in the paper's source"), rows)
+
+
+def exit_codes() -> str:
+    """The exit codes, as the program lists them."""
+    return table(("Code", "Meaning"), ([str(c), says] for c, says in _EXIT_CODES.items()))
+
+
+def commands() -> str:
+    """Each command with its options, from its parser."""
+    pages = []
+    for name, summary in COMMANDS.items():
+        module = import_module(f"verify.cli.{name}")
+        parser = Parser(f"verify {name}", module.__doc__ or "")
+        module.add_arguments(parser)
+        rows = ([f"`{option}`", escaped(text)] for option, text in parser._help)
+        about = escaped((module.__doc__ or summary).strip())
+        pages.append(f"## verify {name}\n\n{about}\n\n{table(('Option', 'Meaning'), rows)}")
+    return "\n\n".join(pages)
+
+
+def schemas() -> str:
+    """The schema of each JSON document, with the keys at its top."""
+    rows = []
+    for path in sorted((ROOT / "certificates/schema").glob("*.json")):
+        schema = json.loads(path.read_text(encoding="utf-8"))
+        keys = ", ".join(f"`{key}`" for key in schema.get("properties", {}))
+        rows.append([f"`{path.name}`", escaped(schema["title"]), keys])
+    return table(("Schema", "What it describes", "Keys"), rows)
+
+
+def law() -> str:
+    """The page on statements and certificates, whose links to folders become names of folders."""
+    text = (ROOT / "certificates/README.md").read_text(encoding="utf-8")
+    title, rest = re.sub(r"\[(`[^`]*`)\]\([^)]*\)", r"\1", text).split("\n\n", 1)
+    return f"{title}\n\nPaths on this page are relative to the folder `certificates/`.\n\n{rest}"
+
+
+def measured(name: str) -> str:
+    """A table of the committed measurements of speed and error."""
+    data = json.loads((ROOT / "certificates/data/bench.json").read_text(encoding="utf-8"))
+    found = data["tables"][name]
+    return table(found["columns"], (map(str, row) for row in found["rows"]))
+
+
+def precision() -> str:
+    """Time and width of enclosures, by bits."""
+    return measured("precision")
+
+
+def equal_width() -> str:
+    """Times at equal width."""
+    return measured("equal_width")
+
+
+def double_verdicts() -> str:
+    """What plain doubles get wrong."""
+    return measured("double_verdicts")
+
+
+# --- the plan of the house ------------------------------------------------------------------------
+
+
+@cache
+def rooms() -> dict[str, Counter[str]]:
+    """For each room, how many of its imports go to each other room."""
+    from grimp import build_graph
+
+    def room(module: str) -> str:
+        parts = module.split(".")
+        return parts[1] if len(parts) > 1 else ""
+
+    graph = build_graph("verify", cache_dir=None)
+    found: dict[str, Counter[str]] = {}
+    for module in graph.modules:
+        here = found.setdefault(room(module), Counter())
+        others = (room(other) for other in graph.find_modules_directly_imported_by(module))
+        here.update(other for other in others if other not in (room(module), ""))
+    return {name: found[name] for name in found if name not in ("", "__main__")}
+
+
+def arrows() -> set[tuple[str, str]]:
+    """Who imports whom, less what follows from others; of a circle the weaker arrow is left out."""
+    uses = rooms()
+    kept = {
+        name: {other for other in others if uses[other][name] <= others[other]}
+        for name, others in uses.items()
+    }
+
+    def reaches(name: str, end: str) -> bool:
+        return end in kept[name] or any(reaches(other, end) for other in kept[name])
+
+    return {
+        (name, end)
+        for name, others in kept.items()
+        for end in others
+        if not any(reaches(other, end) for other in others - {end})
+    }
+
+
+def house() -> str:
+    """The rooms as a picture: an arrow leads from a room to one below, which it imports."""
+    drawn = arrows()
+
+    def floor(name: str) -> int:
+        return max((1 + floor(end) for start, end in drawn if start == name), default=0)
+
+    floors: dict[int, list[str]] = {}
+    for name in sorted(rooms()):
+        floors.setdefault(floor(name), []).append(name)
+    top = max(floors)
+    place = {
+        name: (360 + int((column - (len(names) - 1) / 2) * 180), 40 + (top - level) * 80)
+        for level, names in floors.items()
+        for column, name in enumerate(names)
+    }
+    lines = []
+    for start, end in sorted(drawn):
+        (x1, y1), (x2, y2) = place[start], place[end]
+        bend = 0 if floor(start) == floor(end) + 1 else 130 if x1 >= 360 else -130
+        path = f"M{x1} {y1 + 17} Q{(x1 + x2) // 2 + bend} {(y1 + y2) // 2} {x2} {y2 - 17}"
+        lines.append(ARROW.format(path, f"{start} imports {end}"))
+    boxes = [BOX.format(x - 62, y - 17, x, y + 5, name) for name, (x, y) in place.items()]
+    return "\n".join([PICTURE.format(80 + top * 80), *lines, *boxes, "</svg>"])
+
+
+ARROW = '<path d="{}" marker-end="url(#tip)"><title>{}</title></path>'
+BOX = '<rect x="{}" y="{}" width="124" height="34" rx="5"/><text x="{}" y="{}">{}</text>'
+PICTURE = """<svg class="house" role="img" aria-label="The rooms, and which imports which"
+ viewBox="0 0 720 {}" xmlns="http://www.w3.org/2000/svg">
+<style>
+.house path {{ fill: none; stroke: #7a8a99; stroke-width: 1.5 }}
+.house rect {{ fill: #e8eef4; stroke: #445566 }}
+.house text {{ font: 14px sans-serif; text-anchor: middle; fill: #112233 }}
+.house marker path {{ fill: #7a8a99; stroke: none }}
+</style>
+<defs><marker id="tip" viewBox="0 0 8 8" refX="7" refY="4" markerWidth="9" markerHeight="9"
+ markerUnits="userSpaceOnUse" orient="auto"><path d="M0 0L8 4L0 8z"/></marker></defs>"""
+
+
+def imports() -> str:
+    """How many imports lead from each room to each other."""
+    uses = rooms()
+    names = sorted(uses, key=lambda name: -len(uses[name]))
+    rows = ([f"**{name}**", *(str(uses[name][end] or "") for end in names)] for name in names)
+    return table(("imports", *names), rows)
+
+
+# --- Sphinx ---------------------------------------------------------------------------------------
+
+FRAGMENTS: dict[str, Callable[[], str]] = {
+    function.__name__: function
+    for function in (
+        *(defects, changes, causes, remarks, assumptions, letters, exit_codes, commands),
+        *(schemas, law, precision, equal_width, double_verdicts, house, imports),
+    )
+}
+
+
+def filled(text: str) -> str:
+    """A page with what is generated in place of its marks."""
+    return MARK.sub(lambda mark: FRAGMENTS[mark[1]](), text)
+
+
+def _read(app: Any, name: str, source: list[str]) -> None:
+    source[0] = filled(source[0])
+
+
+def _finished(app: Any, error: Exception | None) -> None:
+    from sphinx.errors import ExtensionError
+
+    for path in Path(app.outdir).rglob("*"):
+        if error is None and path.suffix in (".html", ".css"):
+            found = LOADED.search(path.read_text(encoding="utf-8"))
+            if found:
+                raise ExtensionError(f"{path} loads something from elsewhere: {found[0]}")
+
+
+def setup(app: Any) -> dict[str, bool]:
+    """Called by Sphinx."""
+    app.connect("source-read", _read)
+    app.connect("build-finished", _finished)
+    return {"parallel_read_safe": True}

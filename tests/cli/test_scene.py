@@ -73,9 +73,9 @@ BAD = {
     "a-truth": (GOOD.replace("-1.006", "true"), "'True' is not a number"),
     "two-particles": (GOOD.replace(', ["501/500", 0]', ""), "positions: write three lists"),
     "dimensions": (GOOD.replace("8e-2", "8e-2, 1"), "the vectors have 2, 3 coordinates"),
-    "one-dimension": (
-        "r = 0.1\npositions = [[0], [2], [4]]\nvelocities = [[0], [1], [2]]\n",
-        "the vectors have 1 coordinates",
+    "no-dimension": (
+        "r = 0.1\npositions = [[], [], []]\nvelocities = [[], [], []]\n",
+        "the vectors have 0 coordinates",
     ),
     "missing": ("r = 0.1\n", "'positions' is missing"),
     "unknown": (GOOD + "mass = 2\n", "'mass' is not known"),

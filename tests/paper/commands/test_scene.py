@@ -196,9 +196,9 @@ def test_scenes_that_no_file_may_hold_are_not_ours(r: str) -> None:
 
 
 def test_finitely_many_collisions_need_a_coefficient_below_one() -> None:
-    """With r = 20 on a line there are infinitely many in finite time, though R² grows."""
-    endless = scenes.scene("20", ((0, 0), ("1.1", 0), (-3, 0)), ((0, 0), (-1, 0), (-1, 0)))
-    files = files_of(endless, Budget(30))
+    """With r = 20, nearly on a line, there are very many in finite time, though R² grows."""
+    endless = scenes.scene("20", ((0, 0), ("1.1", 0), (-3, "1e-90")), ((0, 0), (-1, 0), (-1, 0)))
+    files = files_of(endless, Budget(15))
     assert b'"finite.receding"' in files["statement.json"]
     found = report(files)
     assert found.verdict == "REFUSED"

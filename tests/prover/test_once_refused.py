@@ -11,7 +11,17 @@ import pytest
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
-from verify.language.terms import Claim, as_term, cos_pi, equal, maximum, minimum, sqrt, symbol
+from verify.language.terms import (
+    Claim,
+    Term,
+    as_term,
+    cos_pi,
+    equal,
+    maximum,
+    minimum,
+    sqrt,
+    symbol,
+)
 from verify.library import ask, constant, for_all, lemma, prove
 from verify.prover.budget import WorkBudget
 from verify.prover.goal import Bounds, Goal
@@ -222,3 +232,13 @@ def test_ranges_that_lie_prove_nothing(monkeypatch: pytest.MonkeyPatch, relation
     lies = lambda *_: lambda *_: (0.0, 0.0, 1.0, 1.0)  # noqa: E731
     monkeypatch.setattr(tree, "range_function", lies)
     assert Tree(false, bounds, {}, WorkBudget(10**6)).prove(300) is None
+
+
+@pytest.mark.parametrize("places", [3, 40, 400, 4000])
+def test_cosines_of_large_numbers(places: int) -> None:
+    """The checker loses the bits of the reduction; where it has too few, the row is undecided."""
+    large = Term("cos", as_term(10**places))
+    outcome = prove(lemma("title", [ask("row", 0 < large), ask("other", large < 0 * ONE)]))
+    found = {decision.verdict for decision in outcome.decisions.values()}
+    assert found in ({PROVED, REFUTED}, {UNDECIDED})
+    assert places > 400 or UNDECIDED not in found

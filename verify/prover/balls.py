@@ -226,6 +226,14 @@ def exponent(value: Any) -> int:
     return math.floor(float(ball.mid().log() / arb(10).log()))
 
 
+def magnitude_bits(value: Any) -> int:
+    """The number of bits of the integer part; 0 for a number below 1, or one that is not known."""
+    if value is None or not as_ball(value).is_finite():
+        return 0
+    mantissa, exponent = as_ball(value).abs_upper().man_exp()
+    return max(0, int(mantissa).bit_length() + int(exponent))
+
+
 def ratio(top: int, divisor: int) -> fmpq:
     """An exact quotient."""
     return fmpq(top, divisor)

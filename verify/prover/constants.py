@@ -31,6 +31,9 @@ CHECKER_BITS = 32
 
 MAX_BITS = 1 << 16
 
+#: An argument of cos with so many bits before the point costs the checker no more than those above.
+SMALL = 8
+
 #: A value that has no reliable bits with this precision is taken for zero: its enclosure is narrow.
 ZERO_BITS = 4096
 
@@ -151,10 +154,19 @@ class Constants:
             ball = self.ball(term, bits)
             if ball is not None and ball.is_finite():
                 wide = balls.widened_ends(ball, RELIABLE_BITS - 4)
-                best = _for_checker(bits), enclosing_decimals(*wide, DIGITS)
+                best = _for_checker(bits + self._lost()), enclosing_decimals(*wide, DIGITS)
                 if balls.accuracy_bits(ball) >= RELIABLE_BITS or bits >= ZERO_BITS:
                     break
         return best
+
+    def _lost(self) -> int:
+        """How many bits the checker loses where it reduces large arguments of cos."""
+        slots = self._program.cosines
+        runs = self._balls.values() if slots else ()
+        values = (run.values[slot] for run in runs for slot in slots if slot < len(run.values))
+        return max(
+            (2 * bits for bits in map(balls.magnitude_bits, values) if bits > SMALL), default=0
+        )
 
     # --- claims that enclosures decide ----------------------------------------------------------
 
@@ -162,7 +174,8 @@ class Constants:
         """What the enclosures at one precision, or exact values, decide."""
         verdict = self.compare(claim, bits)
         if verdict is not None:
-            return verdict, Interval(_for_checker(bits))
+            lost = self._lost()
+            return None if lost > MAX_BITS // 2 else (verdict, Interval(_for_checker(bits + lost)))
         a, b = self.exact(claim.lhs), self.exact(claim.rhs)
         if a is not None and b is not None:
             verdict = PROVED if holds(claim.relation, a, b) else REFUTED

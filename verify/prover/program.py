@@ -42,6 +42,7 @@ class Program:
         self.size = len(self.slots)
         self.leaves: list[tuple[int, Fraction]] = []
         self.code: list[tuple[int, str, int, int]] = []
+        self.cosines: list[int] = []
         self._slots: dict[Term, int] = {}
         self._numbering: dict[tuple[str, int, int], int] = {}
         self._algebra: dict[str, Callable[..., int]] = {
@@ -90,6 +91,8 @@ class Program:
         if slot is None:
             slot = self._numbering[key] = self._new_slot()
             self.code.append((slot, op, left, right))
+            if op == "cos":
+                self.cosines.append(left)
         return slot
 
     def _new_slot(self) -> int:

@@ -13,6 +13,7 @@ import pytest
 from verify import check
 from verify.cli import files, main
 from verify.language.terms import Claim
+from verify.paper.source import PAPER
 from verify.prover.budget import SpentError, WorkBudget
 from verify.prover.rows_in_contexts import RowsInContexts
 from verify.wire import questions as job
@@ -346,3 +347,40 @@ def test_an_unusable_statement(
 def test_unusable_options(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["prove", *words]) == 2
     assert capsys.readouterr().err.count("\n") == 1
+
+
+PAGE = """
+title = "A page of somebody else"
+
+[constants]
+q = "(3 - sqrt(5))/4"
+
+[contexts.ball]
+variables = ["x"]
+given = ["-q <= x <= q"]
+
+[rows]
+slope = { claim = "2*(q + x) <= 4*q", label = "Lemma 3" }
+rounded = { claim = "q <= 0.19", role = "printed", label = "(2.1)" }
+"""
+
+
+def test_a_report_is_about_the_theorem_of_its_author(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    page, out = tmp_path / "page.toml", tmp_path / "out"
+    page.write_text(PAGE, encoding="utf-8")
+    assert main(["prove", str(page), "--out", str(out)]) == 0
+    capsys.readouterr()
+    assert main(["check", "--markdown", str(out)]) == 0
+    text = capsys.readouterr().out
+    assert text == (out / "report.md").read_text(encoding="utf-8")
+    assert "| proved | `slope` | Lemma 3 |  | 2·(q + x) ≤ 4·q for all values of `ball` |" in text
+    assert "| (2.1) |  | q ≤ 19/100 | 0.19098300… ≤ 0.19 |" in text
+    assert "Nothing: what is proved rests on the definitions above alone." in text
+    assert PAPER.authors not in text
+    assert main(["check", "--latex", str(out)]) == 0
+    text = capsys.readouterr().out
+    assert r"\claim{q = \frac{3 - \sqrt{5}}{4}\quad (0.19098300\ldots{})}" in text
+    assert r"\texttt{slope}} Lemma 3: \textbf{proved}" in text
+    assert main(["check", "--latex", "--markdown", str(out)]) == 2

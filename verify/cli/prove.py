@@ -46,7 +46,7 @@ def run(options: Options) -> int:
     """Print a line for each row or the document, write the files, return the exit code."""
     work = WORK if options.work is None else integer("--work", options.work, 1, 999_999_999)
     content, cited = read_bytes("STATEMENT", options.STATEMENT), _cited(options.STATEMENT)
-    test_folder("--out", options.out, "statement.json", "certificate.json")
+    test_folder("--out", options.out, "statement.json", "certificate.json", "report.md")
     page = read_page_of(options.STATEMENT, content, cited)
     statement = _chosen(page.statement, options.rows)
     steps = Steps(len(statement.obligations))
@@ -87,6 +87,8 @@ def _chosen(statement: Statement, names: str | None) -> Statement:
 
 def _write(directory: str, outcome: Outcome) -> None:
     """Write a certificate of what is decided, and say what is not in it."""
+    from verify.views.markdown import report  # loaded only where it is used
+
     undecided = [row for row, found in outcome.rows if found.claimed == UNDECIDED]
     unwritten = {row.name for row in undecided if not isinstance(row.claim, Claim)}
     rows = [
@@ -107,7 +109,9 @@ def _write(directory: str, outcome: Outcome) -> None:
         print(f"verify: --out: the row {row.name} {how}", file=sys.stderr)
     kept = {row.name: outcome.decisions[row.name] for row in rows}
     statement = outcome.statement._replace(obligations=tuple(rows))
-    write_certificate("--out", directory, outcome._replace(statement=statement, decisions=kept))
+    written = outcome._replace(statement=statement, decisions=kept)
+    told = {"report.md": report(written, PAPER).encode()}
+    write_certificate("--out", directory, written, told)
 
 
 def _seconds(text: str | None) -> float | None:

@@ -23,7 +23,7 @@ from verify.paper.source import PAPER
 from verify.prover.budget import WORK, WorkBudget
 from verify.prover.outcome import Outcome
 from verify.views.prove import decided_document, decided_lines
-from verify.wire.inputs import InputError, integer, rational, shown
+from verify.wire.inputs import InputError, integer, nearest, rational, shown
 from verify.wire.questions import all_cites, decide, read_page_of
 
 #: The exit code of what was interrupted, as of any command.
@@ -74,11 +74,7 @@ def _chosen(statement: Statement, names: str | None) -> Statement:
     rows = tuple(row for row in statement.obligations if row.name in wanted)
     unknown = sorted(wanted - {row.name for row in rows})
     if unknown:
-        from difflib import get_close_matches  # loaded only where it is used
-
-        known = [row.name for row in statement.obligations]
-        near = get_close_matches(unknown[0], known, 1)
-        instead = f"did you mean {near[0]}?" if near else f"write some of {', '.join(known):.200}"
+        instead = nearest(unknown[0], [row.name for row in statement.obligations])
         raise InputError(f"--rows: there is no row {shown(unknown[0])}; {instead}")
     if all(row.role == PRINTED for row in rows):
         rows = tuple(row._replace(role=NEEDED) for row in rows)

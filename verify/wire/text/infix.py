@@ -9,13 +9,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping
-from difflib import get_close_matches
 from fractions import Fraction
 
 from verify.language.fold import TERMS, fold
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, as_term, maximum, parts_of, sqrt, symbol
-from verify.wire.inputs import InputError, rational, shown
+from verify.wire.inputs import InputError, nearest, rational, shown
 from verify.wire.text.letters import GREEK, NAMES, name_of
 
 _LETTERS = f"A-Za-z{''.join(NAMES)}"
@@ -79,12 +78,10 @@ class Names:
         raise InputError(f"{where}: {shown(name)} is not defined here; {self._instead(name)}")
 
     def _instead(self, name: str) -> str:
-        near = get_close_matches(name, [*self.known, *FUNCTIONS, *SUGAR], 1)
-        if near:
-            return f"did you mean {near[0]}?"
         short = ", ".join(list(self.known)[:8])
         what = f"what is defined is {short}" if short else "nothing is defined here"
-        return f"define it before, under constants, or write one of its values; {what}"
+        otherwise = f"define it before, under constants, or as a variable; {what}"
+        return nearest(name, [*self.known, *FUNCTIONS, *SUGAR], otherwise)
 
 
 def _absolute(term: Term) -> Term:
@@ -316,10 +313,9 @@ class _Reader:
             arguments.append(self.sum())
         self.expect(")")
         if word not in FUNCTIONS and word not in SUGAR:
-            near = get_close_matches(word, [*FUNCTIONS, *SUGAR], 1)
-            known = f"did you mean {near[0]}?" if near else f"write {', '.join(FUNCTIONS)} or abs"
-            is_name = word in GREEK or word in self.names.hidden
-            instead = f"write {word}*(...)" if is_name else known
+            known = [*FUNCTIONS, *SUGAR]
+            is_name = word in self.names.known or word in self.names.hidden or word in GREEK
+            instead = f"write {word}*(...)" if is_name else nearest(word, known)
             raise self.error(f"{shown(word)} is no function; {instead}")
         if (len(arguments) > 1) != (word in MANY):
             wanted = "at least two terms" if word in MANY else "one term"

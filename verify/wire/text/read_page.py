@@ -23,7 +23,6 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
-from difflib import get_close_matches
 from typing import Any
 
 from verify.language.statement import (
@@ -41,7 +40,7 @@ from verify.language.statement import (
     Variable,
 )
 from verify.language.terms import Claim, Term, names_of
-from verify.wire.inputs import InputError, shown
+from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.text.infix import Names, read_claims, read_term
 from verify.wire.text.letters import letter_of
 from verify.wire.text.page import Hint, Page
@@ -218,8 +217,7 @@ class _Reader:
             raise self.places.error(keys, f"{_told(value)} is no table; write key = value below it")
         for key in value if known else ():
             if key not in known:
-                near = get_close_matches(key, known, 1)
-                instead = f"did you mean {near[0]}?" if near else f"write {', '.join(known)}"
+                instead = nearest(key, known, f"write {', '.join(known)}")
                 what = f"{shown(key)} is not known here; {instead}"
                 raise self.places.error([*keys, key], what)
         return value
@@ -435,9 +433,8 @@ class _Reader:
         self.contexts[name] = Context(name, variables, givens, at, parent, says, tuple(constants))
 
     def _no_context(self, name: object, wanted: str = "one of the page") -> str:
-        near = get_close_matches(str(name), self.contexts, 1)
         known = ", ".join(self.contexts) or "none"
-        instead = f"did you mean {near[0]}?" if near else f"write {wanted}; there is {known}"
+        instead = nearest(str(name), self.contexts, f"write {wanted}; there is {known}")
         return f"{_told(name)} is no context; {instead}"
 
     def _variables(
@@ -620,8 +617,7 @@ class _Reader:
         uses = self.texts([*keys, "uses"], table.get("uses", []))
         for name in uses:
             if name not in self.assumptions:
-                near = get_close_matches(name, self.assumptions, 1)
-                instead = f"did you mean {near[0]}?" if near else "write it below [assumptions]"
+                instead = nearest(name, self.assumptions, "write it below [assumptions]")
                 raise self.places.error(
                     [*keys, "uses"], f"{shown(name)} is no assumption; {instead}"
                 )
@@ -646,8 +642,7 @@ class _Reader:
         for row, hint in self.hints.items():
             for name in hint.using:
                 if name not in self.taken or name == row:
-                    near = get_close_matches(name, self.taken, 1)
-                    instead = f"did you mean {near[0]}?" if near else "write the name of a row"
+                    instead = nearest(name, self.taken, "write the name of a row")
                     raise self.places.error(
                         ["rows", row, "using"], f"{shown(name)} is no fact; {instead}"
                     )

@@ -51,6 +51,14 @@ def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
         from verify.wire.text.read_page import read_page
 
         return read_page(path, content, cites_of(cited))
+    if path.endswith(".smt2"):
+        from verify.wire.text.smtlib import read_smtlib
+
+        return Page(read_smtlib(path, content), {})
+    if path.endswith(".fpcore"):
+        from verify.wire.text.fpcore import read_fpcore
+
+        return Page(read_fpcore(path, content), {})
     return Page(read_questions(content, cited), {})
 
 

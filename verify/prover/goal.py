@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
 from verify.language.record import Record
@@ -66,10 +66,10 @@ class Goal(Record):
         return {name: ends for name, ends in box.items() if ends} if all(box.values()) else None
 
 
-def bounds_of(context: Context) -> dict[str, Bounds]:
-    """For each variable of a context the best bounds by numbers among its givens."""
+def bounds_of(context: Context, others: Iterable[Given] = ()) -> dict[str, Bounds]:
+    """For each variable of a context the best bounds by numbers among its givens, and others."""
     found = {variable.name: Bounds() for variable in context.variables}
-    for given in context.givens:
+    for given in (*context.givens, *others):
         for name, bounds in _bounds(given):
             if name in found:
                 found[name] = _narrowed(found[name], bounds)

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from itertools import chain
 
 from verify.language.record import Record
-from verify.language.terms import Claim, names_of
+from verify.language.terms import Claim
 from verify.prover import boxes
 from verify.prover.clearing import TooLongError
 from verify.prover.goal import Goal
@@ -17,6 +16,7 @@ from verify.prover.search.cosines import by_cosines
 from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_root
 from verify.prover.search.ends_of_variables import by_ends
 from verify.prover.search.extrema import by_cases, by_entries
+from verify.prover.search.linear import by_linear_sum, by_products
 from verify.prover.search.multiple_angles import by_multiple_angles
 from verify.prover.search.positive import (
     few_squares,
@@ -29,6 +29,7 @@ from verify.prover.search.question import Question
 from verify.prover.search.squaring import by_squaring
 from verify.prover.search.subterms import by_subterms
 from verify.prover.search.tree import by_tree
+from verify.prover.search.witnesses import seems_false
 from verify.prover.signs import signs
 from verify.prover.universal import Universal
 
@@ -83,6 +84,10 @@ SIMPLE = (
     Technique("coefficients", lambda question: on_interval(question.plain)),
     Technique("cuts", _cuts),
 )
+#: For what follows from all that is linked to a claim, by sums.
+SUMS = (Technique("linear sums", by_linear_sum),)
+#: The same for claims that seem to be true.
+PRODUCTS = (Technique("sums of products", by_products),)
 #: For claims that no estimate refutes.
 SEARCHES = (
     Technique("cosines", _near_cosines),
@@ -136,25 +141,22 @@ def _stages(goal: Goal, known: Universal) -> Iterator[tuple[Question, tuple[Tech
         if not _clears(question):
             return
     yield question, SIMPLE
-    for asked in (question, _with_neighbours(question)):
-        if asked is not None and asked.clears() and not asked.is_refuted():
+    widened = question.widened() or question
+    if widened.clears():
+        yield widened, SUMS
+        if seems_false(widened):
+            return
+        yield widened, PRODUCTS
+    for asked in dict.fromkeys((question, widened)):
+        if _is_small(asked) and asked.clears() and not asked.is_refuted():
             yield asked, SEARCHES
+
+
+def _is_small(question: Question) -> bool:
+    """Whether there are not too many variables for all searches."""
+    return len(question.goal.variables) <= max(MAX_LINKED, len(question.plain.variables))
 
 
 def _clears(question: Question) -> bool:
     claim = question.plain.claim
     return question.known.clears((claim.lhs, claim.rhs), question.plain.context)
-
-
-def _with_neighbours(question: Question) -> Question | None:
-    """The goal with the variables that givens link to its own; None if there are none."""
-    goal, bounds = question.plain, question.known.bounds
-    found = {*goal.variables}
-    names = [{*names_of(given.claim.lhs, given.claim.rhs)} for given in question.givens()]
-    for _ in range(MAX_LINKED):
-        linked = [near & bounds.keys() for near in names if near & found]
-        found |= {*chain(*linked)}
-    if len(found) == len(goal.variables) or len(found) > MAX_LINKED:
-        return None
-    variables = {name: bounds[name] for name in sorted(found)}
-    return Question(goal._replace(variables=variables), question.known)

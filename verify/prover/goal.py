@@ -76,6 +76,14 @@ def bounds_of(context: Context, others: Iterable[Given] = ()) -> dict[str, Bound
     return found
 
 
+def narrowed(bounds: Bounds, name: str, given: Given) -> Bounds:
+    """The bounds of a variable with what a given says of it, if that is a better one."""
+    for variable, other in _bounds(given):
+        if variable == name:
+            bounds = _narrowed(bounds, other)
+    return bounds
+
+
 def _bounds(given: Given) -> Iterator[tuple[str, Bounds]]:
     relation, lhs, rhs = given.claim.key
     if lhs.op == "rational" and rhs.op == "symbol":

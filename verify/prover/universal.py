@@ -24,7 +24,7 @@ from verify.language.terms import (
 )
 from verify.prover.budget import WorkBudget
 from verify.prover.clearing import has_value
-from verify.prover.goal import Bounds, Goal, bounds_of
+from verify.prover.goal import Bounds, Goal, bounds_of, narrowed
 from verify.prover.ground import Ground
 from verify.prover.proof import Proof
 from verify.prover.relations import MEANINGS
@@ -53,6 +53,7 @@ class Universal:
         self.depth = 0  # of lemmas that lemmas need
         self.rows: set[str] = set()  # that are proved, so that later ones may use them
         self.bounds: dict[str, Bounds] = {}
+        self.ranged: set[str | None] = set()  # contexts in which more bounds were looked for
         self._homes: dict[str, str] = {}
         self._local: dict[str, Term] = {}
         self._clear: set[tuple[str | None, Term]] = set()
@@ -61,11 +62,13 @@ class Universal:
         """What undoes all that is found from now on, but for contexts and constants."""
         undo_steps, undo_decided = self.session.mark(), self.ground.mark()
         clear, rows, depth = {*self._clear}, {*self.rows}, self.depth
+        bounds, ranged = dict(self.bounds), {*self.ranged}
 
         def undo() -> None:
             undo_steps()
             undo_decided()
             self._clear, self.rows, self.depth = {*clear}, {*rows}, depth
+            self.bounds, self.ranged = dict(bounds), {*ranged}
 
         return undo
 
@@ -104,6 +107,14 @@ class Universal:
                     claim = Claim(relation, *sides)
                     proof = Sum(("goal", given.name, lemma))
                     yield Given(self.session.lemma(claim, proof, context.name), claim)
+
+    def is_at_home(self, name: str, context: str | None) -> bool:
+        """Whether a variable is one of this context, not of one around it."""
+        return self._homes.get(name) == context
+
+    def narrow(self, name: str, given: Given) -> None:
+        """Add a bound by a number that is a fact of the variable's own context."""
+        self.bounds[name] = narrowed(self.bounds[name], name, given)
 
     def clears_as_number(self, term: Term) -> bool:
         """Whether a term without variables can be cleared; afterwards its parts have facts."""

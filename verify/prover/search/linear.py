@@ -6,12 +6,15 @@ that is positive on a polytope is a sum of products of what bounds it. Monomials
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from itertools import combinations, combinations_with_replacement
 
 from flint import fmpq, fmpq_mpoly
 
 from verify.language.record import Record
+from verify.language.statement import Given
+from verify.language.terms import Claim, as_term, symbol
 from verify.prover.clearing import expanded
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value, product_of
@@ -37,32 +40,13 @@ class Multiple(Record):
 
 def by_linear_sum(question: Question) -> Proof | None:
     """A sum of facts with positive numbers, and of equations with any."""
-    return _or_undone(question, _linear_sum)
-
-
-def by_products(question: Question) -> Proof | None:
-    """The same with products of two or three facts, with squares, and multiples of equations."""
-    return _or_undone(question, _sum_of_products)
-
-
-def _or_undone(question: Question, prove: Callable[[Question], Proof | None]) -> Proof | None:
-    """A proof; without one the lemmas that were written down for it are taken back."""
-    undo, proof = question.known.mark(), None
-    try:
-        proof = prove(question)
-    finally:
-        if proof is None:
-            undo()
-    return proof
-
-
-def _linear_sum(question: Question) -> Proof | None:
     system = System(question)
     multiples = [Multiple(p, name, system.clearing.one) for name, p in system.equations.items()]
     return _solved(system, [system.goal, *system.facts], multiples)
 
 
-def _sum_of_products(question: Question) -> Proof | None:
+def by_products(question: Question) -> Proof | None:
+    """The same with products of two or three facts, with squares, and multiples of equations."""
     system = System(question)
     for degree in (2, 3):
         columns = [*_columns(system, degree)]
@@ -73,6 +57,64 @@ def _sum_of_products(question: Question) -> Proof | None:
         if proof is not None:
             return proof
     return None
+
+
+def find_ranges(question: Question) -> bool:
+    """Afterwards variables have the bounds that linear facts give them; whether that is news."""
+    known, place = question.known, question.goal.context
+    system, found = System(question), False
+    for name, bounds in question.goal.variables.items():
+        if not known.is_at_home(name, place):
+            continue
+        if bounds.low is None:
+            found |= _bounded(system, name, 1)
+        if bounds.high is None:
+            found |= _bounded(system, name, -1)
+    return found
+
+
+def _bounded(system: System, name: str, sign: int) -> bool:
+    """Whether a variable (with sign -1: its opposite) has a least value, by a sum of facts."""
+    if symbol(name) not in system.clearing.generators:
+        return False
+    target = sign * system.clearing.generators[symbol(name)]
+    multiples = [Multiple(p, key, system.clearing.one) for key, p in system.equations.items()]
+    found = _least(system, target, multiples)
+    if found is None:
+        return False
+    bound, weights, shares = found
+    strict = any(w and fact.strict for w, fact in zip(weights, system.facts, strict=True))
+    number, variable = as_term(sign * bound), symbol(name)
+    sides = (number, variable) if sign > 0 else (variable, number)
+    claim = Claim("<" if strict else "<=", *sides)
+    proof = _sum(system, ("goal",), (weights, system.facts), (shares, multiples))
+    known, place = system.question.known, system.question.goal.context
+    known.narrow(name, Given(known.session.lemma(claim, proof, place), claim))
+    return True
+
+
+def _least(
+    system: System, target: fmpq_mpoly, multiples: Sequence[Multiple]
+) -> tuple[Fraction, list[fmpq], list[fmpq]] | None:
+    """The largest number that facts show to be at most a polynomial, and how often each counts."""
+    rows: dict[tuple[int, ...], int] = {}
+    every = [*(f.polynomial for f in system.facts), *(m.polynomial for m in multiples)]
+    constant = (0,) * len(system.atoms)
+    split = [{tuple(map(int, m)): c for m, c in p.to_dict().items()} for p in every]
+    costs = [parts.pop(constant, fmpq(0)) for parts in split]
+    columns = [{rows.setdefault(m, len(rows)): c for m, c in parts.items()} for parts in split]
+    wanted = {tuple(map(int, m)): c for m, c in target.to_dict().items()}
+    if any(m not in rows for m in wanted):
+        return None
+    count = len(system.facts)
+    right = {rows[m]: c for m, c in wanted.items()}
+    budget = system.question.budget
+    found = solution(columns[:count], columns[count:], right, budget, costs)
+    if found is None:
+        return None
+    weights, shares = found
+    total = sum((w * c for w, c in zip((*weights, *shares), costs, strict=True)), fmpq(0))
+    return -fraction_of(total), weights, shares
 
 
 def _columns(system: System, degree: int) -> Iterator[Fact]:
@@ -141,15 +183,25 @@ def _solved(system: System, facts: Sequence[Fact], multiples: Sequence[Multiple]
     if found is None:
         return None
     weights, shares = found
+    return _sum(system, (), (weights, known), (shares, multiples))
+
+
+def _sum(
+    system: System,
+    first: tuple[Value, ...],
+    facts: tuple[Sequence[fmpq], Sequence[Fact]],
+    multiples: tuple[Sequence[fmpq], Sequence[Multiple]],
+) -> Sum:
+    """The sum of some values, of facts, and of multiples of equations."""
     addends = tuple(
         product_of(str(fraction_of(weight)), system.named(fact.value))
-        for weight, fact in zip(weights, known, strict=True)
+        for weight, fact in zip(*facts, strict=True)
         if weight
     )
     cofactors: dict[str, fmpq_mpoly] = {}
-    for share, multiple in zip(shares, multiples, strict=True):
+    for share, multiple in zip(*multiples, strict=True):
         if share:
             cofactors.setdefault(multiple.name, system.context.constant(0))
             cofactors[multiple.name] += share * multiple.cofactor
     equations = tuple((name, expanded(p, system.atoms)) for name, p in cofactors.items())
-    return Sum(addends, system.using, equations)
+    return Sum((*first, *addends), system.using, equations)

@@ -29,9 +29,16 @@ ZERO = fmpq(0)
 
 
 def solution(
-    columns: Sequence[Column], free: Sequence[Column], wanted: Column, budget: WorkBudget
+    columns: Sequence[Column],
+    free: Sequence[Column],
+    wanted: Column,
+    budget: WorkBudget,
+    costs: Sequence[fmpq] = (),
 ) -> tuple[list[fmpq], list[fmpq]] | None:
-    """Numbers x >= 0 and y whose columns add up to what is wanted; None if none are found."""
+    """Numbers x >= 0 and y whose columns add up to what is wanted; None if none are found.
+
+    If there are ``costs``, one for each number, the sum of them is as small as it can be.
+    """
     rows: dict[int, Row] = {}
     for k, column in enumerate((*columns, *free)):
         for row, value in column.items():
@@ -39,7 +46,7 @@ def solution(
     for row, value in wanted.items():
         rows.setdefault(row, {})[RIGHT] = value
     programme = _Programme([*rows.values()], len(columns), budget)
-    return programme.solved(len(free))
+    return programme.solved(len(free), {k: cost for k, cost in enumerate(costs) if cost})
 
 
 class _Programme:
@@ -49,10 +56,10 @@ class _Programme:
         self.rows, self.n, self.budget = rows, n, budget
         self.bases: list[int] = []
 
-    def solved(self, free: int) -> tuple[list[fmpq], list[fmpq]] | None:
+    def solved(self, free: int, costs: Row) -> tuple[list[fmpq], list[fmpq]] | None:
         """The numbers, of both kinds."""
-        fixed = self._eliminated(free)
-        if not self._feasible():
+        fixed = self._eliminated(free, costs)
+        if not self._feasible() or (costs and not self._cheapest(costs)):
             return None
         values = [ZERO] * (self.n + free)
         for row, basis in zip(self.rows, self.bases, strict=True):
@@ -68,7 +75,7 @@ class _Programme:
             return None
         return values[: self.n], values[self.n :]
 
-    def _eliminated(self, free: int) -> list[tuple[int, Row]]:
+    def _eliminated(self, free: int, costs: Row) -> list[tuple[int, Row]]:
         """The rows that say what the free numbers are, taken out of the programme."""
         fixed = []
         for column in range(self.n, self.n + free):
@@ -81,6 +88,8 @@ class _Programme:
             for row in having:
                 if row is not pivot:
                     self._subtract(row, pivot, row[column])
+            if column in costs:
+                self._subtract(costs, pivot, costs[column])
             fixed.append((column, pivot))
         return fixed
 
@@ -106,6 +115,26 @@ class _Programme:
                 return False
             self._pivot(index, column, cost)
             idle = idle + 1 if cost.get(RIGHT, ZERO) == left else 0
+        return False
+
+    def _cheapest(self, costs: Row) -> bool:
+        """Afterwards the costs are as small as they can be; False if that is not reached."""
+        for i, basis in enumerate(self.bases):
+            if basis < 0:
+                column = next((k for k in sorted(self.rows[i]) if k != RIGHT), None)
+                if column is not None:
+                    self._pivot(i, column, costs)
+        for row, basis in zip(self.rows, self.bases, strict=True):
+            if basis in costs:
+                self._subtract(costs, row, costs[basis])
+        for step in range(MAX_STEPS):
+            column = self._entering({k: -c for k, c in costs.items()}, step >= PATIENCE)
+            if column is None:
+                return not any(k >= self.n for k in costs)
+            index = self._leaving(column)
+            if index is None:
+                return False
+            self._pivot(index, column, costs)
         return False
 
     def _only_zeros(self) -> bool:

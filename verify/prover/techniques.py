@@ -29,10 +29,11 @@ from verify.prover.search.positive import (
     wider_squares,
 )
 from verify.prover.search.question import Question
+from verify.prover.search.restricted import by_restriction
 from verify.prover.search.squaring import by_squaring
 from verify.prover.search.subterms import by_subterms
 from verify.prover.search.tree import by_tree
-from verify.prover.search.witnesses import seems_false
+from verify.prover.search.witnesses import is_false
 from verify.prover.signs import signs
 from verify.prover.universal import Universal
 
@@ -106,6 +107,7 @@ SEARCHES = (
     Technique("cosines", _other_cosines),
     Technique("multiple angles", by_multiple_angles),
     Technique("coefficients on few parts", partial(by_bernstein, parts=FEW_PARTS)),
+    Technique("coefficients where a claim may fail", partial(by_restriction, parts=FEW_PARTS)),
     Technique("ends of variables", by_ends),
     Technique("squaring", by_squaring),
     Technique("factors", by_factors),
@@ -177,7 +179,7 @@ def _of_all_that_is_known(question: Question) -> Iterator[tuple[Question, tuple[
     widened = question.widened() or question
     if widened.clears():
         yield widened, SUMS
-        if seems_false(widened):
+        if is_false(widened):
             return
         if place not in known.ranged:
             known.ranged.add(place)

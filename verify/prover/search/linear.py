@@ -79,7 +79,7 @@ def _bounded(system: System, name: str, sign: int) -> bool:
         return False
     target = sign * system.clearing.generators[symbol(name)]
     multiples = [Multiple(p, key, system.clearing.one) for key, p in system.equations.items()]
-    found = _least(system, target, multiples)
+    found = least(system, system.facts, target, multiples)
     if found is None:
         return False
     bound, weights, shares = found
@@ -87,18 +87,21 @@ def _bounded(system: System, name: str, sign: int) -> bool:
     number, variable = as_term(sign * bound), symbol(name)
     sides = (number, variable) if sign > 0 else (variable, number)
     claim = Claim("<" if strict else "<=", *sides)
-    proof = _sum(system, ("goal",), (weights, system.facts), (shares, multiples))
+    proof = sum_of_facts(system, ("goal",), (weights, system.facts), (shares, multiples))
     known, place = system.question.known, system.question.goal.context
     known.narrow(name, Given(known.session.lemma(claim, proof, place), claim))
     return True
 
 
-def _least(
-    system: System, target: fmpq_mpoly, multiples: Sequence[Multiple]
+def least(
+    system: System,
+    facts: Sequence[Fact],
+    target: fmpq_mpoly,
+    multiples: Sequence[Multiple],
 ) -> tuple[Fraction, list[fmpq], list[fmpq]] | None:
     """The largest number that facts show to be at most a polynomial, and how often each counts."""
     rows: dict[tuple[int, ...], int] = {}
-    every = [*(f.polynomial for f in system.facts), *(m.polynomial for m in multiples)]
+    every = [*(f.polynomial for f in facts), *(m.polynomial for m in multiples)]
     constant = (0,) * len(system.atoms)
     split = [{tuple(map(int, m)): c for m, c in p.to_dict().items()} for p in every]
     costs = [parts.pop(constant, fmpq(0)) for parts in split]
@@ -106,7 +109,7 @@ def _least(
     wanted = {tuple(map(int, m)): c for m, c in target.to_dict().items()}
     if any(m not in rows for m in wanted):
         return None
-    count = len(system.facts)
+    count = len(facts)
     right = {rows[m]: c for m, c in wanted.items()}
     budget = system.question.budget
     found = solution(columns[:count], columns[count:], right, budget, costs)
@@ -183,10 +186,10 @@ def _solved(system: System, facts: Sequence[Fact], multiples: Sequence[Multiple]
     if found is None:
         return None
     weights, shares = found
-    return _sum(system, (), (weights, known), (shares, multiples))
+    return sum_of_facts(system, (), (weights, known), (shares, multiples))
 
 
-def _sum(
+def sum_of_facts(
     system: System,
     first: tuple[Value, ...],
     facts: tuple[Sequence[fmpq], Sequence[Fact]],

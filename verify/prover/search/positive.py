@@ -139,7 +139,8 @@ def by_squares(
         tried.add(key)
         for point in zeros:
             blocks = [vanishing(block, polynomials[block.factor], point) for block in blocks]
-        blocks = [vanishing_near(b, polynomials[b.factor], near) for b in blocks]
+        smaller = [vanishing_near(b, polynomials[b.factor], near) for b in blocks]
+        blocks = smaller if any(block.basis for block in smaller) else blocks
         terms = decompose(p, domain, polynomials, blocks, budget)
         proof = None if terms is None else _proof(domain, attempt, terms, outer)
         if proof is not None:

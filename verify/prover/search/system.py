@@ -95,7 +95,7 @@ def _inequalities(question: Question) -> Iterator[tuple[str, Claim]]:
     session = question.session
     for bounds in question.goal.variables.values():
         for name in (bounds.low_fact, bounds.high_fact):
-            if name and session.claims[name].relation != "=":
+            if name in session.claims and session.claims[name].relation != "=":
                 yield name, session.claims[name]
     yield from question.given.items()
     for name in sorted(question.known.rows & session.claims.keys()):

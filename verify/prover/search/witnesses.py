@@ -34,8 +34,6 @@ Values = dict[str, Term]
 Failure = Callable[[Sequence[Fraction]], bool]
 #: What is violated by nothing, but has to be strict.
 TINY = 1e-9
-#: Sides that differ by this part of them do not only nearly meet.
-FALSE = 1e-6
 
 
 def false_points(question: Question, context: Context) -> Iterator[Values]:
@@ -52,17 +50,13 @@ def false_points(question: Question, context: Context) -> Iterator[Values]:
             yield {**context.point, **_at(values, solved)}
 
 
-def seems_false(question: Question) -> bool:
-    """Whether floats say that the claim is false somewhere, not only nearly."""
+def is_false(question: Question) -> bool:
+    """Whether there are short numbers at which the givens hold and the claim does not."""
     undo = question.known.mark()
     system = System(question)
     undo()
-    for solved in islice(_solved_forms(system, _equations(system)), MAX_FORMS):
-        search = _Search(question, solved)
-        for distance in DISTANCES:
-            if any(violation <= 0 for violation, _ in Violations(search, distance, FALSE).found()):
-                return True
-    return False
+    forms = islice(_solved_forms(system, _equations(system)), MAX_FORMS)
+    return any(True for solved in forms for _ in _Search(question, solved).points())
 
 
 def _at(values: Mapping[str, Fraction], solved: dict[str, Term]) -> Values:
@@ -170,16 +164,14 @@ def _claims(name: str, bounds: Bounds) -> Iterator[Claim]:
 
 
 class Violations(Minima):
-    """By how much givens are violated, and the negated claim: 0 where all of them hold.
+    """By how much givens are violated, and the negated claim: 0 where all of them hold."""
 
-    The sides of the claim have to differ by a ``share`` of them at least.
-    """
-
-    def __init__(self, search: _Search, distance: float, share: float = 0.0) -> None:
+    def __init__(self, search: _Search, distance: float) -> None:
         goal, budget = search.question.goal, search.question.budget
         free = goal._replace(variables=search.free, definitions=search.definitions)
         super().__init__(free, budget, far=distance)
-        claims = [Claim("<", goal.claim.rhs, goal.claim.lhs), *search.claims]
+        negated = "<=" if goal.claim.relation == "<" else "<"
+        claims = [Claim(negated, goal.claim.rhs, goal.claim.lhs), *search.claims]
         terms = [term for claim in claims for term in (claim.lhs, claim.rhs)]
         sides = estimates([*search.free], terms, search.definitions)
         strict = [claim.relation == "<" for claim in claims]
@@ -189,7 +181,7 @@ class Violations(Minima):
                 values = sides(*x)
             except (ArithmeticError, ValueError):
                 return math.inf
-            total = max(0.0, values[0] - values[1] + share * (1 + abs(values[0]) + abs(values[1])))
+            total = 0.0
             for a, b, is_strict in zip(values[::2], values[1::2], strict, strict=True):
                 if a > b or (is_strict and a == b):
                     total += a - b + TINY

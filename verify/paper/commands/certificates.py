@@ -15,6 +15,7 @@ from verify.paper.commands import (
     everywhere,
     printed_set,
     scene,
+    separatrix,
     sharper,
     spectrum,
     step,
@@ -82,6 +83,8 @@ THEOREMS: dict[str, Callable[[], Outcome]] = {
     "sharper": sharper.decide_sharper,
     "flow": scene.decide_flow,
     "line": scene.decide_line,
+    "separatrix": separatrix.decide_separatrix,
+    "separatrix-r-3-100": separatrix.decide_stored,
 }
 
 

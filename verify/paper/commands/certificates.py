@@ -14,6 +14,7 @@ from verify.paper.commands import (
     elsewhere,
     everywhere,
     printed_set,
+    sandwich,
     scene,
     sharper,
     spectrum,
@@ -80,6 +81,7 @@ THEOREMS: dict[str, Callable[[], Outcome]] = {
     "classification": classification.decide_classification,
     "elsewhere": elsewhere.decide_elsewhere,
     "sharper": sharper.decide_sharper,
+    "sandwich": sandwich.decide_sandwich,
     "flow": scene.decide_flow,
     "line": scene.decide_line,
 }

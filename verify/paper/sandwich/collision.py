@@ -7,7 +7,6 @@ from fractions import Fraction
 
 from verify.language.argument import (
     ByRoot,
-    Defined,
     Factor,
     Item,
     Line,
@@ -19,7 +18,7 @@ from verify.language.argument import (
     square,
     times,
 )
-from verify.language.terms import Term, as_term, equal, sqrt, substitute_claim
+from verify.language.terms import Term, as_term, substitute_claim
 from verify.paper.dynamics.laws import (
     ANGLE,
     COMPONENTS,
@@ -43,7 +42,6 @@ from verify.paper.dynamics.state import (
     C_next,
     D,
     S,
-    d,
     d_next,
     end,
     frame,
@@ -54,36 +52,30 @@ from verify.paper.dynamics.state import (
     y_next,
 )
 from verify.paper.parameters import THEOREM
-from verify.paper.sandwich.comparison import LABEL
 from verify.paper.sandwich.flight import GROWN
-from verify.paper.sandwich.orbit import PUSH, gamma
 from verify.paper.sandwich.numbers import (
+    C_0,
     G_POSITIVE,
     HALF,
-    C_0,
     G,
     Theta,
-    U_b,
     duration,
     gain,
     half,
-    model,
     ratio,
     start,
     turning,
     w_0,
     w_1,
 )
+from verify.paper.sandwich.orbit import PUSH, gamma
 from verify.paper.sandwich.state import (
     Q,
     U,
-    Q_next,
-    U_next,
     at_next,
     clock,
     following,
     g,
-    here,
     load,
     pace,
     rho,
@@ -126,14 +118,17 @@ BOTH = plus("w_c-positive", "w_s-positive")
 
 
 def _turning() -> Iterator[Item]:
-    yield Line("C-positive", 0 < C, proof("angle-lower", "obtuse", times("turning-positive", "g-positive")))
+    yield Line(
+        "C-positive", 0 < C, proof("angle-lower", "obtuse", times("turning-positive", "g-positive"))
+    )
+    more = times("turning-positive", "ratio-positive", "Cnd1")
     yield Line("sum-positive", 0 < w_0 + w_1, proof(BOTH, equations=(("w-sum", as_term(-1)),)))
     yield Line("turned", change <= turning * (1 - ratio) * y,
                scaled(times("goal", power("v-positive", 2)), times(2, "sum-positive", "time"),
                       equations=(("turning-sum", y),)))  # fmt: skip
     yield Line("turn-short", 0 < C - change,
                proof("turned", "angle-lower", "obtuse",
-                     times("turning-positive", "Cnd2"), times("turning-positive", "ratio-positive", "Cnd1")),
+                     times("turning-positive", "Cnd2"), more),
                ANGLE, "until the next collision -cos θ turns by less than itself")  # fmt: skip
 
 
@@ -332,8 +327,16 @@ def conclusion() -> Iterator[Item]:
     )  # fmt: skip
     slower = times("turning-positive", "decay-positive", "Cnd2")
     for side, claim, says in (
-        ("upper", C_next + turning * (ratio * g) <= C + turning * g, "-cos θ_n + G_C g_n falls with n"),
-        ("lower", C - turning * g <= C_next - turning * (ratio * g), "-cos θ_n - G_C g_n rises with n"),
+        (
+            "upper",
+            C_next + turning * (ratio * g) <= C + turning * g,
+            "-cos θ_n + G_C g_n falls with n",
+        ),
+        (
+            "lower",
+            C - turning * g <= C_next - turning * (ratio * g),
+            "-cos θ_n - G_C g_n rises with n",
+        ),
     ):
         yield Line(f"angle-monotone-{side}", claim, proof(f"angle-step-{side}", "turned", slower),
                    THEOREM, f"{says}: the angle converges", USES)  # fmt: skip

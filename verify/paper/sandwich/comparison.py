@@ -36,7 +36,7 @@ class Step(Record):
     P: Term
     load: Term
     U_b: Term
-    next_Q: Term
+    next_q: Term
 
     @property
     def approaches(self) -> Claim:
@@ -49,7 +49,7 @@ class Step(Record):
         return self.load <= self.U_b * (2 - self.U_b) * self.P**2
 
     @property
-    def next_U(self) -> Term:
+    def next_u(self) -> Term:
         """The next U."""
         return 1 - sqrt(1 - self.load / self.P / self.P)
 
@@ -68,7 +68,7 @@ class Model(Record):
         return (1 + self.r) / 2 * self.C
 
     @property
-    def R(self) -> Term:
+    def share(self) -> Term:
         """The factor in Q'."""
         return self.r * self.G
 
@@ -78,12 +78,10 @@ class Model(Record):
 
     def step(self, Q: Term, U: Term, v_c: Term, v_s: Term, w_s: Term) -> Step:
         """One step from (Q, U), where the particle c is next."""
-        return step(self.alpha, self.rho(v_c, w_s), (w_s / v_s) ** 2, self.R, self.U_b, Q, U)
+        return step(self.alpha, self.rho(v_c, w_s), (w_s / v_s) ** 2, self.share, self.U_b, Q, U)
 
 
-def step(
-    alpha: Term, rho: Term, gamma: Term, R: Term, U_b: Term, Q: Term, U: Term
-) -> Step:
+def step(alpha: Term, rho: Term, gamma: Term, R: Term, U_b: Term, Q: Term, U: Term) -> Step:
     """One step from (Q, U)."""
     push = rho * U
     P = alpha * (1 - U) - Q - push
@@ -170,18 +168,18 @@ def _below() -> Iterator[Item]:
         Line("orbit-meets",      below.meets,
              proof("orbit-load", times(room, power("orbit-approaches", 2))),
              LABEL, "and the next U is at most U*"),
-        Line("orbit-Q-falls",    below.next_Q <= n.Q_next,
+        Line("orbit-Q-falls",    below.next_q <= n.Q_next,
              scaled(times("goal", "stair-approaches"), times("stair-falls-Q", "orbit-approaches"),
                     times("stair-R", order)), LABEL, "Q' ≤ Q_{n+1}"),
         Line("orbit-radicand",   0 < 1 - below.load / below.P / below.P,
              proof("orbit-meets", times(power("stair-U_b", 2), power("orbit-approaches", 2)))),
         Line("orbit-root",       0 < root, ByRoot()),
-        Line("orbit-U-falls",    below.next_U <= n.U_next,
+        Line("orbit-U-falls",    below.next_u <= n.U_next,
              scaled(times("goal", plus("goal", times(2, "orbit-root")),
                           power("orbit-approaches", 2)), "orbit-load"),
              LABEL, "U' ≤ U_{n+1}: it is below the next step"),
-        Line("orbit-Q-stays",    0 <= below.next_Q, proof(times("stair-R", U_room))),
-        Line("orbit-U-stays",    0 <= below.next_U,
+        Line("orbit-Q-stays",    0 <= below.next_q, proof(times("stair-R", U_room))),
+        Line("orbit-U-stays",    0 <= below.next_u,
              scaled(times("goal", plus("goal", 2), power("orbit-approaches", 2)),
                     times("stair-gamma", "stair-rho", "orbit-U-least",
                           plus(times(2, "orbit-Q-least"), times("stair-rho", "orbit-U-least"))))),

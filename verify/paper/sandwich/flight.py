@@ -27,7 +27,6 @@ from verify.paper.dynamics import laws
 from verify.paper.dynamics.apart import colliding, contexts, opened, spectator, t
 from verify.paper.dynamics.laws import DISTANCE, TIME, absolute
 from verify.paper.dynamics.state import (
-    CONTEXT,
     A,
     B,
     C,
@@ -138,7 +137,8 @@ def _time() -> Iterator[Item]:
                    times("Cnd1", "S-least", G_POSITIVE), times(G_POSITIVE, "Cnd1", "U-bound"),
                    equations=(("tau-product", as_term(-1)),)),
              TIME, "τ ≤ ΓU*(-η_c)/v²"),
-        Line("A-quick", v_c**2 <= A, proof("A-lower", times(GROWN, plus(GROWN, times(2, "v_c-positive"))))),
+        Line("A-quick", v_c**2 <= A,
+             proof("A-lower", times(GROWN, plus(GROWN, times(2, "v_c-positive"))))),
         Line("pull",    B * tau <= rho * (1 - S) * y,
              proof(times("tau-positive", "B-below", power("v_c-positive", 2)),
                    times(square(w_s), quick), times(square(w_s), near),
@@ -180,12 +180,13 @@ def _outer_pair() -> Iterator[Item]:
     left = A * tau - A * t
     place, other = contact(frame, t), away(t)
     path = add(outer, scale(t, difference))
+    fast = 2 * (1 + d) * y * S
     sum_speeds = t * (w_c + w_s)
     yield from (
         Line("later",          0 <= C - 2 * sum_speeds,
              proof("turn-short", times(2, plus("w_c-positive", "w_s-positive"), "t-upper"),
                    equations=(("w-sum", -(2 * tau)),))),
-        Line("approach-until", equal(A * (dot(place, place) - 1), left * (left + 2 * (1 + d) * y * S)),
+        Line("approach-until", equal(A * (dot(place, place) - 1), left * (left + fast)),
              identity("tau S")),
         Line("colliding-until", 1 <= dot(place, place),
              scaled(times("A-positive", "goal"),

@@ -21,8 +21,8 @@ from verify.paper.sandwich.comparison import LABEL
 from verify.paper.sandwich.numbers import G_POSITIVE, U_b, model
 from verify.paper.sandwich.state import (
     Q,
-    U,
     Q_next,
+    U,
     U_next,
     at_next,
     load,
@@ -43,7 +43,8 @@ def lines() -> Iterator[Item]:
     yield from (
         Line("Q-positive", 0 < Q, scaled(times("goal", "Cnd1"), "q-bound", "recedes")),
         Defined("rho"),
-        Line("rho-positive", 0 < rho, proof(times(G_POSITIVE, power("w_s-positive", 2)), using="rho")),
+        Line("rho-positive", 0 < rho,
+             proof(times(G_POSITIVE, power("w_s-positive", 2)), using="rho")),
         Defined("pace"),
         Line("pace-positive", 0 < pace, proof("approaches", using="pace")),
         Line("pace-law", equal(pace, model.alpha * (1 - U) - Q - rho * U), identity("pace rho"),
@@ -55,7 +56,7 @@ def lines() -> Iterator[Item]:
              proof(times(power("w_s-positive", 2), PUSH, plus(times(2, "Q-positive"), PUSH)),
                    using="load-law")),
         Defined("Q_next"),
-        Line("Q-next-law", equal(Q_next * pace, model.R * (1 - U)), identity("Q_next"),
+        Line("Q-next-law", equal(Q_next * pace, model.share * (1 - U)), identity("Q_next"),
              LABEL, "Q' = R(1-U)/P"),
         Line("meets-here", load <= U_b * (2 - U_b) * pace**2, proof("meets", using="load pace")),
         Line("radicand", 0 < radicand,

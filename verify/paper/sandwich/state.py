@@ -29,7 +29,6 @@ from verify.language.terms import Claim, Term, as_term, equal, sqrt, substitute_
 from verify.paper.dynamics.model import PLANE, aligned
 from verify.paper.dynamics.state import (
     CONTEXT,
-    DYNAMICS,
     LETTERS,
     NAMES,
     A,
@@ -41,6 +40,7 @@ from verify.paper.dynamics.state import (
     eta_s,
     frame,
     inequalities,
+    r,
     root_of,
     tau,
     time_of,
@@ -50,19 +50,17 @@ from verify.paper.dynamics.state import (
 from verify.paper.sandwich import numbers
 from verify.paper.sandwich.comparison import LABEL as COMPARISON
 from verify.paper.sandwich.numbers import (
+    C_0,
     G_POSITIVE,
     HALF,
     Q_0,
     SUMS,
     U_0,
-    C_0,
-    G,
     Theta,
     U_b,
     duration,
     gain,
     model,
-    r,
     ratio,
     start,
     turning,
@@ -175,7 +173,7 @@ def context() -> Context:
         "rho": ("ρ", r"\rho", model.rho(v_c, w_s)),
         "pace": ("P", "P", here.P),
         "load": ("L", "L", here.load),
-        "Q_next": ("Q'", "Q'", model.R * (1 - U) / pace),
+        "Q_next": ("Q'", "Q'", model.share * (1 - U) / pace),
         "U_next": ("U'", "U'", 1 - sqrt(1 - load / pace / pace)),
     }
     letters = LETTERS | _GHOSTS
@@ -188,7 +186,10 @@ def context() -> Context:
         "a state just after a collision that satisfies the conditions",
         (
             *collision_map(time_of(frame)),
-            *(Constant(name, *texts, COMPARISON, term) for name, (*texts, term) in more.items()),
+            *(
+                Constant(name, letter, tex, COMPARISON, term)
+                for name, (letter, tex, term) in more.items()
+            ),
         ),
     )
 

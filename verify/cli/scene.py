@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 
 from verify.cli.files import print_document, read_bytes, test_folder
 from verify.cli.options import Options, Parser
@@ -43,9 +44,9 @@ def budget(options: Options) -> Budget:
     return Budget(integer("--collisions", options.collisions, 0, 10**7), digits, bits, last)
 
 
-def judge_of(out: str | None) -> str:
+def judge_of(is_checked: bool) -> str:
     """Who gives a verdict: the checker, if its certificate is written."""
-    if out is None:
+    if not is_checked:
         return FLINT
     from verify.wire.judge import CHECKER  # loaded only where it is used
 
@@ -65,18 +66,15 @@ def run(options: Options) -> int:
     plot = _plot_kind(options.plot)
     scene = read_scene(options.scene, read_bytes("scene", options.scene))
     found = decide_scene(scene, limits)
-    if options.out is not None:
-        from verify.cli.scene_certificate import write_scene  # loaded only where it is used
-
-        write_scene("--out", options.out, found)
+    judge = judge_of(_has_certificate(options.out, found))
     if plot is not None:
         from verify.cli.scene_plot import write_plot  # loaded only where it is used
 
         write_plot("--plot", options.plot, plot, found)
     if options.json:
-        print_document(scene_document(told(found), judge_of(options.out)))
+        print_document(scene_document(told(found), judge))
     else:
-        show(_text(found, options), options)
+        show(_text(found, judge, options), options)
     return exit_code(told(found))
 
 
@@ -89,9 +87,21 @@ def _plot_kind(path: str | None) -> str | None:
     return kind
 
 
-def _text(found: Fate, options: Options) -> list[str]:
+def _has_certificate(out: str | None, found: Fate) -> bool:
+    """Write the certificate that is asked for; a line on stderr where there can be none."""
+    if out is None:
+        return False
+    from verify.cli.scene_certificate import write_scene  # loaded only where it is used
+
+    missing = write_scene("--out", out, found)
+    if missing:
+        print(f"verify: --out: {missing}; no certificate was written", file=sys.stderr)
+    return not missing
+
+
+def _text(found: Fate, judge: str, options: Options) -> list[str]:
     known = told(found)
-    lines = [*known.lines, *filter(None, [given_line(known, judge_of(options.out))])]
+    lines = [*known.lines, *filter(None, [given_line(known, judge)])]
     if not options.verbose:
         return lines
     return [*collision_table(steps(found), known.bits), "", *lines]

@@ -17,11 +17,11 @@ from verify.cli.terminal import show
 from verify.language.errors import OwnError
 from verify.spheres.scene.decide import Budget, decide_scene
 from verify.spheres.scene.scene_files import read_scene
-from verify.spheres.scene.verdict import told
+from verify.spheres.scene.verdict import Told, told
 from verify.views.scene import exit_code, given_line, scene_document
 from verify.wire.inputs import InputError, shown
 
-FORMAT = "verify-scenes/1"
+FORMAT = "verify-scenes/2"
 #: The codes, the one that wins first: our own error, unusable, undecided.
 ORDER = (5, 2, 3, 0)
 #: The file beside a certificate that says what was found.
@@ -66,10 +66,10 @@ def decide_file(folder: str, out: str | None, limits: Budget, name: str) -> Resu
     try:
         return _decide(folder, out, limits, name)
     except InputError as error:
-        document = {"verdict": "unusable", "reason": str(error)}
+        document = {"verdict": "unusable", "reason": "unusable", "says": str(error)}
         return {"file": name, "code": 2, "lines": [str(error)], "document": document}
     except OwnError as error:
-        document = {"verdict": "error", "reason": str(error)}
+        document = {"verdict": "error", "reason": "error", "says": str(error)}
         return {"file": name, "code": 5, "lines": [str(error)], "document": document}
 
 
@@ -77,20 +77,31 @@ def _decide(folder: str, out: str | None, limits: Budget, name: str) -> Result:
     path = os.path.join(folder, name)
     found = decide_scene(read_scene(path, read_bytes("scene", path)), limits)
     known = told(found)
-    code = exit_code(known)
-    judge = judge_of(out)
+    if out is None:
+        return _result(name, known, "")
+    place = os.path.join(out, os.path.splitext(name)[0])
+    result = _result(name, known, None)
+    missing = write_scene("--out", place, found, _beside(result))
+    if missing:
+        result = _result(name, known, missing)
+        write_folder("--out", place, _beside(result))
+    return result
+
+
+def _result(name: str, known: Told, missing: str | None) -> Result:
+    """What is found, with a certificate if ``missing`` is None; else it says why there is none."""
+    judge = judge_of(missing is None)
     lines = [*known.lines, *filter(None, [given_line(known, judge)])]
     document = scene_document(known, judge)
-    result = {"file": name, "code": code, "lines": lines, "document": document}
-    if out is not None:
-        place = os.path.join(out, os.path.splitext(name)[0])
-        text = json.dumps(result, ensure_ascii=False, indent=1) + "\n"
-        files = {RESULT: text.encode()}
-        if code == 0:
-            write_scene("--out", place, found, files)
-        else:
-            write_folder("--out", place, files)
-    return result
+    if missing and known.theorems:
+        lines.append(f"no certificate: {missing}")
+        document |= {"no_certificate": missing}
+    return {"file": name, "code": exit_code(known), "lines": lines, "document": document}
+
+
+def _beside(result: Result) -> dict[str, bytes]:
+    text = json.dumps(result, ensure_ascii=False, indent=1) + "\n"
+    return {RESULT: text.encode()}
 
 
 def worst(codes: Iterable[int]) -> int:

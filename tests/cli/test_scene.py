@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import subprocess
 import sys
@@ -293,3 +294,40 @@ def test_a_folder_keeps_the_verdict_without_a_certificate(
     assert found["judged_by"] == "FLINT at a point"
     assert "more than the checker is willing to follow" in found["no_certificate"]
     assert [path.name for path in (tmp_path / "out" / "scene").iterdir()] == ["scene.json"]
+
+
+def test_a_folder_becomes_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    made = folder(tmp_path)
+    (made / "bad, really.toml").write_text(BAD["overlap"][0])
+    table = tmp_path / "out" / "table.csv"
+    code, out, err = run(capsys, made, "--csv", table)
+    assert (code, err) == (2, "")
+    with table.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [(row["file"], row["verdict"], row["reason"]) for row in rows] == [
+        ("bad, really.toml", "unusable", "unusable"),
+        ("nearly-aligned.toml", "collapses", "sharper"),
+        ("passing.toml", "disperses", "apart"),
+        ("tie.toml", "undecided", "triple-contact"),
+    ]
+    assert rows[1]["central"] == "0"
+    assert 0 < float(rows[1]["time_low"]) < float(rows[1]["time_high"])
+    assert (rows[2]["collisions"], rows[2]["energy_lost_high"]) == ("0", "0")
+    assert rows[3]["event_time_low"] == rows[3]["event_time_high"] == "1"
+    assert out.split()[-2:] == ["scenes", "4"]
+    assert run(capsys, made, "--csv", tmp_path / "again.csv", "--jobs", 2)[:2] == (code, out)
+    assert (tmp_path / "again.csv").read_bytes() == table.read_bytes()
+
+
+def test_a_scene_becomes_tables(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path, table, way = SCENES / "in-space.toml", tmp_path / "a.csv", tmp_path / "b.csv"
+    code, out, _ = run(capsys, path, "--csv", table, "--trajectory", way)
+    assert (code, out) == run(capsys, path)[:2]
+    assert len(table.read_text().splitlines()) == 2
+    with way.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [(row["collision"], row["pair"], row["particle"]) for row in rows] == [
+        (str(n), pair, str(i)) for n, pair in enumerate(("", "01", "12")) for i in range(3)
+    ]
+    assert float(rows[0]["v1_low"]) == 1
+    assert run(capsys, folder(tmp_path), "--trajectory", way)[0] == 2

@@ -69,6 +69,16 @@ def write_all(option: str, directory: str, contents: Mapping[str, bytes]) -> Non
         writing.finish()
 
 
+def write_file(option: str, path: str, text: str) -> None:
+    """Write one file as a whole.
+
+    Raises:
+        InputError: if it cannot be written, naming the option.
+    """
+    folder, name = os.path.split(path)
+    write_all(option, folder or os.curdir, {name: text.encode()})
+
+
 def write_folder(option: str, directory: str, contents: Mapping[str, bytes]) -> None:
     """Write a folder as a whole: these files and no others are in it afterwards.
 

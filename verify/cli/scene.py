@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
-from verify.cli.files import print_document, read_bytes, test_folder
+from verify.cli.files import print_document, read_bytes, test_folder, write_file
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import add_color, show
 from verify.prover.ground import FLINT
@@ -31,6 +31,10 @@ def add_arguments(parser: Parser) -> None:
     parser.flag("--json", text="one JSON document on stdout")
     add_color(parser)
     parser.option("--out", "write statement.json and certificate.json", "DIR")
+    parser.option(
+        "--csv", "a table with a line for each scene: verdict, reason, enclosures", "FILE"
+    )
+    parser.option("--trajectory", "a table of centres and velocities after each collision", "FILE")
     parser.option("--plot", "draw the scene: a file .svg, or .html with an animation", "FILE")
 
 
@@ -71,6 +75,7 @@ def run(options: Options) -> int:
         from verify.cli.scene_plot import write_plot  # loaded only where it is used
 
         write_plot("--plot", options.plot, plot, found)
+    _write_tables(options, found, judge)
     if options.json:
         print_document(scene_document(told(found), judge))
     else:
@@ -97,6 +102,21 @@ def _has_certificate(out: str | None, found: Fate) -> bool:
     if missing:
         print(f"verify: --out: {missing}; no certificate was written", file=sys.stderr)
     return not missing
+
+
+def _write_tables(options: Options, found: Fate, judge: str) -> None:
+    """The tables that are asked for."""
+    if options.csv is None and options.trajectory is None:
+        return
+    from verify.spheres.scene.trajectory import trajectory  # loaded only where it is used
+    from verify.views.scene_table import COLUMNS, cells, csv_text, trajectory_rows
+
+    if options.csv is not None:
+        row = cells(os.path.basename(options.scene), told(found), judge)
+        write_file("--csv", options.csv, csv_text([COLUMNS, row]))
+    if options.trajectory is not None:
+        rows = trajectory_rows(trajectory(found), found.flow.scene.dimension)
+        write_file("--trajectory", options.trajectory, csv_text(rows))
 
 
 def _text(found: Fate, judge: str, options: Options) -> list[str]:

@@ -86,6 +86,8 @@ class Flow:
         self.collisions: list[Move] = []
         #: Why each pair does not collide any more, by its name, once that is certain.
         self.apart: dict[str, str] = {}
+        #: Whether all spheres stay on one line, once that was asked for.
+        self.is_on_a_line: bool | None = None
 
     @property
     def now(self) -> Moment | None:

@@ -147,7 +147,9 @@ def find_end(flow: Flow) -> Collapse | None:
     now, r = flow.now, flow.scene.r
     if now is None:
         return None
-    if is_on_a_line(flow.scene):
+    if flow.is_on_a_line is None:
+        flow.is_on_a_line = is_on_a_line(flow.scene)
+    if flow.is_on_a_line:
         return find_line_collapse(r, now.state, now.time)
     return find_collapse(r, now.state, now.time)
 

@@ -6,31 +6,31 @@ centre of mass stays; that of the motion relative to it is Σ|v_i - v_j|²/6, ov
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from fractions import Fraction
 
 from verify.prover import balls
+from verify.spheres.flow.follow import Flow
 from verify.spheres.flow.law import Number
 from verify.spheres.scene.decide import DISPERSES, Fate
-from verify.spheres.scene.scene import PAIRS, Coordinates, Scene
+from verify.spheres.scene.scene import PAIRS
 
 
-def normal_speeds(found: Fate) -> Iterator[Number]:
+def normal_speeds(found: Fate) -> list[Number]:
     """The normal relative speed just before each collision that was followed."""
-    for move in found.flow.collisions:
-        if move.way is not None:
-            yield move.way.y * move.way.s
+    with balls.precision(found.flow.bits):
+        ways = [move.way for move in found.flow.collisions]
+        return [way.y * way.s for way in ways if way is not None]
 
 
-def energy_at_start(scene: Scene) -> Fraction:
+def energy_at_start(flow: Flow) -> Fraction:
     """The kinetic energy relative to the centre of mass."""
-    given = Coordinates(scene.positions, scene.velocities)
-    return sum((given.pair(i, j).m for i, j in PAIRS), Fraction(0)) / 6
+    squares = [flow.start.pair(i, j).m for i, j in PAIRS]
+    return balls.as_fraction(sum(squares[1:], squares[0]) / 6)
 
 
 def energy_lost(found: Fate) -> tuple[Fraction, Fraction]:
     """Between what the energy lies that all collisions together take."""
-    all_of_it = energy_at_start(found.flow.scene)
+    all_of_it = energy_at_start(found.flow)
     with balls.precision(found.flow.bits):
         share = (1 - found.flow.r**2) / 4
         lost = balls.as_ball(balls.exact(Fraction(0)))

@@ -331,3 +331,58 @@ def test_a_scene_becomes_tables(tmp_path: Path, capsys: pytest.CaptureFixture[st
     ]
     assert float(rows[0]["v1_low"]) == 1
     assert run(capsys, folder(tmp_path), "--trajectory", way)[0] == 2
+
+
+FAMILY = """r = "0.01..0.1"
+positions = [[0, 0], ["501/500", 0], [-1.006, "h"]]
+velocities = [[0, 0], [-1.4, 0], ["7/10", "v - h"]]
+[parameters]
+h = "0..0.1"
+v = "-0.1..0.1"
+"""
+
+
+def test_a_sample_says_how_likely_a_collapse_is(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, table = written(tmp_path, FAMILY), tmp_path / "sample.csv"
+    words = (path, "--sample", 60, "--seed", 5)
+    code, out, err = run(capsys, *words, "--csv", table)
+    assert (code, err) == (0, "")
+    assert "60 points, uniform in h in [0, 1/10], r in [1/100, 1/10], v in [-1/10, 1/10]" in out
+    assert run(capsys, *words, "--jobs", 2)[1] == out
+    code, text, _ = run(capsys, *words, "--json", "--confidence", "99%")
+    document = json.loads(text, parse_float=lambda text: pytest.fail(f"a float: {text}"))
+    schema = json.loads((ROOT / "certificates/schema/sample.schema.json").read_text())
+    jsonschema.validate(document, schema)
+    counts = {one["verdict"]: one["count"] for one in document["counts"]}
+    assert sum(counts.values()) == document["sample"] == 60
+    low, high = map(float, document["shares"]["infinitely_many"])
+    assert 0 < low < counts["collapses"] / 60 < high < 1
+    with table.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["verdict"] for row in rows].count("collapses") == counts["collapses"]
+    first = rows[0]
+    point = ",".join(f"{name}={first[name]}" for name in ("h", "r", "v"))
+    found = json.loads(run(capsys, path, "--at", point, "--json")[1])
+    assert (found["verdict"], found["reason"]) == (first["verdict"], first["reason"])
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [
+        ((), "is a family of scenes; add --sample N, or --at"),
+        (("--at", "h=1"), "--at: r is missing"),
+        (("--at", "h=1,h=2"), "write NAME=A once for each of h, r, v"),
+        (("--at", "q=1"), "write NAME=A once for each of h, r, v"),
+        (("--sample", "0"), "--sample: "),
+        (("--sample", "5", "--confidence", "100%"), "--confidence: '100%' is not in ]0,1["),
+        (("--sample", "5", "--plot", "a.svg"), "--plot: leave it out with --sample"),
+    ],
+)
+def test_a_family_needs_a_point_or_a_sample(
+    words: tuple[str, ...], why: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code, out, err = run(capsys, written(tmp_path, FAMILY), *words)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert why in err

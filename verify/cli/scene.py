@@ -10,6 +10,7 @@ from verify.cli.options import Options, Parser
 from verify.cli.terminal import add_color, show
 from verify.prover.ground import FLINT
 from verify.spheres.scene.decide import MAX_DIGITS, Budget, Fate, decide_scene
+from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.scene_files import read_scene
 from verify.spheres.scene.verdict import steps, told
 from verify.views.scene import collision_table, exit_code, given_line, scene_document
@@ -30,6 +31,10 @@ def add_arguments(parser: Parser) -> None:
     parser.flag("-v", "--verbose", text="a table of the collisions")
     parser.flag("--json", text="one JSON document on stdout")
     add_color(parser)
+    parser.option("--at", "of a family of scenes this one: NAME=A,NAME=B", "POINT")
+    parser.option("--sample", "of a family of scenes decide so many random ones", "N")
+    parser.option("--seed", "of the random numbers (default 1)", "S", default="1")
+    parser.option("--confidence", "of the shares in a sample (default 95%)", "P%", default="95%")
     parser.option("--out", "write statement.json and certificate.json", "DIR")
     parser.option(
         "--csv", "a table with a line for each scene: verdict, reason, enclosures", "FILE"
@@ -64,11 +69,15 @@ def run(options: Options) -> int:
         from verify.cli.scene_folder import run_folder  # loaded only where it is used
 
         return run_folder(options, limits, jobs)
+    if options.sample is not None:
+        from verify.cli.scene_sample import run_sample  # loaded only where it is used
+
+        return run_sample(options, limits, jobs)
     if jobs > 1:
         raise InputError("--jobs: leave it out with one scene")
     test_folder("--out", options.out, "statement.json", "certificate.json")
     plot = _plot_kind(options.plot)
-    scene = read_scene(options.scene, read_bytes("scene", options.scene))
+    scene = _scene(options)
     found = decide_scene(scene, limits)
     judge = judge_of(_has_certificate(options.out, found))
     if plot is not None:
@@ -81,6 +90,14 @@ def run(options: Options) -> int:
     else:
         show(_text(found, judge, options), options)
     return exit_code(told(found))
+
+
+def _scene(options: Options) -> Scene:
+    if options.at is None:
+        return read_scene(options.scene, read_bytes("scene", options.scene))
+    from verify.cli.scene_sample import scene_at  # loaded only where it is used
+
+    return scene_at(options)
 
 
 def _plot_kind(path: str | None) -> str | None:

@@ -33,7 +33,7 @@ Result = dict[str, Any]
 
 def run_folder(options: Options, limits: Budget, jobs: int) -> int:
     """Print one line for each scene; the exit code is that of the worst."""
-    for name in ("plot", "verbose", "trajectory"):
+    for name in ("plot", "verbose", "trajectory", "sample", "at"):
         if getattr(options, name):
             raise InputError(f"--{name}: leave it out with a folder")
     names = sorted(name for name in os.listdir(options.scene) if name.endswith(".toml"))

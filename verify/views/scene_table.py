@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from typing import Any
 
-from verify.prover.decimals import outward
+from verify.prover.decimals import exact_number, outward
 from verify.views.scene import Told
 
 #: Digits of the enclosures.
@@ -17,6 +18,7 @@ COLUMNS = (
     "event_time_low", "event_time_high", "judged_by",
 )  # fmt: skip
 Cells = Sequence[str]
+Ends = tuple[Fraction, Fraction]
 #: A row of a trajectory: `verify.spheres.scene.trajectory.Instant`.
 Instant = Any
 
@@ -58,14 +60,18 @@ def _quoted(cell: str) -> str:
 
 def counts_of(rows: Iterable[Cells]) -> list[str]:
     """How many scenes have which verdict, for which reason; the most frequent first."""
-    counts = Counter((row[1], row[2]) for row in rows)
+    return list(_count_lines(Counter((row[1], row[2]) for row in rows)))
+
+
+def _count_lines(counts: Mapping[tuple[str, str], int]) -> Iterator[str]:
     total = sum(counts.values())
-    found = sorted(counts.items(), key=lambda item: (-item[1], item[0]))
-    lines = [
-        f"{verdict:<11}{reason:<21}{count:>8}  {100 * count / total:7.3f} %"
-        for (verdict, reason), count in found
-    ]
-    return [*lines, f"{'scenes':<32}{total:>8}"]
+    for (verdict, reason), count in _ordered(counts):
+        yield f"{verdict:<11}{reason:<21}{count:>8}  {100 * count / total:7.3f} %"
+    yield f"{'scenes':<32}{total:>8}"
+
+
+def _ordered(counts: Mapping[tuple[str, str], int]) -> list[tuple[tuple[str, str], int]]:
+    return sorted(counts.items(), key=lambda item: (-item[1], item[0]))
 
 
 def trajectory_rows(instants: Iterable[Instant], dimension: int) -> Iterator[Cells]:
@@ -78,3 +84,45 @@ def trajectory_rows(instants: Iterable[Instant], dimension: int) -> Iterator[Cel
         for i, numbers in enumerate(instant.particles):
             found = [end for number in numbers for end in outward(number, DIGITS)]
             yield str(n), instant.pair, *time, str(i), *found
+
+
+# --- a sample of a family ------------------------------------------------------------------------
+
+
+def sample_document(
+    sides: Mapping[str, Ends],
+    counts: Mapping[tuple[str, str], int],
+    seed: int,
+    left_out: int,
+    confidence: Fraction,
+    shares: Mapping[str, Sequence[Fraction]],
+) -> dict[str, Any]:
+    """A sample as JSON; every number but a count is a text."""
+    return {
+        "format": "verify-sample/1",
+        "command": "scene",
+        "parameters": {name: [str(low), str(high)] for name, (low, high) in sides.items()},
+        "sample": sum(counts.values()),
+        "seed": str(seed),
+        "left_out": left_out,
+        "counts": [
+            {"verdict": verdict, "reason": reason, "count": count}
+            for (verdict, reason), count in _ordered(counts)
+        ],
+        "confidence": str(confidence),
+        "shares": {name: outward((low, high), 6) for name, (low, high) in shares.items()},
+    }
+
+
+def sample_lines(document: Mapping[str, Any]) -> Iterator[str]:
+    """A sample for a reader."""
+    sides = (f"{name} in [{low}, {high}]" for name, (low, high) in document["parameters"].items())
+    yield f"{document['sample']} points, uniform in {', '.join(sides)}; seed {document['seed']}"
+    if document["left_out"]:
+        yield f"{document['left_out']} more were left out: particles overlap there"
+    counts = {(one["verdict"], one["reason"]): one["count"] for one in document["counts"]}
+    yield from _count_lines(counts)
+    level = exact_number(100 * Fraction(document["confidence"]))
+    yield f"with a confidence of at least {level} % (Clopper-Pearson):"
+    for name, (low, high) in document["shares"].items():
+        yield f"  {name.replace('_', ' ')} collisions: a share in [{low}, {high}]"

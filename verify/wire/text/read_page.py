@@ -345,7 +345,6 @@ class _Reader:
     def _assumptions(self, value: object) -> None:
         for name, entry in self.table(["assumptions"], value).items():
             keys = ["assumptions", name]
-            self.name(keys, name)
             item = entry if isinstance(entry, dict) else {"sentence": entry}
             self.table(keys, item, ASSUMPTION)
             found = {key: self.text([*keys, key], text, "a sentence") for key, text in item.items()}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-from verify.language.statement import UNDECIDED, Constant, Obligation, Statement
+from verify.language.statement import PROVED, UNDECIDED, Constant, Obligation, Statement
 from verify.language.terms import Claim, names_of
 from verify.prover.budget import SpentError, WorkBudget
 from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
@@ -126,6 +126,8 @@ def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
         if all(name in ground.definitions for name in names):
             found = ground.decide(row)
             if found.claimed != UNDECIDED:
+                if found.claimed == PROVED:
+                    universal.rows.add(row.name)
                 return found
     return RowsInContexts(universal).decide(row)
 

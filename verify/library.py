@@ -31,7 +31,9 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Number, Term, as_term, names_of, symbol
 from verify.prover.budget import WORK, WorkBudget
+from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Outcome
+from verify.prover.prove import NO_HINTS
 from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.questions import decide
 from verify.wire.read import cites_of
@@ -258,6 +260,7 @@ def prove(
     work: int = WORK,
     seconds: float | None = None,
     watch: Callable[[str], None] | None = None,
+    hints: Mapping[str, Hint] = NO_HINTS,
 ) -> Result:
     """The statement with its rows decided, where that is found; the checker accepts the proofs.
 
@@ -266,13 +269,14 @@ def prove(
         work: how many units of work each row may be, of about a microsecond each.
         seconds: how long all rows together may take; they share it.
         watch: called with the name of each row when its search begins.
+        hints: where to look for the proofs of some rows, by their names.
 
     Raises:
         InputError: for a statement that the checker cannot read.
         OwnError: if the checker refuses a proof.
     """
     budget = WorkBudget(work, seconds) if watch is None else WorkBudget(work, seconds, watch)
-    return Result(*decide(statement, budget))
+    return Result(*decide(statement, budget, hints))
 
 
 def certificate(outcome: Outcome) -> dict[str, bytes]:

@@ -218,8 +218,11 @@ def lemma(
     contexts: Iterable[Context] = (),
     assumptions: Iterable[Assumption] = (),
     cites: Iterable[Cite] = (),
+    parameters: Mapping[str, Number] | None = None,
 ) -> Statement:
     """A statement, for `verify.prove`; earlier rows may be used for later ones.
+
+    ``parameters`` are numbers at which it is stated, and come before the constants.
 
     Raises:
         InputError: where a row or a context names what is not in the statement.
@@ -238,8 +241,9 @@ def lemma(
                 maker = _MAKERS[what]
                 raise TypeError(f"lemma: {item!r:.60} is none of the {what}; make it by {maker}")
     _are_there(rows, places, sentences, cited)
-    _are_defined(rows, numbers, places)
-    return Statement(title, title, {}, numbers, places, rows, sentences, cited)
+    given = {name: as_term(value) for name, value in (parameters or {}).items()}
+    _are_defined(rows, numbers, places, given)
+    return Statement(title, title, given, numbers, places, rows, sentences, cited)
 
 
 _MAKERS = {
@@ -376,12 +380,16 @@ def _are_there(
 
 
 def _are_defined(
-    rows: Iterable[Obligation], constants: Iterable[Constant], contexts: Iterable[Context]
+    rows: Iterable[Obligation],
+    constants: Iterable[Constant],
+    contexts: Iterable[Context],
+    parameters: Iterable[str],
 ) -> None:
     """Afterwards each name in a term is that of a constant or a variable, or of a citation."""
     inner = [constant for context in contexts for constant in context.constants]
     variables = [variable for context in contexts for variable in context.variables]
-    known = {one.name for one in (*constants, *inner)} | {one.name for one in variables}
+    known = {*parameters, *(one.name for one in (*constants, *inner))}
+    known |= {one.name for one in variables}
 
     def test(where: str, *terms: Term) -> None:
         for name in names_of(*terms):

@@ -22,12 +22,14 @@ _OFFERED = {
         *("Claim", "Term", "cos", "cos_pi", "equal", "maximum", "minimum", "sqrt", "symbol"),
     ),
     "verify.language.statement": ("Statement",),
+    "verify.prover.hint": ("Hint",),
     "verify.language.errors": ("OwnError",),
     "verify.wire.inputs": ("InputError",),
 }
 
 __all__ = [
     "Claim",
+    "Hint",
     "InputError",
     "OwnError",
     "Result",
@@ -83,6 +85,7 @@ if TYPE_CHECKING:
         read_page,
         write_page,
     )
+    from verify.prover.hint import Hint
     from verify.wire.inputs import InputError
 else:
 

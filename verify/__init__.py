@@ -16,7 +16,24 @@ _OFFERED = {
         ("ask", "assume", "certificate", "constant", "for_all", "lemma", "prove"), "verify.library"
     ),
     **dict.fromkeys(
-        ("equal", "sqrt", "symbol", "minimum", "maximum", "cos_pi"), "verify.language.terms"
+        (
+            "equal",
+            "symbol",
+            "sqrt",
+            "root",
+            "minimum",
+            "maximum",
+            "absolute",
+            "exp",
+            "log",
+            "pi",
+            "sin",
+            "cos",
+            "cos_pi",
+            "tan",
+            "atan",
+        ),
+        "verify.language.terms",
     ),
 }
 

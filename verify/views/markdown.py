@@ -19,6 +19,7 @@ from verify.views.words import (
     letters,
     short_name,
     sides_of,
+    told,
     verdict_text,
 )
 
@@ -86,4 +87,5 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
         "term": lambda one: brief(typesetter.term(one)),
         "evidence": evidence,
         "short_name": short_name,
+        "told": lambda row, found: told(outcome, row, found),
     }

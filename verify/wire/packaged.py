@@ -17,16 +17,16 @@ PRINTED_SET, PRINTED_SIGN = "printed-set", "printed-sign"
 #: Their files with their digests. Who cites one rests on them: it is not checked again in each run.
 PACKAGED_FILES = {
     "step": {
-        "statement.json": "126aefb84a92dd59e6c4afa380a85ba3b094248f5695d8074561208f75bd11cb",
-        "certificate.json": "988994f4ca7086141430bca7e6bc35f058d4d39bdc48e62c1319d3d91d84aa84",
+        "statement.json": "920523cdfa1f9afd807f321e05b78cadd7ee760b1a5764d4e1f36c9a7e786716",
+        "certificate.json": "e4e3e744a3142e236b59757410c5fe701264a16adff1ba3fabf43296df9f548d",
     },
     ALL: {
-        "statement.json": "da36718f361cf3ab0f00c8f9fbdbc74e8f5a4b127fb80946b6524da2e6143539",
-        "certificate.json": "8c8468593e3ffa2bfd9cca1739c6e81e545c7074fc5ed7e2dfcfc9564a4fbbfb",
+        "statement.json": "8732bbdf352eef2623fb3cb50fd30b6ab0b4e6fb49f2b4592ba61278b9a95619",
+        "certificate.json": "5f527050284e5b954d8c976fbdc9656f3e4aa41f93df710007b31a2ecdaaaa4e",
     },
     PRINTED_SET: {
-        "statement.json": "8e75d8078c911f7d02e201247b6db6f5ba1dd163fec39f88a7838953beeb41d4",
-        "certificate.json": "3dfc710e8a17fb645a98620facd45327b068413af9c8a126346faa43405734fb",
+        "statement.json": "0cc7a4cc9fbe85282249c5391d26d9d73b5a7a88e07f9294c400f171538a48b1",
+        "certificate.json": "037733b107fc28348a289c512da9ecc538d539b8222511dbcfd3c01c32c07baf",
     },
     PRINTED_SIGN: {
         "statement.json": "051d302264aa218308a0ff3ff4ed25489ae0f81f5ecf5d0c32f0684978ad706a",

@@ -190,7 +190,7 @@ POINT_GLUE = Assumption(GLUE, LABEL,
     "With beyond or flat in their place, f(q) = 0 by glue-none.", "numbered glue")  # fmt: skip
 
 
-def decide_point(point: PointParameters) -> Outcome:
+def decide_value(point: PointParameters) -> Outcome:
     """The claim about f(q) as a statement with its certificate; the checker has judged it.
 
     Raises:
@@ -205,7 +205,7 @@ def decide_stored() -> Outcome:
     found = point_of(enclose(*STORED, STORED_DIGITS, STORED_STEPS))
     if found is None:
         raise OwnError("the committed point of the separatrix is not decided")
-    return decide_point(found)
+    return decide_value(found)
 
 
 def outcomes_at(point: PointParameters) -> Iterator[Outcome]:

@@ -129,9 +129,11 @@ def proof(*addends: Factor, using: str = "", equations: tuple[tuple[str, Term], 
     return BySum(("goal", *map(_value, addends)), tuple(using.split()), equations)
 
 
-def scaled(goal: Value, *addends: Factor, using: str = "") -> BySum:
+def scaled(
+    goal: Value, *addends: Factor, using: str = "", equations: tuple[tuple[str, Term], ...] = ()
+) -> BySum:
     """The same where the negated claim enters in a product."""
-    return BySum((goal, *map(_value, addends)), tuple(using.split()))
+    return BySum((goal, *map(_value, addends)), tuple(using.split()), equations)
 
 
 def identity(using: str = "", equations: tuple[tuple[str, Term], ...] = ()) -> BySum:

@@ -349,7 +349,8 @@ def test_a_sample_says_how_likely_a_collapse_is(
     words = (path, "--sample", 60, "--seed", 5)
     code, out, err = run(capsys, *words, "--csv", table)
     assert (code, err) == (0, "")
-    assert "60 points, uniform in h in [0, 1/10], r in [1/100, 1/10], v in [-1/10, 1/10]" in out
+    sides = ["  h in [0, 0.1]", "  r in [0.01, 0.1]", "  v in [-0.1, 0.1]"]
+    assert out.splitlines()[:4] == ["60 random points, seed 5; uniform are", *sides]
     assert run(capsys, *words, "--jobs", 2)[1] == out
     code, text, _ = run(capsys, *words, "--json", "--confidence", "99%")
     document = json.loads(text, parse_float=lambda text: pytest.fail(f"a float: {text}"))

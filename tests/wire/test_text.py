@@ -17,7 +17,7 @@ from verify.language.fold import TERMS
 from verify.language.statement import Always, Statement
 from verify.language.terms import Claim, Term, as_term, cos, maximum, sqrt, symbol
 from verify.wire.inputs import InputError
-from verify.wire.questions import read_questions
+from verify.wire.questions import decide, read_questions
 from verify.wire.text.infix import known_names, read_claims, read_term, term_text
 from verify.wire.text.letters import letter_of
 from verify.wire.text.read_page import read_page
@@ -247,7 +247,9 @@ def test_an_induction() -> None:
         ('["b <= x"]', '["b <= x", 3]', "contexts.high.given: '3' claims nothing"),
         ('"2 < b < 3"', '{ claim = "b < 3", uses = ["schwarz"] }', "'schwarz' is no assumption"),
         ('"2 < b < 3"', '{ claim = "b < 3", role = "must" }', "'must' is unknown; write needed"),
-        ('"2 < b < 3"', '{ claim = "b < 3", using = ["ball"] }', "'ball' is no fact"),
+        ('"2 < b < 3"', '{ claim = "b < 3", using = ["ball"] }', "'ball' is no earlier row; write"),
+        ('"2 < b < 3"', '{ claim = "b < 3", using = ["smal"] }', "did you mean smaller?"),
+        ('"2 < b < 3"', '{ claim = "b < 3", by = "magic" }', "'magic' is no technique; write wor"),
         ('"2 < b < 3"', '{ says = "b" }', "rows.number: it has no claim; write one claim"),
         ('"2 < b < 3"', '{ applies = "lou", at = {} }', "'lou' is no context; did you mean low?"),
         ('"2 < b < 3"', '{ applies = "low", at = {} }', "'x' has no value; write values of x"),
@@ -285,6 +287,40 @@ def test_a_page_is_proved_and_comes_back(
     capsys.readouterr()
     assert main(["export", "text", str(out)]) == 0
     assert capsys.readouterr().out == text
+
+
+HINTS = """
+title = "Hints"
+[contexts.c]
+variables = ["x"]
+given = ["0 <= x <= 1"]
+[rows]
+lemma = "x^2 <= x"
+other = "x^3 <= x"
+last = "x^4 <= 1"
+"""
+
+
+@pytest.mark.parametrize(
+    ("hint", "verdict"),
+    [
+        ("", "proved"),
+        (', by = ["linear sums", "squares"]', "proved"),
+        (', by = "angles"', "undecided"),
+        (', using = ["lemma"]', "proved"),
+        (", using = []", "proved"),
+    ],
+)
+def test_hints_restrict_the_search(hint: str, verdict: str) -> None:
+    text = HINTS.replace('last = "x^4 <= 1"', f'last = {{ claim = "x^4 <= 1"{hint} }}')
+    page = read_page("page.toml", text.encode())
+    assert list(page.hints) == (["last"] if hint else [])
+    outcome = decide(page.statement, None, page.hints)
+    assert outcome.decisions["last"].verdict == verdict
+    proof = outcome.decisions["last"].proof
+    used = {name for name in ("lemma", "other") if proof and f"'{name}'" in repr(proof)}
+    assert used <= ({"lemma"} if hint == ', using = ["lemma"]' else {"lemma", "other"})
+    assert not (used and hint == ", using = []")
 
 
 def test_a_page_cites_what_lies_beside_it(

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
 
 from verify.language.statement import PROVED, UNDECIDED, Constant, Obligation, Statement
 from verify.language.terms import Claim, names_of
 from verify.prover.budget import SpentError, WorkBudget
 from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.ground import Ground
+from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import Step
 from verify.prover.rows_in_contexts import RowsInContexts
@@ -18,6 +20,8 @@ from verify.prover.techniques import find
 from verify.prover.universal import Universal
 
 NOTHING_FOUND = "neither a proof nor an example against it was found"
+
+NO_HINTS: Mapping[str, Hint] = MappingProxyType({})
 
 #: Why steps that show a row (none: what all rows rest on) are too much for the checker; or nothing.
 Price = Callable[[Obligation | None, str, Sequence[Step]], str]
@@ -29,6 +33,7 @@ def prove(
     max_bits: int = DEFAULT_MAX_PRECISION,
     budget: WorkBudget | None = None,
     price: Price = lambda _row, _claimed, _steps: "",
+    hints: Mapping[str, Hint] = NO_HINTS,
 ) -> Outcome:
     """Decide every row of a statement; what is not found is left undecided, with the reason.
 
@@ -38,6 +43,7 @@ def prove(
         max_bits: the last one.
         budget: how much work each row may be.
         price: asked before anything is claimed of a row.
+        hints: where to look for the proofs of some rows, by their names.
     """
     ground = Ground(Session(_unused_prefix(statement)), start_bits, max_bits)
     universal = Universal(ground, budget or WorkBudget(), find)
@@ -46,8 +52,9 @@ def prove(
     decisions = {}
     for left, row in zip(range(len(rows), 0, -1), rows, strict=True):
         universal.budget.begin(row.name, left)
+        hint = hints.get(row.name, Hint())
         decisions[row.name] = (
-            Decision(UNDECIDED, reason=spent) if spent else _priced(row, universal, price)
+            Decision(UNDECIDED, reason=spent) if spent else _hinted(row, universal, price, hint)
         )
     names = (*statement.parameters, *(constant.name for constant in statement.constants))
     enclosures = {} if spent else _enclosures(names, ground)
@@ -84,6 +91,19 @@ def _defined(statement: Statement, ground: Ground) -> str:
         if not ground.define(constant):
             return f"{constant.name} has no value at {ground.max_bits} bits"
     return ""
+
+
+def _hinted(row: Obligation, universal: Universal, price: Price, hint: Hint) -> Decision:
+    """The decision on a row that may use what its hint says."""
+    if hint == Hint() or not isinstance(row.claim, Claim):
+        return _priced(row, universal, price)
+    others = set() if hint.using is None else universal.rows - {*hint.using}
+    universal.rows -= others
+    universal.hints = {row.claim: hint}
+    found = _priced(row, universal, price)
+    universal.hints = {}
+    universal.rows |= others
+    return found
 
 
 def _priced(row: Obligation, universal: Universal, price: Price) -> Decision:

@@ -10,6 +10,7 @@ from verify.language.terms import Claim
 from verify.prover import boxes
 from verify.prover.clearing import TooLongError
 from verify.prover.goal import Goal
+from verify.prover.hint import Hint
 from verify.prover.proof import Proof
 from verify.prover.search.bernstein_boxes import by_bernstein, on_interval
 from verify.prover.search.cosines import by_cosines
@@ -95,7 +96,7 @@ NORMAL_FORM = Technique("normal form", by_normal_form)
 PRODUCTS = (
     NORMAL_FORM,
     Technique("differences", by_differences),
-    Technique("sums of products", by_products),
+    Technique("sums of products", partial(by_products, degree=2)),
     Technique("orders of variables", by_orders_of_variables),
 )
 #: Groups whose lemmas are of no use to others: without a proof they are taken back.
@@ -120,13 +121,24 @@ SEARCHES = (
     Technique("parts with variables of their own", by_subterms),
     Technique("a large tree", partial(by_tree, leaves=MANY_LEAVES)),
     Technique("squares with more givens", wider_squares),
+    Technique("sums of longer products", partial(by_products, degree=3)),
+)
+
+
+ANYWHERE = Hint()
+#: The names of all techniques, which hints may have words of.
+TECHNIQUES = tuple(
+    technique.name
+    for group in (FREE, EQUATIONS, SIMPLE, SUMS, PRODUCTS, SEARCHES)
+    for technique in group
 )
 
 
 def find(goal: Goal, known: Universal) -> Proof | None:
     """The first proof that a technique finds; why one of them gave up is kept as a reason."""
+    hint = known.hints.get(goal.claim, ANYWHERE)
     for question, techniques in _stages(goal, known):
-        for technique in techniques:
+        for technique in filter(lambda one: hint.admits(one.name), techniques):
             undo = known.mark() if techniques in TIDY else _nothing
             try:
                 proof = technique.prove(question)

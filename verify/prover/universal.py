@@ -26,6 +26,7 @@ from verify.prover.budget import WorkBudget
 from verify.prover.clearing import has_value
 from verify.prover.goal import Bounds, Goal, bounds_of, narrowed
 from verify.prover.ground import Ground
+from verify.prover.hint import Hint
 from verify.prover.proof import Proof
 from verify.prover.relations import MEANINGS
 from verify.prover.rules import (
@@ -49,6 +50,7 @@ class Universal:
     ) -> None:
         self.ground, self.session, self.budget, self._find = ground, ground.session, budget, find
         self.reasons: dict[str, None] = {}  # why nothing is found
+        self.hints: dict[Claim, Hint] = {}  # where to look for the proof of a claim
         self.contexts: dict[str, Context] = {}
         self.depth = 0  # of lemmas that lemmas need
         self.rows: set[str] = set()  # that are proved, so that later ones may use them

@@ -10,9 +10,10 @@ from verify import check
 from verify.language.errors import UnreadError
 from verify.language.statement import NEEDED, PROVED, UNDECIDED, Cite, Obligation, Statement
 from verify.prover.budget import WorkBudget
+from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Step
-from verify.prover.prove import prove
+from verify.prover.prove import NO_HINTS, prove
 from verify.wire.inputs import InputError
 from verify.wire.judge import judged
 from verify.wire.read import cites_of, read_statement
@@ -62,14 +63,20 @@ def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
     return Page(read_questions(content, cited), {})
 
 
-def decide(statement: Statement, budget: WorkBudget | None = None) -> Outcome:
+def decide(
+    statement: Statement,
+    budget: WorkBudget | None = None,
+    hints: Mapping[str, Hint] = NO_HINTS,
+) -> Outcome:
     """Every row of a statement, decided and judged; or undecided, with the reason.
+
+    ``hints`` say where to look for the proofs of some rows.
 
     Raises:
         InputError: for a statement that the checker cannot read.
         OwnError: if the checker refuses what the search calls proved.
     """
-    outcome = prove(statement, budget=budget, price=Reading(statement).price)
+    outcome = prove(statement, budget=budget, price=Reading(statement).price, hints=hints)
     try:
         return judged(outcome)
     except UnreadError as error:

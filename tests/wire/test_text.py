@@ -15,7 +15,20 @@ from verify import check
 from verify.cli import main
 from verify.language.fold import TERMS
 from verify.language.statement import Always, Statement
-from verify.language.terms import Claim, Term, as_term, cos, maximum, sqrt, symbol
+from verify.language.terms import (
+    Claim,
+    Term,
+    as_term,
+    cos,
+    exp,
+    log,
+    maximum,
+    nth_root,
+    pi,
+    sin,
+    sqrt,
+    symbol,
+)
 from verify.wire.inputs import InputError
 from verify.wire.questions import decide, read_questions
 from verify.wire.text.infix import known_names, read_claims, read_term, term_text
@@ -65,7 +78,8 @@ def test_a_formula_is_read_as_it_was_written(term: Term) -> None:
 
 
 def test_every_operation_is_written_and_read() -> None:
-    arguments = {"pow": (X, 3), "rational": (Fraction(1, 3),), "symbol": ("x",), "pi": ()}
+    arguments = {"rational": (Fraction(1, 3),), "symbol": ("x",), "pi": ()}
+    arguments |= dict.fromkeys(("pow", "root"), (X, 3))
     two = dict.fromkeys(("add", "sub", "mul", "div", "min", "max"), (X, Y))
     for op in TERMS:
         term = Term(op, *(arguments | two).get(op, (X,)))
@@ -91,6 +105,12 @@ def test_every_operation_is_written_and_read() -> None:
         ("x**-2", 1 / X**2),
         ("x^(1/2)", sqrt(X)),
         ("x^(3/2)", sqrt(X) ** 3),
+        ("x^(-2/3)", 1 / nth_root(X, 3) ** 2),
+        ("x^y", exp(Y * log(X))),
+        ("e^(x + 1)", exp(X + 1)),
+        ("2*π*e", 2 * pi * exp(1)),
+        ("tan(x)", sin(X) / cos(X)),
+        ("ln(x) + root(x, 5)", log(X) + nth_root(X, 5)),
         ("|x - y|", maximum(X - Y, -(X - Y))),
         ("abs(cos(x))", maximum(cos(X), -cos(X))),
         ("δ₁", symbol("delta_1")),
@@ -98,7 +118,7 @@ def test_every_operation_is_written_and_read() -> None:
     ],
 )
 def test_what_a_formula_means(text: str, term: Term) -> None:
-    assert read_term("", text, known_names(NAMES)) is term
+    assert read_term("", text, known_names({*NAMES} - {"e"})) is term
 
 
 def test_a_chain_is_several_claims() -> None:
@@ -227,7 +247,8 @@ def test_an_induction() -> None:
         ('"1 + sqrt(2)"', '"1/0"', "divides by zero"),
         ('"1 + sqrt(2)"', "true", "constants.b: 'True' is no text; write a formula in"),
         ('"1 + sqrt(2)"', '"2^x"', "line 5: constants.b"),
-        ('"1 + sqrt(2)"', '"2^(1/3)"', "the exponent 1/3 is not usable"),
+        ('"1 + sqrt(2)"', '"2^(1/1000)"', "the exponent 1/1000 is not between 1/999 and 999"),
+        ('"1 + sqrt(2)"', '"root(2)"', "a root has a term and an index, such as root(x, 3)"),
         ('"1 + sqrt(2)"', '"max(1)"', "max is of at least two terms, and 1 stand there"),
         ('"1 + sqrt(2)"', '"1 # 2"', "cannot read '# 2'"),
         ('"y < d"', '"y < dd"', "line 23: rows.smaller: 'dd' is not defined here; did you mean d?"),

@@ -33,6 +33,7 @@ _ALGEBRA: Mapping[str, Callable[..., float]] = {
     "div": lambda x, y: x / y,
     "neg": lambda x: -x,
     "pow": lambda x, exponent: x**exponent,
+    "root": lambda x, index: x ** (1 / index) if x >= 0 else math.nan,
 }
 
 

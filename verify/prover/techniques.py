@@ -96,7 +96,7 @@ NORMAL_FORM = Technique("normal form", by_normal_form)
 PRODUCTS = (
     NORMAL_FORM,
     Technique("differences", by_differences),
-    Technique("sums of products", by_products),
+    Technique("sums of products", partial(by_products, degree=2)),
     Technique("orders of variables", by_orders_of_variables),
 )
 #: Groups whose lemmas are of no use to others: without a proof they are taken back.
@@ -121,6 +121,7 @@ SEARCHES = (
     Technique("parts with variables of their own", by_subterms),
     Technique("a large tree", partial(by_tree, leaves=MANY_LEAVES)),
     Technique("squares with more givens", wider_squares),
+    Technique("sums of longer products", partial(by_products, degree=3)),
 )
 
 

@@ -129,7 +129,8 @@ class _Search:
         """Short numbers for the free variables, near those where least is violated."""
         is_bad = self._test()
         ends = [(b.low, b.high) for b in self.free.values()]
-        for distance in DISTANCES:
+        is_bounded = all(b.ends for b in self.free.values())
+        for distance in DISTANCES[:1] if is_bounded else DISTANCES:
             tried = 0
             for violation, point in Violations(self, distance).found():
                 if violation > 0 or tried > MAX_POINTS:

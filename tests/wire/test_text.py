@@ -60,7 +60,8 @@ def test_every_committed_statement_is_a_page(path: Path) -> None:
     assert page_text(again) == page
 
 
-NUMBERS = st.builds(Fraction, st.integers(-20, 20), st.integers(1, 9)).map(as_term)
+NUMBERS = st.builds(Fraction, st.integers(-20, 20), st.sampled_from([1, 2, 3, 10, 200, 3000]))
+NUMBERS = NUMBERS.map(as_term)
 LEAVES = NUMBERS | st.sampled_from(NAMES).map(symbol)
 
 
@@ -75,6 +76,14 @@ def _branches(children: st.SearchStrategy[Term]) -> st.SearchStrategy[Term]:
 @given(st.recursive(LEAVES, _branches, max_leaves=12))
 def test_a_formula_is_read_as_it_was_written(term: Term) -> None:
     assert read_term("", term_text(term), known_names(NAMES)) is term
+
+
+@pytest.mark.parametrize(
+    ("number", "text"),
+    [("1/10", "1/10"), ("191/1000", "0.191"), ("-1307/10000", "-0.1307"), ("1/300", "1/300")],
+)
+def test_numbers_are_written_as_in_papers(number: str, text: str) -> None:
+    assert term_text(as_term(Fraction(number))) == text
 
 
 def test_every_operation_is_written_and_read() -> None:

@@ -45,6 +45,9 @@ _SAME = {"≤": "<=", "≥": ">=", "==": "=", "·": "*", "×": "*", "−": "-", 
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 RELATIONS = ("<", "<=", "=", ">=", ">")
 
+#: A decimal with so many digits behind its point is written as a fraction.
+LONGEST_DECIMAL = 20
+
 #: The functions of several numbers, and the names that stand for a number.
 MANY = ("min", "max")
 NUMBERS: Mapping[str, Term] = {"pi": pi, "e": exp(1)}
@@ -343,9 +346,19 @@ def _inside(part: tuple[str, int], level: int) -> str:
 
 
 def _number(value: Fraction) -> tuple[str, int]:
-    if value.denominator > 1:
-        return str(value), _PRODUCT
-    return str(value), _ATOM if value >= 0 else _FACTOR
+    text = _decimal(value)
+    if "/" in text:
+        return text, _PRODUCT
+    return text, _ATOM if value >= 0 else _FACTOR
+
+
+def _decimal(value: Fraction) -> str:
+    """A number as a fraction; if that has many digits, as the decimal that it is."""
+    for digits in range(2, LONGEST_DECIMAL) if value.denominator >= 100 else ():
+        if 10**digits % value.denominator == 0:
+            whole = str(abs(value) * 10**digits).zfill(digits + 1)
+            return f"{'-' * (value < 0)}{whole[:-digits]}.{whole[-digits:]}"
+    return str(value)
 
 
 def _sum(sign: str, left: tuple[str, int], right: tuple[str, int]) -> tuple[str, int]:
@@ -356,7 +369,7 @@ def _sum(sign: str, left: tuple[str, int], right: tuple[str, int]) -> tuple[str,
 def _product(sign: str, left: tuple[str, int], right: tuple[str, int]) -> tuple[str, int]:
     first, second = _inside(left, _PRODUCT), _inside(right, _FACTOR)
     second = f"({second})" if second.startswith("-") else second
-    if sign == "/" and re.fullmatch("-?[0-9]+", first) and second.isdigit():
+    if sign == "/" and all(re.fullmatch("-?[0-9.]+", text) for text in (first, second)):
         first = f"({first})"  # a quotient of numbers, and not one number
     return f"{first}{sign}{second}", _PRODUCT
 

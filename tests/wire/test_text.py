@@ -204,6 +204,21 @@ def test_points_are_found_that_the_checker_accepts() -> None:
     assert high.point == {"high.x": as_term(3)}
 
 
+def test_equations_are_solved_for_a_point() -> None:
+    page = 'title = "t"\n[contexts.c]\nvariables = ["x", "y", "z"]\n'
+    page += 'given = ["0 < x < y", "x + y = 1", "x*y*z = 1"]\n[rows]\na = "x*y < 1/4"\n'
+    point = read(page).contexts[0].point
+    x, y, z = (point[name].value for name in "xyz")
+    assert 0 < x < y
+    assert (x + y, x * y * z) == (1, 1)
+
+
+def test_greek_names_may_be_written() -> None:
+    statement = read('title = "t"\n[constants]\n"ε₀" = 0.1\n[rows]\na = "ε_0 < 1"\n')
+    assert (statement.constants[0].name, statement.constants[0].letter) == ("epsilon_0", "ε₀")
+    assert statement.obligations[0].claim == (symbol("epsilon_0") < 1)
+
+
 def test_a_point_on_a_curve_is_asked_for() -> None:
     page = 'title = "t"\n[contexts.c]\nvariables = ["x", "y"]\ngiven = ["x^2 + y^2 = 7"]\n'
     with pytest.raises(InputError, match=r"line 2: contexts.c: no point was found .* point = "):
@@ -259,6 +274,7 @@ def test_an_induction() -> None:
         ('"1 + sqrt(2)"', '"2^(1/1000)"', "the exponent 1/1000 is not between 1/999 and 999"),
         ('"1 + sqrt(2)"', '"root(2)"', "a root has a term and an index, such as root(x, 3)"),
         ('"1 + sqrt(2)"', '"max(1)"', "max is of at least two terms, and 1 stand there"),
+        ('"y < d"', '"y < d and d < 9"', "a claim has no and; write a chain such as 0 < a < 1"),
         ('"1 + sqrt(2)"', '"1 # 2"', "cannot read '# 2'"),
         ('"y < d"', '"y < dd"', "line 23: rows.smaller: 'dd' is not defined here; did you mean d?"),
         ('"y < d"', '"y"', "line 23: rows.smaller: 'y' claims nothing; write for example y > 0"),

@@ -14,7 +14,7 @@ from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Step
 from verify.prover.prove import NO_HINTS, prove
-from verify.wire.inputs import InputError
+from verify.wire.inputs import InputError, shown
 from verify.wire.judge import judged
 from verify.wire.read import cites_of, read_statement
 from verify.wire.term_json import TermReader
@@ -60,6 +60,11 @@ def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
         from verify.wire.text.fpcore import read_fpcore
 
         return Page(read_fpcore(path, content), {})
+    if not (path.endswith(".json") or content.lstrip().startswith(b"{")):
+        raise InputError(
+            f"STATEMENT: {shown(path)} is none of the formats that are read; name a page .toml, a "
+            "statement .json, or a question .smt2 or .fpcore"
+        )
     return Page(read_questions(content, cited), {})
 
 

@@ -20,6 +20,7 @@ from verify.language.terms import (
     Term,
     absolute,
     as_term,
+    atan,
     exp,
     log,
     nth_root,
@@ -52,7 +53,12 @@ LONGEST_DECIMAL = 20
 MANY = ("min", "max")
 NUMBERS: Mapping[str, Term] = {"pi": pi, "e": exp(1)}
 #: What a reader writes in operations of the language.
-SUGAR: Mapping[str, Callable[[Term], Term]] = {"abs": absolute, "tan": tan, "ln": log}
+SUGAR: Mapping[str, Callable[[Term], Term]] = {
+    "abs": absolute,
+    "tan": tan,
+    "ln": log,
+    "arctan": atan,
+}
 #: All that is written like a function.
 CALLED = (*FUNCTIONS, *MANY, "root", *SUGAR)
 
@@ -207,6 +213,8 @@ class _Reader:
     def _too_much(self) -> str:
         kind, word = self.tokens[self.at]
         before = self.tokens[self.at - 1]
+        if word in ("and", "or"):
+            return f"a claim has no {word}; write a chain such as 0 < a < 1, or two claims"
         if kind in ("name", "number", "quoted") or word == "(":
             return f"no sign stands between {before[1]} and {word}; write {before[1]}*{word}"
         return f"{self.next_word()}, and does not belong there"

@@ -377,15 +377,36 @@ def test_a_page_cites_what_lies_beside_it(
     (cited / "mean.json").write_bytes((mean / "statement.json").read_bytes())
     (cited / "mean.certificate.json").write_bytes((mean / "certificate.json").read_bytes())
     theorem = json.loads((mean / "statement.json").read_text(encoding="utf-8"))["theorem"]
-    page = tmp_path / "page.toml"
+    page, out = tmp_path / "page.toml", tmp_path / "out"
     page.write_text(
-        f'title = "t"\n[cites]\nm = "{theorem}"\n[rows]\none = "0 < 1"\n'
-        'r = { applies = "m:pair", at = { x = 1, y = "sqrt(2)" }, role = "printed" }\n',
+        f'title = "t"\n[cites]\nm = "{theorem}"\n[rows]\n'
+        'r = { applies = "m:pair", at = { x = 1, y = "sqrt(2)" } }\n',
         encoding="utf-8",
     )
-    out = tmp_path / "out"
     assert main(["prove", str(page), "--out", str(out)]) == 0
     captured = capsys.readouterr()
     assert "m:pair at x = 1, y = √2" in captured.out
     assert "given no assumptions of the cited 'm'" in captured.out
+    assert main(["check", str(out)]) == 0
+
+
+def test_cited_constants_are_known(tmp_path: Path) -> None:
+    """Their definitions, and what is proved of them; a page of one's own is cited."""
+    first, second, out = tmp_path / "first.toml", tmp_path / "second.toml", tmp_path / "out"
+    first.write_text(
+        'title = "one"\n[constants]\nq = "sqrt(2)"\np = "q + 1"\n[contexts.c]\nvariables = "x"\n'
+        'given = ["0 <= x <= q"]\nconstants = { d = "x^2" }\n'
+        '[rows]\nsmall = "d <= 2"\nr = "p < 3"\n',
+        encoding="utf-8",
+    )
+    assert main(["prove", str(first), "--out", str(tmp_path / "one")]) == 0
+    (tmp_path / "cited").mkdir()
+    for name, new in (("statement", "one.json"), ("certificate", "one.certificate.json")):
+        (tmp_path / "one" / f"{name}.json").rename(tmp_path / "cited" / new)
+    second.write_text(
+        'title = "two"\n[cites]\nm = "one"\n[constants]\ns = "m:p/2"\n[rows]\na = "s < 3/2"\n'
+        'b = "m:q^2 = 2"\nc = { applies = "m:c", at = { x = "m:q - 1" } }\n',
+        encoding="utf-8",
+    )
+    assert main(["prove", str(second), "--out", str(out)]) == 0
     assert main(["check", str(out)]) == 0

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from verify import check
@@ -81,7 +82,8 @@ def decide(
         InputError: for a statement that the checker cannot read.
         OwnError: if the checker refuses what the search calls proved.
     """
-    outcome = prove(statement, budget=budget, price=Reading(statement).price, hints=hints)
+    price, cited = Reading(statement).price, list(_proved(statement.cites))
+    outcome = prove(statement, budget=budget, price=price, hints=hints, cited=cited)
     try:
         return judged(outcome)
     except UnreadError as error:
@@ -161,6 +163,17 @@ class Reading:
 def _claims(statement: Statement, steps: Sequence[Step]) -> Outcome:
     decisions = {row.name: Decision(PROVED) for row in statement.obligations}
     return Outcome(statement, decisions, tuple(steps), {})
+
+
+def _proved(cites: Sequence[Cite], prefix: str = "") -> Iterator[tuple[str, Statement]]:
+    """What is cited, with its proved rows only, and what its names begin with here."""
+    for cite in cites:
+        here = f"{prefix}{cite.name}:"
+        yield from _proved(cite.cites, here)
+        document = json.loads(cite.content)
+        rows = [row for row in document["obligations"] if row["verdict"] == PROVED]
+        reader = TermReader(document["terms"])
+        yield here, read_statement(document | {"obligations": rows, "cites": []}, reader, {})
 
 
 def all_cites(cites: Sequence[Cite]) -> list[Cite]:

@@ -81,7 +81,7 @@ def read_page(path: str, content: bytes, cited: Sequence[Cite] = ()) -> Page:
     except (ValueError, RecursionError) as error:
         why = " ".join(str(error).split())
         raise InputError(
-            f"{path}: is no TOML file ({why}); formulas, and names with Greek letters, stand in quotes"
+            f"{path}: is no TOML file ({why}); write formulas and Greek names in quotes"
         ) from error
     return _Reader(Places(path, text), cited).page(table)
 

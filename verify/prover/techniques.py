@@ -120,7 +120,15 @@ SEARCHES = (
     Technique("parts with variables of their own", by_subterms),
     Technique("a large tree", partial(by_tree, leaves=MANY_LEAVES)),
     Technique("squares with more givens", wider_squares),
+)
+
+
+#: What takes most of the work, and is tried when nothing else is left.
+LAST = (
     Technique("sums of longer products", partial(by_products, degree=3)),
+    Technique("coefficients on very many parts", partial(by_bernstein, parts=10 * MANY_PARTS)),
+    Technique("a very large tree", partial(by_tree, leaves=10 * MANY_LEAVES)),
+    Technique("sums of the longest products", partial(by_products, degree=4)),
 )
 
 
@@ -128,6 +136,9 @@ def find(goal: Goal, known: Universal) -> Proof | None:
     """The first proof that a technique finds; why one of them gave up is kept as a reason."""
     for question, techniques in _stages(goal, known):
         for technique in techniques:
+            if technique.name in known.refused:
+                continue
+            known.tried[technique.name] = None
             undo = known.mark() if techniques in TIDY else _nothing
             try:
                 proof = technique.prove(question)
@@ -135,6 +146,7 @@ def find(goal: Goal, known: Universal) -> Proof | None:
                 known.reasons[f"{technique.name}: expanding the claim is too much work"] = None
                 proof = None
             if proof is not None:
+                known.found_by = technique.name
                 return proof
             undo()
     return None
@@ -189,9 +201,10 @@ def _of_all_that_is_known(question: Question) -> Iterator[tuple[Question, tuple[
                 widened = question.widened() or question
                 yield question, (*FREE, *SIMPLE)
         yield widened, PRODUCTS
-    for asked in dict.fromkeys((question, widened)):
-        if _is_small(asked) and asked.clears() and not asked.is_refuted():
-            yield asked, SEARCHES
+    for group in (SEARCHES, LAST):
+        for asked in dict.fromkeys((question, widened)):
+            if _is_small(asked) and asked.clears() and not asked.is_refuted():
+                yield asked, group
 
 
 def _is_small(question: Question) -> bool:

@@ -21,6 +21,7 @@ from verify.prover.search.extrema import by_cases, by_entries
 from verify.prover.search.factors import by_factors
 from verify.prover.search.linear import by_linear_sum, by_products, find_ranges
 from verify.prover.search.multiple_angles import by_multiple_angles
+from verify.prover.search.on_equations import squares_on_equations
 from verify.prover.search.positive import (
     few_squares,
     many_squares,
@@ -97,6 +98,7 @@ PRODUCTS = (
     Technique("differences", by_differences),
     Technique("sums of products", partial(by_products, degree=2)),
     Technique("orders of variables", by_orders_of_variables),
+    Technique("squares where equations hold", squares_on_equations),
 )
 #: Groups whose lemmas are of no use to others: without a proof they are taken back.
 TIDY = (SUMS, PRODUCTS, (NORMAL_FORM,))

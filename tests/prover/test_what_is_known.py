@@ -13,7 +13,6 @@ import pytest
 from verify.language.statement import PROVED, REFUTED, Constant, Obligation
 from verify.language.terms import Claim, Term, as_term, equal, maximum, minimum, sqrt, symbol
 from verify.library import ask, for_all, lemma, prove
-from verify.prover.budget import WorkBudget
 
 a, b, c, k, t, u, v, w, x, y, z = map(symbol, "abcktuvwxyz")
 
@@ -31,7 +30,7 @@ def verdicts(
     rows = [ask(f"first{i}", claim) for i, claim in enumerate(first or [])]
     rows += [ask(f"row{i}", claim, place) for i, claim in enumerate(claims)]
     known = [Constant(name, name, name, name, term) for name, term in (constants or {}).items()]
-    found = prove(lemma("title", rows, known, [place]), WorkBudget(20_000_000))
+    found = prove(lemma("title", rows, known, [place]), work=20_000_000)
     return [found.decisions[row.name].verdict for row in rows if isinstance(row, Obligation)]
 
 

@@ -10,6 +10,7 @@ from verify.language.terms import Claim
 from verify.prover import boxes
 from verify.prover.clearing import TooLongError
 from verify.prover.goal import Goal
+from verify.prover.hint import Hint
 from verify.prover.proof import Proof
 from verify.prover.search.bernstein_boxes import by_bernstein, on_interval
 from verify.prover.search.cosines import by_cosines
@@ -134,11 +135,21 @@ LAST = (
 )
 
 
+ANYWHERE = Hint()
+#: The names of all techniques, which hints may have words of.
+TECHNIQUES = tuple(
+    technique.name
+    for group in (FREE, EQUATIONS, SIMPLE, SUMS, PRODUCTS, SEARCHES)
+    for technique in group
+)
+
+
 def find(goal: Goal, known: Universal) -> Proof | None:
     """The first proof that a technique finds; why one of them gave up is kept as a reason."""
+    hint = known.hints.get(goal.claim, ANYWHERE)
     for question, techniques in _stages(goal, known):
         for technique in techniques:
-            if technique.name in known.refused:
+            if technique.name in known.refused or not hint.admits(technique.name):
                 continue
             known.tried[technique.name] = None
             undo = known.mark() if techniques in TIDY else _nothing

@@ -27,6 +27,7 @@ from verify.prover.budget import WorkBudget
 from verify.prover.clearing import has_value
 from verify.prover.goal import Bounds, Goal, bounds_of, narrowed
 from verify.prover.ground import Ground
+from verify.prover.hint import Hint
 from verify.prover.proof import Proof
 from verify.prover.relations import MEANINGS
 from verify.prover.rules import (
@@ -54,6 +55,7 @@ class Universal:
         self.found_by = ""  # the technique that found the last proof
         self.refused: set[str] = set()  # techniques whose proof the checker cannot afford
         self.left: dict[str, tuple[Fraction, Fraction]] = {}  # the part of a box that is open
+        self.hints: dict[Claim, Hint] = {}  # where to look for the proof of a claim
         self.contexts: dict[str, Context] = {}
         self.failed: Given | None = None  # that was not shown at some values
         self.depth = 0  # of lemmas that lemmas need

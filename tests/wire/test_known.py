@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from verify.cli import main
-from verify.paper.commands.spectrum import NAME, cite_spectrum, decide_spectrum
+from verify.paper.commands.spectrum import SPECTRUM, cite_spectrum, decide_spectrum
 from verify.paper.spectrum.printed import Printed
 from verify.paper.spectrum.spectrum import statement
 from verify.prover.outcome import Outcome
@@ -20,7 +20,7 @@ CERTIFICATES = Path(__file__).parents[2] / "certificates"
 
 @pytest.mark.parametrize("name", PACKAGED_FILES)
 def test_what_comes_with_the_program_is_what_is_committed(name: str) -> None:
-    """If not: copy certificates/NAME/*.json to verify/data/NAME, and note their digests."""
+    """If not: copy certificates/SPECTRUM/*.json to verify/data/SPECTRUM, and note their digests."""
     for file, content in zip(PACKAGED_FILES[name], packaged_files(name), strict=True):
         assert (CERTIFICATES / name / file).read_bytes() == content
     assert {path.name for path in Path(PACKAGED, name).iterdir()} == set(PACKAGED_FILES[name])
@@ -35,11 +35,11 @@ def test_what_is_cited_is_what_would_be_proved() -> None:
 
 def test_another_statement_is_not_known() -> None:
     said = statement()
-    assert known(NAME, said) is not None
+    assert known(SPECTRUM, said) is not None
     first, *others = said.obligations
-    assert known(NAME, said._replace(obligations=(first._replace(says="?"), *others))) is None
-    assert known(NAME, said._replace(obligations=tuple(others))) is None
-    assert known(NAME, statement(Printed(coefficients=Printed().coefficients[::-1]))) is None
+    assert known(SPECTRUM, said._replace(obligations=(first._replace(says="?"), *others))) is None
+    assert known(SPECTRUM, said._replace(obligations=tuple(others))) is None
+    assert known(SPECTRUM, statement(Printed(coefficients=Printed().coefficients[::-1]))) is None
     assert known(ALL, said) is None
 
 

@@ -15,6 +15,8 @@ PACKAGED = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data")
 ALL = "theorem1-all"
 #: Those about the theorem as printed: its set with > for <, and that with < it is false.
 PRINTED_SET, PRINTED_SIGN = "printed-set", "printed-sign"
+#: The rows of the printed set for all parameters, of which some are refuted.
+AS_PRINTED = "printed"
 #: Their files with their digests. Who cites one rests on them: it is not checked again in each run.
 PACKAGED_FILES = {
     "step": {
@@ -64,6 +66,10 @@ PACKAGED_FILES = {
     "line": {
         "statement.json": "09664db03596164c5321ce9bcc389c1d0589751d06d8b3c71a47c971b80a81d4",
         "certificate.json": "01c491731d5f3d8abb9745a19378efcda818d40a83fddd47828cbe1719f0b07e",
+    },
+    AS_PRINTED: {
+        "statement.json": "f95189c317b4bb59bf85cef2b399bc347b0d698496a5385b8f9c70119cd1193b",
+        "certificate.json": "174a6c89880f6a25051f791995d11539aea5ed154a455cfbacd26a2d02864b31",
     },
 }
 

@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import Any
 
 from verify.language.statement import PROVED, REFUTED, Constant
-from verify.language.terms import Claim, Term
+from verify.language.terms import Claim, Term, as_term
 from verify.prover import balls
 from verify.prover.decimals import enclosing_decimals
 from verify.prover.outcome import Enclosure, Ends
@@ -43,6 +43,10 @@ DIGITS = 27
 RELIABLE_BITS = 128
 
 
+#: Short decimals near constants have this denominator.
+SHORT = 10**9
+
+
 class Constants:
     """Constants that are defined one after another, and what enclosures show of them.
 
@@ -71,12 +75,16 @@ class Constants:
 
     def define(self, constant: Constant) -> bool:
         """Add a constant over names defined before; False if no precision shows its value."""
-        self.definitions[constant.name] = constant.term
-        self._program.define(constant.name, constant.term)
+        self.know(constant.name, constant.term)
         bits = self.defined_at(constant.term)
         if bits is not None:
             self.session.constant(constant, Interval(bits))
         return bits is not None
+
+    def know(self, name: str, term: Term) -> None:
+        """A name that has this value, as somebody else has shown or will show."""
+        self.definitions[name] = term
+        self._program.define(name, term)
 
     def defined_at(self, term: Term) -> int | None:
         """A precision at which the checker sees that a term has a value."""
@@ -126,6 +134,18 @@ class Constants:
             if self.exact(term) == 0:
                 return 0
         return 0
+
+    def short_bound(self, term: Term, *, up: bool) -> Term | None:
+        """The value, if it is rational; else a short decimal near it, above it or below."""
+        exact = self.exact(term)
+        if exact is not None:
+            return as_term(exact)
+        ball = self.ball(term, self.start_bits)
+        if ball is None:
+            return None
+        low, high = balls.ends(ball)
+        near = -(-high * SHORT // 1) if up else low * SHORT // 1
+        return as_term(Fraction(near, SHORT))
 
     # --- enclosures for people ------------------------------------------------------------------
 

@@ -16,6 +16,7 @@ from verify.paper.commands import (
     printed_set,
     sandwich,
     scene,
+    separatrix,
     sharper,
     spectrum,
     step,
@@ -84,6 +85,8 @@ THEOREMS: dict[str, Callable[[], Outcome]] = {
     "sandwich": sandwich.decide_sandwich,
     "flow": scene.decide_flow,
     "line": scene.decide_line,
+    "separatrix": separatrix.decide_separatrix,
+    "separatrix-r-3-100": separatrix.decide_stored,
 }
 
 

@@ -134,20 +134,21 @@ def by_squares(
         gradings = Gradings(p, polynomials, domain.squares)
         blocks = [part for block in attempt.blocks for part in gradings.split(block)]
         key = str((p, [(polynomials[b.factor], b.basis) for b in blocks]))
-        if not _is_small(blocks) or key in tried:
+        if not is_small(blocks) or key in tried:
             continue
         tried.add(key)
         for point in zeros:
             blocks = [vanishing(block, polynomials[block.factor], point) for block in blocks]
-        blocks = [vanishing_near(b, polynomials[b.factor], near) for b in blocks]
+        smaller = [vanishing_near(b, polynomials[b.factor], near) for b in blocks]
+        blocks = smaller if any(block.basis for block in smaller) else blocks
         terms = decompose(p, domain, polynomials, blocks, budget)
-        proof = None if terms is None else _proof(domain, attempt, terms, outer)
+        proof = None if terms is None else written(domain, attempt, terms, outer)
         if proof is not None:
             return proof._replace(using=using)
     return None if outer is not None else by_form(domain, near, budget, using)
 
 
-def _proof(
+def written(
     domain: Domain, attempt: Attempt, terms: Sequence[Summand], outer: Term | None
 ) -> Sum | None:
     """The sum, if it is strict, and not too much work for the checker."""
@@ -195,7 +196,8 @@ def _value(
     return value, constant and factor.strict
 
 
-def _is_small(blocks: Sequence[Block]) -> bool:
+def is_small(blocks: Sequence[Block]) -> bool:
+    """Whether the semidefinite programme is not too much work."""
     sizes = [len(block.basis) for block in blocks]
     return 0 < max(sizes, default=0) <= MAX_SIZE and sum(n**4 for n in sizes) <= MAX_COST
 
@@ -220,6 +222,8 @@ def _attempts(domain: Domain) -> Iterator[Attempt]:
     mixed = pairs if len(ends) < len(pairs) else []
     again = [multiplied(goal, f) for f in (*facts, goal)]
     triples = [multiplied(a, b) for a, b in _triples(facts, pairs)] if len(facts) <= FEW else []
+    if domain.strict:
+        ends = [*ends, *_powers(facts, top + 2)]
     for higher in (top, top + 2):
         yield _attempt(domain, [one, *facts, *ends], higher, used)
         if mixed:
@@ -246,6 +250,16 @@ def _attempt(
     halves = [(degree - int(factor.polynomial.total_degree())) // 2 for factor in factors]
     blocks = [Block(i, all_monomials(domain, h, used)) for i, h in enumerate(halves) if h >= 0]
     return Attempt(factors, blocks, multiple)
+
+
+def _powers(facts: Sequence[Factor], degree: int) -> Iterator[Factor]:
+    """The odd powers of positive polynomials: they make a sum positive."""
+    for fact in facts:
+        power = fact
+        for _ in range(3, degree // max(1, int(fact.polynomial.total_degree())) + 1, 2):
+            power = multiplied(multiplied(power, fact), fact)
+            if fact.strict:
+                yield power
 
 
 def _triples(facts: Sequence[Factor], pairs: Sequence[Factor]) -> Iterator[tuple[Factor, Factor]]:

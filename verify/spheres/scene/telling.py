@@ -280,8 +280,7 @@ class Telling:
         value: Mapping[str, Fraction],
     ) -> Term:
         """The sandwich theorem applies; a bound of the time that is left, per closing speed."""
-        uses = ("scene-collapses", "scene-stair")
-        self._applies(SANDWICH_START, at, *uses)
+        self._applies(SANDWICH_START, at, "scene-stair")
         w, half, G = (as_term(value["w_0"]), as_term(value["w_1"])), (1 + r) / 2, value["G"]
         U_b = as_term(value["U_b"])
         for n, ((Q, U), (Q_next, U_next)) in enumerate(pairwise(points)):
@@ -294,10 +293,12 @@ class Telling:
             step = {"Q": Q, "U": U, "Q_next": Q_next, "U_next": U_next}
             here = {key: as_term(x) for key, x in _of("stair", {**numbers, **step}).items()}
             says = f"the numbers Q_{n + 1}, U_{n + 1} are above where the map leads from the last"
-            self.row(f"stair.{n}", says, Applies(STAIR, here), "scene", *uses)
+            self.row(f"stair.{n}", says, Applies(STAIR, here), "scene", "scene-stair")
         for name, first, last in zip("qu", points[-3], points[-1], strict=True):
             says = "two steps later the stair is not above this one"
-            self.row(f"period.{name}", says, as_term(last) <= as_term(first), "scene", *uses)
+            self.row(
+                f"period.{name}", says, as_term(last) <= as_term(first), "scene", "scene-stair"
+            )
         return as_term(G) * U_b / as_term(value["w_b"] ** 2) / (1 - half * as_term(G))
 
     def _collapse_on_a_line(self, unit: readings.Unit, value: Mapping[str, Fraction]) -> Term:

@@ -165,7 +165,7 @@ BEYOND: dict[str, tuple[Claim, dict[str, Claim]]] = {
     "cosine": (HUGE * cos_pi(x) <= HUGE, {}),
     "angle": (cos_pi(x * HUGE) <= 1, {"low": 0 <= x, "high": x <= 1}),
     "equation": (equal(x * HUGE + y, y + x * HUGE + 1 / HUGE), {}),
-    "false": (x * HUGE <= x**2, {"low": HUGE <= x}),
+    "false": (x**2 <= x * HUGE, {"low": HUGE <= x}),
     "tiny": (x**2 * cos_pi(x) <= x, {"low": 0 <= x, "high": x <= 1 / HUGE}),
 }
 

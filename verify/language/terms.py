@@ -94,6 +94,9 @@ class Term:
     def __neg__(self) -> Term:
         return Term("neg", self)
 
+    def __abs__(self) -> Term:
+        return Term("max", self, -self)
+
     def __lt__(self, other: Number) -> Claim:
         return Claim("<", self, as_term(other))
 

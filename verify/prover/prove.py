@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-from verify.language.statement import UNDECIDED, Constant, Obligation, Statement
+from verify.language.statement import PROVED, UNDECIDED, Constant, Obligation, Statement
 from verify.language.terms import Claim, names_of
 from verify.prover.budget import SpentError, WorkBudget
 from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
@@ -42,10 +42,13 @@ def prove(
     ground = Ground(Session(_unused_prefix(statement)), start_bits, max_bits)
     universal = Universal(ground, budget or WorkBudget(), find)
     spent = _opened(statement, universal) or price(None, "", ground.session.steps)
-    decisions = {
-        row.name: Decision(UNDECIDED, reason=spent) if spent else _priced(row, universal, price)
-        for row in statement.obligations
-    }
+    rows = statement.obligations
+    decisions = {}
+    for left, row in zip(range(len(rows), 0, -1), rows, strict=True):
+        universal.budget.begin(row.name, left)
+        decisions[row.name] = (
+            Decision(UNDECIDED, reason=spent) if spent else _priced(row, universal, price)
+        )
     names = (*statement.parameters, *(constant.name for constant in statement.constants))
     enclosures = {} if spent else _enclosures(names, ground)
     return Outcome(statement, decisions, tuple(ground.session.steps), enclosures, spent)
@@ -91,6 +94,11 @@ def _priced(row: Obligation, universal: Universal, price: Price) -> Decision:
         found = _decide(row, universal.ground, universal)
     except Exception as error:
         found = Decision(UNDECIDED, reason=_why(error))
+    except KeyboardInterrupt:
+        if not universal.budget.catches:
+            raise
+        universal.budget.interrupted = True
+        found = Decision(UNDECIDED, reason="the search was interrupted")
     if found.claimed == UNDECIDED:
         undo()
         return found._replace(reason=found.reason or "; ".join((NOTHING_FOUND, *universal.reasons)))
@@ -118,6 +126,8 @@ def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
         if all(name in ground.definitions for name in names):
             found = ground.decide(row)
             if found.claimed != UNDECIDED:
+                if found.claimed == PROVED:
+                    universal.rows.add(row.name)
                 return found
     return RowsInContexts(universal).decide(row)
 

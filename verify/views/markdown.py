@@ -51,6 +51,11 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
     def claim(one: Claim | Applies | Always) -> str:
         return brief(typesetter.claim(one))
 
+    def told(row: Obligation) -> str:
+        """The claim; in a theorem of somebody else's also for all values of which context."""
+        where = "" if about or row.context is None else f" for all values of `{row.context}`"
+        return claim(row.claim) + where
+
     def evidence(row: Obligation, decision: Decision) -> str:
         """The numbers that show a row, or the values at which it is false."""
         sides = sides_of(row, decision)
@@ -83,6 +88,7 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
         "constants": list(constants()),
         "printed": paper.printed,
         "claim": claim,
+        "told": told,
         "term": lambda one: brief(typesetter.term(one)),
         "evidence": evidence,
         "short_name": short_name,

@@ -203,9 +203,9 @@ def in_order(values: Mapping[str, Term]) -> dict[str, Term]:
 
 
 def tex_label(text: str, paper: Publication) -> str:
-    """A label of the paper, after the number that is printed there."""
+    """A label of the paper, after the number that is printed there; another as it is."""
     printed = paper.printed(text)
-    return name(text) if printed is None else f"{words(printed)} {name(text)}"
+    return words(text) if printed is None else f"{words(printed)} {name(text)}"
 
 
 def _letters(outcome: Outcome) -> tuple[dict[str, str], dict[str, str]]:
@@ -226,6 +226,6 @@ def _letters(outcome: Outcome) -> tuple[dict[str, str], dict[str, str]]:
     sets = {row.group for row in statement.obligations}
     for constant in statement.constants:
         group = constant.name.rpartition(".")[0]
-        if group in sets:  # the same letter in the printed and in the repaired set
+        if group and group in sets:  # the same letter in the printed and in the repaired set
             tex[constant.name] = rf"{{{tex[constant.name]}}}^{{\text{{{words(group)}}}}}"
     return tex, {name: plain for name, (_, plain) in found.items()}

@@ -12,6 +12,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from itertools import pairwise
 
+from flint import fmpq_mpoly
+
 from verify.language.statement import PROVED
 from verify.language.terms import (
     Claim,
@@ -26,12 +28,13 @@ from verify.language.terms import (
 )
 from verify.prover.clearing import Clearing, TooLongError
 from verify.prover.goal import Bounds
-from verify.prover.numbers import float_of
-from verify.prover.proof import Premise, Proof
+from verify.prover.numbers import float_of, fmpq_of, fraction_of
+from verify.prover.proof import Premise, Proof, power_of, product_of
 from verify.prover.rules import Cuts, Derivative, Have, InRange, Interval, Law, Monotony, Sum
 from verify.prover.search.bernstein_boxes import on_interval
 from verify.prover.search.compiled import estimates
 from verify.prover.search.derivatives import derivative
+from verify.prover.search.direct import CIRCULAR, RANGES
 from verify.prover.search.exact import ExactRanges
 from verify.prover.search.question import Question
 from verify.prover.search.tree import Tree
@@ -52,7 +55,7 @@ _NUMERATORS = (0, 1, -1, 2, -2, 3, -3, 5, 10, 100)
 SIMPLE = tuple(Fraction(n, d) for d in (1, 2, 3, 4, 10) for n in _NUMERATORS)
 #: The relations of a claim at a point, of the point and the variable, and of 0 and the derivative.
 AT_POINT = {("<", "start"): ("<", "<=", "<="), ("<", "slope"): ("<=", "<", "<")}
-FUNCTIONS = ("exp", "log", "atan", "sin", "cos", "cos_pi", "sqrt", "root")
+FUNCTIONS = ("exp", "log", "atan", "sin", "cos", "cos_pi")
 
 
 def by_growth(question: Question) -> Proof | None:
@@ -97,13 +100,14 @@ class Growth:
         if not self.known.clears((claim.lhs, claim.rhs), self.context):
             return None
         touches = min(gap for _, gap in gaps) < 1e-3
-        return (
-            self._simple(claim, bounds)
-            or (None if touches else self._tree(claim, bounds, cuts))
-            or self._isolated(claim, bounds, cuts, depth)
-            or self._grown(claim, bounds, cuts, depth)
-            or self._cut(claim, bounds, cuts, depth)
-        )
+        found = self._simple(claim, bounds, cuts)
+        found = found or (None if touches else self._tree(claim, bounds, cuts))
+        if any(part.op in FUNCTIONS for part in parts_of(claim.lhs, claim.rhs)):
+            found = found or self._isolated(claim, bounds, cuts, depth)
+            found = found or self._grown(claim, bounds, cuts, depth)
+        else:
+            found = found or self._algebraic(claim)
+        return found or self._cut(claim, bounds, cuts, depth)
 
     # --- estimates ------------------------------------------------------------------------------
 
@@ -145,14 +149,80 @@ class Growth:
         verdict, proof = self.known.ground.prove(claim)
         return proof if verdict == PROVED else None
 
-    def _simple(self, claim: Claim, bounds: Bounds) -> Proof | None:
-        """A quotient of polynomials, or an exponential."""
-        if claim == Claim("<", ZERO, claim.rhs) and claim.rhs.op == "exp":
-            return InRange()
+    def _simple(self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...]) -> Proof | None:
+        """A quotient of polynomials, or what the range of a function shows."""
+        claim = Claim(
+            claim.relation,
+            self.known.turned(claim.lhs, self.context),
+            self.known.turned(claim.rhs, self.context),
+        )
         try:
-            return on_interval(self.goal._replace(claim=claim, variables={self.name: bounds}))
+            found = on_interval(self.goal._replace(claim=claim, variables={self.name: bounds}))
+            if found is not None:
+                return found
+            clearing = Clearing((claim.lhs, claim.rhs), {})
+            difference = clearing.difference(claim.rhs, claim.lhs)
         except TooLongError:
             return None
+        if clearing.atoms == [self.x]:
+            return self._on_half_line(claim, bounds, difference)
+        return self._by_range(claim, clearing, difference, f"@{len(cuts) + 1}")
+
+    def _on_half_line(self, claim: Claim, bounds: Bounds, polynomial: fmpq_mpoly) -> Sum | None:
+        """A polynomial whose coefficients around the one end are not negative."""
+        is_above = bounds.low is not None
+        end = bounds.low if is_above else bounds.high
+        if end is None:
+            return None
+        fact = bounds.low_fact if is_above else bounds.high_fact
+        ring = polynomial.context()
+        shifted = ring.constant(fmpq_of(end)) + (ring.gen(0) if is_above else -ring.gen(0))
+        moved = polynomial.compose(shifted)
+        parts = {int(powers[0]): fraction_of(value) for powers, value in moved.to_dict().items()}
+        if any(value < 0 for value in parts.values()):
+            return None
+        relation = bounds.low_relation if is_above else bounds.high_relation
+        if claim.relation == "<" and not parts.get(0) and not (relation == "<" and parts):
+            return None
+        values = (
+            product_of(str(value), power_of(fact, power)) if power else str(value)
+            for power, value in parts.items()
+        )
+        return Sum(("goal", *values))
+
+    def _by_range(
+        self, claim: Claim, clearing: Clearing, difference: fmpq_mpoly, hypothesis: str
+    ) -> Proof | None:
+        """A function with numbers before and after it."""
+        functions = [(i, atom) for i, atom in enumerate(clearing.atoms) if atom.op in RANGES]
+        if len(functions) != 1:
+            return None
+        index, atom = functions[0]
+        parts = {
+            power: clearing.term(part) for power, part in clearing.coefficients(difference, index)
+        }
+        numbers = [parts.get(power, ZERO) for power in (0, 1)]
+        if parts.keys() - {0, 1} or any(number.op != "rational" for number in numbers):
+            return None
+        rest, factor = (number.value for number in numbers)
+        end = RANGES[atom.op].get(factor < 0, atom)
+        if end.op != "rational" or factor == 0 or factor * end.value + rest < 0:
+            return None
+        relation = "<=" if atom.op in CIRCULAR else "<"
+        left = factor * end.value + rest
+        if claim.relation == "<" and left == 0 and relation == "<=":
+            return None
+        bound = Claim(relation, *((atom, end) if factor < 0 else (end, atom)))
+        last = Sum(("goal", product_of(str(abs(factor)), hypothesis), str(left)))
+        return Have(bound, (InRange(), last))
+
+    def _algebraic(self, claim: Claim) -> Proof | None:
+        """What other techniques find where it holds in the whole context."""
+        ((_, bounds),) = self.goal.variables.items()
+        gaps = [gap for _, gap in self._gaps(claim, bounds)]
+        if not gaps or min(gaps) < 0:
+            return None
+        return self.known.prove(self.goal._replace(claim=claim))
 
     def _tree(self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...]) -> Proof | None:
         if bounds.ends is None:
@@ -187,6 +257,8 @@ class Growth:
         sign = self._sign(factor, bounds)
         if sign == 0 or (factor.op == "rational" and atom.op != "exp"):
             return None
+        if sign < 0:
+            rest, factor = clearing.term(-parts[0]), clearing.term(-parts[1])
         bound = -rest / factor
         sides = (bound, atom) if sign > 0 else (atom, bound)
         isolated = Claim(claim.relation, *sides)

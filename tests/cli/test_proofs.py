@@ -12,10 +12,10 @@ from xml.etree import ElementTree
 import pytest
 
 from verify import check
-from verify.cli import main
+from verify.cli import main, proofs
 from verify.cli.proofs import outcome_of
 from verify.language.statement import UNDECIDED
-from verify.paper.commands import everywhere, step
+from verify.paper.commands import everywhere, index, step
 from verify.paper.source import PAPER
 from verify.prover.uses import nodes
 from verify.views import graph as view
@@ -39,7 +39,7 @@ def test_all_parameters(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> N
     assert "Theorem 1, given these sentences. Let 0 < r < 1" in out
     last = out.splitlines()[-1]
     assert last.startswith("Verdict: proved: For all 0 < r < 1")
-    assert "given 8 assumptions" in last
+    assert "given 9 assumptions" in last
     cited, proof = sorted((tmp_path / "all/cited").iterdir(), reverse=True)
     assert proof.name == f"{cited.stem}.certificate.json"
     step_folder = tmp_path / "step"
@@ -55,7 +55,12 @@ def test_all_parameters(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> N
 def test_the_printed_set_for_all_parameters(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, err = run(capsys, "theorem1", "--all", "--constants", "printed")
     assert (code, err) == (1, "")
-    assert "  fails for all: zeta-x-bound " in out
+    breaking = out.partition("false, but harmless here, for all parameters:")[0]
+    assert "  breaks the argument, for all parameters:" in breaking
+    assert "zeta-x-bound " in breaking
+    assert "set-interior " in breaking
+    assert "harmless here where final-angle holds, and elsewhere it breaks" in " ".join(out.split())
+    assert "20 refuted, 8 remarks" in out
     assert "  depends: angle-absorbed: fails at " in out
     assert "    it fails where φ⁺ ≥ 5/33\n" in out
 
@@ -142,11 +147,30 @@ def test_explain_says_nothing_that_the_checker_does_not_accept(
 
     monkeypatch.setattr(check, "check", refuses)
     for words, expected in (
-        (("flow", "contact"), 5), (("tau-positive",), 5), (("--r", "0.03", "zeta-term-2"), 5),
-        (("certificates/examples/mean", "means"), 2),
+        (("--r", "0.03", "zeta-term-2"), 5), (("certificates/examples/mean", "means"), 2),
     ):  # fmt: skip
         code, out, err = run(capsys, "explain", *words)
         assert (code, out, err.count("\n")) == (expected, "", 1)
+
+
+def test_explain_proves_nothing_anew_unless_the_paper_has_changed(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The same lines both ways: from what comes with the program, and made anew."""
+    words = ("explain", "flow", "contact"), ("explain", "gap-positive")
+    expected = [run(capsys, *command) for command in words]
+    assert [code for code, *_ in expected] == [0, 0]
+    made: list[str] = []
+    monkeypatch.setattr(proofs, "progress", made.append)
+    assert [run(capsys, *command) for command in words] == expected
+    assert made == []
+    monkeypatch.setattr(index, "sources", lambda: "of another paper")
+    index.lines.cache_clear()
+    try:
+        assert [run(capsys, *command) for command in words] == expected
+    finally:
+        index.lines.cache_clear()
+    assert made[0] == "proving flow"
 
 
 def test_explain_finds_labels_and_near_names(

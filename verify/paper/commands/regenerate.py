@@ -31,7 +31,6 @@ from verify.paper.commands import (
 from verify.paper.groups import REPAIRED
 from verify.paper.parameters import THEOREM
 from verify.paper.separatrix.theorem import NAME
-from verify.paper.spectrum.spectrum import statement as state_spectrum
 from verify.prover.outcome import Outcome
 from verify.wire.parameters import are_allowed
 from verify.wire.term_json import TermReader
@@ -60,7 +59,7 @@ WITHOUT_PARAMETERS: dict[str, Callable[[], Outcome]] = {
 #: What states those of them that take long to decide.
 ONLY_STATED: dict[str, Callable[[], Statement]] = {
     f"{THEOREM} for all parameters": everywhere.state_everywhere,
-    "THEORSS3.5SpectMatricVitLm": state_spectrum,
+    "THEORSS3.5SpectMatricVitLm": spectrum.state_spectrum,
 }
 
 

@@ -14,9 +14,11 @@ from verify.language.record import Record
 from verify.language.statement import (
     BREAKS,
     HARMLESS,
+    OTHERWISE,
     PRINTED,
     PROVED,
     REFUTED,
+    REMARK,
     REPAIRED,
     SLIP,
 )
@@ -244,8 +246,8 @@ def _content(material: Material) -> dict[str, Any]:
     """What the template speaks of."""
     main, paper = material.main, material.paper
     printed = rows.rows_as_printed(main)
-    refuted = rows.with_verdict(printed, REFUTED)
-    proved = rows.with_verdict(main.of_group(REPAIRED), PROVED)
+    refuted = rows.with_verdict(printed, REFUTED, main)
+    proved = rows.with_verdict(main.of_group(REPAIRED), PROVED, main)
     apart = [folder for folder in material.folders if folder.name.startswith(SCENES)]
     region = material.plotted.region.everywhere
     return {
@@ -260,7 +262,10 @@ def _content(material: Material) -> dict[str, Any]:
         ],
         "printed_rows": printed,
         "refuted": refuted,
-        "alone": sum(row.name.startswith("printed.alone-") for row, _ in refuted),
+        "remarks": rows.with_verdict(printed, REMARK, main),
+        "OTHERWISE": OTHERWISE,
+        "REMARK": REMARK,
+        "BREAKS": BREAKS,
         "closing": sum(isinstance(row.claim, Claim) for row, _ in proved),
         "writer": rows.Writer(main, paper),
         "writer_of": lambda outcome: rows.Writer(outcome, paper),

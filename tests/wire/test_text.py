@@ -271,7 +271,7 @@ def test_an_induction() -> None:
         ('"1 + sqrt(2)"', '"1/0"', "divides by zero"),
         ('"1 + sqrt(2)"', "true", "constants.b: 'True' is no text; write a formula in"),
         ('"1 + sqrt(2)"', '"2^x"', "line 5: constants.b"),
-        ('"1 + sqrt(2)"', '"2^(1/1000)"', "the exponent 1/1000 is not between 1/999 and 999"),
+        ('"1 + sqrt(2)"', '"2^(1/1000)"', "the exponent 1/1000 is not usable; write m or m/n"),
         ('"1 + sqrt(2)"', '"root(2)"', "a root has a term and an index, such as root(x, 3)"),
         ('"1 + sqrt(2)"', '"max(1)"', "max is of at least two terms, and 1 stand there"),
         ('"y < d"', '"y < d and d < 9"', "a claim has no and; write a chain such as 0 < a < 1"),

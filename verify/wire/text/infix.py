@@ -15,6 +15,7 @@ from verify.language.fold import fold
 from verify.language.record import Record
 from verify.language.terms import (
     FUNCTIONS,
+    MAX_EXPONENT,
     MAX_INDEX,
     Claim,
     Term,
@@ -55,6 +56,7 @@ NUMBERS: Mapping[str, Term] = {"pi": pi, "e": exp(1)}
 #: What a reader writes in operations of the language.
 SUGAR: Mapping[str, Callable[[Term], Term]] = {
     "abs": absolute,
+    "cbrt": lambda term: nth_root(term, 3),
     "tan": tan,
     "ln": log,
     "arctan": atan,
@@ -281,8 +283,11 @@ class _Reader:
         if exponent.op != "rational":
             return exp(exponent * log(base))
         above, below = abs(exponent.value.numerator), exponent.value.denominator
-        if not 0 < above <= MAX_INDEX or below > MAX_INDEX:
-            raise self.error(f"the exponent {exponent.value} is not between 1/999 and 999")
+        if below > MAX_INDEX or not 0 < above <= MAX_EXPONENT:
+            raise self.error(
+                f"the exponent {exponent.value} is not usable; write m or m/n, m from 1 to "
+                f"{MAX_EXPONENT} and n to {MAX_INDEX}, or exp({exponent.value}*log(x))"
+            )
         root = base if below == 1 else sqrt(base) if below == 2 else nth_root(base, below)
         found = root**above if above > 1 or exponent.value == 1 else root
         return found if exponent.value > 0 else 1 / found

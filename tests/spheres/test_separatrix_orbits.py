@@ -26,7 +26,7 @@ def test_it_agrees_with_bisection_at_60_digits(parameters: Parameters, q: Fracti
     strip = curve(parameters).strip(q, 25)
     assert strip.reached
     with mp.workdps(60):
-        low, high = bisected(parameters, q)
+        low, high = bisected(parameters, q, 10**6)
         assert high - low < low * mpf(10) ** -28
         assert mpf(strip.low.numerator) / strip.low.denominator <= high
         assert low <= mpf(strip.high.numerator) / strip.high.denominator

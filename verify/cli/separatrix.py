@@ -15,6 +15,7 @@ from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_all, write_certificate
 from verify.cli.options import Options, Parser, field
 from verify.cli.terminal import show
+from verify.language.errors import UnreadError
 from verify.spheres.limit_map import Parameters
 from verify.spheres.separatrix import Separatrix, decide_separatrix, staircase
 from verify.views.separatrix import (
@@ -190,7 +191,7 @@ def _certify(folder: str, found: Separatrix) -> str:
         return ""
     try:
         outcome = decide_value(point)
-    except TooLongError as error:
+    except (TooLongError, UnreadError) as error:
         raise InputError(
             "--out: the orbits next to f are too long for the checker; ask for fewer --digits"
         ) from error

@@ -252,7 +252,8 @@ def _constants() -> tuple[Constant, ...]:
 
 def _title(point: PointParameters) -> str:
     r, c, ratio, q, least, most = (
-        exact_number(x, len(str(x.numerator * x.denominator))) for x in point.values.values()
+        exact_number(x, max(12, len(str(x.numerator * x.denominator))))
+        for x in point.values.values()
     )
     where = f"at r = {r}, -cos θ = {c}, ratio {ratio}"
     if not point.most:

@@ -197,7 +197,7 @@ def find_sandwich(r: Fraction, state: State, time: Number) -> Collapse | None:
     if stair is None:
         return None
     numbers = numbers_of(stair, unit)
-    if not (closes(stair) and satisfies(numbers, start)):
+    if not (closes(stair) and holds_at(numbers, start)):
         return None
     later = duration(numbers) * start.y
     return Collapse(numbers, start, (time, time + later), stair.points)
@@ -244,7 +244,7 @@ def duration(x: Mapping[str, Number]) -> Number:
     return x["G"] * x["U_b"] / (x["w_b"] * x["w_b"]) / (1 - (1 + x["r"]) / 2 * x["G"])
 
 
-def satisfies(x: Mapping[str, Number], start: Start) -> bool:
+def holds_at(x: Mapping[str, Number], start: Start) -> bool:
     """True only if the numbers and the state satisfy what the theorem asks of them."""
     G, U_b, w, y, ratio = x["G"], x["U_b"], x["w_b"], start.y, (1 + x["r"]) / 2 * x["G"]
     if not (0 < ratio < 1 and G >= 1 and 0 < w):

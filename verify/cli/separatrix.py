@@ -180,7 +180,7 @@ def _certify(folder: str, found: Separatrix) -> str:
     """Write the certificate of f at one q, or say why there is none; return what it says."""
     from verify.paper.commands.separatrix import (  # loads the rows
         TooLongError,
-        decide_point,
+        decide_value,
         point_of,
     )
 
@@ -189,7 +189,7 @@ def _certify(folder: str, found: Separatrix) -> str:
         print("verify: f is undecided; no certificate was written", file=sys.stderr)
         return ""
     try:
-        outcome = decide_point(point)
+        outcome = decide_value(point)
     except TooLongError as error:
         raise InputError(
             "--out: the orbits next to f are too long for the checker; ask for fewer --digits"

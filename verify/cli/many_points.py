@@ -48,7 +48,7 @@ def _everywhere(options: Options) -> int:
         everywhere,  # loaded only where they are used
         thresholds,  # loaded only where they are used
     )
-    from verify.paper.commands.printed_set import as_printed
+    from verify.paper.commands.printed_set import verdicts_as_printed
     from verify.views import everywhere as view
     from verify.views.document import claims_document
 
@@ -62,7 +62,7 @@ def _everywhere(options: Options) -> int:
     code = EXIT_CODES[argument]
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
-    verdicts = as_printed()
+    verdicts = verdicts_as_printed()
     if options.json:
         document = claims_document(outcome, "theorem1", view.FORMAT)
         if printed:

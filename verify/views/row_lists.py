@@ -22,6 +22,7 @@ from verify.views.plain import plain_letters
 from verify.views.words import (
     given_by,
     groups,
+    is_called,
     letters,
     short_name,
     told,
@@ -112,9 +113,9 @@ def all_rows(outcome: Outcome, paper: Publication) -> Iterator[str]:
 
 
 def rows_called(outcome: Outcome, name: str, paper: Publication) -> list[str]:
-    """The rows whose name, with or without its group, is this one; their claims simplified."""
+    """The rows of this name, label or printed number; their claims simplified."""
     typesetter = plain_letters(outcome)
-    found = [p for p in outcome.rows if name in (p[0].name, short_name(p[0]))]
+    found = [p for p in outcome.rows if is_called(p[0], name, paper)]
     lines = (row_lines(outcome, row, decision, typesetter, paper) for row, decision in found)
     return [line for part in lines for line in part]
 

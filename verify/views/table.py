@@ -30,6 +30,7 @@ from verify.views.words import (
     ends_of,
     group_verdict,
     groups,
+    is_called,
     letters,
     short_name,
     sides_of,
@@ -39,9 +40,9 @@ from verify.views.words import (
 
 
 def some_rows(outcome: Outcome, name: str, paper: Publication) -> list[str]:
-    """The rows whose name, with or without its group, is this one; their claims simplified."""
+    """The rows of this name, label or printed number; their claims simplified."""
     typesetter = plain_letters(outcome)
-    rows = [p for p in outcome.rows if name in (p[0].name, short_name(p[0]))]
+    rows = [p for p in outcome.rows if is_called(p[0], name, paper)]
     parts = (_row(outcome, row, found, typesetter, paper, row.name) for row, found in rows)
     return [line for part in parts for line in part]
 

@@ -227,6 +227,12 @@ def short_name(row: Obligation) -> str:
     return row.name.removeprefix(f"{row.group}.")
 
 
+def is_called(row: Obligation, word: str, paper: Publication) -> bool:
+    """Whether a word is a row's name, with or without its group, its label, or its number."""
+    number = paper.printed(row.label) or ""
+    return word in (row.name, short_name(row), row.label, number, number.strip("()")) and word != ""
+
+
 def sentence(row: Obligation, typesetter: Typesetter) -> str:
     """The step in the paper's words, then the claim that is decided, where that is short."""
     formula = typesetter.claim(row.claim)

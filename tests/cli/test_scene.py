@@ -61,6 +61,19 @@ def test_numbers_are_read_exactly(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert out.splitlines()[-1] == given
 
 
+def test_lengths_may_be_in_a_unit_of_their_own(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = """r = 0.03
+diameter = "0.02"
+positions = [[0, 0], ["0.02004", 0], [-0.02012, "0.0016"]]
+velocities = [[0, 0], [-0.028, 0], ["0.014", "-0.002"]]
+"""
+    assert run(capsys, written(tmp_path, text)) == run(capsys, SCENES / "nearly-aligned.toml")
+    code, _, err = run(capsys, written(tmp_path, text.replace("0.02004", "0.019")))
+    assert (code, "overlap by about 0.05" in err) == (2, True)
+
+
 BAD = {
     "overlap": (GOOD.replace("501/500", "1/2"), "0 and 1 overlap by about 0.5: their distance"),
     "overlap-of-1e-74": (GOOD.replace("501/500", "0." + "9" * 74), "overlap by about 1E-74"),
@@ -80,6 +93,7 @@ BAD = {
     ),
     "missing": ("r = 0.1\n", "'positions' is missing"),
     "unknown": (GOOD + "mass = 2\n", "'mass' is not known"),
+    "diameter": (GOOD + 'diameter = "0"\n', "diameter: '0' is not positive"),
     "no-toml": ("r = = 1\n", "is no TOML file"),
     "large": (GOOD.replace("0.03", "1e-99999"), "the exponent of '1e-99999' is too large"),
 }

@@ -2,14 +2,37 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
 from fractions import Fraction
+from itertools import chain
+from pathlib import Path
 
 import pytest
+from mypy import api
 
+from tests.readme_commands import ROOT
 from verify.language.errors import OwnError
-from verify.library import ask, for_all, lemma, prove, symbol
+from verify.language.terms import as_term, cos, sqrt
+from verify.library import (
+    always,
+    applies,
+    ask,
+    assume,
+    certificate,
+    cite,
+    constant,
+    for_all,
+    lemma,
+    prove,
+    read_page,
+    symbol,
+    write_page,
+)
+from verify.prover.hint import Hint
 from verify.prover.prove import prove as decided
 from verify.wire import questions as job
+from verify.wire.inputs import InputError
 
 FIRST = """
 from fractions import Fraction
@@ -76,7 +99,8 @@ def test_a_page_is_decided(text: str, says: str, capsys: pytest.CaptureFixture[s
 def test_what_is_offered_is_there() -> None:
     import verify
 
-    for name in verify._OFFERED:
+    assert sorted(verify.__all__) == sorted(chain(*verify._OFFERED.values()))
+    for name in verify.__all__:
         assert getattr(verify, name) is not None
     with pytest.raises(AttributeError, match="no attribute 'nothing'"):
         verify.nothing  # noqa: B018
@@ -91,3 +115,139 @@ def test_what_the_checker_does_not_accept_is_an_error(monkeypatch: pytest.Monkey
     monkeypatch.setattr(job, "prove", lambda *_, **__: found._replace(statement=false))
     with pytest.raises(OwnError, match="does not accept"):
         prove(false)
+
+
+# --- typed, and told what is wrong ---------------------------------------------------------------
+
+
+def programs() -> list[str]:
+    """The programs in README.md and docs/ that import the library."""
+    pages = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+    text = "\n".join(page.read_text(encoding="utf-8") for page in pages)
+    block = r"^```(?:python|\{code-block\} python\n(?::[^\n]*\n)*)\n(.*?)^```"
+    blocks = re.findall(block, text, re.MULTILINE | re.DOTALL)
+    return [block for block in blocks if re.search(r"^from verify import", block, re.M)]
+
+
+def test_a_type_checker_accepts_the_programs_of_the_documentation(tmp_path: Path) -> None:
+    found = [*programs(), FIRST, SECOND]
+    assert len(found) >= 4
+    paths = [tmp_path / f"program_{i}.py" for i in range(len(found))]
+    for path, text in zip(paths, found, strict=True):
+        path.write_text(text, encoding="utf-8")
+    out, err, code = api.run(["--strict", "--no-incremental", *map(str, paths)])
+    assert (code, err) == (0, ""), out
+    wrong = tmp_path / "wrong.py"
+    wrong.write_text(f'{FIRST}\nask("same", a == b)\nconstant("c", 0.5)\n', encoding="utf-8")
+    out, _, code = api.run(["--strict", "--no-incremental", str(wrong)])
+    assert code == 1
+    assert out.count("[arg-type]") == 2
+
+
+x, y, t = symbol("x"), symbol("y"), symbol("t")
+UNIT = for_all("unit", [0 <= x, x <= 1], point={"x": Fraction(1, 2)})
+
+
+def test_contexts_in_contexts_moduli_and_roles() -> None:
+    inner = for_all(
+        "inner", [-x <= y, y <= x], {"y": 0}, within=UNIT, constants=[constant("s", x + y)]
+    )
+    rows = [
+        ask("above", 0 <= symbol("s"), inner),
+        ask("modulus", abs(y) <= x, inner),
+        ask("cosine", cos(y) <= 1, inner),
+        ask("false", x < 1, UNIT, role="printed"),
+    ]
+    outcome = prove(lemma("Two contexts", rows, (), [UNIT, inner]))
+    assert outcome.decision("above").verdict == "proved"
+    assert outcome.decision("false").verdict == "refuted"
+    assert outcome.verdict == outcome.decision("cosine").verdict
+
+
+def test_an_induction_and_an_application() -> None:
+    state = for_all("state", (), {"t": 1}, carried=[1 <= t])
+    rows = [
+        ask("always", always(state, {"t": 1}, {"t": (t + 1) / 2})),
+        ask("at-2", applies(state, {"t": sqrt(2)})),
+    ]
+    outcome = prove(lemma("An induction", rows, (), [state]))
+    assert [found.verdict for _, found in outcome.rows] == ["proved", "proved"]
+
+
+def test_a_citation_carries_its_certificate() -> None:
+    square = lemma("square", [ask("s", x**2 <= 1, UNIT)], (), [UNIT])
+    files = certificate(prove(square))
+    outcome = prove(lemma("citing", [ask("one", 0 < as_term(1))], cites=[cite("m", files)]))
+    assert outcome.verdict == "proved"
+    written = certificate(outcome)
+    assert sum(name.startswith("cited/") for name in written) == 2
+    with pytest.raises(InputError, match="no statement"):
+        cite("m", {})
+
+
+def test_rows_that_begin_are_watched_and_work_is_limited() -> None:
+    asked = lemma("t", [ask("a", x <= 1, UNIT), ask("b", x**2 <= 1, UNIT)], (), [UNIT])
+    seen: list[str] = []
+    assert prove(asked, watch=seen.append).verdict == "proved"
+    assert seen == ["a", "b"]
+    assert prove(asked, seconds=1e-9).verdict == "undecided"
+
+
+def test_hints_restrict_the_search() -> None:
+    asked = lemma("t", [ask("a", x**4 <= 1, UNIT)], (), [UNIT])
+    assert prove(asked, hints={"a": Hint(by=("angles",))}).verdict == "undecided"
+    assert prove(asked, hints={"a": Hint(by=("squares", "tree"))}).verdict == "proved"
+
+
+def test_a_page_is_read_and_written(tmp_path: Path) -> None:
+    asked = lemma("t", [ask("a", x <= 1, UNIT)], [constant("alpha_0", sqrt(2))], [UNIT])
+    path = tmp_path / "page.toml"
+    path.write_text(write_page(asked), encoding="utf-8")
+    assert read_page(path) == asked
+    with pytest.raises(InputError, match="cannot be read"):
+        read_page(tmp_path / "none.toml")
+
+
+def test_a_notebook_shows_the_formulas_and_the_verdicts() -> None:
+    rows = [ask("a", x <= symbol("alpha_0"), UNIT), ask("b", x < 1, UNIT, role="printed")]
+    outcome = prove(lemma("<t>", rows, [constant("alpha_0", sqrt(2))], [UNIT]))
+    page = outcome._repr_html_()
+    assert "<b>&lt;t&gt;</b>: proved" in page
+    assert "<msub><mi>α</mi>" in page
+    assert page.count("for all values of unit") == 2
+    assert "<b>refuted</b>" in page
+    assert "at x = 1" in page
+    assert "\\alpha_{0}" in outcome.latex()
+    assert str(outcome).splitlines()[0].startswith("proved    a  x ≤ α₀")
+
+
+@pytest.mark.parametrize(
+    ("make", "error", "says"),
+    [
+        (lambda: ask("r", x == y), TypeError, "== compares how terms are written; write equal"),
+        (lambda: ask("r", x), TypeError, "is no claim; write for example x <= 1"),
+        (lambda: ask("r", x <= 1, "unit"), TypeError, "'unit' is no context; make one by for_all"),
+        (lambda: ask("r", x <= 1, role="must"), InputError, "role 'must' is unknown; write needed"),
+        (lambda: for_all("c", 0 <= x, {"x": 1}), TypeError, "write a list of givens, also of one"),
+        (lambda: for_all("c", [x == y], {"x": 1}), TypeError, "== compares how terms are written"),
+        (lambda: for_all("c", [], {x: 1}), TypeError, "is no name; write the name, such as 'x'"),
+        (lambda: applies(UNIT, {"y": 1}), InputError, "write values of x"),
+        (lambda: always(UNIT, {"x": 1}, {}), InputError, "x has no value; write values of x"),
+        (lambda: lemma("t", ask("r", x <= 1)), TypeError, "write a list of questions, also of one"),
+        (lambda: lemma("t", [x <= 1]), TypeError, "is none of the questions; make it by ask"),
+        (lambda: lemma("t", [ask("r", x <= 1, UNIT)]), InputError, "which the lemma does not have"),
+        (lambda: lemma("t", [ask("r", y <= 1)], (), [UNIT]), InputError, "r: y is not defined"),
+        (lambda: lemma("t", [ask("r", 0 < as_term(1), None, [assume("g", "so")])]), InputError,
+         "the row r uses g, which the lemma does not have"),
+        (lambda: lemma("t", [], (), [for_all("v", [], {"y": 0}, within=UNIT), UNIT]), InputError,
+         "the context v is within unit, which has to come before it"),
+        (lambda: prove(lemma("t", [ask("r", 0 < as_term(1))])).decision("s"), InputError,
+         "there is no row 's'; write one of r"),
+    ],
+)  # fmt: skip
+def test_what_is_said_of_a_mistake(
+    make: Callable[[], object], error: type[Exception], says: str
+) -> None:
+    with pytest.raises(error) as found:
+        make()
+    assert says in str(found.value)

@@ -9,21 +9,108 @@ and `context()` of a chapter, `chapters()` and `statement()` of a part; each com
 
 __version__ = "0.1.0"
 
-#: What a program of one's own imports from here, and where it is; each is loaded when it is used.
+#: True for a type checker only: what is offered is loaded when it is used.
+TYPE_CHECKING = False
+
+#: What a program of one's own imports from here, by the modules that have it.
 _OFFERED = {
-    "Statement": "verify.language.statement",
-    **dict.fromkeys(
-        ("ask", "assume", "certificate", "constant", "for_all", "lemma", "prove"), "verify.library"
+    "verify.library": (
+        *("Result", "always", "applies", "ask", "assume", "certificate", "cite", "constant"),
+        *("for_all", "lemma", "prove", "read_page", "write_page"),
     ),
-    **dict.fromkeys(
-        ("equal", "sqrt", "symbol", "minimum", "maximum", "cos_pi"), "verify.language.terms"
+    "verify.language.terms": (
+        *("Claim", "Term", "absolute", "atan", "cos", "cos_pi", "equal", "exp", "log", "maximum"),
+        *("minimum", "nth_root", "pi", "sin", "sqrt", "symbol", "tan"),
     ),
+    "verify.language.statement": ("Statement",),
+    "verify.prover.hint": ("Hint",),
+    "verify.language.errors": ("OwnError",),
+    "verify.wire.inputs": ("InputError",),
 }
 
+__all__ = [
+    "Claim",
+    "Hint",
+    "InputError",
+    "OwnError",
+    "Result",
+    "Statement",
+    "Term",
+    "absolute",
+    "always",
+    "applies",
+    "ask",
+    "assume",
+    "atan",
+    "certificate",
+    "cite",
+    "constant",
+    "cos",
+    "cos_pi",
+    "equal",
+    "exp",
+    "for_all",
+    "lemma",
+    "log",
+    "maximum",
+    "minimum",
+    "nth_root",
+    "pi",
+    "prove",
+    "read_page",
+    "sin",
+    "sqrt",
+    "symbol",
+    "tan",
+    "write_page",
+]
 
-def __getattr__(name: str) -> object:
-    if name not in _OFFERED:
+if TYPE_CHECKING:
+    from verify.language.errors import OwnError
+    from verify.language.statement import Statement
+    from verify.language.terms import (
+        Claim,
+        Term,
+        absolute,
+        atan,
+        cos,
+        cos_pi,
+        equal,
+        exp,
+        log,
+        maximum,
+        minimum,
+        nth_root,
+        pi,
+        sin,
+        sqrt,
+        symbol,
+        tan,
+    )
+    from verify.library import (
+        Result,
+        always,
+        applies,
+        ask,
+        assume,
+        certificate,
+        cite,
+        constant,
+        for_all,
+        lemma,
+        prove,
+        read_page,
+        write_page,
+    )
+    from verify.prover.hint import Hint
+    from verify.wire.inputs import InputError
+else:
+
+    def __getattr__(name):
+        """What is offered under a name, from the module that has it."""
+        for module, names in _OFFERED.items():
+            if name in names:
+                from importlib import import_module
+
+                return getattr(import_module(module), name)
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from importlib import import_module
-
-    return getattr(import_module(_OFFERED[name]), name)

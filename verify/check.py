@@ -43,6 +43,7 @@ MAX_SHOWN = 1 << 12  # bits before or after the point, in messages
 MAX_REFUSED = 1000  # of steps, enclosures, and needed rows that are undecided
 MAX_TOLD = 4  # monomials, and factors of one, in messages
 MAX_WORK = 6_000_000  # about the number of microseconds
+MAX_EXPONENT = 1 << 16  # of an exponential, in enclosures
 SERIES_BITS = 128  # of the coefficients of cosines
 CERTIFIED = ".certificate.json"  # ends the name of the certificate of what is cited
 #: The verdicts about a folder; of several folders the last one in this order counts.
@@ -67,8 +68,8 @@ class Interval(NamedTuple):
 class Node(NamedTuple):
     """A term: an operation, its subterms (numbers of nodes), and what else it needs.
 
-    A ``rational`` has a numerator and a denominator, a ``pow`` its exponent, a ``name`` a number of
-    its own.
+    A ``rational`` has a numerator and a denominator, a ``pow`` its exponent, a ``root`` its index,
+    a ``name`` a number of its own.
     """
 
     op: str
@@ -112,7 +113,7 @@ class Context:
 
     ``point`` has a term over the parent's names for each variable. ``positive`` and
     ``nonnegative`` are the terms t for which 0 < t or 0 <= t is a fact of this very context,
-    ``cleared`` and ``squares`` what was cleared in it outside of branches, as in `Clearing`.
+    ``cleared`` and ``radicands`` what was cleared in it outside of branches, as in `Clearing`.
     ``around`` are the contexts in which it lies, by depth, and itself.
     """
 
@@ -127,7 +128,7 @@ class Context:
         self.positive: set[int] = set()
         self.nonnegative: set[int] = set()
         self.cleared: dict[int, Quotient] = {}
-        self.squares: dict[int, Quotient] = {}
+        self.radicands: dict[int, Quotient] = {}
         self.is_open = parent is None
 
     def is_inside(self, other: Context) -> bool:
@@ -160,14 +161,25 @@ Proof = dict[str, Any]
 
 ONE: Polynomial = {(): 1}
 UNIT = Interval(Fraction(1), Fraction(1))
-#: How many terms an operation has (None: two or more); pow has an exponent besides.
-ARITY = {"add": 2, "sub": 2, "mul": 2, "div": 2, "neg": 1, "sqrt": 1, "cos": 1, "cos_pi": 1}
+#: The functions of one number; the indexed ones have a natural number besides.
+FUNCTIONS = ("sqrt", "cos", "cos_pi", "sin", "exp", "log", "atan")
+INDEXED = ("pow", "root")
+#: How many terms an operation without an index has (None: two or more).
+ARITY = {"pi": 0, **dict.fromkeys(("neg", *FUNCTIONS), 1)}
+ARITY |= dict.fromkeys(("add", "sub", "mul", "div"), 2)
 ARITY_OR_MORE: dict[str, int | None] = {**ARITY, "min": None, "max": None}
 #: The operations that a polynomial cannot look into, and that an equation may replace.
-ATOMS = ("name", "sqrt", "min", "max", "cos", "cos_pi")
+ATOMS = ("name", "min", "max", "pi", "root", *FUNCTIONS)
 COSINES = ("cos", "cos_pi")
+CIRCULAR = (*COSINES, "sin")
+ROOTS = ("sqrt", "root")
+#: The functions that rise, and those of them that are known by another one.
+RISING = (*ROOTS, "exp", "log", "atan")
+INVERSE = {"exp": "log", "log": "exp"}
 #: The negation of a claim is this relation between the two sides, swapped.
 NEGATION = {"<": "<=", "<=": "<", "=": "!="}
+#: For each relation at x those at c, of c and x, and of 0 and the derivative between them.
+PARTS_OF_RELATION = {"<": ("<", "<=", "<="), "<=": ("<=", "<=", "<="), "=": ("=", "<=", "=")}
 #: Whether a relation holds between all numbers of two intervals.
 HOLDS: dict[str, Callable[[Interval, Interval], bool]] = {
     "<": lambda x, y: x.high < y.low,
@@ -465,7 +477,7 @@ class Kernel:
         """The root of a positive number is positive."""
         op, radicands, _ = self.nodes[claim.rhs]
         zero = self.nodes[claim.lhs] == Node("rational", (), (0, 1))
-        need(zero and claim.relation == "<" and op == "sqrt", Refused, "expected 0 < a root")
+        need(zero and claim.relation == "<" and op in ROOTS, Refused, "expected 0 < a root")
         known = self.knows("<", radicands[0], place)
         need(known, Refused, "found a radicand that is not known to be positive")
 
@@ -475,6 +487,14 @@ class Kernel:
         orders = [Claim("<=", claim.lhs, claim.rhs), Claim("<=", claim.rhs, claim.lhs)]
         for order, inner in self.paired(orders, proof["branches"]):
             self.prove(place, order, inner)
+
+    def have(self, place: Place, claim: Claim, proof: Proof) -> None:
+        """What is proved at a place is a hypothesis there that all values satisfy."""
+        found = self.read_claim("claim", proof["claim"], place.context)
+        first, then = self.paired([found, claim], proof["branches"])
+        self.prove(place, *first)
+        self.spend(0, 2 + len(place.hypotheses))
+        self.prove(place.branch(found), *then)
 
     def angles(self, place: Place, claim: Claim, __: Proof) -> None:
         """2 cos u cos v = cos s + cos t, where s = u + v and t = u - v are identities."""
@@ -489,6 +509,122 @@ class Kernel:
         for kind, angle in (("add", s), ("sub", t)):
             rest = clearing.reduce(clearing.difference(self.node(kind, (u, v)), angle))
             need(not rest, Refused, "found angles that differ, by {}", clearing.told(rest))
+
+    def range(self, place: Place, claim: Claim, __: Proof) -> None:
+        """0 < exp a; sines and cosines lie in [-1, 1]; inverse tangents in ]-pi/2, pi/2[."""
+        half = self.node("div", (self.node("pi", ()), self.rational(Fraction(2))))
+        lower = {"exp": self.rational(Fraction(0)), "atan": self.node("neg", (half,))}
+        lower |= dict.fromkeys(CIRCULAR, self.rational(Fraction(-1)))
+        upper = {"atan": half, **dict.fromkeys(CIRCULAR, self.rational(Fraction(1)))}
+        relation, lhs, rhs = claim
+        left, right = self.nodes[lhs].op, self.nodes[rhs].op
+        good = upper.get(left, -1) == rhs or lower.get(right, -1) == lhs
+        op = left if upper.get(left, -1) == rhs else right
+        good = good and relation == ("<=" if op in CIRCULAR else "<")
+        need(good, Refused, "expected an end of the range of exp, sin, cos or atan, and a value")
+        clearing = Clearing(self, place, ())
+        clearing.clear(lhs), clearing.clear(rhs)
+
+    def law(self, place: Place, claim: Claim, __: Proof) -> None:
+        """An identity of functions, whose sides are defined.
+
+        exp(log a) = a and log(exp a) = a; and those of `same_terms`, which has the two terms that
+        have to be the same identically.
+        """
+        need(claim.relation == "=", Refused, "found {}, expected =", claim.relation)
+        clearing = Clearing(self, place, ())
+        clearing.clear(claim.lhs), clearing.clear(claim.rhs)
+        op, subterms, _ = self.nodes[claim.lhs]
+        if op in INVERSE and self.nodes[subterms[0]] == Node(INVERSE[op], (claim.rhs,)):
+            return
+        rest = clearing.reduce(clearing.difference(*self.same_terms(claim.lhs, claim.rhs)))
+        need(not rest, Refused, "found terms that differ, by {}", clearing.told(rest))
+
+    def same_terms(self, lhs: int, rhs: int) -> tuple[int, int]:
+        """Two terms that make lhs = rhs a law if they are equal, and both sides are defined.
+
+        exp s = exp a exp b if s = a + b; log s = log a + log b if s = a b; sin u = cos v if v =
+        pi/2 - u; cos u = cos_pi v if u = pi v; sin(a) = t cos(a) if a = atan t; and
+        sin(u)^2 + cos(v)^2 = 1 if u = v.
+        """
+        pi = self.node("pi", ())
+        kinds = self.nodes[lhs].op, self.nodes[rhs].op
+        if kinds in (("exp", "mul"), ("log", "add")):
+            op = "add" if kinds[0] == "exp" else "mul"
+            factors = self.parts(kinds[0], *self.parts(kinds[1], rhs))
+            return self.parts(kinds[0], lhs)[0], self.node(op, factors)
+        if kinds in (("sin", "cos"), ("cos", "cos_pi")):
+            u, v = *self.parts(kinds[0], lhs), *self.parts(kinds[1], rhs)
+            half = self.node("div", (pi, self.rational(Fraction(2))))
+            is_sine = kinds[0] == "sin"
+            return (v, self.node("sub", (half, u))) if is_sine else (u, self.node("mul", (pi, v)))
+        if kinds == ("sin", "mul"):
+            (angle,), (t, cosine) = self.parts("sin", lhs), self.parts("mul", rhs)
+            need(self.nodes[angle] == Node("atan", (t,)), Refused, "found another angle")
+            return angle, self.parts("cos", cosine)[0]
+        good = kinds[0] == "add" and self.nodes[rhs] == Node("rational", (), (1, 1))
+        squares = self.nodes[lhs].subterms
+        good = good and all(self.nodes[square].rest == (2,) for square in squares)
+        need(good, Refused, "found {} = {}, which is no law", *kinds)
+        sine, cosine = self.parts("pow", *squares)
+        return self.parts("sin", sine)[0], self.parts("cos", cosine)[0]
+
+    def monotony(self, place: Place, claim: Claim, proof: Proof) -> None:
+        """exp, log, atan and roots rise, so that f(a) and f(b) stand in the relation of a and b.
+
+        If a = b, f(a) = f(b) also for sines and cosines. With ``under`` the claim is about a and b,
+        and the premise about f(a) and f(b): the function rises, so it is one to one.
+        """
+        relation, lhs, rhs = claim
+        clearing = Clearing(self, place, ())
+        clearing.clear(lhs), clearing.clear(rhs)
+        if proof["under"] is None:
+            (op, subterms, index), other = self.nodes[lhs], self.nodes[rhs]
+            good = op in RISING or (op in CIRCULAR and relation == "=")
+            good = good and (op, index) == (other.op, other.rest)
+            need(good, Refused, "found {} and {}, expected the same function", op, other.op)
+            below = Claim(relation, subterms[0], other.subterms[0])
+        else:
+            lhs, rhs = (self.node(proof["under"], (side,)) for side in (lhs, rhs))
+            below = Claim(relation, lhs, rhs)
+        self.premise(place, below, proof["premise"])
+
+    def derivative(self, place: Place, claim: Claim, proof: Proof) -> None:
+        """What holds at a number c still holds at x, as its derivative has a sign between them.
+
+        Let h be rhs - lhs, and s strictly between c and x. A bound on x from the side of x holds
+        for s, too; one from the side of c does, since it holds for c. So s satisfies all givens of
+        the context and all hypotheses: what is proved here of x holds for s. Hence h is defined
+        between c and x, its derivative D has the sign there, and h is continuous from c to x, as
+        all operations are where they are defined. By the mean value theorem h(x) - h(c) is
+        (x - c) D(s) for such an s, so that it has the sign of (x - c) D, or is 0 if x = c.
+        """
+        relation, context = claim.relation, place.context
+        name = proof["variable"]
+        need(name in context.variables, Malformed, "found {}, no variable of the context", name)
+        x, c = context.variables[name], self.read("at", proof["at"], context)
+        slopes, clearing = Slopes(self, context, x), Clearing(self, place, ())
+        need(not slopes.has(c), Refused, "at: found a term in which {} occurs", name)
+        for term in (claim.lhs, claim.rhs, c):
+            clearing.clear(term)
+        found = self.read("term", proof["term"], context)
+        same = slopes.of(self.node("sub", (claim.rhs, claim.lhs))) == found
+        need(same, Refused, "term: found another term than the derivative")
+        good = relation in PARTS_OF_RELATION
+        need(good, Refused, "found {}, expected <, <= or =", relation)
+        at_c, order, sign = PARTS_OF_RELATION[relation]
+        if relation == "<" and proof["strict"] == "slope":
+            at_c, order, sign = "<=", "<", "<"
+        is_above, zero = proof["side"] == "above", self.rational(Fraction(0))
+        start = self.substitute(Claim(at_c, claim.lhs, claim.rhs), context, {x: c})
+        self.premise(place, start, proof["start"])
+        self.premise(place, Claim(order, *((c, x) if is_above else (x, c))), proof["order"])
+        sides = (zero, found) if is_above else (found, zero)
+        self.premise(place, Claim(sign, *sides), proof["sign"])
+        given = [given.claim for given in context.givens] + [*place.hypotheses]
+        ends = [other for g in given for other in slopes.near_end(g, is_above)]
+        for end, premise in self.paired(ends, proof["bounds"]):
+            self.premise(place, Claim("<=", *((end, c) if is_above else (c, end))), premise)
 
     def cosine(self, place: Place, claim: Claim, __: Proof) -> None:
         """The partial sums of the series of a cosine lie above it and below it, in turn.
@@ -771,8 +907,8 @@ class Kernel:
         if isinstance(value, str):
             return self.parse_leaf(where, value)
         op, *args = value if isinstance(value, list) and value else [""]
-        if op == "pow":
-            tuple_of(anything, exponent)(where, args)
+        if op in INDEXED:
+            tuple_of(anything, exponent if op == "pow" else index)(where, args)
             return self.node(op, [self.parse(where, args[0])], int(args[1]))
         known = isinstance(op, str) and op in ARITY_OR_MORE
         need(known, Malformed, "{}: found {}, expected a term", where, value)
@@ -828,8 +964,8 @@ class Clearing:
     """Terms without fractions, at a place, after replacing atoms by what equations say they are.
 
     A cleared term is a pair of polynomials N and D in atoms, where D > 0 and the term is defined
-    and equal to N/D, for all values in scope. ``squares`` has, for each root among the atoms, its
-    radicand; roots come after those in their radicands.
+    and equal to N/D, for all values in scope. ``radicands`` has, for each root among the atoms,
+    its radicand; roots come after those in their radicands.
     """
 
     def __init__(self, kernel: Kernel, place: Place, using: Sequence[str]) -> None:
@@ -843,7 +979,7 @@ class Clearing:
             self.replaced[atom] = term
         alone = not using and not place.hypotheses  # what clears here will do so later, too
         self.cleared: dict[int, Quotient] = place.context.cleared if alone else {}
-        self.squares: dict[int, Quotient] = place.context.squares if alone else {}
+        self.radicands: dict[int, Quotient] = place.context.radicands if alone else {}
         self.busy: set[int] = set()
         self.goal: tuple[Polynomial, bool] = {}, False
 
@@ -864,21 +1000,23 @@ class Clearing:
         return self.cleared[term]
 
     def atom(self, term: int, node: Node) -> Quotient:
-        """A name that has a value, or a root, minimum, maximum or cosine of cleared terms."""
+        """A name that has a value, or another operation that is defined, of cleared terms."""
         kernel = self.kernel
         if node.op == "name":
             good = term in kernel.defined or term not in kernel.definitions
             need(good, Refused, "found a constant before its definition is proved to have a value")
-        if node.op == "sqrt":
-            radicand = node.subterms[0]
-            op, _, rest = kernel.nodes[radicand]
-            known = op == "rational" and rest[0] >= 0
-            known = known or kernel.knows("<", radicand, self.place)
-            known = known or kernel.knows("<=", radicand, self.place)
-            need(known, Refused, "found the root of a term that is not known to be >= 0")
+        if node.op in ROOTS or node.op == "log":
+            inner, is_root = node.subterms[0], node.op in ROOTS
+            op, _, rest = kernel.nodes[inner]
+            known = op == "rational" and (rest[0] > 0 or (rest[0] == 0 and is_root))
+            known = known or kernel.knows("<", inner, self.place)
+            known = known or (is_root and kernel.knows("<=", inner, self.place))
+            message = "found the {} of a term that is not known to be {} 0"
+            words = ("root", ">=") if is_root else ("logarithm", ">")
+            need(known, Refused, message, *words)
         parts = [self.clear(part) for part in node.subterms]
-        if node.op == "sqrt":
-            self.squares[term] = parts[0]
+        if node.op in ROOTS:
+            self.radicands[term] = parts[0]
         return {((term, 1),): 1}, ONE
 
     def number(self, term: int, node: Node) -> Quotient:
@@ -939,7 +1077,7 @@ class Clearing:
         if kind in ("square", "root"):
             tuple_of(anything, anything)(kind, item)
             term = self.kernel.read(kind, item[1], self.place.context)
-            root = self.kernel.nodes[term].op == "sqrt" or kind == "square"
+            root = self.kernel.nodes[term].op in ROOTS or kind == "square"
             need(root, Refused, "root: found another term")
             n, _ = self.clear(term)
             return (self.kernel.times(n, n) if kind == "square" else n), False
@@ -965,11 +1103,12 @@ class Clearing:
         return self.difference(rhs, lhs), relation == "<"
 
     def reduce(self, p: Polynomial) -> Polynomial:
-        """The polynomial, times a positive one, after replacing squares of roots, latest first."""
-        for atom in reversed(self.squares):
+        """The polynomial, times a positive one, after replacing powers of roots, latest first."""
+        for atom in reversed(self.radicands):
             self.kernel.spend(0, 1 + sum(map(len, p)))
-            top = max((dict(monomial).get(atom, 0) // 2 for monomial in p), default=0)
-            p = self.without_squares(p, atom, top) if top else p
+            index = (*self.kernel.nodes[atom].rest, 2)[0]
+            top = max((dict(monomial).get(atom, 0) // index for monomial in p), default=0)
+            p = self.without_powers(p, atom, index, top) if top else p
         return p
 
     def told(self, p: Polynomial) -> str:
@@ -987,18 +1126,155 @@ class Clearing:
         left = len(p) - len(parts)
         return " + ".join(parts) + (f" + {left} monomials" if left > 0 else "")
 
-    def without_squares(self, p: Polynomial, atom: int, top: int) -> Polynomial:
-        """The polynomial times d^top, where root^2 = n/d and the root has powers to 2 top + 1."""
-        n, d = self.squares[atom]
+    def without_powers(self, p: Polynomial, atom: int, index: int, top: int) -> Polynomial:
+        """The polynomial times d^top, where root^index = n/d, without powers from that on.
+
+        In p the exponents of the root are below index (top + 1).
+        """
+        n, d = self.radicands[atom]
         total: Polynomial = {}
         for monomial, coefficient in p.items():
-            half, odd = divmod(dict(monomial).get(atom, 0), 2)
-            left = [pair for pair in monomial if pair[0] != atom] + [(atom, 1)] * odd
+            whole_times, odd = divmod(dict(monomial).get(atom, 0), index)
+            left = [pair for pair in monomial if pair[0] != atom] + [(atom, odd)] * (odd > 0)
             part: Polynomial = {tuple(sorted(left)): coefficient}
-            for factor, times in ((n, half), (d, top - half)):
+            for factor, times in ((n, whole_times), (d, top - whole_times)):
                 part = self.kernel.times(part, self.kernel.power(factor, times))
             total = self.kernel.plus(total, part, 1)
         return total
+
+
+class Slopes:
+    """Derivatives of terms by a variable of a context.
+
+    Where such a term is defined, it is the derivative: nothing in it is left out because it is 0,
+    so that roots and logarithms of what depends on the variable keep their divisors.
+    """
+
+    def __init__(self, kernel: Kernel, context: Context, x: int) -> None:
+        self.kernel, self.context, self.x = kernel, context, x
+
+    def moving(self, term: int) -> dict[int, bool]:
+        """For the parts of a term that lie in the context, whether the variable occurs in them."""
+        kernel = self.kernel
+        found: dict[int, bool] = {}
+        for part in kernel.below((term,), lambda part: kernel.homes[part] is not self.context):
+            inner = [*kernel.nodes[part].subterms, kernel.definitions.get(part, -1)]
+            found[part] = part == self.x or any(found.get(arg, False) for arg in inner)
+        return found
+
+    def has(self, term: int) -> bool:
+        """Whether the variable occurs in a term, or in the definition of a name in it."""
+        return self.moving(term).get(term, False)
+
+    def near_end(self, claim: Claim, is_above: bool) -> list[int]:
+        """The end of a bound on the variable below (or above) it; refused for another claim."""
+        if not self.has(claim.lhs) and not self.has(claim.rhs):
+            return []
+        is_lower = claim.rhs == self.x
+        end = claim.lhs if is_lower else claim.rhs
+        good = self.x in (claim.lhs, claim.rhs) and claim.relation in ("<", "<=")
+        need(good and not self.has(end), Refused, "found a given that is no bound of the variable")
+        return [end] if is_lower == is_above else []
+
+    def of(self, term: int) -> int:
+        """The derivative of a term in which the variable occurs."""
+        kernel, moving = self.kernel, self.moving(term)
+        need(moving.get(term), Refused, "found sides in which the variable does not occur")
+        slopes = {self.x: self.number(1)}
+        for part in (part for part in moving if moving[part] and part != self.x):
+            node = kernel.nodes[part]
+            inner = [slopes.get(arg, FREE) for arg in node.subterms]
+            if part in kernel.definitions:
+                slopes[part] = slopes[kernel.definitions[part]]
+            elif node.op in BY_PARTS:
+                slopes[part] = BY_PARTS[node.op](self, *node.subterms, *inner)
+            else:
+                slopes[part] = self.chain(part, node, inner[0])
+        return slopes[term]
+
+    def number(self, value: int) -> int:
+        """The term of a number."""
+        return self.kernel.rational(Fraction(value))
+
+    def node(self, op: str, *terms: int) -> int:
+        """The term of an operation."""
+        return self.kernel.node(op, terms)
+
+    def times(self, a: int, b: int) -> int:
+        """The product of two terms, one of which may be 1."""
+        if self.number(1) in (a, b):
+            return b if a == self.number(1) else a
+        return self.node("mul", a, b)
+
+    def power(self, a: int, n: int) -> int:
+        """A power, or the term itself."""
+        return a if n == 1 else self.kernel.node("pow", (a,), n)
+
+    def added(self, _: int, __: int, da: int, db: int) -> int:
+        """(a + b)' = a' + b'."""
+        if FREE in (da, db):
+            return da if db == FREE else db
+        return self.node("add", da, db)
+
+    def subtracted(self, _: int, __: int, da: int, db: int) -> int:
+        """(a - b)' = a' - b'."""
+        if FREE in (da, db):
+            return da if db == FREE else self.node("neg", db)
+        return self.node("sub", da, db)
+
+    def negative(self, _: int, da: int) -> int:
+        """(-a)' = -a'."""
+        return self.node("neg", da)
+
+    def multiplied(self, a: int, b: int, da: int, db: int) -> int:
+        """(a b)' = b a' + a b'."""
+        if FREE in (da, db):
+            return self.times(b, da) if db == FREE else self.times(a, db)
+        return self.node("add", self.times(b, da), self.times(a, db))
+
+    def divided(self, a: int, b: int, da: int, db: int) -> int:
+        """(a/b)' = (b a' - a b')/b^2."""
+        if db == FREE:
+            return self.node("div", da, b)
+        square = self.power(b, 2)
+        if da == FREE:
+            return self.node("neg", self.node("div", self.times(a, db), square))
+        change = self.node("sub", self.times(b, da), self.times(a, db))
+        return self.node("div", change, square)
+
+    def chain(self, part: int, node: Node, da: int) -> int:
+        """f(a)' = f'(a) a'."""
+        op, subterms, rest = node
+        need(op in CHAINED, Refused, "found no derivative of {}", op)
+        a, n = subterms[0], (*rest, 2)[0]
+        if op == "pow":
+            scaled = self.node("mul", self.number(n), self.power(a, n - 1)) if n > 1 else None
+            return da if scaled is None else self.times(scaled, da)
+        if op in ROOTS:
+            return self.node("div", da, self.node("mul", self.number(n), self.power(part, n - 1)))
+        if op == "log":
+            return self.node("div", da, a)
+        if op == "atan":
+            return self.node("div", da, self.node("add", self.number(1), self.power(a, 2)))
+        if op in ("exp", "sin"):
+            return self.times(part if op == "exp" else self.node("cos", a), da)
+        outer = self.node("sin", a)
+        if op == "cos_pi":
+            pi = self.node("pi")
+            outer = self.node("mul", pi, self.node("sin", self.node("mul", pi, a)))
+        return self.node("neg", self.times(outer, da))
+
+
+FREE = -1  # stands for the derivative of a term in which the variable does not occur
+#: The operations of whose derivatives the derivatives of all subterms are parts, and functions.
+BY_PARTS: dict[str, Callable[..., int]] = {
+    "add": Slopes.added,
+    "sub": Slopes.subtracted,
+    "neg": Slopes.negative,
+    "mul": Slopes.multiplied,
+    "div": Slopes.divided,
+}
+CHAINED = ("pow", "root", *FUNCTIONS)
 
 
 #: How each operation is cleared.
@@ -1163,16 +1439,129 @@ class Enclosing:
         if turned.denominator <= 2:
             return Interval(1 - 2 * abs(turned), 1 - 2 * abs(turned))
         y = self.mul(Interval(turned, turned), self.pi())
+        ratios = ((1, 2 * k * (2 * k - 1)) for k in range(self.bits // 2 + 11, 0, -1))
+        low, high = self.nested(self.neg(self.power(y, 2)), (1, 1), ratios)
+        error = Fraction(1, 1 << self.bits)
+        return Interval(max(low - error, -UNIT.low), min(high + error, UNIT.high))
+
+    def nested(
+        self, x: Interval, last: tuple[int, int], ratios: Iterable[tuple[int, int]]
+    ) -> Interval:
+        """1 + x p/d t for each ratio p/d, where t is what the one before gave.
+
+        The first t lies between the integers ``last``. All is in units of 2^-(bits + 32).
+        """
         shift = self.bits + 32
-        square, t = self.power(y, 2), (1 << shift, 1 << shift)  # in units of 2^-shift from here on
-        low, high = square.low * (1 << shift) // 1, -(-square.high * (1 << shift) // 1)
-        for k in range(self.bits // 2 + 11, 0, -1):
+        one = 1 << shift
+        low, high = x.low * one // 1, -(-x.high * one // 1)
+        least, most = last[0] * one, last[1] * one
+        for p, d in ratios:
             self.kernel.spend(shift, 2)
-            products = [low * t[0], low * t[1], high * t[0], high * t[1]]
-            d, least, most = 2 * k * (2 * k - 1), min(products) >> shift, -max(products) >> shift
-            t = (1 << shift) + most // d, (1 << shift) - least // d
-        ends = Fraction(t[0] - (1 << 32), 1 << shift), Fraction(t[1] + (1 << 32), 1 << shift)
-        return Interval(max(ends[0], -UNIT.low), min(ends[1], UNIT.high))
+            products = [low * least, low * most, high * least, high * most]
+            down, up = min(products) >> shift, -max(products) >> shift
+            least, most = one + down * p // d, one - up * p // d
+        return Interval(Fraction(least, one), Fraction(most, one))
+
+    def sin(self, x: Interval) -> Interval:
+        """A sine of x is a cosine of pi times 1/2 - x/pi."""
+        half = self.rational(1, 2)
+        return self.cos_pi(self.outward(self.sub(half, self.div(x, self.pi()))))
+
+    def exp(self, x: Interval) -> Interval:
+        """An exponential rises."""
+        return Interval(self.exp_at(x.low).low, self.exp_at(x.high).high)
+
+    def exp_at(self, x: Fraction) -> Interval:
+        """For x > 0 this is exp(x/n)^n, where 0 < x/n <= 1/256; and exp(-x) = 1/exp x.
+
+        With r = x/n the sum of r^k/k! is 1 + r/1 (1 + r/2 (1 + ...)), and each bracket lies between
+        1 and exp r < 2. For the power there are 48 bits more, as n may have 24.
+        """
+        if x < 0:
+            if x < -MAX_EXPONENT:
+                return Interval(Fraction(0), Fraction(1, 1 << MAX_EXPONENT))
+            return self.div(UNIT, self.exp_at(-x))
+        need(x <= MAX_EXPONENT, Refused, "found an exponential of {}", Interval(x, x))
+        n, fine = -(-256 * x // 1), Enclosing(self.kernel, self.bits + 48, None)
+        if n == 0:
+            return UNIT
+        part = fine.rational(x.numerator, x.denominator * n)
+        low, high = fine.nested(part, (1, 2), ((1, k) for k in range(self.bits // 8 + 12, 0, -1)))
+        return Interval(fine.powers(low, n).low, fine.powers(high, n).high)
+
+    def log(self, x: Interval) -> Interval:
+        """A logarithm rises, and is defined above 0."""
+        need(x.low > 0, Refused, "found a logarithm of {}, which reaches 0", x)
+        return Interval(self.log_at(x.low).low, self.log_at(x.high).high)
+
+    def log_at(self, x: Fraction) -> Interval:
+        """For x = 2^k y, 1 <= y < 2, this is k log 2 + log y; and log(1/x) = -log x.
+
+        Here log y is twice the inverse hyperbolic tangent of (y - 1)/(y + 1), log 2 that of 1/3.
+        """
+        n, d = x.numerator, x.denominator
+        self.kernel.spend(size(x), 4)
+        if n < d:
+            return self.neg(self.log_at(Fraction(d, n)))
+        k = (n // d).bit_length() - 1
+        two, rest = Fraction(1, 3), Fraction(n - (d << k), n + (d << k))
+        halves = self.mul(self.rational(k, 1), self.inverse(two, 1))
+        return self.mul(self.rational(2, 1), self.add(halves, self.inverse(rest, 1)))
+
+    def atan(self, x: Interval) -> Interval:
+        """An inverse tangent rises."""
+        return Interval(self.atan_at(x.low).low, self.atan_at(x.high).high)
+
+    def atan_at(self, x: Fraction) -> Interval:
+        """atan(-x) = -atan x, and for x > 0 what is added to pi/2 or pi/4 is at most 3/7 in size.
+
+        These are the angles of (1 + ix)/(1 + i) = (1 + x + i(x - 1))/2 and of (1 + ix)/i = x - i.
+        """
+        self.kernel.spend(size(x), 4)
+        if x < 0:
+            return self.neg(self.atan_at(-x))
+        if x > Fraction(5, 2):
+            return self.add(self.mul(self.pi(), self.rational(1, 2)), self.inverse(-1 / x, -1))
+        if x > Fraction(2, 5):
+            rest = self.inverse((x - 1) / (x + 1), -1)
+            return self.add(self.mul(self.pi(), self.rational(1, 4)), rest)
+        return self.inverse(x, -1)
+
+    def inverse(self, z: Fraction, sign: int) -> Interval:
+        """The inverse hyperbolic tangent of z (sign 1) or its inverse tangent (-1), |z| <= 3/7.
+
+        This is z times the sum of q^j/(2j + 1), where q = z^2 or -z^2, or 1 + q/3 (1 + 3q/5 (...)).
+        Each bracket lies between 0 and 2, as its terms are less than those of the sum of |q|^j.
+        """
+        self.kernel.spend(2 * size(z), 2)
+        q, count = sign * z * z, self.bits // 2 + 18
+        ratios = ((2 * j + 1, 2 * j + 3) for j in range(count, -1, -1))
+        return self.mul(Interval(z, z), self.nested(Interval(q, q), (0, 2), ratios))
+
+    def root(self, x: Interval, k: int) -> Interval:
+        """The root of n/d is that of 2^(k bits) n d^(k-1), between integers, over 2^bits d."""
+        need(x.low >= 0, Refused, "found a root of {}, which reaches below 0", x)
+        ends = []
+        for n, d in map(Fraction.as_integer_ratio, x):
+            self.kernel.spend(k * (size(n) + size(d) + self.bits))
+            power = n * d ** (k - 1) << k * self.bits
+            root = self.whole_root(power, k)
+            ends += [Fraction(root + i, d << self.bits) for i in (0, root**k < power)]
+        return Interval(ends[0], ends[3])
+
+    def whole_root(self, power: int, k: int) -> int:
+        """The greatest integer whose k-th power is at most this one, by Newton's method.
+
+        From above each step stays above the root or ends there, as k-th powers are convex.
+        """
+        root = 1 << -(-power.bit_length() // k)
+        while power:
+            self.kernel.spend(power.bit_length(), 2)
+            lower = ((k - 1) * root + power // root ** (k - 1)) // k
+            if lower >= root:
+                return root
+            root = lower
+        return 0
 
     def pi(self) -> Interval:
         """Machin's formula, pi = 16 arctan(1/5) - 4 arctan(1/239).
@@ -1208,6 +1597,12 @@ OPERATIONS: dict[str, Callable[..., Interval]] = {
     "max": Enclosing.greatest,
     "cos": Enclosing.cos,
     "cos_pi": Enclosing.cos_pi,
+    "sin": Enclosing.sin,
+    "exp": Enclosing.exp,
+    "log": Enclosing.log,
+    "atan": Enclosing.atan,
+    "root": Enclosing.root,
+    "pi": Enclosing.pi,
 }
 
 
@@ -1311,6 +1706,7 @@ reference = text(f"{HYPOTHESIS}|{long_name}", "the name of a fact")
 context_name = text(long_name, "the name of a context")
 number = text(RATIONAL, "a rational number")
 exponent = text("[1-9][0-9]{0,2}", "an exponent from 1 to 999")
+index = text("[2-9]|[1-9][0-9]", "the index of a root from 2 to 99")
 bits = integer(2, MAX_BITS)
 ends = tuple_of(text(DECIMAL, "a decimal number"), text(DECIMAL, "a decimal number"))
 
@@ -1395,6 +1791,28 @@ RULES: dict[str, tuple[Callable[..., None], Shape]] = {
     "cases": (Kernel.cases, record(rule=rule, of=anything, branches=proofs)),
     "root": (Kernel.root, record(rule=rule)),
     "antisymmetry": (Kernel.antisymmetry, record(rule=rule, branches=proofs)),
+    "have": (Kernel.have, record(rule=rule, claim=anything, branches=proofs)),
+    "range": (Kernel.range, record(rule=rule)),
+    "law": (Kernel.law, record(rule=rule)),
+    "monotony": (
+        Kernel.monotony,
+        record(
+            rule=rule,
+            under=optional(text("exp|log|atan|sqrt", "exp, log, atan or sqrt")),
+            premise=anything,
+        ),
+    ),
+    "derivative": (
+        Kernel.derivative,
+        record(
+            rule=rule,
+            side=text("above|below", "above or below"),
+            strict=text("start|slope", "start or slope"),
+            variable=context_name,
+            bounds=proofs,
+            **dict.fromkeys(("at", "term", "start", "order", "sign"), anything),
+        ),
+    ),
     "angles": (Kernel.angles, record(rule=rule)),
     "cosine": (Kernel.cosine, record(rule=rule)),
     "instance": (

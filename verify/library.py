@@ -1,59 +1,214 @@
 """Statements of one's own, in a few lines: what `from verify import …` offers.
 
-Names, claims and values are all that is needed; labels and letters are left empty.
+Names, claims and values are all that is needed; letters are taken from the names. The words are
+those of a page of constants in the text format. What cannot be used is said where it is written
+down: a `TypeError` for a value of the wrong kind, an `InputError` for the rest.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from hashlib import sha256
+from os import PathLike
+from pathlib import Path
+from typing import TypeVar
 
 from verify.language.statement import (
     NEEDED,
+    PRINTED,
+    Always,
+    Applies,
     Assumption,
+    Cite,
     Constant,
     Context,
     Given,
+    Notes,
     Obligation,
+    Publication,
     Statement,
     Variable,
 )
-from verify.language.terms import Claim, Number, as_term, symbol
-from verify.prover.budget import WorkBudget
-from verify.prover.outcome import Outcome
+from verify.language.terms import Claim, Number, Term, as_term, names_of, symbol
+from verify.prover.budget import WORK, WorkBudget
+from verify.prover.hint import Hint
+from verify.prover.outcome import Decision, Outcome
+from verify.prover.prove import NO_HINTS
+from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.questions import decide
+from verify.wire.read import cites_of
+from verify.wire.text.letters import letter_of
+from verify.wire.text.read_page import read_page as read_text
+from verify.wire.text.write_page import page_text
 from verify.wire.write import write
 
-
-def constant(name: str, value: Number) -> Constant:
-    """A number with a name: an exact one, or a term over earlier names."""
-    return Constant(name, name, name, "", as_term(value))
+Item = TypeVar("Item")
+Claims = Mapping[str, Claim] | Iterable[Claim]
 
 
-def for_all(name: str, givens: Mapping[str, Claim], point: Mapping[str, Number]) -> Context:
-    """All values with these givens; ``point`` has for each variable a value that is one of them."""
+#: No publication: a statement of one's own is about no text that the program knows.
+NO_PAPER = Publication("", "", "", "", lambda _: None, {}, lambda: Notes((), (), (), {}))
+
+
+class Result(Outcome):
+    """A statement with its rows decided; a notebook shows it as a table with its formulas."""
+
+    def decision(self, row: str) -> Decision:
+        """What was found of one row.
+
+        Raises:
+            InputError: for a name of no row.
+        """
+        if row not in self.decisions:
+            raise InputError(f"there is no row {shown(row)}; {nearest(row, self.decisions)}")
+        return self.decisions[row]
+
+    def latex(self) -> str:
+        """The statement with its verdicts as one LaTeX document."""
+        from verify.views.tex.article import tex_document  # loaded only where it is used
+
+        return tex_document([self], NO_PAPER)
+
+    def _repr_html_(self) -> str:
+        from verify.views.notebook import notebook_page  # loaded only where it is used
+
+        return notebook_page(self)
+
+    def __str__(self) -> str:
+        from verify.views.prove import decided_lines  # loaded only where it is used
+
+        return "\n".join(decided_lines(self, NO_PAPER))
+
+
+# --- the parts of a statement --------------------------------------------------------------------
+
+
+def constant(
+    name: str, value: Number, *, letter: str | None = None, tex: str | None = None, label: str = ""
+) -> Constant:
+    """A number with a name: an exact one, or a term over earlier names.
+
+    ``letter`` and ``tex`` are how it is shown; by default ``alpha_0`` is α₀.
+    """
+    plain, latex = letter_of(name)
+    plain, latex = plain if letter is None else letter, latex if tex is None else tex
+    return Constant(name, plain, latex, label, as_term(value))
+
+
+def for_all(
+    name: str,
+    givens: Claims,
+    point: Mapping[str, Number],
+    *,
+    within: Context | None = None,
+    constants: Iterable[Constant] = (),
+    carried: Claims = (),
+    standing: Mapping[str, tuple[Claim, Assumption]] | None = None,
+    says: str = "",
+) -> Context:
+    """All values with these givens; ``point`` has for each variable a value that is one of them.
+
+    Args:
+        name: what rows and other contexts call it.
+        givens: claims with their names, or claims alone.
+        point: the variables, with values, over the names of the context around, at which all
+            givens hold.
+        within: the context around, whose variables may be used.
+        constants: names for terms over the variables.
+        carried: givens that an induction shows at the start and carries from state to state.
+        standing: givens that an assumption grants for every state of an induction.
+        says: the context in words.
+
+    Raises:
+        TypeError: for a given that is no claim, or a variable that is no name.
+    """
+    found = [*_givens(name, givens, "plain", 0)]
+    found += _givens(name, carried, "carried", len(found))
+    for given, (claim, assumption) in (standing or {}).items():
+        found.append(Given(given, _claim(f"the given {given}", claim), "standing", assumption.name))
+    for variable in point:
+        if not isinstance(variable, str):
+            raise TypeError(f"point: {variable!r} is no name; write the name, such as 'x'")
     return Context(
         name,
-        tuple(Variable(v, v, v) for v in point),
-        tuple(Given(given, claim) for given, claim in givens.items()),
+        tuple(Variable(v, *letter_of(v)) for v in point),
+        tuple(found),
         {v: as_term(value) for v, value in point.items()},
+        None if within is None else _context("within", within).name,
+        says,
+        tuple(constants),
+    )
+
+
+def applies(context: Context, at: Mapping[str, Number]) -> Applies:
+    """The claim that these values satisfy all givens of a context."""
+    _same_names(f"applies to {context.name}", context, at)
+    return Applies(context.name, {name: as_term(value) for name, value in at.items()})
+
+
+def always(
+    context: Context, start: Mapping[str, Number], following: Mapping[str, Number]
+) -> Always:
+    """The claim that from this start, with this following state, the givens hold for ever.
+
+    The givens of the context are carried or standing; its row is an induction.
+    """
+    _same_names(f"start in {context.name}", context, start)
+    _same_names(f"following in {context.name}", context, following)
+    return Always(
+        context.name,
+        {name: as_term(value) for name, value in start.items()},
+        {name: as_term(value) for name, value in following.items()},
     )
 
 
 def ask(
-    name: str, claim: Claim, within: Context | None = None, uses: Iterable[Assumption] = ()
+    name: str,
+    claim: Claim | Applies | Always,
+    within: Context | None = None,
+    uses: Iterable[Assumption] = (),
+    *,
+    role: str = NEEDED,
+    says: str = "",
+    label: str = "",
 ) -> Obligation:
     """The question whether a claim holds, for all values of a context if it is about one.
 
-    ``uses`` are the assumptions without which it would not say what it should.
+    ``uses`` are the assumptions without which it would not say what it should. A row whose ``role``
+    is ``"printed"`` is judged, and nothing rests on it.
+
+    Raises:
+        TypeError: for what is no claim, such as ``a == b``, which is a bool.
     """
+    if role not in (NEEDED, PRINTED):
+        raise InputError(f"the row {name}: role {shown(role)} is unknown; write needed or printed")
+    asked = claim if isinstance(claim, Applies | Always) else _claim(f"the row {name}", claim)
     names = tuple(assumption.name for assumption in uses)
-    context = None if within is None else within.name
-    return Obligation(name, "", "", NEEDED, "", claim, uses=names, context=context)
+    context = None if within is None else _context(f"the row {name}", within).name
+    return Obligation(name, "", label, role, says, asked, uses=names, context=context)
 
 
-def assume(name: str, sentence: str) -> Assumption:
+def assume(name: str, sentence: str, *, kind: str = "assumption") -> Assumption:
     """A sentence that is used and not proved."""
-    return Assumption(name, "", sentence, "assumption")
+    return Assumption(name, "", sentence, kind)
+
+
+def cite(name: str, files: Mapping[str, bytes]) -> Cite:
+    """Another statement, by the files that `certificate` makes, whose theorems may be used.
+
+    Raises:
+        InputError: if there is no statement among the files.
+    """
+    statement = files.get("statement.json")
+    if statement is None:
+        raise InputError(f"cite {shown(name)}: there is no statement.json among the files")
+    digests = {sha256(content).hexdigest(): content for content in files.values()}
+    own = sha256(statement).hexdigest()
+    found = (c for c in cites_of(digests) if sha256(c.content).hexdigest() == own)
+    cited = next(found, None)
+    if cited is None:
+        raise InputError(f"cite {shown(name)}: its statement.json is no statement")
+    return cited._replace(name=name)
 
 
 def lemma(
@@ -62,23 +217,70 @@ def lemma(
     constants: Iterable[Constant] = (),
     contexts: Iterable[Context] = (),
     assumptions: Iterable[Assumption] = (),
+    cites: Iterable[Cite] = (),
+    parameters: Mapping[str, Number] | None = None,
 ) -> Statement:
-    """A statement, for `verify.prove`."""
-    return Statement(
-        title, title, {}, tuple(constants), tuple(contexts), tuple(questions), tuple(assumptions)
-    )
+    """A statement, for `verify.prove`; earlier rows may be used for later ones.
+
+    ``parameters`` are numbers at which it is stated, and come before the constants.
+
+    Raises:
+        InputError: where a row or a context names what is not in the statement.
+        TypeError: where something else stands among rows, constants, contexts or assumptions.
+    """
+    parts: list[tuple[str, type, tuple[object, ...]]] = [
+        ("questions", Obligation, rows := _all("questions", questions)),
+        ("constants", Constant, numbers := _all("constants", constants)),
+        ("contexts", Context, places := _all("contexts", contexts)),
+        ("assumptions", Assumption, sentences := _all("assumptions", assumptions)),
+        ("cites", Cite, cited := _all("cites", cites)),
+    ]
+    for what, kind, items in parts:
+        for item in items:
+            if not isinstance(item, kind):
+                maker = _MAKERS[what]
+                raise TypeError(f"lemma: {item!r:.60} is none of the {what}; make it by {maker}")
+    _are_there(rows, places, sentences, cited)
+    given = {name: as_term(value) for name, value in (parameters or {}).items()}
+    _are_defined(rows, numbers, places, given)
+    return Statement(title, title, given, numbers, places, rows, sentences, cited)
 
 
-def prove(statement: Statement, budget: WorkBudget | None = None) -> Outcome:
+_MAKERS = {
+    "questions": "ask",
+    "constants": "constant",
+    "contexts": "for_all",
+    "assumptions": "assume",
+    "cites": "cite",
+}
+
+
+# --- what is decided, and its files --------------------------------------------------------------
+
+
+def prove(
+    statement: Statement,
+    *,
+    work: int = WORK,
+    seconds: float | None = None,
+    watch: Callable[[str], None] | None = None,
+    hints: Mapping[str, Hint] = NO_HINTS,
+) -> Result:
     """The statement with its rows decided, where that is found; the checker accepts the proofs.
 
-    ``budget`` is how much work each row may be, and how long all of them may take.
+    Args:
+        statement: what is asked.
+        work: how many units of work each row may be, of about a microsecond each.
+        seconds: how long all rows together may take; they share it.
+        watch: called with the name of each row when its search begins.
+        hints: where to look for the proofs of some rows, by their names.
 
     Raises:
         InputError: for a statement that the checker cannot read.
         OwnError: if the checker refuses a proof.
     """
-    return decide(statement, budget)
+    budget = WorkBudget(work, seconds) if watch is None else WorkBudget(work, seconds, watch)
+    return Result(*decide(statement, budget, hints))
 
 
 def certificate(outcome: Outcome) -> dict[str, bytes]:
@@ -86,4 +288,138 @@ def certificate(outcome: Outcome) -> dict[str, bytes]:
     return write(outcome)
 
 
-__all__ = ["ask", "assume", "certificate", "constant", "for_all", "lemma", "prove", "symbol"]
+def read_page(path: str | PathLike[str]) -> Statement:
+    """The statement in a page of constants, a file in the text format.
+
+    Raises:
+        InputError: for a file that cannot be used, naming the line and what to write instead.
+    """
+    try:
+        return read_text(str(path), Path(path).read_bytes()).statement
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror}); name a file") from error
+
+
+def write_page(statement: Statement) -> str:
+    """The statement as a page of constants, in the text format."""
+    return page_text(statement)
+
+
+# --- what is said of values of the wrong kind ----------------------------------------------------
+
+
+def _claim(where: str, claim: object) -> Claim:
+    if isinstance(claim, bool):
+        raise TypeError(
+            f"{where}: its claim is {claim}, because == compares how terms are written; "
+            "write equal(a, b)"
+        )
+    if not isinstance(claim, Claim):
+        raise TypeError(f"{where}: {claim!r:.60} is no claim; write for example x <= 1")
+    return claim
+
+
+def _givens(name: str, claims: Claims, kind: str, count: int) -> Iterator[Given]:
+    if isinstance(claims, Claim):
+        raise TypeError(f"the context {name}: write a list of givens, also of one: [0 <= x]")
+    if not isinstance(claims, Mapping):
+        claims = {f"{name}.{i}": claim for i, claim in enumerate(claims, count + 1)}
+    for given, claim in claims.items():
+        yield Given(given, _claim(f"the given {given}", claim), kind)
+
+
+def _context(where: str, context: object) -> Context:
+    if not isinstance(context, Context):
+        raise TypeError(f"{where}: {context!r:.60} is no context; make one by for_all")
+    return context
+
+
+def _same_names(where: str, context: Context, values: Mapping[str, Number]) -> None:
+    names = [variable.name for variable in context.variables]
+    for name in values.keys() ^ {*names}:
+        what = "has no value" if name in names else "is no variable"
+        raise InputError(f"{where}: {name} {what}; write values of {', '.join(names)}")
+
+
+def _all(what: str, items: Iterable[Item]) -> tuple[Item, ...]:
+    if isinstance(items, tuple) and hasattr(items, "_fields"):
+        raise TypeError(f"lemma: write a list of {what}, also of one")
+    return tuple(items)
+
+
+def _are_there(
+    rows: Iterable[Obligation],
+    contexts: Iterable[Context],
+    assumptions: Iterable[Assumption],
+    cites: Iterable[Cite],
+) -> None:
+    """Afterwards the statement has each context and assumption that is named in it."""
+    named = [context.name for context in contexts]
+    prefixes = tuple(f"{cite.name}:" for cite in cites)
+    trusted = {assumption.name for assumption in assumptions}
+    for row in rows:
+        about = [] if isinstance(row.claim, Claim) else [row.claim.context]
+        for context in (row.context, *about):
+            if not (context is None or context in named or context.startswith(prefixes or " ")):
+                raise InputError(
+                    f"the row {row.name} is about the context {context}, which the lemma does not "
+                    "have; write it among the contexts"
+                )
+        for name in row.uses:
+            if name not in trusted:
+                raise InputError(
+                    f"the row {row.name} uses {name}, which the lemma does not have; write it "
+                    "among the assumptions"
+                )
+    for at, one in enumerate(contexts):
+        if one.parent is not None and one.parent not in named[:at]:
+            raise InputError(
+                f"the context {one.name} is within {one.parent}, which has to come before it among "
+                "the contexts"
+            )
+
+
+def _are_defined(
+    rows: Iterable[Obligation],
+    constants: Iterable[Constant],
+    contexts: Iterable[Context],
+    parameters: Iterable[str],
+) -> None:
+    """Afterwards each name in a term is that of a constant or a variable, or of a citation."""
+    inner = [constant for context in contexts for constant in context.constants]
+    variables = [variable for context in contexts for variable in context.variables]
+    known = {*parameters, *(one.name for one in (*constants, *inner))}
+    known |= {one.name for one in variables}
+
+    def test(where: str, *terms: Term) -> None:
+        for name in names_of(*terms):
+            if name not in known and ":" not in name:
+                raise InputError(f"{where}: {name} is not defined; {nearest(name, sorted(known))}")
+
+    for one in (*constants, *inner):
+        test(f"the constant {one.name}", one.term)
+    for context in contexts:
+        test(f"the point of {context.name}", *context.point.values())
+        for given in context.givens:
+            test(f"the given {given.name}", given.claim.lhs, given.claim.rhs)
+    for row in rows:
+        if isinstance(row.claim, Claim):
+            test(f"the row {row.name}", row.claim.lhs, row.claim.rhs)
+
+
+__all__ = [
+    "Result",
+    "always",
+    "applies",
+    "ask",
+    "assume",
+    "certificate",
+    "cite",
+    "constant",
+    "for_all",
+    "lemma",
+    "prove",
+    "read_page",
+    "symbol",
+    "write_page",
+]

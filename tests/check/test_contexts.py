@@ -260,7 +260,8 @@ def test_steps(step: Any, reason: str) -> None:
     [["neg"], ["neg", "1", "2"], ["add", "1"], ["add", "1", "2", "3"], ["div", "1"], ["min", "1"],
      ["min"], ["max", "1"], ["sqrt"], ["sqrt", "1", "1"], ["cos"], ["cos_pi", "1", "2"],
      ["pow", "1"], ["pow", "1", "2", "3"], ["pow", "1", ["neg", "2"]], ["name", "1"],
-     ["rational", "1", "2"], ["exp", "1"], [], [["neg"], "1"], {"neg": "1"}, None, 1, True],
+     ["rational", "1", "2"], ["tan", "1"], ["pi", "1"], ["root", "1"], ["root", "1", "1"],
+     ["root", "1", "100"], [], [["neg"], "1"], {"neg": "1"}, None, 1, True],
 )  # fmt: skip
 def test_terms_have_an_operation_and_its_numbers_of_terms(value: Any) -> None:
     found = verdict(Pair().constant("c", value).row("row", "0 <= 1", INTERVAL))

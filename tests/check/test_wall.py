@@ -49,10 +49,12 @@ def test_no_floating_point() -> None:
     constants = [node.value for node in nodes(ast.Constant)]
     assert not [value for value in constants if isinstance(value, float | complex)]
     assert [ast.unparse(n) for n in nodes(ast.BinOp) if isinstance(n.op, ast.Div)] == [
-        "1 / y.high", "1 / y.low",
+        "1 / y.high", "1 / y.low", "(x - 1) / (x + 1)", "-1 / x",
     ]  # fmt: skip
     powers = [ast.unparse(n) for n in nodes(ast.BinOp) if isinstance(n.op, ast.Pow)]
-    assert powers == ["10 ** abs(exponent)", "(-1) ** (k % 2)"]
+    assert powers == [
+        "10 ** abs(exponent)", "(-1) ** (k % 2)", "d ** (k - 1)", "root ** (k - 1)", "root ** k",
+    ]  # fmt: skip
 
 
 def test_json_numbers_are_never_read_as_floats() -> None:
@@ -100,7 +102,7 @@ def test_every_rule_has_a_test_file() -> None:
 def test_every_operation_is_known_to_each_table() -> None:
     from verify import check
 
-    atoms = {"name", "rational", "pow"}
+    atoms = {"name", "rational", "pow", "root"}
     assert set(check.CLEARED) == set(check.ARITY_OR_MORE) | atoms
     assert set(check.OPERATIONS) == (set(check.ARITY_OR_MORE) | atoms) - {"name"}
     assert set(check.HOLDS) == set(check.NEGATION) | {"!="}

@@ -39,7 +39,7 @@ def test_all_parameters(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> N
     assert "Theorem 1, given these sentences. Let 0 < r < 1" in out
     last = out.splitlines()[-1]
     assert last.startswith("Verdict: proved: For all 0 < r < 1")
-    assert "given 8 assumptions" in last
+    assert "given 9 assumptions" in last
     cited, proof = sorted((tmp_path / "all/cited").iterdir(), reverse=True)
     assert proof.name == f"{cited.stem}.certificate.json"
     step_folder = tmp_path / "step"
@@ -47,7 +47,7 @@ def test_all_parameters(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> N
     assert run(capsys, "check", tmp_path / "all")[0] == 0
     code, out, _ = run(capsys, "theorem1", "--all", "--json")
     document = json.loads(out)
-    assert (code, document["verdict"], len(document["assumptions"])) == (0, "proved", 8)
+    assert (code, document["verdict"], len(document["assumptions"])) == (0, "proved", 9)
     assert {row["verdict"] for row in document["claims"]} == {"proved"}
     assert len(cited.read_bytes()) < check.MAX_BYTES
 
@@ -55,7 +55,12 @@ def test_all_parameters(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> N
 def test_the_printed_set_for_all_parameters(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, err = run(capsys, "theorem1", "--all", "--constants", "printed")
     assert (code, err) == (1, "")
-    assert "  fails for all: zeta-x-bound " in out
+    breaking = out.partition("false, but harmless here, for all parameters:")[0]
+    assert "  breaks the argument, for all parameters:" in breaking
+    assert "zeta-x-bound " in breaking
+    assert "set-interior " in breaking
+    assert "harmless here where final-angle holds, and elsewhere it breaks" in " ".join(out.split())
+    assert "20 refuted, 8 remarks" in out
     assert "  depends: angle-absorbed: fails at " in out
     assert "    it fails where φ⁺ ≥ 5/33\n" in out
 

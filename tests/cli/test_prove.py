@@ -13,6 +13,9 @@ import pytest
 from verify import check
 from verify.cli import files, main
 from verify.language.terms import Claim
+from verify.paper.source import PAPER
+from verify.prover.budget import SpentError, WorkBudget
+from verify.prover.rows_in_contexts import RowsInContexts
 from verify.wire import questions as job
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "certificates/examples"
@@ -58,14 +61,28 @@ def test_a_refuted_statement_has_its_witness(
     assert [row["verdict"] for row in rows] == ["refuted", "proved"]
 
 
-def test_an_undecided_row_writes_nothing(
+def test_what_is_proved_is_written_beside_an_undecided_row(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    document = example("instance")
+    document, out = example("instance"), tmp_path / "other"
     document["obligations"][0]["claim"] = ["<=", "0", ["sqrt", ["sub", "x", "1"]]]
-    assert main(["prove", written(tmp_path, document), "--out", str(tmp_path / "other")]) == 3
-    assert "undecided" in capsys.readouterr().err
-    assert not (tmp_path / "other").exists()
+    assert main(["prove", written(tmp_path, document), "--out", str(out)]) == 3
+    captured = capsys.readouterr()
+    assert captured.out.startswith("undecided two")
+    assert "the row two stands there as printed and undecided" in captured.err
+    code, lines = check.check_folders(check.read_folders([str(out)]))
+    assert code == 0
+    assert "1 needed proved, 0 printed proved" in lines[-1]
+    assert "1 printed undecided" in lines[-1]
+
+
+def test_nothing_is_written_where_nothing_is_decided(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    document, out = with_rows(["<=", "0", ["sqrt", ["sub", "x", "1"]]]), tmp_path / "other"
+    assert main(["prove", written(tmp_path, document), "--out", str(out)]) == 3
+    assert "no needed row is decided; no certificate was written" in capsys.readouterr().err
+    assert not out.exists()
 
 
 def test_what_the_checker_refuses_is_not_called_proved(
@@ -92,12 +109,66 @@ def test_time_only_leaves_rows_undecided(tmp_path: Path) -> None:
     assert main(["prove", path, "--time", "60"]) == 0
 
 
-def test_rows_are_decided_in_one_process(
+def test_a_row_takes_its_share_of_the_time_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = [0.0]
+    monkeypatch.setattr("verify.prover.budget.monotonic", lambda: now[0])
+    budget = WorkBudget(seconds=30)
+    for row, (takes, enough) in enumerate([(9, True), (11, False), (9.5, True)]):
+        budget.begin("row", 3 - row)
+        now[0] += takes
+        if enough:
+            budget.spend(1)
+        else:
+            with pytest.raises(SpentError, match="share of the time"):
+                budget.spend(1)
+
+
+def test_some_rows_are_decided_and_written(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    path = written(tmp_path, example("instance"))
-    assert main(["prove", path, "--jobs", "2"]) == 2
-    assert "--jobs" in capsys.readouterr().err
+    document = with_rows(["<=", "0", "x"], ["<=", "0", ["sqrt", ["sub", "x", "1"]]])
+    path, out = written(tmp_path, document), tmp_path / "out"
+    assert main(["prove", path, "--rows", "r0", "--out", str(out)]) == 0
+    assert "r1" not in capsys.readouterr().out
+    assert check.check_folders(check.read_folders([str(out)]))[0] == 0
+    assert main(["prove", path, "--rows", "r10"]) == 2
+    assert "there is no row 'r10'; did you mean r1?" in capsys.readouterr().err
+
+
+def test_what_is_proved_before_an_interruption_is_kept(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    search = RowsInContexts.decide
+
+    def interrupted(self: Any, row: Any) -> Any:
+        if row.name == "r1":
+            raise KeyboardInterrupt
+        return search(self, row)
+
+    monkeypatch.setattr(RowsInContexts, "decide", interrupted)
+    document = with_rows(["<=", "0", "x"], ["<=", "-2", "x"], ["<=", "-1", "x"])
+    out = tmp_path / "out"
+    assert main(["prove", written(tmp_path, document), "--out", str(out)]) == 130
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in lines[:3]] == ["proved", "undecided", "undecided"]
+    assert "because the search was interrupted" in lines[1]
+    assert "1 needed proved" in check.check_folders(check.read_folders([str(out)]))[1][-1]
+
+
+def test_numbers_and_rules_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["prove", written(tmp_path, example("instance")), "-v"]) == 0
+    out = capsys.readouterr().out
+    assert "  for all values of positive" in out
+    assert "  left side 2, right side 2.1213203…, at 224 bits" in out
+    assert "  shown by the rule sum, judged by the checker" in out
+
+
+def test_rows_that_begin_are_told_to_who_watches(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("verify.cli.steps.is_watched", lambda: True)
+    assert main(["prove", written(tmp_path, example("instance"))]) == 0
+    assert capsys.readouterr().err.splitlines() == ["[1/2] two …", "[2/2] at-root …"]
 
 
 def test_the_files_are_the_same_again(tmp_path: Path) -> None:
@@ -150,7 +221,7 @@ def test_a_proof_that_the_checker_cannot_read_is_not_claimed(
     assert lines[2].startswith("proved")
 
 
-def test_an_undecided_row_about_a_context_has_no_certificate(
+def test_an_undecided_row_about_a_context_is_left_out(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     document = with_rows(["<=", "0", "x"], ["applies", "", {"x": ["sub", "x", "1"]}])
@@ -160,8 +231,9 @@ def test_an_undecided_row_about_a_context_has_no_certificate(
     assert main(["prove", written(tmp_path, document), "--out", str(out)]) == 0
     captured = capsys.readouterr()
     assert captured.out.splitlines()[1].startswith("undecided r1")
-    assert "r1, which is about a context, is undecided" in captured.err
-    assert not out.exists()
+    assert "the row r1 is left out of it" in captured.err
+    rows = json.loads((out / "statement.json").read_text(encoding="utf-8"))["obligations"]
+    assert [row["name"] for row in rows] == ["r0"]
 
 
 def test_cited_certificates_are_carried_along(
@@ -275,3 +347,40 @@ def test_an_unusable_statement(
 def test_unusable_options(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["prove", *words]) == 2
     assert capsys.readouterr().err.count("\n") == 1
+
+
+PAGE = """
+title = "A page of somebody else"
+
+[constants]
+q = "(3 - sqrt(5))/4"
+
+[contexts.ball]
+variables = ["x"]
+given = ["-q <= x <= q"]
+
+[rows]
+slope = { claim = "2*(q + x) <= 4*q", label = "Lemma 3" }
+rounded = { claim = "q <= 0.19", role = "printed", label = "(2.1)" }
+"""
+
+
+def test_a_report_is_about_the_theorem_of_its_author(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    page, out = tmp_path / "page.toml", tmp_path / "out"
+    page.write_text(PAGE, encoding="utf-8")
+    assert main(["prove", str(page), "--out", str(out)]) == 0
+    capsys.readouterr()
+    assert main(["check", "--markdown", str(out)]) == 0
+    text = capsys.readouterr().out
+    assert text == (out / "report.md").read_text(encoding="utf-8")
+    assert "| proved | `slope` | Lemma 3 |  | 2·(q + x) ≤ 4·q for all values of `ball` |" in text
+    assert "| (2.1) |  | q ≤ 19/100 | 0.19098300… ≤ 0.19 |" in text
+    assert "Nothing: what is proved rests on the definitions above alone." in text
+    assert PAPER.authors not in text
+    assert main(["check", "--latex", str(out)]) == 0
+    text = capsys.readouterr().out
+    assert r"\claim{q = \frac{3 - \sqrt{5}}{4}\quad (0.19098300\ldots{})}" in text
+    assert r"\texttt{slope}} Lemma 3: \textbf{proved}" in text
+    assert main(["check", "--latex", "--markdown", str(out)]) == 2

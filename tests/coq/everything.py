@@ -26,6 +26,7 @@ DISCHARGED = {
     "hard-spheres": ("Theorem1.later", "Theorem1.collided", "Theorem1.first_to_meet"),
     "cauchy-schwarz": ("Vectors.cauchy_schwarz", "Vectors.vector_exists"),
     "bounded-monotone": ("Sequences.bounded_increasing_converges",),
+    "finite-length": ("Ending.place_cauchy", "Ending.positions_converge_to_ending"),
     "open-condition": ("Steady.steady_less", "Steady.nearby_both"),
     "glue-next": ("OneStep.meets", "OneStep.shows_next"),
     "glue-collapse": ("Trajectory.scenes_collide_in_turn", "Trajectory.finite_time"),

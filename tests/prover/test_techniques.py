@@ -13,7 +13,15 @@ from verify.prover.clearing import TooLongError, has_value
 from verify.prover.outcome import Decision
 from verify.prover.proof import Proof
 from verify.prover.search.question import Question
-from verify.prover.techniques import EQUATIONS, FREE, SEARCHES, SIMPLE, Technique
+from verify.prover.techniques import (
+    EQUATIONS,
+    FREE,
+    PRODUCTS,
+    SEARCHES,
+    SIMPLE,
+    SUMS,
+    Technique,
+)
 
 x, y = symbol("x"), symbol("y")
 HALF_LINE = for_all("all", {"low": 1 <= x}, {"x": 1})
@@ -35,6 +43,8 @@ def test_a_technique_that_is_too_long_does_not_end_the_search(
 
 
 def test_an_undecided_row_says_what_was_too_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("SUMS", "PRODUCTS"):
+        monkeypatch.setattr(techniques, name, ())
     for name in ("SIMPLE", "SEARCHES"):
         monkeypatch.setattr(techniques, name, (Technique("a long one", too_long),))
     found = decided(2 * x <= x**2 + 1)
@@ -57,10 +67,11 @@ def test_each_technique_is_called_with_a_question_alone(monkeypatch: pytest.Monk
 
         return technique._replace(prove=prove_nothing)
 
-    for name, every in {"FREE": FREE, "SIMPLE": SIMPLE, "SEARCHES": SEARCHES}.items():
+    groups = {"FREE": FREE, "SIMPLE": SIMPLE, "SUMS": SUMS, "PRODUCTS": PRODUCTS}
+    for name, every in (groups | {"SEARCHES": SEARCHES}).items():
         monkeypatch.setattr(techniques, name, tuple(map(watched, every)))
     assert decided(2 * x <= x**2 + 1).verdict == UNDECIDED
-    assert called == [technique.name for technique in (*FREE, *SIMPLE, *SEARCHES)]
+    assert called == [technique.name for technique in (*FREE, *SIMPLE, *SUMS, *PRODUCTS, *SEARCHES)]
     assert {technique.name for technique in EQUATIONS} == {
         "cosines",
         "multiple angles",

@@ -60,6 +60,18 @@ def build(directory: Path, draw: bool) -> dict[str, bytes]:
     return files(report.read_material(str(directory), depth=DEPTH), draw=draw)
 
 
+def pages_of(made: Path) -> dict[str, str]:
+    """The pages of a report, by their names, in no other order than that of their files."""
+    found = [made / "index.html", *sorted((made / "pages").glob("*.html"))]
+    return {str(path.relative_to(made)): path.read_text(encoding="utf-8") for path in found}
+
+
+@pytest.fixture(scope="session")
+def page(made: Path) -> str:
+    """All pages of the report, one after the other."""
+    return "\n".join(pages_of(made).values())
+
+
 @pytest.fixture(scope="session")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder of certificates and measurements with its report."""

@@ -130,7 +130,17 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
 def test_no_error_no_request_no_overflow(
     browser: Browser, made: Path, width: int, mobile: bool, scheme: str
 ) -> None:
-    browser.open(made / "index.html", width, scheme, mobile)
+    for page in (made / "index.html", *sorted((made / "pages").glob("*.html"))):
+        _is_fine(browser, page, width, scheme, mobile)
+
+
+def test_the_first_page_has_three_screens_at_most(browser: Browser, made: Path) -> None:
+    browser.open(made / "index.html", 1280, "light", mobile=False)
+    assert browser.value("document.documentElement.scrollHeight") <= 3 * 900
+
+
+def _is_fine(browser: Browser, page: Path, width: int, scheme: str, mobile: bool) -> None:
+    browser.open(page, width, scheme, mobile)
     complaints = browser.happened(
         "Log.entryAdded", "Runtime.exceptionThrown", "Runtime.consoleAPICalled"
     )
@@ -148,7 +158,7 @@ def test_no_error_no_request_no_overflow(
 
 
 def test_what_moves_can_be_held(browser: Browser, made: Path) -> None:
-    browser.open(made / "index.html", 1280, "light", mobile=False)
+    browser.open(made / "pages/scenes.html", 1280, "light", mobile=False)
     states = "[...new Set(document.getAnimations().map(e => e.playState))].join()"
     assert browser.value(states) == "running"
     browser.value("document.querySelectorAll('.hold input').forEach(e => e.click())")
@@ -162,7 +172,7 @@ def test_what_moves_can_be_held(browser: Browser, made: Path) -> None:
 
 
 def test_the_font_is_used(browser: Browser, made: Path) -> None:
-    browser.open(made / "index.html", 1280, "light", mobile=False)
+    browser.open(made / "pages/printed.html", 1280, "light", mobile=False)
     assert browser.value("document.fonts.check('16px VerifyMath', '√')")
     assert browser.value("[...document.fonts].map(f => f.family + f.status)") == [
         "VerifyMathloaded"
@@ -170,7 +180,7 @@ def test_the_font_is_used(browser: Browser, made: Path) -> None:
 
 
 def test_the_numbers_are_those_of_the_certificate(browser: Browser, made: Path) -> None:
-    browser.open(made / "index.html", 1280, "light", mobile=False)
+    browser.open(made / "pages/constants.html", 1280, "light", mobile=False)
     shown = set(browser.value("[...document.querySelectorAll('data')].map(e => e.value)"))
     certificate = json.loads((made / "theorem1-r-3-100" / NAMES[1]).read_text(encoding="utf-8"))
     for name, found in certificate["enclosures"]["constants"].items():
@@ -181,7 +191,7 @@ def test_the_numbers_are_those_of_the_certificate(browser: Browser, made: Path) 
 
 
 def test_a_number_opens_to_both_ends(browser: Browser, made: Path) -> None:
-    browser.open(made / "index.html", 390, "light", mobile=True)
+    browser.open(made / "pages/constants.html", 390, "light", mobile=True)
     script = """
       const number = document.querySelector('#constants ~ .grid details.number');
       number.querySelector('summary').click();
@@ -200,7 +210,7 @@ def _returning(script: str) -> str:
 
 
 def test_formulas_are_typeset(browser: Browser, made: Path) -> None:
-    browser.open(made / "index.html", 1280, "light", mobile=False)
+    browser.open(made / "pages/printed.html", 1280, "light", mobile=False)
     heights = browser.value(
         "[...document.querySelectorAll('article mfrac')].map(e => e.getBoundingClientRect().height)"
     )

@@ -61,14 +61,13 @@ def signs_of_formulas(page: str) -> set[str]:
     return signs | (set(unescape(re.sub("<[^>]*>", "", formulas))) - alone)
 
 
-def test_the_font_has_every_sign_of_the_page(made: Path) -> None:
-    page = (made / "index.html").read_text(encoding="utf-8")
+def test_the_font_has_every_sign_of_the_page(made: Path, page: str) -> None:
     known = set(map(chr, signs_of(tables(font_bytes())["cmap"])))
     needed = signs_of_formulas(page)
     assert {"𝛼", "𝛿", "√"} - known == set()
     assert len(needed) > 50
     assert needed - known == set()
-    assert "font/woff" in page
+    assert "font/woff" in (made / "pages/style.css").read_text(encoding="utf-8")
 
 
 def test_the_font_can_stretch_and_is_small() -> None:

@@ -9,9 +9,13 @@ import pytest
 from verify import check
 from verify.cli import main
 from verify.paper.commands.everywhere import decide_printed_everywhere
-from verify.paper.commands.spectrum import NAME, cite_spectrum, decide_spectrum
+from verify.paper.commands.spectrum import (
+    SPECTRUM,
+    cite_spectrum,
+    decide_spectrum,
+    state_spectrum,
+)
 from verify.paper.spectrum.printed import Printed
-from verify.paper.spectrum.spectrum import statement
 from verify.prover.outcome import Outcome
 from verify.wire.judge import known
 from verify.wire.packaged import ALL, AS_PRINTED, PACKAGED, PACKAGED_FILES, packaged_files
@@ -43,12 +47,14 @@ def test_what_is_cited_is_what_would_be_proved() -> None:
 
 
 def test_another_statement_is_not_known() -> None:
-    said = statement()
-    assert known(NAME, said) is not None
+    said = state_spectrum()
+    assert known(SPECTRUM, said) is not None
     first, *others = said.obligations
-    assert known(NAME, said._replace(obligations=(first._replace(says="?"), *others))) is None
-    assert known(NAME, said._replace(obligations=tuple(others))) is None
-    assert known(NAME, statement(Printed(coefficients=Printed().coefficients[::-1]))) is None
+    assert known(SPECTRUM, said._replace(obligations=(first._replace(says="?"), *others))) is None
+    assert known(SPECTRUM, said._replace(obligations=tuple(others))) is None
+    assert (
+        known(SPECTRUM, state_spectrum(Printed(coefficients=Printed().coefficients[::-1]))) is None
+    )
     assert known(ALL, said) is None
 
 

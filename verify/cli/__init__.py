@@ -29,7 +29,7 @@ COMMANDS = {
     "explain": "print a row with the facts and the identity that prove it",
     "graph": "draw a proof: which facts use which",
     "check": "check a certificate, and that its statement is the right one",
-    "export": "write a certificate for the proof assistant Coq",
+    "export": "write a certificate for Coq, or its statement as a page",
     "bench": "measure speed against error",
     "stress": "run the numerically hard cases",
     "report": "write the report: a page with plots, its Markdown twin, a LaTeX table",

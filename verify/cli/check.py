@@ -43,6 +43,7 @@ def add_arguments(parser: Parser) -> None:
     add_color(parser)
     text = "print what is accepted as one LaTeX document instead of the verdicts"
     parser.flag("--latex", text=text)
+    parser.flag("--markdown", text="print what is accepted as a report in Markdown")
 
 
 class CheckedFolder(Record):
@@ -74,13 +75,14 @@ class CheckedFolder(Record):
 
 def run(options: Options) -> int:
     """Check, and return the worst exit code of all folders."""
-    if options.latex and options.json:
-        raise InputError("--latex: leave it out with --json; each is a document of its own")
+    kinds = [f"--{kind}" for kind in ("latex", "markdown", "json") if getattr(options, kind)]
+    if len(kinds) > 1:
+        raise InputError(f"{kinds[0]}: leave it out with {kinds[1]}; each is a document of its own")
     found = judge_folders(folders_at(options.path))
     if options.statement:
         found = [_compared(judged) for judged in found]
-    if options.latex:
-        return _print_latex(found)
+    if options.latex or options.markdown:
+        return _print_report(found, latex=options.latex)
     if options.json:
         print_document({"format": FORMAT, "command": "check", "folders": list(map(_row, found))})
     else:
@@ -88,7 +90,7 @@ def run(options: Options) -> int:
     return check.exit_code(judged.judged for judged in found)
 
 
-def _print_latex(found: Sequence[CheckedFolder]) -> int:
+def _print_report(found: Sequence[CheckedFolder], *, latex: bool) -> int:
     """Print the document if everything is accepted, else say on stderr what is not."""
     refused = [judged for judged in found if judged.code and judged.verdict != "REFUTED"]
     for judged in refused:
@@ -96,6 +98,7 @@ def _print_latex(found: Sequence[CheckedFolder]) -> int:
         print(f"verify: {judged.folder.path}: {why}"[:300], file=sys.stderr)
     if not refused:
         from verify.paper.source import PAPER  # loaded only where they are used
+        from verify.views.markdown import report
         from verify.views.tex.article import tex_document
         from verify.wire.judge import read_judged
         from verify.wire.term_json import WireError
@@ -104,11 +107,11 @@ def _print_latex(found: Sequence[CheckedFolder]) -> int:
         cited = available(folders)
         try:
             read = (read_judged(f.statement, f.certificate, cited) for f in folders)
-            text = tex_document(read, PAPER)
+            texts = [tex_document(read, PAPER)] if latex else [report(one, PAPER) for one in read]
         except WireError as error:
             print(f"verify: {error}"[:300], file=sys.stderr)
             return check.EXIT_CODES[MALFORMED]
-        sys.stdout.write(text)
+        sys.stdout.write("\n".join(texts))
     return check.exit_code(judged.judged for judged in found)
 
 

@@ -1,19 +1,21 @@
-"""Write a certificate as a file for the proof assistant Coq, which checks it once more."""
+"""Write a certificate for the proof assistant Coq, or its statement as a page of constants."""
 
 from __future__ import annotations
 
 import sys
+from hashlib import sha256
 
+from verify.check import Folder
 from verify.cli.check import folders_at
 from verify.cli.options import Options, Parser
 from verify.wire.inputs import InputError, shown
 
-SYSTEMS = ("coq",)
+SYSTEMS = ("coq", "text")
 
 
 def add_arguments(parser: Parser) -> None:
     """The options."""
-    parser.place("system", "coq")
+    parser.place("system", "coq; or text, the page that verify prove reads")
     parser.place("folder", "a folder with a statement and its certificate")
     text = "also every constant as a definition, and every row as a lemma in ordinary notation"
     parser.flag("--readable", text=text)
@@ -22,11 +24,13 @@ def add_arguments(parser: Parser) -> None:
 def run(options: Options) -> int:
     """Print the file; return 0."""
     if options.system not in SYSTEMS:
-        raise InputError(f"system: {shown(options.system)} is not known; write coq")
+        raise InputError(f"system: {shown(options.system)} is not known; write coq or text")
+    (folder,) = folders_at([options.folder])
+    if options.system == "text":
+        return _print_page(folder, options)
     from verify.wire.coq.export import export  # loaded only where it is used
     from verify.wire.coq.reading import NotAcceptedError
 
-    (folder,) = folders_at([options.folder])
     try:
         text = export(folder, ordinary=options.readable)
     except NotAcceptedError as error:
@@ -34,4 +38,16 @@ def run(options: Options) -> int:
         reason = " ".join(str(error).split())[:300]
         raise InputError(f"folder: {shown(options.folder)} {what} ({reason})") from error
     sys.stdout.write(text)
+    return 0
+
+
+def _print_page(folder: Folder, options: Options) -> int:
+    """Print the statement of a folder as a page of constants; return 0."""
+    from verify.wire.questions import read_questions  # loaded only where they are used
+    from verify.wire.text.write_page import page_text
+
+    if options.readable:
+        raise InputError("--readable: leave it out with text, which is readable")
+    cited = {sha256(content).hexdigest(): content for content in folder.cited}
+    sys.stdout.write(page_text(read_questions(folder.statement, cited)))
     return 0

@@ -13,6 +13,7 @@ from verify.cli.terminal import show
 from verify.cli.theorem1 import DEFAULTS, POINT_OPTIONS, read_parameters
 from verify.language.statement import UNDECIDED
 from verify.paper.groups import PRINTED
+from verify.paper.rows import INSTEAD
 from verify.paper.source import PAPER
 from verify.prover.outcome import EXIT_CODES, conjunction
 from verify.wire.inputs import InputError, integer, neg_cos, positive, restitution, shown
@@ -70,7 +71,8 @@ def _everywhere(options: Options) -> int:
         return code
     if printed:
         where = thresholds.decide_thresholds()
-        text = view.printed_screen(outcome, where, thresholds.all_shares(where), PAPER, verdicts)
+        shares = thresholds.all_shares(where)
+        text = view.printed_screen(outcome, where, shares, PAPER, verdicts, INSTEAD)
     else:
         text = view.screen(outcome, PAPER, verdicts)
     show(claims.told(outcome, options, text), options)

@@ -15,23 +15,29 @@ from verify.cli.files import (
     write_certificate,
 )
 from verify.cli.options import Options, Parser
+from verify.cli.steps import Steps
 from verify.cli.terminal import add_color, show
-from verify.language.statement import PRINTED, UNDECIDED
+from verify.language.statement import NEEDED, PRINTED, UNDECIDED, Statement
 from verify.language.terms import Claim
 from verify.paper.source import PAPER
 from verify.prover.budget import WORK, WorkBudget
 from verify.prover.outcome import Outcome
 from verify.views.prove import decided_document, decided_lines
-from verify.wire.inputs import InputError, integer, rational, shown
-from verify.wire.questions import all_cites, decide_statement
+from verify.wire.inputs import InputError, integer, nearest, rational, shown
+from verify.wire.questions import all_cites, decide, read_page_of
+
+#: The exit code of what was interrupted, as of any command.
+INTERRUPTED = 130
 
 
 def add_arguments(parser: Parser) -> None:
     """The options."""
-    parser.place("STATEMENT", "a statement.json whose rows are questions")
+    parser.place("STATEMENT", "a page of constants (.toml), or a statement.json of questions")
+    parser.option("--rows", "decide only these rows, and leave the others out", "NAME,NAME")
     parser.option("--out", "write the decided statement and a certificate of it", "DIR")
     parser.option("--work", f"units of work for each row (default {WORK})", "N")
-    parser.option("--time", "leave undecided what is not decided after S seconds", "S")
+    parser.option("--time", "share S seconds among the rows; what they leave is undecided", "S")
+    parser.flag("-v", "--verbose", text="also the numbers of each row")
     parser.flag("--json", text="one JSON document on stdout")
     add_color(parser)
 
@@ -40,30 +46,68 @@ def run(options: Options) -> int:
     """Print a line for each row or the document, write the files, return the exit code."""
     work = WORK if options.work is None else integer("--work", options.work, 1, 999_999_999)
     content, cited = read_bytes("STATEMENT", options.STATEMENT), _cited(options.STATEMENT)
-    test_folder("--out", options.out, "statement.json", "certificate.json")
-    outcome = decide_statement(content, cited, WorkBudget(work, _seconds(options.time)))
+    test_folder("--out", options.out, "statement.json", "certificate.json", "report.md")
+    page = read_page_of(options.STATEMENT, content, cited)
+    statement = _chosen(page.statement, options.rows)
+    steps = Steps(len(statement.obligations))
+    budget = WorkBudget(work, _seconds(options.time), steps, catches=True)
+    outcome = decide(statement, budget, page.hints)
     if options.out is not None:
         _write(options.out, outcome)
     outcome = _but_for_citations(outcome)
     if options.json:
         print_document(decided_document(outcome))
     else:
-        show(decided_lines(outcome, PAPER), options)
-    return outcome.exit_code
+        show(decided_lines(outcome, PAPER, numbers=options.verbose), options)
+    return INTERRUPTED if budget.interrupted else outcome.exit_code
+
+
+def _chosen(statement: Statement, names: str | None) -> Statement:
+    """The statement with the rows that are asked for, in its own order.
+
+    Raises:
+        InputError: for a name of no row.
+    """
+    if names is None:
+        return statement
+    wanted = {name.strip() for name in names.split(",")}
+    rows = tuple(row for row in statement.obligations if row.name in wanted)
+    unknown = sorted(wanted - {row.name for row in rows})
+    if unknown:
+        instead = nearest(unknown[0], [row.name for row in statement.obligations])
+        raise InputError(f"--rows: there is no row {shown(unknown[0])}; {instead}")
+    if all(row.role == PRINTED for row in rows):
+        rows = tuple(row._replace(role=NEEDED) for row in rows)
+    return statement._replace(obligations=rows)
 
 
 def _write(directory: str, outcome: Outcome) -> None:
-    """Write a certificate, if there is a form for what is undecided."""
-    unwritten = [
-        row.name
-        for row, found in outcome.rows
-        if found.claimed == UNDECIDED and row.role == PRINTED and not isinstance(row.claim, Claim)
+    """Write a certificate of what is decided, and say what is not in it."""
+    from verify.views.markdown import report  # loaded only where it is used
+
+    undecided = [row for row, found in outcome.rows if found.claimed == UNDECIDED]
+    unwritten = {row.name for row in undecided if not isinstance(row.claim, Claim)}
+    rows = [
+        row._replace(role=PRINTED) if row in undecided else row
+        for row in outcome.statement.obligations
+        if row.name not in unwritten
     ]
-    if unwritten:
-        where = f"{unwritten[0]}, which is about a context, is undecided"
-        print(f"verify: the row {where}; no certificate was written", file=sys.stderr)
-    else:
-        write_certificate("--out", directory, outcome)
+    if not any(row.role == NEEDED for row in rows) or outcome.spent:
+        print("verify: no needed row is decided; no certificate was written", file=sys.stderr)
+        return
+    for row in undecided:
+        if row.name not in unwritten and row.role == PRINTED:
+            continue
+        if row.name in unwritten:
+            how = "is left out of it; a certificate says nothing of an undecided row on a context"
+        else:
+            how = f"stands there as {PRINTED} and undecided, and the theorem does not rest on it"
+        print(f"verify: --out: the row {row.name} {how}", file=sys.stderr)
+    kept = {row.name: outcome.decisions[row.name] for row in rows}
+    statement = outcome.statement._replace(obligations=tuple(rows))
+    written = outcome._replace(statement=statement, decisions=kept)
+    told = {"report.md": report(written, PAPER).encode()}
+    write_certificate("--out", directory, written, told)
 
 
 def _seconds(text: str | None) -> float | None:

@@ -1,10 +1,11 @@
-"""Write the report: certificates/index.html with its twin, the picture and a LaTeX table."""
+"""Write the report: certificates/index.html and pages/, a twin in Markdown, and a LaTeX table."""
 
 from __future__ import annotations
 
 import os
 import re
 import sys
+from collections.abc import Mapping
 
 from verify.cli.files import test_folder, write_all
 from verify.cli.options import Options, Parser
@@ -14,6 +15,8 @@ from verify.wire.inputs import InputError, regular_file, shown
 
 #: What is compared.
 PAGES = ("index.html", "index.md", "constants.tex")
+#: Where the pages are that lead on from the first one; nothing else is there.
+FOLDER = "pages"
 
 
 def add_arguments(parser: Parser) -> None:
@@ -53,16 +56,32 @@ def run(options: Options) -> int:
     made = files(material, draw=not options.compare)
     if not options.compare:
         write_all("--directory", options.directory, made)
+        for name in _old_pages(options.directory) - made.keys():
+            os.remove(os.path.join(options.directory, name))
         for name in made:
             print(f"written  {os.path.join(options.directory, name)}")
         return 0
+    return 1 if _differing(options.directory, made) else 0
+
+
+def _differing(directory: str, made: Mapping[str, bytes]) -> int:
+    """How many of the files differ, or are there and no longer made; each has been told."""
     differing = 0
     for name, content in made.items():
-        path = os.path.join(options.directory, name)
+        path = os.path.join(directory, name)
         same = without_drawings(_read(path)) == without_drawings(content)
         differing += not same
         print(f"{'same' if same else 'DIFFERS':<8} {path}")
-    return 1 if differing else 0
+    for name in sorted(_old_pages(directory) - made.keys()):
+        differing += 1
+        print(f"{'DIFFERS':<8} {os.path.join(directory, name)}: no such page is made now")
+    return differing
+
+
+def _old_pages(directory: str) -> set[str]:
+    """The files in the folder of the pages, by their names from the report's folder."""
+    folder = os.path.join(directory, FOLDER)
+    return {f"{FOLDER}/{name}" for name in os.listdir(folder)} if os.path.isdir(folder) else set()
 
 
 def without_drawings(page: bytes) -> bytes:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import os
-
-from verify.cli.files import write_all
+from verify.cli.files import write_file
 from verify.spheres.scene.decide import Fate
 from verify.spheres.scene.verdict import steps, told
 from verify.wire.inputs import InputError
@@ -22,8 +20,7 @@ def write_plot(option: str, path: str, kind: str, found: Fate) -> None:
         raise InputError(
             f"{option}: numbers of this scene are too large or too small to draw; leave it out"
         ) from error
-    folder, name = os.path.split(path)
-    write_all(option, folder or os.curdir, {name: text.encode()})
+    write_file(option, path, text)
 
 
 def _drawn(kind: str, found: Fate) -> str:

@@ -19,9 +19,14 @@ if TYPE_CHECKING:
 else:
 
     class _Fields(type):
-        """Makes the annotations in the body of a class the names of the entries, in that order."""
+        """Makes the annotations in the body of a class the names of the entries, in that order.
+
+        A class that only adds methods to a record has the entries of that record.
+        """
 
         def __new__(cls, name, bases, body):
+            if "__annotations__" not in body and any(hasattr(base, "_fields") for base in bases):
+                return super().__new__(cls, name, bases, body | {"__slots__": ()})
             fields = tuple(body.get("__annotations__", ()))
             defaults = {field: body[field] for field in fields if field in body}
             body |= {"_last": tuple(defaults.values())}

@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import Any
 
 from verify.language.statement import PROVED, REFUTED, Constant
-from verify.language.terms import Claim, Term
+from verify.language.terms import Claim, Term, as_term
 from verify.prover import balls
 from verify.prover.decimals import enclosing_decimals
 from verify.prover.outcome import Enclosure, Ends
@@ -41,6 +41,10 @@ ZERO_BITS = 4096
 #: so that every version of FLINT agrees on them.
 DIGITS = 27
 RELIABLE_BITS = 128
+
+
+#: Short decimals near constants have this denominator.
+SHORT = 10**9
 
 
 class Constants:
@@ -126,6 +130,18 @@ class Constants:
             if self.exact(term) == 0:
                 return 0
         return 0
+
+    def short_bound(self, term: Term, *, up: bool) -> Term | None:
+        """The value, if it is rational; else a short decimal near it, above it or below."""
+        exact = self.exact(term)
+        if exact is not None:
+            return as_term(exact)
+        ball = self.ball(term, self.start_bits)
+        if ball is None:
+            return None
+        low, high = balls.ends(ball)
+        near = -(-high * SHORT // 1) if up else low * SHORT // 1
+        return as_term(Fraction(near, SHORT))
 
     # --- enclosures for people ------------------------------------------------------------------
 

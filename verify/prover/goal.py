@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
 from verify.language.record import Record
@@ -66,14 +66,22 @@ class Goal(Record):
         return {name: ends for name, ends in box.items() if ends} if all(box.values()) else None
 
 
-def bounds_of(context: Context) -> dict[str, Bounds]:
-    """For each variable of a context the best bounds by numbers among its givens."""
+def bounds_of(context: Context, others: Iterable[Given] = ()) -> dict[str, Bounds]:
+    """For each variable of a context the best bounds by numbers among its givens, and others."""
     found = {variable.name: Bounds() for variable in context.variables}
-    for given in context.givens:
+    for given in (*context.givens, *others):
         for name, bounds in _bounds(given):
             if name in found:
                 found[name] = _narrowed(found[name], bounds)
     return found
+
+
+def narrowed(bounds: Bounds, name: str, given: Given) -> Bounds:
+    """The bounds of a variable with what a given says of it, if that is a better one."""
+    for variable, other in _bounds(given):
+        if variable == name:
+            bounds = _narrowed(bounds, other)
+    return bounds
 
 
 def _bounds(given: Given) -> Iterator[tuple[str, Bounds]]:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
 
-from verify.language.statement import UNDECIDED, Constant, Obligation, Statement
+from verify.language.statement import PROVED, UNDECIDED, Constant, Obligation, Statement
 from verify.language.terms import Claim, names_of
 from verify.prover.budget import SpentError, WorkBudget
 from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.ground import Ground
+from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import Step
 from verify.prover.rows_in_contexts import RowsInContexts
@@ -18,6 +20,8 @@ from verify.prover.techniques import find
 from verify.prover.universal import Universal
 
 NOTHING_FOUND = "neither a proof nor an example against it was found"
+
+NO_HINTS: Mapping[str, Hint] = MappingProxyType({})
 
 #: Why steps that show a row (none: what all rows rest on) are too much for the checker; or nothing.
 Price = Callable[[Obligation | None, str, Sequence[Step]], str]
@@ -29,6 +33,7 @@ def prove(
     max_bits: int = DEFAULT_MAX_PRECISION,
     budget: WorkBudget | None = None,
     price: Price = lambda _row, _claimed, _steps: "",
+    hints: Mapping[str, Hint] = NO_HINTS,
 ) -> Outcome:
     """Decide every row of a statement; what is not found is left undecided, with the reason.
 
@@ -38,14 +43,19 @@ def prove(
         max_bits: the last one.
         budget: how much work each row may be.
         price: asked before anything is claimed of a row.
+        hints: where to look for the proofs of some rows, by their names.
     """
     ground = Ground(Session(_unused_prefix(statement)), start_bits, max_bits)
     universal = Universal(ground, budget or WorkBudget(), find)
     spent = _opened(statement, universal) or price(None, "", ground.session.steps)
-    decisions = {
-        row.name: Decision(UNDECIDED, reason=spent) if spent else _priced(row, universal, price)
-        for row in statement.obligations
-    }
+    rows = statement.obligations
+    decisions = {}
+    for left, row in zip(range(len(rows), 0, -1), rows, strict=True):
+        universal.budget.begin(row.name, left)
+        hint = hints.get(row.name, Hint())
+        decisions[row.name] = (
+            Decision(UNDECIDED, reason=spent) if spent else _hinted(row, universal, price, hint)
+        )
     names = (*statement.parameters, *(constant.name for constant in statement.constants))
     enclosures = {} if spent else _enclosures(names, ground)
     return Outcome(statement, decisions, tuple(ground.session.steps), enclosures, spent)
@@ -83,6 +93,19 @@ def _defined(statement: Statement, ground: Ground) -> str:
     return ""
 
 
+def _hinted(row: Obligation, universal: Universal, price: Price, hint: Hint) -> Decision:
+    """The decision on a row that may use what its hint says."""
+    if hint == Hint() or not isinstance(row.claim, Claim):
+        return _priced(row, universal, price)
+    others = set() if hint.using is None else universal.rows - {*hint.using}
+    universal.rows -= others
+    universal.hints = {row.claim: hint}
+    found = _priced(row, universal, price)
+    universal.hints = {}
+    universal.rows |= others
+    return found
+
+
 def _priced(row: Obligation, universal: Universal, price: Price) -> Decision:
     """The decision on a row, if the checker can afford to read its proof."""
     undo, first = universal.mark(), len(universal.session.steps)
@@ -91,6 +114,11 @@ def _priced(row: Obligation, universal: Universal, price: Price) -> Decision:
         found = _decide(row, universal.ground, universal)
     except Exception as error:
         found = Decision(UNDECIDED, reason=_why(error))
+    except KeyboardInterrupt:
+        if not universal.budget.catches:
+            raise
+        universal.budget.interrupted = True
+        found = Decision(UNDECIDED, reason="the search was interrupted")
     if found.claimed == UNDECIDED:
         undo()
         return found._replace(reason=found.reason or "; ".join((NOTHING_FOUND, *universal.reasons)))
@@ -118,6 +146,8 @@ def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
         if all(name in ground.definitions for name in names):
             found = ground.decide(row)
             if found.claimed != UNDECIDED:
+                if found.claimed == PROVED:
+                    universal.rows.add(row.name)
                 return found
     return RowsInContexts(universal).decide(row)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+
 from verify.language.statement import (
     PROVED,
     REFUTED,
@@ -11,14 +13,15 @@ from verify.language.statement import (
     Context,
     Obligation,
 )
-from verify.language.terms import Claim, as_term, substitute_claim
+from verify.language.terms import Claim, Term, as_term, substitute_claim
 from verify.prover.goal import Goal
 from verify.prover.outcome import Decision
 from verify.prover.points import refuting_point
 from verify.prover.proof import Proof
 from verify.prover.relations import negation
 from verify.prover.rules import Applying, Induction, Witness
-from verify.prover.search.question import refuting_minimum
+from verify.prover.search.question import Question, refuting_minimum
+from verify.prover.search.witnesses import false_points
 from verify.prover.universal import Universal, with_constants
 
 
@@ -100,17 +103,33 @@ class RowsInContexts:
 
     def _refute(self, goal: Goal, context: Context) -> Witness | None:
         """Values for the variables of the context at which the claim is false."""
-        point = refuting_point(goal, self.known.enclosed) or refuting_minimum(goal, self.known)
-        if point is None:
-            return None
-        found = {name: as_term(value) for name, value in point.items()}
-        at = {**context.point, **{name: found[name] for name in found if name in context.point}}
+        for at in self._false_points(goal, context):
+            undo = self.known.mark()
+            found = self._witness(goal, context, at)
+            if found is not None:
+                return found
+            undo()
+        return None
+
+    def _false_points(self, goal: Goal, context: Context) -> Iterator[Mapping[str, Term]]:
+        """Values at which the claim may be false, those that are found soon first."""
+        simple = refuting_point(goal, self.known.enclosed)
+        for point in (simple, None if simple else refuting_minimum(goal, self.known)):
+            if point is not None:
+                found = {name: as_term(value) for name, value in point.items()}
+                own = {name: found[name] for name in found if name in context.point}
+                yield {**context.point, **own}
+        yield context.point
+        yield from false_points(Question(goal, self.known), context)
+
+    def _witness(self, goal: Goal, context: Context, at: Mapping[str, Term]) -> Witness | None:
+        """A proof that the givens hold at some values, and the claim does not."""
         premises = self.known.premises(context, at, context.parent)
+        if premises is None:
+            return None
         false = substitute_claim(goal.claim, with_constants(context, at))
         negative = self._negation(false, context.parent)
-        if premises is None or negative is None:
-            return None
-        return Witness(at, premises, negative)
+        return None if negative is None else Witness(at, premises, negative)
 
     def _negation(self, claim: Claim, context: str | None) -> Proof | None:
         """A proof that a claim is false, for all values in a context."""

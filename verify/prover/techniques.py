@@ -4,19 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from itertools import chain
 
 from verify.language.record import Record
-from verify.language.terms import Claim, names_of
+from verify.language.terms import Claim
 from verify.prover import boxes
 from verify.prover.clearing import TooLongError
 from verify.prover.goal import Goal
+from verify.prover.hint import Hint
 from verify.prover.proof import Proof
 from verify.prover.search.bernstein_boxes import by_bernstein, on_interval
 from verify.prover.search.cosines import by_cosines
+from verify.prover.search.differences import by_differences, by_orders_of_variables
 from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_root
 from verify.prover.search.ends_of_variables import by_ends
+from verify.prover.search.equations import by_normal_form
 from verify.prover.search.extrema import by_cases, by_entries
+from verify.prover.search.factors import by_factors
+from verify.prover.search.linear import by_linear_sum, by_products, find_ranges
 from verify.prover.search.multiple_angles import by_multiple_angles
 from verify.prover.search.positive import (
     few_squares,
@@ -26,9 +30,11 @@ from verify.prover.search.positive import (
     wider_squares,
 )
 from verify.prover.search.question import Question
+from verify.prover.search.restricted import by_restriction
 from verify.prover.search.squaring import by_squaring
 from verify.prover.search.subterms import by_subterms
 from verify.prover.search.tree import by_tree
+from verify.prover.search.witnesses import is_false
 from verify.prover.signs import signs
 from verify.prover.universal import Universal
 
@@ -83,6 +89,18 @@ SIMPLE = (
     Technique("coefficients", lambda question: on_interval(question.plain)),
     Technique("cuts", _cuts),
 )
+#: For what follows from all that is linked to a claim, by sums.
+SUMS = (Technique("linear sums", by_linear_sum),)
+#: The same for claims that seem to be true.
+NORMAL_FORM = Technique("normal form", by_normal_form)
+PRODUCTS = (
+    NORMAL_FORM,
+    Technique("differences", by_differences),
+    Technique("sums of products", partial(by_products, degree=2)),
+    Technique("orders of variables", by_orders_of_variables),
+)
+#: Groups whose lemmas are of no use to others: without a proof they are taken back.
+TIDY = (SUMS, PRODUCTS, (NORMAL_FORM,))
 #: For claims that no estimate refutes.
 SEARCHES = (
     Technique("cosines", _near_cosines),
@@ -90,8 +108,10 @@ SEARCHES = (
     Technique("cosines", _other_cosines),
     Technique("multiple angles", by_multiple_angles),
     Technique("coefficients on few parts", partial(by_bernstein, parts=FEW_PARTS)),
+    Technique("coefficients where a claim may fail", partial(by_restriction, parts=FEW_PARTS)),
     Technique("ends of variables", by_ends),
     Technique("squaring", by_squaring),
+    Technique("factors", by_factors),
     Technique("few squares", few_squares),
     Technique("entries", by_entries),
     Technique("cases", by_cases),
@@ -101,30 +121,45 @@ SEARCHES = (
     Technique("parts with variables of their own", by_subterms),
     Technique("a large tree", partial(by_tree, leaves=MANY_LEAVES)),
     Technique("squares with more givens", wider_squares),
+    Technique("sums of longer products", partial(by_products, degree=3)),
+)
+
+
+ANYWHERE = Hint()
+#: The names of all techniques, which hints may have words of.
+TECHNIQUES = tuple(
+    technique.name
+    for group in (FREE, EQUATIONS, SIMPLE, SUMS, PRODUCTS, SEARCHES)
+    for technique in group
 )
 
 
 def find(goal: Goal, known: Universal) -> Proof | None:
     """The first proof that a technique finds; why one of them gave up is kept as a reason."""
+    hint = known.hints.get(goal.claim, ANYWHERE)
     for question, techniques in _stages(goal, known):
-        for technique in techniques:
+        for technique in filter(lambda one: hint.admits(one.name), techniques):
+            undo = known.mark() if techniques in TIDY else _nothing
             try:
                 proof = technique.prove(question)
             except TooLongError:
                 known.reasons[f"{technique.name}: expanding the claim is too much work"] = None
-                continue
+                proof = None
             if proof is not None:
                 return proof
+            undo()
     return None
+
+
+def _nothing() -> None:
+    """Lemmas of a technique that finds no proof may help the next."""
 
 
 def _stages(goal: Goal, known: Universal) -> Iterator[tuple[Question, tuple[Technique, ...]]]:
     """What is tried on which form of the goal; the next is looked at if nothing is found."""
     question = Question(goal, known)
     if goal.claim.relation == "=":
-        yield question, FREE[:1]
-        if _clears(question) and question.clears() and question.may_be_equal():
-            yield question, EQUATIONS
+        yield from _of_equation(question)
         return
     yield question, FREE
     if not _clears(question):
@@ -136,25 +171,45 @@ def _stages(goal: Goal, known: Universal) -> Iterator[tuple[Question, tuple[Tech
         if not _clears(question):
             return
     yield question, SIMPLE
-    for asked in (question, _with_neighbours(question)):
-        if asked is not None and asked.clears() and not asked.is_refuted():
+    yield from _of_all_that_is_known(question)
+
+
+def _of_equation(question: Question) -> Iterator[tuple[Question, tuple[Technique, ...]]]:
+    yield question, FREE[:1]
+    if not _clears(question):
+        return
+    widened = question.widened() or question
+    if widened.clears():
+        yield widened, (NORMAL_FORM,)
+    if question.clears() and question.may_be_equal():
+        yield question, EQUATIONS
+
+
+def _of_all_that_is_known(question: Question) -> Iterator[tuple[Question, tuple[Technique, ...]]]:
+    """What is tried with the names that are linked to those in a claim."""
+    known, place = question.known, question.goal.context
+    widened = question.widened() or question
+    if widened.clears():
+        yield widened, SUMS
+        if is_false(widened):
+            return
+        if place not in known.ranged:
+            known.ranged.add(place)
+            if find_ranges(widened):
+                question = Question(known.goal(question.plain.claim, place), known)
+                widened = question.widened() or question
+                yield question, (*FREE, *SIMPLE)
+        yield widened, PRODUCTS
+    for asked in dict.fromkeys((question, widened)):
+        if _is_small(asked) and asked.clears() and not asked.is_refuted():
             yield asked, SEARCHES
+
+
+def _is_small(question: Question) -> bool:
+    """Whether there are not too many variables for all searches."""
+    return len(question.goal.variables) <= max(MAX_LINKED, len(question.plain.variables))
 
 
 def _clears(question: Question) -> bool:
     claim = question.plain.claim
     return question.known.clears((claim.lhs, claim.rhs), question.plain.context)
-
-
-def _with_neighbours(question: Question) -> Question | None:
-    """The goal with the variables that givens link to its own; None if there are none."""
-    goal, bounds = question.plain, question.known.bounds
-    found = {*goal.variables}
-    names = [{*names_of(given.claim.lhs, given.claim.rhs)} for given in question.givens()]
-    for _ in range(MAX_LINKED):
-        linked = [near & bounds.keys() for near in names if near & found]
-        found |= {*chain(*linked)}
-    if len(found) == len(goal.variables) or len(found) > MAX_LINKED:
-        return None
-    variables = {name: bounds[name] for name in sorted(found)}
-    return Question(goal._replace(variables=variables), question.known)

@@ -5,13 +5,14 @@ Nothing here is trusted. What is found is written down as the steps of a certifi
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 from verify.language.statement import (
     PROVED,
     Constant,
     Context,
+    Given,
 )
 from verify.language.terms import (
     Claim,
@@ -23,12 +24,14 @@ from verify.language.terms import (
 )
 from verify.prover.budget import WorkBudget
 from verify.prover.clearing import has_value
-from verify.prover.goal import Bounds, Goal, bounds_of
+from verify.prover.goal import Bounds, Goal, bounds_of, narrowed
 from verify.prover.ground import Ground
+from verify.prover.hint import Hint
 from verify.prover.proof import Proof
 from verify.prover.relations import MEANINGS
 from verify.prover.rules import (
     Define,
+    Sum,
 )
 from verify.prover.session import ZERO
 
@@ -47,10 +50,12 @@ class Universal:
     ) -> None:
         self.ground, self.session, self.budget, self._find = ground, ground.session, budget, find
         self.reasons: dict[str, None] = {}  # why nothing is found
+        self.hints: dict[Claim, Hint] = {}  # where to look for the proof of a claim
         self.contexts: dict[str, Context] = {}
         self.depth = 0  # of lemmas that lemmas need
         self.rows: set[str] = set()  # that are proved, so that later ones may use them
         self.bounds: dict[str, Bounds] = {}
+        self.ranged: set[str | None] = set()  # contexts in which more bounds were looked for
         self._homes: dict[str, str] = {}
         self._local: dict[str, Term] = {}
         self._clear: set[tuple[str | None, Term]] = set()
@@ -58,12 +63,14 @@ class Universal:
     def mark(self) -> Callable[[], None]:
         """What undoes all that is found from now on, but for contexts and constants."""
         undo_steps, undo_decided = self.session.mark(), self.ground.mark()
-        clear, rows = {*self._clear}, {*self.rows}
+        clear, rows, depth = {*self._clear}, {*self.rows}, self.depth
+        bounds, ranged = dict(self.bounds), {*self.ranged}
 
         def undo() -> None:
             undo_steps()
             undo_decided()
-            self._clear, self.rows, self.depth = clear, rows, 0
+            self._clear, self.rows, self.depth = {*clear}, {*rows}, depth
+            self.bounds, self.ranged = dict(bounds), {*ranged}
 
         return undo
 
@@ -80,9 +87,41 @@ class Universal:
             return False
         self.contexts[context.name] = context
         self.session.open(context, premises)
-        self.bounds |= bounds_of(context)
+        self.bounds |= bounds_of(context, self._between_numbers(context))
         self._homes |= {variable.name: context.name for variable in context.variables}
         return all(self.define(constant, context.name) for constant in context.constants)
+
+    def _between_numbers(self, context: Context) -> Iterator[Given]:
+        """Bounds by rational numbers, for variables that givens bound by other constants."""
+        names = {variable.name for variable in context.variables}
+        for given in context.givens:
+            relation, lhs, rhs = given.claim.key
+            for variable, bound, up in ((lhs, rhs, True), (rhs, lhs, False)):
+                if relation == "=" or variable.op != "symbol" or variable.name not in names:
+                    continue
+                if bound.op == "rational" or not self.clears_as_number(bound):
+                    continue
+                number = self.ground.short_bound(bound, up=up)
+                near = Claim("<=", *((bound, number) if up else (number, bound)))
+                lemma = None if number is None else self.ground.lemma(near)
+                if lemma is not None:
+                    sides = (variable, number) if up else (number, variable)
+                    claim = Claim(relation, *sides)
+                    proof = Sum(("goal", given.name, lemma))
+                    yield Given(self.session.lemma(claim, proof, context.name), claim)
+
+    def is_at_home(self, name: str, context: str | None) -> bool:
+        """Whether a variable is one of this context, not of one around it."""
+        return self._homes.get(name) == context
+
+    def narrow(self, name: str, given: Given) -> None:
+        """Add a bound by a number that is a fact of the variable's own context."""
+        self.bounds[name] = narrowed(self.bounds[name], name, given)
+
+    def clears_as_number(self, term: Term) -> bool:
+        """Whether a term without variables can be cleared; afterwards its parts have facts."""
+        names = names_of(term)
+        return all(name in self.ground.definitions for name in names) and self.clears((term,), None)
 
     def _are_defined(self, context: Context) -> bool:
         """Whether givens before, or facts around, say the sign of what the givens divide by."""
@@ -129,17 +168,24 @@ class Universal:
             names.append(name)
         return tuple(names)
 
-    def goal(self, claim: Claim, context: str | None) -> Goal:
-        """The claim with what is known of the names in it."""
-        definitions = self._definitions_in(claim)
-        names = sorted(names_of(claim.lhs, claim.rhs, *definitions.values()))
+    def goal(self, claim: Claim, context: str | None, others: Iterable[str] = ()) -> Goal:
+        """The claim with what is known of the names in it, and of others."""
+        own = {*names_of(claim.lhs, claim.rhs), *others}
+        definitions = self._definitions_in(own)
+        names = sorted(own.union(names_of(*definitions.values())))
         variables = {name: self.bounds[name] for name in names if name in self.bounds}
         constants = (name for name in names if name not in variables and name not in definitions)
         return Goal(claim, context, variables, tuple(constants), definitions)
 
-    def _definitions_in(self, claim: Claim) -> dict[str, Term]:
-        """The constants of contexts in a claim, in the order in which they were defined."""
-        found = {name for name in names_of(claim.lhs, claim.rhs) if name in self._local}
+    def variables_in(self, names: Iterable[str]) -> set[str]:
+        """The variables among names, and in the definitions of names."""
+        found = set(names)
+        definitions = self._definitions_in(found)
+        return found.union(names_of(*definitions.values())) & self.bounds.keys()
+
+    def _definitions_in(self, names: set[str]) -> dict[str, Term]:
+        """The constants of contexts among names, in the order in which they were defined."""
+        found = {name for name in names if name in self._local}
         for name in reversed(self._local):
             if name in found:
                 found |= {other for other in names_of(self._local[name]) if other in self._local}

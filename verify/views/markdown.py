@@ -19,6 +19,7 @@ from verify.views.words import (
     letters,
     short_name,
     sides_of,
+    told,
     verdict_text,
 )
 
@@ -50,6 +51,11 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
 
     def claim(one: Claim | Applies | Always) -> str:
         return brief(typesetter.claim(one))
+
+    def claimed(row: Obligation) -> str:
+        """The claim; in a theorem of somebody else's also for all values of which context."""
+        where = "" if about or row.context is None else f" for all values of `{row.context}`"
+        return claim(row.claim) + where
 
     def evidence(row: Obligation, decision: Decision) -> str:
         """The numbers that show a row, or the values at which it is false."""
@@ -83,7 +89,9 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
         "constants": list(constants()),
         "printed": paper.printed,
         "claim": claim,
+        "claimed": claimed,
         "term": lambda one: brief(typesetter.term(one)),
         "evidence": evidence,
         "short_name": short_name,
+        "told": lambda row, found: told(outcome, row, found),
     }

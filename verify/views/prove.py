@@ -5,18 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from verify.language.statement import UNDECIDED, Publication
-from verify.language.terms import symbol
-from verify.prover.outcome import Outcome
+from verify.language.statement import UNDECIDED, Obligation, Publication
+from verify.language.terms import Claim, symbol
+from verify.language.typeset import Typesetter
+from verify.prover.decimals import short
+from verify.prover.outcome import Decision, Outcome
 from verify.views.document import assumption_document, cite_document, row_document
-from verify.views.words import headline, letters, sentence, summary, witness_of
+from verify.views.words import headline, letters, sentence, sides_of, summary, witness_of
 
 FORMAT = "verify-prove/1"
 
 
-def decided_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
-    """A line for each row, one for each assumption, and the verdict."""
+def decided_lines(outcome: Outcome, paper: Publication, *, numbers: bool = False) -> Iterator[str]:
+    """A line for each row, one for each assumption, and the verdict.
+
+    With ``numbers`` there are also enclosures of constants and of both sides of each row.
+    """
     typesetter = letters(outcome)
+    if numbers:
+        yield from _constants(outcome, typesetter)
     for row, found in outcome.rows:
         line = f"{found.verdict:<9} {row.name}  {sentence(row, typesetter).removeprefix(': ')}"
         if found.verdict != UNDECIDED:
@@ -28,11 +35,34 @@ def decided_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
             at = (f"{typesetter.term(symbol(n))} = {typesetter.term(t)}" for n, t in values)
             line += f", false at {', '.join(at)}"
         yield line
+        if numbers:
+            yield from _numbers(row, found)
     for assumption in outcome.assumptions:
         yield f"assumed   {assumption.name}  {assumption.sentence}"
     if outcome.spent:
         yield f"undecided: {outcome.spent}"
     yield f"Verdict: {summary(outcome, paper)}"
+
+
+def _constants(outcome: Outcome, typesetter: Typesetter) -> Iterator[str]:
+    for name, enclosure in outcome.enclosures.items():
+        yield f"{typesetter.term(symbol(name))} = {short(enclosure.ends[0])}"
+
+
+def _numbers(row: Obligation, found: Decision) -> Iterator[str]:
+    """What is known of a row in numbers: for which values it is claimed, and its two sides."""
+    sides = sides_of(row, found)
+    if row.context is not None:
+        yield f"  for all values of {row.context}"
+    if sides is not None and isinstance(row.claim, Claim):
+        left, right = sides
+        yield f"  left side {short(left)}, right side {short(right)}, at {found.bits or '-'} bits"
+        low, high = right[0] - left[1], right[1] - left[0]
+        yield f"  the right side is larger by {short((low, high))}"
+    if found.verdict != UNDECIDED:
+        yield f"  shown by the rule {found.method}, judged by {found.judge}"
+    if row.uses:
+        yield f"  given {', '.join(row.uses)}"
 
 
 def decided_document(outcome: Outcome) -> dict[str, Any]:
@@ -47,7 +77,7 @@ def decided_document(outcome: Outcome) -> dict[str, Any]:
         "assumptions": [assumption_document(a) for a in outcome.assumptions],
         "cites": [cite_document(cite) for cite in outcome.statement.cites],
         "obligations": [
-            row_document(row, found, typesetter) | {"reason": found.reason or None}
+            row_document(outcome, row, found, typesetter) | {"reason": found.reason or None}
             for row, found in outcome.rows
         ],
         "spent": outcome.spent or None,

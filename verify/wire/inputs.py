@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 import stat
+from collections.abc import Iterable
 from fractions import Fraction
 
 from verify.language.terms import Term, as_term, cos, cos_pi
@@ -189,3 +190,15 @@ def _outside(option: str, text: str) -> str:
 def shown(text: str, most: int = 40) -> str:
     """A text as an error message quotes it: in quotes, and cut if longer than ``most``."""
     return repr(text if len(text) <= most else f"{text[: most // 2]}...{text[-most // 4 :]}")
+
+
+def nearest(name: str, known: Iterable[str], otherwise: str = "") -> str:
+    """What to write instead of a name: the known one that is like it, or some of those."""
+    from difflib import get_close_matches  # loaded only where it is used
+
+    names = list(known)
+    near = get_close_matches(name, names, 1)
+    if near:
+        return f"did you mean {near[0]}?"
+    some = ", ".join(names[:8])
+    return otherwise or (f"write one of {some}" if some else "there is none")

@@ -10,13 +10,15 @@ from verify import check
 from verify.language.errors import UnreadError
 from verify.language.statement import NEEDED, PROVED, UNDECIDED, Cite, Obligation, Statement
 from verify.prover.budget import WorkBudget
+from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Step
-from verify.prover.prove import prove
+from verify.prover.prove import NO_HINTS, prove
 from verify.wire.inputs import InputError
 from verify.wire.judge import judged
-from verify.wire.read import read_statement
+from verify.wire.read import cites_of, read_statement
 from verify.wire.term_json import TermReader
+from verify.wire.text.page import Page
 from verify.wire.write import digest, write
 
 #: What the checker says where there is more than it reads.
@@ -40,24 +42,41 @@ def read_questions(content: bytes, cited: Mapping[str, bytes]) -> Statement:
     return read_statement(document, reader, cited)
 
 
-def decide_statement(content: bytes, cited: Mapping[str, bytes], budget: WorkBudget) -> Outcome:
-    """Every row of a statement in a file, decided and judged, or not.
+def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
+    """The questions in a file, and hints for them; the end of its name says what it is written in.
 
     Raises:
-        InputError: for a file that is not in the format.
-        OwnError: if the checker refuses what the search calls proved.
+        InputError: for a file that cannot be used, with the place and the reason in one line.
     """
-    return decide(read_questions(content, cited), budget)
+    if path.endswith(".toml"):
+        from verify.wire.text.read_page import read_page
+
+        return read_page(path, content, cites_of(cited))
+    if path.endswith(".smt2"):
+        from verify.wire.text.smtlib import read_smtlib
+
+        return Page(read_smtlib(path, content), {})
+    if path.endswith(".fpcore"):
+        from verify.wire.text.fpcore import read_fpcore
+
+        return Page(read_fpcore(path, content), {})
+    return Page(read_questions(content, cited), {})
 
 
-def decide(statement: Statement, budget: WorkBudget | None = None) -> Outcome:
+def decide(
+    statement: Statement,
+    budget: WorkBudget | None = None,
+    hints: Mapping[str, Hint] = NO_HINTS,
+) -> Outcome:
     """Every row of a statement, decided and judged; or undecided, with the reason.
+
+    ``hints`` say where to look for the proofs of some rows.
 
     Raises:
         InputError: for a statement that the checker cannot read.
         OwnError: if the checker refuses what the search calls proved.
     """
-    outcome = prove(statement, budget=budget, price=Reading(statement).price)
+    outcome = prove(statement, budget=budget, price=Reading(statement).price, hints=hints)
     try:
         return judged(outcome)
     except UnreadError as error:

@@ -33,7 +33,7 @@ from verify.prover.proof import (
 from verify.prover.rules import RULES
 from verify.wire.packaged import packaged_certificate
 from verify.wire.term_json import TermReader, WireError
-from verify.wire.write import CERTIFICATE_FORMAT
+from verify.wire.write import CERTIFICATE_FORMAT, STATEMENT_FORMAT
 
 
 def read(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]) -> Outcome:
@@ -104,6 +104,35 @@ def _cite(item: Any, cited: Mapping[str, bytes]) -> Cite:
     return Cite(item["name"], item["theorem"], content, inner, assumptions, certificate)
 
 
+def cites_of(cited: Mapping[str, bytes]) -> tuple[Cite, ...]:
+    """What may be cited among some files, by their digests: each statement under its theorem.
+
+    Raises:
+        WireError: for a statement that cites what is not there.
+    """
+    found = []
+    for digest, content in cited.items():
+        document = _document(content)
+        if document.get("format") != STATEMENT_FORMAT:
+            continue
+        theorem = document.get("theorem")
+        try:
+            item = {"name": theorem, "theorem": theorem, "statement_sha256": digest}
+            found.append(_cite(item, cited))
+        except (KeyError, TypeError) as error:
+            raise WireError(f"the cited statement {theorem!r:.40} lacks {error!s:.80}") from error
+    return tuple(found)
+
+
+def _document(content: bytes) -> dict[str, Any]:
+    """The JSON object that a file has, or an empty one."""
+    try:
+        document = json.loads(content)
+    except (ValueError, RecursionError):
+        return {}
+    return document if isinstance(document, dict) else {}
+
+
 def _certificate_of(digest: str, cited: Mapping[str, bytes]) -> bytes:
     """The certificate of what is cited: the program's own, or one that is given, or none."""
     given = (data for data in cited.values() if _certifies(data, digest))
@@ -113,11 +142,7 @@ def _certificate_of(digest: str, cited: Mapping[str, bytes]) -> bytes:
 def _certifies(data: bytes, digest: str) -> bool:
     if CERTIFICATE_FORMAT.encode() not in data or digest.encode() not in data:
         return False
-    try:
-        document = json.loads(data)
-    except (ValueError, RecursionError):
-        return False
-    found = document if isinstance(document, dict) else {}
+    found = _document(data)
     return (found.get("format"), found.get("statement_sha256")) == (CERTIFICATE_FORMAT, digest)
 
 
@@ -169,7 +194,7 @@ def _proof(item: Any, reader: TermReader) -> Any:
     raise WireError(f"a proof by {item['rule']} has other fields than {sorted(fields)}")
 
 
-def _field(kind: Kind, value: Any, reader: TermReader) -> Any:
+def _field(kind: Kind, value: Any, reader: TermReader) -> Any:  # noqa: C901  one case a kind
     match kind:
         case Kind.TERM:
             return reader.term(value)
@@ -177,6 +202,10 @@ def _field(kind: Kind, value: Any, reader: TermReader) -> Any:
             return reader.table(value)
         case Kind.PROOF:
             return _proof(value, reader)
+        case Kind.CLAIM:
+            return reader.comparison(value)
+        case Kind.PREMISE:
+            return _premise(value, reader)
         case Kind.PREMISES:
             return tuple(_premise(item, reader) for item in value)
         case Kind.VALUES:

@@ -54,7 +54,7 @@ def test_the_step_is_proved_and_small() -> None:
 
 def test_only_four_kinds_of_sentences_are_assumed() -> None:
     kinds = [assumption.kind for assumption in decide_step().assumptions]
-    assert kinds.count("general mathematics") == 3
+    assert kinds.count("general mathematics") == 4
     assert kinds.count("definition") == 1
     assert set(kinds) == {"general mathematics", "definition", "numbered glue"}
 
@@ -69,7 +69,7 @@ def test_glue_names_rows_that_are_there() -> None:
         for word in assumption.sentence.split()
         if "-" in word and word.strip(".,:").replace("-", "").isalpha()
     }
-    prose = {"0-1", "inside-", "-cos", "n-th", "glue-next"}
+    prose = {"0-1", "inside-", "-cos", "n-th", "glue-next", "finite-length"}
     assert {name for name in named if name not in rows} <= prose
 
 

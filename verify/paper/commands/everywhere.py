@@ -24,6 +24,7 @@ from verify.paper.everywhere.everywhere import printed_statement, statement
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.recursion import angle_state
+from verify.paper.rows import graded
 from verify.paper.step import numbers
 from verify.paper.step.numbers import STEP
 from verify.prover import arguments
@@ -181,7 +182,8 @@ class Everywhere:
             row.name: self.writing.decisions.get(row.name, Decision(UNDECIDED))
             for row in self.statement.obligations
         }
-        return judged(Outcome(self.statement, decisions, tuple(self.session.steps), {}))
+        found = judged(Outcome(self.statement, decisions, tuple(self.session.steps), {}))
+        return _graded(found) if self.set.printed else found
 
     # --- constants ------------------------------------------------------------------------------
 
@@ -303,6 +305,13 @@ class Everywhere:
     def _apply(self) -> None:
         between = {name: self.ring.lemma(claim) for name, claim in numbers.BETWEEN.items()}
         self.writing.decide(self.writing.rows[numbers.COLLAPSE], applying(between))
+
+
+def _graded(outcome: Outcome) -> Outcome:
+    """The outcome with how bad each false row is, over all parameters."""
+    verdicts = {name: found.verdict for name, found in outcome.decisions.items()}
+    rows = tuple(graded(row, verdicts) for row in outcome.statement.obligations)
+    return outcome._replace(statement=outcome.statement._replace(obligations=rows))
 
 
 def _one_plus(*facts: str) -> tuple[object, ...]:

@@ -31,7 +31,7 @@ from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.program import Machine, Program, Run, UndefinedError
 from verify.prover.proof import ConstantStep, ObligationStep, Premise, Proof, Step
 from verify.prover.rules import Applying, Interval, Sum
-from verify.spheres.flow.follow import COLLIDE, DRIFT, why_apart
+from verify.spheres.flow.follow import COLLIDE, DRIFT
 from verify.spheres.flow.theorem import NAME as FLOW
 from verify.spheres.flow.theorem import flow
 from verify.spheres.scene.assumptions import ASSUMPTIONS
@@ -114,8 +114,7 @@ def _tell_end(telling: Telling, found: Fate) -> None:
         numbers = {name: balls.as_fraction(x) for name, x in found.collapse.numbers.items()}
         telling.collapse(Numbers(numbers, time, angle))
     elif found.verdict == DISPERSES:
-        with balls.precision(found.flow.bits):
-            telling.disperse(why_apart(found.flow))
+        telling.disperse(found.flow.apart)
     elif found.verdict == FINITE and found.criterion is not None:
         telling.limit(found.criterion.name)
 

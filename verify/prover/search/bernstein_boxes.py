@@ -21,6 +21,7 @@ from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value, product_of
 from verify.prover.rules import Cuts, Sum
 from verify.prover.search.question import Question
+from verify.prover.search.system import System
 
 #: More coefficients, or nested cuts, are not tried.
 MAX_SIZE = 800
@@ -57,10 +58,14 @@ def on_interval(goal: Goal) -> Sum | None:
 
 
 class Alternative(Record):
-    """A polynomial that is at most p, if a value is >= 0: their difference."""
+    """A polynomial for which values, with which it adds up to 0, are >= 0 if the claim fails.
+
+    One of the values or the polynomial has to be positive: the latter, if it is ``strict``.
+    """
 
     polynomial: fmpq_mpoly
     values: tuple[Value, ...]
+    strict: bool
 
 
 class Part(Record):
@@ -71,15 +76,19 @@ class Part(Record):
     depth: int
 
 
-def by_bernstein(question: Question, parts: int) -> Proof | None:
+def by_bernstein(question: Question, parts: int, hypotheses: int = 0) -> Proof | None:
     """A proof for a polynomial, or a quotient, in variables between numbers.
 
-    So many ``parts`` are tried at most.
+    So many ``parts`` are tried at most, below so many ``hypotheses``. On parts where a given fails
+    nothing else has to be shown.
     """
     goal = question.goal
-    clearing = question.clearing
+    system = System(question) if question.given else None
+    clearing = question.clearing if system is None else system.clearing
     p = clearing.difference(goal.claim.rhs, goal.claim.lhs)
     found = _alternatives(question, clearing, p)
+    if system is not None:
+        found += _failing_givens(system, p)
     names = [atom.name if atom.op == "symbol" else "" for atom in clearing.atoms]
     sides = [Side.of(goal.variables.get(name)) for name in names]
     used = {i for a in found for i, d in enumerate(a.polynomial.degrees()) if d > 0}
@@ -96,7 +105,7 @@ def by_bernstein(question: Question, parts: int) -> Proof | None:
     points = [[zero.get(name, Fraction(0)) for name in names] for zero in question.simple_zeros]
     search = _Search(question, names, sorted(used), found, points)
     search.most = parts
-    return search.cover(Part(box, tuple(tensors), 0))
+    return search.cover(Part(box, tuple(tensors), hypotheses))
 
 
 def _alternatives(question: Question, clearing: Clearing, p: fmpq_mpoly) -> list[Alternative]:
@@ -106,8 +115,9 @@ def _alternatives(question: Question, clearing: Clearing, p: fmpq_mpoly) -> list
         for i, (atom, degree) in enumerate(zip(clearing.atoms, p.degrees(), strict=True))
         if degree > 0 and atom.op in ("min", "max")
     ]
+    strict = question.goal.claim.relation == "<"
     if not extrema:
-        return [Alternative(p, ())]
+        return [Alternative(p, ("goal",), strict)]
     index, term = extrema[-1]
     parts = dict(clearing.coefficients(p, index))
     factor = parts.get(1)
@@ -118,11 +128,31 @@ def _alternatives(question: Question, clearing: Clearing, p: fmpq_mpoly) -> list
         return []
     rest = parts.get(0, clearing.one - clearing.one)
     return [
-        Alternative(rest + factor * n, (("mul", str(fraction_of(abs(c))), fact),))
+        Alternative(rest + factor * n, ("goal", ("mul", str(fraction_of(abs(c))), fact)), strict)
         for entry, fact in _entries(question, term)
         for n, d in (clearing.clear(entry),)
         if d == clearing.one
     ]
+
+
+def _failing_givens(system: System, p: fmpq_mpoly) -> list[Alternative]:
+    """The opposites of what givens say is >= 0, as large as p."""
+    found, largest = [], max((abs(c) for c in p.coeffs()), default=fmpq(1))
+    variables = system.question.goal.variables
+    for fact in system.facts:
+        polynomial = -fact.polynomial
+        used = [a for a, d in zip(system.atoms, polynomial.degrees(), strict=True) if d > 0]
+        if (
+            polynomial.is_zero()
+            or fact.value not in system.question.given
+            or any(atom.op != "symbol" or not variables[atom.name].ends for atom in used)
+        ):
+            continue
+        if prod(max(int(d), 0) + 1 for d in polynomial.degrees()) <= MAX_SIZE:
+            size = largest / max(abs(c) for c in polynomial.coeffs())
+            value = product_of(str(fraction_of(size)), fact.value)
+            found.append(Alternative(size * polynomial, (value,), not fact.strict))
+    return found
 
 
 def _entries(question: Question, term: Term) -> list[tuple[Term, str]]:
@@ -144,7 +174,6 @@ class _Search:
         self.names, self.used, self.zeros = names, used, zeros
         self.alternatives = alternatives
         self.budget, self.using = question.budget, question.using
-        self.strict = question.goal.claim.relation == "<"
         self.parts = self.units = self.most = 0
 
     def cover(self, part: Part) -> Proof | None:
@@ -217,12 +246,12 @@ class _Search:
     def _leaf(self, part: Part) -> Sum | None:
         """The sum for the first alternative without negative coefficients."""
         for i, tensor in part.tensors:
-            addends = tensor.addends(part.sides, strict=self.strict)
+            alternative = self.alternatives[i]
+            addends = tensor.addends(part.sides, strict=alternative.strict)
             if addends is not None:
                 scale = tensor.scale(part.sides)
-                known: tuple[Value, ...] = ("goal", *self.alternatives[i].values)
                 self.units += tensor.units()
-                scaled = (product_of(str(scale), value) for value in known)
+                scaled = (product_of(str(scale), value) for value in alternative.values)
                 return Sum((*scaled, *addends), self.using)
         return None
 

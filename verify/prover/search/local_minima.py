@@ -26,7 +26,14 @@ MOST = (1, 2, 3, 4, 6, 10, 12, 60, 100, 1000, 10**4, 10**6, 10**9, 10**12, 10**1
 class Minima:
     """Points where rhs - lhs is small, the smallest first, among those that satisfy givens."""
 
-    def __init__(self, goal: Goal, budget: WorkBudget, givens: Sequence[Claim] = ()) -> None:
+    def __init__(
+        self,
+        goal: Goal,
+        budget: WorkBudget,
+        givens: Sequence[Claim] = (),
+        far: float = FAR,
+    ) -> None:
+        self.far = far
         names = [*goal.variables]
         terms = [term for claim in (goal.claim, *givens) for term in (claim.lhs, claim.rhs)]
         sides = estimates(names, terms, goal.definitions)
@@ -65,16 +72,18 @@ class Minima:
     def _starts(self) -> Iterator[list[float]]:
         """The centre, then points that fill the box."""
         n = len(self.bounds)
-        yield [_at(low, high, 0.5) for low, high in self.bounds]
+        yield [_at(low, high, 0.5, self.far) for low, high in self.bounds]
         for k in range(1, STARTS):
             shares = [(k * _share(i)) % 1.0 for i in range(n)]
-            yield [_at(*ends, share) for ends, share in zip(self.bounds, shares, strict=True)]
+            yield [
+                _at(*ends, share, self.far) for ends, share in zip(self.bounds, shares, strict=True)
+            ]
 
     def _descend(self, start: list[float]) -> tuple[float, tuple[float, ...]]:
         """Steps along the axes and along what they added up to, shorter and shorter."""
         x, best = list(start), self.function(start)
         steps = [
-            (high - low) / 8 if high - low < math.inf else FAR / 8 for low, high in self.bounds
+            (high - low) / 8 if high - low < math.inf else self.far / 8 for low, high in self.bounds
         ]
         small = [step * 1e-9 for step in steps]
         for _ in range(STEPS):
@@ -121,12 +130,12 @@ def _ends(low: Fraction | None, high: Fraction | None) -> tuple[float, float]:
     )
 
 
-def _at(low: float, high: float, share: float) -> float:
+def _at(low: float, high: float, share: float, far: float) -> float:
     if high - low < math.inf:
         return low + (high - low) * share
     if low > -math.inf:
-        return low + FAR * share
-    return high - FAR * share if high < math.inf else FAR * (share - 0.5)
+        return low + far * share
+    return high - far * share if high < math.inf else far * (share - 0.5)
 
 
 def _share(i: int) -> float:

@@ -139,7 +139,8 @@ def by_squares(
         tried.add(key)
         for point in zeros:
             blocks = [vanishing(block, polynomials[block.factor], point) for block in blocks]
-        blocks = [vanishing_near(b, polynomials[b.factor], near) for b in blocks]
+        smaller = [vanishing_near(b, polynomials[b.factor], near) for b in blocks]
+        blocks = smaller if any(block.basis for block in smaller) else blocks
         terms = decompose(p, domain, polynomials, blocks, budget)
         proof = None if terms is None else _proof(domain, attempt, terms, outer)
         if proof is not None:
@@ -220,6 +221,8 @@ def _attempts(domain: Domain) -> Iterator[Attempt]:
     mixed = pairs if len(ends) < len(pairs) else []
     again = [multiplied(goal, f) for f in (*facts, goal)]
     triples = [multiplied(a, b) for a, b in _triples(facts, pairs)] if len(facts) <= FEW else []
+    if domain.strict:
+        ends = [*ends, *_powers(facts, top + 2)]
     for higher in (top, top + 2):
         yield _attempt(domain, [one, *facts, *ends], higher, used)
         if mixed:
@@ -246,6 +249,16 @@ def _attempt(
     halves = [(degree - int(factor.polynomial.total_degree())) // 2 for factor in factors]
     blocks = [Block(i, all_monomials(domain, h, used)) for i, h in enumerate(halves) if h >= 0]
     return Attempt(factors, blocks, multiple)
+
+
+def _powers(facts: Sequence[Factor], degree: int) -> Iterator[Factor]:
+    """The odd powers of positive polynomials: they make a sum positive."""
+    for fact in facts:
+        power = fact
+        for _ in range(3, degree // max(1, int(fact.polynomial.total_degree())) + 1, 2):
+            power = multiplied(multiplied(power, fact), fact)
+            if fact.strict:
+                yield power
 
 
 def _triples(facts: Sequence[Factor], pairs: Sequence[Factor]) -> Iterator[tuple[Factor, Factor]]:

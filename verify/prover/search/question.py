@@ -142,6 +142,21 @@ class Question:
         """What is given here of the names in the claim, but for bounds by numbers."""
         return {g.name: g.claim for g in self.givens() if self._is_near(g.name, g.claim)}
 
+    @cached_property
+    def equations(self) -> dict[str, Claim]:
+        """The equations among givens and proved rows about these names."""
+        known = self.known
+        rows = (name for name in sorted(known.rows & self.session.claims.keys()))
+        names = (*(given.name for given in self.givens()), *rows)
+        found = {name: self.session.claims[name] for name in names}
+        return {
+            name: claim
+            for name, claim in found.items()
+            if claim.relation == "="
+            and self._is_here(name, claim)
+            and known.is_cleared(claim, self.goal.context)
+        }
+
     def givens(self) -> Iterator[Given]:
         """All that is given here."""
         for place in self.session.chain(self.goal.context):
@@ -171,7 +186,7 @@ class Question:
                     found[name] = session.claims[name]
         found |= dict([*self.given.items()][: max(0, MAX_FACTS - len(found))])
         rows = {name: session.claims[name] for name in self.known.rows & session.claims.keys()}
-        found |= {name: rows[name] for name in sorted(rows) if self._is_usable(name, rows[name])}
+        found |= {name: rows[name] for name in sorted(rows) if self.is_usable(name, rows[name])}
         for term in self.extrema:
             for entry in term.children:
                 known = self.entry(term, entry)
@@ -209,16 +224,40 @@ class Question:
             return str(number) if good else None
         return self.fact(Claim(relation, ZERO, term))
 
+    def widened(self) -> Question | None:
+        """The question with all that is linked to its names; None if that is nothing new.
+
+        What is known of a name may have other names in it, of which something may be known, too.
+        """
+        goal, known = self.plain, self.known
+        found = {*names_of(goal.claim.lhs, goal.claim.rhs), *goal.variables, *goal.definitions}
+        found |= set(goal.constants)
+        facts = {given.name for given in self.givens()} | (known.rows & self.session.claims.keys())
+        facts = {name for name in facts if self.session.homes[name] in self._places}
+        left = {name: {*names_of(*self.session.claims[name].key[1:])} for name in sorted(facts)}
+        while near := [name for name, own in left.items() if own & known.variables_in(found)]:
+            found.update(*map(left.pop, near))
+        wider = known.goal(goal.claim, goal.context, found)
+        return None if wider == goal else Question(wider, known)
+
+    @property
+    def _places(self) -> list[str | None]:
+        return [*self.session.chain(self.goal.context)]
+
     def _is_near(self, name: str, claim: Claim) -> bool:
         """Whether a fact may help: an inequality here, no bound by a number, all in these names."""
-        session = self.session
-        if claim.relation == "=" or session.homes[name] not in session.chain(self.goal.context):
+        if claim.relation == "=" or not self._is_here(name, claim):
             return False
-        names = {*names_of(claim.lhs, claim.rhs)}
         is_bound = {claim.lhs.op, claim.rhs.op} == {"symbol", "rational"}
-        return not is_bound and names <= {*self.goal.variables, *self.using}
+        return not is_bound
 
-    def _is_usable(self, name: str, row: Claim) -> bool:
+    def _is_here(self, name: str, claim: Claim) -> bool:
+        """Whether a fact is usable, and about these names."""
+        if self.session.homes[name] not in self.session.chain(self.goal.context):
+            return False
+        return {*names_of(claim.lhs, claim.rhs)} <= {*self.goal.variables, *self.using}
+
+    def is_usable(self, name: str, row: Claim) -> bool:
         """Whether a row that is proved may help, and the checker can clear it.
 
         Enclosures prove a row without the facts that its divisors and radicands need in a sum.

@@ -210,8 +210,10 @@ def _cost(terms: Sequence[Term], definitions: Mapping[str, Term]) -> int:
             total += 14
             if term.name in definitions:
                 waiting.append(definitions[term.name])
-        elif term.op in ("cos", "cos_pi"):
+        elif term.op in ("cos", "cos_pi", "sin"):
             total += 8 * (BITS // 2 + 11)
+        elif term.op in ("exp", "log", "atan", "root"):
+            total += 16 * (BITS // 2 + 18)
         elif term.op == "pow":
             total += 10 + 14 * term.exponent.bit_length()
         elif term.op != "rational":

@@ -7,39 +7,58 @@ from fractions import Fraction
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.prover.decimals import outward
+from verify.prover.decimals import exact_number, outward
 from verify.spheres.flow.collapse import Start, start_of
 from verify.spheres.flow.follow import name_of
 from verify.spheres.flow.law import Number
 from verify.spheres.flow.theorem import NAME as FLOW
 from verify.spheres.scene.criteria import SAYS
-from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Fate
+from verify.spheres.scene.decide import COLLAPSES, DISPERSES, EXACT, FINITE, Fate
+from verify.spheres.scene.energy import energy_lost, normal_speeds
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.telling import CLASSIFICATION, ON_A_LINE, SHARPER
 
 
 class Told(Record):
-    """What is told of a scene; ``time`` and ``angle`` enclose those of a collapse."""
+    """What is told of a scene; ``time`` and ``angle`` enclose those of a collapse.
+
+    ``reason`` is a name, and ``says`` tells it; ``event`` encloses the time of what is known to
+    happen although it is no verdict; ``energy`` encloses what all collisions take.
+    """
 
     scene: Scene
     bits: int
     verdict: str
     reason: str
+    says: str
+    is_exact: bool
     theorems: Sequence[str]
     central: int | None
     collisions: int
     pairs: Sequence[str]
     time: tuple[Fraction, Fraction] | None
     angle: tuple[Fraction, Fraction] | None
+    event: tuple[Fraction, Fraction] | None
+    energy: tuple[Fraction, Fraction]
+    impacts: Sequence[Impact]
     lines: Sequence[str]
 
 
+class Impact(Record):
+    """A collision: its pair, and between what its time and the normal speed before it lie."""
+
+    pair: str
+    time: tuple[Fraction, Fraction]
+    speed: tuple[Fraction, Fraction]
+
+
 class Step(Record):
-    """A collision: its pair, which two they are (o and c), its time, and the state after it."""
+    """A collision: its pair (o and c), its time, the normal speed before, the state after it."""
 
     pair: str
     hit: tuple[int, int]
     time: Number
+    speed: Number
     after: Start
 
 
@@ -50,13 +69,18 @@ def told(found: Fate) -> Told:
         found.flow.scene,
         found.flow.bits,
         found.verdict,
+        found.name,
         reason(found),
+        found.why in EXACT,
         theorems(found),
         central(found),
         found.collisions,
         pairs_of(found),
         time_ends(found),
         None if end is None else end.angle,
+        event_ends(found),
+        energy_lost(found),
+        list(impacts(found)),
         list(scene_lines(found)),
     )
 
@@ -64,10 +88,19 @@ def told(found: Fate) -> Told:
 def steps(found: Fate) -> Iterator[Step]:
     """The collisions that were followed."""
     with balls.precision(found.flow.bits):
-        for move in found.flow.collisions:
+        speeds = normal_speeds(found)
+        for move, speed in zip(found.flow.collisions, speeds, strict=True):
             o, _, c = move.before.frame
             pair, after = name_of(move.before.frame), start_of(move.after.state)
-            yield Step(pair, (o, c), move.after.time, after)
+            yield Step(pair, (o, c), move.after.time, speed, after)
+
+
+def impacts(found: Fate) -> Iterator[Impact]:
+    """The collisions that were followed, in decimals."""
+    bits, speeds = found.flow.bits, normal_speeds(found)
+    for move, speed in zip(found.flow.collisions, speeds, strict=True):
+        time = ball_ends(move.after.time, bits)
+        yield Impact(name_of(move.before.frame), time, ball_ends(speed, bits))
 
 
 def pairs_of(found: Fate) -> list[str]:
@@ -93,6 +126,11 @@ def time_ends(found: Fate) -> tuple[Fraction, Fraction] | None:
         return None
     low, high = (ball_ends(end, found.flow.bits) for end in found.collapse.time)
     return low[0], high[1]
+
+
+def event_ends(found: Fate) -> tuple[Fraction, Fraction] | None:
+    """The enclosure of the time of what happens exactly."""
+    return None if found.event is None else ball_ends(found.event.time, found.flow.bits)
 
 
 def reason(found: Fate) -> str:
@@ -143,7 +181,16 @@ def scene_lines(found: Fate) -> Iterator[str]:
             else "disperses: no two ever collide"
         )
     else:
-        yield f"undecided: {found.reason}; certain: {count} collision{'' if count == 1 else 's'}"
+        when = event_ends(found)
+        at = "" if when is None else f", at the time {both(when)}"
+        certain = f"certain: {count} collision{'' if count == 1 else 's'}"
+        yield f"undecided: {found.reason}{at}; {certain}"
+
+
+def both(ends: tuple[Fraction, Fraction]) -> str:
+    """A number that is known exactly as it is, and else between what it lies."""
+    low, high = ends
+    return exact_number(low) if low == high else "in [{}, {}]".format(*shown_ends(ends))
 
 
 def shown_ends(ends: tuple[Fraction, Fraction]) -> list[str]:

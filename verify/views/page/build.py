@@ -1,20 +1,24 @@
-"""The files of the report: one template says it all, and is set in HTML and in Markdown."""
+"""The files of the report: one template says it all, as pages in HTML and as one in Markdown."""
 
 from __future__ import annotations
 
 import os
+import re
 from base64 import b64encode
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping
 from importlib.resources import files as package_files
 from typing import Any
 
 from verify import __version__
+from verify.language.record import Record
 from verify.language.statement import (
     BREAKS,
     HARMLESS,
+    OTHERWISE,
     PRINTED,
     PROVED,
     REFUTED,
+    REMARK,
     REPAIRED,
     SLIP,
 )
@@ -43,6 +47,8 @@ from verify.views.words import (
 )
 
 TITLE = "Three particles collapse: what is proved"
+#: The style sheet of all pages, with their font.
+STYLE = "pages/style.css"
 #: Where the scenes are: a folder of folders.
 SCENES = "scenes/"
 
@@ -58,9 +64,14 @@ SETS = (
     (PRINTED, "The set as printed"),
     (REPAIRED, "The repaired set"),
 )
+PLOTS = {
+    "margins": "How close each step is",
+    "minimum": "The smallest entry of η̄",
+    "roots": "The roots of Q",
+}
 MEASURED = (
-    ("bench", "speed", "Appendix: speed", "verify bench"),
-    ("stress", "stability", "Appendix: numerical stability on hard cases", "verify stress"),
+    ("bench", "speed", "Speed", "verify bench"),
+    ("stress", "stability", "Numerical stability on hard cases", "verify stress"),
 )
 
 
@@ -77,12 +88,90 @@ def files(material: Material, *, draw: bool) -> dict[str, bytes]:
         drawn["letters"] = [letters_drawing()]
         made["picture.svg"] = standalone(readme_picture(pictures.plots[0])).encode()
     found = _content(material) | {"pictures": pictures, "drawn": drawn}
+    parts = list(_parts(found))
+    found |= {"contents": [part for part in parts if part.short], "STYLE": STYLE}
+    pages = {part.file: in_html("page.j2", found | {"parts": [part]}, FILTERS) for part in parts}
     return {
-        "index.html": in_html("page.j2", found, FILTERS).encode(),
-        "index.md": in_markdown("page.j2", found, FILTERS).encode(),
+        **{name: content.encode() for name, content in joined(pages, draw).items()},
+        STYLE: style().encode(),
+        "index.md": in_markdown("page.j2", found | {"parts": parts}, FILTERS).encode(),
         "constants.tex": found["latex"].encode(),
         **made,
     }
+
+
+# --- the pages -----------------------------------------------------------------------------------
+
+
+class Part(Record):
+    """A page: its file, its title, its name in the contents, and the macro that says it, of what.
+
+    A part without a name in the contents is found from another one.
+    """
+
+    file: str
+    title: str
+    short: str
+    says: str
+    of: tuple[Any, ...] = ()
+
+
+def _parts(found: Mapping[str, Any]) -> Iterator[Part]:
+    """The pages, in the order in which a referee asks."""
+    material = found["material"]
+    yield Part("index.html", TITLE, "What is proved", "first")
+    for name, words, says, of in (
+        ("printed", "What is wrong in the printed proof", "defects", found["printed_rows"]),
+        ("proof", "The proof as a graph", "proof", True),
+        ("repaired", "The repaired proof, row by row", "repaired_proof", True),
+        ("holds", "Printed steps that hold", "printed_steps_that_hold", True),
+        ("letters", "The letters", "the_letters", True),
+        ("constants", "Constants", "numbers", True),
+        ("scenes", "Scenes", "what_happens", found["scenes"]),
+        ("maps", "Maps", "where_it_collapses", material.maps),
+        ("theorems", "The other theorems", "theorems", found["others"]),
+        ("trust", "What has to be believed", "trust", True),
+    ):
+        if of:
+            yield Part(_file(name), words, words, says)
+    for figure in found["pictures"].plots[1:4]:
+        words = PLOTS[figure.name]
+        yield Part(_file(figure.name), words, words, "plot", (words, figure))
+    for one in MEASURED:
+        if one[0] in material.measurements:
+            yield Part(_file(one[1]), one[2], one[2], "measured", (one,))
+    yield Part(_file("files"), "Versions and digests", "Versions and digests", "versions")
+    for folder in found["others"]:
+        yield Part(_file(folder.name), title(folder.outcome), "", "row_by_row", (folder,))
+
+
+def _file(name: str) -> str:
+    return f"pages/{name}.html"
+
+
+def joined(pages: Mapping[str, str], draw: bool) -> dict[str, str]:
+    """The pages, with each link to a place on another page, or to a file, as seen from there.
+
+    Without drawings, a place that no page has is taken for a curve on the same page.
+
+    Raises:
+        KeyError: if a link leads to a place that no page has.
+    """
+    ids = {name: re.findall(r' id="([^"]*)"', text) for name, text in pages.items()}
+    homes = {one: name for name, found in ids.items() for one in found}
+
+    def relocated(page: str, text: str) -> str:
+        def link(match: re.Match[str]) -> str:
+            target, _, place = match[2].partition("#")
+            here = place in ids[page] or not (draw or place in homes)
+            if target == "data:," or (not target and here):
+                return match[0]
+            path = os.path.relpath(target or homes[place], os.path.dirname(page) or ".")
+            return f'{match[1]}="{path}{"#" if place else ""}{place}"'
+
+        return re.sub(r'(\bhref)="([^"]*)"', link, text)
+
+    return {name: relocated(name, text) for name, text in pages.items()}
 
 
 # --- drawings ------------------------------------------------------------------------------------
@@ -157,8 +246,8 @@ def _content(material: Material) -> dict[str, Any]:
     """What the template speaks of."""
     main, paper = material.main, material.paper
     printed = rows.rows_as_printed(main)
-    refuted = rows.with_verdict(printed, REFUTED)
-    proved = rows.with_verdict(main.of_group(REPAIRED), PROVED)
+    refuted = rows.with_verdict(printed, REFUTED, main)
+    proved = rows.with_verdict(main.of_group(REPAIRED), PROVED, main)
     apart = [folder for folder in material.folders if folder.name.startswith(SCENES)]
     region = material.plotted.region.everywhere
     return {
@@ -173,7 +262,10 @@ def _content(material: Material) -> dict[str, Any]:
         ],
         "printed_rows": printed,
         "refuted": refuted,
-        "alone": sum(row.name.startswith("printed.alone-") for row, _ in refuted),
+        "remarks": rows.with_verdict(printed, REMARK, main),
+        "OTHERWISE": OTHERWISE,
+        "REMARK": REMARK,
+        "BREAKS": BREAKS,
         "closing": sum(isinstance(row.claim, Claim) for row, _ in proved),
         "writer": rows.Writer(main, paper),
         "writer_of": lambda outcome: rows.Writer(outcome, paper),
@@ -185,7 +277,6 @@ def _content(material: Material) -> dict[str, Any]:
             f"{paper.authors}, {paper.title} (its companion is {paper.companion}): Theorem 1 and "
             "the spectrum of its linear model, every inequality decided in rigorous arithmetic."
         ),
-        "style": style(),
         "version": __version__,
         "TITLE": TITLE,
         "CLASSES": CLASSES,

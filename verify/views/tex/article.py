@@ -32,6 +32,7 @@ from verify.views.words import (
     parameter_letters,
     parameters_of,
     sides_of,
+    told,
     witness_of,
 )
 
@@ -157,7 +158,8 @@ class _Part:
     def _row(self, row: Obligation, found: Decision) -> Iterator[str]:
         role = "as printed, " if row.role == PRINTED else ""
         where = f" {tex_label(row.label, self.paper)}" if row.label else ""
-        yield rf"\par\medskip\textbf{{{name(row.name)}}}{where}: {role}\textbf{{{found.verdict}}}"
+        verdict = told(self.outcome, row, found)
+        yield rf"\par\medskip\textbf{{{name(row.name)}}}{where}: {role}\textbf{{{verdict}}}"
         if row.says:
             yield rf"\says{{{words(in_letters(row.says))}}}"
         claim = self._claim(row.claim)
@@ -170,7 +172,7 @@ class _Part:
         if row.uses:
             notes.append(f"with {', '.join(map(words, row.uses))}")
         if found.verdict == REFUTED:
-            notes += [words(row.severity)] if row.severity else []
+            notes += [words(row.severity)] if row.severity and verdict == REFUTED else []
             notes += [f"corrected by {name(row.corrected_by)}"] if row.corrected_by else []
         if notes:
             yield rf"\says{{{'; '.join(notes)}}}"
@@ -203,9 +205,9 @@ def in_order(values: Mapping[str, Term]) -> dict[str, Term]:
 
 
 def tex_label(text: str, paper: Publication) -> str:
-    """A label of the paper, after the number that is printed there."""
+    """A label of the paper, after the number that is printed there; another as it is."""
     printed = paper.printed(text)
-    return name(text) if printed is None else f"{words(printed)} {name(text)}"
+    return words(text) if printed is None else f"{words(printed)} {name(text)}"
 
 
 def _letters(outcome: Outcome) -> tuple[dict[str, str], dict[str, str]]:
@@ -226,6 +228,6 @@ def _letters(outcome: Outcome) -> tuple[dict[str, str], dict[str, str]]:
     sets = {row.group for row in statement.obligations}
     for constant in statement.constants:
         group = constant.name.rpartition(".")[0]
-        if group in sets:  # the same letter in the printed and in the repaired set
+        if group and group in sets:  # the same letter in the printed and in the repaired set
             tex[constant.name] = rf"{{{tex[constant.name]}}}^{{\text{{{words(group)}}}}}"
     return tex, {name: plain for name, (_, plain) in found.items()}

@@ -1,0 +1,154 @@
+"""Claims that follow from what is known around them: named constants, equations, linear givens.
+
+Each row is decided by the search and judged by the checker. The sources stand beside the cases.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import pairwise
+
+import pytest
+
+from verify.language.statement import PROVED, REFUTED, Constant, Obligation
+from verify.language.terms import Claim, Term, as_term, equal, maximum, minimum, sqrt, symbol
+from verify.library import ask, for_all, lemma, prove
+
+a, b, c, k, t, u, v, w, x, y, z = map(symbol, "abcktuvwxyz")
+
+
+def verdicts(
+    claims: list[Claim],
+    givens: list[Claim],
+    point: Mapping[str, Term | int],
+    constants: Mapping[str, Term] | None = None,
+    first: list[Claim] | None = None,
+) -> list[str]:
+    """What becomes of claims in a context, after claims about constants at the root."""
+    named = {f"g{i}": given for i, given in enumerate(givens)}
+    place = for_all("all", named, point)
+    rows = [ask(f"first{i}", claim) for i, claim in enumerate(first or [])]
+    rows += [ask(f"row{i}", claim, place) for i, claim in enumerate(claims)]
+    known = [Constant(name, name, name, name, term) for name, term in (constants or {}).items()]
+    found = prove(lemma("title", rows, known, [place]), work=20_000_000)
+    return [found.decisions[row.name].verdict for row in rows if isinstance(row, Obligation)]
+
+
+def psi(term: Term) -> Term:
+    return 2 * term**2 - 4 * term + 1
+
+
+u1, u0, ur, a0, alpha = map(symbol, ("u1", "u0", "ur", "a0", "alpha"))
+#: The constants of Smale's alpha-theory (Blum, Cucker, Shub, Smale: Complexity and Real
+#: Computation, chapter 8), each of them named.
+SMALE = {
+    "u1": 1 - sqrt(2) / 2,
+    "u0": (5 - sqrt(17)) / 4,
+    "ur": (3 - sqrt(7)) / 2,
+    "a0": as_term(1307) / 10000,
+}
+SMALE_ROWS = {
+    "below u1": (u, [0 <= u, u < u1], [0 < psi(u), psi(u) <= as_term(1), u < as_term(1)]),
+    "below u0": (v, [0 <= v, v < u0], [v < psi(v)]),
+    "up to ur": (w, [0 <= w, w <= ur], [0 < psi(w), w / psi(w) <= as_term(1) / 2]),
+    "up to a0": (
+        a,
+        [0 <= a, a <= a0],
+        [
+            0 < psi(a),
+            (a / psi(a)) ** 2 <= a,
+            a / psi(a) ** 2 <= as_term(1) / 2,
+            (a / psi(a)) ** 2 <= a0,
+            a * (1 - a) / psi(a) <= as_term(1) / 2,
+        ],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SMALE_ROWS)
+def test_smale_with_named_constants(name: str) -> None:
+    variable, givens, claims = SMALE_ROWS[name]
+    found = verdicts(claims, givens, {variable.name: 0}, SMALE)
+    assert found == [PROVED] * len(claims)
+
+
+def test_a_bound_that_has_a_name() -> None:
+    assert verdicts([u <= as_term(1)], [u <= b], {"u": 0}, {"b": as_term(1) / 2}) == [PROVED]
+
+
+def test_a_proved_row_about_a_constant() -> None:
+    low = as_term(293) / 1000
+    found = verdicts([u < low], [u < u1], {"u": 0}, {"u1": SMALE["u1"]}, [u1 < low])
+    assert found == [PROVED, PROVED]
+
+
+EQUATIONS = {
+    "product": ([equal(x + y, 1)], {"x": 0, "y": 1}, x * y <= as_term(1) / 4),
+    "circle": ([equal(a**2 + b**2, 2)], {"a": 1, "b": 1}, a * b <= as_term(1)),
+    # miniF2F, algebra_apbpceq2_abpbcpcaeq1_aleq1on3anbleq1ancleq4on3
+    "three": (
+        [a <= b, b <= c, equal(a + b + c, 2), equal(a * b + b * c + c * a, 1)],
+        {"a": 0, "b": 1, "c": 1},
+        c <= as_term(4) / 3,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", EQUATIONS)
+def test_equations_among_givens_are_used(name: str) -> None:
+    givens, point, claim = EQUATIONS[name]
+    assert verdicts([claim], givens, point) == [PROVED]
+
+
+def test_a_chain_of_any_length() -> None:
+    names = [f"x{i}" for i in range(12)]
+    links = [symbol(m) < symbol(n) for m, n in pairwise(names)]
+    point = {name: i for i, name in enumerate(names)}
+    ends = symbol(names[0]), symbol(names[-1])
+    assert verdicts([ends[0] < ends[1], ends[1] <= ends[0]], links, point) == [PROVED, REFUTED]
+
+
+@pytest.mark.parametrize("power", [3, 5, 7])
+def test_odd_powers_rise(power: int) -> None:
+    assert verdicts([x**power < y**power], [x < y], {"x": 0, "y": 1}) == [PROVED]
+
+
+def test_even_powers_and_roots_rise_from_0() -> None:
+    claims = [x**2 < y**2, sqrt(x) < sqrt(y)]
+    assert verdicts(claims, [0 <= x, x < y], {"x": 0, "y": 1}) == [PROVED, PROVED]
+    assert verdicts([x**2 < y**2], [x < y], {"x": 0, "y": 1}) == [REFUTED]
+
+
+def test_minima_and_maxima_in_givens() -> None:
+    size = maximum(x, -x)
+    assert verdicts([x**2 <= as_term(1)], [size <= as_term(1)], {"x": 0}) == [PROVED]
+    assert verdicts([0 <= x * y], [0 <= minimum(x, y)], {"x": 0, "y": 0}) == [PROVED]
+    # miniF2F: |x - 1| + |x| + |x + 1| = x + 2 has solutions in [0, 1] only
+    total = maximum(x - 1, -(x - 1)) + size + maximum(x + 1, -(x + 1))
+    assert verdicts([0 <= x, x <= as_term(1)], [equal(total, x + 2)], {"x": 0}) == [PROVED] * 2
+
+
+def test_a_further_condition_does_no_harm() -> None:
+    givens = [1 <= b, b <= a, a <= as_term(2)]
+    assert verdicts([sqrt(a * b) <= (a + b) / 2], givens, {"a": 2, "b": 1}) == [PROVED]
+
+
+#: Equations are solved for variables: what is left is looked for.
+WITNESSES = {
+    "the point of the context": (y**2 <= as_term(-3), [x < y], {"x": 0, "y": 1}),
+    "a linear equation": (x < 2 * y, [equal(z**2 - x, y), 1 < y, 1 < z], {"x": 2, "y": 2, "z": 2}),
+    "a root": (0 <= x, [equal(x**2, 2)], {"x": sqrt(2)}),
+    "an equation in two parts": (x < y, [x + y <= as_term(1), 1 <= x + y], {"x": 0, "y": 1}),
+}
+
+
+@pytest.mark.parametrize("name", WITNESSES)
+def test_false_claims_are_refuted_where_the_givens_hold(name: str) -> None:
+    claim, givens, point = WITNESSES[name]
+    assert verdicts([claim], givens, point) == [REFUTED]
+
+
+def test_fista() -> None:
+    """The step of the induction that the k-th number is (k + 2)/2 at least (Beck, Teboulle)."""
+    claim = (k + 3) / 2 <= (1 + sqrt(1 + 4 * t**2)) / 2
+    assert verdicts([claim], [0 <= k, (k + 2) / 2 <= t], {"k": 0, "t": 1}) == [PROVED]

@@ -1,0 +1,238 @@
+"""Questions of SMT-LIB and ranges of FPCore: what real files mean, and what is said of others."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from verify import check
+from verify.cli import main
+from verify.language.fold import RATIONAL, fold
+from verify.language.terms import Claim, as_term, maximum, sqrt, symbol
+from verify.wire.inputs import InputError
+from verify.wire.text.fpcore import read_fpcore
+from verify.wire.text.lisp import Source
+from verify.wire.text.smtlib import _denied, _File, read_smtlib
+
+X, Y = symbol("x"), symbol("y")
+
+#: SMT-LIB, QF_NRA/meti-tarski, sqrt-problem-13-sqrt1-chunk-0018.smt2.
+UNSAT = """
+(set-info :smt-lib-version 2.6)
+(set-logic QF_NRA)
+(set-info :category "industrial")
+(set-info :status unsat)
+(declare-fun skoX () Real)
+(declare-fun skoSS () Real)
+(declare-fun skoSM () Real)
+(assert (and (not (<= (- 2) skoSS)) (and (= (* skoX skoX) (+ 1 (* skoSS (* skoSS (- 1))))) (and
+ (= skoX (+ 1 (* skoSM (* skoSM (- 1))))) (and (<= 0 skoSS) (and (<= 0 skoSM) (and
+ (not (<= skoX 0)) (not (<= 1 skoX)))))))))
+(check-sat)
+(exit)
+"""
+
+#: The first file of SMT-LIB, QF_NRA/meti-tarski, in the version with decimal points.
+SAT = """
+(set-logic QF_NRA)
+(declare-fun skoX () Real)
+(declare-fun skoS () Real)
+(declare-fun skoC () Real)
+(assert (and (not (<= (* skoC (/ 3. 13.)) skoS)) (not (<= skoX 0.))))
+(set-info :status sat)
+(check-sat)
+"""
+
+#: FPBench, benchmarks/fptaylor-tests.fpcore.
+RANGES = """
+(FPCore (t)
+  :name "intro-example"
+  :cite (solovyev-et-al-2015)
+  :pre (<= 0 t 999)
+  (/ t (+ t 1)))
+
+(FPCore (x y)
+  :name "sec4-example"
+  :cite (solovyev-et-al-2015)
+  :precision binary64
+  :pre (and (<= 1.001 x 2) (<= 1.001 y 2))
+  (let ([t (* x y)])
+    (/ (- t 1) (- (* t t) 1))))
+"""
+
+
+def run(tmp_path: Path, name: str, text: str) -> int:
+    """The exit code of `verify prove`; what it writes is accepted."""
+    path, out = tmp_path / name, tmp_path / "out"
+    path.write_text(text, encoding="utf-8")
+    code = main(["prove", str(path), "--out", str(out)])
+    if code < 2:
+        assert check.check_folders(check.read_folders([str(out)]))[0] == code
+    return code
+
+
+def test_unsat_has_a_certificate(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(tmp_path, "chunk.smt2", UNSAT) == 0
+    last = " ".join(capsys.readouterr().out.split("Verdict: ")[1].split())
+    assert last.startswith("proved: no real numbers satisfy the assertions of chunk.smt2")
+
+
+def test_sat_has_a_solution(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(tmp_path, "chunk.smt2", SAT) == 1
+    assert "by witness, false at skoX = 1" in " ".join(capsys.readouterr().out.split())
+
+
+def test_ranges_are_proved(tmp_path: Path) -> None:
+    assert run(tmp_path, "tests.fpcore", RANGES) == 0
+
+
+def test_ranges_are_near_the_values() -> None:
+    statement = read_fpcore("f.fpcore", RANGES.encode())
+    low, high, *_ = [row.claim for row in statement.obligations]
+    assert isinstance(low, Claim)
+    assert isinstance(high, Claim)
+    assert low.lhs == as_term(Fraction(-1, 100))
+    assert high.rhs == as_term(Fraction(1009, 1000))  # the greatest value is 999/1000
+    assert statement.contexts[1].says == "sec4-example"
+    assert [v.letter for v in statement.contexts[1].variables] == ["x", "y"]
+
+
+# --- what formulas mean --------------------------------------------------------------------------
+
+ATOMS = st.builds(
+    lambda op, left, right: f"({op} {left} {right})",
+    st.sampled_from(["<", "<=", "=", ">=", ">", "distinct"]),
+    st.sampled_from(["x", "y", "(+ x y)", "(* x y)"]),
+    st.sampled_from(["0", "1", "y", "(- x)"]),
+)
+
+
+def _larger(parts: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
+    two = st.tuples(st.sampled_from(["and", "or", "=>"]), parts, parts)
+    named = st.builds(lambda a, b: f"(let ((p {a}) (x y)) (or p {b} (not p)))", parts, parts)
+    return parts.map("(not {})".format) | two.map("({0[0]} {0[1]} {0[2]})".format) | named
+
+
+def _holds(formula: object, at: dict[str, Fraction]) -> bool:
+    """The truth of a formula, read independently: by a small evaluation of its trees."""
+    if isinstance(formula, str):
+        return bool(at[formula])
+    op, *rest = formula  # type: ignore[misc]
+    if op == "let":
+        bound = {name: _value(body, at) for name, body in rest[0]}
+        return _holds(rest[1], at | bound)
+    if op == "not":
+        return not _holds(rest[0], at)
+    if op in ("and", "or", "=>"):
+        left, *others = (_holds(part, at) for part in rest)
+        return {
+            "and": left and all(others),
+            "or": left or any(others),
+            "=>": not left or others[-1],
+        }[op]
+    a, b = (_value(part, at) for part in rest)
+    return {"<": a < b, "<=": a <= b, "=": a == b, ">=": a >= b, ">": a > b, "distinct": a != b}[op]
+
+
+def _value(tree: object, at: dict[str, Fraction]) -> Fraction:
+    if isinstance(tree, str):
+        return at[tree] if tree in at else Fraction(tree)
+    op, *rest = tree  # type: ignore[misc]
+    if op in ("not", "and", "or", "=>", "<", "<=", "=", ">=", ">", "distinct", "let"):
+        return Fraction(_holds(tree, at))
+    found = [_value(part, at) for part in rest]
+    if op == "-":
+        return -found[0]
+    return found[0] + found[1] if op == "+" else found[0] * found[1]
+
+
+def _is_true(claim: Claim, at: dict[str, Fraction]) -> bool:
+    algebra = {**RATIONAL, "symbol": lambda name: at[name], "max": max}
+    a, b = (fold(side, algebra, {}) for side in (claim.lhs, claim.rhs))
+    return {"<": a < b, "<=": a <= b, "=": a == b}[claim.relation]
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.recursive(ATOMS, _larger, max_leaves=5), st.integers(-2, 2), st.integers(-2, 2))
+def test_the_cases_of_a_formula_are_the_formula(text: str, x: int, y: int) -> None:
+    source = f"(declare-const x Real)(declare-const y Real)(assert {text})"
+    file = _File(Source("f.smt2", source.encode()))
+    trees = file.source.trees()
+    try:
+        for tree in trees:
+            file.command(tree)
+    except InputError as error:
+        assert "cases; split it" in str(error)  # noqa: PT017
+        return
+    at = {"x": Fraction(x), "y": Fraction(y)}
+    found = any(all(_is_true(c, at) for c in case) for case in file.asserted[0])
+    assert found == _holds(trees[2][1], at)
+    for case in file.asserted[0]:
+        for kind in (("<",), ("<=", "=")):
+            left = [claim for claim in case if claim.relation in kind]
+            if left:
+                assert _is_true(_denied(left), at) != all(_is_true(c, at) for c in left)
+
+
+@pytest.mark.parametrize(
+    ("text", "claim"),
+    [
+        ("(< (^ x 2) (pow y 3))", X**2 < Y**3),
+        ("(<= (/ 1 3) (sqrt x))", as_term(Fraction(1, 3)) <= sqrt(X)),
+        ("(> (- x y 1) (abs x))", maximum(X, -X) < X - Y - 1),
+        ("(= (+ x y 1.5) (max x y))", Claim("=", X + Y + Fraction(3, 2), maximum(X, Y))),
+    ],
+)
+def test_operations(text: str, claim: Claim) -> None:
+    source = f"(declare-const x Real)(declare-const y Real)(assert {text})"
+    file = _File(Source("f.smt2", source.encode()))
+    for tree in file.source.trees():
+        file.command(tree)
+    assert file.asserted == [[[claim]]]
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("(declare-fun x () Int)", "line 1: 'x' is of the sort Int; declare it Real"),
+        ("(assert (< x 1))", "line 1: 'x' is not known; declare it before"),
+        ("(declare-const x Real)\n(assert (< (foo x) 1))", "line 2: the operation 'foo' cannot"),
+        ("(declare-const x Real)\n(assert (< x 1)", "line 2: a parenthesis that opens here"),
+        ("(assert true))", "line 1: a parenthesis closes that was not opened"),
+        ("(declare-const x Real)(assert (xor (< x 1) (< x 2)))", "the formula 'xor' cannot be"),
+        ("(declare-const x Real)(assert (< (^ x y) 2))", "'y' is not known; "),
+        ("(declare-const x Real)(assert (< (^ x 0.3) 2))", "'^' of 2 terms: an exponent has to be"),
+        ("(declare-const x Real)(assert x)", "'x' is no formula about real numbers"),
+        ("(forall x)", "the command 'forall' cannot be used"),
+        ("(set-logic QF_NRA)", "f.smt2: asserts nothing; write (assert (< x 1))"),
+        ('(set-info :source "abc)', "line 1: '\"' has no end; close the quotation"),
+        ("(declare-const x Real)(assert (and (< (* x x) 0) (= (* x x) -1)))", "no point was"),
+    ],
+)
+def test_what_is_said_of_other_files(text: str, says: str) -> None:
+    with pytest.raises(InputError) as error:
+        read_smtlib("f.smt2", text.encode())
+    assert str(error.value).startswith("f.smt2")
+    assert says in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("(FPCore (x) (* x x))", "line 1: x has no bounds; write for example :pre (<= 0 x 1)"),
+        ("(FPCore (x) :pre (<= 0 x 1) (while (< x 1) ()))", "the operation 'while' cannot be used"),
+        ("(FPCore (x) :pre (<= 2 x 1) x)", "no point of its precondition was found"),
+        ("(FPCore ((A 3)) 1)", "an input has to be a name; sizes cannot be used"),
+        ("(FPCore x)", "is no expression; write (FPCore (x) ... (* x x))"),
+        ("(FPCore (x) :pre (or (< x 1) (< 2 x)) x)", "write the precondition as comparisons"),
+        ("", "f.fpcore: has no expression"),
+    ],
+)
+def test_what_is_said_of_other_cores(text: str, says: str) -> None:
+    with pytest.raises(InputError) as error:
+        read_fpcore("f.fpcore", text.encode())
+    assert says in str(error.value)

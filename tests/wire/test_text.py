@@ -1,0 +1,345 @@
+"""Pages of constants: what they say, that they are read back, and what is said of mistakes."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from hashlib import sha256
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from verify import check
+from verify.cli import main
+from verify.language.fold import TERMS
+from verify.language.statement import Always, Statement
+from verify.language.terms import Claim, Term, as_term, cos, maximum, sqrt, symbol
+from verify.wire.inputs import InputError
+from verify.wire.questions import decide, read_questions
+from verify.wire.text.infix import known_names, read_claims, read_term, term_text
+from verify.wire.text.letters import letter_of
+from verify.wire.text.read_page import read_page
+from verify.wire.text.write_page import page_text
+
+CERTIFICATES = Path(__file__).resolve().parents[2] / "certificates"
+STATEMENTS = sorted(CERTIFICATES.rglob("statement.json"))
+NAMES = ["x", "y", "delta_1", "printed.a", "a-b", "sqrt", "e"]
+X, Y = symbol("x"), symbol("y")
+
+
+def read(text: str) -> Statement:
+    return read_page("page.toml", text.encode()).statement
+
+
+# --- what is written is read back ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("path", STATEMENTS, ids=lambda p: p.parent.relative_to(CERTIFICATES))
+def test_every_committed_statement_is_a_page(path: Path) -> None:
+    folder = check.read_folders([str(path.parent)])[0]
+    others = [*folder.cited, *(p.read_bytes() for p in STATEMENTS)]
+    statement = read_questions(folder.statement, {sha256(c).hexdigest(): c for c in others})
+    page = page_text(statement)
+    again = read_page("page.toml", page.encode(), statement.cites).statement
+    assert again == statement
+    assert page_text(again) == page
+
+
+NUMBERS = st.builds(Fraction, st.integers(-20, 20), st.integers(1, 9)).map(as_term)
+LEAVES = NUMBERS | st.sampled_from(NAMES).map(symbol)
+
+
+def _branches(children: st.SearchStrategy[Term]) -> st.SearchStrategy[Term]:
+    two = st.tuples(st.sampled_from(("add", "sub", "mul", "div", "min", "max")), children, children)
+    one = st.tuples(st.sampled_from(("neg", "sqrt", "cos", "cos_pi")), children)
+    powers = st.builds(lambda term, k: term**k, children, st.integers(1, 9))
+    return (two | one).map(lambda parts: Term(*parts)) | powers
+
+
+@settings(max_examples=500, deadline=None)
+@given(st.recursive(LEAVES, _branches, max_leaves=12))
+def test_a_formula_is_read_as_it_was_written(term: Term) -> None:
+    assert read_term("", term_text(term), known_names(NAMES)) is term
+
+
+def test_every_operation_is_written_and_read() -> None:
+    arguments = {"pow": (X, 3), "rational": (Fraction(1, 3),), "symbol": ("x",), "pi": ()}
+    two = dict.fromkeys(("add", "sub", "mul", "div", "min", "max"), (X, Y))
+    for op in TERMS:
+        term = Term(op, *(arguments | two).get(op, (X,)))
+        assert read_term("", term_text(term), known_names(NAMES)) is term
+
+
+# --- what formulas mean --------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("text", "term"),
+    [
+        ("0.1", as_term(Fraction(1, 10))),
+        ("1e-3", as_term(Fraction(1, 1000))),
+        ("-1/4", as_term(Fraction(-1, 4))),
+        ("1/4*x", Fraction(1, 4) * X),
+        ("x/1/4", X / 1 / 4),
+        ("-x^2", -(X**2)),
+        ("-x*y", -X * Y),
+        ("2 - 3 - x", as_term(2) - 3 - X),
+        ("x² · √y", X**2 * sqrt(Y)),
+        ("√(x + y)", sqrt(X + Y)),
+        ("x**-2", 1 / X**2),
+        ("x^(1/2)", sqrt(X)),
+        ("x^(3/2)", sqrt(X) ** 3),
+        ("|x - y|", maximum(X - Y, -(X - Y))),
+        ("abs(cos(x))", maximum(cos(X), -cos(X))),
+        ("δ₁", symbol("delta_1")),
+        ("`a-b`", symbol("a-b")),
+    ],
+)
+def test_what_a_formula_means(text: str, term: Term) -> None:
+    assert read_term("", text, known_names(NAMES)) is term
+
+
+def test_a_chain_is_several_claims() -> None:
+    found = read_claims("", "1 ≥ x > y = 0", known_names(NAMES))
+    assert found == (Claim("<=", X, as_term(1)), Claim("<", Y, X), Claim("=", Y, as_term(0)))
+
+
+@pytest.mark.parametrize(
+    ("name", "letters"),
+    [
+        ("alpha_0", ("α₀", r"\alpha_{0}")),
+        ("u12", ("u₁₂", "u_{12}")),
+        ("half.u", ("u", "u")),
+        ("x.0.1", ("x.0.1", "x.0.1")),
+        ("q_bar", ("q_bar", "q_bar")),
+    ],
+)
+def test_letters(name: str, letters: tuple[str, str]) -> None:
+    assert letter_of(name) == letters
+
+
+# --- pages ---------------------------------------------------------------------------------------
+
+PAGE = """
+title = "Two contexts"
+
+[constants]
+b = "1 + sqrt(2)"
+
+[contexts.low]
+variables = ["x"]
+given = ["0 < x < b"]
+constants = { d = "x^2 + 1" }
+rows = { positive = "0 < d" }
+
+[contexts.inner]
+in = "low"
+given = { below = "0 < y <= x" }
+point = { y = "x" }
+
+[contexts.high]
+variables = ["x"]
+given = ["b <= x"]
+
+[rows]
+smaller = "y < d"
+high-x = { in = "high", claim = "1 < x" }
+number = "2 < b < 3"
+"""
+
+
+def test_rows_find_their_contexts() -> None:
+    statement = read(PAGE)
+    assert [(row.name, row.context) for row in statement.obligations] == [
+        ("positive", "low"),
+        ("smaller", "inner"),
+        ("high-x", "high"),
+        ("number.1", None),
+        ("number.2", None),
+    ]
+    low, inner, high = statement.contexts
+    assert [given.name for given in low.givens] == ["low.1", "low.2"]
+    assert [given.name for given in inner.givens] == ["below.1", "below.2"]
+    assert (high.variables[0].name, high.variables[0].letter) == ("high.x", "x")
+    assert statement.obligations[2].claim == (1 < symbol("high.x"))
+
+
+def test_points_are_found_that_the_checker_accepts() -> None:
+    """Between bounds with roots, near an open end, and in terms of the variables around."""
+    statement = read(PAGE.replace('point = { y = "x" }', 'variables = ["y"]'))
+    low, inner, high = statement.contexts
+    assert low.point == {"x": as_term(1)}
+    assert inner.point == {"y": (as_term(0) + X) / 2}
+    assert high.point == {"high.x": as_term(3)}
+
+
+def test_a_point_on_a_curve_is_asked_for() -> None:
+    page = 'title = "t"\n[contexts.c]\nvariables = ["x", "y"]\ngiven = ["x^2 + y^2 = 7"]\n'
+    with pytest.raises(InputError, match=r"line 2: contexts.c: no point was found .* point = "):
+        read(page + '[rows]\na = "x < 3"\n')
+
+
+INDUCTION = """
+title = "A sequence"
+
+[assumptions]
+grows = "every step is at least 1"
+
+[contexts.state]
+variables = ["t", "s"]
+carried = ["t >= 1"]
+standing = { step = { claim = "s >= 1", assumption = "grows" } }
+point = { t = 1, s = 1 }
+
+[rows.always]
+always = "state"
+start = { t = 1, s = 1 }
+next = { t = "t + s", s = "s" }
+uses = ["grows"]
+"""
+
+
+def test_an_induction() -> None:
+    statement = read(INDUCTION)
+    t, s = symbol("t"), symbol("s")
+    row = statement.obligations[0]
+    assert row.claim == Always("state", {"t": as_term(1), "s": as_term(1)}, {"t": t + s, "s": s})
+    assert (row.context, row.uses) == (None, ("grows",))
+    assert [(g.kind, g.assumption) for g in statement.contexts[0].givens] == [
+        ("carried", None),
+        ("standing", "grows"),
+    ]
+
+
+# --- mistakes ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ('"1 + sqrt(2)"', '"1 + sqr(2)"', "line 5: constants.b: '1 + sqr(2)': 'sqr' is no funct"),
+        ('"1 + sqrt(2)"', '"1 + c"', "line 5: constants.b: 'c' is not defined here; define it"),
+        ('"1 + sqrt(2)"', '"1 + 2b"', "no sign stands between 2 and b; write 2*b"),
+        ('"1 + sqrt(2)"', '"(1 + 2"', "it ends, where ) is missing"),
+        ('"1 + sqrt(2)"', '"1 < 2"', "constants.b: '1 < 2' is a claim; write a term"),
+        ('"1 + sqrt(2)"', '"1/0"', "divides by zero"),
+        ('"1 + sqrt(2)"', "true", "constants.b: 'True' is no text; write a formula in"),
+        ('"1 + sqrt(2)"', '"2^x"', "line 5: constants.b"),
+        ('"1 + sqrt(2)"', '"2^(1/3)"', "the exponent 1/3 is not usable"),
+        ('"1 + sqrt(2)"', '"max(1)"', "max is of at least two terms, and 1 stand there"),
+        ('"1 + sqrt(2)"', '"1 # 2"', "cannot read '# 2'"),
+        ('"y < d"', '"y < dd"', "line 23: rows.smaller: 'dd' is not defined here; did you mean d?"),
+        ('"y < d"', '"y"', "line 23: rows.smaller: 'y' claims nothing; write for example y > 0"),
+        ('"y < d"', '"y != d"', "there is no ≠; write < or >, or two rows"),
+        ('"y < d"', '"0 < y > d"', "a chain has < and > in it"),
+        ('"y < d"', '"y < high.x"', "its names are of the contexts inner and high, of which none"),
+        ('"y < d"', '"x < d"', "'x' is a name of the context low and of high; say in which by"),
+        ('"1 < x"', '"1 < y"', "'y' is a name of the context inner; write in = \"inner\""),
+        ('in = "low"', 'in = "lo"', "line 14: contexts.inner.in: 'lo' is no context; did you mean"),
+        ('in = "high",', 'inn = "high",', "rows.high-x.inn: 'inn' is not known here; did you mean"),
+        ("[rows]", "[row]", "line 22: row: 'row' is not known here; did you mean rows?"),
+        ("smaller =", "b =", "rows.b: 'b' is already the name of constants.b; choose another"),
+        ("number =", '"2nd" =', "'2nd.1' is no name; write ASCII letters"),
+        ('{ y = "x" }', "{ y = 1, z = 1 }\nvariables = 'y'", "'z' is no variable of the context"),
+        ('title = "Two contexts"', "", "the title is missing"),
+        ('["b <= x"]', '["b <= x", 3]', "contexts.high.given: '3' claims nothing"),
+        ('"2 < b < 3"', '{ claim = "b < 3", uses = ["schwarz"] }', "'schwarz' is no assumption"),
+        ('"2 < b < 3"', '{ claim = "b < 3", role = "must" }', "'must' is unknown; write needed"),
+        ('"2 < b < 3"', '{ claim = "b < 3", using = ["ball"] }', "'ball' is no earlier row; write"),
+        ('"2 < b < 3"', '{ claim = "b < 3", using = ["smal"] }', "did you mean smaller?"),
+        ('"2 < b < 3"', '{ claim = "b < 3", by = "magic" }', "'magic' is no technique; write wor"),
+        ('"2 < b < 3"', '{ says = "b" }', "rows.number: it has no claim; write one claim"),
+        ('"2 < b < 3"', '{ applies = "lou", at = {} }', "'lou' is no context; did you mean low?"),
+        ('"2 < b < 3"', '{ applies = "low", at = {} }', "'x' has no value; write values of x"),
+        ("[constants]", "[cites]\nm = 'mean'\n[constants]", "no statement of the theorem 'mean'"),
+        ('"0 < d"', '"' + "(" * 3000 + 'd"', "nests too deeply"),
+        ("[rows]", "[rows", "is no TOML file"),
+    ],
+)
+def test_what_is_said_of_a_mistake(old: str, new: str, says: str) -> None:
+    assert old in PAGE
+    with pytest.raises(InputError) as error:
+        read(PAGE.replace(old, new, 1))
+    message = str(error.value)
+    assert message.startswith("page.toml")
+    assert says in message
+    assert "\n" not in message
+
+
+def test_a_standing_given_needs_its_assumption() -> None:
+    with pytest.raises(InputError, match=r"line 10: .*needs the assumption that grants it"):
+        read(INDUCTION.replace(', assumption = "grows"', ""))
+
+
+# --- the commands --------------------------------------------------------------------------------
+
+
+def test_a_page_is_proved_and_comes_back(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    page, out = tmp_path / "page.toml", tmp_path / "out"
+    text = 'title = "t"\n\n[constants]\nb = "1 + sqrt(2)"\n\n[rows]\nlarge = "2 < b"\n'
+    page.write_text(text, encoding="utf-8")
+    assert main(["prove", str(page), "--out", str(out)]) == 0
+    assert main(["check", str(out)]) == 0
+    capsys.readouterr()
+    assert main(["export", "text", str(out)]) == 0
+    assert capsys.readouterr().out == text
+
+
+HINTS = """
+title = "Hints"
+[contexts.c]
+variables = ["x"]
+given = ["0 <= x <= 1"]
+[rows]
+lemma = "x^2 <= x"
+other = "x^3 <= x"
+last = "x^4 <= 1"
+"""
+
+
+@pytest.mark.parametrize(
+    ("hint", "verdict"),
+    [
+        ("", "proved"),
+        (', by = ["linear sums", "squares"]', "proved"),
+        (', by = "angles"', "undecided"),
+        (', using = ["lemma"]', "proved"),
+        (", using = []", "proved"),
+    ],
+)
+def test_hints_restrict_the_search(hint: str, verdict: str) -> None:
+    text = HINTS.replace('last = "x^4 <= 1"', f'last = {{ claim = "x^4 <= 1"{hint} }}')
+    page = read_page("page.toml", text.encode())
+    assert list(page.hints) == (["last"] if hint else [])
+    outcome = decide(page.statement, None, page.hints)
+    assert outcome.decisions["last"].verdict == verdict
+    proof = outcome.decisions["last"].proof
+    used = {name for name in ("lemma", "other") if proof and f"'{name}'" in repr(proof)}
+    assert used <= ({"lemma"} if hint == ', using = ["lemma"]' else {"lemma", "other"})
+    assert not (used and hint == ", using = []")
+
+
+def test_a_page_cites_what_lies_beside_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mean, cited = CERTIFICATES / "examples/mean", tmp_path / "cited"
+    cited.mkdir()
+    (cited / "mean.json").write_bytes((mean / "statement.json").read_bytes())
+    (cited / "mean.certificate.json").write_bytes((mean / "certificate.json").read_bytes())
+    theorem = json.loads((mean / "statement.json").read_text(encoding="utf-8"))["theorem"]
+    page = tmp_path / "page.toml"
+    page.write_text(
+        f'title = "t"\n[cites]\nm = "{theorem}"\n[rows]\none = "0 < 1"\n'
+        'r = { applies = "m:pair", at = { x = 1, y = "sqrt(2)" }, role = "printed" }\n',
+        encoding="utf-8",
+    )
+    out = tmp_path / "out"
+    assert main(["prove", str(page), "--out", str(out)]) == 0
+    captured = capsys.readouterr()
+    assert "m:pair at x = 1, y = √2" in captured.out
+    assert "given no assumptions of the cited 'm'" in captured.out
+    assert main(["check", str(out)]) == 0

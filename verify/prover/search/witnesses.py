@@ -1,0 +1,193 @@
+"""Values that satisfy all givens and at which a claim is false: equations solved, then a descent.
+
+An equation that is of degree 1 in a variable, or says what its square is, says what the variable
+is: a quotient, or a root with either sign. The others are looked for where the givens are violated
+least, in floats; short rational numbers near such a place are tried in exact arithmetic.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import islice
+
+from flint import fmpq_mpoly
+
+from verify.language.statement import Context
+from verify.language.terms import Claim, Term, as_term, sqrt, substitute
+from verify.prover.clearing import expanded
+from verify.prover.goal import Bounds, Goal
+from verify.prover.points import failure_test
+from verify.prover.search.compiled import estimates
+from verify.prover.search.local_minima import Minima, simple_points
+from verify.prover.search.question import Question
+from verify.prover.search.system import System
+
+#: So many ways to solve the equations are tried, and so many points near each descent.
+MAX_FORMS = 8
+MAX_POINTS = 24
+#: How far from 0 variables without bounds are looked for.
+DISTANCES = (4.0, 100.0)
+
+Values = dict[str, Term]
+Failure = Callable[[Sequence[Fraction]], bool]
+#: What is violated by nothing, but has to be strict.
+TINY = 1e-9
+
+
+def false_points(question: Question, context: Context) -> Iterator[Values]:
+    """Values for the variables of a context at which the claim may be false, and the givens hold.
+
+    Nothing is promised of them: each is to be tried.
+    """
+    wide = question.widened() or question
+    if not wide.clears() or not wide.goal.variables.keys() <= context.point.keys():
+        return
+    system = System(wide)
+    for solved in islice(_solved_forms(system, _equations(system)), MAX_FORMS):
+        for values in _Search(wide, solved).points():
+            yield {**context.point, **_at(values, solved)}
+
+
+def is_false(question: Question) -> bool:
+    """Whether there are short numbers at which the givens hold and the claim does not."""
+    undo = question.known.mark()
+    system = System(question)
+    undo()
+    forms = islice(_solved_forms(system, _equations(system)), MAX_FORMS)
+    return any(True for solved in forms for _ in _Search(question, solved).points())
+
+
+def _at(values: Mapping[str, Fraction], solved: dict[str, Term]) -> Values:
+    """The terms of all variables, where the free ones have values."""
+    found: Values = {name: as_term(value) for name, value in values.items()}
+    for name in reversed(solved):
+        found[name] = substitute(solved[name], found)
+    return found
+
+
+def _equations(system: System) -> list[fmpq_mpoly]:
+    """The equations, also those that two inequalities make."""
+    found = [*system.equations.values()]
+    plain = [fact.polynomial for fact in system.facts if not fact.strict]
+    found += [p for i, p in enumerate(plain) if any((p + q).is_zero() for q in plain[:i])]
+    return found
+
+
+def _solved_forms(system: System, equations: list[fmpq_mpoly]) -> Iterator[dict[str, Term]]:
+    """Ways to solve all equations: terms for variables, over later ones and those that are free."""
+    if not equations:
+        yield {}
+        return
+    names = system.question.goal.variables
+    for i, equation in enumerate(equations):
+        others = [*equations[:i], *equations[i + 1 :]]
+        for index, atom in enumerate(system.atoms):
+            degree = int(equation.degrees()[index])
+            if atom.op != "symbol" or atom.name not in names or not 1 <= degree <= 2:
+                continue
+            if any(other.degrees()[index] > 0 for other in others):
+                continue
+            for term in _solutions(system, equation, index):
+                for rest in _solved_forms(system, others):
+                    yield {atom.name: term, **rest}
+
+
+def _solutions(system: System, equation: fmpq_mpoly, index: int) -> Iterator[Term]:
+    """The terms that a variable may be."""
+    parts = dict(system.clearing.coefficients(equation, index))
+    top = max(parts)
+    if top == 2 and (1 in parts or not parts[2].is_constant()):
+        return
+    rest = -parts.get(0, system.context.constant(0))
+    if parts[top].is_constant():
+        term = expanded(rest / parts[top].leading_coefficient(), system.atoms)
+    else:
+        term = expanded(rest, system.atoms) / expanded(parts[top], system.atoms)
+    if top == 1:
+        yield term
+    else:
+        yield sqrt(term)
+        yield -sqrt(term)
+
+
+class _Search:
+    """The variables that are free, and what has to hold of them."""
+
+    def __init__(self, question: Question, solved: dict[str, Term]) -> None:
+        self.question = question
+        goal = question.goal
+        self.definitions = {**goal.definitions, **dict(reversed(solved.items()))}
+        self.free = {name: b for name, b in goal.variables.items() if name not in solved}
+        bounds = (b for name, b in goal.variables.items() if name in solved)
+        facts = [name for b in bounds for name in (b.low_fact, b.high_fact) if name]
+        claims = [question.session.claims[name] for name in facts]
+        self.claims = [*question.given.values(), *(c for c in claims if c.relation != "=")]
+
+    def points(self) -> Iterator[dict[str, Fraction]]:
+        """Short numbers for the free variables, near those where least is violated."""
+        is_bad = self._test()
+        ends = [(b.low, b.high) for b in self.free.values()]
+        is_bounded = all(b.ends for b in self.free.values())
+        for distance in DISTANCES[:1] if is_bounded else DISTANCES:
+            tried = 0
+            for violation, point in Violations(self, distance).found():
+                if violation > 0 or tried > MAX_POINTS:
+                    break
+                for inside in (True, False):
+                    for values in simple_points(point, ends, inside=inside):
+                        tried += 1
+                        if not is_bad(values):
+                            yield dict(zip(self.free, values, strict=True))
+                            break
+
+    def _test(self) -> Failure:
+        """Whether a given is false at a point, or the claim true."""
+        goal, known = self.question.goal, self.question.known
+        claims = [*self.claims, *(c for b in self.free.items() for c in _claims(*b))]
+
+        def tested(claim: Claim) -> Failure:
+            asked = Goal(claim, goal.context, self.free, (), self.definitions)
+            return failure_test(asked, known.enclosed)
+
+        is_false, givens = tested(goal.claim), [*map(tested, claims)]
+        return lambda values: any(fails(values) for fails in givens) or not is_false(values)
+
+
+def _claims(name: str, bounds: Bounds) -> Iterator[Claim]:
+    """What bounds by numbers say."""
+    x = Term("symbol", name)
+    if bounds.low is not None and bounds.low_relation != "=":
+        yield Claim(bounds.low_relation, as_term(bounds.low), x)
+    if bounds.high is not None and bounds.high_relation != "=":
+        yield Claim(bounds.high_relation, x, as_term(bounds.high))
+
+
+class Violations(Minima):
+    """By how much givens are violated, and the negated claim: 0 where all of them hold."""
+
+    def __init__(self, search: _Search, distance: float) -> None:
+        goal, budget = search.question.goal, search.question.budget
+        free = goal._replace(variables=search.free, definitions=search.definitions)
+        super().__init__(free, budget, far=distance)
+        negated = "<=" if goal.claim.relation == "<" else "<"
+        claims = [Claim(negated, goal.claim.rhs, goal.claim.lhs), *search.claims]
+        terms = [term for claim in claims for term in (claim.lhs, claim.rhs)]
+        sides = estimates([*search.free], terms, search.definitions)
+        strict = [claim.relation == "<" for claim in claims]
+
+        def function(x: Sequence[float]) -> float:
+            try:
+                values = sides(*x)
+            except (ArithmeticError, ValueError):
+                return math.inf
+            total = 0.0
+            for a, b, is_strict in zip(values[::2], values[1::2], strict, strict=True):
+                if a > b or (is_strict and a == b):
+                    total += a - b + TINY
+                elif not a <= b:
+                    return math.inf
+            return total
+
+        self.function = function

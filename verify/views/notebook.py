@@ -1,0 +1,74 @@
+"""An outcome as a notebook shows it: a table of its constants and rows, with their formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from html import escape
+
+from verify.language.statement import UNDECIDED, Constant, Obligation
+from verify.language.terms import Claim, symbol
+from verify.prover.decimals import short
+from verify.prover.outcome import Decision, Outcome
+from verify.views.mathml import MathML
+from verify.views.words import ends_of, headline, letters, sides_of, witness_of
+
+
+def notebook_page(outcome: Outcome) -> str:
+    """HTML with MathML, and with no style or script of its own."""
+    return "\n".join(_lines(outcome))
+
+
+def _lines(outcome: Outcome) -> Iterator[str]:
+    math = MathML(_letters(outcome))
+    statement = outcome.statement
+    yield f"<p><b>{escape(statement.title)}</b>: {escape(headline(outcome))}</p>"
+    if statement.constants:
+        yield from _table(_constant(one, outcome, math) for one in statement.constants)
+    yield from _table(_row(row, found, outcome, math) for row, found in outcome.rows)
+    if outcome.spent:
+        yield f"<p>undecided: {escape(outcome.spent)}</p>"
+    for assumption in outcome.assumptions:
+        name, sentence = escape(assumption.name), escape(assumption.sentence)
+        yield f"<p>assumed: {name}: {sentence}</p>"
+
+
+def _letters(outcome: Outcome) -> dict[str, str]:
+    """The letters of all names in LaTeX."""
+    found = {one.name: one.tex for one in outcome.statement.constants}
+    for context in outcome.statement.contexts:
+        found |= {variable.name: variable.tex for variable in context.variables}
+        found |= {one.name: one.tex for one in context.constants}
+    return found
+
+
+def _table(rows: Iterator[tuple[str, ...]]) -> Iterator[str]:
+    yield "<table>"
+    for cells in rows:
+        yield "<tr>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>"
+    yield "</table>"
+
+
+def _constant(constant: Constant, outcome: Outcome, math: MathML) -> tuple[str, ...]:
+    ends = ends_of(outcome, constant.name)
+    value = "" if ends is None else escape(short(ends))
+    return math.term(symbol(constant.name)), math.term(constant.term, "="), value
+
+
+def _row(row: Obligation, found: Decision, outcome: Outcome, math: MathML) -> tuple[str, ...]:
+    typesetter = letters(outcome)
+    if isinstance(row.claim, Claim):
+        claim = math.claim(row.claim)
+    else:
+        claim = escape(typesetter.claim(row.claim))
+    if row.context is not None:
+        claim += f" for all values of {escape(row.context)}"
+    how = f"by {found.method}" if found.method and found.verdict != UNDECIDED else found.reason
+    sides = sides_of(row, found)
+    if sides is not None:
+        how += f"; {short(sides[0])} and {short(sides[1])}"
+    if found.witness:
+        values = witness_of(row, found).items()
+        how += "; at " + ", ".join(
+            f"{typesetter.term(symbol(name))} = {typesetter.term(term)}" for name, term in values
+        )
+    return escape(row.name), claim, f"<b>{escape(found.verdict)}</b>", escape(how)

@@ -1,0 +1,7 @@
+"""Pages of constants as people write them: TOML with formulas in ordinary notation.
+
+`infix.py` reads and writes one formula; `read_page.py` reads a page and `write_page.py` writes one;
+what is written is read as the same statement. `smtlib.py` and `fpcore.py` read the questions of
+other programs. The room uses the language and the readers of numbers beside it. A newcomer begins
+with `infix.py`.
+"""

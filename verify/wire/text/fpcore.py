@@ -1,0 +1,149 @@
+"""Ranges of FPCore: between which bounds are the values of an expression, for all its inputs?
+
+The expression is meant in real numbers: nothing is rounded. Its precondition is what is given. The
+bounds that are asked for come from sampled values, with a hundredth of their range to spare on
+each side, rounded outwards; the rows say that they hold.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from math import floor, isfinite, log10
+from os.path import basename
+
+from verify.language.statement import NEEDED, Context, Given, Obligation, Statement, Variable
+from verify.language.terms import Claim, Term, as_term, names_of, symbol
+from verify.wire.inputs import InputError
+from verify.wire.text.lisp import RELATIONS, Formulas, Source, Tree, Word
+from verify.wire.text.points import a_point, estimate
+
+#: How many points are sampled, and to how many digits the spare hundredth is told.
+SAMPLES, DIGITS = 2000, 1
+
+
+def read_fpcore(path: str, content: bytes) -> Statement:
+    """The statement that the expressions of a file stay between bounds.
+
+    Raises:
+        InputError: for what is not about real numbers in bounded ranges, naming the line.
+    """
+    source = Source(path, content)
+    parts = [_Core(source, tree, number) for number, tree in enumerate(source.trees(), 1)]
+    if not parts:
+        raise InputError(f"{path}: has no expression; write (FPCore (x) :pre (<= 0 x 1) (* x x))")
+    name = basename(path)
+    return Statement(
+        name,
+        f"ranges of the expressions in {name}, in real numbers",
+        {},
+        (),
+        tuple(part.context() for part in parts),
+        tuple(row for part in parts for row in part.rows()),
+        (),
+    )
+
+
+class _Core:
+    """One expression with its inputs, and with what is given of them."""
+
+    def __init__(self, source: Source, tree: Tree, number: int) -> None:
+        self.source, self.tree = source, tree
+        self.label = f"core{number}"
+        match tree:
+            case ["FPCore", [*inputs], *rest] | ["FPCore", Word(), [*inputs], *rest] if rest:
+                *properties, self.body = rest
+            case _:
+                raise source.error(tree, "is no expression; write (FPCore (x) ... (* x x))")
+        self.properties = self._table(properties)
+        self.inputs = [self._input(item) for item in inputs]
+        self.names = {old: symbol(self._name(old, number)) for old in self.inputs}
+        formulas = Formulas(source, self.names)
+        self.claims = list(self._given(self.properties.get(":pre"), formulas))
+        self.term = formulas.term(self.body)
+        self.givens = [Given(f"{self.label}.{i}", c) for i, c in enumerate(self.claims, 1)]
+        self.variables = [term.name for term in self.names.values()]
+        self.point = self._point()
+
+    def _table(self, properties: list[Tree]) -> dict[str, Tree]:
+        if len(properties) % 2:
+            raise self.source.error(self.tree, "each property, such as :pre, has one value")
+        return {str(k): v for k, v in zip(properties[::2], properties[1::2], strict=True)}
+
+    def _input(self, item: Tree) -> str:
+        if not isinstance(item, Word):
+            raise self.source.error(item, "an input has to be a name; sizes cannot be used")
+        return str(item)
+
+    def _name(self, old: str, number: int) -> str:
+        plain = re.sub(r"[^A-Za-z0-9_]", "_", old)
+        return f"c{number}.{plain}" if number > 1 or not plain[:1].isalpha() else plain
+
+    def _given(self, tree: Tree | None, formulas: Formulas) -> Iterator[Claim]:
+        if tree is None or tree == "TRUE":
+            return
+        if isinstance(tree, list) and tree[:1] == ["and"]:
+            for part in tree[1:]:
+                yield from self._given(part, formulas)
+        elif isinstance(tree, list) and tree and tree[0] in RELATIONS:
+            yield from formulas.comparison(tree)
+        else:
+            raise self.source.error(tree, "write the precondition as comparisons, with and")
+
+    def _point(self) -> dict[str, Term]:
+        found = a_point(self.variables, self.givens, {})
+        if found is None:
+            raise self.source.error(self.tree, "no point of its precondition was found")
+        return found
+
+    def context(self) -> Context:
+        """All inputs that satisfy the precondition."""
+        letters = [Variable(term.name, old, old) for old, term in self.names.items()]
+        says = str(self.properties.get(":name", "")).strip('"')
+        return Context(self.label, tuple(letters), tuple(self.givens), self.point, None, says)
+
+    def rows(self) -> Iterator[Obligation]:
+        """That the expression is between two bounds."""
+        found = [value for value in map(self._value, self._samples()) if isfinite(value)]
+        if not found:
+            raise self.source.error(self.tree, "the expression has no value at any sampled point")
+        low, high = Fraction(min(found)), Fraction(max(found))
+        spare = (high - low) / 100 or abs(high) / 100 or Fraction(1)
+        unit = Fraction(10) ** (floor(log10(spare)) - DIGITS)
+        below, above = floor((low - spare) / unit) * unit, -floor(-(high + spare) / unit) * unit
+        claims = {"low": as_term(below) <= self.term, "high": self.term <= as_term(above)}
+        for name, claim in claims.items():
+            yield Obligation(f"{self.label}.{name}", "", "", NEEDED, "", claim, context=self.label)
+
+    def _value(self, at: Mapping[str, float]) -> float:
+        return estimate(self.term, at)
+
+    def _samples(self) -> Iterator[dict[str, float]]:
+        """Points of the precondition, corners of its box among them; the same in each run."""
+        box = [self._range(name) for name in self.variables]
+        state = 1
+        for _ in range(SAMPLES):
+            at = {}
+            for name, (low, high) in zip(self.variables, box, strict=True):
+                state = state * 6364136223846793005 % 2**64
+                part = min(max((state >> 32) / 2**32 * 1.5 - 0.25, 0.0), 1.0)  # often an end
+                at[name] = low + (high - low) * part
+            if all(_holds(claim, at) for claim in self.claims):
+                yield at
+
+    def _range(self, name: str) -> tuple[float, float]:
+        lows = [estimate(c.lhs, {}) for c in self.claims if c.rhs == symbol(name)]
+        highs = [estimate(c.rhs, {}) for c in self.claims if c.lhs == symbol(name)]
+        found = [[x for x in ends if isfinite(x)] for ends in (lows, highs)]
+        if name in names_of(self.term) and not all(found):
+            letter = name.rpartition(".")[2]
+            raise self.source.error(
+                self.tree, f"{letter} has no bounds; write for example :pre (<= 0 {letter} 1)"
+            )
+        return max(found[0], default=0.0), min(found[1], default=0.0)
+
+
+def _holds(claim: Claim, at: Mapping[str, float]) -> bool:
+    left, right = estimate(claim.lhs, at), estimate(claim.rhs, at)
+    return left <= right  # an end of an open range is as good as a point near it

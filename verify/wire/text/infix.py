@@ -1,0 +1,404 @@
+"""One formula as people write it, read and written: ``0 <= x^2 - 2*a*x + sqrt(b) < 1/4``.
+
+A number is exactly what is written: ``0.1`` is 1/10, and ``1/4`` is one rational number, while
+``1/(4)`` divides 1 by 4. A power binds more tightly than a minus sign before it, and that more
+tightly than a product. Signs of print (``≤``, ``·``, ``√``, ``x²``, ``ψ``) are read too.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection, Iterable, Mapping
+from fractions import Fraction
+
+from verify.language.fold import TERMS, fold
+from verify.language.record import Record
+from verify.language.terms import Claim, Term, as_term, maximum, parts_of, sqrt, symbol
+from verify.wire.inputs import InputError, nearest, rational, shown
+from verify.wire.text.letters import GREEK, NAMES, name_of
+
+_LETTERS = f"A-Za-z{''.join(NAMES)}"
+_NAME = rf"(?:[A-Za-z][A-Za-z0-9_]*:)*[{_LETTERS}][{_LETTERS}0-9_]*(?:\.[{_LETTERS}0-9_]+)*[₀-₉]*"
+_TOKEN = re.compile(
+    r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
+    rf"|`(?P<quoted>[^`]+)`|(?P<name>{_NAME})|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+    r"|(?P<sign><=|>=|==|!=|\*\*|[-+*/^()<>=,|√≤≥≠·×−]))"
+)
+#: A name that needs no quotation marks.
+PLAIN = re.compile(r"(?:[A-Za-z]\w*:)*[A-Za-z]\w*(?:\.\w+)*", re.ASCII)
+_SAME = {"≤": "<=", "≥": ">=", "==": "=", "·": "*", "×": "*", "−": "-", "**": "^"}
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
+RELATIONS = ("<", "<=", "=", ">=", ">")
+
+#: The operations that are written as a function, or (without arguments) as a name.
+_INFIX = ("rational", "symbol", "add", "sub", "mul", "div", "neg", "pow")
+FUNCTIONS = tuple(op for op in TERMS if op not in _INFIX)
+CONSTANTS = ("pi",)
+MANY = ("min", "max")
+
+
+class Formula(Record):
+    """What a text says: terms with the relations between them, of which a term alone has none."""
+
+    terms: tuple[Term, ...]
+    relations: tuple[str, ...]
+
+    def claims(self) -> tuple[Claim, ...]:
+        """A claim for each relation; ``a > b`` is the claim ``b < a``."""
+        sides = zip(self.terms, self.terms[1:], strict=False)
+        return tuple(
+            Claim("<" + relation[1:], right, left)
+            if relation[0] == ">"
+            else Claim(relation, left, right)
+            for relation, (left, right) in zip(self.relations, sides, strict=True)
+        )
+
+
+class Names:
+    """What the names in a formula stand for.
+
+    Args:
+        known: for each name that may be written the name that is meant.
+        hidden: for names that are not usable here, why not.
+    """
+
+    def __init__(self, known: Mapping[str, str], hidden: Mapping[str, str] | None = None) -> None:
+        self.known, self.hidden = known, hidden or {}
+
+    def term(self, where: str, name: str) -> Term:
+        """The symbol that a name stands for.
+
+        Raises:
+            InputError: for a name that stands for nothing, with a name that is like it.
+        """
+        if name in self.known:
+            return symbol(self.known[name])
+        if name in self.hidden:
+            raise InputError(f"{where}: {shown(name)} {self.hidden[name]}")
+        raise InputError(f"{where}: {shown(name)} is not defined here; {self._instead(name)}")
+
+    def _instead(self, name: str) -> str:
+        short = ", ".join(list(self.known)[:8])
+        what = f"what is defined is {short}" if short else "nothing is defined here"
+        otherwise = f"define it before, under constants, or as a variable; {what}"
+        return nearest(name, [*self.known, *FUNCTIONS, *SUGAR], otherwise)
+
+
+def _absolute(term: Term) -> Term:
+    return maximum(term, -term)
+
+
+#: What readers write in operations of the language: a name, and what it means.
+SUGAR: dict[str, Callable[[Term], Term]] = {"abs": _absolute}
+if "sin" in TERMS:
+    SUGAR["tan"] = lambda term: Term("sin", term) / Term("cos", term)
+
+
+_CALLED = {*FUNCTIONS, *SUGAR}
+
+
+def read_formula(where: str, text: str, names: Names) -> Formula:
+    """The terms and relations in a text.
+
+    Raises:
+        InputError: naming the place, and what to write instead.
+    """
+    try:
+        return _Reader(where, text, names).formula()
+    except RecursionError as error:
+        raise InputError(f"{where}: {shown(text)} nests too deeply; name its parts") from error
+
+
+def read_term(where: str, text: str, names: Names) -> Term:
+    """The term that a text stands for.
+
+    Raises:
+        InputError: as above, or where the text is a claim.
+    """
+    found = read_formula(where, text, names)
+    if found.relations:
+        raise InputError(f"{where}: {shown(text)} is a claim; write a term, such as (1 + x)/2")
+    return found.terms[0]
+
+
+def read_claims(where: str, text: str, names: Names) -> tuple[Claim, ...]:
+    """The claims in a text, of which a chain ``0 <= x <= b`` has several.
+
+    Raises:
+        InputError: as above, or where the text has no relation.
+    """
+    found = read_formula(where, text, names)
+    if not found.relations:
+        raise InputError(f"{where}: {shown(text)} claims nothing; write for example {text} > 0")
+    return found.claims()
+
+
+class _Reader:
+    """Reads one text from left to right; each method reads what its name says and goes on."""
+
+    def __init__(self, where: str, text: str, names: Names) -> None:
+        self.where, self.text, self.names = where, text, names
+        self.tokens = self._tokens()
+        self.at = 0
+
+    def _tokens(self) -> list[tuple[str, str]]:
+        found: list[tuple[str, str]] = []
+        at, end = 0, len(self.text.rstrip())
+        while at < end:
+            match = _TOKEN.match(self.text, at)
+            if match is None:
+                raise self.error(f"cannot read {shown(self.text[at:].strip()[:12])}")
+            kind = match.lastgroup or ""
+            word = match[kind]
+            found.append((kind, _SAME.get(word, word) if kind == "sign" else word))
+            at = match.end()
+        return [*found, ("end", "")]
+
+    def error(self, what: str) -> InputError:
+        """The error that something is wrong with this text."""
+        return InputError(f"{self.where}: {shown(self.text, 80)}: {what}")
+
+    @property
+    def sign(self) -> str:
+        """The sign that comes next, if it is one."""
+        kind, word = self.tokens[self.at]
+        return word if kind == "sign" else ""
+
+    def take(self, *signs: str) -> str:
+        """Go on if one of these signs comes next; the sign, or nothing."""
+        found = self.sign
+        if found in signs:
+            self.at += 1
+            return found
+        return ""
+
+    def expect(self, sign: str) -> None:
+        """Go on after a sign that has to come next."""
+        if not self.take(sign):
+            raise self.error(f"{self.next_word()}, where {sign} is missing")
+
+    def next_word(self) -> str:
+        """What comes next, in words."""
+        kind, word = self.tokens[self.at]
+        return "it ends" if kind == "end" else f"{shown(word)} follows"
+
+    def formula(self) -> Formula:
+        """The whole text."""
+        terms, relations = [self.sum()], []
+        while relation := self.take(*RELATIONS):
+            relations.append(relation)
+            terms.append(self.sum())
+        if self.sign in ("!=", "≠"):
+            raise self.error("there is no ≠; write < or >, or two rows")
+        if self.tokens[self.at][0] != "end":
+            raise self.error(self._too_much())
+        upwards = {relation[0] for relation in relations} & {"<", ">"}
+        if len(upwards) > 1:
+            raise self.error("a chain has < and > in it; write two claims")
+        return Formula(tuple(terms), tuple(relations))
+
+    def _too_much(self) -> str:
+        kind, word = self.tokens[self.at]
+        before = self.tokens[self.at - 1]
+        if kind in ("name", "number", "quoted") or word == "(":
+            return f"no sign stands between {before[1]} and {word}; write {before[1]}*{word}"
+        return f"{self.next_word()}, and does not belong there"
+
+    def sum(self) -> Term:
+        """Products with signs between them."""
+        found = self.product()
+        while sign := self.take("+", "-"):
+            other = self.product()
+            found = found + other if sign == "+" else found - other
+        return found
+
+    def product(self) -> Term:
+        """Factors with signs between them."""
+        found, is_number = self.factor()
+        while sign := self.take("*", "/"):
+            other, too = self.factor()
+            if sign == "*":
+                found = found * other
+            elif is_number and too:
+                found = self._quotient(found.value, other.value)
+            else:
+                found = found / other
+            is_number = False
+        return found
+
+    def _quotient(self, above: Fraction, below: Fraction) -> Term:
+        if below == 0:
+            raise self.error("divides by zero")
+        return as_term(above / below)
+
+    def factor(self) -> tuple[Term, bool]:
+        """A power, or minus one; and whether it is a number as such."""
+        if not self.take("-"):
+            return self.power()
+        term, is_number = self.factor()
+        return (as_term(-term.value), True) if is_number else (-term, False)
+
+    def power(self) -> tuple[Term, bool]:
+        """An atom, perhaps with an exponent; and whether it is a number as such."""
+        is_number = self.tokens[self.at][0] == "number"
+        found = self.atom()
+        kind, word = self.tokens[self.at]
+        if kind != "raised" and word != "^":
+            return found, is_number
+        self.at += 1
+        exponent = Fraction(word.translate(_RAISED)) if kind == "raised" else self._exponent()
+        if self.sign == "^" or self.tokens[self.at][0] == "raised":
+            raise self.error("a power of a power needs parentheses: (x^2)^3")
+        return self._raised(found, exponent), False
+
+    def _exponent(self) -> Fraction:
+        minus = bool(self.take("-"))
+        found = self.atom()
+        if found.op != "rational":
+            raise self.error("an exponent has to be a number, such as x^2 or x^(1/2)")
+        return -found.value if minus else found.value
+
+    def _raised(self, base: Term, exponent: Fraction) -> Term:
+        above, below = abs(exponent.numerator), exponent.denominator
+        if below not in (1, 2) or above == 0 or above > 999:
+            raise self.error(
+                f"the exponent {exponent} is not usable; write a whole number or a half, up to 999"
+            )
+        root = base if below == 1 else sqrt(base)
+        found = root**above if above > 1 or exponent == 1 else root
+        return found if exponent > 0 else 1 / found
+
+    def atom(self) -> Term:
+        """A number, a name, a function, a root, a modulus, or what stands in parentheses."""
+        kind, word = self.tokens[self.at]
+        self.at += 1
+        if kind == "number":
+            return as_term(rational(self.where, word))
+        if kind == "quoted":
+            return self.names.term(self.where, word)
+        if kind == "name":
+            return self._named(word)
+        if word == "(":
+            found = self.sum()
+            self.expect(")")
+            return found
+        if word == "√":
+            return sqrt(self.atom())
+        if word == "|":
+            found = self.sum()
+            self.expect("|")
+            return _absolute(found)
+        self.at -= 1
+        raise self.error(f"{self.next_word()}, where a number or a name is missing")
+
+    def _named(self, word: str) -> Term:
+        if self.sign == "(" and (word in _CALLED or word not in self.names.known):
+            return self._function(word)
+        name = word if word in self.names.known else name_of(word)
+        if name not in self.names.known and (word in CONSTANTS or name in CONSTANTS):
+            return self._constant(name)
+        if name not in self.names.known and name == "e" and "exp" in TERMS:
+            return Term("exp", as_term(1))
+        return self.names.term(self.where, name)
+
+    def _constant(self, name: str) -> Term:
+        if name in TERMS:
+            return Term(name)
+        raise self.error(f"there is no {name}; write cos_pi(x) for cos({name}*x), or its bounds")
+
+    def _function(self, word: str) -> Term:
+        self.expect("(")
+        arguments = [self.sum()]
+        while self.take(","):
+            arguments.append(self.sum())
+        self.expect(")")
+        if word not in FUNCTIONS and word not in SUGAR:
+            known = [*FUNCTIONS, *SUGAR]
+            is_name = word in self.names.known or word in self.names.hidden or word in GREEK
+            instead = f"write {word}*(...)" if is_name else nearest(word, known)
+            raise self.error(f"{shown(word)} is no function; {instead}")
+        if (len(arguments) > 1) != (word in MANY):
+            wanted = "at least two terms" if word in MANY else "one term"
+            raise self.error(f"{word} is of {wanted}, and {len(arguments)} stand there")
+        return SUGAR[word](*arguments) if word in SUGAR else Term(word, *arguments)
+
+
+# --- writing -------------------------------------------------------------------------------------
+
+#: How tightly a text holds together, from a sum to what needs no parentheses.
+_SUM, _PRODUCT, _FACTOR, _ATOM = range(4)
+
+
+def _inside(part: tuple[str, int], level: int) -> str:
+    text, own = part
+    return text if own >= level else f"({text})"
+
+
+def _number(value: Fraction) -> tuple[str, int]:
+    if value.denominator > 1:
+        return str(value), _PRODUCT
+    return str(value), _ATOM if value >= 0 else _FACTOR
+
+
+def _sum(sign: str, left: tuple[str, int], right: tuple[str, int]) -> tuple[str, int]:
+    text = _inside(right, _PRODUCT)
+    return f"{left[0]} {sign} {f'({text})' if text.startswith('-') else text}", _SUM
+
+
+def _product(sign: str, left: tuple[str, int], right: tuple[str, int]) -> tuple[str, int]:
+    first, second = _inside(left, _PRODUCT), _inside(right, _FACTOR)
+    second = f"({second})" if second.startswith("-") else second
+    if sign == "/" and re.fullmatch("-?[0-9]+", first) and second.isdigit():
+        first = f"({first})"  # a quotient of numbers, and not one number
+    return f"{first}{sign}{second}", _PRODUCT
+
+
+def _negative(part: tuple[str, int]) -> tuple[str, int]:
+    text = _inside(part, _FACTOR)
+    return f"-({text})" if text[0] in "-0123456789" and "^" not in text else f"-{text}", _FACTOR
+
+
+def _written_name(name: str) -> tuple[str, int]:
+    taken = {*FUNCTIONS, *SUGAR, *CONSTANTS, "e"}
+    return name if PLAIN.fullmatch(name) and name not in taken else f"`{name}`", _ATOM
+
+
+def _call(op: str) -> Callable[..., tuple[str, int]]:
+    def written(*parts: tuple[str, int]) -> tuple[str, int]:
+        return f"{op}({', '.join(text for text, _ in parts)})" if parts else op, _ATOM
+
+    return written
+
+
+_TEXT: Mapping[str, Callable[..., tuple[str, int]]] = {
+    **{op: _call(op) for op in FUNCTIONS},
+    "rational": _number,
+    "symbol": _written_name,
+    "add": lambda left, right: _sum("+", left, right),
+    "sub": lambda left, right: _sum("-", left, right),
+    "mul": lambda left, right: _product("*", left, right),
+    "div": lambda left, right: _product("/", left, right),
+    "neg": _negative,
+    "pow": lambda base, exponent: (f"{_inside(base, _ATOM)}^{exponent}", _FACTOR),
+}
+
+
+def term_text(term: Term) -> str:
+    """The text that `read_term` reads as this term."""
+    return fold(term, _TEXT, {})[0]
+
+
+def claim_text(claim: Claim) -> str:
+    """The text that `read_claims` reads as this claim alone."""
+    return f"{term_text(claim.lhs)} {claim.relation} {term_text(claim.rhs)}"
+
+
+def symbols_of(claims: Iterable[Claim]) -> list[str]:
+    """The names in claims, each once."""
+    parts = parts_of(*(side for claim in claims for side in (claim.lhs, claim.rhs)))
+    return [part.name for part in parts if part.op == "symbol"]
+
+
+def known_names(names: Collection[str]) -> Names:
+    """Names that stand for themselves."""
+    return Names({name: name for name in names})

@@ -1,0 +1,66 @@
+"""The letter that stands for a name in text and in LaTeX, where an author has not chosen one."""
+
+from __future__ import annotations
+
+import re
+
+GREEK = {
+    "alpha": "α",
+    "beta": "β",
+    "gamma": "γ",
+    "delta": "δ",
+    "epsilon": "ε",
+    "zeta": "ζ",
+    "eta": "η",
+    "theta": "θ",
+    "iota": "ι",
+    "kappa": "κ",
+    "lambda": "λ",
+    "mu": "μ",
+    "nu": "ν",
+    "xi": "ξ",
+    "rho": "ρ",
+    "sigma": "σ",
+    "tau": "τ",
+    "phi": "φ",
+    "chi": "χ",
+    "psi": "ψ",
+    "omega": "ω",
+    "Gamma": "Γ",
+    "Delta": "Δ",
+    "Theta": "Θ",
+    "Lambda": "Λ",
+    "Xi": "Ξ",
+    "Sigma": "Σ",
+    "Phi": "Φ",
+    "Psi": "Ψ",
+    "Omega": "Ω",
+}
+NAMES = {letter: name for name, letter in GREEK.items()}
+LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+RAISED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+
+
+def letter_of(name: str) -> tuple[str, str]:
+    r"""The letter of a name and the same in LaTeX: ``alpha_0`` is α₀, ``\alpha_{0}``.
+
+    ``u1`` and ``u_1`` are u with an index. A name that is not a letter with an index stays as it
+    is, and a name with dots is read from its last part if that begins with a letter.
+    """
+    last = name.rpartition(".")[2]
+    last = last if last[:1].isalpha() else name
+    match = re.fullmatch(r"([A-Za-z]+?)_?([0-9]*)", last)
+    if match is None or (match[1] not in GREEK and len(match[1]) > 1):
+        return last, last
+    plain, tex = GREEK.get(match[1], match[1]), match[1]
+    tex = f"\\{tex}" if tex in GREEK else tex
+    index = match[2]
+    return plain + index.translate(LOWERED), f"{tex}_{{{index}}}" if index else tex
+
+
+def name_of(text: str) -> str:
+    """The ASCII name of what a formula writes with Greek letters and lowered digits."""
+    index = text.translate(RAISED)
+    if index != text and not re.search(r"_[0-9]*$", index):
+        index = re.sub(r"([0-9]+)$", r"_\1", index)
+    return "".join(NAMES.get(sign, sign) for sign in index)

@@ -1,0 +1,148 @@
+"""A guess of a point at which the givens of a context hold, where an author writes none.
+
+Floating-point numbers only choose between exact candidates: the checker decides whether the givens
+hold at the one that is chosen.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from fractions import Fraction
+
+from verify.language.fold import MissingOperationError, fold
+from verify.language.statement import Given
+from verify.language.terms import Claim, Term, as_term, names_of, substitute
+
+#: How many candidates are looked at.
+MOST = 20_000
+#: Two numbers that are as near as this are taken for equal.
+NEAR = 1e-9
+
+_SIMPLE = tuple(map(Fraction, ("1", "0", "1/2", "2", "-1", "-1/2", "1/10", "3", "10", "-2", "100")))
+_ALGEBRA: Mapping[str, Callable[..., float]] = {
+    **{name: getattr(math, name) for name in ("sqrt", "exp", "log", "sin", "cos", "atan")},
+    "pi": lambda: math.pi,
+    "cos_pi": lambda x: math.cos(math.pi * x),
+    "min": min,
+    "max": max,
+    "rational": float,
+    "add": lambda x, y: x + y,
+    "sub": lambda x, y: x - y,
+    "mul": lambda x, y: x * y,
+    "div": lambda x, y: x / y,
+    "neg": lambda x: -x,
+    "pow": lambda x, exponent: x**exponent,
+}
+
+
+def estimate(term: Term, values: Mapping[str, float]) -> float:
+    """About the value of a term; NaN where it has none, or where a name in it has none."""
+
+    def named(name: str) -> float:
+        return values.get(name, math.nan)
+
+    try:
+        return fold(term, {**_ALGEBRA, "symbol": named}, {})
+    except (ArithmeticError, ValueError, MissingOperationError, RecursionError):
+        return math.nan
+
+
+def a_point(
+    variables: Sequence[str],
+    givens: Sequence[Given],
+    values: Mapping[str, float],
+    around: Collection[str] = (),
+) -> dict[str, Term] | None:
+    """Terms for the variables at which the givens seem to hold; None if none were found.
+
+    ``values`` has about what the other names stand for, those that vary ``around`` at one point.
+    """
+    claims = [given.claim for given in givens]
+    tried = iter(range(MOST))
+
+    def complete(found: dict[str, Term], at: dict[str, float]) -> dict[str, Term] | None:
+        if len(found) == len(variables):
+            return found
+        name = variables[len(found)]
+        open_names = {*variables[len(found) + 1 :]}
+        ready = [c for c in claims if not open_names & {*names_of(c.lhs, c.rhs)}]
+        for term in _candidates(name, claims, found, at, around):
+            if next(tried, None) is None:
+                return None
+            there = at | {name: estimate(term, at)}
+            if all(_seems(claim, there) for claim in ready):
+                result = complete(found | {name: term}, there)
+                if result is not None:
+                    return result
+        return None
+
+    return complete({}, dict(values))
+
+
+def _seems(claim: Claim, at: Mapping[str, float]) -> bool:
+    left, right = estimate(claim.lhs, at), estimate(claim.rhs, at)
+    near = NEAR * (1 + abs(left))
+    match claim.relation:
+        case "<":
+            return left + near < right
+        case "<=":
+            return left <= right + near
+    return abs(left - right) <= near
+
+
+def _candidates(
+    name: str,
+    claims: Sequence[Claim],
+    found: Mapping[str, Term],
+    at: Mapping[str, float],
+    around: Collection[str],
+) -> Iterator[Term]:
+    """Between the bounds of a variable, then the bounds themselves, then simple numbers."""
+    lows, highs = _bounds(name, claims, found, at)
+    low = max(lows, key=lambda pair: pair[0], default=None)
+    high = min(highs, key=lambda pair: pair[0], default=None)
+    ends = [end[1] for end in (low, high) if end]
+    moves = not {*around}.isdisjoint(names_of(*ends))
+    if low and high and low[0] < high[0]:
+        middle = (low[1] + high[1]) / 2
+        yield middle if moves else as_term(simplest(low[0], high[0]))
+    elif low:
+        yield low[1] + 1 if moves else as_term(math.floor(low[0]) + 1)
+    elif high:
+        yield high[1] - 1 if moves else as_term(math.ceil(high[0]) - 1)
+    yield from ends
+    yield from map(as_term, _SIMPLE)
+
+
+Bound = tuple[float, Term]
+
+
+def _bounds(
+    name: str, claims: Sequence[Claim], found: Mapping[str, Term], at: Mapping[str, float]
+) -> tuple[list[Bound], list[Bound]]:
+    """The terms that are below and above a variable, with about their values."""
+    lows: list[Bound] = []
+    highs: list[Bound] = []
+    for claim in claims:
+        for side, other, bounds in (
+            (claim.lhs, claim.rhs, [highs]),
+            (claim.rhs, claim.lhs, [lows]),
+        ):
+            value = estimate(other, {key: x for key, x in at.items() if key != name})
+            if side.op == "symbol" and side.name == name and math.isfinite(value):
+                for one in bounds if claim.relation != "=" else (lows, highs):
+                    one.append((value, substitute(other, found)))
+    return lows, highs
+
+
+def simplest(low: float, high: float) -> Fraction:
+    """A rational number with a small denominator well between two numbers."""
+    middle, width = (low + high) / 2, high - low
+    if not math.isfinite(middle) or width <= 0:
+        return Fraction(0)
+    for digits in range(1, 60):
+        found = Fraction(middle).limit_denominator(2**digits)
+        if abs(found - Fraction(middle)) < width / 4:
+            return found
+    return Fraction(middle)

@@ -1,0 +1,675 @@
+"""A page of constants in TOML, read as a statement with hints for the search.
+
+    title = "A contraction"
+
+    [constants]
+    q = "(3 - sqrt(5))/4"
+
+    [contexts.ball]
+    variables = ["x"]
+    given = ["-q/2 <= x <= q/2"]
+    point = { x = 0 }
+
+    [rows]
+    slope = "2*(q + x) <= 3*q"
+
+Names of constants and variables are read in the order of the page: a formula knows what stands
+before it. A row belongs to the context of the names in it,
+or to the context below which it stands. Nothing here is trusted.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from verify.language.statement import (
+    NEEDED,
+    PRINTED,
+    Always,
+    Applies,
+    Assumption,
+    Cite,
+    Constant,
+    Context,
+    Given,
+    Obligation,
+    Statement,
+    Variable,
+)
+from verify.language.terms import Claim, Term, names_of
+from verify.prover.hint import Hint
+from verify.wire.inputs import InputError, nearest, shown
+from verify.wire.text.infix import Names, read_claims, read_term
+from verify.wire.text.letters import letter_of
+from verify.wire.text.page import Page
+from verify.wire.text.points import a_point, estimate
+
+#: What may stand in a page, and in its tables.
+TOP = ("title", "theorem", "parameters", "cites", "assumptions", "constants", "contexts", "rows")
+CONSTANT = ("value", "letter", "tex", "label")
+VARIABLE = ("letter", "tex")
+CONTEXT = (
+    *("in", "says", "variables", "given", "carried", "standing", "point", "constants", "rows"),
+)
+GIVEN = ("claim", "kind", "assumption")
+ROW = (
+    *("claim", "applies", "at", "always", "start", "next", "in", "says", "role", "uses", "label"),
+    *("group", "severity", "corrected_by", "by", "using"),
+)
+ASSUMPTION = ("sentence", "kind", "label")
+CITE = ("theorem", "statement_sha256")
+
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,99}", re.ASCII)
+
+
+def read_page(path: str, content: bytes, cited: Sequence[Cite] = ()) -> Page:
+    """The statement that a page is, and its hints.
+
+    ``cited`` are the statements that a page may cite.
+
+    Raises:
+        InputError: naming the file, the line, the key, and what to write instead.
+    """
+    try:
+        text = content.decode()
+        table = tomllib.loads(text, parse_float=str)
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}: is not UTF-8; save it as UTF-8") from error
+    except (ValueError, RecursionError) as error:
+        why = " ".join(str(error).split())
+        raise InputError(f"{path}: is no TOML file ({why}); formulas stand in quotes") from error
+    return _Reader(Places(path, text), cited).page(table)
+
+
+class Places:
+    """Where in a file a key stands, for messages."""
+
+    def __init__(self, path: str, text: str) -> None:
+        self.path, self.lines = path, text.splitlines()
+
+    def error(self, keys: Sequence[str], what: str, value: object = None) -> InputError:
+        """The error that something is wrong with a key, or with a value under it."""
+        return InputError(f"{self.where(keys, value)}: {what}")
+
+    def where(self, keys: Sequence[str], value: object = None) -> str:
+        """The file, the line and the key."""
+        line = self._line(keys, value)
+        place = f", line {line}" if line else ""
+        return f"{self.path}{place}" + (f": {'.'.join(keys)}" if keys else "")
+
+    def _line(self, keys: Sequence[str], value: object) -> int:
+        """The line in which the key stands, or the value if it stands below; 0 if none is found."""
+        found = self._key_line(list(keys))
+        if isinstance(value, str) and value:
+            below = range(found, len(self.lines) + 1) if found else range(1, len(self.lines) + 1)
+            return next((i for i in below if i and value in self.lines[i - 1]), found)
+        return found
+
+    def _key_line(self, keys: list[str]) -> int:
+        """The line with the longest part of the keys that a line has."""
+        table: list[str] = []
+        best, length = 0, 0
+        for number, line in enumerate(self.lines, 1):
+            header = re.match(r"\s*\[+([^\[\]]+)\]+\s*(#|$)", line)
+            if header:
+                table = _keys(header[1])
+                here = table
+            else:
+                match = re.match(r'\s*([A-Za-z0-9_."\'-]+(?:\s*\.\s*[A-Za-z0-9_"-]+)*)\s*=', line)
+                here = [*table, *_keys(match[1])] if match else []
+            same = len(here) if here == keys[: len(here)] else 0
+            if same > length:
+                best, length = number, same
+        return best
+
+
+def _keys(text: str) -> list[str]:
+    return [key.strip("\"' ") for key in re.findall(r'"[^"]*"|\'[^\']*\'|[^.]+', text)]
+
+
+class _Scope:
+    """The names that formulas may use: each as it is written, and what it means where."""
+
+    def __init__(self) -> None:
+        self.homes: dict[str, str | None] = {}
+        self.parents: dict[str, str | None] = {}
+        self.written: dict[str | None, dict[str, str]] = {None: {}}
+
+    def add(self, written: str, name: str, home: str | None) -> None:
+        """A name that may be written in a context, and inside of it."""
+        self.homes[name] = home
+        self.written[home][written] = name
+
+    def open(self, context: str, parent: str | None) -> None:
+        """A context, inside of another."""
+        self.parents[context], self.written[context] = parent, {}
+
+    def chain(self, context: str | None) -> Iterator[str | None]:
+        """A context and those around it."""
+        while context is not None:
+            yield context
+            context = self.parents[context]
+        yield None
+
+    def inside(self, context: str | None) -> Names:
+        """What is known in a context; of names of other contexts is said that they are those."""
+        known: dict[str, str] = {}
+        for place in self.chain(context):
+            known = self.written[place] | known
+        hidden = {
+            written: f"is a name of the context {home}; write in = {home!r}".replace("'", '"')
+            for home, names in self.written.items()
+            for written in names
+            if written not in known
+        }
+        return Names(known | {name: name for name in known.values()}, hidden)
+
+    def anywhere(self) -> Names:
+        """What is known if the context is to be found by the names."""
+        known: dict[str, str] = {}
+        twice: dict[str, str] = {}
+        for home, names in self.written.items():
+            for written, name in names.items():
+                other = known.setdefault(written, name)
+                if other != name:
+                    both = f"{self.homes[other]} and of {home}"
+                    twice[written] = f"is a name of the context {both}; say in which by in = "
+        known = {name: name for name in self.homes} | known
+        return Names({key: name for key, name in known.items() if key not in twice}, twice)
+
+    def home(self, names: Sequence[str]) -> str | None:
+        """The innermost context of names.
+
+        Raises:
+            ValueError: if no context is inside of all others.
+        """
+        homes = list(dict.fromkeys(self.homes.get(name) for name in names))
+        for home in homes:
+            if {*homes} <= {*self.chain(home)}:
+                return home
+        if not homes:
+            return None
+        places = [str(home) for home in homes if home is not None]
+        raise ValueError(f"its names are of the contexts {' and '.join(places)}")
+
+
+class _Reader:
+    """Reads one page."""
+
+    def __init__(self, places: Places, cited: Sequence[Cite]) -> None:
+        self.places, self.scope = places, _Scope()
+        self.cited = cited
+        self.taken: dict[str, str] = {"goal": "is a word of certificates"}
+        self.contexts: dict[str, Context] = {}
+        self.assumptions: dict[str, Assumption] = {}
+        self.rows: dict[str, Obligation] = {}
+        self.hints: dict[str, Hint] = {}
+        self.contexts_cited: dict[str, tuple[tuple[Variable, ...], str | None]] = {}
+        self.floats: dict[str, float] = {}  # about what names stand for, to guess points
+
+    # --- what stands under a key ----------------------------------------------------------------
+
+    def table(self, keys: Sequence[str], value: object, known: Sequence[str] = ()) -> Any:
+        """The table under some keys, which has no other keys than those that are known."""
+        if not isinstance(value, dict):
+            raise self.places.error(keys, f"{_told(value)} is no table; write key = value below it")
+        for key in value if known else ():
+            if key not in known:
+                instead = nearest(key, known, f"write {', '.join(known)}")
+                what = f"{shown(key)} is not known here; {instead}"
+                raise self.places.error([*keys, key], what)
+        return value
+
+    def text(self, keys: Sequence[str], value: object, what: str = "a formula") -> str:
+        """The text under some keys; a number is the text that it is written as."""
+        if type(value) is int:
+            return str(value)
+        if not isinstance(value, str):
+            raise self.places.error(keys, f'{_told(value)} is no text; write {what} in "quotes"')
+        return value
+
+    def texts(self, keys: Sequence[str], value: object) -> tuple[str, ...]:
+        """The texts under some keys: a list of them, or one."""
+        found = value if isinstance(value, list) else [value]
+        return tuple(self.text(keys, one, "a name") for one in found)
+
+    def name(self, keys: Sequence[str], name: str) -> str:
+        """A name that is new."""
+        if not _NAME.fullmatch(name):
+            raise self.places.error(
+                keys, f"{shown(name)} is no name; write ASCII letters, digits, and _ . - between"
+            )
+        if name in self.taken:
+            raise self.places.error(keys, f"{shown(name)} {self.taken[name]}; choose another name")
+        self.taken[name] = f"is already the name of {'.'.join(keys[:-1]) or 'something'}.{name}"
+        return name
+
+    def term(self, keys: Sequence[str], value: object, names: Names) -> Term:
+        """The term under some keys."""
+        text = self.text(keys, value)
+        return read_term(self.places.where(keys, text), text, names)
+
+    def claims(self, keys: Sequence[str], value: object, names: Names) -> tuple[Claim, ...]:
+        """The claims under some keys."""
+        text = self.text(keys, value, "a claim")
+        return read_claims(self.places.where(keys, text), text, names)
+
+    def values(self, keys: Sequence[str], value: object, names: Names) -> dict[str, Term]:
+        """The table of terms under some keys."""
+        found = self.table(keys, value)
+        return {name: self.term([*keys, name], term, names) for name, term in found.items()}
+
+    # --- the page -------------------------------------------------------------------------------
+
+    def page(self, table: dict[str, Any]) -> Page:
+        """The whole page."""
+        self.table([], table, TOP)
+        title = self.text(["title"], table.get("title", ""), "a title")
+        if not title:
+            raise self.places.error([], 'the title is missing; begin with title = "..."')
+        theorem = self.text(["theorem"], table.get("theorem", title), "a name")
+        cites = tuple(self._cites(table.get("cites", {})))
+        self._assumptions(table.get("assumptions", {}))
+        parameters = self._parameters(table.get("parameters", {}))
+        constants = self._constants(["constants"], table.get("constants", {}), None)
+        for name, value in self.table(["contexts"], table.get("contexts", {})).items():
+            self._context(name, value)
+        self._rows(table)
+        if not any(row.role == NEEDED for row in self.rows.values()):
+            raise self.places.error(
+                ["rows"], 'there is no question; write below [rows] a line such as big = "x > 0"'
+            )
+        statement = Statement(
+            theorem,
+            title,
+            parameters,
+            tuple(constants),
+            tuple(self.contexts.values()),
+            tuple(self.rows.values()),
+            tuple(self.assumptions.values()),
+            cites,
+        )
+        self._known_rows()
+        return Page(statement, self.hints)
+
+    def _cites(self, value: object) -> Iterator[Cite]:
+        for name, entry in self.table(["cites"], value).items():
+            keys = ["cites", name]
+            self.name(keys, name)
+            wanted = entry if isinstance(entry, dict) else {"theorem": entry}
+            self.table(keys, wanted, CITE)
+            theorem = self.text(keys, wanted.get("theorem", ""), "the name of a theorem")
+            found = self._cited(theorem, wanted.get("statement_sha256"))
+            if found is None:
+                known = ", ".join(cite.theorem for cite in self.cited) or "none"
+                raise self.places.error(
+                    keys,
+                    f"no statement of the theorem {shown(theorem)} is in the folder cited beside "
+                    f"this file, which has {known}; put its statement.json there, as "
+                    "cited/NAME.json, and its certificate as cited/NAME.certificate.json",
+                )
+            cite = found._replace(name=name)
+            self._names_of(cite)
+            yield cite
+
+    def _cited(self, theorem: str, digest: object) -> Cite | None:
+        from hashlib import sha256  # loaded only where it is used
+
+        for cite in self.cited:
+            same = digest in (None, sha256(cite.content).hexdigest())
+            if same and cite.theorem == theorem:
+                return cite
+        return None
+
+    def _names_of(self, cite: Cite) -> None:
+        """The names that a citation brings, with its own name before each."""
+        import json  # loaded only where it is used
+
+        document = json.loads(cite.content)
+        for name in (*document["parameters"], *(c["name"] for c in document["constants"])):
+            self.scope.add(f"{cite.name}:{name}", f"{cite.name}:{name}", None)
+        for item in document["contexts"]:
+            parent = item["parent"] and f"{cite.name}:{item['parent']}"
+            context = f"{cite.name}:{item['name']}"
+            self.scope.open(context, parent)
+            variables = tuple(Variable(**variable) for variable in item["variables"])
+            self.contexts_cited[context] = (variables, parent)
+            for entry in (*item["variables"], *item["constants"]):
+                full = f"{cite.name}:{entry['name']}"
+                self.scope.add(full, full, context)
+        for inner in cite.cites:
+            self._names_of(inner._replace(name=f"{cite.name}:{inner.name}"))
+
+    def _assumptions(self, value: object) -> None:
+        for name, entry in self.table(["assumptions"], value).items():
+            keys = ["assumptions", name]
+            item = entry if isinstance(entry, dict) else {"sentence": entry}
+            self.table(keys, item, ASSUMPTION)
+            found = {key: self.text([*keys, key], text, "a sentence") for key, text in item.items()}
+            if not found.get("sentence"):
+                raise self.places.error(keys, 'its sentence is missing; write sentence = "..."')
+            self.assumptions[name] = Assumption(
+                name, found.get("label", ""), found["sentence"], found.get("kind", "assumption")
+            )
+
+    def _parameters(self, value: object) -> dict[str, Term]:
+        found = {}
+        for name, term in self.table(["parameters"], value).items():
+            keys = ["parameters", name]
+            self.name(keys, name)
+            found[name] = self.term(keys, term, Names({}))
+            self.scope.add(name, name, None)
+            self.floats[name] = estimate(found[name], self.floats)
+        return found
+
+    def _constants(self, keys: Sequence[str], value: object, home: str | None) -> list[Constant]:
+        found = []
+        for written, entry in self.table(keys, value).items():
+            place = [*keys, written]
+            item = entry if isinstance(entry, dict) else {"value": entry}
+            self.table(place, item, CONSTANT)
+            if "value" not in item:
+                raise self.places.error(place, 'its value is missing; write value = "..."')
+            where = [*place, "value"] if isinstance(entry, dict) else place
+            term = self.term(where, item["value"], self.scope.inside(home))
+            name = self._new(place, written, home)
+            letter, tex = self._letters(place, item, written)
+            label = self.text([*place, "label"], item.get("label", ""), "a label")
+            found.append(Constant(name, letter, tex, label, term))
+            self.scope.add(written, name, home)
+            self.floats[name] = estimate(term, self.floats)
+        return found
+
+    def _new(self, keys: Sequence[str], written: str, home: str | None) -> str:
+        """The name in the statement; one that another context has gets its context before it."""
+        elsewhere = any(
+            written in names
+            for place, names in self.scope.written.items()
+            if place not in (*self.scope.chain(home),)
+        )
+        return self.name(keys, f"{home}.{written}" if elsewhere else written)
+
+    def _letters(
+        self, keys: Sequence[str], item: Mapping[str, Any], written: str
+    ) -> tuple[str, str]:
+        plain, tex = letter_of(written)
+        return (
+            self.text([*keys, "letter"], item.get("letter", plain), "a letter"),
+            self.text([*keys, "tex"], item.get("tex", tex), "LaTeX"),
+        )
+
+    # --- contexts -------------------------------------------------------------------------------
+
+    def _context(self, name: str, value: object) -> None:
+        keys = ["contexts", name]
+        table = self.table(keys, value, CONTEXT)
+        self.name(keys, name)
+        parent = table.get("in")
+        if parent is not None and parent not in self.contexts:
+            where = [*keys, "in"]
+            raise self.places.error(where, self._no_context(parent, "an earlier one"))
+        self.scope.open(name, parent)
+        names = self._variables(keys, table, name)
+        givens = tuple(self._givens(keys, table, name))
+        point = table.get("point")
+        at = None if point is None else self._point(keys, point, names, parent)
+        if at is None:
+            new = [variable.name for variable in names.values()]
+            around = [other for other, home in self.scope.homes.items() if home is not None]
+            at = a_point(new, givens, self.floats, {*around} - {*new})
+            if at is None:
+                raise self.places.error(
+                    keys,
+                    "no point was found at which all givens hold; write one, such as "
+                    f"point = {{ {', '.join(f'{n} = 1' for n in names)} }}",
+                )
+        self.floats |= {v: estimate(term, self.floats) for v, term in at.items()}
+        constants = self._constants([*keys, "constants"], table.get("constants", {}), name)
+        says = self.text([*keys, "says"], table.get("says", ""), "a sentence")
+        variables = tuple(names.values())
+        self.contexts[name] = Context(name, variables, givens, at, parent, says, tuple(constants))
+
+    def _no_context(self, name: object, wanted: str = "one of the page") -> str:
+        known = ", ".join(self.contexts) or "none"
+        instead = nearest(str(name), self.contexts, f"write {wanted}; there is {known}")
+        return f"{_told(name)} is no context; {instead}"
+
+    def _variables(
+        self, keys: Sequence[str], table: Mapping[str, Any], home: str
+    ) -> dict[str, Variable]:
+        """The variables by the names that the page writes."""
+        entry = table.get("variables", [*table.get("point", ())])
+        place = [*keys, "variables"]
+        if isinstance(entry, str):
+            entry = entry.replace(",", " ").split()
+        if "variables" not in table and not entry:
+            raise self.places.error(keys, 'it has no variables; write variables = ["x"]')
+        names = () if isinstance(entry, dict) else self.texts(place, entry)
+        items = entry if isinstance(entry, dict) else {name: {} for name in names}
+        found = {}
+        for written, item in items.items():
+            self.table([*place, written], item, VARIABLE)
+            name = self._new([*place, written], written, home)
+            found[written] = Variable(name, *self._letters([*place, written], item, written))
+            self.scope.add(written, name, home)
+        return found
+
+    def _point(
+        self, keys: Sequence[str], value: object, names: Mapping[str, Variable], parent: str | None
+    ) -> dict[str, Term]:
+        place = [*keys, "point"]
+        found = self.values(place, value, self.scope.inside(parent))
+        self._complete(place, found, list(names))
+        return {names[name].name: term for name, term in found.items()}
+
+    def _complete(self, keys: Sequence[str], found: Mapping[str, Any], names: list[str]) -> None:
+        """Afterwards there is a value for each variable, and for nothing else."""
+        for name in found.keys() ^ {*names}:
+            what = "has no value" if name in names else "is no variable of the context"
+            raise self.places.error(
+                keys, f"{shown(name)} {what}; write values of {', '.join(names) or 'nothing'}"
+            )
+
+    def _givens(self, keys: Sequence[str], table: Mapping[str, Any], home: str) -> Iterator[Given]:
+        count = 0
+        for key, kind in (("given", "plain"), ("carried", "carried"), ("standing", "standing")):
+            entry = table.get(key, [])
+            place = [*keys, key]
+            if isinstance(entry, str):
+                entry = [entry]
+            if isinstance(entry, dict):
+                for name, item in entry.items():
+                    yield from self._given([*place, name], name, item, kind, home)
+                continue
+            if not isinstance(entry, list):
+                raise self.places.error(place, f'{_told(entry)} is no list; write ["0 <= x"]')
+            for item in entry:
+                for claim in self.claims(place, item, self.scope.inside(home)):
+                    count += 1
+                    name = self.name([*place, f"{home}.{count}"], f"{home}.{count}")
+                    yield self._of_kind(place, Given(name, claim, kind))
+
+    def _given(
+        self, keys: Sequence[str], name: str, item: object, kind: str, home: str
+    ) -> Iterator[Given]:
+        entry = item if isinstance(item, dict) else {"claim": item}
+        self.table(keys, entry, GIVEN)
+        where = [*keys, "claim"] if isinstance(item, dict) else keys
+        claims = self.claims(where, entry.get("claim", ""), self.scope.inside(home))
+        kind = self._one_of([*keys, "kind"], entry.get("kind", kind), _KINDS)
+        assumption = entry.get("assumption")
+        if assumption is not None:
+            assumption = self.text([*keys, "assumption"], assumption, "a name")
+        for new, claim in zip(_numbered(name, len(claims)), claims, strict=True):
+            self.name(keys, new)
+            yield self._of_kind(keys, Given(new, claim, kind, assumption))
+
+    def _of_kind(self, keys: Sequence[str], given: Given) -> Given:
+        """The given, which names an assumption if it is standing, and only then."""
+        if given.kind == "standing" and given.assumption not in self.assumptions:
+            raise self.places.error(
+                keys,
+                "a standing given needs the assumption that grants it; write "
+                'NAME = { claim = "...", assumption = "..." }, with a name of [assumptions]',
+            )
+        if given.kind != "standing" and given.assumption is not None:
+            raise self.places.error(keys, "only a standing given has an assumption; leave it out")
+        return given
+
+    def _one_of(self, keys: Sequence[str], value: object, known: Sequence[str]) -> str:
+        if value not in known:
+            raise self.places.error(keys, f"{_told(value)} is unknown; write {', '.join(known)}")
+        return str(value)
+
+    # --- rows -----------------------------------------------------------------------------------
+
+    def _rows(self, table: Mapping[str, Any]) -> None:
+        """All rows, in the order of the page."""
+        for key, value in table.items():
+            if key == "rows":
+                for name, row in self.table(["rows"], value).items():
+                    self._row(["rows", name], name, row)
+            for context in value if key == "contexts" else ():
+                keys = ["contexts", context, "rows"]
+                for name, row in self.table(keys, value[context].get("rows", {})).items():
+                    entry = row if isinstance(row, dict) else {"claim": row}
+                    self._row([*keys, name], name, {"in": context} | entry)
+
+    def _row(self, keys: Sequence[str], name: str, value: object) -> None:
+        table = value if isinstance(value, dict) else {"claim": value}
+        self.table(keys, table, ROW)
+        kinds = [kind for kind in ("claim", "applies", "always") if kind in table]
+        if len(kinds) != 1:
+            what = "has no claim" if not kinds else f"has {' and '.join(kinds)}"
+            raise self.places.error(keys, f'it {what}; write one claim = "..."')
+        home = table.get("in")
+        if home is not None and home not in self.contexts:
+            raise self.places.error([*keys, "in"], self._no_context(home))
+        where = [*keys, "claim"] if isinstance(value, dict) else keys
+        claims: Sequence[Claim | Applies | Always]
+        if kinds == ["claim"]:
+            claims, home = self._compared(where, table["claim"], home)
+        else:
+            other, home = self._of_context(keys, table, home)
+            claims = [other]
+        fields = self._fields(keys, table)
+        for new, claim in zip(_numbered(name, len(claims)), claims, strict=True):
+            self.name(keys, new)
+            self.rows[new] = Obligation(name=new, claim=claim, context=home, **fields)
+            self._hint(keys, new, table)
+
+    def _hint(self, keys: Sequence[str], row: str, table: Mapping[str, Any]) -> None:
+        by = self.texts([*keys, "by"], table.get("by", []))
+        using = None if "using" not in table else self.texts([*keys, "using"], table["using"])
+        if by:
+            from verify.prover.techniques import TECHNIQUES  # loaded only where it is used
+
+            for word in by:
+                if not any(word in name for name in TECHNIQUES):
+                    instead = nearest(word, TECHNIQUES, f"write words of {', '.join(TECHNIQUES)}")
+                    raise self.places.error(
+                        [*keys, "by"], f"{shown(word)} is no technique; {instead}"
+                    )
+        if by or using is not None:
+            self.hints[row] = Hint(by, using)
+
+    def _compared(
+        self, keys: Sequence[str], value: object, home: str | None
+    ) -> tuple[Sequence[Claim], str | None]:
+        """The claims of a row and their context, which the names in them have if none is given."""
+        if home is not None:
+            return self.claims(keys, value, self.scope.inside(home)), home
+        claims = self.claims(keys, value, self.scope.anywhere())
+        return claims, self._home(keys, [side for c in claims for side in (c.lhs, c.rhs)])
+
+    def _home(self, keys: Sequence[str], terms: Sequence[Term]) -> str | None:
+        try:
+            return self.scope.home(list(names_of(*terms)))
+        except ValueError as error:
+            raise self.places.error(keys, f"{error}, of which none is inside the other") from error
+
+    def _of_context(
+        self, keys: Sequence[str], table: Mapping[str, Any], home: str | None
+    ) -> tuple[Applies | Always, str | None]:
+        kind = "applies" if "applies" in table else "always"
+        context = self.text([*keys, kind], table[kind], "the name of a context")
+        if context in self.contexts:
+            variables, parent = self.contexts[context].variables, self.contexts[context].parent
+        elif context in self.contexts_cited:
+            variables, parent = self.contexts_cited[context]
+        else:
+            raise self.places.error([*keys, kind], self._no_context(context))
+        if kind == "always":
+            home = home or parent
+            start = self._at(keys, "start", table, variables, self.scope.inside(home))
+            after = self._at(keys, "next", table, variables, self.scope.inside(context))
+            return Always(context, start, after), home
+        names = self.scope.inside(home) if home else self.scope.anywhere()
+        at = self._at(keys, "at", table, variables, names)
+        return Applies(context, at), home or self._home(keys, [*at.values()])
+
+    def _at(
+        self,
+        keys: Sequence[str],
+        key: str,
+        table: Mapping[str, Any],
+        variables: Sequence[Variable],
+        names: Names,
+    ) -> dict[str, Term]:
+        found = self.values([*keys, key], table.get(key, {}), names)
+        full = {v.name.rpartition(":")[2]: v.name for v in variables}
+        short = {name.rpartition(".")[2]: name for name in full}
+        named = {name if name in full else short.get(name, name): t for name, t in found.items()}
+        self._complete([*keys, key], named, list(full))
+        return named
+
+    def _fields(self, keys: Sequence[str], table: Mapping[str, Any]) -> dict[str, Any]:
+        uses = self.texts([*keys, "uses"], table.get("uses", []))
+        for name in uses:
+            if name not in self.assumptions:
+                instead = nearest(name, self.assumptions, "write it below [assumptions]")
+                raise self.places.error(
+                    [*keys, "uses"], f"{shown(name)} is no assumption; {instead}"
+                )
+        severity = table.get("severity")
+        if severity is not None:
+            self.text([*keys, "severity"], severity, "a text")
+        role = self._one_of([*keys, "role"], table.get("role", NEEDED), (NEEDED, PRINTED))
+        found = {
+            key: self.text([*keys, key], table.get(key, ""), "a text")
+            for key in ("group", "label", "says")
+        }
+        corrected = table.get("corrected_by")
+        return found | {
+            "role": role,
+            "uses": uses,
+            "severity": severity,
+            "corrected_by": None if corrected is None else self.text(keys, corrected, "a name"),
+        }
+
+    def _known_rows(self) -> None:
+        """Afterwards the hints name earlier rows."""
+        rows = list(self.rows)
+        for row, hint in self.hints.items():
+            earlier = rows[: rows.index(row)]
+            for name in hint.using or ():
+                if name not in earlier:
+                    instead = nearest(name, earlier, "write names of rows before it")
+                    raise self.places.error(
+                        ["rows", row, "using"], f"{shown(name)} is no earlier row; {instead}"
+                    )
+
+
+_KINDS = ("plain", "carried", "standing")
+
+
+def _numbered(name: str, count: int) -> list[str]:
+    """The names of claims that one text has: its name, or with a number behind it."""
+    return [name] if count == 1 else [f"{name}.{i}" for i in range(1, count + 1)]
+
+
+def _told(value: object) -> str:
+    return shown(value if isinstance(value, str) else repr(value))

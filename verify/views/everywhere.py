@@ -48,8 +48,13 @@ THEOREM = (
 )
 
 
-def screen(outcome: Outcome, paper: Publication, as_printed: Mapping[str, str]) -> Iterator[str]:
-    """What is proved, given what; ``as_printed`` has the verdicts on the theorem as printed."""
+def screen(
+    outcome: Outcome, paper: Publication, as_printed: Mapping[str, str], whole: Iterable[str] = ()
+) -> Iterator[str]:
+    """What is proved, given what; ``as_printed`` has the verdicts on the theorem as printed.
+
+    ``whole`` are the lines with the constants and the set of the theorem.
+    """
     (cite,) = outcome.statement.cites
     yield "Theorem 1 for all parameters"
     yield ""
@@ -61,6 +66,7 @@ def screen(outcome: Outcome, paper: Publication, as_printed: Mapping[str, str]) 
     yield ""
     if outcome.verdict == PROVED:
         yield THEOREM
+        yield from whole
         yield ""
     yield from printed_lines(as_printed)
     title = in_letters(outcome.statement.title)

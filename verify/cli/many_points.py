@@ -72,9 +72,9 @@ def _everywhere(options: Options) -> int:
         text = view.printed_screen(outcome, where, shares, PAPER, verdicts, INSTEAD)
     else:
         from verify.paper.commands.whole import whole
-        from verify.views.whole import lines
+        from verify.views.whole import constants_and_set
 
-        text = view.screen(outcome, PAPER, verdicts, lines(whole()))
+        text = view.screen(outcome, PAPER, verdicts, constants_and_set(whole()))
     show(claims.told(outcome, options, text), options)
     return code
 

@@ -24,12 +24,12 @@ from verify.views.screen import printed_lines
 from verify.views.words import (
     cited_as,
     counts,
+    fair,
     given,
     given_by,
     headline,
     in_letters,
     short_name,
-    told,
 )
 
 FORMAT = "verify-theorem1-all/1"
@@ -95,7 +95,7 @@ def printed_screen(
     """
     yield "The printed set, for all parameters that satisfy the corrected hypothesis"
     yield ""
-    found = [(row, d) for row, d in outcome.rows if told(outcome, row, d) == REFUTED]
+    found = [(row, d) for row, d in outcome.rows if fair(outcome, row, d) == REFUTED]
     for severity in ACCUSATIONS:
         here = [row for row, d in found if not d.witness and row.severity == severity]
         if here:
@@ -145,7 +145,7 @@ def _dependence(outcome: Outcome, row: Obligation, decision: Decision) -> str:
 def dependences(outcome: Outcome, where: Outcome, shares: Shares) -> Iterator[tuple[str, str]]:
     """The printed rows that fail for some parameters only, with what is known of where."""
     for row, decision in outcome.rows:
-        if told(outcome, row, decision) == REFUTED and decision.witness:
+        if fair(outcome, row, decision) == REFUTED and decision.witness:
             found = list(_sentences(where, shares, short_name(row)))
             yield row.says, "; ".join(found) or _dependence(outcome, row, decision)
 

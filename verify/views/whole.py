@@ -17,7 +17,7 @@ SET = (
 MORE = "and what free flight reaches from there before the next collision."
 
 
-def lines(whole: Whole) -> Iterator[str]:
+def constants_and_set(whole: Whole) -> Iterator[str]:
     """Constants and set for a terminal."""
     typesetter = plain(whole)
     yield CONSTANTS

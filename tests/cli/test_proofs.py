@@ -40,6 +40,10 @@ def test_all_parameters(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> N
     last = out.splitlines()[-1]
     assert last.startswith("Verdict: proved: For all 0 < r < 1")
     assert "given 9 assumptions" in last
+    whole = " ".join(out.split())
+    assert "δ_x = min(δ₁, δ₂, δ₃, δ₄, δ₅, V₀/V₁·(δ₂²·h₅/12))" in whole
+    assert "0 < (-η_c), (-η_c) ≤ η̄, 0 < η_s, " in whole
+    assert whole.index("Its set: ") < whole.index("Theorem 1 as printed, with < in (4.10): refuted")
     cited, proof = sorted((tmp_path / "all/cited").iterdir(), reverse=True)
     assert proof.name == f"{cited.stem}.certificate.json"
     step_folder = tmp_path / "step"

@@ -22,7 +22,7 @@ from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.uses import nodes
 from verify.views.point import parameters_told
-from verify.views.words import ends_of, letters, short_name, sides_of, told
+from verify.views.words import ends_of, fair, letters, short_name, sides_of
 
 Row = tuple[Obligation, Decision]
 SIGNS = {"<": "<", "<=": "≤", "=": "="}
@@ -43,7 +43,7 @@ def about_label(outcome: Outcome, label: str, paper: Publication) -> list[str]:
     text = [f"{paper.cited(label)}{_place(outcome)}", f"  {_verdict(outcome, rows)}"]
     for verdict, title in KINDS.items():
         for row, found in rows:
-            if row.role == PRINTED and told(outcome, row, found) == verdict:
+            if row.role == PRINTED and fair(outcome, row, found) == verdict:
                 text += _false(outcome, row, found, title)
     held = [row for row, d in rows if row.role == PRINTED and d.verdict == PROVED]
     true = [row for row, d in rows if row.role == NEEDED and d.verdict == PROVED]
@@ -57,7 +57,7 @@ def _place(outcome: Outcome) -> str:
 
 def _verdict(outcome: Outcome, rows: list[Row]) -> str:
     """In a line: how many of the printed rows there are false, and whether what is needed holds."""
-    printed = [told(outcome, row, d) for row, d in rows if row.role == PRINTED]
+    printed = [fair(outcome, row, d) for row, d in rows if row.role == PRINTED]
     needed = [d.verdict for row, d in rows if row.role == NEEDED]
     parts = []
     if printed:
@@ -68,7 +68,7 @@ def _verdict(outcome: Outcome, rows: list[Row]) -> str:
 
 
 def _false(outcome: Outcome, row: Obligation, found: Decision, title: str) -> Iterator[str]:
-    severity = f", {row.severity}" if told(outcome, row, found) == REFUTED and row.severity else ""
+    severity = f", {row.severity}" if fair(outcome, row, found) == REFUTED and row.severity else ""
     yield f"  {title}{severity}: {short_name(row)}: {row.says}"
     yield f"    {letters(outcome).claim(row.claim)}"
     yield from _numbers(row, found)
@@ -129,7 +129,7 @@ def _value(outcome: Outcome, constant: Constant) -> str:
 def _doubts(outcome: Outcome, constants: list[Constant]) -> list[str]:
     """What is false of the printed constant, as far as rows about it say; else that nothing is."""
     own = {constant.name for constant in constants if not constant.name.startswith(REPAIRED)}
-    rows = [p for p in outcome.rows if told(outcome, *p) == REFUTED and own & _names(p[0])]
+    rows = [p for p in outcome.rows if fair(outcome, *p) == REFUTED and own & _names(p[0])]
     names = [f"{short_name(row)} ({row.severity})" for row, _ in rows]
     return _named_names("printed rows about it that are false", names)
 

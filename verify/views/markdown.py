@@ -21,7 +21,7 @@ from verify.views.words import (
     sides_of,
     verdict_text,
 )
-from verify.views.words import told as verdict_of
+from verify.views.words import fair as verdict_of
 
 _SIGNS = {"<": "<", "<=": "≤", "=": "="}
 

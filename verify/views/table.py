@@ -28,6 +28,7 @@ from verify.views.words import (
     COUNTED,
     constants_of,
     ends_of,
+    fair,
     group_verdict,
     groups,
     is_called,
@@ -35,7 +36,6 @@ from verify.views.words import (
     short_name,
     sides_of,
     taken_on_trust,
-    told,
 )
 
 
@@ -83,7 +83,7 @@ def _set(outcome: Outcome, group: str, typesetter: Typesetter, paper: Publicatio
     yield ""
     for row, decision in rows:
         yield from _row(outcome, row, decision, typesetter, paper)
-    verdicts = Counter(told(outcome, row, decision) for row, decision in rows)
+    verdicts = Counter(fair(outcome, row, decision) for row, decision in rows)
     yield ""
     yield "  " + ", ".join(f"{count} {COUNTED[verdict]}" for verdict, count in verdicts.items())
     if group == PRINTED:
@@ -135,7 +135,7 @@ def _row(
 ) -> Iterator[str]:
     role = " (as printed)" if row.role == PRINTED and row.group == HYPOTHESES else ""
     where = f"[{name or short_name(row)}, {paper.cited(row.label)}]"
-    verdict = told(outcome, row, decision)
+    verdict = fair(outcome, row, decision)
     yield f"  {verdict:<9} {row.says}{role}   {where}"
     yield f"            {typesetter.claim(row.claim)}"
     sides = sides_of(row, decision)
@@ -168,7 +168,7 @@ def _first_screen(outcome: Outcome, paper: Publication, sets: list[str]) -> Iter
     yield from verdict_lines(outcome, paper, sets)
     refuted: dict[str, list[str]] = {}
     for row, decision in outcome.rows:
-        found = told(outcome, row, decision)
+        found = fair(outcome, row, decision)
         if found == REFUTED and (row.role == PRINTED or row.group in sets):
             kind = f"{row.group}, {row.severity}" if row.severity else row.group
             refuted.setdefault(kind, []).append(short_name(row))

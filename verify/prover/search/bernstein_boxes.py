@@ -142,7 +142,8 @@ def _failing_givens(system: System, p: fmpq_mpoly) -> list[Alternative]:
     for fact in system.facts:
         polynomial = -fact.polynomial
         used = [a for a, d in zip(system.atoms, polynomial.degrees(), strict=True) if d > 0]
-        if fact.value not in system.question.given or any(
+        is_given = fact.value in system.question.given
+        if not (is_given and used) or any(
             atom.op != "symbol" or not variables[atom.name].ends for atom in used
         ):
             continue

@@ -266,7 +266,8 @@ class Growth:
             return None
         prove = self._by_logarithm if atom.op == "exp" else self._grown
         proof = prove(isolated, bounds, cuts, depth - 1)
-        last = Sum(("goal", f"@{len(cuts) + 1}"))
+        scale = str(factor.value) if factor.op == "rational" else "1"
+        last = Sum(("goal", product_of(scale, f"@{len(cuts) + 1}")))
         return None if proof is None else Have(isolated, (proof, last))
 
     def _by_logarithm(

@@ -34,6 +34,7 @@ from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.program import Machine, Program, Run, UndefinedError
 from verify.prover.proof import ConstantStep, ObligationStep, Premise, Proof, Step
 from verify.prover.rules import Applying, Interval, Sum
+from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER
 from verify.spheres.flow.follow import COLLIDE, DRIFT
 from verify.spheres.flow.theorem import NAME as FLOW
 from verify.spheres.flow.theorem import flow
@@ -47,10 +48,7 @@ from verify.spheres.scene.decide import (
 from verify.spheres.scene.telling import (
     CLASSIFICATION,
     LINE_START,
-    ON_A_LINE,
-    SANDWICH,
     SANDWICH_START,
-    SHARPER,
     STAIR,
     START,
     Numbers,
@@ -190,7 +188,7 @@ def cites(found: Fate) -> list[Cite]:
         CLASSIFICATION: decide_classification,
         SHARPER: decide_sharper,
         SANDWICH: decide_sandwich,
-        ON_A_LINE: decide_line,
+        LINE: decide_line,
     }
     return [_cite(name, makers[name]) for name in theorems(found)]
 

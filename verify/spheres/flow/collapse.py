@@ -14,6 +14,8 @@ from verify.language.record import Record
 from verify.prover import balls
 from verify.spheres.flow.law import Number, State
 
+#: What the theorems on collapses are cited as.
+SHARPER, SANDWICH, LINE = "sharper", "sandwich", "line"
 #: By how much the iteration widens what it finds, so that inequalities become strict.
 SLACK = 1.001
 ROUNDS = 60
@@ -52,6 +54,13 @@ class Collapse(Record):
     def is_on_a_line(self) -> bool:
         """Whether the spheres are on a line."""
         return "E" in self.numbers
+
+    @property
+    def theorem(self) -> str:
+        """What the theorem is cited as."""
+        if self.is_on_a_line:
+            return LINE
+        return SANDWICH if self.stair else SHARPER
 
     @property
     def ratio(self) -> float:

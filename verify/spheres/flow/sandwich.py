@@ -170,7 +170,8 @@ def bounds_of(r: Fraction, C: Number, sizes: Sequence[float], widest: Fraction) 
     """Bounds of the speeds and of the angle, where no U is larger than the widest."""
     e, W_0, W_1 = sizes
     half, zeta = (1 + float(r)) / 2, float(widest * (2 - widest))
-    share = zeta * (e / min(W_0, W_1)) ** 2 * SLACK
+    kick = half / (1 - half * half) * e  # the gain for G = 1, which is no more than for any other
+    share = zeta * (e / min(W_0 + half * kick, W_1 + kick)) ** 2 * SLACK
     if share >= 1:
         return None
     G = 1 + above(share / (math.sqrt(1 - share) * (1 + math.sqrt(1 - share))) * SLACK)

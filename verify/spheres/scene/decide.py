@@ -19,7 +19,6 @@ from verify.spheres.scene.scene import Scene
 COLLAPSES, DISPERSES, FINITE, UNDECIDED = "collapses", "disperses", "finite", "undecided"
 #: Names of reasons; a criterion and what balls leave open have theirs.
 APART, BUDGET, FOR_EVER = "apart", "budget", "for-ever"
-SHARPER, LINE = "sharper", "line"
 #: An exact answer, although it is no verdict.
 EXACT = (TRIPLE, GRAZING, FOR_EVER)
 FIRST_BITS, MAX_BITS = 128, 4096
@@ -60,7 +59,7 @@ class Fate(Record):
     def name(self) -> str:
         """The name of what shows the verdict, or of why there is none."""
         if self.collapse is not None:
-            return LINE if self.collapse.is_on_a_line else SHARPER
+            return self.collapse.theorem
         return self.why if self.criterion is None else self.criterion.name
 
     @property

@@ -14,6 +14,7 @@ from verify.language.record import Record
 from verify.language.statement import NEEDED, Applies, Constant, Obligation
 from verify.language.terms import Claim, Number, Term, as_term, equal, sqrt, symbol
 from verify.spheres.flow import changes, collision, pairs, readings
+from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER
 from verify.spheres.flow.law import (
     Pair,
     State,
@@ -37,9 +38,8 @@ from verify.spheres.scene.scene import (
 
 LABEL = "EQUATSS2.1_Loi_de_Newton_"
 #: The theorems that are cited besides the flow.
-SHARPER, CLASSIFICATION, ON_A_LINE = "sharper", "classification", "line"
-SANDWICH = "sandwich"
-START, LINE_START = f"{SHARPER}:start", f"{ON_A_LINE}:start"
+CLASSIFICATION = "classification"
+START, LINE_START = f"{SHARPER}:start", f"{LINE}:start"
 SANDWICH_START, STAIR = f"{SANDWICH}:start", f"{SANDWICH}:stair"
 #: The name of the constant for the time of a move.
 TIME = "time"

@@ -19,38 +19,49 @@ _OFFERED = {
         *("for_all", "lemma", "prove", "read_page", "write_page"),
     ),
     "verify.language.terms": (
-        *("Claim", "Term", "cos", "cos_pi", "equal", "maximum", "minimum", "sqrt", "symbol"),
+        *("Claim", "Term", "absolute", "atan", "cos", "cos_pi", "equal", "exp", "log", "maximum"),
+        *("minimum", "nth_root", "pi", "sin", "sqrt", "symbol", "tan"),
     ),
     "verify.language.statement": ("Statement",),
+    "verify.prover.hint": ("Hint",),
     "verify.language.errors": ("OwnError",),
     "verify.wire.inputs": ("InputError",),
 }
 
 __all__ = [
     "Claim",
+    "Hint",
     "InputError",
     "OwnError",
     "Result",
     "Statement",
     "Term",
+    "absolute",
     "always",
     "applies",
     "ask",
     "assume",
+    "atan",
     "certificate",
     "cite",
     "constant",
     "cos",
     "cos_pi",
     "equal",
+    "exp",
     "for_all",
     "lemma",
+    "log",
     "maximum",
     "minimum",
+    "nth_root",
+    "pi",
     "prove",
     "read_page",
+    "sin",
     "sqrt",
     "symbol",
+    "tan",
     "write_page",
 ]
 
@@ -60,13 +71,21 @@ if TYPE_CHECKING:
     from verify.language.terms import (
         Claim,
         Term,
+        absolute,
+        atan,
         cos,
         cos_pi,
         equal,
+        exp,
+        log,
         maximum,
         minimum,
+        nth_root,
+        pi,
+        sin,
         sqrt,
         symbol,
+        tan,
     )
     from verify.library import (
         Result,
@@ -83,6 +102,7 @@ if TYPE_CHECKING:
         read_page,
         write_page,
     )
+    from verify.prover.hint import Hint
     from verify.wire.inputs import InputError
 else:
 

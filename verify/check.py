@@ -488,6 +488,14 @@ class Kernel:
         for order, inner in self.paired(orders, proof["branches"]):
             self.prove(place, order, inner)
 
+    def have(self, place: Place, claim: Claim, proof: Proof) -> None:
+        """What is proved at a place is a hypothesis there that all values satisfy."""
+        found = self.read_claim("claim", proof["claim"], place.context)
+        first, then = self.paired([found, claim], proof["branches"])
+        self.prove(place, *first)
+        self.spend(0, 2 + len(place.hypotheses))
+        self.prove(place.branch(found), *then)
+
     def angles(self, place: Place, claim: Claim, __: Proof) -> None:
         """2 cos u cos v = cos s + cos t, where s = u + v and t = u - v are identities."""
         two, product = self.parts("mul", claim.lhs)
@@ -592,10 +600,11 @@ class Kernel:
         (x - c) D(s) for such an s, so that it has the sign of (x - c) D, or is 0 if x = c.
         """
         relation, context = claim.relation, place.context
-        need(proof["of"] in context.variables, Malformed, "of: found no variable of the context")
-        x, c = context.variables[proof["of"]], self.read("from", proof["from"], context)
+        name = proof["variable"]
+        need(name in context.variables, Malformed, "found {}, no variable of the context", name)
+        x, c = context.variables[name], self.read("at", proof["at"], context)
         slopes, clearing = Slopes(self, context, x), Clearing(self, place, ())
-        need(not slopes.has(c), Refused, "from: found a term in which {} occurs", proof["of"])
+        need(not slopes.has(c), Refused, "at: found a term in which {} occurs", name)
         for term in (claim.lhs, claim.rhs, c):
             clearing.clear(term)
         found = self.read("term", proof["term"], context)
@@ -1782,6 +1791,7 @@ RULES: dict[str, tuple[Callable[..., None], Shape]] = {
     "cases": (Kernel.cases, record(rule=rule, of=anything, branches=proofs)),
     "root": (Kernel.root, record(rule=rule)),
     "antisymmetry": (Kernel.antisymmetry, record(rule=rule, branches=proofs)),
+    "have": (Kernel.have, record(rule=rule, claim=anything, branches=proofs)),
     "range": (Kernel.range, record(rule=rule)),
     "law": (Kernel.law, record(rule=rule)),
     "monotony": (
@@ -1798,9 +1808,9 @@ RULES: dict[str, tuple[Callable[..., None], Shape]] = {
             rule=rule,
             side=text("above|below", "above or below"),
             strict=text("start|slope", "start or slope"),
-            of=context_name,
+            variable=context_name,
             bounds=proofs,
-            **dict.fromkeys(("from", "term", "start", "order", "sign"), anything),
+            **dict.fromkeys(("at", "term", "start", "order", "sign"), anything),
         ),
     ),
     "angles": (Kernel.angles, record(rule=rule)),

@@ -17,7 +17,7 @@ def derivative(
     slope: Json, sign: Json, order: Json, *bounds: Json, start: Json = INTERVAL, **others: Json
 ) -> dict[str, Json]:
     """The rule for x, from 0 upwards, unless something else is said."""
-    fields = {"of": "x", "from": "0", "side": "above", "strict": "start", "term": term(slope)}
+    fields = {"variable": "x", "at": "0", "side": "above", "strict": "start", "term": term(slope)}
     return {
         "rule": "derivative", **fields, "start": start, "order": order, "sign": sign,
         "bounds": list(bounds), **others,
@@ -56,13 +56,13 @@ def test_an_exponential() -> None:
         ("1 <= exp(x)", {"term": "1"}, "another term than the derivative"),
         ("1 <= exp(x)", {"term": term("1*exp(x)")}, "another term than the derivative"),
         ("1 <= exp(x)", {"side": "below"}, "another claim than is needed"),
-        ("1 <= exp(x)", {"from": "1"}, "another claim than is needed"),
-        ("1 <= exp(x)", {"from": "x"}, "in which x occurs"),
-        ("1 <= exp(x)", {"from": term("x - x")}, "in which x occurs"),
-        ("1 <= exp(x)", {"of": "y"}, "the variable does not occur"),
-        ("1 <= exp(x)", {"of": "z"}, "no variable of the context"),
-        ("1 <= exp(x)", {"of": "c"}, "no variable of the context"),
-        ("1 <= exp(x)", {"of": ["x"]}, "MALFORMED"),
+        ("1 <= exp(x)", {"at": "1"}, "another claim than is needed"),
+        ("1 <= exp(x)", {"at": "x"}, "in which x occurs"),
+        ("1 <= exp(x)", {"at": term("x - x")}, "in which x occurs"),
+        ("1 <= exp(x)", {"variable": "y"}, "the variable does not occur"),
+        ("1 <= exp(x)", {"variable": "z"}, "no variable of the context"),
+        ("1 <= exp(x)", {"variable": "c"}, "no variable of the context"),
+        ("1 <= exp(x)", {"variable": ["x"]}, "MALFORMED"),
         ("1 <= exp(x)", {"bounds": []}, "expected 1"),
         ("1 <= exp(x)", {"bounds": [INTERVAL, INTERVAL]}, "expected 1"),
         ("1 <= exp(x)", {"side": "both"}, "MALFORMED"),
@@ -100,7 +100,7 @@ def test_strict_from_the_slope() -> None:
 def test_the_given_has_to_hold_where_it_starts() -> None:
     """For x >= 0 the slope 2x is >= 0, which says nothing of -1."""
     proof = derivative("2*x", total("goal", ["mul", "2", "low"]), "down", INTERVAL)
-    proof |= {"from": "-1", "order": {"rule": "sum", "using": [], "addends": ["goal", "low", "1"]}}
+    proof |= {"at": "-1", "order": {"rule": "sum", "using": [], "addends": ["goal", "low", "1"]}}
     proof["order"]["equations"] = []
     claim = "1 <= x**2"
     found = verdict(half_line().row("row", claim, proof, "c"))
@@ -111,13 +111,13 @@ def test_hypotheses_count_as_givens() -> None:
     """In the branch x >= 1 the slope x - 1 is >= 0, which says nothing of what is below 1."""
     slope = "2*x - 2"
     sign = total("goal", ["mul", "2", "@1"])
-    start = {"start": INTERVAL, "from": "0"}
+    start = {"start": INTERVAL, "at": "0"}
     proof = derivative(slope, sign, "low", INTERVAL, INTERVAL, **start)
     found = verdict(half_line().row("row", "0 <= x**2 - 2*x", cuts("x", ["1"], proof, proof), "c"))
     assert found.startswith("REFUSED")
-    good = derivative(slope, sign, "@1", INTERVAL, INTERVAL, **{**start, "from": "1"})
+    good = derivative(slope, sign, "@1", INTERVAL, INTERVAL, **{**start, "at": "1"})
     below = derivative(slope, total("goal", ["mul", "2", "@1"]), "@1", INTERVAL)
-    below |= {"from": "1", "side": "below"}
+    below |= {"at": "1", "side": "below"}
     branches = cuts("x", ["1"], below, good)
     assert verdict(half_line().row("row", "-1 <= x**2 - 2*x", branches, "c")) == "proved"
     swapped = cuts("x", ["1"], good, below)
@@ -143,7 +143,7 @@ def test_givens_of_other_variables_do_not_matter() -> None:
 def test_a_constant_hides_the_variable() -> None:
     """What occurs in a definition occurs: w*w <= 1 with w = x - 1 says that x is no interval."""
     pair = Pair().context("c", {"x": "1"}, {"low": "0 <= x"}).inner("c", "w", "x - 1")
-    assert "in which x occurs" in proved(pair, "1 <= exp(x)", rise(**{"from": "w"}))
+    assert "in which x occurs" in proved(pair, "1 <= exp(x)", rise(at="w"))
     pair = Pair().context("c", {"x": "1"}, {"low": "0 <= x"}).inner("c", "w", "x - 1")
     proof = cuts("w**2", ["1"], rise(), rise())
     assert "no bound of the variable" in proved(pair, "1 <= exp(x)", proof)
@@ -170,7 +170,7 @@ def atan_sum(sign: str) -> str:
     change = ["div", ["neg", ["div", "1", ["pow", "x", "2"]]], other]
     slope = [sign, ["div", "1", term("1 + x**2")], change]
     start = total(equations=[("unit", "-1" if sign == "add" else "1")])
-    proof = derivative(slope, total(), "low", INTERVAL, start=start, **{"from": "1"})
+    proof = derivative(slope, total(), "low", INTERVAL, start=start, at="1")
     constant = [sign, ["atan", "1"], ["atan", "1"]]
     claim = ["=", constant, [sign, ["atan", "x"], ["atan", inverse]]]
     return verdict(pair.row("row", claim, proof, "c"))
@@ -266,7 +266,7 @@ def test_both_sides_have_to_be_defined() -> None:
     """The derivative of 1/x - 1/x + x is defined nowhere else than this is."""
     pair = Pair().context("c", {"x": "1"}, {"low": "-1 <= x"})
     proof = derivative("1/(1 + x**2)", INTERVAL, "low", INTERVAL)
-    proof |= {"term": ["div", "1", "x"], "from": "-1"}
+    proof |= {"term": ["div", "1", "x"], "at": "-1"}
     found = verdict(pair.row("row", "0 <= log(x)", proof, "c"))
     assert "logarithm of a term" in found
 

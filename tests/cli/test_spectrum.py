@@ -189,7 +189,7 @@ def test_a_broken_matrix_fails_the_command(
 ) -> None:
     broken = ((MATRIX[0][0] + as_term(Fraction(1, 64)), *MATRIX[0][1:]), *MATRIX[1:])
     outcome = spectrum.decide_spectrum(Printed(matrix=broken))
-    monkeypatch.setattr("verify.cli.spectrum.decide_spectrum", lambda: outcome)
+    monkeypatch.setattr("verify.cli.spectrum.cite_spectrum", lambda: outcome)
     code, out, _ = run(capsys)
     assert code == 1
     assert out.splitlines()[-1].startswith("Verdict: refuted: ")

@@ -144,6 +144,8 @@ let make op args extra =
   | "div", [a; b] -> NDiv (a, b) | "neg", [a] -> NNeg a | "pow", [a] -> NPow (a, pos extra)
   | "sqrt", [a] -> NSqrt a | "cos", [a] -> NCos a | "cos_pi", [a] -> NCosPi a
   | "min", a :: (_ :: _ as l) -> NMin (a, l) | "max", a :: (_ :: _ as l) -> NMax (a, l)
+  | ("pi" | "exp" | "log" | "sin" | "atan" | "root"), _ ->
+      bad ("the checker in Coq has no operation " ^ op)
   | _ -> bad ("no term: " ^ op)
 let node k op args extra =
   let key = Node (op, args, extra) in

@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import partial
 from typing import TypeVar
 
-from verify.language.terms import Term
+from verify.language.terms import OPERATIONS, Term
 
 Value = TypeVar("Value")
 
@@ -22,8 +22,8 @@ def fold(
     """The value of a term, by a function for each of its operations.
 
     A function gets the values of the subterms; that of ``rational`` gets the number, that of
-    ``symbol`` the name, and that of ``pow`` the exponent after the value. ``known`` has the values
-    of parts that are known, and keeps those that are computed.
+    ``symbol`` the name, that of ``pow`` the exponent after the value, and that of ``root`` the
+    index. ``known`` has the values of parts that are known, and keeps those that are computed.
 
     Raises:
         MissingOperationError: for an operation that the algebra does not have.
@@ -40,13 +40,7 @@ def fold(
 
 
 #: The algebra of terms: each is put together again.
-TERMS: Mapping[str, Callable[..., Term]] = {
-    op: partial(Term, op)
-    for op in (
-        *("rational", "symbol", "add", "sub", "mul", "div", "neg", "pow"),
-        *("sqrt", "min", "max", "cos", "cos_pi"),
-    )
-}
+TERMS: Mapping[str, Callable[..., Term]] = {op: partial(Term, op) for op in OPERATIONS}
 
 
 def replaced(term: Term, chosen: Mapping[Term, Term]) -> Term:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from verify.language.terms import Claim, Term, as_term
+from verify.language.terms import LEAVES, Claim, Term, as_term, nth_root
 
 ONE = Fraction(1)
 
@@ -21,8 +21,10 @@ def simplified(term: Term) -> Term:
     """The term without factors 1, double signs, and products of numbers."""
     known: dict[Term, Term] = {}
     for part in _in_order(term):
-        if part.op in ("symbol", "rational"):
+        if part.op in LEAVES:
             known[part] = part
+        elif part.op == "root":
+            known[part] = nth_root(known[part.children[0]], part.exponent)
         elif part.op == "pow":
             base = known[part.children[0]]
             known[part] = base if part.exponent == 1 else base**part.exponent

@@ -16,8 +16,19 @@ if TYPE_CHECKING:
 
 RELATIONS = ("<", "<=", "=")
 
+#: The largest index of a root.
+MAX_INDEX = 99
+#: The largest exponent of a power that the wire format has.
+MAX_EXPONENT = 999
+
 #: The operations without terms as arguments.
-LEAVES = ("rational", "symbol")
+LEAVES = ("rational", "symbol", "pi")
+#: The operations with a natural number after the one term: a power, and a root of some index.
+INDEXED = ("pow", "root")
+#: The functions of one number.
+FUNCTIONS = ("sqrt", "cos", "cos_pi", "sin", "exp", "log", "atan")
+#: All operations.
+OPERATIONS = (*LEAVES, *INDEXED, "add", "sub", "mul", "div", "neg", "min", "max", *FUNCTIONS)
 
 
 #: Every term that was built, by operation and arguments.
@@ -27,8 +38,8 @@ _TERMS: dict[tuple[str, tuple[Any, ...]], Term] = {}
 class Term:
     """An immutable expression: an operation and its arguments.
 
-    Leaves are ``rational`` (one Fraction) and ``symbol`` (one name); the other operations are
-    ``add sub mul div neg pow sqrt min max cos cos_pi``, where ``pow`` has an integer exponent and
+    Leaves are ``rational`` (one Fraction), ``symbol`` (one name) and ``pi``; the other operations
+    are those of `OPERATIONS`, where ``pow`` has an integer exponent, ``root`` a natural index, and
     ``cos_pi(x)`` is cos(pi x). Two terms are equal when they are written alike.
     """
 
@@ -47,7 +58,7 @@ class Term:
             term = _TERMS[key] = super().__new__(cls)
             term.op = op
             term.args = args
-            term.children = () if op in LEAVES else args[:1] if op == "pow" else args
+            term.children = () if op in LEAVES else args[:1] if op in INDEXED else args
         return term
 
     def __repr__(self) -> str:
@@ -121,10 +132,10 @@ class Term:
 
     @property
     def exponent(self) -> int:
-        """The exponent of a power."""
-        exponent = self.args[-1]
-        if self.op != "pow" or not isinstance(exponent, int):
-            raise TypeError(f"{self!r} is not a power")
+        """The exponent of a power, or the index of a root."""
+        exponent = self.args[-1] if self.args else None
+        if self.op not in INDEXED or not isinstance(exponent, int):
+            raise TypeError(f"{self!r} is neither a power nor a root of some index")
         return exponent
 
 
@@ -205,6 +216,13 @@ def sqrt(number: Number) -> Term:
     return Term("sqrt", as_term(number))
 
 
+def nth_root(number: Number, index: int) -> Term:
+    """The root of this index of a number that is not negative; it is not negative either."""
+    if type(index) is not int or not 2 <= index <= MAX_INDEX:
+        raise TypeError(f"a root needs an index from 2 to {MAX_INDEX}, not {index!r}")
+    return Term("root", as_term(number), index)
+
+
 def minimum(*numbers: Number) -> Term:
     """The least of at least two numbers, each entry kept visible."""
     return Term("min", *map(as_term, numbers))
@@ -223,6 +241,40 @@ def cos(radians: Number) -> Term:
 def cos_pi(half_turns: Number) -> Term:
     """cos(pi x)."""
     return Term("cos_pi", as_term(half_turns))
+
+
+def sin(radians: Number) -> Term:
+    """The sine of an angle in radians."""
+    return Term("sin", as_term(radians))
+
+
+def tan(radians: Number) -> Term:
+    """The tangent of an angle in radians, which is its sine over its cosine."""
+    return sin(radians) / cos(radians)
+
+
+def atan(number: Number) -> Term:
+    """The angle between -pi/2 and pi/2 with this tangent."""
+    return Term("atan", as_term(number))
+
+
+def exp(number: Number) -> Term:
+    """The exponential."""
+    return Term("exp", as_term(number))
+
+
+def log(number: Number) -> Term:
+    """The natural logarithm of a positive number."""
+    return Term("log", as_term(number))
+
+
+def absolute(number: Number) -> Term:
+    """The absolute value, which is the greater one of the number and its negative."""
+    return maximum(number, -as_term(number))
+
+
+#: Half the circumference of the circle with radius 1.
+pi = Term("pi")
 
 
 def parts_of(*terms: Term) -> Iterator[Term]:

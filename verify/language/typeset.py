@@ -17,6 +17,8 @@ _LEVELS = {
     "pow": _POWER,
 }
 _SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+#: What people write for functions where it is not the name of the operation.
+FUNCTION_NAMES = {"atan": "arctan"}
 _BINARY = ("add", "sub", "mul", "div")
 
 
@@ -66,8 +68,11 @@ class Typesetter:
         if op == "pow":
             exponent = str(term.exponent).translate(_SUPERSCRIPTS)
             return self._inside(term.children[0], _ATOM) + exponent
-        if op == "sqrt":
-            return f"√{self._inside(term.children[0], _ATOM)}"
+        if op == "pi":
+            return "π"
+        if op in ("sqrt", "root"):
+            index = str(term.exponent).translate(_SUPERSCRIPTS) if op == "root" else ""
+            return f"{index}√{self._inside(term.children[0], _ATOM)}"
         return self._function(op, term)
 
     def _binary(self, op: str, left: Term, right: Term) -> str:
@@ -90,5 +95,6 @@ class Typesetter:
         if op == "cos_pi":
             name, arguments = "cos", self._inside(term.children[0], _ATOM) + "π"
         else:
-            name, arguments = op, ", ".join(map(self.term, term.children))
+            name = FUNCTION_NAMES.get(op, op)
+            arguments = ", ".join(map(self.term, term.children))
         return f"{name}({arguments})"

@@ -18,6 +18,9 @@ from verify.prover import balls
 from verify.prover.outcome import Ends
 from verify.prover.program import Machine, Program, UndefinedError
 
+#: Before the index, in the name of the operation of a root.
+ROOT = "root "
+
 
 class ArbEngine(balls.BallArithmetic):
     """Ball arithmetic of FLINT."""
@@ -47,11 +50,15 @@ class CheckerEngine:
 
     def operation(self, name: str) -> Callable[..., check.Interval]:
         """The checker's operation of this name."""
-        function, enclosing = check.OPERATIONS[name], self._enclosing
+        enclosing = self._enclosing
+        function: Callable[..., check.Interval] = check.Enclosing.root
+        index = [int(name.removeprefix(ROOT))] if name.startswith(ROOT) else []
+        if not index:
+            function = check.OPERATIONS[name]
 
         def apply(*operands: check.Interval) -> check.Interval:
             try:
-                return enclosing.outward(function(enclosing, *operands))
+                return enclosing.outward(function(enclosing, *operands, *index))
             except check.Refused as error:
                 raise UndefinedError(str(error)) from error
 
@@ -154,9 +161,11 @@ class DoubleEngine:
             "sqrt": _float_sqrt,
             "min": min,
             "max": max,
-            "cos": math.cos,
             "cos_pi": lambda x: math.cos(math.pi * x),
+            **{op: getattr(math, op) for op in ("cos", "sin", "exp", "log", "atan")},
         }
+        if name.startswith(ROOT):
+            return lambda x: math.pow(x, 1 / int(name.removeprefix(ROOT)))
         return table[name]
 
     def ends(self, value: float) -> Ends:

@@ -12,10 +12,12 @@ import operator
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
-from flint import arb, ctx, fmpq
+from flint import arb, ctx, fmpq, fmpz
 
+from verify.language.terms import MAX_INDEX
 from verify.prover.decimals import round_decimal
 from verify.prover.program import UndefinedError
 
@@ -100,6 +102,14 @@ def _cos_pi(x: arb) -> arb:
     return x.cos_pi() + _last_bit()
 
 
+def _sin(x: arb) -> arb:
+    return x.sin() + _last_bit()
+
+
+def _root(x: arb, index: int) -> arb:
+    return x if x.is_zero() else x.root(index)
+
+
 def _last_bit() -> arb:
     """What a cosine may be off by in an arithmetic that knows no exact ones."""
     return arb(0, 1) * arb(2) ** -ctx.prec
@@ -116,6 +126,14 @@ _OPERATIONS: dict[str, Callable[..., arb]] = {
     "max": arb.max,
     "cos": _cos,
     "cos_pi": _cos_pi,
+    "sin": _sin,
+    "exp": _finite(arb.exp, "the exponential"),
+    "log": _finite(arb.log, "the logarithm"),
+    "atan": arb.atan,
+    **{
+        f"root {index}": _finite(partial(_root, index=index), f"the root of index {index}")
+        for index in range(2, MAX_INDEX + 1)
+    },
 }
 
 
@@ -134,6 +152,18 @@ class BallArithmetic:
     def operation(self, name: str) -> Callable[..., arb]:
         """The ball operation of this name."""
         return _OPERATIONS[name]
+
+
+def value_around(name: str, value: Fraction, bits: int) -> tuple[Fraction, Fraction]:
+    """Ends around a function at a number, some units of the last of so many bits away from it."""
+    with ctx.workprec(bits + 32):
+        found = _OPERATIONS[name](from_fraction(value))
+        return ends(found * arb(1, 2.0 ** (2 - bits)))
+
+
+def floor_root(number: int, index: int) -> int:
+    """The greatest integer whose power is at most a natural number."""
+    return int(fmpz(number).root(index))
 
 
 def less(a: arb, b: arb) -> bool:
@@ -190,6 +220,11 @@ def accuracy_bits(ball: arb) -> int:
 def exact(value: Fraction) -> fmpq:
     """The same rational number, of a kind that mixes with balls."""
     return fmpq(value.numerator, value.denominator)
+
+
+def is_rational(value: Any) -> bool:
+    """Whether a number is an exact rational and no ball."""
+    return type(value) is fmpq
 
 
 def shortened(value: Any, bits: int) -> Any:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
-from verify.language.terms import parts_of, symbol
+from verify.language.terms import MAX_INDEX, parts_of, symbol
 from verify.prover import balls
 from verify.prover.balls import Ball
 from verify.prover.budget import WorkBudget
@@ -180,6 +180,12 @@ def _max(x: BallEnds, y: BallEnds) -> BallEnds:
     return x[0].max(y[0]), x[1].max(y[1])
 
 
+def _rising(name: str) -> Callable[..., BallEnds]:
+    """A function that rises, at both ends."""
+    function = balls.BallArithmetic().operation(name)
+    return lambda x: (function(x[0]), function(x[1]))
+
+
 def _by_ball(name: str) -> Callable[..., BallEnds]:
     """An operation on one interval, by the ball around it."""
     function = balls.BallArithmetic().operation(name)
@@ -200,4 +206,8 @@ _OPERATIONS: dict[str, Callable[..., BallEnds]] = {
     "sqrt": _sqrt,
     "min": _min,
     "max": _max,
+    "exp": _rising("exp"),
+    "log": _rising("log"),
+    "atan": _rising("atan"),
+    **{f"root {index}": _rising(f"root {index}") for index in range(2, MAX_INDEX + 1)},
 }

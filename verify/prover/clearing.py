@@ -1,6 +1,6 @@
 """Terms as quotients of polynomials in atoms, the way the checker clears them. Not trusted.
 
-An atom is a name, or a root, minimum, maximum or cosine. Names may be replaced by their
+An atom is a name, a root, a minimum, a maximum, or another function. Names may be replaced by their
 definitions. Polynomials are FLINT's, so that they can be divided and factored.
 """
 
@@ -15,7 +15,7 @@ from math import comb
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from verify.language.terms import Claim, Term, as_term
+from verify.language.terms import FUNCTIONS, Claim, Term, as_term
 from verify.prover.numbers import fmpq_of, fraction_of
 from verify.prover.session import ZERO
 
@@ -25,8 +25,11 @@ Quotient = tuple[fmpq_mpoly, fmpq_mpoly]
 #: Products of two monomials that expanding in one ring may take. The checker expands too: it counts
 #: about a hundred units for each, and has six million for a file.
 MAX_PRODUCTS = 20_000
+#: A number of so many bits counts as one product more.
+BITS = 200
 
-ATOMS = ("symbol", "sqrt", "min", "max", "cos", "cos_pi")
+ATOMS = ("symbol", "min", "max", "pi", "root", *FUNCTIONS)
+ROOTS = ("sqrt", "root")
 
 
 class TooLongError(ArithmeticError):
@@ -59,17 +62,27 @@ def atoms_of(terms: Iterable[Term], replaced: Mapping[Term, Term]) -> list[Term]
 
 
 def has_value(part: Term, is_fact: Callable[[Claim], bool]) -> bool:
-    """Whether a quotient, or a root, has the fact that the checker needs; true of other terms.
+    """Whether a quotient, root or logarithm has the fact that the checker needs; true of others.
 
-    A divisor has to be positive, or its opposite; a radicand must not be negative.
+    A divisor has to be positive, or its opposite; a radicand must not be negative; what a
+    logarithm is of has to be positive.
     """
-    if part.op not in ("div", "sqrt"):
+    if part.op not in ("div", "log", *ROOTS):
         return True
     number = part.children[-1]
     if number.op == "rational":
-        return bool(number.value != 0 if part.op == "div" else number.value >= 0)
-    other = Claim("<", ZERO, -number) if part.op == "div" else Claim("<=", ZERO, number)
-    return is_fact(Claim("<", ZERO, number)) or is_fact(other)
+        value = number.value
+        return bool(
+            value != 0 if part.op == "div" else value > 0 or (value == 0 and part.op in ROOTS)
+        )
+    if is_fact(Claim("<", ZERO, number)) or part.op == "log":
+        return is_fact(Claim("<", ZERO, number))
+    return is_fact(Claim("<", ZERO, -number) if part.op == "div" else Claim("<=", ZERO, number))
+
+
+def index_of(root: Term) -> int:
+    """The index of a root; that of a square root is 2."""
+    return root.exponent if root.op == "root" else 2
 
 
 class Quotients(ABC):
@@ -177,7 +190,9 @@ class Clearing(Quotients):
 
     def power(self, p: Polynomial, exponent: int) -> Polynomial:
         """The power, counted."""
+        bits = max((c.height_bits() for c in p.coeffs()), default=0)
         self._count(comb(len(p) + exponent - 1, exponent) if len(p) > 1 else 1)
+        self._count(bits * exponent // BITS)
         return super().power(p, exponent)
 
     def _count(self, products: int) -> None:
@@ -205,18 +220,18 @@ class Clearing(Quotients):
         """The polynomial, times denominators, after replacing squares of roots, latest first."""
         for index in reversed(range(len(self.atoms))):
             atom = self.atoms[index]
-            if atom.op == "sqrt" and polynomial.degrees()[index] > 1:
+            if atom.op in ROOTS and polynomial.degrees()[index] >= index_of(atom):
                 polynomial = self._eliminate(polynomial, index, self.clear(atom.children[0]))
         return polynomial
 
-    def _eliminate(self, polynomial: Polynomial, index: int, square: Quotient) -> Polynomial:
-        n, d = square
-        x = self.context.gens()[index]
-        top = int(polynomial.degrees()[index]) // 2
+    def _eliminate(self, polynomial: Polynomial, index: int, radicand: Quotient) -> Polynomial:
+        n, d = radicand
+        x, root_index = self.context.gens()[index], index_of(self.atoms[index])
+        top = int(polynomial.degrees()[index]) // root_index
         total = self.context.constant(0)
         for power, part in self.coefficients(polynomial, index):
-            half, odd = divmod(power, 2)
-            scale = self.times(self.power(n, half), self.power(d, top - half))
+            times, odd = divmod(power, root_index)
+            scale = self.times(self.power(n, times), self.power(d, top - times))
             total += self.times(part * x**odd, scale)
         return total
 

@@ -14,7 +14,7 @@ from operator import add, mul, neg, sub
 from typing import Any, Protocol
 
 from verify.language.fold import fold
-from verify.language.terms import Term
+from verify.language.terms import FUNCTIONS, Term, atan
 
 
 class UndefinedError(ArithmeticError):
@@ -31,7 +31,7 @@ class Arithmetic(Protocol):
         """The function of one or two numbers for an operation of `verify.language.terms`."""
 
 
-_OPERATIONS = ("add", "sub", "mul", "div", "neg", "sqrt", "cos", "cos_pi")
+_OPERATIONS = ("add", "sub", "mul", "div", "neg", *FUNCTIONS)
 
 
 class Program:
@@ -48,7 +48,9 @@ class Program:
         self._algebra: dict[str, Callable[..., int]] = {
             "rational": self._rational,
             "symbol": self.slots.__getitem__,
+            "pi": self._pi,
             "pow": self._power,
+            "root": self._root,
             **{op: partial(self._least, op) for op in ("min", "max")},
             **{op: partial(self._instruction, op) for op in _OPERATIONS},
         }
@@ -74,6 +76,13 @@ class Program:
         self.leaves.append((slot, value))
         return slot
 
+    def _root(self, slot: int, index: int) -> int:
+        return self._instruction(f"root {index}", slot)
+
+    def _pi(self) -> int:
+        """Four times the angle whose tangent is 1."""
+        return self.add(4 * atan(1))
+
     def _power(self, base: int, exponent: int) -> int:
         slot = base
         for _ in range(exponent - 1):
@@ -91,7 +100,7 @@ class Program:
         if slot is None:
             slot = self._numbering[key] = self._new_slot()
             self.code.append((slot, op, left, right))
-            if op == "cos":
+            if op in ("cos", "sin"):
                 self.cosines.append(left)
         return slot
 

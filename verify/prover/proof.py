@@ -44,6 +44,8 @@ class Kind(Enum):
     TERM = "term"
     TERMS = "terms"  # a table of terms
     PROOF = "proof"
+    CLAIM = "claim"  # that compares two terms
+    PREMISE = "premise"  # a proof, or the name of a fact
     PREMISES = "premises"  # a list of proofs and names of facts
     VALUES = "values"
     COFACTORS = "cofactors"  # pairs of a name and a term

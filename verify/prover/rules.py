@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import Any
 
 from verify.language.record import Record
-from verify.language.terms import Term
+from verify.language.terms import Claim, Term
 from verify.prover.proof import Kind, Kinds, Premise, Proof, Value
 
 # --- enclosures ----------------------------------------------------------------------------------
@@ -109,6 +109,46 @@ class Cosine(Record):
     """Partial sums of the series of a cosine are above it and below, in turn."""
 
 
+class InRange(Record):
+    """A value of an exponential, a sine, a cosine or an inverse tangent is in their range."""
+
+
+class Law(Record):
+    """An identity of functions, such as exp (a + b) = exp a exp b."""
+
+
+class Monotony(Record):
+    """A function that rises keeps the order; with ``under`` the order is read off from it."""
+
+    premise: Premise
+    under: str | None = None
+
+
+class Have(Record):
+    """A claim is shown at first, and is a hypothesis for what follows: two branches."""
+
+    claim: Claim
+    branches: tuple[Proof, Proof]
+
+
+class Derivative(Record):
+    """What holds at a number still holds at a variable, as the derivative has a sign between.
+
+    Premises say so at the number (``start``), compare the two (``order``), give the sign of the
+    derivative, which is ``term``, and show that bounds of the variable hold for the number.
+    """
+
+    variable: str
+    at: Term
+    term: Term
+    side: str
+    strict: str
+    start: Premise
+    order: Premise
+    sign: Premise
+    bounds: tuple[Premise, ...]
+
+
 # --- contexts ------------------------------------------------------------------------------------
 
 
@@ -168,6 +208,24 @@ RULES: dict[type[Any], tuple[str, Kinds]] = {
     Antisymmetry: ("antisymmetry", {"branches": Kind.PREMISES}),
     Angles: ("angles", {}),
     Cosine: ("cosine", {}),
+    InRange: ("range", {}),
+    Law: ("law", {}),
+    Monotony: ("monotony", {"under": Kind.PLAIN, "premise": Kind.PREMISE}),
+    Have: ("have", {"claim": Kind.CLAIM, "branches": Kind.PREMISES}),
+    Derivative: (
+        "derivative",
+        {
+            "variable": Kind.PLAIN,
+            "at": Kind.TERM,
+            "term": Kind.TERM,
+            "side": Kind.PLAIN,
+            "strict": Kind.PLAIN,
+            "start": Kind.PREMISE,
+            "order": Kind.PREMISE,
+            "sign": Kind.PREMISE,
+            "bounds": Kind.PREMISES,
+        },
+    ),
     Define: ("define", {}),
     Instance: (
         "instance",

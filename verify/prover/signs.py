@@ -93,4 +93,5 @@ _OPERATIONS: dict[str, Callable[[Term, Known], Sign | None]] = {
     "div": _quotient,
     "pow": _power,
     "sqrt": _root,
+    "root": _root,
 }

@@ -13,7 +13,7 @@ from functools import reduce
 from typing import Any
 
 from verify.language.fold import fold
-from verify.language.terms import Claim, Term
+from verify.language.terms import FUNCTIONS, Claim, Term
 from verify.prover import balls
 
 _UNARY = {"neg": "-{}", "sqrt": "{}.sqrt()"}
@@ -51,8 +51,9 @@ class StraightLine:
             "rational": self._rational,
             "symbol": self.names.__getitem__,
             "pow": self._power,
-            "cos": self._call("cos"),
-            "cos_pi": self._call("cos_pi"),
+            "pi": self._pi,
+            "root": self._root,
+            **{op: self._call(op) for op in FUNCTIONS if op not in _UNARY},
             **{op: self._unary(pattern) for op, pattern in _UNARY.items()},
             **{op: self._binary(pattern) for op, pattern in _BINARY.items()},
         }
@@ -96,6 +97,15 @@ class StraightLine:
             return self._line(f"{name}({operand})")
 
         return written
+
+    def _pi(self) -> str:
+        self._helpers["pi"] = balls.pi
+        return self._line("pi()")
+
+    def _root(self, operand: str, index: int) -> str:
+        name = f"root{index}"
+        self._helpers[name] = balls.operation(f"root {index}")
+        return self._line(f"{name}({operand})")
 
     def _power(self, base: str, exponent: int) -> str:
         result = base

@@ -80,7 +80,7 @@ def facts_of(proof: Any) -> Iterator[str]:
             names = tuple(_names(value))
         elif kind == Kind.COFACTORS:
             names = tuple(fact for fact, _ in value)
-        elif kind in (Kind.PREMISES, Kind.PROOF):
+        elif kind in (Kind.PREMISES, Kind.PREMISE, Kind.PROOF):
             for inner in value if kind == Kind.PREMISES else (value,):
                 yield from facts_of(inner)
             continue

@@ -10,18 +10,23 @@ from verify.language.terms import Claim
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
-from verify.prover.proof import Proof
+from verify.prover.proof import Premise, Proof
 from verify.prover.relations import negation
 from verify.prover.rules import (
     Antisymmetry,
     Applying,
     Cases,
     Cuts,
+    Derivative,
     Entry,
+    Have,
     Induction,
+    InRange,
     Instance,
     Interval,
+    Law,
     Least,
+    Monotony,
     Root,
     Sum,
     Witness,
@@ -156,6 +161,24 @@ def _proof(  # noqa: C901  one case a rule
             yield f"{name} at {values}"
         case Applying(givens=givens):
             yield f"each of the {len(givens)} givens holds"
+        case Have(claim=claim, branches=(first, then)):
+            yield f"at first: {typesetter.claim(claim)}"
+            yield from (f"  {line}" for line in _premise(first, ">", typesetter))
+            yield from _proof(then, sign, typesetter)
+        case Derivative(variable=name, at=at, term=term, side=side, sign=why):
+            where = f"{typesetter.term(at)} {'≤' if side == 'above' else '≥'} {name}"
+            yield f"it holds at {name} = {typesetter.term(at)}, and for {where}"
+            yield f"the derivative of right - left is {'≥' if side == 'above' else '≤'} 0:"
+            yield f"  {typesetter.term(term)}"
+            yield from (f"  {line}" for line in _premise(why, ">", typesetter))
+        case Monotony(under=None):
+            yield "the function rises"
+        case Monotony(under=function):
+            yield f"{function} rises, so it is enough that {function} of both sides compare so"
+        case InRange():
+            yield "no value of the function is outside its range"
+        case Law():
+            yield "this holds identically"
         case Induction():
             yield "by induction: each carried given holds at the start, and at the next state"
         case Witness(at=at):
@@ -163,6 +186,13 @@ def _proof(  # noqa: C901  one case a rule
             yield f"false at {values}"
         case _:
             yield f"by the rule {rule_of(proof)}"
+
+
+def _premise(premise: Premise, sign: str, typesetter: Typesetter) -> Iterator[str]:
+    if isinstance(premise, str):
+        yield f"it is {premise}"
+    else:
+        yield from _proof(premise, sign, typesetter)
 
 
 def _sum(proof: Sum, sign: str, typesetter: Typesetter) -> Iterator[str]:

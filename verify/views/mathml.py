@@ -12,6 +12,7 @@ from fractions import Fraction
 from html import escape
 
 from verify.language.terms import Claim, Term
+from verify.language.typeset import FUNCTION_NAMES
 
 _SUM, _PRODUCT, _NEGATION, _ATOM = range(4)
 _LEVELS = {"add": _SUM, "sub": _SUM, "mul": _PRODUCT, "neg": _NEGATION}
@@ -80,8 +81,8 @@ class MathML:
             return _rational(term.value)
         if op == "div":
             return f"<mfrac>{self._term(term.children[0])}{self._term(term.children[1])}</mfrac>"
-        if op == "sqrt":
-            return f"<msqrt>{self._term(term.children[0])}</msqrt>"
+        if op in ("sqrt", "root"):
+            return self._root(term)
         if op == "pow":
             base = self._inside(term.children[0], _ATOM, power=True)
             return f"<msup>{base}<mn>{term.exponent}</mn></msup>"
@@ -94,6 +95,12 @@ class MathML:
         if op == "mul":
             return self._product(*term.children)
         return self._function(op, term)
+
+    def _root(self, term: Term) -> str:
+        below = self._term(term.children[0])
+        if term.op == "sqrt":
+            return f"<msqrt>{below}</msqrt>"
+        return f"<mroot>{below}<mn>{term.exponent}</mn></mroot>"
 
     def _letter(self, name: str) -> str:
         """The letter of a symbol; where it is other LaTeX, that of its name, or the name."""
@@ -111,10 +118,13 @@ class MathML:
         return f"{self._inside(left, _PRODUCT)}<mo>{sign}</mo>{self._after_sign(right, _NEGATION)}"
 
     def _function(self, op: str, term: Term) -> str:
+        if op == "pi":
+            return "<mi>π</mi>"
         arguments = "<mo>,</mo>".join(map(self._term, term.children))
         if op == "cos_pi":
             op, arguments = "cos", f"{self._inside(term.children[0], _PRODUCT)}<mi>π</mi>"
-        return f"<mi>{op}</mi><mo>&#x2061;</mo>{_fenced(arguments)}"
+        name = FUNCTION_NAMES.get(op, op)
+        return f"<mi>{name}</mi><mo>&#x2061;</mo>{_fenced(arguments)}"
 
     def _after_sign(self, term: Term, level: int) -> str:
         """The same after an operator, where a minus sign must not stand first."""

@@ -194,7 +194,7 @@ def _proof(item: Any, reader: TermReader) -> Any:
     raise WireError(f"a proof by {item['rule']} has other fields than {sorted(fields)}")
 
 
-def _field(kind: Kind, value: Any, reader: TermReader) -> Any:
+def _field(kind: Kind, value: Any, reader: TermReader) -> Any:  # noqa: C901  one case a kind
     match kind:
         case Kind.TERM:
             return reader.term(value)
@@ -202,6 +202,10 @@ def _field(kind: Kind, value: Any, reader: TermReader) -> Any:
             return reader.table(value)
         case Kind.PROOF:
             return _proof(value, reader)
+        case Kind.CLAIM:
+            return reader.comparison(value)
+        case Kind.PREMISE:
+            return _premise(value, reader)
         case Kind.PREMISES:
             return tuple(_premise(item, reader) for item in value)
         case Kind.VALUES:

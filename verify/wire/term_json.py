@@ -9,9 +9,10 @@ from fractions import Fraction
 from typing import Any
 
 from verify.language.statement import Always, Applies
-from verify.language.terms import Claim, Term, as_term, symbol
+from verify.language.terms import INDEXED, OPERATIONS, Claim, Term, as_term, nth_root, symbol
 
-OPERATIONS = ("add", "sub", "mul", "div", "neg", "pow", "sqrt", "min", "max", "cos", "cos_pi")
+#: The operations that are written as lists.
+WRITTEN = tuple(op for op in OPERATIONS if op not in ("rational", "symbol"))
 
 #: A repeated subterm gets a name from this number of operations on.
 SHARED_SIZE = 6
@@ -51,8 +52,8 @@ class TermWriter:
             return str(term.value)
         if term.op == "symbol":
             return term.name
-        if term.op == "pow":
-            return ["pow", self.term(term.children[0]), str(term.exponent)]
+        if term.op in INDEXED:
+            return [term.op, self.term(term.children[0]), str(term.exponent)]
         return [term.op, *map(self.term, term.children)]
 
     def claim(self, claim: Claim | Applies | Always) -> Any:
@@ -106,11 +107,11 @@ class TermReader:
         """
         if isinstance(document, str) and document:
             return self._leaf(document)
-        if isinstance(document, list) and document and document[0] in OPERATIONS:
+        if isinstance(document, list) and document and document[0] in WRITTEN:
             op, *arguments = document
-            if op == "pow":
-                base, exponent = arguments
-                return self.term(base) ** int(exponent)
+            if op in INDEXED:
+                base, exponent = self.term(arguments[0]), int(arguments[1])
+                return base**exponent if op == "pow" else nth_root(base, exponent)
             return Term(op, *map(self.term, arguments))
         raise WireError(f"{str(document)[:40]!r} is not a term")
 

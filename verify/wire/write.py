@@ -220,7 +220,7 @@ def proof_document(proof: Any, writer: TermWriter) -> dict[str, Any]:
     return document
 
 
-def _field(kind: Kind, value: Any, writer: TermWriter) -> Any:
+def _field(kind: Kind, value: Any, writer: TermWriter) -> Any:  # noqa: C901  one case a kind
     match kind:
         case Kind.TERM:
             return writer.term(value)
@@ -228,6 +228,10 @@ def _field(kind: Kind, value: Any, writer: TermWriter) -> Any:
             return writer.table(value)
         case Kind.PROOF:
             return proof_document(value, writer)
+        case Kind.CLAIM:
+            return writer.claim(value)
+        case Kind.PREMISE:
+            return _premise(value, writer)
         case Kind.PREMISES:
             return [_premise(item, writer) for item in value]
         case Kind.VALUES:
@@ -262,7 +266,7 @@ def _step_terms(step: Step) -> Iterator[Term]:
         yield from _proof_terms(proof)
 
 
-def _proof_terms(proof: Any) -> Iterator[Term]:
+def _proof_terms(proof: Any) -> Iterator[Term]:  # noqa: C901  one case a kind
     if isinstance(proof, str):
         return
     for name, kind in RULES[type(proof)][1].items():
@@ -276,8 +280,10 @@ def _proof_terms(proof: Any) -> Iterator[Term]:
         elif kind == Kind.VALUES:
             for item in value:
                 yield from _value_terms(item)
-        elif kind in (Kind.PROOF, Kind.PREMISES):
-            for item in (value,) if kind == Kind.PROOF else value:
+        elif kind == Kind.CLAIM:
+            yield from (value.lhs, value.rhs)
+        elif kind in (Kind.PROOF, Kind.PREMISE, Kind.PREMISES):
+            for item in value if kind == Kind.PREMISES else (value,):
                 yield from _proof_terms(item)
 
 

@@ -26,6 +26,7 @@ from verify.paper.initial_data import ConstantSet
 from verify.paper.recursion import angle_state
 from verify.paper.rows import graded
 from verify.paper.step import numbers
+from verify.paper.step.numbers import STEP
 from verify.prover import arguments
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
@@ -35,7 +36,8 @@ from verify.prover.relations import negation
 from verify.prover.ring import Ring
 from verify.prover.row_proofs import RowProofs
 from verify.prover.rules import Define, Entry, Instance, Interval, Least, Witness
-from verify.wire.judge import judged
+from verify.wire.judge import judged, known
+from verify.wire.packaged import ALL, packaged_files
 from verify.wire.write import write
 
 HALF = Fraction(1, 2)
@@ -82,6 +84,14 @@ def state_everywhere() -> Statement:
     """What is claimed, before it is decided."""
     files = write(decide_step())
     return statement(files["statement.json"], files["certificate.json"])
+
+
+def cite_everywhere() -> Outcome:
+    """Every row for all parameters, from the certificate that comes with the program.
+
+    It is decided anew where its statement, which cites the step, is not the one that is made here.
+    """
+    return known(ALL, statement(*packaged_files(STEP))) or decide_everywhere()
 
 
 @cache

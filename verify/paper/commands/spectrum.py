@@ -6,7 +6,6 @@ from functools import cache
 
 from verify.language.statement import PROVED, Cite, Statement
 from verify.paper.classification.classification import ASSUMPTIONS, NAME
-from verify.paper.commands.classification import decide_classification
 from verify.paper.spectrum.printed import Printed
 from verify.paper.spectrum.spectrum import statement
 from verify.paper.spectrum.zhou_kadanoff import CITED, PREMISES
@@ -14,18 +13,25 @@ from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import ObligationStep
 from verify.prover.prove import prove
 from verify.prover.rules import Applying
-from verify.wire.judge import judged
-from verify.wire.write import write
+from verify.wire.judge import judged, known
+from verify.wire.packaged import packaged_files
+
+#: Its name among the certificates that come with the program.
+SPECTRUM = "spectrum"
 
 #: No claim here needs more bits; a value that is 0 is not known to any number of relative bits.
 MAX_BITS = 1024
 
 
 def state_spectrum(paper: Printed | None = None) -> Statement:
-    """What is claimed, before it is decided."""
-    files = write(decide_classification())
-    cite = Cite(NAME, NAME, files["statement.json"], (), ASSUMPTIONS, files["certificate.json"])
-    return statement(cite, paper)
+    """What is claimed, before it is decided; it cites the classification of this program."""
+    stated, certificate = packaged_files(NAME)
+    return statement(Cite(NAME, NAME, stated, (), ASSUMPTIONS, certificate), paper)
+
+
+def cite_spectrum() -> Outcome:
+    """Every row, from the certificate that comes with the program; else decided anew."""
+    return known(SPECTRUM, state_spectrum()) or decide_spectrum()
 
 
 def decide_spectrum(paper: Printed | None = None) -> Outcome:

@@ -142,8 +142,10 @@ def _failing_givens(system: System, p: fmpq_mpoly) -> list[Alternative]:
     for fact in system.facts:
         polynomial = -fact.polynomial
         used = [a for a, d in zip(system.atoms, polynomial.degrees(), strict=True) if d > 0]
-        if fact.value not in system.question.given or any(
-            atom.op != "symbol" or not variables[atom.name].ends for atom in used
+        if (
+            polynomial.is_zero()
+            or fact.value not in system.question.given
+            or any(atom.op != "symbol" or not variables[atom.name].ends for atom in used)
         ):
             continue
         if prod(max(int(d), 0) + 1 for d in polynomial.degrees()) <= MAX_SIZE:

@@ -47,7 +47,7 @@ def _code(
         def written(*operands: Any) -> Place:
             at = f"v{len(lines)}"
             lines.extend(write(at, *operands))
-            number = operands[0] if type(operands[0]) is Fraction else None
+            number = operands[0] if operands and type(operands[0]) is Fraction else None
             return Place(at, number)
 
         return written
@@ -59,7 +59,8 @@ def _code(
     found = [fold(term, writers, known).at + end for term in terms for end in ends]
     arguments = ", ".join(place.at + end for place in places.values() for end in ends)
     body = "\n ".join([*lines, f"return ({', '.join(found)},)"])
-    scope: dict[str, Any] = {"cos": math.cos, "sqrt": math.sqrt, "pair": _cosine}
+    scope: dict[str, Any] = {"pair": _cosine, "pair_of_sine": _sine}
+    scope |= {name: getattr(math, name) for name in ("cos", "sin", "sqrt", "exp", "log", "atan")}
     scope |= {"pi": math.pi, "inf": math.inf}
     exec(f"def function({arguments}):\n {body}", scope)  # noqa: S102  what is written above
     function: Callable[..., Any] = scope["function"]
@@ -101,8 +102,10 @@ _VALUES: Lines = {
     "sqrt": _written("sqrt({})"),
     "min": _written("min({all})"),
     "max": _written("max({all})"),
-    "cos": _written("cos({})"),
     "cos_pi": _written("cos(pi * {})"),
+    "pi": _written("pi"),
+    "root": lambda at, a, index: [f"{at} = {a.at} ** (1 / {index})"],
+    **{op: _written(f"{op}({{}})") for op in ("cos", "sin", "exp", "log", "atan")},
 }
 
 
@@ -162,6 +165,11 @@ def _power(at: str, base: Place, n: int) -> list[str]:
     ]
 
 
+def _root(at: str, base: Place, index: int) -> list[str]:
+    guard = f"if {base.at}l < 0.0: raise ValueError"
+    return [guard, *(f"{at}{end} = {base.at}{end} ** (1 / {index})" for end in "lh")]
+
+
 _RANGES: Lines = {
     "rational": lambda at, value: [f"{at}l = {at}h = {float_of(value)!r}"],
     "add": _ends("{0}l + {1}l", "{0}h + {1}h"),
@@ -175,7 +183,17 @@ _RANGES: Lines = {
     "max": _ends("max({all_l})", "max({all_h})"),
     "cos": lambda at, x: [f"{at}l, {at}h = pair({x.at}l / pi, {x.at}h / pi)"],
     "cos_pi": lambda at, x: [f"{at}l, {at}h = pair({x.at}l, {x.at}h)"],
+    "sin": lambda at, x: [f"{at}l, {at}h = pair_of_sine({x.at}l, {x.at}h)"],
+    "pi": _ends("pi", "pi"),
+    "root": _root,
+    **{op: _ends(f"{op}({{0}}l)", f"{op}({{0}}h)") for op in ("exp", "log", "atan")},
 }
+
+
+def _sine(low: float, high: float) -> tuple[float, float]:
+    """The ends of sin x between two numbers."""
+    low, high = 0.5 - high / math.pi, 0.5 - low / math.pi
+    return _cosine(low, high)
 
 
 def _cosine(low: float, high: float) -> tuple[float, float]:

@@ -1,24 +1,27 @@
 """Intervals between rational numbers, rounded outward to the precision that a proof names.
 
 Leaves that floats leave open are decided by them. They have the ends that `verify/check.py`
-computes, so that what they show the checker accepts, also where two sides meet: a test compares
-the two on many terms.
+computes, or for exp, log and atan ends a little further out, so that what they show the checker
+accepts, also where two sides meet: a test compares the two on many terms.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from math import isqrt
 
 from verify.language.fold import fold
 from verify.language.terms import Term
+from verify.prover.balls import floor_root, value_around
 
 Range = tuple[Fraction, Fraction]
 
 #: More bits, in which the series of a cosine is added up.
 GUARD_BITS = 32
+#: The checker encloses no exponentials of larger numbers.
+MAX_EXPONENT = 1 << 16
 
 
 class ExactRanges:
@@ -39,6 +42,10 @@ class ExactRanges:
             "max": lambda *xs: (max(x[0] for x in xs), max(x[1] for x in xs)),
             "cos": lambda x: self._cos_pi(self._outward(_quotient(x, self._pi))),
             "cos_pi": self._cos_pi,
+            "sin": lambda x: self._cos_pi(self._outward(self._turned(x))),
+            "pi": lambda: self._pi,
+            "root": self._any_root,
+            **{op: partial(self._rising, op) for op in ("exp", "log", "atan")},
         }
         self._algebra = {name: self._rounded(function) for name, function in operations.items()}
 
@@ -102,6 +109,33 @@ class ExactRanges:
         square = end.numerator * end.denominator << 2 * self._bits
         root, divisor = isqrt(square), end.denominator << self._bits
         return Fraction(root, divisor), Fraction(root + (root * root < square), divisor)
+
+    def _any_root(self, x: Range, index: int) -> Range:
+        if x[0] < 0:
+            raise ZeroDivisionError("the root of an interval that reaches below 0")
+        ends = []
+        for n, d in map(Fraction.as_integer_ratio, x):
+            power = n * d ** (index - 1) << index * self._bits
+            root = floor_root(power, index)
+            ends.append((root, root + (root**index < power), d << self._bits))
+        (low, _, below), (_, high, above) = ends
+        return Fraction(low, below), Fraction(high, above)
+
+    def _rising(self, op: str, x: Range) -> Range:
+        """exp, log or atan at both ends, with a margin for the series that the checker adds up."""
+        (low, _), (_, high) = (self._risen(op, end) for end in x)
+        return low, high
+
+    def _risen(self, op: str, end: Fraction) -> Range:
+        if end == (1 if op == "log" else 0):
+            return (Fraction(op == "exp"),) * 2
+        if (op == "log" and end <= 0) or (op == "exp" and abs(end) > MAX_EXPONENT):
+            raise ZeroDivisionError(f"{op} of {end}")
+        return value_around(op, end, self._bits)
+
+    def _turned(self, x: Range) -> Range:
+        low, high = _quotient(x, self._pi)
+        return Fraction(1, 2) - high, Fraction(1, 2) - low
 
     def _cos_pi(self, x: Range) -> Range:
         """The extremes are at the ends, and at integers."""

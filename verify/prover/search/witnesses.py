@@ -15,7 +15,7 @@ from itertools import islice
 from flint import fmpq_mpoly
 
 from verify.language.statement import Context
-from verify.language.terms import Claim, Term, as_term, sqrt, substitute
+from verify.language.terms import Claim, Term, as_term, parts_of, sqrt, substitute
 from verify.prover.clearing import expanded
 from verify.prover.goal import Bounds, Goal
 from verify.prover.points import failure_test
@@ -23,6 +23,7 @@ from verify.prover.search.compiled import estimates
 from verify.prover.search.local_minima import Minima, simple_points
 from verify.prover.search.question import Question
 from verify.prover.search.system import System
+from verify.prover.session import ZERO
 
 #: So many ways to solve the equations are tried, and so many points near each descent.
 MAX_FORMS = 8
@@ -124,12 +125,15 @@ class _Search:
         facts = [name for b in bounds for name in (b.low_fact, b.high_fact) if name]
         claims = [question.session.claims[name] for name in facts]
         self.claims = [*question.given.values(), *(c for c in claims if c.relation != "=")]
+        roots = (part for part in parts_of(*solved.values()) if part.op == "sqrt")
+        self.claims += [Claim("<=", ZERO, root.children[0]) for root in roots]
 
     def points(self) -> Iterator[dict[str, Fraction]]:
         """Short numbers for the free variables, near those where least is violated."""
         is_bad = self._test()
         ends = [(b.low, b.high) for b in self.free.values()]
-        for distance in DISTANCES:
+        is_bounded = all(b.ends for b in self.free.values())
+        for distance in DISTANCES[:1] if is_bounded else DISTANCES:
             tried = 0
             for violation, point in Violations(self, distance).found():
                 if violation > 0 or tried > MAX_POINTS:

@@ -303,7 +303,11 @@ def checked_in_coq(material: Material) -> str:
     times = [second for second in material.coq.seconds.values() if second is not None]
     missing = [name for name, second in material.coq.seconds.items() if second is None]
     number = f"{len(times)} of {len(material.coq.seconds)}" if missing else f"all {len(times)}"
-    but = f"; not {', '.join(missing)}, which may have changed since" if missing else ""
+    but = (
+        f"; not {', '.join(missing)}, which it cannot read or which may have changed since"
+        if missing
+        else ""
+    )
     return f"accepted {number} certificates, with Coq {material.coq.version} in {sum(times)} s{but}"
 
 

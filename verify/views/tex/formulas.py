@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from verify.language.simplify import simplified, simplified_claim
-from verify.language.terms import Claim, Term
-from verify.language.typeset import Typesetter
+from verify.language.terms import FUNCTIONS, Claim, Term
+from verify.language.typeset import FUNCTION_NAMES, Typesetter
 from verify.views.mathml import letter as read_letter
 from verify.views.tex.sentences import math
 
@@ -77,6 +77,10 @@ class Formulas:
             return f"-{self._inside(parts[0], _PRODUCT)}"
         if op == "pow":
             return f"{self._base(parts[0])}^{{{term.exponent}}}"
+        if op == "root":
+            return rf"\sqrt[{term.exponent}]{{{self._term(parts[0])}}}"
+        if op == "pi":
+            return r"\pi "
         return self._function(op, parts)
 
     def _quotient(self, above: Term, below: Term) -> str:
@@ -85,7 +89,7 @@ class Formulas:
         return f"{self._inside(above, _PRODUCT)} / {self._inside(below, _ATOM)}"
 
     def _base(self, term: Term) -> str:
-        if term.op in ("sqrt", "min", "max", "cos", "cos_pi", "div", "pow", "rational"):
+        if term.op in ("min", "max", "div", "pow", "rational", "root", *FUNCTIONS):
             return f"({self._term(term)})"
         return f"{{{self._term(term)}}}" if term.op == "symbol" else self._inside(term, _ATOM)
 
@@ -94,9 +98,15 @@ class Formulas:
             if self._short(parts[0]):
                 return rf"\sqrt{{{self._term(parts[0])}}}"
             return f"({self._term(parts[0])})^{{1/2}}"
+        if op == "exp" and self._short(parts[0]):
+            return f"e^{{{self._term(parts[0])}}}"
         if op == "cos_pi":
             return rf"\cos({self._inside(parts[0], _PRODUCT)}\, \pi)"
-        return rf"\{op}(" + r",\allowbreak\ ".join(map(self._term, parts)) + ")"
+        return (
+            rf"\{FUNCTION_NAMES.get(op, op)}("
+            + r",\allowbreak\ ".join(map(self._term, parts))
+            + ")"
+        )
 
     def _short(self, term: Term) -> bool:
         return len(self._plain.term(term)) <= LONGEST

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 from verify import check
-from verify.wire.coq.reading import Reading
+from verify.wire.coq.reading import NotAcceptedError, Reading
 
 RELATIONS = {"<": "Less", "<=": "AtMost", "=": "Equal", "!=": "Differs"}
 #: The nodes of one or two subterms; a constant, a variable, and the rest have more to them.
@@ -84,6 +84,8 @@ class Numbers:
             return f"NPow {below[0]} {rest[0]}"
         if op in ("min", "max"):
             return f"N{op.capitalize()} {below[0]} {listed(below[1:])}"
+        if op not in NODES:
+            raise NotAcceptedError(f"the checker in Coq has no operation {op}")
         return " ".join((NODES[op], *below))
 
     def claim(self, claim: check.Claim) -> str:

@@ -51,7 +51,7 @@ def test_all_parameters(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> N
     assert run(capsys, "check", tmp_path / "all")[0] == 0
     code, out, _ = run(capsys, "theorem1", "--all", "--json")
     document = json.loads(out)
-    assert (code, document["verdict"], len(document["assumptions"])) == (0, "proved", 8)
+    assert (code, document["verdict"], len(document["assumptions"])) == (0, "proved", 9)
     assert {row["verdict"] for row in document["claims"]} == {"proved"}
     assert len(cited.read_bytes()) < check.MAX_BYTES
 

@@ -58,6 +58,7 @@ def figures() -> dict[str, str]:
     hypotheses = [row for row in point()["hypotheses"] if row["verdict"] == "refuted"]
     severity = Counter(row["severity"] for row in [*refuted, *hypotheses])
     names = {row["name"] for row in [*refuted, *hypotheses]}
+    breaking = {row["name"] for row in refuted if row["severity"] == "breaks the argument"}
     elsewhere, spectrum = document("elsewhere")["claims"], document("spectrum")["claims"]
     every = document("theorem1", "--all")["claims"]
     ci = (ROOT / ".ci/run").read_text(encoding="utf-8")
@@ -68,6 +69,8 @@ def figures() -> dict[str, str]:
         "harmless": severity["false, but harmless here"],
         "slips": severity["slip of wording"],
         "causes": sum(bool(names & set(cause.rows)) for cause in theorem().causes),
+        "breaking_causes": sum(bool(breaking & set(cause.rows)) for cause in theorem().causes),
+        "remarks": sum(row["verdict"] == "remark" for row in printed),
         "repaired": sum(not row["name"].endswith("collapse") for row in repaired),
         "all_rows": len(every),
         "assumptions": len(point()["assumptions"]),
@@ -100,6 +103,35 @@ def section(title: str) -> str:
     """One section of the committed report on Theorem 1 at the point."""
     report = (ROOT / "certificates/theorem1-r-3-100/report.md").read_text(encoding="utf-8")
     return report.split(f"\n## {title}\n")[1].split("\n## ")[0].strip()
+
+
+def row_counts() -> str:
+    """How many rows there are, and what each number counts."""
+    here, every = point(), document("theorem1", "--all")["claims"]
+    printed, repaired = (here["sets"][name]["obligations"] for name in ("printed", "repaired"))
+    first = Counter(row["role"] for row in here["hypotheses"])
+    both = {row["name"].rpartition(".")[2] for row in repaired}
+    own = [row for row in every if row["name"].startswith(("redundant.", "active."))]
+    derived = sum(row["name"].startswith("hypotheses.") for row in every)
+    rows = [
+        ("Hypotheses, needed", first["needed"], "r, -cos θ₀, V₀ and δ_θ are in range"),
+        ("The repaired set", len(repaired), "its constants close the proof; and the step applies"),
+        ("**Needed at a point**", first["needed"] + len(repaired), "the sum of these two"),
+        ("Hypotheses, printed", first["printed"], "the sign in (4.10)"),
+        ("The printed set", len(printed), "the same for the paper's constants, and misprints"),
+        ("**Printed at a point**", first["printed"] + len(printed), "the sum of these two"),
+        ("The repaired set, for all parameters", len(both & names_of(every)), "the same rows"),
+        ("Hypotheses that follow", derived, "those that the chart of parameters implies"),
+        ("Entries of minima", len(own), "which ones are never, or sometimes, the least"),
+        ("**Needed for all parameters**", len(every), "the sum of these three"),
+    ]
+    return table(("Rows", "Number", "What is counted"), ((a, str(n), c) for a, n, c in rows))
+
+
+def names_of(rows: Iterable[dict[str, Any]]) -> set[str]:
+    """The names of rows of the repaired set without their group."""
+    found = (row["name"] for row in rows if row["group"] == "repaired")
+    return {name.removeprefix("repaired.") for name in found}
 
 
 def defects() -> str:
@@ -286,8 +318,8 @@ def imports() -> str:
 FRAGMENTS: dict[str, Callable[[], str]] = {
     function.__name__: function
     for function in (
-        *(defects, changes, causes, remarks, assumptions, letters, exit_codes, commands),
-        *(schemas, law, precision, equal_width, double_verdicts, house, imports),
+        *(row_counts, defects, changes, causes, remarks, assumptions, letters, exit_codes),
+        *(commands, schemas, law, precision, equal_width, double_verdicts, house, imports),
     )
 }
 

@@ -19,16 +19,18 @@ _OFFERED = {
         *("for_all", "lemma", "prove", "read_page", "write_page"),
     ),
     "verify.language.terms": (
-        *("Claim", "Term", "equal", "maximum", "minimum", "absolute", "sqrt", "nth_root", "symbol"),
-        *("exp", "log", "pi", "sin", "cos", "cos_pi", "tan", "atan"),
+        *("Claim", "Term", "absolute", "atan", "cos", "cos_pi", "equal", "exp", "log", "maximum"),
+        *("minimum", "nth_root", "pi", "sin", "sqrt", "symbol", "tan"),
     ),
     "verify.language.statement": ("Statement",),
+    "verify.prover.hint": ("Hint",),
     "verify.language.errors": ("OwnError",),
     "verify.wire.inputs": ("InputError",),
 }
 
 __all__ = [
     "Claim",
+    "Hint",
     "InputError",
     "OwnError",
     "Result",
@@ -100,6 +102,7 @@ if TYPE_CHECKING:
         read_page,
         write_page,
     )
+    from verify.prover.hint import Hint
     from verify.wire.inputs import InputError
 else:
 

@@ -31,7 +31,9 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Number, Term, as_term, names_of, symbol
 from verify.prover.budget import WORK, WorkBudget
+from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Outcome
+from verify.prover.prove import NO_HINTS
 from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.questions import decide
 from verify.wire.read import cites_of
@@ -216,8 +218,11 @@ def lemma(
     contexts: Iterable[Context] = (),
     assumptions: Iterable[Assumption] = (),
     cites: Iterable[Cite] = (),
+    parameters: Mapping[str, Number] | None = None,
 ) -> Statement:
     """A statement, for `verify.prove`; earlier rows may be used for later ones.
+
+    ``parameters`` are numbers at which it is stated, and come before the constants.
 
     Raises:
         InputError: where a row or a context names what is not in the statement.
@@ -236,8 +241,9 @@ def lemma(
                 maker = _MAKERS[what]
                 raise TypeError(f"lemma: {item!r:.60} is none of the {what}; make it by {maker}")
     _are_there(rows, places, sentences, cited)
-    _are_defined(rows, numbers, places)
-    return Statement(title, title, {}, numbers, places, rows, sentences, cited)
+    given = {name: as_term(value) for name, value in (parameters or {}).items()}
+    _are_defined(rows, numbers, places, given)
+    return Statement(title, title, given, numbers, places, rows, sentences, cited)
 
 
 _MAKERS = {
@@ -258,6 +264,7 @@ def prove(
     work: int = WORK,
     seconds: float | None = None,
     watch: Callable[[str], None] | None = None,
+    hints: Mapping[str, Hint] = NO_HINTS,
 ) -> Result:
     """The statement with its rows decided, where that is found; the checker accepts the proofs.
 
@@ -266,13 +273,14 @@ def prove(
         work: how many units of work each row may be, of about a microsecond each.
         seconds: how long all rows together may take; they share it.
         watch: called with the name of each row when its search begins.
+        hints: where to look for the proofs of some rows, by their names.
 
     Raises:
         InputError: for a statement that the checker cannot read.
         OwnError: if the checker refuses a proof.
     """
     budget = WorkBudget(work, seconds) if watch is None else WorkBudget(work, seconds, watch)
-    return Result(*decide(statement, budget))
+    return Result(*decide(statement, budget, hints))
 
 
 def certificate(outcome: Outcome) -> dict[str, bytes]:
@@ -372,12 +380,16 @@ def _are_there(
 
 
 def _are_defined(
-    rows: Iterable[Obligation], constants: Iterable[Constant], contexts: Iterable[Context]
+    rows: Iterable[Obligation],
+    constants: Iterable[Constant],
+    contexts: Iterable[Context],
+    parameters: Iterable[str],
 ) -> None:
     """Afterwards each name in a term is that of a constant or a variable, or of a citation."""
     inner = [constant for context in contexts for constant in context.constants]
     variables = [variable for context in contexts for variable in context.variables]
-    known = {one.name for one in (*constants, *inner)} | {one.name for one in variables}
+    known = {*parameters, *(one.name for one in (*constants, *inner))}
+    known |= {one.name for one in variables}
 
     def test(where: str, *terms: Term) -> None:
         for name in names_of(*terms):

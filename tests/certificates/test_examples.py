@@ -68,7 +68,11 @@ def test_example_is_accepted(name: str) -> None:
     assert run.stdout.splitlines()[-1].startswith("PROVED: ")
 
 
-@pytest.mark.parametrize("name", [name for name in NAMES if name != "flow"])
+#: The examples that were written by hand, and not found for a page of constants.
+BY_HAND = [path.name for path in EXAMPLES if not path.with_suffix(".toml").exists()]
+
+
+@pytest.mark.parametrize("name", [name for name in BY_HAND if name != "flow"])
 def test_every_step_is_needed(name: str) -> None:
     folder = CERTIFICATES / "examples" / name
     certificate = load(folder / "certificate.json")

@@ -410,7 +410,8 @@ def test_a_point_of_theorem_1_is_given_the_sentences_of_the_step() -> None:
     assert given == [
         f"step:{name}"
         for name in (
-            "hard-spheres", "cauchy-schwarz", "bounded-monotone", "open-condition", "glue-next",
+            "hard-spheres", "cauchy-schwarz", "bounded-monotone", "finite-length",
+            "open-condition", "glue-next",
             "glue-collapse", "glue-angle", "glue-interior",
         )
     ]  # fmt: skip

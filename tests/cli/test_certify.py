@@ -66,7 +66,7 @@ def test_a_path_that_cannot_be_used_is_found_before_the_work(
 
     for work in (
         "verify.paper.commands.certificates.all_folders",
-        "verify.cli.spectrum.decide_spectrum",
+        "verify.cli.spectrum.cite_spectrum",
         "verify.cli.theorem1.decide_point",
         "verify.measure.stress.run_case",
         "verify.measure.bench.run_benchmarks",

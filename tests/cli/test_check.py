@@ -142,7 +142,7 @@ def test_one_run_closes_citations(capsys: pytest.CaptureFixture[str], tmp_path: 
 
 
 def test_the_document_names_what_needed_rows_rest_on(capsys: pytest.CaptureFixture[str]) -> None:
-    """A theorem at a point takes nothing on trust itself, and eight sentences of the step."""
+    """A theorem at a point takes nothing on trust itself, and nine sentences of the step."""
     point = EXAMPLES.parent / "theorem1-r-3-100"
     code, out, _ = run(capsys, point, "--json")
     (found,) = json.loads(out)["folders"]

@@ -9,7 +9,7 @@ import pytest
 
 from verify import check
 from verify.cli import main
-from verify.language.statement import REFUTED
+from verify.language.statement import ACCUSATIONS, REFUTED
 from verify.paper.commands.elsewhere import decide_elsewhere
 
 
@@ -33,8 +33,12 @@ def test_every_row(capsys: pytest.CaptureFixture[str]) -> None:
     _, out, _ = run(capsys, "--verbose")
     for row in decide_elsewhere().statement.obligations:
         assert f"[{row.name}, " in out
-        if row.corrected_by:
+        if row.severity in ACCUSATIONS:
             assert f"{row.severity}; corrected by {row.corrected_by}" in out
+    assert "proved; not by the printed argument" in out
+    assert "proved by quoted-existence" in out
+    assert "  remark " in out
+    assert "see outer-apart" in out
 
 
 def test_the_document(capsys: pytest.CaptureFixture[str]) -> None:

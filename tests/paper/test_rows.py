@@ -14,13 +14,21 @@ import pytest
 from mpmath import mp, mpf
 
 from tests.points import parameters
-from verify.language.statement import NEEDED, PRINTED, PROVED, REFUTED, Obligation
+from verify.language.statement import (
+    BREAKS,
+    HARMLESS,
+    NEEDED,
+    PRINTED,
+    PROVED,
+    REFUTED,
+    Obligation,
+)
 from verify.language.terms import as_term, cos_pi, symbol
 from verify.paper import groups, initial_data
 from verify.paper.assumptions import KINDS
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.recursion import _angle_display
-from verify.paper.rows import SEVERITIES, SLIP, misprint, needed, printed
+from verify.paper.rows import INSTEAD, SEVERITIES, SLIP, graded, misprint, needed, printed
 from verify.paper.step.numbers import COLLAPSE
 from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Outcome
@@ -138,6 +146,23 @@ def test_only_rows_that_are_known_to_fail_somewhere_have_a_severity() -> None:
     seen = set().union(*(refuted(at(point)) for point in POINTS))
     seen |= refuted(decide_point(parameters("3/100", "1", "1", "1/1000")))
     assert seen == {row.name for row in all_rows() if row.severity}
+
+
+def test_the_severity_of_each_false_step_is_computed() -> None:
+    """What does its work is rows of the printed set: with the paper's own constants."""
+    steps = {row.name for row in all_rows() if row.severity in (BREAKS, HARMLESS)}
+    assert set(INSTEAD) == steps
+    known = {row.name for row in theorem().parts[groups.PRINTED].obligations}
+    assert {name for names in INSTEAD.values() for name in names} <= known
+
+
+@pytest.mark.parametrize(("verdict", "severity"), [(PROVED, HARMLESS), (REFUTED, BREAKS)])
+def test_a_step_breaks_the_argument_unless_others_do_its_work(verdict: str, severity: str) -> None:
+    (row,) = (row for row in all_rows() if row.name == "printed.y-term-3")
+    assert graded(row, {"printed.y-term-3-factor": verdict}).severity == severity
+    assert graded(row, {}).severity == BREAKS
+    (slip,) = (row for row in all_rows() if row.name == "printed.angle-sign")
+    assert graded(slip, {}) == slip
 
 
 def test_each_row_with_a_severity_has_one_cause() -> None:

@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 
 from verify.language.fold import replaced
-from verify.language.statement import PROVED, UNDECIDED
+from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, as_term, cos_pi, minimum, sqrt, symbol
 from verify.library import ask, for_all, lemma, prove
 from verify.prover import techniques
+from verify.prover.bernstein import Tensor
 from verify.prover.clearing import TooLongError, has_value
 from verify.prover.outcome import Decision
 from verify.prover.proof import Proof
@@ -16,6 +17,7 @@ from verify.prover.search.question import Question
 from verify.prover.techniques import (
     EQUATIONS,
     FREE,
+    LAST,
     PRODUCTS,
     SEARCHES,
     SIMPLE,
@@ -43,18 +45,18 @@ def test_a_technique_that_is_too_long_does_not_end_the_search(
 
 
 def test_an_undecided_row_says_what_was_too_long(monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in ("SUMS", "PRODUCTS"):
+    for name in ("FREE", "SUMS", "PRODUCTS", "LAST"):
         monkeypatch.setattr(techniques, name, ())
     for name in ("SIMPLE", "SEARCHES"):
         monkeypatch.setattr(techniques, name, (Technique("a long one", too_long),))
     found = decided(2 * x <= x**2 + 1)
     assert found.verdict == UNDECIDED
-    assert found.reason.endswith("; a long one: expanding the claim is too much work")
+    assert "; a long one: expanding the claim is too much work" in found.reason
     monkeypatch.setattr(techniques, "SIMPLE", ())
     monkeypatch.setattr(techniques, "SEARCHES", ())
-    assert (
-        decided(2 * x <= x**2 + 1).reason == "neither a proof nor an example against it was found"
-    )
+    reason = decided(2 * x <= x**2 + 1).reason
+    assert reason.startswith("neither a proof nor an example against it was found; ")
+    assert reason.endswith("most nearly false about x = 1, where the sides differ by 0")
 
 
 def test_each_technique_is_called_with_a_question_alone(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -68,10 +70,12 @@ def test_each_technique_is_called_with_a_question_alone(monkeypatch: pytest.Monk
         return technique._replace(prove=prove_nothing)
 
     groups = {"FREE": FREE, "SIMPLE": SIMPLE, "SUMS": SUMS, "PRODUCTS": PRODUCTS}
-    for name, every in (groups | {"SEARCHES": SEARCHES}).items():
+    for name, every in (groups | {"SEARCHES": SEARCHES, "LAST": LAST}).items():
         monkeypatch.setattr(techniques, name, tuple(map(watched, every)))
     assert decided(2 * x <= x**2 + 1).verdict == UNDECIDED
-    assert called == [technique.name for technique in (*FREE, *SIMPLE, *SUMS, *PRODUCTS, *SEARCHES)]
+    assert called == [
+        technique.name for technique in (*FREE, *SIMPLE, *SUMS, *PRODUCTS, *SEARCHES, *LAST)
+    ]
     assert {technique.name for technique in EQUATIONS} == {
         "cosines",
         "multiple angles",
@@ -104,3 +108,29 @@ def test_parts_of_a_term_are_replaced_all_at_once() -> None:
     term = minimum(sqrt(x), cos_pi(y / 2) ** 3) - x
     assert replaced(term, {}) is term
     assert replaced(term, {x: y, sqrt(x): x}) == minimum(x, cos_pi(y / 2) ** 3) - y
+
+
+@pytest.mark.parametrize(
+    ("givens", "verdict", "most"),
+    [
+        ([0 <= x, x <= 2], REFUTED, 0),  # false at an end, in whatever degree
+        ([0 < x, x <= 2], REFUTED, 0),
+        ([0 < x, x < 2], PROVED, 40),
+    ],
+)
+def test_no_degree_is_raised_where_an_end_of_the_interval_decides(
+    givens: list[Claim], verdict: str, most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    raised: list[int] = []
+    raise_ = Tensor.raised
+
+    def counted(tensor: Tensor, index: int) -> Tensor:
+        raised.append(index)
+        return raise_(tensor, index)
+
+    monkeypatch.setattr(Tensor, "raised", counted)
+    within = for_all("within", givens, {"x": 1})
+    claim = 0 < x * (2 - x) * (10 * x**2 - 20 * x + 11)
+    found = prove(lemma("title", [ask("row", claim, within)], (), [within]))
+    assert found.decisions["row"].verdict == verdict
+    assert min(most, 1) <= len(raised) <= most

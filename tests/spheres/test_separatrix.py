@@ -44,12 +44,12 @@ def goes_on(parameters: Parameters, q: Fraction, u: mpf, most: int = 4000) -> bo
     return None
 
 
-def bisected(parameters: Parameters, q: Fraction) -> tuple[mpf, mpf]:
+def bisected(parameters: Parameters, q: Fraction, most: int = 4000) -> tuple[mpf, mpf]:
     """f(q) by halving, without any care for rounding but 60 digits."""
     low, high = mpf(0), mpf(1)
     for _ in range(2000):
         middle = (low + high) / 2 if low else high / 4
-        does = goes_on(parameters, q, middle)
+        does = goes_on(parameters, q, middle, most)
         if does is None or (low and high - low < low * mpf(10) ** -35):
             break
         low, high = (middle, high) if does else (low, middle)
@@ -182,9 +182,8 @@ def test_what_is_no_trap(trap: Trap) -> None:
 def test_the_cycle_is_one_and_on_the_curve(ratio: Fraction, digits: int) -> None:
     parameters = AT_3_100._replace(ratio=ratio)
     found = limit_cycle.cycle(curve(parameters), digits)
-    assert found is not None
     with balls.precision(400):
-        (q, q_above), (u, u_above) = map(balls.ends, found)
+        (q, q_above), (u, u_above), *after = map(balls.ends, found)
     assert 0 < (u_above - u) * 10**digits <= u
     above, below = (curve(parameters).strip(end, 12) for end in (q, q_above))
     assert below.low <= u_above
@@ -195,6 +194,11 @@ def test_the_cycle_is_one_and_on_the_curve(ratio: Fraction, digits: int) -> None
         for w in (rho, 1 / rho):
             p = a * (1 - v) - x - w * v
             x, v = r * (1 - v) / p, 1 - mp.sqrt(1 - w * v * (2 * x + w * v) / p**2)
+            if w is rho:
+                for value, (low, high) in zip((x, v), after, strict=True):
+                    assert abs(mpf(low.numerator) / low.denominator - value) < mpf(10) ** -digits
+                    assert 0 < (high - low) * 10**digits <= low
+                assert (after[0][0] <= q_above and q <= after[0][1]) == (ratio == 1)
         assert abs(x - start[0]) < mpf(10) ** (-digits)
         assert abs(v - start[1]) < mpf(10) ** (-digits)
 
@@ -202,9 +206,9 @@ def test_the_cycle_is_one_and_on_the_curve(ratio: Fraction, digits: int) -> None
 def test_for_equal_speeds_the_cycle_is_the_root_of_a_cubic() -> None:
     """P³ + (a+1) p² - (a+r) p - r = 0, with q = r (1-u)/p."""
     found = limit_cycle.cycle(curve(AT_3_100), 40)
-    assert found is not None
     with balls.precision(300):
-        q, u = found
+        q, u, *after = found
+        assert all(ball.overlaps(other) for ball, other in zip((q, u), after, strict=True))
         r, a = map(balls.from_fraction, (AT_3_100.r, AT_3_100.a))
         p = r * (1 - u) / q
         value = ((p + a + 1) * p - (a + r)) * p - r

@@ -10,7 +10,7 @@ import pytest
 
 from verify.language.statement import Constant
 from verify.language.terms import Claim, Term, as_term, cos_pi, equal, minimum, sqrt, symbol
-from verify.paper.spectrum.spectrum import statement as spectrum
+from verify.paper.commands.spectrum import state_spectrum
 from verify.paper.theorem1 import theorem
 from verify.views.mathml import MathML, letter
 
@@ -76,7 +76,7 @@ def read_with(letters: dict[str, str], term: Term) -> str:
 
 
 def test_letters_of_every_variable() -> None:
-    for context in spectrum().contexts:
+    for context in state_spectrum().contexts:
         for variable in context.variables:
             ET.fromstring(f"<p>{letter(variable.tex)}</p>")
 
@@ -88,12 +88,12 @@ def every_constant() -> list[Constant]:
 
 def test_every_formula_of_the_paper_is_well_formed() -> None:
     letters = {constant.name: constant.tex for constant in every_constant()}
-    for context in spectrum().contexts:
+    for context in state_spectrum().contexts:
         letters |= {variable.name: variable.tex for variable in context.variables}
         letters |= {constant.name: constant.tex for constant in context.constants}
     writer = MathML(letters | {"c": r"(-\cos\theta_0)"})
     rows = [row for part in theorem().parts.values() for row in part.obligations]
-    claims = [row.claim for row in (*rows, *spectrum().obligations)]
+    claims = [row.claim for row in (*rows, *state_spectrum().obligations)]
     assert len(claims) > 300
     for claim in claims:
         if isinstance(claim, Claim):

@@ -54,8 +54,7 @@ def strange() -> Outcome:
     """A theorem of somebody else, with names that ours have too, and a sentence of its own."""
     glue, every = assume("glue", "c is meant"), for_all("all", {}, point={"x": 1})
     question = ask("square", 0 <= x**2 + symbol("c"), every, uses=[glue])
-    stated = lemma("step", [question], (), [every], [glue])
-    return prove(stated._replace(parameters={"c": as_term(2)}))
+    return prove(lemma("step", [question], (), [every], [glue], parameters={"c": 2}))
 
 
 def test_a_theorem_of_somebody_else_says_nothing_about_our_paper() -> None:

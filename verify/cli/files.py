@@ -69,6 +69,16 @@ def write_all(option: str, directory: str, contents: Mapping[str, bytes]) -> Non
         writing.finish()
 
 
+def write_file(option: str, path: str, text: str) -> None:
+    """Write one file as a whole.
+
+    Raises:
+        InputError: if it cannot be written, naming the option.
+    """
+    folder, name = os.path.split(path)
+    write_all(option, folder or os.curdir, {name: text.encode()})
+
+
 def write_folder(option: str, directory: str, contents: Mapping[str, bytes]) -> None:
     """Write a folder as a whole: these files and no others are in it afterwards.
 
@@ -255,6 +265,14 @@ def _remove(folder: str) -> None:
         rmtree(folder, ignore_errors=True)
 
 
+class UncheckableError(InputError):
+    """There can be no certificate that the checker reads; ``why`` says it without the option."""
+
+    def __init__(self, option: str, why: str) -> None:
+        super().__init__(f"{option}: {why}; write parameters with fewer digits")
+        self.why = why
+
+
 def write_certificate(
     option: str, directory: str, outcome: Outcome, beside: Mapping[str, bytes] | None = None
 ) -> None:
@@ -279,9 +297,10 @@ def write_certificate(
         return
     digits = longest_number(outcome)
     if digits > CHECKER_DIGITS:
-        raise InputError(
-            f"{option}: a number in the certificate would have {digits} digits, and the checker "
-            f"reads at most {CHECKER_DIGITS}; write parameters with fewer digits"
+        raise UncheckableError(
+            option,
+            f"a number in the certificate would have {digits} digits, and the checker reads at "
+            f"most {CHECKER_DIGITS}",
         )
     files = write(outcome)
     try:
@@ -289,9 +308,10 @@ def write_certificate(
     except UnreadError as error:
         if digits < LONG_NUMBER:
             raise
-        raise InputError(
-            f"{option}: numbers of {digits} digits make the certificate more than the checker's "
-            "budget of work; write parameters with fewer digits"
+        raise UncheckableError(
+            option,
+            f"numbers of {digits} digits make the certificate more than the checker's budget of "
+            "work",
         ) from error
     write_folder(option, directory, {**files, **(beside or {})})
 

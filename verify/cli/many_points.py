@@ -13,12 +13,13 @@ from verify.cli.terminal import show
 from verify.cli.theorem1 import DEFAULTS, POINT_OPTIONS, read_parameters
 from verify.language.statement import UNDECIDED
 from verify.paper.groups import PRINTED
+from verify.paper.rows import INSTEAD
 from verify.paper.source import PAPER
 from verify.prover.outcome import EXIT_CODES, conjunction
 from verify.wire.inputs import InputError, integer, neg_cos, positive, restitution, shown
 
-#: What takes seconds at a box and without one; all of it is one search.
-PROVING = "proving Theorem 1 for all parameters, which takes seconds"
+#: What takes seconds; all of it is one search.
+PROVING = "deciding the rows of the printed set for all parameters, which takes seconds"
 
 
 def run_many(options: Options) -> int:
@@ -47,18 +48,21 @@ def _everywhere(options: Options) -> int:
         everywhere,  # loaded only where they are used
         thresholds,  # loaded only where they are used
     )
-    from verify.paper.commands.printed_set import decide_as_printed
+    from verify.paper.commands.printed_set import verdicts_as_printed
     from verify.views import everywhere as view
     from verify.views.document import claims_document
 
     printed = options.constants == PRINTED
-    progress(PROVING)
-    outcome = everywhere.decide_printed_everywhere() if printed else everywhere.decide_everywhere()
+    if printed:
+        progress(PROVING)
+        outcome = everywhere.decide_printed_everywhere()
+    else:
+        outcome = everywhere.cite_everywhere()
     argument = conjunction(outcome.decisions.values())
     code = EXIT_CODES[argument]
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
-    verdicts = decide_as_printed()
+    verdicts = verdicts_as_printed()
     if options.json:
         document = claims_document(outcome, "theorem1", view.FORMAT)
         if printed:
@@ -67,9 +71,13 @@ def _everywhere(options: Options) -> int:
         return code
     if printed:
         where = thresholds.decide_thresholds()
-        text = view.printed_screen(outcome, where, thresholds.all_shares(where), PAPER, verdicts)
+        shares = thresholds.all_shares(where)
+        text = view.printed_screen(outcome, where, shares, PAPER, verdicts, INSTEAD)
     else:
-        text = view.screen(outcome, PAPER, verdicts)
+        from verify.paper.commands.whole import whole
+        from verify.views.whole import constants_and_set
+
+        text = view.screen(outcome, PAPER, verdicts, constants_and_set(whole()))
     show(claims.told(outcome, options, text), options)
     return code
 
@@ -87,7 +95,6 @@ def _box(options: Options) -> int:
     from verify.views import box as view
     from verify.views.material import ParameterBox
 
-    progress(PROVING)
     found = box.answer(ParameterBox(*sides), v_0, delta_theta)
     cited = found.outcome.assumptions
     if options.out is not None and found.verdict != UNDECIDED:

@@ -51,7 +51,7 @@ def run(options: Options) -> int:
     statement = _chosen(page.statement, options.rows)
     steps = Steps(len(statement.obligations))
     budget = WorkBudget(work, _seconds(options.time), steps, catches=True)
-    outcome = decide(statement, budget)
+    outcome = decide(statement, budget, page.hints)
     if options.out is not None:
         _write(options.out, outcome)
     outcome = _but_for_citations(outcome)

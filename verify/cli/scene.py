@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+import sys
 
-from verify.cli.files import print_document, read_bytes, test_folder
+from verify.cli.files import print_document, read_bytes, test_folder, write_file
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import add_color, show
 from verify.prover.ground import FLINT
 from verify.spheres.scene.decide import MAX_DIGITS, Budget, Fate, decide_scene
+from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.scene_files import read_scene
 from verify.spheres.scene.verdict import steps, told
 from verify.views.scene import collision_table, exit_code, given_line, scene_document
@@ -29,7 +31,15 @@ def add_arguments(parser: Parser) -> None:
     parser.flag("-v", "--verbose", text="a table of the collisions")
     parser.flag("--json", text="one JSON document on stdout")
     add_color(parser)
+    parser.option("--at", "of a family of scenes this one: NAME=A,NAME=B", "POINT")
+    parser.option("--sample", "of a family of scenes decide so many random ones", "N")
+    parser.option("--seed", "of the random numbers (default 1)", "S", default="1")
+    parser.option("--confidence", "of the shares in a sample (default 95%)", "P%", default="95%")
     parser.option("--out", "write statement.json and certificate.json", "DIR")
+    parser.option(
+        "--csv", "a table with a line for each scene: verdict, reason, enclosures", "FILE"
+    )
+    parser.option("--trajectory", "a table of centres and velocities after each collision", "FILE")
     parser.option("--plot", "draw the scene: a file .svg, or .html with an animation", "FILE")
 
 
@@ -43,9 +53,9 @@ def budget(options: Options) -> Budget:
     return Budget(integer("--collisions", options.collisions, 0, 10**7), digits, bits, last)
 
 
-def judge_of(out: str | None) -> str:
+def judge_of(is_checked: bool) -> str:
     """Who gives a verdict: the checker, if its certificate is written."""
-    if out is None:
+    if not is_checked:
         return FLINT
     from verify.wire.judge import CHECKER  # loaded only where it is used
 
@@ -59,25 +69,35 @@ def run(options: Options) -> int:
         from verify.cli.scene_folder import run_folder  # loaded only where it is used
 
         return run_folder(options, limits, jobs)
+    if options.sample is not None:
+        from verify.cli.scene_sample import run_sample  # loaded only where it is used
+
+        return run_sample(options, limits, jobs)
     if jobs > 1:
         raise InputError("--jobs: leave it out with one scene")
     test_folder("--out", options.out, "statement.json", "certificate.json")
     plot = _plot_kind(options.plot)
-    scene = read_scene(options.scene, read_bytes("scene", options.scene))
+    scene = _scene(options)
     found = decide_scene(scene, limits)
-    if options.out is not None:
-        from verify.cli.scene_certificate import write_scene  # loaded only where it is used
-
-        write_scene("--out", options.out, found)
+    judge = judge_of(_has_certificate(options.out, found))
     if plot is not None:
         from verify.cli.scene_plot import write_plot  # loaded only where it is used
 
-        write_plot("--plot", options.plot, plot, found)
+        write_plot("--plot", options.plot, plot, found, limits)
+    _write_tables(options, found, judge)
     if options.json:
-        print_document(scene_document(told(found), judge_of(options.out)))
+        print_document(scene_document(told(found), judge))
     else:
-        show(_text(found, options), options)
+        show(_text(found, judge, options), options)
     return exit_code(told(found))
+
+
+def _scene(options: Options) -> Scene:
+    if options.at is None:
+        return read_scene(options.scene, read_bytes("scene", options.scene))
+    from verify.cli.scene_sample import scene_at  # loaded only where it is used
+
+    return scene_at(options)
 
 
 def _plot_kind(path: str | None) -> str | None:
@@ -89,9 +109,36 @@ def _plot_kind(path: str | None) -> str | None:
     return kind
 
 
-def _text(found: Fate, options: Options) -> list[str]:
+def _has_certificate(out: str | None, found: Fate) -> bool:
+    """Write the certificate that is asked for; a line on stderr where there can be none."""
+    if out is None:
+        return False
+    from verify.cli.scene_certificate import write_scene  # loaded only where it is used
+
+    missing = write_scene("--out", out, found)
+    if missing:
+        print(f"verify: --out: {missing}; no certificate was written", file=sys.stderr)
+    return not missing
+
+
+def _write_tables(options: Options, found: Fate, judge: str) -> None:
+    """The tables that are asked for."""
+    if options.csv is None and options.trajectory is None:
+        return
+    from verify.spheres.scene.trajectory import trajectory  # loaded only where it is used
+    from verify.views.scene_table import COLUMNS, cells, csv_text, trajectory_rows
+
+    if options.csv is not None:
+        row = cells(os.path.basename(options.scene), told(found), judge)
+        write_file("--csv", options.csv, csv_text([COLUMNS, row]))
+    if options.trajectory is not None:
+        rows = trajectory_rows(trajectory(found), found.flow.scene.dimension)
+        write_file("--trajectory", options.trajectory, csv_text(rows))
+
+
+def _text(found: Fate, judge: str, options: Options) -> list[str]:
     known = told(found)
-    lines = [*known.lines, *filter(None, [given_line(known, judge_of(options.out))])]
+    lines = [*known.lines, *filter(None, [given_line(known, judge)])]
     if not options.verbose:
         return lines
     return [*collision_table(steps(found), known.bits), "", *lines]

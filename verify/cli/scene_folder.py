@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from functools import partial
 from typing import Any
 
-from verify.cli.files import print_document, read_bytes, write_folder
+from verify.cli.files import print_document, read_bytes, write_file, write_folder
 from verify.cli.options import Options
 from verify.cli.scene import judge_of
 from verify.cli.scene_certificate import write_scene
@@ -17,11 +17,12 @@ from verify.cli.terminal import show
 from verify.language.errors import OwnError
 from verify.spheres.scene.decide import Budget, decide_scene
 from verify.spheres.scene.scene_files import read_scene
-from verify.spheres.scene.verdict import told
+from verify.spheres.scene.verdict import Told, told
 from verify.views.scene import exit_code, given_line, scene_document
+from verify.views.scene_table import COLUMNS, cells, counts_of, csv_text, unusable_cells
 from verify.wire.inputs import InputError, shown
 
-FORMAT = "verify-scenes/1"
+FORMAT = "verify-scenes/2"
 #: The codes, the one that wins first: our own error, unusable, undecided.
 ORDER = (5, 2, 3, 0)
 #: The file beside a certificate that says what was found.
@@ -32,18 +33,24 @@ Result = dict[str, Any]
 
 def run_folder(options: Options, limits: Budget, jobs: int) -> int:
     """Print one line for each scene; the exit code is that of the worst."""
-    for name in ("plot", "verbose"):
+    for name in ("plot", "verbose", "trajectory", "sample", "at"):
         if getattr(options, name):
             raise InputError(f"--{name}: leave it out with a folder")
     names = sorted(name for name in os.listdir(options.scene) if name.endswith(".toml"))
     if not names:
         raise InputError(f"scene: {shown(options.scene)} has no file that ends in .toml")
-    work = partial(decide_file, options.scene, options.out, limits)
+    wants_document = options.json or options.out is not None
+    work = partial(decide_file, options.scene, options.out, limits, wants_document)
     results: list[Result] = []
     for result in watched(_all(work, names, jobs), len(names), apart=True):
         results.append(result)
-        if not options.json:
+        if not (options.json or options.csv):
             show([f"{result['file']}: {' '.join(result['lines'])}"], options, records=True)
+    if options.csv:
+        rows = [result["row"] for result in results]
+        write_file("--csv", options.csv, csv_text([COLUMNS, *rows]))
+        if not options.json:
+            show(counts_of(rows), options)
     if options.json:
         found = [{"file": result["file"], **result["document"]} for result in results]
         print_document({"format": FORMAT, "command": "scene", "scenes": found})
@@ -61,36 +68,64 @@ def _all(work: Any, names: list[str], jobs: int) -> Iterator[Result]:
         yield from staff.in_order(work, names)
 
 
-def decide_file(folder: str, out: str | None, limits: Budget, name: str) -> Result:
+def decide_file(
+    folder: str, out: str | None, limits: Budget, wants_document: bool, name: str
+) -> Result:
     """What is found about one file."""
     try:
-        return _decide(folder, out, limits, name)
+        return _decide(folder, out, limits, wants_document, name)
     except InputError as error:
-        document = {"verdict": "unusable", "reason": str(error)}
-        return {"file": name, "code": 2, "lines": [str(error)], "document": document}
+        return _failed(name, 2, "unusable", str(error))
     except OwnError as error:
-        document = {"verdict": "error", "reason": str(error)}
-        return {"file": name, "code": 5, "lines": [str(error)], "document": document}
+        return _failed(name, 5, "error", str(error))
 
 
-def _decide(folder: str, out: str | None, limits: Budget, name: str) -> Result:
+def _failed(name: str, code: int, verdict: str, says: str) -> Result:
+    document = {"verdict": verdict, "reason": verdict, "says": says}
+    row = unusable_cells(name, verdict)
+    return {"file": name, "code": code, "lines": [says], "document": document, "row": row}
+
+
+def _decide(
+    folder: str, out: str | None, limits: Budget, wants_document: bool, name: str
+) -> Result:
     path = os.path.join(folder, name)
     found = decide_scene(read_scene(path, read_bytes("scene", path)), limits)
     known = told(found)
-    code = exit_code(known)
-    judge = judge_of(out)
-    lines = [*known.lines, *filter(None, [given_line(known, judge)])]
-    document = scene_document(known, judge)
-    result = {"file": name, "code": code, "lines": lines, "document": document}
-    if out is not None:
-        place = os.path.join(out, os.path.splitext(name)[0])
-        text = json.dumps(result, ensure_ascii=False, indent=1) + "\n"
-        files = {RESULT: text.encode()}
-        if code == 0:
-            write_scene("--out", place, found, files)
-        else:
-            write_folder("--out", place, files)
+    if not wants_document:
+        return _without_document(name, known, judge_of(False))
+    if out is None:
+        return _result(name, known, "")
+    place = os.path.join(out, os.path.splitext(name)[0])
+    result = _result(name, known, None)
+    missing = write_scene("--out", place, found, _beside(result))
+    if missing:
+        result = _result(name, known, missing)
+        write_folder("--out", place, _beside(result))
     return result
+
+
+def _result(name: str, known: Told, missing: str | None) -> Result:
+    """What is found, with a certificate if ``missing`` is None; else it says why there is none."""
+    judge = judge_of(missing is None)
+    result = _without_document(name, known, judge)
+    document = scene_document(known, judge)
+    if missing and known.theorems:
+        result["lines"].append(f"no certificate: {missing}")
+        document |= {"no_certificate": missing}
+    return result | {"document": document}
+
+
+def _without_document(name: str, known: Told, judge: str) -> Result:
+    lines = [*known.lines, *filter(None, [given_line(known, judge)])]
+    row = cells(name, known, judge)
+    return {"file": name, "code": exit_code(known), "lines": lines, "row": row}
+
+
+def _beside(result: Result) -> dict[str, bytes]:
+    kept = {name: value for name, value in result.items() if name != "row"}
+    text = json.dumps(kept, ensure_ascii=False, indent=1) + "\n"
+    return {RESULT: text.encode()}
 
 
 def worst(codes: Iterable[int]) -> int:

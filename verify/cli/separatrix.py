@@ -7,52 +7,207 @@ of the next pair. Below the curve u = f(q) collisions go on for ever, above it t
 
 from __future__ import annotations
 
-from verify.cli.files import print_document
-from verify.cli.options import Options, Parser
-from verify.cli.terminal import add_color, show
+import os
+import sys
+from fractions import Fraction
+
+from verify.cli import claims
+from verify.cli.files import print_document, test_folder, write_all, write_certificate
+from verify.cli.options import Options, Parser, field
+from verify.cli.terminal import show
+from verify.language.errors import UnreadError
 from verify.spheres.limit_map import Parameters
-from verify.spheres.separatrix import decide_separatrix
-from verify.views.separatrix import screen, separatrix_document
+from verify.spheres.separatrix import Separatrix, decide_separatrix, staircase
+from verify.views.separatrix import (
+    curves_document,
+    curves_screen,
+    screen,
+    separatrix_document,
+    theorem_document,
+    theorem_screen,
+)
 from verify.wire.inputs import InputError, integer, neg_cos, positive, rational, restitution, shown
 
-MAX_DIGITS, MAX_BUDGET = 1000, 10**8
+MAX_DIGITS, MAX_BUDGET, MAX_STEPS = 1000, 10**8, 50
+#: Of a picture: where the curve is decided, how many digits, and for each of several curves.
+CORNERS, DIGITS, FEW_CORNERS = 160, 4, 60
+#: What only some of the three uses have.
+WITH_R = ("--r", "--neg-cos", "--ratio", "--at", "--digits", "--budget", "--steps", "--plot")
+DEFAULTS = {"neg_cos": "1", "ratio": "1", "digits": "12", "budget": "2000000", "steps": "5"}
+#: Of several curves.
+CURVE_DIGITS = "8"
 
 
 def add_arguments(parser: Parser) -> None:
     """The options; every number is kept as the text that was written."""
+    parser.flag("--all", text="prove the theorem on the limit map for all parameters")
     texts = {
-        "--r": ("R", "restitution coefficient in ]0,1[ (exact: 0.03, 3/100 or 3e-2)", None),
-        "--neg-cos": ("C", "-cos of the angle, in ]0, 1] (default 1)", "1"),
-        "--ratio": (
-            "RATIO",
-            "|W|² of the pair that collided, over the next one's (default 1)",
-            "1",
-        ),
-        "--at": ("Q", "enclose f at this q only (default: a table)", None),
-        "--digits": ("N", "how many digits of f (default 12)", "12"),
-        "--budget": ("N", "follow at most so many collisions (default 2000000)", "2000000"),
+        "--r": ("R", "restitution coefficient in ]0,1[ (exact: 0.03, 3/100 or 3e-2), or A..B"),
+        "--neg-cos": ("C", "-cos of the angle, in ]0, 1] (default 1)"),
+        "--ratio": ("RATIO", "|W|² of the pair that collided, over the next one's (default 1)"),
+        "--at": ("Q", "enclose f at this q only (default: a table)"),
+        "--digits": ("N", "how many digits of f (default 12)"),
+        "--budget": ("N", "follow at most so many collisions (default 2000000)"),
+        "--steps": ("N", "with --r A..B: that many values of r (default 5)"),
+        "--plot": ("FILE", "draw the certified strip, or with --r A..B the curves: a file .svg"),
     }
-    for name, (value, text, default) in texts.items():
-        parser.option(name, text, value, default=default)
-    parser.flag("--json", text="one JSON document on stdout")
-    add_color(parser)
+    for name, (value, text) in texts.items():
+        parser.option(name, text, value)
+    claims.add_arguments(parser)
 
 
 def run(options: Options) -> int:
-    """Print the table or the document, return the exit code."""
+    """Print what is asked for, write the files, return the exit code."""
+    if options.all:
+        return _theorem(options)
+    for name in ("rows", "verbose"):
+        if getattr(options, name):
+            raise InputError(f"--{name}: has a meaning with --all only; leave it out")
     if options.r is None:
-        raise InputError("--r: is missing; write for example --r 0.03")
-    parameters = Parameters(
-        restitution(options.r), neg_cos(options.neg_cos), positive("--ratio", options.ratio)
-    )
+        raise InputError("--r: is missing; write for example --r 0.03, or --all")
+    _test_plot(options)
+    return _curves(options) if ".." in options.r else _point(options)
+
+
+def _theorem(options: Options) -> int:
+    """The theorem for all parameters."""
+    for name in WITH_R:
+        if getattr(options, field(name)) is not None:
+            raise InputError(f"{name}: leave it out with --all")
+    from verify.paper.commands.separatrix import decide_separatrix as decide  # loads the rows
+    from verify.paper.source import PAPER
+
+    test_folder("--out", options.out, "statement.json", "certificate.json")
+    outcome = decide()
+    if options.out is not None:
+        write_certificate("--out", options.out, outcome)
+    if options.json:
+        print_document(theorem_document(outcome))
+    else:
+        show(claims.told(outcome, options, theorem_screen(outcome, PAPER)), options)
+    return outcome.exit_code
+
+
+def _point(options: Options) -> int:
+    """F at one q, or a table of it."""
+    parameters = _parameters(options, restitution(options.r))
+    at = _at(options)
+    if options.steps is not None:
+        raise InputError("--steps: has a meaning with --r A..B only; leave it out")
+    digits, budget = _digits(options), _budget(options)
+    test_folder("--out", options.out, "statement.json", "certificate.json")
+    found = decide_separatrix(parameters, at, digits, budget)
+    certified = "" if options.out is None else _certify(options.out, found)
+    if options.plot is not None:
+        from verify.views.plots.separatrix import strip_svg  # loaded only where it is used
+
+        drawn = found if at is None else decide_separatrix(parameters, None, DIGITS, budget)
+        strips = staircase(drawn, CORNERS, DIGITS, budget)
+        if not strips:
+            raise InputError("--plot: no curve is known there; choose parameters that have one")
+        _write_plot(options.plot, strip_svg(drawn, strips))
+    if options.json:
+        print_document(separatrix_document(found, certified))
+    else:
+        show(screen(found, certified), options)
+    return found.exit_code
+
+
+def _curves(options: Options) -> int:
+    """How f moves with r."""
+    if options.at is not None or options.out is not None:
+        name = "--at" if options.at is not None else "--out"
+        raise InputError(f"{name}: takes a single r; write for example --r 0.03")
+    count = integer("--steps", options.steps or DEFAULTS["steps"], 2, MAX_STEPS)
+    digits, budget = _digits(options, CURVE_DIGITS), _budget(options)
+    points = [_parameters(options, r) for r in _values(options.r, count)]
+    found = [decide_separatrix(point, None, digits, budget) for point in points]
+    if options.plot is not None:
+        from verify.views.plots.separatrix import curves_svg  # loaded only where it is used
+
+        strips = [staircase(one, FEW_CORNERS, DIGITS, budget) for one in found]
+        if not any(strips):
+            raise InputError("--plot: no curve is known there; choose smaller values of --r")
+        _write_plot(options.plot, curves_svg(list(zip(found, strips, strict=True))))
+    if options.json:
+        print_document(curves_document(found))
+    else:
+        show(curves_screen(found), options)
+    return max(one.exit_code for one in found)
+
+
+# --- what was written -----------------------------------------------------------------------------
+
+
+def _parameters(options: Options, r: Fraction) -> Parameters:
+    c, ratio = options.neg_cos or DEFAULTS["neg_cos"], options.ratio or DEFAULTS["ratio"]
+    return Parameters(r, neg_cos(c), positive("--ratio", ratio))
+
+
+def _at(options: Options) -> Fraction | None:
     at = None if options.at is None else rational("--at", options.at)
     if at is not None and at < 0:
         raise InputError(f"--at: {shown(options.at)} is negative; write for example 1/10")
-    digits = integer("--digits", options.digits, 1, MAX_DIGITS)
-    budget = integer("--budget", options.budget, 1, MAX_BUDGET)
-    found = decide_separatrix(parameters, at, digits, budget)
-    if options.json:
-        print_document(separatrix_document(found))
-    else:
-        show(screen(found), options)
-    return found.exit_code
+    if at is None and options.out is not None:
+        raise InputError("--out: certifies f at one q; write for example --at 1/10, or --all")
+    return at
+
+
+def _digits(options: Options, otherwise: str = DEFAULTS["digits"]) -> int:
+    return integer("--digits", options.digits or otherwise, 1, MAX_DIGITS)
+
+
+def _budget(options: Options) -> int:
+    return integer("--budget", options.budget or DEFAULTS["budget"], 1, MAX_BUDGET)
+
+
+def _values(text: str, count: int) -> list[Fraction]:
+    """So many values of r from one end of the interval to the other."""
+    words = text.split("..")
+    if len(words) != 2:
+        raise InputError(f"--r: {shown(text)} is no interval; write it as 0.01..0.05")
+    low, high = map(restitution, words)
+    if not low < high:
+        raise InputError(
+            f"--r: the interval {shown(text)} is not A < B; write the smaller end first"
+        )
+    return [low + (high - low) * Fraction(k, count - 1) for k in range(count)]
+
+
+# --- what is written ------------------------------------------------------------------------------
+
+
+def _certify(folder: str, found: Separatrix) -> str:
+    """Write the certificate of f at one q, or say why there is none; return what it says."""
+    from verify.paper.commands.separatrix import (  # loads the rows
+        TooLongError,
+        decide_value,
+        point_of,
+    )
+
+    point = point_of(found)
+    if point is None:
+        print("verify: f is undecided; no certificate was written", file=sys.stderr)
+        return ""
+    try:
+        outcome = decide_value(point)
+    except (TooLongError, UnreadError) as error:
+        raise InputError(
+            "--out: the orbits next to f are too long for the checker; ask for fewer --digits"
+        ) from error
+    write_certificate("--out", folder, outcome)
+    return outcome.statement.title
+
+
+def _test_plot(options: Options) -> None:
+    if options.plot is None:
+        return
+    if os.path.splitext(options.plot)[1] != ".svg":
+        raise InputError(f"--plot: {shown(options.plot)} does not end in .svg; write such a name")
+    folder, name = os.path.split(options.plot)
+    test_folder("--plot", folder or os.curdir, name)
+
+
+def _write_plot(path: str, text: str) -> None:
+    folder, name = os.path.split(path)
+    write_all("--plot", folder or os.curdir, {name: text.encode()})

@@ -8,7 +8,7 @@ from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_certificate
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import show
-from verify.paper.commands.spectrum import decide_spectrum
+from verify.paper.commands.spectrum import cite_spectrum
 from verify.paper.source import PAPER
 from verify.views.row_lists import screen
 from verify.views.spectrum import (
@@ -52,7 +52,7 @@ def run(options: Options) -> int:
     r = None if options.r is None else read_r(options.r)
     bits = integer("--precision", options.precision, 2, MAX_PRECISION)
     test_folder("--out", options.out, "statement.json", "certificate.json")
-    outcome = decide_spectrum()
+    outcome = cite_spectrum()
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
     spectrum = None

@@ -14,6 +14,7 @@ from verify.language.record import Record
 from verify.language.statement import (
     NEEDED,
     Always,
+    Applies,
     Assumption,
     Context,
     Obligation,
@@ -93,6 +94,12 @@ class ByInstance(Record):
     givens: tuple[str, ...]
 
 
+class ByApplying(Record):
+    """Values satisfy the givens of another context; ``givens`` names why."""
+
+    givens: tuple[str, ...]
+
+
 class ByInduction(Record):
     """Why each condition holds at the start, and at the next state."""
 
@@ -104,7 +111,17 @@ class ToBeFound(Record):
     """A sum that the prover has to find."""
 
 
-Reason = ToBeFound | BySum | ByRoot | ByEntry | ByLeast | ByInterval | ByInstance | ByInduction
+Reason = (
+    ToBeFound
+    | BySum
+    | ByRoot
+    | ByEntry
+    | ByLeast
+    | ByInterval
+    | ByInstance
+    | ByApplying
+    | ByInduction
+)
 
 
 def proof(*addends: Factor, using: str = "", equations: tuple[tuple[str, Term], ...] = ()) -> BySum:
@@ -112,9 +129,11 @@ def proof(*addends: Factor, using: str = "", equations: tuple[tuple[str, Term], 
     return BySum(("goal", *map(_value, addends)), tuple(using.split()), equations)
 
 
-def scaled(goal: Value, *addends: Factor, using: str = "") -> BySum:
+def scaled(
+    goal: Value, *addends: Factor, using: str = "", equations: tuple[tuple[str, Term], ...] = ()
+) -> BySum:
     """The same where the negated claim enters in a product."""
-    return BySum((goal, *map(_value, addends)), tuple(using.split()))
+    return BySum((goal, *map(_value, addends)), tuple(using.split()), equations)
 
 
 def identity(using: str = "", equations: tuple[tuple[str, Term], ...] = ()) -> BySum:
@@ -126,7 +145,7 @@ class Line(Record):
     """A claim for all values in a context, with its reason."""
 
     name: str
-    claim: Claim | Always
+    claim: Claim | Applies | Always
     reason: Reason
     label: str = ""
     says: str = ""

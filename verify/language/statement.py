@@ -27,7 +27,13 @@ HARMLESS = "false, but harmless here"
 #: The sentence is false as it is written, and what it plainly means is a row of its own.
 SLIP = "slip of wording"
 #: How bad it is that a printed row is false, the worst first.
-SEVERITIES = (BREAKS, HARMLESS, SLIP)
+ACCUSATIONS = (BREAKS, HARMLESS, SLIP)
+#: The sentence is true by the row that takes its place; the claim is what the text derives it from.
+OTHERWISE = "proved; not by the printed argument"
+#: The claim is false, and the text does not make it: nothing is held against the paper.
+REMARK = "remark"
+#: What a printed row is whose claim is false.
+SEVERITIES = (*ACCUSATIONS, OTHERWISE, REMARK)
 
 #: Groups of rows, beside those of the set as PRINTED: what a theorem assumes, and what repairs it.
 HYPOTHESES, REPAIRED = "hypotheses", "repaired"

@@ -96,7 +96,7 @@ ASSUMPTIONS = (
 
 
 #: What the sharper theorem takes on trust, too.
-HARD_SPHERES, BOUNDED_MONOTONE, GLUE_NEXT = (
+HARD_SPHERES, BOUNDED_MONOTONE, FINITE_LENGTH, GLUE_NEXT = (
     Assumption("hard-spheres", "EQUATSS2.2IterationSystm1",
          "Three particles of equal mass and diameter 1 move freely until two of them are at "
          "distance 1 and approach each other. If these are 0 and c, then v_0 and v_c become "
@@ -104,6 +104,9 @@ HARD_SPHERES, BOUNDED_MONOTONE, GLUE_NEXT = (
          "0 to c; the third keeps its velocity.", "definition"),
     Assumption("bounded-monotone", THEOREM,
          "A bounded monotone sequence of real numbers converges.", "general mathematics"),
+    Assumption("finite-length", THEOREM,
+         "A continuous path on [0,T[ that consists of straight pieces, finitely many in each "
+         "closed part of [0,T[, and has finite length, has a limit at T.", "general mathematics"),
     Assumption("glue-next", "EQUATSS4.1SysteDynamColSp",
          "1. By colliding-pair-apart, spectator-apart with recedes, and outer-pair-apart no pair "
          "meets after the state and before the time τ, and at τ, which is positive by "
@@ -121,6 +124,7 @@ STEP_ASSUMPTIONS = (
          "p² ≤ |x|² b; and if p² ≤ |x|² b and x is not 0, there is such a vector z.",
          "general mathematics"),
     BOUNDED_MONOTONE,
+    FINITE_LENGTH,
     Assumption("open-condition", THEOREM,
          "Finitely many strict inequalities between continuous functions describe an open set.",
          "general mathematics"),
@@ -136,16 +140,20 @@ STEP_ASSUMPTIONS = (
          "angle-monotone-upper and angle-monotone-lower; both are bounded, as -cos θ_n is a cosine "
          "and d_n and g_n = C_η^n g_0 tend to 0, by distance-speed, Cnd2 and C_eta-below-one; so "
          "-cos θ_n converges. The relative velocities are bounded, by A-below and B-below, and the "
-         "times converge, so that the relative positions converge, and the limit is that of the "
-         "angle at the time of the collapse. It is within δ_θ of -cos θ_0 by angle-final-upper and "
-         "angle-final-lower.", "numbered glue"),
+         "times converge, so that the relative positions converge, by finite-length, to distances "
+         "that are at least 1: the limit of -cos θ_n is that at the time of the collapse. It is "
+         "within δ_θ of -cos θ_0 by angle-final-upper and angle-final-lower.", "numbered glue"),
     Assumption("glue-interior", "EQUATSS4.1DescrDoIniColla",
          "4. By the rows named inside-... a configuration satisfies all inequalities of the "
          "initial set strictly; vectors for it exist by at-angle, room-c and room-s. Take the data "
          "with |x_1 - x_0| > 1 from which free flight backwards reaches, after a time t > 0, a "
          "first contact of 0 and 1 with η_s > 0, where the inequalities of the initial set are "
-         "strict and t < τ. As η_s > 0, t and the configuration at the contact depend continuously "
-         "on the datum; so these are finitely many strict inequalities between continuous "
-         "functions: an open set of data, not empty, from which the particles collapse.",
+         "strict and t < τ, and ball 2 is apart from both all the while: so the datum lies in "
+         "phase space, and not at its edge. That the flight backwards meets the sphere of contact, "
+         "at a smaller root that is simple as η_s > 0, is a strict inequality for the "
+         "discriminant: the flight backwards is defined on an open set of data, and there t and "
+         "the configuration at the contact depend continuously on the datum. So these are finitely "
+         "many strict inequalities between continuous functions: an open set of data, not empty, "
+         "from which the particles collapse.",
          "numbered glue"),
 )  # fmt: skip

@@ -26,7 +26,8 @@ CAUSES = (
     Cause(("printed.set-interior",),
         "ω_{c,0}·ω_{s,0} = cos θ₀ is an equation, so this set has no interior, not even among the "
         "data in contact, and the theorem claims one. The union of such sets over neighbouring "
-        "angles has one; the text does not form it."),
+        "angles has one; the text does not form it. So a claim of the theorem is not reached. It "
+        "is true, as the set has room for the angle (`certificates/printed-set`)."),
     Cause(("printed.init-zeta-bound-2",),
         "The bound 2 is printed for the bound 2x, which is true too and which the display uses."),
     Cause(("printed.d-index",), "The right-hand side bounds d_{n+1}; d_n is printed."),
@@ -46,24 +47,30 @@ CAUSES = (
     Cause(("printed.angle-absorbed", "printed.y-term-3", "printed.final-angle"),
         "The entry V₀/(33 V₁^{1/2}) |Δθ| of η̄ has no factor 1-C_η, and the angles may drift by "
         "14 (V₁^{1/2}/V₀) η̄/(1-C_η). Which of the three steps fail depends on the parameters: at "
-        "r = 3/100 the first two for δ_θ = 1/10, the first and the last for δ_θ = 1/1000. Only "
-        "the last breaks the argument: in y_n the second has the factor (1+r)/2, with which it "
-        "holds (`y-term-3-factor`)."),
+        "r = 3/100 the first two for δ_θ = 1/10, the first and the last for δ_θ = 1/1000. The "
+        "last one is what the theorem claims of the final angle, and breaks the argument wherever "
+        "it fails; the first one breaks it only there. In y_n the second one has the factor "
+        "(1+r)/2, with which it holds (`y-term-3-factor`)."),
+    Cause(("printed.x-term-1-d",),
+        "d_n/δ₂ ≤ h₄δ_x/2 fails at r = 1/1000000 with -cos θ₀ = 1/20, for one. The display has the "
+        "factor r in front of it, which the text drops; with it the step holds for all parameters "
+        "(`x-term-1-factor`)."),
     Cause(("printed.alone-eta-y-1", "printed.alone-eta-y-2", "printed.alone-eta-x-1",
-        "printed.x-term-1-d", "printed.alone-zeta-y-2", "printed.alone-zeta-x-1",
-        "printed.alone-zeta-y-4", "printed.alone-d-y-3", "printed.alone-d-x-1"),
-        "An entry of a min is the sum of the bounds that several steps need, and so bounds none "
-        "of them. Each step has its own row and may hold all the same, because another entry is "
-        "smaller; `x-term-1-d` does not at r = 1/1000000 with -cos θ₀ = 1/20, but for the factor "
-        "r in front of it (`x-term-1-factor`). Once δ_x is repaired, the steps do need what is "
-        "alone in entry 3 of ζ̄ (at r = 3/100, say)."),
+        "printed.alone-zeta-y-2", "printed.alone-zeta-x-1", "printed.alone-zeta-y-4",
+        "printed.alone-d-y-3", "printed.alone-d-x-1"),
+        "A remark: these rows ask of one entry of a min what the text claims only of the min. An "
+        "entry adds up the bounds that several steps need, so that it guarantees none of them "
+        "alone. Each step has its own row and may hold all the same, because another entry is "
+        "smaller. Once δ_x is repaired, the steps do need what is alone in entry 3 of ζ̄ (at r = "
+        "3/100, say)."),
 )  # fmt: skip
 
 
 CHANGES = (
     Change("EQUATSS4.1ThExiCondiTheta", "-cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r)",
         "-cos θ₀ > 2r^(1/3)(1+r^(1/3))/(1+r)",
-        "h₅ > 0 is equivalent to >; with < the construction has h₅ < 0."),
+        "the fixed points exist and h₅ > 0 exactly with >; with < either the fixed points are not "
+        "real, and nothing is constructed, or h₅ < 0."),
     Change(DELTA, "δ_x = δ_y = min(δ₁, …, δ₅)", "also at most (V₀/V₁) δ₂² h₅/12",
         "Cnd9 must give |x_n| ≤ (V₀/V₁) δ₂² h₅/12 for every n, not only for n = 0."),
     Change(X_0, "ω_{c,0}·ω_{s,0} = cos θ₀", "|cos θ_init - cos θ₀| ≤ |Δθ|/4",
@@ -95,6 +102,17 @@ REMARKS = (
     Remark(THEOREM,
         "δ₄ is defined by an equation with two positive roots, and so is δ₅; the smaller is "
         "meant."),
+    Remark("EQUATSS4.1DerivFonctF_1P-",
+        "The display before it begins with 'F₁:' and goes on with the fixed points: the mapping "
+        "that F₁ names, φ ↦ r/(α₀-φ), stands above without its name, and here is its derivative."),
+    Remark("EQUATSS3.4EvoluVNormLinea",
+        "The change of the cosine is written as a factor, cos θ̄ (1+ε_{3,n}), which says too much "
+        "where cos θ̄ = 0: there only cos θ̄ + ε_{3,n} is known. That cos θ̄ is not 0 in a collapse "
+        "follows from theorem II (`certificates/classification`), not from what stands before."),
+    Remark("EQUATSS4.1_Controle_Tau_n",
+        "τ_n is the time before the n-th collision in Section 3, t_n - t_{n-1} (printed as t_n - "
+        "τ_{n-1}), and the time after it in Section 4 and in the mapping. This program has the "
+        "second one everywhere."),
     Remark("EQUATSS4.1DonneInitiColSp",
         "η_{c,n} < 0, ζ_n < 1 and the condition on the outer pair are called necessary and "
         "sufficient for the collapse; that it happens in finite time, Σ τ_n < ∞, is a further "

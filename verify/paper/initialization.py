@@ -14,7 +14,7 @@ from verify.language.terms import as_term, sqrt
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import V_0, c
 from verify.paper.preliminaries import alpha_0, h_4, phi_minus
-from verify.paper.rows import HARMLESS, SLIP
+from verify.paper.rows import BREAKS, SLIP
 
 CND1 = "EQUATSS4.1Recurrence_Cnd1"
 CND2 = "EQUATSS4.1Recurrence_Cnd2"
@@ -55,7 +55,7 @@ def _set(k: ConstantSet) -> Iterator[Obligation]:
         # The theorem claims a non-trivial interior; the printed set has ω_{c,0}·ω_{s,0} = cos θ₀.
         k.row("set-interior", DATA,
             "a non-trivial interior: the width that the set leaves for -cos of the angle",
-            0 < as_term(k.initial_slack), ["interior"], if_false=HARMLESS),
+            0 < as_term(k.initial_slack), ["interior"], if_false=BREAKS),
         *k.repair("set-x_0",  DATA, "… and for η_{s,0}/(-η_{c,0}), on both sides of φ⁻", 0 < k.x_0),
         # Cnd1 and Cnd2.
         k.row("init-Cnd1", CND1, "η_{c,0} < 0 by assumption", -k.eta_bar < 0),

@@ -29,7 +29,7 @@ from verify.paper.preliminaries import (
     h_5,
     phi_minus,
 )
-from verify.paper.rows import BREAKS, HARMLESS, SLIP
+from verify.paper.rows import BREAKS, HARMLESS, REMARK, SLIP
 
 CND1 = "EQUATSS4.1Recurrence_Cnd1"
 CND2 = "EQUATSS4.1Recurrence_Cnd2"
@@ -95,7 +95,7 @@ def _norms(k: ConstantSet) -> Iterator[Obligation]:
     yield from (
         # |W_{c,n+1}|² = |W_{s,n}|² - (1+r) (…)(…) + ((1+r)²/2)(W_{c,n}·ω_{s,n+1})², as printed.
         *k.misprint("norm-law-as-printed", NORM, "the coefficient of (W_{c,n}·ω_{s,n+1})² is "
-            "(1+r)²/2: it is the square of (1+r)/2 (harmless: only that it is at most 2 is used)",
+            "(1+r)²/2: it is the square of (1+r)/2 (only that it is at most 2 is used)",
             (1 + r) ** 2 / 2 <= coefficient, HARMLESS, "norm-law"),
         *k.repair("norm-law",              NORM,
             "the coefficient of (W_{c,n}·ω_{s,n+1})² is the square of (1+r)/2, (1+r)²/4",
@@ -397,7 +397,7 @@ def _sums_alone(k: ConstantSet) -> Iterator[Obligation]:
     def alone(
         name: str, label: str, says: str, claim: Claim, corrected_by: str
     ) -> Iterator[Obligation]:
-        return k.misprint(name, label, f"{says}, alone", claim, HARMLESS, corrected_by)
+        return k.misprint(name, label, f"{says}, alone", claim, REMARK, corrected_by)
 
     bounds, share = k.bounds(), h_4 * k.delta_x
     d_n, zeta = 3 * k.speed / V_0 * bounds["eta_bar"][4], bounds["zeta_bar"][2]

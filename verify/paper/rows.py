@@ -1,19 +1,23 @@
 """How a row is written down: one call for each kind of row.
 
 The name of a row is unique in its statement; the group that it belongs to is a field. What a row
-says of itself, its severity included, is fixed here, before anything is decided.
+says of itself is fixed here, before anything is decided. So is its severity where it concerns the
+wording; whether a step that is false breaks the argument follows from the verdicts, by `graded`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from verify.language.record import Record
 from verify.language.statement import (
     BREAKS,
     HARMLESS,
     NEEDED,
+    OTHERWISE,
     PRINTED,
+    PROVED,
+    REMARK,
     SEVERITIES,
     SLIP,
     Always,
@@ -25,10 +29,13 @@ from verify.language.terms import Claim
 __all__ = [
     "BREAKS",
     "HARMLESS",
+    "OTHERWISE",
+    "REMARK",
     "SEVERITIES",
     "SLIP",
     "Cause",
     "Remark",
+    "graded",
     "misprint",
     "needed",
     "printed",
@@ -100,3 +107,37 @@ def misprint(
         raise ValueError(f"row {name}: {severity!r} is not one of {', '.join(SEVERITIES)}")
     row = printed(name, label, says, claim, uses, group=group, context=context)
     return row._replace(severity=severity, corrected_by=corrected_by)
+
+
+def graded(row: Obligation, verdicts: Mapping[str, str]) -> Obligation:
+    """The row with the severity that follows from verdicts, where it has one that can be computed.
+
+    A step breaks the argument unless rows about the same constants do its work: then the paper
+    reaches its conclusion without it, and it is harmless. A slip of wording stays one.
+    """
+    if row.severity not in (BREAKS, HARMLESS) or row.name not in INSTEAD:
+        return row
+    instead = INSTEAD[row.name]
+    reached = bool(instead) and all(verdicts.get(name) == PROVED for name in instead)
+    return row._replace(severity=HARMLESS if reached else BREAKS)
+
+
+#: For each step of the printed proof of Theorem 1 that may be false, the printed rows that do its
+#: work if they hold: what the text concludes from the step, with nothing else than its constants.
+INSTEAD: Mapping[str, tuple[str, ...]] = {
+    "printed.r_stabi-gives-fixed-points": ("printed.fixed-points-exist",),
+    "printed.set-interior": (),
+    "printed.norm-law-as-printed": (
+        "printed.norm-factor-2",
+        "printed.norm-c-upper",
+        "printed.norm-c-lower",
+    ),
+    "printed.zeta-x-bound": ("printed.zeta-total",),
+    "printed.zeta-term-2": ("printed.zeta-total",),
+    "printed.zeta-remainders": ("printed.zeta-total",),
+    "printed.zeta-total": (),
+    "printed.x-term-1-d": ("printed.x-term-1-factor",),
+    "printed.angle-absorbed": ("printed.obtuse", "printed.y-term-3-factor", "printed.final-angle"),
+    "printed.y-term-3": ("printed.y-term-3-factor",),
+    "printed.final-angle": (),
+}

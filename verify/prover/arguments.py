@@ -8,7 +8,17 @@ from verify.language.statement import PROVED, Context, Obligation, Statement
 from verify.language.terms import Claim
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Premise, Proof
-from verify.prover.rules import Define, Entry, Induction, Instance, Interval, Least, Root, Sum
+from verify.prover.rules import (
+    Applying,
+    Define,
+    Entry,
+    Induction,
+    Instance,
+    Interval,
+    Least,
+    Root,
+    Sum,
+)
 from verify.prover.session import Session
 
 #: Enough for the exact values of the rational numbers at the point of the parameters.
@@ -79,6 +89,8 @@ def proof_of(reason: Reason) -> Proof:
             return Entry(reason.side, reason.equation)
         case argument.ByInstance():
             return Instance(reason.fact, reason.values, reason.givens)
+        case argument.ByApplying():
+            return Applying(reason.givens)
         case argument.ByRoot():
             return Root()
         case argument.ByInterval():

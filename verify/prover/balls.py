@@ -222,6 +222,11 @@ def exact(value: Fraction) -> fmpq:
     return fmpq(value.numerator, value.denominator)
 
 
+def is_rational(value: Any) -> bool:
+    """Whether a number is an exact rational and no ball."""
+    return type(value) is fmpq
+
+
 def shortened(value: Any, bits: int) -> Any:
     """A rational number of at most so many bits as it is; a longer one as a ball."""
     return arb(value) if type(value) is fmpq and value.height_bits() > bits else value

@@ -10,6 +10,7 @@ from verify.language.terms import Claim
 from verify.prover import boxes
 from verify.prover.clearing import TooLongError
 from verify.prover.goal import Goal
+from verify.prover.hint import Hint
 from verify.prover.proof import Proof
 from verify.prover.search.bernstein_boxes import by_bernstein, on_interval
 from verify.prover.search.cosines import by_cosines
@@ -22,6 +23,7 @@ from verify.prover.search.factors import by_factors
 from verify.prover.search.growth import by_growth
 from verify.prover.search.linear import by_linear_sum, by_products, find_ranges
 from verify.prover.search.multiple_angles import by_multiple_angles
+from verify.prover.search.on_equations import squares_on_equations
 from verify.prover.search.positive import (
     few_squares,
     many_squares,
@@ -97,8 +99,9 @@ NORMAL_FORM = Technique("normal form", by_normal_form)
 PRODUCTS = (
     NORMAL_FORM,
     Technique("differences", by_differences),
-    Technique("sums of products", by_products),
+    Technique("sums of products", partial(by_products, degree=2)),
     Technique("orders of variables", by_orders_of_variables),
+    Technique("squares where equations hold", squares_on_equations),
 )
 #: Groups whose lemmas are of no use to others: without a proof they are taken back.
 TIDY = (SUMS, PRODUCTS, (NORMAL_FORM,))
@@ -126,10 +129,32 @@ SEARCHES = (
 )
 
 
+#: What takes most of the work, and is tried when nothing else is left.
+LAST = (
+    Technique("sums of longer products", partial(by_products, degree=3)),
+    Technique("coefficients on very many parts", partial(by_bernstein, parts=10 * MANY_PARTS)),
+    Technique("a very large tree", partial(by_tree, leaves=10 * MANY_LEAVES)),
+    Technique("sums of the longest products", partial(by_products, degree=4)),
+)
+
+
+ANYWHERE = Hint()
+#: The names of all techniques, which hints may have words of.
+TECHNIQUES = tuple(
+    technique.name
+    for group in (FREE, EQUATIONS, SIMPLE, SUMS, PRODUCTS, SEARCHES)
+    for technique in group
+)
+
+
 def find(goal: Goal, known: Universal) -> Proof | None:
     """The first proof that a technique finds; why one of them gave up is kept as a reason."""
+    hint = known.hints.get(goal.claim, ANYWHERE)
     for question, techniques in _stages(goal, known):
         for technique in techniques:
+            if technique.name in known.refused or not hint.admits(technique.name):
+                continue
+            known.tried[technique.name] = None
             undo = known.mark() if techniques in TIDY else _nothing
             try:
                 proof = technique.prove(question)
@@ -137,6 +162,7 @@ def find(goal: Goal, known: Universal) -> Proof | None:
                 known.reasons[f"{technique.name}: expanding the claim is too much work"] = None
                 proof = None
             if proof is not None:
+                known.found_by = technique.name
                 return proof
             undo()
     return None
@@ -191,9 +217,10 @@ def _of_all_that_is_known(question: Question) -> Iterator[tuple[Question, tuple[
                 widened = question.widened() or question
                 yield question, (*FREE, *SIMPLE)
         yield widened, PRODUCTS
-    for asked in dict.fromkeys((question, widened)):
-        if _is_small(asked) and asked.clears() and not asked.is_refuted():
-            yield asked, SEARCHES
+    for group in (SEARCHES, LAST):
+        for asked in dict.fromkeys((question, widened)):
+            if _is_small(asked) and asked.clears() and not asked.is_refuted():
+                yield asked, group
 
 
 def _is_small(question: Question) -> bool:

@@ -18,8 +18,8 @@ NEWTON = "interval Newton in balls"
 Matrix = tuple[Ball, Ball, Ball, Ball]
 
 
-def cycle(curve: Curve, digits: int) -> Point | None:
-    """Enclosures of q and u of the cycle, verified; None if none is found.
+def cycle(curve: Curve, digits: int) -> tuple[Ball, ...]:
+    """Enclosures of q and u of the cycle and of the state after it, verified; or nothing.
 
     A box around a point holds a cycle if Newton's map takes it into its interior and both
     collisions happen everywhere in it. Coq proves that there is no other, and that it is on the
@@ -27,16 +27,23 @@ def cycle(curve: Curve, digits: int) -> Point | None:
     """
     start = curve.strip(curve.trap.q, NEAR_DIGITS)
     if not start.reached:
-        return None
+        return ()
     bits = digits * 3322 // 1000 + GUARD_BITS
     for _ in range(DOUBLINGS):
         orbits = curve.orbits(bits)
         with balls.precision(bits):
             found = _verified(orbits, _polished(orbits, _near(orbits, start)))
-            if found is not None and all(_width(ball) * 10**digits < ball for ball in found):
-                return found
+            both = _with_next(orbits, found)
+            if both and all(_width(ball) * 10**digits < ball for ball in both):
+                return both
         bits *= 2
-    return None
+    return ()
+
+
+def _with_next(orbits: Orbits, state: Point | None) -> tuple[Ball, ...]:
+    """The state and the one after it; nothing if there is none for certain."""
+    known, after = (0, None) if state is None else orbits.image(orbits.ratios[0], state)
+    return () if state is None or after is None or known <= 0 else (*state, *after)
 
 
 def _near(orbits: Orbits, start: CurveAt) -> Point:

@@ -25,6 +25,8 @@ from verify.prover.balls import Ball
 #: Who decides on which side of the curve a point lies, and whether there is one.
 ORBITS = "balls along monotone orbits"
 RATIONALS = "exact rational arithmetic"
+#: Who decides where the fixed points are.
+SIGNS = "sign changes in exact rational arithmetic"
 
 Point = tuple[Ball, Ball]
 Ends = tuple[Fraction, Fraction]
@@ -91,8 +93,24 @@ def beyond(parameters: Parameters, q: Fraction) -> bool:
     return 2 * q > a and q * q - a * q + r >= 0
 
 
-def fixed_points(parameters: Parameters, bits: int) -> tuple[Ends, Ends]:
-    """Enclosures of phi_minus and phi_plus, where there is a separatrix; exact where rational."""
+def fixed_points(parameters: Parameters, bits: int) -> tuple[Ends, ...]:
+    """Enclosures of phi_minus and phi_plus, where there is a separatrix; exact where rational.
+
+    Nothing if x^2 - a x + r is not seen to change its sign in them, before and after a/2.
+    """
+    minus, plus = found = _near_roots(parameters, bits)
+    apart = 2 * minus[1] < parameters.a < 2 * plus[0]
+    return found if apart and all(changes_sign(parameters, ends) for ends in found) else ()
+
+
+def changes_sign(parameters: Parameters, ends: Ends) -> bool:
+    """Whether x^2 - a x + r has opposite signs at two ends, or is 0 at one of them."""
+    low, high = ((x - parameters.a) * x + parameters.r for x in ends)
+    return low * high <= 0
+
+
+def _near_roots(parameters: Parameters, bits: int) -> tuple[Ends, Ends]:
+    """Numbers around the roots of x^2 - a x + r."""
     r, a = parameters.r, parameters.a
     with balls.precision(2 * bits):  # at which the ends of balls are rounded
         root = balls.any_root(balls.exact(a * a - 4 * r))

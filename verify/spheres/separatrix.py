@@ -11,6 +11,7 @@ from verify.prover import balls
 from verify.spheres.limit_cycle import NEWTON, cycle
 from verify.spheres.limit_map import (
     RATIONALS,
+    SIGNS,
     Allowance,
     Curve,
     CurveAt,
@@ -31,8 +32,8 @@ class Separatrix(Record):
     """What is known of f: whether it is 0 everywhere, and otherwise its strips and its points.
 
     ``exists`` is None where that is not decided. ``fixed`` has phi_minus and phi_plus; ``cycle``
-    has q and u of the cycle, if that was asked for (with a table it is) and found. The last two
-    are the judges.
+    has q and u of the saddle, and of the state after it, which is another one unless the ratio is
+    1; if that was asked for (with a table it is) and found. The last ones are the judges.
     """
 
     parameters: Parameters
@@ -43,6 +44,7 @@ class Separatrix(Record):
     fixed: tuple[Ends, ...] = ()
     cycle: tuple[Ends, ...] = ()
     exists_by: str = RATIONALS
+    fixed_by: str = SIGNS
     cycle_by: str = NEWTON
 
     @property
@@ -67,11 +69,26 @@ def decide_separatrix(
     curve = Curve(parameters, Allowance(steps))
     places = tuple(table_of(parameters)) if at is None else (at,)
     strips = tuple(curve.strip(q, digits + MORE_DIGITS) for q in places)
-    found = cycle(curve, digits + MORE_DIGITS) if at is None else None
+    found = cycle(curve, digits + MORE_DIGITS) if at is None else ()
     bits = 2 * (digits * 4 + parameters.r.denominator.bit_length() + 64)
     with balls.precision(bits):  # at which the ends of balls are rounded
-        ends = tuple(map(balls.ends, found or ()))
+        ends = tuple(map(balls.ends, found))
     return Separatrix(parameters, at, digits, exists, strips, fixed_points(parameters, bits), ends)
+
+
+def staircase(found: Separatrix, corners: int, digits: int, steps: int) -> tuple[CurveAt, ...]:
+    """Enclosures of f at so many places from 0 to phi_plus, and where it is 0; for a picture.
+
+    Only those that were reached: between two of them all states below the right one collapse.
+    """
+    if not found.exists or not found.fixed:
+        return ()
+    curve = Curve(found.parameters, Allowance(steps))
+    low, high = found.fixed[1]
+    places = (low * Fraction(k, corners) for k in range(corners))
+    known = tuple(strip for q in places if (strip := curve.strip(q, digits)).reached)
+    last = curve.strip(high, digits)
+    return (*known, last, curve.strip(high * Fraction(23, 20), digits)) if known else ()
 
 
 def table_of(parameters: Parameters) -> Iterator[Fraction]:

@@ -24,6 +24,7 @@ from verify.views.words import (
     DOES_NOT_APPLY,
     constants_of,
     ends_of,
+    fair,
     group_fails,
     group_verdict,
     groups,
@@ -83,7 +84,7 @@ def claims_document(outcome: Outcome, command: str, form: str) -> dict[str, Any]
         "assumptions": [
             assumption_document(a) for a in (*outcome.assumptions, *outcome.printed_assumptions)
         ],
-        "claims": [row_document(row, decision, typesetter) for row, decision in outcome.rows],
+        "claims": [row_document(outcome, row, found, typesetter) for row, found in outcome.rows],
     }
 
 
@@ -124,14 +125,16 @@ def _minimum(outcome: Outcome, constant: Constant) -> dict[str, Any]:
 
 def _rows(outcome: Outcome, group: str, typesetter: Typesetter) -> list[dict[str, Any]]:
     rows = outcome.of_group(group)
-    return [row_document(row, decision, typesetter) for row, decision in rows]
+    return [row_document(outcome, row, decision, typesetter) for row, decision in rows]
 
 
-def row_document(row: Obligation, decision: Decision, typesetter: Typesetter) -> dict[str, Any]:
+def row_document(
+    outcome: Outcome, row: Obligation, decision: Decision, typesetter: Typesetter
+) -> dict[str, Any]:
     """A row in the one shape that rows have; its ``statement`` says and claims it in one line.
 
-    A row that is wrong has the key ``corrected_by``; one without variables has ``lhs`` and ``rhs``;
-    one that is refuted by an example has it as ``witness``.
+    A row whose claim is false has the key ``corrected_by``; one without variables has ``lhs`` and
+    ``rhs``; one with an example at which it is false has it as ``witness``.
     """
     found: dict[str, Any] = {
         "name": row.name,
@@ -142,7 +145,7 @@ def row_document(row: Obligation, decision: Decision, typesetter: Typesetter) ->
         "says": row.says,
         "claim": typesetter.claim(row.claim),
         "statement": sentence(row, typesetter),
-        "verdict": decision.verdict,
+        "verdict": fair(outcome, row, decision),
         "judged_by": decision.judge,
         "method": decision.method or None,
         "bits": decision.bits,

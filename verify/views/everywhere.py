@@ -6,6 +6,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
 from verify.language.statement import (
+    ACCUSATIONS,
+    BREAKS,
+    HARMLESS,
     PROVED,
     REFUTED,
     UNDECIDED,
@@ -21,6 +24,7 @@ from verify.views.screen import printed_lines
 from verify.views.words import (
     cited_as,
     counts,
+    fair,
     given,
     given_by,
     headline,
@@ -44,8 +48,13 @@ THEOREM = (
 )
 
 
-def screen(outcome: Outcome, paper: Publication, as_printed: Mapping[str, str]) -> Iterator[str]:
-    """What is proved, given what; ``as_printed`` has the verdicts on the theorem as printed."""
+def screen(
+    outcome: Outcome, paper: Publication, as_printed: Mapping[str, str], whole: Iterable[str] = ()
+) -> Iterator[str]:
+    """What is proved, given what; ``as_printed`` has the verdicts on the theorem as printed.
+
+    ``whole`` are the lines with the constants and the set of the theorem.
+    """
     (cite,) = outcome.statement.cites
     yield "Theorem 1 for all parameters"
     yield ""
@@ -57,6 +66,7 @@ def screen(outcome: Outcome, paper: Publication, as_printed: Mapping[str, str]) 
     yield ""
     if outcome.verdict == PROVED:
         yield THEOREM
+        yield from whole
         yield ""
     yield from printed_lines(as_printed)
     title = in_letters(outcome.statement.title)
@@ -76,22 +86,26 @@ def printed_screen(
     shares: Shares,
     paper: Publication,
     as_printed: Mapping[str, str],
+    instead: Mapping[str, tuple[str, ...]],
 ) -> Iterator[str]:
     """Which rows of the printed set fail for all parameters, and which depend on them, and where.
 
     ``where`` is the statement about thresholds; ``shares`` follow from it. ``as_printed`` has the
-    verdicts on the printed theorem and set.
+    verdicts on the printed theorem and set, ``instead`` the rows that do the work of others.
     """
     yield "The printed set, for all parameters that satisfy the corrected hypothesis"
     yield ""
-    found = [(row, decision) for row, decision in outcome.rows if decision.verdict == REFUTED]
-    for row, decision in found:
-        if not decision.witness:
-            yield f"  fails for all: {short_name(row)}   [{paper.cited(row.label)}]"
+    found = [(row, d) for row, d in outcome.rows if fair(outcome, row, d) == REFUTED]
+    for severity in ACCUSATIONS:
+        here = [row for row, d in found if not d.witness and row.severity == severity]
+        if here:
+            yield f"  {severity}, for all parameters:"
+            yield from (f"    {short_name(row)}   [{paper.cited(row.label)}]" for row in here)
     yield ""
     for row, decision in found:
         if decision.witness:
             yield f"  {_dependence(outcome, row, decision)}   [{paper.cited(row.label)}]"
+            yield f"    {_how_bad(outcome, row, instead)}"
             yield from (
                 f"    {sentence}" for sentence in _sentences(where, shares, short_name(row))
             )
@@ -111,6 +125,16 @@ def printed_screen(
     yield f"Verdict: {argument}; {as_printed['set']}: the set as printed, with > for <"
 
 
+def _how_bad(outcome: Outcome, row: Obligation, instead: Mapping[str, tuple[str, ...]]) -> str:
+    """How bad it is where a row fails: harmless where the rows hold that do its work."""
+    names = instead.get(row.name, ())
+    if row.severity != BREAKS or not names:
+        return f"where it fails: {row.severity}"
+    left = (name for name in names if outcome.decisions[name].verdict != PROVED)
+    held = " and ".join(name.rpartition(".")[2] for name in left)
+    return f"where it fails: {HARMLESS} where {held} holds, and elsewhere it {BREAKS}"
+
+
 def _dependence(outcome: Outcome, row: Obligation, decision: Decision) -> str:
     typesetter = plain_letters(outcome)
     values = ((symbol(name), x) for name, x in decision.witness.items())
@@ -121,7 +145,7 @@ def _dependence(outcome: Outcome, row: Obligation, decision: Decision) -> str:
 def dependences(outcome: Outcome, where: Outcome, shares: Shares) -> Iterator[tuple[str, str]]:
     """The printed rows that fail for some parameters only, with what is known of where."""
     for row, decision in outcome.rows:
-        if decision.verdict == REFUTED and decision.witness:
+        if fair(outcome, row, decision) == REFUTED and decision.witness:
             found = list(_sentences(where, shares, short_name(row)))
             yield row.says, "; ".join(found) or _dependence(outcome, row, decision)
 

@@ -21,6 +21,7 @@ from verify.views.words import (
     sides_of,
     verdict_text,
 )
+from verify.views.words import fair as verdict_of
 
 _SIGNS = {"<": "<", "<=": "≤", "=": "="}
 
@@ -92,4 +93,5 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
         "term": lambda one: brief(typesetter.term(one)),
         "evidence": evidence,
         "short_name": short_name,
+        "verdict_of": lambda row, found: verdict_of(outcome, row, found),
     }

@@ -7,6 +7,7 @@ from fractions import Fraction
 from verify.language.statement import (
     HYPOTHESES,
     NEEDED,
+    PRINTED,
     PROVED,
     REFUTED,
     REPAIRED,
@@ -149,3 +150,30 @@ def known_there(outcome: Outcome) -> str:
             "not exclude collapses with this angle"
         )
     return ""
+
+
+#: The certificate about thresholds: the drift of the printed angle is more than `DRIFT` |Δθ|/(1-φ⁺)
+#: and at most `DRIFT_MOST` |Δθ|/(1-φ⁺), |Δθ| is the smaller one of h₄δ_x/8 and δ_θ, for these V₀.
+DRIFT, DRIFT_MOST = Fraction(28, 33), Fraction(28, 33) + Fraction(1, 100000)
+THRESHOLD_V_0 = (Fraction(1, 16), Fraction(10**6))
+
+
+def final_angle(outcome: Outcome) -> str:
+    """For which δ_θ the printed bound of the angle exceeds δ_θ, here; nothing where for none."""
+    phi, h_4, x = (ends_of(outcome, name) for name in ("phi_plus", "h_4", f"{PRINTED}.delta_x"))
+    v_0 = outcome.statement.parameters["V_0"].value
+    if phi is None or h_4 is None or x is None or not _between(v_0, THRESHOLD_V_0):
+        return ""
+    if DRIFT < 1 - phi[0]:
+        return ""
+    most = DRIFT * (h_4[0] * x[0] / 8) / (1 - phi[0])
+    limit = people(decimal(*round_decimal(most, 3, up=False)))
+    factor = decimal(*round_decimal(DRIFT_MOST / (1 - phi[1]), 3, up=True))
+    return (
+        f"At this r and θ₀ final-angle breaks it for every δ_θ ≤ {limit}: the printed bound of the "
+        f"angle is up to {factor} δ_θ (certificates/thresholds)."
+    )
+
+
+def _between(value: Fraction, ends: tuple[Fraction, Fraction]) -> bool:
+    return ends[0] <= value <= ends[1]

@@ -77,7 +77,7 @@ def decided_document(outcome: Outcome) -> dict[str, Any]:
         "assumptions": [assumption_document(a) for a in outcome.assumptions],
         "cites": [cite_document(cite) for cite in outcome.statement.cites],
         "obligations": [
-            row_document(row, found, typesetter) | {"reason": found.reason or None}
+            row_document(outcome, row, found, typesetter) | {"reason": found.reason or None}
             for row, found in outcome.rows
         ],
         "spent": outcome.spent or None,

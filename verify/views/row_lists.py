@@ -6,8 +6,10 @@ from collections.abc import Iterator
 
 from verify.language.statement import (
     NEEDED,
+    OTHERWISE,
     PRINTED,
     REFUTED,
+    REMARK,
     SEVERITIES,
     UNDECIDED,
     Obligation,
@@ -18,8 +20,10 @@ from verify.language.typeset import Typesetter
 from verify.prover.outcome import Decision, Outcome
 from verify.views.plain import plain_letters
 from verify.views.words import (
+    fair,
     given_by,
     groups,
+    is_called,
     letters,
     short_name,
     witness_of,
@@ -39,6 +43,14 @@ def screen(title: str, outcome: Outcome, paper: Publication) -> Iterator[str]:
     yield MORE
 
 
+_TITLES = {
+    REFUTED: "Refuted",
+    OTHERWISE: "Proved, but not by the printed argument",
+    REMARK: "Remarks: false, but not what the text says",
+    UNDECIDED: "Undecided",
+}
+
+
 def heading(group: str) -> str:
     """The name of a group as a heading."""
     return group[:1].upper() + group[1:]
@@ -48,15 +60,17 @@ def brief(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """The rows by group, each refuted or undecided one in a line, and what is taken on trust."""
     parts = (f"{heading(group)} {_share(outcome, group)}" for group in groups(outcome))
     yield f"Rows proved, of those needed: {', '.join(parts)}."
-    for verdict in (REFUTED, UNDECIDED):
-        found = [(row, d) for row, d in outcome.rows if d.verdict == verdict]
+    for verdict, title in _TITLES.items():
+        found = [(row, d) for row, d in outcome.rows if fair(outcome, row, d) == verdict]
         if found:
             yield ""
-            what = "row, name of its correction, formula" if verdict == REFUTED else "row, formula"
-            yield f"{verdict.capitalize()}, {len(found)} ({what}):"
+            what = (
+                "row, formula" if verdict == UNDECIDED else "row, name of its correction, formula"
+            )
+            yield f"{title}, {len(found)} ({what}):"
         for severity in ("", *SEVERITIES):
             here = [row for row, d in found if severity_of(row, d) == severity]
-            if severity and here:
+            if severity and here and verdict == REFUTED:
                 yield f"  {severity}:"
             yield from (_one_line(row, paper) for row in here)
     yield ""
@@ -94,24 +108,29 @@ def all_rows(outcome: Outcome, paper: Publication) -> Iterator[str]:
     for group in groups(outcome):
         yield heading(group)
         for row, decision in outcome.of_group(group):
-            yield from row_lines(row, decision, typesetter, paper)
+            yield from row_lines(outcome, row, decision, typesetter, paper)
         yield ""
 
 
 def rows_called(outcome: Outcome, name: str, paper: Publication) -> list[str]:
-    """The rows whose name, with or without its group, is this one; their claims simplified."""
+    """The rows of this name, label or printed number; their claims simplified."""
     typesetter = plain_letters(outcome)
-    found = [p for p in outcome.rows if name in (p[0].name, short_name(p[0]))]
-    lines = (row_lines(row, decision, typesetter, paper) for row, decision in found)
+    found = [p for p in outcome.rows if is_called(p[0], name, paper)]
+    lines = (row_lines(outcome, row, decision, typesetter, paper) for row, decision in found)
     return [line for part in lines for line in part]
 
 
 def row_lines(
-    row: Obligation, decision: Decision, typesetter: Typesetter, paper: Publication
+    outcome: Outcome,
+    row: Obligation,
+    decision: Decision,
+    typesetter: Typesetter,
+    paper: Publication,
 ) -> Iterator[str]:
     """A row: its words, its claim, by what it is decided, and where it is false."""
     role = " (as printed)" if row.role == PRINTED else ""
-    yield f"  {decision.verdict:<9} {row.says}{role}   [{row.name}, {paper.cited(row.label)}]"
+    verdict = fair(outcome, row, decision)
+    yield f"  {verdict:<9} {row.says}{role}   [{row.name}, {paper.cited(row.label)}]"
     uses = f"; with {', '.join(row.uses)}" if row.uses else ""
     method = decision.method or "no rule that was found"
     yield f"            {typesetter.claim(row.claim)}   by {method}{uses}"
@@ -120,5 +139,7 @@ def row_lines(
         at = ", ".join(f"{typesetter.term(symbol(n))} = {typesetter.term(x)}" for n, x in values)
         yield f"            false at {at}"
     if decision.verdict == REFUTED:
-        parts = (row.severity, row.corrected_by and f"corrected by {row.corrected_by}")
+        better = {OTHERWISE: "proved by", REMARK: "see"}.get(verdict, "corrected by")
+        severity = row.severity if verdict == REFUTED else ""
+        parts = (severity, row.corrected_by and f"{better} {row.corrected_by}")
         yield f"            {'; '.join(part for part in parts if part)}".rstrip()

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from fractions import Fraction
 from typing import Any
 
 from verify.prover import balls
-from verify.prover.decimals import outward, short
+from verify.prover.decimals import decimal_text, outward, people, round_decimal, short
 
-FORMAT = "verify-scene/1"
+FORMAT = "verify-scene/2"
 #: The exit code without a verdict.
 UNDECIDED_CODE = 3
 
@@ -17,13 +18,15 @@ Told = Any
 Step = Any
 #: In a table, for a quotient by a number that may be 0, and for what no reader could compare.
 UNKNOWN = "?"
+#: An enclosure with a smaller relative width may stand next to a short decimal.
+LESS = Fraction(1, 10**14)
 #: Of the columns of that table.
-WIDTHS = (7, 5, 14, 14, 14, 14, 12)
+WIDTHS = (5, 5, 12, 11, 13, 13, 13, 8)
 
 
 def exit_code(told: Told) -> int:
-    """0 with a verdict, 3 without."""
-    return 0 if told.theorems else UNDECIDED_CODE
+    """0 with a verdict, or where it is known exactly why there is none; 3 otherwise."""
+    return 0 if told.theorems or told.is_exact else UNDECIDED_CODE
 
 
 def given_line(told: Told, judge: str) -> str:
@@ -41,17 +44,24 @@ def scene_document(told: Told, judge: str) -> dict[str, Any]:
         "judged_by": judge if told.theorems else None,
         "cites": told.theorems,
         "reason": told.reason,
+        "says": told.says,
         "central": told.central,
         "collisions": told.collisions,
         "pairs": told.pairs,
         "time": None if told.time is None else outward(told.time),
         "neg_cos_theta": None if told.angle is None else outward(told.angle),
+        "event_time": None if told.event is None else outward(told.event),
+        "energy_lost": outward(told.energy),
+        "impacts": [
+            {"pair": one.pair, "time": outward(one.time), "normal_speed": outward(one.speed)}
+            for one in told.impacts
+        ],
     }
 
 
 def collision_table(steps: Iterable[Step], bits: int) -> Iterator[str]:
-    """The collisions, a line each: pair, time, and the state just after, in balls of these bits."""
-    heads = ("n", "pair", "time", "η", "ζ", "q", "-cos θ")
+    """The collisions, a line each: pair, time, normal speed before, and the state just after."""
+    heads = ("n", "pair", "time", "speed", "η", "ζ", "q", "-cos θ")
     yield _in_columns(heads)
     with balls.precision(bits):
         for n, step in enumerate(steps, 1):
@@ -64,9 +74,20 @@ def _in_columns(cells: Iterable[str]) -> str:
 
 
 def _cells(step: Step) -> Iterator[str]:
-    """Time, η_c, ζ, q = η_s/|η_c| and -cos θ just after a collision."""
+    """Time, normal speed, and η_c, ζ, q = η_s/|η_c| and -cos θ just after a collision."""
     start = step.after
     zeta = start.d * (2 + start.d) * start.A / ((1 + start.d) * start.y) ** 2
-    for value in (step.time, -start.y, zeta, start.eta_s / start.y, start.C):
+    for value in (step.time, step.speed, -start.y, zeta, start.eta_s / start.y, start.C):
         ball = balls.as_ball(value)
-        yield short(balls.ends(ball), 5) if balls.is_within_reach(ball) else UNKNOWN
+        yield _cell(balls.ends(ball)) if balls.is_within_reach(ball) else UNKNOWN
+
+
+def _cell(ends: tuple[Fraction, Fraction]) -> str:
+    """The digits that are certain; next to a short decimal that decimal, after a sign ≈."""
+    low, high = ends
+    if high - low >= abs(low) * LESS:
+        return short(ends, 4)
+    mantissa, exponent = round_decimal((low + high) / 2, 12, up=True)
+    near = mantissa * Fraction(10) ** exponent
+    is_next_to_one = low < high and low <= near <= high
+    return f"≈{people(decimal_text(mantissa, exponent))}" if is_next_to_one else short(ends, 4)

@@ -7,17 +7,28 @@ from collections.abc import Iterator, Mapping
 
 from verify.language.statement import (
     BREAKS,
+    HARMLESS,
     HYPOTHESES,
+    OTHERWISE,
     PRINTED,
     REFUTED,
+    REMARK,
     REPAIRED,
+    SLIP,
     Publication,
 )
 from verify.language.terms import Claim
 from verify.prover.decimals import short
 from verify.prover.outcome import Outcome
-from verify.views.point import failed_hypotheses, in_numbers, known_there, parameters_told
+from verify.views.point import (
+    failed_hypotheses,
+    final_angle,
+    in_numbers,
+    known_there,
+    parameters_told,
+)
 from verify.views.words import (
+    fair,
     group_verdict,
     groups,
     short_name,
@@ -48,11 +59,19 @@ def screen(
     yield ""
     yield from _breaking(outcome, paper)
     kinds = Counter(
-        row.severity for row, found in outcome.rows if found.verdict == REFUTED and row.severity
+        row.severity
+        for row, found in outcome.rows
+        if row.severity and fair(outcome, row, found) in (REFUTED, OTHERWISE, REMARK)
     )
-    rest = [counted(count, kind) for kind, count in kinds.items() if kind != BREAKS]
+    rest = [counted(kinds[kind], kind) for kind in (HARMLESS, SLIP) if kinds[kind]]
     if rest:
         yield f"Also refuted: {', '.join(rest)}."
+    others = [counted(kinds[kind], kind) for kind in (OTHERWISE, REMARK) if kinds[kind]]
+    if others:
+        yield f"Not held against the paper: {', '.join(others)}."
+    angle = final_angle(outcome)
+    if angle:
+        yield angle
     yield "All rows: -v; some: --rows NAME; for programs: --json; a certificate: --out DIR."
     yield ""
     yield from printed_lines(as_printed or {})
@@ -65,17 +84,21 @@ def printed_lines(verdicts: Mapping[str, str]) -> Iterator[str]:
         told = f"{verdicts['sign']} (certificates/printed-sign)"
         yield f"Theorem 1 as printed, with < in (4.10): {told}"
     if "set" in verdicts:
-        yield f"Its set as printed, with > for <: {verdicts['set']} (certificates/printed-set)"
+        yield (
+            f"Its set as printed, with > for <: {verdicts['set']} (certificates/printed-set), with "
+            "d₀ > 0 and η_s > 0; for an interior it needs room for the angle (Θ/6)"
+        )
 
 
 def counted(count: int, severity: str) -> str:
-    """So many rows of a severity: 9 slips of wording, 11 false, but harmless here."""
-    return f"{count} {severity.replace('slip', 'slips', count != 1)}"
+    """So many rows of a severity: 9 slips of wording, 11 false, but harmless here, 8 remarks."""
+    several = severity.replace("slip", "slips").replace("remark", "remarks")
+    return f"{count} {severity if count == 1 else several}"
 
 
 def _breaking(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """The refuted steps that break the printed argument, a line each with both numbers."""
-    rows = [p for p in outcome.rows if p[1].verdict == REFUTED and p[0].severity == BREAKS]
+    rows = [p for p in outcome.rows if fair(outcome, *p) == REFUTED and p[0].severity == BREAKS]
     if rows:
         yield "Refuted steps that break the printed argument (left and right side, formula):"
     for row, decision in rows:

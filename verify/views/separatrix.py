@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import Any
 
-from verify.language.statement import PROVED, UNDECIDED
+from verify.language.statement import PROVED, UNDECIDED, Publication
 from verify.prover.decimals import exact_number, outward, rational_text, short
-from verify.prover.outcome import Ends
+from verify.prover.outcome import Ends, Outcome
+from verify.views.document import claims_document
+from verify.views.row_lists import screen as rows_screen
+from verify.views.words import summary
 
 FORMAT = "verify-separatrix/1"
+CURVES_FORMAT, THEOREM_FORMAT = "verify-separatrix-curves/1", "verify-separatrix-theorem/1"
+#: The judge of a certificate.
+CHECKER = "verify/check.py"
 
 #: What the spheres know of a separatrix, and of its curve at a place: records of theirs, whose
 #: entries are read.
@@ -42,8 +48,8 @@ def phi_2(u: Ends) -> Ends:
 # --- JSON -----------------------------------------------------------------------------------------
 
 
-def separatrix_document(found: Separatrix) -> dict[str, Any]:
-    """One JSON document; every number is a string."""
+def separatrix_document(found: Separatrix, certified: str = "") -> dict[str, Any]:
+    """One JSON document; every number is a string. A certificate says what was certified."""
     r, c, ratio = map(rational_text, found.parameters)
     document: dict[str, Any] = {
         "format": FORMAT,
@@ -56,6 +62,8 @@ def separatrix_document(found: Separatrix) -> dict[str, Any]:
     }
     if found.at is not None:
         document["at"] = rational_text(found.at)
+    if certified:
+        document["certificate"] = {"says": certified, "judge": CHECKER}
     if found.exists is False:
         return document | {"f": _values((Fraction(0), Fraction(0)), found.digits)}
     rows = [_row(found, strip) for strip in found.strips]
@@ -65,11 +73,26 @@ def separatrix_document(found: Separatrix) -> dict[str, Any]:
         document["table"] = rows
     if found.fixed:
         minus, plus = (outward(ends, found.digits + EXTRA_DIGITS) for ends in found.fixed)
-        document["fixed_points"] = {"phi_minus": minus, "phi_plus": plus}
+        document["fixed_points"] = {"phi_minus": minus, "phi_plus": plus, "judge": found.fixed_by}
     if found.cycle:
-        q, u = (outward(ends, found.digits + EXTRA_DIGITS) for ends in found.cycle)
-        document["cycle"] = {"q": q, "u": u, "judge": found.cycle_by}
+        q, u, x, v = (outward(ends, found.digits + EXTRA_DIGITS) for ends in found.cycle)
+        document["cycle"] = {"q": q, "u": u, "next": {"q": x, "u": v}, "judge": found.cycle_by}
     return document
+
+
+def curves_document(curves: Sequence[Separatrix]) -> dict[str, Any]:
+    """The documents of several r, and the verdict on all of them."""
+    return {
+        "format": CURVES_FORMAT,
+        "command": "separatrix",
+        "verdict": _all(curves),
+        "curves": [separatrix_document(found) for found in curves],
+    }
+
+
+def theorem_document(outcome: Outcome) -> dict[str, Any]:
+    """The document of the theorem for all parameters."""
+    return claims_document(outcome, "separatrix", THEOREM_FORMAT)
 
 
 def _row(found: Separatrix, strip: CurveAt) -> dict[str, Any]:
@@ -92,7 +115,7 @@ def _named(u: Ends) -> tuple[tuple[str, Ends], ...]:
 # --- the terminal ---------------------------------------------------------------------------------
 
 
-def screen(found: Separatrix) -> Iterator[str]:
+def screen(found: Separatrix, certified: str = "") -> Iterator[str]:
     """The table, the points on it, what is believed and what is not decided, the verdict."""
     r, c, ratio = map(exact_number, found.parameters)
     yield f"Separatrix of the limit map at r = {r}, -cos θ = {c}, ratio {ratio}"
@@ -104,6 +127,8 @@ def screen(found: Separatrix) -> Iterator[str]:
     yield "What is not decided here"
     yield from (f"  {number}. {text}" for number, text in enumerate(NOT_DECIDED, 1))
     yield ""
+    if certified:
+        yield f"Certificate (accepted by {CHECKER}): {certified}"
     yield f"Verdict: {_verdict(found)}"
 
 
@@ -137,13 +162,18 @@ def _curve(found: Separatrix) -> Iterator[str]:
     for row in rows:
         yield f"  {row[0]:<{widths[0]}}  {row[1]:<{widths[1]}}  {row[2]}"
     yield ""
-    minus, plus = (short(ends, found.digits) for ends in found.fixed)
-    yield f"Fixed points with u = 0: q = {minus} (a sink for two collisions), q = {plus}"
+    if found.fixed:
+        minus, plus = (short(ends, found.digits) for ends in found.fixed)
+        yield f"Fixed points with u = 0: q = {minus} (a sink for two collisions), q = {plus}"
+        yield f"  (judge: {found.fixed_by})"
     if found.cycle:
-        q, u = (short(ends, found.digits) for ends in found.cycle)
-        yield f"The cycle on the curve: q = {q}, u = {u} (judge: {found.cycle_by})"
+        q, u, x, v = (short(ends, found.digits) for ends in found.cycle)
+        kind = "The saddle" if found.parameters.ratio == 1 else "The saddle, of period two,"
+        yield f"{kind} on the curve: q = {q}, u = {u} (judge: {found.cycle_by})"
+        if found.parameters.ratio != 1:
+            yield f"  after one collision: q = {x}, u = {v}, on the curve of 1/ratio"
     elif found.at is None:
-        yield "The cycle on the curve was not enclosed."
+        yield "The saddle on the curve was not enclosed."
     yield ""
 
 
@@ -161,3 +191,65 @@ def _verdict(found: Separatrix) -> str:
     if found.at is not None:
         where = f"at q = {exact_number(found.at)}"
     return f"proved: f is enclosed to {digits} {where} (judge: {judges})"
+
+
+def curves_screen(curves: Sequence[Separatrix]) -> Iterator[str]:
+    """How the curve moves with r: where it begins and ends, and its saddle."""
+    c, ratio = map(exact_number, curves[0].parameters[1:])
+    yield f"Separatrices of the limit map at -cos θ = {c}, ratio {ratio}"
+    yield ""
+    rows: list[tuple[str, ...]] = [("r", "f(0)", "φ⁺, where f = 0", "saddle: q", "u")]
+    rows += [_curve_row(found) for found in curves]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for row in rows:
+        cells = (f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True))
+        yield f"  {'  '.join(cells)}".rstrip()
+    yield ""
+    judges = ", ".join(dict.fromkeys(by for found in curves for by in _judges(found)))
+    known = sum(found.verdict == PROVED for found in curves)
+    yield f"Verdict: {_all(curves)}: {known} of {len(curves)} values of r (judges: {judges})"
+
+
+def _curve_row(found: Separatrix) -> tuple[str, ...]:
+    r = exact_number(found.parameters.r)
+    if found.exists is None or found.verdict != PROVED:
+        return r, "not decided", "", "", ""
+    if not found.exists:
+        return r, "no curve", "", "", ""
+    first = found.strips[0]
+    ends = ((first.low, first.high), *found.fixed[1:], *found.cycle[:2])
+    cells = [short(pair, found.digits) for pair in ends]
+    return r, *cells, *[""] * (4 - len(cells))
+
+
+def _all(curves: Sequence[Separatrix]) -> str:
+    return PROVED if all(found.verdict == PROVED for found in curves) else UNDECIDED
+
+
+def _judges(found: Separatrix) -> Iterator[str]:
+    yield found.exists_by
+    yield from (strip.judge for strip in found.strips)
+    if found.fixed:
+        yield found.fixed_by
+    if found.cycle:
+        yield found.cycle_by
+
+
+# --- the theorem ----------------------------------------------------------------------------------
+
+#: What else is proved of the curve, and by whom.
+IN_COQ = (
+    "Coq proves this without glue, and also that f is continuous, convex and strictly decreasing "
+    "up to φ⁺, and that all orbits on it tend to one cycle: verify/coq/Separatrix.v."
+)
+
+
+def theorem_screen(outcome: Outcome, paper: Publication) -> Iterator[str]:
+    """The rows in brief, and the theorem if it is proved."""
+    yield from rows_screen("The separatrix of the limit map, for all parameters", outcome, paper)
+    yield ""
+    if outcome.verdict == PROVED:
+        yield f"Given what is taken on trust: {outcome.statement.title}."
+        yield IN_COQ
+        yield ""
+    yield f"Verdict: {summary(outcome, paper)}"

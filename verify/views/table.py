@@ -10,6 +10,7 @@ from verify.language.statement import (
     PRINTED,
     PROVED,
     REFUTED,
+    REMARK,
     REPAIRED,
     Constant,
     Obligation,
@@ -24,10 +25,13 @@ from verify.views.plain import plain_letters
 from verify.views.point import in_numbers, parameters_told
 from verify.views.screen import SIGNS, TITLES, verdict_lines
 from verify.views.words import (
+    COUNTED,
     constants_of,
     ends_of,
+    fair,
     group_verdict,
     groups,
+    is_called,
     letters,
     short_name,
     sides_of,
@@ -36,10 +40,10 @@ from verify.views.words import (
 
 
 def some_rows(outcome: Outcome, name: str, paper: Publication) -> list[str]:
-    """The rows whose name, with or without its group, is this one; their claims simplified."""
+    """The rows of this name, label or printed number; their claims simplified."""
     typesetter = plain_letters(outcome)
-    found = [p for p in outcome.rows if name in (p[0].name, short_name(p[0]))]
-    parts = (_row(row, decision, typesetter, paper, row.name) for row, decision in found)
+    rows = [p for p in outcome.rows if is_called(p[0], name, paper)]
+    parts = (_row(outcome, row, found, typesetter, paper, row.name) for row, found in rows)
     return [line for part in parts for line in part]
 
 
@@ -53,7 +57,7 @@ def report_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
     yield ""
     yield "Hypotheses"
     for row, decision in outcome.of_group(HYPOTHESES):
-        yield from _row(row, decision, typesetter, paper)
+        yield from _row(outcome, row, decision, typesetter, paper)
     common = constants_of(outcome, "")
     if common:
         yield from ("", "Constants")
@@ -78,10 +82,10 @@ def _set(outcome: Outcome, group: str, typesetter: Typesetter, paper: Publicatio
         yield from ("", f"  {numbers}")
     yield ""
     for row, decision in rows:
-        yield from _row(row, decision, typesetter, paper)
-    verdicts = Counter(decision.verdict for _, decision in rows)
+        yield from _row(outcome, row, decision, typesetter, paper)
+    verdicts = Counter(fair(outcome, row, decision) for row, decision in rows)
     yield ""
-    yield "  " + ", ".join(f"{count} {verdict}" for verdict, count in verdicts.items())
+    yield "  " + ", ".join(f"{count} {COUNTED[verdict]}" for verdict, count in verdicts.items())
     if group == PRINTED:
         refuted = {row.name for row, found in rows if found.verdict == REFUTED}
         yield from _causes(refuted, paper.notes().causes)
@@ -122,6 +126,7 @@ def _constant(outcome: Outcome, constant: Constant, typesetter: Typesetter) -> I
 
 
 def _row(
+    outcome: Outcome,
     row: Obligation,
     decision: Decision,
     typesetter: Typesetter,
@@ -130,17 +135,18 @@ def _row(
 ) -> Iterator[str]:
     role = " (as printed)" if row.role == PRINTED and row.group == HYPOTHESES else ""
     where = f"[{name or short_name(row)}, {paper.cited(row.label)}]"
-    yield f"  {decision.verdict:<9} {row.says}{role}   {where}"
+    verdict = fair(outcome, row, decision)
+    yield f"  {verdict:<9} {row.says}{role}   {where}"
     yield f"            {typesetter.claim(row.claim)}"
     sides = sides_of(row, decision)
     if sides is not None and isinstance(row.claim, Claim):
         numbers = f"{short(sides[0])} {SIGNS[row.claim.relation]} {short(sides[1])}"
         yield f"            {numbers}   {_margin(decision, sides)}"
     if decision.verdict == REFUTED:
-        if row.severity:
+        if row.severity and verdict == REFUTED:
             yield f"            {row.severity}"
         if row.corrected_by:
-            yield f"            corrected by {row.corrected_by}"
+            yield f"            {'see' if verdict == REMARK else 'corrected by'} {row.corrected_by}"
 
 
 def _short(ends: Ends | None) -> str:
@@ -162,7 +168,8 @@ def _first_screen(outcome: Outcome, paper: Publication, sets: list[str]) -> Iter
     yield from verdict_lines(outcome, paper, sets)
     refuted: dict[str, list[str]] = {}
     for row, decision in outcome.rows:
-        if decision.verdict == REFUTED and (row.role == PRINTED or row.group in sets):
+        found = fair(outcome, row, decision)
+        if found == REFUTED and (row.role == PRINTED or row.group in sets):
             kind = f"{row.group}, {row.severity}" if row.severity else row.group
             refuted.setdefault(kind, []).append(short_name(row))
     for kind, names in refuted.items():

@@ -11,9 +11,11 @@ from collections.abc import Iterable, Iterator
 from verify.language.statement import (
     HYPOTHESES,
     NEEDED,
+    OTHERWISE,
     PRINTED,
     PROVED,
     REFUTED,
+    REMARK,
     UNDECIDED,
     Assumption,
     Cite,
@@ -155,17 +157,45 @@ def _assumption(assumption: Assumption, paper: Publication) -> str:
     return f"  {assumption.name} ({assumption.kind}{where}): {assumption.sentence}"
 
 
+def fair(outcome: Outcome, row: Obligation, found: Decision) -> str:
+    """The verdict on what the text says; that on the claim is another where the text is right.
+
+    A claim that is false is a remark where the text does not make it. Where the text says what is
+    true, and derives it from the claim, it is proved, but not by the printed argument: if the row
+    that takes the place of the claim is proved.
+    """
+    if found.verdict != REFUTED or row.role != PRINTED:
+        return found.verdict
+    if row.severity == REMARK:
+        return REMARK
+    better = outcome.decisions.get(row.corrected_by or "")
+    if row.severity == OTHERWISE and better is not None and better.verdict == PROVED:
+        return OTHERWISE
+    return REFUTED
+
+
+#: The verdicts on rows, in the order in which they are counted, and how many of them are told.
+COUNTED = {
+    PROVED: "proved",
+    REFUTED: "refuted",
+    UNDECIDED: "undecided",
+    OTHERWISE: "proved, but not by the printed argument",
+    REMARK: "remarks",
+}
+
+
 def counts(outcome: Outcome, role: str) -> str:
     """The rows of one role by verdict; empty if there are none."""
-    found = Counter(decision.verdict for row, decision in outcome.rows if row.role == role)
+    found = Counter(fair(outcome, row, d) for row, d in outcome.rows if row.role == role)
     total = sum(found.values())
-    parts = ", ".join(f"{found[v]} {v}" for v in (PROVED, REFUTED, UNDECIDED) if found[v])
+    parts = ", ".join(f"{found[v]} {word}" for v, word in COUNTED.items() if found[v])
     return f"{total} {role} ({parts})" if total else ""
 
 
 def group_verdict(outcome: Outcome, group: str) -> str:
-    """The verdict on all rows of one group, whatever their role."""
-    return conjunction(decision for _, decision in outcome.of_group(group))
+    """The verdict on all rows of one group, whatever their role; remarks are none of them."""
+    rows = outcome.of_group(group)
+    return conjunction(d for row, d in rows if fair(outcome, row, d) not in (OTHERWISE, REMARK))
 
 
 def groups(outcome: Outcome) -> list[str]:
@@ -195,6 +225,12 @@ def parameter_letters(outcome: Outcome) -> dict[str, str]:
 def short_name(row: Obligation) -> str:
     """The name of a row without its group."""
     return row.name.removeprefix(f"{row.group}.")
+
+
+def is_called(row: Obligation, word: str, paper: Publication) -> bool:
+    """Whether a word is a row's name, with or without its group, its label, or its number."""
+    number = paper.printed(row.label) or ""
+    return word in (row.name, short_name(row), row.label, number, number.strip("()")) and word != ""
 
 
 def sentence(row: Obligation, typesetter: Typesetter) -> str:

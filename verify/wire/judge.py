@@ -14,9 +14,9 @@ from hashlib import sha256
 
 from verify import check
 from verify.language.errors import OwnError, UnreadError
-from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Obligation
+from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Obligation, Statement
 from verify.prover.outcome import Decision, Judgement, Outcome, names_in
-from verify.wire.packaged import PACKAGED_FILES, packaged_files
+from verify.wire.packaged import cited_digests, packaged_files, packaged_statements
 from verify.wire.read import read
 from verify.wire.write import write
 
@@ -92,10 +92,22 @@ def packaged(name: str) -> Outcome:
         OwnError: if its files are not those that it has accepted.
     """
     statement, certificate = packaged_files(name)
-    cited = {sha256(data).hexdigest(): data for data, _ in map(packaged_files, PACKAGED_FILES)}
-    outcome = read(statement, certificate, cited)
+    outcome = read(statement, certificate, packaged_statements(cited_digests(statement)))
     verdicts = {row: found.claimed for row, found in outcome.decisions.items()}
     return _with(outcome, verdicts)
+
+
+def known(name: str, statement: Statement) -> Outcome | None:
+    """The outcome of a statement, if it comes with the program under this name; else None.
+
+    It is compared with the statement that the checker has accepted: after any change to what the
+    paper's room says, they differ, and whoever asks has to prove it anew.
+
+    Raises:
+        OwnError: if the files that came with the program were changed.
+    """
+    outcome = packaged(name)
+    return outcome if outcome.statement == statement else None
 
 
 def read_judged(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]) -> Outcome:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from functools import cache
 from hashlib import sha256
 
@@ -14,30 +15,94 @@ PACKAGED = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data")
 ALL = "theorem1-all"
 #: Those about the theorem as printed: its set with > for <, and that with < it is false.
 PRINTED_SET, PRINTED_SIGN = "printed-set", "printed-sign"
+#: The rows of the printed set for all parameters, of which some are refuted.
+AS_PRINTED = "printed"
 #: Their files with their digests. Who cites one rests on them: it is not checked again in each run.
 PACKAGED_FILES = {
     "step": {
-        "statement.json": "126aefb84a92dd59e6c4afa380a85ba3b094248f5695d8074561208f75bd11cb",
-        "certificate.json": "988994f4ca7086141430bca7e6bc35f058d4d39bdc48e62c1319d3d91d84aa84",
+        "statement.json": "920523cdfa1f9afd807f321e05b78cadd7ee760b1a5764d4e1f36c9a7e786716",
+        "certificate.json": "e4e3e744a3142e236b59757410c5fe701264a16adff1ba3fabf43296df9f548d",
+    },
+    "step-printed": {
+        "statement.json": "1aa67de5dabc18e6bcb076c0e7974e19b4363aa9f9b1935d8ef599e125b1a25b",
+        "certificate.json": "110f629fda69ecbf7743e02d761091b238c0bc41f303678c41271f0320e7e3f2",
     },
     ALL: {
-        "statement.json": "da36718f361cf3ab0f00c8f9fbdbc74e8f5a4b127fb80946b6524da2e6143539",
-        "certificate.json": "8c8468593e3ffa2bfd9cca1739c6e81e545c7074fc5ed7e2dfcfc9564a4fbbfb",
+        "statement.json": "8732bbdf352eef2623fb3cb50fd30b6ab0b4e6fb49f2b4592ba61278b9a95619",
+        "certificate.json": "5f527050284e5b954d8c976fbdc9656f3e4aa41f93df710007b31a2ecdaaaa4e",
     },
     PRINTED_SET: {
-        "statement.json": "8e75d8078c911f7d02e201247b6db6f5ba1dd163fec39f88a7838953beeb41d4",
-        "certificate.json": "3dfc710e8a17fb645a98620facd45327b068413af9c8a126346faa43405734fb",
+        "statement.json": "0cc7a4cc9fbe85282249c5391d26d9d73b5a7a88e07f9294c400f171538a48b1",
+        "certificate.json": "037733b107fc28348a289c512da9ecc538d539b8222511dbcfd3c01c32c07baf",
     },
     PRINTED_SIGN: {
-        "statement.json": "051d302264aa218308a0ff3ff4ed25489ae0f81f5ecf5d0c32f0684978ad706a",
-        "certificate.json": "d1ea6c1643a8dbfc87883eefad90b83fedc4ff6fe37bec8e463aaf6900622549",
+        "statement.json": "463af7a92b5e55614165a6db3576bbdc71f2369147ab8e69e1116bd12ed9cd30",
+        "certificate.json": "6b0089b72d47f818129de9aabe2bebf1f3560d69bfb08a0f7704064d01a43783",
+    },
+    "thresholds": {
+        "statement.json": "cd4602cefb1bfc76902297d936571f3de8ddb6e51fe4789ca75bdc3f263bc9c5",
+        "certificate.json": "d68006b185a1ff0d6fa98beb6f19dc49455995db3e1d2bfad950a528e7192659",
+    },
+    "spectrum": {
+        "statement.json": "7b0b011b77d31d8caa59a92ff6a736b75f0fe9d939c7447e4775ee8d38dcb8ed",
+        "certificate.json": "98a2eec22f34b52af0c64555bbe3f6f5c183026248a4bd0cfeb1541de5d9b218",
+    },
+    "classification": {
+        "statement.json": "569536f6f737b332a6639a14e1b17d8a66ed12a481014b00afc956fabfa560ab",
+        "certificate.json": "77e14ada4e990b1de451b3281f197e7a160c07d7bbf045696399507e362c65cf",
+    },
+    "elsewhere": {
+        "statement.json": "dfc26ecc95d0376bccf7d31c781a8275116eb97ba8027175c77d59ddbffbb03a",
+        "certificate.json": "2b35170f97340c545deef1a94a4122abe752dd47164d912acfe82c1ef54159a1",
+    },
+    "sharper": {
+        "statement.json": "52d5abca77e65dd9c6c064ef529d4774214a42f6914bb076b725552dd0940776",
+        "certificate.json": "a49535e50d393bee1f52c0109a8c150900385155560a6e59bacb466ce2aa646b",
+    },
+    "flow": {
+        "statement.json": "63e41a57a263ab3bc26da25168946bcc4dbcc0661e77b674833aa1c073e32efd",
+        "certificate.json": "e77585726a1125ad1a12969b6e4bf3eda959260a29cb2b5ed0293b7e1ac1d6fb",
+    },
+    "line": {
+        "statement.json": "09664db03596164c5321ce9bcc389c1d0589751d06d8b3c71a47c971b80a81d4",
+        "certificate.json": "01c491731d5f3d8abb9745a19378efcda818d40a83fddd47828cbe1719f0b07e",
+    },
+    AS_PRINTED: {
+        "statement.json": "43e2e2103268a9b39e67c75ad7b2d6ac64e3b34d13c6b28bc8d1c1862bd1d646",
+        "certificate.json": "20b1e47fa5a08e4bebbf4e9d1bb67d04bcb36d8fe61dda20fed2199acde9bcc3",
     },
 }
 
 
+def packaged_statements(digests: Iterable[str]) -> dict[str, bytes]:
+    """The statements with these digests that come with the program, and what those cite.
+
+    Raises:
+        OwnError: if one is not as the checker has accepted it.
+    """
+    names = {files["statement.json"]: name for name, files in PACKAGED_FILES.items()}
+    found: dict[str, bytes] = {}
+    missing = [digest for digest in digests if digest in names]
+    while missing:
+        digest = missing.pop()
+        content = packaged_files(names[digest])[0]
+        found[digest] = content
+        missing += [other for other in cited_digests(content) if other not in found]
+    return found
+
+
+def cited_digests(statement: bytes) -> list[str]:
+    """The digests of statements that come with the program and are named in a statement."""
+    return [
+        files["statement.json"]
+        for files in PACKAGED_FILES.values()
+        if files["statement.json"].encode() in statement
+    ]
+
+
 @cache
 def packaged_files(name: str) -> tuple[bytes, bytes]:
-    """A statement and its certificate, which come with the program: the step, or all parameters.
+    """A statement and its certificate, which come with the program.
 
     Raises:
         OwnError: if they are not those that the checker has accepted.

@@ -9,9 +9,11 @@ import pytest
 
 from tests.points import ADMISSIBLE, parameters
 from verify.language.statement import (
+    BREAKS,
     NEEDED,
     PROVED,
     REFUTED,
+    REMARK,
     UNDECIDED,
     Choice,
     Constant,
@@ -26,7 +28,7 @@ from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.rules import Interval, Sum
 from verify.prover.session import Session
-from verify.views.words import definitions_of, group_verdict, groups
+from verify.views.words import counts, definitions_of, fair, group_verdict, groups
 
 #: What the printed proof gets wrong at r = 3/100, theta_0 = pi; the README lists them.
 REFUTED_AT_3_100 = {
@@ -47,6 +49,9 @@ REFUTED_AT_3_100 = {
     "angle-sign",
     "angle-absorbed",
     "y-term-3",
+}
+#: What the text does not claim, and what is false there.
+REMARKS_AT_3_100 = {
     "alone-eta-y-1",
     "alone-eta-y-2",
     "alone-eta-x-1",
@@ -78,11 +83,36 @@ def test_the_repaired_set_is_proved_and_the_printed_refuted(r: str, c: str) -> N
 def test_the_list_of_defects_at_3_100() -> None:
     rows = outcome_at("3/100", "1").of_group(PRINTED)
     refuted = {row.name.removeprefix("printed.") for row, d in rows if d.verdict == REFUTED}
-    assert refuted == REFUTED_AT_3_100
+    assert refuted == REFUTED_AT_3_100 | REMARKS_AT_3_100
     names = {row.name for row in every_row()}
     for row, decision in rows:
         if decision.verdict == REFUTED:
             assert row.corrected_by in names
+
+
+def test_18_rows_are_held_against_the_paper_at_3_100() -> None:
+    outcome = outcome_at("3/100", "1")
+    found = {row.name: fair(outcome, row, d) for row, d in outcome.rows if row.role == "printed"}
+    against = {name for name, verdict in found.items() if verdict == REFUTED}
+    listed = {f"printed.{name}" for name in REFUTED_AT_3_100}
+    assert against == listed | {"hypotheses.angle-as-printed"}
+    assert len(against) == 18
+    remarks = {name for name, verdict in found.items() if verdict == REMARK}
+    assert remarks == {f"printed.{name}" for name in REMARKS_AT_3_100}
+    assert "(163 proved, 18 refuted, 8 remarks)" in counts(outcome, "printed")
+
+
+@pytest.mark.parametrize(
+    ("delta_theta", "breaks"),
+    [("1/10", set()), ("1/1000", {"printed.final-angle", "printed.angle-absorbed"})],
+)
+def test_what_breaks_the_argument_follows_from_the_verdicts(
+    delta_theta: str, breaks: set[str]
+) -> None:
+    outcome = decide_point(parameters("3/100", "1", "1", delta_theta))
+    steps = {"zeta-x-bound", "zeta-term-2", "zeta-remainders", "zeta-total", "set-interior"}
+    found = {row.name for row, d in outcome.rows if row.severity == BREAKS and d.verdict == REFUTED}
+    assert found == {f"printed.{name}" for name in steps} | breaks
 
 
 @pytest.mark.parametrize("selection", ["printed", "repaired", "all"])

@@ -73,10 +73,10 @@ def test_the_last_line_closes_the_citation(tmp_path_factory: pytest.TempPathFact
     assert not any("which is not proved here" in line for line in lines)
     for path in Path(folders[0], "cited").glob("*.certificate.json"):
         code, lines = check.check_folders(check.read_folders(folders[:1]))
-        assert (code, lines[-1].partition("; given ")[2].count("step:")) == (0, 8)
+        assert (code, lines[-1].partition("; given ")[2].count("step:")) == (0, 9)
         path.unlink()
     code, lines = check.check_folders(check.read_folders(folders[:1]))
-    assert (code, lines[-1].partition("; given ")[2].count("step:")) == (3, 8)
+    assert (code, lines[-1].partition("; given ")[2].count("step:")) == (3, 9)
     assert "which is not proved here" in lines[-1]
 
 

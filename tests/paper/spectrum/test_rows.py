@@ -11,9 +11,8 @@ import sympy
 
 from verify.language.statement import PROVED, REFUTED, Context, Statement
 from verify.language.terms import Claim, Term, as_term, names_of, symbol
-from verify.paper.commands.spectrum import decide_spectrum
+from verify.paper.commands.spectrum import decide_spectrum, state_spectrum
 from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX, Printed
-from verify.paper.spectrum.spectrum import statement
 from verify.prover.outcome import Outcome
 from verify.prover.prove import prove
 
@@ -41,7 +40,7 @@ def outcome() -> Outcome:
 def test_the_numbers_of_rows_and_verdicts(outcome: Outcome) -> None:
     counts = Counter((row.role, found.verdict) for row, found in outcome.rows)
     assert counts == {
-        ("needed", PROVED): 191,
+        ("needed", PROVED): 194,
         ("printed", PROVED): 27,
         ("printed", REFUTED): 9,
     }
@@ -68,7 +67,7 @@ def test_names_are_unique_and_assumptions_exist(outcome: Outcome) -> None:
     names += [given.name for context in contexts for given in context.givens]
     assert len(names) == len(set(names))
     known = {a.name for a in outcome.statement.assumptions}
-    assert {a.name for a in outcome.assumptions} == known - {"monotone"}  # of printed rows
+    assert {a.name for a in outcome.own_assumptions} == known - {"monotone"}  # of printed rows
     assert {name for row, _ in outcome.rows for name in row.uses} == known
 
 
@@ -193,7 +192,7 @@ def test_a_broken_leaf_of_the_printed_formulas_is_found() -> None:
     for power in range(3):
         for broken in altered(COEFFICIENTS[power]):
             changed = (*COEFFICIENTS[:power], broken, *COEFFICIENTS[power + 1 :])
-            stated = statement(Printed(coefficients=changed))
+            stated = state_spectrum(Printed(coefficients=changed))
             rows = [row for row in stated.obligations if row.name == "characteristic"]
             outcome = prove(stated._replace(obligations=tuple(rows)))
             assert outcome.decisions["characteristic"].claimed == REFUTED

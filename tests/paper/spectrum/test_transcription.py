@@ -12,13 +12,13 @@ import sympy
 
 from tests.paper.spectrum.test_rows import to_sympy
 from verify.language.terms import Term
+from verify.paper.commands.spectrum import state_spectrum
 from verify.paper.spectrum import characteristic, collision_matrices, cone, printed, real_root
-from verify.paper.spectrum.spectrum import statement
 
 SYMBOLS = {name: sympy.Symbol(name, real=True) for name in ("r", "x", "y", "t", "lambda")}
 TOKEN = re.compile(r"\\[a-z]+|[0-9]+|[a-z]|\S")
 
-ROWS = {row.name: row for row in statement().obligations}
+ROWS = {row.name: row for row in state_spectrum().obligations}
 X = cone.bound_x(cone.x, cone.y - cone.t)
 Z = cone.bound_z(cone.x, cone.y - cone.t)
 

@@ -54,7 +54,7 @@ def test_the_step_is_proved_and_small() -> None:
 
 def test_only_four_kinds_of_sentences_are_assumed() -> None:
     kinds = [assumption.kind for assumption in decide_step().assumptions]
-    assert kinds.count("general mathematics") == 3
+    assert kinds.count("general mathematics") == 4
     assert kinds.count("definition") == 1
     assert set(kinds) == {"general mathematics", "definition", "numbered glue"}
 
@@ -69,7 +69,7 @@ def test_glue_names_rows_that_are_there() -> None:
         for word in assumption.sentence.split()
         if "-" in word and word.strip(".,:").replace("-", "").isalpha()
     }
-    prose = {"0-1", "inside-", "-cos", "n-th", "glue-next"}
+    prose = {"0-1", "inside-", "-cos", "n-th", "glue-next", "finite-length"}
     assert {name for name in named if name not in rows} <= prose
 
 
@@ -249,7 +249,7 @@ def test_a_point_run_cites_the_step(point: tuple[str, str], selection: str) -> N
 def test_what_comes_with_the_program_is_what_it_makes(
     name: str, decide: Callable[[], Outcome]
 ) -> None:
-    """If not: verify certify, copy certificates/NAME/*.json to verify/data/NAME; PACKAGED_FILES."""
+    """If not: verify certify, then python -m tests.bring."""
     files = write(decide())
     for file in PACKAGED_FILES[name]:
         for folder in (Path(PACKAGED), ROOT / "certificates"):
@@ -274,6 +274,9 @@ BOX = "theorem1 --r 0.02..0.03 --neg-cos 1"
         (ALL, BOX),
         (ALL, "graph --out OUT/graph.svg"),
         (ALL, f"explain {ALL} collapse"),
+        (ALL, "theorem1 --all"),
+        ("flow", "explain flow contact"),
+        ("spectrum", "spectrum"),
     ],
 )
 def test_nothing_is_proved_by_a_file_that_was_tampered_with(

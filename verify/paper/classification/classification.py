@@ -18,6 +18,7 @@ from verify.paper.classification import (
     impulse,
     run,
     scenes,
+    second,
     triangle,
 )
 from verify.paper.letters import headings_of
@@ -25,6 +26,7 @@ from verify.paper.letters import headings_of
 COLLAPSE = "DEFINSS3.1Collapse_Inelas"
 TRIANGLE = "DEFINSS3.5CollapseTriangu"
 EXISTENCE = "EQUATSS3.4ZKCl1CondiExist"
+SECOND = "EQUATSS3.4ZKCl2CondiStabi"
 LAW = "EQUATSS2.1VitesPost-Colli"
 
 DEFINITIONS = (
@@ -153,6 +155,20 @@ GLUE = (
          "backward is free. So for each of the countably many orders in which pairs may collide, "
          "hard-spheres gives a smooth map from a space of one dimension less than that of all "
          "data: by smooth-images the data of all orders are null.", "numbered glue"),
+    Assumption("glue-second",         SECOND,
+         "8. In a collapse as in glue-classification, of balls of equal mass with one r in ]0,1], "
+         "let -cos θ converge to a limit below 2r^{1/3}(1+r^{1/3})/(1+r). Positions converge, and "
+         "the distances of 1 and 2 from 0 to the contact distances, as both pairs collide for "
+         "ever; so by second-small there is a t with t³ < r such that α of second-law is at most "
+         "t+t² from some collision on. From there on the givens of tail hold, with y = "
+         "|x_c|(-η_c)/σ_c and the closing speed u of the next collision: by second-law, "
+         "second-closing, and second-distance with second-time at the next state; and by "
+         "next-recedes the next q is r u/y'. By second-ratio and second-below q exceeds t² after "
+         "finitely many collisions, and by second-above it is at least r/t after the next one, for "
+         "ever. By second-growth and second-factor τ/y then grows by a factor r/t³ > 1 with each "
+         "collision, and by second-speed |W_c|² → 0. As c is 1 and 2 in turn, and velocities "
+         "converge, by glue-impulse, both relative velocities tend to 0. So in a collapse in which "
+         "they do not, -cos θ has a limit of at least 2r^{1/3}(1+r^{1/3})/(1+r).", "numbered glue"),
 )  # fmt: skip
 
 ASSUMPTIONS = (*DEFINITIONS, *MATHEMATICS, *GLUE)
@@ -174,6 +190,7 @@ SECTIONS = {
     "I: no triangular collapse": triangle.chapters,
     "II: the recursion of closing speeds": comparison.chapters,
     "II: runs of collisions": run.chapters,
+    "II: the second condition": second.chapters,
     "III: total impulse": impulse.chapters,
     "IV: finite or infinite time": impulse.endless,
     "criteria for scenes": scenes.chapters,
@@ -187,6 +204,7 @@ CONCLUDES = {
     "fall-positive": ("glue-run",),
     "run-always": ("glue-run",),
     "bound-above-one": ("glue-run", "smooth-images", "glue-null"),
+    "second-factor": ("hard-spheres", "bounded-monotone", "glue-second"),
     "total-impulse": ("hard-spheres", "bounded-monotone", "glue-impulse"),
     "spin-length": ("glue-impulse",),
     "impulse-times": ("finite-length", "glue-endless"),

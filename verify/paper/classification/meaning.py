@@ -32,7 +32,12 @@ MEANING = (
         "EQUATSS3.4ZKCl1CondiExist",
         "The first condition, which the text quotes from Zhou and Kadanoff as necessary, is "
         "necessary for the full dynamics: no limit of velocities or angles is taken in the "
-        "recursion (II). The second condition is not judged here.",
+        "recursion (II).",
+    ),
+    Remark(
+        "EQUATSS3.4ZKCl2CondiStabi",
+        "The second condition, with ≥, is necessary for the full dynamics as well, in every "
+        "collapse in which the two relative velocities do not both tend to 0 (II).",
     ),
     Remark(
         "PROPOSS3.2SommaCompNormlV",

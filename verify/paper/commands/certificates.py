@@ -14,7 +14,9 @@ from verify.paper.commands import (
     elsewhere,
     everywhere,
     printed_set,
+    sandwich,
     scene,
+    separatrix,
     sharper,
     spectrum,
     step,
@@ -80,8 +82,11 @@ THEOREMS: dict[str, Callable[[], Outcome]] = {
     "classification": classification.decide_classification,
     "elsewhere": elsewhere.decide_elsewhere,
     "sharper": sharper.decide_sharper,
+    "sandwich": sandwich.decide_sandwich,
     "flow": scene.decide_flow,
     "line": scene.decide_line,
+    "separatrix": separatrix.decide_separatrix,
+    "separatrix-r-3-100": separatrix.decide_stored,
 }
 
 

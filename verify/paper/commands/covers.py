@@ -17,7 +17,7 @@ from functools import cache
 from itertools import pairwise
 
 from verify.language.record import Record
-from verify.language.statement import PROVED, REFUTED, Choice, Constant, Obligation
+from verify.language.statement import PROVED, REFUTED, REMARK, Choice, Constant, Obligation
 from verify.language.terms import Claim, Term, as_term, sqrt, symbol
 from verify.paper.hypotheses import hypotheses
 from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
@@ -240,7 +240,7 @@ def ratios(group: str, share: Fraction) -> list[Ratios]:
     drawn = [
         Ratios(row.says, boxes[row.name], verdicts[row.name], _middle(boxes[row.name]))
         for row in kinds.open
-        if len(boxes[row.name]) > 10
+        if len(boxes[row.name]) > 10 and row.severity != REMARK
     ]
     return sorted(drawn, key=lambda row: row.middle, reverse=True)
 

@@ -24,7 +24,9 @@ from verify.paper.everywhere.everywhere import printed_statement, statement
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.recursion import angle_state
+from verify.paper.rows import graded
 from verify.paper.step import numbers
+from verify.paper.step.numbers import STEP
 from verify.prover import arguments
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
@@ -34,7 +36,8 @@ from verify.prover.relations import negation
 from verify.prover.ring import Ring
 from verify.prover.row_proofs import RowProofs
 from verify.prover.rules import Define, Entry, Instance, Interval, Least, Witness
-from verify.wire.judge import judged
+from verify.wire.judge import judged, known
+from verify.wire.packaged import ALL, packaged_files
 from verify.wire.write import write
 
 HALF = Fraction(1, 2)
@@ -81,6 +84,14 @@ def state_everywhere() -> Statement:
     """What is claimed, before it is decided."""
     files = write(decide_step())
     return statement(files["statement.json"], files["certificate.json"])
+
+
+def cite_everywhere() -> Outcome:
+    """Every row for all parameters, from the certificate that comes with the program.
+
+    It is decided anew where its statement, which cites the step, is not the one that is made here.
+    """
+    return known(ALL, statement(*packaged_files(STEP))) or decide_everywhere()
 
 
 @cache
@@ -171,7 +182,8 @@ class Everywhere:
             row.name: self.writing.decisions.get(row.name, Decision(UNDECIDED))
             for row in self.statement.obligations
         }
-        return judged(Outcome(self.statement, decisions, tuple(self.session.steps), {}))
+        found = judged(Outcome(self.statement, decisions, tuple(self.session.steps), {}))
+        return _graded(found) if self.set.printed else found
 
     # --- constants ------------------------------------------------------------------------------
 
@@ -293,6 +305,13 @@ class Everywhere:
     def _apply(self) -> None:
         between = {name: self.ring.lemma(claim) for name, claim in numbers.BETWEEN.items()}
         self.writing.decide(self.writing.rows[numbers.COLLAPSE], applying(between))
+
+
+def _graded(outcome: Outcome) -> Outcome:
+    """The outcome with how bad each false row is, over all parameters."""
+    verdicts = {name: found.verdict for name, found in outcome.decisions.items()}
+    rows = tuple(graded(row, verdicts) for row in outcome.statement.obligations)
+    return outcome._replace(statement=outcome.statement._replace(obligations=rows))
 
 
 def _one_plus(*facts: str) -> tuple[object, ...]:

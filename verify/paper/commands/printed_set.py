@@ -18,7 +18,8 @@ from verify.prover.arguments import Writing
 from verify.prover.ground import Ground
 from verify.prover.outcome import Outcome
 from verify.prover.rules import Applying
-from verify.wire.judge import judged
+from verify.wire.judge import judged, known
+from verify.wire.packaged import PRINTED_SET, PRINTED_SIGN, packaged_files
 from verify.wire.write import write
 
 
@@ -65,7 +66,13 @@ def decide_printed_sign() -> Outcome:
     return judged(Outcome(argument.statement, writing.decisions, tuple(writing.session.steps), {}))
 
 
-def decide_as_printed() -> dict[str, str]:
-    """The verdicts on the theorem with its sign as printed, and on its set with the other sign."""
-    is_false = decide_printed_sign().verdict == PROVED
-    return {"sign": REFUTED if is_false else UNDECIDED, "set": decide_printed_set().verdict}
+def verdicts_as_printed() -> dict[str, str]:
+    """The verdicts on the theorem with its sign as printed, and on its set with the other sign.
+
+    They are those of the certificates that come with the program; what differs is decided anew.
+    """
+    stated = sign.sign(*packaged_files("classification")).statement
+    with_sign = known(PRINTED_SIGN, stated) or decide_printed_sign()
+    stated = printed_set.statement(*packaged_files("sharper"))
+    of_set = known(PRINTED_SET, stated) or decide_printed_set()
+    return {"sign": REFUTED if with_sign.verdict == PROVED else UNDECIDED, "set": of_set.verdict}

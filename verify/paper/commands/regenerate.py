@@ -18,8 +18,10 @@ from verify.paper.commands import (
     elsewhere,
     everywhere,
     printed_set,
+    sandwich,
     scene,
     scene_statements,
+    separatrix,
     sharper,
     spectrum,
     step,
@@ -28,7 +30,7 @@ from verify.paper.commands import (
 )
 from verify.paper.groups import REPAIRED
 from verify.paper.parameters import THEOREM
-from verify.paper.spectrum.spectrum import statement as state_spectrum
+from verify.paper.separatrix.theorem import NAME
 from verify.prover.outcome import Outcome
 from verify.wire.parameters import are_allowed
 from verify.wire.term_json import TermReader
@@ -46,8 +48,10 @@ WITHOUT_PARAMETERS: dict[str, Callable[[], Outcome]] = {
     f"{THEOREM} as printed, where it depends": thresholds.decide_thresholds,
     "classification": classification.decide_classification,
     "sharper": sharper.decide_sharper,
+    "sandwich": sandwich.decide_sandwich,
     "flow": scene.decide_flow,
     "line": scene.decide_line,
+    NAME: separatrix.decide_separatrix,
     f"{THEOREM}, the set as printed": printed_set.decide_printed_set,
     f"{THEOREM}, the sign as printed": printed_set.decide_printed_sign,
 }
@@ -55,7 +59,7 @@ WITHOUT_PARAMETERS: dict[str, Callable[[], Outcome]] = {
 #: What states those of them that take long to decide.
 ONLY_STATED: dict[str, Callable[[], Statement]] = {
     f"{THEOREM} for all parameters": everywhere.state_everywhere,
-    "THEORSS3.5SpectMatricVitLm": state_spectrum,
+    "THEORSS3.5SpectMatricVitLm": spectrum.state_spectrum,
 }
 
 
@@ -113,6 +117,8 @@ def _outcomes(theorem: str, parameters: Mapping[str, Term], collisions: int) -> 
             yield WITHOUT_PARAMETERS[theorem]()
     elif (found := scene_statements.read_back(parameters)) is not None:
         yield from scene_statements.statements_of(found, collisions)
+    elif (point := separatrix.read_point(parameters)) is not None:
+        yield from separatrix.outcomes_at(point)
     elif box.are_ends(parameters):
         yield box.decide_box(*box.read_box(parameters))
     elif are_allowed(parameters):

@@ -9,12 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 from verify.language.statement import (
     NEEDED,
     PROVED,
     REFUTED,
+    REMARK,
     UNDECIDED,
     Choice,
     Constant,
@@ -65,7 +67,7 @@ class Scan:
             self._algebras.append(Algebra(outcome))
             self._compiled = Compiled(self._algebras)
         rows = {row.name: decision.verdict for row, decision in outcome.rows}
-        return ScannedPoint(outcome.verdict, rows)
+        return ScannedPoint(outcome.verdict, _told(rows))
 
 
 class Compiled:
@@ -125,7 +127,7 @@ class Compiled:
         refuted = any(verdicts[name] == FAILS for name in self._needed)
         rows = {name: _VERDICTS[value] for name, value in verdicts.items()}
         rows[COLLAPSE] = PROVED if applies(rows) else UNDECIDED
-        return ScannedPoint(REFUTED if refuted else PROVED, rows)
+        return ScannedPoint(REFUTED if refuted else PROVED, _told(rows))
 
     def _close(self, left: list[str], verdicts: dict[str, int], lemmas: tuple[int, ...]) -> bool:
         """Fill in the rows that are left by a proof by algebra that holds here."""
@@ -141,6 +143,17 @@ class Compiled:
                 verdicts.update({name: algebra.verdicts[name] for name in left})
                 return True
         return False
+
+
+def _told(rows: dict[str, str]) -> dict[str, str]:
+    """The verdicts on rows, where a remark that is false is called one."""
+    return {n: REMARK if n in _remarks() and v == REFUTED else v for n, v in rows.items()}
+
+
+@cache
+def _remarks() -> frozenset[str]:
+    rows = theorem().parts[PRINTED].obligations
+    return frozenset(row.name for row in rows if row.severity == REMARK)
 
 
 class Algebra:

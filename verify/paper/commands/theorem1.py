@@ -8,6 +8,7 @@ from fractions import Fraction
 from verify.language.statement import (
     NEEDED,
     PROVED,
+    REMARK,
     Choice,
     Constant,
     Obligation,
@@ -17,6 +18,7 @@ from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
 from verify.paper.commands.citing import with_step
 from verify.paper.groups import HYPOTHESES, PRINTED, SELECTIONS
+from verify.paper.rows import graded
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.choose import BudgetError, choose
@@ -66,7 +68,7 @@ class PointRun:
         """The rows; those of the printed set are needed where that alone is asked for."""
         if self.selection != PRINTED:
             return rows
-        return tuple(row._replace(role=NEEDED) for row in rows)
+        return tuple(row if row.severity == REMARK else row._replace(role=NEEDED) for row in rows)
 
     def _define(self, constants: tuple[Constant | Choice, ...]) -> bool:
         """Add constants, or say what the precision does not suffice for."""
@@ -90,6 +92,7 @@ class PointRun:
 
     def _outcome(self) -> Outcome:
         used = {name for row in self.rows for name in row.uses}
+        verdicts = {name: found.verdict for name, found in self.decisions.items()}
         values = {name: self.parameters[name] for name in theorem().parameters}
         statement = Statement(
             theorem=theorem().name,
@@ -97,7 +100,7 @@ class PointRun:
             parameters=values,
             constants=tuple(self.constants),
             contexts=(),
-            obligations=tuple(self.rows),
+            obligations=tuple(graded(row, verdicts) for row in self.rows),
             assumptions=tuple(a for a in theorem().assumptions if a.name in used),
         )
         names = (*values, *(constant.name for constant in self.constants))

@@ -30,7 +30,7 @@ from verify.language.statement import Constant
 from verify.language.terms import Claim, Term, as_term, equal, symbol
 from verify.language.vectors import Combination, add, basis_vector, scale
 from verify.paper.letters import Letters, Refuted, Space, minus, refuted
-from verify.paper.rows import HARMLESS, SLIP
+from verify.paper.rows import REMARK, SLIP
 
 STATE = "3/4 1 1/10 1 -3/40 -1/10 2 1/10"
 
@@ -174,8 +174,10 @@ def misprints() -> Iterator[Refuted]:
     yield from (
         refuted(n, "far-component-printed", equal(dot(W_2, scale(1 + n.d, omega_2)), -n.y), POINT,
                 label=NORMAL,
-                says="η_{i,n} = W_i·ω_i = (v_i-v_0)·(x_i-x_0), for the pair that is apart too",
-                severity=SLIP, corrected_by="far-component"),
+                says="η_{i,n} = W_i·ω_i = (v_i-v_0)·(x_i-x_0), for the pair that is apart too: so "
+                     "with ω_i = x_i-x_0, as Section 3.2 has it, and not with the unit vector of "
+                     "the mapping",
+                severity=REMARK, corrected_by="far-component"),
         refuted(n, "tangential-scalar",
                 equal(dot(p, projected(speed_1, new_1)), _without_direction()),
                 "1/20 1 1 1/8 -1 1 -1/8 1 1/64 1/8 1/2 1 9/8 0 0 0 0", label=NEARLY,
@@ -243,6 +245,7 @@ def outer_misprints() -> Iterator[Refuted]:
     yield refuted(three, "next-collision",
                   1 <= (three.X_1 + three.t * (three.b_1 - three.a_1) - 1) ** 2
                   + (three.X_2 + three.t * (three.b_2 - three.a_2)) ** 2, STATE, label=SYSTEM,
-                  says="0 and 2 are the next to collide if η₁ > 0, η₂ < 0 and ζ < 1, as the "
-                       "definition of the mapping writes it out; here 1 and 2 meet before",
-                  severity=HARMLESS, corrected_by="outer-apart")  # fmt: skip
+                  says="that 0 and 2 are the next to collide is assumed in words in the definition "
+                       "of the mapping; η₁ > 0, η₂ < 0 and ζ < 1, which follow there, do not say "
+                       "so: here 1 and 2 meet before",
+                  severity=REMARK, corrected_by="outer-apart")  # fmt: skip

@@ -13,7 +13,7 @@ from verify.language.argument import Chapter, Item, Line, Opened, identity, plus
 from verify.language.terms import as_term, equal
 from verify.language.vectors import add, basis_vector, scale
 from verify.paper.letters import Letters, Refuted, Space, minus, refuted
-from verify.paper.rows import SLIP
+from verify.paper.rows import OTHERWISE, SLIP
 
 LAW = "EQUATSS2.1VitesPost-Colli"
 FLOW = "DEFINSS2.1FlotrInelaSphDu"
@@ -137,7 +137,7 @@ def misprints() -> Iterator[Refuted]:
                 "1/2 -1 0 1 1 0 1 0 0 0 1 1/2 0 0 0", label=LAW,
                 says="the introduction: conservation of momentum and the law for the normal "
                      "component give the velocities, and with them the tangential components",
-                severity=SLIP, corrected_by="tangential-kept"),
+                severity=OTHERWISE, corrected_by="tangential-kept"),
         refuted(n, "law-at-every-contact", 0 <= dot(new_W, e), "1/2 1 0 1 1 0 1 0 0 0 1 1/2 0 0 0",
                 label=FLOW,
                 says="the law of collision applies whenever a pair touches, and the pair then "

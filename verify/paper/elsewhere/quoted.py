@@ -8,7 +8,7 @@ from fractions import Fraction
 from verify.language.argument import Chapter, Item, Line, identity, plus, power, proof, times
 from verify.language.terms import equal
 from verify.paper.letters import Letters, Refuted, refuted, subject
-from verify.paper.rows import HARMLESS, SLIP
+from verify.paper.rows import HARMLESS, OTHERWISE, REMARK
 
 STABLE = "EQUATSS3.4ZKCl2CondiStabi"
 THEOREM = "THEORSS4.1ExistenCollapse"
@@ -57,6 +57,11 @@ def _below() -> Iterator[Item]:
                STABLE,
                "2s(1+s)/(1+s³) < 1 is 1-3s+s² > 0, that is r < 9-4√5: for larger r no angle "
                "satisfies it")  # fmt: skip
+    yield Line("quoted-existence",
+               equal((1 + s**3) ** 2 - 16 * s**3, s**6 - 14 * s**3 + 1), identity(),
+               "EQUATSS3.4ZKCl1CondiExist",
+               "4√r/(1+r) ≤ 1 is r² - 14r + 1 ≥ 0, that is r ≤ 7-4√3: for larger r no collapse "
+               "takes place, by theorem II of the classification")  # fmt: skip
 
 
 def _slow() -> Iterator[Item]:
@@ -86,14 +91,16 @@ def misprints() -> Iterator[Refuted]:
     yield from (
         refuted(below, "quoted-limit", 2 * below.s * (1 + below.s) < 1 + below.s**3, "2/5",
                 label=STABLE,
-                says="the introduction: the displayed condition can be met up to r_c = 7-4√3, "
-                     "which belongs to the other condition, 4√r/(1+r); here θ = π and r = 8/125 < "
-                     "7-4√3", severity=SLIP, corrected_by="quoted-threshold"),
+                says="the introduction: no collapse for r above r_c = 7-4√3, in particular from "
+                     "the displayed condition; that one gives 9-4√5, and r_c belongs to the other, "
+                     "4√r/(1+r); here θ = π and r = 8/125 < 7-4√3", severity=OTHERWISE,
+                corrected_by="quoted-existence"),
         refuted(wide, "angle-for-every-r", 2 * wide.s * (1 + wide.s) < wide.c * (1 + wide.s**3),
                 "1/4 1/2", label=THEOREM,
-                says="the introduction: the limiting angle can be chosen in ]π/2,π]; the theorem "
-                     "has that for no fixed r, only for angles above a bound that depends on r; "
-                     "here r = 1/64", severity=SLIP, corrected_by="angle-if-r-is-small"),
+                says="the introduction: the limiting angle can be chosen in ]π/2,π]: true if r may "
+                     "be chosen for it; the theorem has for each r the angles above a bound that "
+                     "depends on r; here r = 1/64", severity=REMARK,
+                corrected_by="angle-if-r-is-small"),
         refuted(count, "dimension-less",
                 equal((count.n - 1) + (1 + (count.n - 1)) + 1 + (count.n - 1) + (1 + (count.n - 1)),
                       4 * count.n - 3), "2", label=SYSTEM,

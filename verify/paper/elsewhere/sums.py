@@ -19,7 +19,7 @@ from verify.language.argument import (
 )
 from verify.language.terms import as_term, equal
 from verify.paper.letters import Letters, Refuted, refuted, subject
-from verify.paper.rows import BREAKS, HARMLESS, SLIP
+from verify.paper.rows import BREAKS, HARMLESS, REMARK, SLIP
 
 INTERVALS = "PROPOSS3.2ConveInterTemps"
 PLACES = "PROPOSS3.2ConveAngleDista"
@@ -148,7 +148,8 @@ def misprints() -> Iterator[Refuted]:
                      "an a_k of its own, not the same one", severity=HARMLESS,
                 corrected_by="window-next"),
         refuted(small, "negligible-printed", small.s <= small.q * small.s, "1 1/2", label=NOTATION,
-                says="y = o(x) if |y| ≤ φ(|x|) for a function φ that vanishes at 0: with φ(x) = x "
-                     "that holds for y = x, which is not below qx", severity=SLIP,
+                says="the definition of y = o(x) is |y| ≤ φ(|x|) for a function φ that vanishes at "
+                     "0: it means less than negligible, as with φ(x) = x it holds for y = x, which "
+                     "is not below qx", severity=REMARK,
                 corrected_by="distance-by-time"),
     )  # fmt: skip

@@ -19,9 +19,10 @@ from verify.paper.sharper.sharper import NAME as SHARPER
 NAME = f"{THEOREM}, the set as printed"
 TITLE = (
     "For all 0 < r < 1, V_0 > 0, delta_theta > 0 and all theta_0 with 0 < -cos theta_0 <= 1 that "
-    "satisfy the stability condition: from every state of the set as printed the particles "
-    "collapse, with -cos of the final angle within delta_theta of -cos theta_0; so also where "
-    "-cos of the angle at the start is off by at most Theta/6"
+    "satisfy the stability condition: from every state of the set as printed with d_0 > 0 and "
+    "eta_s > 0 the particles collapse, with -cos of the final angle within delta_theta of "
+    "-cos theta_0; so also where -cos of the angle at the start is off by at most Theta/6, which "
+    "is the room that an interior needs"
 )
 #: The row that the sharper theorem applies to each state of the set.
 COLLAPSE = "collapse"

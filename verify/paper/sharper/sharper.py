@@ -10,7 +10,7 @@ from functools import cache
 
 from verify.language.argument import Argument, ByInduction, Chapter, Line, Opened, argue
 from verify.language.statement import Always, Assumption
-from verify.paper.assumptions import BOUNDED_MONOTONE, GLUE_NEXT, HARD_SPHERES
+from verify.paper.assumptions import BOUNDED_MONOTONE, FINITE_LENGTH, GLUE_NEXT, HARD_SPHERES
 from verify.paper.dynamics import model
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
@@ -21,9 +21,7 @@ ASSUMPTIONS = (
     Assumption("cauchy-schwarz",
          THEOREM, "(x·z)² ≤ |x|²|z|² for any two vectors.", "general mathematics"),
     BOUNDED_MONOTONE,
-    Assumption("finite-length", THEOREM,
-         "A continuous path on [0,T[ that consists of straight pieces, finitely many in each "
-         "closed part of [0,T[, and has finite length, has a limit at T.", "general mathematics"),
+    FINITE_LENGTH,
     GLUE_NEXT,
     Assumption("glue-collapse", THEOREM,
          "2. The start is a state just after a collision of 0 with s, in which 0-s is the only "

@@ -11,8 +11,16 @@ from fractions import Fraction
 from functools import partial
 
 from verify.language.record import Record
-from verify.language.statement import Context, Given, Obligation, Variable
-from verify.language.terms import Claim, Term, as_term, names_of, substitute_claim, symbol
+from verify.language.statement import Always, Applies, Context, Given, Obligation, Variable
+from verify.language.terms import (
+    Claim,
+    Term,
+    as_term,
+    names_of,
+    substitute,
+    substitute_claim,
+    symbol,
+)
 from verify.paper.rows import misprint, needed, printed
 
 Bound = int | Fraction | None
@@ -175,17 +183,26 @@ def placed(row: Obligation) -> Obligation:
     """The row over the variables of its context: in none, if its claim is ground.
 
     Raises:
-        TypeError: if the row compares no numbers, or is in no context.
+        TypeError: if the row neither compares numbers nor cites, or is in no context.
     """
-    if not isinstance(row.claim, Claim) or row.context is None:
+    if isinstance(row.claim, Always) or row.context is None:
         raise TypeError(f"{row.name} is no claim about numbers in a context")
-    names = set(names_of(row.claim.lhs, row.claim.rhs))
+    names = set(names_of(*terms_of(row.claim)))
     if not names:
         return row._replace(context=None)
+    if row.context == NUMBERS:
+        return row
     scope = SCOPES[row.context]
     variables = {name: symbol(scope.variable(name)) for name in names}
-    here = row.context == NUMBERS
-    return row if here else row._replace(claim=substitute_claim(row.claim, variables))
+    if isinstance(row.claim, Claim):
+        return row._replace(claim=substitute_claim(row.claim, variables))
+    at = {name: substitute(term, variables) for name, term in row.claim.at.items()}
+    return row._replace(claim=row.claim._replace(at=at))
+
+
+def terms_of(claim: Claim | Applies) -> tuple[Term, ...]:
+    """Both sides of a comparison, or the values at which a cited theorem applies."""
+    return (claim.lhs, claim.rhs) if isinstance(claim, Claim) else tuple(claim.at.values())
 
 
 def symbols(names: str) -> tuple[Term, ...]:

@@ -8,7 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from verify.language.statement import Assumption, Context, Obligation, Statement
+from verify.language.statement import (
+    Applies,
+    Assumption,
+    Cite,
+    Context,
+    Obligation,
+    Statement,
+)
 from verify.language.terms import Claim, names_of
 from verify.paper.spectrum import (
     characteristic,
@@ -24,7 +31,7 @@ from verify.paper.spectrum.complex_pair import COMPLEX_PAIR
 from verify.paper.spectrum.orbits import COLLAPSE
 from verify.paper.spectrum.printed import THEOREM, Printed
 from verify.paper.spectrum.real_root import REAL_ROOT
-from verify.paper.spectrum.section import LETTERS, SCOPES, placed
+from verify.paper.spectrum.section import LETTERS, SCOPES, placed, terms_of
 from verify.paper.spectrum.zhou_kadanoff import EXISTENCE, RATE
 
 ASSUMPTIONS = (
@@ -72,35 +79,35 @@ ASSUMPTIONS = (
         "judge that rate alone: with a forcing term that is only summable the recursion need not "
         "converge exponentially at all."),
     Assumption("zhou-kadanoff", EXISTENCE,
-        "The necessity of the first condition for the full dynamics is quoted by the paper from "
-        "Zhou and Kadanoff; the row proves only the inequality behind it."),
+        "1. The paper quotes the necessity of the first condition for the full dynamics; it is "
+        "theorem II of the cited classification, which existence-cited applies. The inequality "
+        "behind it is rate-existence.", "numbered glue"),
     Assumption("no-triangular-collapse", COLLAPSE,
-        "In the full dynamics: near the collapsing time all angles of the triangle are acute; "
-        "then the distance of a pair that has just met grows, because in free flight it is convex "
-        "(full-convex) and a collision of one of the two with the third particle increases its "
-        "derivative (full-jump); so no pair meets again, and the triangular collapse, called a "
-        "priori possible, does not exist."),
+        "2. That the triangular collapse, called a priori possible, does not exist in the full "
+        "dynamics is theorem I of the cited classification, for three balls of equal mass and "
+        "radius; full-jump and full-convex are computations behind it.", "numbered glue"),
 )  # fmt: skip
 
 
 TITLE = "Spectral claims of Section 5, its appendix and Sections 4.1-4.2, for every r in ]0,1["
 
 
-def statement(paper: Printed | None = None) -> Statement:
+def statement(classification: Cite, paper: Printed | None = None) -> Statement:
     """The statement, for the printed matrix and polynomial or for altered ones."""
     paper = Printed() if paper is None else paper
     sections = (collision_matrices, characteristic, real_root, complex_pair, cone, orbits)
     found = [row for section in sections for row in section.rows(paper)]
     found += [*zhou_kadanoff.linear_rows(), *zhou_kadanoff.rows()]
     rows = [placed(row) for row in found]
-    return Statement(THEOREM, TITLE, {}, (), tuple(contexts_of(rows)), tuple(rows), ASSUMPTIONS)
+    contexts, cites = tuple(contexts_of(rows)), (classification,)
+    return Statement(THEOREM, TITLE, {}, (), contexts, tuple(rows), ASSUMPTIONS, cites)
 
 
 def contexts_of(rows: Iterable[Obligation]) -> list[Context]:
     """The contexts of some rows, with the symbols that occur in them."""
     names: dict[str, set[str]] = {}
     for row in rows:
-        if row.context is not None and isinstance(row.claim, Claim):
-            found = {name.rpartition(".")[2] for name in names_of(row.claim.lhs, row.claim.rhs)}
+        if row.context is not None and isinstance(row.claim, Claim | Applies):
+            found = {name.rpartition(".")[2] for name in names_of(*terms_of(row.claim))}
             names.setdefault(row.context, set()).update(found)
     return [SCOPES[name].context(names[name], LETTERS) for name in SCOPES if name in names]

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.statement import Obligation
+from verify.language.statement import Applies, Obligation
 from verify.language.terms import Number, Term, as_term, equal, maximum, sqrt
 from verify.paper.rows import BREAKS
 from verify.paper.spectrum.characteristic import lam
@@ -35,6 +35,9 @@ trace = -((1 + r) / 2 * C)
 _square = trace**2 - 4 * r
 
 linear = Section("nearly-linear matrix")
+#: The row that applies theorem II of the classification, and the facts that show what its context
+#: `final` gives: of √r, of 1+r, and of -cos of the angle.
+CITED, PREMISES = "existence-cited", ("linear.s.low", "existence-size", "existence-below")
 
 
 def linear_rows() -> Iterator[Obligation]:
@@ -115,6 +118,16 @@ def _rate() -> Iterator[Obligation]:
             "y + r/y ≥ 2√r for y > 0, "
             "times y, s = √r: in a nearly-linear collapse y_{n+1} ≤ α - r/y_n with y_n > 0, which "
             "is impossible for ever if α < 2√r", equal(y**2 + s**2 - 2 * s * y, (y - s) ** 2),
+            ["zhou-kadanoff"], context=LINEAR),
+        linear.needed("existence-size",      EXISTENCE, "1+r > 0, r = s²", 0 < 1 + s**2,
+            context=LINEAR),
+        linear.needed("existence-below",     EXISTENCE,
+            "4√r k/(1+r) is below 4√r/(1+r), as k < 1/2, s = √r",
+            4 * s * k / (1 + s**2) < 4 * s / (1 + s**2), context=LINEAR),
+        linear.needed(CITED,                 EXISTENCE,
+            "for -cos θ = 4√r k/(1+r) with k < 1/2, s = √r, theorem II of the classification "
+            "applies: no nearly-linear collapse has this final angle",
+            Applies("classification:final", {"final.s": s, "final.C": 4 * s * k / (1 + s**2)}),
             ["zhou-kadanoff"], context=LINEAR),
     )  # fmt: skip
 

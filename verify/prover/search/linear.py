@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import combinations, combinations_with_replacement
+from itertools import combinations, combinations_with_replacement, islice
 
 from flint import fmpq, fmpq_mpoly
 
@@ -45,18 +45,14 @@ def by_linear_sum(question: Question) -> Proof | None:
     return _solved(system, [system.goal, *system.facts], multiples)
 
 
-def by_products(question: Question) -> Proof | None:
-    """The same with products of two or three facts, with squares, and multiples of equations."""
+def by_products(question: Question, degree: int) -> Proof | None:
+    """The same with products of at most so many facts, squares, and multiples of equations."""
     system = System(question)
-    for degree in (2, 3):
-        columns = [*_columns(system, degree)]
-        multiples = [*_multiples(system, max(_degree(c.polynomial) for c in columns))]
-        if len(columns) + len(multiples) > MAX_COLUMNS:
-            return None
-        proof = _solved(system, columns, multiples)
-        if proof is not None:
-            return proof
-    return None
+    columns = [*islice(_columns(system, degree), MAX_COLUMNS + 1)]
+    multiples = [*_multiples(system, max(_degree(c.polynomial) for c in columns))]
+    if len(columns) + len(multiples) > MAX_COLUMNS:
+        return None
+    return _solved(system, columns, multiples)
 
 
 def find_ranges(question: Question) -> bool:
@@ -126,9 +122,9 @@ def _columns(system: System, degree: int) -> Iterator[Fact]:
     yield from single
     for chosen in combinations_with_replacement(single, 2):
         yield _product(system, chosen)
-    if degree > 2:
-        for triple in combinations_with_replacement(single, 3):
-            yield _product(system, triple)
+    for count in range(3, degree + 1):
+        for several in combinations_with_replacement(single, count):
+            yield _product(system, several)
     gens = system.context.gens()
     bases = [*gens, *(a - b for a, b in combinations(gens, 2))]
     bases += [a + b for a, b in combinations(gens, 2)]

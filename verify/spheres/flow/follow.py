@@ -40,11 +40,21 @@ COLLIDE, RECENTRE, DRIFT = "collide", "recentre", "drift"
 MAX_CUTS = 6
 #: Times that differ by such a share count as a tie in messages.
 SAME = 1e-9
+GRAZE = "may graze or miss"
 ZERO = balls.exact(Fraction(0))
 
 
+#: The names of what balls may leave open.
+NEAR_TIE, NEAR_TRIPLE, NEAR_GRAZING = "near-tie", "near-triple-contact", "near-grazing"
+UNCLEAR = "unclear"
+
+
 class UnclearError(ArithmeticError):
-    """What balls of this precision leave open, in words."""
+    """What balls of this precision leave open, in words, with a name."""
+
+    def __init__(self, words: str, name: str = UNCLEAR) -> None:
+        super().__init__(words)
+        self.name = name
 
 
 class Moment(Record):
@@ -74,6 +84,10 @@ class Flow:
         self.start: Coordinates = coordinates(scene, balls.exact)
         self.moves: list[Move] = []
         self.collisions: list[Move] = []
+        #: Why each pair does not collide any more, by its name, once that is certain.
+        self.apart: dict[str, str] = {}
+        #: Whether all spheres stay on one line, once that was asked for.
+        self.is_on_a_line: bool | None = None
 
     @property
     def now(self) -> Moment | None:
@@ -106,7 +120,8 @@ class Flow:
                     return True
                 meets.append((balls.as_float(way.y * way.T), name_of(moment.frame)))
         if not never:
-            raise UnclearError(_what_is_unclear(meets, unclear))
+            raise _what_is_unclear(meets, unclear)
+        self.apart = why_apart(self)
         return False
 
     def end_after(self, collisions: int) -> None:
@@ -163,15 +178,28 @@ def never_meets(pair: Pair) -> str | None:
     return PASSING if m > 0 and p * p < m * g else None
 
 
-def why_apart(flow: Flow) -> dict[str, str]:
-    """Why each pair does not collide any more, by its name."""
+def pairs_now(flow: Flow) -> dict[str, Pair]:
+    """The three pairs just after the last collision, or at the start, by their names."""
     if flow.now is None:
-        pairs = {pair_name(i, j): flow.start.pair(i, j) for i, j in PAIRS}
-    else:
-        (o, s, c), (own, spectator) = flow.now.frame, inner(flow.now.state)
-        names = (pair_name(o, c), pair_name(o, s), pair_name(s, c))
-        pairs = dict(zip(names, (own, spectator, outer(flow.now.state)), strict=True))
-    return {name: never_meets(pair) or "" for name, pair in pairs.items()}
+        return {pair_name(i, j): flow.start.pair(i, j) for i, j in PAIRS}
+    (o, s, c), (own, spectator) = flow.now.frame, inner(flow.now.state)
+    names = (pair_name(o, c), pair_name(o, s), pair_name(s, c))
+    return dict(zip(names, (own, spectator, outer(flow.now.state)), strict=True))
+
+
+def why_apart(flow: Flow) -> dict[str, str]:
+    """Why each pair does not collide any more, by its name.
+
+    Raises:
+        UnclearError: if balls of this precision do not show it of all three.
+    """
+    reasons = {}
+    for name, pair in pairs_now(flow).items():
+        reason = never_meets(pair)
+        if reason is None:
+            raise UnclearError(f"the spheres of {name} may approach or part")
+        reasons[name] = reason
+    return reasons
 
 
 def meeting(moment: Moment) -> Flight | str | None:
@@ -184,7 +212,7 @@ def meeting(moment: Moment) -> Flight | str | None:
         return f"the spheres of {name} may approach or part"
     reduced = 1 - state.A * (state.eps / state.lam / state.lam)
     if not reduced > 0:
-        return f"{name} may graze or miss"
+        return f"{name} {GRAZE}"
     if not state.eps >= 0:
         return f"{name} may be in contact"
     return flight(state, balls.any_root)
@@ -226,10 +254,13 @@ def is_free(drift: Move) -> bool:
     return bool(time > 0) and all(stays_apart(pair, time) for pair in pairs)
 
 
-def _what_is_unclear(meets: list[tuple[float, str]], unclear: list[str]) -> str:
+def _what_is_unclear(meets: list[tuple[float, str]], unclear: list[str]) -> UnclearError:
     first = min(meets, default=(0.0, ""))[0]
     names = [name for time, name in meets if time <= first * (1 + SAME)]
     if len(names) > 1:
-        return f"tie: {' and '.join(names)} meet at the same time, or too nearly so"
+        words = f"tie: {' and '.join(names)} meet at the same time, or too nearly so"
+        return UnclearError(words, NEAR_TIE)
     found = [f"triple contact: {name} meets, and another pair may touch then" for name in names]
-    return "; ".join([*found, *unclear])
+    grazes = any(words.endswith(GRAZE) for words in unclear)
+    name = NEAR_TRIPLE if found else NEAR_GRAZING if grazes else UNCLEAR
+    return UnclearError("; ".join([*found, *unclear]), name)

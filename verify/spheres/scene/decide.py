@@ -11,9 +11,16 @@ from verify.spheres.flow.collapse import Collapse, find_collapse, find_line_coll
 from verify.spheres.flow.criteria import Criterion, finitely_many
 from verify.spheres.flow.follow import Flow, UnclearError
 from verify.spheres.flow.line import LineRun, follow_line, is_on_a_line
+from verify.spheres.flow.sandwich import find_sandwich
+from verify.spheres.flow.together import GRAZING, TRIPLE, Event, what_happens
+from verify.spheres.flow.together import SAYS as EVENTS
 from verify.spheres.scene.scene import Scene
 
 COLLAPSES, DISPERSES, FINITE, UNDECIDED = "collapses", "disperses", "finite", "undecided"
+#: Names of reasons; a criterion and what balls leave open have theirs.
+APART, BUDGET, FOR_EVER = "apart", "budget", "for-ever"
+#: An exact answer, although it is no verdict.
+EXACT = (TRIPLE, GRAZING, FOR_EVER)
 FIRST_BITS, MAX_BITS = 128, 4096
 MAX_COLLISIONS = 1000
 #: No more digits of the collapse time can be asked for.
@@ -34,7 +41,10 @@ class Budget(Record):
 
 
 class Fate(Record):
-    """The verdict on a scene with its evidence: the flow, and what ends it."""
+    """The verdict on a scene with its evidence: the flow, and what ends it.
+
+    ``reason`` is for people; ``why`` is its name, where neither a collapse nor a criterion has one.
+    """
 
     verdict: str
     reason: str
@@ -42,6 +52,15 @@ class Fate(Record):
     collapse: Collapse | None = None
     criterion: Criterion | None = None
     line: LineRun | None = None
+    why: str = ""
+    event: Event | None = None
+
+    @property
+    def name(self) -> str:
+        """The name of what shows the verdict, or of why there is none."""
+        if self.collapse is not None:
+            return self.collapse.theorem
+        return self.why if self.criterion is None else self.criterion.name
 
     @property
     def collisions(self) -> int:
@@ -54,7 +73,7 @@ def decide_scene(scene: Scene, budget: Budget = Budget()) -> Fate:  # noqa: B008
     bits = max(budget.bits, 64 + 4 * (budget.digits or 0))
     while True:
         found = at_precision(scene, budget, bits)
-        if not (found.verdict == UNDECIDED or (found.collapse and found.reason)):
+        if not (found.verdict == UNDECIDED or (found.collapse and found.reason)) or found.event:
             return found
         spent = len(found.flow.collisions) >= budget.collisions or bits >= budget.max_bits
         line = on_a_line(found, budget)
@@ -72,14 +91,14 @@ def on_a_line(found: Fate, budget: Budget) -> Fate | None:
         return None
     if line.repeats:
         reason = "on this line collisions go on for ever, with one and the same ratio of speeds"
-        return found._replace(reason=reason)
+        return found._replace(reason=reason, why=FOR_EVER)
     if line.collisions <= found.collisions:
         return None
     if line.ends:
-        return Fate(DISPERSES, "no pair meets any more", found.flow, line=line)
+        return Fate(DISPERSES, "no pair meets any more", found.flow, line=line, why=APART)
     reason = f"budget: {budget.collisions} collisions were followed"
     verdict = UNDECIDED if criterion is None else FINITE
-    return Fate(verdict, reason, found.flow, None, criterion, line)
+    return Fate(verdict, reason, found.flow, None, criterion, line, BUDGET)
 
 
 def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
@@ -88,6 +107,7 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
         flow = Flow(scene, bits)
         known: Fate | None = None
         wait = found_at = 0
+        event: Event | None = None
         try:
             while True:
                 end = None
@@ -102,15 +122,24 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
                 if len(flow.collisions) >= budget.collisions:
                     break
                 if not flow.advance():
-                    return Fate(DISPERSES, "no pair meets any more", flow)
+                    return Fate(DISPERSES, "no pair meets any more", flow, why=APART)
                 wait -= 1
-            reason = f"budget: {budget.collisions} collisions were followed"
+            reason, why = f"budget: {budget.collisions} collisions were followed", BUDGET
             criterion = None if known else finitely_many(flow)
         except UnclearError as error:
-            reason, criterion = str(error), None
+            reason, why, criterion = str(error), error.name, None
+            event = None if known else what_happens(flow)
         if known is not None:
             return _at_last(known._replace(reason=reason), found_at, budget.digits)
-        return Fate(UNDECIDED if criterion is None else FINITE, reason, flow, None, criterion)
+        if event is not None:
+            return Fate(UNDECIDED, told_event(event), flow, why=event.name, event=event)
+        verdict = UNDECIDED if criterion is None else FINITE
+        return Fate(verdict, reason, flow, None, criterion, None, why)
+
+
+def told_event(event: Event) -> str:
+    """What happens exactly, in words."""
+    return EVENTS[event.name].format(*event.pairs)
 
 
 def find_end(flow: Flow) -> Collapse | None:
@@ -118,9 +147,12 @@ def find_end(flow: Flow) -> Collapse | None:
     now, r = flow.now, flow.scene.r
     if now is None:
         return None
-    if is_on_a_line(flow.scene):
+    if flow.is_on_a_line is None:
+        flow.is_on_a_line = is_on_a_line(flow.scene)
+    if flow.is_on_a_line:
         return find_line_collapse(r, now.state, now.time)
-    return find_collapse(r, now.state, now.time)
+    found = find_collapse(r, now.state, now.time)
+    return find_sandwich(r, now.state, now.time) if found is None else found
 
 
 def _at_last(known: Fate, found_at: int, digits: int | None) -> Fate:

@@ -4,6 +4,7 @@
     positions = [["0", "0"], ["1.1", "0"], ["-1.1", "0.01"]]
     velocities = [["0", "0"], ["-1", "0"], ["1", "0"]]
 
+With a line ``diameter = "0.02"`` lengths are those of the file; without it they are diameters.
 A number is a text or a TOML number; either is read as it is written, and no float is ever seen.
 """
 
@@ -18,8 +19,14 @@ from verify.spheres.scene.scene import PAIRS, Coordinates, Scene
 from verify.wire.inputs import InputError, rational, regular_file, shown
 
 KEYS = ("r", "positions", "velocities")
+#: The diameter of the particles in the file's own unit of length; 1 without it.
+DIAMETER = "diameter"
 MAX_DIMENSION = 20
 MAX_BYTES = 1 << 20
+
+
+class OverlapError(InputError):
+    """Two particles overlap."""
 
 
 def scene_bytes(where: str) -> bytes:
@@ -41,11 +48,22 @@ def read_scene(where: str, content: bytes) -> Scene:
     Raises:
         InputError: naming the file, the key, and what to write instead.
     """
-    table = _table(where, content)
-    r = _number(f"{where}: r", table["r"])
+    return scene_from(where, toml_table(where, content))
+
+
+def scene_from(where: str, table: dict[str, Any]) -> Scene:
+    """The scene that a table describes.
+
+    Raises:
+        InputError: naming the file, the key, and what to write instead.
+    """
+    r = number_in(f"{where}: r", table["r"])
     if not 0 < r < 1:
         raise InputError(f"{where}: r: {shown(str(r))} is not in ]0,1[; write for example 3/100")
-    scene = Scene(r, _rows(where, "positions", table), _rows(where, "velocities", table))
+    unit = _diameter(where, table)
+    scene = Scene(
+        r, _rows(where, "positions", table, unit), _rows(where, "velocities", table, unit)
+    )
     lengths = {len(row) for row in (*scene.positions, *scene.velocities)}
     if len(lengths) > 1 or not 1 <= scene.dimension <= MAX_DIMENSION:
         raise InputError(
@@ -61,7 +79,12 @@ def is_in_range(scene: Scene) -> bool:
     return 0 < scene.r < 1 and 1 <= scene.dimension <= MAX_DIMENSION
 
 
-def _table(where: str, content: bytes) -> dict[str, Any]:
+def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[str, Any]:
+    """The table in a file of a scene; it may have other keys besides those of a scene.
+
+    Raises:
+        InputError: naming the file, the key, and what to write instead.
+    """
     if len(content) > MAX_BYTES:
         raise InputError(f"{where}: has {len(content)} bytes; write at most {MAX_BYTES}")
     try:
@@ -70,24 +93,43 @@ def _table(where: str, content: bytes) -> dict[str, Any]:
         is_text = not isinstance(error, UnicodeDecodeError)
         why = " ".join(str(error).split()) if is_text else "it is not UTF-8"
         raise InputError(f"{where}: is no TOML file ({why}); write {', '.join(KEYS)}") from error
-    odd = sorted(table.keys() ^ {*KEYS})
+    if "parameters" in table and not more:
+        raise InputError(
+            f"{where}: is a family of scenes; add --sample N, or --at for one of them: --at NAME=A"
+        )
+    odd = sorted((table.keys() - {*more, DIAMETER}) ^ {*KEYS})
     if odd:
         kind = "is missing" if odd[0] in KEYS else "is not known"
         raise InputError(f"{where}: {shown(odd[0])} {kind}; write just {', '.join(KEYS)}")
     return table
 
 
-def _rows(where: str, key: str, table: dict[str, Any]) -> tuple[tuple[Fraction, ...], ...]:
+def _diameter(where: str, table: dict[str, Any]) -> Fraction:
+    given = table.get(DIAMETER, 1)
+    unit = number_in(f"{where}: {DIAMETER}", given)
+    if unit <= 0:
+        raise InputError(f"{where}: {DIAMETER}: {shown(str(given))} is not positive; write 0.02")
+    return unit
+
+
+def _rows(
+    where: str, key: str, table: dict[str, Any], unit: Fraction
+) -> tuple[tuple[Fraction, ...], ...]:
     rows = table[key]
     if not isinstance(rows, list) or len(rows) != 3 or not all(isinstance(x, list) for x in rows):
         raise InputError(f"{where}: {key}: write three lists of numbers, one for each particle")
     return tuple(
-        tuple(_number(f"{where}: {key} of particle {i}", value) for value in row)
+        tuple(number_in(f"{where}: {key} of particle {i}", value) / unit for value in row)
         for i, row in enumerate(rows)
     )
 
 
-def _number(where: str, value: Any) -> Fraction:
+def number_in(where: str, value: Any) -> Fraction:
+    """A number, exactly as it is written.
+
+    Raises:
+        InputError: for anything else.
+    """
     if isinstance(value, str):
         return rational(where, value)
     if type(value) is int:
@@ -101,7 +143,7 @@ def _apart(where: str, scene: Scene) -> None:
     for i, j in PAIRS:
         gap, _, _ = given.pair(i, j)
         if gap < 0:
-            raise InputError(
+            raise OverlapError(
                 f"{where}: the particles {i} and {j} overlap by about {_overlap(gap)}: their "
                 "distance has to be at least 1"
             )

@@ -7,39 +7,65 @@ from fractions import Fraction
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.prover.decimals import outward
-from verify.spheres.flow.collapse import Start, start_of
+from verify.prover.decimals import exact_number, outward
+from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, Start, start_of
 from verify.spheres.flow.follow import name_of
 from verify.spheres.flow.law import Number
 from verify.spheres.flow.theorem import NAME as FLOW
 from verify.spheres.scene.criteria import SAYS
-from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Fate
+from verify.spheres.scene.decide import COLLAPSES, DISPERSES, EXACT, FINITE, Fate
+from verify.spheres.scene.energy import energy_lost, normal_speeds
 from verify.spheres.scene.scene import Scene
-from verify.spheres.scene.telling import CLASSIFICATION, ON_A_LINE, SHARPER
+from verify.spheres.scene.telling import CLASSIFICATION
+
+#: How the theorems on collapses are called.
+WORDS = {
+    LINE: "theorem on a line",
+    SHARPER: "sharper theorem",
+    SANDWICH: "sandwich theorem",
+}
 
 
 class Told(Record):
-    """What is told of a scene; ``time`` and ``angle`` enclose those of a collapse."""
+    """What is told of a scene; ``time`` and ``angle`` enclose those of a collapse.
+
+    ``reason`` is a name, and ``says`` tells it; ``event`` encloses the time of what is known to
+    happen although it is no verdict; ``energy`` encloses what all collisions take.
+    """
 
     scene: Scene
     bits: int
     verdict: str
     reason: str
+    says: str
+    is_exact: bool
     theorems: Sequence[str]
     central: int | None
     collisions: int
     pairs: Sequence[str]
     time: tuple[Fraction, Fraction] | None
     angle: tuple[Fraction, Fraction] | None
+    event: tuple[Fraction, Fraction] | None
+    energy: tuple[Fraction, Fraction]
+    impacts: Sequence[Impact]
     lines: Sequence[str]
 
 
+class Impact(Record):
+    """A collision: its pair, and between what its time and the normal speed before it lie."""
+
+    pair: str
+    time: tuple[Fraction, Fraction]
+    speed: tuple[Fraction, Fraction]
+
+
 class Step(Record):
-    """A collision: its pair, which two they are (o and c), its time, and the state after it."""
+    """A collision: its pair (o and c), its time, the normal speed before, the state after it."""
 
     pair: str
     hit: tuple[int, int]
     time: Number
+    speed: Number
     after: Start
 
 
@@ -50,13 +76,18 @@ def told(found: Fate) -> Told:
         found.flow.scene,
         found.flow.bits,
         found.verdict,
+        found.name,
         reason(found),
+        found.why in EXACT,
         theorems(found),
         central(found),
         found.collisions,
         pairs_of(found),
         time_ends(found),
         None if end is None else end.angle,
+        event_ends(found),
+        energy_lost(found),
+        list(impacts(found)),
         list(scene_lines(found)),
     )
 
@@ -64,10 +95,19 @@ def told(found: Fate) -> Told:
 def steps(found: Fate) -> Iterator[Step]:
     """The collisions that were followed."""
     with balls.precision(found.flow.bits):
-        for move in found.flow.collisions:
+        speeds = normal_speeds(found)
+        for move, speed in zip(found.flow.collisions, speeds, strict=True):
             o, _, c = move.before.frame
             pair, after = name_of(move.before.frame), start_of(move.after.state)
-            yield Step(pair, (o, c), move.after.time, after)
+            yield Step(pair, (o, c), move.after.time, speed, after)
+
+
+def impacts(found: Fate) -> Iterator[Impact]:
+    """The collisions that were followed, in decimals."""
+    bits, speeds = found.flow.bits, normal_speeds(found)
+    for move, speed in zip(found.flow.collisions, speeds, strict=True):
+        time = ball_ends(move.after.time, bits)
+        yield Impact(name_of(move.before.frame), time, ball_ends(speed, bits))
 
 
 def pairs_of(found: Fate) -> list[str]:
@@ -95,10 +135,15 @@ def time_ends(found: Fate) -> tuple[Fraction, Fraction] | None:
     return low[0], high[1]
 
 
+def event_ends(found: Fate) -> tuple[Fraction, Fraction] | None:
+    """The enclosure of the time of what happens exactly."""
+    return None if found.event is None else ball_ends(found.event.time, found.flow.bits)
+
+
 def reason(found: Fate) -> str:
     """What shows the verdict, or why there is none."""
     if found.verdict == COLLAPSES:
-        which = "theorem on a line" if _is_on_a_line(found) else "sharper theorem"
+        which = WORDS[found.name]
         holds = f"the conditions of the {which} hold after the last collision"
         return f"{holds}; not as tight as asked for: {found.reason}" if found.reason else holds
     if found.criterion is not None:
@@ -108,13 +153,8 @@ def reason(found: Fate) -> str:
 
 def theorems(found: Fate) -> list[str]:
     """The names of the theorems on which a verdict rests; none without a verdict."""
-    shown_by = ON_A_LINE if _is_on_a_line(found) else SHARPER
-    last = {COLLAPSES: [shown_by], FINITE: [CLASSIFICATION], DISPERSES: []}
+    last = {COLLAPSES: [found.name], FINITE: [CLASSIFICATION], DISPERSES: []}
     return [FLOW, *last[found.verdict]] if found.verdict in last else []
-
-
-def _is_on_a_line(found: Fate) -> bool:
-    return found.collapse is not None and found.collapse.is_on_a_line
 
 
 def scene_lines(found: Fate) -> Iterator[str]:
@@ -143,7 +183,16 @@ def scene_lines(found: Fate) -> Iterator[str]:
             else "disperses: no two ever collide"
         )
     else:
-        yield f"undecided: {found.reason}; certain: {count} collision{'' if count == 1 else 's'}"
+        when = event_ends(found)
+        at = "" if when is None else f", at the time {both(when)}"
+        certain = f"certain: {count} collision{'' if count == 1 else 's'}"
+        yield f"undecided: {found.reason}{at}; {certain}"
+
+
+def both(ends: tuple[Fraction, Fraction]) -> str:
+    """A number that is known exactly as it is, and else between what it lies."""
+    low, high = ends
+    return exact_number(low) if low == high else "in [{}, {}]".format(*shown_ends(ends))
 
 
 def shown_ends(ends: tuple[Fraction, Fraction]) -> list[str]:

@@ -25,6 +25,7 @@ from verify.prover.outcome import Decision, Outcome
 from verify.views.tex.formulas import Formulas, safe_letter
 from verify.views.tex.sentences import name, tex_number, words
 from verify.views.words import (
+    fair,
     given_by,
     headline,
     in_letters,
@@ -157,7 +158,8 @@ class _Part:
     def _row(self, row: Obligation, found: Decision) -> Iterator[str]:
         role = "as printed, " if row.role == PRINTED else ""
         where = f" {tex_label(row.label, self.paper)}" if row.label else ""
-        yield rf"\par\medskip\textbf{{{name(row.name)}}}{where}: {role}\textbf{{{found.verdict}}}"
+        verdict = fair(self.outcome, row, found)
+        yield rf"\par\medskip\textbf{{{name(row.name)}}}{where}: {role}\textbf{{{verdict}}}"
         if row.says:
             yield rf"\says{{{words(in_letters(row.says))}}}"
         claim = self._claim(row.claim)
@@ -170,7 +172,7 @@ class _Part:
         if row.uses:
             notes.append(f"with {', '.join(map(words, row.uses))}")
         if found.verdict == REFUTED:
-            notes += [words(row.severity)] if row.severity else []
+            notes += [words(row.severity)] if row.severity and verdict == REFUTED else []
             notes += [f"corrected by {name(row.corrected_by)}"] if row.corrected_by else []
         if notes:
             yield rf"\says{{{'; '.join(notes)}}}"

@@ -6,13 +6,7 @@ from collections.abc import Mapping
 
 from verify.language.record import Record
 from verify.language.statement import Statement
-
-
-class Hint(Record):
-    """Where the search is to look for the proof of a row: the ways, and the facts."""
-
-    by: tuple[str, ...] = ()
-    using: tuple[str, ...] = ()
+from verify.prover.hint import Hint
 
 
 class Page(Record):

@@ -40,10 +40,11 @@ from verify.language.statement import (
     Variable,
 )
 from verify.language.terms import Claim, Term, names_of
+from verify.prover.hint import Hint
 from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.text.infix import Names, read_claims, read_term
-from verify.wire.text.letters import letter_of
-from verify.wire.text.page import Hint, Page
+from verify.wire.text.letters import letter_of, name_of
+from verify.wire.text.page import Page
 from verify.wire.text.points import a_point, estimate
 
 #: What may stand in a page, and in its tables.
@@ -79,7 +80,9 @@ def read_page(path: str, content: bytes, cited: Sequence[Cite] = ()) -> Page:
         raise InputError(f"{path}: is not UTF-8; save it as UTF-8") from error
     except (ValueError, RecursionError) as error:
         why = " ".join(str(error).split())
-        raise InputError(f"{path}: is no TOML file ({why}); formulas stand in quotes") from error
+        raise InputError(
+            f"{path}: is no TOML file ({why}); write formulas and Greek names in quotes"
+        ) from error
     return _Reader(Places(path, text), cited).page(table)
 
 
@@ -345,7 +348,6 @@ class _Reader:
     def _assumptions(self, value: object) -> None:
         for name, entry in self.table(["assumptions"], value).items():
             keys = ["assumptions", name]
-            self.name(keys, name)
             item = entry if isinstance(entry, dict) else {"sentence": entry}
             self.table(keys, item, ASSUMPTION)
             found = {key: self.text([*keys, key], text, "a sentence") for key, text in item.items()}
@@ -367,8 +369,8 @@ class _Reader:
 
     def _constants(self, keys: Sequence[str], value: object, home: str | None) -> list[Constant]:
         found = []
-        for written, entry in self.table(keys, value).items():
-            place = [*keys, written]
+        for key, entry in self.table(keys, value).items():
+            place, written = [*keys, key], name_of(key)
             item = entry if isinstance(entry, dict) else {"value": entry}
             self.table(place, item, CONSTANT)
             if "value" not in item:
@@ -450,8 +452,9 @@ class _Reader:
         names = () if isinstance(entry, dict) else self.texts(place, entry)
         items = entry if isinstance(entry, dict) else {name: {} for name in names}
         found = {}
-        for written, item in items.items():
-            self.table([*place, written], item, VARIABLE)
+        for key, item in items.items():
+            written = name_of(key)
+            self.table([*place, key], item, VARIABLE)
             name = self._new([*place, written], written, home)
             found[written] = Variable(name, *self._letters([*place, written], item, written))
             self.scope.add(written, name, home)
@@ -559,9 +562,22 @@ class _Reader:
         for new, claim in zip(_numbered(name, len(claims)), claims, strict=True):
             self.name(keys, new)
             self.rows[new] = Obligation(name=new, claim=claim, context=home, **fields)
-            hint = Hint(*(self.texts([*keys, k], table.get(k, [])) for k in ("by", "using")))
-            if hint != Hint():
-                self.hints[new] = hint
+            self._hint(keys, new, table)
+
+    def _hint(self, keys: Sequence[str], row: str, table: Mapping[str, Any]) -> None:
+        by = self.texts([*keys, "by"], table.get("by", []))
+        using = None if "using" not in table else self.texts([*keys, "using"], table["using"])
+        if by:
+            from verify.prover.techniques import TECHNIQUES  # loaded only where it is used
+
+            for word in by:
+                if not any(word in name for name in TECHNIQUES):
+                    instead = nearest(word, TECHNIQUES, f"write words of {', '.join(TECHNIQUES)}")
+                    raise self.places.error(
+                        [*keys, "by"], f"{shown(word)} is no technique; {instead}"
+                    )
+        if by or using is not None:
+            self.hints[row] = Hint(by, using)
 
     def _compared(
         self, keys: Sequence[str], value: object, home: str | None
@@ -638,13 +654,15 @@ class _Reader:
         }
 
     def _known_rows(self) -> None:
-        """Afterwards the hints name rows, givens or constants that there are."""
+        """Afterwards the hints name earlier rows."""
+        rows = list(self.rows)
         for row, hint in self.hints.items():
-            for name in hint.using:
-                if name not in self.taken or name == row:
-                    instead = nearest(name, self.taken, "write the name of a row")
+            earlier = rows[: rows.index(row)]
+            for name in hint.using or ():
+                if name not in earlier:
+                    instead = nearest(name, earlier, "write names of rows before it")
                     raise self.places.error(
-                        ["rows", row, "using"], f"{shown(name)} is no fact; {instead}"
+                        ["rows", row, "using"], f"{shown(name)} is no earlier row; {instead}"
                     )
 
 

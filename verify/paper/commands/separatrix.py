@@ -1,0 +1,346 @@
+"""The jobs `separatrix`: the theorem for all parameters, and f at one q as a certificate.
+
+A point's certificate follows two orbits: that of (q, least), rounded up at each step until it lies
+in a trap, and that of (q, most), rounded down until it ends. Each step is a row, which says that
+what the theorem knows of such a step applies.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from fractions import Fraction
+from functools import cache
+from math import isqrt
+
+from verify.language.errors import OwnError
+from verify.language.record import Record
+from verify.language.statement import (
+    NEEDED,
+    PROVED,
+    Applies,
+    Assumption,
+    Cite,
+    Constant,
+    Obligation,
+    Statement,
+)
+from verify.language.terms import Claim, Number, Term, as_term, symbol
+from verify.paper.letters import Letters
+from verify.paper.separatrix import growth, order, trap
+from verify.paper.separatrix.model import LABEL, THRESHOLD
+from verify.paper.separatrix.theorem import NAME, separatrix
+from verify.prover.arguments import write_down
+from verify.prover.decimals import exact_number, round_decimal
+from verify.prover.ground import Ground
+from verify.prover.outcome import Decision, Outcome
+from verify.prover.rules import Applying, Interval
+from verify.prover.session import Session
+from verify.spheres.limit_map import Parameters, Trap, beyond, find_trap, has_separatrix
+from verify.spheres.separatrix import Separatrix
+from verify.spheres.separatrix import decide_separatrix as enclose
+from verify.wire.judge import judged
+from verify.wire.write import write
+
+POINT = "separatrix-point"
+GLUE = "glue-point"
+#: The parameters of a point; the last two bound f(q).
+NAMES = ("r", "c", "ratio", "q", "least", "most")
+#: Digits of the numbers along an orbit, beyond those of f, and how often they are doubled.
+MORE_DIGITS, DOUBLINGS = 8, 5
+#: The numbers in a step are multiplied; so many times their bits evaluate it without loss.
+FACTORS = 48
+#: The committed point.
+STORED = Parameters(Fraction(3, 100), Fraction(1), Fraction(1)), Fraction(1, 10)
+STORED_DIGITS, STORED_STEPS = 12, 10**6
+#: An orbit with more rows is too much for the checker.
+MAX_ROWS = 1500
+
+Step = tuple[Fraction, Fraction, Fraction, Fraction, Fraction]
+
+
+@cache
+def decide_separatrix() -> Outcome:
+    """The theorem on the limit map, each line with the proof that its reason describes."""
+    return judged(write_down(separatrix()))
+
+
+class PointParameters(Record):
+    """f(q) for these r, -cos, ratio and q, all exact, and what is claimed: least ≤ f(q) ≤ most."""
+
+    of: Parameters
+    q: Fraction
+    least: Fraction
+    most: Fraction
+
+    @property
+    def values(self) -> dict[str, Fraction]:
+        """By their names in the statement."""
+        return dict(zip(NAMES, (*self.of, *self[1:]), strict=True))
+
+
+def read_point(parameters: Mapping[str, Term]) -> PointParameters | None:
+    """The point whose parameters these are; None if they are those of no point."""
+    if {*parameters} != {*NAMES} or any(t.op != "rational" for t in parameters.values()):
+        return None
+    r, c, ratio, *rest = (parameters[name].value for name in NAMES)
+    if not (0 < r < 1 and 0 < c <= 1 and ratio > 0 and rest[0] >= 0):
+        return None
+    return PointParameters(Parameters(r, c, ratio), *rest)
+
+
+def point_of(found: Separatrix) -> PointParameters | None:
+    """What is to be certified of f at the q that was asked for; None if that is not decided."""
+    if found.at is None or found.verdict != PROVED:
+        return None
+    low, high = next(((s.low, s.high) for s in found.strips), (Fraction(0), Fraction(0)))
+    down, up = (_short(end, found.digits, upwards) for end, upwards in ((low, False), (high, True)))
+    return PointParameters(found.parameters, found.at, down, up)
+
+
+def _short(value: Fraction, digits: int, up: bool) -> Fraction:
+    mantissa, exponent = round_decimal(value, digits + 2, up=up)
+    return mantissa * Fraction(10) ** exponent
+
+
+# --- orbits in rational numbers -------------------------------------------------------------------
+
+
+class Orbit:
+    """An orbit of the map in short rational numbers, each image rounded up, or each down."""
+
+    def __init__(self, of: Parameters, digits: int, up: bool) -> None:
+        self.r, self.a, self.ratios = of.r, of.a, (of.ratio, 1 / of.ratio)
+        self.digits, self.up = digits, up
+
+    def steps(self, q: Fraction, u: Fraction) -> Iterator[Step]:
+        """rho, q, u and the next q and u, as long as there is a next collision."""
+        parity = 0
+        while (image := self.image(self.ratios[parity], q, u)) is not None:
+            yield (self.ratios[parity], q, u, *image)
+            (q, u), parity = image, 1 - parity
+
+    def image(self, rho: Fraction, q: Fraction, u: Fraction) -> tuple[Fraction, Fraction] | None:
+        """The next state, rounded; None if there is none, or none below u = 1."""
+        p = self.a * (1 - u) - q - rho * u
+        top = rho * u * (2 * q + rho * u)
+        if p <= 0 or top >= p * p:
+            return None
+        x, v = self.rounded(self.r * (1 - u) / p), self._root(top / (p * p))
+        return (x, v) if v < 1 else None
+
+    def _root(self, h: Fraction) -> Fraction:
+        """The v with v(2-v) = h, rounded."""
+        size = 10 ** (self.digits + 4)
+        small = isqrt(int((1 - h) * size * size))
+        root = Fraction(small + (not self.up), size)
+        return self.rounded(h / (1 + root))
+
+    def rounded(self, value: Fraction) -> Fraction:
+        """A decimal with the digits of the orbit."""
+        mantissa, exponent = round_decimal(value, self.digits, up=self.up)
+        return mantissa * Fraction(10) ** exponent
+
+
+class TooLongError(ValueError):
+    """The orbits have more steps than a certificate holds, or no digits sufficed."""
+
+
+def _upward(point: PointParameters, digits: int) -> tuple[list[Step], Trap] | None:
+    """The steps from (q, least) into a trap; None if these digits do not suffice."""
+    trap = find_trap(point.of)
+    highest = trap.u, point.of.ratio * trap.u
+    state = point.q, point.least
+    found: list[Step] = []
+    for step in Orbit(point.of, digits, up=True).steps(*state):
+        if state[0] <= trap.q and state[1] <= highest[len(found) % 2]:
+            return found, trap
+        found.append(step)
+        state = step[3:]
+        if len(found) > MAX_ROWS:
+            raise TooLongError
+    return None
+
+
+def _downward(point: PointParameters, digits: int) -> list[Step] | None:
+    """The steps from (q, most) to a state after which there is no collision; None as before."""
+    state = point.q, point.most
+    found: list[Step] = []
+    trap = find_trap(point.of)
+    lowest = trap.u * min(Fraction(1), point.of.ratio)
+    for step in Orbit(point.of, digits, up=False).steps(*state):
+        if state[0] <= trap.q and state[1] <= lowest:
+            return None
+        found.append(step)
+        state = step[3:]
+        if len(found) > MAX_ROWS:
+            raise TooLongError
+    return found
+
+
+# --- the statement --------------------------------------------------------------------------------
+
+POINT_GLUE = Assumption(GLUE, LABEL,
+    "The limit map is that of the theorem that is cited, with a = (1+r)/2 c and σ = 1/ρ; c is -cos "
+    "θ. The second state of each row is the first one of the next row. By the rows of its context "
+    "below, the orbit of (q, least) lies below the states in "
+    "below-1, below-2, …, one after the other, and then in the boxes of below-trap: by "
+    "trapped-always its collisions never end, so least ≤ f(q). Let u ≥ most: as long as the "
+    "collisions of (q, u) go on, its orbit lies above the states in above-1, above-2, …, by the "
+    "rows of above, and after the last one there is no collision, by above-end. So f(q) ≤ most. "
+    "With beyond or flat in their place, f(q) = 0 by glue-none.", "numbered glue")  # fmt: skip
+
+
+def decide_value(point: PointParameters) -> Outcome:
+    """The claim about f(q) as a statement with its certificate; the checker has judged it.
+
+    Raises:
+        TooLongError: if its orbits are too long for the checker.
+    """
+    return judged(point_outcome(point))
+
+
+@cache
+def decide_stored() -> Outcome:
+    """The committed point, to twelve digits."""
+    found = point_of(enclose(*STORED, STORED_DIGITS, STORED_STEPS))
+    if found is None:
+        raise OwnError("the committed point of the separatrix is not decided")
+    return decide_value(found)
+
+
+def outcomes_at(point: PointParameters) -> Iterator[Outcome]:
+    """The statement with these parameters, if there is one."""
+    with suppress(TooLongError):
+        yield point_outcome(point)
+
+
+def point_outcome(point: PointParameters) -> Outcome:
+    """The same, judged by nobody."""
+    rows, digits = _rows(point)
+    parameters = {name: as_term(value) for name, value in point.values.items()}
+    given = [Constant(name, name, name, "", x) for name, x in parameters.items()]
+    constants = _constants()
+    statement = Statement(
+        POINT, _title(point), parameters, constants, (), tuple(rows), (POINT_GLUE,), (_cited(),)
+    )
+    session = Session()
+    ground = Ground(session)
+    names = [constant.name for constant in (*given, *constants)]
+    for constant in (*given, *constants):
+        ground.define(constant)
+    decisions = {}
+    for row in rows:
+        if isinstance(row.claim, Claim):
+            decisions[row.name] = ground.decide(row)._replace(judged=None)
+            continue
+        proof = Applying((Interval(FACTORS * digits),) * _givens()[row.claim.context])
+        session.prove_row(row, proof)
+        decisions[row.name] = Decision(PROVED, proof)
+    found = {name: ground.enclose(ground.definitions[name]) for name in names}
+    enclosures = {name: ends for name, ends in found.items() if ends is not None}
+    return Outcome(statement, decisions, tuple(session.steps), enclosures)
+
+
+def _constants() -> tuple[Constant, ...]:
+    r, c, ratio = map(symbol, NAMES[:3])
+    return (
+        Constant("a", "a", "a", LABEL, (1 + r) * c / 2),
+        Constant("sigma", "σ", r"\sigma", LABEL, 1 / ratio),
+    )
+
+
+def _title(point: PointParameters) -> str:
+    r, c, ratio, q, least, most = (
+        exact_number(x, max(12, len(str(x.numerator * x.denominator))))
+        for x in point.values.values()
+    )
+    where = f"at r = {r}, -cos θ = {c}, ratio {ratio}"
+    if not point.most:
+        return f"The separatrix of the limit map {where}: f({q}) = 0"
+    return f"The separatrix of the limit map {where}: f({q}) lies between {least} and {most}"
+
+
+@cache
+def _cited() -> Cite:
+    outcome = decide_separatrix()
+    files = write(outcome)
+    content, certificate = files["statement.json"], files["certificate.json"]
+    return Cite(NAME, NAME, content, (), outcome.assumptions, certificate)
+
+
+@cache
+def _givens() -> dict[str, int]:
+    """How many givens each context has that is applied."""
+    return {f"{NAME}:{c.name}": len(c.givens) for c in separatrix().statement.contexts}
+
+
+def _rows(point: PointParameters) -> tuple[list[Obligation], int]:
+    """The rows, and the digits of the numbers in them."""
+    exists, at_zero = has_separatrix(point.of), point.least == point.most == 0
+    if not exists and at_zero:
+        r, a = symbol("r"), symbol("a")
+        claim = a**3 - 3 * r * a <= r * (1 + r)
+        says = "a ≤ s + s², where s³ = r: no orbit goes on for ever"
+        return [_row("flat", says, claim, THRESHOLD)], 1
+    if at_zero and beyond(point.of, point.q):
+        at = growth.beyond.at(r=symbol("r"), a=symbol("a"), F=symbol("q"))
+        says = "q ≥ φ⁺: no orbit from there goes on for ever"
+        digits = sum(len(str(x)) for x in point.values.values())
+        return [_row("beyond", says, Applies(f"{NAME}:{growth.beyond.context}", at))], digits
+    return _orbit_rows(point)
+
+
+def _orbit_rows(point: PointParameters) -> tuple[list[Obligation], int]:
+    digits = MORE_DIGITS + max(len(str(x.numerator)) for x in (point.least, point.most))
+    for _ in range(DOUBLINGS):
+        low, high = _upward(point, digits), _downward(point, digits)
+        if low is not None and high is not None:
+            rows = [*_below(point, *low), *_above(point, high)]
+            longest = max(len(str(x)) for x in (*point.values.values(), low[1].u, low[1].q))
+            return rows, longest + digits
+        digits *= 2
+    raise TooLongError
+
+
+def _below(point: PointParameters, steps: list[Step], box: Trap) -> Iterator[Obligation]:
+    state: tuple[Number, ...] = symbol("q"), symbol("least")
+    for number, step in enumerate(steps, 1):
+        says = f"the state after {number} collisions of (q, least) lies below the second one"
+        at = dict(zip("QUXV", (*state, *step[3:]), strict=True))
+        yield _applied(f"below-{number}", says, order.up, number - 1, at)
+        state = step[3:]
+    widths = box.u, point.of.ratio * box.u
+    U, W = widths if len(steps) % 2 == 0 else widths[::-1]
+    at = {"Q": box.q, "U": U, "W": W, "q": state[0], "u": state[1]}
+    says = "then it lies in two boxes that the map exchanges"
+    yield _applied("below-trap", says, trap.trap, len(steps), at)
+
+
+def _above(point: PointParameters, steps: list[Step]) -> Iterator[Obligation]:
+    state: tuple[Number, ...] = symbol("q"), symbol("most")
+    for number, step in enumerate(steps, 1):
+        says = f"the state after {number} collisions of (q, u), u ≥ most, lies above the second one"
+        at = dict(zip("QUXV", (*state, *step[3:]), strict=True))
+        yield _applied(f"above-{number}", says, order.down, number - 1, at)
+        state = step[3:]
+    rho = point.of.ratio if len(steps) % 2 == 0 else 1 / point.of.ratio
+    q, u = steps[-1][3:] if steps else (point.q, point.most)
+    ends = order.parted if point.of.a * (1 - u) - q - rho * u <= 0 else order.missed
+    says = "and after that there is no collision"
+    yield _applied("above-end", says, ends, len(steps), dict(zip("QU", state, strict=True)))
+
+
+def _applied(
+    name: str, says: str, context: Letters, number: int, at: Mapping[str, Number]
+) -> Obligation:
+    """The row that a context applies after so many collisions, to r, a, the ratio and numbers."""
+    ratios = (symbol("ratio"), symbol("sigma"))
+    known = {"r": symbol("r"), "a": symbol("a"), "rho": ratios[number % 2]}
+    if "sigma" in context.letters:
+        known["sigma"] = ratios[1 - number % 2]
+    return _row(name, says, Applies(f"{NAME}:{context.context}", context.at(**known, **at)))
+
+
+def _row(name: str, says: str, claim: Claim | Applies, label: str = LABEL) -> Obligation:
+    return Obligation(name, POINT, label, NEEDED, says, claim, (GLUE,))

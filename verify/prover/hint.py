@@ -1,0 +1,20 @@
+"""Where the author of a row lets the search look: hints restrict it, and prove nothing."""
+
+from __future__ import annotations
+
+from verify.language.record import Record
+
+
+class Hint(Record):
+    """The only techniques that are tried on a row, and the only earlier rows that it may use.
+
+    ``by`` has words of the names of techniques, of which one is enough; none restricts nothing, and
+    neither does None for ``using``.
+    """
+
+    by: tuple[str, ...] = ()
+    using: tuple[str, ...] | None = None
+
+    def admits(self, technique: str) -> bool:
+        """Whether a technique of this name may be tried."""
+        return not self.by or any(word in technique for word in self.by)

@@ -1,0 +1,181 @@
+"""Families of scenes: a scene file with named parameters, each in an interval.
+
+    r = "0.01..0.08"
+    positions = [["0", "0"], ["1.1", "0"], ["-1.1", "h"]]
+    velocities = [["0", "0"], ["-1", "0"], ["1", "v/2 - h"]]
+
+    [parameters]
+    h = "0..0.1"
+    v = "-1..1"
+
+A number may be a term: + - * / and whole powers of numbers and parameters, with parentheses. All
+is exact. An interval for r makes it a parameter. A scene without parameters is a family of one.
+"""
+
+from __future__ import annotations
+
+import ast
+import operator
+import re
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any
+
+from verify.language.record import Record
+from verify.spheres.scene.scene import Scene
+from verify.spheres.scene.scene_files import DIAMETER, KEYS, number_in, scene_from, toml_table
+from verify.wire.inputs import InputError, rational, shown
+
+PARAMETERS = "parameters"
+MAX_PARAMETERS, MAX_LETTERS, MAX_POWER, MAX_BITS = 20, 500, 20, 10_000
+Side = tuple[Fraction, Fraction]
+_OPERATIONS: dict[type, Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+}
+
+
+class Family(Record):
+    """Parameters with their intervals, and what the numbers of a scene are in terms of them."""
+
+    where: str
+    sides: Mapping[str, Side]
+    table: Mapping[str, Any]
+
+    def at(self, values: Mapping[str, Fraction]) -> Scene:
+        """The scene at a point.
+
+        Raises:
+            InputError: if it is none: particles overlap, say, or a term divides by 0.
+        """
+        if not self.sides:
+            return scene_from(self.where, dict(self.table))
+        return scene_from(self.where, _replaced(self.where, self.table, values))
+
+
+def read_family(where: str, content: bytes) -> Family:
+    """The family in a file.
+
+    Raises:
+        InputError: naming the file, the key, and what to write instead.
+    """
+    table = toml_table(where, content, more=(PARAMETERS,))
+    given = table.pop(PARAMETERS, {})
+    if not isinstance(given, dict):
+        raise InputError(f'{where}: {PARAMETERS}: write a table such as v = "0..1"')
+    sides = {name: _side(where, name, text) for name, text in given.items()}
+    if isinstance(table["r"], str) and ".." in table["r"]:
+        if "r" in sides:
+            raise InputError(f"{where}: r: has an interval twice; write it once")
+        sides["r"] = _side(where, "r", table["r"])
+        table["r"] = "r"
+    if len(sides) > MAX_PARAMETERS:
+        raise InputError(f"{where}: has {len(sides)} parameters; write at most {MAX_PARAMETERS}")
+    family = Family(where, dict(sorted(sides.items())), table)
+    _used(family)
+    return family
+
+
+def _side(where: str, name: str, text: object) -> Side:
+    place = f"{where}: {name}"
+    if not re.fullmatch("[A-Za-z][A-Za-z0-9_]{0,30}", name):
+        raise InputError(f"{where}: {shown(name)} is no name; write letters and digits")
+    words = text.split("..") if isinstance(text, str) else []
+    if len(words) != 2:
+        raise InputError(f'{place}: {shown(str(text))} is no interval; write it like "0..0.1"')
+    low, high = (rational(place, word) for word in words)
+    if not low < high:
+        raise InputError(f"{place}: {shown(str(text))} is not A < B; write such an interval")
+    return low, high
+
+
+def _used(family: Family) -> None:
+    """Afterwards each parameter occurs in some term."""
+    texts = " ".join(str(family.table.get(key)) for key in (*KEYS, DIAMETER))
+    names = {*re.findall(r"[A-Za-z]\w*", texts)}
+    unused = sorted(family.sides.keys() - names)
+    if unused:
+        raise InputError(
+            f"{family.where}: the parameter {unused[0]} does not occur in r, positions or "
+            "velocities; use it, or leave it out"
+        )
+
+
+def _replaced(
+    where: str, table: Mapping[str, Any], values: Mapping[str, Fraction]
+) -> dict[str, Any]:
+    """The table with numbers for terms."""
+
+    def rows(key: str) -> Any:
+        given = table[key]
+        if not isinstance(given, list) or not all(isinstance(row, list) for row in given):
+            return given
+        return [
+            [_value(f"{where}: {key} of particle {i}", cell, values) for cell in row]
+            for i, row in enumerate(given)
+        ]
+
+    found = {key: rows(key) for key in ("positions", "velocities")}
+    if DIAMETER in table:
+        found[DIAMETER] = _value(f"{where}: {DIAMETER}", table[DIAMETER], values)
+    return {"r": _value(f"{where}: r", table["r"], values), **found}
+
+
+def _value(where: str, cell: Any, values: Mapping[str, Fraction]) -> str:
+    if not isinstance(cell, str) or re.fullmatch("[-+0-9.eE/]*", cell):
+        return str(number_in(where, cell))
+    if len(cell) > MAX_LETTERS:
+        raise InputError(f"{where}: the term has {len(cell)} letters; write at most {MAX_LETTERS}")
+    try:
+        tree = ast.parse(cell.strip(), mode="eval").body
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+        raise InputError(f"{where}: {shown(cell)} is no term; write one like 1 + 2*v") from error
+    return str(_of(_Place(where, cell.strip(), values), tree))
+
+
+class _Place(Record):
+    where: str
+    text: str
+    values: Mapping[str, Fraction]
+
+
+def _of(place: _Place, node: ast.expr) -> Fraction:
+    """The value of a term; each number in it is read as it is written."""
+    if isinstance(node, ast.Constant):
+        return rational(place.where, ast.get_source_segment(place.text, node) or "")
+    if isinstance(node, ast.Name) and node.id in place.values:
+        return place.values[node.id]
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        return -_of(place, node.operand)
+    if isinstance(node, ast.BinOp) and type(node.op) in _OPERATIONS:
+        sides = _of(place, node.left), _of(place, node.right)
+        try:
+            return Fraction(_OPERATIONS[type(node.op)](*sides))
+        except ZeroDivisionError as error:
+            raise InputError(
+                f"{place.where}: {shown(place.text)} divides by zero; choose other intervals"
+            ) from error
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
+        base, exponent = _of(place, node.left), _power(place, node.right)
+        if exponent * (base.numerator.bit_length() + base.denominator.bit_length()) > MAX_BITS:
+            raise InputError(
+                f"{place.where}: {shown(place.text)} is too long; write a shorter term"
+            )
+        return base**exponent
+    part = ast.get_source_segment(place.text, node) or place.text
+    known = ", ".join(place.values) or "none"
+    raise InputError(
+        f"{place.where}: {shown(part)} is no term; write + - * / ** of numbers and of the "
+        f"parameters ({known})"
+    )
+
+
+def _power(place: _Place, node: ast.expr) -> int:
+    exponent = node.value if isinstance(node, ast.Constant) else None
+    if type(exponent) is not int or not 0 <= exponent <= MAX_POWER:
+        raise InputError(
+            f"{place.where}: {shown(place.text)}: write a whole power from 0 to {MAX_POWER}"
+        )
+    return exponent

@@ -1,0 +1,115 @@
+"""The separatrix in the plane of the paper's φ₁ and φ₂: with its certified strip, or for several r.
+
+Between two values of q that were decided, all states below the value at the right one collapse, and
+all above the value at the left one end: corners of rectangles, as f decreases.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any
+
+from verify.prover.decimals import exact_number, short
+from verify.views.plots.drawing import standalone, svg
+from verify.views.plots.shapes import Areas, Curve, Panel, Point, Scale, Shape, Trace, Words
+
+#: What the spheres know of a separatrix, and of its curve at a place.
+Separatrix = Any
+CurveAt = Any
+
+COLLAPSES, ENDS, BETWEEN = "refuted-area", "proved-area", "ink"
+WIDTH, HEIGHT = 620, 460
+#: How far marks on an axis are apart, times a power of ten.
+STEPS = (Fraction(1), Fraction(1, 2), Fraction(1, 5))
+MARKS = 5
+#: Where the words of a curve stand: at this share of its decided values.
+AT = Fraction(1, 3)
+
+
+def phi_2(u: Fraction) -> float:
+    """φ₂|W_c|² = u(2-u)/2."""
+    return float(u * (2 - u) / 2)
+
+
+def strip_svg(found: Separatrix, strips: Sequence[CurveAt]) -> str:
+    """The certified areas below and above the curve, the strip between them, and its points."""
+    r, c, ratio = map(exact_number, found.parameters)
+    title = f"r = {r}, -cos θ = {c}, ratio {ratio}"
+    high = max(phi_2(strip.high) for strip in strips)
+    right = max(strip.q for strip in strips)
+    told = "below the curve the collisions go on for ever, above it they end"
+    x, y = _scale("φ₁", right), _scale("φ₂ |W_c|²", Fraction(high) * Fraction(6, 5))
+    panel = Panel(title, x, y, lambda: _strip(found, strips, y.high), told, WIDTH, HEIGHT)
+    return standalone(svg("separatrix", [panel], f"The separatrix at {title}: {told}"))
+
+
+def _strip(found: Separatrix, strips: Sequence[CurveAt], top: float) -> Iterator[Shape]:
+    cells = [(float(a.q), float(b.q), phi_2(b.low), phi_2(a.high)) for a, b in pairwise(strips)]
+    below = [(left, right, 0.0, low) for left, right, low, _ in cells if low > 0]
+    above = [(left, right, high, top) for left, right, _, high in cells]
+    yield Areas(above, ENDS, 0.0, "the collisions end (proved)")
+    yield Areas(below, COLLAPSES, 0.0, "they go on for ever (proved)")
+    strip = [(left, right, low, high) for left, right, low, high in cells]
+    yield Areas(strip, BETWEEN, 0.0, "the separatrix lies here")
+    right = max(cell[1] for cell in cells)
+    yield Words((0.55 * right, 0.8 * top), "the collisions end")
+    yield Words((0.06 * right, 0.1 * top), "Zhou-Kadanoff regime")
+    for (low, high), name in zip(found.fixed, ("φ⁻", "φ⁺"), strict=False):
+        at = float((low + high) / 2), 0.0
+        yield Curve([at], "ink", 0)
+        yield Words((at[0], 0.05 * top), name, "middle")
+    yield from _cycle(found, top)
+
+
+def _cycle(found: Separatrix, top: float) -> Iterator[Shape]:
+    """The saddle, and with a ratio other than 1 its image, which is on the curve of 1/ratio."""
+    if found.cycle:
+        (low, high), u = found.cycle[:2]
+        at = float((low + high) / 2), phi_2(sum(u) / 2)
+        name = "saddle" if found.parameters.ratio == 1 else "saddle of period two"
+        yield Curve([at], "ink", 1)
+        yield Words((at[0] + 0.02, at[1] + 0.04 * top), name)
+
+
+def curves_svg(curves: Sequence[tuple[Separatrix, Sequence[CurveAt]]]) -> str:
+    """How the curve moves with r; where there is none, nothing is drawn."""
+    drawn = [(found, strips) for found, strips in curves if strips]
+    c, ratio = (exact_number(x) for x in curves[0][0].parameters[1:])
+    first, last = (exact_number(found.parameters.r) for found, _ in (curves[0], curves[-1]))
+    title = f"r from {first} to {last}, -cos θ = {c}, ratio {ratio}"
+    right = max((strip.q for _, strips in drawn for strip in strips), default=Fraction(1))
+    high = max((phi_2(s.high) for _, strips in drawn for s in strips), default=1.0)
+    told = "the separatrix for several r, each labelled with its r"
+    x, y = _scale("φ₁", right), _scale("φ₂ |W_c|²", Fraction(high) * Fraction(11, 10))
+    panel = Panel(title, x, y, lambda: _curves(drawn), told, WIDTH, HEIGHT)
+    return standalone(svg("separatrices", [panel], f"{title}: {told}"))
+
+
+def _curves(drawn: Iterable[tuple[Separatrix, Sequence[CurveAt]]]) -> Iterator[Shape]:
+    for number, (found, strips) in enumerate(drawn):
+        points = [_middle(strip) for strip in strips]
+        yield Trace(points, f"series-{1 + number % 7}")
+        yield Words(points[int(len(points) * AT)], f"r = {_told(found.parameters.r)}", "middle")
+
+
+def _told(value: Fraction) -> str:
+    return short((value, value), 4).rstrip("…")
+
+
+def _middle(strip: CurveAt) -> Point:
+    return float(strip.q), phi_2((strip.low + strip.high) / 2)
+
+
+def _scale(label: str, end: Fraction) -> Scale:
+    """An axis from 0 with some five round marks."""
+    step = Fraction(10) ** 40
+    while True:
+        for part in STEPS:
+            if MARKS * step * part <= end:
+                count = int(end / (step * part))
+                texts = [exact_number(k * step * part) for k in range(count + 1)]
+                values = [float(k * step * part) for k in range(count + 1)]
+                return Scale(label, 0.0, float(end), list(zip(values, texts, strict=True)))
+        step /= 10

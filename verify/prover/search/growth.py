@@ -40,8 +40,9 @@ from verify.prover.search.question import Question
 from verify.prover.search.tree import Tree
 from verify.prover.session import ZERO
 
-#: Derivatives and cuts inside one another, and claims that are looked at in all.
-MAX_DEPTH, MAX_CLAIMS = 12, 150
+#: Derivatives and cuts inside one another, claims that are looked at in all, and those of them
+#: that other techniques get.
+MAX_DEPTH, MAX_CLAIMS, MAX_ALGEBRAIC = 12, 60, 3
 #: Parts of a box that enclosures may take.
 LEAVES = 100
 #: Where numbers are compared that are exact and short.
@@ -72,7 +73,15 @@ def by_growth(question: Question) -> Proof | None:
         return None
     if goal.claim.relation not in ("<", "<=") or goal.claim.lhs == ZERO == goal.claim.rhs:
         return None
-    return Growth(question, name).prove(goal.claim, bounds, (), MAX_DEPTH)
+    proof = Growth(question, name).prove(goal.claim, bounds, (), MAX_DEPTH)
+    if proof is None or not any(map(_is_turned, parts_of(goal.claim.lhs, goal.claim.rhs))):
+        return proof
+    return Have(goal.claim, (proof, Sum(("goal", "@1"))))
+
+
+def _is_turned(term: Term) -> bool:
+    """Whether the claim may be another one than was asked for, with -a/-b in place of a/b."""
+    return term.op == "div" and all(child.op == "neg" for child in term.children)
 
 
 class Growth:
@@ -82,7 +91,7 @@ class Growth:
         self.question, self.known, self.name = question, question.known, name
         self.goal, self.x = question.plain, symbol(name)
         self.context = self.goal.context or ""
-        self.claims = 0
+        self.claims = self.algebraic = 0
 
     def prove(
         self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...], depth: int
@@ -220,7 +229,8 @@ class Growth:
         """What other techniques find where it holds in the whole context."""
         ((_, bounds),) = self.goal.variables.items()
         gaps = [gap for _, gap in self._gaps(claim, bounds)]
-        if not gaps or min(gaps) < 0:
+        self.algebraic += 1
+        if not gaps or min(gaps) < 0 or self.algebraic > MAX_ALGEBRAIC:
             return None
         return self.known.prove(self.goal._replace(claim=claim))
 

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import json
+import subprocess
 from fractions import Fraction
 
 import pytest
 
 from tests.measure.benchmarks.ratios import committed, grown
 from verify.cli import main
-from verify.measure.bench import relative_width, scientific
+from verify.measure import scenes
+from verify.measure.bench import _cpu, relative_width, scientific
 
 
 def test_the_quick_form(capsys: pytest.CaptureFixture[str]) -> None:
@@ -32,6 +34,17 @@ def test_widths_are_rounded_up() -> None:
     assert relative_width((Fraction(2), Fraction(3))) == Fraction(1, 2)
     assert relative_width((Fraction(-1), Fraction(1))) == 1
     assert Fraction(scientific(Fraction(1, 3))) >= Fraction(1, 3)
+
+
+def test_a_command_that_fails_is_not_measured() -> None:
+    assert _cpu(["-c", "pass"]) > 0
+    with pytest.raises(subprocess.CalledProcessError):
+        _cpu(["-c", "raise SystemExit(2)"])
+
+
+def test_the_process_of_a_scene_decides_it() -> None:
+    """It fails where the command does, and it takes longer than the import alone."""
+    assert scenes.process_ratio(_cpu, 1) > 1
 
 
 def test_a_command_that_takes_half_as_much_again_is_named() -> None:

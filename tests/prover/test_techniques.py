@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 
 from verify.language.fold import replaced
-from verify.language.statement import PROVED, UNDECIDED
+from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, as_term, cos_pi, minimum, sqrt, symbol
 from verify.library import ask, for_all, lemma, prove
 from verify.prover import techniques
+from verify.prover.bernstein import Tensor
 from verify.prover.clearing import TooLongError, has_value
 from verify.prover.outcome import Decision
 from verify.prover.proof import Proof
@@ -107,3 +108,29 @@ def test_parts_of_a_term_are_replaced_all_at_once() -> None:
     term = minimum(sqrt(x), cos_pi(y / 2) ** 3) - x
     assert replaced(term, {}) is term
     assert replaced(term, {x: y, sqrt(x): x}) == minimum(x, cos_pi(y / 2) ** 3) - y
+
+
+@pytest.mark.parametrize(
+    ("givens", "verdict", "most"),
+    [
+        ([0 <= x, x <= 2], REFUTED, 0),  # false at an end, in whatever degree
+        ([0 < x, x <= 2], REFUTED, 0),
+        ([0 < x, x < 2], PROVED, 40),
+    ],
+)
+def test_no_degree_is_raised_where_an_end_of_the_interval_decides(
+    givens: list[Claim], verdict: str, most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    raised: list[int] = []
+    raise_ = Tensor.raised
+
+    def counted(tensor: Tensor, index: int) -> Tensor:
+        raised.append(index)
+        return raise_(tensor, index)
+
+    monkeypatch.setattr(Tensor, "raised", counted)
+    within = for_all("within", givens, {"x": 1})
+    claim = 0 < x * (2 - x) * (10 * x**2 - 20 * x + 11)
+    found = prove(lemma("title", [ask("row", claim, within)], (), [within]))
+    assert found.decisions["row"].verdict == verdict
+    assert min(most, 1) <= len(raised) <= most

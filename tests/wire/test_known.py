@@ -6,24 +6,32 @@ from pathlib import Path
 
 import pytest
 
+from verify import check
 from verify.cli import main
-from verify.paper.commands.spectrum import SPECTRUM, cite_spectrum, decide_spectrum
+from verify.paper.commands.everywhere import decide_printed_everywhere
+from verify.paper.commands.spectrum import SPECTRUM, cite_spectrum, decide_spectrum, state_spectrum
 from verify.paper.spectrum.printed import Printed
-from verify.paper.spectrum.spectrum import statement
 from verify.prover.outcome import Outcome
 from verify.wire.judge import known
-from verify.wire.packaged import ALL, PACKAGED, PACKAGED_FILES, packaged_files
+from verify.wire.packaged import ALL, AS_PRINTED, PACKAGED, PACKAGED_FILES, packaged_files
 from verify.wire.write import write
 
 CERTIFICATES = Path(__file__).parents[2] / "certificates"
 
 
-@pytest.mark.parametrize("name", PACKAGED_FILES)
+@pytest.mark.parametrize("name", sorted(PACKAGED_FILES.keys() - {AS_PRINTED}))
 def test_what_comes_with_the_program_is_what_is_committed(name: str) -> None:
-    """If not: copy certificates/SPECTRUM/*.json to verify/data/SPECTRUM, and note their digests."""
+    """If not: python -m tests.bring."""
     for file, content in zip(PACKAGED_FILES[name], packaged_files(name), strict=True):
         assert (CERTIFICATES / name / file).read_bytes() == content
     assert {path.name for path in Path(PACKAGED, name).iterdir()} == set(PACKAGED_FILES[name])
+
+
+def test_the_printed_rows_come_as_they_are_decided() -> None:
+    """If not: python -m tests.bring; there is no such folder among the committed certificates."""
+    files = write(decide_printed_everywhere())
+    assert packaged_files(AS_PRINTED) == (files["statement.json"], files["certificate.json"])
+    assert check.check(*packaged_files(AS_PRINTED), {}).verdict == "PROVED"
 
 
 def test_what_is_cited_is_what_would_be_proved() -> None:
@@ -34,12 +42,14 @@ def test_what_is_cited_is_what_would_be_proved() -> None:
 
 
 def test_another_statement_is_not_known() -> None:
-    said = statement()
+    said = state_spectrum()
     assert known(SPECTRUM, said) is not None
     first, *others = said.obligations
     assert known(SPECTRUM, said._replace(obligations=(first._replace(says="?"), *others))) is None
     assert known(SPECTRUM, said._replace(obligations=tuple(others))) is None
-    assert known(SPECTRUM, statement(Printed(coefficients=Printed().coefficients[::-1]))) is None
+    assert (
+        known(SPECTRUM, state_spectrum(Printed(coefficients=Printed().coefficients[::-1]))) is None
+    )
     assert known(ALL, said) is None
 
 

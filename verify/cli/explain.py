@@ -11,13 +11,16 @@ from difflib import get_close_matches
 
 from verify.cli.files import MAX_BYTES
 from verify.cli.options import Options, Parser, field
-from verify.cli.proofs import AS_PRINTED, MAIN, accepted_outcome, outcome_of, statements
+from verify.cli.proofs import MAIN, accepted_outcome, explained_in, names_with, outcome_of
 from verify.cli.terminal import add_color, show
 from verify.language.record import TYPE_CHECKING
 from verify.wire.inputs import InputError, regular_file, shown
+from verify.wire.packaged import AS_PRINTED, PACKAGED_FILES
 
 if TYPE_CHECKING:
-    from verify.paper.commands.places import Place
+    from typing import Any
+
+    from verify.paper.commands.place import Place
     from verify.prover.outcome import Outcome
 
 #: What the prover calls the lemmas that it finds: they stand nowhere in the paper's room.
@@ -25,6 +28,11 @@ NUMBERED = re.compile(r".*\.[0-9]+")
 
 #: The other parameters of a point.
 ANGLES = ("--theta0", "--neg-cos", "--delta-theta", "--V0")
+
+#: The point at which a formula or a constant is told, if none is asked for.
+_SAMPLE: dict[str, Any] = dict.fromkeys(map(field, ("--r", *ANGLES))) | {"r": "3/100"}
+#: What constants are called: a name or a letter, and no row, whose names have hyphens.
+CONSTANT = re.compile(r"(printed\.|repaired\.)?[^-.\s]+")
 
 #: Where the committed certificates are, of scenes and points too.
 COMMITTED = "certificates"
@@ -52,7 +60,10 @@ def run(options: Options) -> int:
     word, point = _label(word), _point(options)
     if point and folders:
         raise InputError(f"row: leave out {shown(folders[0])} with --r; write --r R ROW")
-    if point:
+    answer = _answer(word, point) if point and not options.verbose else []
+    if answer:
+        text = answer
+    elif point:
         text = _inside("theorem1", point, word, options)
     elif folders:
         text = _inside(folders[0], outcome_of(folders[0]), word, options)
@@ -92,7 +103,7 @@ def _inside(folder: str, outcome: Outcome, word: str, options: Options) -> list[
 
     text = explain(outcome, word, PAPER, exact=options.verbose) or labelled(outcome, word)
     if not text:
-        names = get_close_matches(word, sorted(_names(outcome)), 3, 0.6)
+        names = get_close_matches(word, sorted(explained_in(outcome)), 3, 0.6)
         near = f"is it {', '.join(names)}?" if names else "write a name of its report, or a label"
         raise InputError(f"row: there is no row {shown(word)} in {shown(folder)}; {near}")
     return [_title(folder, outcome), *text]
@@ -107,14 +118,18 @@ def _title(where: str, outcome: Outcome) -> str:
 
 def _anywhere(word: str, options: Options) -> list[str]:
     """Where the word is written, and the row in the first statement that has it."""
-    from verify.paper.commands.places import written  # loaded only where they are used
+    from verify.paper.commands.index import written  # loaded only where they are used
     from verify.paper.source import PAPER
     from verify.views.explain import explain
 
+    answer = _answer(word, _point(Options(**_SAMPLE)))
+    if answer and not options.verbose:
+        return [*answer, f"Where it is written, with all rows: verify explain -v {word}"]
     found = written(word) if word else []
     text = [line for place in found for line in _where(place, word)]
     if any(place.label == word for place in found):
-        return text
+        return [*answer, *text]
+    text = [*answer, *text]
     there = _statements_with(word, found)
     for first in there[:1]:
         outcome = outcome_of(first)
@@ -131,6 +146,22 @@ def _anywhere(word: str, options: Options) -> list[str]:
     return text
 
 
+def _answer(word: str, outcome: Outcome | None) -> list[str]:
+    """What a label or a constant comes to: at a point of Theorem 1, or in another statement."""
+    from verify.paper.source import PAPER, printed_number  # loaded only where they are used
+    from verify.views.answer import about_constant, about_label
+
+    if printed_number(word) is None and not CONSTANT.fullmatch(word):
+        return []
+    text = [] if outcome is None else about_constant(outcome, word, PAPER)
+    if outcome is not None and printed_number(word) is not None:
+        text = about_label(outcome, word, PAPER)
+        for name in ("elsewhere", "spectrum", "classification"):
+            found = [] if text else about_label(outcome_of(name), word, PAPER)
+            text = [f"in {name}", *found] if found else text
+    return text
+
+
 def _where(place: Place, word: str) -> Iterator[str]:
     yield f"{place.name} is written in {place.path}:{place.line}"
     if place.label == word:
@@ -140,41 +171,27 @@ def _where(place: Place, word: str) -> Iterator[str]:
 def _statements_with(word: str, found: list[Place]) -> list[str]:
     """The statements that have this name, those first in which it is a row.
 
-    Those about all parameters take seconds: they are made only for a name that their part of the
-    paper has, or that no other statement has.
+    Those about all parameters are named for what their part of the paper has, or for what no other
+    statement has.
     """
-    slow = {MAIN, AS_PRINTED}
-    quick = [name for name in statements() if name not in slow]
-    there = [name for name in quick if word in _names(statements()[name]())]
+    about_all = (MAIN, AS_PRINTED)
+    there = {name: names_with(name, word) for name in PACKAGED_FILES if name not in about_all}
+    there = {name: names for name, names in there.items() if word in names}
     theirs = [place for place in found if place.part in ("", "everywhere")]
     if theirs or (not there and (found or NUMBERED.fullmatch(word))):
         printed = [place for place in theirs if place.name.startswith(f"{AS_PRINTED}.")]
         wanted = [MAIN] if len(printed) < len(theirs) or not theirs else []
         wanted += [AS_PRINTED] if printed else []
-        there += [name for name in wanted if word in _names(statements()[name]())]
-    return sorted(there, key=lambda name: not _is_row(word, statements()[name]()))
-
-
-def _names(outcome: Outcome) -> set[str]:
-    """The names of rows, with and without their groups, of lemmas and of constants."""
-    from verify.prover.uses import nodes  # loaded only where they are used
-    from verify.views.words import short_name
-
-    rows = [row for row, _ in outcome.rows]
-    return {*nodes(outcome), *(row.name for row in rows), *map(short_name, rows)}
-
-
-def _is_row(word: str, outcome: Outcome) -> bool:
-    from verify.views.words import short_name
-
-    return any(word in (row.name, short_name(row)) for row, _ in outcome.rows)
+        asked = {name: names_with(name, word) for name in wanted}
+        there |= {name: names for name, names in asked.items() if word in names}
+    return sorted(there, key=lambda name: not there[name][word])
 
 
 def _committed(word: str) -> Iterator[str]:
     """The folders of scenes and points that have this row, where the certificates are at hand."""
     for path in sorted(glob.glob(os.path.join(COMMITTED, "**", "statement.json"), recursive=True)):
         folder = os.path.dirname(path)
-        if os.path.basename(folder) in statements():
+        if os.path.basename(folder) in PACKAGED_FILES:
             continue
         try:
             rows = {row["name"] for row in json.loads(regular_file(path, MAX_BYTES))["obligations"]}
@@ -185,7 +202,7 @@ def _committed(word: str) -> Iterator[str]:
 
 
 def _instead(word: str) -> str:
-    from verify.paper.commands.places import near
+    from verify.paper.commands.index import near  # loaded only where it is used
 
     names = near(word)
     return f"is it {', '.join(names)}?" if names else "write a name of a report, or a label"

@@ -48,7 +48,7 @@ def _everywhere(options: Options) -> int:
         everywhere,  # loaded only where they are used
         thresholds,  # loaded only where they are used
     )
-    from verify.paper.commands.printed_set import as_printed
+    from verify.paper.commands.printed_set import verdicts_as_printed
     from verify.views import everywhere as view
     from verify.views.document import claims_document
 
@@ -62,7 +62,7 @@ def _everywhere(options: Options) -> int:
     code = EXIT_CODES[argument]
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
-    verdicts = as_printed()
+    verdicts = verdicts_as_printed()
     if options.json:
         document = claims_document(outcome, "theorem1", view.FORMAT)
         if printed:
@@ -74,7 +74,10 @@ def _everywhere(options: Options) -> int:
         shares = thresholds.all_shares(where)
         text = view.printed_screen(outcome, where, shares, PAPER, verdicts, INSTEAD)
     else:
-        text = view.screen(outcome, PAPER, verdicts)
+        from verify.paper.commands.whole import whole
+        from verify.views.whole import constants_and_set
+
+        text = view.screen(outcome, PAPER, verdicts, constants_and_set(whole()))
     show(claims.told(outcome, options, text), options)
     return code
 

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from functools import cache
 
 from verify.cli.files import progress, read_bytes
+from verify.paper.commands import index
 from verify.prover.outcome import Outcome
 from verify.wire.inputs import InputError, shown
+from verify.wire.packaged import ALL, AS_PRINTED, PACKAGED_FILES, packaged_files
 
 #: The statement whose proof is shown where nobody names one.
-MAIN = "theorem1-all"
-#: The rows of the printed set for all parameters, which have no certificate: some are refuted.
-AS_PRINTED = "printed"
+MAIN = ALL
 
 #: What a folder of a certificate has.
 NAMES = ("statement.json", "certificate.json")
@@ -22,7 +23,7 @@ NAMES = ("statement.json", "certificate.json")
 
 @cache
 def statements() -> Mapping[str, Callable[[], Outcome]]:
-    """What the program proves for all values, by the names of the committed folders."""
+    """What decides each of the statements that come with the program."""
     from verify.paper.commands import (
         certificates,  # load flint
         everywhere,  # load flint
@@ -31,22 +32,57 @@ def statements() -> Mapping[str, Callable[[], Outcome]]:
     return {**certificates.THEOREMS, AS_PRINTED: everywhere.decide_printed_everywhere}
 
 
+def names_with(where: str, word: str) -> dict[str, bool]:
+    """The names in one of `statements`, each with whether it is a row there.
+
+    A row has its name and the one without its group. What comes with the program is searched for
+    the word before anything of it is read.
+    """
+    if index.lines() is None:
+        return explained_in(statements()[where]())
+    statement, certificate = packaged_files(where)
+    end = json.dumps(word, ensure_ascii=False)[1:].encode()
+    if end not in statement and end not in certificate:
+        return {}
+    said, steps = json.loads(statement), json.loads(certificate)["steps"]
+    rows = said["obligations"]
+    opened = {step["open"] for step in steps if "open" in step}
+    givens = [c["givens"] for c in said["contexts"] if c["name"] in opened]
+    kinds = ("constant", "lemma", "define")
+    found = dict.fromkeys((given["name"] for names in givens for given in names), False)
+    found |= {step[kind]: False for step in steps for kind in kinds if kind in step}
+    for row in rows:
+        found |= {row["name"]: True, row["name"].removeprefix(f"{row['group']}."): True}
+    return found
+
+
+def explained_in(outcome: Outcome) -> dict[str, bool]:
+    """The names of rows, with and without groups, of lemmas and of constants; which are rows."""
+    from verify.prover.uses import nodes  # loaded only where it is used
+    from verify.views.words import short_name
+
+    found = dict.fromkeys(nodes(outcome), False)
+    for row, _ in outcome.rows:
+        found |= {row.name: True, short_name(row): True}
+    return found
+
+
 def outcome_of(where: str) -> Outcome:
     """The outcome in a folder, as it is written there, or that of one of `statements`.
 
-    That about all parameters comes with the program; the others are made anew.
+    The latter come with the program; they are made anew where what it says has changed since.
 
     Raises:
         InputError: if it is neither, or the folder has no certificate.
     """
     if os.path.isdir(where):
         return _read(where)
-    if where == MAIN:
+    if where in PACKAGED_FILES and index.lines() is not None:
         from verify.wire.judge import packaged  # loaded only where it is used
 
         return packaged(where)
-    if where not in statements():
-        near = get_close_matches(where, statements(), 3, 0.5) or statements()
+    if where not in PACKAGED_FILES:
+        near = get_close_matches(where, PACKAGED_FILES, 3, 0.5) or list(PACKAGED_FILES)
         raise InputError(
             f"folder: {shown(where)} is no folder; name one with a certificate, or write one of: "
             f"{', '.join(near)}"

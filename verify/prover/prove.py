@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import MappingProxyType
 
 from verify.language.statement import PROVED, UNDECIDED, Constant, Obligation, Statement
 from verify.language.terms import Claim, names_of
 from verify.prover.budget import SpentError, WorkBudget
+from verify.prover.citing import make_known
 from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.ground import Ground
 from verify.prover.hint import Hint
@@ -40,6 +41,7 @@ def prove(
     budget: WorkBudget | None = None,
     price: Price = lambda _row, _claimed, _steps: "",
     hints: Mapping[str, Hint] = NO_HINTS,
+    cited: Iterable[tuple[str, Statement]] = (),
 ) -> Outcome:
     """Decide every row of a statement; what is not found is left undecided, with the reason.
 
@@ -50,9 +52,12 @@ def prove(
         budget: how much work each row may be.
         price: asked before anything is claimed of a row.
         hints: where to look for the proofs of some rows, by their names.
+        cited: statements with their proved rows, and what their names begin with here.
     """
     ground = Ground(Session(_unused_prefix(statement)), start_bits, max_bits)
     universal = Universal(ground, budget or WorkBudget(), find)
+    for prefix, other in cited:
+        make_known(prefix, other, universal)
     spent = _opened(statement, universal) or price(None, "", ground.session.steps)
     rows = statement.obligations
     decisions = {}

@@ -15,11 +15,12 @@ from verify.prover.proof import Proof
 from verify.prover.search.bernstein_boxes import by_bernstein, on_interval
 from verify.prover.search.cosines import by_cosines
 from verify.prover.search.differences import by_differences, by_orders_of_variables
-from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_root
+from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_range, by_root
 from verify.prover.search.ends_of_variables import by_ends
 from verify.prover.search.equations import by_normal_form
 from verify.prover.search.extrema import by_cases, by_entries
 from verify.prover.search.factors import by_factors
+from verify.prover.search.growth import by_growth
 from verify.prover.search.linear import by_linear_sum, by_products, find_ranges
 from verify.prover.search.multiple_angles import by_multiple_angles
 from verify.prover.search.on_equations import squares_on_equations
@@ -84,6 +85,7 @@ EQUATIONS = (
 #: For what the form of a claim shows, or simple searches.
 SIMPLE = (
     Technique("root", by_root),
+    Technique("range", by_range),
     Technique("plain squares", plain_squares),
     Technique("extremum", by_extremum),
     Technique("signs", _signs),
@@ -108,6 +110,7 @@ SEARCHES = (
     Technique("cosines", _near_cosines),
     Technique("a small tree", partial(by_tree, leaves=FEW_LEAVES)),
     Technique("cosines", _other_cosines),
+    Technique("growth", by_growth),
     Technique("multiple angles", by_multiple_angles),
     Technique("coefficients on few parts", partial(by_bernstein, parts=FEW_PARTS)),
     Technique("coefficients where a claim may fail", partial(by_restriction, parts=FEW_PARTS)),

@@ -15,6 +15,8 @@ PACKAGED = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data")
 ALL = "theorem1-all"
 #: Those about the theorem as printed: its set with > for <, and that with < it is false.
 PRINTED_SET, PRINTED_SIGN = "printed-set", "printed-sign"
+#: The rows of the printed set for all parameters, of which some are refuted.
+AS_PRINTED = "printed"
 #: Their files with their digests. Who cites one rests on them: it is not checked again in each run.
 PACKAGED_FILES = {
     "step": {
@@ -64,6 +66,10 @@ PACKAGED_FILES = {
     "line": {
         "statement.json": "09664db03596164c5321ce9bcc389c1d0589751d06d8b3c71a47c971b80a81d4",
         "certificate.json": "01c491731d5f3d8abb9745a19378efcda818d40a83fddd47828cbe1719f0b07e",
+    },
+    AS_PRINTED: {
+        "statement.json": "43e2e2103268a9b39e67c75ad7b2d6ac64e3b34d13c6b28bc8d1c1862bd1d646",
+        "certificate.json": "20b1e47fa5a08e4bebbf4e9d1bb67d04bcb36d8fe61dda20fed2199acde9bcc3",
     },
 }
 

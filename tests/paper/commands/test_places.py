@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
-from verify.paper.commands import everywhere, spectrum, step
-from verify.paper.commands.places import ROOT, near, places, written
+from pathlib import Path
+
+import pytest
+
+from verify.paper.commands import everywhere, index, spectrum, step
+from verify.paper.commands.index import near, written
+from verify.paper.commands.place import ROOT
+from verify.paper.commands.places import places
 from verify.paper.theorem1 import theorem
 
 
@@ -26,7 +32,7 @@ def test_a_place_is_where_the_row_is_written() -> None:
         "angle-as-printed",
     ):
         (place,) = (p for p in written(name) if p.part in ("", "step", "spectrum"))
-        lines = (ROOT / place.path).read_text(encoding="utf-8").splitlines()
+        lines = Path(ROOT, place.path).read_text(encoding="utf-8").splitlines()
         near_by = "\n".join(lines[place.line - 2 : place.line + 6])
         assert f'{name.rpartition(".")[2]}"' in near_by, name
 
@@ -36,7 +42,7 @@ def test_a_row_of_a_table_has_a_line_of_its_own() -> None:
     found = {place.name: place for place in written("zeta-time-square")}
     for group, call in (("printed", "k.misprint"), ("repaired", "k.repair")):
         place = found[f"{group}.zeta-time-square"]
-        lines = (ROOT / place.path).read_text(encoding="utf-8").splitlines()
+        lines = Path(ROOT, place.path).read_text(encoding="utf-8").splitlines()
         assert f'{call}("zeta-time-square"' in lines[place.line - 1]
 
 
@@ -46,10 +52,29 @@ def test_a_label_has_its_rows() -> None:
     assert {place.label for place in found} == {label}
     assert {place.part for place in found} >= {"", "step"}
     for place in found:  # and the label itself can be searched for in the file
-        assert label in (ROOT / place.path).read_text(encoding="utf-8"), place
+        assert label in Path(ROOT, place.path).read_text(encoding="utf-8"), place
 
 
 def test_a_slip_of_the_pen_finds_its_row() -> None:
     assert near("zeta-totl")[0] == "zeta-total"
     assert near("EQUATSS4.1Recurrence_Cnd_T")[0].startswith("EQUATSS4.1Recurrence_Cnd")
     assert near("qqqqqqqqqq") == []
+
+
+def test_the_index_has_what_a_search_finds(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """An index of these sources is believed, and one of other sources is not."""
+    monkeypatch.setattr(index, "INDEX", str(tmp_path / "places.txt"))
+    words = ("set-x_0", "EQUATSS4.1Recurrence_CndT", "delta_1", "no-such-name")
+    try:
+        index.lines.cache_clear()
+        assert index.lines() is None
+        expected = {word: (written(word), near(word)) for word in words}
+        Path(index.INDEX).write_text(index.text(places()), encoding="utf-8")
+        index.lines.cache_clear()
+        assert len(index.lines() or ()) == len(places())
+        assert {word: (written(word), near(word)) for word in words} == expected
+        monkeypatch.setattr(index, "COMMANDS", "verify/paper/spectrum")
+        index.lines.cache_clear()
+        assert index.lines() is None
+    finally:
+        index.lines.cache_clear()

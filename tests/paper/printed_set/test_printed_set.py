@@ -242,7 +242,7 @@ def test_an_orbit_of_the_set(seed: int) -> None:
 def test_what_comes_with_the_program_is_what_it_makes(
     name: str, decide: Callable[[], Outcome]
 ) -> None:
-    """If not: python -m tests.package."""
+    """If not: verify certify, then python -m tests.bring."""
     files = write(decide())
     assert packaged_files(name) == (files["statement.json"], files["certificate.json"])
 

@@ -249,7 +249,7 @@ def test_a_point_run_cites_the_step(point: tuple[str, str], selection: str) -> N
 def test_what_comes_with_the_program_is_what_it_makes(
     name: str, decide: Callable[[], Outcome]
 ) -> None:
-    """If not: python -m tests.package."""
+    """If not: verify certify, then python -m tests.bring."""
     files = write(decide())
     for file in PACKAGED_FILES[name]:
         for folder in (Path(PACKAGED), ROOT / "certificates"):
@@ -274,6 +274,9 @@ BOX = "theorem1 --r 0.02..0.03 --neg-cos 1"
         (ALL, BOX),
         (ALL, "graph --out OUT/graph.svg"),
         (ALL, f"explain {ALL} collapse"),
+        (ALL, "theorem1 --all"),
+        ("flow", "explain flow contact"),
+        ("spectrum", "spectrum"),
     ],
 )
 def test_nothing_is_proved_by_a_file_that_was_tampered_with(

@@ -10,7 +10,6 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable, Iterator
-from difflib import get_close_matches
 from functools import cache
 from importlib import import_module
 from linecache import getline
@@ -21,42 +20,19 @@ from typing import Any
 
 from verify import paper
 from verify.language.argument import Chapter, Line, Opened
-from verify.language.record import Record
 from verify.language.statement import Context, Obligation
+from verify.paper.commands.place import ROOT, Place
 from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.letters import Refuted
 from verify.paper.spectrum.printed import Printed
 from verify.spheres import flow, scene
 
-ROOT = Path(paper.__file__).parents[2]
-
 #: What a generator of the paper may ask for, by its annotation.
 ARGUMENTS: dict[str, tuple[Any, ...]] = {
     "ConstantSet": (ConstantSet(PRINTED), ConstantSet(REPAIRED)),
     "Printed": (Printed(),),
 }
-
-
-class Place(Record):
-    """A name of the paper's room, what it says there, and where it is written."""
-
-    name: str
-    label: str
-    says: str
-    path: str
-    line: int
-
-    @property
-    def part(self) -> str:
-        """The folder inside `verify/paper/`, or '' for Theorem 1 at a point."""
-        between = self.path.split("/")[2:-1]
-        return between[0] if between else ""
-
-    @property
-    def short(self) -> str:
-        """The name without its group."""
-        return self.name.partition(".")[2]
 
 
 @cache
@@ -71,17 +47,6 @@ def places() -> tuple[Place, ...]:
             if not (_collects(module.__name__) and (place.name, "") in found):
                 found.setdefault((place.name, place.part), place)
     return tuple(found.values())
-
-
-def written(word: str) -> list[Place]:
-    """Where a name stands, with or without its group, or a label of the paper."""
-    return [place for place in places() if word in (place.name, place.short, place.label)]
-
-
-def near(word: str) -> list[str]:
-    """Names and labels that resemble a word."""
-    names = {text for p in places() for text in (p.name, p.short, p.label) if text}
-    return get_close_matches(word, sorted(names), 3, 0.6)
 
 
 def _modules() -> list[ModuleType]:
@@ -163,4 +128,4 @@ def _start(function: Any) -> tuple[str, int]:
 
 
 def _path(code: CodeType) -> str:
-    return Path(code.co_filename).resolve().relative_to(ROOT).as_posix()
+    return Path(code.co_filename).resolve().relative_to(Path(ROOT).resolve()).as_posix()

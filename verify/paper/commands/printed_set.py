@@ -66,7 +66,7 @@ def decide_printed_sign() -> Outcome:
     return judged(Outcome(argument.statement, writing.decisions, tuple(writing.session.steps), {}))
 
 
-def as_printed() -> dict[str, str]:
+def verdicts_as_printed() -> dict[str, str]:
     """The verdicts on the theorem with its sign as printed, and on its set with the other sign.
 
     They are those of the certificates that come with the program; what differs is decided anew.

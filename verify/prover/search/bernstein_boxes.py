@@ -48,13 +48,22 @@ def on_interval(goal: Goal) -> Sum | None:
     if side is None or clearing.atoms != [symbol(name)]:
         return None
     tensor = Tensor.of(clearing.difference(claim.rhs, claim.lhs), [side.ends])
+    strict = claim.relation == "<"
+    if _fails_at_an_end(tensor, side, strict=strict):
+        return None  # no degree changes the values at the ends
     for _ in range(MAX_ELEVATION + 1):
-        addends = tensor.addends([side], strict=claim.relation == "<")
+        addends = tensor.addends([side], strict=strict)
         if addends is not None:
             first = product_of(str(tensor.scale([side])), "goal")
             return Sum((first, *addends), tuple(goal.definitions))
         tensor = tensor.raised(0)
     return None
+
+
+def _fails_at_an_end(tensor: Tensor, side: Side, *, strict: bool) -> bool:
+    """Whether a polynomial in one variable is < 0 at an end, or 0 at one where it has to be > 0."""
+    values = zip(tensor.corners(), side.strict, strict=True)
+    return any(value < 0 or (strict and value == 0 and not open_) for value, open_ in values)
 
 
 class Alternative(Record):
@@ -142,9 +151,10 @@ def _failing_givens(system: System, p: fmpq_mpoly) -> list[Alternative]:
     for fact in system.facts:
         polynomial = -fact.polynomial
         used = [a for a, d in zip(system.atoms, polynomial.degrees(), strict=True) if d > 0]
+        is_given = fact.value in system.question.given
         if (
             polynomial.is_zero()
-            or fact.value not in system.question.given
+            or not (is_given and used)
             or any(atom.op != "symbol" or not variables[atom.name].ends for atom in used)
         ):
             continue

@@ -1,0 +1,55 @@
+"""What is made from the program and comes with it: copies of certificates, and the index of places.
+
+``python -m tests.bring``, after a change to a row or to a certificate, writes `verify/data` and the
+digests in `verify/wire/packaged.py`. Some certificates cite others: after it wrote something, run
+``verify certify`` again, and then this, until nothing is written. With ``--compare`` it writes
+nothing, and fails if anything would change.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from hashlib import sha256
+from pathlib import Path
+
+from verify.paper.commands import index
+from verify.paper.commands.everywhere import decide_printed_everywhere
+from verify.paper.commands.places import places
+from verify.wire.packaged import AS_PRINTED, PACKAGED, PACKAGED_FILES
+from verify.wire.write import write
+
+ROOT = Path(__file__).parents[1]
+DIGESTS = ROOT / "verify" / "wire" / "packaged.py"
+
+
+def files() -> Iterator[tuple[Path, bytes]]:
+    """Each file with the bytes that it should have."""
+    code = DIGESTS.read_text(encoding="utf-8")
+    for name, old in PACKAGED_FILES.items():
+        made = write(decide_printed_everywhere()) if name == AS_PRINTED else {}
+        for file in old:
+            content = made.get(file) or (ROOT / "certificates" / name / file).read_bytes()
+            code = code.replace(old[file], sha256(content).hexdigest())
+            yield Path(PACKAGED, name, file), content
+    yield DIGESTS, code.encode()
+    yield Path(index.INDEX), index.text(places()).encode()
+
+
+def main() -> int:
+    """Write or compare; return 1 if something compared differs."""
+    differing = [(path, new) for path, new in files() if not _has(path, new)]
+    for path, new in differing:
+        print(f"{'differs' if '--compare' in sys.argv else 'written'}  {path.relative_to(ROOT)}")
+        if "--compare" not in sys.argv:
+            path.parent.mkdir(exist_ok=True)
+            path.write_bytes(new)
+    return 1 if differing and "--compare" in sys.argv else 0
+
+
+def _has(path: Path, content: bytes) -> bool:
+    return path.exists() and path.read_bytes() == content
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

@@ -1,8 +1,9 @@
 """What is made from the program and comes with it: copies of certificates, and the index of places.
 
 ``python -m tests.bring``, after a change to a row or to a certificate, writes `verify/data` and the
-digests in `verify/wire/packaged.py`. With ``--compare`` it writes nothing, and fails if anything
-would change.
+digests in `verify/wire/packaged.py`. Some certificates cite others: after it wrote something, run
+``verify certify`` again, and then this, until nothing is written. With ``--compare`` it writes
+nothing, and fails if anything would change.
 """
 
 from __future__ import annotations

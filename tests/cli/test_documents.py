@@ -34,6 +34,8 @@ DOCUMENTS = [
     ("separatrix", ["separatrix", "--r", "3/100", "--at", "1/10", "--ratio", "2/3"]),
     ("separatrix", ["separatrix", "--r", "3/100", "--budget", "9"]),
     ("separatrix", ["separatrix", "--r", "2/25"]),
+    ("separatrix-curves", ["separatrix", "--r", "0.03..0.09", "--steps", "3"]),
+    ("separatrix-theorem", ["separatrix", "--all"]),
     ("elsewhere", ["elsewhere"]),
     ("check", ["check", EXAMPLE]),
     ("prove", ["prove", f"{EXAMPLE}/statement.json"]),

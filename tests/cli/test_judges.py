@@ -22,7 +22,7 @@ from verify.paper.commands import classification
 from verify.paper.commands.theorem1 import decide_point
 from verify.prover.ground import Ground
 from verify.prover.straight import StraightLine
-from verify.spheres import separatrix
+from verify.spheres import limit_map, separatrix
 from verify.spheres.flow.follow import Flow, UnclearError
 from verify.spheres.limit_map import Orbits
 from verify.spheres.scene import decide as scene
@@ -42,6 +42,9 @@ WRITTEN = (
     "classification --rows ratio-falls",
     "elsewhere",
     "elsewhere --json",
+    "separatrix --all",
+    "separatrix --all --json",
+    "separatrix --r 0.03 --at 1/10 --out OUT",
     "spectrum",
     "spectrum --r 0.1",
     "theorem1 --all",
@@ -84,6 +87,9 @@ DECIDED = (
     "separatrix --r 0.03",
     "separatrix --r 0.03 --at 1/10 --json",
     "separatrix --r 0.08",
+    "separatrix --r 0.03..0.09 --steps 3",
+    "separatrix --r 0.03..0.09 --steps 3 --json",
+    "separatrix --r 0.03 --plot OUT/strip.svg",
 )
 #: Commands that print no verdict.
 SILENT = {"bench": "speeds and errors; its verdicts are those of plain doubles, called wrong"}
@@ -130,6 +136,7 @@ def break_procedures(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Flow, "advance", unclear)
     monkeypatch.setattr(Orbits, "side", lambda *_: 0)
     monkeypatch.setattr(separatrix, "has_separatrix", lambda *_: None)
+    monkeypatch.setattr(limit_map, "changes_sign", lambda *_: False)
     for name in ("find_collapse", "finitely_many", "follow_line"):
         monkeypatch.setattr(scene, name, lambda *_: None)
 

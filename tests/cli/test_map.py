@@ -128,6 +128,14 @@ def test_the_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     image = ElementTree.fromstring(files["map.svg"])
     assert image.tag.endswith("svg")
     assert files["map.png"].startswith(b"\x89PNG")
+    # A run that stopped and went on draws the same picture, in which no CPU time is seen.
+    assert main([*PLANE, "--undecided", "30%", "--out", str(tmp_path / "other")]) == 0
+    assert main([*PLANE, "--undecided", "4%", "--out", str(tmp_path / "other")]) == 0
+    for name in ("map.jsonl", "map.json", "map.svg", "map.png"):
+        assert (tmp_path / "other" / name).read_bytes() == files[name]
+    words = ["".join(item.itertext()) for item in image.iter() if item.tag.endswith("text")]
+    assert {"0", "0.125", "0.5", "0.0625", "boxes looked at"} <= set(words)
+    capsys.readouterr()
     # Once more changes nothing, and a smaller share goes on.
     assert main(command) == 0
     assert capsys.readouterr().out == printed

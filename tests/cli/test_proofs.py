@@ -40,6 +40,10 @@ def test_all_parameters(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> N
     last = out.splitlines()[-1]
     assert last.startswith("Verdict: proved: For all 0 < r < 1")
     assert "given 9 assumptions" in last
+    whole = " ".join(out.split())
+    assert "δ_x = min(δ₁, δ₂, δ₃, δ₄, δ₅, V₀/V₁·(δ₂²·h₅/12))" in whole
+    assert "0 < (-η_c), (-η_c) ≤ η̄, 0 < η_s, " in whole
+    assert whole.index("Its set: ") < whole.index("Theorem 1 as printed, with < in (4.10): refuted")
     cited, proof = sorted((tmp_path / "all/cited").iterdir(), reverse=True)
     assert proof.name == f"{cited.stem}.certificate.json"
     step_folder = tmp_path / "step"
@@ -173,6 +177,45 @@ def test_explain_proves_nothing_anew_unless_the_paper_has_changed(
     assert made[0] == "proving flow"
 
 
+def test_a_formula_is_told_with_what_is_false_and_what_is_true(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    code, out, err = run(capsys, "explain", "4.47")
+    text = " ".join(out.split())
+    assert (code, err) == (0, "")
+    assert text.startswith("(4.47), EQUATSS4.1Recurrence_Cnd4, at r = 0.03, ")
+    assert "printed: 4 of 20 rows refuted; needed: 20 of 20 rows proved" in text
+    assert "printed, and false, breaks the argument: zeta-term-2: " in text
+    assert "3.2663168… ≤ 0.027768616…" in text
+    assert "proved in its place: repaired.zeta-term-2: " in text
+    assert "used by: " in text
+    code, out, _ = run(capsys, "explain", "--r", "1/1000", "4.47")
+    assert "at r = 0.001, " in " ".join(out.split())
+
+
+@pytest.mark.parametrize("word", ["eta_bar", "η̄", "printed.eta_bar"])
+def test_a_constant_is_told_as_printed_and_repaired(
+    capsys: pytest.CaptureFixture[str], word: str
+) -> None:
+    code, out, err = run(capsys, "explain", word)
+    text = " ".join(out.split())
+    assert (code, err) == (0, "")
+    assert "as printed: η̄ = 0.00018897450…" in text
+    assert "η̄ = min(1, (√2 - 1)/16·(V₀/√V₁), V₀/(33·√V₁)·|Δθ|" in text
+    assert ("repaired: η̄ = 5.2·10⁻⁷" in text) == (word != "printed.eta_bar")
+    assert "used by the rows: eta_bar-positive, " in text
+
+
+def test_rows_are_found_by_the_number_of_their_formula(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    code, out, _ = run(capsys, "theorem1", "--r", "0.03", "--rows", "4.47")
+    assert code == 0
+    assert "[printed.zeta-term-2, (4.47), EQUATSS4.1Recurrence_Cnd4]" in " ".join(out.split())
+    assert run(capsys, "theorem1", "--r", "0.03", "--rows", "(4.47)")[1] == out
+    assert run(capsys, "theorem1", "--r", "0.03", "--rows", "4.470")[0] == 2
+
+
 def test_explain_finds_labels_and_near_names(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -181,7 +224,7 @@ def test_explain_finds_labels_and_near_names(
 
     monkeypatch.setattr("verify.cli.explain.outcome_of", never)
     monkeypatch.setattr("verify.cli.explain._statements_with", lambda *_: [])
-    code, out, err = run(capsys, "explain", "EQUATSS4.1Recurrence_CndT")
+    code, out, err = run(capsys, "explain", "-v", "EQUATSS4.1Recurrence_CndT")
     assert (code, err) == (0, "")
     assert "repaired.CndT is written in verify/paper/recursion.py:" in out
     code, out, err = run(capsys, "explain", "tau-positiv")

@@ -6,6 +6,7 @@ import csv
 import json
 import subprocess
 import sys
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -60,6 +61,19 @@ def test_numbers_are_read_exactly(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert out.splitlines()[-1] == given
 
 
+def test_lengths_may_be_in_a_unit_of_their_own(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = """r = 0.03
+diameter = "0.02"
+positions = [[0, 0], ["0.02004", 0], [-0.02012, "0.0016"]]
+velocities = [[0, 0], [-0.028, 0], ["0.014", "-0.002"]]
+"""
+    assert run(capsys, written(tmp_path, text)) == run(capsys, SCENES / "nearly-aligned.toml")
+    code, _, err = run(capsys, written(tmp_path, text.replace("0.02004", "0.019")))
+    assert (code, "overlap by about 0.05" in err) == (2, True)
+
+
 BAD = {
     "overlap": (GOOD.replace("501/500", "1/2"), "0 and 1 overlap by about 0.5: their distance"),
     "overlap-of-1e-74": (GOOD.replace("501/500", "0." + "9" * 74), "overlap by about 1E-74"),
@@ -79,6 +93,7 @@ BAD = {
     ),
     "missing": ("r = 0.1\n", "'positions' is missing"),
     "unknown": (GOOD + "mass = 2\n", "'mass' is not known"),
+    "diameter": (GOOD + 'diameter = "0"\n', "diameter: '0' is not positive"),
     "no-toml": ("r = = 1\n", "is no TOML file"),
     "large": (GOOD.replace("0.03", "1e-99999"), "the exponent of '1e-99999' is too large"),
 }
@@ -349,7 +364,8 @@ def test_a_sample_says_how_likely_a_collapse_is(
     words = (path, "--sample", 60, "--seed", 5)
     code, out, err = run(capsys, *words, "--csv", table)
     assert (code, err) == (0, "")
-    assert "60 points, uniform in h in [0, 1/10], r in [1/100, 1/10], v in [-1/10, 1/10]" in out
+    sides = ["  h in [0, 0.1]", "  r in [0.01, 0.1]", "  v in [-0.1, 0.1]"]
+    assert out.splitlines()[:4] == ["60 random points, seed 5; uniform are", *sides]
     assert run(capsys, *words, "--jobs", 2)[1] == out
     code, text, _ = run(capsys, *words, "--json", "--confidence", "99%")
     document = json.loads(text, parse_float=lambda text: pytest.fail(f"a float: {text}"))
@@ -386,3 +402,26 @@ def test_a_family_needs_a_point_or_a_sample(
     code, out, err = run(capsys, written(tmp_path, FAMILY), *words)
     assert (code, out, err.count("\n")) == (2, "", 1)
     assert why in err
+
+
+def test_a_collapse_is_drawn_from_collision_to_collision(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Far more collisions are drawn than the verdict needs, and their number is on an axis."""
+    path = tmp_path / "scene.svg"
+    run(capsys, SCENES / "nearly-aligned.toml", "--plot", path)
+    root = ElementTree.parse(path).getroot()
+    words = ["".join(item.itertext()) for item in root.iter() if item.tag.endswith("text")]
+    assert {"number of the collision", "1 diameter", "15", "10⁻¹⁰"} <= set(words)
+    assert [word for word in words if word.startswith(("normal speed", "gap of", "time to"))]
+    assert "from collision 3 on 01, 02, 01, … for ever;" in words[0]
+    lines = [
+        [float(place.split(",")[1]) for place in item.attrib["points"].split()]
+        for item in root.iter()
+        if item.tag.endswith("polyline")
+    ][-3:]
+    assert [len(line) >= 15 for line in lines] == [True] * 3
+    for line in lines:
+        # In the end each falls by the same factor, from one collision to the next.
+        steps = [b - a for a, b in pairwise(line)][-6:]
+        assert max(steps) < 1.2 * min(steps)

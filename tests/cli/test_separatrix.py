@@ -101,6 +101,90 @@ def test_what_is_not_decided_is_said(capsys: pytest.CaptureFixture[str]) -> None
     assert any("verify/coq/Separatrix.v" in text for text in BELIEVED)
 
 
+def test_the_theorem_for_all_parameters(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out = run(capsys, "--all")
+    assert code == 0
+    assert "Rows proved, of those needed: Separatrix 42/42." in out
+    assert "\nCoq proves this without glue, and also that f is continuous" in out
+    assert "\nVerdict: proved: Whatever lies below a state of the limit map" in out
+
+
+def test_a_certificate_says_what_it_means(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    code, out = run(capsys, f"--r 3/100 --at 1/10 --digits 5 --out {tmp_path}/f")
+    assert code == 0
+    assert "Certificate (accepted by verify/check.py): The separatrix of the limit map at r" in out
+    assert main(["check", f"{tmp_path}/f", "--statement"]) == 0
+    checked = capsys.readouterr().out
+    assert "ratio 1: f(0.1) lies between 0.05177856 and 0.05177857: " in checked
+    assert "STATEMENT: it is the one that the program makes" in checked
+
+
+def test_without_a_verdict_there_is_no_certificate(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    words = f"separatrix --r 0.05 --at 1/100 --budget 100 --out {tmp_path}/f"
+    assert main(words.split()) == 3
+    assert capsys.readouterr().err == "verify: f is undecided; no certificate was written\n"
+    assert not (tmp_path / "f").exists()
+
+
+def test_the_picture_of_the_page_is_the_one_that_is_drawn(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    code, _ = run(capsys, f"--r 3/100 --plot {tmp_path}/strip.svg")
+    assert code == 0
+    page = ROOT / "docs/explanation/separatrix.svg"
+    assert (tmp_path / "strip.svg").read_bytes() == page.read_bytes()
+    for words in ("φ₁", "φ₂ |W_c|²", "saddle", "φ⁻", "φ⁺", "prefers-color-scheme:dark"):
+        assert words in page.read_text(encoding="utf-8")
+
+
+def test_curves_for_several_r(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    code, out = run(capsys, f"--r 0.03..0.09 --steps 3 --plot {tmp_path}/curves.svg")
+    assert code == 0
+    assert "\n  0.06  no curve\n" in out
+    assert "\n  0.09  no curve\n" in out
+    assert "Verdict: proved: 3 of 3 values of r (judges: " in out
+    assert "r = 0.03<" in (tmp_path / "curves.svg").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        ("--r 0.03..0.02", "--r: the interval '0.03..0.02' is not A < B; write the smaller end"),
+        ("--r 0.01..0.02..0.03", "--r: '0.01..0.02..0.03' is no interval"),
+        ("--r 0.01..2", "--r: '2' is not in ]0,1["),
+        ("--r 0.01..0.02 --at 1/10", "--at: takes a single r"),
+        ("--r 0.01..0.02 --out x", "--out: takes a single r"),
+        ("--r 0.03 --out x", "--out: certifies f at one q; write for example --at 1/10"),
+        ("--r 0.03 --steps 3", "--steps: has a meaning with --r A..B only"),
+        ("--r 0.03 --at -1/10", "--at: '-1/10' is negative"),
+        ("--r 0.03 --plot x.png", "--plot: 'x.png' does not end in .svg"),
+        ("--r 0.08 --plot x.svg", "--plot: no curve is known there"),
+        ("--r 0.07..0.08 --plot x.svg", "--plot: no curve is known there"),
+        ("--r 0.03 --rows up", "--rows: has a meaning with --all only"),
+        ("--r 0.03 -v", "--verbose: has a meaning with --all only"),
+        ("--all --r 0.03", "--r: leave it out with --all"),
+        ("--all --digits 3", "--digits: leave it out with --all"),
+        ("", "--r: is missing; write for example --r 0.03, or --all"),
+        ("--r 0.03 --at 1/10 --digits 400 --out x", "--out: "),
+    ],
+)
+def test_one_line_says_what_to_write(
+    words: str, says: str, capsys: pytest.CaptureFixture[str], tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    assert main(["separatrix", *words.split()]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.startswith(f"verify: {says}")
+    assert err.count("\n") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_a_point_run_loads_nothing_of_it() -> None:
     code = (
         "import sys; from verify.cli import main; main(['theorem1', '--r', '0.03']); "

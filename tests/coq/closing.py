@@ -54,9 +54,17 @@ def closed(name: str, own: str, others: list[str], proofs: list[str]) -> list[st
     ]
 
 
+def unread() -> dict[Path, str]:
+    """The committed folders that the checker in Coq cannot read, each with the reason it gives."""
+    lines = Path(__file__).with_name("unread.txt").read_text(encoding="utf-8").splitlines()
+    return {ROOT / name: reason for name, _, reason in (line.partition(": ") for line in lines)}
+
+
 def main(directory: Path) -> None:
     """Write one theorem for each statement that cites others."""
     statements = {path.parent: path.read_bytes() for path in sorted(ROOT.rglob("statement.json"))}
+    for folder in unread():
+        del statements[folder]
     folders = {sha256(data).hexdigest(): folder for folder, data in statements.items()}
     lines = ["From Coq Require Import List.", "From Verify Require Import Meaning Citations."]
     lines += ["Import ListNotations."]

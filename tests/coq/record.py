@@ -55,7 +55,7 @@ def found(directory: Path) -> dict[str, Any]:
     """What the run has checked.
 
     Raises:
-        AnotherError: if that is not every committed certificate.
+        AnotherError: if that is not every committed certificate that Coq can read.
     """
     lines = [line.split() for line in (directory / "checked").read_text().splitlines()]
     seconds = {ROOT / folder: int(number) for folder, number in sorted(lines, key=in_order)}

@@ -46,4 +46,4 @@ def test_a_file_that_has_changed_is_not_counted() -> None:
     for name in right:
         text = said([right, {**right, name: "0" * 64}])
         assert text.startswith("accepted 1 of 2 certificates, with Coq 8.")
-        assert text.endswith("; not number 2, which may have changed since")
+        assert text.endswith("; not number 2, which it cannot read or which may have changed since")

@@ -56,8 +56,23 @@ def value(term: Term, names: dict[str, mpmath.mpf]) -> mpmath.mpf:  # noqa: C901
             return min(children) if term.op == "min" else max(children)
         case "neg":
             return -children[0]
+        case "pi":
+            return +CONTEXT.pi
+        case "exp" | "log" | "sin" | "atan" | "root" | "cos":
+            return function(term, children[0])
     a, b = children
     return {"add": a + b, "sub": a - b, "mul": a * b}[term.op]
+
+
+def function(term: Term, x: mpmath.mpf) -> mpmath.mpf:
+    """The value of a function, where it is known to have one of a size that can be written."""
+    if term.op in ("log", "root") and x < TINY:
+        raise ValueError
+    if abs(x) > 10**6:
+        raise OverflowError
+    if term.op == "root":
+        return CONTEXT.root(x, term.exponent)
+    return getattr(CONTEXT, term.op)(x)
 
 
 def holds(relation: str, a: mpmath.mpf, b: mpmath.mpf) -> bool:

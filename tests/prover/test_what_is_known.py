@@ -152,3 +152,44 @@ def test_fista() -> None:
     """The step of the induction that the k-th number is (k + 2)/2 at least (Beck, Teboulle)."""
     claim = (k + 3) / 2 <= (1 + sqrt(1 + 4 * t**2)) / 2
     assert verdicts([claim], [0 <= k, (k + 2) / 2 <= t], {"k": 0, "t": 1}) == [PROVED]
+
+
+def test_squares_on_a_circle() -> None:
+    circle = [equal(x**2 + y**2, 1)]
+    claims = [3 * x + 4 * y <= as_term(5), x**3 + y**3 <= as_term(1), x <= as_term(1)]
+    assert verdicts(claims, circle, {"x": 1, "y": 0}) == [PROVED] * 3
+
+
+def test_factors_and_orders_of_variables() -> None:
+    positive = [0 < a, 0 < b, 0 < c]
+    ones = {"a": 1, "b": 1, "c": 1}
+    # Schur's inequality, as in the tests of Coq's micromega
+    schur = a * (a - b) * (a - c) + b * (b - a) * (b - c) + c * (c - a) * (c - b)
+    # miniF2F, algebra_sumasqdivbsqgeqsumbdiva
+    quotients = b / a + c / b + a / c <= a**2 / b**2 + b**2 / c**2 + c**2 / a**2
+    assert verdicts([0 <= schur, quotients], positive, ones) == [PROVED, PROVED]
+
+
+def test_givens_that_fail_on_parts_of_a_box() -> None:
+    """From cos-3410-b of the SMT-LIB's QF_NRA: five quadratic givens and a quadratic claim."""
+    half = as_term(1) / 2
+    near = as_term(51) / 100
+    far = as_term(251) / 100
+    box = [claim for v in (x, y, z) for claim in (as_term(-3) / 2 < v, v < as_term(3) / 2)]
+    givens = [
+        far - half * x**2 + y * (x - y) < z * (z * half - y),
+        near - half * y**2 < z * (z * half - y),
+        far - x**2 + y * (x - half * y) < z * (z * half - x),
+        near - half * x**2 < z * (z * half - x),
+        near - half * x**2 < y * (y * half - x),
+    ]
+    claim = z * (z - x - y) <= far - half * x**2 - half * y**2
+    point = {"x": as_term(-5) / 4, "y": as_term(5) / 4, "z": 0}
+    assert verdicts([claim], givens + box, point) == [PROVED]
+
+
+def test_a_variable_that_is_bounded_where_the_claim_fails() -> None:
+    """On all x > 2 the claim is linear; below that the given fails."""
+    given = as_term(1) <= x * (x - 3) * (x - 4)
+    assert verdicts([x < as_term(5)], [given, x < as_term(3)], {"x": 1}) == [PROVED]
+    assert verdicts([as_term(4) < x], [given, 3 < x], {"x": 5}) == [PROVED]

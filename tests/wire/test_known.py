@@ -9,12 +9,7 @@ import pytest
 from verify import check
 from verify.cli import main
 from verify.paper.commands.everywhere import decide_printed_everywhere
-from verify.paper.commands.spectrum import (
-    SPECTRUM,
-    cite_spectrum,
-    decide_spectrum,
-    state_spectrum,
-)
+from verify.paper.commands.spectrum import SPECTRUM, cite_spectrum, decide_spectrum, state_spectrum
 from verify.paper.spectrum.printed import Printed
 from verify.prover.outcome import Outcome
 from verify.wire.judge import known

@@ -15,7 +15,20 @@ from verify import check
 from verify.cli import main
 from verify.language.fold import TERMS
 from verify.language.statement import Always, Statement
-from verify.language.terms import Claim, Term, as_term, cos, maximum, sqrt, symbol
+from verify.language.terms import (
+    Claim,
+    Term,
+    as_term,
+    cos,
+    exp,
+    log,
+    maximum,
+    nth_root,
+    pi,
+    sin,
+    sqrt,
+    symbol,
+)
 from verify.wire.inputs import InputError
 from verify.wire.questions import decide, read_questions
 from verify.wire.text.infix import known_names, read_claims, read_term, term_text
@@ -47,7 +60,8 @@ def test_every_committed_statement_is_a_page(path: Path) -> None:
     assert page_text(again) == page
 
 
-NUMBERS = st.builds(Fraction, st.integers(-20, 20), st.integers(1, 9)).map(as_term)
+NUMBERS = st.builds(Fraction, st.integers(-20, 20), st.sampled_from([1, 2, 3, 10, 200, 3000]))
+NUMBERS = NUMBERS.map(as_term)
 LEAVES = NUMBERS | st.sampled_from(NAMES).map(symbol)
 
 
@@ -64,8 +78,17 @@ def test_a_formula_is_read_as_it_was_written(term: Term) -> None:
     assert read_term("", term_text(term), known_names(NAMES)) is term
 
 
+@pytest.mark.parametrize(
+    ("number", "text"),
+    [("1/10", "1/10"), ("191/1000", "0.191"), ("-1307/10000", "-0.1307"), ("1/300", "1/300")],
+)
+def test_numbers_are_written_as_in_papers(number: str, text: str) -> None:
+    assert term_text(as_term(Fraction(number))) == text
+
+
 def test_every_operation_is_written_and_read() -> None:
-    arguments = {"pow": (X, 3), "rational": (Fraction(1, 3),), "symbol": ("x",), "pi": ()}
+    arguments = {"rational": (Fraction(1, 3),), "symbol": ("x",), "pi": ()}
+    arguments |= dict.fromkeys(("pow", "root"), (X, 3))
     two = dict.fromkeys(("add", "sub", "mul", "div", "min", "max"), (X, Y))
     for op in TERMS:
         term = Term(op, *(arguments | two).get(op, (X,)))
@@ -91,6 +114,12 @@ def test_every_operation_is_written_and_read() -> None:
         ("x**-2", 1 / X**2),
         ("x^(1/2)", sqrt(X)),
         ("x^(3/2)", sqrt(X) ** 3),
+        ("x^(-2/3)", 1 / nth_root(X, 3) ** 2),
+        ("x^y", exp(Y * log(X))),
+        ("e^(x + 1)", exp(X + 1)),
+        ("2*π*e", 2 * pi * exp(1)),
+        ("tan(x)", sin(X) / cos(X)),
+        ("ln(x) + root(x, 5)", log(X) + nth_root(X, 5)),
         ("|x - y|", maximum(X - Y, -(X - Y))),
         ("abs(cos(x))", maximum(cos(X), -cos(X))),
         ("δ₁", symbol("delta_1")),
@@ -98,7 +127,7 @@ def test_every_operation_is_written_and_read() -> None:
     ],
 )
 def test_what_a_formula_means(text: str, term: Term) -> None:
-    assert read_term("", text, known_names(NAMES)) is term
+    assert read_term("", text, known_names({*NAMES} - {"e"})) is term
 
 
 def test_a_chain_is_several_claims() -> None:
@@ -175,6 +204,21 @@ def test_points_are_found_that_the_checker_accepts() -> None:
     assert high.point == {"high.x": as_term(3)}
 
 
+def test_equations_are_solved_for_a_point() -> None:
+    page = 'title = "t"\n[contexts.c]\nvariables = ["x", "y", "z"]\n'
+    page += 'given = ["0 < x < y", "x + y = 1", "x*y*z = 1"]\n[rows]\na = "x*y < 1/4"\n'
+    point = read(page).contexts[0].point
+    x, y, z = (point[name].value for name in "xyz")
+    assert 0 < x < y
+    assert (x + y, x * y * z) == (1, 1)
+
+
+def test_greek_names_may_be_written() -> None:
+    statement = read('title = "t"\n[constants]\n"ε₀" = 0.1\n[rows]\na = "ε_0 < 1"\n')
+    assert (statement.constants[0].name, statement.constants[0].letter) == ("epsilon_0", "ε₀")
+    assert statement.obligations[0].claim == (symbol("epsilon_0") < 1)
+
+
 def test_a_point_on_a_curve_is_asked_for() -> None:
     page = 'title = "t"\n[contexts.c]\nvariables = ["x", "y"]\ngiven = ["x^2 + y^2 = 7"]\n'
     with pytest.raises(InputError, match=r"line 2: contexts.c: no point was found .* point = "):
@@ -227,8 +271,10 @@ def test_an_induction() -> None:
         ('"1 + sqrt(2)"', '"1/0"', "divides by zero"),
         ('"1 + sqrt(2)"', "true", "constants.b: 'True' is no text; write a formula in"),
         ('"1 + sqrt(2)"', '"2^x"', "line 5: constants.b"),
-        ('"1 + sqrt(2)"', '"2^(1/3)"', "the exponent 1/3 is not usable"),
+        ('"1 + sqrt(2)"', '"2^(1/1000)"', "the exponent 1/1000 is not usable; write m or m/n"),
+        ('"1 + sqrt(2)"', '"root(2)"', "a root has a term and an index, such as root(x, 3)"),
         ('"1 + sqrt(2)"', '"max(1)"', "max is of at least two terms, and 1 stand there"),
+        ('"y < d"', '"y < d and d < 9"', "a claim has no and; write a chain such as 0 < a < 1"),
         ('"1 + sqrt(2)"', '"1 # 2"', "cannot read '# 2'"),
         ('"y < d"', '"y < dd"', "line 23: rows.smaller: 'dd' is not defined here; did you mean d?"),
         ('"y < d"', '"y"', "line 23: rows.smaller: 'y' claims nothing; write for example y > 0"),
@@ -331,15 +377,36 @@ def test_a_page_cites_what_lies_beside_it(
     (cited / "mean.json").write_bytes((mean / "statement.json").read_bytes())
     (cited / "mean.certificate.json").write_bytes((mean / "certificate.json").read_bytes())
     theorem = json.loads((mean / "statement.json").read_text(encoding="utf-8"))["theorem"]
-    page = tmp_path / "page.toml"
+    page, out = tmp_path / "page.toml", tmp_path / "out"
     page.write_text(
-        f'title = "t"\n[cites]\nm = "{theorem}"\n[rows]\none = "0 < 1"\n'
-        'r = { applies = "m:pair", at = { x = 1, y = "sqrt(2)" }, role = "printed" }\n',
+        f'title = "t"\n[cites]\nm = "{theorem}"\n[rows]\n'
+        'r = { applies = "m:pair", at = { x = 1, y = "sqrt(2)" } }\n',
         encoding="utf-8",
     )
-    out = tmp_path / "out"
     assert main(["prove", str(page), "--out", str(out)]) == 0
     captured = capsys.readouterr()
     assert "m:pair at x = 1, y = √2" in captured.out
     assert "given no assumptions of the cited 'm'" in captured.out
+    assert main(["check", str(out)]) == 0
+
+
+def test_cited_constants_are_known(tmp_path: Path) -> None:
+    """Their definitions, and what is proved of them; a page of one's own is cited."""
+    first, second, out = tmp_path / "first.toml", tmp_path / "second.toml", tmp_path / "out"
+    first.write_text(
+        'title = "one"\n[constants]\nq = "sqrt(2)"\np = "q + 1"\n[contexts.c]\nvariables = "x"\n'
+        'given = ["0 <= x <= q"]\nconstants = { d = "x^2" }\n'
+        '[rows]\nsmall = "d <= 2"\nr = "p < 3"\n',
+        encoding="utf-8",
+    )
+    assert main(["prove", str(first), "--out", str(tmp_path / "one")]) == 0
+    (tmp_path / "cited").mkdir()
+    for name, new in (("statement", "one.json"), ("certificate", "one.certificate.json")):
+        (tmp_path / "one" / f"{name}.json").rename(tmp_path / "cited" / new)
+    second.write_text(
+        'title = "two"\n[cites]\nm = "one"\n[constants]\ns = "m:p/2"\n[rows]\na = "s < 3/2"\n'
+        'b = "m:q^2 = 2"\nc = { applies = "m:c", at = { x = "m:q - 1" } }\n',
+        encoding="utf-8",
+    )
+    assert main(["prove", str(second), "--out", str(out)]) == 0
     assert main(["check", str(out)]) == 0

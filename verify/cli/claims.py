@@ -13,7 +13,7 @@ from verify.wire.inputs import InputError, shown
 def add_arguments(parser: Parser) -> None:
     """The options."""
     parser.flag("-v", "--verbose", text="print every row, and every sentence taken on trust")
-    parser.option("--rows", "print the rows of this name only", "NAME")
+    parser.option("--rows", "print the rows of this name, label or (4.47) only", "NAME")
     parser.flag("--json", text="one JSON document on stdout")
     add_color(parser)
     parser.option("--out", "write statement.json and certificate.json", "DIR")

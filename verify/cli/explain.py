@@ -18,6 +18,8 @@ from verify.wire.inputs import InputError, regular_file, shown
 from verify.wire.packaged import AS_PRINTED, PACKAGED_FILES
 
 if TYPE_CHECKING:
+    from typing import Any
+
     from verify.paper.commands.place import Place
     from verify.prover.outcome import Outcome
 
@@ -26,6 +28,11 @@ NUMBERED = re.compile(r".*\.[0-9]+")
 
 #: The other parameters of a point.
 ANGLES = ("--theta0", "--neg-cos", "--delta-theta", "--V0")
+
+#: The point at which a formula or a constant is told, if none is asked for.
+_SAMPLE: dict[str, Any] = dict.fromkeys(map(field, ("--r", *ANGLES))) | {"r": "3/100"}
+#: What constants are called: a name or a letter, and no row, whose names have hyphens.
+CONSTANT = re.compile(r"(printed\.|repaired\.)?[^-.\s]+")
 
 #: Where the committed certificates are, of scenes and points too.
 COMMITTED = "certificates"
@@ -53,7 +60,10 @@ def run(options: Options) -> int:
     word, point = _label(word), _point(options)
     if point and folders:
         raise InputError(f"row: leave out {shown(folders[0])} with --r; write --r R ROW")
-    if point:
+    answer = _answer(word, point) if point and not options.verbose else []
+    if answer:
+        text = answer
+    elif point:
         text = _inside("theorem1", point, word, options)
     elif folders:
         text = _inside(folders[0], outcome_of(folders[0]), word, options)
@@ -112,10 +122,14 @@ def _anywhere(word: str, options: Options) -> list[str]:
     from verify.paper.source import PAPER
     from verify.views.explain import explain
 
+    answer = _answer(word, _point(Options(**_SAMPLE)))
+    if answer and not options.verbose:
+        return [*answer, f"Where it is written, with all rows: verify explain -v {word}"]
     found = written(word) if word else []
     text = [line for place in found for line in _where(place, word)]
     if any(place.label == word for place in found):
-        return text
+        return [*answer, *text]
+    text = [*answer, *text]
     there = _statements_with(word, found)
     for first in there[:1]:
         outcome = outcome_of(first)
@@ -129,6 +143,22 @@ def _anywhere(word: str, options: Options) -> list[str]:
         text += [f"At a point of Theorem 1: verify explain --r 3/100 {word}"]
     if not text:
         raise InputError(f"row: there is no row {shown(word)}; {_instead(word)}")
+    return text
+
+
+def _answer(word: str, outcome: Outcome | None) -> list[str]:
+    """What a label or a constant comes to: at a point of Theorem 1, or in another statement."""
+    from verify.paper.source import PAPER, printed_number  # loaded only where they are used
+    from verify.views.answer import about_constant, about_label
+
+    if printed_number(word) is None and not CONSTANT.fullmatch(word):
+        return []
+    text = [] if outcome is None else about_constant(outcome, word, PAPER)
+    if outcome is not None and printed_number(word) is not None:
+        text = about_label(outcome, word, PAPER)
+        for name in ("elsewhere", "spectrum", "classification"):
+            found = [] if text else about_label(outcome_of(name), word, PAPER)
+            text = [f"in {name}", *found] if found else text
     return text
 
 

@@ -74,7 +74,10 @@ def _everywhere(options: Options) -> int:
         shares = thresholds.all_shares(where)
         text = view.printed_screen(outcome, where, shares, PAPER, verdicts, INSTEAD)
     else:
-        text = view.screen(outcome, PAPER, verdicts)
+        from verify.paper.commands.whole import whole
+        from verify.views.whole import constants_and_set
+
+        text = view.screen(outcome, PAPER, verdicts, constants_and_set(whole()))
     show(claims.told(outcome, options, text), options)
     return code
 

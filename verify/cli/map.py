@@ -274,12 +274,11 @@ def _write(options: Options, progress: Progress, times: list[Sample]) -> None:
     from verify.views.map import map_document
     from verify.views.plots.map_picture import png_map, svg_map
 
-    law = [(sample.seconds, float(sample.undecided)) for sample in times]
     rows = "".join(f"{s.boxes},{s.undecided},{s.seconds:.3f}\n" for s in times)
     document = json.dumps(map_document(progress, check_map.GIVEN), ensure_ascii=False, indent=1)
     files = {
         DOCUMENT: f"{document}\n".encode(),
-        PICTURE: svg_map(progress, law, boxes=options.show_boxes).encode(),
+        PICTURE: svg_map(progress, boxes=options.show_boxes).encode(),
         DOTS: png_map(progress),
         TIMES: f"boxes,undecided,seconds\n{rows}".encode(),
     }

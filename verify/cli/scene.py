@@ -83,7 +83,7 @@ def run(options: Options) -> int:
     if plot is not None:
         from verify.cli.scene_plot import write_plot  # loaded only where it is used
 
-        write_plot("--plot", options.plot, plot, found)
+        write_plot("--plot", options.plot, plot, found, limits)
     _write_tables(options, found, judge)
     if options.json:
         print_document(scene_document(told(found), judge))

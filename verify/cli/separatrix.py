@@ -15,6 +15,7 @@ from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_all, write_certificate
 from verify.cli.options import Options, Parser, field
 from verify.cli.terminal import show
+from verify.language.errors import UnreadError
 from verify.spheres.limit_map import Parameters
 from verify.spheres.separatrix import Separatrix, decide_separatrix, staircase
 from verify.views.separatrix import (
@@ -180,7 +181,7 @@ def _certify(folder: str, found: Separatrix) -> str:
     """Write the certificate of f at one q, or say why there is none; return what it says."""
     from verify.paper.commands.separatrix import (  # loads the rows
         TooLongError,
-        decide_point,
+        decide_value,
         point_of,
     )
 
@@ -189,8 +190,8 @@ def _certify(folder: str, found: Separatrix) -> str:
         print("verify: f is undecided; no certificate was written", file=sys.stderr)
         return ""
     try:
-        outcome = decide_point(point)
-    except TooLongError as error:
+        outcome = decide_value(point)
+    except (TooLongError, UnreadError) as error:
         raise InputError(
             "--out: the orbits next to f are too long for the checker; ask for fewer --digits"
         ) from error

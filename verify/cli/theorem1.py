@@ -48,7 +48,7 @@ def add_arguments(parser: Parser) -> None:
         "--precision": ("BITS", f"starting bits (default {DEFAULTS['precision']})"),
         "--max-precision": ("BITS", f"last bits (default {DEFAULTS['max_precision']})"),
         "--steps": ("N", "with --r A..B: that many values of r, one verdict each"),
-        "--rows": ("NAME", "print the rows of this name only"),
+        "--rows": ("NAME", "print the rows of this name, label or (4.47) only"),
         "--out": ("DIR", "write statement.json and certificate.json"),
     }
     parser.flag("--all", text="prove it for all parameters, without --r")

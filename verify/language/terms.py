@@ -18,6 +18,8 @@ RELATIONS = ("<", "<=", "=")
 
 #: The largest index of a root.
 MAX_INDEX = 99
+#: The largest exponent of a power that the wire format has.
+MAX_EXPONENT = 999
 
 #: The operations without terms as arguments.
 LEAVES = ("rational", "symbol", "pi")

@@ -32,6 +32,7 @@ from verify.measure.engines import (
 )
 from verify.measure.inequalities import inequality_table
 from verify.measure.scenes import scene_tables
+from verify.measure.separatrix import separatrix_table
 from verify.measure.slack import slack_table
 from verify.paper.commands import eigenvalues
 from verify.paper.commands.scan import scan
@@ -69,7 +70,7 @@ def parameters(r: str, c: str) -> dict[str, Term]:
 
 
 #: How often `run_benchmarks` tells its progress.
-STEPS = 9
+STEPS = 10
 
 
 def run_benchmarks(quick: bool, progress: Progress) -> dict[str, Table]:
@@ -90,6 +91,8 @@ def run_benchmarks(quick: bool, progress: Progress) -> dict[str, Table]:
     tables["throughput"] = throughput_table(100 if quick else 1000, rounds)
     progress("scenes")
     tables |= scene_tables([bits for bits in precisions if bits <= 512], rounds, _cpu)
+    progress("the separatrix")
+    tables["separatrix"] = separatrix_table(quick, rounds)
     progress("whole processes")
     tables["processes"] = process_table(3 if quick else 15)
     progress("bounds with slack")

@@ -25,6 +25,8 @@ Quotient = tuple[fmpq_mpoly, fmpq_mpoly]
 #: Products of two monomials that expanding in one ring may take. The checker expands too: it counts
 #: about a hundred units for each, and has six million for a file.
 MAX_PRODUCTS = 20_000
+#: A number of so many bits counts as one product more.
+BITS = 200
 
 ATOMS = ("symbol", "min", "max", "pi", "root", *FUNCTIONS)
 ROOTS = ("sqrt", "root")
@@ -188,7 +190,9 @@ class Clearing(Quotients):
 
     def power(self, p: Polynomial, exponent: int) -> Polynomial:
         """The power, counted."""
+        bits = max((c.height_bits() for c in p.coeffs()), default=0)
         self._count(comb(len(p) + exponent - 1, exponent) if len(p) > 1 else 1)
+        self._count(bits * exponent // BITS)
         return super().power(p, exponent)
 
     def _count(self, products: int) -> None:

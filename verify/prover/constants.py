@@ -75,12 +75,16 @@ class Constants:
 
     def define(self, constant: Constant) -> bool:
         """Add a constant over names defined before; False if no precision shows its value."""
-        self.definitions[constant.name] = constant.term
-        self._program.define(constant.name, constant.term)
+        self.know(constant.name, constant.term)
         bits = self.defined_at(constant.term)
         if bits is not None:
             self.session.constant(constant, Interval(bits))
         return bits is not None
+
+    def know(self, name: str, term: Term) -> None:
+        """A name that has this value, as somebody else has shown or will show."""
+        self.definitions[name] = term
+        self._program.define(name, term)
 
     def defined_at(self, term: Term) -> int | None:
         """A precision at which the checker sees that a term has a value."""

@@ -3,24 +3,31 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import MappingProxyType
 
 from verify.language.statement import PROVED, UNDECIDED, Constant, Obligation, Statement
 from verify.language.terms import Claim, names_of
 from verify.prover.budget import SpentError, WorkBudget
+from verify.prover.citing import make_known
 from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.ground import Ground
 from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import Step
+from verify.prover.reasons import hardest
 from verify.prover.rows_in_contexts import RowsInContexts
 from verify.prover.session import Session
+from verify.prover.size import MAX_BITS, is_too_long
 from verify.prover.techniques import find
 from verify.prover.universal import Universal
 
 NOTHING_FOUND = "neither a proof nor an example against it was found"
 
+TOO_LONG = f"a number in it has more than {MAX_BITS} bits, which the checker does not read"
+
+#: So often another proof is looked for where the checker cannot afford one.
+MAX_REFUSED = 3
 NO_HINTS: Mapping[str, Hint] = MappingProxyType({})
 
 #: Why steps that show a row (none: what all rows rest on) are too much for the checker; or nothing.
@@ -34,6 +41,7 @@ def prove(
     budget: WorkBudget | None = None,
     price: Price = lambda _row, _claimed, _steps: "",
     hints: Mapping[str, Hint] = NO_HINTS,
+    cited: Iterable[tuple[str, Statement]] = (),
 ) -> Outcome:
     """Decide every row of a statement; what is not found is left undecided, with the reason.
 
@@ -44,9 +52,12 @@ def prove(
         budget: how much work each row may be.
         price: asked before anything is claimed of a row.
         hints: where to look for the proofs of some rows, by their names.
+        cited: statements with their proved rows, and what their names begin with here.
     """
     ground = Ground(Session(_unused_prefix(statement)), start_bits, max_bits)
     universal = Universal(ground, budget or WorkBudget(), find)
+    for prefix, other in cited:
+        make_known(prefix, other, universal)
     spent = _opened(statement, universal) or price(None, "", ground.session.steps)
     rows = statement.obligations
     decisions = {}
@@ -77,8 +88,14 @@ def _opened(statement: Statement, universal: Universal) -> str:
         spent = _defined(statement, universal.ground)
         for context in statement.contexts:
             universal.budget.refill()
+            sides = (side for given in context.givens for side in given.claim.key[1:])
+            terms = (*sides, *context.point.values(), *(c.term for c in context.constants))
+            if not spent and is_too_long(terms, universal.ground.definitions):
+                spent = f"the context {context.name}: {TOO_LONG}"
             if not spent and not universal.open(context):
                 spent = f"the context {context.name} was not seen to have a point"
+                if universal.failed is not None:
+                    spent += f": its given {universal.failed.name} was not shown there"
     except (ArithmeticError, RecursionError) as error:
         return f"its constants and contexts were not decided: {_why(error)}"
     return spent
@@ -88,6 +105,8 @@ def _defined(statement: Statement, ground: Ground) -> str:
     """Define all constants without variables; what could not be, in words."""
     parameters = [Constant(n, n, n, "", term) for n, term in statement.parameters.items()]
     for constant in (*parameters, *statement.constants):
+        if is_too_long((constant.term,), ground.definitions):
+            return f"{constant.name}: {TOO_LONG}"
         if not ground.define(constant):
             return f"{constant.name} has no value at {ground.max_bits} bits"
     return ""
@@ -107,9 +126,24 @@ def _hinted(row: Obligation, universal: Universal, price: Price, hint: Hint) -> 
 
 
 def _priced(row: Obligation, universal: Universal, price: Price) -> Decision:
-    """The decision on a row, if the checker can afford to read its proof."""
+    """The decision on a row, if the checker can afford to read its proof; else another proof."""
+    universal.refused.clear()
+    universal.budget.refill()
+    found = _tried(row, universal, price)
+    for _ in range(MAX_REFUSED):
+        if found.claimed != UNDECIDED or not universal.refused:
+            break
+        other = _tried(row, universal, price)
+        found = other if other.claimed != UNDECIDED else found
+    universal.refused.clear()
+    return found
+
+
+def _tried(row: Obligation, universal: Universal, price: Price) -> Decision:
+    """The same for the first proof that is found."""
     undo, first = universal.mark(), len(universal.session.steps)
-    universal.reasons.clear()
+    for table in (universal.reasons, universal.tried, universal.left):
+        table.clear()
     try:
         found = _decide(row, universal.ground, universal)
     except Exception as error:
@@ -121,12 +155,26 @@ def _priced(row: Obligation, universal: Universal, price: Price) -> Decision:
         found = Decision(UNDECIDED, reason="the search was interrupted")
     if found.claimed == UNDECIDED:
         undo()
-        return found._replace(reason=found.reason or "; ".join((NOTHING_FOUND, *universal.reasons)))
+        return found._replace(reason=_reason(found, row, universal))
     reason = price(row, found.claimed, universal.session.steps[first:])
     if reason:
         undo()
+        universal.refused.add(universal.found_by)
         return Decision(UNDECIDED, reason=reason)
     return found
+
+
+def _reason(found: Decision, row: Obligation, universal: Universal) -> str:
+    """Why a row is undecided: what was tried, and where it is open."""
+    if isinstance(row.claim, Claim) and row.context in universal.contexts:
+        universal.budget.refill()
+        try:
+            where = hardest(universal.goal(row.claim, row.context), universal)
+        except (ArithmeticError, ValueError, RecursionError):
+            where = ()
+    else:
+        where = ()
+    return "; ".join((found.reason or NOTHING_FOUND, *universal.reasons, *where))
 
 
 def _why(error: Exception) -> str:
@@ -139,9 +187,10 @@ def _why(error: Exception) -> str:
 
 
 def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
-    universal.budget.refill()
     universal.budget.spend(0)  # no row is begun when the time is over
     if isinstance(row.claim, Claim):
+        if is_too_long((row.claim.lhs, row.claim.rhs), universal.every_definition):
+            return Decision(UNDECIDED, reason=TOO_LONG)
         names = names_of(row.claim.lhs, row.claim.rhs)
         if all(name in ground.definitions for name in names):
             found = ground.decide(row)

@@ -15,13 +15,15 @@ from verify.prover.proof import Proof
 from verify.prover.search.bernstein_boxes import by_bernstein, on_interval
 from verify.prover.search.cosines import by_cosines
 from verify.prover.search.differences import by_differences, by_orders_of_variables
-from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_root
+from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_range, by_root
 from verify.prover.search.ends_of_variables import by_ends
 from verify.prover.search.equations import by_normal_form
 from verify.prover.search.extrema import by_cases, by_entries
 from verify.prover.search.factors import by_factors
+from verify.prover.search.growth import by_growth
 from verify.prover.search.linear import by_linear_sum, by_products, find_ranges
 from verify.prover.search.multiple_angles import by_multiple_angles
+from verify.prover.search.on_equations import squares_on_equations
 from verify.prover.search.positive import (
     few_squares,
     many_squares,
@@ -83,6 +85,7 @@ EQUATIONS = (
 #: For what the form of a claim shows, or simple searches.
 SIMPLE = (
     Technique("root", by_root),
+    Technique("range", by_range),
     Technique("plain squares", plain_squares),
     Technique("extremum", by_extremum),
     Technique("signs", _signs),
@@ -98,6 +101,7 @@ PRODUCTS = (
     Technique("differences", by_differences),
     Technique("sums of products", partial(by_products, degree=2)),
     Technique("orders of variables", by_orders_of_variables),
+    Technique("squares where equations hold", squares_on_equations),
 )
 #: Groups whose lemmas are of no use to others: without a proof they are taken back.
 TIDY = (SUMS, PRODUCTS, (NORMAL_FORM,))
@@ -106,6 +110,7 @@ SEARCHES = (
     Technique("cosines", _near_cosines),
     Technique("a small tree", partial(by_tree, leaves=FEW_LEAVES)),
     Technique("cosines", _other_cosines),
+    Technique("growth", by_growth),
     Technique("multiple angles", by_multiple_angles),
     Technique("coefficients on few parts", partial(by_bernstein, parts=FEW_PARTS)),
     Technique("coefficients where a claim may fail", partial(by_restriction, parts=FEW_PARTS)),
@@ -121,7 +126,15 @@ SEARCHES = (
     Technique("parts with variables of their own", by_subterms),
     Technique("a large tree", partial(by_tree, leaves=MANY_LEAVES)),
     Technique("squares with more givens", wider_squares),
+)
+
+
+#: What takes most of the work, and is tried when nothing else is left.
+LAST = (
     Technique("sums of longer products", partial(by_products, degree=3)),
+    Technique("coefficients on very many parts", partial(by_bernstein, parts=10 * MANY_PARTS)),
+    Technique("a very large tree", partial(by_tree, leaves=10 * MANY_LEAVES)),
+    Technique("sums of the longest products", partial(by_products, degree=4)),
 )
 
 
@@ -138,7 +151,10 @@ def find(goal: Goal, known: Universal) -> Proof | None:
     """The first proof that a technique finds; why one of them gave up is kept as a reason."""
     hint = known.hints.get(goal.claim, ANYWHERE)
     for question, techniques in _stages(goal, known):
-        for technique in filter(lambda one: hint.admits(one.name), techniques):
+        for technique in techniques:
+            if technique.name in known.refused or not hint.admits(technique.name):
+                continue
+            known.tried[technique.name] = None
             undo = known.mark() if techniques in TIDY else _nothing
             try:
                 proof = technique.prove(question)
@@ -146,6 +162,7 @@ def find(goal: Goal, known: Universal) -> Proof | None:
                 known.reasons[f"{technique.name}: expanding the claim is too much work"] = None
                 proof = None
             if proof is not None:
+                known.found_by = technique.name
                 return proof
             undo()
     return None
@@ -200,9 +217,10 @@ def _of_all_that_is_known(question: Question) -> Iterator[tuple[Question, tuple[
                 widened = question.widened() or question
                 yield question, (*FREE, *SIMPLE)
         yield widened, PRODUCTS
-    for asked in dict.fromkeys((question, widened)):
-        if _is_small(asked) and asked.clears() and not asked.is_refuted():
-            yield asked, SEARCHES
+    for group in (SEARCHES, LAST):
+        for asked in dict.fromkeys((question, widened)):
+            if _is_small(asked) and asked.clears() and not asked.is_refuted():
+                yield asked, group
 
 
 def _is_small(question: Question) -> bool:

@@ -6,6 +6,7 @@ Nothing here is trusted. What is found is written down as the steps of a certifi
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from fractions import Fraction
 from typing import Any
 
 from verify.language.statement import (
@@ -50,8 +51,13 @@ class Universal:
     ) -> None:
         self.ground, self.session, self.budget, self._find = ground, ground.session, budget, find
         self.reasons: dict[str, None] = {}  # why nothing is found
+        self.tried: dict[str, None] = {}  # the techniques
+        self.found_by = ""  # the technique that found the last proof
+        self.refused: set[str] = set()  # techniques whose proof the checker cannot afford
+        self.left: dict[str, tuple[Fraction, Fraction]] = {}  # the part of a box that is open
         self.hints: dict[Claim, Hint] = {}  # where to look for the proof of a claim
         self.contexts: dict[str, Context] = {}
+        self.failed: Given | None = None  # that was not shown at some values
         self.depth = 0  # of lemmas that lemmas need
         self.rows: set[str] = set()  # that are proved, so that later ones may use them
         self.bounds: dict[str, Bounds] = {}
@@ -164,6 +170,7 @@ class Universal:
         for given in context.givens:
             name = self.fact(substitute_claim(given.claim, values), place)
             if name is None:
+                self.failed = given
                 return None
             names.append(name)
         return tuple(names)
@@ -190,6 +197,11 @@ class Universal:
             if name in found:
                 found |= {other for other in names_of(self._local[name]) if other in self._local}
         return {name: term for name, term in self._local.items() if name in found}
+
+    @property
+    def every_definition(self) -> Mapping[str, Term]:
+        """What the names of constants stand for, also those of contexts."""
+        return {**self.ground.definitions, **self._local}
 
     # --- facts ----------------------------------------------------------------------------------
 

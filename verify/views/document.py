@@ -24,6 +24,7 @@ from verify.views.words import (
     DOES_NOT_APPLY,
     constants_of,
     ends_of,
+    fair,
     group_fails,
     group_verdict,
     groups,
@@ -31,7 +32,6 @@ from verify.views.words import (
     letters,
     sentence,
     sides_of,
-    told,
     witness_of,
 )
 
@@ -145,7 +145,7 @@ def row_document(
         "says": row.says,
         "claim": typesetter.claim(row.claim),
         "statement": sentence(row, typesetter),
-        "verdict": told(outcome, row, decision),
+        "verdict": fair(outcome, row, decision),
         "judged_by": decision.judge,
         "method": decision.method or None,
         "bits": decision.bits,

@@ -24,12 +24,12 @@ from verify.views.screen import printed_lines
 from verify.views.words import (
     cited_as,
     counts,
+    fair,
     given,
     given_by,
     headline,
     in_letters,
     short_name,
-    told,
 )
 
 FORMAT = "verify-theorem1-all/1"
@@ -48,8 +48,13 @@ THEOREM = (
 )
 
 
-def screen(outcome: Outcome, paper: Publication, as_printed: Mapping[str, str]) -> Iterator[str]:
-    """What is proved, given what; ``as_printed`` has the verdicts on the theorem as printed."""
+def screen(
+    outcome: Outcome, paper: Publication, as_printed: Mapping[str, str], whole: Iterable[str] = ()
+) -> Iterator[str]:
+    """What is proved, given what; ``as_printed`` has the verdicts on the theorem as printed.
+
+    ``whole`` are the lines with the constants and the set of the theorem.
+    """
     (cite,) = outcome.statement.cites
     yield "Theorem 1 for all parameters"
     yield ""
@@ -61,6 +66,7 @@ def screen(outcome: Outcome, paper: Publication, as_printed: Mapping[str, str]) 
     yield ""
     if outcome.verdict == PROVED:
         yield THEOREM
+        yield from whole
         yield ""
     yield from printed_lines(as_printed)
     title = in_letters(outcome.statement.title)
@@ -89,7 +95,7 @@ def printed_screen(
     """
     yield "The printed set, for all parameters that satisfy the corrected hypothesis"
     yield ""
-    found = [(row, d) for row, d in outcome.rows if told(outcome, row, d) == REFUTED]
+    found = [(row, d) for row, d in outcome.rows if fair(outcome, row, d) == REFUTED]
     for severity in ACCUSATIONS:
         here = [row for row, d in found if not d.witness and row.severity == severity]
         if here:
@@ -139,7 +145,7 @@ def _dependence(outcome: Outcome, row: Obligation, decision: Decision) -> str:
 def dependences(outcome: Outcome, where: Outcome, shares: Shares) -> Iterator[tuple[str, str]]:
     """The printed rows that fail for some parameters only, with what is known of where."""
     for row, decision in outcome.rows:
-        if told(outcome, row, decision) == REFUTED and decision.witness:
+        if fair(outcome, row, decision) == REFUTED and decision.witness:
             found = list(_sentences(where, shares, short_name(row)))
             yield row.says, "; ".join(found) or _dependence(outcome, row, decision)
 

@@ -19,9 +19,9 @@ from verify.views.words import (
     letters,
     short_name,
     sides_of,
-    told,
     verdict_text,
 )
+from verify.views.words import fair as verdict_of
 
 _SIGNS = {"<": "<", "<=": "≤", "=": "="}
 
@@ -52,7 +52,7 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
     def claim(one: Claim | Applies | Always) -> str:
         return brief(typesetter.claim(one))
 
-    def claimed(row: Obligation) -> str:
+    def told(row: Obligation) -> str:
         """The claim; in a theorem of somebody else's also for all values of which context."""
         where = "" if about or row.context is None else f" for all values of `{row.context}`"
         return claim(row.claim) + where
@@ -89,9 +89,9 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
         "constants": list(constants()),
         "printed": paper.printed,
         "claim": claim,
-        "claimed": claimed,
+        "told": told,
         "term": lambda one: brief(typesetter.term(one)),
         "evidence": evidence,
         "short_name": short_name,
-        "told": lambda row, found: told(outcome, row, found),
+        "verdict_of": lambda row, found: verdict_of(outcome, row, found),
     }

@@ -7,7 +7,8 @@ from fractions import Fraction
 from typing import Any
 
 from verify.language.record import TYPE_CHECKING, Record
-from verify.language.statement import UNDECIDED, Publication
+from verify.language.statement import UNDECIDED, Constant, Publication
+from verify.language.terms import Claim
 from verify.prover.outcome import Ends, Outcome
 
 if TYPE_CHECKING:
@@ -220,6 +221,20 @@ class CoqRecord(Record):
     seconds: Mapping[str, int | None]
 
 
+class Whole(Record):
+    """Theorem 1 with the repaired constants: what it assumes, its constants, and its set.
+
+    ``givens`` describe the set; ``letters`` are how symbols are written, for people and in LaTeX;
+    ``coq`` is the same in Coq.
+    """
+
+    hypotheses: Sequence[str]
+    constants: Sequence[Constant]
+    givens: Sequence[Claim]
+    letters: Mapping[str, tuple[str, str]]
+    coq: str
+
+
 class Material(Record):
     """Everything that the report shows; the main job stands first of the folders.
 
@@ -236,6 +251,7 @@ class Material(Record):
     stories: Mapping[str, Story]
     plotted: Plotted
     coq: CoqRecord
+    whole: Whole
 
     @property
     def logs(self) -> dict[str, str]:

@@ -20,11 +20,12 @@ from verify.language.typeset import Typesetter
 from verify.prover.outcome import Decision, Outcome
 from verify.views.plain import plain_letters
 from verify.views.words import (
+    fair,
     given_by,
     groups,
+    is_called,
     letters,
     short_name,
-    told,
     witness_of,
 )
 
@@ -60,7 +61,7 @@ def brief(outcome: Outcome, paper: Publication) -> Iterator[str]:
     parts = (f"{heading(group)} {_share(outcome, group)}" for group in groups(outcome))
     yield f"Rows proved, of those needed: {', '.join(parts)}."
     for verdict, title in _TITLES.items():
-        found = [(row, d) for row, d in outcome.rows if told(outcome, row, d) == verdict]
+        found = [(row, d) for row, d in outcome.rows if fair(outcome, row, d) == verdict]
         if found:
             yield ""
             what = (
@@ -112,9 +113,9 @@ def all_rows(outcome: Outcome, paper: Publication) -> Iterator[str]:
 
 
 def rows_called(outcome: Outcome, name: str, paper: Publication) -> list[str]:
-    """The rows whose name, with or without its group, is this one; their claims simplified."""
+    """The rows of this name, label or printed number; their claims simplified."""
     typesetter = plain_letters(outcome)
-    found = [p for p in outcome.rows if name in (p[0].name, short_name(p[0]))]
+    found = [p for p in outcome.rows if is_called(p[0], name, paper)]
     lines = (row_lines(outcome, row, decision, typesetter, paper) for row, decision in found)
     return [line for part in lines for line in part]
 
@@ -128,7 +129,7 @@ def row_lines(
 ) -> Iterator[str]:
     """A row: its words, its claim, by what it is decided, and where it is false."""
     role = " (as printed)" if row.role == PRINTED else ""
-    verdict = told(outcome, row, decision)
+    verdict = fair(outcome, row, decision)
     yield f"  {verdict:<9} {row.says}{role}   [{row.name}, {paper.cited(row.label)}]"
     uses = f"; with {', '.join(row.uses)}" if row.uses else ""
     method = decision.method or "no rule that was found"

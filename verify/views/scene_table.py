@@ -116,8 +116,10 @@ def sample_document(
 
 def sample_lines(document: Mapping[str, Any]) -> Iterator[str]:
     """A sample for a reader."""
-    sides = (f"{name} in [{low}, {high}]" for name, (low, high) in document["parameters"].items())
-    yield f"{document['sample']} points, uniform in {', '.join(sides)}; seed {document['seed']}"
+    yield f"{document['sample']} random points, seed {document['seed']}; uniform are"
+    for name, ends in document["parameters"].items():
+        low, high = (exact_number(Fraction(end)) for end in ends)
+        yield f"  {name} in [{low}, {high}]"
     if document["left_out"]:
         yield f"{document['left_out']} more were left out: particles overlap there"
     counts = {(one["verdict"], one["reason"]): one["count"] for one in document["counts"]}

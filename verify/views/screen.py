@@ -28,12 +28,12 @@ from verify.views.point import (
     parameters_told,
 )
 from verify.views.words import (
+    fair,
     group_verdict,
     groups,
     short_name,
     sides_of,
     summary,
-    told,
 )
 
 SIGNS = {"<": "<", "<=": "≤", "=": "="}
@@ -61,7 +61,7 @@ def screen(
     kinds = Counter(
         row.severity
         for row, found in outcome.rows
-        if row.severity and told(outcome, row, found) in (REFUTED, OTHERWISE, REMARK)
+        if row.severity and fair(outcome, row, found) in (REFUTED, OTHERWISE, REMARK)
     )
     rest = [counted(kinds[kind], kind) for kind in (HARMLESS, SLIP) if kinds[kind]]
     if rest:
@@ -98,7 +98,7 @@ def counted(count: int, severity: str) -> str:
 
 def _breaking(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """The refuted steps that break the printed argument, a line each with both numbers."""
-    rows = [p for p in outcome.rows if told(outcome, *p) == REFUTED and p[0].severity == BREAKS]
+    rows = [p for p in outcome.rows if fair(outcome, *p) == REFUTED and p[0].severity == BREAKS]
     if rows:
         yield "Refuted steps that break the printed argument (left and right side, formula):"
     for row, decision in rows:

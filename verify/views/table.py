@@ -28,20 +28,21 @@ from verify.views.words import (
     COUNTED,
     constants_of,
     ends_of,
+    fair,
     group_verdict,
     groups,
+    is_called,
     letters,
     short_name,
     sides_of,
     taken_on_trust,
-    told,
 )
 
 
 def some_rows(outcome: Outcome, name: str, paper: Publication) -> list[str]:
-    """The rows whose name, with or without its group, is this one; their claims simplified."""
+    """The rows of this name, label or printed number; their claims simplified."""
     typesetter = plain_letters(outcome)
-    rows = [p for p in outcome.rows if name in (p[0].name, short_name(p[0]))]
+    rows = [p for p in outcome.rows if is_called(p[0], name, paper)]
     parts = (_row(outcome, row, found, typesetter, paper, row.name) for row, found in rows)
     return [line for part in parts for line in part]
 
@@ -82,7 +83,7 @@ def _set(outcome: Outcome, group: str, typesetter: Typesetter, paper: Publicatio
     yield ""
     for row, decision in rows:
         yield from _row(outcome, row, decision, typesetter, paper)
-    verdicts = Counter(told(outcome, row, decision) for row, decision in rows)
+    verdicts = Counter(fair(outcome, row, decision) for row, decision in rows)
     yield ""
     yield "  " + ", ".join(f"{count} {COUNTED[verdict]}" for verdict, count in verdicts.items())
     if group == PRINTED:
@@ -134,7 +135,7 @@ def _row(
 ) -> Iterator[str]:
     role = " (as printed)" if row.role == PRINTED and row.group == HYPOTHESES else ""
     where = f"[{name or short_name(row)}, {paper.cited(row.label)}]"
-    verdict = told(outcome, row, decision)
+    verdict = fair(outcome, row, decision)
     yield f"  {verdict:<9} {row.says}{role}   {where}"
     yield f"            {typesetter.claim(row.claim)}"
     sides = sides_of(row, decision)
@@ -167,7 +168,7 @@ def _first_screen(outcome: Outcome, paper: Publication, sets: list[str]) -> Iter
     yield from verdict_lines(outcome, paper, sets)
     refuted: dict[str, list[str]] = {}
     for row, decision in outcome.rows:
-        found = told(outcome, row, decision)
+        found = fair(outcome, row, decision)
         if found == REFUTED and (row.role == PRINTED or row.group in sets):
             kind = f"{row.group}, {row.severity}" if row.severity else row.group
             refuted.setdefault(kind, []).append(short_name(row))

@@ -157,7 +157,7 @@ def _assumption(assumption: Assumption, paper: Publication) -> str:
     return f"  {assumption.name} ({assumption.kind}{where}): {assumption.sentence}"
 
 
-def told(outcome: Outcome, row: Obligation, found: Decision) -> str:
+def fair(outcome: Outcome, row: Obligation, found: Decision) -> str:
     """The verdict on what the text says; that on the claim is another where the text is right.
 
     A claim that is false is a remark where the text does not make it. Where the text says what is
@@ -186,7 +186,7 @@ COUNTED = {
 
 def counts(outcome: Outcome, role: str) -> str:
     """The rows of one role by verdict; empty if there are none."""
-    found = Counter(told(outcome, row, d) for row, d in outcome.rows if row.role == role)
+    found = Counter(fair(outcome, row, d) for row, d in outcome.rows if row.role == role)
     total = sum(found.values())
     parts = ", ".join(f"{found[v]} {word}" for v, word in COUNTED.items() if found[v])
     return f"{total} {role} ({parts})" if total else ""
@@ -195,7 +195,7 @@ def counts(outcome: Outcome, role: str) -> str:
 def group_verdict(outcome: Outcome, group: str) -> str:
     """The verdict on all rows of one group, whatever their role; remarks are none of them."""
     rows = outcome.of_group(group)
-    return conjunction(d for row, d in rows if told(outcome, row, d) not in (OTHERWISE, REMARK))
+    return conjunction(d for row, d in rows if fair(outcome, row, d) not in (OTHERWISE, REMARK))
 
 
 def groups(outcome: Outcome) -> list[str]:
@@ -225,6 +225,12 @@ def parameter_letters(outcome: Outcome) -> dict[str, str]:
 def short_name(row: Obligation) -> str:
     """The name of a row without its group."""
     return row.name.removeprefix(f"{row.group}.")
+
+
+def is_called(row: Obligation, word: str, paper: Publication) -> bool:
+    """Whether a word is a row's name, with or without its group, its label, or its number."""
+    number = paper.printed(row.label) or ""
+    return word in (row.name, short_name(row), row.label, number, number.strip("()")) and word != ""
 
 
 def sentence(row: Obligation, typesetter: Typesetter) -> str:

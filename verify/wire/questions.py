@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from verify import check
@@ -14,7 +15,7 @@ from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Step
 from verify.prover.prove import NO_HINTS, prove
-from verify.wire.inputs import InputError
+from verify.wire.inputs import InputError, shown
 from verify.wire.judge import judged
 from verify.wire.read import cites_of, read_statement
 from verify.wire.term_json import TermReader
@@ -60,6 +61,11 @@ def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
         from verify.wire.text.fpcore import read_fpcore
 
         return Page(read_fpcore(path, content), {})
+    if not (path.endswith(".json") or content.lstrip().startswith(b"{")):
+        raise InputError(
+            f"STATEMENT: {shown(path)} is none of the formats that are read; name a page .toml, a "
+            "statement .json, or a question .smt2 or .fpcore"
+        )
     return Page(read_questions(content, cited), {})
 
 
@@ -76,7 +82,8 @@ def decide(
         InputError: for a statement that the checker cannot read.
         OwnError: if the checker refuses what the search calls proved.
     """
-    outcome = prove(statement, budget=budget, price=Reading(statement).price, hints=hints)
+    price, cited = Reading(statement).price, list(_proved(statement.cites))
+    outcome = prove(statement, budget=budget, price=price, hints=hints, cited=cited)
     try:
         return judged(outcome)
     except UnreadError as error:
@@ -156,6 +163,17 @@ class Reading:
 def _claims(statement: Statement, steps: Sequence[Step]) -> Outcome:
     decisions = {row.name: Decision(PROVED) for row in statement.obligations}
     return Outcome(statement, decisions, tuple(steps), {})
+
+
+def _proved(cites: Sequence[Cite], prefix: str = "") -> Iterator[tuple[str, Statement]]:
+    """What is cited, with its proved rows only, and what its names begin with here."""
+    for cite in cites:
+        here = f"{prefix}{cite.name}:"
+        yield from _proved(cite.cites, here)
+        document = json.loads(cite.content)
+        rows = [row for row in document["obligations"] if row["verdict"] == PROVED]
+        reader = TermReader(document["terms"])
+        yield here, read_statement(document | {"obligations": rows, "cites": []}, reader, {})
 
 
 def all_cites(cites: Sequence[Cite]) -> list[Cite]:

@@ -9,7 +9,7 @@ import pytest
 from verify.language.terms import as_term
 from verify.paper.commands.scan import Scan, scan
 from verify.paper.commands.theorem1 import decide_point
-from verify.views.words import told
+from verify.views.words import fair
 
 PARAMETERS = {
     "r": Fraction(1),
@@ -21,7 +21,7 @@ PARAMETERS = {
 
 def single(parameters) -> tuple[str, dict[str, str]]:
     outcome = decide_point({name: as_term(value) for name, value in parameters.items()})
-    return outcome.verdict, {row.name: told(outcome, row, found) for row, found in outcome.rows}
+    return outcome.verdict, {row.name: fair(outcome, row, found) for row, found in outcome.rows}
 
 
 @pytest.mark.parametrize("c", ["1", "97/100", "1/2"])

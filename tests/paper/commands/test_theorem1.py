@@ -28,7 +28,7 @@ from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.rules import Interval, Sum
 from verify.prover.session import Session
-from verify.views.words import counts, definitions_of, group_verdict, groups, told
+from verify.views.words import counts, definitions_of, fair, group_verdict, groups
 
 #: What the printed proof gets wrong at r = 3/100, theta_0 = pi; the README lists them.
 REFUTED_AT_3_100 = {
@@ -92,7 +92,7 @@ def test_the_list_of_defects_at_3_100() -> None:
 
 def test_18_rows_are_held_against_the_paper_at_3_100() -> None:
     outcome = outcome_at("3/100", "1")
-    found = {row.name: told(outcome, row, d) for row, d in outcome.rows if row.role == "printed"}
+    found = {row.name: fair(outcome, row, d) for row, d in outcome.rows if row.role == "printed"}
     against = {name for name, verdict in found.items() if verdict == REFUTED}
     listed = {f"printed.{name}" for name in REFUTED_AT_3_100}
     assert against == listed | {"hypotheses.angle-as-printed"}

@@ -22,7 +22,7 @@ from verify.paper.source import printed_numbers
 from verify.prover.outcome import Outcome
 from verify.prover.proof import LemmaStep, ObligationStep
 from verify.prover.rules import Sum, Witness
-from verify.views.words import told
+from verify.views.words import fair
 from verify.wire.read import read
 from verify.wire.write import write
 
@@ -125,16 +125,16 @@ def test_the_severities() -> None:
 def test_what_the_text_says_is_told_fairly(name: str, verdict: str) -> None:
     outcome = decide_elsewhere()
     assert outcome.decisions[name].verdict == REFUTED
-    assert told(outcome, ROWS[name], outcome.decisions[name]) == verdict
+    assert fair(outcome, ROWS[name], outcome.decisions[name]) == verdict
 
 
 def test_nothing_is_called_proved_without_its_proof() -> None:
     """The row by which a sentence is true has to be proved itself."""
     outcome = decide_elsewhere()
     row, found = ROWS["quoted-limit"], outcome.decisions["quoted-limit"]
-    assert told(outcome.draft, row, found) == REFUTED
-    assert told(outcome, row._replace(corrected_by="no-such-row"), found) == REFUTED
-    assert told(outcome, row._replace(role=NEEDED), found) == REFUTED
+    assert fair(outcome.draft, row, found) == REFUTED
+    assert fair(outcome, row._replace(corrected_by="no-such-row"), found) == REFUTED
+    assert fair(outcome, row._replace(role=NEEDED), found) == REFUTED
 
 
 def test_a_point_that_breaks_a_given_is_refused() -> None:

@@ -180,7 +180,9 @@ def dask_processes() -> Iterator[tuple[subprocess.Popen[str], str]]:
                 second.kill(), first.kill()
 
 
-def test_a_scheduler_that_dies_loses_nothing(whole: bytes, tmp_path: Path) -> None:
+def test_a_scheduler_that_dies_loses_nothing(
+    whole: bytes, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
     """The map ends with one line; what was proved is in the log, and another run goes on."""
     pytest.importorskip("distributed")
     path, progress = tmp_path / "log", Progress(PLANE)
@@ -193,6 +195,7 @@ def test_a_scheduler_that_dies_loses_nothing(whole: bytes, tmp_path: Path) -> No
             scheduler.kill()
             with pytest.raises(InputError, match="the log has what was proved"):
                 list(results)
+    assert capfd.readouterr().err == ""
     kept = path.read_bytes()
     assert whole.startswith(kept)
     assert 4 <= kept.count(b"\n") < whole.count(b"\n")

@@ -113,7 +113,7 @@ CASES: dict[str, tuple[Scene, str, int, str]] = {
         "sharper",
     ),
     "doubles-show-a-collapse": (on_a_line("0.072"), "disperses", 64, "apart"),
-    "below-9-4√5": (straight("0.0557"), "collapses", 4, "sharper"),
+    "below-9-4√5": (straight("0.0557"), "collapses", 3, "sandwich"),
     "above-9-4√5": (straight("0.0558"), "undecided", 1000, "budget"),
     "below-7-4√3": (straight("0.0717967"), "disperses", 23, "apart"),
     "above-7-4√3": (straight("0.0717968"), "disperses", 23, "apart"),

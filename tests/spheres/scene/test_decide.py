@@ -15,6 +15,7 @@ from verify.measure.simulation import DIGITS, Impact, simulate
 from verify.prover import balls
 from verify.spheres.flow.pairs import PARTING, PASSING
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, UNDECIDED, Budget, Fate, decide_scene
+from verify.spheres.scene.scene import PAIRS, Coordinates, Scene
 from verify.spheres.scene.verdict import central, pairs_of, scene_lines, time_ends
 
 #: Collisions of the simulation after the last one that was followed.
@@ -184,3 +185,52 @@ def test_each_pair_that_is_apart_has_a_reason(r: str) -> None:
     assert found.verdict == DISPERSES
     assert set(found.flow.apart) == {"01", "02", "12"}
     assert set(found.flow.apart.values()) <= {PARTING, PASSING}
+
+
+def gaps_at(scene: Scene, time: object, impacts: list[Impact]) -> dict[str, object]:
+    """|x|² - 1 of each pair at a time after these collisions, with 400 digits."""
+    with mpmath.workdps(DIGITS):
+        last, r = mpmath.mpf(0), mpmath.mpf(scene.r.numerator) / scene.r.denominator
+        v = [mpmath.matrix([mpmath.mpf(a.numerator) / a.denominator for a in row])
+             for row in scene.velocities]  # fmt: skip
+        x = [mpmath.matrix([mpmath.mpf(a.numerator) / a.denominator for a in row])
+             for row in scene.positions]  # fmt: skip
+        for impact in impacts:
+            x, last = [mpmath.matrix(place) for place in impact.positions], impact.time
+            i, j = map(int, impact.pair)
+            e = x[j] - x[i]
+            push = (1 + r) / 2 * mpmath.fdot(e, v[j] - v[i]) / mpmath.fdot(e, e)
+            v[i], v[j] = v[i] + push * e, v[j] - push * e
+        x = [a + (time - last) * b for a, b in zip(x, v, strict=True)]
+        pairs = ((0, 1), (0, 2), (1, 2))
+        return {f"{i}{j}": mpmath.norm(x[j] - x[i]) ** 2 - 1 for i, j in pairs}
+
+
+def test_exact_events_against_a_simulation() -> None:
+    """At the time of a triple contact two pairs touch; at that of a graze one does."""
+    rng, names = Random(12), []
+    while len(names) < 60:
+        places = [[Fraction(rng.randint(-8, 8), 2) for _ in range(2)] for _ in range(3)]
+        speeds = [[Fraction(rng.randint(-2, 2)) for _ in range(2)] for _ in range(3)]
+        if rng.random() < 0.5:
+            places[2], speeds[2] = ([-a, b] for a, b in (places[1], speeds[1]))
+            places[0][0] = speeds[0][0] = Fraction(0)
+        made = scene("0.03", places, speeds)
+        given = Coordinates(made.positions, made.velocities)
+        if any(given.pair(i, j).g < 0 for i, j in PAIRS):
+            continue
+        found = decide_scene(made)
+        assert found.verdict != UNDECIDED or found.event is not None
+        if found.event is None:
+            continue
+        names.append(found.name)
+        with mpmath.workdps(DIGITS), balls.precision(found.flow.bits):
+            low, high = balls.ends(balls.as_ball(found.event.time))
+            time = (mpmath.mpf(low.numerator) / low.denominator
+                    + mpmath.mpf(high.numerator) / high.denominator) / 2  # fmt: skip
+            count = found.collisions
+            gaps = gaps_at(made, time, simulate(made, count)[:count])
+            small = mpmath.mpf(10) ** -30
+            assert all(abs(gaps[pair]) < small for pair in found.event.pairs)
+            assert all(gap > -small for gap in gaps.values())
+    assert set(names) == {"triple-contact", "grazing"}

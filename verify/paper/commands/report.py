@@ -19,6 +19,7 @@ from verify.paper.commands.report_files import CertificateError, read_file, unus
 from verify.paper.commands.report_maps import is_strip, log_names, read_map, read_strip, story
 from verify.paper.commands.scene_statements import read_back
 from verify.paper.commands.thresholds import all_shares, bands, decide_thresholds
+from verify.paper.commands.whole import whole
 from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
 from verify.paper.glossary import LETTERS
 from verify.paper.groups import PRINTED, REPAIRED
@@ -110,6 +111,7 @@ def read_material(
         dict(_stories(folders)),
         plotted(found[0] if found else decide_everywhere(), depth),
         _checked_in_coq(folders),
+        whole(),
     )
 
 

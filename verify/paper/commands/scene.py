@@ -21,8 +21,11 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term
 from verify.paper.commands.classification import decide_classification
+from verify.paper.commands.sandwich import decide_sandwich
 from verify.paper.commands.sharper import decide_sharper
 from verify.paper.line import line
+from verify.paper.sandwich.comparison import stair
+from verify.paper.sandwich.numbers import context as sandwich_context
 from verify.paper.sharper.numbers import context as start_context
 from verify.prover import balls
 from verify.prover.arguments import write_down
@@ -31,6 +34,7 @@ from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.program import Machine, Program, Run, UndefinedError
 from verify.prover.proof import ConstantStep, ObligationStep, Premise, Proof, Step
 from verify.prover.rules import Applying, Interval, Sum
+from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER
 from verify.spheres.flow.follow import COLLIDE, DRIFT
 from verify.spheres.flow.theorem import NAME as FLOW
 from verify.spheres.flow.theorem import flow
@@ -44,8 +48,8 @@ from verify.spheres.scene.decide import (
 from verify.spheres.scene.telling import (
     CLASSIFICATION,
     LINE_START,
-    ON_A_LINE,
-    SHARPER,
+    SANDWICH_START,
+    STAIR,
     START,
     Numbers,
     Telling,
@@ -80,7 +84,8 @@ def decide_line() -> Outcome:
 def cited_contexts() -> dict[str, Context]:
     """The contexts that a scene applies, by the names by which it cites them."""
     found = {f"{FLOW}:{context.name}": context for context in flow().statement.contexts}
-    return found | {START: start_context(), LINE_START: line().statement.contexts[0]}
+    found |= {START: start_context(), LINE_START: line().statement.contexts[0]}
+    return found | {SANDWICH_START: sandwich_context(), STAIR: stair()}
 
 
 def tell(found: Fate) -> Telling:
@@ -112,7 +117,7 @@ def _tell_end(telling: Telling, found: Fate) -> None:
         time = short_outward((low[0], high[1]))
         angle = short_outward(found.collapse.angle)
         numbers = {name: balls.as_fraction(x) for name, x in found.collapse.numbers.items()}
-        telling.collapse(Numbers(numbers, time, angle))
+        telling.collapse(Numbers(numbers, time, angle, found.collapse.stair))
     elif found.verdict == DISPERSES:
         telling.disperse(found.flow.apart)
     elif found.verdict == FINITE and found.criterion is not None:
@@ -182,7 +187,8 @@ def cites(found: Fate) -> list[Cite]:
         FLOW: decide_flow,
         CLASSIFICATION: decide_classification,
         SHARPER: decide_sharper,
-        ON_A_LINE: decide_line,
+        SANDWICH: decide_sandwich,
+        LINE: decide_line,
     }
     return [_cite(name, makers[name]) for name in theorems(found)]
 

@@ -25,7 +25,7 @@ from verify.language.statement import (
     Obligation,
     Statement,
 )
-from verify.language.terms import Claim, Term, as_term, symbol
+from verify.language.terms import Claim, Number, Term, as_term, symbol
 from verify.paper.letters import Letters
 from verify.paper.separatrix import growth, order, trap
 from verify.paper.separatrix.model import LABEL, THRESHOLD
@@ -182,7 +182,8 @@ def _downward(point: PointParameters, digits: int) -> list[Step] | None:
 
 POINT_GLUE = Assumption(GLUE, LABEL,
     "The limit map is that of the theorem that is cited, with a = (1+r)/2 c and σ = 1/ρ; c is -cos "
-    "θ. By the rows of its context below, the orbit of (q, least) lies below the states in "
+    "θ. The second state of each row is the first one of the next row. By the rows of its context "
+    "below, the orbit of (q, least) lies below the states in "
     "below-1, below-2, …, one after the other, and then in the boxes of below-trap: by "
     "trapped-always its collisions never end, so least ≤ f(q). Let u ≥ most: as long as the "
     "collisions of (q, u) go on, its orbit lies above the states in above-1, above-2, …, by the "
@@ -190,7 +191,7 @@ POINT_GLUE = Assumption(GLUE, LABEL,
     "With beyond or flat in their place, f(q) = 0 by glue-none.", "numbered glue")  # fmt: skip
 
 
-def decide_point(point: PointParameters) -> Outcome:
+def decide_value(point: PointParameters) -> Outcome:
     """The claim about f(q) as a statement with its certificate; the checker has judged it.
 
     Raises:
@@ -205,7 +206,7 @@ def decide_stored() -> Outcome:
     found = point_of(enclose(*STORED, STORED_DIGITS, STORED_STEPS))
     if found is None:
         raise OwnError("the committed point of the separatrix is not decided")
-    return decide_point(found)
+    return decide_value(found)
 
 
 def outcomes_at(point: PointParameters) -> Iterator[Outcome]:
@@ -251,7 +252,8 @@ def _constants() -> tuple[Constant, ...]:
 
 def _title(point: PointParameters) -> str:
     r, c, ratio, q, least, most = (
-        exact_number(x, len(str(x.numerator * x.denominator))) for x in point.values.values()
+        exact_number(x, max(12, len(str(x.numerator * x.denominator))))
+        for x in point.values.values()
     )
     where = f"at r = {r}, -cos θ = {c}, ratio {ratio}"
     if not point.most:
@@ -302,10 +304,10 @@ def _orbit_rows(point: PointParameters) -> tuple[list[Obligation], int]:
 
 
 def _below(point: PointParameters, steps: list[Step], box: Trap) -> Iterator[Obligation]:
-    state = point.q, point.least
+    state: tuple[Number, ...] = symbol("q"), symbol("least")
     for number, step in enumerate(steps, 1):
         says = f"the state after {number} collisions of (q, least) lies below the second one"
-        at = dict(zip("QUXV", step[1:], strict=True))
+        at = dict(zip("QUXV", (*state, *step[3:]), strict=True))
         yield _applied(f"below-{number}", says, order.up, number - 1, at)
         state = step[3:]
     widths = box.u, point.of.ratio * box.u
@@ -316,21 +318,21 @@ def _below(point: PointParameters, steps: list[Step], box: Trap) -> Iterator[Obl
 
 
 def _above(point: PointParameters, steps: list[Step]) -> Iterator[Obligation]:
-    state = point.q, point.most
+    state: tuple[Number, ...] = symbol("q"), symbol("most")
     for number, step in enumerate(steps, 1):
         says = f"the state after {number} collisions of (q, u), u ≥ most, lies above the second one"
-        at = dict(zip("QUXV", step[1:], strict=True))
+        at = dict(zip("QUXV", (*state, *step[3:]), strict=True))
         yield _applied(f"above-{number}", says, order.down, number - 1, at)
         state = step[3:]
     rho = point.of.ratio if len(steps) % 2 == 0 else 1 / point.of.ratio
-    q, u = state
+    q, u = steps[-1][3:] if steps else (point.q, point.most)
     ends = order.parted if point.of.a * (1 - u) - q - rho * u <= 0 else order.missed
     says = "and after that there is no collision"
-    yield _applied("above-end", says, ends, len(steps), {"Q": q, "U": u})
+    yield _applied("above-end", says, ends, len(steps), dict(zip("QU", state, strict=True)))
 
 
 def _applied(
-    name: str, says: str, context: Letters, number: int, at: Mapping[str, Fraction]
+    name: str, says: str, context: Letters, number: int, at: Mapping[str, Number]
 ) -> Obligation:
     """The row that a context applies after so many collisions, to r, a, the ratio and numbers."""
     ratios = (symbol("ratio"), symbol("sigma"))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 
 from verify.language.argument import (
     ByRoot,
@@ -15,7 +14,6 @@ from verify.language.argument import (
     power,
     proof,
     scaled,
-    square,
     times,
 )
 from verify.language.terms import Term, as_term, substitute_claim
@@ -37,7 +35,6 @@ from verify.paper.dynamics.laws import (
 )
 from verify.paper.dynamics.state import (
     A_next,
-    B,
     C,
     C_next,
     D,
@@ -52,7 +49,6 @@ from verify.paper.dynamics.state import (
     y_next,
 )
 from verify.paper.parameters import THEOREM
-from verify.paper.sandwich.flight import GROWN
 from verify.paper.sandwich.numbers import (
     C_0,
     G_POSITIVE,
@@ -68,9 +64,8 @@ from verify.paper.sandwich.numbers import (
     w_0,
     w_1,
 )
-from verify.paper.sandwich.orbit import PUSH, gamma
+from verify.paper.sandwich.orbit import PUSH
 from verify.paper.sandwich.state import (
-    Q,
     U,
     at_next,
     clock,
@@ -78,15 +73,13 @@ from verify.paper.sandwich.state import (
     g,
     load,
     pace,
-    rho,
-    v_s,
     w_s,
 )
 
 _end = frame.dot(end, end)
 GROWTH = "EQUATSS4.1Lien_x_n_&_y_n_"
 #: How far -cos theta can turning until the next collision.
-change = 2 * (w_0 + w_1) * tau
+change = (w_0 + w_1 + start.y) * tau
 
 
 def lines() -> Iterator[Item]:
@@ -114,7 +107,7 @@ def next_condition(
                 says=says)  # fmt: skip
 
 
-BOTH = plus("w_c-positive", "w_s-positive")
+SUM = plus("w_0-positive", "w_1-positive", "start-y")
 
 
 def _turning() -> Iterator[Item]:
@@ -122,9 +115,8 @@ def _turning() -> Iterator[Item]:
         "C-positive", 0 < C, proof("angle-lower", "obtuse", times("turning-positive", "g-positive"))
     )
     more = times("turning-positive", "ratio-positive", "Cnd1")
-    yield Line("sum-positive", 0 < w_0 + w_1, proof(BOTH, equations=(("w-sum", as_term(-1)),)))
     yield Line("turned", change <= turning * (1 - ratio) * y,
-               scaled(times("goal", power("v-positive", 2)), times(2, "sum-positive", "time"),
+               scaled(times("goal", power("w_b-positive", 2)), times(SUM, "time"),
                       equations=(("turning-sum", y),)))  # fmt: skip
     yield Line("turn-short", 0 < C - change,
                proof("turned", "angle-lower", "obtuse",
@@ -137,22 +129,22 @@ def _angle() -> Iterator[Item]:
     yield at_the_contact("angle-pair", "cs-angle")
     yield SPIN_SQUARE
     yield from absolute("spin", spin, (w_s, "w_s-positive"), ("spin-square", "B-below"))
-    moved = times("tau-positive", "w_s-positive")
-    sum_ = (("w-sum", -(2 * D * tau)),)
-    wide = times(2, "D-one", "tau-positive", BOTH)
+    wide = times("D-one", "tau-positive", SUM)
+    further = times("tau-positive", "y-most")
+    sums = ("w-sum", -tau)
     yield from (
         Line("angle-step-lower", C - C_next <= change,
              scaled(times("D-positive", "goal"), times("d-positive", "C-positive"), "outward",
-                    times("D-one", "C-one"), times("tau-positive", plus("a-upper", "spin-upper")),
-                    wide, times("tau-positive", "w_c-positive"))
-             ._replace(equations=(("turn", as_term(1)), *sum_)),
-             ANGLE, "-cos θ' ≥ -cos θ - 2(w_c+w_s)τ"),
+                    further, times("D-one", "C-one"), wide,
+                    times("tau-positive", plus("a-upper", "spin-upper")),
+                    equations=(("turn", as_term(1)), sums)),
+             ANGLE, "-cos θ' ≥ -cos θ - (w_c+w_s+η₀)τ"),
         Line("angle-step-upper", C_next - C <= change,
-             scaled(times("D-positive", "goal"), times("D-one", "C-positive"), "inward",
-                    times("tau-positive", "closing-speed"), times("d-positive", "C-one"),
-                    times("tau-positive", plus("a-lower", "spin-lower")), wide, moved)
-             ._replace(equations=(("turn", as_term(-1)), *sum_)),
-             ANGLE, "-cos θ' ≤ -cos θ + 2(w_c+w_s)τ"),
+             scaled(times("D-positive", "goal"), times("D-one", "C-positive"), "inward", further,
+                    times("d-positive", "C-one"), wide,
+                    times("tau-positive", plus("a-lower", "spin-lower")),
+                    equations=(("turn", as_term(-1)), sums)),
+             ANGLE, "-cos θ' ≤ -cos θ + (w_c+w_s+η₀)τ"),
     )  # fmt: skip
     slower = times("turning-positive", "decay-positive", "Cnd2")
     for side in ("upper", "lower"):
@@ -179,68 +171,53 @@ def _impact() -> Iterator[Item]:
         Line("impact-least", (1 - U) * y <= impact,
              proof(times("Cnd1", "S-least"), times("d-positive", "Cnd1", "S-positive")),
              COMPONENTS, "|W_c·ω_s'| ≥ (1-U)(-η_c)"),
-        Line("impact-fall", impact <= gain * (1 - ratio) * g,
-             proof("impact-bound", times(G_POSITIVE, "Cnd2"), equations=(("gain-sum", g),))),
     )  # fmt: skip
 
 
 def _speeds() -> Iterator[Item]:
     """Each bound leaves room for the sum of all later changes."""
-    low, high = v_s + gain * g, w_s - gain * g
+    high, struck = w_s - gain * g, w_s - ratio * gain * (ratio * g)
     hit = times(HALF, "impact-positive")
-    later = times("gain-positive", "ratio-positive", "g-positive")
-    fall = times("gain-positive", "decay-positive", "g-positive")
-    rest = plus("impact-fall", times(Fraction(1, 2), "r-below-one", "impact-positive"))
-    left = plus(rest, later, "v_s-positive")
-    below = plus("goal", "B-lower")
-    next_high = plus("high-s", fall)
-    hard = plus("impact-fall", later, "v_c-positive")
+    later = times(power("ratio-positive", 2), "gain-positive", "g-positive")
     energy = times("r-below-one", plus(1, "r-positive"), power("impact-positive", 2))
+    slower = times("gain-positive", "g-positive", "decay-2-positive")
     yield from (
-        Line("spin-high",    spin <= high,
+        Line("spin-high",   spin <= high,
              scaled(times("goal", plus("goal", times(2, "high-s"))), "spin-square", "B-upper")),
-        Line("struck-least", (low - half * impact) ** 2 <= A_next,
-             scaled(times("goal", power(times(2, hit), 2)),
-                    times(power(times(2, hit), 2), "spin-square"),
-                    times(below, plus(below, times(4, hit, left))),
-                    using="law-norm-c impact-speed"),
-             NORMS, "|W_c'| ≥ |W_s| - (1+r)/2 |W_c·ω_s'|, with a bound for |W_s|"),
-        Line("struck-most",  A_next <= (high + half * impact) ** 2,
+        Line("struck-most", A_next <= (high + half * impact) ** 2,
              proof(times(2, hit, "spin-high"), "B-upper", using="law-norm-c impact-speed"),
              NORMS, "|W_c'| ≤ |W_s| + (1+r)/2 |W_c·ω_s'|, with a bound for |W_s|"),
-        next_condition("A-lower", "|W_c'| stays above v_s by the sum of all later changes",
-             "struck-least", times(rest, plus(rest, times(2, plus(later, "v_s-positive"))))),
+        Line("struck-room", high + half * impact <= struck,
+             proof(times(HALF, "impact-bound"), times(HALF, G_POSITIVE, "Cnd2"),
+                   equations=(("gain-sum", g),))),
+        next_condition("high-c", "w_s stays above the bound of |W_c'|", "high-s", slower),
+        next_condition("high-s", "w_c stays above the bound of |W_s'|", "high-c"),
         next_condition("A-upper", "|W_c'| stays below w_s less the sum of all later changes",
-             "struck-most", times(rest, plus(next_high, "high-s", hit))),
-        next_condition("B-lower", "|W_s'| stays above v_c by the sum of all later changes",
-             "A-lower", times(2, "impact-positive", hard),
-             power(times("r-positive", "impact-positive"), 2),
-             times("impact-fall",
-                   plus("impact-fall", times(2, plus(later, "v_c-positive")))),
-             using="law-norm-s impact-speed"),
+             "struck-most",
+             times("struck-room", plus("struck-room", times(2, plus("high-s", hit))))),
         next_condition("B-upper", "|W_s'| stays below w_c less the sum of all later changes",
-             "A-upper", energy, times(fall, plus(fall, times(2, "high-c"))),
-             using="law-norm-s impact-speed"),
+             "A-upper", energy, using="law-norm-s impact-speed"),
         Line("next-A-below", A_next <= w_s**2,
-             proof("next-A-upper", times(later, plus(next_high, "w_s-positive")))),
+             proof("next-A-upper", times(later, plus("next-high-c", "w_s-positive")))),
     )  # fmt: skip
 
 
 def _ratio() -> Iterator[Item]:
     yield from parts()
-    shorter = times("rho-positive", "Cnd1", "S-least")
-    lost = plus("kept-upper", "gained-upper", "pull")
+    lost = plus("kept-upper", "gained-upper", "pull-most")
+    slow = plus(times("S-least", "Q-positive", "Cnd1"), times("U-one", "q-bound"))
+    pushed = times("S-least", PUSH, "Cnd1")
     turned = plus(times("d-positive", "C_next-positive"), "C_next-least")
     yield from (
         GAINED_UPPER,
         Line("kept-positive", 0 < kept, proof("recedes", using="kept")),
         Line("next-pace", pace * y <= y_next,
              proof(times(HALF, "impact-least", "C_next-positive"),
-                   times(HALF, "U-one", "Cnd1", "C_next-least"), lost, "q-bound", shorter,
+                   times(HALF, "U-one", "Cnd1", "C_next-least"), lost, "q-bound",
                    using="normal-parts pace-law"), GROWTH, "η_c'/η_c ≥ P"),
         Line("order", pace * y * S <= (1 - U) * y_next,
              proof(times("U-one", HALF, "S-positive", "Cnd1", turned), times("U-one", lost),
-                   times("S-positive", "q-bound"), times("S-least", "recedes"), shorter,
+                   slow, pushed,
                    using="normal-parts pace-law"), GROWTH,
              "√(1-ζ)/(1-U) ≤ (η_c'/η_c)/P: the step keeps the order"),
         next_condition("Cnd1", "η_c' < 0", "next-pace", times("pace-positive", "Cnd1")),
@@ -263,26 +240,17 @@ def _ratio() -> Iterator[Item]:
 
 def _next_u() -> Iterator[Item]:
     push = times(PUSH, "Cnd1")
-    pulled = times("B-positive", "tau-positive")
-    wide = times("D-one", plus(2, "D-one"))
     faster = times("next-pace", plus("next-pace", times(2, "pace-positive", "Cnd1")))
     further = times("next-d-positive", plus(2, "next-d-positive"))
-    here_ = times(power("next-d-sum-positive", 2), power("next-Cnd1", 2))
+    bent = times(power("next-d-sum-positive", 2), power("next-Cnd1", 2))
     root = substitute_claim(0 < root_of(frame), following())
+    pulled = times("B-below", power(times("w_s-positive", "tau-positive"), 2))
     yield from (
-        Line("pull-most", B * tau <= rho * U * y,
-             proof("pull", times("rho-positive", "Cnd1", "S-least")), says="|W_s|²τ ≤ ρU(-η_c)"),
-        Line("pulled", B * (D**2 - 1) <= y**2 * (rho * U * (2 * Q + rho * U)),
-             proof(times(2, "q-bound", push), times(2, "recedes", "pull-most"),
-                   times("pull-most", plus(push, pulled)), equations=(("D-square", -B),))),
-        Line("B-quick", v_s**2 <= B,
-             proof("B-lower", times(GROWN, plus(GROWN, times(2, "v_s-positive"))))),
-        Line("speed-ratio", A_next <= gamma * B,
-             proof(times("next-A-below", power("v_s-positive", 2)), times(square(w_s), "B-quick")),
-             NORMS, "|W_c'|²/|W_s|² ≤ γ"),
-        Line("spread", A_next * (D**2 - 1) <= load * y**2,
-             proof(times("speed-ratio", wide), times(square(w_s), "pulled"), using="load-law")),
-        Line("next-spread", A_next * (d_next * (2 + d_next)) <= load * y**2,
+        Line("spread", w_s**2 * (D**2 - 1) <= load * y**2,
+             proof(times(2, "q-bound", push), times(2, "recedes", "pull"), pulled,
+                   times("pull", plus(push, times(power("w_s-positive", 2), "tau-positive"))),
+                   equations=(("D-square", -(w_s**2)),), using="load-law")),
+        Line("next-spread", w_s**2 * (d_next * (2 + d_next)) <= load * y**2,
              proof("spread", using="d_next")),
         Line("next-u-bound", at_next("u-bound"),
              scaled(times("goal", power("pace-positive", 2)),
@@ -291,19 +259,20 @@ def _next_u() -> Iterator[Item]:
                     equations=(("U-next-law", (1 + d_next) ** 2 * y_next**2),)),
              says="u' ≤ U'"),
         Line("next-Cnd3", at_next("Cnd3"),
-             proof("next-u-bound", times(power("U-next-one", 2), here_)), says="ζ' < 1"),
+             proof("next-u-bound", times(further, "next-A-below"),
+                   times(power("U-next-one", 2), bent)), says="ζ' < 1"),
         Line("next-root", root, ByRoot()),
         Line("next-root-sum", at_next("root-sum"), proof(1, "next-root")),
     )  # fmt: skip
 
 
 def _others() -> Iterator[Item]:
-    for name in ("v_c-positive", "v_c-least", "room-c"):
-        other = name.replace("c", "s", 1) if name == "room-c" else name.replace("v_c", "v_s")
+    for name in ("w_c-positive", "w_c-least"):
+        other = name.replace("w_c", "w_s")
         for one, source in ((name, other), (other, name)):
             yield Line(f"next-{one}", at_next(one), proof(source))
     yield Line("next-w-sum", at_next("w-sum"), identity("", (("w-sum", as_term(1)),)))
-    v2 = power("v-positive", 2)
+    v2 = power("w_b-positive", 2)
     yield Line("next-clock-bound", at_next("clock-bound"),
                scaled(times("goal", v2), times("clock-bound", v2), "time",
                       times("duration-positive", "decay-positive", "Cnd2", v2),

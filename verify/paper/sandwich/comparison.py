@@ -1,8 +1,8 @@
 """The map of two numbers (Q, U) that bounds the dynamics, and what orders its orbits.
 
-With alpha, rho, gamma and R it is P = alpha (1-U) - Q - rho U, Q' = R (1-U)/P, and 1 - (1-U')^2 =
-gamma rho U (2 Q + rho U)/P^2. It goes on from (Q, U) if P > 0 and U' <= U_b. Stairs are numbers
-that satisfy the same with inequalities; the orbit stays below them.
+With alpha, rho and R it is P = alpha (1-U) - Q - rho U, Q' = R (1-U)/P, and 1 - (1-U')^2 = rho U
+(2 Q + rho U)/P^2. It goes on from (Q, U) if P > 0 and U' <= U_b. Stairs are numbers that satisfy
+the same with inequalities; the orbit stays below them.
 """
 
 from __future__ import annotations
@@ -55,7 +55,10 @@ class Step(Record):
 
 
 class Model(Record):
-    """What does not depend on which of the particles is next: C bounds -cos theta from below."""
+    """What does not depend on which of the particles is next: C bounds -cos theta from below.
+
+    The factor rho does: it is G w_s^2/w_c^2, where w_c and w_s bound the speeds from above.
+    """
 
     r: Term
     G: Term
@@ -72,24 +75,24 @@ class Model(Record):
         """The factor in Q'."""
         return self.r * self.G
 
-    def rho(self, v_c: Term, w_s: Term) -> Term:
-        """The factor of U in P, from the least and the greatest speed."""
-        return self.G * (w_s / v_c) ** 2
+    def rho(self, w_c: Term, w_s: Term) -> Term:
+        """The factor of U in P."""
+        return self.G * (w_s / w_c) ** 2
 
-    def step(self, Q: Term, U: Term, v_c: Term, v_s: Term, w_s: Term) -> Step:
+    def step(self, Q: Term, U: Term, w_c: Term, w_s: Term) -> Step:
         """One step from (Q, U), where the particle c is next."""
-        return step(self.alpha, self.rho(v_c, w_s), (w_s / v_s) ** 2, self.share, self.U_b, Q, U)
+        return step(self.alpha, self.rho(w_c, w_s), self.share, self.U_b, Q, U)
 
 
-def step(alpha: Term, rho: Term, gamma: Term, R: Term, U_b: Term, Q: Term, U: Term) -> Step:
+def step(alpha: Term, rho: Term, R: Term, U_b: Term, Q: Term, U: Term) -> Step:
     """One step from (Q, U)."""
     push = rho * U
     P = alpha * (1 - U) - Q - push
-    return Step(push, P, gamma * (push * (2 * Q + push)), U_b, R * (1 - U) / P)
+    return Step(push, P, push * (2 * Q + push), U_b, R * (1 - U) / P)
 
 
 n = Letters(
-    "stair", alpha="α", rho="ρ", gamma="γ", R="R", U_b="U*", Q="Q_n", U="U_n", Q_next="Q_{n+1}",
+    "stair", alpha="α", rho="ρ", R="R", U_b="U*", Q="Q_n", U="U_n", Q_next="Q_{n+1}",
     U_next="U_{n+1}",
 )  # fmt: skip
 x = Letters("orbit", Q="Q", U="U")
@@ -99,11 +102,10 @@ def stair() -> Context:
     """Numbers that bound one step of the map."""
     return n.opened(
         "a step of a stair: numbers Q_{n+1}, U_{n+1} above where the map leads from Q_n, U_n",
-        "1/2 1 1 3/100 1/10 1/10 1/50 1/10 1/50",
+        "1/2 1 3/100 1/10 1/10 1/50 1/10 1/50",
         {
             "alpha": 0 <= n.alpha,
             "rho": 0 <= n.rho,
-            "gamma": 0 <= n.gamma,
             "R": 0 <= n.R,
             "U_b": n.U_b < 1,
             "Q": 0 <= n.Q,
@@ -118,8 +120,8 @@ def stair() -> Context:
     )
 
 
-above = step(n.alpha, n.rho, n.gamma, n.R, n.U_b, n.Q, n.U)
-below = step(n.alpha, n.rho, n.gamma, n.R, n.U_b, x.Q, x.U)
+above = step(n.alpha, n.rho, n.R, n.U_b, n.Q, n.U)
+below = step(n.alpha, n.rho, n.R, n.U_b, x.Q, x.U)
 
 
 def orbit() -> Context:
@@ -146,7 +148,7 @@ def _below() -> Iterator[Item]:
     lower = times(plus("stair-alpha", "stair-rho"), "orbit-U")
     U_room = plus("orbit-U", "stair-U-most", "stair-U_b")
     falls = times(
-        "stair-gamma", "stair-rho",
+        "stair-rho",
         plus(times(2, "orbit-U", "stair-Q"), times(2, "orbit-U-least", "orbit-Q"),
              times("stair-rho", "orbit-U", plus("stair-U", "orbit-U-least"))),
     )  # fmt: skip
@@ -181,6 +183,6 @@ def _below() -> Iterator[Item]:
         Line("orbit-Q-stays",    0 <= below.next_q, proof(times("stair-R", U_room))),
         Line("orbit-U-stays",    0 <= below.next_u,
              scaled(times("goal", plus("goal", 2), power("orbit-approaches", 2)),
-                    times("stair-gamma", "stair-rho", "orbit-U-least",
+                    times("stair-rho", "orbit-U-least",
                           plus(times(2, "orbit-Q-least"), times("stair-rho", "orbit-U-least"))))),
     )  # fmt: skip

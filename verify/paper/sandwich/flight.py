@@ -38,7 +38,6 @@ from verify.paper.dynamics.state import (
     contact,
     d,
     difference,
-    eta_s,
     frame,
     tau,
     w,
@@ -47,12 +46,10 @@ from verify.paper.dynamics.state import (
 )
 from verify.paper.parameters import THEOREM
 from verify.paper.sandwich.comparison import LABEL
-from verify.paper.sandwich.numbers import G_POSITIVE, G, gain, start, step, v
-from verify.paper.sandwich.state import U, g, rho, v_c, w_c, w_s
+from verify.paper.sandwich.numbers import G_POSITIVE, HALF, G, U_b, start, step, w_b
+from verify.paper.sandwich.state import Q, U, g, rho, w_c, w_s
 
 GROWN = times("gain-positive", "g-positive")
-#: The bounds of both speeds from below.
-LOW = {"c": plus("v_c-positive", GROWN), "s": plus("v_s-positive", GROWN)}
 
 
 def sizes() -> Iterator[Item]:
@@ -75,20 +72,15 @@ def lines() -> Iterator[Item]:
 def _sizes() -> Iterator[Item]:
     yield Line("g-positive", 0 < g, proof("Cnd2", "Cnd1"))
     yield Line("y-most", y <= start.y, proof("Cnd2", "g-bound"))
-    fall = times(2, "gain-positive", "g-bound")
-    for name, i, size in (("A", "c", A), ("B", "s", B)):
-        high = (w_c if i == "c" else w_s) - gain * g
-        slower = plus(f"v_{i}-least", GROWN)
-        yield from (
-            Line(f"{name}-positive", 0 < size, proof(f"{name}-lower", power(LOW[i], 2))),
-            Line(f"{name}-least", v**2 <= size,
-                 proof(f"{name}-lower", times(slower, plus(slower, times(2, "v-positive"))))),
-            Line(f"high-{i}", 0 < high, proof(f"room-{i}", fall, LOW[i])),
-            Line(f"w_{i}-positive", 0 < (w_c if i == "c" else w_s), proof(f"high-{i}", GROWN)),
-            Line(f"{name}-below", size <= (w_c if i == "c" else w_s) ** 2,
-                 proof(f"{name}-upper", times(GROWN, plus(f"high-{i}", f"w_{i}-positive"))),
-                 says=f"|W_{i}| ≤ w_{i}"),
-        )  # fmt: skip
+    yield Line("A-positive", 0 < A, proof("cs-c", power("Cnd1", 2)))
+    yield Line("B-positive", 0 < B, proof("cs-s", power("recedes", 2)))
+    for name, i, size, speed, gone in (
+        ("A", "c", A, w_c, times("ratio-positive", GROWN)),
+        ("B", "s", B, w_s, GROWN),
+    ):
+        yield Line(f"{name}-below", size <= speed**2,
+                   proof(f"{name}-upper", times(gone, plus(f"high-{i}", f"w_{i}-positive"))),
+                   says=f"|W_{i}| ≤ w_{i}")  # fmt: skip
 
 
 def _components() -> Iterator[Item]:
@@ -97,66 +89,83 @@ def _components() -> Iterator[Item]:
     facts = (times("A-below", "B-positive"), times(square(w_c), "B-below"))
     both = times("w_c-positive", "w_s-positive")
     yield from absolute("w", w, (w_c * w_s, both), ("cs-w", *facts))
-    for name, size, i, pair, norm in (
-        ("closing-speed", y, "c", "cs-c", "A-below"),
-        ("parting-speed", eta_s, "s", "cs-s", "B-below"),
-    ):
-        goal = times("goal", plus("goal", times(2, f"w_{i}-positive")))
-        yield Line(name, size <= (w_c if i == "c" else w_s), scaled(goal, pair, norm))
     yield Line("C-one", C <= 1, scaled(times("goal", plus("goal", 2)), "cs-omega"))
 
 
 def _root() -> Iterator[Item]:
-    bent = times(power("d-sum-positive", 2), plus("start-y", "Cnd1"), "y-most")
-    longer = times("goal", plus("goal", times(2, G_POSITIVE)))
-    far = times(longer, "slow", plus("slow", times(2, "start-y")))
+    bent = times(power("d-sum-positive", 2), power("Cnd1", 2))
+    closer = times("d-positive", plus(2, "d-positive"))
+    both = plus("U-one", "U-room")
     yield from (
-        Line("zeta-bound", zeta <= U * (2 - U), proof("u-bound", using="zeta")),
+        Line("zeta-bound", zeta <= U * (2 - U),
+             scaled(times("goal", bent), "u-bound", times(closer, "A-below"),
+                    equations=(("zeta-product", as_term(1)),))),
         Line("S-least",    1 - U <= S,
              scaled(times("goal", plus("goal", times(2, "S-positive"))), "zeta-bound",
                     using="S-square"), LABEL, "u = 1 - √(1-ζ) ≤ U"),
         Line("U-positive", 0 < U,
              scaled(times("goal", plus(1, "U-bound", "U-room")), "zeta-bound", "zeta-positive")),
         Line("U-one",      0 < 1 - U, proof("U-bound", "U-room")),
-        Line("reach-here", 1 + d <= G,
-             scaled(times(far, "A-positive"), times("A-positive", "start-reach"),
-                    times("A-positive", bent),
-                    times(power("d-sum-positive", 2), power("Cnd1", 2), "A-least"),
-                    times(power("v-positive", 2), power("d-sum-positive", 2), power("Cnd1", 2),
-                          "zeta-one"))
-             ._replace(equations=(("zeta-product", -(v**2)),)), TIME, "1 + d ≤ Γ, as ζ < 1"),
+        Line("room-here",  U * (2 - U) * y**2 <= far,
+             proof(times("U-bound", both, power("start-y", 2)),
+                   times("U-positive", plus(1, "U-one"), "y-most", plus("start-y", "Cnd1")))),
+        Line("far-least",  0 < w_b**2 - far,
+             scaled(times("goal", power(G_POSITIVE, 2)), "start-reach", power("w_b-positive", 2))),
+        Line("reach-here", 1 + d <= G, scaled(*_reach()), TIME, "1 + d ≤ Γ"),
     )  # fmt: skip
 
 
+#: zeta times the square of the speed is at most this.
+far = U_b * (2 - U_b) * start.y**2
+
+
+def _reach() -> Iterator[Value]:
+    """(1+d)^2 (w^2 - far) <= w^2, also with w_c for w; and G is that far at least."""
+    longer = times("goal", plus("goal", times(2, G_POSITIVE)))
+    square_ = power("d-sum-positive", 2)
+    faster = times("w_c-least", plus("w_c-least", times(2, "w_b-positive")))
+    yield times(power("w_c-positive", 2), "far-least", longer)
+    yield times(power("w_c-positive", 2), "start-reach")
+    yield times(square_, "U_b-positive", plus(1, "U-room"), power("start-y", 2), faster)
+    yield times(power("w_b-positive", 2), plus("u-bound", times(square_, "room-here")))
+
+
 def _time() -> Iterator[Item]:
-    near = times("Cnd1", "reach-here", "S-one")
-    quick = times("tau-positive", "A-quick")
+    bent = times(power("d-sum-positive", 2), power("Cnd1", 2), "U-positive")
+    longer = times("reach-here", "U-positive", power("Cnd1", 2), "d-sum-positive",
+                   plus(1, "S-positive"))  # fmt: skip
+    faster = times("w_c-least", plus("w_c-least", times(2, "w_b-positive")))
     yield from (
-        Line("time",    tau <= step * y,
-             proof(times("tau-positive", "A-least"), near,
-                   times("Cnd1", "S-least", G_POSITIVE), times(G_POSITIVE, "Cnd1", "U-bound"),
-                   equations=(("tau-product", as_term(-1)),)),
-             TIME, "τ ≤ ΓU*(-η_c)/v²"),
-        Line("A-quick", v_c**2 <= A,
-             proof("A-lower", times(GROWN, plus(GROWN, times(2, "v_c-positive"))))),
-        Line("pull",    B * tau <= rho * (1 - S) * y,
-             proof(times("tau-positive", "B-below", power("v_c-positive", 2)),
-                   times(square(w_s), quick), times(square(w_s), near),
-                   using="rho", equations=(("tau-product", -(w_s**2)),)),
-             LABEL, "|W_s|² τ ≤ ρu(-η_c)"),
-        Line("inward",  d <= tau * y,
+        Line("time-root", equal(tau * (1 + d) * y * (1 + S), d * (2 + d)), identity("tau S"),
+             TIME, "τ = d(2+d)/((1+d)(-η_c)(1+√(1-ζ)))"),
+        Line("swift",     w_c**2 * tau <= G * U * y,
+             scaled(times("goal", "d-sum-positive", "Cnd1", plus(1, "S-positive")), "u-bound",
+                    longer, times(bent, "S-least"),
+                    equations=(("time-root", -(w_c**2)),)), TIME, "w_c² τ ≤ ΓU(-η_c)"),
+        Line("time",      tau <= step * y,
+             proof("swift", times("tau-positive", faster), times(G_POSITIVE, "Cnd1", "U-bound")),
+             TIME, "τ ≤ ΓU*(-η_c)/w²"),
+        Line("pull",      w_s**2 * tau <= rho * U * y,
+             proof(times(square(w_s), "swift"), using="rho"), LABEL, "w_s² τ ≤ ρU(-η_c)"),
+        Line("inward",    d <= tau * y,
              scaled(times("goal", plus("goal", 2)), times(power("tau-positive", 2), "cs-c"),
                     equations=(("contact", as_term(-1)),)), DISTANCE, "d ≤ τ(-η_c)"),
     )  # fmt: skip
 
 
 def _distance() -> Iterator[Item]:
-    outward = plus("goal", 2, times(2, "tau-positive", "w_s-positive"))
+    pushed = plus("pull", times("tau-positive", "B-below"))
+    angle = plus("angle-real", "Theta-positive", times("U-positive", "obtuse"))
     yield from (
-        Line("outward", D - 1 <= tau * w_s,
-             scaled(times("goal", outward), times(2, "tau-positive", "parting-speed"),
-                    times(power("tau-positive", 2), "B-below"),
-                    equations=(("D-square", as_term(-1)),)), DISTANCE, "d' ≤ τw_s"),
+        Line("pull-most", B * tau <= rho * U * y, proof(pushed), says="|W_s|² τ ≤ ρU(-η_c)"),
+        Line("light",     Q + rho * U <= 1,
+             proof("pace-positive", times(HALF, angle), times(Fraction(1, 2), "r-below-one"),
+                   using="pace-law")),
+        Line("outward",   D - 1 <= tau * y,
+             proof("distance", times("tau-positive", "q-bound"),
+                   times("tau-positive", Fraction(1, 2), "pull-most"),
+                   times("tau-positive", Fraction(1, 2), "rho-positive", "U-positive", "Cnd1"),
+                   times("tau-positive", "Cnd1", "light")), DISTANCE, "d' ≤ τ(-η_c)"),
         laws.NEXT_D_POSITIVE,
         laws.NEXT_D_SUM_POSITIVE,
     )  # fmt: skip
@@ -183,9 +192,9 @@ def _outer_pair() -> Iterator[Item]:
     fast = 2 * (1 + d) * y * S
     sum_speeds = t * (w_c + w_s)
     yield from (
-        Line("later",          0 <= C - 2 * sum_speeds,
-             proof("turn-short", times(2, plus("w_c-positive", "w_s-positive"), "t-upper"),
-                   equations=(("w-sum", -(2 * tau)),))),
+        Line("later",          0 <= C - sum_speeds,
+             proof("turn-short", times(plus("w_c-positive", "w_s-positive"), "t-upper"),
+                   times("start-y", "tau-positive"), equations=(("w-sum", -tau),))),
         Line("approach-until", equal(A * (dot(place, place) - 1), left * (left + fast)),
              identity("tau S")),
         Line("colliding-until", 1 <= dot(place, place),
@@ -195,22 +204,23 @@ def _outer_pair() -> Iterator[Item]:
                                times(2, "d-sum-positive", "Cnd1", "S-positive"))),
                     equations=(("approach-until", as_term(1)),)), THEOREM,
              "the pair 0-c does not overlap up to τ"),
-        Line("outer-obtuse",   dot(place, other) < 0, proof(*_obtuse()), THEOREM,
-             "the angle at 0 is obtuse up to τ"),
+        Line("outer-obtuse",   dot(place, other) <= Fraction(1, 4), proof(*_obtuse()), THEOREM,
+             "x_s·x_c ≤ 1/4 up to τ"),
         Line("outer-pair-apart", 1 < dot(path, path),
              proof("colliding-until", "spectator-apart", times(2, "t-lower", "recedes"),
-                   times(2, "outer-obtuse"), 1),
+                   times(2, "outer-obtuse"), Fraction(1, 2)),
              THEOREM, "the outer pair s-c is apart for all times from 0 to τ, both included"),
     )  # fmt: skip
 
 
 def _obtuse() -> Iterator[Value]:
-    """C - tw - t²w_c w_s > 0 with w = w_c + w_s and 2tw <= C, and what is left of the product."""
+    """C - tw - t²w_c w_s + 1/4 > 0 with w = w_c + w_s and tw <= C, and the rest of the product."""
     moved_c, moved_s = times("t-lower", "w_c-positive"), times("t-lower", "w_s-positive")
-    yield times("d-positive", plus("later", moved_s, times(2, moved_c)))
+    yield times("d-positive", plus("later", moved_c))
     yield times("t-lower", "a-upper")
     yield times("d-sum-positive", "t-lower", "b-upper")
     yield times("t-lower", "t-lower", "w-upper")
     yield times(Fraction(1, 4), square(t * (w_c - w_s)))
-    yield times(Fraction(1, 16), "C-positive", plus("C-one", 7, times(2, "later")))
-    yield times(Fraction(1, 16), "later", plus(7, "C-one", times(2, moved_c), times(2, moved_s)))
+    yield times(Fraction(1, 4), "C-one", plus(1, "C-positive"))
+    yield times(Fraction(1, 4), "later", plus("C-positive", moved_c, moved_s))
+    yield "later"

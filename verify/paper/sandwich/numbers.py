@@ -1,9 +1,9 @@
 """A state just after a collision with some numbers, and what the sandwich theorem asks of them.
 
-G bounds the distances 1 + d from particle 0, v_i and w_i the relative speeds of the particle that
-will collide next (0) and of the other (1), from below and from above, at all times; v is at most
-both v_i. U_b bounds u = 1 - sqrt(1-zeta), and -cos theta stays within Theta of C_0. Q_0 and U_0
-bound q = eta_s/(-eta_c) and u now. All but the state may be rational numbers.
+G bounds the distances 1 + d from particle 0, w_0 and w_1 the relative speeds of the particle that
+will collide next and of the other, at all times; w is at most both of them. zeta with w_i in the
+place of the speed is at most U (2-U), with U_0 for U now and never more than U_b; -cos theta stays
+within Theta of C_0, and Q_0 bounds eta_s/(-eta_c) now. All but the state may be rational numbers.
 """
 
 from __future__ import annotations
@@ -23,9 +23,7 @@ CONTEXT = "start"
 _NUMBERS = {
     "r": ("r", "r"),
     "G": ("Γ", r"\Gamma"),
-    "v": ("v", "v"),
-    "v_0": ("v₀", "v_0"),
-    "v_1": ("v₁", "v_1"),
+    "w_b": ("w", "w"),
     "w_0": ("w₀", "w_0"),
     "w_1": ("w₁", "w_1"),
     "U_b": ("U*", "U_*"),
@@ -34,39 +32,40 @@ _NUMBERS = {
     "Q_0": ("Q₀", "Q_0"),
     "U_0": ("U₀", "U_0"),
 }
-G, v, v_0, v_1, w_0, w_1, U_b, C_0, Theta, Q_0, U_0 = map(symbol, list(_NUMBERS)[1:])
+G, w_b, w_0, w_1, U_b, C_0, Theta, Q_0, U_0 = map(symbol, list(_NUMBERS)[1:])
 start = Frame(*(symbol(f"{name}_start") for name in NAMES))
 
 half = (1 + r) / 2
 #: The speeds of approach fall by this factor at least.
 ratio = half * G
-#: What one collision adds to a speed is at most G y; and the time to it at most `step` y.
-step = G * U_b / v / v
+#: The time to the next collision is at most `step` y.
+step = G * U_b / w_b / w_b
 
-#: The sums over all later collisions, as constants of the context: of the changes of a speed, of
-#: the times, and of the changes of the angle.
+#: The sums over all later collisions, as constants of the context: of what a speed gains if it is
+#: that of s now, of the times, and of the changes of the angle.
 gain, duration, turning = map(symbol, ("gain", "duration", "turning"))
 SUMS: Mapping[str, tuple[Term, Term]] = {
-    "gain": (G, 1 - ratio),
+    "gain": (half * G, 1 - ratio**2),
     "duration": (step, 1 - ratio),
-    "turning": (2 * (w_0 + w_1) * step, 1 - ratio),
+    "turning": ((w_0 + w_1 + start.y) * step, 1 - ratio),
 }
 _gain, _, _turn = (over / under for over, under in SUMS.values())
 
 #: The map of two numbers that the dynamics stays below, at the start.
 model = Model(r, G, U_b, C_0 - Theta)
-first = model.step(Q_0, U_0, v_0, v_1, w_1)
+first = model.step(Q_0, U_0, w_0, w_1)
 
 #: What is asked of the numbers alone.
 ROOM: Mapping[str, Claim] = {
     "r-positive": 0 < r,
     "reach": 1 <= G,
     "decay-positive": 0 < 1 - ratio,
-    "v-positive": 0 < v,
-    "v-least-0": v <= v_0,
-    "v-least-1": v <= v_1,
-    "v_0-positive": 0 < v_0,
-    "v_1-positive": 0 < v_1,
+    "decay-2-positive": 0 < 1 - ratio**2,
+    "w_b-positive": 0 < w_b,
+    "w_0-least": w_b <= w_0,
+    "w_1-least": w_b <= w_1,
+    "w_0-positive": 0 < w_0,
+    "w_1-positive": 0 < w_1,
     "U-room": 0 < 1 - U_b,
     "obtuse": Theta < C_0,
     "angle-real": C_0 <= 1,
@@ -79,14 +78,14 @@ ENTRY: Mapping[str, Claim] = {
     "start-recedes": 0 < start.eta_s,
     "start-q": start.eta_s <= Q_0 * start.y,
     "start-d": 0 < start.d,
-    "start-u": start.d * (2 + start.d) * start.A
+    "start-cs-c": start.y**2 <= start.A,
+    "start-cs-s": start.eta_s**2 <= start.B,
+    "start-u": start.d * (2 + start.d) * w_0**2
     <= U_0 * (2 - U_0) * (1 + start.d) ** 2 * start.y**2,
-    "start-reach": start.y**2 * G**2 <= v**2 * (G**2 - 1),
-    "speed-room-0": 2 * G * start.y <= (w_0 - v_0) * (1 - ratio),
-    "speed-room-1": 2 * G * start.y <= (w_1 - v_1) * (1 - ratio),
-    "start-A-least": (v_0 + _gain * start.y) ** 2 <= start.A,
-    "start-A-most": start.A <= (w_0 - _gain * start.y) ** 2,
-    "start-B-least": (v_1 + _gain * start.y) ** 2 <= start.B,
+    "start-reach": U_b * (2 - U_b) * start.y**2 * G**2 <= w_b**2 * (G**2 - 1),
+    "start-room-0": 0 < w_0 - ratio * _gain * start.y,
+    "start-room-1": 0 < w_1 - _gain * start.y,
+    "start-A-most": start.A <= (w_0 - ratio * _gain * start.y) ** 2,
     "start-B-most": start.B <= (w_1 - _gain * start.y) ** 2,
     "start-C-upper": start.C - C_0 + _turn * start.y <= Theta,
     "start-C-lower": C_0 - start.C + _turn * start.y <= Theta,
@@ -100,9 +99,7 @@ GIVENS = {**ROOM, **ENTRY}
 POINT: Mapping[str, str] = {
     "r": "3/100",
     "G": "1001/1000",
-    "v": "9/10",
-    "v_0": "9/10",
-    "v_1": "9/10",
+    "w_b": "11/10",
     "w_0": "11/10",
     "w_1": "11/10",
     "U_b": "1/10",

@@ -28,11 +28,8 @@ from verify.paper.sandwich.state import (
     load,
     pace,
     rho,
-    v_s,
-    w_s,
 )
 
-gamma = (w_s / v_s) ** 2
 PUSH = times("rho-positive", "U-positive")
 
 
@@ -50,10 +47,10 @@ def lines() -> Iterator[Item]:
         Line("pace-law", equal(pace, model.alpha * (1 - U) - Q - rho * U), identity("pace rho"),
              LABEL, "P = α(1-U) - Q - ρU"),
         Defined("load"),
-        Line("load-law", equal(load, gamma * (rho * U * (2 * Q + rho * U))), identity("load rho"),
-             LABEL, "P²(1-(1-U')²) = γρU(2Q+ρU)"),
+        Line("load-law", equal(load, rho * U * (2 * Q + rho * U)), identity("load rho"),
+             LABEL, "P²(1-(1-U')²) = ρU(2Q+ρU)"),
         Line("load-positive", 0 < load,
-             proof(times(power("w_s-positive", 2), PUSH, plus(times(2, "Q-positive"), PUSH)),
+             proof(times(PUSH, plus(times(2, "Q-positive"), PUSH)),
                    using="load-law")),
         Defined("Q_next"),
         Line("Q-next-law", equal(Q_next * pace, model.share * (1 - U)), identity("Q_next"),
@@ -64,7 +61,7 @@ def lines() -> Iterator[Item]:
         Line("map-root", 0 < sqrt(radicand), ByRoot()),
         Defined("U_next"),
         Line("U-next-law", equal(U_next * (2 - U_next) * pace**2, load),
-             identity("U_next"), LABEL, "1-(1-U')² = γρU(2Q+ρU)/P²"),
+             identity("U_next"), LABEL, "1-(1-U')² = ρU(2Q+ρU)/P²"),
         Line("U-next-one", 0 < 1 - U_next, proof("map-root", using="U_next")),
         Line("next-U-bound", at_next("U-bound"),
              scaled(times("goal", both), "meets-here", equations=(("U-next-law", as_term(-1)),)),

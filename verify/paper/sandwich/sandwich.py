@@ -31,12 +31,12 @@ ASSUMPTIONS = (
     GLUE_NEXT,
     Assumption("glue-stairs", THEOREM,
          "2. Let Q_n and U_n be numbers, n = 0 … N+2, that satisfy the givens of stair at each "
-         "step n ≤ N+1, with the α, R and U* of the start, and with ρ = Γw_s²/v_c² and γ = "
-         "w_s²/v_s², where c is 0 and s is 1 for even n, and the other way round for odd n; and "
-         "let Q_{N+2} ≤ Q_N and U_{N+2} ≤ U_N. Then comparison holds for this start: by induction "
-         "the n-th (Q, U) is not negative and below (Q_n, U_n), by orbit-Q-falls, orbit-U-falls, "
-         "orbit-Q-stays and orbit-U-stays, and later ones are below the steps N and N+1 in turn; "
-         "so the map goes on, by orbit-approaches and orbit-meets.", "numbered glue"),
+         "step n ≤ N+1, with the α, R and U* of the start, and with ρ = Γw_s²/w_c², where c is 0 "
+         "and s is 1 for even n, and the other way round for odd n; and let Q_{N+2} ≤ Q_N and "
+         "U_{N+2} ≤ U_N. Then comparison holds for this start: by induction the n-th (Q, U) is not "
+         "negative and below (Q_n, U_n), by orbit-Q-falls, orbit-U-falls, orbit-Q-stays and "
+         "orbit-U-stays, and later ones are below the steps N and N+1 in turn; so the map goes on, "
+         "by orbit-approaches and orbit-meets.", "numbered glue"),
     Assumption("glue-collapse", THEOREM,
          "3. The start is a state just after a collision of 0 with s, in which 0-s is the only "
          "pair in contact; its inner products satisfy the givens, and comparison holds. By "

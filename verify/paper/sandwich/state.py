@@ -8,7 +8,6 @@ components.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 
 from verify.language.argument import (
     ByInstance,
@@ -64,11 +63,9 @@ from verify.paper.sandwich.numbers import (
     ratio,
     start,
     turning,
-    v,
-    v_0,
-    v_1,
     w_0,
     w_1,
+    w_b,
 )
 
 CAUCHY_SCHWARZ, GOES_ON = "cauchy-schwarz", "comparison"
@@ -80,13 +77,11 @@ _GHOSTS = {
     "clock": ("t_n", "t_n"),
     "Q": ("Q", "Q"),
     "U": ("U", "U"),
-    "v_c": ("v_c", "v_c"),
-    "v_s": ("v_s", "v_s"),
     "w_c": ("w_c", "w_c"),
     "w_s": ("w_s", "w_s"),
 }
-g, clock, Q, U, v_c, v_s, w_c, w_s = map(symbol, _GHOSTS)
-here = model.step(Q, U, v_c, v_s, w_s)
+g, clock, Q, U, w_c, w_s = map(symbol, _GHOSTS)
+here = model.step(Q, U, w_c, w_s)
 rho, pace, load, Q_next, U_next = map(symbol, ("rho", "pace", "load", "Q_next", "U_next"))
 
 
@@ -102,18 +97,16 @@ def conditions() -> dict[str, Claim]:
         "Cnd3": 0 < 1 - zeta_of(frame),
         "root-sum": 0 < 1 + root_of(frame),
         "q-bound": eta_s <= Q * y,
-        "u-bound": zeta_of(frame) <= U * (2 - U),
-        "U-bound": U <= U_b,
-        "v_c-positive": 0 < v_c,
-        "v_s-positive": 0 < v_s,
-        "v_c-least": v <= v_c,
-        "v_s-least": v <= v_s,
-        "room-c": 2 * gain * start.y <= w_c - v_c,
-        "room-s": 2 * gain * start.y <= w_s - v_s,
+        "w_c-positive": 0 < w_c,
+        "w_s-positive": 0 < w_s,
+        "w_c-least": w_b <= w_c,
+        "w_s-least": w_b <= w_s,
         "w-sum": equal(w_c + w_s, w_0 + w_1),
-        "A-lower": (v_c + gain * g) ** 2 <= A,
-        "A-upper": A <= (w_c - gain * g) ** 2,
-        "B-lower": (v_s + gain * g) ** 2 <= B,
+        "u-bound": d * (2 + d) * w_c**2 <= U * (2 - U) * (1 + d) ** 2 * y**2,
+        "U-bound": U <= U_b,
+        "high-c": 0 < w_c - ratio * gain * g,
+        "high-s": 0 < w_s - gain * g,
+        "A-upper": A <= (w_c - ratio * gain * g) ** 2,
         "B-upper": B <= (w_s - gain * g) ** 2,
         "angle-upper": C - C_0 <= Theta - turning * g,
         "angle-lower": C_0 - C <= Theta - turning * g,
@@ -128,8 +121,6 @@ def following() -> dict[str, Term]:
         "clock": clock + tau,
         "Q": Q_next,
         "U": U_next,
-        "v_c": v_s,
-        "v_s": v_c,
         "w_c": w_s,
         "w_s": w_c,
     }
@@ -145,8 +136,6 @@ _ghosts: dict[str, Term] = {
     "clock": as_term(0),
     "Q": Q_0,
     "U": U_0,
-    "v_c": v_0,
-    "v_s": v_1,
     "w_c": w_0,
     "w_s": w_1,
 }
@@ -170,7 +159,7 @@ def context() -> Context:
     """The states that satisfy the conditions."""
     carried = (Given(name, claim, "carried") for name, claim in conditions().items())
     more = {
-        "rho": ("ρ", r"\rho", model.rho(v_c, w_s)),
+        "rho": ("ρ", r"\rho", model.rho(w_c, w_s)),
         "pace": ("P", "P", here.P),
         "load": ("L", "L", here.load),
         "Q_next": ("Q'", "Q'", model.share * (1 - U) / pace),
@@ -201,10 +190,11 @@ GIVEN = {
     "recedes": "start-recedes",
     "q-bound": "start-q",
     "U-bound": "U_0-bound",
-    "v_c-positive": "v_0-positive",
-    "v_s-positive": "v_1-positive",
-    "v_c-least": "v-least-0",
-    "v_s-least": "v-least-1",
+    "u-bound": "start-u",
+    "w_c-positive": "w_0-positive",
+    "w_s-positive": "w_1-positive",
+    "w_c-least": "w_0-least",
+    "w_s-least": "w_1-least",
 }
 
 
@@ -228,19 +218,17 @@ def lines() -> Iterator[Item]:
         Line("ratio-positive", 0 < ratio, proof(times(HALF, G_POSITIVE))),
         Line("start-d-sum-positive", 0 < 1 + start.d, proof(1, "start-d")),
     )  # fmt: skip
-    yield from _sum("gain", G_POSITIVE)
+    yield from _sum("gain", times(HALF, G_POSITIVE))
     for name, given in {
-        "A-lower": "start-A-least",
         "A-upper": "start-A-most",
-        "B-lower": "start-B-least",
         "B-upper": "start-B-most",
-        "room-c": "speed-room-0",
-        "room-s": "speed-room-1",
+        "high-c": "start-room-0",
+        "high-s": "start-room-1",
     }.items():
         yield Line(f"start-{name}", claims[name], proof(given, using="gain"))
     yield from _signs()
     yield from _sum("duration", times(G_POSITIVE, "U_b-positive"))
-    speeds = times(2, plus("w_0-positive", "w_1-positive"))
+    speeds = plus("w_0-positive", "w_1-positive", "start-y")
     yield from _sum("turning", times(speeds, G_POSITIVE, "U_b-positive"))
     for side in ("upper", "lower"):
         yield Line(f"start-angle-{side}", claims[f"angle-{side}"],
@@ -260,37 +248,25 @@ def _sum(name: str, positive: Value) -> Iterator[Item]:
 
 
 def _signs() -> Iterator[Item]:
-    least = {
-        "A": plus("v_0-positive", times("gain-positive", "start-y")),
-        "B": plus("v_1-positive", times("gain-positive", "start-y")),
-    }
     bent = times(power("start-d-sum-positive", 2), power("start-y", 2))
-    for name, letter in (("A", start.A), ("B", start.B)):
-        yield Line(f"start-{name}-positive", 0 < letter,
-                   proof(f"start-{name}-lower", power(least[name], 2)))  # fmt: skip
-    for i, room in ((0, "c"), (1, "s")):
-        yield Line(f"w_{i}-positive", 0 < (w_0, w_1)[i],
-                   proof(f"start-room-{room}", f"v_{i}-positive",
-                         times(2, "gain-positive", "start-y")))  # fmt: skip
+    gone = times("ratio-positive", "gain-positive", "start-y")
     yield from (
         Line("U_0-positive",     0 < U_0,
              scaled(times("goal", plus(1, "U_0-bound", "U-room"), bent), "start-u",
-                    times("start-d", plus(2, "start-d"), "start-A-positive"))),
+                    times("start-d", plus(2, "start-d"), power("w_0-positive", 2)))),
         Line("U_b-positive",     0 < U_b, proof("U_0-positive", "U_0-bound")),
-        Line("slow",             start.y < v,
-             scaled(times("goal", plus("goal", times(2, "v-positive")), power(G_POSITIVE, 2)),
-                    "start-reach", power("v-positive", 2)),
-             says="the inequalities imply η₀ < v"),
+        Line("start-A-below",    start.A <= w_0**2,
+             proof("start-A-upper", times(gone, plus("start-high-c", "w_0-positive")))),
     )  # fmt: skip
 
 
 def _root(claims: dict[str, Claim]) -> Iterator[Item]:
     root = substitute_claim(0 < root_of(frame), beginning)
     yield from (
-        Line("start-u-bound", claims["u-bound"], proof("start-u")),
         Line("start-Cnd3",    claims["Cnd3"],
-             proof("start-u", times(power(plus("U_0-bound", "U-room"), 2),
-                                    power("start-d-sum-positive", 2), power("start-y", 2)))),
+             proof("start-u", times("start-d", plus(2, "start-d"), "start-A-below"),
+                   times(power(plus("U_0-bound", "U-room"), 2),
+                         power("start-d-sum-positive", 2), power("start-y", 2)))),
         Line("start-root",     root, ByRoot()),
         Line("start-root-sum", claims["root-sum"], proof(1, "start-root")),
     )  # fmt: skip
@@ -299,41 +275,14 @@ def _root(claims: dict[str, Claim]) -> Iterator[Item]:
 def _at_the_point() -> Iterator[Item]:
     """The angle and the speeds leave room for vectors."""
     claims = {name: substitute_claim(c, point) for name, c in conditions().items()}
-    p = point_frame
     yield Line("Theta-room", 0 <= Theta - turning * start.y,
                scaled(times(2, "goal"), "start-angle-upper", "start-angle-lower"))  # fmt: skip
     for side in ("upper", "lower"):
         yield Line(f"at-angle-{side}", claims[f"angle-{side}"], proof("Theta-room"))
-    theta = plus("Theta-room", times("turning-positive", "start-y"))
-    slow = times("slow", plus("slow", times(2, "start-y")))
-    parts = {
-        "A": plus("v-least-0", times("gain-positive", "start-y")),
-        "B": plus("v-least-1", times("gain-positive", "start-y")),
-    }
-    fast = {
-        name: plus(f"start-{name}-lower", times(part, plus(part, times(2, "v-positive"))))
-        for name, part in parts.items()
-    }
-    rest = plus(
-        times(HALF, "obtuse", "U_0-positive"),
-        times(HALF, plus("angle-real", theta)),
-        times(Fraction(1, 2), "r-below-one"),
-    )
-    yield from (
-        Line("at-angle",      C_0**2 <= 1,
-             proof(times("angle-real", plus(1, "obtuse", theta)))),
-        Line("at-room-c",     p.y**2 <= p.A, proof(slow, fast["A"])),
-        Line("start-push",    0 < model.rho(v_0, w_1) * U_0,
-             proof(times(G_POSITIVE, power("w_1-positive", 2), "U_0-positive"))),
-        Line("Q_0-below-one", Q_0 <= 1,
-             scaled(times("goal", power("v_0-positive", 2)), "start-approaches", "start-push",
-                    times(power("v_0-positive", 2), rest))),
-        Line("start-slower",  start.eta_s <= start.y,
-             proof("start-q", times("Q_0-below-one", "start-y"))),
-        Line("at-room-s",     p.eta_s**2 <= p.B,
-             proof(slow, fast["B"],
-                   times("start-slower", plus("start-slower", times(2, "start-recedes"))))),
-    )  # fmt: skip
+    theta = proof("Theta-room", times("turning-positive", "start-y"))
+    yield Line("Theta-positive", 0 < Theta, theta)
+    angle = proof(times("angle-real", plus(1, "obtuse", "Theta-positive")))
+    yield Line("at-angle", C_0**2 <= 1, angle)
     yield from _vectors()
 
 
@@ -342,7 +291,7 @@ def _vectors() -> Iterator[Item]:
     p, time = point_frame, time_of(point_frame)
     values = {"u_y": p.y, "u_s": p.eta_s, "u_C": p.C, "u_A": p.A, "u_B": p.B, "u_d": p.d}
     values["u_t"] = time
-    givens = ("at-angle", "at-room-c", "at-room-s")
+    givens = ("at-angle", "start-cs-c", "start-cs-s")
     for name, claim in inequalities(p, time, PAIRS).items():
         yield Line(f"at-{name}", claim, ByInstance(f"{PLANE}-{name}", values, givens))
 

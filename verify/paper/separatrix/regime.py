@@ -52,7 +52,7 @@ first = _state(pair, "Q U X V")
 factor = 1 - (1 - pair.L) * n.U
 
 
-def carried() -> dict[str, Claim]:
+def conditions() -> dict[str, Claim]:
     """What is shown from collision to collision."""
     return {
         "rho": 0 < n.rho,
@@ -87,11 +87,11 @@ def chapters() -> Iterator[Chapter]:
     start = [
         Line(f"begin-{name}", substitute_claim(claim, beginning),
              proof(*([f"pair-{name}"] if name in given else [])))
-        for name, claim in carried().items() if name != "inverse"
+        for name, claim in conditions().items() if name != "inverse"
     ]  # fmt: skip
-    premises = ["pair-inverse" if name == "inverse" else f"begin-{name}" for name in carried()]
+    premises = ["pair-inverse" if name == "inverse" else f"begin-{name}" for name in conditions()]
     place = Context(
-        n.context, n.variables(), (*_givens("carried", carried()),
+        n.context, n.variables(), (*_givens("carried", conditions()),
                                    *_givens("standing", large.goes_on())), beginning,
         pair.context, "two states after the same number of collisions",
         (*large.constants(), *small.constants()),
@@ -102,7 +102,7 @@ def chapters() -> Iterator[Chapter]:
     )
     yield Chapter(n.context, tuple(_step()))
     always = Line("falls-always", Always(n.context, beginning, following),
-                  ByInduction(tuple(premises), tuple(f"next-{name}" for name in carried())),
+                  ByInduction(tuple(premises), tuple(f"next-{name}" for name in conditions())),
                   LABEL, "by induction, as long as the collisions of (Q, U) go on, so do those of "
                   "(q, u), and u₀ + … + u_n ≤ L/(1-L)",
                   (LIMIT_MAP, UNENDING, "bounded-monotone", REGIME),
@@ -177,7 +177,7 @@ def _shares(k: Names) -> Iterator[Item]:
 
 
 def _next(k: Names) -> Iterator[Item]:
-    claims = {name: substitute_claim(claim, following) for name, claim in carried().items()}
+    claims = {name: substitute_claim(claim, following) for name, claim in conditions().items()}
     U = "falls-U-positive"
     because = {
         "rho": (k.sigma,),

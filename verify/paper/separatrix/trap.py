@@ -53,7 +53,7 @@ def box(rho: Term, inside: Term, then: Term) -> dict[str, Claim]:
     return State(trap.r, trap.a, rho, trap.Q, inside, inside, inside).leads_to(trap.Q, then)
 
 
-def carried(of: Letters) -> dict[str, Claim]:
+def conditions(of: Letters) -> dict[str, Claim]:
     """What holds in each of the two boxes in turn."""
     there = {f"back-{name}": claim for name, claim in box(of.sigma, of.W, of.U).items()}
     return {
@@ -74,12 +74,12 @@ def carried(of: Letters) -> dict[str, Claim]:
 def chapters() -> Iterator[Chapter]:
     """The two boxes, the induction, and boxes for every a > s + s²."""
     outer = outermost(trap, "two boxes that the map exchanges, and a state in the first one",
-                      "1 1 1/10 1/1000 1/1000 1/10 1/1000", carried(trap))  # fmt: skip
+                      "1 1 1/10 1/1000 1/1000 1/10 1/1000", conditions(trap))  # fmt: skip
     start = n.at(**{name: getattr(trap, name) for name in n.letters})
     small = state(n, trap)._replace(rho=n.rho)
     large = State(trap.r, trap.a, n.rho, trap.Q, n.U, n.U, n.U)
-    given = tuple(Given(f"trapped-{name}", c, "carried") for name, c in carried(n).items())
-    premises = tuple(f"trap-{name}" for name in carried(n))
+    given = tuple(Given(f"trapped-{name}", c, "carried") for name, c in conditions(n).items())
+    premises = tuple(f"trap-{name}" for name in conditions(n))
     place = Context(n.context, n.variables(), given, start, trap.context,
                     "a state in the box whose turn it is", small.constants())  # fmt: skip
     following = n.at(rho=n.sigma, sigma=n.rho, q=small.x, u=small.v, U=n.W, W=n.U)
@@ -88,7 +88,7 @@ def chapters() -> Iterator[Chapter]:
     yield Chapter(trap.context, (Opened(place, premises),))
     yield Chapter(n.context, (*under(k, small, large, trap.Q, n.W), *_next(k, following)))
     always = Line("trapped-always", Always(n.context, start, following),
-                  ByInduction(premises, tuple(f"next-trapped-{name}" for name in carried(n))),
+                  ByInduction(premises, tuple(f"next-trapped-{name}" for name in conditions(n))),
                   LABEL, "by induction the collisions never end from a state in the boxes",
                   (LIMIT_MAP, EXISTS))  # fmt: skip
     yield Chapter(trap.context, (always,))
@@ -100,7 +100,7 @@ def _next(k: Names, following: dict[str, Term]) -> Iterator[Item]:
                "u": "v-positive", "uU": "v-below", "U1": "V1", "V1": "U1"}  # fmt: skip
     for role in ("p", "x", "top"):
         because |= {role: f"back-{role}", f"back-{role}": role}
-    for role, claim in carried(n).items():
+    for role, claim in conditions(n).items():
         known = [k.u, k.uU] if role == "V" else [f"{k.prefix}-{because[role]}"]
         yield Line(f"next-trapped-{role}", substitute_claim(claim, following), proof(*known))
 
@@ -126,7 +126,7 @@ def _room() -> Iterator[Chapter]:
     values = trap.at(**at)
     yield Chapter(None, (Opened(place._replace(constants=constants)),))
     lines = tuple(_fits())
-    claims = {**constants_of(trap), **carried(trap)}
+    claims = {**constants_of(trap), **conditions(trap)}
     given_lines = tuple(
         Line(f"trap-fits-{role}", substitute_claim(claim, values), _why(role))
         for role, claim in claims.items()

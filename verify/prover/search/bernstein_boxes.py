@@ -151,9 +151,10 @@ def _failing_givens(system: System, p: fmpq_mpoly) -> list[Alternative]:
     for fact in system.facts:
         polynomial = -fact.polynomial
         used = [a for a, d in zip(system.atoms, polynomial.degrees(), strict=True) if d > 0]
+        is_given = fact.value in system.question.given
         if (
             polynomial.is_zero()
-            or fact.value not in system.question.given
+            or not (is_given and used)
             or any(atom.op != "symbol" or not variables[atom.name].ends for atom in used)
         ):
             continue

@@ -59,7 +59,7 @@ def _code(
     found = [fold(term, writers, known).at + end for term in terms for end in ends]
     arguments = ", ".join(place.at + end for place in places.values() for end in ends)
     body = "\n ".join([*lines, f"return ({', '.join(found)},)"])
-    scope: dict[str, Any] = {"pair": _cosine, "pair_of_sine": _sine}
+    scope: dict[str, Any] = {"pair": _cosine, "pair_of_sine": _sine, "power": math.pow}
     scope |= {name: getattr(math, name) for name in ("cos", "sin", "sqrt", "exp", "log", "atan")}
     scope |= {"pi": math.pi, "inf": math.inf}
     exec(f"def function({arguments}):\n {body}", scope)  # noqa: S102  what is written above
@@ -104,7 +104,7 @@ _VALUES: Lines = {
     "max": _written("max({all})"),
     "cos_pi": _written("cos(pi * {})"),
     "pi": _written("pi"),
-    "root": lambda at, a, index: [f"{at} = {a.at} ** (1 / {index})"],
+    "root": lambda at, a, index: [f"{at} = power({a.at}, 1 / {index})"],
     **{op: _written(f"{op}({{}})") for op in ("cos", "sin", "exp", "log", "atan")},
 }
 
@@ -166,8 +166,7 @@ def _power(at: str, base: Place, n: int) -> list[str]:
 
 
 def _root(at: str, base: Place, index: int) -> list[str]:
-    guard = f"if {base.at}l < 0.0: raise ValueError"
-    return [guard, *(f"{at}{end} = {base.at}{end} ** (1 / {index})" for end in "lh")]
+    return [f"{at}{end} = power({base.at}{end}, 1 / {index})" for end in "lh"]
 
 
 _RANGES: Lines = {

@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
-from verify.language.terms import Claim, names_of
-from verify.prover.clearing import Clearing
+from verify.language.terms import Claim, Term, as_term, names_of, pi
+from verify.prover.clearing import ROOTS, Clearing
 from verify.prover.proof import Proof
-from verify.prover.rules import Antisymmetry, Entry, Least, Root, Sum
+from verify.prover.rules import Antisymmetry, Entry, InRange, Least, Root, Sum
 from verify.prover.search.question import Question
 from verify.prover.session import ZERO
+
+CIRCULAR = ("sin", "cos", "cos_pi")
+#: For each function the lower end of its values (False), and the upper one (True).
+RANGES: dict[str, dict[bool, Term]] = {
+    "exp": {False: ZERO},
+    "atan": {False: -(pi / 2), True: pi / 2},
+    **{op: {False: as_term(-1), True: as_term(1)} for op in CIRCULAR},
+}
 
 
 def by_identity(question: Question) -> Proof | None:
@@ -51,10 +59,22 @@ def by_orders(question: Question) -> Proof | None:
     return Antisymmetry((orders[0], orders[1]))
 
 
+def by_range(question: Question) -> Proof | None:
+    """An end of the range of a function, and a value."""
+    claim = question.plain.claim
+    for value, is_above in ((claim.rhs, False), (claim.lhs, True)):
+        end = RANGES.get(value.op, {}).get(is_above)
+        sides = (value, end) if is_above else (end, value)
+        strict = "<=" if value.op in CIRCULAR else "<"
+        if end is not None and claim.key == (strict, *sides):
+            return InRange()
+    return None
+
+
 def by_root(question: Question) -> Proof | None:
     """A root is positive, as its radicand is."""
     claim = question.plain.claim
-    if claim.key != ("<", ZERO, claim.rhs) or claim.rhs.op != "sqrt":
+    if claim.key != ("<", ZERO, claim.rhs) or claim.rhs.op not in ROOTS:
         return None
     radicand = claim.rhs.children[0]
     known = question.known.fact(Claim("<", ZERO, radicand), question.plain.context)

@@ -122,9 +122,9 @@ def _columns(system: System, degree: int) -> Iterator[Fact]:
     yield from single
     for chosen in combinations_with_replacement(single, 2):
         yield _product(system, chosen)
-    if degree > 2:
-        for triple in combinations_with_replacement(single, 3):
-            yield _product(system, triple)
+    for count in range(3, degree + 1):
+        for several in combinations_with_replacement(single, count):
+            yield _product(system, several)
     gens = system.context.gens()
     bases = [*gens, *(a - b for a, b in combinations(gens, 2))]
     bases += [a + b for a, b in combinations(gens, 2)]

@@ -134,7 +134,7 @@ def by_squares(
         gradings = Gradings(p, polynomials, domain.squares)
         blocks = [part for block in attempt.blocks for part in gradings.split(block)]
         key = str((p, [(polynomials[b.factor], b.basis) for b in blocks]))
-        if not _is_small(blocks) or key in tried:
+        if not is_small(blocks) or key in tried:
             continue
         tried.add(key)
         for point in zeros:
@@ -142,13 +142,13 @@ def by_squares(
         smaller = [vanishing_near(b, polynomials[b.factor], near) for b in blocks]
         blocks = smaller if any(block.basis for block in smaller) else blocks
         terms = decompose(p, domain, polynomials, blocks, budget)
-        proof = None if terms is None else _proof(domain, attempt, terms, outer)
+        proof = None if terms is None else written(domain, attempt, terms, outer)
         if proof is not None:
             return proof._replace(using=using)
     return None if outer is not None else by_form(domain, near, budget, using)
 
 
-def _proof(
+def written(
     domain: Domain, attempt: Attempt, terms: Sequence[Summand], outer: Term | None
 ) -> Sum | None:
     """The sum, if it is strict, and not too much work for the checker."""
@@ -196,7 +196,8 @@ def _value(
     return value, constant and factor.strict
 
 
-def _is_small(blocks: Sequence[Block]) -> bool:
+def is_small(blocks: Sequence[Block]) -> bool:
+    """Whether the semidefinite programme is not too much work."""
     sizes = [len(block.basis) for block in blocks]
     return 0 < max(sizes, default=0) <= MAX_SIZE and sum(n**4 for n in sizes) <= MAX_COST
 

@@ -42,7 +42,11 @@ def by_tree(question: Question, leaves: int) -> Proof | None:
     goal = question.goal
     if goal.box is None or not goal.variables:
         return None
-    return Tree(goal.claim, goal.variables, goal.definitions, question.budget).prove(leaves)
+    tree = Tree(goal.claim, goal.variables, goal.definitions, question.budget)
+    proof = tree.prove(leaves)
+    if proof is None and tree.left is not None:
+        question.known.left = dict(zip(goal.variables, tree.left.ends, strict=True))
+    return proof
 
 
 class Piece(Record):
@@ -84,6 +88,7 @@ class Tree:
         )
         self.leaves = 0
         self.most = 0
+        self.left: Piece | None = None  # where the search gave up
         self.guessed: list[tuple[Ends, ...]] = []
         self.decided: dict[tuple[Ends, ...], bool] = {}
 
@@ -129,6 +134,7 @@ class Tree:
             named = zip(self.names, self.facts(box), strict=True)
             return Interval(BITS, tuple((name, low, high) for name, (low, high) in named))
         if box.depth >= MAX_DEPTH or self.leaves >= self.most or not self._may_hold(box):
+            self.left = box
             return None
         index, halves = self._best(box)
         hypothesis = f"@{self.hypotheses + box.depth + 1}"

@@ -15,7 +15,7 @@ from itertools import islice
 from flint import fmpq_mpoly
 
 from verify.language.statement import Context
-from verify.language.terms import Claim, Term, as_term, sqrt, substitute
+from verify.language.terms import Claim, Term, as_term, names_of, parts_of, sqrt, substitute
 from verify.prover.clearing import expanded
 from verify.prover.goal import Bounds, Goal
 from verify.prover.points import failure_test
@@ -23,6 +23,7 @@ from verify.prover.search.compiled import estimates
 from verify.prover.search.local_minima import Minima, simple_points
 from verify.prover.search.question import Question
 from verify.prover.search.system import System
+from verify.prover.session import ZERO
 
 #: So many ways to solve the equations are tried, and so many points near each descent.
 MAX_FORMS = 8
@@ -45,7 +46,7 @@ def false_points(question: Question, context: Context) -> Iterator[Values]:
     if not wide.clears() or not wide.goal.variables.keys() <= context.point.keys():
         return
     system = System(wide)
-    for solved in islice(_solved_forms(system, _equations(system)), MAX_FORMS):
+    for solved in _forms(system):
         for values in _Search(wide, solved).points():
             yield {**context.point, **_at(values, solved)}
 
@@ -55,8 +56,7 @@ def is_false(question: Question) -> bool:
     undo = question.known.mark()
     system = System(question)
     undo()
-    forms = islice(_solved_forms(system, _equations(system)), MAX_FORMS)
-    return any(True for solved in forms for _ in _Search(question, solved).points())
+    return any(True for solved in _forms(system) for _ in _Search(question, solved).points())
 
 
 def _at(values: Mapping[str, Fraction], solved: dict[str, Term]) -> Values:
@@ -75,12 +75,24 @@ def _equations(system: System) -> list[fmpq_mpoly]:
     return found
 
 
+def _forms(system: System) -> Iterator[dict[str, Term]]:
+    """Ways to solve all equations in which no variable occurs in what it is."""
+    for solved in islice(_solved_forms(system, _equations(system)), MAX_FORMS):
+        waiting = set(solved)
+        for name in reversed(solved):
+            if waiting.isdisjoint(names_of(solved[name])):
+                waiting.remove(name)
+        if not waiting:
+            yield solved
+
+
 def _solved_forms(system: System, equations: list[fmpq_mpoly]) -> Iterator[dict[str, Term]]:
     """Ways to solve all equations: terms for variables, over later ones and those that are free."""
     if not equations:
         yield {}
         return
     names = system.question.goal.variables
+    allowed = names.keys() | system.question.known.ground.definitions.keys()
     for i, equation in enumerate(equations):
         others = [*equations[:i], *equations[i + 1 :]]
         for index, atom in enumerate(system.atoms):
@@ -90,6 +102,8 @@ def _solved_forms(system: System, equations: list[fmpq_mpoly]) -> Iterator[dict[
             if any(other.degrees()[index] > 0 for other in others):
                 continue
             for term in _solutions(system, equation, index):
+                if not allowed.issuperset(names_of(term)):
+                    continue
                 for rest in _solved_forms(system, others):
                     yield {atom.name: term, **rest}
 
@@ -118,12 +132,17 @@ class _Search:
     def __init__(self, question: Question, solved: dict[str, Term]) -> None:
         self.question = question
         goal = question.goal
-        self.definitions = {**goal.definitions, **dict(reversed(solved.items()))}
+        ground = question.known.ground.definitions
+        numbers = {n: t for n, t in goal.definitions.items() if n in ground}
+        local = {n: t for n, t in goal.definitions.items() if n not in ground}
+        self.definitions = {**numbers, **dict(reversed(solved.items())), **local}
         self.free = {name: b for name, b in goal.variables.items() if name not in solved}
         bounds = (b for name, b in goal.variables.items() if name in solved)
         facts = [name for b in bounds for name in (b.low_fact, b.high_fact) if name]
         claims = [question.session.claims[name] for name in facts]
         self.claims = [*question.given.values(), *(c for c in claims if c.relation != "=")]
+        roots = (part for part in parts_of(*solved.values()) if part.op == "sqrt")
+        self.claims += [Claim("<=", ZERO, root.children[0]) for root in roots]
 
     def points(self) -> Iterator[dict[str, Fraction]]:
         """Short numbers for the free variables, near those where least is violated."""

@@ -14,6 +14,8 @@ from verify.language.record import Record
 from verify.prover import balls
 from verify.spheres.flow.law import Number, State
 
+#: What the theorems on collapses are cited as.
+SHARPER, SANDWICH, LINE = "sharper", "sandwich", "line"
 #: By how much the iteration widens what it finds, so that inequalities become strict.
 SLACK = 1.001
 ROUNDS = 60
@@ -38,11 +40,15 @@ class Start(Record):
 
 
 class Collapse(Record):
-    """The numbers of the sharper theorem, or of that on a line, and what these conclude."""
+    """The numbers of a theorem on collapses, and what these conclude.
+
+    ``stair`` has the points with which the sandwich theorem applies, and is empty for the others.
+    """
 
     numbers: Mapping[str, Number]
     start: Start
     time: tuple[Number, Number]
+    stair: tuple[tuple[Fraction, Fraction], ...] = ()
 
     @property
     def is_on_a_line(self) -> bool:
@@ -50,11 +56,23 @@ class Collapse(Record):
         return "E" in self.numbers
 
     @property
+    def theorem(self) -> str:
+        """What the theorem is cited as."""
+        if self.is_on_a_line:
+            return LINE
+        return SANDWICH if self.stair else SHARPER
+
+    @property
     def ratio(self) -> float:
         """About how much shorter the time that is left becomes with each collision."""
         if self.is_on_a_line:
             return 1 - 1 / balls.as_float(self.numbers["E"])
-        return balls.as_float(self.numbers["m"] / self.numbers["p"])
+        if "m" in self.numbers:
+            return balls.as_float(self.numbers["m"] / self.numbers["p"])
+        r, C = balls.as_float(self.numbers["r"]), balls.as_float(self.numbers["C_0"])
+        alpha = (1 + r) / 2 * C
+        p = (alpha + math.sqrt(max(0.0, alpha * alpha - 4 * r))) / 2
+        return r / p**2
 
     @property
     def angle(self) -> tuple[Fraction, Fraction]:
@@ -108,7 +126,7 @@ def find_line_collapse(r: Fraction, state: State, time: Number) -> Collapse | No
     if least is None:
         return None
     q = start.eta_s / start.y
-    Q = max(balls.as_fraction(_above(q)), least)
+    Q = max(balls.as_fraction(short_above(q)), least)
     if not (2 * Q < half and r <= Q * (half - Q) and start.eta_s <= balls.exact(Q) * start.y):
         return None
     E = balls.exact((half - Q) / (half - 2 * Q))
@@ -182,7 +200,7 @@ def widened(low: float, high: float) -> tuple[float, float]:
 def search_numbers(r: Fraction, start: Start) -> dict[str, Number] | None:
     """Numbers that probably satisfy what the theorem asks for, as exact rationals."""
     speed = balls.any_root(balls.larger(start.A, start.B))
-    V_0, eta_0 = _above(speed), _above(start.y)
+    V_0, eta_0 = short_above(speed), short_above(start.y)
     e, C = balls.as_float(eta_0 / V_0), balls.as_float(start.C)
     if e == 0 or not may_collapse(float(r), C):
         return None
@@ -203,7 +221,7 @@ def search_numbers(r: Fraction, start: Start) -> dict[str, Number] | None:
 
 def _rational(trial: Trial, start: Start) -> dict[str, Number]:
     """The bounds as short decimals, each rounded to the side where it is weaker."""
-    X, unit = _short(trial.X), _above(balls.any_root(balls.larger(start.A, start.B)))
+    X, unit = _short(trial.X), short_above(balls.any_root(balls.larger(start.A, start.B)))
     C_0 = balls.decimal(start.C, 3 + _places(trial.Theta))
     square = unit * unit
     return {
@@ -223,7 +241,7 @@ def _places(value: float) -> int:
     return max(0, -math.floor(math.log10(value)))
 
 
-def _above(value: Number) -> Number:
+def short_above(value: Number) -> Number:
     """A decimal with about six digits that is no less than a positive number."""
     return balls.decimal(value, 5 - balls.exponent(value), above=True)
 

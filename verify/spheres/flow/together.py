@@ -17,12 +17,10 @@ from verify.spheres.flow.law import Number, Pair
 from verify.spheres.scene.scene import Coordinates, pair_name
 
 TRIPLE, GRAZING = "triple-contact", "grazing"
-#: How each begins to be told: it happens at a time, which follows.
+#: How each is told, without its time.
 SAYS = {
-    TRIPLE: "triple contact: {0} and {1} are in contact when they collide, and the law of "
-    "collisions says nothing of three at once",
-    GRAZING: "grazing: {0} touch and neither approach nor part; it is exactly between a collision "
-    "and none",
+    TRIPLE: "triple contact: {0} and {1} touch at once, and the law of collisions is about a pair",
+    GRAZING: "grazing: {0} touch and neither approach nor part",
 }
 
 

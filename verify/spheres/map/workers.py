@@ -185,7 +185,9 @@ def _dask(address: str) -> Workers:
         raise InputError("--dask: needs Dask; install it with: pip install -e '.[dask]'") from error
 
     # It writes pages about each lost connection; one line is written here.
-    logging.getLogger("distributed").setLevel(logging.CRITICAL + 1)
+    for name in (*logging.root.manager.loggerDict,):
+        if name.partition(".")[0] in ("distributed", "tornado", "asyncio"):
+            logging.getLogger(name).setLevel(logging.CRITICAL + 1)
     answered = False
 
     def make() -> Executor:

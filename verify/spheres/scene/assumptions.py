@@ -41,6 +41,17 @@ ASSUMPTIONS = (
         "numbered glue",
     ),
     Assumption(
+        "scene-stair",
+        "EQUATSS2.1_Loi_de_Newton_",
+        "2. By the row unit, which applies the flow, the numbers in the row collapse are those of "
+        "the state after the last collision, in the letters of the sandwich theorem. The rows "
+        "stair.n are the steps n = 0 … N+1 of a stair that begins at the Q_0 and U_0 of that row, "
+        "with its numbers; by the rows period it ends below itself. So comparison holds, by "
+        "glue-stairs of that theorem, and it applies: the time of the collapse and its final angle "
+        "are as it says, and as the rows time and angle enclose them.",
+        "numbered glue",
+    ),
+    Assumption(
         "scene-on-a-line",
         "EQUATSS2.1_Loi_de_Newton_",
         "2. By the rows line.n all relative positions and velocities at the start are multiples of "

@@ -11,6 +11,7 @@ from verify.spheres.flow.collapse import Collapse, find_collapse, find_line_coll
 from verify.spheres.flow.criteria import Criterion, finitely_many
 from verify.spheres.flow.follow import Flow, UnclearError
 from verify.spheres.flow.line import LineRun, follow_line, is_on_a_line
+from verify.spheres.flow.sandwich import find_sandwich
 from verify.spheres.flow.together import GRAZING, TRIPLE, Event, what_happens
 from verify.spheres.flow.together import SAYS as EVENTS
 from verify.spheres.scene.scene import Scene
@@ -18,7 +19,6 @@ from verify.spheres.scene.scene import Scene
 COLLAPSES, DISPERSES, FINITE, UNDECIDED = "collapses", "disperses", "finite", "undecided"
 #: Names of reasons; a criterion and what balls leave open have theirs.
 APART, BUDGET, FOR_EVER = "apart", "budget", "for-ever"
-SHARPER, LINE = "sharper", "line"
 #: An exact answer, although it is no verdict.
 EXACT = (TRIPLE, GRAZING, FOR_EVER)
 FIRST_BITS, MAX_BITS = 128, 4096
@@ -59,7 +59,7 @@ class Fate(Record):
     def name(self) -> str:
         """The name of what shows the verdict, or of why there is none."""
         if self.collapse is not None:
-            return LINE if self.collapse.is_on_a_line else SHARPER
+            return self.collapse.theorem
         return self.why if self.criterion is None else self.criterion.name
 
     @property
@@ -151,7 +151,8 @@ def find_end(flow: Flow) -> Collapse | None:
         flow.is_on_a_line = is_on_a_line(flow.scene)
     if flow.is_on_a_line:
         return find_line_collapse(r, now.state, now.time)
-    return find_collapse(r, now.state, now.time)
+    found = find_collapse(r, now.state, now.time)
+    return find_sandwich(r, now.state, now.time) if found is None else found
 
 
 def _at_last(known: Fate, found_at: int, digits: int | None) -> Fate:

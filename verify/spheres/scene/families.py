@@ -23,7 +23,7 @@ from typing import Any
 
 from verify.language.record import Record
 from verify.spheres.scene.scene import Scene
-from verify.spheres.scene.scene_files import KEYS, number_in, scene_from, toml_table
+from verify.spheres.scene.scene_files import DIAMETER, KEYS, number_in, scene_from, toml_table
 from verify.wire.inputs import InputError, rational, shown
 
 PARAMETERS = "parameters"
@@ -93,7 +93,7 @@ def _side(where: str, name: str, text: object) -> Side:
 
 def _used(family: Family) -> None:
     """Afterwards each parameter occurs in some term."""
-    texts = " ".join(str(family.table[key]) for key in KEYS)
+    texts = " ".join(str(family.table.get(key)) for key in (*KEYS, DIAMETER))
     names = {*re.findall(r"[A-Za-z]\w*", texts)}
     unused = sorted(family.sides.keys() - names)
     if unused:
@@ -118,6 +118,8 @@ def _replaced(
         ]
 
     found = {key: rows(key) for key in ("positions", "velocities")}
+    if DIAMETER in table:
+        found[DIAMETER] = _value(f"{where}: {DIAMETER}", table[DIAMETER], values)
     return {"r": _value(f"{where}: r", table["r"], values), **found}
 
 

@@ -4,6 +4,7 @@
     positions = [["0", "0"], ["1.1", "0"], ["-1.1", "0.01"]]
     velocities = [["0", "0"], ["-1", "0"], ["1", "0"]]
 
+With a line ``diameter = "0.02"`` lengths are those of the file; without it they are diameters.
 A number is a text or a TOML number; either is read as it is written, and no float is ever seen.
 """
 
@@ -18,6 +19,8 @@ from verify.spheres.scene.scene import PAIRS, Coordinates, Scene
 from verify.wire.inputs import InputError, rational, regular_file, shown
 
 KEYS = ("r", "positions", "velocities")
+#: The diameter of the particles in the file's own unit of length; 1 without it.
+DIAMETER = "diameter"
 MAX_DIMENSION = 20
 MAX_BYTES = 1 << 20
 
@@ -57,7 +60,10 @@ def scene_from(where: str, table: dict[str, Any]) -> Scene:
     r = number_in(f"{where}: r", table["r"])
     if not 0 < r < 1:
         raise InputError(f"{where}: r: {shown(str(r))} is not in ]0,1[; write for example 3/100")
-    scene = Scene(r, _rows(where, "positions", table), _rows(where, "velocities", table))
+    unit = _diameter(where, table)
+    scene = Scene(
+        r, _rows(where, "positions", table, unit), _rows(where, "velocities", table, unit)
+    )
     lengths = {len(row) for row in (*scene.positions, *scene.velocities)}
     if len(lengths) > 1 or not 1 <= scene.dimension <= MAX_DIMENSION:
         raise InputError(
@@ -91,19 +97,29 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
         raise InputError(
             f"{where}: is a family of scenes; add --sample N, or --at for one of them: --at NAME=A"
         )
-    odd = sorted((table.keys() - {*more}) ^ {*KEYS})
+    odd = sorted((table.keys() - {*more, DIAMETER}) ^ {*KEYS})
     if odd:
         kind = "is missing" if odd[0] in KEYS else "is not known"
         raise InputError(f"{where}: {shown(odd[0])} {kind}; write just {', '.join(KEYS)}")
     return table
 
 
-def _rows(where: str, key: str, table: dict[str, Any]) -> tuple[tuple[Fraction, ...], ...]:
+def _diameter(where: str, table: dict[str, Any]) -> Fraction:
+    given = table.get(DIAMETER, 1)
+    unit = number_in(f"{where}: {DIAMETER}", given)
+    if unit <= 0:
+        raise InputError(f"{where}: {DIAMETER}: {shown(str(given))} is not positive; write 0.02")
+    return unit
+
+
+def _rows(
+    where: str, key: str, table: dict[str, Any], unit: Fraction
+) -> tuple[tuple[Fraction, ...], ...]:
     rows = table[key]
     if not isinstance(rows, list) or len(rows) != 3 or not all(isinstance(x, list) for x in rows):
         raise InputError(f"{where}: {key}: write three lists of numbers, one for each particle")
     return tuple(
-        tuple(number_in(f"{where}: {key} of particle {i}", value) for value in row)
+        tuple(number_in(f"{where}: {key} of particle {i}", value) / unit for value in row)
         for i, row in enumerate(rows)
     )
 

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from itertools import pairwise
 
 from verify.language.record import Record
 from verify.language.statement import NEEDED, Applies, Constant, Obligation
 from verify.language.terms import Claim, Number, Term, as_term, equal, sqrt, symbol
 from verify.spheres.flow import changes, collision, pairs, readings
+from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER
 from verify.spheres.flow.law import (
     Pair,
     State,
@@ -36,19 +38,24 @@ from verify.spheres.scene.scene import (
 
 LABEL = "EQUATSS2.1_Loi_de_Newton_"
 #: The theorems that are cited besides the flow.
-SHARPER, CLASSIFICATION, ON_A_LINE = "sharper", "classification", "line"
-START, LINE_START = f"{SHARPER}:start", f"{ON_A_LINE}:start"
+CLASSIFICATION = "classification"
+START, LINE_START = f"{SHARPER}:start", f"{LINE}:start"
+SANDWICH_START, STAIR = f"{SANDWICH}:start", f"{SANDWICH}:stair"
 #: The name of the constant for the time of a move.
 TIME = "time"
 r = symbol("r")
 
 
 class Numbers(Record):
-    """The numbers with which the sharper theorem is applied, and the enclosures that follow."""
+    """The numbers with which a theorem is applied, and the enclosures that follow.
+
+    ``stair`` has the points for the sandwich theorem.
+    """
 
     values: Mapping[str, Fraction]
     time: tuple[Fraction, Fraction]
     angle: tuple[Fraction, Fraction]
+    stair: tuple[tuple[Fraction, Fraction], ...] = ()
 
 
 class Telling:
@@ -226,7 +233,7 @@ class Telling:
         if is_on_a_line:
             later = self._collapse_on_a_line(unit, value)
         else:
-            later = self._collapse_in_space(state, unit, value)
+            later = self._collapse_in_space(state, unit, found)
         low, high = found.time
         self.row("time-from", "the collapse is not before", as_term(low) <= self.time)
         self.row("time-to", "nor after", self.time + later <= as_term(high))
@@ -246,10 +253,9 @@ class Telling:
         at = {name: as_term(value) for name, value in values.items()}
         self.row("collapse", says, Applies(start, at), "scene", *uses)
 
-    def _collapse_in_space(
-        self, state: State, unit: readings.Unit, value: Mapping[str, Fraction]
-    ) -> Term:
-        """The sharper theorem applies; a bound of the time that is left."""
+    def _collapse_in_space(self, state: State, unit: readings.Unit, found: Numbers) -> Term:
+        """The sharper theorem or the sandwich applies; a bound of the time that is left."""
+        value = found.values
         start = {
             "y": unit.closing,
             "eta_s": unit.parting,
@@ -262,8 +268,38 @@ class Telling:
             "d": unit.distance,
         }
         at = {**value, **{f"{name}_start": term for name, term in start.items()}}
+        if found.stair:
+            return self._stair(at, found.stair, value) * as_term(unit.closing)
         self._applies(START, at, "scene-collapses")
         return as_term(value["T"] * value["eta_0"] / (1 - value["p"] - value["Y"]))
+
+    def _stair(
+        self,
+        at: Mapping[str, Number],
+        points: tuple[tuple[Fraction, Fraction], ...],
+        value: Mapping[str, Fraction],
+    ) -> Term:
+        """The sandwich theorem applies; a bound of the time that is left, per closing speed."""
+        self._applies(SANDWICH_START, at, "scene-stair")
+        w, half, G = (as_term(value["w_0"]), as_term(value["w_1"])), (1 + r) / 2, value["G"]
+        U_b = as_term(value["U_b"])
+        for n, ((Q, U), (Q_next, U_next)) in enumerate(pairwise(points)):
+            numbers = {
+                "alpha": half * as_term(value["C_0"] - value["Theta"]),
+                "rho": as_term(G) * (w[(n + 1) % 2] / w[n % 2]) ** 2,
+                "R": r * as_term(G),
+                "U_b": U_b,
+            }
+            step = {"Q": Q, "U": U, "Q_next": Q_next, "U_next": U_next}
+            here = {key: as_term(x) for key, x in _of("stair", {**numbers, **step}).items()}
+            says = f"the numbers Q_{n + 1}, U_{n + 1} are above where the map leads from the last"
+            self.row(f"stair.{n}", says, Applies(STAIR, here), "scene", "scene-stair")
+        for name, first, last in zip("qu", points[-3], points[-1], strict=True):
+            says = "two steps later the stair is not above this one"
+            self.row(
+                f"period.{name}", says, as_term(last) <= as_term(first), "scene", "scene-stair"
+            )
+        return as_term(G) * U_b / as_term(value["w_b"] ** 2) / (1 - half * as_term(G))
 
     def _collapse_on_a_line(self, unit: readings.Unit, value: Mapping[str, Fraction]) -> Term:
         """The theorem on a line applies; a bound of the time that is left."""

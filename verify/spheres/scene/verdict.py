@@ -8,7 +8,7 @@ from fractions import Fraction
 from verify.language.record import Record
 from verify.prover import balls
 from verify.prover.decimals import exact_number, outward
-from verify.spheres.flow.collapse import Start, start_of
+from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, Start, start_of
 from verify.spheres.flow.follow import name_of
 from verify.spheres.flow.law import Number
 from verify.spheres.flow.theorem import NAME as FLOW
@@ -16,7 +16,14 @@ from verify.spheres.scene.criteria import SAYS
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, EXACT, FINITE, Fate
 from verify.spheres.scene.energy import energy_lost, normal_speeds
 from verify.spheres.scene.scene import Scene
-from verify.spheres.scene.telling import CLASSIFICATION, ON_A_LINE, SHARPER
+from verify.spheres.scene.telling import CLASSIFICATION
+
+#: How the theorems on collapses are called.
+WORDS = {
+    LINE: "theorem on a line",
+    SHARPER: "sharper theorem",
+    SANDWICH: "sandwich theorem",
+}
 
 
 class Told(Record):
@@ -136,7 +143,7 @@ def event_ends(found: Fate) -> tuple[Fraction, Fraction] | None:
 def reason(found: Fate) -> str:
     """What shows the verdict, or why there is none."""
     if found.verdict == COLLAPSES:
-        which = "theorem on a line" if _is_on_a_line(found) else "sharper theorem"
+        which = WORDS[found.name]
         holds = f"the conditions of the {which} hold after the last collision"
         return f"{holds}; not as tight as asked for: {found.reason}" if found.reason else holds
     if found.criterion is not None:
@@ -146,13 +153,8 @@ def reason(found: Fate) -> str:
 
 def theorems(found: Fate) -> list[str]:
     """The names of the theorems on which a verdict rests; none without a verdict."""
-    shown_by = ON_A_LINE if _is_on_a_line(found) else SHARPER
-    last = {COLLAPSES: [shown_by], FINITE: [CLASSIFICATION], DISPERSES: []}
+    last = {COLLAPSES: [found.name], FINITE: [CLASSIFICATION], DISPERSES: []}
     return [FLOW, *last[found.verdict]] if found.verdict in last else []
-
-
-def _is_on_a_line(found: Fate) -> bool:
-    return found.collapse is not None and found.collapse.is_on_a_line
 
 
 def scene_lines(found: Fate) -> Iterator[str]:

@@ -9,7 +9,7 @@ from verify.language.record import Record
 from verify.language.statement import PRINTED, REFUTED, Publication
 from verify.prover.outcome import Outcome
 from verify.views.graph import Graph, graph, levels
-from verify.views.words import told
+from verify.views.words import fair
 
 WIDTH, COLUMNS = 420, 4
 BOX, HEIGHT, STEP = 92, 40, 76
@@ -96,7 +96,7 @@ def _formula(label: str, everywhere: Outcome, point: Outcome, paper: Publication
     refuted = [
         row.name
         for row, found in point.rows
-        if row.label == label and row.role == PRINTED and told(point, row, found) == REFUTED
+        if row.label == label and row.role == PRINTED and fair(point, row, found) == REFUTED
     ]
     return Formula(label, paper.number(label), rows, refuted)
 

@@ -25,8 +25,9 @@ from verify.language.statement import (
 from verify.language.terms import Claim
 from verify.prover.decimals import outward
 from verify.prover.outcome import Outcome
-from verify.views import classification, everywhere
+from verify.views import classification, everywhere, whole
 from verify.views.material import Material
+from verify.views.mathml import MathML
 from verify.views.page import rows
 from verify.views.page.blueprint import proof_drawing
 from verify.views.plots import Pictures, collapses, figures, maps
@@ -121,6 +122,7 @@ def _parts(found: Mapping[str, Any]) -> Iterator[Part]:
     material = found["material"]
     yield Part("index.html", TITLE, "What is proved", "first")
     for name, words, says, of in (
+        ("theorem", "Theorem 1, whole", "whole", True),
         ("printed", "What is wrong in the printed proof", "defects", found["printed_rows"]),
         ("proof", "The proof as a graph", "proof", True),
         ("repaired", "The repaired proof, row by row", "repaired_proof", True),
@@ -273,6 +275,12 @@ def _content(material: Material) -> dict[str, Any]:
         "printed": paper.printed,
         "coq": checked_in_coq(material),
         "latex": latex(main),
+        "whole_latex": whole.latex(material.whole),
+        "whole_set": whole.SET,
+        "whole_more": whole.MORE,
+        "whole_math": MathML({n: tex for n, (_, tex) in material.whole.letters.items()}),
+        "whole_text": whole.plain(material.whole),
+        "Math": rows.Math,
         "subtitle": (
             f"{paper.authors}, {paper.title} (its companion is {paper.companion}): Theorem 1 and "
             "the spectrum of its linear model, every inequality decided in rigorous arithmetic."
@@ -295,7 +303,11 @@ def checked_in_coq(material: Material) -> str:
     times = [second for second in material.coq.seconds.values() if second is not None]
     missing = [name for name, second in material.coq.seconds.items() if second is None]
     number = f"{len(times)} of {len(material.coq.seconds)}" if missing else f"all {len(times)}"
-    but = f"; not {', '.join(missing)}, which may have changed since" if missing else ""
+    but = (
+        f"; not {', '.join(missing)}, which it cannot read or which may have changed since"
+        if missing
+        else ""
+    )
     return f"accepted {number} certificates, with Coq {material.coq.version} in {sum(times)} s{but}"
 
 

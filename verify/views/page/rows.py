@@ -19,7 +19,7 @@ from verify.language.terms import Claim, Term, symbol
 from verify.prover.decimals import decimal_text, outward, round_decimal, short
 from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views.mathml import MathML
-from verify.views.words import ends_of, letters, sides_of, told, witness_shown
+from verify.views.words import ends_of, fair, letters, sides_of, witness_shown
 
 Row = tuple[Obligation, Decision]
 
@@ -117,7 +117,7 @@ class Writer:
         sides = sides_of(row, found)
         lhs, rhs = (None, None) if sides is None else map(number_of, sides)
         sign = SIGNS[row.claim.relation] if isinstance(row.claim, Claim) else ""
-        verdict = told(self.outcome, row, found)
+        verdict = fair(self.outcome, row, found)
         return Shown(row, found, verdict, self.claim(row.claim), lhs, sign, rhs)
 
     def all_shown(self, rows: Iterable[Row]) -> list[Shown]:
@@ -171,7 +171,7 @@ def number_of(ends: Ends | None) -> Number | None:
 
 def with_verdict(rows: Iterable[Row], verdict: str, outcome: Outcome) -> list[Row]:
     """The rows of an outcome with a verdict on what they say."""
-    return [(row, found) for row, found in rows if told(outcome, row, found) == verdict]
+    return [(row, found) for row, found in rows if fair(outcome, row, found) == verdict]
 
 
 def of_role(rows: Iterable[Row], role: str) -> list[Row]:

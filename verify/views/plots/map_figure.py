@@ -17,6 +17,7 @@ from verify.views.map import (
     Strip,
     area_shares,
     axis_names,
+    is_strip,
     percent,
     plane_line,
 )
@@ -94,14 +95,26 @@ def _about(strip: CertifiedStrip) -> str:
 
 
 def work(progress: Progress) -> Law:
-    """How many boxes had been looked at after each level, and what was undecided then."""
+    """How many boxes had been looked at after each level, and what was undecided then.
+
+    It depends on the log alone, and not on how often a run was interrupted.
+    """
     boxes, decided, found = 0, Fraction(0), {}
     for chunk in progress.found:
         boxes += len(chunk.keys)
-        level = len(chunk.keys[0])
-        decided += Fraction(len(chunk.letters) - chunk.letters.count(UNDECIDED), 4**level)
-        found[level] = boxes, 1 - decided
+        decided += _decided(progress, chunk)
+        found[len(chunk.keys[0])] = boxes, 1 - decided
     return list(found.values())
+
+
+def _decided(progress: Progress, chunk: Any) -> Fraction:
+    """The share of the area that a chunk decides; in a strip boxes of one level differ."""
+    if not is_strip(progress.document):
+        count = len(chunk.letters) - chunk.letters.count(UNDECIDED)
+        return Fraction(count, 4 ** len(chunk.keys[0]))
+    pairs = zip(chunk.keys, chunk.letters, strict=True)
+    shares = (progress.plane.share(key) for key, letter in pairs if letter != UNDECIDED)
+    return sum(shares, Fraction(0))
 
 
 def squares(progress: Progress, letter: str) -> Iterator[Cell]:

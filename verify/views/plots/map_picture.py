@@ -7,8 +7,10 @@ import struct
 import zlib
 from base64 import b64encode
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from html import escape
 
+from verify.prover.decimals import exact_number
 from verify.views.map import (
     AREAS,
     Progress,
@@ -20,6 +22,7 @@ from verify.views.map import (
     plane_line,
     tile_corners,
 )
+from verify.views.plots.map_figure import work
 
 #: The colours of the areas, on light and on dark paper: they differ in grey, too.
 COLOURS = {"c": "#f7bb70", "d": "#2e6bb6", "u": "#111111"}
@@ -32,8 +35,8 @@ FINEST = 10
 Law = Sequence[tuple[float, float]]
 
 
-def svg_map(progress: Progress, law: Law, *, boxes: bool = False) -> str:
-    """The areas, in dots or as boxes, their shares, and undecided share against CPU seconds."""
+def svg_map(progress: Progress, *, boxes: bool = False) -> str:
+    """The areas, in dots or as boxes, their shares, and the undecided share against the boxes."""
     width, height = LEFT + SIDE + 110 + LAW + 20, TOP + SIDE + 90
     size = f'viewBox="0 0 {width} {height}" role="img"'
     font = 'font-family="sans-serif" font-size="12" fill="#1c2128" style="background:#fff"'
@@ -42,7 +45,7 @@ def svg_map(progress: Progress, law: Law, *, boxes: bool = False) -> str:
         f"<title>{escape(plane_line(progress.document))}</title>",
         *_areas(progress, boxes=boxes),
         *_legend(progress),
-        *_law(law),
+        *_law([(float(n), float(u)) for n, u in work(progress)]),
         "</svg>",
     ]
     return "\n".join(parts) + "\n"
@@ -67,12 +70,17 @@ def _areas(progress: Progress, *, boxes: bool) -> Iterator[str]:
     if boxes and is_strip(progress.document):
         delta, y_0 = progress.plane.delta, -y_1
         y_name = f"φ2 - f(φ1), logarithmic; in the middle all from -{delta} to {delta}"
-    low, right = TOP + SIDE, LEFT + SIDE
-    yield _text(LEFT, low + 16, str(x_0), "start")
-    yield _text(right, low + 16, str(x_1), "end")
-    yield _text(LEFT + SIDE // 2, low + 16, x_name, "middle")
-    yield _text(LEFT - 6, low, str(y_0), "end")
-    yield _text(LEFT - 6, TOP + 10, str(y_1), "end")
+    low = TOP + SIDE
+    for quarter in range(5):
+        share = Fraction(quarter, 4)
+        across, up = LEFT + float(share) * SIDE, low - float(share) * SIDE
+        ticks = f"M{across:g} {low}v5"
+        yield _text(across, low + 18, exact_number(x_0 + share * (x_1 - x_0), 6), "middle")
+        if quarter in (0, 4) or not (boxes and is_strip(progress.document)):
+            ticks += f"M{LEFT} {up:g}h-5"
+            yield _text(LEFT - 8, up + 4, exact_number(y_0 + share * (y_1 - y_0), 6), "end")
+        yield f'<path d="{ticks}" stroke="#1c2128" fill="none"/>'
+    yield _text(LEFT + SIDE // 2, low + 36, x_name, "middle")
     yield _text(LEFT - 6, TOP - 6, y_name, "start")
 
 
@@ -103,7 +111,7 @@ def _text(x: float, y: float, text: str, anchor: str) -> str:
 def _legend(progress: Progress) -> Iterator[str]:
     found = area_shares(progress)
     for place, (letter, (name, _)) in enumerate(AREAS.items()):
-        x, y = LEFT + 132 * place, TOP + SIDE + 34
+        x, y = LEFT + 150 * place, TOP + SIDE + 54
         yield f'<rect x="{x}" y="{y}" width="12" height="12" fill="{COLOURS[letter]}"/>'
         yield _text(x + 17, y + 10, f"{name} {percent(found[name])} %", "start")
     yield _text(LEFT, 16, plane_line(progress.document).partition("; ")[2], "start")
@@ -124,7 +132,7 @@ def _law(law: Law) -> Iterator[str]:
 
     yield f'<rect x="{left}" y="{TOP}" width="{LAW}" height="{LAW}" fill="none" stroke="#8a929c"/>'
     for power in range(x_0, x_1 + 1):
-        yield _text(left + (power - x_0) * scale, low + 16, f"{10.0**power:g} s", "middle")
+        yield _text(left + (power - x_0) * scale, low + 16, f"{10.0**power:g}", "middle")
     for power in range(y_0, y_1 + 1):
         height = low - (power - y_0) * scale + 4
         yield _text(left - 6, height, f"{10.0 ** (power + 2):g} %", "end")
@@ -134,8 +142,8 @@ def _law(law: Law) -> Iterator[str]:
     yield 'stroke-dasharray="4 3" fill="none"/>'
     dots = " ".join(place(x, y) for x, y in points)
     yield f'<polyline points="{dots}" stroke="{COLOURS["d"]}" stroke-width="1.5" fill="none"/>'
-    says = "undecided share against CPU seconds; dashes: slope -1"
-    yield _text(left + LAW // 2, low + 34, says, "middle")
+    yield _text(left + LAW // 2, low + 36, "boxes looked at", "middle")
+    yield _text(left - 6, TOP - 6, "undecided share; dashes: slope -1", "start")
 
 
 def png_map(progress: Progress) -> bytes:

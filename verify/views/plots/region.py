@@ -25,7 +25,7 @@ from verify.views.plots.shapes import (
     marks,
     merged,
 )
-from verify.views.words import told
+from verify.views.words import fair
 
 #: Values of r at which the axis of s = r^(1/3) is marked.
 TICKS = ("0.0005", "0.005", "0.02", "0.05")
@@ -37,7 +37,7 @@ COLUMNS = 300
 def picture(region: Region) -> Figure:
     """The map of the README: the printed proof beside the repaired one, for all parameters."""
     rows = region.printed.rows
-    refuted = [(row, found) for row, found in rows if told(region.printed, row, found) == REFUTED]
+    refuted = [(row, found) for row, found in rows if fair(region.printed, row, found) == REFUTED]
     always = [row for row, found in refuted if row.role == PRINTED and not found.witness]
     needed, across = region.everywhere.rows, scale(region)
     proved = [row for row, found in needed if found.verdict == PROVED]

@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from html import escape
 from itertools import islice
 
 from verify.language.record import Record
 from verify.prover import balls
+from verify.views.plots.approach import approach, svg_text
 from verify.views.plots.drawing import SCHEMES
 from verify.views.scene import Step, Told
 
@@ -26,17 +26,23 @@ def scene_svg(told: Told, steps: Sequence[Step]) -> str:
     """The file."""
     path = legs(told, steps)
     end = end_time(told, path)
-    width = 3 * SIZE + 4 * MARGIN
+    across = 3 * SIZE + 4 * MARGIN
     height = SIZE + TOP + MARGIN
-    size = f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="13"'
+    size = f'viewBox="0 0 {across} {height}" font-family="sans-serif" font-size="13"'
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" {size}>',
         _style(),
-        f'<rect class="paper" width="{width}" height="{height}"/>',
+        f'<rect class="paper" width="{across}" height="{height}"/>',
         *_heading(told),
     ]
-    panels = (_trajectories(path, end), _zoom(path, end), approach(told, steps))
-    titles = ("centre-of-mass frame, to scale", "zoom on a contact", "how the end comes near")
+    zoom, width = _zoom(path, end)
+    panels = (_trajectories(path, end), zoom, approach(told, steps))
+    pair = " and ".join(path[-1].pair or "01")
+    titles = (
+        "centre-of-mass frame, to scale",
+        f"contact of {pair}, {width:.2g} diameters wide",
+        "from collision to collision",
+    )
     for k, (panel, title) in enumerate(zip(panels, titles, strict=True)):
         left = MARGIN + k * (SIZE + MARGIN)
         parts.append(f'<g transform="translate({left} {TOP})">')
@@ -63,12 +69,6 @@ def _style() -> str:
         dark = f"@media (prefers-color-scheme: dark){{{text}}}"
         rules.append(text if scheme == "light" else dark)
     return f"<style>{''.join(rules)}</style>"
-
-
-def svg_text(x: float, y: float, text: str, anchor: str = "start") -> str:
-    """A text at a place."""
-    where = f'x="{x:.2f}" y="{y:.2f}" text-anchor="{anchor}"'
-    return f'<text class="ink" {where}>{escape(text)}</text>'
 
 
 def _heading(told: Told) -> Iterator[str]:
@@ -99,20 +99,24 @@ def _trajectories(path: Sequence[Leg], end: float) -> Iterator[str]:
         yield f'<polyline class="c{i}" points="{line}"/>'
     yield from _spheres(path[0].places, box, "2 3")
     yield from _spheres(last, box, "")
+    yield f'<path class="axis" d="M12 {SIZE - 24}v6M12 {SIZE - 21}h{box[3]:.2f}v-3v6"/>'
+    yield svg_text(12, SIZE - 6, "1 diameter")
 
 
-def _zoom(path: Sequence[Leg], end: float) -> Iterator[str]:
-    """The gap of the pair that collided last, at the start, after collisions, and at the end."""
+def _zoom(path: Sequence[Leg], end: float) -> tuple[Iterator[str], float]:
+    """The gap of the pair that collided last, at several moments; and the width of the drawing."""
     stops = [leg.places for leg in path[:6]] + [places_at(path, end)]
     i, j = map(int, path[-1].pair or "01")
     (x, y), _ = _contact(stops[-1][i], stops[-1][j])
     gaps = [abs(_contact(places[i], places[j])[1]) for places in stops]
     half = max(2 * max(gaps), 1e-6)
-    box = x, y, half, SIZE / (2 * half)
+    return _zoomed(stops, (x, y, half, SIZE / (2 * half))), 2 * half
+
+
+def _zoomed(stops: Sequence[Sequence[Vector]], box: Box) -> Iterator[str]:
     for places in stops[:-1]:
         yield from _spheres(places, box, "2 6")
     yield from _spheres(stops[-1], box, "")
-    yield svg_text(6, SIZE - 8, f"{i} and {j}; the width is {2 * half:.2g} diameters")
 
 
 def _contact(p: Sequence[float], z: Sequence[float]) -> tuple[tuple[float, float], float]:
@@ -131,62 +135,6 @@ def _spheres(places: Sequence[Sequence[float]], box: Box, dashes: str) -> Iterat
         else:
             yield f'<circle class="f{i}" {circle}/><circle class="c{i}" {circle}/>'
             yield svg_text(x, y, str(i), "middle")
-
-
-# --- time to collapse, and distance --------------------------------------------------------------
-
-
-def approach(told: Told, steps: Iterable[Step]) -> Iterator[str]:
-    """Distance against time to the collapse, on logarithmic axes, with their enclosures."""
-    points = approach_points(told, steps)
-    if not points:
-        yield svg_text(20, SIZE / 2, "no collapse to come near to")
-        return
-    times = [t for t, _, _ in points] + [t for _, t, _ in points]
-    low_x, high_x = math.floor(min(times)), math.ceil(max(times))
-    sizes = [d for _, _, d in points]
-    low_y, high_y = math.floor(min(sizes)), math.ceil(max(sizes))
-
-    def place(x: float, y: float) -> tuple[float, float]:
-        across = 44 + (SIZE - 60) * (x - low_x) / max(high_x - low_x, 1)
-        return across, SIZE - 44 - (SIZE - 60) * (y - low_y) / max(high_y - low_y, 1)
-
-    yield from _axes(place, (low_x, high_x), (low_y, high_y))
-    for low, high, size in points:
-        (x, y), (x_high, _) = place(low, size), place(high, size)
-        yield f'<line class="c0" x1="{x:.2f}" y1="{y:.2f}" x2="{x_high:.2f}" y2="{y:.2f}"/>'
-        yield f'<circle class="c0" cx="{(x + x_high) / 2:.2f}" cy="{y:.2f}" r="3"/>'
-
-
-def approach_points(told: Told, steps: Iterable[Step]) -> list[tuple[float, float, float]]:
-    """log10 of the least and largest time to the collapse, and of the distance, per collision."""
-    if told.time is None:
-        return []
-    points = []
-    with balls.precision(told.bits):
-        for step in steps:
-            low, high = balls.ends(balls.as_ball(step.time))
-            size = balls.as_float(step.after.d)
-            if told.time[0] > high and size > 0:
-                least, most = float(told.time[0] - high), float(told.time[1] - low)
-                points.append((math.log10(least), math.log10(most), math.log10(size)))
-    return points
-
-
-def _axes(place: Place, xs: tuple[int, int], ys: tuple[int, int]) -> Iterator[str]:
-    (left, bottom), (right, top) = place(xs[0], ys[0]), place(xs[1], ys[1])
-    yield f'<path class="axis" d="M{left:.1f} {top:.1f}V{bottom:.1f}H{right:.1f}"/>'
-    for x in range(xs[0], xs[1] + 1, max(1, (xs[1] - xs[0]) // 5)):
-        yield svg_text(place(x, ys[0])[0], bottom + 18, _ten(x), "middle")
-    for y in range(ys[0], ys[1] + 1, max(1, (ys[1] - ys[0]) // 6)):
-        yield svg_text(left - 6, place(xs[0], y)[1] + 4, _ten(y), "end")
-    yield svg_text((left + right) / 2, bottom + 36, "time to collapse", "middle")
-    yield svg_text(left, top - 4, "distance d of the next pair")
-
-
-def _ten(exponent: int) -> str:
-    digits = str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-    return f"10{digits}"
 
 
 # --- the animation -------------------------------------------------------------------------------

@@ -25,6 +25,7 @@ from verify.prover.outcome import Decision, Outcome
 from verify.views.tex.formulas import Formulas, safe_letter
 from verify.views.tex.sentences import name, tex_number, words
 from verify.views.words import (
+    fair,
     given_by,
     headline,
     in_letters,
@@ -32,7 +33,6 @@ from verify.views.words import (
     parameter_letters,
     parameters_of,
     sides_of,
-    told,
     witness_of,
 )
 
@@ -158,7 +158,7 @@ class _Part:
     def _row(self, row: Obligation, found: Decision) -> Iterator[str]:
         role = "as printed, " if row.role == PRINTED else ""
         where = f" {tex_label(row.label, self.paper)}" if row.label else ""
-        verdict = told(self.outcome, row, found)
+        verdict = fair(self.outcome, row, found)
         yield rf"\par\medskip\textbf{{{name(row.name)}}}{where}: {role}\textbf{{{verdict}}}"
         if row.says:
             yield rf"\says{{{words(in_letters(row.says))}}}"

@@ -11,9 +11,26 @@ import re
 from collections.abc import Callable, Collection, Iterable, Mapping
 from fractions import Fraction
 
-from verify.language.fold import TERMS, fold
+from verify.language.fold import fold
 from verify.language.record import Record
-from verify.language.terms import Claim, Term, as_term, maximum, parts_of, sqrt, symbol
+from verify.language.terms import (
+    FUNCTIONS,
+    MAX_EXPONENT,
+    MAX_INDEX,
+    Claim,
+    Term,
+    absolute,
+    as_term,
+    atan,
+    exp,
+    log,
+    nth_root,
+    parts_of,
+    pi,
+    sqrt,
+    symbol,
+    tan,
+)
 from verify.wire.inputs import InputError, nearest, rational, shown
 from verify.wire.text.letters import GREEK, NAMES, name_of
 
@@ -30,11 +47,22 @@ _SAME = {"≤": "<=", "≥": ">=", "==": "=", "·": "*", "×": "*", "−": "-", 
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 RELATIONS = ("<", "<=", "=", ">=", ">")
 
-#: The operations that are written as a function, or (without arguments) as a name.
-_INFIX = ("rational", "symbol", "add", "sub", "mul", "div", "neg", "pow")
-FUNCTIONS = tuple(op for op in TERMS if op not in _INFIX)
-CONSTANTS = ("pi",)
+#: A decimal with so many digits behind its point is written as a fraction.
+LONGEST_DECIMAL = 20
+
+#: The functions of several numbers, and the names that stand for a number.
 MANY = ("min", "max")
+NUMBERS: Mapping[str, Term] = {"pi": pi, "e": exp(1)}
+#: What a reader writes in operations of the language.
+SUGAR: Mapping[str, Callable[[Term], Term]] = {
+    "abs": absolute,
+    "cbrt": lambda term: nth_root(term, 3),
+    "tan": tan,
+    "ln": log,
+    "arctan": atan,
+}
+#: All that is written like a function.
+CALLED = (*FUNCTIONS, *MANY, "root", *SUGAR)
 
 
 class Formula(Record):
@@ -81,20 +109,7 @@ class Names:
         short = ", ".join(list(self.known)[:8])
         what = f"what is defined is {short}" if short else "nothing is defined here"
         otherwise = f"define it before, under constants, or as a variable; {what}"
-        return nearest(name, [*self.known, *FUNCTIONS, *SUGAR], otherwise)
-
-
-def _absolute(term: Term) -> Term:
-    return maximum(term, -term)
-
-
-#: What readers write in operations of the language: a name, and what it means.
-SUGAR: dict[str, Callable[[Term], Term]] = {"abs": _absolute}
-if "sin" in TERMS:
-    SUGAR["tan"] = lambda term: Term("sin", term) / Term("cos", term)
-
-
-_CALLED = {*FUNCTIONS, *SUGAR}
+        return nearest(name, [*self.known, *NUMBERS, *CALLED], otherwise)
 
 
 def read_formula(where: str, text: str, names: Names) -> Formula:
@@ -200,6 +215,8 @@ class _Reader:
     def _too_much(self) -> str:
         kind, word = self.tokens[self.at]
         before = self.tokens[self.at - 1]
+        if word in ("and", "or"):
+            return f"a claim has no {word}; write a chain such as 0 < a < 1, or two claims"
         if kind in ("name", "number", "quoted") or word == "(":
             return f"no sign stands between {before[1]} and {word}; write {before[1]}*{word}"
         return f"{self.next_word()}, and does not belong there"
@@ -246,27 +263,34 @@ class _Reader:
         if kind != "raised" and word != "^":
             return found, is_number
         self.at += 1
-        exponent = Fraction(word.translate(_RAISED)) if kind == "raised" else self._exponent()
+        raised = kind == "raised"
+        exponent = as_term(int(word.translate(_RAISED))) if raised else self._exponent()
         if self.sign == "^" or self.tokens[self.at][0] == "raised":
             raise self.error("a power of a power needs parentheses: (x^2)^3")
         return self._raised(found, exponent), False
 
-    def _exponent(self) -> Fraction:
+    def _exponent(self) -> Term:
         minus = bool(self.take("-"))
         found = self.atom()
-        if found.op != "rational":
-            raise self.error("an exponent has to be a number, such as x^2 or x^(1/2)")
-        return -found.value if minus else found.value
+        if not minus:
+            return found
+        return as_term(-found.value) if found.op == "rational" else -found
 
-    def _raised(self, base: Term, exponent: Fraction) -> Term:
-        above, below = abs(exponent.numerator), exponent.denominator
-        if below not in (1, 2) or above == 0 or above > 999:
+    def _raised(self, base: Term, exponent: Term) -> Term:
+        """A power by products, roots, or the exponential, whichever is simplest."""
+        if base is NUMBERS["e"]:
+            return exp(exponent)
+        if exponent.op != "rational":
+            return exp(exponent * log(base))
+        above, below = abs(exponent.value.numerator), exponent.value.denominator
+        if below > MAX_INDEX or not 0 < above <= MAX_EXPONENT:
             raise self.error(
-                f"the exponent {exponent} is not usable; write a whole number or a half, up to 999"
+                f"the exponent {exponent.value} is not usable; write m or m/n, m from 1 to "
+                f"{MAX_EXPONENT} and n to {MAX_INDEX}, or exp({exponent.value}*log(x))"
             )
-        root = base if below == 1 else sqrt(base)
-        found = root**above if above > 1 or exponent == 1 else root
-        return found if exponent > 0 else 1 / found
+        root = base if below == 1 else sqrt(base) if below == 2 else nth_root(base, below)
+        found = root**above if above > 1 or exponent.value == 1 else root
+        return found if exponent.value > 0 else 1 / found
 
     def atom(self) -> Term:
         """A number, a name, a function, a root, a modulus, or what stands in parentheses."""
@@ -287,24 +311,17 @@ class _Reader:
         if word == "|":
             found = self.sum()
             self.expect("|")
-            return _absolute(found)
+            return absolute(found)
         self.at -= 1
         raise self.error(f"{self.next_word()}, where a number or a name is missing")
 
     def _named(self, word: str) -> Term:
-        if self.sign == "(" and (word in _CALLED or word not in self.names.known):
+        if self.sign == "(" and (word in CALLED or word not in self.names.known):
             return self._function(word)
         name = word if word in self.names.known else name_of(word)
-        if name not in self.names.known and (word in CONSTANTS or name in CONSTANTS):
-            return self._constant(name)
-        if name not in self.names.known and name == "e" and "exp" in TERMS:
-            return Term("exp", as_term(1))
+        if name not in self.names.known and name in NUMBERS:
+            return NUMBERS[name]
         return self.names.term(self.where, name)
-
-    def _constant(self, name: str) -> Term:
-        if name in TERMS:
-            return Term(name)
-        raise self.error(f"there is no {name}; write cos_pi(x) for cos({name}*x), or its bounds")
 
     def _function(self, word: str) -> Term:
         self.expect("(")
@@ -312,15 +329,22 @@ class _Reader:
         while self.take(","):
             arguments.append(self.sum())
         self.expect(")")
-        if word not in FUNCTIONS and word not in SUGAR:
-            known = [*FUNCTIONS, *SUGAR]
+        if word not in CALLED:
             is_name = word in self.names.known or word in self.names.hidden or word in GREEK
-            instead = f"write {word}*(...)" if is_name else nearest(word, known)
+            instead = f"write {word}*(...)" if is_name else nearest(word, CALLED)
             raise self.error(f"{shown(word)} is no function; {instead}")
+        if word == "root":
+            return self._root(arguments)
         if (len(arguments) > 1) != (word in MANY):
             wanted = "at least two terms" if word in MANY else "one term"
             raise self.error(f"{word} is of {wanted}, and {len(arguments)} stand there")
         return SUGAR[word](*arguments) if word in SUGAR else Term(word, *arguments)
+
+    def _root(self, arguments: list[Term]) -> Term:
+        index = arguments[-1].value if arguments[-1].op == "rational" else Fraction(0)
+        if len(arguments) != 2 or index.denominator > 1 or not 2 <= index <= MAX_INDEX:
+            raise self.error("a root has a term and an index, such as root(x, 3)")
+        return nth_root(arguments[0], int(index))
 
 
 # --- writing -------------------------------------------------------------------------------------
@@ -335,9 +359,19 @@ def _inside(part: tuple[str, int], level: int) -> str:
 
 
 def _number(value: Fraction) -> tuple[str, int]:
-    if value.denominator > 1:
-        return str(value), _PRODUCT
-    return str(value), _ATOM if value >= 0 else _FACTOR
+    text = _decimal(value)
+    if "/" in text:
+        return text, _PRODUCT
+    return text, _ATOM if value >= 0 else _FACTOR
+
+
+def _decimal(value: Fraction) -> str:
+    """A number as a fraction; if that has many digits, as the decimal that it is."""
+    for digits in range(2, LONGEST_DECIMAL) if value.denominator >= 100 else ():
+        if 10**digits % value.denominator == 0:
+            whole = str(abs(value) * 10**digits).zfill(digits + 1)
+            return f"{'-' * (value < 0)}{whole[:-digits]}.{whole[-digits:]}"
+    return str(value)
 
 
 def _sum(sign: str, left: tuple[str, int], right: tuple[str, int]) -> tuple[str, int]:
@@ -348,7 +382,7 @@ def _sum(sign: str, left: tuple[str, int], right: tuple[str, int]) -> tuple[str,
 def _product(sign: str, left: tuple[str, int], right: tuple[str, int]) -> tuple[str, int]:
     first, second = _inside(left, _PRODUCT), _inside(right, _FACTOR)
     second = f"({second})" if second.startswith("-") else second
-    if sign == "/" and re.fullmatch("-?[0-9]+", first) and second.isdigit():
+    if sign == "/" and all(re.fullmatch("-?[0-9.]+", text) for text in (first, second)):
         first = f"({first})"  # a quotient of numbers, and not one number
     return f"{first}{sign}{second}", _PRODUCT
 
@@ -359,7 +393,7 @@ def _negative(part: tuple[str, int]) -> tuple[str, int]:
 
 
 def _written_name(name: str) -> tuple[str, int]:
-    taken = {*FUNCTIONS, *SUGAR, *CONSTANTS, "e"}
+    taken = {*CALLED, *NUMBERS}
     return name if PLAIN.fullmatch(name) and name not in taken else f"`{name}`", _ATOM
 
 
@@ -371,7 +405,8 @@ def _call(op: str) -> Callable[..., tuple[str, int]]:
 
 
 _TEXT: Mapping[str, Callable[..., tuple[str, int]]] = {
-    **{op: _call(op) for op in FUNCTIONS},
+    **{op: _call(op) for op in (*FUNCTIONS, *MANY, "pi")},
+    "root": lambda base, index: (f"root({base[0]}, {index})", _ATOM),
     "rational": _number,
     "symbol": _written_name,
     "add": lambda left, right: _sum("+", left, right),

@@ -8,10 +8,24 @@ from fractions import Fraction
 from functools import reduce
 from itertools import pairwise
 
-from verify.language.fold import TERMS
-from verify.language.terms import Claim, Term, as_term, maximum, minimum, sqrt
+from verify.language.terms import (
+    Claim,
+    Term,
+    absolute,
+    as_term,
+    atan,
+    cos,
+    exp,
+    log,
+    maximum,
+    minimum,
+    nth_root,
+    pi,
+    sin,
+    sqrt,
+    tan,
+)
 from verify.wire.inputs import InputError, nearest, rational, shown
-from verify.wire.text.infix import SUGAR
 
 _TOKEN = re.compile(r'\s+|;[^\n]*|"(?:[^"]|"")*"|\|[^|]*\||[()\[\]]|[^\s()\[\];"|]+')
 _NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?|[+-]?[0-9]+/[0-9]+")
@@ -121,16 +135,20 @@ OPERATIONS: dict[str, Callable[..., Term]] = {
     "/": _quotient,
     "^": _power,
     "pow": _power,
-    **dict.fromkeys(("abs", "fabs"), SUGAR["abs"]),
+    **dict.fromkeys(("abs", "fabs"), absolute),
     **dict.fromkeys(("min", "fmin"), minimum),
     **dict.fromkeys(("max", "fmax"), maximum),
+    **dict.fromkeys(("atan", "arctan"), atan),
+    "sqrt": sqrt,
+    "cbrt": lambda term: nth_root(term, 3),
+    "exp": exp,
+    "log": log,
+    "sin": sin,
+    "cos": cos,
+    "tan": tan,
 }
-_SAME = {"arctan": "atan", "ln": "log"}
-for _op in ("sqrt", "exp", "log", "sin", "cos", "atan"):
-    if _op in TERMS:
-        OPERATIONS[_op] = TERMS[_op]
-OPERATIONS |= {name: OPERATIONS[op] for name, op in _SAME.items() if op in OPERATIONS}
-OPERATIONS |= {name: make for name, make in SUGAR.items() if name not in OPERATIONS}
+#: Numbers by their names in FPCore.
+NUMBERS: Mapping[str, Term] = {"PI": pi, "E": exp(1), "LN2": log(2), "LN10": log(10)}
 
 RELATIONS = ("<", "<=", "=", ">=", ">", "==")
 
@@ -181,6 +199,8 @@ class Formulas:
             return as_term(rational(f"{self.source.path}, line {word.line}", text.lstrip("+")))
         if word in self.names:
             return self.names[word]
+        if word in NUMBERS:
+            return NUMBERS[word]
         instead = nearest(word, self.names, "declare it before")
         raise self.source.error(word, f"{shown(word)} is not known; {instead}")
 

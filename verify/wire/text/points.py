@@ -10,9 +10,9 @@ import math
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 
-from verify.language.fold import MissingOperationError, fold
+from verify.language.fold import RATIONAL, MissingOperationError, fold
 from verify.language.statement import Given
-from verify.language.terms import Claim, Term, as_term, names_of, substitute
+from verify.language.terms import Claim, Term, as_term, names_of, substitute, symbol
 
 #: How many candidates are looked at.
 MOST = 20_000
@@ -33,6 +33,7 @@ _ALGEBRA: Mapping[str, Callable[..., float]] = {
     "div": lambda x, y: x / y,
     "neg": lambda x: -x,
     "pow": lambda x, exponent: x**exponent,
+    "root": lambda x, index: x ** (1 / index) if x >= 0 else math.nan,
 }
 
 
@@ -112,7 +113,25 @@ def _candidates(
     elif high:
         yield high[1] - 1 if moves else as_term(math.ceil(high[0]) - 1)
     yield from ends
+    for claim in claims:
+        solution = _solution(name, claim, found) if claim.relation == "=" else None
+        if solution is not None:
+            yield as_term(solution)
     yield from map(as_term, _SIMPLE)
+
+
+def _solution(name: str, claim: Claim, found: Mapping[str, Term]) -> Fraction | None:
+    """The value of a variable that solves an equation, in which it is linear, exactly."""
+    gap = substitute(claim.lhs - claim.rhs, found)
+
+    def at(value: int) -> Fraction:
+        return fold(gap, RATIONAL, {symbol(name): Fraction(value)})
+
+    try:
+        zero, one, two = map(at, (0, 1, 2))
+    except (ArithmeticError, MissingOperationError):
+        return None
+    return zero / (zero - one) if two - one == one - zero != 0 else None
 
 
 Bound = tuple[float, Term]

@@ -43,7 +43,7 @@ from verify.language.terms import Claim, Term, names_of
 from verify.prover.hint import Hint
 from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.text.infix import Names, read_claims, read_term
-from verify.wire.text.letters import letter_of
+from verify.wire.text.letters import letter_of, name_of
 from verify.wire.text.page import Page
 from verify.wire.text.points import a_point, estimate
 
@@ -80,7 +80,9 @@ def read_page(path: str, content: bytes, cited: Sequence[Cite] = ()) -> Page:
         raise InputError(f"{path}: is not UTF-8; save it as UTF-8") from error
     except (ValueError, RecursionError) as error:
         why = " ".join(str(error).split())
-        raise InputError(f"{path}: is no TOML file ({why}); formulas stand in quotes") from error
+        raise InputError(
+            f"{path}: is no TOML file ({why}); write formulas and Greek names in quotes"
+        ) from error
     return _Reader(Places(path, text), cited).page(table)
 
 
@@ -367,8 +369,8 @@ class _Reader:
 
     def _constants(self, keys: Sequence[str], value: object, home: str | None) -> list[Constant]:
         found = []
-        for written, entry in self.table(keys, value).items():
-            place = [*keys, written]
+        for key, entry in self.table(keys, value).items():
+            place, written = [*keys, key], name_of(key)
             item = entry if isinstance(entry, dict) else {"value": entry}
             self.table(place, item, CONSTANT)
             if "value" not in item:
@@ -450,8 +452,9 @@ class _Reader:
         names = () if isinstance(entry, dict) else self.texts(place, entry)
         items = entry if isinstance(entry, dict) else {name: {} for name in names}
         found = {}
-        for written, item in items.items():
-            self.table([*place, written], item, VARIABLE)
+        for key, item in items.items():
+            written = name_of(key)
+            self.table([*place, key], item, VARIABLE)
             name = self._new([*place, written], written, home)
             found[written] = Variable(name, *self._letters([*place, written], item, written))
             self.scope.add(written, name, home)

@@ -1,0 +1,316 @@
+"""The sandwich theorem: accepted as it is, refused with anything missing or changed, and true."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+import pytest
+from flint import arb
+
+from tests.paper.sandwich.states import Applied, Random, Values, fails, holds
+from tests.paper.sharper.particles import dot
+from verify import check
+from verify.language.statement import PROVED, Context
+from verify.language.terms import Claim
+from verify.paper.commands.sandwich import decide_sandwich
+from verify.paper.sandwich import comparison, numbers, state
+from verify.paper.sandwich.sandwich import sandwich
+from verify.prover import balls
+from verify.prover.outcome import Outcome
+from verify.prover.proof import LemmaStep, ObligationStep, OpenStep
+from verify.prover.rules import Sum
+from verify.wire.read import read
+from verify.wire.write import write
+
+#: 430 digits.
+BITS = 1430
+COLLISIONS = 30
+
+
+def report(outcome: Outcome) -> check.Report:
+    files = write(outcome)
+    return check.check(files["statement.json"], files["certificate.json"], {})
+
+
+def answer(outcome: Outcome) -> str:
+    try:
+        return report(outcome).verdict
+    except check.Malformed:
+        return "MALFORMED"
+
+
+def test_the_theorem_is_proved_and_small() -> None:
+    outcome = decide_sandwich()
+    files = write(outcome)
+    assert report(outcome).verdict == "PROVED"
+    assert outcome.verdict == PROVED
+    assert sum(map(len, files.values())) < 150_000
+    assert read(files["statement.json"], files["certificate.json"], {}) == outcome.draft
+
+
+def test_what_is_assumed() -> None:
+    kinds = [assumption.kind for assumption in decide_sandwich().assumptions]
+    expected = [*["definition"] * 2, *["general mathematics"] * 3, *["numbered glue"] * 4]
+    assert sorted(kinds) == expected
+
+
+def test_glue_names_facts_that_are_there() -> None:
+    statement = sandwich().statement
+    known = {row.name for row in statement.obligations}
+    known |= {given.name for context in statement.contexts for given in context.givens}
+    known |= {context.name for context in statement.contexts}
+    known |= {step.name for step in decide_sandwich().steps if isinstance(step, LemmaStep)}
+    known |= {assumption.name for assumption in statement.assumptions}
+    named = {
+        word
+        for assumption in statement.assumptions
+        if assumption.kind == "numbered glue"
+        for word in re.findall(r"(?<![-\w])[a-z]+(?:-[A-Za-z]+)+(?![-\w])", assumption.sentence)
+    }
+    assert len(named) > 15
+    assert named - known <= {"n-th"}
+
+
+def test_the_point_is_inside() -> None:
+    """No given is sharp at the point but that w is the smaller speed."""
+    point = {name: balls.exact(Fraction(text)) for name, text in numbers.POINT.items()}
+    sharp = {"w_0-least", "w_1-least"}
+    for name, claim in numbers.GIVENS.items():
+        assert holds(Claim("<", claim.lhs, claim.rhs), point) or name in sharp, name
+
+
+# --- what is refused -----------------------------------------------------------------------------
+
+
+def _but(items: tuple[Any, ...], at: int) -> tuple[Any, ...]:
+    return items[:at] + items[at + 1 :]
+
+
+def without(name: str) -> Outcome:
+    """The theorem without a given, and without what is said of it."""
+    outcome = decide_sandwich()
+    contexts, steps = list(outcome.statement.contexts), list(outcome.steps)
+    for number, context in enumerate(contexts):
+        names = [given.name for given in context.givens]
+        if name not in names:
+            continue
+        at = names.index(name)
+        contexts[number] = context._replace(givens=_but(context.givens, at))
+        for i, step in enumerate(steps):
+            if isinstance(step, OpenStep) and step.name == context.name:
+                steps[i] = step._replace(givens=_but(step.givens, at))
+    statement = outcome.statement._replace(contexts=tuple(contexts))
+    return outcome._replace(statement=statement, steps=tuple(steps))
+
+
+STAIR = [given.name for given in (*comparison.stair().givens, *comparison.orbit().givens)]
+
+
+@pytest.mark.parametrize("name", [*numbers.GIVENS, *state.PAIRS, *STAIR, "approaches", "meets"])
+def test_each_given_is_used(name: str) -> None:
+    assert answer(without(name)) in {"REFUSED", "MALFORMED"}
+
+
+def changed(name: str, claim: Claim) -> Outcome:
+    """The theorem with another claim in place of a given."""
+    outcome = decide_sandwich()
+
+    def other(context: Context) -> Context:
+        givens = (g._replace(claim=claim) if g.name == name else g for g in context.givens)
+        return context._replace(givens=tuple(givens))
+
+    contexts = tuple(map(other, outcome.statement.contexts))
+    return outcome._replace(statement=outcome.statement._replace(contexts=contexts))
+
+
+@pytest.mark.parametrize("name", [*numbers.GIVENS])
+def test_a_weaker_given_is_refused(name: str) -> None:
+    claim = numbers.GIVENS[name]
+    weaker = Claim(claim.relation, claim.lhs, claim.rhs + Fraction(1, 10**6))
+    assert answer(changed(name, weaker)) == "REFUSED"
+
+
+#: The theorem as it might be miswritten: a factor, a sign, an index.
+n, m = numbers, comparison
+MUTANTS: dict[str, tuple[str, Claim]] = {
+    "the-other-speed": (
+        "start-u",
+        n.start.d * (2 + n.start.d) * n.w_1**2
+        <= n.U_0 * (2 - n.U_0) * (1 + n.start.d) ** 2 * n.start.y**2,
+    ),
+    "one-for-two": (
+        "start-u",
+        n.start.d * (1 + n.start.d) * n.w_0**2
+        <= n.U_0 * (2 - n.U_0) * (1 + n.start.d) ** 2 * n.start.y**2,
+    ),
+    "no-later-gain": ("start-B-most", n.start.B <= n.w_1**2),
+    "no-turning": ("start-C-lower", n.C_0 - n.start.C <= n.Theta),
+    "upper-angle": (
+        "start-approaches",
+        n.model._replace(C=n.C_0 + n.Theta).step(n.Q_0, n.U_0, n.w_0, n.w_1).approaches,
+    ),
+    "indices-exchanged": ("start-meets", n.model.step(n.Q_0, n.U_0, n.w_1, n.w_0).meets),
+    "share-forgotten": ("stair-falls-Q", m.n.R * (1 - m.n.U) <= m.n.Q_next),
+    "power-of-P": ("stair-falls-U", m.above.load <= m.n.U_next * (2 - m.n.U_next) * m.above.P),
+    "half-of-the-load": (
+        "stair-falls-U",
+        m.above.load / 2 <= m.n.U_next * (2 - m.n.U_next) * m.above.P**2,
+    ),
+}
+
+
+@pytest.mark.parametrize("mutant", MUTANTS)
+def test_a_mutant_is_refused(mutant: str) -> None:
+    assert answer(changed(*MUTANTS[mutant])) == "REFUSED"
+
+
+def test_a_sum_without_one_of_its_addends_is_refused() -> None:
+    rows = {row.name: row for row in sandwich().statement.obligations}
+    lies: dict[str, list[LemmaStep]] = {}
+    for step in decide_sandwich().steps:
+        if isinstance(step, LemmaStep):
+            claim: Any = step.claim
+            context, proof = step.context, step.proof
+        elif isinstance(step, ObligationStep):
+            claim, context, proof = rows[step.name].claim, rows[step.name].context, step.proof
+        else:
+            continue
+        if not isinstance(proof, Sum) or proof.using == ("tau",):
+            continue  # what is left of an inequality of vectors is too long for the checker
+        for i in range(len(proof.addends)):
+            fewer = proof._replace(addends=_but(proof.addends, i))
+            lie = LemmaStep(f"lie.{step.name}.{i}", context, claim, fewer)
+            lies.setdefault(step.name, []).append(lie)
+    assert sum(map(len, lies.values())) > 250
+    for part in range(4):  # the checker bounds its work
+        here = dict(list(lies.items())[part::4])
+        steps = [new for old in decide_sandwich().steps for new in (*here.get(old.name, []), old)]
+        names = {lie.name for group in here.values() for lie in group}
+        lines = report(decide_sandwich()._replace(steps=tuple(steps))).lines
+        refused = {
+            line.split()[2].rstrip(":") for line in lines if line.startswith("REFUSED lemma")
+        }
+        assert names <= refused
+
+
+# --- what is true --------------------------------------------------------------------------------
+
+
+def what_fails(applied: Applied) -> list[str]:
+    """The conclusions that the next collisions contradict."""
+    particles, at, points = applied
+    repeats = len(points) - 3
+    at = {name: arb(x) for name, x in at.items()}
+    ratio = (1 + at["r"]) / 2 * at["G"]
+    end = at["G"] * at["U_b"] * at["y_start"] / at["w_b"] ** 2 / (1 - ratio)
+    s, c, clock, most, w_c, w_s = 1, 2, arb(0), at["y_start"], at["w_0"], at["w_1"]
+    one = 1 + arb(10) ** -100
+    for number in range(COLLISIONS):
+        (x_s, W_s), (x_c, W_c) = particles.relative(0, s), particles.relative(0, c)
+        far = dot(x_c, x_c).sqrt()
+        y, eta_s, cosine = -dot(x_c, W_c) / far, dot(x_s, W_s), -dot(x_s, x_c) / far
+        here = number if number <= repeats else repeats + (number - repeats) % 2
+        Q, U = (balls.from_fraction(x) for x in points[here])
+        meeting = particles.next()
+        held = {
+            "pair": meeting is not None and meeting[1:] == (0, c),
+            "closing": y <= most * one,
+            "q": eta_s <= Q * y * one,
+            "u": (far**2 - 1) * w_c**2 <= U * (2 - U) * far**2 * y**2 * one,
+            "angle": abs(cosine - at["C_0"]) <= at["Theta"],
+            "speeds": dot(W_c, W_c) <= w_c**2 and dot(W_s, W_s) <= w_s**2,
+            "distance": far <= at["G"],
+        }
+        if meeting is None or not all(held.values()):
+            return [name for name, is_so in held.items() if not is_so]
+        clock += meeting[0]
+        if not (clock <= end and meeting[0] * w_c**2 <= at["G"] * U * y * one):
+            return ["time"]
+        particles.collide(*meeting)
+        s, c, w_c, w_s, most = c, s, w_s, w_c, most * ratio
+    return []
+
+
+@cache
+def draws(dimension: int, count: int) -> tuple[Applied, ...]:
+    """States to which the theorem applies."""
+    draw, found = Random(26 + dimension, dimension), []
+    while len(found) < count:
+        applied = draw.applied()
+        if applied is not None:
+            found.append(applied)
+    return tuple(found)
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_particles_do_as_they_are_told(dimension: int) -> None:
+    with balls.precision(BITS):
+        assert [what_fails(one) for one in draws(dimension, 40)] == [[]] * 40
+
+
+@pytest.mark.parametrize("part", range(10))
+def test_ten_thousand_states_do_as_they_are_told(part: int) -> None:
+    with balls.precision(BITS):
+        draw, followed = Random(1000 + part, 2 + part % 2), 0
+        while followed < 1000:
+            applied = draw.applied()
+            if applied is not None:
+                assert what_fails(applied) == []
+                followed += 1
+
+
+EDGES = ("start-q", "start-u", "start-A-most", "start-B-most", "start-C-upper", "start-C-lower",
+         "start-cs-c", "start-cs-s")  # fmt: skip
+
+
+def edges(at: Values) -> dict[str, tuple[str, arb]]:
+    """For each hypothesis on the state the number that it bounds, and the bound."""
+    ratio, y = (1 + at["r"]) / 2 * at["G"], at["y_start"]
+    gain = ratio / (1 - ratio**2) * y
+    step = at["G"] * at["U_b"] / at["w_b"] ** 2 / (1 - ratio)
+    room = at["Theta"] - (at["w_0"] + at["w_1"] + y) * step * y
+    zeta = at["U_0"] * (2 - at["U_0"]) * y**2 / at["w_0"] ** 2
+    return {
+        "start-q": ("eta_s_start", at["Q_0"] * y),
+        "start-u": ("d_start", 1 / (1 - zeta).sqrt() - 1),
+        "start-A-most": ("A_start", (at["w_0"] - ratio * gain) ** 2),
+        "start-B-most": ("B_start", (at["w_1"] - gain) ** 2),
+        "start-C-upper": ("C_start", at["C_0"] + room),
+        "start-cs-c": ("A_start", y**2),
+        "start-cs-s": ("B_start", at["eta_s_start"] ** 2),
+        "start-C-lower": ("C_start", at["C_0"] - room),
+    }
+
+
+@pytest.mark.parametrize("name", EDGES)
+def test_a_state_just_outside_is_not_accepted(name: str) -> None:
+    """One part in 10^30 beyond a hypothesis it fails, and no other one; just inside it holds."""
+    least = {"start-cs-c", "start-cs-s", "start-C-lower"}
+    with balls.precision(BITS):
+        tiny = arb(10) ** -30 * (-1 if name in least else 1)
+        for _, at, points in draws(2, 40):
+            number, edge = edges(at)[name]
+            assert name in fails({**at, number: edge * (1 + tiny)}, points)
+            assert name not in fails({**at, number: edge * (1 - tiny)}, points)
+
+
+def test_a_stair_that_does_not_fit_is_not_accepted() -> None:
+    """Each number of a stair is needed: half of it is too low."""
+    with balls.precision(BITS):
+        for _, at, points in draws(2, 40):
+            for place in range(1, len(points)):
+                Q, U = points[place]
+                for lower in ((Q / 2, U), (Q, U / 4)):
+                    assert fails(at, (*points[:place], lower, *points[place + 1 :]))
+            assert "period" in fails(at, ((Fraction(0), Fraction(0)), *points[1:3]))
+
+
+def test_a_simulation_that_contradicts_would_be_seen() -> None:
+    """With a stair that is too low, something fails."""
+    with balls.precision(BITS):
+        for particles, at, points in draws(3, 10):
+            low = tuple((Q / 2, U / 4) for Q, U in points)
+            assert set(what_fails(Applied(particles, at, low))) & {"q", "u"}

@@ -1,0 +1,53 @@
+"""What is known of three particles from the literature, as the program decides it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from fractions import Fraction
+
+import pytest
+
+from tests.spheres.scene.scenes import on_a_line
+from verify.spheres.scene.decide import COLLAPSES, DISPERSES, decide_scene
+from verify.spheres.scene.families import read_family
+from verify.spheres.scene.sampling import draw
+
+LINE = """r = "0.056..0.0717"
+positions  = [[0], ["1 + a"], ["-1 - b"]]
+velocities = [["u"], [-1], [1]]
+parameters = {a = "0..1", b = "0..1", u = "-1..1"}
+"""
+PLANE = """r = "RANGE"
+positions  = [[0, 0], ["1.01", 0], ["-1 - b", "h"]]
+velocities = [[0, 0], [-1, "w"], [1, "-w/2"]]
+parameters = {b = "0.01..0.1", h = "-0.05..0.05", w = "-0.1..0.1"}
+"""
+
+
+def largest_number(r: Fraction) -> int:
+    """The least n with s_n <= 0: no more collisions on a line are possible."""
+    before, now, n = Fraction(0), Fraction(1), 1
+    while now > 0:
+        before, now, n = now, (1 + r) / 2 * now - r * before, n + 1
+    return n
+
+
+@pytest.mark.parametrize(("r", "number"), [("0.08", 11), ("0.072", 64), ("0.0718", 504)])
+def test_the_largest_numbers_on_a_line_are_attained(r: str, number: int) -> None:
+    assert largest_number(Fraction(r)) == number
+    found = decide_scene(on_a_line(r))
+    assert (found.verdict, found.collisions) == (DISPERSES, number)
+
+
+def verdicts(text: str, count: int) -> Counter[str]:
+    points = draw(read_family("family", text.encode()), count, 3)
+    return Counter(decide_scene(point.scene).verdict for point in points)
+
+
+def test_on_a_line_all_of_a_sample_collapse_up_to_the_first_threshold() -> None:
+    assert verdicts(LINE, 60) == {COLLAPSES: 60}
+
+
+@pytest.mark.parametrize(("r", "verdict"), [("0.05..0.055", COLLAPSES), ("0.057..0.07", DISPERSES)])
+def test_near_a_line_the_second_threshold_divides_a_sample(r: str, verdict: str) -> None:
+    assert verdicts(PLANE.replace("RANGE", r), 40) == {verdict: 40}

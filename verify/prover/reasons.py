@@ -1,0 +1,46 @@
+"""Where a claim that is undecided is open, in words: estimates, which prove nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from verify.prover.goal import Goal
+from verify.prover.search.question import Question
+from verify.prover.universal import Universal
+
+#: Digits of an estimate.
+DIGITS = 4
+
+
+def hardest(goal: Goal, known: Universal) -> tuple[str, ...]:
+    """How much was tried, where the claim is most nearly false, and which part of a box is left."""
+    return (*_tried(known), *_nearest(Question(goal, known)), *_left(known))
+
+
+def _tried(known: Universal) -> Iterator[str]:
+    if known.tried:
+        *_, last = known.tried
+        yield f"{len(known.tried)} techniques were tried, the last one was: {last}"
+
+
+def _nearest(question: Question) -> Iterator[str]:
+    """The point of the least difference of the sides, among those where the givens hold."""
+    wide = question.widened() or question
+    if wide.goal.claim.relation == "=" or wide.equations or not wide.goal.variables:
+        return
+    for value, point in wide.minima[:1]:
+        at = ", ".join(
+            f"{name} = {x:.{DIGITS}g}" for name, x in zip(wide.goal.variables, point, strict=True)
+        )
+        yield f"it is most nearly false about {at}, where the sides differ by {value:.{DIGITS}g}"
+
+
+def _left(known: Universal) -> Iterator[str]:
+    if known.left:
+        sides = (f"{name} in [{_short(a)}, {_short(b)}]" for name, (a, b) in known.left.items())
+        yield f"a part of the box that is left: {', '.join(sides)}"
+
+
+def _short(value: Fraction) -> str:
+    return f"{float(value):.{DIGITS}g}"

@@ -1,0 +1,433 @@
+"""Claims about one variable that meet at a point, or hold on an unbounded range.
+
+What holds at a point holds beyond it, if the derivative of the difference has a sign there. That
+is a claim of the same kind, and after some derivatives one about a quotient of polynomials, or one
+that enclosures decide. Estimates guide; each premise has a proof.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import pairwise
+
+from flint import fmpq_mpoly
+
+from verify.language.statement import PROVED
+from verify.language.terms import (
+    Claim,
+    Term,
+    as_term,
+    equal,
+    log,
+    names_of,
+    parts_of,
+    substitute_claim,
+    symbol,
+)
+from verify.prover.clearing import Clearing, TooLongError
+from verify.prover.goal import Bounds
+from verify.prover.numbers import float_of, fmpq_of, fraction_of
+from verify.prover.proof import Premise, Proof, power_of, product_of
+from verify.prover.rules import Cuts, Derivative, Have, InRange, Interval, Law, Monotony, Sum
+from verify.prover.search.bernstein_boxes import on_interval
+from verify.prover.search.compiled import estimates
+from verify.prover.search.derivatives import derivative
+from verify.prover.search.direct import CIRCULAR, RANGES
+from verify.prover.search.exact import ExactRanges
+from verify.prover.search.question import Question
+from verify.prover.search.tree import Tree
+from verify.prover.session import ZERO
+
+#: Derivatives and cuts inside one another, and claims that are looked at in all.
+MAX_DEPTH, MAX_CLAIMS = 12, 150
+#: Parts of a box that enclosures may take.
+LEAVES = 100
+#: Where numbers are compared that are exact and short.
+BITS = 1024
+#: Of the checker where the variable has a value.
+BITS_AT_POINT = 64
+#: A difference below this part of the sides may be rounding.
+NOISE = 1e-11
+#: Where to cut a range: at the first of these that lies in it and where both sides meet.
+_NUMERATORS = (0, 1, -1, 2, -2, 3, -3, 5, 10, 100)
+SIMPLE = tuple(Fraction(n, d) for d in (1, 2, 3, 4, 10) for n in _NUMERATORS)
+#: The relations of a claim at a point, of the point and the variable, and of 0 and the derivative.
+AT_POINT = {("<", "start"): ("<", "<=", "<="), ("<", "slope"): ("<=", "<", "<")}
+FUNCTIONS = ("exp", "log", "atan", "sin", "cos", "cos_pi")
+
+
+def by_growth(question: Question) -> Proof | None:
+    """A proof by signs of derivatives, for one variable of the context itself."""
+    goal, known = question.plain, question.known
+    if goal.context is None or len(goal.variables) != 1 or goal.definitions or goal.constants:
+        return None
+    ((name, bounds),) = goal.variables.items()
+    context = known.contexts[goal.context]
+    own = name in {variable.name for variable in context.variables}
+    if not own or not any(
+        part.op in FUNCTIONS for part in parts_of(goal.claim.lhs, goal.claim.rhs)
+    ):
+        return None
+    if goal.claim.relation not in ("<", "<=") or goal.claim.lhs == ZERO == goal.claim.rhs:
+        return None
+    return Growth(question, name).prove(goal.claim, bounds, (), MAX_DEPTH)
+
+
+class Growth:
+    """Proofs of claims about one variable, in branches with bounds of it."""
+
+    def __init__(self, question: Question, name: str) -> None:
+        self.question, self.known, self.name = question, question.known, name
+        self.goal, self.x = question.plain, symbol(name)
+        self.context = self.goal.context or ""
+        self.claims = 0
+
+    def prove(
+        self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...], depth: int
+    ) -> Proof | None:
+        """A proof where the variable has these bounds, among them the hypotheses of cuts."""
+        self.claims += 1
+        self.question.budget.spend(50)
+        if depth == 0 or self.claims > MAX_CLAIMS:
+            return None
+        if self.name not in names_of(claim.lhs, claim.rhs):
+            return self._ground(claim)
+        gaps = [*self._gaps(claim, bounds)]
+        if not gaps or min(gap for _, gap in gaps) < 0:
+            return None
+        if not self.known.clears((claim.lhs, claim.rhs), self.context):
+            return None
+        touches = min(gap for _, gap in gaps) < 1e-3
+        found = self._simple(claim, bounds, cuts)
+        found = found or (None if touches else self._tree(claim, bounds, cuts))
+        if any(part.op in FUNCTIONS for part in parts_of(claim.lhs, claim.rhs)):
+            found = found or self._isolated(claim, bounds, cuts, depth)
+            found = found or self._grown(claim, bounds, cuts, depth)
+        else:
+            found = found or self._algebraic(claim)
+        return found or self._cut(claim, bounds, cuts, depth)
+
+    # --- estimates ------------------------------------------------------------------------------
+
+    def _gaps(self, claim: Claim, bounds: Bounds) -> Iterator[tuple[float, float]]:
+        """At points between the bounds, how far the sides are apart, as a part of their size.
+
+        It is 0 where that may be rounding.
+        """
+        try:
+            values = estimates([self.name], [claim.lhs, claim.rhs], {})
+        except KeyError:
+            return
+        for x in _points(bounds):
+            try:
+                low, high = values(x)
+            except (ArithmeticError, ValueError, TypeError):
+                continue
+            size = abs(low) + abs(high)
+            if isinstance(size, float) and math.isfinite(size):
+                gap = high - low
+                yield x, 0.0 if abs(gap) <= NOISE * (size + NOISE) else gap / (size + 1e-300)
+
+    def _sign(self, term: Term, bounds: Bounds) -> int:
+        """The sign that a term seems to have everywhere between the bounds; or 0."""
+        gaps = [gap for _, gap in self._gaps(Claim("<=", ZERO, term), bounds)]
+        if not gaps or min(gaps) < 0 < max(gaps):
+            return 0
+        return 1 if min(gaps) >= 0 else -1
+
+    # --- proofs without derivatives -------------------------------------------------------------
+
+    def _ground(self, claim: Claim) -> Proof | None:
+        """A claim without the variable, perhaps one whose sides are equal, as exp 0 and 1 are."""
+        found = ExactRanges((), {}, BITS_AT_POINT).of((), claim.lhs, claim.rhs)
+        if found is not None:
+            (_, low), (high, _) = found
+            if low < high or (low == high and claim.relation == "<="):
+                return Interval(BITS_AT_POINT)
+        verdict, proof = self.known.ground.prove(claim)
+        return proof if verdict == PROVED else None
+
+    def _simple(self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...]) -> Proof | None:
+        """A quotient of polynomials, or what the range of a function shows."""
+        claim = Claim(
+            claim.relation,
+            self.known.turned(claim.lhs, self.context),
+            self.known.turned(claim.rhs, self.context),
+        )
+        try:
+            found = on_interval(self.goal._replace(claim=claim, variables={self.name: bounds}))
+            if found is not None:
+                return found
+            clearing = Clearing((claim.lhs, claim.rhs), {})
+            difference = clearing.difference(claim.rhs, claim.lhs)
+        except TooLongError:
+            return None
+        if clearing.atoms == [self.x]:
+            return self._on_half_line(claim, bounds, difference)
+        return self._by_range(claim, clearing, difference, f"@{len(cuts) + 1}")
+
+    def _on_half_line(self, claim: Claim, bounds: Bounds, polynomial: fmpq_mpoly) -> Sum | None:
+        """A polynomial whose coefficients around the one end are not negative."""
+        is_above = bounds.low is not None
+        end = bounds.low if is_above else bounds.high
+        if end is None:
+            return None
+        fact = bounds.low_fact if is_above else bounds.high_fact
+        ring = polynomial.context()
+        shifted = ring.constant(fmpq_of(end)) + (ring.gen(0) if is_above else -ring.gen(0))
+        moved = polynomial.compose(shifted)
+        parts = {int(powers[0]): fraction_of(value) for powers, value in moved.to_dict().items()}
+        if any(value < 0 for value in parts.values()):
+            return None
+        relation = bounds.low_relation if is_above else bounds.high_relation
+        if claim.relation == "<" and not parts.get(0) and not (relation == "<" and parts):
+            return None
+        values = (
+            product_of(str(value), power_of(fact, power)) if power else str(value)
+            for power, value in parts.items()
+        )
+        return Sum(("goal", *values))
+
+    def _by_range(
+        self, claim: Claim, clearing: Clearing, difference: fmpq_mpoly, hypothesis: str
+    ) -> Proof | None:
+        """A function with numbers before and after it."""
+        functions = [(i, atom) for i, atom in enumerate(clearing.atoms) if atom.op in RANGES]
+        if len(functions) != 1:
+            return None
+        index, atom = functions[0]
+        parts = {
+            power: clearing.term(part) for power, part in clearing.coefficients(difference, index)
+        }
+        numbers = [parts.get(power, ZERO) for power in (0, 1)]
+        if parts.keys() - {0, 1} or any(number.op != "rational" for number in numbers):
+            return None
+        rest, factor = (number.value for number in numbers)
+        end = RANGES[atom.op].get(factor < 0, atom)
+        if end.op != "rational" or factor == 0 or factor * end.value + rest < 0:
+            return None
+        relation = "<=" if atom.op in CIRCULAR else "<"
+        left = factor * end.value + rest
+        if claim.relation == "<" and left == 0 and relation == "<=":
+            return None
+        bound = Claim(relation, *((atom, end) if factor < 0 else (end, atom)))
+        last = Sum(("goal", product_of(str(abs(factor)), hypothesis), str(left)))
+        return Have(bound, (InRange(), last))
+
+    def _algebraic(self, claim: Claim) -> Proof | None:
+        """What other techniques find where it holds in the whole context."""
+        ((_, bounds),) = self.goal.variables.items()
+        gaps = [gap for _, gap in self._gaps(claim, bounds)]
+        if not gaps or min(gaps) < 0:
+            return None
+        return self.known.prove(self.goal._replace(claim=claim))
+
+    def _tree(self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...]) -> Proof | None:
+        if bounds.ends is None:
+            return None
+        variables = {self.name: bounds}
+        tree = Tree(claim, variables, {}, self.question.budget, hypotheses=len(cuts))
+        return tree.prove(LEAVES)
+
+    # --- isolating a function -------------------------------------------------------------------
+
+    def _isolated(
+        self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...], depth: int
+    ) -> Proof | None:
+        """Divide by what stands before a logarithm, or take one of what bounds an exponential.
+
+        The derivative has no such function any more.
+        """
+        try:
+            clearing = Clearing((claim.lhs, claim.rhs), {})
+            difference = clearing.difference(claim.rhs, claim.lhs)
+        except TooLongError:
+            return None
+        atoms = [*enumerate(clearing.atoms)]
+        functions = [(i, atom) for i, atom in atoms if atom.op in ("log", "atan", "exp")]
+        if len(functions) != 1 or len(atoms) != 2 or functions[0][1] in (claim.lhs, claim.rhs):
+            return None
+        index, atom = functions[0]
+        parts = dict(clearing.coefficients(difference, index))
+        if parts.keys() != {0, 1}:
+            return None
+        rest, factor = clearing.term(parts[0]), clearing.term(parts[1])
+        sign = self._sign(factor, bounds)
+        if sign == 0 or (factor.op == "rational" and atom.op != "exp"):
+            return None
+        if sign < 0:
+            rest, factor = clearing.term(-parts[0]), clearing.term(-parts[1])
+        bound = -rest / factor
+        sides = (bound, atom) if sign > 0 else (atom, bound)
+        isolated = Claim(claim.relation, *sides)
+        if not self.known.clears(sides, self.context):
+            return None
+        prove = self._by_logarithm if atom.op == "exp" else self._grown
+        proof = prove(isolated, bounds, cuts, depth - 1)
+        scale = str(factor.value) if factor.op == "rational" else "1"
+        last = Sum(("goal", product_of(scale, f"@{len(cuts) + 1}")))
+        return None if proof is None else Have(isolated, (proof, last))
+
+    def _by_logarithm(
+        self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...], depth: int
+    ) -> Proof | None:
+        """A claim about exp u and r, from one about u and log r."""
+        exponential = claim.lhs if claim.lhs.op == "exp" else claim.rhs
+        inner = exponential.children[0]
+        other = claim.rhs if exponential is claim.lhs else claim.lhs
+        if self._sign(other, bounds) != 1 or not self.known.clears(
+            (log(other), log(exponential)), self.context
+        ):
+            return None
+        sides = (inner, log(other)) if exponential is claim.lhs else (log(other), inner)
+        below = Claim(claim.relation, *sides)
+        proof = self._grown(below, bounds, cuts, depth)
+        if proof is None:
+            return None
+        law = equal(log(exponential), inner)
+        name = self.known.session.known(law, self.context)
+        if name is None:
+            name = self.known.session.lemma(law, Law(), self.known.home(law, self.context))
+        premise = Sum(("goal", f"@{len(cuts) + 1}"), (name,))
+        return Have(below, (proof, Monotony(premise, "log")))
+
+    # --- derivatives ----------------------------------------------------------------------------
+
+    def _grown(
+        self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...], depth: int
+    ) -> Proof | None:
+        slope = derivative(claim.rhs - claim.lhs, self.name)
+        if slope is None or not self.known.clears((claim.lhs, claim.rhs, slope), self.context):
+            return None
+        sign = self._sign(slope, bounds)
+        end = bounds.low if sign > 0 else bounds.high
+        if sign == 0 or end is None:
+            return None
+        at = as_term(end)
+        order = self._order(at, bounds, cuts, is_above=sign > 0)
+        near = self._near(cuts, is_above=sign > 0)
+        if order is None or near is None:
+            return None
+        for strict in ("start", "slope") if claim.relation == "<" else ("start",):
+            relations = AT_POINT.get((claim.relation, strict), ("<=", "<=", "<="))
+            start = self._at(Claim(relations[0], claim.lhs, claim.rhs), end)
+            comparison = _weaker(*order, relations[1])
+            if start is None or comparison is None:
+                continue
+            sides = (ZERO, slope) if sign > 0 else (slope, ZERO)
+            proof = self.prove(Claim(relations[2], *sides), bounds, cuts, depth - 1)
+            if proof is not None:
+                side = "above" if sign > 0 else "below"
+                fields = self.name, at, slope, side, strict, start, comparison, proof, near
+                return Derivative(*fields)
+        return None
+
+    def _at(self, claim: Claim, end: Fraction) -> Proof | None:
+        """A proof of the claim at a number."""
+        return self._ground(substitute_claim(claim, {self.name: as_term(end)}))
+
+    def _order(
+        self, at: Term, bounds: Bounds, cuts: tuple[Claim, ...], *, is_above: bool
+    ) -> tuple[str, str] | None:
+        """The fact that compares the variable and an end of its range, and its relation."""
+        name = bounds.low_fact if is_above else bounds.high_fact
+        claim = cuts[int(name[1:]) - 1] if name[:1] == "@" else self.known.session.claims.get(name)
+        sides = (at, self.x) if is_above else (self.x, at)
+        good = claim is not None and (claim.lhs, claim.rhs) == sides and claim.relation != "="
+        return (name, claim.relation) if good and claim is not None else None
+
+    def _near(self, cuts: tuple[Claim, ...], *, is_above: bool) -> tuple[Proof, ...] | None:
+        """Why each bound on the side of a number holds for it; None if a given is no bound."""
+        found: list[Proof] = []
+        givens = [given.claim for given in self.known.contexts[self.context].givens]
+        for claim in (*givens, *cuts):
+            if self.name not in names_of(claim.lhs, claim.rhs):
+                continue
+            is_lower = claim.rhs == self.x
+            end = claim.lhs if is_lower else claim.rhs
+            if self.x not in (claim.lhs, claim.rhs) or claim.relation == "=" or [*names_of(end)]:
+                return None
+            if is_lower == is_above:
+                found.append(Interval(BITS))
+        return tuple(found)
+
+    # --- cuts -----------------------------------------------------------------------------------
+
+    def _cut(
+        self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...], depth: int
+    ) -> Proof | None:
+        for number in self._numbers(claim, bounds):
+            fact, at = f"@{len(cuts) + 1}", as_term(number)
+            below = bounds._replace(high=number, high_fact=fact, high_relation="<=")
+            above = bounds._replace(low=number, low_fact=fact, low_relation="<=")
+            left = self.prove(claim, below, (*cuts, Claim("<=", self.x, at)), depth - 3)
+            if left is None:
+                continue
+            right = self.prove(claim, above, (*cuts, Claim("<=", at, self.x)), depth - 3)
+            if right is not None:
+                return Cuts(self.x, (number,), (left, right))
+        return None
+
+    def _numbers(self, claim: Claim, bounds: Bounds) -> Iterator[Fraction]:
+        """Where the sides meet; else where the derivative changes its sign; else the middle."""
+        inside = [q for q in dict.fromkeys(SIMPLE) if _is_inside(q, bounds)]
+        values = estimates([self.name], [claim.lhs, claim.rhs], {})
+        for number in inside:
+            try:
+                low, high = values(float_of(number))
+            except (ArithmeticError, ValueError):
+                continue
+            if abs(high - low) <= NOISE * (abs(low) + abs(high) + NOISE):
+                yield number
+                return
+        changes: list[Fraction] = []
+        slope = derivative(claim.rhs - claim.lhs, self.name)
+        if slope is not None:
+            signs = sorted(self._gaps(Claim("<=", ZERO, slope), bounds))
+            for (a, before), (b, after) in pairwise(signs):
+                if before * after < 0:
+                    changes.append(_short((a + b) / 2, (b - a) / 8))
+        yield from changes[:2]
+        if bounds.ends is not None and not changes:
+            low, high = map(float_of, bounds.ends)
+            yield _short((low + high) / 2, (high - low) / 8)
+        elif not changes:
+            yield from inside[:2]
+
+
+def _weaker(name: str, relation: str, wanted: str) -> Premise | None:
+    """The fact, or what it implies with the other relation."""
+    if relation == wanted:
+        return name
+    return Sum(("goal", name)) if wanted == "<=" else None
+
+
+def _is_inside(number: Fraction, bounds: Bounds) -> bool:
+    return (bounds.low is None or bounds.low < number) and (
+        bounds.high is None or number < bounds.high
+    )
+
+
+def _short(value: float, width: float) -> Fraction:
+    """A fraction with few digits near a number."""
+    digits = max(1, 1 - math.floor(math.log2(width))) if width > 0 else 20
+    return Fraction(round(value * 2**digits), 2**digits)
+
+
+def _points(bounds: Bounds) -> Iterator[float]:
+    """Points between bounds, of which many are near the ends, or far away."""
+    low = None if bounds.low is None else float_of(bounds.low)
+    high = None if bounds.high is None else float_of(bounds.high)
+    far = [2.0**k for k in range(-8, 8)]
+    if low is not None and high is not None:
+        parts = [(i + 0.5) / 24 for i in range(24)] + [2.0**-k for k in range(5, 9)]
+        yield from (low + (high - low) * t for t in parts)
+        yield from (high - (high - low) * 2.0**-k for k in range(5, 9))
+    elif low is not None:
+        yield from (low + step for step in far)
+    elif high is not None:
+        yield from (high - step for step in far)
+    else:
+        yield from (sign * step for step in far for sign in (1, -1))

@@ -8,7 +8,7 @@ from typing import Any
 
 from verify.language.fold import RATIONAL, fold
 from verify.language.statement import Choice, Constant
-from verify.language.terms import Claim, Term, as_term
+from verify.language.terms import FUNCTIONS, Claim, Term, as_term
 from verify.prover import balls
 from verify.prover.decimals import round_decimal
 from verify.prover.ground import Ground
@@ -170,7 +170,5 @@ _EXACT: dict[str, Callable[..., Fraction | None]] = {
     **{op: _known(function) for op, function in RATIONAL.items()},
     "min": _known(min),
     "max": _known(max),
-    "sqrt": lambda _: None,
-    "cos": lambda _: None,
-    "cos_pi": lambda _: None,
+    **dict.fromkeys((*FUNCTIONS, "root", "pi"), lambda *_: None),
 }

@@ -16,6 +16,7 @@ import pytest
 from tests.points import parameters
 from verify import check, check_map
 from verify.cli import COMMANDS, main
+from verify.language.errors import OwnError
 from verify.language.statement import PROVED, UNDECIDED, Obligation, Statement
 from verify.language.terms import Claim, as_term
 from verify.paper.commands import classification
@@ -26,6 +27,7 @@ from verify.spheres import limit_map, separatrix
 from verify.spheres.flow.follow import Flow, UnclearError
 from verify.spheres.limit_map import Orbits
 from verify.spheres.scene import decide as scene
+from verify.wire import packaged
 
 ROOT = Path(__file__).resolve().parents[2]
 #: What nobody may say without a judge.
@@ -45,8 +47,6 @@ WRITTEN = (
     "separatrix --all",
     "separatrix --all --json",
     "separatrix --r 0.03 --at 1/10 --out OUT",
-    "spectrum",
-    "spectrum --r 0.1",
     "theorem1 --all",
     "theorem1 --all --constants printed",
     "theorem1 --r 0.02..0.03",
@@ -59,14 +59,21 @@ WRITTEN = (
     "check certificates/classification --statement",
     "check certificates/flow --latex",
     "explain certificates/sharper impact-energy",
-    "explain step impact-energy",
-    "explain sharper impact-energy",
     "graph certificates/sharper --out OUT/graph.json",
-    "graph step --out OUT/graph.svg",
     "export coq certificates/examples/instance",
     "report --compare",
     "certify --compare",
     "scene certificates/scenes/passing.toml --out OUT",
+)
+#: What rests on a certificate that comes with the program: the checker has judged it before, and
+#: its digests are compared.
+SHIPPED = (
+    "spectrum",
+    "spectrum --r 0.1",
+    "spectrum --json",
+    "explain step impact-energy",
+    "explain sharper impact-energy",
+    "graph step --out OUT/graph.svg",
 )
 #: What a named decision procedure judges.
 DECIDED = (
@@ -125,6 +132,13 @@ def break_checker(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(check_map, "check_log", refuse_log)
 
 
+def break_digests(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Afterwards no file that comes with the program has the digest of one that was checked."""
+    for name, files in packaged.PACKAGED_FILES.items():
+        others = dict.fromkeys(files, "0" * 64)
+        monkeypatch.setitem(packaged.PACKAGED_FILES, name, others)
+
+
 def break_procedures(monkeypatch: pytest.MonkeyPatch) -> None:
     """Afterwards balls, exact numbers and algebra decide nothing at a point, nor on a scene."""
 
@@ -158,7 +172,7 @@ def said(words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> tupl
 
 def test_every_command_is_here() -> None:
     """A new command prints a verdict that some judge gives, or is listed as silent."""
-    tried = {words.split()[0] for words in (*WRITTEN, *DECIDED)}
+    tried = {words.split()[0] for words in (*WRITTEN, *SHIPPED, *DECIDED)}
     assert tried | SILENT.keys() == set(COMMANDS)
 
 
@@ -168,6 +182,19 @@ def test_what_rests_on_a_proof_is_not_said_without_the_checker(
 ) -> None:
     break_checker(monkeypatch)
     code, text = said(words, tmp_path, capsys)
+    assert code != 0
+    assert VERDICT.search(text) is None, text
+
+
+@pytest.mark.parametrize("words", SHIPPED)
+def test_what_comes_with_the_program_is_not_said_without_its_digests(
+    words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    break_digests(monkeypatch)
+    try:
+        code, text = said(words, tmp_path, capsys)
+    except OwnError:
+        return
     assert code != 0
     assert VERDICT.search(text) is None, text
 

@@ -21,6 +21,8 @@ from verify.wire.read import read
 from verify.wire.write import write
 
 CHECKER = "the checker"
+#: Who judges what comes with the program: the checker has, before, and the digests are compared.
+SHIPPED = "the checker, before these files were shipped (their digests are compared)"
 
 
 def accept(files: Mapping[str, bytes], verdict: str) -> None:
@@ -72,13 +74,13 @@ def with_verdicts(outcome: Outcome, report: check.Report) -> Outcome:
     return _with(outcome, report.rows)
 
 
-def _with(outcome: Outcome, verdicts: Mapping[str, str]) -> Outcome:
+def _with(outcome: Outcome, verdicts: Mapping[str, str], judge: str = CHECKER) -> Outcome:
     names = names_in(outcome.statement)
 
     def decided(row: Obligation, found: Decision) -> Decision:
         verdict = verdicts.get(row.name, UNDECIDED)
         shown = verdict == found.claimed != UNDECIDED
-        judgement = Judgement(verdict, CHECKER, row.claim, row.context, names)
+        judgement = Judgement(verdict, judge, row.claim, row.context, names)
         return found._replace(judged=judgement if shown else None)
 
     decisions = {row.name: decided(row, found) for row, found in outcome.rows}
@@ -94,20 +96,24 @@ def packaged(name: str) -> Outcome:
     statement, certificate = packaged_files(name)
     outcome = read(statement, certificate, packaged_statements(cited_digests(statement)))
     verdicts = {row: found.claimed for row, found in outcome.decisions.items()}
-    return _with(outcome, verdicts)
+    return _with(outcome, verdicts, SHIPPED)
 
 
-def known(name: str, statement: Statement) -> Outcome | None:
+def known(name: str, statement: Statement, *, anew: bool = False) -> Outcome | None:
     """The outcome of a statement, if it comes with the program under this name; else None.
+
+    With `anew` its certificate is checked again, and every verdict is the checker's of this run.
 
     It is compared with the statement that the checker has accepted: after any change to what the
     paper's room says, they differ, and whoever asks has to prove it anew.
 
     Raises:
-        OwnError: if the files that came with the program were changed.
+        OwnError: if the files that came with the program were changed, or the checker refuses them.
     """
     outcome = packaged(name)
-    return outcome if outcome.statement == statement else None
+    if outcome.statement != statement:
+        return None
+    return judged(outcome) if anew else outcome
 
 
 def read_judged(statement: bytes, certificate: bytes, cited: Mapping[str, bytes]) -> Outcome:

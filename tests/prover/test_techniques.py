@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import pairwise
+
 import pytest
 
 from verify.language.fold import replaced
@@ -13,6 +16,7 @@ from verify.prover.bernstein import Tensor
 from verify.prover.clearing import TooLongError, has_value
 from verify.prover.outcome import Decision
 from verify.prover.proof import Proof
+from verify.prover.search import bases
 from verify.prover.search.question import Question
 from verify.prover.techniques import (
     EQUATIONS,
@@ -134,3 +138,21 @@ def test_no_degree_is_raised_where_an_end_of_the_interval_decides(
     found = prove(lemma("title", [ask("row", claim, within)], (), [within]))
     assert found.decisions["row"].verdict == verdict
     assert min(most, 1) <= len(raised) <= most
+
+
+def test_a_quadratic_form_needs_few_of_the_directions(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each monomial of its squares is seen to be one of p; only 1 is tested, and is outside."""
+    products: list[object] = []
+    dot = bases._dot
+
+    def counted(a: Sequence[int], b: Sequence[int]) -> int:
+        products.append(a)
+        return dot(a, b)
+
+    monkeypatch.setattr(bases, "_dot", counted)
+    names = [symbol(f"x{i}") for i in range(12)]
+    form = sum((a**2 + a * b + b**2 for a, b in pairwise(names)), as_term(0))
+    context = for_all("all", [], {f"x{i}": 0 for i in range(12)})
+    found = prove(lemma("title", [ask("row", 0 <= form, context)], (), [context]))
+    assert found.decisions["row"].verdict == PROVED
+    assert 0 < len(products) < 3000

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from itertools import pairwise
+from time import perf_counter
 
 import pytest
 
@@ -193,3 +194,18 @@ def test_a_variable_that_is_bounded_where_the_claim_fails() -> None:
     given = as_term(1) <= x * (x - 3) * (x - 4)
     assert verdicts([x < as_term(5)], [given, x < as_term(3)], {"x": 1}) == [PROVED]
     assert verdicts([as_term(4) < x], [given, 3 < x], {"x": 5}) == [PROVED]
+
+
+def test_the_search_ends_when_its_work_is_used_up() -> None:
+    """Eleven variables, ten givens and an equation, whose products would be very many."""
+    names = [f"x{i}" for i in range(11)]
+    every = [symbol(name) for name in names]
+    givens = [m * n < m * m + n * n + 1 for m, n in pairwise(every)]
+    givens.append(equal(every[0] ** 2, 1))
+    point = {name: int(name == "x0") for name in names}
+    claim = every[0] * every[5] * every[9] < every[3] ** 2 + every[7] ** 4 + 1000 + every[9] ** 4
+    named = {f"g{i}": given for i, given in enumerate(givens)}
+    row = ask("row", claim, place := for_all("all", named, point))
+    start = perf_counter()
+    prove(lemma("title", [row], [], [place]), work=1_000_000)
+    assert perf_counter() - start < 60  # some seconds; without a limit on products, hours

@@ -59,6 +59,10 @@ PACKAGED_FILES = {
         "statement.json": "52d5abca77e65dd9c6c064ef529d4774214a42f6914bb076b725552dd0940776",
         "certificate.json": "a49535e50d393bee1f52c0109a8c150900385155560a6e59bacb466ce2aa646b",
     },
+    "sandwich": {
+        "statement.json": "c4a6b29d0fb22d2b4c1b93aef03e7f3b1df83d4922468a59103e03abd25083b9",
+        "certificate.json": "dcb54182b3a7bd03e43f2ce67135bcea39e93f2ff71878de722da2070fabadbf",
+    },
     "flow": {
         "statement.json": "63e41a57a263ab3bc26da25168946bcc4dbcc0661e77b674833aa1c073e32efd",
         "certificate.json": "e77585726a1125ad1a12969b6e4bf3eda959260a29cb2b5ed0293b7e1ac1d6fb",

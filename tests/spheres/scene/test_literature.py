@@ -11,6 +11,7 @@ from tests.spheres.scene.scenes import on_a_line
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, decide_scene
 from verify.spheres.scene.families import read_family
 from verify.spheres.scene.sampling import draw
+from verify.spheres.scene.verdict import told
 
 LINE = """r = "0.056..0.0717"
 positions  = [[0], ["1 + a"], ["-1 - b"]]
@@ -51,3 +52,13 @@ def test_on_a_line_all_of_a_sample_collapse_up_to_the_first_threshold() -> None:
 @pytest.mark.parametrize(("r", "verdict"), [("0.05..0.055", COLLAPSES), ("0.057..0.07", DISPERSES)])
 def test_near_a_line_the_second_threshold_divides_a_sample(r: str, verdict: str) -> None:
     assert verdicts(PLANE.replace("RANGE", r), 40) == {verdict: 40}
+
+
+def test_each_theorem_on_collapses_is_told_with_its_energy() -> None:
+    text = PLANE.replace("RANGE", "0.05..0.055").replace("-0.05..0.05", "-0.4..0.4")
+    names = set()
+    for point in draw(read_family("family", text.encode()), 150, 3):
+        found = told(decide_scene(point.scene))
+        names.add(found.reason)
+        assert 0 <= found.energy[0] <= found.energy[1]
+    assert {"sharper", "sandwich"} <= names

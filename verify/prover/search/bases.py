@@ -10,6 +10,7 @@ between monomials that change in the same way.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import cache
 from itertools import combinations
 from math import lcm
 
@@ -58,14 +59,20 @@ def pruned(
     """
     support = [tuple(map(int, m)) for m in p.monoms()]
     n = len(domain.atoms)
-    directions = [*_directions(n, used)]
-    most = [max(_dot(d, e) for e in support) for d in directions]
-    found = [
-        e
-        for e in _exponents(n, used, degree)
-        if all(2 * _dot(d, e) <= top for d, top in zip(directions, most, strict=True))
-    ]
     present = set(support)
+    directions = [*_directions(n, used)]
+
+    @cache
+    def top(number: int) -> int:
+        return max(_dot(directions[number], e) for e in support)
+
+    def is_inside(twice: Exponents) -> bool:
+        """Most are seen at once: those in p are inside, and others outside of the first few."""
+        if twice in present:
+            return True
+        return all(_dot(d, twice) <= top(number) for number, d in enumerate(directions))
+
+    found = [e for e in _exponents(n, used, degree) if is_inside(tuple(2 * x for x in e))]
     while True:
         products: dict[Exponents, int] = {}
         for a, b in combinations(found, 2):

@@ -28,6 +28,8 @@ STRICT = 0
 #: Programmes with more columns are not tried.
 MAX_COLUMNS = 420
 MAX_ROWS = 260
+#: The work of one product.
+PRODUCT = 50
 
 
 class Multiple(Record):
@@ -49,8 +51,10 @@ def by_products(question: Question, degree: int) -> Proof | None:
     """The same with products of at most so many facts, squares, and multiples of equations."""
     system = System(question)
     columns = [*islice(_columns(system, degree), MAX_COLUMNS + 1)]
-    multiples = [*_multiples(system, max(_degree(c.polynomial) for c in columns))]
-    if len(columns) + len(multiples) > MAX_COLUMNS:
+    most = max(_degree(column.polynomial) for column in columns)
+    left = MAX_COLUMNS - len(columns)
+    multiples = [*islice(_multiples(system, most), max(0, left + 1))]
+    if len(multiples) > left:
         return None
     return _solved(system, columns, multiples)
 
@@ -142,6 +146,7 @@ def _columns(system: System, degree: int) -> Iterator[Fact]:
 
 def _product(system: System, facts: Sequence[Fact]) -> Fact:
     polynomial = system.clearing.one
+    system.question.budget.spend(PRODUCT)
     for fact in facts:
         polynomial = polynomial * fact.polynomial
     value = product_of(*(fact.value for fact in facts))
@@ -155,6 +160,7 @@ def _multiples(system: System, degree: int) -> Iterator[Multiple]:
         for power in range(max(0, degree - _degree(p)) + 1):
             for chosen in combinations_with_replacement(gens, power):
                 cofactor = system.clearing.one
+                system.question.budget.spend(PRODUCT)
                 for x in chosen:
                     cofactor = cofactor * x
                 yield Multiple(system.reduced(p * cofactor), name, cofactor)

@@ -108,6 +108,8 @@ def find_stair(bounds: Bounds, at: Point) -> Stair | None:
     if alpha <= 0 or alpha * alpha <= 4 * R:
         return None
     fixed = 2 * R / (alpha + math.sqrt(alpha * alpha - 4 * R))
+    if not may_close(bounds, at, fixed):
+        return None
     for n in range(STEPS):
         for Q in _candidates(at[0], fixed):
             here = (Q, at[1])
@@ -120,6 +122,37 @@ def find_stair(bounds: Bounds, at: Point) -> Stair | None:
             return None
         at = following
     return None
+
+
+def may_close(bounds: Bounds, at: Point, fixed: float) -> bool:
+    """Whether a stair closes in floats: most do not, and this says so far sooner.
+
+    It is the search of `find_stair` without its rounding up, so that it gives up later.
+    """
+    alpha, R, top = float(bounds.alpha), float(bounds.r * bounds.G), float(bounds.U_b) + TINY
+    rho = float(bounds.rho(0)), float(bounds.rho(1))
+
+    def step(n: int, Q: float, U: float) -> tuple[float, float] | None:
+        push = rho[n % 2] * U
+        P = alpha * (1 - U) - Q - push
+        if P <= 0:
+            return None
+        load = push / P * ((2 * Q + push) / P)
+        found = load / (1 + math.sqrt(1 - load)) if load < 1 else 1.0
+        return None if found > top else (R * (1 - U) / P, found)
+
+    Q, U = map(float, at)
+    for n in range(STEPS):
+        for begin in (Q, *(fixed * (1 + share) for share in ABOVE)):
+            once = step(n, begin, U) if begin >= Q else None
+            twice = None if once is None else step(n + 1, *once)
+            if twice and twice[0] <= begin * (1 + TINY) and twice[1] <= U * (1 + TINY):
+                return True
+        following = step(n, Q, U)
+        if following is None:
+            return False
+        Q, U = following
+    return False
 
 
 def _candidates(Q: Fraction, fixed: float) -> Iterator[Fraction]:

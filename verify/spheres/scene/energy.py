@@ -9,6 +9,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from verify.prover import balls
+from verify.spheres.flow.collapse import LINE, SHARPER
 from verify.spheres.flow.follow import Flow
 from verify.spheres.flow.law import Number
 from verify.spheres.scene.decide import DISPERSES, Fate
@@ -45,8 +46,9 @@ def energy_lost(found: Fate) -> tuple[Fraction, Fraction]:
 
 def _is_bounded(found: Fate) -> bool:
     """Whether all collisions were followed, or a theorem bounds the speeds of the others."""
-    followed = found.verdict == DISPERSES and found.line is None
-    return followed or found.collapse is not None
+    if found.collapse is not None:
+        return found.collapse.theorem in (LINE, SHARPER)
+    return found.verdict == DISPERSES and found.line is None
 
 
 def _later(found: Fate) -> Number:
@@ -54,10 +56,10 @@ def _later(found: Fate) -> Number:
 
     The speeds at which the pairs in turn approach begin with y and each is at most L times the one
     before; they meet no faster. On a line the factor is (1+r)/2 - q; in the sharper theorem it is
-    at most p + Y.
+    at most p + Y; the sandwich theorem is not asked for one.
     """
     end = found.collapse
-    if end is None:
+    if end is None or not _is_bounded(found):
         return balls.exact(Fraction(0))
     x = end.numbers
     largest = (1 + found.flow.r) / 2 if end.is_on_a_line else x["p"] + x["Y"]

@@ -83,7 +83,7 @@ NEITHER: dict[str, Callable[[dict[str, Any]], Any]] = {
     "a name from a digit on": lambda files: step(files, 2).update(obligation="2nd"),
     "a relation the other way": lambda files: row(files, 0)["claim"].__setitem__(0, ">="),
     "a claim of two parts": lambda files: row(files, 0)["claim"].pop(),
-    "an unknown operation": lambda files: row(files, 0)["claim"].__setitem__(1, ["sin", "x"]),
+    "an unknown operation": lambda files: row(files, 0)["claim"].__setitem__(1, ["sinh", "x"]),
     "a minimum of one": lambda files: row(files, 0)["claim"].__setitem__(1, ["min", "2"]),
     "a sum of three": lambda files: row(files, 0)["claim"].__setitem__(1, ["add", "1", "1", "0"]),
     "a JSON number": lambda files: row(files, 0)["claim"].__setitem__(1, 2),

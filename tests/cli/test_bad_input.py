@@ -89,7 +89,7 @@ def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["elsewhere", "--rows", ""], "write a name that -v prints"),
         (["classification", "--rows", "cone-image"], "is it cone-image"),
         (["separatrix"], "--r: is missing; write for example --r 0.03"),
-        (["separatrix", "--r", "0.02..0.03"], "--r: "),
+        (["separatrix", "--r", "0.03..0.02"], "--r: "),
         (["separatrix", "--r", "1"], "is not in ]0,1["),
         (["separatrix", "--r", "0.03", "--neg-cos", "0"], "is not in ]0,1]; write"),
         (["separatrix", "--r", "0.03", "--ratio", "0"], "is not positive; write"),

@@ -245,12 +245,20 @@ class Universal:
         The checker clears both to the same quotient, so that a sum for one is one for the other;
         the quotients of the search are those of the latter. Atoms stay as they are.
         """
-        if term.op not in ("add", "sub", "mul", "neg", "pow", "div"):
-            return term
-        children = tuple(self.turned(child, context) for child in term.children)
-        if term.op == "div" and self.is_negative(term.children[1], context):
-            return -children[0] / -children[1]
-        return Term(term.op, *children, *term.args[len(children) :])
+        known: dict[Term, Term] = {}  # terms share their parts: each is turned once
+
+        def turn(part: Term) -> Term:
+            if part.op not in ("add", "sub", "mul", "neg", "pow", "div"):
+                return part
+            if part not in known:
+                children = tuple(map(turn, part.children))
+                if part.op == "div" and self.is_negative(part.children[1], context):
+                    known[part] = -children[0] / -children[1]
+                else:
+                    known[part] = Term(part.op, *children, *part.args[len(children) :])
+            return known[part]
+
+        return turn(term)
 
     def is_negative(self, term: Term, context: str | None) -> bool:
         """Whether this is how a divisor is cleared."""

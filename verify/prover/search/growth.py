@@ -43,6 +43,8 @@ from verify.prover.session import ZERO
 #: Derivatives and cuts inside one another, claims that are looked at in all, and those of them
 #: that other techniques get.
 MAX_DEPTH, MAX_CLAIMS, MAX_ALGEBRAIC = 12, 60, 3
+#: A claim may have so many different terms, each of which costs so many units of work.
+MAX_PARTS, PRICE = 100, 1000
 #: Parts of a box that enclosures may take.
 LEAVES = 100
 #: Where numbers are compared that are exact and short.
@@ -98,8 +100,9 @@ class Growth:
     ) -> Proof | None:
         """A proof where the variable has these bounds, among them the hypotheses of cuts."""
         self.claims += 1
-        self.question.budget.spend(50)
-        if depth == 0 or self.claims > MAX_CLAIMS:
+        size = sum(1 for _ in parts_of(claim.lhs, claim.rhs))
+        self.question.budget.spend(PRICE * size)
+        if depth == 0 or self.claims > MAX_CLAIMS or size > MAX_PARTS:
             return None
         if self.name not in names_of(claim.lhs, claim.rhs):
             return self._ground(claim)

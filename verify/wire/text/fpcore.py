@@ -30,7 +30,9 @@ def read_fpcore(path: str, content: bytes) -> Statement:
         InputError: for what is not about real numbers in bounded ranges, naming the line.
     """
     source = Source(path, content)
-    parts = [_Core(source, tree, number) for number, tree in enumerate(source.trees(), 1)]
+    with source.shallow():
+        parts = [_Core(source, tree, number) for number, tree in enumerate(source.trees(), 1)]
+        rows = [row for part in parts for row in part.rows()]
     if not parts:
         raise InputError(f"{path}: has no expression; write (FPCore (x) :pre (<= 0 x 1) (* x x))")
     name = basename(path)
@@ -40,7 +42,7 @@ def read_fpcore(path: str, content: bytes) -> Statement:
         {},
         (),
         tuple(part.context() for part in parts),
-        tuple(row for part in parts for row in part.rows()),
+        tuple(rows),
         (),
     )
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from fractions import Fraction
 from functools import reduce
 from itertools import pairwise
@@ -50,6 +51,14 @@ class Source:
             self.text = content.decode()
         except UnicodeDecodeError as error:
             raise InputError(f"{path}: is not UTF-8; save it as UTF-8") from error
+
+    @contextmanager
+    def shallow(self) -> Iterator[None]:
+        """Terms and formulas that nest too deeply to be read are bad input."""
+        try:
+            yield
+        except RecursionError as error:
+            raise self.error(None, "it nests too deeply; name its parts") from error
 
     def error(self, tree: Tree | None, what: str) -> InputError:
         """The error that something is wrong where a tree begins."""
@@ -182,6 +191,8 @@ class Formulas:
         op, arguments = tree[0], tree[1:]
         if op in ("let", "let*") and len(arguments) == 2:
             return self.within(op, arguments[0]).term(arguments[1])
+        if not arguments:
+            raise self.source.error(op, f"{shown(op)} stands alone; write what it is applied to")
         if op == "!":  # a term with its name
             return self.term(arguments[0])
         if op not in OPERATIONS:

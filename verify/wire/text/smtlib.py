@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain, product
 from os.path import basename
+from sys import maxsize
 
 from verify.language.statement import NEEDED, Context, Given, Obligation, Statement, Variable
 from verify.language.terms import Claim, Term, as_term, maximum, substitute_claim, symbol
@@ -27,6 +28,8 @@ SILENT = (
     *("get-value", "get-info", "echo", "push", "pop", "get-assignment", "minimize", "maximize"),
 )
 Cases = list[list[Claim]]
+#: How many parts formulas need, at least and at most.
+PARTS = {"not": (1, 1), "let": (2, 2), "=>": (1, maxsize), "!": (1, maxsize)}
 
 
 def read_smtlib(path: str, content: bytes) -> Statement:
@@ -36,11 +39,12 @@ def read_smtlib(path: str, content: bytes) -> Statement:
         InputError: for what is not about real numbers, naming the line.
     """
     file = _File(Source(path, content))
-    for tree in file.source.trees():
-        file.command(tree)
+    with file.source.shallow():
+        for tree in file.source.trees():
+            file.command(tree)
+        cases = _conjunctions(file, file.asserted)
+        parts = [_part(path, file, number, case) for number, case in enumerate(cases, 1)]
     name = basename(path)
-    cases = _conjunctions(file, file.asserted)
-    parts = [_part(path, file, number, case) for number, case in enumerate(cases, 1)]
     return Statement(
         name,
         f"no real numbers satisfy the assertions of {name}",
@@ -97,6 +101,7 @@ class _File:
         """Conjunctions of which one has to hold, so that a formula holds; or does not."""
         if isinstance(tree, Word):
             return self._named(tree, formulas, holds=holds)
+        self._check_count(tree)
         head, *rest = tree
         if head == "not":
             return self.cases(rest[0], formulas, holds=not holds)
@@ -115,6 +120,15 @@ class _File:
             claims = formulas.comparison(tree)
             return [claims] if holds else [[other] for one in claims for other in _negations(one)]
         raise self.source.error(tree, f"the formula {shown(str(head))} cannot be used")
+
+    def _check_count(self, tree: list[Tree]) -> None:
+        """Afterwards a formula has as many parts as its operation needs."""
+        if not tree or not isinstance(tree[0], Word):
+            raise self.source.error(tree, "an operation is missing after the parenthesis")
+        head, count = tree[0], len(tree) - 1
+        least, most = PARTS.get(head, (0, count))
+        if not least <= count <= most:
+            raise self.source.error(head, f"{shown(head)} of {count} parts is no formula")
 
     def _named(self, word: Word, formulas: Formulas, *, holds: bool) -> Cases:
         if word in ("true", "false"):
@@ -140,8 +154,8 @@ class _File:
 def _is_formula(tree: Tree, formulas: Formulas) -> bool:
     if isinstance(tree, Word):
         return tree in formulas.claims or tree in ("true", "false")
-    head = tree[0]
-    if head == "let":
+    head = tree[0] if tree else None
+    if head == "let" and len(tree) == 3:
         inner = formulas.copy()
         for name, body in formulas.source.pairs(tree[1]):
             if _is_formula(body, formulas):

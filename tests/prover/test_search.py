@@ -39,7 +39,8 @@ from verify.language.terms import (
     sqrt,
     symbol,
 )
-from verify.paper.spectrum import spectrum
+from verify.paper.commands.spectrum import state_spectrum
+from verify.paper.spectrum.zhou_kadanoff import CITED
 from verify.prover.budget import WorkBudget
 from verify.prover.outcome import Outcome
 from verify.prover.prove import prove
@@ -169,13 +170,18 @@ def test_nothing_false_is_proved(claim: Claim, ranges: Ranges) -> None:
 def test_what_is_false_at_a_simple_point_needs_no_minimum(monkeypatch: pytest.MonkeyPatch) -> None:
     """The three rows of the spectrum that are false were searched for their minima first."""
 
-    def found(_: Minima) -> Any:
-        raise AssertionError("a search for minima")
+    search = Minima.found
+
+    def found(self: Minima) -> Any:
+        if type(self) is Minima:  # not where givens are violated least, which is quick
+            raise AssertionError("a search for minima")
+        return search(self)
 
     monkeypatch.setattr(Minima, "found", found)
-    outcome = prove(spectrum.statement(), max_bits=1024)
+    outcome = prove(state_spectrum(), max_bits=1024)
     assert [row.name for row, found in outcome.rows if found.claimed == REFUTED]
-    assert outcome.claimed == PROVED
+    undecided = [row.name for row, found in outcome.rows if found.claimed == UNDECIDED]
+    assert undecided == [CITED]
 
 
 def test_little_work_leaves_a_row_undecided() -> None:

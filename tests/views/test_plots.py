@@ -10,7 +10,7 @@ from itertools import pairwise
 import pytest
 
 from tests.views.conftest import DEPTH, TABLE
-from verify.language.statement import REFUTED, UNDECIDED
+from verify.language.statement import ACCUSATIONS, REFUTED, UNDECIDED
 from verify.language.terms import as_term
 from verify.paper.commands import covers
 from verify.paper.commands.everywhere import decide_everywhere, decide_printed_everywhere
@@ -56,7 +56,11 @@ def test_cells_of_the_picture_lie_where_they_say() -> None:
 def test_captions_count_what_is_drawn() -> None:
     found = plotted(decide_everywhere(), DEPTH)
     figure, outcome = region.picture(found.region), decide_printed_everywhere()
-    refuted = [found for found in outcome.decisions.values() if found.verdict == REFUTED]
+    refuted = [
+        found
+        for row, found in outcome.rows
+        if found.verdict == REFUTED and row.severity in ACCUSATIONS
+    ]
     always = [found for found in refuted if not found.witness]
     assert f"Left: {len(always)} printed rows" in figure.caption
     assert len(figure.rows) == 1 + len(refuted) - len(always)

@@ -147,7 +147,7 @@ def test_scripts(text: str, said: str) -> None:
 # --- terms ---------------------------------------------------------------------------------------
 
 FORMULA = re.compile(
-    r"\\allowbreak\\? ?|\\[A-Za-z]+ ?|\\.|[0-9]+|\{s[0-9]+\}|[{}()^/+,<=-]"
+    r"\\allowbreak\\? ?|\\[A-Za-z]+ ?|\\.|[0-9]+|\{s[0-9]+\}|e(?=\^)|[{}()^/+,<=\[\]-]"
     r"|(?P<space>\s)|(?P<other>.)"
 )
 
@@ -185,6 +185,8 @@ class Reader:
         if not self.next("^"):
             return base
         exponent = self.braced()
+        if base == mp.e:
+            return mp.exp(exponent)
         return mp.sqrt(base) if exponent == mpf(1) / 2 else base ** int(exponent)
 
     def braced(self) -> Any:
@@ -192,6 +194,14 @@ class Reader:
         value = self.sum()
         self.need("}")
         return value
+
+    def index(self) -> int:
+        """The index of a root, 2 if none is written."""
+        if not self.next("["):
+            return 2
+        found = self.left.pop()
+        self.need("]")
+        return int(found)
 
     def atom(self) -> Any:
         token = self.left.pop()
@@ -209,7 +219,10 @@ class Reader:
         if token == r"\frac":
             return self.braced() / self.braced()
         if token == r"\sqrt":
-            return mp.sqrt(self.braced())
+            index = self.index()
+            return mp.root(self.braced(), index)
+        if token == "e":
+            return mp.e
         if token == r"\mathit":
             return self.values[self.left.pop()]
         if token == r"\pi":
@@ -222,9 +235,16 @@ class Reader:
         while self.next(","):
             values.append(self.sum())
         self.need(")")
-        return {r"\cos": mp.cos, r"\min": lambda *v: min(v, key=real), r"\max": largest}[name](
-            *values
-        )
+        known = {
+            r"\cos": mp.cos,
+            r"\sin": mp.sin,
+            r"\exp": mp.exp,
+            r"\log": mp.log,
+            r"\arctan": mp.atan,
+            r"\min": lambda *v: min(v, key=real),
+            r"\max": largest,
+        }
+        return known[name](*values)
 
 
 def real(value: Any) -> Any:
@@ -247,7 +267,7 @@ def _value_of(term: Term, at: Mapping[str, Any], known: dict[Term, Any]) -> Any:
     if term.op == "symbol":
         return at[term.name]
     parts = [value_of(child, at, known) for child in term.children]
-    first, last = parts[0], parts[-1]
+    first, last = (parts[0], parts[-1]) if parts else (None, None)
     table = {
         "add": lambda: first + last,
         "sub": lambda: first - last,
@@ -256,6 +276,12 @@ def _value_of(term: Term, at: Mapping[str, Any], known: dict[Term, Any]) -> Any:
         "neg": lambda: -first,
         "pow": lambda: first**term.exponent,
         "sqrt": lambda: mp.sqrt(first),
+        "root": lambda: mp.root(first, term.exponent),
+        "exp": lambda: mp.exp(first),
+        "log": lambda: mp.log(first),
+        "sin": lambda: mp.sin(first),
+        "atan": lambda: mp.atan(first),
+        "pi": lambda: +mp.pi,
         "cos": lambda: mp.cos(first),
         "cos_pi": lambda: mp.cos(first * mp.pi),
         "min": lambda: min(parts, key=real),

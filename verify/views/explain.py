@@ -99,7 +99,8 @@ def _about(
     if row is not None:
         yield from _said(row[0], paper)
         what = "what is written here" if row[1].verdict == PROVED else "the proof of the opposite"
-        yield f"  {row[1].verdict} by the rule {row[1].method}: {what} is accepted by {row[1].judge}"
+        by = f"{row[1].verdict} by the rule {row[1].method}"
+        yield f"  {by}: {what} is accepted by {row[1].judge}"
     elif node.proof is not None:
         yield f"  by the rule {rule_of(node.proof)}"
     yield f"  {typesetter.claim(node.claim)}"

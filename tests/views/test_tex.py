@@ -14,16 +14,21 @@ import pytest
 
 from verify import ask, assume, for_all, lemma, prove
 from verify.language.simplify import simplified
+from verify.language.statement import PRINTED
 from verify.language.terms import Term, as_term, sqrt, symbol
+from verify.paper.commands.whole import whole
+from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
 from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
 from verify.views.markdown import report
-from verify.views.tex.article import part, tex_document
+from verify.views.tex.article import END, PREAMBLE, part
 from verify.views.tex.formulas import Formulas, safe_letter
 from verify.views.tex.sentences import name, tex_number, words
+from verify.views.whole import latex
 from verify.wire.judge import read_judged as read
 
 CERTIFICATES = Path(__file__).resolve().parents[2] / "certificates"
+TOLD = {EVERYWHERE: lambda: latex(whole())}
 x, y = symbol("x"), symbol("y")
 
 
@@ -42,7 +47,16 @@ def committed() -> list[Outcome]:
 def test_all_committed_statements_compile_and_no_line_sticks_out(tmp_path: Path) -> None:
     outcomes = committed()
     assert len(outcomes) > 30
-    (tmp_path / "all.tex").write_text(tex_document(outcomes, PAPER), encoding="utf-8")
+    in_full = [o for o in outcomes if o.statement.theorem in ("step", "separatrix", PAPER.theorem)]
+    parts = [part(o, PAPER, TOLD, number=n) for n, o in enumerate(outcomes)]
+    parts += [part(o, PAPER, full=True, number=100 + n) for n, o in enumerate(in_full[:4])]
+    text = "".join([PREAMBLE, *parts, END])
+    referred = set(re.findall(r"\\ref\{(.*?)\}", text))
+    labels = re.findall(r"\\label\{(.*?)\}", text)
+    assert len(referred) > 100
+    assert referred <= set(labels)
+    assert len(labels) == len(set(labels))
+    (tmp_path / "all.tex").write_text(text, encoding="utf-8")
     command = ["pdflatex", "-interaction=nonstopmode", "-draftmode", "-no-shell-escape", "all.tex"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, check=False)
     log = (tmp_path / "all.log").read_text(encoding="utf-8", errors="replace")
@@ -69,6 +83,23 @@ def test_a_theorem_of_somebody_else_says_nothing_about_our_paper() -> None:
         )
 
 
+def test_the_short_article_has_the_theorem_and_what_is_false() -> None:
+    found = {outcome.statement.theorem: outcome for outcome in committed()}
+    everywhere = part(found[EVERYWHERE], PAPER, TOLD)
+    theorem = everywhere[everywhere.index(r"\begin{theorem}") : everywhere.index(r"\end{theorem}")]
+    assert r"collide infinitely often" in theorem
+    assert r"\overline{\eta} = \min(" in theorem
+    assert r"$0 < d$" in theorem
+    brief, full = (part(found["step"], PAPER, full=full) for full in (False, True))
+    assert "time-" in brief
+    assert r"\begin{row}" not in brief
+    assert full.count(r"\begin{row}") == len(found["step"].rows)
+    point = part(found[PAPER.theorem], PAPER)
+    printed = [row for row, d in found[PAPER.theorem].rows if row.role == PRINTED]
+    assert 10 < point.count(r"\begin{row}") < len(printed) / 5
+    assert "proved" not in re.findall(r"as printed, \\textbf\{(\w+)\}", point)
+
+
 def test_every_sign_of_the_files_is_known() -> None:
     assert not re.findall(
         r"U\+[0-9A-F]{4}", "".join(part(outcome, PAPER) for outcome in committed())
@@ -77,6 +108,9 @@ def test_every_sign_of_the_files_is_known() -> None:
 
 def test_words() -> None:
     assert words("|x_n| ≤ δ₂²/12 & 50%") == r"$|x_{n}|$ $\le$ $\delta_{2}^{2}$/12 \& 50\%"
+    assert words("0 < -η_c, a - b, -cos θ, 0-2 and C_eta-below-one") == (
+        r"0 $<$ $-\eta_{c}$, a $-$ b, $-$cos $\theta$, 0-2 and C\_eta-below-one"
+    )
     assert words("ζ̄ = 5·10⁻⁵") == r"$\bar{\zeta}$ = 5$\cdot10^{-5}$"
     assert words("η_c², η_{c,n}² ≤ 4k_d/V₀") == (
         r"$\eta_{c}^{2}$, $\eta_{c,n}^{2}$ $\le$ 4$k_{d}$/$V_{0}$"

@@ -43,6 +43,9 @@ def add_arguments(parser: Parser) -> None:
     add_color(parser)
     text = "print what is accepted as one LaTeX document instead of the verdicts"
     parser.flag("--latex", text=text)
+    parser.flag(
+        "--full", text="in LaTeX also the rows that others are proved from, and all printed"
+    )
     parser.flag("--markdown", text="print what is accepted as a report in Markdown")
 
 
@@ -76,13 +79,15 @@ class CheckedFolder(Record):
 def run(options: Options) -> int:
     """Check, and return the worst exit code of all folders."""
     kinds = [f"--{kind}" for kind in ("latex", "markdown", "json") if getattr(options, kind)]
+    if options.full and not options.latex:
+        raise InputError("--full: write it with --latex; without, -v prints every row")
     if len(kinds) > 1:
         raise InputError(f"{kinds[0]}: leave it out with {kinds[1]}; each is a document of its own")
     found = judge_folders(folders_at(options.path))
     if options.statement:
         found = [_compared(judged) for judged in found]
     if options.latex or options.markdown:
-        return _print_report(found, latex=options.latex)
+        return _print_report(found, latex=options.latex, full=options.full)
     if options.json:
         print_document({"format": FORMAT, "command": "check", "folders": list(map(_row, found))})
     else:
@@ -90,16 +95,19 @@ def run(options: Options) -> int:
     return check.exit_code(judged.judged for judged in found)
 
 
-def _print_report(found: Sequence[CheckedFolder], *, latex: bool) -> int:
+def _print_report(found: Sequence[CheckedFolder], *, latex: bool, full: bool) -> int:
     """Print the document if everything is accepted, else say on stderr what is not."""
     refused = [judged for judged in found if judged.code and judged.verdict != "REFUTED"]
     for judged in refused:
         why = "not a statement of the program" if judged.own is False else judged.lines[-1]
         print(f"verify: {judged.folder.path}: {why}"[:300], file=sys.stderr)
     if not refused:
-        from verify.paper.source import PAPER  # loaded only where they are used
+        from verify.paper.commands.whole import whole  # loaded only where they are used
+        from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
+        from verify.paper.source import PAPER
         from verify.views.markdown import report
         from verify.views.tex.article import tex_document
+        from verify.views.whole import latex as theorem_tex
         from verify.wire.judge import read_judged
         from verify.wire.term_json import WireError
 
@@ -107,7 +115,11 @@ def _print_report(found: Sequence[CheckedFolder], *, latex: bool) -> int:
         cited = available(folders)
         try:
             read = (read_judged(f.statement, f.certificate, cited) for f in folders)
-            texts = [tex_document(read, PAPER)] if latex else [report(one, PAPER) for one in read]
+            if latex:
+                told = {EVERYWHERE: lambda: theorem_tex(whole())}
+                texts = [tex_document(read, PAPER, told, full=full)]
+            else:
+                texts = [report(one, PAPER) for one in read]
         except WireError as error:
             print(f"verify: {error}"[:300], file=sys.stderr)
             return check.EXIT_CODES[MALFORMED]

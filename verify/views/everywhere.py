@@ -37,8 +37,8 @@ FORMAT = "verify-theorem1-all/1"
 #: For a row, bounds of the share of the plane on which it has each verdict.
 Shares = Mapping[str, Mapping[str, Ends]]
 
-THEOREM = (
-    "Theorem 1, given these sentences. Let 0 < r < 1, V₀ > 0, δ_θ > 0, and let θ₀ satisfy "
+CLAIM = (
+    "Let 0 < r < 1, V₀ > 0, δ_θ > 0, and let θ₀ satisfy "
     "0 < -cos θ₀ ≤ 1 and -cos θ₀ > 2r^(1/3)(1+r^(1/3))/(1+r). Then the constants of the repaired "
     "set exist and are positive, and three particles in dimension 2 or more that start in the set "
     "they describe, 0 and 1 in contact, collide infinitely often, in the order 0-2, 0-1, 0-2, …, "
@@ -46,6 +46,7 @@ THEOREM = (
     "that free flight reaches from this set before the collision 0-2 go on in the same way; their "
     "set has interior points."
 )
+THEOREM = f"Theorem 1, given these sentences. {CLAIM}"
 
 
 def screen(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from verify.language.typeset import Typesetter
+from verify.views.everywhere import CLAIM
 from verify.views.material import Whole
 from verify.views.tex.formulas import Formulas
 from verify.views.tex.sentences import words
@@ -32,19 +33,17 @@ def plain(whole: Whole) -> Typesetter:
 
 
 def latex(whole: Whole) -> str:
-    """Hypotheses, constants and set, to be copied into a paper."""
+    """Theorem, constants and set, to be copied into a theorem environment; every line breaks."""
     tex = {name: letter for name, (_, letter) in whole.letters.items()}
     formulas = Formulas(tex, {name: letter for name, (letter, _) in whole.letters.items()})
-    rows = [rf"{c.tex} &= {formulas.term(c.term)}" for c in whole.constants]
-    given = [formulas.claim(claim) for claim in whole.givens]
+    constants = [rf"{c.tex} = {formulas.term(c.term)}" for c in whole.constants]
     return "\n".join(
         [
-            *(rf"\item {words(says)}" for says in whole.hypotheses),
-            r"\begin{align*}",
-            " \\\\\n".join(rows),
-            r"\end{align*}",
-            r"\begin{gather*}",
-            " \\\\\n".join(given),
-            r"\end{gather*}",
+            words(f"{CLAIM} {CONSTANTS}"),
+            r"\begin{itemize}",
+            *(rf"\item $\displaystyle {text}$" for text in constants),
+            r"\end{itemize}",
+            f"{words(SET)} {', '.join(f'${formulas.claim(given)}$' for given in whole.givens)};",
+            words(MORE),
         ]
     )

@@ -31,6 +31,8 @@ _ESCAPED = {
     "^": r"\^{}",
     "~": r"\~{}",
 }
+#: A hyphen between words, numbers and names is one; after anything else it is a minus sign.
+_MINUS = re.compile(r"(?<![\w)\]'.…-])-(?!-)")
 _RELATIONS = {"<=": r"\le", ">=": r"\ge"}
 
 
@@ -41,7 +43,7 @@ def words(text: str) -> str:
         if isinstance(piece, Scripted):
             found.append((True, _scripted(piece)))
         else:
-            found += map(_one, re.findall("<=|>=|.", piece, re.DOTALL))
+            found += map(_one, re.findall("<=|>=|.", _MINUS.sub("−", piece), re.DOTALL))
     return "".join(
         f"${_joined(tex for _, tex in group)}$" if is_math else "".join(tex for _, tex in group)
         for is_math, group in groupby(found, key=itemgetter(0))

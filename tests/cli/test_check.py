@@ -178,7 +178,13 @@ def test_latex_and_json_are_two_documents(capsys: pytest.CaptureFixture[str]) ->
 
 def test_latex_of_what_is_accepted(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     code, out, err = run(capsys, EXAMPLES / "mean", EXAMPLES / "witness", "--latex")
-    assert (code, err, out.count(r"\section*")) == (0, "", 2)
+    assert (code, err, out.count(r"\section{")) == (0, "", 2)
+    code, full, err = run(capsys, EXAMPLES / "mean", "--latex", "--full")
+    assert (code, err) == (0, "")
+    assert full.count(r"\begin{row}") == 2
+    code, out, err = run(capsys, EXAMPLES / "mean", "--full")
+    assert (code, out) == (2, "")
+    assert "--latex" in err
     broken = tmp_path / "broken"
     shutil.copytree(EXAMPLES / "mean", broken)
     text = (broken / "statement.json").read_text().replace('["<", "0", "x"]', '["<", "x", "0"]')
@@ -188,6 +194,23 @@ def test_latex_of_what_is_accepted(capsys: pytest.CaptureFixture[str], tmp_path:
     code, out, err = run(capsys, EXAMPLES / "mean", "--latex", "--statement")
     assert (code, out) == (4, "")
     assert "not a statement of the program" in err
+
+
+def test_a_folder_stands_for_the_certificates_below_it(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    for name in ("inner/mean", "inner/deeper/witness"):
+        shutil.copytree(EXAMPLES / name.split("/")[-1], tmp_path / name)
+    code, out, err = run(capsys, tmp_path, "--json")
+    folders = [found["path"] for found in json.loads(out)["folders"]]
+    assert (code, err) == (0, "")
+    assert folders == [str(tmp_path / name) for name in ("inner/deeper/witness", "inner/mean")]
+    (tmp_path / "inner/mean/certificate.json").unlink()
+    code, out, err = run(capsys, tmp_path)
+    assert (code, out) == (2, "")
+    assert "mean/certificate.json' does not exist" in err
+    assert main(["export", "coq", str(EXAMPLES)]) == 2
+    assert "name one" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

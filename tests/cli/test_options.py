@@ -82,6 +82,15 @@ def test_help_lists_every_option_and_place(words: list[str]) -> None:
         assert part in text
 
 
+def test_help_of_a_command_is_asked_for_in_two_ways(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["scene", "--help"]) == 0
+    text = capsys.readouterr().out
+    assert main(["help", "scene"]) == 0
+    assert capsys.readouterr().out == text
+    assert main(["help", "scen"]) == 2
+    assert "'scen' is not a command" in capsys.readouterr().err
+
+
 def test_help_is_as_wide_as_the_terminal(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

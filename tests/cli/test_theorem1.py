@@ -393,7 +393,7 @@ def test_an_unknown_command_and_no_command(capsys: pytest.CaptureFixture[str]) -
     assert main(["x" * 100000]) == 2
     assert len(capsys.readouterr().err) < 300
     assert main(["--help"]) == 0
-    assert main(["--version"]) == 0
+    assert main(["--version"]) == main(["-V"]) == main(["help"]) == 0
 
 
 def test_500_digits_are_read_exactly(capsys: pytest.CaptureFixture[str]) -> None:

@@ -87,11 +87,13 @@ def _dispatch(words: list[str]) -> int:
     known = ", ".join(COMMANDS)
     if not words:
         raise InputError(f"no command; write one of: {known}")
+    if words[0] == "help":
+        words = [*words[1:2], "--help", *words[2:]]
     name = words[0]
     if name in ("-h", "--help"):
         print(_help())
         return 0
-    if name == "--version":
+    if name in ("-V", "--version"):
         print(f"verify {__version__}")
         return 0
     if name not in COMMANDS:
@@ -110,7 +112,7 @@ def _help() -> str:
     lines = ["usage: verify COMMAND [options]", "", "commands:"]
     for name, summary in COMMANDS.items():
         lines += beside(f"  {name}", summary, 18, width())
-    lines += ["", "verify COMMAND --help describes the options of a command.", "", "exit codes:"]
+    lines += ["", "verify help COMMAND describes the options of a command.", "", "exit codes:"]
     for code, meaning in _EXIT_CODES.items():
         lines += beside(f"  {code}", meaning, 7, width())
     return "\n".join(lines)

@@ -35,7 +35,8 @@ LONGEST_PATH = 160  # in a message
 
 def add_arguments(parser: Parser) -> None:
     """The options."""
-    parser.places("path", "folders, or one statement.json and its certificate.json")
+    text = "folders of certificates, folders of such folders, or one statement.json and its"
+    parser.places("path", f"{text} certificate.json")
     text = "also make each statement anew from its parameters, and compare it byte for byte"
     parser.flag("--statement", text=text)
     parser.flag("-v", "--verbose", text="print every row, and every sentence taken on trust")
@@ -130,10 +131,14 @@ def _print_report(found: Sequence[CheckedFolder], *, latex: bool, full: bool) ->
 def folders_at(paths: Sequence[str]) -> list[check.Folder]:
     """What is to be checked; each file is read once, here.
 
+    A folder without files of a certificate stands for the certificates in the folders below it.
+
     Raises:
-        InputError: for a path that is missing or no folder of a certificate.
+        InputError: for a path that is missing, or no certificate and without one below it.
     """
     pair = len(paths) == 2 and not any(map(os.path.isdir, paths))
+    if not pair:
+        paths = [folder for path in paths for folder in _below(path)]
     for path in paths:
         if not pair and not os.path.isdir(path):
             what = "is a file" if os.path.exists(path) else "does not exist"
@@ -152,6 +157,17 @@ def folders_at(paths: Sequence[str]) -> list[check.Folder]:
         raise InputError(
             f"path: {shown(paths[0])} cannot be read ({reason}); name a folder"
         ) from error
+
+
+def _below(path: str) -> list[str]:
+    """The folders below a folder with a file of a certificate, or the path itself."""
+    found = []
+    for folder, inner, files in os.walk(path):
+        if set(NAMES) & {*files, *inner}:
+            found.append(folder)
+            inner.clear()  # what it cites lies there
+        inner.sort()
+    return found or [path]
 
 
 def judge_folders(folders: Sequence[check.Folder]) -> list[CheckedFolder]:

@@ -25,7 +25,10 @@ def run(options: Options) -> int:
     """Print the file; return 0."""
     if options.system not in SYSTEMS:
         raise InputError(f"system: {shown(options.system)} is not known; write coq or text")
-    (folder,) = folders_at([options.folder])
+    found = folders_at([options.folder])
+    if len(found) > 1:
+        raise InputError(f"folder: {shown(options.folder)} has {len(found)} certificates; name one")
+    (folder,) = found
     if options.system == "text":
         return _print_page(folder, options)
     from verify.wire.coq.export import export  # loaded only where it is used

@@ -385,6 +385,24 @@ def test_bad_input_is_one_line_that_names_the_option(
     assert len(err) < 300
 
 
+@pytest.mark.parametrize(
+    ("words", "meant"),
+    [
+        (["--r", "0,03"], "write 0.03"),
+        (["--r", " 3/100"], "write 3/100"),
+        (["--r", "0.03", "--delta-theta", "\ufeff0.1"], "write 0.1"),
+        (["--r", "0.03", "--V0", "1e−3"], "write 1e-3"),
+        (["--r", "0,0,3"], "write it like 0.03"),
+        (["--r", "0.03", "--theta0", "150"], "write 150deg"),
+    ],
+)
+def test_a_near_miss_is_told_what_was_meant(
+    capsys: pytest.CaptureFixture[str], words: list[str], meant: str
+) -> None:
+    assert main(["theorem1", *words]) == 2
+    assert meant in capsys.readouterr().err
+
+
 def test_an_unknown_command_and_no_command(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["theorem2"]) == 2
     assert "theorem1" in capsys.readouterr().err

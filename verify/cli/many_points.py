@@ -67,7 +67,7 @@ def _everywhere(options: Options) -> int:
         document = claims_document(outcome, "theorem1", view.FORMAT)
         if printed:
             document["sets"] = {"printed": {"verdict": argument, **verdicts}}
-        print_document(document)
+        claims.publish(outcome, options, document, ())
         return code
     if printed:
         where = thresholds.decide_thresholds()
@@ -78,7 +78,7 @@ def _everywhere(options: Options) -> int:
         from verify.views.whole import constants_and_set
 
         text = view.screen(outcome, PAPER, verdicts, constants_and_set(whole()))
-    show(claims.told(outcome, options, text), options)
+    claims.publish(outcome, options, None, text)
     return code
 
 
@@ -101,10 +101,8 @@ def _box(options: Options) -> int:
         write_certificate("--out", options.out, found.outcome)
     elif options.out is not None:
         print("verify: no certificate was written; ask for the certified part", file=sys.stderr)
-    if options.json:
-        print_document(view.box_document(found, cited))
-    else:
-        show(claims.told(found.outcome, options, view.screen(found, cited)), options)
+    document = view.box_document(found, cited) if options.json else None
+    claims.publish(found.outcome, options, document, view.screen(found, cited))
     return EXIT_CODES[found.verdict]
 
 

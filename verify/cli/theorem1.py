@@ -13,7 +13,7 @@ from verify.paper.groups import SELECTIONS
 from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
 from verify.views.screen import screen
-from verify.wire.inputs import InputError, angle, integer, neg_cos, positive, restitution, shown
+from verify.wire.inputs import InputError, angle, integer, neg_cos, positive, restitution
 
 MAX_PRECISION = 1 << 16
 
@@ -109,7 +109,7 @@ def _point(options: Options) -> int:
 
         write_certificate("--out", options.out, outcome)
     if options.json:
-        _print_document(outcome, bits)
+        _print_document(outcome, bits, options.rows)
         return outcome.exit_code
     show(text if table else screen(outcome, PAPER, as_printed(outcome)), options)
     return outcome.exit_code
@@ -125,13 +125,15 @@ def _precisions(options: Options) -> tuple[int, int]:
     return bits, last
 
 
-def _print_document(outcome: Outcome, bits: int) -> None:
-    from verify.cli.files import print_document  # loaded only where they are used
+def _print_document(outcome: Outcome, bits: int, rows: str | None) -> None:
+    from verify.cli.claims import only  # loaded only where they are used
+    from verify.cli.files import print_document
     from verify.views.document import document
     from verify.views.enclosures import sharpened
 
     shown_outcome = sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome
-    print_document(document(shown_outcome, as_printed(outcome)))
+    found = document(shown_outcome, as_printed(outcome))
+    print_document(found if rows is None else only(outcome, rows, found))
 
 
 def _table(outcome: Outcome, name: str | None) -> Iterable[str]:
@@ -142,7 +144,7 @@ def _table(outcome: Outcome, name: str | None) -> Iterable[str]:
         return report_lines(outcome, PAPER)
     found = some_rows(outcome, name, PAPER)
     if not found:
-        from verify.cli.claims import instead
+        from verify.cli.claims import no_row
 
-        raise InputError(f"--rows: there is no row {shown(name)}; {instead(outcome, name)}")
+        raise no_row(outcome, name)
     return found

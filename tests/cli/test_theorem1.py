@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import os
 import re
@@ -86,10 +87,26 @@ def test_many_points(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, err = run(capsys, "--r", "0.01..0.06", "--steps", "6")
     assert (code, err) == (1, "")
     last = out.splitlines()[-1]
-    assert last == "Verdict at the points of the grid, not between them: 5 proved, 1 refuted"
+    assert (
+        last
+        == "Verdict at the points of the grid, not between them: 5 proved, 1 where it does not apply"
+    )
     code, found = document(capsys, "--r", "0.01..0.05", "--steps", "5")
     assert (code, found["verdict"], found["points"]) == (0, "proved", {"proved": 5})
     assert sum(item["points"] for item in found["ranges"]) == 5
+
+
+def test_many_points_as_a_table(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    table = tmp_path / "sweep.csv"
+    words = ("--r", "0.01..0.06", "--steps", "6", "--csv", str(table))
+    assert run(capsys, *words)[0] == 1
+    rows = list(csv.DictReader(table.read_text().splitlines()))
+    assert [row["r"] for row in rows] == [f"0.0{n}" for n in range(1, 7)]
+    assert [row["verdict"] for row in rows] == ["proved"] * 5 + ["refuted"]
+    assert "hypotheses.r-below-stabi" in rows[-1]["refuted"].split()
+    code, out, err = run(capsys, "--r", "0.01", "--csv", str(table))
+    assert (code, out) == (2, "")
+    assert "--steps" in err
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,7 @@ def add_arguments(parser: Parser) -> None:
     parser.option("--out", "write statement.json and certificate.json", "DIR")
 
 
-def publish(
+def answer(
     outcome: Outcome, options: Options, document: Mapping[str, Any] | None, screen: Iterable[str]
 ) -> None:
     """Print the document, if there is one, or the screen; with ``--rows`` only those rows of it.

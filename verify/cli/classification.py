@@ -45,7 +45,7 @@ def run(options: Options) -> int:
             document |= restitution_document(found)
         if verdict != outcome.verdict:
             document |= {"verdict": verdict, "headline": verdict}
-        claims.publish(outcome, options, document, ())
+        claims.answer(outcome, options, document, ())
     else:
         text = [*screen("Which collapses there are", outcome, PAPER), ""]
         if options.verbose:
@@ -55,5 +55,5 @@ def run(options: Options) -> int:
         text += theorem_lines(outcome, PAPER)
         if verdict != outcome.verdict:
             text += [f"{verdict.capitalize()}: the longest run at this r"]
-        claims.publish(outcome, options, None, text)
+        claims.answer(outcome, options, None, text)
     return EXIT_CODES[verdict]

@@ -29,5 +29,5 @@ def run(options: Options) -> int:
         write_certificate("--out", options.out, outcome)
     document = claims_document(outcome, "elsewhere", FORMAT) if options.json else None
     text = [*screen(TITLE, outcome, PAPER), "", f"Verdict: {summary(outcome, PAPER)}"]
-    claims.publish(outcome, options, document, text)
+    claims.answer(outcome, options, document, text)
     return outcome.exit_code

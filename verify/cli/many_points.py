@@ -73,7 +73,7 @@ def _everywhere(options: Options) -> int:
         document = claims_document(outcome, "theorem1", view.FORMAT)
         if printed:
             document["sets"] = {"printed": {"verdict": argument, **verdicts}}
-        claims.publish(outcome, options, document, ())
+        claims.answer(outcome, options, document, ())
         return code
     if printed:
         where = thresholds.decide_thresholds()
@@ -84,7 +84,7 @@ def _everywhere(options: Options) -> int:
         from verify.views.whole import constants_and_set
 
         text = view.screen(outcome, PAPER, verdicts, constants_and_set(whole()))
-    claims.publish(outcome, options, None, text)
+    claims.answer(outcome, options, None, text)
     return code
 
 
@@ -108,7 +108,7 @@ def _box(options: Options) -> int:
     elif options.out is not None:
         print("verify: no certificate was written; ask for the certified part", file=sys.stderr)
     document = view.box_document(found, cited) if options.json else None
-    claims.publish(found.outcome, options, document, view.screen(found, cited))
+    claims.answer(found.outcome, options, document, view.screen(found, cited))
     return EXIT_CODES[found.verdict]
 
 

@@ -82,7 +82,7 @@ def _theorem(options: Options) -> int:
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
     document = theorem_document(outcome) if options.json else None
-    claims.publish(outcome, options, document, theorem_screen(outcome, PAPER))
+    claims.answer(outcome, options, document, theorem_screen(outcome, PAPER))
     return outcome.exit_code
 
 

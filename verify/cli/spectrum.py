@@ -63,10 +63,10 @@ def run(options: Options) -> int:
         found = spectrum_document(outcome)
         if r is not None and spectrum is not None:
             found |= point_document(r, spectrum, bits)
-        claims.publish(outcome, options, found, ())
+        claims.answer(outcome, options, found, ())
     else:
         text = [*screen("Spectral claims, for every r in ]0,1[", outcome, PAPER)]
         if r is not None and spectrum is not None:
             text += point_lines(r, spectrum)
-        claims.publish(outcome, options, None, [*text, "", verdict_line(outcome, PAPER)])
+        claims.answer(outcome, options, None, [*text, "", verdict_line(outcome, PAPER)])
     return outcome.exit_code

@@ -10,7 +10,7 @@ from verify.cli import claims
 from verify.cli.files import print_document, progress, test_folder, write_certificate, write_file
 from verify.cli.options import Options
 from verify.cli.terminal import show
-from verify.cli.theorem1 import DEFAULTS, POINT_OPTIONS, read_parameters
+from verify.cli.theorem1_point import DEFAULTS, POINT_OPTIONS, read_parameters
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import REFUTED, UNDECIDED
 from verify.paper.groups import PRINTED

@@ -320,7 +320,8 @@ def test_a_false_hypothesis_is_named_with_both_sides(capsys: pytest.CaptureFixtu
     assert (
         "Hypothesis (4.9), EQUATSS4.1ThExiCondi_r_1_, does not hold: r < r_stabi = 9 - 4√5" in out
     )
-    assert "its threshold = 1.0278276" in out
+    assert "(r = 0.06, r_stabi = 0.055728090…)" in out
+    assert "(-cos θ₀ = 1, the right side is 1.0278276…)" in out
     assert "both sides are equal" in run(capsys, "--r", "1/64", "--neg-cos", "8/13")[1]
     code, doc = document(capsys, "--r", "1/2")
     assert (code, doc["verdict"], doc["sets"]) == (1, "does not apply", {})

@@ -49,12 +49,12 @@ CAUSES = (
     Cause(("printed.angle-sign",),
         "- is printed for + in front of the last term (and = for ≤); the line below has +."),
     Cause(("printed.angle-absorbed", "printed.y-term-3", "printed.final-angle"),
-        "The entry V₀/(33 V₁^{1/2}) |Δθ| of η̄ has no factor 1-C_η, and the angles may drift by "
-        "14 (V₁^{1/2}/V₀) η̄/(1-C_η). Which of the three steps fail depends on the parameters: at "
-        "r = 3/100 the first two for δ_θ = 1/10, the first and the last for δ_θ = 1/1000. The "
-        "last one is what the theorem claims of the final angle, and breaks the argument wherever "
-        "it fails; the first one breaks it only there. In y_n the second one has the factor "
-        "(1+r)/2, with which it holds (`y-term-3-factor`)."),
+        "The entry V₀/(33 V₁^{1/2}) |Δθ| of η̄ has no factor 1-C_η, and the printed bounds let the "
+        "angle drift by 14 (V₁^{1/2}/V₀) η̄/(1-C_η). Which of the three steps fail depends on the "
+        "parameters: at r = 3/100 the first two for δ_θ = 1/10, the first and the last for δ_θ = "
+        "1/1000. The last one is what the theorem claims of the final angle, and breaks the "
+        "argument wherever it fails; the first one breaks it only there. In y_n the second one "
+        "has the factor (1+r)/2, with which it holds (`y-term-3-factor`)."),
     Cause(("printed.x-term-1-d",),
         "d_n/δ₂ ≤ h₄δ_x/2 fails at r = 1/1000000 with -cos θ₀ = 1/20, for one. The display has the "
         "factor r in front of it, which the text drops; with it the step holds for all parameters "

@@ -82,8 +82,11 @@ def _everywhere(options: Options) -> int:
     else:
         from verify.paper.commands.whole import whole
         from verify.views.whole import constants_and_set
+        from verify.wire.judge import packaged
+        from verify.wire.packaged import AS_PRINTED
 
-        text = view.screen(outcome, PAPER, verdicts, constants_and_set(whole()))
+        as_printed = packaged(AS_PRINTED)
+        text = view.screen(outcome, PAPER, verdicts, as_printed, constants_and_set(whole()))
     claims.answer(outcome, options, None, text)
     return code
 

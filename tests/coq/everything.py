@@ -14,31 +14,25 @@ import sys
 from pathlib import Path
 
 from tests.coq.closing import ROOT, module, unread
+from verify.paper.in_coq import IN_COQ
 
 #: What Theorem1.v says and Pinned.v says once more, each of them proved.
 SENTENCES = (
     "theorem_1", "interior", "determined", "constants_defined", "same_hypothesis",
     "printed_theorem",
 )  # fmt: skip
-#: The sentences that the certificate of the step takes for granted, and where they are in Coq; the
-#: first is a definition.
-DISCHARGED = {
-    "hard-spheres": ("Theorem1.later", "Theorem1.collided", "Theorem1.first_to_meet"),
-    "cauchy-schwarz": ("Vectors.cauchy_schwarz", "Vectors.vector_exists"),
-    "bounded-monotone": ("Sequences.bounded_increasing_converges",),
-    "finite-length": ("Ending.place_cauchy", "Ending.positions_converge_to_ending"),
-    "open-condition": ("Steady.steady_less", "Steady.nearby_both"),
-    "glue-next": ("OneStep.meets", "OneStep.shows_next"),
-    "glue-collapse": ("Trajectory.scenes_collide_in_turn", "Trajectory.finite_time"),
-    "glue-angle": ("Trajectory.angle_converges", "Ending.in_turn_collapses"),
-    "glue-interior": ("OneScene.numbers_of_point_are", "Interior.set_near"),
-}
 PARTS = ("the_nodes", "the_contexts", "the_rows", "the_citations", "the_statement")
 
 
 def conjunction(prefix: str) -> str:
     """What is said of three balls, by names with a prefix."""
     return " /\\ ".join(f"{prefix}{name}" for name in SENTENCES)
+
+
+def discharging() -> list[str]:
+    """The theorems and definitions in Coq that stand for sentences taken on trust."""
+    sentences = [names for found in IN_COQ.values() for names in found.values()]
+    return [*dict.fromkeys(name for names in sentences for name in names)]
 
 
 def folders() -> list[Path]:
@@ -62,8 +56,9 @@ def everything(folders: list[Path]) -> str:
         "From Verify Require Separatrix SeparatrixProof.",
         "Definition separatrix : Separatrix.separatrix_theorem := SeparatrixProof.separatrix.",
     ]
-    theorems = [name for names in DISCHARGED.values() for name in names]
-    lines.append(f"From Verify Require {' '.join(name.split('.')[0] for name in theorems)}.")
+    theorems = discharging()
+    files = dict.fromkeys(["Sentences", *(name.split(".")[0] for name in theorems)])
+    lines.append(f"From Verify Require {' '.join(files)}.")
     lines.append(f"Definition discharged := ({', '.join(theorems)}).")
     for name, folder in own.items():
         cites = json.loads((folder / "statement.json").read_bytes())["cites"]

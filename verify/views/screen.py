@@ -11,6 +11,7 @@ from verify.language.statement import (
     HYPOTHESES,
     OTHERWISE,
     PRINTED,
+    PROVED,
     REFUTED,
     REMARK,
     REPAIRED,
@@ -28,6 +29,7 @@ from verify.views.point import (
     parameters_told,
 )
 from verify.views.words import (
+    believed,
     fair,
     group_verdict,
     groups,
@@ -123,4 +125,6 @@ def verdict_lines(outcome: Outcome, paper: Publication, sets: list[str]) -> Iter
         yield f"{TITLES.get(group, group)}: {group_verdict(outcome, group)}"
     which = f", {' and '.join(sets)} constants," if sets else ""
     title = f"Theorem 1{which} at {parameters_told(outcome)}"
+    if outcome.verdict == PROVED and outcome.assumptions:
+        yield believed(outcome, paper)
     yield f"Verdict: {summary(outcome, paper, title)}"

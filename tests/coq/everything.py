@@ -21,6 +21,19 @@ SENTENCES = (
     "theorem_1", "interior", "determined", "constants_defined", "same_hypothesis",
     "printed_theorem",
 )  # fmt: skip
+#: What follows from the point runs at r = 0.03, and at r = 0.01 and theta_0 = 5 pi / 6.
+POINTS = (
+    "Definition point : forall d s d_0 y, FromNumbers.initial_with",
+    "  (Theorem1.phi_minus (3 / 100) 1) (637 / 1000000) (13 / 25000000) (147 / 10000000)",
+    "  (59 / 6250000) 1 (1249 / 1000) (59 / 1000000) 1 d s d_0 y ->",
+    "  Theorem1.collapse d (3 / 100) s (89 / 1000000000000) 1 (1 / 10)",
+    "  := Point.three_balls_collapse.",
+    "Definition angle : forall d s d_0 y, FromNumbers.initial_with",
+    "  (Theorem1.phi_minus (1 / 100) (- cos (PI * (5 / 6)))) (291 / 500000) (289 / 500000000)",
+    "  (161 / 10000000) (427 / 50000000) 1 (11 / 8) (647 / 10000000) (- cos (PI * (5 / 6)))",
+    "  d s d_0 y -> Theorem1.collapse d (1 / 100) s (463 / 5000000000000)",
+    "  (- cos (PI * (5 / 6))) (1 / 10) := Angle.three_balls_collapse.",
+)
 PARTS = ("the_nodes", "the_contexts", "the_rows", "the_citations", "the_statement")
 
 
@@ -48,7 +61,11 @@ def everything(folders: list[Path]) -> str:
     own = {module(folder): folder for folder in folders}
     lines = [f"From Verify Require {name}." for name in own]
     lines += [
-        "From Verify Require Meaning Checker Accepted Closed Point Pinned PinnedMeaning.",
+        "From Verify Require Meaning Checker Accepted Closed Point Angle Pinned PinnedMeaning.",
+        "From Coq Require Import Reals.",
+        "From Verify Require Theorem1 FromNumbers.",
+        "Open Scope R_scope.",
+        *POINTS,
         "Definition soundness : forall S C, Checker.accepts S C = true ->",
         "  Meaning.citations_true S -> Meaning.true_statement S := Accepted.accepts_sound.",
         f"Definition theorem_1 : {conjunction('Pinned.')}",
@@ -66,7 +83,7 @@ def everything(folders: list[Path]) -> str:
         lines.append(f"Definition true_{name} : Meaning.true_statement {name}.the_statement")
         lines.append(f"  := {proof}.")
     names = "".join(f", true_{name}" for name in own)
-    main = "soundness, theorem_1, Pinned.collapsing_scene, separatrix, discharged"
+    main = "soundness, theorem_1, point, angle, Pinned.collapsing_scene, separatrix, discharged"
     lines.append(f"Definition everything := ({main}{names}).")
     return "\n".join([*lines, "Print Assumptions everything.", ""])
 

@@ -18,8 +18,8 @@ from verify.paper.in_coq import IN_COQ
 
 #: What Theorem1.v says and Pinned.v says once more, each of them proved.
 SENTENCES = (
-    "theorem_1", "interior", "determined", "constants_defined", "same_hypothesis",
-    "printed_theorem",
+    "theorem_1", "interior", "positive_volume", "determined", "constants_defined",
+    "same_hypothesis", "printed_theorem",
 )  # fmt: skip
 #: What follows from the point runs at r = 0.03, and at r = 0.01 and theta_0 = 5 pi / 6.
 POINTS = (

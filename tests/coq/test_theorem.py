@@ -31,7 +31,7 @@ def test_the_theorem_is_what_the_page_says() -> None:
     for page in (PAGE, PINNED):
         for name in SENTENCES:
             assert re.search(rf"^Definition {name} : Prop :=\n  forall (d )?r ", page, re.MULTILINE)
-        for name in ("interior", "printed_theorem"):
+        for name in ("interior", "positive_volume", "printed_theorem"):
             assert re.search(rf"^Definition {name} : Prop :=\n[^.]* \(2 <= d\)", page, re.MULTILINE)
     last = " ".join((SOURCES / "AllProved.v").read_text().split())
     pinned = " ".join(PINNED.split())

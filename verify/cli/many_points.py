@@ -111,7 +111,7 @@ def _box(options: Options) -> int:
     elif options.out is not None:
         print("verify: no certificate was written; ask for the certified part", file=sys.stderr)
     document = view.box_document(found, cited) if options.json else None
-    claims.answer(found.outcome, options, document, view.screen(found, cited))
+    claims.answer(found.outcome, options, document, view.screen(found, PAPER))
     return EXIT_CODES[found.verdict]
 
 

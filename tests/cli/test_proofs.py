@@ -17,10 +17,11 @@ from verify.cli.proofs import outcome_of
 from verify.language.statement import UNDECIDED
 from verify.paper.commands import everywhere, index, step
 from verify.paper.source import PAPER
+from verify.prover.outcome import CHECKER
 from verify.prover.uses import nodes
 from verify.views import graph as view
 from verify.views.explain import explain
-from verify.wire.judge import CHECKER, SHIPPED
+from verify.wire.judge import SHIPPED
 
 
 @pytest.fixture(autouse=True)

@@ -10,7 +10,7 @@ from verify.cli import claims
 from verify.cli.files import print_document, progress, test_folder, write_certificate, write_file
 from verify.cli.options import Options
 from verify.cli.terminal import show
-from verify.cli.theorem1 import DEFAULTS, POINT_OPTIONS, read_parameters
+from verify.cli.theorem1_point import DEFAULTS, POINT_OPTIONS, read_parameters
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import REFUTED, UNDECIDED
 from verify.paper.groups import PRINTED
@@ -111,7 +111,7 @@ def _box(options: Options) -> int:
     elif options.out is not None:
         print("verify: no certificate was written; ask for the certified part", file=sys.stderr)
     document = view.box_document(found, cited) if options.json else None
-    claims.answer(found.outcome, options, document, view.screen(found, cited))
+    claims.answer(found.outcome, options, document, view.screen(found, PAPER))
     return EXIT_CODES[found.verdict]
 
 

@@ -12,7 +12,6 @@ from verify.language.statement import (
     PROVED,
     REFUTED,
     UNDECIDED,
-    Assumption,
     Obligation,
     Publication,
 )
@@ -22,10 +21,10 @@ from verify.views.plain import plain_letters
 from verify.views.row_lists import MORE
 from verify.views.screen import causes, printed_lines
 from verify.views.words import (
+    believed,
     cited_as,
     counts,
     fair,
-    given,
     given_by,
     headline,
     in_letters,
@@ -70,7 +69,7 @@ def screen(
     yield ""
     yield f"Rows: {counts(outcome, 'needed')}"
     yield f"The step, for every state, is {cited_as(cite, paper)}"
-    yield from trusted_there(cite.trusted)
+    yield f"{believed(outcome, paper)} The sentences: -v."
     yield "The graph of the proof: verify graph --out FILE.svg"
     yield MORE
     yield ""
@@ -98,13 +97,6 @@ def _argument(printed: Outcome, paper: Publication) -> Iterator[str]:
             yield f"  Refuted steps that break it, {title}: {names}."
             yield from causes(here, paper)
     yield "  All of them, and where they fail: verify theorem1 --all --constants printed."
-
-
-def trusted_there(assumptions: Iterable[Assumption]) -> Iterator[str]:
-    """What the cited step takes on trust, by name."""
-    found = list(assumptions)
-    names = ", ".join(assumption.name for assumption in found)
-    yield f"Taken on trust there: {given(found)}: {names}. The sentences: -v."
 
 
 def printed_screen(

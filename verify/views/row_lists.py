@@ -21,8 +21,8 @@ from verify.prover.outcome import Decision, Outcome
 from verify.views.plain import plain_letters
 from verify.views.words import (
     INSTEAD_WORDS,
+    believed,
     fair,
-    given_by,
     groups,
     is_called,
     letters,
@@ -94,10 +94,9 @@ def _one_line(row: Obligation, paper: Publication) -> str:
 
 
 def trusted_names(outcome: Outcome, paper: Publication) -> Iterator[str]:
-    """How many assumptions a verdict rests on, and their names."""
+    """Which sentences a verdict rests on, and which of them Coq has proved."""
     if outcome.assumptions:
-        names = ", ".join(assumption.name for assumption in outcome.assumptions)
-        yield f"Taken on trust: {given_by(outcome, paper)}: {names}. The sentences: -v."
+        yield f"{believed(outcome, paper)} The sentences: -v."
     if outcome.printed_assumptions:
         names = ", ".join(assumption.name for assumption in outcome.printed_assumptions)
         yield f"Only for printed rows: {names}."

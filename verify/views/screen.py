@@ -11,6 +11,7 @@ from verify.language.statement import (
     HYPOTHESES,
     OTHERWISE,
     PRINTED,
+    PROVED,
     REFUTED,
     REMARK,
     REPAIRED,
@@ -29,6 +30,7 @@ from verify.views.point import (
     parameters_told,
 )
 from verify.views.words import (
+    believed,
     fair,
     group_verdict,
     groups,
@@ -67,6 +69,8 @@ def screen(
     yield ""
     yield "All rows: -v; some: --rows NAME; for programs: --json; a certificate: --out DIR."
     yield ""
+    if outcome.verdict == PROVED and outcome.assumptions:
+        yield believed(outcome, paper)
     yield _verdict(outcome, paper, sets)
 
 
@@ -137,6 +141,8 @@ def verdict_lines(outcome: Outcome, paper: Publication, sets: list[str]) -> Iter
     """What fails or is left open, and the verdicts; the last line is the whole result."""
     yield from _hypotheses(outcome, paper)
     yield from (_set_line(outcome, group) for group in sets)
+    if outcome.verdict == PROVED and outcome.assumptions:
+        yield believed(outcome, paper)
     yield _verdict(outcome, paper, sets)
 
 

@@ -33,9 +33,12 @@ CONDITIONALLY_PROVED = "conditionally proved"
 #: The headline where a hypothesis does not hold.
 DOES_NOT_APPLY = "does not apply"
 
+#: The kind of a sentence that says what the objects are.
+DEFINITION = "definition"
+
 #: The kinds of assumptions that do not make a proof conditional: what the objects are, theorems of
 #: general mathematics, and sentences that do nothing but put facts together that they name.
-GRANTED = ("definition", "general mathematics", "numbered glue")
+GRANTED = (DEFINITION, "general mathematics", "numbered glue")
 
 #: How the parameters of Theorem 1 are written, in the paper's order.
 LETTERS = {"r": "r", "c": "(-cos θ₀)", "V_0": "V₀", "delta_theta": "δ_θ"}
@@ -113,6 +116,30 @@ def given_by(outcome: Outcome, paper: Publication) -> str:
     cited = [f"{given(c.trusted)} of {cited_as(c, paper)}" for c in cites]
     own = [given(outcome.own_assumptions)] if outcome.own_assumptions or not cited else []
     return ", and ".join([*own, *cited])
+
+
+def believed(outcome: Outcome, paper: Publication) -> str:
+    """Which sentences are believed, and which Coq proves, of those that the verdict rests on.
+
+    Coq has definitions as well; that they say what is meant is believed.
+    """
+    theorem = outcome.statement.theorem
+    own = [(theorem, one) for one in outcome.own_assumptions]
+    known: dict[Assumption, bool] = {}
+    for theorem, one in [*own, *_cited(outcome.statement.cites)]:
+        known[one] = known.get(one, True) and one.name in paper.in_coq.get(theorem, ())
+    proved = [one.name for one, found in known.items() if found and one.kind != DEFINITION]
+    others = [one for one, found in known.items() if not found or one.kind == DEFINITION]
+    names = [f"{one.name} ({one.kind})" if one.kind == DEFINITION else one.name for one in others]
+    share = f"Coq has proved {len(proved) or 'none'} of the {len(known)} sentences"
+    list_ = f": {', '.join(proved)}" if proved else ""
+    return f"Believed: nothing but {', '.join(names) or 'the judge'}; {share}{list_}."
+
+
+def _cited(cites: Iterable[Cite]) -> Iterator[tuple[str, Assumption]]:
+    for cite in cites:
+        yield from ((cite.theorem, one) for one in cite.assumptions)
+        yield from _cited(cite.cites)
 
 
 def cited_as(cite: Cite, paper: Publication) -> str:

@@ -66,6 +66,7 @@ SETS = (
     (REPAIRED, "The repaired set"),
 )
 PLOTS = {
+    "region": "For which r and θ₀",
     "margins": "How close each step is",
     "minimum": "The smallest entry of η̄",
     "roots": "The roots of Q",
@@ -136,7 +137,7 @@ def _parts(found: Mapping[str, Any]) -> Iterator[Part]:
     ):
         if of:
             yield Part(_file(name), words, words, says)
-    for figure in found["pictures"].plots[1:4]:
+    for figure in found["pictures"].plots[1:5]:
         words = PLOTS[figure.name]
         yield Part(_file(figure.name), words, words, "plot", (words, figure))
     for one in MEASURED:

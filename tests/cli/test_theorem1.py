@@ -71,7 +71,7 @@ def test_the_screen_is_short_and_ends_like_the_table(capsys: pytest.CaptureFixtu
     full = run(capsys, "--r", "0.03", "--verbose")[1].splitlines()
     assert len(short) <= 30
     assert short[-1] == full[-1]
-    assert any(line.startswith("  zeta-x-bound  ") for line in short)
+    assert any(line.startswith("    zeta-x-bound  ") for line in short)
 
 
 def test_some_rows(capsys: pytest.CaptureFixture[str]) -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
 
 from flint import fmpq_mpoly
@@ -29,7 +30,7 @@ from verify.language.terms import (
 from verify.prover.clearing import Clearing, TooLongError
 from verify.prover.goal import Bounds
 from verify.prover.numbers import float_of, fmpq_of, fraction_of
-from verify.prover.proof import Premise, Proof, power_of, product_of
+from verify.prover.proof import Premise, Proof, Value, power_of, product_of
 from verify.prover.rules import Cuts, Derivative, Have, InRange, Interval, Law, Monotony, Sum
 from verify.prover.search.bernstein_boxes import on_interval
 from verify.prover.search.compiled import estimates
@@ -45,6 +46,8 @@ from verify.prover.session import ZERO
 MAX_DEPTH, MAX_CLAIMS, MAX_ALGEBRAIC = 12, 60, 3
 #: A claim may have so many different terms, each of which costs so many units of work.
 MAX_PARTS, PRICE = 100, 1000
+#: A numerator may have so many products of powers.
+MAX_MONOMIALS = 40
 #: Parts of a box that enclosures may take.
 LEAVES = 100
 #: Where numbers are compared that are exact and short.
@@ -75,10 +78,21 @@ def by_growth(question: Question) -> Proof | None:
         return None
     if goal.claim.relation not in ("<", "<=") or goal.claim.lhs == ZERO == goal.claim.rhs:
         return None
-    proof = Growth(question, name).prove(goal.claim, bounds, (), MAX_DEPTH)
+    searches = (Growth(question, name, clears) for clears in (False, True))
+    found = (search.prove(goal.claim, bounds, (), MAX_DEPTH) for search in searches)
+    proof = next(filter(None, found), None)
     if proof is None or not any(map(_is_turned, parts_of(goal.claim.lhs, goal.claim.rhs))):
         return proof
     return Have(goal.claim, (proof, Sum(("goal", "@1"))))
+
+
+def _size(claim: Claim) -> int:
+    return sum(1 for _ in parts_of(claim.lhs, claim.rhs))
+
+
+def _has_divisor(claim: Claim) -> bool:
+    parts = parts_of(claim.lhs, claim.rhs)
+    return any(part.op == "div" and part.children[1].op != "rational" for part in parts)
 
 
 def _is_turned(term: Term) -> bool:
@@ -87,20 +101,28 @@ def _is_turned(term: Term) -> bool:
 
 
 class Growth:
-    """Proofs of claims about one variable, in branches with bounds of it."""
+    """Proofs of claims about one variable, in branches with bounds of it.
 
-    def __init__(self, question: Question, name: str) -> None:
+    Args:
+        question: the claim.
+        name: the variable.
+        clears: whether claims are multiplied with their divisors before derivatives are taken.
+    """
+
+    def __init__(self, question: Question, name: str, clears: bool) -> None:
         self.question, self.known, self.name = question, question.known, name
         self.goal, self.x = question.plain, symbol(name)
         self.context = self.goal.context or ""
         self.claims = self.algebraic = 0
+        self.clears = clears
+        self.numerators: set[Claim] = set()  # without divisors
 
     def prove(
         self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...], depth: int
     ) -> Proof | None:
         """A proof where the variable has these bounds, among them the hypotheses of cuts."""
         self.claims += 1
-        size = sum(1 for _ in parts_of(claim.lhs, claim.rhs))
+        size = _size(claim)
         self.question.budget.spend(PRICE * size)
         if depth == 0 or self.claims > MAX_CLAIMS or size > MAX_PARTS:
             return None
@@ -116,6 +138,7 @@ class Growth:
         found = found or (None if touches else self._tree(claim, bounds, cuts))
         if any(part.op in FUNCTIONS for part in parts_of(claim.lhs, claim.rhs)):
             found = found or self._isolated(claim, bounds, cuts, depth)
+            found = found or self._cleared(claim, bounds, cuts, depth)
             found = found or self._grown(claim, bounds, cuts, depth)
         else:
             found = found or self._algebraic(claim)
@@ -305,6 +328,67 @@ class Growth:
             name = self.known.session.lemma(law, Law(), self.known.home(law, self.context))
         premise = Sum(("goal", f"@{len(cuts) + 1}"), (name,))
         return Have(below, (proof, Monotony(premise, "log")))
+
+    # --- without divisors -----------------------------------------------------------------------
+
+    def _cleared(
+        self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...], depth: int
+    ) -> Proof | None:
+        """By the numerator of the difference, without the factors whose signs are known."""
+        if not self.clears or claim in self.numerators:
+            return None
+        is_negative = partial(self.known.is_negative, context=self.context)
+        try:
+            clearing = Clearing((claim.lhs, claim.rhs), {}, is_negative)
+            difference = clearing.difference(claim.rhs, claim.lhs)
+        except TooLongError:
+            return None
+        rest, values = self._without_factors(clearing, difference, bounds, claim.relation)
+        if rest.is_constant() or len(rest) > MAX_MONOMIALS:
+            return None
+        cleared = Claim(claim.relation, ZERO, clearing.term(rest))
+        self.numerators.add(cleared)
+        if cleared == claim or not (_has_divisor(claim) or _size(cleared) < _size(claim)):
+            return None
+        proof = self.prove(cleared, bounds, cuts, depth)
+        last = Sum(("goal", product_of(f"@{len(cuts) + 1}", *values)))
+        return None if proof is None else Have(cleared, (proof, last))
+
+    def _without_factors(
+        self, clearing: Clearing, polynomial: fmpq_mpoly, bounds: Bounds, relation: str
+    ) -> tuple[fmpq_mpoly, list[Value]]:
+        """A polynomial divided by the powers of the variable and of exponentials in it.
+
+        With them the values of the facts that these powers are positive.
+        """
+        values: list[Value] = []
+        for index, atom in enumerate(clearing.atoms):
+            power = min((power for power, _ in clearing.coefficients(polynomial, index)), default=0)
+            found = self._positive(atom, bounds, relation) if power else None
+            if found is not None:
+                value, sign = found
+                polynomial = polynomial / clearing.context.gens()[index] ** power * sign**power
+                values.append(power_of(value, power))
+        return polynomial, values
+
+    def _positive(self, atom: Term, bounds: Bounds, relation: str) -> tuple[Value, int] | None:
+        """The value of an atom or, with the sign -1, of its opposite, which is positive."""
+        if atom.op == "exp":
+            fact = self.known.fact(Claim("<", ZERO, atom), self.context)
+            return None if fact is None else (fact, 1)
+        if atom != self.x:
+            return None
+        low = None if bounds.low is None else (bounds.low, bounds.low_fact, bounds.low_relation, 1)
+        high = bounds.high
+        top = None if high is None else (-high, bounds.high_fact, bounds.high_relation, -1)
+        for end in (low, top):
+            if end is not None and end[0] >= 0:
+                distance, fact, sign = *end[:2], end[3]
+                if distance > 0:
+                    return ("add", fact, str(distance)), sign
+                if relation in (end[2], "<="):
+                    return fact, sign
+        return None
 
     # --- derivatives ----------------------------------------------------------------------------
 

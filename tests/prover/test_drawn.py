@@ -21,6 +21,11 @@ LEARNT = {
     "ranges of functions in sums": ("exp-lower-16", "atan-problem-7"),
     "bounds that an equation of squares gives": ("Chua-2-VC1-U",),
     "a modulus that is bounded": ("abs-problem-2",),
+    "values at multiples of pi": ("cos-problem-2", "cos-problem-9"),
+    "an end that is no rational number": ("tan-problem-1",),
+    "an end that is another variable": ("two-variable-problem-1",),
+    "powers of roots": ("cbrt-problem-1", "nthrt_cbrt-problem-4-weak-2var"),
+    "functions that rise": ("two-variable-problem-2",),
 }
 
 

@@ -87,11 +87,16 @@ class Question:
     def false_at(self) -> dict[str, Fraction] | None:
         """A simple point inside all bounds, near a local minimum, where the claim is false."""
         at_fault = failure_test(self.plain, self.known.enclosed)
+        tests = [
+            failure_test(self.plain._replace(claim=claim), self.known.enclosed)
+            for claim in self.given.values()
+            if self.plain.variables.keys() >= {*names_of(claim.lhs, claim.rhs)}
+        ]
         for value, point in self.minima:
             if value > NEAR_ZERO:
                 break
             for values in simple_points(point, self._bounds):
-                if at_fault(values):
+                if at_fault(values) and not any(fails(values) for fails in tests):
                     return dict(zip(self.goal.variables, values, strict=True))
         return None
 

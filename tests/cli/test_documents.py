@@ -95,6 +95,31 @@ def test_the_schema_refuses_other_documents(capsys: pytest.CaptureFixture[str]) 
     assert schema.is_valid(found)
 
 
+@pytest.mark.parametrize(
+    ("words", "name", "count"),
+    [
+        (["theorem1", "--r", "0.03"], "zeta-total", 2),
+        (["theorem1", "--all"], "4.47", 20),
+        (["spectrum"], "A_a", 1),
+        (["classification"], "restitution", 1),
+        (["elsewhere"], "quoted-limit", 1),
+        (["separatrix", "--all"], "below-x-positive", 1),
+    ],
+)
+def test_a_document_has_the_rows_that_are_asked_for(
+    capsys: pytest.CaptureFixture[str], words: list[str], name: str, count: int
+) -> None:
+    found = document(capsys, [*words, "--rows", name])
+    sets = [
+        found.get("hypotheses", []),
+        *(s["obligations"] for s in found.get("sets", {}).values()),
+    ]
+    assert len(found.get("claims") or [row for rows in sets for row in rows]) == count
+    assert found["verdict"] in ("proved", "refuted")
+    assert main([*words, "--json", "--rows", f"{name}x"]) == 2
+    assert f"is it {name}" in capsys.readouterr().err or not name[0].isalpha()
+
+
 #: The verdicts on rows whose claim is false.
 FALSE = ("refuted", "remark", "proved; not by the printed argument")
 

@@ -104,7 +104,10 @@ DECIDED = (
     "separatrix --r 0.03 --plot OUT/strip.svg",
 )
 #: Commands that print no verdict.
-SILENT = {"bench": "speeds and errors; its verdicts are those of plain doubles, called wrong"}
+SILENT = {
+    "bench": "speeds and errors; its verdicts are those of plain doubles, called wrong",
+    "completion": "names of commands and options",
+}
 
 
 @pytest.fixture(autouse=True)

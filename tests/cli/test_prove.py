@@ -381,8 +381,8 @@ def test_a_report_is_about_the_theorem_of_its_author(
     assert "| (2.1) |  | q ≤ 19/100 | 0.19098300… ≤ 0.19 |" in text
     assert "Nothing: what is proved rests on the definitions above alone." in text
     assert PAPER.authors not in text
-    assert main(["check", "--latex", str(out)]) == 0
+    assert main(["check", "--latex", "--full", str(out)]) == 0
     text = capsys.readouterr().out
-    assert r"\claim{q = \frac{3 - \sqrt{5}}{4}\quad (0.19098300\ldots{})}" in text
-    assert r"\texttt{slope}} Lemma 3: \textbf{proved}" in text
+    assert r"\formula{q = \frac{3 - \sqrt{5}}{4}\quad (0.19098300\ldots{})}" in text
+    assert r"\begin{row}[{\texttt{slope} Lemma 3}]" in text
     assert main(["check", "--latex", "--markdown", str(out)]) == 2

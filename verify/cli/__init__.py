@@ -34,6 +34,7 @@ COMMANDS = {
     "stress": "run the numerically hard cases",
     "report": "write the report: a page with plots, its Markdown twin, a LaTeX table",
     "certify": "make the committed certificates anew, or compare them",
+    "completion": "print a script that completes commands and options in a shell",
 }
 
 USAGE_ERROR = 2

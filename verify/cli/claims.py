@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from typing import Any
 
 from verify.cli.options import Options, Parser
-from verify.cli.terminal import add_color
+from verify.cli.terminal import add_color, show
 from verify.prover.outcome import Outcome
 from verify.wire.inputs import InputError, shown
 
@@ -17,6 +18,50 @@ def add_arguments(parser: Parser) -> None:
     parser.flag("--json", text="one JSON document on stdout")
     add_color(parser)
     parser.option("--out", "write statement.json and certificate.json", "DIR")
+
+
+def answer(
+    outcome: Outcome, options: Options, document: Mapping[str, Any] | None, screen: Iterable[str]
+) -> None:
+    """Print the document, if there is one, or the screen; with ``--rows`` only those rows of it.
+
+    Raises:
+        InputError: if there is no row of this name.
+    """
+    if document is None:
+        show(told(outcome, options, screen), options)
+        return
+    from verify.cli.files import print_document  # loaded only where it is used
+
+    print_document(document if options.rows is None else only(outcome, options.rows, document))
+
+
+def only(outcome: Outcome, name: str, document: Mapping[str, Any]) -> dict[str, Any]:
+    """A document with no other rows than those of a name, a label or a printed number.
+
+    Raises:
+        InputError: if there is no such row.
+    """
+    from verify.paper.source import PAPER  # loaded only where they are used
+    from verify.views.words import is_called
+
+    names = {row.name for row, _ in outcome.rows if is_called(row, name, PAPER)}
+    if not names:
+        raise no_row(outcome, name)
+    return {key: _without_others(value, names) for key, value in document.items()}
+
+
+def _without_others(value: Any, names: set[str]) -> Any:
+    if isinstance(value, dict):
+        return {key: _without_others(inner, names) for key, inner in value.items()}
+    if isinstance(value, list):
+        return [item for item in value if not _is_row(item) or item["name"] in names]
+    return value
+
+
+def _is_row(item: Any) -> bool:
+    """Whether this part of a document has the shape of a row."""
+    return isinstance(item, dict) and {"name", "role", "claim"} <= item.keys()
 
 
 def told(outcome: Outcome, options: Options, screen: Iterable[str]) -> list[str]:
@@ -35,20 +80,20 @@ def told(outcome: Outcome, options: Options, screen: Iterable[str]) -> list[str]
     if options.rows is not None:
         found = rows_called(outcome, options.rows, PAPER)
         if not found:
-            word = shown(options.rows)
-            raise InputError(f"--rows: there is no row {word}; {instead(outcome, options.rows)}")
+            raise no_row(outcome, options.rows)
         return [*found, "", verdict]
     if options.verbose:
         lines = [*all_rows(outcome, PAPER), *taken_on_trust(outcome, PAPER), "", *lines]
     return [*lines, verdict]
 
 
-def instead(outcome: Outcome, word: str) -> str:
-    """What to write instead of a name that no row has."""
+def no_row(outcome: Outcome, word: str) -> InputError:
+    """The message about a name that no row has, with what to write instead."""
     from difflib import get_close_matches
 
     from verify.views.words import short_name
 
     known = {name for row, _ in outcome.rows for name in (row.name, short_name(row))}
     near = get_close_matches(word, sorted(known), 3, 0.6)
-    return f"is it {', '.join(near)}?" if near else "write a name that -v prints"
+    what = f"is it {', '.join(near)}?" if near else "write a name that -v prints"
+    return InputError(f"--rows: there is no row {shown(word)}; {what}")

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from verify.cli import claims
-from verify.cli.files import print_document, test_folder, write_certificate
+from verify.cli.files import test_folder, write_certificate
 from verify.cli.options import Options, Parser
-from verify.cli.terminal import show
 from verify.paper.classification.meaning import MEANING
 from verify.paper.commands.classification import (
     at_restitution,
@@ -46,7 +45,7 @@ def run(options: Options) -> int:
             document |= restitution_document(found)
         if verdict != outcome.verdict:
             document |= {"verdict": verdict, "headline": verdict}
-        print_document(document)
+        claims.answer(outcome, options, document, ())
     else:
         text = [*screen("Which collapses there are", outcome, PAPER), ""]
         if options.verbose:
@@ -56,5 +55,5 @@ def run(options: Options) -> int:
         text += theorem_lines(outcome, PAPER)
         if verdict != outcome.verdict:
             text += [f"{verdict.capitalize()}: the longest run at this r"]
-        show(claims.told(outcome, options, text), options)
+        claims.answer(outcome, options, None, text)
     return EXIT_CODES[verdict]

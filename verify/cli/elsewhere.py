@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from verify.cli import claims
-from verify.cli.files import print_document, test_folder, write_certificate
+from verify.cli.files import test_folder, write_certificate
 from verify.cli.options import Options, Parser
-from verify.cli.terminal import show
 from verify.paper.commands.elsewhere import decide_elsewhere
 from verify.paper.source import PAPER
 
@@ -28,15 +27,7 @@ def run(options: Options) -> int:
     outcome = decide_elsewhere()
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
-    if options.json:
-        print_document(claims_document(outcome, "elsewhere", FORMAT))
-    else:
-        show(
-            claims.told(
-                outcome,
-                options,
-                [*screen(TITLE, outcome, PAPER), "", f"Verdict: {summary(outcome, PAPER)}"],
-            ),
-            options,
-        )
+    document = claims_document(outcome, "elsewhere", FORMAT) if options.json else None
+    text = [*screen(TITLE, outcome, PAPER), "", f"Verdict: {summary(outcome, PAPER)}"]
+    claims.answer(outcome, options, document, text)
     return outcome.exit_code

@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 
 from verify.cli import claims
-from verify.cli.files import print_document, progress, test_folder, write_certificate
+from verify.cli.files import print_document, progress, test_folder, write_certificate, write_file
 from verify.cli.options import Options
 from verify.cli.terminal import show
-from verify.cli.theorem1 import DEFAULTS, POINT_OPTIONS, read_parameters
-from verify.language.statement import UNDECIDED
+from verify.cli.theorem1_point import DEFAULTS, POINT_OPTIONS, read_parameters
+from verify.language.record import TYPE_CHECKING
+from verify.language.statement import REFUTED, UNDECIDED
 from verify.paper.groups import PRINTED
 from verify.paper.rows import INSTEAD
 from verify.paper.source import PAPER
+from verify.prover.decimals import exact_number
 from verify.prover.outcome import EXIT_CODES, conjunction
 from verify.wire.inputs import InputError, integer, neg_cos, positive, restitution, shown
+
+if TYPE_CHECKING:
+    from verify.views.material import ScannedPoint
 
 #: What takes seconds; all of it is one search.
 PROVING = "deciding the rows of the printed set for all parameters, which takes seconds"
@@ -42,7 +47,8 @@ def _leave_out(options: Options, command: str, names: tuple[str, ...]) -> None:
 
 def _everywhere(options: Options) -> int:
     """Prove Theorem 1 for all parameters; print, write, return the exit code."""
-    _leave_out(options, "--all", (*POINT_OPTIONS, "r", "neg_cos", "V0", "delta_theta", "steps"))
+    others = ("r", "neg_cos", "V0", "delta_theta", "steps", "csv")
+    _leave_out(options, "--all", (*POINT_OPTIONS, *others))
     test_folder("--out", options.out, "statement.json", "certificate.json")
     from verify.paper.commands import (
         everywhere,  # loaded only where they are used
@@ -67,7 +73,7 @@ def _everywhere(options: Options) -> int:
         document = claims_document(outcome, "theorem1", view.FORMAT)
         if printed:
             document["sets"] = {"printed": {"verdict": argument, **verdicts}}
-        print_document(document)
+        claims.answer(outcome, options, document, ())
         return code
     if printed:
         where = thresholds.decide_thresholds()
@@ -76,15 +82,18 @@ def _everywhere(options: Options) -> int:
     else:
         from verify.paper.commands.whole import whole
         from verify.views.whole import constants_and_set
+        from verify.wire.judge import packaged
+        from verify.wire.packaged import AS_PRINTED
 
-        text = view.screen(outcome, PAPER, verdicts, constants_and_set(whole()))
-    show(claims.told(outcome, options, text), options)
+        as_printed = packaged(AS_PRINTED)
+        text = view.screen(outcome, PAPER, verdicts, as_printed, constants_and_set(whole()))
+    claims.answer(outcome, options, None, text)
     return code
 
 
 def _box(options: Options) -> int:
     """Prove Theorem 1 at all points of a box; print, write, return the exit code."""
-    _leave_out(options, "A..B", (*POINT_OPTIONS, "constants"))
+    _leave_out(options, "A..B", (*POINT_OPTIONS, "constants", "csv"))
     sides = _side("--r", options.r, restitution), _side("--neg-cos", options.neg_cos, neg_cos)
     v_0, delta_theta = (
         positive("--V0", options.V0),
@@ -101,10 +110,8 @@ def _box(options: Options) -> int:
         write_certificate("--out", options.out, found.outcome)
     elif options.out is not None:
         print("verify: no certificate was written; ask for the certified part", file=sys.stderr)
-    if options.json:
-        print_document(view.box_document(found, cited))
-    else:
-        show(claims.told(found.outcome, options, view.screen(found, cited)), options)
+    document = view.box_document(found, cited) if options.json else None
+    claims.answer(found.outcome, options, document, view.screen(found, PAPER))
     return EXIT_CODES[found.verdict]
 
 
@@ -123,11 +130,22 @@ def _side(
     return low, high
 
 
+def _noted(
+    points: Iterable[tuple[Fraction, ScannedPoint]], rows: list[tuple[str, str, str]]
+) -> Iterator[tuple[Fraction, ScannedPoint]]:
+    """The points; each leaves a row: r, its verdict, and which rows of the paper are refuted."""
+    for r, point in points:
+        refuted = (name for name, verdict in point.rows.items() if verdict == REFUTED)
+        rows.append((exact_number(r), point.verdict, " ".join(refuted)))
+        yield r, point
+
+
 def _scan(options: Options) -> int:
     """Print the verdict at many values of r; the exit code is that of the worst."""
     from verify.cli.steps import watched  # loaded only where they are used
     from verify.paper.commands.scan import scan
     from verify.views.ranges import range_lines, ranges, ranges_document, verdict_of
+    from verify.views.scene_table import csv_text
 
     if ".." not in options.r:
         raise InputError("--steps: needs an interval of r; write --r 0.02..0.04 --steps 9")
@@ -138,7 +156,11 @@ def _scan(options: Options) -> int:
     steps = integer("--steps", options.steps, 2, 10**7)
     options.r = options.r.split("..", 1)[0]
     values = {name: term.value for name, term in read_parameters(options).items()}
-    found = list(ranges(watched(scan((ends[0], ends[1]), steps, values), steps)))
+    rows: list[tuple[str, str, str]] = []
+    points = watched(scan((ends[0], ends[1]), steps, values), steps)
+    found = list(ranges(points if options.csv is None else _noted(points, rows)))
+    if options.csv is not None:
+        write_file("--csv", options.csv, csv_text([("r", "verdict", "refuted"), *rows]))
     if options.json:
         print_document(ranges_document(found))
     else:

@@ -7,10 +7,14 @@ the intervals of the main job.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from types import SimpleNamespace
 
+from verify.language.record import TYPE_CHECKING
 from verify.wire.inputs import InputError, shown
+
+if TYPE_CHECKING:
+    from argparse import Action, ArgumentParser
 
 #: What follows an option as its value although it starts with a minus sign.
 _NEGATIVE = r"-([0-9.]|pi|inf|nan)"
@@ -157,6 +161,19 @@ class Parser:
 
     def _error(self, message: str) -> InputError:
         return InputError(f"{message}; see {self.program} --help")
+
+    def add_to(self, other: ArgumentParser) -> Iterator[Action]:
+        """Make the same options and places known to a parser of the standard library."""
+        for name, text in self._help:
+            about = text.replace("%", "%%")
+            if not name.startswith("-"):
+                yield other.add_argument(name.strip("[]").split()[0], nargs="*", help=about)
+            elif name.split(", ")[0] in self._flags:
+                yield other.add_argument(*name.split(", "), action="store_true", help=about)
+            else:
+                option, _, value = name.partition(" ")
+                choices = self._choices[option] or None
+                yield other.add_argument(option, metavar=value, choices=choices, help=about)
 
     # --- the help -------------------------------------------------------------------------------
 

@@ -81,10 +81,8 @@ def _theorem(options: Options) -> int:
     outcome = decide()
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
-    if options.json:
-        print_document(theorem_document(outcome))
-    else:
-        show(claims.told(outcome, options, theorem_screen(outcome, PAPER)), options)
+    document = theorem_document(outcome) if options.json else None
+    claims.answer(outcome, options, document, theorem_screen(outcome, PAPER))
     return outcome.exit_code
 
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from verify.cli import claims
-from verify.cli.files import print_document, test_folder, write_certificate
+from verify.cli.files import test_folder, write_certificate
 from verify.cli.options import Options, Parser
-from verify.cli.terminal import show
 from verify.paper.commands.spectrum import cite_spectrum
 from verify.paper.source import PAPER
 from verify.views.row_lists import screen
@@ -64,10 +63,10 @@ def run(options: Options) -> int:
         found = spectrum_document(outcome)
         if r is not None and spectrum is not None:
             found |= point_document(r, spectrum, bits)
-        print_document(found)
+        claims.answer(outcome, options, found, ())
     else:
         text = [*screen("Spectral claims, for every r in ]0,1[", outcome, PAPER)]
         if r is not None and spectrum is not None:
             text += point_lines(r, spectrum)
-        show(claims.told(outcome, options, [*text, "", verdict_line(outcome, PAPER)]), options)
+        claims.answer(outcome, options, None, [*text, "", verdict_line(outcome, PAPER)])
     return outcome.exit_code

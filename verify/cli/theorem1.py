@@ -6,14 +6,14 @@ from collections.abc import Iterable
 
 from verify.cli.options import Options, Parser, field
 from verify.cli.terminal import add_color, show
-from verify.language.terms import Term, as_term
+from verify.cli.theorem1_point import DEFAULTS, read_parameters
 from verify.paper.commands.citing import as_printed
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.groups import SELECTIONS
 from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
 from verify.views.screen import screen
-from verify.wire.inputs import InputError, angle, integer, neg_cos, positive, restitution, shown
+from verify.wire.inputs import InputError, integer
 
 MAX_PRECISION = 1 << 16
 
@@ -21,18 +21,8 @@ MAX_PRECISION = 1 << 16
 ENCLOSED_BITS = 128
 
 
-#: What options have that are not given.
-DEFAULTS = {
-    "delta_theta": "1/10",
-    "V0": "1",
-    "constants": "all",
-    "precision": "128",
-    "max_precision": "65536",
-}
 #: What may be written after an option, where not everything may.
 CHOICES = {"--constants": (*SELECTIONS,)}
-#: The options that only a single point has.
-POINT_OPTIONS = ("theta0", "precision", "max_precision")
 
 
 def add_arguments(parser: Parser) -> None:
@@ -48,6 +38,7 @@ def add_arguments(parser: Parser) -> None:
         "--precision": ("BITS", f"starting bits (default {DEFAULTS['precision']})"),
         "--max-precision": ("BITS", f"last bits (default {DEFAULTS['max_precision']})"),
         "--steps": ("N", "with --r A..B: that many values of r, one verdict each"),
+        "--csv": ("FILE", "with --steps: a line for each point, with its refuted rows"),
         "--rows": ("NAME", "print the rows of this name, label or (4.47) only"),
         "--out": ("DIR", "write statement.json and certificate.json"),
     }
@@ -58,27 +49,6 @@ def add_arguments(parser: Parser) -> None:
     parser.flag("-v", "--verbose", text="print every row")
     parser.flag("--json", text="one JSON document on stdout")
     add_color(parser)
-
-
-def read_parameters(options: Options) -> dict[str, Term]:
-    """The parameters as exact terms.
-
-    Raises:
-        InputError: for a number outside its range, or two angles.
-    """
-    if options.theta0 is not None and options.neg_cos is not None:
-        raise InputError("--theta0 and --neg-cos both give the angle; write only one of them")
-    r = restitution(options.r)
-    if options.theta0 is not None:
-        c = angle("--theta0", options.theta0)
-    else:
-        c = as_term(neg_cos("1" if options.neg_cos is None else options.neg_cos))
-    return {
-        "r": as_term(r),
-        "c": c,
-        "V_0": as_term(positive("--V0", options.V0)),
-        "delta_theta": as_term(positive("--delta-theta", options.delta_theta)),
-    }
 
 
 def run(options: Options) -> int:
@@ -94,6 +64,8 @@ def run(options: Options) -> int:
 
 def _point(options: Options) -> int:
     """Decide Theorem 1 at a point; print, write, return the exit code."""
+    if options.csv is not None:
+        raise InputError("--csv: has a meaning with --r A..B --steps N only; leave it out")
     parameters = read_parameters(options)
     bits, last = _precisions(options)
     if options.out is not None:
@@ -109,7 +81,7 @@ def _point(options: Options) -> int:
 
         write_certificate("--out", options.out, outcome)
     if options.json:
-        _print_document(outcome, bits)
+        _print_document(outcome, bits, options.rows)
         return outcome.exit_code
     show(text if table else screen(outcome, PAPER, as_printed(outcome)), options)
     return outcome.exit_code
@@ -125,13 +97,15 @@ def _precisions(options: Options) -> tuple[int, int]:
     return bits, last
 
 
-def _print_document(outcome: Outcome, bits: int) -> None:
-    from verify.cli.files import print_document  # loaded only where they are used
+def _print_document(outcome: Outcome, bits: int, rows: str | None) -> None:
+    from verify.cli.claims import only  # loaded only where they are used
+    from verify.cli.files import print_document
     from verify.views.document import document
     from verify.views.enclosures import sharpened
 
     shown_outcome = sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome
-    print_document(document(shown_outcome, as_printed(outcome)))
+    found = document(shown_outcome, as_printed(outcome))
+    print_document(found if rows is None else only(outcome, rows, found))
 
 
 def _table(outcome: Outcome, name: str | None) -> Iterable[str]:
@@ -142,7 +116,7 @@ def _table(outcome: Outcome, name: str | None) -> Iterable[str]:
         return report_lines(outcome, PAPER)
     found = some_rows(outcome, name, PAPER)
     if not found:
-        from verify.cli.claims import instead
+        from verify.cli.claims import no_row
 
-        raise InputError(f"--rows: there is no row {shown(name)}; {instead(outcome, name)}")
+        raise no_row(outcome, name)
     return found

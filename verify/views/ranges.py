@@ -9,9 +9,10 @@ from itertools import groupby
 from typing import Any
 
 from verify.language.record import Record
-from verify.language.statement import PROVED, REFUTED, UNDECIDED
+from verify.language.statement import PROVED, REFUTED, REPAIRED, UNDECIDED
 from verify.prover.decimals import exact_number
 from verify.views.material import ScannedPoint
+from verify.views.words import DOES_NOT_APPLY
 
 
 class Range(Record):
@@ -34,13 +35,22 @@ def range_lines(found: Iterable[Range]) -> Iterator[str]:
     """A line for each range, and the verdict."""
     total = Counter[str]()
     for item in found:
-        total[item.verdict] += item.points
-        yield (
-            f"r = {exact_number(item.first)} to {exact_number(item.last)}: "
-            f"{item.points} points {item.verdict}, {len(item.refuted)} rows refuted"
-        )
-    counts = ", ".join(f"{count} {name}" for name, count in total.items())
+        told = _told(item)
+        total[told] += item.points
+        where = f"r = {exact_number(item.first)}"
+        if item.points > 1:
+            where += f" to {exact_number(item.last)}: {item.points} points"
+        rows = f"{len(item.refuted)} {'row' if len(item.refuted) == 1 else 'rows'}"
+        yield f"{where}: {told}, {rows} refuted"
+    words = {DOES_NOT_APPLY: "where it does not apply"}
+    counts = ", ".join(f"{count} {words.get(name, name)}" for name, count in total.items())
     yield f"Verdict at the points of the grid, not between them: {counts}"
+
+
+def _told(item: Range) -> str:
+    """The verdict in words: the theorem does not apply where only hypotheses are refuted."""
+    fails = any(name.startswith(f"{REPAIRED}.") for name in item.refuted)
+    return DOES_NOT_APPLY if item.verdict == REFUTED and not fails else item.verdict
 
 
 def ranges_document(found: Iterable[Range]) -> dict[str, Any]:

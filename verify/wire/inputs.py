@@ -61,9 +61,7 @@ def rational(option: str, text: str) -> Fraction:
         return Fraction(int(match[1]), denominator)
     match = re.fullmatch(_DECIMAL, text)
     if not match or not (match[2] or match[3]):
-        raise InputError(
-            f"{option}: {shown(text)} is not an exact number; write it like 0.03, 3/100 or 3e-2"
-        )
+        raise InputError(f"{option}: {shown(text)} is not an exact number; write {_meant(text)}")
     exponent_text = match[4] or "0"
     if len(exponent_text.lstrip("+-0")) > 6 or abs(int(exponent_text)) > MAX_EXPONENT:
         raise InputError(
@@ -78,6 +76,17 @@ def rational(option: str, text: str) -> Fraction:
             "write fewer digits or a smaller exponent"
         )
     return value
+
+
+#: What people type for a point, and for a minus sign.
+_TYPED = str.maketrans({",": ".", "−": "-", "–": "-", "\N{ZERO WIDTH NO-BREAK SPACE}": None})
+
+
+def _meant(text: str) -> str:
+    """The number that was probably meant, or how numbers are written."""
+    mended = text.translate(_TYPED).strip()
+    is_one = re.fullmatch(rf"(?=.*[0-9])(?:{_RATIONAL}|{_DECIMAL})", mended)
+    return mended if is_one else "it like 0.03, 3/100 or 3e-2"
 
 
 def restitution(text: str) -> Fraction:
@@ -142,6 +151,8 @@ def angle(option: str, text: str) -> Term:
             f"{option}: {shown(text)} is not an angle; write it like pi, 5pi/6, 0.9*pi, 150deg, "
             "or 2.9 (radians)"
         ) from error
+    if 90 < radians <= 180:
+        raise InputError(f"{option}: {shown(text)} is in radians; write {text}deg for degrees")
     if not is_obtuse(radians):
         raise InputError(_outside(option, text))
     return -cos(radians)

@@ -273,8 +273,8 @@ Qed."""
         m, g, p = (term(names[f"{letter}.{pair}.0"], 4) for letter in "mgp")
         return f"""
   - apply FlowScene.never_by_numbers with (m := {m}) (g := {g}) (p := {p});
-      [ | | | | apply the_ends_{i}]; unfold {m}, {g}, {p}, the_scene_0, Motion.square, Theorem1.rate,
-      Theorem1.to, Theorem1.relative;
+      [ | | | | apply the_ends_{i}]; unfold {m}, {g}, {p}, the_scene_0, Motion.square,
+      Theorem1.rate, Theorem1.to, Theorem1.relative;
     cbn [Theorem1.dot Theorem1.position Theorem1.velocity]; lra."""
 
     def end(self, i: int, row: Applied) -> str:

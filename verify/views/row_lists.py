@@ -20,6 +20,7 @@ from verify.language.typeset import Typesetter
 from verify.prover.outcome import Decision, Outcome
 from verify.views.plain import plain_letters
 from verify.views.words import (
+    INSTEAD_WORDS,
     believed,
     fair,
     groups,
@@ -138,7 +139,7 @@ def row_lines(
         at = ", ".join(f"{typesetter.term(symbol(n))} = {typesetter.term(x)}" for n, x in values)
         yield f"            false at {at}"
     if decision.verdict == REFUTED:
-        better = {OTHERWISE: "proved by", REMARK: "see"}.get(verdict, "corrected by")
+        better = INSTEAD_WORDS.get(verdict, "corrected by")
         severity = row.severity if verdict == REFUTED else ""
         parts = (severity, row.corrected_by and f"{better} {row.corrected_by}")
         yield f"            {'; '.join(part for part in parts if part)}".rstrip()

@@ -191,14 +191,21 @@ def fair(outcome: Outcome, row: Obligation, found: Decision) -> str:
     true, and derives it from the claim, it is proved, but not by the printed argument: if the row
     that takes the place of the claim is proved.
     """
-    if found.verdict != REFUTED or row.role != PRINTED:
-        return found.verdict
+    better = outcome.decisions.get(row.corrected_by or "")
+    return fair_verdict(row, found.verdict, None if better is None else better.verdict)
+
+
+def fair_verdict(row: Obligation, verdict: str, better: str | None) -> str:
+    """The same from the verdicts on the row and on the one that takes its place."""
+    if verdict != REFUTED or row.role != PRINTED:
+        return verdict
     if row.severity == REMARK:
         return REMARK
-    better = outcome.decisions.get(row.corrected_by or "")
-    if row.severity == OTHERWISE and better is not None and better.verdict == PROVED:
-        return OTHERWISE
-    return REFUTED
+    return OTHERWISE if row.severity == OTHERWISE and better == PROVED else REFUTED
+
+
+#: What stands before the name of the row that takes the place of one.
+INSTEAD_WORDS = {OTHERWISE: "proved by", REMARK: "see", REFUTED: "corrected by"}
 
 
 #: The verdicts on rows, in the order in which they are counted, and how many of them are told.

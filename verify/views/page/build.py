@@ -36,6 +36,7 @@ from verify.views.plots.drawing import SCHEMES, standalone, svg
 from verify.views.plots.letters import letters_drawing
 from verify.views.plots.shapes import Figure, Panel
 from verify.views.point import in_numbers, place
+from verify.views.screen import causes
 from verify.views.setting import TEMPLATES, in_html, in_markdown
 from verify.views.words import (
     CONDITIONALLY_PROVED,
@@ -250,6 +251,7 @@ def _content(material: Material) -> dict[str, Any]:
     main, paper = material.main, material.paper
     printed = rows.rows_as_printed(main)
     refuted = rows.with_verdict(printed, REFUTED, main)
+    breaking = of_severity(refuted, BREAKS)
     proved = rows.with_verdict(main.of_group(REPAIRED), PROVED, main)
     apart = [folder for folder in material.folders if folder.name.startswith(SCENES)]
     region = material.plotted.region.everywhere
@@ -265,7 +267,9 @@ def _content(material: Material) -> dict[str, Any]:
         ],
         "printed_rows": printed,
         "refuted": refuted,
+        "otherwise": rows.with_verdict(printed, OTHERWISE, main),
         "remarks": rows.with_verdict(printed, REMARK, main),
+        "why": [line.strip() for line in causes([r for r, _ in breaking], paper)],
         "OTHERWISE": OTHERWISE,
         "REMARK": REMARK,
         "BREAKS": BREAKS,

@@ -11,6 +11,8 @@ from __future__ import annotations
 
 import json
 import sys
+import tomllib
+from fractions import Fraction
 from pathlib import Path
 
 from tests.coq.closing import ROOT, module, unread
@@ -27,19 +29,45 @@ POINTS = (
     "  (Theorem1.phi_minus (3 / 100) 1) (637 / 1000000) (13 / 25000000) (147 / 10000000)",
     "  (59 / 6250000) 1 (1249 / 1000) (59 / 1000000) 1 d s d_0 y ->",
     "  Theorem1.collapse d (3 / 100) s (89 / 1000000000000) 1 (1 / 10)",
-    "  := Point.three_balls_collapse.",
+    "  := Point.three_balls.",
     "Definition angle : forall d s d_0 y, FromNumbers.initial_with",
     "  (Theorem1.phi_minus (1 / 100) (- cos (PI * (5 / 6)))) (291 / 500000) (289 / 500000000)",
     "  (161 / 10000000) (427 / 50000000) 1 (11 / 8) (647 / 10000000) (- cos (PI * (5 / 6)))",
     "  d s d_0 y -> Theorem1.collapse d (1 / 100) s (463 / 5000000000000)",
-    "  (- cos (PI * (5 / 6))) (1 / 10) := Angle.three_balls_collapse.",
+    "  (- cos (PI * (5 / 6))) (1 / 10) := Angle.three_balls.",
 )
+#: The scenes that disperse, with the balls that collide.
+DISPERSING = {"passing": "", "parting": "01 02 01 02"}
 PARTS = ("the_nodes", "the_contexts", "the_rows", "the_citations", "the_statement")
 
 
 def conjunction(prefix: str) -> str:
     """What is said of three balls, by names with a prefix."""
     return " /\\ ".join(f"{prefix}{name}" for name in SENTENCES)
+
+
+def dispersing(name: str) -> str:
+    """What Coq proves of a scene, with its numbers as the file of the scene has them."""
+    scene = tomllib.loads((ROOT / f"scenes/{name}.toml").read_text(encoding="utf-8"))
+    r = Fraction(str(scene["r"]))
+    places, velocities = (_coordinates(scene[key]) for key in ("positions", "velocities"))
+    pairs = [(f"Theorem1.B{i}", f"Theorem1.B{j}") for i, j in DISPERSING[name].split()]
+    times = "".join(f"exists t_{n}, " for n, _ in enumerate(pairs))
+    meetings = "; ".join(f"({i}, {j}, t_{n})" for n, (i, j) in enumerate(pairs))
+    scene_ = f"(Theorem1.Scene {places} {velocities})"
+    says = f"{times}Runs.disperses 2 ({r.numerator} / {r.denominator}) {scene_} [{meetings}]"
+    proof = f"{'eexists. ' * len(pairs)}exact Scene_{name}.three_balls."
+    return f"Theorem {name} : {says}.\nProof. {proof} Qed."
+
+
+def _coordinates(rows: list[list[object]]) -> str:
+    """The function that gives each coordinate of each ball."""
+    cases = [
+        f"| Theorem1.B{ball}, {k}%nat => {'- ' * (x < 0)}({abs(x.numerator)} / {x.denominator})"
+        for ball, row in enumerate(rows)
+        for k, x in enumerate(map(Fraction, map(str, row)))
+    ]
+    return f"(fun ball k => match ball, k with {' '.join(cases)} | _, _ => 0 end)"
 
 
 def discharging() -> list[str]:
@@ -66,6 +94,10 @@ def everything(folders: list[Path]) -> str:
         "From Verify Require Theorem1 FromNumbers.",
         "Open Scope R_scope.",
         *POINTS,
+        f"From Verify Require Runs {' '.join(f'Scene_{name}' for name in DISPERSING)}.",
+        "From Coq Require Import List.",
+        "Import ListNotations.",
+        *map(dispersing, DISPERSING),
         "Definition soundness : forall S C, Checker.accepts S C = true ->",
         "  Meaning.citations_true S -> Meaning.true_statement S := Accepted.accepts_sound.",
         f"Definition theorem_1 : {conjunction('Pinned.')}",
@@ -83,7 +115,8 @@ def everything(folders: list[Path]) -> str:
         lines.append(f"Definition true_{name} : Meaning.true_statement {name}.the_statement")
         lines.append(f"  := {proof}.")
     names = "".join(f", true_{name}" for name in own)
-    main = "soundness, theorem_1, point, angle, Pinned.collapsing_scene, separatrix, discharged"
+    main = "soundness, theorem_1, point, angle, passing, parting, Pinned.collapsing_scene"
+    main += ", separatrix, discharged"
     lines.append(f"Definition everything := ({main}{names}).")
     return "\n".join([*lines, "Print Assumptions everything.", ""])
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from tests.coq.closing import unread
-from tests.coq.everything import POINTS
+from tests.coq.everything import DISPERSING, POINTS, dispersing
 from tests.coq.readback import Exported, Interner, Written
 from tests.lies.lies import honest
 from verify import check
@@ -116,13 +116,32 @@ def test_a_point_run_ends_in_a_theorem_on_three_balls(capsys: pytest.CaptureFixt
     assert main(["export", "coq", "--balls", str(path)]) == 0
     text = " ".join(capsys.readouterr().out.split())
     said = " ".join(" ".join(POINTS[:5]).partition(" : ")[2].partition(" :=")[0].split())
-    assert f"Theorem three_balls_collapse : {said}. Proof." in text
-    assert text.endswith("Qed. Print Assumptions three_balls_collapse.")
+    assert f"Theorem three_balls : {said}. Proof." in text
+    assert text.endswith("Qed. Print Assumptions three_balls.")
 
 
-@pytest.mark.parametrize("folder", ["theorem1-all", "step", "flow", "scenes/passing"])
+@pytest.mark.parametrize(
+    "folder", ["theorem1-all", "step", "flow", "scenes/in-space", "scenes/on-a-line"]
+)
 def test_other_statements_have_no_such_theorem(
     folder: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["export", "coq", "--balls", str(ROOT / "certificates" / folder)]) == 2
-    assert "does not apply the step to numbers" in capsys.readouterr().err
+    err = capsys.readouterr().err
+    reason = "no scene that disperses" if folder.startswith("scenes") else "does not apply the step"
+    assert reason in err
+    assert "Traceback" not in err
+
+
+@pytest.mark.parametrize("name", DISPERSING)
+def test_a_scene_that_disperses_ends_in_its_theorem(
+    name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["export", "coq", "--balls", str(ROOT / "certificates/scenes" / name)]) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    said = text.partition("Theorem three_balls : ")[2].partition(". Proof.")[0]
+    assert re.findall(r"B(\d), Theorem1\.B(\d), ", said) == [
+        tuple(x) for x in DISPERSING[name].split()
+    ]
+    places = dispersing(name).partition("Theorem1.Scene ")[2].partition(") (fun")[0]
+    assert f"Definition the_scene_0 : Theorem1.scene := Theorem1.Scene {places}" in text

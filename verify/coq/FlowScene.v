@@ -65,6 +65,11 @@ Lemma pair_never_meets d x i j : 1 <= square d x i j ->
   pair_ends (dot d (relative x i j) (relative x i j)) (square d x i j - 1) (rate d x i j) ->
   never_meets d x i j.
 Proof. intros S [P|[M P]]; [now apply never_by_parting | now apply never_by_passing]. Qed.
+Lemma never_by_numbers d x i j m g p : dot d (relative x i j) (relative x i j) = m ->
+  square d x i j = 1 + g -> rate d x i j = p -> 0 <= g -> pair_ends m g p -> never_meets d x i j.
+Proof.
+  intros M S P G E. apply pair_never_meets; [lra|]. rewrite M, P, S. now replace (1 + g - 1) with g by ring.
+Qed.
 
 Theorem never_again d x o i c v lam rho eps sig A B C a b w : i <> o /\ c <> o /\ i <> c ->
   gram d x o i c v lam rho eps sig A B C a b w ->

@@ -5,7 +5,7 @@
 From Coq Require Import Reals.
 From Verify Require Import Theorem1.
 From Verify Require Vectors Sequences Ending Steady OneStep Trajectory OneScene Interior InTurn Gram.
-From Verify Require Meaning Step.
+From Verify Require Meaning Step Collapse FromNumbers Runs.
 Open Scope R_scope.
 
 (* --- hard-spheres: a definition, and what it says --------------------------------------------- *)
@@ -99,3 +99,19 @@ Check (OneScene.numbers_of_point_are : forall r c V_0 delta_theta, admissible r 
 Check (Interior.set_near : forall r c V_0 delta_theta, admissible r c V_0 delta_theta ->
   forall d s, Interior.inside r c V_0 delta_theta d s -> distance d s B0 B1 = 1 ->
   has_interior d (ZK r c V_0 delta_theta d)).
+
+(* --- what is said of a point run, and of a scene that disperses --------------------------------- *)
+
+Check (Collapse.scene_with_constants : forall r c V_0 delta_theta d s d_0 y,
+  FromNumbers.initial_with (phi_minus r c) (x_0 r c V_0) (eta_bar r c V_0 delta_theta)
+    (d_const r c V_0 delta_theta) (d_slope r c V_0) V_0 (V_1 r c V_0)
+    (Delta_theta r c V_0 delta_theta) c d s d_0 y <-> initial r c V_0 delta_theta d s d_0 y).
+Check (fun d r s z => eq_refl : Runs.run d r s nil z = (z = s)).
+Check (fun d r s i j t rest z => eq_refl : Runs.run d r s (cons (i, j, t) rest) z =
+  (i <> j /\ first_to_meet d s i j t /\ Runs.run d r (collided d r i j (later t s)) rest z)).
+Check (fun d r s t => eq_refl : Runs.motion d r s nil t = later t s).
+Check (fun d r s i j u rest t => eq_refl : Runs.motion d r s (cons (i, j, u) rest) t =
+  if Rlt_dec t u then later t s else Runs.motion d r (collided d r i j (later u s)) rest (t - u)).
+Check (fun d r s l => eq_refl : Runs.disperses d r s l =
+  ((exists z, Runs.run d r s l z /\ forall t, 0 < t -> nobody_collides d (later t z)) /\
+   forall T, trajectory d r s T (Runs.motion d r s l))).

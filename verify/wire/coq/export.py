@@ -26,7 +26,7 @@ def export(folder: check.Folder, *, ordinary: bool = False, balls: bool = False)
     more = about_balls(reading) if balls else []
     if ordinary and not balls:
         more = readable(reading, Readable(reading))
-    last = ASSUMPTIONS.replace("proved", "three_balls_collapse") if balls else ASSUMPTIONS
+    last = ASSUMPTIONS.replace("proved", "three_balls") if balls else ASSUMPTIONS
     return "\n".join((head(reading), *data(reading), *theorem(reading), *more, last))
 
 

@@ -1,8 +1,8 @@
-"""What a point run says of three balls: a theorem in Coq that follows from its certificate.
+"""What a certificate says of three balls: a theorem in Coq that follows from it.
 
-The certificate applies the step to numbers. `verify/coq/FromNumbers.v` proves for all numbers that
-satisfy what the step needs that the balls collapse. The theorem is written with the numbers as the
-statement has them; Coq compares them by conversion.
+That of a point run applies the step to numbers. `verify/coq/FromNumbers.v` proves for all numbers
+that satisfy what the step needs that the balls collapse. The theorem is written with the numbers as
+the statement has them; Coq compares them by conversion.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 from verify import check
 from verify.wire.coq.readable import Readable, readable
 from verify.wire.coq.reading import NotAcceptedError, Reading
+from verify.wire.coq.scene import about_scene
 
 #: What the set is described by, in the order of ``initial_with`` in FromNumbers.v.
 DESCRIBED = (
@@ -33,11 +34,15 @@ Qed."""
 
 
 def about_balls(reading: Reading) -> list[str]:
-    """What is added to the exported file.
+    """What is added to the exported file; the last lines are the theorem.
 
     Raises:
-        NotAcceptedError: for a statement that does not apply the step to numbers.
+        NotAcceptedError: for a statement that is neither a point run nor a scene that disperses.
     """
+    return about_scene(reading) if reading.theorem == "scene" else _about_point(reading)
+
+
+def _about_point(reading: Reading) -> list[str]:
     row, claim, at = _application(reading)
     form = Readable(reading)
     texts = {name: form.notation.term(at[name], 4) for name in (*DESCRIBED, *SAID)}
@@ -46,12 +51,12 @@ def about_balls(reading: Reading) -> list[str]:
     values["phi_minus"] = f"(Theorem1.phi_minus {values['r']} {values['c']})"
     described = " ".join(values[name] for name in DESCRIBED)
     substitution = form.numbers.substitution(claim.context, claim.at)
-    rewritten = ",\n    ".join(f"numbers_{name}" for name in (*DESCRIBED, *SAID))
+    rewritten = ",\n    ".join(f"the_{name}_is" for name in (*DESCRIBED, *SAID))
     says = form.notation.name(row.name)
     theorem = f"""
 Definition the_substitution : substitution := {substitution}%positive.
 Definition the_numbers := after the_statement (fun _ => 0) the_substitution.
-Lemma number x t : put the_substitution x = Some t ->
+Lemma the_number_is x t : put the_substitution x = Some t ->
   the_numbers x = show the_statement all_values (fun _ => 0) (read the_table 400 t).
 Proof.
   intros E. rewrite (read_right the_statement the_order the_table the_table_is _ _ all_right).
@@ -64,7 +69,7 @@ Proof.
 Qed."""
     final = f"""
 (* The theorem at these numbers: c is minus the cosine of theta_0. *)
-Theorem three_balls_collapse : forall d s d_0 y,
+Theorem three_balls : forall d s d_0 y,
   FromNumbers.initial_with {described}
     d s d_0 y ->
   Theorem1.collapse d {values["r"]} s {values["T_star"]} {values["c"]} {values["delta_theta"]}.
@@ -98,6 +103,6 @@ def _value(form: Readable, term: int) -> str:
 def _number(name: str, text: str) -> str:
     """The lemma that a number of the step is a constant of the statement."""
     return (
-        f"Lemma numbers_{name} : the_numbers Step.number_of_{name} = {text}.\n"
-        f"Proof. exact (number Step.number_of_{name} _ eq_refl). Qed."
+        f"Lemma the_{name}_is : the_numbers Step.number_of_{name} = {text}.\n"
+        f"Proof. exact (the_number_is Step.number_of_{name} _ eq_refl). Qed."
     )

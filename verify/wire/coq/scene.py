@@ -1,0 +1,316 @@
+"""What the certificate of a scene that disperses says of its three balls: a theorem in Coq.
+
+Each collision of the certificate applies the flow; `verify/coq/FlowStep.v` takes the inner products
+of the balls' places and velocities through it, and `verify/coq/Runs.v` makes a trajectory of them.
+Which ball is which is found by comparing the first numbers with the scene; Coq checks that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import permutations
+from typing import NamedTuple
+
+from verify import check
+from verify.wire.coq.readable import Readable, readable
+from verify.wire.coq.reading import NotAcceptedError, Reading
+
+#: The numbers of a state, in the order of ``gram`` in FlowStep.v.
+STATE = ("v", "lam", "rho", "eps", "sig", "A", "B", "C", "a", "b", "w")
+#: What follows them in ``flow_collision`` there, without r.
+STEP = (
+    "y", "q", "kap", "s", "T", "C_next", "lam_next", "A_next", "B_next", "a_next", "b_next",
+    "w_next", "eps_next",
+)  # fmt: skip
+PAIRS = ("01", "02", "12")
+ENDS = {"flow:parting", "flow:passing"}
+REASON = "it is no scene that disperses after collisions of one ball with the two others"
+
+HEAD = """
+(* --- three balls --- *)
+
+From Coq Require Import Lra.
+From Verify Require Theorem1 Motion Citations Flow FlowStep FlowScene Runs.
+
+Lemma the_beginning : Citations.begins Flow.the_statement the_statement
+  (Citations.size Flow.the_statement the_statement) = true.
+Proof. vm_compute. reflexivity. Qed.
+Lemma the_citations_are_true : citations_true the_statement.
+Proof.
+  apply (Citations.citations_closed
+    [(Flow.the_statement, Citations.size Flow.the_statement the_statement)]).
+  - vm_compute. reflexivity.
+  - apply Forall_cons; [exact Flow.proved | constructor].
+Qed."""
+
+
+def about_scene(reading: Reading) -> list[str]:
+    """What is added to the exported file.
+
+    Raises:
+        NotAcceptedError: for a statement that is no such scene.
+    """
+    found = reading.statement.rows.values()
+    rows = [Applied(row.name, row.claim) for row in found if isinstance(row.claim, check.Applies)]
+    contexts = [row.claim.context.name for row in rows]
+    collisions = contexts.count("flow:collision")
+    expected = ["flow:collision"] * collisions + ["flow:pairs"] * (collisions > 0)
+    if contexts[:-3] != expected or not {*contexts[-3:]} <= ENDS or len(contexts) < len(PAIRS):
+        raise NotAcceptedError(REASON)
+    return [*Scene(reading, rows[:collisions], rows[-3:]).told()]
+
+
+class Applied(NamedTuple):
+    """A row that applies a context of the flow, by its name."""
+
+    name: str
+    claim: check.Applies
+
+
+class Scene:
+    """A scene with its collisions and its three last rows."""
+
+    def __init__(self, reading: Reading, collisions: list[Applied], ends: list[Applied]) -> None:
+        self.reading, self.collisions, self.ends = reading, collisions, ends
+        self.form = Readable(reading)
+        self.places, self.velocities = self.coordinates("x"), self.coordinates("v")
+        self.dimension = len(self.places[0])
+        self.balls = self.roles()
+
+    def rational(self, name: str) -> Fraction:
+        """The number that a parameter is."""
+        kernel = self.reading.kernel
+        term = kernel.definitions.get(kernel.names.get(name, -1), -1)
+        if term < 0 or kernel.nodes[term].op != "rational":
+            raise NotAcceptedError(REASON)
+        return Fraction(*kernel.nodes[term].rest)
+
+    def coordinates(self, letter: str) -> list[list[Fraction]]:
+        """The places or the velocities."""
+        names = self.reading.kernel.names
+        axes = [k for k in range(1, 100) if f"{letter}.0.{k}" in names]
+        return [[self.rational(f"{letter}.{ball}.{k}") for k in axes] for ball in range(3)]
+
+    def roles(self) -> tuple[int, int, int]:
+        """The balls o, s and c of the first collision."""
+        if not self.collisions:
+            return 0, 1, 2
+        found = {name: self.rational(f"{name}.0") for name in STATE[1:]}
+        for o, s, c in permutations(range(3)):
+            if self.inner(o, s, c) == found:
+                return o, s, c
+        raise NotAcceptedError(REASON)
+
+    def inner(self, o: int, s: int, c: int) -> dict[str, Fraction]:
+        """The numbers of the first state, if these balls have these roles."""
+        x_s, x_c, w_s, w_c = (
+            [b - a for a, b in zip(rows[o], rows[ball], strict=True)]
+            for rows in (self.places, self.velocities)
+            for ball in (s, c)
+        )
+        return {
+            "lam": -_dot(x_c, w_c), "rho": _dot(x_s, w_s), "eps": _dot(x_c, x_c) - 1,
+            "sig": _dot(x_s, x_s) - 1, "A": _dot(w_c, w_c), "B": _dot(w_s, w_s),
+            "C": -_dot(x_s, x_c), "a": _dot(x_s, w_c), "b": _dot(x_c, w_s), "w": _dot(w_s, w_c),
+        }  # fmt: skip
+
+    def at(self, row: Applied) -> dict[str, str]:
+        """The terms for the variables of a context of the flow, in ordinary notation."""
+        items = row.claim.context.variables.items()
+        return {
+            name.rpartition(":")[2]: self.form.notation.term(row.claim.at[x], 4)
+            for name, x in items
+        }
+
+    def told(self) -> Iterator[str]:
+        """All that is added."""
+        names = [row.name for row in (*self.collisions, *self.ends)]
+        yield from readable(self.reading, self.form, names)
+        yield HEAD
+        yield self.scene()
+        o, s, c = self.balls
+        if self.collisions:
+            yield self.first()
+        for n, row in enumerate(self.collisions, 1):
+            yield self.collision(n, row, (o, s, c))
+            s, c = c, s
+        yield self.last((o, s, c))
+
+    def scene(self) -> str:
+        """The scene that is given."""
+        return f"""
+Definition the_scene_0 : Theorem1.scene := Theorem1.Scene
+  (fun ball k => match ball, k with{_cases(self.places)} | _, _ => 0 end)
+  (fun ball k => match ball, k with{_cases(self.velocities)} | _, _ => 0 end)."""
+
+    def first(self) -> str:
+        """That the numbers of the scene are the first ones."""
+        o, s, c = (f"Theorem1.B{ball}" for ball in self.balls)
+        start = self.at(self.collisions[0])
+        unfolded = ", ".join(start[name] for name in STATE[1:])
+        return f"""
+Lemma the_seen_0 : FlowStep.gram {self.dimension} the_scene_0 {o} {s} {c}
+  {" ".join(start[name] for name in STATE)}.
+Proof.
+  split; unfold the_scene_0, Theorem1.to, Theorem1.relative, {unfolded};
+    cbn [Theorem1.dot Theorem1.position Theorem1.velocity]; field.
+Qed.
+Lemma the_apart_0 : 0 < {start["eps"]}.
+Proof. unfold {start["eps"]}. lra. Qed."""
+
+    def substitution(self, n: str, row: Applied) -> str:
+        """The numbers to which a row applies the flow."""
+        text = self.form.numbers.substitution(row.claim.context, row.claim.at)
+        return f"""
+Definition the_at_{n} : substitution := {text}%positive.
+Lemma the_numbers_{n} x t : put the_at_{n} x = Some t ->
+  after the_statement (fun _ => 0) the_at_{n} x =
+  show the_statement all_values (fun _ => 0) (read the_table 400 t).
+Proof.
+  intros E. rewrite (read_right the_statement the_order the_table the_table_is _ _ all_right).
+  unfold after. now rewrite E.
+Qed."""
+
+    def certified(self, row: Applied, number: int, n: str) -> str:
+        """The values satisfy what a context of the flow asks for."""
+        return (
+            f"(FlowScene.scope_of_row the_statement {number} the_at_{n} the_beginning eq_refl\n"
+            f"    ({self.form.notation.name(row.name)} the_citations_are_true))"
+        )
+
+    def collision(self, n: int, row: Applied, balls: tuple[int, int, int]) -> str:
+        """One collision: what the certificate says, the scene after it, and its numbers."""
+        o, s, c = (f"Theorem1.B{ball}" for ball in balls)
+        here, d, before = self.at(row), self.dimension, n - 1
+        values = " ".join(here[name] for name in ("r", *STATE, *STEP))
+        rewritten = ",\n    ".join(
+            f"(the_numbers_{n} Flow.number_of_{name} _ eq_refl)"
+            for name in ("r", "v_", *STATE[1:], *STEP)
+        )
+        rho = f"({here['r']} * {here['s']})"
+        after = (here["y"], here["lam_next"], rho, here["eps_next"], "0")
+        state = " ".join((*after, *(here[f"{name}_next"] for name in STATE[5:])))
+        here_too = f"repeat split; discriminate | exact the_seen_{before}"
+        given = f"exact the_certified_{n} | exact the_later_{n} | {here_too}"
+        return f"""{self.substitution(str(n), row)}
+Lemma the_certified_{n} : FlowStep.flow_collision {values}.
+Proof.
+  pose proof (FlowScene.collision_certified _ {self.certified(row, 1, str(n))}) as A.
+  rewrite {rewritten} in A. exact A.
+Qed.
+Lemma the_later_{n} : 0 < {here["kap"]}.
+Proof. eapply FlowStep.kap_positive; [exact the_certified_{n} | exact the_apart_{before}]. Qed.
+Definition the_time_{n} : R := FlowStep.flight_time {here["y"]} {here["T"]}.
+Definition the_scene_{n} : Theorem1.scene :=
+  Theorem1.collided {d} {here["r"]} {o} {c} (Theorem1.later the_time_{n} the_scene_{before}).
+Lemma the_meets_{n} : Theorem1.first_to_meet {d} the_scene_{before} {o} {c} the_time_{n}.
+Proof. eapply FlowStep.flow_meets with (i := {s}); [{given}]. Qed.
+Lemma the_seen_{n} : FlowStep.gram {d} the_scene_{n} {o} {c} {s} {state}.
+Proof. eapply FlowStep.flow_next; [exact the_certified_{n} | {here_too}]. Qed.
+Lemma the_clear_{n} : 1 <= Motion.square {d} the_scene_{n} {o} {c} /\\
+  1 <= Motion.square {d} the_scene_{n} {o} {s} /\\ 1 <= Motion.square {d} the_scene_{n} {c} {s}.
+Proof.
+  eapply FlowStep.flow_apart_after;
+    [exact the_certified_{n} | exact the_later_{n} | exact the_seen_{before}].
+Qed.
+Lemma the_apart_{n} : 0 < {here["eps_next"]}.
+Proof. apply the_certified_{n}. Qed."""
+
+    def last(self, balls: tuple[int, int, int]) -> str:
+        """No pair meets again, and the theorem."""
+        n, d = len(self.collisions), self.dimension
+        texts = "".join(self.end(i, row) for i, row in enumerate(self.ends))
+        meetings, roles = [], list(self.balls)
+        for i in range(1, n + 1):
+            meetings.append(f"(Theorem1.B{roles[0]}, Theorem1.B{roles[2]}, the_time_{i})")
+            roles[1:] = reversed(roles[1:])
+        kernel = self.reading.kernel
+        r = self.form.notation.term(kernel.definitions[kernel.names["r"]], 4)
+        steps = (f"split; [discriminate|]. split; [exact the_meets_{i}|]." for i in range(1, n + 1))
+        again = self.by_state(balls) if n else self.by_numbers(balls)
+        return f"""{texts}
+Lemma the_end : forall t, 0 < t -> Theorem1.nobody_collides {d} (Theorem1.later t the_scene_{n}).
+Proof.{again}
+Qed.
+
+(* {len(self.collisions)} collisions, and then none. *)
+Theorem three_balls : Runs.disperses {d} {r} the_scene_0
+  [{"; ".join(meetings)}].
+Proof.
+  refine (Runs.run_disperses {d} {r} the_scene_0 _ the_scene_{n} _ the_end). cbn [Runs.run].
+  {" ".join(steps)} reflexivity.
+Qed."""
+
+    def pairs(self, balls: tuple[int, int, int]) -> Iterator[tuple[str, int]]:
+        """The pairs o-s, o-c and s-c by name, each with the number of its last row."""
+        o, s, c = balls
+        rows = [row.name.rpartition(".")[2] for row in self.ends]
+        for pair in ((o, s), (o, c), (s, c)):
+            name = "".join(map(str, sorted(pair)))
+            yield name, rows.index(name)
+
+    def by_state(self, balls: tuple[int, int, int]) -> str:
+        """That no pair meets again after the last collision."""
+        n, names = len(self.collisions), " ".join(f"Theorem1.B{ball}" for ball in balls)
+        order = " | ".join(f"apply the_ends_{i}" for _, i in self.pairs(balls))
+        return f"""
+  eapply (FlowScene.never_again {self.dimension} the_scene_{n} {names});
+    [repeat split; discriminate | exact the_seen_{n} | | {order}].
+  destruct the_clear_{n} as (A & B & C). auto."""
+
+    def by_numbers(self, balls: tuple[int, int, int]) -> str:
+        """That no pair of the given scene ever meets."""
+        names = " ".join(f"Theorem1.B{ball}" for ball in balls)
+        begun = f"""
+  apply (Runs.never_any {self.dimension} the_scene_0 {names});
+    [repeat split; discriminate | | | ]."""
+        return begun + "".join(self.never(pair, i) for pair, i in self.pairs(balls))
+
+    def never(self, pair: str, i: int) -> str:
+        """That a pair of the given scene never meets."""
+        term, names = self.form.notation.term, self.reading.kernel.names
+        m, g, p = (term(names[f"{letter}.{pair}.0"], 4) for letter in "mgp")
+        return f"""
+  - apply FlowScene.never_by_numbers with (m := {m}) (g := {g}) (p := {p});
+      [ | | | | apply the_ends_{i}]; unfold {m}, {g}, {p}, the_scene_0, Motion.square,
+      Theorem1.rate, Theorem1.to, Theorem1.relative;
+    cbn [Theorem1.dot Theorem1.position Theorem1.velocity]; lra."""
+
+    def end(self, i: int, row: Applied) -> str:
+        """What the row says of a pair."""
+        kind = row.claim.context.name.removeprefix("flow:")
+        number = {"parting": 9, "passing": 11}[kind]
+        here = self.at(row)
+        p = here[f"{kind}.p"]
+        says = f"forall m g, FlowScene.pair_ends m g {p}"
+        intros, more, names = "intros m g. ", " m g", ["p"]
+        if kind == "passing":
+            says = f"FlowScene.pair_ends {here['passing.m']} {here['passing.g']} {p}"
+            intros, more, names = "", "", ["m", "g", "p"]
+        good = self.certified(row, number, f"end_{i}")
+        numbers = (f"(the_numbers_end_{i} Flow.number_of_{kind}_{x} _ eq_refl)" for x in names)
+        return f"""{self.substitution(f"end_{i}", row)}
+Lemma the_ends_{i} : {says}.
+Proof.
+  {intros}pose proof (FlowScene.{kind}_certified _ {good}{more}) as A.
+  rewrite {", ".join(numbers)} in A. exact A.
+Qed."""
+
+
+def _dot(u: list[Fraction], v: list[Fraction]) -> Fraction:
+    return sum((a * b for a, b in zip(u, v, strict=True)), Fraction(0))
+
+
+def _cases(rows: list[list[Fraction]]) -> str:
+    """The coordinates, each as a case of a match."""
+    return "".join(
+        f"\n    | Theorem1.B{ball}, {k}%nat => {_number(x)}"
+        for ball, row in enumerate(rows)
+        for k, x in enumerate(row)
+    )
+
+
+def _number(x: Fraction) -> str:
+    sign = "- " if x < 0 else ""
+    return f"{sign}({abs(x.numerator)} / {x.denominator})"

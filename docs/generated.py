@@ -19,10 +19,14 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+from verify.check_map import GIVEN
 from verify.cli import _EXIT_CODES, COMMANDS
 from verify.cli.options import Parser
+from verify.language.statement import NEEDED
 from verify.paper.glossary import LETTERS
+from verify.paper.in_coq import IN_COQ
 from verify.paper.theorem1 import theorem
+from verify.views.words import DEFINITION
 
 ROOT = Path(__file__).resolve().parent.parent
 MARK = re.compile(r"^<!-- generated: (\w+) -->$", re.MULTILINE)
@@ -157,9 +161,89 @@ def remarks() -> str:
 def assumptions() -> str:
     """The sentences that the verdict at the point rests on."""
     return table(
-        ("Name", "Kind", "Sentence"),
-        ([f"`{a['name']}`", a["kind"], escaped(a["statement"])] for a in point()["assumptions"]),
+        ("Name", "Kind", "Sentence", "In Coq"),
+        (
+            [f"`{a['name']}`", a["kind"], escaped(a["statement"]), _theorems(a["name"])]
+            for a in point()["assumptions"]
+        ),
     )
+
+
+def _theorems(name: str) -> str:
+    """What a sentence of the step is in Coq."""
+    return ", ".join(f"`{theorem}`" for theorem in IN_COQ["step"][name])
+
+
+#: What one runs, the folder with a statement of that kind, and the judge.
+RUNS = {
+    "theorem1 --r R": ("theorem1-r-3-100", "`check.py` with `--out`, else FLINT at a point"),
+    "theorem1 --all": ("theorem1-all", "`check.py`"),
+    "scene: collapses": ("scenes/in-space", "`check.py` with `--out`, else FLINT at a point"),
+    "scene: disperses": ("scenes/passing", "the same"),
+    "scene: finite": ("scenes/on-a-line", "the same"),
+    "map": ("", "`check_map.py`"),
+    "spectrum": ("spectrum", "`check.py`"),
+    "classification": ("classification", "`check.py`"),
+    "separatrix --all": ("separatrix", "`check.py`"),
+    "the sandwich theorem": ("sandwich", "`check.py`"),
+    "the printed set": ("printed-set", "`check.py`"),
+}
+
+
+def believed_and_proved() -> str:
+    """For what one runs: who judges, what is believed, and what Coq proves of that."""
+    accepted = {item["folder"] for item in in_coq()["certificates"]}
+    rows = []
+    for name, (folder, judge) in RUNS.items():
+        folders = [folder] if folder else [*GIVEN]
+        found: dict[str, bool] = {}
+        for text, proved in (pair for one in folders for pair in sentences_of(one)):
+            found[text] = found.get(text, True) and proved
+        checked = {f"certificates/{one}" for one in folders} <= accepted
+        answer = ("yes" if folder else "the theorems, not the log") if checked else "no"
+        rows.append([
+            name, judge, answer,
+            ", ".join(text for text, proved in found.items() if proved and "(" not in text) or "–",
+            ", ".join(text for text, proved in found.items() if not proved or "(" in text) or "–",
+        ])  # fmt: skip
+    head = ("What you run", "Judge", "Accepted by Coq", "Sentences proved in Coq", "Believed")
+    return table(head, rows)
+
+
+@cache
+def in_coq() -> Any:
+    """The record of what Coq has checked."""
+    return json.loads((ROOT / "verify/data/coq.json").read_text(encoding="utf-8"))
+
+
+@cache
+def statements() -> dict[str, Any]:
+    """The committed statements by their folders."""
+    paths = (ROOT / "certificates").rglob("statement.json")
+    return {
+        str(path.parent.relative_to(ROOT / "certificates")): json.loads(path.read_bytes())
+        for path in paths
+    }
+
+
+def sentences_of(folder: str) -> list[tuple[str, bool]]:
+    """What the needed rows of a statement take on trust, there and in what it cites.
+
+    With each sentence comes whether Coq has it; beside a definition stands that it is one.
+    """
+    statement = statements()[folder]
+    needed = (row for row in statement["obligations"] if row["role"] == NEEDED)
+    used = {name for row in needed for name in row["uses"]}
+    used |= {given["assumption"] for c in statement["contexts"] for given in c["givens"]}
+    known = IN_COQ.get(statement["theorem"], {})
+    own = [
+        (name + f" ({DEFINITION})" * (one["kind"] == DEFINITION), name in known)
+        for one in statement["assumptions"]
+        if (name := one["name"]) in used
+    ]
+    cited = [cite["theorem"] for cite in statement["cites"]]
+    inner = (f for f, other in statements().items() if other["theorem"] in cited and "/" not in f)
+    return [*own, *(pair for one in inner for pair in sentences_of(one))]
 
 
 def letters() -> str:
@@ -318,6 +402,7 @@ def imports() -> str:
 FRAGMENTS: dict[str, Callable[[], str]] = {
     function.__name__: function
     for function in (
+        believed_and_proved,
         *(row_counts, defects, changes, causes, remarks, assumptions, letters, exit_codes),
         *(commands, schemas, law, precision, equal_width, double_verdicts, house, imports),
     )

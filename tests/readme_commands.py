@@ -9,11 +9,13 @@ In a block ``sh`` the lines that begin with ``verify`` or ``python3 -I`` are run
 the lines below it, where a line ``...`` stands for any lines and ``...`` in a line for any text;
 ``$ echo $?`` shows the exit code of the command before. A block ``code-block`` with a caption is a
 file of that name, which the reader writes. The sessions of a page share one folder, in which
-``certificates`` and ``verify`` are those of the repository.
+``certificates`` and ``verify`` are those of the repository. A notebook is run without Jupyter: its
+commands, its files, its programs, and that the pictures which it shows are there.
 """
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shlex
@@ -59,7 +61,35 @@ Step = File | Command
 
 def pages() -> list[Path]:
     """The pages whose commands are run."""
-    return [*(ROOT / page for page in PAGES), *sorted((ROOT / "docs").rglob("*.md"))]
+    found = [path for kind in ("*.md", "*.ipynb") for path in sorted((ROOT / "docs").rglob(kind))]
+    return [*(ROOT / page for page in PAGES), *found]
+
+
+def steps_on(page: Path) -> Iterator[Step]:
+    """What a reader of a page or of a notebook does, in order."""
+    text = page.read_text(encoding="utf-8")
+    if page.suffix != ".ipynb":
+        yield from steps_of(text)
+        return
+    for number, cell in enumerate(json.loads(text)["cells"]):
+        if cell["cell_type"] == "code":
+            shown = "".join(output.get("text", "") for output in cell["outputs"])
+            yield from steps_of_cell(cell["source"], shown, f"cell-{number}.py")
+
+
+def steps_of_cell(source: str, shown: str, name: str) -> Iterator[Step]:
+    """A cell is a file with its content, a command, a picture, or else a program."""
+    picture = re.search(r'^SVG\("(.*)"\)$', source, re.MULTILINE)
+    if source.startswith("%%writefile "):
+        file, _, content = source.removeprefix("%%writefile ").partition("\n")
+        yield File(file, content)
+    elif source.startswith("!"):
+        yield Command(source[1:], shown=shown)
+    elif picture:
+        yield Command(f"test -s {picture[1]}")
+    else:
+        yield File(name, source)
+        yield Command(f"python {name}", shown=shown)
 
 
 def steps_of(text: str) -> Iterator[Step]:
@@ -123,7 +153,7 @@ def followed(page: Path, place: Path, environment: Mapping[str, str]) -> Iterato
     """Does what a page says, in an empty folder; yields what goes wrong."""
     for name in ("certificates", "verify"):
         (place / name).symlink_to(ROOT / name)
-    for number, step in enumerate(steps_of(page.read_text(encoding="utf-8"))):
+    for number, step in enumerate(steps_on(page)):
         if isinstance(step, File):
             (place / step.name).write_text(step.text, encoding="utf-8")
             continue

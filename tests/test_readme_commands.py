@@ -17,13 +17,15 @@ from tests.readme_commands import (
     is_shown,
     pages,
     steps_of,
+    steps_of_cell,
+    steps_on,
     to_run,
 )
 from verify.cli import COMMANDS
 
 
 def steps() -> list[Command | File]:
-    return [step for page in pages() for step in steps_of(page.read_text(encoding="utf-8"))]
+    return [step for page in pages() for step in steps_on(page)]
 
 
 #: What `.ci/run` does itself.
@@ -56,6 +58,14 @@ def test_a_session_has_files_outputs_and_exit_codes() -> None:
     assert second == Command("ls", 0, "")
 
 
+def test_a_notebook_has_files_commands_pictures_and_programs() -> None:
+    assert list(steps_of_cell("%%writefile a.toml\nr = 1", "", "c.py")) == [File("a.toml", "r = 1")]
+    assert list(steps_of_cell("!ls", "a\n", "c.py")) == [Command("ls", 0, "a\n")]
+    assert list(steps_of_cell('SVG("a.svg")', "", "c.py")) == [Command("test -s a.svg")]
+    program = [File("c.py", "print(1)"), Command("python c.py", 0, "1\n")]
+    assert list(steps_of_cell("print(1)", "1\n", "c.py")) == program
+
+
 @pytest.mark.parametrize(
     ("shown", "printed", "same"),
     [
@@ -84,7 +94,7 @@ def test_a_wrong_end_is_seen() -> None:
 
 
 @pytest.mark.parametrize(
-    "page", sorted((ROOT / "docs/tutorials").glob("*.md")), ids=lambda p: p.stem
+    "page", sorted((ROOT / "docs/tutorials").glob("*.[mi]*")), ids=lambda p: p.name
 )
 def test_a_tutorial_shows_what_happens(page: Path, tmp_path: Path) -> None:
     path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"

@@ -241,6 +241,14 @@ def test_branches_have_hypotheses() -> None:
     assert bill_of(pair, "cases") == [(0, 2 * 3 + 1)] * 3
 
 
+def test_what_is_proved_in_between_is_a_hypothesis() -> None:
+    claim = ["<=", "x", "3"]
+    inner = {"rule": "have", "claim": claim, "branches": [BOUNDS, BOUNDS]}
+    outer = {"rule": "have", "claim": claim, "branches": [inner, inner]}
+    pair = box(("0", "1")).row("row", "x <= 2", cuts("x", ["1/2"], inner, outer), "box")
+    assert bill_of(pair, "have") == [(0, 2 + n) for n in (1, 1, 1, 2)]
+
+
 def test_an_entry_is_looked_for() -> None:
     for n in (1, 15, 16, 47):
         entries = [str(i) for i in range(48)]

@@ -107,6 +107,18 @@ def test_the_given_has_to_hold_where_it_starts() -> None:
     assert "expected <= between them" in found
 
 
+def test_the_given_has_to_hold_where_it_starts_from_above() -> None:
+    """For x <= 0 the slope 2x is <= 0, which says nothing of what is between 0 and 1."""
+    pair = Pair().context("c", {"x": "-1"}, {"high": "x <= 0"})
+    sign = total("goal", ["mul", "2", "high"])
+    order = total("goal", "high", "1")
+    proof = derivative("2*x", sign, order, INTERVAL, at="1", side="below")
+    assert "expected <= between them" in verdict(pair.row("row", "1 <= x**2", proof, "c"))
+    pair = Pair().context("c", {"x": "-1"}, {"high": "x <= 0"})
+    good = derivative("2*x", sign, "high", INTERVAL, side="below")
+    assert verdict(pair.row("row", "0 <= x**2", good, "c")) == "proved"
+
+
 def test_hypotheses_count_as_givens() -> None:
     """In the branch x >= 1 the slope x - 1 is >= 0, which says nothing of what is below 1."""
     slope = "2*x - 2"

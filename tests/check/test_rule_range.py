@@ -54,5 +54,12 @@ def test_ranges(claim: str, found: str) -> None:
     assert found in verdict(pair.row("row", claim, RANGE, "c"))
 
 
+@pytest.mark.parametrize("claim", ["x < 3", "3 < x", "x < p", "p < x", "x < 1", "1 < x"])
+def test_the_first_terms_of_a_statement_are_no_ends(claim: str) -> None:
+    """Neither 3, which is the first term of this statement, nor p, which is the second."""
+    pair = Pair().parameter("p", "3").context("c", {"x": "1"}, {})
+    assert WRONG in verdict(pair.row("row", claim, RANGE, "c"))
+
+
 def test_without_variables() -> None:
     assert ground("0 < exp(-10**999)", RANGE) == "proved"

@@ -70,6 +70,11 @@ DEFINITIONS = {
     ),
     "determined": Definition("Theorem1", "t < T' -> Z t = Z' t", "t < T' -> Z t = Z t"),
     "no-interior": Definition("Theorem1", "exists s e, 0 < e /\\", "exists s e,"),
+    "flat-box": Definition(
+        "Theorem1", "position low i k < position high i k",
+        "position low i k <= position high i k",
+    ),
+    "empty-box": Definition("Theorem1", "in_box low high s -> set s", "in_box low high s -> True"),
     "nothing-near": Definition("Theorem1", "close e s s' -> set s'", "close e s s' -> set s"),
     "another-set": Definition("Theorem1", "0 < v <= u ->", "0 < v < u ->"),
     "denominator": Definition("Theorem1", "0 < 1 - h_5 r c", "0 <= 1 - h_5 r c"),

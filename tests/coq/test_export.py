@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from tests.coq.closing import unread
+from tests.coq.everything import POINTS
 from tests.coq.readback import Exported, Interner, Written
 from tests.lies.lies import honest
 from verify import check
@@ -108,3 +109,20 @@ def test_the_readable_form_has_a_lemma_for_every_row(capsys: pytest.CaptureFixtu
             found = [lemma for lemma in lemmas if lemma.rstrip("_").removeprefix("its_") == name]
             assert len(found) == (not undecided), row["name"]
             assert not undecided or f"{row['name']} is undecided" in text
+
+
+def test_a_point_run_ends_in_a_theorem_on_three_balls(capsys: pytest.CaptureFixture[str]) -> None:
+    path = ROOT / "certificates/theorem1-r-3-100"
+    assert main(["export", "coq", "--balls", str(path)]) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    said = " ".join(" ".join(POINTS[:5]).partition(" : ")[2].partition(" :=")[0].split())
+    assert f"Theorem three_balls_collapse : {said}. Proof." in text
+    assert text.endswith("Qed. Print Assumptions three_balls_collapse.")
+
+
+@pytest.mark.parametrize("folder", ["theorem1-all", "step", "flow", "scenes/passing"])
+def test_other_statements_have_no_such_theorem(
+    folder: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["export", "coq", "--balls", str(ROOT / "certificates" / folder)]) == 2
+    assert "does not apply the step to numbers" in capsys.readouterr().err

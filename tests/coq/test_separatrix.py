@@ -24,7 +24,8 @@ def test_the_theorem_is_what_the_page_says() -> None:
     assert "Definition separatrix_theorem : Prop :=\n  forall r a rho s, 0 < r < 1 ->" in PAGE
     last = (SOURCES / "SeparatrixProof.v").read_text()
     assert "Lemma separatrix : separatrix_theorem.\nProof.\n" in last
-    assert last.endswith("Qed.\nPrint Assumptions separatrix.\n")
+    assert "\nCheck (separatrix : separatrix_theorem).\n" in last
+    assert last.endswith(").\nPrint Assumptions separatrix.\n")
 
 
 def test_the_proof_uses_no_certificate() -> None:

@@ -622,6 +622,146 @@ def equations_that_replace_in_each_proof() -> Pair:
     return filled(true(pair), lambda i: lemma(i, ["<=", "c100", "c100"], proof))
 
 
+# --- exp, log, sin, atan and roots ---------------------------------------------------------------
+
+
+def enclosures(make: Callable[[int], Any], bits: int) -> Pair:
+    """As many rows as there is room for, each of another number; all but the first are false."""
+    proof = interval(bits=bits)
+    return filled(true(Pair()), lambda i: lemma(i, ["<", make(i), "-9"], proof))
+
+
+@heavy
+def exponentials_at_full_precision() -> Pair:
+    return enclosures(lambda i: ["exp", f"{i}/7"], 65536)
+
+
+@heavy
+def logarithms_at_full_precision() -> Pair:
+    return enclosures(lambda i: ["log", f"{i + 2}/7"], 65536)
+
+
+@heavy
+def inverse_tangents_at_full_precision() -> Pair:
+    return enclosures(lambda i: ["atan", f"{i}/7"], 65536)
+
+
+@heavy
+def sines_at_a_thousand_bits() -> Pair:
+    return enclosures(lambda i: ["sin", f"{i}/7"], 1000)
+
+
+@heavy
+def logarithms_at_few_bits() -> Pair:
+    return enclosures(lambda i: ["log", f"{i + 2}/7"], 2)
+
+
+@heavy
+def exponentials_of_towers() -> Pair:
+    return enclosures(lambda i: ["exp", tower("10", ["9"] * (i % 40))], 64)
+
+
+@heavy
+def exponentials_of_negative_towers() -> Pair:
+    return enclosures(lambda i: ["exp", ["neg", tower("10", ["9"] * (i % 40))]], 64)
+
+
+@heavy
+def exponentials_of_exponentials() -> Pair:
+    pair = true(Pair())
+    pair.terms = {"t0": ["exp", "1/3"]} | {f"t{i + 1}": ["exp", f"t{i}"] for i in range(400)}
+    return filled(pair, lambda i: lemma(i, ["<", f"t{i % 400}", "-9"], interval(bits=64 + i)))
+
+
+@heavy
+def sines_of_towers() -> Pair:
+    return enclosures(lambda i: ["sin", tower("10", ["9"] * (i % 40))], 64)
+
+
+@heavy
+def logarithms_of_towers() -> Pair:
+    return enclosures(lambda i: ["log", tower(f"{i + 3}/{i + 2}", ["99"] * (i % 40))], 64)
+
+
+@heavy
+def inverse_tangents_of_long_numbers() -> Pair:
+    return enclosures(lambda i: ["atan", f"{BIG[:-4]}{i % 10000:04}/{BIG[:-1]}1"], 64)
+
+
+@heavy
+def roots_of_high_degree_at_full_precision() -> Pair:
+    return enclosures(lambda i: ["root", f"{i}/7", "99"], 65536)
+
+
+@heavy
+def roots_of_towers() -> Pair:
+    return enclosures(lambda i: ["root", tower(f"{i + 3}/{i + 2}", ["99"] * (i % 9)), "97"], 64)
+
+
+def slopes(pair: Pair, last: str, slope: Any = "1") -> Pair:
+    """A proof by the sign of the derivative for each bound of a term; no derivative is right."""
+
+    def step(i: int) -> dict[str, Any]:
+        fields = {"variable": "x", "at": f"{i}/7", "side": "above", "strict": "start"}
+        proof = {
+            "rule": "derivative", **fields, "term": slope, "start": INTERVAL, "order": "low",
+            "sign": INTERVAL, "bounds": [INTERVAL],
+        }  # fmt: skip
+        return lemma(i, ["<=", f"{i}/9", last], proof, "c")
+
+    return filled(true(pair), step)
+
+
+@heavy
+def derivatives_of_a_chain_of_exponentials() -> Pair:
+    pair = Pair().context("c", {"x": "1"}, {"low": "0 <= x"})
+    pair.terms = {"t0": ["exp", "x"]} | {f"t{i + 1}": ["exp", f"t{i}"] for i in range(190)}
+    return slopes(pair, "t190")
+
+
+@heavy
+def derivatives_of_repeated_squares() -> Pair:
+    pair = Pair().context("c", {"x": "1"}, {"low": "0 <= x"})
+    pair.terms = {"t0": ["add", "x", "1"]} | {
+        f"t{i + 1}": ["mul", f"t{i}", f"t{i}"] for i in range(190)
+    }
+    return slopes(pair, "t190")
+
+
+@heavy
+def derivatives_of_repeated_quotients() -> Pair:
+    pair = Pair().context("c", {"x": "1"}, {"low": "0 <= x"})
+    pair.terms = {"t0": ["add", "x", "1"]} | {
+        f"t{i + 1}": ["div", f"t{i}", ["add", f"t{i}", "1"]] for i in range(190)
+    }
+    return slopes(pair, "t190")
+
+
+@heavy
+def derivatives_through_many_definitions() -> Pair:
+    pair = Pair().context("c", {"x": "1"}, {"low": "0 <= x"})
+    for i in range(300):
+        pair.define(f"d{i}", ["mul", "x", f"d{i - 1}"] if i else ["mul", "x", "x"], INTERVAL, "c")
+    return slopes(pair, "d299")
+
+
+@heavy
+def laws_of_long_products() -> Pair:
+    product = ["mul", *["2"] * 2]
+    for _ in range(90):
+        product = ["mul", product, "2"]
+    claim = ["=", ["log", product], ["add", ["log", product], ["log", "2"]]]
+    return filled(true(Pair()), lambda i: lemma(i, claim, {"rule": "law"}))
+
+
+@heavy
+def claims_in_between_inside_of_one_another() -> Pair:
+    proof: Any = INTERVAL
+    for i in range(20):
+        proof = {"rule": "have", "claim": ["<", str(i), str(i + 1)], "branches": [INTERVAL, proof]}
+    return filled(true(Pair()), lambda i: lemma(i, ["<", f"{i}/7", "-1"], proof))
+
+
 @heavy
 def very_many_small_steps() -> Pair:
     return filled(true(Pair()), lambda i: lemma(i, ["<", "1", "2"], {"rule": "root"}))

@@ -18,6 +18,7 @@ from verify.language.statement import (
     BREAKS,
     HARMLESS,
     NEEDED,
+    OTHERWISE,
     PRINTED,
     PROVED,
     REFUTED,
@@ -93,7 +94,7 @@ def test_severity_and_correction_stand_on_misprints_only() -> None:
             assert row.role == PRINTED
             assert row.severity in SEVERITIES
             assert row.corrected_by in names
-            assert roles[row.corrected_by] == NEEDED
+            assert roles[row.corrected_by] == (PRINTED if row.severity == OTHERWISE else NEEDED)
 
 
 def test_assumptions_have_a_kind_and_are_used() -> None:

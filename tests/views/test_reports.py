@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import pytest
 
@@ -25,7 +26,7 @@ def point() -> Outcome:
     return theorem1.decide_point(parameters("3/100", "1"))
 
 
-@pytest.mark.parametrize("view", [report, part])
+@pytest.mark.parametrize("view", [report, partial(part, full=True)])
 @pytest.mark.parametrize("decide", [point, spectrum.decide_spectrum])
 def test_a_view_does_not_see_whether_an_outcome_is_fresh(
     decide: Callable[[], Outcome], view: Callable[[Outcome, Publication], str]

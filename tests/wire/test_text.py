@@ -31,7 +31,14 @@ from verify.language.terms import (
 )
 from verify.wire.inputs import InputError
 from verify.wire.questions import decide, read_questions
-from verify.wire.text.infix import known_names, read_claims, read_term, term_text
+from verify.wire.text.infix import (
+    claim_text,
+    known_names,
+    read_claims,
+    read_givens,
+    read_term,
+    term_text,
+)
 from verify.wire.text.letters import letter_of
 from verify.wire.text.read_page import read_page
 from verify.wire.text.write_page import page_text
@@ -410,3 +417,14 @@ def test_cited_constants_are_known(tmp_path: Path) -> None:
     )
     assert main(["prove", str(second), "--out", str(out)]) == 0
     assert main(["check", str(out)]) == 0
+
+
+def test_a_bound_of_a_modulus_is_two_givens_where_it_is_written_as_one() -> None:
+    names = known_names(["x"])
+    assert [claim_text(c) for c in read_givens("f", "|x - 1| <= 1/2", names)] == [
+        "-1/2 <= x - 1",
+        "x - 1 <= 1/2",
+    ]
+    assert len(read_givens("f", "2 > |x| > 1", names)) == 3
+    assert len(read_givens("f", "max(x, -x) <= 1", names)) == 1
+    assert len(read_givens("f", "|x| + 1 <= 2", names)) == 1

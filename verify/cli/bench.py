@@ -11,12 +11,18 @@ from verify.cli.steps import Steps
 def add_arguments(parser: Parser) -> None:
     """The options."""
     columns.add_arguments(parser, "bench")
+    parser.flag("--peers", text="only the table of Z3 and cvc5 on public sets")
 
 
 def run(options: Options) -> int:
     """Measure, print the tables, and return 0."""
+    test_folder("--out", options.out, "bench.json")
+    if options.peers:
+        from verify.measure.peers import peers_table  # loads what decides statements
+
+        columns.publish("bench", {"peers": peers_table(options.quick)}, options)
+        return 0
     from verify.measure import bench  # loads mpmath
 
-    test_folder("--out", options.out, "bench.json")
     columns.publish("bench", bench.run_benchmarks(options.quick, Steps(bench.STEPS)), options)
     return 0

@@ -87,7 +87,10 @@ def _point(options: Options) -> Outcome | None:
         for name in (name for name, value in given.items() if value is not None):
             raise InputError(f"{name}: is for a point; write --r too")
         return None
-    from verify.cli.theorem1 import DEFAULTS, read_parameters  # loaded only where they are used
+    from verify.cli.theorem1_point import (
+        DEFAULTS,
+        read_parameters,
+    )  # loaded only where they are used
     from verify.paper.commands.theorem1 import decide_point
 
     values = {field(name): value for name, value in given.items() if value is not None}

@@ -19,6 +19,7 @@ def add_arguments(parser: Parser) -> None:
     parser.place("folder", "a folder with a statement and its certificate")
     text = "also every constant as a definition, and every row as a lemma in ordinary notation"
     parser.flag("--readable", text=text)
+    parser.flag("--balls", text="end with the theorem on three balls: a point run of theorem1")
 
 
 def run(options: Options) -> int:
@@ -35,7 +36,7 @@ def run(options: Options) -> int:
     from verify.wire.coq.reading import NotAcceptedError
 
     try:
-        text = export(folder, ordinary=options.readable)
+        text = export(folder, ordinary=options.readable, balls=options.balls)
     except NotAcceptedError as error:
         what = "cannot be exported"
         reason = " ".join(str(error).split())[:300]
@@ -49,6 +50,8 @@ def _print_page(folder: Folder, options: Options) -> int:
     from verify.wire.questions import read_questions  # loaded only where they are used
     from verify.wire.text.write_page import page_text
 
+    if options.balls:
+        raise InputError("--balls: leave it out with text, which has no proofs")
     if options.readable:
         raise InputError("--readable: leave it out with text, which is readable")
     cited = {sha256(content).hexdigest(): content for content in folder.cited}

@@ -10,7 +10,7 @@ from verify.cli import claims
 from verify.cli.files import print_document, progress, test_folder, write_certificate, write_file
 from verify.cli.options import Options
 from verify.cli.terminal import show
-from verify.cli.theorem1 import DEFAULTS, POINT_OPTIONS, read_parameters
+from verify.cli.theorem1_point import DEFAULTS, POINT_OPTIONS, read_parameters
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import REFUTED, UNDECIDED
 from verify.paper.groups import PRINTED
@@ -82,8 +82,11 @@ def _everywhere(options: Options) -> int:
     else:
         from verify.paper.commands.whole import whole
         from verify.views.whole import constants_and_set
+        from verify.wire.judge import packaged
+        from verify.wire.packaged import AS_PRINTED
 
-        text = view.screen(outcome, PAPER, verdicts, constants_and_set(whole()))
+        as_printed = packaged(AS_PRINTED)
+        text = view.screen(outcome, PAPER, verdicts, as_printed, constants_and_set(whole()))
     claims.answer(outcome, options, None, text)
     return code
 
@@ -108,7 +111,7 @@ def _box(options: Options) -> int:
     elif options.out is not None:
         print("verify: no certificate was written; ask for the certified part", file=sys.stderr)
     document = view.box_document(found, cited) if options.json else None
-    claims.answer(found.outcome, options, document, view.screen(found, cited))
+    claims.answer(found.outcome, options, document, view.screen(found, PAPER))
     return EXIT_CODES[found.verdict]
 
 

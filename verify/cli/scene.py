@@ -8,12 +8,11 @@ import sys
 from verify.cli.files import print_document, read_bytes, test_folder, write_file
 from verify.cli.options import Options, Parser
 from verify.cli.terminal import add_color, show
-from verify.prover.ground import FLINT
 from verify.spheres.scene.decide import MAX_DIGITS, Budget, Fate, decide_scene
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.scene_files import read_scene
 from verify.spheres.scene.verdict import steps, told
-from verify.views.scene import collision_table, exit_code, given_line, scene_document
+from verify.views.scene import collision_table, exit_code, given_line, judge_of, scene_document
 from verify.wire.inputs import InputError, integer, shown
 
 #: More than this would be a mistake.
@@ -51,15 +50,6 @@ def budget(options: Options) -> Budget:
     if last < bits:
         raise InputError(f"--max-precision: {last} is below --precision {bits}; write {bits}")
     return Budget(integer("--collisions", options.collisions, 0, 10**7), digits, bits, last)
-
-
-def judge_of(is_checked: bool) -> str:
-    """Who gives a verdict: the checker, if its certificate is written."""
-    if not is_checked:
-        return FLINT
-    from verify.wire.judge import CHECKER  # loaded only where it is used
-
-    return CHECKER
 
 
 def run(options: Options) -> int:

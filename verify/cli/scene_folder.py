@@ -10,7 +10,6 @@ from typing import Any
 
 from verify.cli.files import print_document, read_bytes, write_file, write_folder
 from verify.cli.options import Options
-from verify.cli.scene import judge_of
 from verify.cli.scene_certificate import write_scene
 from verify.cli.steps import watched
 from verify.cli.terminal import show
@@ -18,7 +17,7 @@ from verify.language.errors import OwnError
 from verify.spheres.scene.decide import Budget, decide_scene
 from verify.spheres.scene.scene_files import read_scene
 from verify.spheres.scene.verdict import Told, told
-from verify.views.scene import exit_code, given_line, scene_document
+from verify.views.scene import exit_code, given_line, judge_of, scene_document
 from verify.views.scene_table import COLUMNS, cells, counts_of, csv_text, unusable_cells
 from verify.wire.inputs import InputError, shown
 

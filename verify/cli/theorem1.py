@@ -6,14 +6,14 @@ from collections.abc import Iterable
 
 from verify.cli.options import Options, Parser, field
 from verify.cli.terminal import add_color, show
-from verify.language.terms import Term, as_term
+from verify.cli.theorem1_point import DEFAULTS, read_parameters
 from verify.paper.commands.citing import as_printed
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.groups import SELECTIONS
 from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
 from verify.views.screen import screen
-from verify.wire.inputs import InputError, angle, integer, neg_cos, positive, restitution
+from verify.wire.inputs import InputError, integer
 
 MAX_PRECISION = 1 << 16
 
@@ -21,18 +21,8 @@ MAX_PRECISION = 1 << 16
 ENCLOSED_BITS = 128
 
 
-#: What options have that are not given.
-DEFAULTS = {
-    "delta_theta": "1/10",
-    "V0": "1",
-    "constants": "all",
-    "precision": "128",
-    "max_precision": "65536",
-}
 #: What may be written after an option, where not everything may.
 CHOICES = {"--constants": (*SELECTIONS,)}
-#: The options that only a single point has.
-POINT_OPTIONS = ("theta0", "precision", "max_precision")
 
 
 def add_arguments(parser: Parser) -> None:
@@ -59,27 +49,6 @@ def add_arguments(parser: Parser) -> None:
     parser.flag("-v", "--verbose", text="print every row")
     parser.flag("--json", text="one JSON document on stdout")
     add_color(parser)
-
-
-def read_parameters(options: Options) -> dict[str, Term]:
-    """The parameters as exact terms.
-
-    Raises:
-        InputError: for a number outside its range, or two angles.
-    """
-    if options.theta0 is not None and options.neg_cos is not None:
-        raise InputError("--theta0 and --neg-cos both give the angle; write only one of them")
-    r = restitution(options.r)
-    if options.theta0 is not None:
-        c = angle("--theta0", options.theta0)
-    else:
-        c = as_term(neg_cos("1" if options.neg_cos is None else options.neg_cos))
-    return {
-        "r": as_term(r),
-        "c": c,
-        "V_0": as_term(positive("--V0", options.V0)),
-        "delta_theta": as_term(positive("--delta-theta", options.delta_theta)),
-    }
 
 
 def run(options: Options) -> int:

@@ -15,10 +15,20 @@ Proof.
   exists scenes, time, T, Z, at_T. split; trivial. split; trivial.
   pose proof (constants_are_defined _ _ _ _ A) as D. lra.
 Qed.
-Theorem all_proved : theorem_1 /\ interior /\ determined /\ constants_defined /\ same_hypothesis /\
-  printed_theorem.
+Theorem interior_contains_a_box d set : has_interior d set -> contains_a_box d set.
+Proof.
+  intros (s & e & E & A).
+  exists (Scene (fun i k => position s i k - e / 2) (fun i k => velocity s i k - e / 2)).
+  exists (Scene (fun i k => position s i k + e / 2) (fun i k => velocity s i k + e / 2)).
+  cbn [position velocity]. split; [intros i k _; lra|].
+  intros s' B. apply A. intros i k K. specialize (B i k K). cbn [position velocity] in B.
+  split; apply Rabs_def1; lra.
+Qed.
+Theorem all_proved : theorem_1 /\ interior /\ positive_volume /\ determined /\ constants_defined /\
+  same_hypothesis /\ printed_theorem.
 Proof.
   split; [exact theorem_1_holds|]. split; [exact the_set_has_an_interior|].
+  split; [intros r c V_0 delta_theta A d L; now apply interior_contains_a_box, the_set_has_an_interior|].
   split; [exact trajectories_are_determined|]. split; [exact constants_are_defined|].
   split; [exact hypothesis_is_the_printed | exact printed_theorem_holds].
 Qed.

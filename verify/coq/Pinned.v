@@ -90,6 +90,12 @@ Definition has_interior d (set : (ball -> nat -> R) -> (ball -> nat -> R) -> Pro
   exists x v e, 0 < e /\ forall x' v',
     (forall i k, (k < d)%nat -> Rabs (x' i k - x i k) < e /\ Rabs (v' i k - v i k) < e) -> set x' v'.
 
+(* Something holds for all coordinates in some intervals of positive lengths. *)
+Definition contains_a_box d (set : (ball -> nat -> R) -> (ball -> nat -> R) -> Prop) : Prop :=
+  exists x y v w, (forall i k, (k < d)%nat -> x i k < y i k /\ v i k < w i k) /\
+    forall x' v', (forall i k, (k < d)%nat ->
+      x i k <= x' i k <= y i k /\ v i k <= v' i k <= w i k) -> set x' v'.
+
 (* --- the constants, as in the paper, with the repaired minima --------------------------------- *)
 
 Section PinnedConstants.
@@ -159,6 +165,9 @@ Definition theorem_1 : Prop :=
 Definition interior : Prop :=
   forall r c V_0 delta_theta, admissible r c V_0 delta_theta ->
   forall d, (2 <= d)%nat -> has_interior d (ZK r c V_0 delta_theta d).
+Definition positive_volume : Prop :=
+  forall r c V_0 delta_theta, admissible r c V_0 delta_theta ->
+  forall d, (2 <= d)%nat -> contains_a_box d (ZK r c V_0 delta_theta d).
 Definition determined : Prop :=
   forall d r x v T X V T' X' V', trajectory d r x v T X V -> trajectory d r x v T' X' V' ->
   forall t, 0 <= t < T -> t < T' -> X t = X' t /\ V t = V' t.
@@ -327,6 +336,14 @@ Proof.
   - apply same_admissible in B. specialize (A _ _ _ _ B d C). apply same_interior.
     revert A. apply same_set. intros x v. symmetry. apply same_ZK.
 Qed.
+Theorem same_volume : Theorem1.positive_volume <-> positive_volume.
+Proof.
+  split; intros A r c V_0 delta_theta B d C; apply same_admissible in B; specialize (A _ _ _ _ B d C).
+  - destruct A as ([x v] & [y w] & P & Q). exists x, y, v, w. split; [exact P|].
+    intros x' v' I. apply same_ZK. apply Q. exact I.
+  - destruct A as (x & y & v & w & P & Q). exists (placed x v), (placed y w). split; [exact P|].
+    intros [x' v'] I. apply same_ZK. apply Q. exact I.
+Qed.
 Theorem same_constants : Theorem1.constants_defined <-> constants_defined.
 Proof. split; intros A r c V_0 delta_theta B; apply same_admissible in B; exact (A _ _ _ _ B). Qed.
 Theorem same_hypotheses : Theorem1.same_hypothesis <-> same_hypothesis.
@@ -348,13 +365,16 @@ Qed.
 (* --- what is proved --------------------------------------------------------------------------- *)
 
 Check (AllProved.all_proved :
-  Theorem1.theorem_1 /\ Theorem1.interior /\ Theorem1.determined /\ Theorem1.constants_defined /\
+  Theorem1.theorem_1 /\ Theorem1.interior /\ Theorem1.positive_volume /\ Theorem1.determined /\
+  Theorem1.constants_defined /\
   Theorem1.same_hypothesis /\ Theorem1.printed_theorem).
 Theorem proved :
-  theorem_1 /\ interior /\ determined /\ constants_defined /\ same_hypothesis /\ printed_theorem.
+  theorem_1 /\ interior /\ positive_volume /\ determined /\ constants_defined /\ same_hypothesis /\
+  printed_theorem.
 Proof.
-  destruct AllProved.all_proved as (A & B & C & D & E & F).
+  destruct AllProved.all_proved as (A & B & V & C & D & E & F).
   split; [now apply same_theorem|]. split; [now apply same_interiors|].
+  split; [now apply same_volume|].
   split; [now apply same_determined|]. split; [now apply same_constants|].
   split; [now apply same_hypotheses | now apply same_printed].
 Qed.

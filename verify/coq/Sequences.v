@@ -16,6 +16,15 @@ Proof.
 Qed.
 Lemma limit_opposite (u : nat -> R) (l : R) : Un_cv u l -> Un_cv (fun n => - u n) (- l).
 Proof. apply CV_opp. Qed.
+Lemma bounded_decreasing_converges (u : nat -> R) (b : R) :
+  (forall n, u (S n) <= u n) -> (forall n, b <= u n) -> exists l, Un_cv u l.
+Proof.
+  intros G B. destruct (bounded_increasing_converges (fun n => - u n) (- b)) as [l L].
+  - intros n. specialize (G n). lra.
+  - intros n. specialize (B n). lra.
+  - exists (- l). apply limit_opposite in L. intros e E. destruct (L e E) as [m M]. exists m.
+    intros n N. specialize (M n N). now rewrite Ropp_involutive in M.
+Qed.
 Lemma limit_after_one (u : nat -> R) (l : R) : Un_cv (fun n => u (S n)) l -> Un_cv u l.
 Proof.
   intros L e E. destruct (L e E) as [m M]. exists (S m). intros [|n] N; [lia|]. apply M. lia.

@@ -127,6 +127,15 @@ Definition close (e : R) (s s' : scene) : Prop :=
     Rabs (velocity s' i k - velocity s i k) < e.
 Definition has_interior (set : scene -> Prop) : Prop :=
   exists s e, 0 < e /\ forall s', close e s s' -> set s'.
+(* All scenes whose coordinates lie in intervals, of positive length for each of the 6 d numbers. Such
+   a box has a positive volume, the product of the lengths. *)
+Definition in_box (low high s : scene) : Prop :=
+  forall i k, (k < d)%nat -> position low i k <= position s i k <= position high i k /\
+    velocity low i k <= velocity s i k <= velocity high i k.
+Definition contains_a_box (set : scene -> Prop) : Prop :=
+  exists low high, (forall i k, (k < d)%nat ->
+      position low i k < position high i k /\ velocity low i k < velocity high i k) /\
+    forall s, in_box low high s -> set s.
 End Motion.
 
 (* --- parameters and constants ----------------------------------------------------------------- *)
@@ -216,6 +225,11 @@ Definition theorem_1 : Prop :=
 Definition interior : Prop :=
   forall r c V_0 delta_theta, admissible r c V_0 delta_theta ->
   forall d, (2 <= d)%nat -> has_interior d (ZK r c V_0 delta_theta d).
+
+(* The set has a positive measure, since it contains a box. *)
+Definition positive_volume : Prop :=
+  forall r c V_0 delta_theta, admissible r c V_0 delta_theta ->
+  forall d, (2 <= d)%nat -> contains_a_box d (ZK r c V_0 delta_theta d).
 
 (* Two trajectories from the same scene are the same for as long as both last. *)
 Definition determined : Prop :=

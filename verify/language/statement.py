@@ -7,7 +7,7 @@ that say the same are equal.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from types import MappingProxyType
 
 from verify.language.record import Record
@@ -185,7 +185,8 @@ class Publication(Record):
 
     ``theorem`` is the label of its main theorem, ``printed`` gives what stands in print beside a
     ``\label`` (the number of a formula, a section or a theorem) or None, and ``folders`` says where
-    the certificates of cited theorems are. ``notes`` are made where they are shown.
+    the certificates of cited theorems are. ``in_coq`` has for a theorem the sentences that it takes
+    on trust and Coq proves, by their names. ``notes`` are made where they are shown.
     """
 
     authors: str
@@ -194,6 +195,7 @@ class Publication(Record):
     theorem: str
     printed: Callable[[str], str | None]
     folders: Mapping[str, str]
+    in_coq: Mapping[str, Collection[str]]
     notes: Callable[[], Notes]
 
     def number(self, label: str) -> str:

@@ -258,6 +258,35 @@ def atan(number: Number) -> Term:
     return Term("atan", as_term(number))
 
 
+def asin(number: Number) -> Term:
+    """The angle between -pi/2 and pi/2 with this sine, for a number from -1 to 1.
+
+    Half of it has the tangent x/(1 + sqrt(1 - x^2)).
+    """
+    x = as_term(number)
+    return 2 * atan(x / (1 + sqrt(1 - x**2)))
+
+
+def acos(number: Number) -> Term:
+    """The angle between 0 and pi with this cosine, for a number from -1 to 1."""
+    return pi / 2 - asin(number)
+
+
+def sinh(number: Number) -> Term:
+    """The hyperbolic sine, with 1/e^x for e^-x."""
+    return (exp(number) - 1 / exp(number)) / 2
+
+
+def cosh(number: Number) -> Term:
+    """The hyperbolic cosine, with 1/e^x for e^-x."""
+    return (exp(number) + 1 / exp(number)) / 2
+
+
+def tanh(number: Number) -> Term:
+    """The hyperbolic tangent, which is 1 - 2/(e^2x + 1)."""
+    return 1 - 2 / (exp(number) ** 2 + 1)
+
+
 def exp(number: Number) -> Term:
     """The exponential."""
     return Term("exp", as_term(number))

@@ -17,8 +17,9 @@ CAUSES = (
     Cause(("hypotheses.angle-as-printed", "printed.second-assumption-as-printed"),
         "< is printed for >, which `EQUATSS3.4ZKCl2CondiStabi` has. The two conditions exclude "
         "each other: wherever h₅ > 0, as the text asks, the printed hypothesis fails (at r = "
-        "3/100 with -cos θ₀ = 1, for one), and the other rows are judged outside it. One slip, "
-        "two rows."),
+        "3/100 with -cos θ₀ = 1, for one), and the other rows are judged outside it. The first "
+        "row is a remark: it says that the point is not one of those that are printed. The second "
+        "one is what the text concludes from the hypothesis."),
     Cause(("printed.r_stabi-gives-fixed-points",),
         "The two fixed points come from the condition on the angle, read with >; r < r_stabi does "
         "not give them."),
@@ -29,7 +30,8 @@ CAUSES = (
         "angles has one; the text does not form it. So a claim of the theorem is not reached. It "
         "is true, as the set has room for the angle (`certificates/printed-set`)."),
     Cause(("printed.init-zeta-bound-2",),
-        "The bound 2 is printed for the bound 2x, which is true too and which the display uses."),
+        "The bound 2 is printed for the bound 2x, which the display uses. Both bounds and the "
+        "display are true."),
     Cause(("printed.d-index",), "The right-hand side bounds d_{n+1}; d_n is printed."),
     Cause(("printed.norm-law-as-printed",),
         "(1+r)²/2 is printed for (1+r)²/4; all that is used is that it is at most 2."),
@@ -41,16 +43,18 @@ CAUSES = (
         "printed.zeta-total"),
         "Only of x₀ is it assumed that it is at most (V₀/V₁) δ₂² h₅/12; of the others the text "
         "has the bound δ_x, which is larger."),
-    Cause(("printed.CndT-as-printed",), "'1 +' is missing in front of (√2-1)/2."),
+    Cause(("printed.CndT-as-printed",),
+        "For the distance of the centres '1 +' is missing in front of (√2-1)/2; for the gap "
+        "between the two balls the sentence is right as it stands."),
     Cause(("printed.angle-sign",),
         "- is printed for + in front of the last term (and = for ≤); the line below has +."),
     Cause(("printed.angle-absorbed", "printed.y-term-3", "printed.final-angle"),
-        "The entry V₀/(33 V₁^{1/2}) |Δθ| of η̄ has no factor 1-C_η, and the angles may drift by "
-        "14 (V₁^{1/2}/V₀) η̄/(1-C_η). Which of the three steps fail depends on the parameters: at "
-        "r = 3/100 the first two for δ_θ = 1/10, the first and the last for δ_θ = 1/1000. The "
-        "last one is what the theorem claims of the final angle, and breaks the argument wherever "
-        "it fails; the first one breaks it only there. In y_n the second one has the factor "
-        "(1+r)/2, with which it holds (`y-term-3-factor`)."),
+        "The entry V₀/(33 V₁^{1/2}) |Δθ| of η̄ has no factor 1-C_η, and the printed bounds let the "
+        "angle drift by 14 (V₁^{1/2}/V₀) η̄/(1-C_η). Which of the three steps fail depends on the "
+        "parameters: at r = 3/100 the first two for δ_θ = 1/10, the first and the last for δ_θ = "
+        "1/1000. The last one is what the theorem claims of the final angle, and breaks the "
+        "argument wherever it fails; the first one breaks it only there. In y_n the second one "
+        "has the factor (1+r)/2, with which it holds (`y-term-3-factor`)."),
     Cause(("printed.x-term-1-d",),
         "d_n/δ₂ ≤ h₄δ_x/2 fails at r = 1/1000000 with -cos θ₀ = 1/20, for one. The display has the "
         "factor r in front of it, which the text drops; with it the step holds for all parameters "

@@ -38,7 +38,7 @@ from verify.paper.preliminaries import (
     phi_minus,
     phi_plus,
 )
-from verify.paper.rows import HARMLESS, SLIP, misprint, needed
+from verify.paper.rows import HARMLESS, REMARK, SLIP, misprint, needed
 
 RESTITUTION = "EQUATSS4.1ThExiCondi_r_1_"
 ANGLE = "EQUATSS4.1ThExiCondiTheta"
@@ -61,9 +61,10 @@ def hypotheses() -> Iterator[Obligation]:
         _needed("angle-obtuse",  ANGLE, "0 < -cos θ₀", 0 < c),
         _needed("angle-real",    ANGLE, "-cos θ₀ ≤ 1", c <= 1),
         misprint(f"{HYPOTHESES}.angle-as-printed", ANGLE,
-            "-cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r), as printed (all other rows are judged outside "
-            "it)", _alpha**3 < 3 * r * _alpha + r * (1 + r),
-            group=HYPOTHESES, severity=SLIP, corrected_by=f"{HYPOTHESES}.stability"),
+            "this point satisfies -cos θ₀ < 2r^(1/3)(1+r^(1/3))/(1+r), the hypothesis as printed; "
+            "where it does not, all other rows are judged outside it",
+            _alpha**3 < 3 * r * _alpha + r * (1 + r),
+            group=HYPOTHESES, severity=REMARK, corrected_by=f"{HYPOTHESES}.stability"),
         _needed("existence",     "EQUATSS3.4ZKCl1CondiExist",
             "-cos θ₀ > 4√r/(1+r): the fixed points φ⁻ < φ⁺ exist", 4 * r < _alpha**2),
         _needed("stability",     ANGLE,

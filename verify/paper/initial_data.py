@@ -28,7 +28,7 @@ from verify.paper.preliminaries import (
     h_4,
     h_5,
 )
-from verify.paper.rows import misprint, needed, printed
+from verify.paper.rows import OTHERWISE, misprint, needed, printed
 
 DELTA = "EQUATSS4.1DefinDeltxDelty"
 X_0 = "EQUATSS4.1DescrDoIniColla"
@@ -139,9 +139,13 @@ class ConstantSet:
         corrected_by: str,
         uses: Iterable[str] = (),
     ) -> Iterator[Obligation]:
-        """A row that only the printed set has, corrected by the repaired row of a name."""
+        """A row that only the printed set has, with the name of the row that takes its place.
+
+        That is a row of the repaired set, or of this one where the sentence is true as it stands.
+        """
         if self.printed:
-            full, better = f"{self.group}.{name}", f"{REPAIRED}.{corrected_by}"
+            where = self.group if severity == OTHERWISE else REPAIRED
+            full, better = f"{self.group}.{name}", f"{where}.{corrected_by}"
             yield misprint(full, label, says, claim, severity, better, uses, group=self.group)
 
     def aside(

@@ -14,7 +14,7 @@ from verify.language.terms import as_term, sqrt
 from verify.paper.initial_data import ConstantSet
 from verify.paper.parameters import V_0, c
 from verify.paper.preliminaries import alpha_0, h_4, phi_minus
-from verify.paper.rows import BREAKS, SLIP
+from verify.paper.rows import BREAKS, OTHERWISE
 
 CND1 = "EQUATSS4.1Recurrence_Cnd1"
 CND2 = "EQUATSS4.1Recurrence_Cnd2"
@@ -72,8 +72,9 @@ def _zeta_and_norms(k: ConstantSet) -> Iterator[Obligation]:
         # The paper bounds x(2+x)/(1+x)² by 2, which gives 2 |W|²/η²; the display needs 2x, which is
         # also true.
         *k.misprint("init-zeta-bound-2", ZETA_0,
-            "x(2+x)/(1+x)² ≤ 2 (and not 2x) gives the factor 2d₀: 2 ≤ 2d₀ at d₀ = d̄",
-            2 <= 2 * k.d_bar, SLIP, "init-Cnd4"),
+            "ζ₀ ≤ 2d₀|W_{c,0}|²/η_{c,0}² is derived from x(2+x)/(1+x)² ≤ 2; both are true, but "
+            "that needs the bound 2x: the bound 2 would do if 2 ≤ 2d₀ at d₀ = d̄",
+            2 <= 2 * k.d_bar, OTHERWISE, "init-Cnd4"),
         k.row("init-Cnd3", CND3, "ζ₀ < 1", k.zeta_bar < 1, ["zeta-from-distance", "collision-map"]),
         k.row("init-Cnd4",               CND4,
             "ζ₀ ≤ 2 d₀ |W_{c,0}|²/η_{c,0}² ≤ ζ̄, with d₀ = k_d η_{c,0}²",

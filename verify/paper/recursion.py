@@ -29,7 +29,7 @@ from verify.paper.preliminaries import (
     h_5,
     phi_minus,
 )
-from verify.paper.rows import BREAKS, HARMLESS, REMARK, SLIP
+from verify.paper.rows import BREAKS, HARMLESS, OTHERWISE, REMARK, SLIP
 
 CND1 = "EQUATSS4.1Recurrence_Cnd1"
 CND2 = "EQUATSS4.1Recurrence_Cnd2"
@@ -273,8 +273,9 @@ def _no_outer_collision(k: ConstantSet) -> Iterator[Obligation]:
             "3(V₁^{1/2}/V₀)(-η_{c,n}) + 4(V₁^{1/2}/V₀)(-η_{c,n+1}) ≤ (√2-1)/2", total <= half,
             ["outer-distance", "distance", "time"]),
         *k.misprint("CndT-as-printed", CNDT,
-            "the distance 1-2 'is always larger than (√2-1)/2', so there is no collision",
-            as_term(1) <= half, SLIP, "CndT"),
+            "the distance 1-2 is larger than (√2-1)/2, so there is no collision: both are true, "
+            "but for centres that needs a distance above 1, that is 1 ≤ (√2-1)/2",
+            as_term(1) <= half, OTHERWISE, "CndT"),
         k.row("CndT",                  CNDT, "√2 - d_{n+1} - 2V₁^{1/2} τ_{n+1} > 1",
             1 < sqrt(2) - total, ["outer-distance", "distance", "time", "collision-map"]),
     )  # fmt: skip

@@ -6,6 +6,7 @@ import os
 from functools import cache
 
 from verify.language.statement import PRINTED, REPAIRED, Constant, Notes, Publication
+from verify.paper.in_coq import IN_COQ
 from verify.paper.parameters import THEOREM
 
 TABLE = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data", "numbers.json")
@@ -68,5 +69,6 @@ PAPER = Publication(
         "step": "certificates/step",
         f"{THEOREM} for all parameters": "certificates/theorem1-all",
     },
+    in_coq=IN_COQ,
     notes=notes,
 )

@@ -8,13 +8,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from verify.language.statement import PROVED, REFUTED, UNDECIDED, Obligation
-from verify.language.terms import Claim
+from verify.language.terms import Claim, parts_of
 from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION, Constants
 from verify.prover.outcome import Decision, Enclosure, Judgement
 from verify.prover.proof import Proof
 from verify.prover.relations import negation
 from verify.prover.rules import Interval
 from verify.prover.session import Session
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from verify.prover.tight import Tight
 
 #: The judge of what balls or exact values decide, and of what algebra does.
 FLINT, ALGEBRA = "FLINT at a point", "algebra at a point"
@@ -102,7 +106,7 @@ class Ground(Constants):
             return None
         tight = Tight(self, bits)
         try:
-            found = _first(claim, tight.prove)
+            found = _first(claim, tight.prove) or self._by_half_turns(claim, tight)
             if found is None:
                 from verify.prover.algebraic import Algebraic  # loaded only where needed
 
@@ -110,6 +114,19 @@ class Ground(Constants):
         except TooLongError:
             return None
         return found
+
+    def _by_half_turns(self, claim: Claim, tight: Tight) -> tuple[str, Proof] | None:
+        """What exact values of sines and cosines decide."""
+        ops = {part.op for part in parts_of(claim.lhs, claim.rhs)}
+        if "pi" not in ops or ops.isdisjoint(("sin", "cos")):
+            return None
+        from verify.prover.half_turns import by_half_turns  # loaded only where it is needed
+
+        def prove(simpler: Claim) -> Proof | None:
+            verdict, proof = self.prove(simpler)
+            return proof if verdict == PROVED else None
+
+        return _first(claim, lambda wanted: by_half_turns(tight, wanted, prove))
 
 
 class Enclosures(Mapping[str, Enclosure]):

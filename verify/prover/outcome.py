@@ -31,6 +31,9 @@ from verify.prover.rules import RULES
 
 Ends = tuple[Fraction, Fraction]
 
+#: The judge of written proofs: see `verify.wire.judge`.
+CHECKER = "the checker"
+
 EXIT_CODES = {PROVED: 0, REFUTED: 1, UNDECIDED: 3}
 
 

@@ -33,6 +33,7 @@ from verify.prover.search.positive import (
 )
 from verify.prover.search.question import Question
 from verify.prover.search.restricted import by_restriction
+from verify.prover.search.rising import by_monotony, by_powers, by_same_arguments
 from verify.prover.search.squaring import by_squaring
 from verify.prover.search.subterms import by_subterms
 from verify.prover.search.tree import by_tree
@@ -86,6 +87,8 @@ EQUATIONS = (
 SIMPLE = (
     Technique("root", by_root),
     Technique("range", by_range),
+    Technique("monotony", by_monotony),
+    Technique("equal arguments", by_same_arguments),
     Technique("plain squares", plain_squares),
     Technique("extremum", by_extremum),
     Technique("signs", _signs),
@@ -101,6 +104,7 @@ PRODUCTS = (
     Technique("differences", by_differences),
     Technique("sums of products", partial(by_products, degree=2)),
     Technique("orders of variables", by_orders_of_variables),
+    Technique("powers of roots", by_powers),
     Technique("squares where equations hold", squares_on_equations),
 )
 #: Groups whose lemmas are of no use to others: without a proof they are taken back.

@@ -6,18 +6,19 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from verify.language.statement import PROVED, REFUTED, Assumption
+from verify.language.statement import PROVED, REFUTED, Assumption, Publication
 from verify.prover.decimals import exact_number
 from verify.views.document import assumption_document, claims_document
-from verify.views.everywhere import THEOREM, trusted_there
+from verify.views.everywhere import THEOREM
 from verify.views.material import Answer, ParameterBox
-from verify.views.words import given, in_letters
+from verify.views.words import believed, given, in_letters
 
 FORMAT = "verify-theorem1-box/1"
 
 
-def screen(answer: Answer, cited: tuple[Assumption, ...]) -> Iterator[str]:
-    """What holds on the box, or on which part of it; ``cited`` are the assumptions of the step."""
+def screen(answer: Answer, paper: Publication) -> Iterator[str]:
+    """What holds on the box, or on which part of it."""
+    cited = answer.outcome.assumptions
     yield f"Theorem 1 at all points with {_words(answer.box)}"
     yield ""
     if answer.verdict == REFUTED:
@@ -28,7 +29,7 @@ def screen(answer: Answer, cited: tuple[Assumption, ...]) -> Iterator[str]:
     where = "all points" if answer.verdict == PROVED else "all points of the certified part"
     yield f"The hypotheses are compared at a corner; by monotony they hold at {where}."
     yield "The constants are the unrounded minima of Theorem 1 for all parameters."
-    yield from trusted_there(cited)
+    yield f"{believed(answer.outcome, paper)} The sentences: -v."
     yield ""
     yield THEOREM
     yield ""

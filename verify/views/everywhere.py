@@ -12,7 +12,6 @@ from verify.language.statement import (
     PROVED,
     REFUTED,
     UNDECIDED,
-    Assumption,
     Obligation,
     Publication,
 )
@@ -20,12 +19,12 @@ from verify.language.terms import symbol
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 from verify.views.plain import plain_letters
 from verify.views.row_lists import MORE
-from verify.views.screen import printed_lines
+from verify.views.screen import causes, printed_lines
 from verify.views.words import (
+    believed,
     cited_as,
     counts,
     fair,
-    given,
     given_by,
     headline,
     in_letters,
@@ -50,18 +49,27 @@ THEOREM = f"Theorem 1, given these sentences. {CLAIM}"
 
 
 def screen(
-    outcome: Outcome, paper: Publication, as_printed: Mapping[str, str], whole: Iterable[str] = ()
+    outcome: Outcome,
+    paper: Publication,
+    as_printed: Mapping[str, str],
+    printed: Outcome,
+    whole: Iterable[str] = (),
 ) -> Iterator[str]:
-    """What is proved, given what; ``as_printed`` has the verdicts on the theorem as printed.
+    """Whether the theorem is true, whether its set is right, what fails; and what is proved.
 
+    ``as_printed`` has the verdicts on the theorem as printed, ``printed`` those on its rows;
     ``whole`` are the lines with the constants and the set of the theorem.
     """
     (cite,) = outcome.statement.cites
     yield "Theorem 1 for all parameters"
     yield ""
+    yield from printed_lines(as_printed)
+    yield from _argument(printed, paper)
+    yield f"The theorem with repaired constants: {headline(outcome)}"
+    yield ""
     yield f"Rows: {counts(outcome, 'needed')}"
     yield f"The step, for every state, is {cited_as(cite, paper)}"
-    yield from trusted_there(cite.trusted)
+    yield f"{believed(outcome, paper)} The sentences: -v."
     yield "The graph of the proof: verify graph --out FILE.svg"
     yield MORE
     yield ""
@@ -69,16 +77,26 @@ def screen(
         yield THEOREM
         yield from whole
         yield ""
-    yield from printed_lines(as_printed)
     title = in_letters(outcome.statement.title)
     yield f"Verdict: {headline(outcome)}: {title}; given {given_by(outcome, paper)}"
 
 
-def trusted_there(assumptions: Iterable[Assumption]) -> Iterator[str]:
-    """What the cited step takes on trust, by name."""
-    found = list(assumptions)
-    names = ", ".join(assumption.name for assumption in found)
-    yield f"Taken on trust there: {given(found)}: {names}. The sentences: -v."
+def _argument(printed: Outcome, paper: Publication) -> Iterator[str]:
+    """The verdict on the printed argument, and which of its steps break it."""
+    yield f"The printed argument for it: {conjunction(printed.decisions.values())}"
+    rows = [
+        (row, found)
+        for row, found in printed.rows
+        if row.severity == BREAKS and fair(printed, row, found) == REFUTED
+    ]
+    for title, depends in (("for all parameters", False), ("for some, such as small δ_θ", True)):
+        here = [row for row, found in rows if bool(found.witness) == depends]
+        where = (f"({paper.number(row.label).strip('()')})" for row in here)
+        names = ", ".join(f"{short_name(row)} {at}" for row, at in zip(here, where, strict=True))
+        if here:
+            yield f"  Refuted steps that break it, {title}: {names}."
+            yield from causes(here, paper)
+    yield "  All of them, and where they fail: verify theorem1 --all --constants printed."
 
 
 def printed_screen(

@@ -107,7 +107,9 @@ class Ratios(Record):
     ``middle`` is an upper bound of the ratio halfway, or where it is next enclosed.
     """
 
+    name: str
     says: str
+    severity: str | None
     boxes: Sequence[tuple[Ends, Ends]]
     verdicts: set[str]
     middle: Fraction

@@ -64,18 +64,27 @@ def _cosine(outcome: Outcome) -> str:
     return f" (-cos θ₀ = {value})"
 
 
-def thresholds(outcome: Outcome) -> str:
-    """Where r and -cos(theta_0) would have to lie, in numbers."""
+def threshold(outcome: Outcome, hypothesis: str) -> str:
+    """The number that a hypothesis is about, and its own threshold; nothing for other rows."""
     from verify.prover import balls  # flint is loaded only where it is used
 
     r = outcome.statement.parameters["r"].value
+    name = hypothesis.removeprefix(f"{HYPOTHESES}.")
     with balls.precision(SHOWN_BITS):
-        stabi = short(balls.ends(9 - 4 * balls.root(balls.from_fraction(Fraction(5)))))
-        root = balls.cube_root(balls.from_fraction(r))
-        bound = short(balls.ends(2 * root * (1 + root) / (1 + balls.from_fraction(r))))
-    found = ends_of(outcome, "c")
-    own = "undefined" if found is None else short(found)
-    return f"r = {short((r, r))}, r_stabi = {stabi}; -cos θ₀ = {own}, its threshold = {bound}"
+        ball = balls.from_fraction(r)
+        if name == "r-below-stabi":
+            stabi = short(balls.ends(9 - 4 * balls.root(balls.from_fraction(Fraction(5)))))
+            return f"r = {short((r, r))}, r_stabi = {stabi}"
+        if name == "existence":
+            bound = 4 * balls.root(ball) / (1 + ball)
+        elif name == "stability":
+            root = balls.cube_root(ball)
+            bound = 2 * root * (1 + root) / (1 + ball)
+        else:
+            return ""
+        found = ends_of(outcome, "c")
+        own = "undefined" if found is None else short(found)
+        return f"-cos θ₀ = {own}, the right side is {short(balls.ends(bound))}"
 
 
 def in_numbers(outcome: Outcome) -> str | None:
@@ -132,7 +141,7 @@ def failed_hypotheses(outcome: Outcome) -> list[tuple[Obligation, str]]:
         if row.role == NEEDED and decision.verdict == REFUTED:
             sides = sides_of(row, decision)
             equal = sides is not None and sides[0] == sides[1] and sides[0][0] == sides[0][1]
-            found.append((row, "both sides are equal" if equal else thresholds(outcome)))
+            found.append((row, "both sides are equal" if equal else threshold(outcome, row.name)))
     return found
 
 
@@ -170,8 +179,9 @@ def final_angle(outcome: Outcome) -> str:
     limit = people(decimal(*round_decimal(most, 3, up=False)))
     factor = decimal(*round_decimal(DRIFT_MOST / (1 - phi[1]), 3, up=True))
     return (
-        f"At this r and θ₀ final-angle breaks it for every δ_θ ≤ {limit}: the printed bound of the "
-        f"angle is up to {factor} δ_θ (certificates/thresholds)."
+        f"For δ_θ ≤ {limit}, at this r and θ₀, final-angle breaks it too: the printed bounds let "
+        f"the final -cos θ differ from -cos θ₀ by up to {factor} δ_θ, and the theorem claims at "
+        "most δ_θ (certificates/thresholds)."
     )
 
 

@@ -20,8 +20,9 @@ from verify.language.typeset import Typesetter
 from verify.prover.outcome import Decision, Outcome
 from verify.views.plain import plain_letters
 from verify.views.words import (
+    INSTEAD_WORDS,
+    believed,
     fair,
-    given_by,
     groups,
     is_called,
     letters,
@@ -93,10 +94,9 @@ def _one_line(row: Obligation, paper: Publication) -> str:
 
 
 def trusted_names(outcome: Outcome, paper: Publication) -> Iterator[str]:
-    """How many assumptions a verdict rests on, and their names."""
+    """Which sentences a verdict rests on, and which of them Coq has proved."""
     if outcome.assumptions:
-        names = ", ".join(assumption.name for assumption in outcome.assumptions)
-        yield f"Taken on trust: {given_by(outcome, paper)}: {names}. The sentences: -v."
+        yield f"{believed(outcome, paper)} The sentences: -v."
     if outcome.printed_assumptions:
         names = ", ".join(assumption.name for assumption in outcome.printed_assumptions)
         yield f"Only for printed rows: {names}."
@@ -139,7 +139,7 @@ def row_lines(
         at = ", ".join(f"{typesetter.term(symbol(n))} = {typesetter.term(x)}" for n, x in values)
         yield f"            false at {at}"
     if decision.verdict == REFUTED:
-        better = {OTHERWISE: "proved by", REMARK: "see"}.get(verdict, "corrected by")
+        better = INSTEAD_WORDS.get(verdict, "corrected by")
         severity = row.severity if verdict == REFUTED else ""
         parts = (severity, row.corrected_by and f"{better} {row.corrected_by}")
         yield f"            {'; '.join(part for part in parts if part)}".rstrip()

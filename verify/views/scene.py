@@ -8,6 +8,8 @@ from typing import Any
 
 from verify.prover import balls
 from verify.prover.decimals import decimal_text, outward, people, round_decimal, short
+from verify.prover.ground import FLINT
+from verify.prover.outcome import CHECKER
 
 FORMAT = "verify-scene/2"
 #: The exit code without a verdict.
@@ -27,6 +29,11 @@ WIDTHS = (5, 5, 12, 11, 13, 13, 13, 8)
 def exit_code(told: Told) -> int:
     """0 with a verdict, or where it is known exactly why there is none; 3 otherwise."""
     return 0 if told.theorems or told.is_exact else UNDECIDED_CODE
+
+
+def judge_of(is_checked: bool) -> str:
+    """Who gives a verdict: the checker, if its certificate is written."""
+    return CHECKER if is_checked else FLINT
 
 
 def given_line(told: Told, judge: str) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from verify.language.statement import (
     BREAKS,
@@ -11,10 +11,12 @@ from verify.language.statement import (
     HYPOTHESES,
     OTHERWISE,
     PRINTED,
+    PROVED,
     REFUTED,
     REMARK,
     REPAIRED,
     SLIP,
+    Obligation,
     Publication,
 )
 from verify.language.terms import Claim
@@ -28,6 +30,7 @@ from verify.views.point import (
     parameters_told,
 )
 from verify.views.words import (
+    believed,
     fair,
     group_verdict,
     groups,
@@ -46,36 +49,29 @@ TITLES = {
 def screen(
     outcome: Outcome, paper: Publication, as_printed: Mapping[str, str] | None = None
 ) -> Iterator[str]:
-    """What fits on a screen: what is proved, given what, and which steps break the argument.
+    """What fits on a screen: whether the theorem is true, whether its set is right, what fails.
 
     ``as_printed`` has the verdicts on the theorem with its sign, and its set, as printed. The last
     line is the result with everything it is about.
     """
     yield f"Theorem 1 ({outcome.statement.theorem}) at {parameters_told(outcome)}"
-    sets = [group for group in groups(outcome) if group != HYPOTHESES]
-    numbers = in_numbers(outcome) if REPAIRED in sets else None
-    if numbers is not None:
-        yield from ("", numbers)
-    yield ""
-    yield from _breaking(outcome, paper)
-    kinds = Counter(
-        row.severity
-        for row, found in outcome.rows
-        if row.severity and fair(outcome, row, found) in (REFUTED, OTHERWISE, REMARK)
-    )
-    rest = [counted(kinds[kind], kind) for kind in (HARMLESS, SLIP) if kinds[kind]]
-    if rest:
-        yield f"Also refuted: {', '.join(rest)}."
-    others = [counted(kinds[kind], kind) for kind in (OTHERWISE, REMARK) if kinds[kind]]
-    if others:
-        yield f"Not held against the paper: {', '.join(others)}."
-    angle = final_angle(outcome)
-    if angle:
-        yield angle
-    yield "All rows: -v; some: --rows NAME; for programs: --json; a certificate: --out DIR."
     yield ""
     yield from printed_lines(as_printed or {})
-    yield from verdict_lines(outcome, paper, sets)
+    sets = [group for group in groups(outcome) if group != HYPOTHESES]
+    yield from _hypotheses(outcome, paper)
+    for group in sets:
+        yield _set_line(outcome, group)
+        if group == PRINTED:
+            yield from _argument(outcome, paper)
+    numbers = in_numbers(outcome) if REPAIRED in sets else None
+    if numbers is not None:
+        yield numbers
+    yield ""
+    yield "All rows: -v; some: --rows NAME; for programs: --json; a certificate: --out DIR."
+    yield ""
+    if outcome.verdict == PROVED and outcome.assumptions:
+        yield believed(outcome, paper)
+    yield _verdict(outcome, paper, sets)
 
 
 def printed_lines(verdicts: Mapping[str, str]) -> Iterator[str]:
@@ -91,26 +87,67 @@ def printed_lines(verdicts: Mapping[str, str]) -> Iterator[str]:
 
 
 def counted(count: int, severity: str) -> str:
-    """So many rows of a severity: 9 slips of wording, 11 false, but harmless here, 8 remarks."""
+    """So many rows of a severity: 6 slips of wording, 4 false, but harmless here, 9 remarks."""
+    if severity == OTHERWISE:
+        return f"{count} true, but badly derived"
     several = severity.replace("slip", "slips").replace("remark", "remarks")
     return f"{count} {severity if count == 1 else several}"
+
+
+def _argument(outcome: Outcome, paper: Publication) -> Iterator[str]:
+    """How bad it is with the printed argument: what breaks it, why, and what else is false."""
+    yield from _breaking(outcome, paper)
+    kinds = Counter(
+        row.severity
+        for row, found in outcome.rows
+        if row.severity and fair(outcome, row, found) in (REFUTED, OTHERWISE, REMARK)
+    )
+    rest = [counted(kinds[kind], kind) for kind in (HARMLESS, SLIP) if kinds[kind]]
+    if rest:
+        yield f"  Also refuted: {', '.join(rest)}."
+    others = [counted(kinds[kind], kind) for kind in (OTHERWISE, REMARK) if kinds[kind]]
+    if others:
+        yield f"  Not held against the paper: {', '.join(others)}."
+    angle = final_angle(outcome)
+    if angle:
+        yield f"  {angle}"
 
 
 def _breaking(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """The refuted steps that break the printed argument, a line each with both numbers."""
     rows = [p for p in outcome.rows if fair(outcome, *p) == REFUTED and p[0].severity == BREAKS]
     if rows:
-        yield "Refuted steps that break the printed argument (left and right side, formula):"
+        yield "  Refuted steps that break it (left and right side, formula):"
     for row, decision in rows:
         sides = sides_of(row, decision)
         if sides is not None and isinstance(row.claim, Claim):
             sign = SIGNS[row.claim.relation]
             numbers = f"{short(sides[0], 3)} {sign} {short(sides[1], 3)}"
-            yield f"  {short_name(row):<18} {numbers:<26} {paper.number(row.label)}"
+            yield f"    {short_name(row):<18} {numbers:<26} {paper.number(row.label)}"
+    yield from causes([row for row, _ in rows], paper)
+
+
+def causes(rows: Iterable[Obligation], paper: Publication) -> Iterator[str]:
+    """Why these rows are false: the first sentence on each cause."""
+    names = {row.name: short_name(row) for row in rows}
+    for own, text in paper.notes().causes:
+        first, *others = [names[name] for name in own if name in names] or [""]
+        if first:
+            more = f" and {len(others)} more" if others else ""
+            yield f"  Why {first}{more}: {text.partition('. ')[0].removesuffix('.')}."
 
 
 def verdict_lines(outcome: Outcome, paper: Publication, sets: list[str]) -> Iterator[str]:
     """What fails or is left open, and the verdicts; the last line is the whole result."""
+    yield from _hypotheses(outcome, paper)
+    yield from (_set_line(outcome, group) for group in sets)
+    if outcome.verdict == PROVED and outcome.assumptions:
+        yield believed(outcome, paper)
+    yield _verdict(outcome, paper, sets)
+
+
+def _hypotheses(outcome: Outcome, paper: Publication) -> Iterator[str]:
+    """The hypotheses that fail, and what is known there; and whether the precision sufficed."""
     for row, why in failed_hypotheses(outcome):
         where = paper.number(row.label)
         yield f"Hypothesis {where}, {row.label}, does not hold: {row.says} ({why})"
@@ -119,8 +156,13 @@ def verdict_lines(outcome: Outcome, paper: Publication, sets: list[str]) -> Iter
         yield known
     if outcome.spent:
         yield f"Precision budget spent: {outcome.spent}"
-    for group in sets:
-        yield f"{TITLES.get(group, group)}: {group_verdict(outcome, group)}"
+
+
+def _set_line(outcome: Outcome, group: str) -> str:
+    return f"{TITLES.get(group, group)}: {group_verdict(outcome, group)}"
+
+
+def _verdict(outcome: Outcome, paper: Publication, sets: list[str]) -> str:
     which = f", {' and '.join(sets)} constants," if sets else ""
     title = f"Theorem 1{which} at {parameters_told(outcome)}"
-    yield f"Verdict: {summary(outcome, paper, title)}"
+    return f"Verdict: {summary(outcome, paper, title)}"

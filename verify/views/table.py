@@ -10,7 +10,6 @@ from verify.language.statement import (
     PRINTED,
     PROVED,
     REFUTED,
-    REMARK,
     REPAIRED,
     Constant,
     Obligation,
@@ -26,6 +25,7 @@ from verify.views.point import in_numbers, parameters_told
 from verify.views.screen import SIGNS, TITLES, verdict_lines
 from verify.views.words import (
     COUNTED,
+    INSTEAD_WORDS,
     constants_of,
     ends_of,
     fair,
@@ -146,7 +146,7 @@ def _row(
         if row.severity and verdict == REFUTED:
             yield f"            {row.severity}"
         if row.corrected_by:
-            yield f"            {'see' if verdict == REMARK else 'corrected by'} {row.corrected_by}"
+            yield f"            {INSTEAD_WORDS.get(verdict, 'corrected by')} {row.corrected_by}"
 
 
 def _short(ends: Ends | None) -> str:

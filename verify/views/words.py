@@ -33,9 +33,12 @@ CONDITIONALLY_PROVED = "conditionally proved"
 #: The headline where a hypothesis does not hold.
 DOES_NOT_APPLY = "does not apply"
 
+#: The kind of a sentence that says what the objects are.
+DEFINITION = "definition"
+
 #: The kinds of assumptions that do not make a proof conditional: what the objects are, theorems of
 #: general mathematics, and sentences that do nothing but put facts together that they name.
-GRANTED = ("definition", "general mathematics", "numbered glue")
+GRANTED = (DEFINITION, "general mathematics", "numbered glue")
 
 #: How the parameters of Theorem 1 are written, in the paper's order.
 LETTERS = {"r": "r", "c": "(-cos θ₀)", "V_0": "V₀", "delta_theta": "δ_θ"}
@@ -115,6 +118,30 @@ def given_by(outcome: Outcome, paper: Publication) -> str:
     return ", and ".join([*own, *cited])
 
 
+def believed(outcome: Outcome, paper: Publication) -> str:
+    """Which sentences are believed, and which Coq proves, of those that the verdict rests on.
+
+    Coq has definitions as well; that they say what is meant is believed.
+    """
+    theorem = outcome.statement.theorem
+    own = [(theorem, one) for one in outcome.own_assumptions]
+    known: dict[Assumption, bool] = {}
+    for theorem, one in [*own, *_cited(outcome.statement.cites)]:
+        known[one] = known.get(one, True) and one.name in paper.in_coq.get(theorem, ())
+    proved = [one.name for one, found in known.items() if found and one.kind != DEFINITION]
+    others = [one for one, found in known.items() if not found or one.kind == DEFINITION]
+    names = [f"{one.name} ({one.kind})" if one.kind == DEFINITION else one.name for one in others]
+    share = f"Coq has proved {len(proved) or 'none'} of the {len(known)} sentences"
+    list_ = f": {', '.join(proved)}" if proved else ""
+    return f"Believed: nothing but {', '.join(names) or 'the judge'}; {share}{list_}."
+
+
+def _cited(cites: Iterable[Cite]) -> Iterator[tuple[str, Assumption]]:
+    for cite in cites:
+        yield from ((cite.theorem, one) for one in cite.assumptions)
+        yield from _cited(cite.cites)
+
+
 def cited_as(cite: Cite, paper: Publication) -> str:
     """A cited statement, with the folder of its certificate where that is one of ours."""
     is_ours = paper.has(assumption.label for assumption in cite.trusted)
@@ -164,14 +191,21 @@ def fair(outcome: Outcome, row: Obligation, found: Decision) -> str:
     true, and derives it from the claim, it is proved, but not by the printed argument: if the row
     that takes the place of the claim is proved.
     """
-    if found.verdict != REFUTED or row.role != PRINTED:
-        return found.verdict
+    better = outcome.decisions.get(row.corrected_by or "")
+    return fair_verdict(row, found.verdict, None if better is None else better.verdict)
+
+
+def fair_verdict(row: Obligation, verdict: str, better: str | None) -> str:
+    """The same from the verdicts on the row and on the one that takes its place."""
+    if verdict != REFUTED or row.role != PRINTED:
+        return verdict
     if row.severity == REMARK:
         return REMARK
-    better = outcome.decisions.get(row.corrected_by or "")
-    if row.severity == OTHERWISE and better is not None and better.verdict == PROVED:
-        return OTHERWISE
-    return REFUTED
+    return OTHERWISE if row.severity == OTHERWISE and better == PROVED else REFUTED
+
+
+#: What stands before the name of the row that takes the place of one.
+INSTEAD_WORDS = {OTHERWISE: "proved by", REMARK: "see", REFUTED: "corrected by"}
 
 
 #: The verdicts on rows, in the order in which they are counted, and how many of them are told.

@@ -15,12 +15,11 @@ from hashlib import sha256
 from verify import check
 from verify.language.errors import OwnError, UnreadError
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Obligation, Statement
-from verify.prover.outcome import Decision, Judgement, Outcome, names_in
+from verify.prover.outcome import CHECKER, Decision, Judgement, Outcome, names_in
 from verify.wire.packaged import cited_digests, packaged_files, packaged_statements
 from verify.wire.read import read
 from verify.wire.write import write
 
-CHECKER = "the checker"
 #: Who judges what comes with the program: the checker has, before, and the digests are compared.
 SHIPPED = "the checker, before these files were shipped (their digests are compared)"
 

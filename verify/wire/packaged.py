@@ -44,16 +44,16 @@ PACKAGED_FILES = {
         "certificate.json": "d68006b185a1ff0d6fa98beb6f19dc49455995db3e1d2bfad950a528e7192659",
     },
     "spectrum": {
-        "statement.json": "7b0b011b77d31d8caa59a92ff6a736b75f0fe9d939c7447e4775ee8d38dcb8ed",
-        "certificate.json": "98a2eec22f34b52af0c64555bbe3f6f5c183026248a4bd0cfeb1541de5d9b218",
+        "statement.json": "cb88e35f0984c1c4533cbdb35be8510235da71449440e01f380931109a05b129",
+        "certificate.json": "9f781f3d28e8fa570f4e0cbca191582b9fc5500969df7fdead9c151fbe1b6f03",
     },
     "classification": {
         "statement.json": "569536f6f737b332a6639a14e1b17d8a66ed12a481014b00afc956fabfa560ab",
         "certificate.json": "77e14ada4e990b1de451b3281f197e7a160c07d7bbf045696399507e362c65cf",
     },
     "elsewhere": {
-        "statement.json": "dfc26ecc95d0376bccf7d31c781a8275116eb97ba8027175c77d59ddbffbb03a",
-        "certificate.json": "2b35170f97340c545deef1a94a4122abe752dd47164d912acfe82c1ef54159a1",
+        "statement.json": "a29f2ba31bf910fd1c681963d0bedff3d0f42a1eccefe0fd561ecde2029633fa",
+        "certificate.json": "bb914a7b09f3366a8b453a27469d5c1a5e2519567f91b9f766c840b47f888e96",
     },
     "sharper": {
         "statement.json": "52d5abca77e65dd9c6c064ef529d4774214a42f6914bb076b725552dd0940776",
@@ -72,8 +72,8 @@ PACKAGED_FILES = {
         "certificate.json": "01c491731d5f3d8abb9745a19378efcda818d40a83fddd47828cbe1719f0b07e",
     },
     AS_PRINTED: {
-        "statement.json": "43e2e2103268a9b39e67c75ad7b2d6ac64e3b34d13c6b28bc8d1c1862bd1d646",
-        "certificate.json": "20b1e47fa5a08e4bebbf4e9d1bb67d04bcb36d8fe61dda20fed2199acde9bcc3",
+        "statement.json": "5cf2c8ef4afddc018b73731a7d3c8ce04c95d1e98a4d7218ce0753bb9b4f7a8c",
+        "certificate.json": "c70457f82cc24e6898a1b45871ae6bb8e8e8a260d39671ed09c7d1f5afbecf4a",
     },
 }
 

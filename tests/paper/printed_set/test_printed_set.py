@@ -260,6 +260,27 @@ PARAMETERS = {"r": as_term(Fraction(3, 100)), "c": as_term(1), "V_0": as_term(1)
               "delta_theta": as_term(Fraction(1, 10))}  # fmt: skip
 
 
+@pytest.mark.parametrize("words", ["--r 0.03", "--all"])
+def test_the_first_screen_answers_three_questions(
+    words: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Is the theorem true as printed, is its set right, which steps fail and how bad is that."""
+    monkeypatch.setenv("COLUMNS", "80")
+    main(["theorem1", *words.split()])
+    lines = capsys.readouterr().out.splitlines()[:24]
+    assert max(map(len, lines)) <= 80
+    first = " ".join(line.strip() for line in lines)
+    assert "Theorem 1 as printed, with < in (4.10): refuted" in first
+    assert "Its set as printed, with > for <: proved" in first
+    assert "The printed argument for it: refuted Refuted steps that break it" in first
+    for name in ("set-interior", "zeta-x-bound", "zeta-term-2", "zeta-remainders", "zeta-total"):
+        assert f"{name} " in first
+    assert "Why set-interior: ω_{c,0}·ω_{s,0} = cos θ₀ is an equation" in first
+    assert "Why zeta-x-bound and 3 more: Only of x₀ is it assumed" in first
+    assert "final-angle" in first
+    assert "The theorem with repaired constants: proved" in first
+
+
 def test_a_referee_reads_the_verdicts(capsys: pytest.CaptureFixture[str]) -> None:
     said = {}
     for line in ("--r 0.03", "--all", "--all --constants printed"):

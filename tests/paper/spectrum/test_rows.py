@@ -9,12 +9,13 @@ from fractions import Fraction
 import pytest
 import sympy
 
-from verify.language.statement import PROVED, REFUTED, Context, Statement
+from verify.language.statement import PROVED, REFUTED, REMARK, SLIP, Context, Statement
 from verify.language.terms import Claim, Term, as_term, names_of, symbol
 from verify.paper.commands.spectrum import decide_spectrum, state_spectrum
 from verify.paper.spectrum.printed import COEFFICIENTS, MATRIX, Printed
 from verify.prover.outcome import Outcome
 from verify.prover.prove import prove
+from verify.views.words import fair
 
 #: The sentences that are false as printed, and the rows that correct them.
 FALSE = {
@@ -57,6 +58,17 @@ def test_exactly_these_sentences_are_refuted(outcome: Outcome) -> None:
     roles = {row.name: row.role for row, _ in outcome.rows}
     assert {roles[name] for name in FALSE} == {"printed"}
     assert {roles[name] for name in FALSE.values()} == {"needed"}
+
+
+def test_what_is_held_against_the_text_is_one_slip(outcome: Outcome) -> None:
+    """The basis has the wrong sign; what the text does not claim of collapses is a remark."""
+    found = {row.name: fair(outcome, row, d) for row, d in outcome.rows}
+    against = {name for name, verdict in found.items() if verdict == REFUTED}
+    assert against == {"A_a-stated", "A_c-stated", "matrix-stated", "eigenspace-stated"} | {
+        "cone-y-stated"
+    }
+    assert {found[name] for name in FALSE.keys() - against} == {REMARK}
+    assert {row.severity for row, _ in outcome.rows if row.name in against} == {SLIP}
 
 
 def test_names_are_unique_and_assumptions_exist(outcome: Outcome) -> None:

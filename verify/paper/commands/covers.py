@@ -238,9 +238,9 @@ def ratios(group: str, share: Fraction) -> list[Ratios]:
                 if positive and ends is not None and ends[1] < FACTOR * ends[0]:
                     boxes[name].append((side, ends))
     drawn = [
-        Ratios(row.says, boxes[row.name], verdicts[row.name], _middle(boxes[row.name]))
+        Ratios(row.name, row.says, row.severity, found, verdicts[row.name], _middle(found))
         for row in kinds.open
-        if len(boxes[row.name]) > 10 and row.severity != REMARK
+        if len(found := boxes[row.name]) > 10 and row.severity != REMARK
     ]
     return sorted(drawn, key=lambda row: row.middle, reverse=True)
 

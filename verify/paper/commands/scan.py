@@ -16,7 +16,6 @@ from verify.language.statement import (
     NEEDED,
     PROVED,
     REFUTED,
-    REMARK,
     UNDECIDED,
     Choice,
     Constant,
@@ -36,6 +35,7 @@ from verify.prover.relations import FAILS, HOLDS, OPEN
 from verify.prover.rules import Interval, Sum
 from verify.prover.straight import StraightLine
 from verify.views.material import ScannedPoint
+from verify.views.words import fair_verdict
 
 #: The precision at which the points are computed, as in a single run.
 BITS = 192
@@ -146,14 +146,19 @@ class Compiled:
 
 
 def _told(rows: dict[str, str]) -> dict[str, str]:
-    """The verdicts on rows, where a remark that is false is called one."""
-    return {n: REMARK if n in _remarks() and v == REFUTED else v for n, v in rows.items()}
+    """The verdicts on rows, those on printed rows as fair as on a single point."""
+    return rows | {
+        row.name: fair_verdict(row, rows[row.name], rows.get(row.corrected_by or ""))
+        for row in _printed()
+        if row.name in rows
+    }
 
 
 @cache
-def _remarks() -> frozenset[str]:
-    rows = theorem().parts[PRINTED].obligations
-    return frozenset(row.name for row in rows if row.severity == REMARK)
+def _printed() -> tuple[Obligation, ...]:
+    """The printed rows that may be false."""
+    rows = (row for part in theorem().parts.values() for row in part.obligations)
+    return tuple(row for row in rows if row.severity)
 
 
 class Algebra:

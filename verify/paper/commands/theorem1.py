@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from verify.language.statement import (
     NEEDED,
+    OTHERWISE,
     PROVED,
     REMARK,
     Choice,
@@ -68,7 +69,8 @@ class PointRun:
         """The rows; those of the printed set are needed where that alone is asked for."""
         if self.selection != PRINTED:
             return rows
-        return tuple(row if row.severity == REMARK else row._replace(role=NEEDED) for row in rows)
+        kept = (OTHERWISE, REMARK)
+        return tuple(row if row.severity in kept else row._replace(role=NEEDED) for row in rows)
 
     def _define(self, constants: tuple[Constant | Choice, ...]) -> bool:
         """Add constants, or say what the precision does not suffice for."""

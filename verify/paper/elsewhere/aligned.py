@@ -27,7 +27,7 @@ from verify.language.terms import Claim, Term, as_term, equal, substitute, subst
 from verify.language.vectors import basis_vector, scale
 from verify.paper.elsewhere import mapping
 from verify.paper.letters import Letters, Refuted, Space, minus, refuted
-from verify.paper.rows import HARMLESS, SLIP
+from verify.paper.rows import BREAKS, SLIP
 
 LARGE = "EQUATSS3.3PROPOComp1PerpG"
 PROPOSITION = "PROPOSS3.3AsympCompa__I__"
@@ -165,9 +165,10 @@ def misprints() -> Iterator[Refuted]:
     yield from (
         refuted(n, "tangential-large", n.y**2 <= 10**6 * dot(tangential, tangential), SIXTH,
                 label=LARGE,
-                says="|W₂⊥| = o(-η₂) or |W₂⊥| = O(-η₂) cannot hold; here with the constant 1000: "
-                     "at some collision -η₂ ≤ 1000|W₂⊥|, but there is none, with no constant",
-                severity=HARMLESS, corrected_by="line-tangential"),
+                says="|W₂⊥| = o(-η₂) or |W₂⊥| = O(-η₂) cannot hold: a claim of the proposition, "
+                     "which no other one uses; here with the constant 1000: at some collision "
+                     "-η₂ ≤ 1000|W₂⊥|, but on the line W₂⊥ = 0",
+                severity=BREAKS, corrected_by="line-tangential"),
         refuted(n, "change-1-sign", (1 + r) * n.y <= 1000 * REST, SIXTH, label=PROPOSITION,
                 says="η₁' - η₁ - (1+r)/2 cos θ̄ η₂ = O(d'η₁, τ|W₁|², dη₂, τ|W₂|²), here with the "
                      "constant 1000: on the line the left side is (1+r)η₂, and the right side "

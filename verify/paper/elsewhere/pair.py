@@ -13,7 +13,7 @@ from verify.language.argument import Chapter, Item, Line, Opened, identity, plus
 from verify.language.terms import as_term, equal
 from verify.language.vectors import add, basis_vector, scale
 from verify.paper.letters import Letters, Refuted, Space, minus, refuted
-from verify.paper.rows import OTHERWISE, SLIP
+from verify.paper.rows import OTHERWISE, REMARK, SLIP
 
 LAW = "EQUATSS2.1VitesPost-Colli"
 FLOW = "DEFINSS2.1FlotrInelaSphDu"
@@ -140,8 +140,9 @@ def misprints() -> Iterator[Refuted]:
                 severity=OTHERWISE, corrected_by="tangential-kept"),
         refuted(n, "law-at-every-contact", 0 <= dot(new_W, e), "1/2 1 0 1 1 0 1 0 0 0 1 1/2 0 0 0",
                 label=FLOW,
-                says="the law of collision applies whenever a pair touches, and the pair then "
-                     "recedes", severity=SLIP, corrected_by="recedes-after"),
+                says="the law of collision applies whenever a pair touches, even if it recedes, "
+                     "and the pair then recedes: the definition speaks of any contact, and means "
+                     "a pair that approaches", severity=REMARK, corrected_by="recedes-after"),
         refuted(n, "colliding-pair-index", equal(dot(new_W, e), n.eta + half * n.eta * dot(e, e)),
                 "1/2 -1 0 1 1 0 1 0 0 0 1 1/2 0 0 0", label=SUMMABLE,
                 says="η'_(i,k) = η_(i,k) + (1+r)/2 η_(i,k) ω_(i,k)·ω_(i,k): in the second case of "

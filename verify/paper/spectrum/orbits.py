@@ -13,7 +13,7 @@ from fractions import Fraction
 
 from verify.language.statement import Obligation
 from verify.language.terms import Term, as_term, equal, substitute, symbol
-from verify.paper.rows import HARMLESS
+from verify.paper.rows import REMARK
 from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.collision_matrices import A_A, A_B, A_C
 from verify.paper.spectrum.complex_pair import FIXED, REAL_EIGENVECTOR, m, modulus, r_of_m
@@ -223,10 +223,10 @@ def _formal_paragraph(paper: Printed) -> Iterator[Obligation]:
         needed("spiral-transverse", THEOREM, "it is transverse to x = 0, to z = hx and to y = t: "
             "their forms are no multiples of ψ, because r/m > 0 and -(1-h)/2 < 0", 0 < (1 - h) / 2,
             ["spiral"]),
-        misprint("manifold",        THEOREM, "a triangular collapse is associated to iterations "
-            "in a manifold of dimension 1: the orbits of E₁ + ker(𝔄-λ₀) with x = -1 keep x' < 0 "
-            "(r = r(m))", dot(first_row, orbit) < as_term(0), HARMLESS, "manifold-empty",
-            context=LINE),
+        misprint("manifold",        THEOREM, "the text confines a triangular collapse to a "
+            "manifold of dimension 1 and does not claim that its orbits stay in the cone: those "
+            "of E₁ + ker(𝔄-λ₀) with x = -1 keep x' < 0 (r = r(m))",
+            dot(first_row, orbit) < as_term(0), REMARK, "manifold-empty", context=LINE),
         needed("manifold-empty",    THEOREM,
             "these orbits have x' = m³ > 0: they leave the cone at once, and the manifold is empty",
             equal(dot(first_row, orbit), m**3), ["every-r"], context=LINE),

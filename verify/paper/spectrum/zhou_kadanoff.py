@@ -13,7 +13,7 @@ from fractions import Fraction
 
 from verify.language.statement import Applies, Obligation
 from verify.language.terms import Number, Term, as_term, equal, maximum, sqrt
-from verify.paper.rows import BREAKS
+from verify.paper.rows import REMARK
 from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.matrices import Matrix, apply, determinant, dot, identity_minus, vector
 from verify.paper.spectrum.printed import r, root_3
@@ -100,9 +100,10 @@ def _rate() -> Iterator[Obligation]:
         "rate holds", equal((alpha + d) / 2, alpha - (alpha - d) / 2), uses)  # fmt: skip
     # Complex case: |Tr| = 2 s k with s = sqrt(r), k < 1; -cos(theta) = 4sk/(1+s^2).
     yield linear.misprint("rate-complex-stated", RATE,
-                   "complex case: the spectral radius √r is at most max((1+r)/2 |cos θ|, r), the "
-                   "printed rate, where s = √r and |cos θ| = 4sk/(1+s²)",
-                   s <= maximum((1 + s**2) / 2 * (4 * s * k / (1 + s**2)), s**2), severity=BREAKS,
+                   "complex case, in which no collapse is (existence-cited): the spectral "
+                   "radius √r is at most max((1+r)/2 |cos θ|, r), the printed rate, where s = √r "
+                   "and |cos θ| = 4sk/(1+s²)",
+                   s <= maximum((1 + s**2) / 2 * (4 * s * k / (1 + s**2)), s**2), severity=REMARK,
                    corrected_by="rate-complex", context=LINEAR)  # fmt: skip
     y = symbols("y")[0]
     yield from (

@@ -1,4 +1,4 @@
-"""Claims about one variable that meet at a point, or hold on an unbounded range.
+"""Claims whose sides meet at an end of one variable's range, or that hold on an unbounded one.
 
 What holds at a point holds beyond it, if the derivative of the difference has a sign there. That
 is a claim of the same kind, and after some derivatives one about a quotient of polynomials, or one
@@ -8,9 +8,11 @@ that enclosures decide. Estimates guide; each premise has a proof.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from itertools import pairwise
+from functools import partial
+from itertools import islice, pairwise, product
+from operator import gt
 
 from flint import fmpq_mpoly
 
@@ -29,7 +31,7 @@ from verify.language.terms import (
 from verify.prover.clearing import Clearing, TooLongError
 from verify.prover.goal import Bounds
 from verify.prover.numbers import float_of, fmpq_of, fraction_of
-from verify.prover.proof import Premise, Proof, power_of, product_of
+from verify.prover.proof import Premise, Proof, Value, power_of, product_of
 from verify.prover.rules import Cuts, Derivative, Have, InRange, Interval, Law, Monotony, Sum
 from verify.prover.search.bernstein_boxes import on_interval
 from verify.prover.search.compiled import estimates
@@ -43,12 +45,14 @@ from verify.prover.session import ZERO
 #: Derivatives and cuts inside one another, claims that are looked at in all, and those of them
 #: that other techniques get.
 MAX_DEPTH, MAX_CLAIMS, MAX_ALGEBRAIC = 12, 60, 3
+#: Variables of a claim, of which one grows, and places of the others that estimates look at.
+MAX_VARIABLES, PLACES = 3, 12
 #: A claim may have so many different terms, each of which costs so many units of work.
 MAX_PARTS, PRICE = 100, 1000
+#: A numerator may have so many products of powers.
+MAX_MONOMIALS = 40
 #: Parts of a box that enclosures may take.
 LEAVES = 100
-#: Where numbers are compared that are exact and short.
-BITS = 1024
 #: Of the checker where the variable has a value.
 BITS_AT_POINT = 64
 #: A difference below this part of the sides may be rounding.
@@ -64,21 +68,30 @@ FUNCTIONS = ("exp", "log", "atan", "sin", "cos", "cos_pi")
 def by_growth(question: Question) -> Proof | None:
     """A proof by signs of derivatives, for one variable of the context itself."""
     goal, known = question.plain, question.known
-    if goal.context is None or len(goal.variables) != 1 or goal.definitions or goal.constants:
+    if goal.context is None or goal.definitions or goal.constants:
         return None
-    ((name, bounds),) = goal.variables.items()
-    context = known.contexts[goal.context]
-    own = name in {variable.name for variable in context.variables}
-    if not own or not any(
-        part.op in FUNCTIONS for part in parts_of(goal.claim.lhs, goal.claim.rhs)
-    ):
+    own = [variable.name for variable in known.contexts[goal.context].variables]
+    names = [name for name in goal.variables if name in own]
+    ops = {part.op for part in parts_of(goal.claim.lhs, goal.claim.rhs)}
+    if not 1 <= len(goal.variables) <= MAX_VARIABLES or ops.isdisjoint(FUNCTIONS):
         return None
     if goal.claim.relation not in ("<", "<=") or goal.claim.lhs == ZERO == goal.claim.rhs:
         return None
-    proof = Growth(question, name).prove(goal.claim, bounds, (), MAX_DEPTH)
+    searches = [Growth(question, name, clears) for clears in (False, True) for name in names]
+    found = (s.prove(goal.claim, goal.variables[s.name], (), MAX_DEPTH) for s in searches)
+    proof = next(filter(None, found), None)
     if proof is None or not any(map(_is_turned, parts_of(goal.claim.lhs, goal.claim.rhs))):
         return proof
     return Have(goal.claim, (proof, Sum(("goal", "@1"))))
+
+
+def _size(claim: Claim) -> int:
+    return sum(1 for _ in parts_of(claim.lhs, claim.rhs))
+
+
+def _has_divisor(claim: Claim) -> bool:
+    parts = parts_of(claim.lhs, claim.rhs)
+    return any(part.op == "div" and part.children[1].op != "rational" for part in parts)
 
 
 def _is_turned(term: Term) -> bool:
@@ -87,25 +100,38 @@ def _is_turned(term: Term) -> bool:
 
 
 class Growth:
-    """Proofs of claims about one variable, in branches with bounds of it."""
+    """Proofs of claims about one variable, in branches with bounds of it.
 
-    def __init__(self, question: Question, name: str) -> None:
+    Args:
+        question: the claim.
+        name: the variable.
+        clears: whether claims are multiplied with their divisors before derivatives are taken.
+    """
+
+    def __init__(self, question: Question, name: str, clears: bool) -> None:
         self.question, self.known, self.name = question, question.known, name
         self.goal, self.x = question.plain, symbol(name)
         self.context = self.goal.context or ""
-        self.claims = self.algebraic = 0
+        self.givens = [given.claim for given in self.known.contexts[self.context].givens]
+        self.others = {n: b for n, b in self.goal.variables.items() if n != name}
+        self.places = [*islice(_places(self.others), PLACES)]
+        self.claims = self.algebraic = self.searches = 0
+        self.clears = clears
+        self.numerators: set[Claim] = set()  # without divisors
 
     def prove(
         self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...], depth: int
     ) -> Proof | None:
         """A proof where the variable has these bounds, among them the hypotheses of cuts."""
         self.claims += 1
-        size = sum(1 for _ in parts_of(claim.lhs, claim.rhs))
+        size = _size(claim)
         self.question.budget.spend(PRICE * size)
         if depth == 0 or self.claims > MAX_CLAIMS or size > MAX_PARTS:
             return None
-        if self.name not in names_of(claim.lhs, claim.rhs):
+        if self.goal.variables.keys().isdisjoint(names_of(claim.lhs, claim.rhs)):
             return self._ground(claim)
+        if self.name not in names_of(claim.lhs, claim.rhs):
+            return self._without(claim)
         gaps = [*self._gaps(claim, bounds)]
         if not gaps or min(gap for _, gap in gaps) < 0:
             return None
@@ -116,6 +142,7 @@ class Growth:
         found = found or (None if touches else self._tree(claim, bounds, cuts))
         if any(part.op in FUNCTIONS for part in parts_of(claim.lhs, claim.rhs)):
             found = found or self._isolated(claim, bounds, cuts, depth)
+            found = found or self._cleared(claim, bounds, cuts, depth)
             found = found or self._grown(claim, bounds, cuts, depth)
         else:
             found = found or self._algebraic(claim)
@@ -128,13 +155,17 @@ class Growth:
 
         It is 0 where that may be rounding.
         """
+        givens = self.givens if self.others else []
+        terms = [side for c in (claim, *givens) for side in (c.lhs, c.rhs)]
         try:
-            values = estimates([self.name], [claim.lhs, claim.rhs], {})
+            values = estimates([self.name, *self.others], terms, {})
         except KeyError:
             return
-        for x in _points(bounds):
+        for x, place in product(_points(bounds), self.places):
             try:
-                low, high = values(x)
+                low, high, *sides = values(x, *place)
+                if any(map(gt, sides[::2], sides[1::2])):
+                    continue
             except (ArithmeticError, ValueError, TypeError):
                 continue
             size = abs(low) + abs(high)
@@ -161,6 +192,14 @@ class Growth:
         verdict, proof = self.known.ground.prove(claim)
         return proof if verdict == PROVED else None
 
+    def _without(self, claim: Claim) -> Proof | None:
+        """A claim about the other variables alone, as a lemma."""
+        if self.searches == MAX_ALGEBRAIC:
+            return None
+        self.searches += 1
+        fact = self.question.fact(claim)
+        return None if fact is None else Sum(("goal", fact))
+
     def _simple(self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...]) -> Proof | None:
         """A quotient of polynomials, or what the range of a function shows."""
         claim = Claim(
@@ -169,7 +208,7 @@ class Growth:
             self.known.turned(claim.rhs, self.context),
         )
         try:
-            found = on_interval(self.goal._replace(claim=claim, variables={self.name: bounds}))
+            found = on_interval(self.goal._replace(claim=claim, variables=self._variables(bounds)))
             if found is not None:
                 return found
             clearing = Clearing((claim.lhs, claim.rhs), {})
@@ -230,19 +269,22 @@ class Growth:
 
     def _algebraic(self, claim: Claim) -> Proof | None:
         """What other techniques find where it holds in the whole context."""
-        ((_, bounds),) = self.goal.variables.items()
-        gaps = [gap for _, gap in self._gaps(claim, bounds)]
+        gaps = [gap for _, gap in self._gaps(claim, self.goal.variables[self.name])]
         self.algebraic += 1
         if not gaps or min(gaps) < 0 or self.algebraic > MAX_ALGEBRAIC:
             return None
         return self.known.prove(self.goal._replace(claim=claim))
 
     def _tree(self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...]) -> Proof | None:
-        if bounds.ends is None:
+        variables = self._variables(bounds)
+        if any(b.ends is None for b in variables.values()):
             return None
-        variables = {self.name: bounds}
         tree = Tree(claim, variables, {}, self.question.budget, hypotheses=len(cuts))
         return tree.prove(LEAVES)
+
+    def _variables(self, bounds: Bounds) -> dict[str, Bounds]:
+        """The bounds of all variables, with these of the one that grows."""
+        return {self.name: bounds, **self.others}
 
     # --- isolating a function -------------------------------------------------------------------
 
@@ -306,6 +348,67 @@ class Growth:
         premise = Sum(("goal", f"@{len(cuts) + 1}"), (name,))
         return Have(below, (proof, Monotony(premise, "log")))
 
+    # --- without divisors -----------------------------------------------------------------------
+
+    def _cleared(
+        self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...], depth: int
+    ) -> Proof | None:
+        """By the numerator of the difference, without the factors whose signs are known."""
+        if not self.clears or claim in self.numerators:
+            return None
+        is_negative = partial(self.known.is_negative, context=self.context)
+        try:
+            clearing = Clearing((claim.lhs, claim.rhs), {}, is_negative)
+            difference = clearing.difference(claim.rhs, claim.lhs)
+        except TooLongError:
+            return None
+        rest, values = self._without_factors(clearing, difference, bounds, claim.relation)
+        if rest.is_constant() or len(rest) > MAX_MONOMIALS:
+            return None
+        cleared = Claim(claim.relation, ZERO, clearing.term(rest))
+        self.numerators.add(cleared)
+        if cleared == claim or not (_has_divisor(claim) or _size(cleared) < _size(claim)):
+            return None
+        proof = self.prove(cleared, bounds, cuts, depth)
+        last = Sum(("goal", product_of(f"@{len(cuts) + 1}", *values)))
+        return None if proof is None else Have(cleared, (proof, last))
+
+    def _without_factors(
+        self, clearing: Clearing, polynomial: fmpq_mpoly, bounds: Bounds, relation: str
+    ) -> tuple[fmpq_mpoly, list[Value]]:
+        """A polynomial divided by the powers of the variable and of exponentials in it.
+
+        With them the values of the facts that these powers are positive.
+        """
+        values: list[Value] = []
+        for index, atom in enumerate(clearing.atoms):
+            power = min((power for power, _ in clearing.coefficients(polynomial, index)), default=0)
+            found = self._positive(atom, bounds, relation) if power else None
+            if found is not None:
+                value, sign = found
+                polynomial = polynomial / clearing.context.gens()[index] ** power * sign**power
+                values.append(power_of(value, power))
+        return polynomial, values
+
+    def _positive(self, atom: Term, bounds: Bounds, relation: str) -> tuple[Value, int] | None:
+        """The value of an atom or, with the sign -1, of its opposite, which is positive."""
+        if atom.op == "exp":
+            fact = self.known.fact(Claim("<", ZERO, atom), self.context)
+            return None if fact is None else (fact, 1)
+        if atom != self.x:
+            return None
+        low = None if bounds.low is None else (bounds.low, bounds.low_fact, bounds.low_relation, 1)
+        high = bounds.high
+        top = None if high is None else (-high, bounds.high_fact, bounds.high_relation, -1)
+        for end in (low, top):
+            if end is not None and end[0] >= 0:
+                distance, fact, sign = *end[:2], end[3]
+                if distance > 0:
+                    return ("add", fact, str(distance)), sign
+                if relation in (end[2], "<="):
+                    return fact, sign
+        return None
+
     # --- derivatives ----------------------------------------------------------------------------
 
     def _grown(
@@ -315,31 +418,68 @@ class Growth:
         if slope is None or not self.known.clears((claim.lhs, claim.rhs, slope), self.context):
             return None
         sign = self._sign(slope, bounds)
-        end = bounds.low if sign > 0 else bounds.high
-        if sign == 0 or end is None:
-            return None
-        at = as_term(end)
-        order = self._order(at, bounds, cuts, is_above=sign > 0)
-        near = self._near(cuts, is_above=sign > 0)
-        if order is None or near is None:
+        ends = self._ends(bounds, cuts, is_above=sign > 0) if sign else ()
+        found = (self._from(claim, slope, bounds, cuts, depth, end) for end in ends)
+        return next(filter(None, found), None)
+
+    def _ends(
+        self, bounds: Bounds, cuts: tuple[Claim, ...], *, is_above: bool
+    ) -> Iterator[tuple[Term, str, str]]:
+        """Terms at which a range of the variable begins (or ends), each with the fact that says so.
+
+        With the fact its relation.
+        """
+        for given in self.known.contexts[self.context].givens:
+            relation, lhs, rhs = given.claim.key
+            near, far = (rhs, lhs) if is_above else (lhs, rhs)
+            is_end = near == self.x and far.op != "rational" and relation in ("<", "<=")
+            if is_end and self.name not in names_of(far):
+                yield far, given.name, relation
+        end = bounds.low if is_above else bounds.high
+        if end is not None:
+            order = self._order(as_term(end), bounds, cuts, is_above=is_above)
+            if order is not None:
+                yield as_term(end), *order
+
+    def _from(
+        self,
+        claim: Claim,
+        slope: Term,
+        bounds: Bounds,
+        cuts: tuple[Claim, ...],
+        depth: int,
+        end: tuple[Term, str, str],
+    ) -> Proof | None:
+        """A proof from the claim at an end of the range."""
+        at, fact, relation = end
+        is_above = self._sign(slope, bounds) > 0
+        near = self._near(cuts, at, is_above=is_above)
+        if near is None:
             return None
         for strict in ("start", "slope") if claim.relation == "<" else ("start",):
             relations = AT_POINT.get((claim.relation, strict), ("<=", "<=", "<="))
-            start = self._at(Claim(relations[0], claim.lhs, claim.rhs), end)
-            comparison = _weaker(*order, relations[1])
+            start = self._at(Claim(relations[0], claim.lhs, claim.rhs), at, bounds)
+            comparison = _weaker(fact, relation, relations[1])
             if start is None or comparison is None:
                 continue
-            sides = (ZERO, slope) if sign > 0 else (slope, ZERO)
+            sides = (ZERO, slope) if is_above else (slope, ZERO)
             proof = self.prove(Claim(relations[2], *sides), bounds, cuts, depth - 1)
             if proof is not None:
-                side = "above" if sign > 0 else "below"
+                side = "above" if is_above else "below"
                 fields = self.name, at, slope, side, strict, start, comparison, proof, near
                 return Derivative(*fields)
         return None
 
-    def _at(self, claim: Claim, end: Fraction) -> Proof | None:
-        """A proof of the claim at a number."""
-        return self._ground(substitute_claim(claim, {self.name: as_term(end)}))
+    def _at(self, claim: Claim, end: Term, bounds: Bounds) -> Premise | None:
+        """A proof of the claim at an end."""
+        found = substitute_claim(claim, {self.name: end})
+        if self.goal.variables.keys().isdisjoint(names_of(found.lhs, found.rhs)):
+            return self._ground(found) if self.known.clears((found.lhs, found.rhs), None) else None
+        least = min((gap for _, gap in self._gaps(found, bounds)), default=-1.0)
+        seems = least > 0 or (least == 0 and claim.relation == "<=")
+        if not seems or not self.known.clears((found.lhs, found.rhs), self.context):
+            return None
+        return self._without(found)
 
     def _order(
         self, at: Term, bounds: Bounds, cuts: tuple[Claim, ...], *, is_above: bool
@@ -351,20 +491,35 @@ class Growth:
         good = claim is not None and (claim.lhs, claim.rhs) == sides and claim.relation != "="
         return (name, claim.relation) if good and claim is not None else None
 
-    def _near(self, cuts: tuple[Claim, ...], *, is_above: bool) -> tuple[Proof, ...] | None:
-        """Why each bound on the side of a number holds for it; None if a given is no bound."""
-        found: list[Proof] = []
-        givens = [given.claim for given in self.known.contexts[self.context].givens]
-        for claim in (*givens, *cuts):
+    def _near(
+        self, cuts: tuple[Claim, ...], at: Term, *, is_above: bool
+    ) -> tuple[Premise, ...] | None:
+        """Why each bound on the side of an end holds for it; None if a given is no bound."""
+        found: list[Premise] = []
+        for claim in (*self.givens, *cuts):
             if self.name not in names_of(claim.lhs, claim.rhs):
                 continue
             is_lower = claim.rhs == self.x
             end = claim.lhs if is_lower else claim.rhs
-            if self.x not in (claim.lhs, claim.rhs) or claim.relation == "=" or [*names_of(end)]:
+            if self.x not in (claim.lhs, claim.rhs) or claim.relation == "=":
+                return None
+            if self.name in names_of(end):
                 return None
             if is_lower == is_above:
-                found.append(Interval(BITS))
+                premise = self._not_beyond(end, at, is_above=is_above)
+                if premise is None:
+                    return None
+                found.append(premise)
         return tuple(found)
+
+    def _not_beyond(self, bound: Term, at: Term, *, is_above: bool) -> Premise | None:
+        """Why a bound is not beyond an end, seen from the variable."""
+        if bound == at:
+            return Sum(("goal",))
+        claim = Claim("<=", *((bound, at) if is_above else (at, bound)))
+        if not [*names_of(bound, at)]:
+            return self._ground(claim)
+        return self.question.fact(claim)
 
     # --- cuts -----------------------------------------------------------------------------------
 
@@ -386,6 +541,9 @@ class Growth:
     def _numbers(self, claim: Claim, bounds: Bounds) -> Iterator[Fraction]:
         """Where the sides meet; else where the derivative changes its sign; else the middle."""
         inside = [q for q in dict.fromkeys(SIMPLE) if _is_inside(q, bounds)]
+        if self.others:
+            yield from inside[:1]
+            return
         values = estimates([self.name], [claim.lhs, claim.rhs], {})
         for number in inside:
             try:
@@ -427,6 +585,19 @@ def _short(value: float, width: float) -> Fraction:
     """A fraction with few digits near a number."""
     digits = max(1, 1 - math.floor(math.log2(width))) if width > 0 else 20
     return Fraction(round(value * 2**digits), 2**digits)
+
+
+def _places(variables: Mapping[str, Bounds]) -> Iterator[tuple[float, ...]]:
+    """Values of variables; where there are several, mixed in many ways."""
+    values = [[*_points(bounds)] for bounds in variables.values()]
+    if not values:
+        yield ()
+        return
+    for k in range(PLACES):
+        yield tuple(
+            each[(k * (3 + 4 * i) + i) * len(each) // PLACES % len(each)]
+            for i, each in enumerate(values)
+        )
 
 
 def _points(bounds: Bounds) -> Iterator[float]:

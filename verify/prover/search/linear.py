@@ -79,18 +79,32 @@ def _bounded(system: System, name: str, sign: int) -> bool:
         return False
     target = sign * system.clearing.generators[symbol(name)]
     multiples = [Multiple(p, key, system.clearing.one) for key, p in system.equations.items()]
-    found = least(system, system.facts, target, multiples)
+    facts = system.facts
+    found = least(system, facts, target, multiples)
+    if found is None and multiples:
+        facts = [*facts, *_squares(system)]
+        found = least(system, facts, target, multiples)
     if found is None:
         return False
     bound, weights, shares = found
-    strict = any(w and fact.strict for w, fact in zip(weights, system.facts, strict=True))
+    strict = any(w and fact.strict for w, fact in zip(weights, facts, strict=True))
     number, variable = as_term(sign * bound), symbol(name)
     sides = (number, variable) if sign > 0 else (variable, number)
     claim = Claim("<" if strict else "<=", *sides)
-    proof = sum_of_facts(system, ("goal",), (weights, system.facts), (shares, multiples))
+    proof = sum_of_facts(system, ("goal",), (weights, facts), (shares, multiples))
     known, place = system.question.known, system.question.goal.context
     known.narrow(name, Given(known.session.lemma(claim, proof, place), claim))
     return True
+
+
+def _squares(system: System) -> Iterator[Fact]:
+    """The squares of variables, and of their distances from 1 and -1.
+
+    With them x^2 + y^2 = 1 bounds x and y.
+    """
+    for x in (system.clearing.generators[a] for a in system.atoms if a.op == "symbol"):
+        for base in (x, x - 1, x + 1):
+            yield Fact(base * base, ("square", expanded(base, system.atoms)), False)
 
 
 def least(

@@ -68,22 +68,35 @@ class Question:
 
     def is_refuted(self) -> bool:
         """Whether there is a point where the claim is false; a few are tried before any minimum."""
-        if any(value < -NEAR_ZERO for value, _ in self.estimates.at_starts()):
+        if self._are_false(self.estimates.at_starts()):
             return True
         if not self.given and refuting_point(self.goal, self.known.enclosed) is not None:
             return True
         if not self.minima or self.minima[0][0] >= 0:
             return False
-        return self.minima[0][0] < -NEAR_ZERO or self.false_at() is not None
+        return self._are_false(self.minima) or self.false_at() is not None
+
+    def _are_false(self, found: Iterable[tuple[float, tuple[float, ...]]]) -> bool:
+        """Whether an estimate is clearly negative, and enclosures at its point agree."""
+        low = [point for value, point in found if value < -NEAR_ZERO]
+        if not low:
+            return False
+        at_fault = failure_test(self.goal, self.known.enclosed)
+        return any(at_fault([*map(Fraction, point)]) for point in low)
 
     def false_at(self) -> dict[str, Fraction] | None:
         """A simple point inside all bounds, near a local minimum, where the claim is false."""
         at_fault = failure_test(self.plain, self.known.enclosed)
+        tests = [
+            failure_test(self.plain._replace(claim=claim), self.known.enclosed)
+            for claim in self.given.values()
+            if self.plain.variables.keys() >= {*names_of(claim.lhs, claim.rhs)}
+        ]
         for value, point in self.minima:
             if value > NEAR_ZERO:
                 break
             for values in simple_points(point, self._bounds):
-                if at_fault(values):
+                if at_fault(values) and not any(fails(values) for fails in tests):
                     return dict(zip(self.goal.variables, values, strict=True))
         return None
 

@@ -15,6 +15,7 @@ from verify.language.record import Record
 from verify.language.terms import Claim, Term, symbol
 from verify.prover.clearing import Clearing, atoms_of
 from verify.prover.proof import Value
+from verify.prover.search.direct import CIRCULAR, RANGES
 from verify.prover.search.question import Question
 
 
@@ -40,7 +41,9 @@ class System:
         claim = question.goal.claim
         replaced = {symbol(name): term for name, term in question.goal.definitions.items()}
         said = [claim, *claims.values(), *equations.values()]
-        terms = [side for c in said for side in (c.lhs, c.rhs)]
+        self.ranges = dict(_ranges(question, _sides(said), replaced))
+        claims |= self.ranges
+        terms = _sides((*said, *self.ranges.values()))
         self.enclosures = dict(_enclosures(question, atoms_of(terms, replaced)))
         self.clearing = Clearing(terms, replaced, question.is_negative)
         self.atoms = self.clearing.atoms
@@ -71,10 +74,11 @@ class System:
         return self.clearing.reduce(polynomial) if self.is_plain else polynomial
 
     def named(self, value: Value) -> Value:
-        """The value with the names of lemmas for enclosures, which are written down now."""
+        """The value with the names of lemmas for ranges, which are written down now."""
         if isinstance(value, str):
-            claim = self.enclosures.get(value)
+            claim, range_of = self.enclosures.get(value), self.ranges.get(value)
             name = value if claim is None else self.question.known.ground.lemma(claim)
+            name = name if range_of is None else self.question.fact(range_of)
             if name is None:
                 raise ArithmeticError(f"{claim} was not shown by enclosures")
             return name
@@ -88,6 +92,22 @@ class System:
         one = self.clearing.one
         roots = (atom for atom in self.atoms if atom.op == "sqrt")
         return all(self.clearing.clear(root.children[0])[1] == one for root in roots)
+
+
+def _sides(claims: Iterable[Claim]) -> list[Term]:
+    return [side for claim in claims for side in (claim.lhs, claim.rhs)]
+
+
+def _ranges(
+    question: Question, terms: Iterable[Term], replaced: dict[Term, Term]
+) -> Iterator[tuple[str, Claim]]:
+    """The ends of the values of functions of variables; under names for now."""
+    for atom in atoms_of(terms, replaced):
+        if atom.op in RANGES and not question.known.clears_as_number(atom):
+            for is_above, end in RANGES[atom.op].items():
+                relation = "<=" if atom.op in CIRCULAR else "<"
+                sides = (atom, end) if is_above else (end, atom)
+                yield f"{'end' if is_above else 'start'} {atom}", Claim(relation, *sides)
 
 
 def _inequalities(question: Question) -> Iterator[tuple[str, Claim]]:

@@ -36,6 +36,7 @@ from verify.views.plots.drawing import SCHEMES, standalone, svg
 from verify.views.plots.letters import letters_drawing
 from verify.views.plots.shapes import Figure, Panel
 from verify.views.point import in_numbers, place
+from verify.views.screen import causes
 from verify.views.setting import TEMPLATES, in_html, in_markdown
 from verify.views.words import (
     CONDITIONALLY_PROVED,
@@ -66,6 +67,7 @@ SETS = (
     (REPAIRED, "The repaired set"),
 )
 PLOTS = {
+    "region": "For which r and θ₀",
     "margins": "How close each step is",
     "minimum": "The smallest entry of η̄",
     "roots": "The roots of Q",
@@ -136,7 +138,7 @@ def _parts(found: Mapping[str, Any]) -> Iterator[Part]:
     ):
         if of:
             yield Part(_file(name), words, words, says)
-    for figure in found["pictures"].plots[1:4]:
+    for figure in found["pictures"].plots[1:5]:
         words = PLOTS[figure.name]
         yield Part(_file(figure.name), words, words, "plot", (words, figure))
     for one in MEASURED:
@@ -249,6 +251,7 @@ def _content(material: Material) -> dict[str, Any]:
     main, paper = material.main, material.paper
     printed = rows.rows_as_printed(main)
     refuted = rows.with_verdict(printed, REFUTED, main)
+    breaking = of_severity(refuted, BREAKS)
     proved = rows.with_verdict(main.of_group(REPAIRED), PROVED, main)
     apart = [folder for folder in material.folders if folder.name.startswith(SCENES)]
     region = material.plotted.region.everywhere
@@ -264,7 +267,9 @@ def _content(material: Material) -> dict[str, Any]:
         ],
         "printed_rows": printed,
         "refuted": refuted,
+        "otherwise": rows.with_verdict(printed, OTHERWISE, main),
         "remarks": rows.with_verdict(printed, REMARK, main),
+        "why": [line.strip() for line in causes([r for r, _ in breaking], paper)],
         "OTHERWISE": OTHERWISE,
         "REMARK": REMARK,
         "BREAKS": BREAKS,

@@ -29,6 +29,7 @@ from verify.views.point import in_numbers
 from verify.views.tex.formulas import Formulas, safe_letter
 from verify.views.tex.sentences import name, tex_number, words
 from verify.views.words import (
+    INSTEAD_WORDS,
     fair,
     given_by,
     groups,
@@ -267,7 +268,8 @@ class _Part:
             notes.append(f"with {', '.join(map(self._assumed, row.uses))}")
         if found.verdict == REFUTED:
             notes += [words(row.severity)] if row.severity and verdict == REFUTED else []
-            notes += [f"corrected by {self._named(row.corrected_by)}"] if row.corrected_by else []
+            better = INSTEAD_WORDS.get(verdict, "corrected by")
+            notes += [f"{better} {self._named(row.corrected_by)}"] if row.corrected_by else []
         if notes:
             yield rf"\says{{{'; '.join(notes)}}}"
         yield r"\end{row}"

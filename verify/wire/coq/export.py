@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from verify import check
+from verify.wire.coq.motion import about_balls
 from verify.wire.coq.proofs import Proofs
-from verify.wire.coq.readable import readable
+from verify.wire.coq.readable import Readable, readable
 from verify.wire.coq.reading import NotAcceptedError, Reading, label, read
 from verify.wire.coq.statement import listed
 
 ASSUMPTIONS = "\nPrint Assumptions proved.\n"
 
 
-def export(folder: check.Folder, *, ordinary: bool = False) -> str:
+def export(folder: check.Folder, *, ordinary: bool = False, balls: bool = False) -> str:
     """A Coq file that proves the statement from the certificate; also in ordinary notation.
+
+    With ``balls`` it ends in what the statement says of three balls.
 
     Raises:
         NotAcceptedError: for what is no certificate that proves its statement.
@@ -20,8 +23,11 @@ def export(folder: check.Folder, *, ordinary: bool = False) -> str:
     reading = read(folder)
     if reading.complaints:
         raise NotAcceptedError("; ".join(reading.complaints))
-    more = readable(reading) if ordinary else []
-    return "\n".join((head(reading), *data(reading), *theorem(reading), *more, ASSUMPTIONS))
+    more = about_balls(reading) if balls else []
+    if ordinary and not balls:
+        more = readable(reading, Readable(reading))
+    last = ASSUMPTIONS.replace("proved", "three_balls_collapse") if balls else ASSUMPTIONS
+    return "\n".join((head(reading), *data(reading), *theorem(reading), *more, last))
 
 
 def head(reading: Reading) -> str:

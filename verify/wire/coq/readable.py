@@ -6,6 +6,8 @@ has to be believed: a lemma that does not say what the row says does not compile
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from verify import check
 from verify.wire.coq.notation import Notation
 from verify.wire.coq.proofs import Proofs
@@ -31,11 +33,11 @@ Proof. constructor. Qed.
 """
 
 
-def readable(reading: Reading) -> list[str]:
-    """What is added to the exported file."""
-    form = Readable(reading)
+def readable(reading: Reading, form: Readable, names: Collection[str] = ()) -> list[str]:
+    """What is added to the exported file; of the rows those that are named, or all."""
     constants = [form.constant(i, term) for i, term in enumerate(form.constants, 1)]
-    rows = [form.row(i, row) for i, row in enumerate(reading.statement.rows.values(), 1)]
+    found = enumerate(reading.statement.rows.values(), 1)
+    rows = [form.row(i, row) for i, row in found if not names or row.name in names]
     constants += [form.end(), *map(form.variable, form.variables)]
     if not reading.cites:
         return [HEAD.replace("PROVED", "proved"), *constants, *rows]

@@ -20,16 +20,21 @@ from verify.language.terms import (
     Claim,
     Term,
     absolute,
+    acos,
     as_term,
+    asin,
     atan,
+    cosh,
     exp,
     log,
     nth_root,
     parts_of,
     pi,
+    sinh,
     sqrt,
     symbol,
     tan,
+    tanh,
 )
 from verify.wire.inputs import InputError, nearest, rational, shown
 from verify.wire.text.letters import GREEK, NAMES, name_of
@@ -60,16 +65,25 @@ SUGAR: Mapping[str, Callable[[Term], Term]] = {
     "tan": tan,
     "ln": log,
     "arctan": atan,
+    **dict.fromkeys(("asin", "arcsin"), asin),
+    **dict.fromkeys(("acos", "arccos"), acos),
+    "sinh": sinh,
+    "cosh": cosh,
+    "tanh": tanh,
 }
 #: All that is written like a function.
 CALLED = (*FUNCTIONS, *MANY, "root", *SUGAR)
 
 
 class Formula(Record):
-    """What a text says: terms with the relations between them, of which a term alone has none."""
+    """What a text says: terms with the relations between them, of which a term alone has none.
+
+    ``moduli`` has for each term that is written ``|t|`` the term t.
+    """
 
     terms: tuple[Term, ...]
     relations: tuple[str, ...]
+    moduli: tuple[Term | None, ...]
 
     def claims(self) -> tuple[Claim, ...]:
         """A claim for each relation; ``a > b`` is the claim ``b < a``."""
@@ -80,6 +94,21 @@ class Formula(Record):
             else Claim(relation, left, right)
             for relation, (left, right) in zip(self.relations, sides, strict=True)
         )
+
+    def bounds(self) -> tuple[Claim, ...]:
+        """The same, with the two claims ``-b <= t`` and ``t <= b`` for ``|t| <= b``."""
+        inside = zip(self.moduli, self.moduli[1:], strict=False)
+        found: list[Claim] = []
+        for claim, relation, pair in zip(self.claims(), self.relations, inside, strict=True):
+            term = pair[1] if relation[0] == ">" else pair[0]
+            if term is None or relation == "=":
+                found.append(claim)
+            else:
+                bound = claim.rhs
+                low = as_term(-bound.value) if bound.op == "rational" else -bound
+                found.append(Claim(claim.relation, low, term))
+                found.append(Claim(claim.relation, term, bound))
+        return tuple(found)
 
 
 class Names:
@@ -142,10 +171,23 @@ def read_claims(where: str, text: str, names: Names) -> tuple[Claim, ...]:
     Raises:
         InputError: as above, or where the text has no relation.
     """
+    return _read_claims(where, text, names).claims()
+
+
+def read_givens(where: str, text: str, names: Names) -> tuple[Claim, ...]:
+    """The same of what is given, where ``|t| <= b`` is the two bounds of t.
+
+    Raises:
+        InputError: as above.
+    """
+    return _read_claims(where, text, names).bounds()
+
+
+def _read_claims(where: str, text: str, names: Names) -> Formula:
     found = read_formula(where, text, names)
     if not found.relations:
         raise InputError(f"{where}: {shown(text)} claims nothing; write for example {text} > 0")
-    return found.claims()
+    return found
 
 
 class _Reader:
@@ -155,6 +197,7 @@ class _Reader:
         self.where, self.text, self.names = where, text, names
         self.tokens = self._tokens()
         self.at = 0
+        self.moduli: dict[tuple[int, int], Term] = {}  # by where their texts begin and end
 
     def _tokens(self) -> list[tuple[str, str]]:
         found: list[tuple[str, str]] = []
@@ -199,10 +242,13 @@ class _Reader:
 
     def formula(self) -> Formula:
         """The whole text."""
-        terms, relations = [self.sum()], []
+        terms, relations, begin, moduli = [self.sum()], [], 0, []
+        moduli.append(self.moduli.get((begin, self.at)))
         while relation := self.take(*RELATIONS):
             relations.append(relation)
+            begin = self.at
             terms.append(self.sum())
+            moduli.append(self.moduli.get((begin, self.at)))
         if self.sign in ("!=", "≠"):
             raise self.error("there is no ≠; write < or >, or two rows")
         if self.tokens[self.at][0] != "end":
@@ -210,7 +256,7 @@ class _Reader:
         upwards = {relation[0] for relation in relations} & {"<", ">"}
         if len(upwards) > 1:
             raise self.error("a chain has < and > in it; write two claims")
-        return Formula(tuple(terms), tuple(relations))
+        return Formula(tuple(terms), tuple(relations), tuple(moduli))
 
     def _too_much(self) -> str:
         kind, word = self.tokens[self.at]
@@ -295,6 +341,7 @@ class _Reader:
     def atom(self) -> Term:
         """A number, a name, a function, a root, a modulus, or what stands in parentheses."""
         kind, word = self.tokens[self.at]
+        start = self.at
         self.at += 1
         if kind == "number":
             return as_term(rational(self.where, word))
@@ -311,6 +358,7 @@ class _Reader:
         if word == "|":
             found = self.sum()
             self.expect("|")
+            self.moduli[start, self.at] = found
             return absolute(found)
         self.at -= 1
         raise self.error(f"{self.next_word()}, where a number or a name is missing")

@@ -42,7 +42,7 @@ from verify.language.statement import (
 from verify.language.terms import Claim, Term, names_of
 from verify.prover.hint import Hint
 from verify.wire.inputs import InputError, nearest, shown
-from verify.wire.text.infix import Names, read_claims, read_term
+from verify.wire.text.infix import Names, read_claims, read_givens, read_term
 from verify.wire.text.letters import letter_of, name_of
 from verify.wire.text.page import Page
 from verify.wire.text.points import a_point, estimate
@@ -258,6 +258,11 @@ class _Reader:
         """The claims under some keys."""
         text = self.text(keys, value, "a claim")
         return read_claims(self.places.where(keys, text), text, names)
+
+    def givens(self, keys: Sequence[str], value: object, home: str) -> tuple[Claim, ...]:
+        """What is given under some keys, in a context."""
+        text = self.text(keys, value, "a claim")
+        return read_givens(self.places.where(keys, text), text, self.scope.inside(home))
 
     def values(self, keys: Sequence[str], value: object, names: Names) -> dict[str, Term]:
         """The table of terms under some keys."""
@@ -490,7 +495,7 @@ class _Reader:
             if not isinstance(entry, list):
                 raise self.places.error(place, f'{_told(entry)} is no list; write ["0 <= x"]')
             for item in entry:
-                for claim in self.claims(place, item, self.scope.inside(home)):
+                for claim in self.givens(place, item, home):
                     count += 1
                     name = self.name([*place, f"{home}.{count}"], f"{home}.{count}")
                     yield self._of_kind(place, Given(name, claim, kind))
@@ -501,7 +506,7 @@ class _Reader:
         entry = item if isinstance(item, dict) else {"claim": item}
         self.table(keys, entry, GIVEN)
         where = [*keys, "claim"] if isinstance(item, dict) else keys
-        claims = self.claims(where, entry.get("claim", ""), self.scope.inside(home))
+        claims = self.givens(where, entry.get("claim", ""), home)
         kind = self._one_of([*keys, "kind"], entry.get("kind", kind), _KINDS)
         assumption = entry.get("assumption")
         if assumption is not None:

@@ -1,0 +1,101 @@
+(* What the certificates take on trust, sentence by sentence, with what Coq proves instead: this file
+   fails to compile if one of these theorems comes to say anything else. The list of sentences and
+   names is verify/paper/in_coq.py. Sentences of general mathematics are about all vectors, sequences
+   and functions; the numbered sentences are about the rows of one certificate, that of the step. *)
+From Coq Require Import Reals.
+From Verify Require Import Theorem1.
+From Verify Require Vectors Sequences Ending Steady OneStep Trajectory OneScene Interior InTurn Gram.
+From Verify Require Meaning Step.
+Open Scope R_scope.
+
+(* --- hard-spheres: a definition, and what it says --------------------------------------------- *)
+
+Check (fun t s i k => eq_refl : position (Theorem1.later t s) i k = position s i k + t * velocity s i k).
+Check (fun t s => eq_refl : velocity (Theorem1.later t s) = velocity s).
+Check (fun d r i j s => eq_refl : position (Theorem1.collided d r i j s) = position s).
+Check (fun d r b i j s k => eq_refl : velocity (Theorem1.collided d r i j s) b k =
+  if same b i then velocity s b k + (1 + r) / 2 * rate d s i j * to s i j k
+  else if same b j then velocity s b k - (1 + r) / 2 * rate d s i j * to s i j k
+  else velocity s b k).
+Definition hard_spheres_meet (d : nat) (s : scene) (i j : ball) (t : R) : Prop :=
+  0 < t /\ (forall u a b, 0 < u < t -> a <> b -> 1 < distance d (later u s) a b) /\
+  distance d (later t s) i j = 1 /\ rate d (later t s) i j < 0 /\
+  (forall k, k <> i -> k <> j -> 1 < distance d (later t s) i k /\ 1 < distance d (later t s) j k).
+Theorem same_meeting d s i j t : Theorem1.first_to_meet d s i j t <-> hard_spheres_meet d s i j t.
+Proof.
+  split; [intros [A B C D E]; exact (conj A (conj B (conj C (conj D E))))|].
+  intros (A & B & C & D & E). split; assumption.
+Qed.
+
+(* --- general mathematics ---------------------------------------------------------------------- *)
+
+(* cauchy-schwarz, and that no other condition binds two vectors. *)
+Check (Vectors.cauchy_schwarz : forall d u v, dot d u v ^ 2 <= dot d u u * dot d v v).
+Check (Vectors.vector_exists : forall d x p b, (2 <= d)%nat -> 0 < dot d x x ->
+  p ^ 2 <= dot d x x * b -> exists z, dot d x z = p /\ dot d z z = b).
+
+(* bounded-monotone *)
+Check (Sequences.bounded_increasing_converges : forall u b,
+  (forall n, u n <= u (S n)) -> (forall n, u n <= b) -> exists l, Un_cv u l).
+Check (Sequences.bounded_decreasing_converges : forall u b,
+  (forall n, u (S n) <= u n) -> (forall n, b <= u n) -> exists l, Un_cv u l).
+
+(* open-condition: a function is steady at a scene if it is continuous there. *)
+Check (fun d s P => eq_refl :
+  Steady.nearby d s P = exists h, 0 < h /\ forall s', close d h s s' -> P s').
+Check (fun d s f => eq_refl : Steady.steady d s f = forall e, 0 < e ->
+  exists h, 0 < h /\ forall s', close d h s s' -> Rabs (f s' - f s) < e).
+Check (Steady.steady_less : forall d s f g, Steady.steady d s f -> Steady.steady d s g ->
+  f s < g s -> exists h, 0 < h /\ forall s', close d h s s' -> f s' < g s').
+Check (Steady.nearby_both : forall d s (P Q : scene -> Prop),
+  (exists h, 0 < h /\ forall s', close d h s s' -> P s') ->
+  (exists h, 0 < h /\ forall s', close d h s s' -> Q s') ->
+  exists h, 0 < h /\ forall s', close d h s s' -> P s' /\ Q s').
+
+(* finite-length, for balls that collide in turn until the time T: each coordinate of each of them
+   has a limit. *)
+Check (Ending.place_cauchy : forall d r, 0 < r < 1 -> forall scenes time T,
+  collides_in_turn d r scenes time -> Un_cv time T ->
+  forall i k, Cauchy_crit (Ending.place d scenes i k)).
+Check (Ending.positions_converge_to_ending : forall d r restitutes scenes time T in_turn converges i k,
+  (k < d)%nat -> Un_cv (fun n => position (scenes n) i k)
+    (position (Ending.ending d r restitutes scenes time T in_turn converges) i k)).
+
+(* --- the numbered sentences of the step ------------------------------------------------------- *)
+
+(* The values w are those of a state of the certificate; the scene x has them, i has just collided
+   with ball 0, and j is next. *)
+Definition a_state (w : Meaning.valuation) : Prop :=
+  Meaning.scope Step.the_statement Gram.state_context w.
+Definition distinct (i j : ball) : Prop := i <> B0 /\ j <> B0 /\ i <> j.
+(* glue-next: the next collision, and the state after it. *)
+Check (OneStep.meets : forall w, a_state w -> forall d x i j, distinct i j ->
+  Gram.shows w d x i j -> first_to_meet d x B0 j (OneStep.flight w)).
+Check (OneStep.shows_next : forall w, a_state w -> forall d x i j, distinct i j ->
+  Gram.shows w d x i j -> Gram.shows (OneStep.new w) d
+    (collided d (w Step.number_of_r) B0 j (later (OneStep.flight w) x)) j i).
+
+(* glue-collapse: collisions without end, in finite time. The values v are those of a start. *)
+Definition a_start (v : Meaning.valuation) : Prop :=
+  Meaning.scope Step.the_statement Gram.start_context v.
+Definition begins_with (v : Meaning.valuation) (d : nat) (x : scene) : Prop :=
+  Gram.shows (Meaning.after Step.the_statement v Gram.start) d x B1 B2.
+Check (Trajectory.scenes_collide_in_turn : forall v, a_start v -> forall d x, begins_with v d x ->
+  collides_in_turn d (v Step.number_of_r) (Trajectory.scenes v d x) (Trajectory.time v)).
+Check (Trajectory.finite_time : forall v, a_start v -> forall d x, begins_with v d x ->
+  exists t, Un_cv (Trajectory.time v) t /\ t <= v Step.number_of_T_star).
+
+(* glue-angle: the angle converges, to that of the places to which the balls come. *)
+Check (Trajectory.angle_converges : forall v, a_start v -> forall d x, begins_with v d x ->
+  exists l, Un_cv (Trajectory.cosine v) l /\ Rabs (l - v Step.number_of_c) <= OneStep.drift v).
+Check (Ending.in_turn_collapses : forall d r restitutes scenes time T, time O = 0 ->
+  forall in_turn converges, collapses d r (scenes O) scenes time T (InTurn.course scenes time)
+    (Ending.ending d r restitutes scenes time T in_turn converges)).
+
+(* glue-interior: there is a scene that satisfies all inequalities strictly, and scenes near one into
+   which it flies are in the set. *)
+Check (OneScene.numbers_of_point_are : forall r c V_0 delta_theta, admissible r c V_0 delta_theta ->
+  forall d, (2 <= d)%nat -> OneScene.numbers_of_point r c V_0 delta_theta d).
+Check (Interior.set_near : forall r c V_0 delta_theta, admissible r c V_0 delta_theta ->
+  forall d s, Interior.inside r c V_0 delta_theta d s -> distance d s B0 B1 = 1 ->
+  has_interior d (ZK r c V_0 delta_theta d)).

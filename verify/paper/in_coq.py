@@ -1,0 +1,49 @@
+"""Which of the sentences that statements take on trust Coq proves, and by which theorems.
+
+Those theorems are pinned in `verify/coq/Sentences.v`, the ones about the separatrix at the end of
+`verify/coq/SeparatrixProof.v`; `.ci/coq` asks for all of them. A sentence that is a definition is
+defined in Coq by what stands here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from verify.paper.parameters import THEOREM
+
+_GENERAL = {
+    "hard-spheres": ("Theorem1.later", "Theorem1.collided", "Theorem1.first_to_meet"),
+    "cauchy-schwarz": ("Vectors.cauchy_schwarz",),
+    "bounded-monotone": (
+        "Sequences.bounded_increasing_converges", "Sequences.bounded_decreasing_converges",
+    ),
+}  # fmt: skip
+_VECTORS = {"cauchy-schwarz": ("Vectors.cauchy_schwarz", "Vectors.vector_exists")}
+_OPEN = {"open-condition": ("Steady.steady_less", "Steady.nearby_both")}
+_CURVE = ("SeparatrixProof.separatrix",)
+
+#: For each theorem with such sentences their names, in its order.
+IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
+    "step": {
+        **_GENERAL | _VECTORS,
+        "finite-length": ("Ending.place_cauchy", "Ending.positions_converge_to_ending"),
+        **_OPEN,
+        "glue-next": ("OneStep.meets", "OneStep.shows_next"),
+        "glue-collapse": ("Trajectory.scenes_collide_in_turn", "Trajectory.finite_time"),
+        "glue-angle": ("Trajectory.angle_converges", "Ending.in_turn_collapses"),
+        "glue-interior": ("OneScene.numbers_of_point_are", "Interior.set_near"),
+    },
+    "sharper": _GENERAL,
+    "sandwich": _GENERAL,
+    "flow": {"hard-spheres": _GENERAL["hard-spheres"]},
+    "line": {"bounded-monotone": _GENERAL["bounded-monotone"]},
+    f"{THEOREM}, the set as printed": {**_VECTORS, **_OPEN},
+    "separatrix": {
+        "limit-map": ("Separatrix.goes_on", "Separatrix.next"),
+        "unending": ("Separatrix.unending",),
+        "bounded-monotone": _GENERAL["bounded-monotone"],
+        "glue-regime": _CURVE,
+        "glue-exists": _CURVE,
+        "glue-none": _CURVE,
+    },
+}

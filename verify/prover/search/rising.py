@@ -1,0 +1,153 @@
+"""Claims about functions that rise, by what they are of; and about roots, by their powers.
+
+A root s of the index n, with s^n = A, is compared with B by B^n - A. If s = B + G for a number G
+that the negation of s <= B says is > 0, then
+
+    A - B^n = s^n - B^n = n B^(n-1) G + ... + G^n,
+
+and the same with s and B exchanged.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from math import comb
+
+from flint import fmpq_mpoly
+
+from verify.language.fold import replaced
+from verify.language.terms import Claim, Term, as_term, equal
+from verify.prover.clearing import ROOTS, Clearing, TooLongError, atoms_of, index_of
+from verify.prover.numbers import fmpq_of, fraction_of
+from verify.prover.proof import Proof, Value, power_of, product_of
+from verify.prover.rules import Monotony, Sum
+from verify.prover.search.question import Question
+
+EQUATED = ("exp", "log", "atan", "sin", "cos", "cos_pi", *ROOTS)
+RISING = ("exp", "log", "atan", *ROOTS)
+
+
+def by_monotony(question: Question) -> Proof | None:
+    """Both sides are the same function, which rises."""
+    claim = question.plain.claim
+    (f, *a), (g, *b) = ((side.op, *side.args[1:]) for side in (claim.lhs, claim.rhs))
+    if f not in RISING or (f, a) != (g, b) or claim.relation not in ("<", "<="):
+        return None
+    inner = Claim(claim.relation, claim.lhs.children[0], claim.rhs.children[0])
+    fact = question.fact(inner)
+    return None if fact is None else Monotony(fact)
+
+
+def by_same_arguments(question: Question) -> Proof | None:
+    """The claim with one function for all whose arguments are equal, or equal to a number."""
+    claim = question.plain.claim
+    equations, chosen = dict[Term, str](), dict[Term, Term]()
+    seen: dict[tuple[str, object, str], Term] = {}
+    atoms = atoms_of((claim.lhs, claim.rhs), {})
+    inner = {a for atom in atoms for a in atoms_of(atom.children, {})}
+    for atom in atoms:
+        if atom.op not in EQUATED or atom in inner or atom.children[0].op in ("rational", "symbol"):
+            continue
+        other = _same(seen, atom)
+        name = None if other is None else _equation(question, atom, other)
+        if name is not None and other is not None:
+            equations[atom], chosen[atom] = name, other
+    if not chosen:
+        return None
+    sides = [replaced(side, chosen) for side in (claim.lhs, claim.rhs)]
+    fact = question.fact(Claim(claim.relation, *sides))
+    return None if fact is None else Sum(("goal", fact), tuple(equations.values()))
+
+
+def _same(seen: dict[tuple[str, object, str], Term], atom: Term) -> Term | None:
+    """What was seen before and is equal to this function; or it is one of a number."""
+    argument = atom.children[0]
+    try:
+        clearing = Clearing((argument,), {})
+        above, below = clearing.clear(argument)
+    except TooLongError:
+        return None
+    if below.is_zero():
+        return None
+    common = above.gcd(below) * below.leading_coefficient()
+    above, below = above / common, below / common
+    if above.is_constant() and below.is_constant():
+        value = Fraction(0) if above.is_zero() else fraction_of(above.leading_coefficient())
+        return Term(atom.op, as_term(value), *atom.args[1:])
+    terms = clearing.term(above), clearing.term(below)
+    key = (atom.op, terms, str(atom.args[1:]))
+    first = seen.setdefault(key, atom)
+    return None if first is atom else first
+
+
+def _equation(question: Question, atom: Term, other: Term) -> str | None:
+    """The fact that two functions are equal, as their arguments are."""
+    claim, place = equal(atom, other), question.goal.context
+    known = question.session.known(claim, place)
+    if known is not None:
+        return known
+    inner = question.fact(equal(atom.children[0], other.children[0]))
+    if inner is None or not question.known.clears((atom, other), place):
+        return None
+    return question.session.lemma(claim, Monotony(inner), question.known.home(claim, place))
+
+
+def by_powers(question: Question) -> Proof | None:
+    """A root with a number before it and no other function of it, by its power."""
+    powers = Powers(question)
+    found = (powers.proof(root, factor, rest) for root, factor, rest in powers.isolated())
+    return next(filter(None, found), None)
+
+
+class Powers:
+    """One claim, cleared."""
+
+    def __init__(self, question: Question) -> None:
+        self.question, self.clearing = question, question.clearing
+        self.relation = question.goal.claim.relation
+
+    def isolated(self) -> Iterator[tuple[Term, Fraction, fmpq_mpoly]]:
+        """Each root r inside no other atom with q and P, where the sides differ by P + q r."""
+        claim, clearing = self.question.goal.claim, self.clearing
+        p = clearing.difference(claim.rhs, claim.lhs)
+        atoms = [a for a, d in zip(clearing.atoms, p.degrees(), strict=True) if d > 0]
+        inside = {a for atom in atoms for child in atom.children for a in atoms_of((child,), {})}
+        for index, atom in enumerate(clearing.atoms):
+            if atom.op not in ROOTS or atom in inside or atom not in atoms:
+                continue
+            parts = dict(clearing.coefficients(p, index))
+            factor = parts.get(1)
+            if parts.keys() <= {0, 1} and factor is not None and factor.is_constant():
+                rest = parts.get(0, clearing.one - clearing.one)
+                yield atom, fraction_of(factor.leading_coefficient()), rest
+
+    def proof(self, root: Term, factor: Fraction, rest: fmpq_mpoly) -> Proof | None:
+        """A proof that r <= B, or B <= r, for B = -P/q."""
+        bound, power = -rest / fmpq_of(factor), index_of(root)
+        radicand, denominator = self.clearing.clear(root.children[0])
+        if denominator != self.clearing.one:
+            return None
+        try:
+            difference = self.clearing.reduce(self.clearing.power(bound, power)) - radicand
+        except TooLongError:
+            return None
+        smaller: Value | None = ("root", root)
+        if factor < 0:
+            smaller = self._lemma("<=", bound)
+        else:
+            difference = -difference
+        last = None if smaller is None else self._lemma(self.relation, difference)
+        if smaller is None or last is None:
+            return None
+        gap = product_of(str(1 / abs(factor)), "goal")
+        addends = (self._addend(smaller, gap, power, k) for k in range(1, power + 1))
+        return Sum((*addends, last), self.question.using)
+
+    def _addend(self, smaller: Value, gap: Value, power: int, k: int) -> Value:
+        """One term of the difference of two powers."""
+        factors = [str(comb(power, k)), power_of(gap, k)]
+        return product_of(*factors, *([power_of(smaller, power - k)] if k < power else []))
+
+    def _lemma(self, relation: str, polynomial: fmpq_mpoly) -> Value | None:
+        return self.question.lemma(relation, polynomial, self.clearing.term(polynomial))

@@ -27,10 +27,10 @@ MAX_SAMPLE, MAX_SEED = 10**6, 2**64
 def scene_at(options: Options) -> Scene:
     """The scene of a family that --at names."""
     family = read_family(options.scene, read_bytes("scene", options.scene))
-    values = point_in("--at", options.at)
+    known = ", ".join(family.sides) or "none"
+    values = point_in("--at", options.at, f"each of {known}")
     odd = sorted(values.keys() - family.sides.keys())
     if odd:
-        known = ", ".join(family.sides) or "none"
         raise InputError(f"--at: {shown(odd[0])}: write NAME=A once for each of {known}")
     missing = sorted(family.sides.keys() - values.keys())
     if missing:
@@ -38,7 +38,7 @@ def scene_at(options: Options) -> Scene:
     return family.at(values)
 
 
-def point_in(option: str, text: str) -> dict[str, Fraction]:
+def point_in(option: str, text: str, each: str = "each parameter") -> dict[str, Fraction]:
     """The values of parameters: NAME=A,NAME=B.
 
     Raises:
@@ -48,7 +48,7 @@ def point_in(option: str, text: str) -> dict[str, Fraction]:
     for word in text.split(","):
         name, _, number = word.partition("=")
         if name in values:
-            raise InputError(f"{option}: {shown(word)}: write NAME=A once for each parameter")
+            raise InputError(f"{option}: {shown(word)}: write NAME=A once for {each}")
         values[name] = rational(option, number)
     return values
 

@@ -24,7 +24,14 @@ from typing import Any
 from verify.language.record import Record
 from verify.language.terms import Term
 from verify.spheres.scene.scene import Scene
-from verify.spheres.scene.scene_files import DIAMETER, KEYS, number_in, scene_from, toml_table
+from verify.spheres.scene.scene_files import (
+    DIAMETER,
+    KEYS,
+    LABELS,
+    number_in,
+    scene_from,
+    toml_table,
+)
 from verify.wire.inputs import InputError, rational, shown
 
 PARAMETERS = "parameters"
@@ -81,7 +88,8 @@ class Family(Record):
         if not self.sides:
             return scene_from(self.where, dict(self.table))
         found = _replaced(self.where, self.table, values)
-        return scene_from(self.where, {key: _texts(value) for key, value in found.items()})
+        labels = {name: self.table[name] for name in LABELS if name in self.table}
+        return scene_from(self.where, {key: _texts(value) for key, value in found.items()} | labels)
 
 
 def read_family(where: str, content: bytes) -> Family:

@@ -41,3 +41,29 @@ def test_a_drawn_problem_is_proved_and_the_checker_accepts_it(name: str) -> None
     files = write(outcome)
     report = check.check(files["statement.json"], files["certificate.json"], {})
     assert report.verdict == "PROVED"
+
+
+#: Flyspeck's FWGKMBZ: 144 times the square of a tetrahedron's volume is positive, for these edges.
+DELTA = b"""
+title = "Volumes"
+[contexts.edges]
+variables = ["a", "b", "c", "d", "e", "f"]
+given = [
+  "2.4635088 <= a <= 2.6508", "2 <= b <= sqrt(8)", "2 <= c <= sqrt(8)",
+  "2 <= d <= sqrt(8)", "2 <= e <= sqrt(8)", "2 <= f <= sqrt(8)",
+]
+constants.first = "a^2*d^2*(-a^2 + b^2 + c^2 - d^2 + e^2 + f^2)"
+constants.second = "b^2*e^2*(a^2 - b^2 + c^2 + d^2 - e^2 + f^2)"
+constants.third = "c^2*f^2*(a^2 + b^2 - c^2 + d^2 + e^2 - f^2)"
+constants.rest = "b^2*c^2*d^2 + a^2*c^2*e^2 + a^2*b^2*f^2 + d^2*e^2*f^2"
+[contexts.edges.rows]
+volume = "rest < first + second + third"
+"""
+
+
+def test_a_polynomial_in_squares_is_one_of_half_the_degree() -> None:
+    outcome = decide(read_page_of("delta.toml", DELTA, {}).statement, WorkBudget())
+    assert outcome.decisions["volume"].claimed == PROVED
+    files = write(outcome)
+    report = check.check(files["statement.json"], files["certificate.json"], {})
+    assert report.verdict == "PROVED"

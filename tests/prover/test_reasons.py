@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from verify.language.statement import UNDECIDED
 from verify.language.terms import Claim, as_term, symbol
 from verify.library import ask, for_all, lemma, prove
@@ -33,5 +35,7 @@ def test_the_point_where_a_claim_is_most_nearly_false_is_named() -> None:
     motzkin = x**4 * y**2 + x**2 * y**4 - 3 * x**2 * y**2 + 1
     box = [0 <= x, x <= as_term(2), 0 <= y, y <= as_term(2)]
     said = reason(as_term(-1) / 10**30 < motzkin * (1 + x * y) ** 5, box, work=60_000)
-    assert "techniques were tried" in said
+    spent = re.search("techniques were tried with ([0-9]+) of 60000 units of work", said)
+    assert spent is not None
+    assert 0 < int(spent[1]) <= 60_000
     assert "it is most nearly false about x = 1, y = 1, where the sides differ by" in said

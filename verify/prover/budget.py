@@ -58,6 +58,11 @@ class WorkBudget:
         """A new row has all the work before it."""
         self.left = self.work
 
+    @property
+    def spent(self) -> int:
+        """The units that this row has taken."""
+        return min(self.work, self.work - self.left)
+
     def spend(self, units: int) -> None:
         """Count work that is done next.
 

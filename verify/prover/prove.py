@@ -170,9 +170,10 @@ def _tried(row: Obligation, universal: Universal, price: Price) -> Decision:
 def _reason(found: Decision, row: Obligation, universal: Universal) -> str:
     """Why a row is undecided: what was tried, and where it is open."""
     if isinstance(row.claim, Claim) and row.context in universal.contexts:
+        spent = universal.budget.spent
         universal.budget.refill()
         try:
-            where = hardest(universal.goal(row.claim, row.context), universal)
+            where = hardest(universal.goal(row.claim, row.context), universal, spent)
         except (ArithmeticError, ValueError, RecursionError):
             where = ()
     else:

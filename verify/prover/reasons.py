@@ -13,15 +13,21 @@ from verify.prover.universal import Universal
 DIGITS = 4
 
 
-def hardest(goal: Goal, known: Universal) -> tuple[str, ...]:
-    """How much was tried, where the claim is most nearly false, and which part of a box is left."""
-    return (*_tried(known), *_nearest(Question(goal, known)), *_left(known))
+def hardest(goal: Goal, known: Universal, spent: int) -> tuple[str, ...]:
+    """How much was tried, where the claim is most nearly false, and which part of a box is left.
+
+    ``spent`` are the units of work that it took.
+    """
+    return (*_tried(known, spent), *_nearest(Question(goal, known)), *_left(known))
 
 
-def _tried(known: Universal) -> Iterator[str]:
+def _tried(known: Universal, spent: int) -> Iterator[str]:
     if known.tried:
         *_, last = known.tried
-        yield f"{len(known.tried)} techniques were tried, the last one was: {last}"
+        yield (
+            f"{len(known.tried)} techniques were tried with {spent} of {known.budget.work} units "
+            f"of work, the last one was: {last}"
+        )
 
 
 def _nearest(question: Question) -> Iterator[str]:

@@ -18,6 +18,7 @@ from verify.prover.search.differences import by_differences, by_orders_of_variab
 from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_range, by_root
 from verify.prover.search.ends_of_variables import by_ends
 from verify.prover.search.equations import by_normal_form
+from verify.prover.search.even import by_even_powers
 from verify.prover.search.extrema import by_cases, by_entries
 from verify.prover.search.factors import by_factors
 from verify.prover.search.growth import by_growth
@@ -117,6 +118,7 @@ SEARCHES = (
     Technique("growth", by_growth),
     Technique("multiple angles", by_multiple_angles),
     Technique("coefficients on few parts", partial(by_bernstein, parts=FEW_PARTS)),
+    Technique("coefficients in squares of variables", by_even_powers),
     Technique("coefficients where a claim may fail", partial(by_restriction, parts=FEW_PARTS)),
     Technique("ends of variables", by_ends),
     Technique("squaring", by_squaring),

@@ -22,7 +22,7 @@ from typing import Any
 from verify.check_map import GIVEN
 from verify.cli import _EXIT_CODES, COMMANDS
 from verify.cli.options import Parser
-from verify.language.statement import NEEDED
+from verify.language.statement import NEEDED, OTHERWISE
 from verify.paper.glossary import LETTERS
 from verify.paper.in_coq import IN_COQ
 from verify.paper.theorem1 import theorem
@@ -74,7 +74,8 @@ def figures() -> dict[str, str]:
         "slips": severity["slip of wording"],
         "causes": sum(bool(names & set(cause.rows)) for cause in theorem().causes),
         "breaking_causes": sum(bool(breaking & set(cause.rows)) for cause in theorem().causes),
-        "remarks": sum(row["verdict"] == "remark" for row in printed),
+        "otherwise": sum(row["verdict"] == OTHERWISE for row in printed),
+        "remarks": sum(row["verdict"] == "remark" for row in [*printed, *point()["hypotheses"]]),
         "repaired": sum(not row["name"].endswith("collapse") for row in repaired),
         "all_rows": len(every),
         "assumptions": len(point()["assumptions"]),
@@ -119,11 +120,20 @@ def row_counts() -> str:
     derived = sum(row["name"].startswith("hypotheses.") for row in every)
     rows = [
         ("Hypotheses, needed", first["needed"], "r, -cos θ₀, V₀ and δ_θ are in range"),
-        ("The repaired set", len(repaired), "its constants close the proof; and the step applies"),
+        (
+            "The repaired set",
+            len(repaired),
+            f"{len(repaired) - 1} inequalities that close the proof, and that the step applies",
+        ),
         ("**Needed at a point**", first["needed"] + len(repaired), "the sum of these two"),
         ("Hypotheses, printed", first["printed"], "the sign in (4.10)"),
         ("The printed set", len(printed), "the same for the paper's constants, and misprints"),
         ("**Printed at a point**", first["printed"] + len(printed), "the sum of these two"),
+        (
+            "Of these, refuted for the checker",
+            sum(row["verdict"] != "proved" for row in [*here["hypotheses"], *printed]),
+            "refuted, true but badly derived, and remarks: it knows claims, not what a text means",
+        ),
         ("The repaired set, for all parameters", len(both & names_of(every)), "the same rows"),
         ("Hypotheses that follow", derived, "those that the chart of parameters implies"),
         ("Entries of minima", len(own), "which ones are never, or sometimes, the least"),

@@ -26,6 +26,7 @@ from verify.library import (
     lemma,
     prove,
     read_page,
+    root_between,
     symbol,
     write_page,
 )
@@ -251,3 +252,17 @@ def test_what_is_said_of_a_mistake(
     with pytest.raises(error) as found:
         make()
     assert says in str(found.value)
+
+
+def test_a_root_is_a_context_with_the_rows_that_show_it() -> None:
+    x, c = symbol("x"), constant("c", 2)
+    golden = root_between("golden", x**2 - x - (symbol("c") - 1), x, (1, 2), constants=[c])
+    rows = [*golden.rows, ask("size", x < Fraction("1.618034"), golden.context)]
+    found = prove(lemma("golden", rows, [c], [golden.context, golden.range]))
+    assert found.claimed == "proved"
+    with pytest.raises(InputError, match="does not change its sign"):
+        root_between("none", x**2 + 1, x, (0, 1))
+    with pytest.raises(TypeError, match="two rational numbers"):
+        root_between("none", x**2 - 2, x, (0, sqrt(3)))
+    with pytest.raises(TypeError, match="no variable"):
+        root_between("none", x**2 - 2, 2 * x, (0, 2))

@@ -16,7 +16,7 @@ TYPE_CHECKING = False
 _OFFERED = {
     "verify.library": (
         *("Result", "always", "applies", "ask", "assume", "certificate", "cite", "constant"),
-        *("for_all", "lemma", "prove", "read_page", "write_page"),
+        *("for_all", "lemma", "prove", "read_page", "root_between", "write_page"),
     ),
     "verify.language.terms": (
         *("Claim", "Term", "absolute", "acos", "asin", "atan", "cos", "cos_pi", "cosh", "equal"),
@@ -62,6 +62,7 @@ __all__ = [
     "pi",
     "prove",
     "read_page",
+    "root_between",
     "sin",
     "sinh",
     "sqrt",
@@ -111,6 +112,7 @@ if TYPE_CHECKING:
         lemma,
         prove,
         read_page,
+        root_between,
         write_page,
     )
     from verify.prover.hint import Hint

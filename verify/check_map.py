@@ -3,9 +3,10 @@
 
     python3 -I verify/check_map.py [--long] LOG [LOG ...]
 
-A map is a rectangle of scenes, each with three spheres, cut into boxes. The log says of a box that
-all its scenes collapse, or that in all of them no two spheres meet any more after finitely many
-collisions, or nothing. This program reads the log, proves every verdict anew, and counts areas.
+A map is a rectangle of scenes, each with three spheres, cut into boxes; or an interval of them, cut
+into parts. The log says of a box that all its scenes collapse, or that in all of them no two
+spheres meet any more after finitely many collisions, or that only finitely many are possible, or
+nothing. This program reads the log, proves every verdict anew, and counts areas.
 
 It needs Python 3.11 and nothing else, calculates with whole numbers only, and searches nothing:
 which collision is the next one is derived anew; that a collapse follows is shown by the six numbers
@@ -13,7 +14,9 @@ that the log has for it. What it takes on trust, besides itself and Python:
 
 * the law of collision in inner products, and that three inequalities show a pair to be apart until
   the next collision: the theorem of `certificates/flow`;
-* that the inequalities of `closes` imply a collapse: the theorem of `certificates/sharper`.
+* that the inequalities of `closes` imply a collapse: the theorem of `certificates/sharper`;
+* for spheres on a line, that those of `closes_on_a_line` do: the theorem of `certificates/line`;
+* that r > 7 - 4√3 leaves finitely many collisions: the theorem of `certificates/classification`.
 
 A scene in which two spheres just graze has the verdict that it gets whether this counts as a
 collision or not. Scenes in which all three touch at once, or overlap, at the start are not meant.
@@ -49,8 +52,11 @@ MAX_LINE, MAX_BITS = 1 << 24, 16 * PLACES
 #: Of the fraction of the area, in bits.
 MAX_AREA = 1 << 13
 
-#: The theorems that are taken on trust; their certificates have these names.
-GIVEN = ("flow", "sharper")
+#: The theorems that are taken on trust; their certificates have these names. The last two only
+#: where they are used: on a line, and where the verdict is that there are finitely many collisions.
+GIVEN, LINE, CLASSIFICATION = ("flow", "sharper"), "line", "classification"
+#: Of the terms of a family: how many operations they have in all, and how deep one goes.
+MAX_OPERATIONS, MAX_DEPTH = 1000, 60
 
 #: Two whole numbers of units with a number between them, ends included.
 Interval = tuple[int, int]
@@ -379,10 +385,31 @@ class Law(NamedTuple):
     bounds: Interval
 
 
+#: The law, or what it is on the box with a key.
+Laws = Law | Callable[[str], Law]
+
+
+def on_box(law: Laws, key: str) -> Law:
+    """The law on a box."""
+    return law if isinstance(law, Law) else law(key)
+
+
 def law_of(r: Fraction, kind: Arithmetic = INTERVALS) -> Law:
     """The coefficients of the law of collision."""
     half, lost = number(kind, (1 + r) / 2), number(kind, 1 - r * r)
     return Law(kind, number(kind, r), half, lost, around(r))
+
+
+def law_around(r: Number, kind: Arithmetic = MODELS) -> Law:
+    """The same for an r that is one of the numbers of a box.
+
+    Raises:
+        RefusedError: if it may not be in ]0,1[.
+    """
+    if r[0] <= 0 or r[1] >= ONE:
+        raise RefusedError("r may not be in ]0,1[")
+    half = kind.mul(kind.add(kind.one, r), number(kind, Fraction(1, 2)))
+    return Law(kind, r, half, kind.sub(kind.one, kind.square(r)), r[:2])
 
 
 @cache
@@ -680,6 +707,35 @@ def _rows(law: Law, C: Interval, numbers: tuple[Interval, ...], eta: Interval, s
     )
 
 
+def closes_on_a_line(law: Law, z: Sight) -> bool:
+    """Whether the theorem on a line says that all states collapse; the spheres are on a line.
+
+    Its number Q is the ratio of the two speeds, or about the smaller root of Q((1+r)/2 - Q) = r.
+    """
+    if min(z.lam[0], z.rho[0], z.eps[0], z.v[0], z.C[0]) <= 0:
+        return False
+    kind, r = law.kind, law.bounds[1]
+    reach = kind.root(kind.add(kind.one, kind.mul(z.eps, kind.square(z.v))))
+    half = (law.bounds[0] + ONE) >> 1
+    under = half * half - 4 * r * ONE
+    if under <= 0:
+        return False
+    least = ((half - isqrt(under) + 1) >> 1) + (1 << PLACES - 60)
+    Q = max(kind.mul(z.rho, kind.div(reach, z.lam))[1], least)
+    return bool(2 * Q < half and r <= Q * (half - Q) >> PLACES)
+
+
+def check_finite(law: Law) -> None:
+    """Afterwards r > 7 - 4√3: then r² - 14 r + 1 < 0.
+
+    Raises:
+        RefusedError: if that is not shown.
+    """
+    r = law.bounds[0]
+    if not 0 < r < ONE or r * r - 14 * r * ONE + ONE * ONE >= 0:
+        raise RefusedError("r may be 7 - 4√3 or less")
+
+
 # --- the planes of maps --------------------------------------------------------------------------
 
 Side = tuple[Fraction, Fraction]
@@ -729,7 +785,27 @@ class Strip(NamedTuple):
     above: tuple[Fraction, ...]
 
 
-Plane = Phi | Through | Strip
+#: A number, or x or y, or an operation on two terms.
+Term = Any
+
+
+class Family(NamedTuple):
+    """Scenes whose numbers are terms of x and y in a rectangle; or of x in an interval."""
+
+    r: Term
+    positions: tuple[tuple[Term, ...], ...]
+    velocities: tuple[tuple[Term, ...], ...]
+    axes: tuple[str, ...]
+    x: Side
+    y: Side | None
+
+
+Plane = Phi | Through | Strip | Family
+
+
+def digits_of(plane: Plane) -> str:
+    """The digits of a key: a box is cut into as many."""
+    return "01" if isinstance(plane, Family) and plane.y is None else "0123"
 
 
 def part(ends: Side, place: int, level: int) -> Interval:
@@ -744,13 +820,14 @@ def corner(key: str) -> tuple[int, int]:
     return column, int("".join("01"[int(digit) >> 1] for digit in key), 2)
 
 
-def sides(plane: Phi | Through, key: str) -> tuple[Interval, Interval]:
-    """A box."""
+def sides(plane: Phi | Through | Family, key: str) -> tuple[Interval, Interval]:
+    """A box; in an interval of scenes y does not occur."""
     column, row = corner(key)
-    return part(plane.x, column, len(key)), part(plane.y, row, len(key))
+    x = part(plane.x, column, len(key))
+    return x, (0, 0) if plane.y is None else part(plane.y, row, len(key))
 
 
-def _on_box(kind: Arithmetic, plane: Phi | Through, key: str) -> tuple[Number, Number]:
+def _on_box(kind: Arithmetic, plane: Phi | Through | Family, key: str) -> tuple[Number, Number]:
     """The two parameters."""
     x, y = sides(plane, key)
     return parameter(kind, 0, x), parameter(kind, 1, y)
@@ -805,7 +882,7 @@ def _on_tile(kind: Arithmetic, plane: Strip, key: str) -> tuple[Number, Number]:
 def share_of(plane: Plane, key: str) -> Fraction:
     """The share of the area of the rectangle that a box has."""
     if not isinstance(plane, Strip):
-        return Fraction(1, 4 ** len(key))
+        return Fraction(1, len(digits_of(plane)) ** len(key))
     found, phi = tile(plane, key), plane.phi
     c_0, c_1, c_2 = plane.curve[found.place]
     low, high = found.t
@@ -833,23 +910,23 @@ def parameter(kind: Arithmetic, place: int, x: Interval) -> Number:
 Beginning = Callable[[str], list[Sight | None]]
 
 
-def beginning(law: Law, plane: Plane) -> Beginning:
+def beginning(law: Laws, plane: Plane) -> Beginning:
     """How the boxes of a plane begin.
 
     It raises RefusedError if it is open which collision is the first one, or spheres may overlap.
     """
-    kind = law.kind
+    kind = law.kind if isinstance(law, Law) else MODELS
     if isinstance(plane, Strip):
         on_tile = _at_contact(kind, plane.phi)
         return lambda key: [on_tile(*_on_tile(kind, plane, key))]
     if isinstance(plane, Phi):
-        on_box = _at_contact(kind, plane)
-        return lambda key: [on_box(*_on_box(kind, plane, key))]
+        on_rectangle = _at_contact(kind, plane)
+        return lambda key: [on_rectangle(*_on_box(kind, plane, key))]
     products = [_products(kind, plane, place) for place in PAIRS]
 
     def begin(key: str) -> list[Sight | None]:
         varied = _varied(kind, plane, *_on_box(kind, plane, key))
-        may_end, states = first_after(law, *_scenes(kind, products, varied))
+        may_end, states = first_after(on_box(law, key), *_scenes(kind, products, varied))
         return [*states, None] if may_end else [*states]
 
     return begin
@@ -885,7 +962,66 @@ Coordinate = tuple[str, int, int, int]
 Products = tuple[Number, list[tuple[Coordinate | Number, Coordinate | Number]]]
 
 
-def _products(kind: Arithmetic, plane: Through, place: tuple[int, int, int]) -> list[Products]:
+def varying(plane: Through | Family) -> list[tuple[Place, Term]]:
+    """The coordinates that vary, as terms."""
+    if isinstance(plane, Through):
+        return [(plane.x_at, "x"), (plane.y_at, "y")]
+    return [
+        ((name, i, k), term)
+        for name, rows in (("positions", plane.positions), ("velocities", plane.velocities))
+        for i, row in enumerate(rows)
+        for k, term in enumerate(row)
+        if not isinstance(term, Fraction)
+    ]
+
+
+def on_a_line(plane: Plane) -> bool:
+    """Whether at most one coordinate, the same for all, ever differs between spheres."""
+    if not isinstance(plane, Through | Family):
+        return False
+    rows = (*plane.positions, *plane.velocities)
+    moving = {k for (_, _, k), _ in varying(plane)}
+    for one, two, three in (rows[:3], rows[3:]):
+        moving |= {k for k, x in enumerate(one) if not x == two[k] == three[k]}
+    return len(moving) <= 1
+
+
+def value_of(kind: Arithmetic, term: Term, x: Number, y: Number) -> Number:
+    """A term at the parameters.
+
+    Raises:
+        RefusedError: if a divisor may be 0.
+    """
+    if isinstance(term, Fraction):
+        return number(kind, term)
+    if isinstance(term, str):
+        return x if term == "x" else y
+    name, one, two = term
+    a = value_of(kind, one, x, y)
+    if name == "*" and one == two:
+        return kind.square(a)
+    b = value_of(kind, two, x, y)
+    if name == "/" and b[1] < 0:
+        a, b = kind.neg(a), kind.neg(b)
+    return {"+": kind.add, "-": kind.sub, "*": kind.mul, "/": kind.div}[name](a, b)
+
+
+def operations(term: Term) -> int:
+    """How many operations a term has."""
+    return 1 + operations(term[1]) + operations(term[2]) if isinstance(term, tuple) else 0
+
+
+def price_of(plane: Plane) -> int:
+    """What it costs to begin with a box."""
+    if not isinstance(plane, Family):
+        return BOX_PRICE
+    terms = (plane.r, *(term for _, term in varying(plane)))
+    return BOX_PRICE + sum(map(operations, terms)) // 8
+
+
+def _products(
+    kind: Arithmetic, plane: Through | Family, place: tuple[int, int, int]
+) -> list[Products]:
     """The inner products of the vectors from o; for |x_c|² and |x_s|² what they are above 1."""
     o, c, s = place
     x_c, W_c, x_s, W_s = (
@@ -898,11 +1034,14 @@ def _products(kind: Arithmetic, plane: Through, place: tuple[int, int, int]) -> 
     return [_dot(kind, plane, *two) for two in (*pair, *others)]
 
 
-def _dot(kind: Arithmetic, plane: Through, a: list[Coordinate], b: list[Coordinate]) -> Products:
+def _dot(
+    kind: Arithmetic, plane: Through | Family, a: list[Coordinate], b: list[Coordinate]
+) -> Products:
     """What does not vary is added up exactly: so spheres can be in contact."""
     exact, rest = Fraction(-1 if a == b and a[0][0] == "positions" else 0), []
+    varied = {place for place, _ in varying(plane)}
     for one, two in zip(a, b, strict=True):
-        p, q = _fixed(plane, one), _fixed(plane, two)
+        p, q = _fixed(plane, varied, one), _fixed(plane, varied, two)
         if p is not None and q is not None:
             exact += p * q
         else:
@@ -912,18 +1051,21 @@ def _dot(kind: Arithmetic, plane: Through, a: list[Coordinate], b: list[Coordina
     return number(kind, exact), rest
 
 
-def _fixed(plane: Through, x: Coordinate) -> Fraction | None:
+def _fixed(plane: Through | Family, varied: set[Place], x: Coordinate) -> Fraction | None:
     """The value of a coordinate, unless it varies."""
     name, i, j, k = x
-    if {(name, i, k), (name, j, k)} & {plane.x_at, plane.y_at}:
+    if {(name, i, k), (name, j, k)} & varied:
         return None
     rows = plane.positions if name == "positions" else plane.velocities
-    return rows[j][k] - rows[i][k]
+    difference: Fraction = rows[j][k] - rows[i][k]
+    return difference
 
 
-def _varied(kind: Arithmetic, plane: Through, x: Number, y: Number) -> dict[Coordinate, Number]:
+def _varied(
+    kind: Arithmetic, plane: Through | Family, x: Number, y: Number
+) -> dict[Coordinate, Number]:
     """The coordinates that vary."""
-    at, found = {plane.x_at: x, plane.y_at: y}, {}
+    at, found = {place: value_of(kind, term, x, y) for place, term in varying(plane)}, {}
     for name, i, k in at:
         rows = plane.positions if name == "positions" else plane.velocities
         for j in {0, 1, 2} - {i}:
@@ -961,8 +1103,11 @@ def prove(
     verdict: str,
     numbers: list[tuple[Interval, ...]],
     work: Work,
+    closing: Callable[[Law, Sight], bool] = lambda _, __: False,
 ) -> None:
     """Show a verdict for all branches of a box; None is one that ends.
+
+    A branch that collapses has six numbers, or is closing without any.
 
     Raises:
         RefusedError: if that fails.
@@ -985,6 +1130,8 @@ def prove(
         work.spend(law.kind.price * (1 + len(numbers)) * (1 + (bits >> 8)))
         if any(closes(law, state, six) for six in numbers):
             continue
+        if verdict == "c" and closing(law, state):
+            continue
         may_end, more = after(law, state)
         waiting += [None, *more] if may_end else more
 
@@ -997,12 +1144,23 @@ RECORD = ("level", "keys", "verdicts", "numbers", "sha256")
 PHI = ("name", "r", "neg_cos", "speed", "tangential", "x", "y")
 STRIP = (*PHI, "delta", "curve", "below", "above")
 THROUGH = ("name", "r", "positions", "velocities", "x_at", "y_at", "x", "y")
+SEGMENT = ("name", "r", "positions", "velocities", "axes", "x")
+FAMILY = (*SEGMENT, "y")
+
+
+class Run(NamedTuple):
+    """An interval of a parameter in which all scenes have one verdict."""
+
+    letter: str
+    low: Fraction
+    high: Fraction
 
 
 class Areas(NamedTuple):
     """How many boxes the log has, how many have a verdict, and the share of each verdict.
 
-    `is_strip`: all tiles below the curve collapse, and all above it disperse.
+    `is_strip`: all tiles below the curve collapse, and all above it disperse. `runs` are those of
+    an interval of scenes, in order; what is between them is undecided.
     """
 
     boxes: int
@@ -1010,6 +1168,13 @@ class Areas(NamedTuple):
     collapses: Fraction
     disperses: Fraction
     is_strip: bool = False
+    finite: Fraction = Fraction(0)
+    runs: tuple[Run, ...] = ()
+
+    @property
+    def undecided(self) -> Fraction:
+        """The share without a verdict."""
+        return 1 - self.collapses - self.disperses - self.finite
 
 
 def check_log(lines: Iterator[bytes], most: int | None = MAX_WORK) -> tuple[Plane, Areas]:
@@ -1029,31 +1194,74 @@ def check_log(lines: Iterator[bytes], most: int | None = MAX_WORK) -> tuple[Plan
         raise LogError("expected a first level from 1 to 8")
     if isinstance(plane, Strip) and 1 << level != len(plane.curve):
         raise LogError("expected a first box for each part of the curve")
-    law, sided, boxes, proved = law_in(plane), isinstance(plane, Strip), 0, 0
-    begin, work = beginning(law, plane), Work(most)
-    shares = {"c": Fraction(0), "d": Fraction(0)}
-    due, children = [_key(i, level) for i in range(4**level)], list[str]()
+    tally, rules = Tally(plane), Rules(price_of(plane), on_a_line(plane))
+    law = law_in(plane)
+    begin, work, digits = beginning(law, plane), Work(most), digits_of(plane)
+    due, children = [_key(i, level, digits) for i in range(len(digits) ** level)], list[str]()
     at = 0
     for line in lines:
         chain, record = _line(line, chain, RECORD)
         if at == len(due):
             level, due, children, at = level + 1, children, [], 0
-        keys, letters, numbers = _boxes(record, level)
+        keys, letters, numbers = _boxes(record, level, 0 if rules.is_line else 6)
         if not keys or keys != due[at : at + len(keys)]:
             raise LogError("boxes are not those that the boxes before have left, in their order")
         at += len(keys)
-        boxes += len(keys)
+        tally.boxes += len(keys)
         given = iter(numbers)
         for key, letter in zip(keys, letters, strict=True):
             if letter == "u":
-                children += [key + digit for digit in "0123"]
+                children += [key + digit for digit in digits]
                 continue
-            prove_box(law, begin, key, letter, next(given, []) if letter == "c" else [], work)
-            shares[letter] = _and_share(shares[letter], plane, key)
-            proved += 1
-            sided = isinstance(plane, Strip) and sided and (letter == "d") == is_above(plane, key)
-    done = at == len(due) and not children
-    return plane, Areas(boxes, proved, shares["c"], shares["d"], sided and done)
+            found = next(given, []) if letter == "c" else []
+            prove_box(law, begin, key, letter, found, work, rules)
+            tally.add(key, letter)
+    return plane, tally.areas(is_whole=at == len(due) and not children)
+
+
+class Tally:
+    """What is proved so far."""
+
+    def __init__(self, plane: Plane) -> None:
+        self.plane, self.boxes, self.proved = plane, 0, 0
+        self.shares = {"c": Fraction(0), "d": Fraction(0), "f": Fraction(0)}
+        self.is_strip = isinstance(plane, Strip)
+        self.parts: list[tuple[str, str]] = []
+
+    def add(self, key: str, letter: str) -> None:
+        """A box with its verdict."""
+        plane = self.plane
+        self.proved += 1
+        self.shares[letter] = _and_share(self.shares[letter], plane, key)
+        if isinstance(plane, Strip):
+            self.is_strip = self.is_strip and letter == "cd"[is_above(plane, key)]
+        if isinstance(plane, Family) and plane.y is None:
+            self.parts.append((key, letter))
+
+    def areas(self, *, is_whole: bool) -> Areas:
+        """The areas; the log is whole if it leaves no box to be decided."""
+        c, d, f = (self.shares[letter] for letter in "cdf")
+        runs = tuple(_runs(self.plane, self.parts))
+        return Areas(self.boxes, self.proved, c, d, self.is_strip and is_whole, f, runs)
+
+
+def _runs(plane: Plane, parts: list[tuple[str, str]]) -> Iterator[Run]:
+    """Neighbours with the same verdict, in one."""
+    run: Run | None = None
+    if not isinstance(plane, Family):
+        return
+    low, width = plane.x[0], plane.x[1] - plane.x[0]
+    for key, letter in sorted(parts):
+        share = Fraction(1, 2 ** len(key))
+        first = low + width * int(key, 2) * share
+        if run is not None and run[::2] == (letter, first):
+            run = run._replace(high=first + width * share)
+            continue
+        if run is not None:
+            yield run
+        run = Run(letter, first, first + width * share)
+    if run is not None:
+        yield run
 
 
 def _and_share(share: Fraction, plane: Plane, key: str) -> Fraction:
@@ -1063,36 +1271,53 @@ def _and_share(share: Fraction, plane: Plane, key: str) -> Fraction:
     return found
 
 
-def law_in(plane: Plane) -> Law:
+class Rules(NamedTuple):
+    """What it costs to begin with a box, and whether all spheres are on a line."""
+
+    price: int = BOX_PRICE
+    is_line: bool = False
+
+
+def law_in(plane: Plane) -> Laws:
     """The law, in the kind of numbers that a plane is decided in."""
     if isinstance(plane, Strip):
         return law_of(plane.phi.r, MODELS)
+    if isinstance(plane, Family) and not isinstance(plane.r, Fraction):
+        return lambda key: law_around(value_of(MODELS, plane.r, *_on_box(MODELS, plane, key)))
     return law_of(plane.r, INTERVALS if isinstance(plane, Phi) else MODELS)
 
 
 def prove_box(
-    law: Law,
+    law: Laws,
     begin: Beginning,
     key: str,
     letter: str,
     numbers: list[tuple[Interval, ...]],
     work: Work | None = None,
+    rules: Rules | None = None,
 ) -> None:
     """Show the verdict on a box.
 
     Raises:
         RefusedError: if that fails.
     """
-    work = work or Work()
+    work, rules = work or Work(), rules or Rules()
     try:
-        work.spend(BOX_PRICE * law.kind.price)
-        prove(law, begin(key), letter, numbers, work)
+        here = on_box(law, key)
+        work.spend(rules.price * here.kind.price)
+        if letter == "f":
+            check_finite(here)
+        elif rules.is_line and not numbers:
+            prove(here, begin(key), letter, numbers, work, closes_on_a_line)
+        else:
+            prove(here, begin(key), letter, numbers, work)
     except RefusedError as error:
         raise RefusedError(f"box {key}, {letter}: {error}") from None
 
 
-def _key(place: int, level: int) -> str:
-    return "".join(str(place >> 2 * i & 3) for i in reversed(range(level)))
+def _key(place: int, level: int, digits: str = "0123") -> str:
+    size = len(digits)
+    return "".join(digits[place // size**i % size] for i in reversed(range(level)))
 
 
 def _line(line: bytes, chain: str, names: tuple[str, ...]) -> tuple[str, dict[str, Any]]:
@@ -1138,7 +1363,7 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def _boxes(
-    record: dict[str, Any], level: int
+    record: dict[str, Any], level: int, least: int = 6
 ) -> tuple[list[str], str, list[list[tuple[Interval, ...]]]]:
     keys, letters, numbers = record["keys"], record["verdicts"], record["numbers"]
     if type(record["level"]) is not int or record["level"] != level or level > MAX_LEVEL:
@@ -1146,22 +1371,22 @@ def _boxes(
     if not isinstance(keys, str) or not re.fullmatch("[0-3 ]*", keys):
         raise LogError("expected keys")
     found = keys.split(" ")
-    if not isinstance(letters, str) or not re.fullmatch("[cdu]*", letters):
-        raise LogError("expected verdicts c, d, u")
+    if not isinstance(letters, str) or not re.fullmatch("[cdfu]*", letters):
+        raise LogError("expected verdicts c, d, f, u")
     if len(found) != len(letters) or not isinstance(numbers, list):
         raise LogError("expected a verdict for each key")
     if len(numbers) != letters.count("c"):
         raise LogError("expected numbers for each box that collapses")
-    return found, letters, [sixes(flat, "c") for flat in numbers]
+    return found, letters, [sixes(flat, "c", least) for flat in numbers]
 
 
-def sixes(flat: object, letter: str) -> list[tuple[Interval, ...]]:
-    """Read the numbers of a box: six for each branch that collapses.
+def sixes(flat: object, letter: str, least: int = 6) -> list[tuple[Interval, ...]]:
+    """Read the numbers of a box: six for each branch that collapses, and so many at least.
 
     Raises:
         LogError: if they are no such numbers.
     """
-    if letter == "d" and not flat:
+    if (letter == "d" and not flat) or (least == 0 and flat == []):
         return []
     if not isinstance(flat, list) or not 0 < len(flat) <= 6 * MAX_SIXES or len(flat) % 6:
         raise LogError("expected six numbers for each branch of a box that collapses")
@@ -1183,7 +1408,9 @@ def plane_of(found: object) -> Plane:
         return _through(found)
     if isinstance(found, dict) and tuple(found) == STRIP and found["name"] == "strip":
         return _strip(found)
-    expected = (("phi", PHI), ("scene", THROUGH), ("strip", STRIP))
+    if isinstance(found, dict) and tuple(found) in (FAMILY, SEGMENT) and found["name"] == "family":
+        return _family(found)
+    expected = (("phi", PHI), ("scene", THROUGH), ("strip", STRIP), ("family", FAMILY))
     words = (f"{name} with {', '.join(names)}" for name, names in expected)
     raise LogError(f"expected a plane: {'; or '.join(words)}")
 
@@ -1236,6 +1463,53 @@ def _through(found: dict[str, Any]) -> Through:
     return Through(r, positions, velocities, places[0], places[1], x, y)
 
 
+def _family(found: dict[str, Any]) -> Family:
+    axes, count = found["axes"], 2 if "y" in found else 1
+    x, y = _two(found["x"]), _two(found["y"]) if "y" in found else None
+    if not isinstance(axes, list) or not all(isinstance(name, str) for name in axes):
+        raise LogError("expected the names of the axes")
+    if len({*axes}) != count or len(axes) != count:
+        raise LogError("expected a name for each axis")
+    if not all(re.fullmatch(r"[A-Za-z][A-Za-z0-9_]{0,30}(\[[0-9]{1,2}\]){0,2}", a) for a in axes):
+        raise LogError("expected names of axes, like vy")
+    if not x[0] < x[1] or (y is not None and not y[0] < y[1]):
+        raise LogError("expected an interval for each axis")
+    letters = "xy"[:count]
+    r = _term(found["r"], letters)
+    positions, velocities = (
+        tuple(tuple(_term(cell, letters) for cell in _list(row)) for row in _list(found[name]))
+        for name in ("positions", "velocities")
+    )
+    size = len(positions[0]) if positions else 0
+    if (len(positions), len(velocities)) != (3, 3) or not 1 <= size <= 20:
+        raise LogError("expected three vectors of 1 to 20 numbers")
+    if {*map(len, positions + velocities)} != {size}:
+        raise LogError("expected vectors of one length")
+    if isinstance(r, Fraction) and not 0 < r < 1:
+        raise LogError("expected 0 < r < 1")
+    plane = Family(r, positions, velocities, tuple(axes), x, y)
+    if operations(r) + sum(operations(term) for _, term in varying(plane)) > MAX_OPERATIONS:
+        raise LogError(f"expected at most {MAX_OPERATIONS} operations in all terms")
+    return plane
+
+
+def _term(found: object, letters: str, depth: int = 0) -> Term:
+    if isinstance(found, str):
+        return found if len(found) == 1 and found in letters else _rational(found)
+    if not isinstance(found, list) or len(found) != 3 or depth > MAX_DEPTH:
+        raise LogError("expected a term: p/q, or x, or y, or an operation on two terms, not deep")
+    name, one, two = found
+    if name not in ("+", "-", "*", "/"):
+        raise LogError("expected one of the operations + - * /")
+    return name, _term(one, letters, depth + 1), _term(two, letters, depth + 1)
+
+
+def _list(found: object) -> list[Any]:
+    if not isinstance(found, list):
+        raise LogError("expected a list")
+    return found
+
+
 def _rows_of(found: object) -> Rows:
     if not isinstance(found, list) or len(found) != 3:
         raise LogError("expected three vectors")
@@ -1268,6 +1542,10 @@ def _rational(text: object) -> Fraction:
 # --- what is said --------------------------------------------------------------------------------
 
 
+#: The verdicts of boxes in words.
+VERDICTS = {"c": "collapses", "d": "disperses", "f": "finitely many collisions"}
+
+
 def says(plane: Plane, areas: Areas) -> str:
     """What was proved, with all that it was proved for."""
     shares = ", ".join(
@@ -1275,8 +1553,10 @@ def says(plane: Plane, areas: Areas) -> str:
         for name, share in (
             ("collapses", areas.collapses),
             ("disperses", areas.disperses),
-            ("undecided", 1 - areas.collapses - areas.disperses),
+            ("finitely many collisions", areas.finite),
+            ("undecided", areas.undecided),
         )
+        if share or name != "finitely many collisions"
     )
     told = f"{areas.boxes} boxes, {areas.proved} of them proved"
     if isinstance(plane, Strip) and areas.is_strip:
@@ -1284,14 +1564,32 @@ def says(plane: Plane, areas: Areas) -> str:
             "every such state with 0 < φ2 <= f - δ collapses and every one with "
             f"f + δ <= φ2 <= {plane.phi.y[1]} disperses; {areas.proved} tiles"
         )
+    if isinstance(plane, Family) and plane.y is None:
+        runs = "".join(f"; {VERDICTS[run.letter]} in [{run.low}, {run.high}]" for run in areas.runs)
+        return f"{hypotheses(plane)}: {told}{runs}; of the interval: {shares}"
     return f"{hypotheses(plane)}: {told}; of the area: {shares}"
 
 
-def given() -> str:
+def given(plane: Plane, areas: Areas) -> str:
     """What is taken on trust, and which scenes are not meant."""
-    theorems = " and ".join(f"certificates/{name}" for name in GIVEN)
+    names = [f"certificates/{name}" for name in cites(plane, areas)]
+    theorems = f"{', '.join(names[:-1])} and {names[-1]}"
     meant = "scenes with an overlap or a triple contact at the start are not meant"
     return f"given the theorems of {theorems}; {meant}"
+
+
+def cites(plane: Plane, areas: Areas) -> tuple[str, ...]:
+    """The theorems that are taken on trust."""
+    finite = (CLASSIFICATION,) if areas.finite else ()
+    return (*GIVEN, *((LINE,) if on_a_line(plane) else ()), *finite)
+
+
+def term_text(term: Term, axes: Sequence[str]) -> str:
+    """A term for a reader."""
+    if not isinstance(term, tuple):
+        return axes["xy".index(term)] if isinstance(term, str) else str(term)
+    name, one, two = term
+    return f"({term_text(one, axes)} {name} {term_text(two, axes)})"
 
 
 def hypotheses(plane: Plane) -> str:
@@ -1305,6 +1603,8 @@ def hypotheses(plane: Plane) -> str:
             f"{hypotheses(plane.phi)}, δ = {plane.delta}, f the curve of the log over "
             f"{len(plane.curve)} equal parts of φ1 (SHA-256 of its numbers and bands: {digest})"
         )
+    if isinstance(plane, Family):
+        return _of_family(plane)
     x, y = (f"[{low}, {high}]" for low, high in (plane.x, plane.y))
     if isinstance(plane, Phi):
         u_c, u_s = plane.tangential
@@ -1323,6 +1623,20 @@ def hypotheses(plane: Plane) -> str:
         for name, found in rows.items()
     )
     return f"spheres of diameter 1 with r = {plane.r}, {places}, x in {x}, y in {y}"
+
+
+def _of_family(plane: Family) -> str:
+    def vectors(rows: Sequence[Sequence[Term]]) -> str:
+        found = (", ".join(term_text(cell, plane.axes) for cell in row) for row in rows)
+        return " ".join(f"({row})" for row in found)
+
+    sides = (plane.x,) if plane.y is None else (plane.x, plane.y)
+    axes = (f"{name} in [{a}, {b}]" for name, (a, b) in zip(plane.axes, sides, strict=True))
+    return (
+        f"spheres of diameter 1 with r = {term_text(plane.r, plane.axes)}, "
+        f"positions {vectors(plane.positions)}, velocities {vectors(plane.velocities)}, "
+        f"{', '.join(axes)}"
+    )
 
 
 def main(arguments: list[str]) -> int:
@@ -1356,7 +1670,8 @@ def answer(path: str, most: int | None) -> tuple[int, str]:
     try:
         with open(path, "rb") as file:
             lines = iter(lambda: file.readline(MAX_LINE + 1), b"")
-            return 0, f"PROVED {path}: {says(*check_log(lines, most))}; {given()}"
+            plane, areas = check_log(lines, most)
+            return 0, f"PROVED {path}: {says(plane, areas)}; {given(plane, areas)}"
     except RefusedError as error:
         return 1, f"REFUSED {path}: {error}"
     except LogError as error:

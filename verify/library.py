@@ -38,7 +38,9 @@ from verify.wire.inputs import InputError, nearest, shown
 from verify.wire.questions import decide
 from verify.wire.read import cites_of
 from verify.wire.text.letters import letter_of
+from verify.wire.text.points import estimate
 from verify.wire.text.read_page import read_page as read_text
+from verify.wire.text.roots import Isolated, isolated
 from verify.wire.text.write_page import page_text
 from verify.wire.write import write
 
@@ -138,6 +140,47 @@ def for_all(
         says,
         tuple(constants),
     )
+
+
+def root_between(
+    name: str,
+    term: Term,
+    variable: Term,
+    between: tuple[Number, Number],
+    *,
+    constants: Iterable[Constant] = (),
+) -> Isolated:
+    """The root of a term between two numbers, which no term stands for.
+
+    The statement needs its two contexts, ``context`` and ``range``, and its ``rows``, which show
+    that it exists and is the only one there, by the intermediate value theorem. What is asked in
+    ``context`` is proved of all numbers that are within 1e-12 of the root.
+
+    Args:
+        name: that of the context; the rows begin with it.
+        term: is 0 at the root, and its derivative has one sign between the numbers.
+        variable: the symbol that stands for the root.
+        between: rational numbers at which the term has different signs.
+        constants: those whose names are in the term.
+
+    Raises:
+        InputError: if the term does not change its sign, or has no derivative.
+        TypeError: if the variable is no symbol, or an end no rational number.
+    """
+    low, high = map(as_term, between)
+    if not isinstance(variable, Term) or variable.op != "symbol":
+        raise TypeError(f"root_between {name}: {variable!r} is no variable; write symbol('x')")
+    if low.op != "rational" or high.op != "rational":
+        raise TypeError(
+            f"root_between {name}: between has to be two rational numbers, such as (1, 2)"
+        )
+    known: dict[str, float] = {}
+    for constant in constants:
+        known[constant.name] = estimate(constant.term, known)
+    x = variable.name
+    names = (x, f"{name}.range.{x}")
+    first, second = (Variable(own, *letter_of(x)) for own in names)
+    return isolated(name, (first, second), as_term(term), (low.value, high.value), known)
 
 
 def applies(context: Context, at: Mapping[str, Number]) -> Applies:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import inspect
+import json
 import random
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import pairwise
+from pathlib import Path
 from textwrap import dedent
 from typing import Any
 
@@ -17,6 +19,7 @@ from verify.prover import balls
 from verify.spheres import limit_cycle, limit_map, separatrix
 from verify.spheres.limit_map import Allowance, Curve, Orbits, Parameters, Trap
 
+ROOT = Path(__file__).resolve().parents[2]
 F = Fraction
 AT_3_100 = Parameters(F(3, 100), F(1), F(1))
 STEPS = 2 * 10**6
@@ -101,6 +104,22 @@ def test_a_known_value() -> None:
     strip = curve(AT_3_100).strip(F(1, 10), 30)
     assert F(517785628, 10**10) - F(1, 10**10) < strip.low <= strip.high < F(517785629, 10**10)
     assert (strip.high - strip.low) * 10**30 <= strip.low
+
+
+def test_the_border_of_the_committed_map_lies_a_little_below_the_curve() -> None:
+    """The closing speed of that map is 1/100; the curve is the limit of its border."""
+    with (ROOT / "certificates/map/strip/map.jsonl").open(encoding="utf-8") as log:
+        plane = json.loads(log.readline())["plane"]
+    assert (plane["x"][0], plane["speed"], plane["r"], plane["neg_cos"]) == (
+        "1/100", "1/100", "3/100", "1",
+    )  # fmt: skip
+    border = Fraction(plane["curve"][0][0])
+    u = curve(AT_3_100).strip(F(1, 100), 12).low
+    limit = u * (2 - u) / 2
+    assert Fraction(98, 100) < border / limit < Fraction(99, 100)
+    page = (ROOT / "docs/explanation/separatrix.md").read_text(encoding="utf-8")
+    assert f"{float(border):.4f}" in page
+    assert f"{float(limit):.4f}" in page
 
 
 def test_200_digits() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from fractions import Fraction
 from hashlib import sha256
 from pathlib import Path
@@ -42,6 +43,7 @@ from verify.wire.text.infix import (
 from verify.wire.text.letters import letter_of
 from verify.wire.text.read_page import read_page
 from verify.wire.text.write_page import page_text
+from verify.wire.write import write
 
 CERTIFICATES = Path(__file__).resolve().parents[2] / "certificates"
 STATEMENTS = sorted(CERTIFICATES.rglob("statement.json"))
@@ -428,3 +430,58 @@ def test_a_bound_of_a_modulus_is_two_givens_where_it_is_written_as_one() -> None
     assert len(read_givens("f", "2 > |x| > 1", names)) == 3
     assert len(read_givens("f", "max(x, -x) <= 1", names)) == 1
     assert len(read_givens("f", "|x| + 1 <= 2", names)) == 1
+
+
+ROOT = """
+title = "Numbers that are roots"
+[constants]
+one = "1"
+[contexts.plastic]
+variables = ["rho"]
+root = "rho^3 - rho - one"
+between = [1, "2"]
+rows = { size = "1.3247179572 < rho < 1.3247179573", square = "rho^2 < 1.76" }
+[contexts.dottie]
+variables = ["d"]
+root = "cos(d) - d"
+between = [0, 1]
+[rows]
+near = "0.7390851332 < d < 0.7390851333"
+"""
+
+
+def test_a_root_comes_with_rows_that_show_that_it_exists() -> None:
+    page = read_page("f.toml", ROOT.encode())
+    outcome = decide(page.statement)
+    assert outcome.claimed == "proved"
+    rows = {row.name: row for row, _ in outcome.rows}
+    assert {"plastic.begins", "plastic.ends", "plastic.rises", "dottie.falls"} <= rows.keys()
+    assert claim_text(rows["plastic.rises"].claim) == "0 < 3*plastic.range.rho^2 - 1"
+    assert "intermediate value theorem" in rows["plastic.begins"].says
+    files = write(outcome)
+    assert check.check(files["statement.json"], files["certificate.json"], {}).verdict == "PROVED"
+    again = read_page("f.toml", page_text(page.statement).encode())
+    assert again.statement == page.statement
+
+
+def test_a_root_that_is_not_the_only_one_is_not_proved() -> None:
+    # The sign changes at 1 alone, and the derivative is negative in between.
+    text = ROOT.replace("rho^3 - rho - one", "(rho - 1)*(rho - 2)^2").replace("[1, ", "[0.5, ")
+    text = text.replace('"2"', "3").replace('"1.3247179572 < rho < 1.3247179573"', '"rho < 2"')
+    outcome = decide(read_page("f.toml", text.encode()).statement)
+    assert outcome.decisions["plastic.rises"].claimed == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("between = [0, 1]", "between = [1, 2]", "does not change its sign from 1 to 2"),
+        ("between = [0, 1]", "", "write between = [1, 2]"),
+        ("between = [0, 1]", 'between = [0, "sqrt(2)"]', "are no numbers"),
+        ("between = [0, 1]", 'between = [0, 1]\ngiven = ["0 <= d"]', "leave it out"),
+        ('"cos(d) - d"', '"|d| - 1/2"', "has no derivative"),
+    ],
+)
+def test_what_is_said_of_a_root_that_cannot_be_used(old: str, new: str, message: str) -> None:
+    with pytest.raises(InputError, match=re.escape(message)):
+        read_page("f.toml", ROOT.replace(old, new).encode())

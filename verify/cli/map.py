@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import sys
 from contextlib import ExitStack
 from fractions import Fraction
@@ -13,11 +12,12 @@ from io import BytesIO
 from verify import check_map
 from verify.cli.files import print_document, read_bytes, write_all
 from verify.cli.options import Options, Parser, field
+from verify.cli.scene_sample import point_in
 from verify.language.errors import OwnError
 from verify.language.record import TYPE_CHECKING
-from verify.spheres.map.planes import Phi, Place, Plane, Side, Through
+from verify.spheres.map.axes import axis_in, interval_in, plane_in
+from verify.spheres.map.planes import Phi, Plane
 from verify.spheres.map.strip import BorderStrip
-from verify.spheres.scene.scene_files import read_scene
 from verify.wire.inputs import InputError, integer, rational, shown
 
 if TYPE_CHECKING:
@@ -43,8 +43,9 @@ def add_arguments(parser: Parser) -> None:
     parser.option("--neg-cos", "phi: -cos of the angle, in ]0, 1] (default 1)", "C")
     parser.option("--speed", "phi: -eta_c (default 1/100)", "V")
     parser.option("--tangential", "phi: tangential speeds (default 1,1)", "U_C,U_S")
-    parser.option("--x", "φ1 (default 0..1/2), or a number of the scene: NAME=A..B", "A..B")
+    parser.option("--x", "φ1 (default 0..1/2); for a scene NAME=A..B: r, a parameter", "A..B")
     parser.option("--y", "φ2 (default 0..1/4), or another one: velocities[2][1]=-1..1", "A..B")
+    parser.option("--at", "the other parameters of the scene file: NAME=A,NAME=B", "POINT")
     parser.option("--strip", "phi: decide all but |φ2 - f(φ1)| < DELTA for a curve f", "DELTA")
     parser.option("--undecided", "stop at this share (default 1%)", "P%")
     parser.option("--boxes", "stop after so many boxes (default 10^6)", "N", default="1000000")
@@ -63,9 +64,11 @@ def read_plane(options: Options) -> Plane:
         InputError: if a number is not usable.
     """
     if options.plane.endswith(".toml"):
-        return _read_through(options)
+        return _read_scenes(options)
     if options.plane != "phi":
         raise InputError(f"plane: {shown(options.plane)} is no plane; write phi or a file .toml")
+    if options.at is not None:
+        raise InputError("--at: is for the file of a scene; leave it out")
     if options.r is None:
         raise InputError("--r: is missing; write a number like 0.03")
     r, neg_cos = rational("--r", options.r), rational("--neg-cos", options.neg_cos or "1")
@@ -83,41 +86,22 @@ def read_plane(options: Options) -> Plane:
         raise InputError(f"--tangential: {shown(options.tangential)} is no pair; write 1,1")
     u_c, u_s = (rational("--tangential", word) for word in words)
     width = "0..1/2" if options.strip is None else "1/100..9/25"
-    x, y = _interval("--x", options.x or width), _interval("--y", options.y or "0..1/4")
+    x, y = interval_in("--x", options.x or width), interval_in("--y", options.y or "0..1/4")
     if min(x[0], y[0]) < 0:
         raise InputError("--x, --y: φ1 and φ2 are not negative; write intervals from 0 on")
     return Phi(r, neg_cos, speed, (u_c, u_s), x, y)
 
 
-def _read_through(options: Options) -> Through:
+def _read_scenes(options: Options) -> Plane:
     for option in ("--r", "--neg-cos", "--speed", "--tangential"):
         if getattr(options, field(option)) is not None:
             raise InputError(f"{option}: leave it out with the file of a scene")
-    scene = read_scene(options.plane, read_bytes("plane", options.plane))
-    (x_at, x), (y_at, y) = (
-        _varied(f"--{name}", getattr(options, name), scene.dimension) for name in "xy"
-    )
-    if x_at == y_at:
-        raise InputError("--y: is the number that --x varies; name another one")
-    return Through(scene, x_at, y_at, x, y)
-
-
-def _varied(option: str, text: str | None, size: int) -> tuple[Place, Side]:
-    example = "velocities[2][0]=-1.5..0"
-    match = re.fullmatch(r"(positions|velocities)\[([0-2])\]\[([0-9]{1,2})\]=(.*)", text or "")
-    if not match or int(match[3]) >= size:
-        raise InputError(f"{option}: {shown(text or '')} is not usable; write it like {example}")
-    return (match[1], int(match[2]), int(match[3])), _interval(option, match[4])
-
-
-def _interval(option: str, text: str) -> Side:
-    words = text.split("..")
-    if len(words) != 2:
-        raise InputError(f"{option}: {shown(text)} is no interval; write A..B")
-    low, high = (rational(option, word) for word in words)
-    if not low < high:
-        raise InputError(f"{option}: {shown(text)} is not A < B; write such an interval")
-    return low, high
+    if options.x is None:
+        raise InputError("--x: is missing; name what varies: --x r=0.01..0.08")
+    written = {"--x": options.x} | ({} if options.y is None else {"--y": options.y})
+    axes = [axis_in(option, text) for option, text in written.items()]
+    fixed = {} if options.at is None else point_in("--at", options.at)
+    return plane_in(options.plane, read_bytes("plane", options.plane), axes, fixed)
 
 
 def _share(text: str) -> Fraction:
@@ -152,7 +136,7 @@ def run(options: Options) -> int:
             "name another folder"
         ) from error
     if options.json:
-        print_document(map_document(progress, check_map.GIVEN))
+        print_document(map_document(progress, _cites(progress)))
     else:
         lines = (*map_lines(progress, *_said(progress)), *saddle_lines(_saddle(progress.plane)))
         sys.stdout.write("".join(f"{line}\n" for line in lines))
@@ -161,12 +145,21 @@ def run(options: Options) -> int:
     return 0 if done else UNDECIDED_CODE
 
 
+def _cites(progress: Progress) -> tuple[str, ...]:
+    """The theorems that the checker has taken for granted."""
+    from verify.views.map import areas_of
+
+    return check_map.cites(check_map.plane_of(progress.document), areas_of(progress))
+
+
 def _said(progress: Progress) -> tuple[str, str]:
     """What the checker says of a map that it has accepted, and what it is given."""
-    areas, plane = progress.areas, check_map.plane_of(progress.document)
-    if areas is None or not areas.is_strip:
-        return check_map.hypotheses(plane), check_map.given()
-    return check_map.says(plane, areas), check_map.given()
+    from verify.views.map import areas_of
+
+    areas, plane = areas_of(progress), check_map.plane_of(progress.document)
+    given = check_map.given(plane, areas)
+    said = check_map.says(plane, areas) if areas.is_strip else check_map.hypotheses(plane)
+    return said, given
 
 
 def _saddle(plane: Plane | BorderStrip) -> Saddle | None:
@@ -275,7 +268,7 @@ def _write(options: Options, progress: Progress, times: list[Sample]) -> None:
     from verify.views.plots.map_picture import png_map, svg_map
 
     rows = "".join(f"{s.boxes},{s.undecided},{s.seconds:.3f}\n" for s in times)
-    document = json.dumps(map_document(progress, check_map.GIVEN), ensure_ascii=False, indent=1)
+    document = json.dumps(map_document(progress, _cites(progress)), ensure_ascii=False, indent=1)
     files = {
         DOCUMENT: f"{document}\n".encode(),
         PICTURE: svg_map(progress, boxes=options.show_boxes).encode(),

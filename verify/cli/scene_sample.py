@@ -27,17 +27,30 @@ MAX_SAMPLE, MAX_SEED = 10**6, 2**64
 def scene_at(options: Options) -> Scene:
     """The scene of a family that --at names."""
     family = read_family(options.scene, read_bytes("scene", options.scene))
-    values = {}
-    for word in options.at.split(","):
-        name, _, text = word.partition("=")
-        if name not in family.sides or name in values:
-            known = ", ".join(family.sides) or "none"
-            raise InputError(f"--at: {shown(word)}: write NAME=A once for each of {known}")
-        values[name] = rational("--at", text)
+    known = ", ".join(family.sides) or "none"
+    values = point_in("--at", options.at, f"each of {known}")
+    odd = sorted(values.keys() - family.sides.keys())
+    if odd:
+        raise InputError(f"--at: {shown(odd[0])}: write NAME=A once for each of {known}")
     missing = sorted(family.sides.keys() - values.keys())
     if missing:
         raise InputError(f"--at: {missing[0]} is missing; write {missing[0]}=A too")
     return family.at(values)
+
+
+def point_in(option: str, text: str, each: str = "each parameter") -> dict[str, Fraction]:
+    """The values of parameters: NAME=A,NAME=B.
+
+    Raises:
+        InputError: if they are written in another way.
+    """
+    values: dict[str, Fraction] = {}
+    for word in text.split(","):
+        name, _, number = word.partition("=")
+        if name in values:
+            raise InputError(f"{option}: {shown(word)}: write NAME=A once for {each}")
+        values[name] = rational(option, number)
+    return values
 
 
 def run_sample(options: Options, limits: Budget, jobs: int) -> int:

@@ -46,7 +46,7 @@ class Problem(Record):
     truth: bool
 
 
-class Answer(Record):
+class Reply(Record):
     """A verdict, the CPU time, and whether a certificate was checked."""
 
     verdict: str
@@ -54,7 +54,7 @@ class Answer(Record):
     certified: bool = False
 
 
-Solver = Callable[[Problem], Answer]
+Solver = Callable[[Problem], Reply]
 
 
 def problems(quick: bool) -> Iterator[Problem]:
@@ -106,7 +106,7 @@ def _version(name: str) -> str | None:
 
 
 def _counted(
-    collection: str, tool: str, asked: Sequence[Problem], answers: Sequence[Answer]
+    collection: str, tool: str, asked: Sequence[Problem], answers: Sequence[Reply]
 ) -> list[str | int]:
     decided = [
         (problem, answer)
@@ -123,37 +123,37 @@ def _counted(
 # --- our own -------------------------------------------------------------------------------------
 
 
-def _ours(problem: Problem) -> Answer:
+def _ours(problem: Problem) -> Reply:
     """Decided, and the certificate checked; the time is that of both."""
     start = process_time()
     outcome = decide(problem.statement, WorkBudget(seconds=SECONDS))
     found = outcome.decisions[problem.name].claimed
     if found == UNDECIDED:
-        return Answer(UNDECIDED, process_time() - start)
+        return Reply(UNDECIDED, process_time() - start)
     files = write(outcome)
     report = check.check(files["statement.json"], files["certificate.json"], {})
     accepted = report.verdict == {PROVED: "PROVED", REFUTED: "REFUTED"}[found]
-    return Answer(found, process_time() - start, accepted)
+    return Reply(found, process_time() - start, accepted)
 
 
 # --- peers ---------------------------------------------------------------------------------------
 
 
-def _asked(peer: str, problem: Problem) -> Answer:
+def _asked(peer: str, problem: Problem) -> Reply:
     """What a peer answers in a process of its own; nothing if that ends badly or takes long."""
     text = smt_of(problem.statement, functions=peer == "cvc5")
     if text is None:
-        return Answer(UNDECIDED, 0.0)
+        return Reply(UNDECIDED, 0.0)
     command = [sys.executable, "-m", "verify.measure.peers", peer]
     try:
         done = subprocess.run(  # noqa: S603  this interpreter, on this module
             command, input=text, capture_output=True, text=True, timeout=SECONDS + START, check=True
         )
     except (subprocess.TimeoutExpired, subprocess.CalledProcessError):
-        return Answer(UNDECIDED, float(SECONDS))
+        return Reply(UNDECIDED, float(SECONDS))
     told = json.loads(done.stdout)
     verdict = {"unsat": PROVED, "sat": REFUTED}.get(told["answer"], UNDECIDED)
-    return Answer(verdict, told["seconds"])
+    return Reply(verdict, told["seconds"])
 
 
 def _ask_z3(text: str) -> str:

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 from verify.language.errors import OwnError
-from verify.prover.decimals import short
+from verify.prover.decimals import exact_number, short
 from verify.prover.outcome import Ends
 
 DOCUMENT = "verify-map/1"
@@ -20,13 +21,15 @@ Strip = Any
 #: A plane as the log of a map has it.
 Plane = Mapping[str, Any]
 
-COLLAPSES, DISPERSES, UNDECIDED = "c", "d", "u"
+COLLAPSES, DISPERSES, FINITE, UNDECIDED = "c", "d", "f", "u"
 #: The three areas: their letters in a log, their names, and what is true of every scene in them.
 AREAS = {
     COLLAPSES: ("collapses", "all its scenes collapse"),
     DISPERSES: ("disperses", "in all its scenes no two spheres meet any more after some time"),
     UNDECIDED: ("undecided", "nothing was proved"),
 }
+#: One more, shown where there is such a verdict.
+FINITELY = {FINITE: ("finite", "in all its scenes only finitely many collisions are possible")}
 
 
 def areas_of(progress: Progress) -> Any:
@@ -43,9 +46,14 @@ def areas_of(progress: Progress) -> Any:
 def area_shares(progress: Progress) -> dict[str, Fraction]:
     """The share of each area by the checker; they add up to 1."""
     areas = areas_of(progress)
-    found = {COLLAPSES: areas.collapses, DISPERSES: areas.disperses}
-    found[UNDECIDED] = 1 - areas.collapses - areas.disperses
-    return {name: found[letter] for letter, (name, _) in AREAS.items()}
+    found = {COLLAPSES: areas.collapses, DISPERSES: areas.disperses, FINITE: areas.finite}
+    found[UNDECIDED] = areas.undecided
+    return {name: found[letter] for letter, (name, _) in areas_shown(progress).items()}
+
+
+def areas_shown(progress: Progress) -> dict[str, tuple[str, str]]:
+    """The areas: their letters, names, and what is true in them."""
+    return AREAS | FINITELY if areas_of(progress).finite else AREAS
 
 
 def map_document(progress: Progress, cites: Iterable[str]) -> dict[str, Any]:
@@ -62,7 +70,33 @@ def map_document(progress: Progress, cites: Iterable[str]) -> dict[str, Any]:
         "judged_by": "verify/check_map.py",
         "cites": [*cites],
         "strip": strip_document(progress),
+        **interval_document(progress),
     }
+
+
+def interval_document(progress: Progress) -> dict[str, Any]:
+    """Of an interval of scenes: the parts with a verdict, and between what the borders lie."""
+    if not is_interval(progress.document):
+        return {}
+    runs, names = areas_of(progress).runs, AREAS | FINITELY
+    parts = [
+        {"from": str(run.low), "to": str(run.high), "verdict": names[run.letter][0]} for run in runs
+    ]
+    return {"intervals": parts, "borders": [[*map(str, ends)] for ends in borders(progress)]}
+
+
+def borders(progress: Progress) -> list[Ends]:
+    """Between what the values lie where a parameter goes from collapses to finitely many."""
+    return [
+        (one.high, two.low)
+        for one, two in pairwise(areas_of(progress).runs)
+        if (one.letter == COLLAPSES) != (two.letter == COLLAPSES)
+    ]
+
+
+def is_interval(plane: Plane) -> bool:
+    """Whether there is one parameter only."""
+    return "y" not in plane
 
 
 def strip_document(progress: Progress) -> dict[str, str] | None:
@@ -80,6 +114,10 @@ def is_strip(plane: Plane) -> bool:
 
 def plane_line(plane: Plane) -> str:
     """The plane in a line."""
+    if plane["name"] == "family":
+        sides = zip(plane["axes"], (plane[name] for name in "xy" if name in plane), strict=True)
+        axes = ", ".join(f"{name} in [{low}, {high}]" for name, (low, high) in sides)
+        return f"{axes}; r = {plane['r']}" if isinstance(plane["r"], str) else axes
     (x_0, x_1), (y_0, y_1) = plane["x"], plane["y"]
     if plane["name"] == "scene":
         x, y = axis_names(plane)
@@ -93,7 +131,9 @@ def plane_line(plane: Plane) -> str:
 
 
 def axis_names(plane: Plane) -> tuple[str, str]:
-    """What the two axes are."""
+    """What the axes are."""
+    if plane["name"] == "family":
+        return plane["axes"][0], (*plane["axes"], "")[1]
     if plane["name"] == "scene":
         return plane["x_at"], plane["y_at"]
     return "φ1 = η_s/(-η_c)", "d/η_c²"
@@ -115,12 +155,34 @@ def map_lines(progress: Progress, said: str, given: str) -> Iterator[str]:
     areas = areas_of(progress)
     yield said
     found = area_shares(progress)
-    for name, says in AREAS.values():
+    for name, says in areas_shown(progress).values():
         if found[name]:
             yield f"{name:<10} {percent(found[name]):>9} %  {says}"
-    yield f"{progress.boxes} boxes, down to 1/{4 ** (progress.level - 1)} of the area"
+    if is_interval(progress.document):
+        yield from interval_lines(progress)
+    parts, whole = len(progress.digits) ** (progress.level - 1), "area"
+    if is_interval(progress.document):
+        whole = "interval"
+    yield f"{progress.boxes} boxes, down to 1/{parts} of the {whole}"
     yield f"checked by verify/check_map.py: {areas.proved} boxes with a verdict;"
     yield given
+
+
+def interval_lines(progress: Progress) -> Iterator[str]:
+    """The parts of an interval of scenes, and where its borders lie, for a reader."""
+    name, names = progress.document["axes"][0], AREAS | FINITELY
+    for run in areas_of(progress).runs:
+        yield f"  {name} in {_between((run.low, run.high))}: {names[run.letter][0]}"
+    found = borders(progress)
+    for ends in found:
+        yield f"a critical {name} lies in {_between(ends)}"
+    if len(found) == 0:
+        yield f"no critical {name} was found in this interval"
+
+
+def _between(ends: Ends) -> str:
+    low, high = map(exact_number, ends)
+    return f"[{low}, {high}]"
 
 
 def saddle_lines(found: tuple[Ends, Ends, Ends, Ends] | None) -> Iterator[str]:

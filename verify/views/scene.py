@@ -59,6 +59,7 @@ def scene_document(told: Told, judge: str) -> dict[str, Any]:
         "neg_cos_theta": None if told.angle is None else outward(told.angle),
         "event_time": None if told.event is None else outward(told.event),
         "energy_lost": outward(told.energy),
+        **{name: text for name, text in told.scene.labels._asdict().items() if text},
         "impacts": [
             {"pair": one.pair, "time": outward(one.time), "normal_speed": outward(one.speed)}
             for one in told.impacts

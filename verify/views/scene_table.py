@@ -15,7 +15,7 @@ DIGITS = 17
 COLUMNS = (
     "file", "verdict", "reason", "central", "collisions", "time_low", "time_high",
     "neg_cos_low", "neg_cos_high", "energy_lost_low", "energy_lost_high",
-    "event_time_low", "event_time_high", "judged_by",
+    "event_time_low", "event_time_high", "judged_by", "title", "time_unit", "length_unit",
 )  # fmt: skip
 Cells = Sequence[str]
 Ends = tuple[Fraction, Fraction]
@@ -35,6 +35,7 @@ def cells(file: str, told: Told, judge: str) -> Cells:
         str(told.collisions),
         *(end for pair in ends for end in pair),
         judge if told.theorems else "",
+        *told.scene.labels,
     )
 
 

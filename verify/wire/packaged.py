@@ -52,8 +52,8 @@ PACKAGED_FILES = {
         "certificate.json": "77e14ada4e990b1de451b3281f197e7a160c07d7bbf045696399507e362c65cf",
     },
     "elsewhere": {
-        "statement.json": "a29f2ba31bf910fd1c681963d0bedff3d0f42a1eccefe0fd561ecde2029633fa",
-        "certificate.json": "bb914a7b09f3366a8b453a27469d5c1a5e2519567f91b9f766c840b47f888e96",
+        "statement.json": "181792ad7ec7f2175bb89072eab89add2312e806111684bdafdf88cb98b09151",
+        "certificate.json": "5f052fcffe1ab50e2ecc9b5c9c81b579108920f1c9be235ba192734622daf698",
     },
     "sharper": {
         "statement.json": "52d5abca77e65dd9c6c064ef529d4774214a42f6914bb076b725552dd0940776",

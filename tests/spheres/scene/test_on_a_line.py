@@ -77,7 +77,7 @@ def test_random_scenes(seed: int) -> None:
                        Fraction(1, 100), Fraction(8, 100), Fraction(1, 2)])  # fmt: skip
     scene, direction = random_scene(choice, r)
     if scene.dimension == 1:
-        scene = Scene(r, *(tuple((*row, Fraction(0)) for row in rows) for rows in scene[1:]))
+        scene = Scene(r, *(tuple((*row, Fraction(0)) for row in rows) for rows in scene[1:3]))
         direction = [1, 0]
     assert is_on_a_line(scene)
     verdict, _ = simulated(scene, direction)

@@ -13,10 +13,10 @@ from verify.paper.commands.report_files import CertificateError, read_file
 from verify.prover import balls
 from verify.spheres.flow.collapse import find_collapse
 from verify.spheres.map.log import Chunk, Progress
-from verify.spheres.map.planes import Phi, Plane, Through
+from verify.spheres.map.planes import FamilyPlane, Phi, Plane, Through
 from verify.spheres.map.strip import BorderStrip
 from verify.spheres.scene.decide import Budget, Fate, decide_scene
-from verify.spheres.scene.scene import Scene
+from verify.spheres.scene.scene import Coordinates, Scene
 from verify.spheres.scene.verdict import shown_ends, steps, told
 from verify.views.material import CertifiedMap, CertifiedStrip, Instant, Story
 
@@ -89,6 +89,9 @@ def _plane_of(found: check_map.Plane) -> Plane | BorderStrip:
         return BorderStrip(Phi(*found.phi), *found[1:])
     if isinstance(found, check_map.Phi):
         return Phi(*found)
+    if isinstance(found, check_map.Family):
+        coordinates = Coordinates(found.positions, found.velocities)
+        return FamilyPlane(found.r, coordinates, found.axes, found.x, found.y)
     scene = Scene(found.r, found.positions, found.velocities)
     return Through(scene, *found[3:])
 

@@ -4,22 +4,47 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from verify.language.record import Record
 from verify.spheres.flow.law import Pair, State
-from verify.spheres.map.branches import Step, advance, begin, is_empty, take, together
-from verify.spheres.map.closing import collapsing
-from verify.spheres.map.intervals import Array, Intervals, enclosed
+from verify.spheres.map.branches import (
+    Step,
+    advance,
+    begin,
+    is_empty,
+    some_of,
+    take,
+    together,
+)
+from verify.spheres.map.closing import collapsing, collapsing_on_a_line
+from verify.spheres.map.intervals import Array, Intervals, enclosed, exactly
 from verify.spheres.map.models import Models, from_bounds, one_model, parameter
-from verify.spheres.map.planes import Phi, Plane, start, views
+from verify.spheres.map.planes import (
+    FamilyPlane,
+    Phi,
+    Plane,
+    Scenes,
+    is_on_a_line,
+    start,
+    value_of,
+    views,
+)
 from verify.spheres.map.strip import BorderStrip, height
+from verify.spheres.scene.criteria import inelastic
 
-COLLAPSES, DISPERSES, UNDECIDED = "c", "d", "u"
+COLLAPSES, DISPERSES, FINITE, UNDECIDED = "c", "d", "f", "u"
 #: How far boxes are followed, and how often one is split where spheres may graze.
 MAX_COLLISIONS, MAX_BRANCHES = 60, 24
+#: How far Taylor models of a family are followed: r may be near where collapses begin.
+FAMILY_COLLISIONS = 400
+
+
+#: Instead of the interval of a parameter that does not occur.
+NOTHING = (Fraction(0), Fraction(0))
 
 
 class Verdicts(Record):
@@ -49,7 +74,7 @@ def sides(plane: Plane, keys: Sequence[str]) -> tuple[Intervals, Intervals]:
     """The boxes of one level."""
     columns, rows = corners(keys)
     level = len(keys[0])
-    return side(plane.x, columns, level), side(plane.y, rows, level)
+    return side(plane.x, columns, level), side(plane.y or NOTHING, rows, level)
 
 
 class BoxNumbers(Record):
@@ -122,21 +147,43 @@ class _Boxes:
 def verdicts(plane: Plane | BorderStrip, keys: Sequence[str]) -> Verdicts:
     """What becomes of all scenes of each box: the boxes are of one level.
 
-    A plane through a scene is tried in intervals first, and then with Taylor models.
+    Free scenes are tried in intervals first, and then with Taylor models; of what is left it is
+    asked whether r alone leaves finitely many collisions.
     """
     if isinstance(plane, BorderStrip):
         return verdicts_of(MODELS, plane, keys)
     found = verdicts_of(INTERVALS, plane, keys)
     if isinstance(plane, Phi):
         return found
+    scenes = plane
+    found = _and_more(found, keys, lambda left: verdicts_of(MODELS, scenes, left))
+    return _and_more(found, keys, lambda left: finitely_many(scenes, left))
+
+
+def _and_more(
+    found: Verdicts, keys: Sequence[str], more: Callable[[list[str]], Verdicts]
+) -> Verdicts:
+    """The verdicts, and others where there are none."""
     left = [i for i, letter in enumerate(found.letters) if letter == UNDECIDED]
     if not left:
         return found
-    more = verdicts_of(MODELS, plane, [keys[i] for i in left])
+    others = more([keys[i] for i in left])
     letters, numbers = list(found.letters), found.numbers
-    for i, letter, sixes in zip(left, more.letters, more.numbers, strict=True):
+    for i, letter, sixes in zip(left, others.letters, others.numbers, strict=True):
         letters[i], numbers[i] = letter, sixes
     return Verdicts("".join(letters), numbers)
+
+
+def finitely_many(plane: Scenes, keys: Sequence[str]) -> Verdicts:
+    """Whether r > 7 - 4√3, where no spheres overlap."""
+    with np.errstate(all="ignore"):
+        x, y = sides(plane, keys)
+        r = value_of(plane.r, x, y, enclosed)
+        least = exactly(r.low)
+        fine = np.broadcast_to((r.low > 0) & (inelastic(least).high < 0), len(keys)).copy()
+        for pair in views(plane, x, y, enclosed)[1]:
+            fine &= pair.g.low >= 0
+    return Verdicts("".join(np.where(fine, FINITE, UNDECIDED).tolist()), [[] for _ in keys])
 
 
 def verdicts_of(
@@ -158,9 +205,20 @@ def verdicts_of(
         scenes, pairs = views(phi, x, y, kind.number)
         scenes = [_whole(kind, view, len(keys)) for view in scenes]
         pairs = [Pair(*(kind.spread(x, len(keys)) for x in pair)) for pair in pairs]
-        boxes = _Boxes(len(keys))
-        step = begin(kind.number(phi.r), scenes, pairs)
-        return follow(phi.r, kind, *boxes.take_step(step, np.arange(len(keys))), boxes, closing)
+        boxes, r = _Boxes(len(keys)), value_of(phi.r, x, y, kind.number)
+        boxes.unclear |= ~((r.low > 0) & (r.high < 1))
+        step, rate = begin(r, scenes, pairs), phi.r if isinstance(phi.r, Fraction) else r
+        if is_on_a_line(phi):
+            closing = partial(collapsing_on_a_line, rate_in(kind, rate)[1])
+        far = kind is MODELS and isinstance(phi, FamilyPlane)
+        most = FAMILY_COLLISIONS if far else MAX_COLLISIONS
+        first = boxes.take_step(step, np.arange(len(keys)))
+        return follow(rate, kind, *first, boxes, closing, most)
+
+
+def rate_in(kind: BoxNumbers, r: Any) -> tuple[Any, Intervals]:
+    """A rational r, or the r of each box, as a number of a kind and as an interval."""
+    return (kind.number(r), enclosed(r)) if isinstance(r, Fraction) else (r, r.hull)
 
 
 def tiles(kind: BoxNumbers, plane: BorderStrip, keys: Sequence[str]) -> tuple[Any, Any]:
@@ -203,32 +261,46 @@ def tiles(kind: BoxNumbers, plane: BorderStrip, keys: Sequence[str]) -> tuple[An
     return phi_1, height(f_0 + t * (f_1 + t * f_2), u, delta, goal)
 
 
+def _may_go_on(r: Intervals, state: State) -> Array:
+    """Whether collisions may go on for ever at this angle: then more of them tell nothing new."""
+    alpha = (1 + r.high) / 2 * state.C.high
+    under = alpha**2 - 4 * r.low
+    p = (alpha + np.sqrt(np.maximum(under, 0.0))) / 2
+    return (under >= 0) & (p**3 >= r.low)
+
+
 def _whole(kind: BoxNumbers, state: State, size: int) -> State:
     return State(*(x if isinstance(x, int) else kind.spread(x, size) for x in state))
 
 
 def follow(
-    r: Fraction,
+    r: Any,
     kind: BoxNumbers,
     state: State,
     owners: Array,
     boxes: _Boxes | None = None,
     closing: Closing | None = None,
+    most: int = MAX_COLLISIONS,
 ) -> Verdicts:
-    """The verdicts on boxes whose branches are in these states."""
+    """The verdicts on boxes whose branches are in these states; r is a number, or that of each."""
     if boxes is None:
         boxes = _Boxes(len(owners))
         boxes.unclear |= ~((state.eps * state.v**2 + 2 * state.C).low > -1)
-    number, interval = kind.number(r), enclosed(r)
-    for _ in range(MAX_COLLISIONS):
+    number, interval = rate_in(kind, r)
+    for collisions in range(most):
         if not len(owners):
             break
-        shown, numbers = closing(state, owners) if closing else collapsing(interval, state)
+        if closing:
+            shown, numbers = closing(state, owners)
+        else:
+            shown, numbers = collapsing(some_of(interval, owners), state)
         boxes.closed(owners[shown], numbers)
         rest = np.ones(len(owners), bool)
         rest[shown] = False
+        if collisions >= MAX_COLLISIONS:
+            boxes.unclear[owners[rest & _may_go_on(some_of(interval, owners), state)]] = True
         rest &= boxes.open()[owners]
         state, owners = take(state, rest), owners[rest]
-        state, owners = boxes.take_step(advance(number, state), owners)
+        state, owners = boxes.take_step(advance(some_of(number, owners), state), owners)
     boxes.unclear[owners] = True
     return boxes.verdicts()

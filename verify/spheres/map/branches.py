@@ -45,6 +45,11 @@ def look(lam: Boxes, A: Boxes, eps: Boxes) -> Look:
     return Look((lam.high <= 0) | (reach.high < 0), (lam.low > 0) & (reach.low > 0))
 
 
+def some_of(r: Boxes, chosen: Array) -> Boxes:
+    """The r of some boxes, or the one that all have."""
+    return r if np.ndim(r.low) == 0 or len(r.low) == 1 else r[chosen]
+
+
 def take(state: State, chosen: Array) -> State:
     """Some of the states."""
     return State(*(x if isinstance(x, int) else x[chosen] for x in state))
@@ -106,7 +111,7 @@ def advance(r: Boxes, state: State) -> Step:
     goes = far_first | first[other]
     states = [(np.flatnonzero(meets), _after(r, met, way, meets))]
     if goes.any():
-        states.append((other[goes], _after(r, near, near_way, goes)))
+        states.append((other[goes], _after(some_of(r, other), near, near_way, goes)))
     ends = ~own.always & ~far.always
     known |= own.never & far.never
     return Step(states, ends, ~known | _sticks(state) | ~(state.lam.low <= state.lam.high))
@@ -114,7 +119,7 @@ def advance(r: Boxes, state: State) -> Step:
 
 def _after(r: Boxes, state: State, way: Flight, chosen: Array) -> State:
     part = Flight(*(x[chosen] for x in way))
-    return collided(r, take(state, chosen), part)
+    return collided(some_of(r, chosen), take(state, chosen), part)
 
 
 def _sticks(state: State) -> Array:

@@ -15,13 +15,14 @@ from verify.language.terms import Claim
 from verify.paper.sharper.numbers import ROOM, SUMS, eta_0, total
 from verify.prover.program import Machine, Program
 from verify.spheres.flow.law import State
-from verify.spheres.map.branches import take
+from verify.spheres.map.branches import some_of, take
 from verify.spheres.map.intervals import (
     Array,
     Intervals,
     IntervalsArithmetic,
     exactly,
     square_root,
+    up,
 )
 
 #: The numbers of a collapse, and the unit in which they are written as whole numbers.
@@ -35,6 +36,10 @@ ROUNDS = 40
 CHOSEN = ("r-positive", "time-room", "angle-real")
 #: What the rows speak of besides.
 OTHERS = ("r", "T", "V_0", "eta_0", "C_0")
+
+
+#: Two numbers, or two for each box.
+Ends = tuple[float | Array, float | Array]
 
 
 class Approach(Record):
@@ -71,9 +76,35 @@ def collapsing(r: Intervals, state: State) -> tuple[Array, Array]:
     box = as_approach(take(state, places))
     worth = (box.ratio.high < 1) & (box.slope.high * box.speed * box.speed < 0.25)
     places, box = places[worth], box.some(worth)
-    numbers = search(float(r.high), box)
-    shown = closes(r, box, numbers)
+    here = some_of(r, places)
+    numbers = search(_ends(here, len(places)), box)
+    shown = closes(here, box, numbers)
     return places[shown], numbers[:, shown]
+
+
+def _ends(r: Intervals, size: int) -> Ends:
+    """About between what r lies: one number, if it is the same everywhere."""
+    if np.ndim(r.high) == 0:
+        return float(r.high), float(r.high)
+    return np.broadcast_to(r.low, size), np.broadcast_to(r.high, size)
+
+
+def collapsing_on_a_line(r: Intervals, state: State, owners: Array) -> tuple[Array, Array]:
+    """The boxes of spheres on a line that are shown to collapse; they need no numbers.
+
+    The number Q of the theorem is the ratio of the two speeds, or just above the smaller root of
+    Q((1+r)/2 - Q) = r.
+    """
+    here = some_of(r, owners)
+    half = (1 + here) / 2
+    root = square_root(half * half - 4 * here).low
+    least = up(up(half.high - root) / 2) * (1 + 2.0**-20)
+    Q = exactly(np.maximum(as_approach(state).ratio.high, least))
+    shown = (state.lam.low > 0) & (state.rho.low > 0) & (state.C.low > 0) & (state.eps.low > 0)
+    shown &= (2 * Q).high < half.low
+    shown &= here.high <= (Q * (exactly(half.low) - Q)).low
+    places = np.flatnonzero(shown)
+    return places, np.zeros((0, len(places)))
 
 
 # --- what is proved ------------------------------------------------------------------------------
@@ -118,19 +149,19 @@ def closes(r: Intervals, box: Approach, numbers: Array) -> Array:
 class Guess:
     """Bounds in floats, with the larger speed as the unit; `fine` where they make sense."""
 
-    def __init__(self, r: float, box: Approach) -> None:
-        self.r, self.h = r, (1 + r) / 2
+    def __init__(self, r: Ends, box: Approach) -> None:
+        self.r, self.h = r, ((1 + r[0]) / 2, (1 + r[1]) / 2)
         self.C, self.eta = (box.C.low, box.C.high), box.eta / box.speed
         self.q = (box.ratio.low, box.ratio.high)
         self.k = box.slope.high * box.speed * box.speed * SLACK
-        alpha = self.h * (self.C[0] + self.C[1]) / 2
-        p = (alpha + np.sqrt(alpha * alpha - 4 * r)) / 2
-        self.y, self.V, self.fine = (p, p), p, p * p * p > r * r
-        self.ratio = (np.minimum(self.q[0], r / p), np.maximum(self.q[1], r / p))
+        alpha = self.h[1] * (self.C[0] + self.C[1]) / 2
+        p = (alpha + np.sqrt(alpha * alpha - 4 * r[1])) / 2
+        self.y, self.V, self.fine = (p, p), p, p * p * p > r[1] * r[1]
+        self.ratio = (np.minimum(self.q[0], r[0] / p), np.maximum(self.q[1], r[1] / p))
 
     def improve(self) -> None:
         """One round: each bound from the others."""
-        e, h, low, high = self.eta, self.h, *self.y
+        e, (h_0, h), low, high = self.eta, self.h, *self.y
         G = 1 + self.k * e * e
         self.V = (1 + h * G * e / (1 - high)) * SLACK
         root = np.sqrt(1 - 2 * self.k * self.V * self.V)
@@ -138,12 +169,12 @@ class Guess:
         turn = 2 * T * V * e / (1 - high) + (self.k + T * T * V * V) * e * e / (1 - high * high)
         turn = turn + T * V * self.k * e * e * e / (1 - high * high * high)
         self.ratio = (
-            np.minimum(self.q[0], self.r * root / high / SLACK),
-            np.maximum(self.q[1], self.r * G / low * SLACK),
+            np.minimum(self.q[0], self.r[0] * root / high / SLACK),
+            np.maximum(self.q[1], self.r[1] * G / low * SLACK),
         )
         small, large = self.ratio
         top = h * G * (self.C[1] + turn) - np.maximum(small, 0) / G
-        bottom = h * root * (self.C[0] - turn) - large - T * V * V
+        bottom = h_0 * root * (self.C[0] - turn) - large - T * V * V
         # With a little impatience: bounds that grow are taken to grow further.
         self.y = (np.minimum(low, bottom / SLACK), np.maximum(high, top * SLACK))
         slope = (large * T + V * V * T * T / 2) / (self.y[0] * self.y[0]) * SLACK
@@ -155,7 +186,7 @@ class Guess:
         return self.y[1] - self.y[0] + self.k
 
 
-def search(r: float, box: Approach) -> Array:
+def search(r: Ends, box: Approach) -> Array:
     """Numbers in units that probably satisfy what the theorem asks for; or NaN."""
     found = np.full((len(NUMBERS), len(box.eta)), np.nan)
     places, before = np.arange(len(box.eta)), np.full(len(box.eta), -1.0)
@@ -177,10 +208,14 @@ def _some(guess: Guess, chosen: Array) -> Guess:
     part: Guess = object.__new__(Guess)
     for name, value in vars(guess).items():
         if isinstance(value, tuple):
-            setattr(part, name, tuple(x[chosen] for x in value))
+            setattr(part, name, tuple(_some_of(x, chosen) for x in value))
         else:
-            setattr(part, name, value if isinstance(value, float) else value[chosen])
+            setattr(part, name, value[chosen])
     return part
+
+
+def _some_of(x: float | Array, chosen: Array) -> float | Array:
+    return x if isinstance(x, float) else x[chosen]
 
 
 def _rounded(guess: Guess, speed: Array) -> Array:

@@ -1,7 +1,8 @@
 """The log of a map: a line for the plane, then one for each chunk of boxes; only ever appended to.
 
 Each line ends with the digest of itself and of all before it. The boxes of a level are those that
-the boxes of the level before have left undecided, each cut into four, in the order of their keys:
+the boxes of the level before have left undecided, each cut into four (of an interval: into two
+parts), in the order of their keys:
 so the log is the same whoever decides its chunks, and in whatever order.
 """
 
@@ -12,21 +13,23 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from hashlib import sha256
+from itertools import product
 from typing import Any
 
 from verify.check_map import Areas
 from verify.language.record import Record
-from verify.spheres.map.planes import Phi, Place, Plane
+from verify.spheres.map.planes import FamilyPlane, Phi, Place, Plane, Term, digits_of
 from verify.spheres.map.strip import BorderStrip
 
 FORMAT = "verify-map-log/1"
-#: What decides boxes: another number where a verdict, or its numbers, may be another one.
-CODE = 2
+#: What decides boxes: another number where a verdict, or its numbers, may be another one. The
+#: second one is for scenes that are free at the start.
+CODE, FREE_CODE = 2, 3
 #: The level of the first boxes; the number of boxes of a chunk, a multiple of four.
 FIRST_LEVEL, CHUNK = 4, 2048
 #: No box is smaller than those of this level.
 FINEST = 40
-COLLAPSES, DISPERSES, UNDECIDED = "c", "d", "u"
+COLLAPSES, DISPERSES, FINITE, UNDECIDED = "c", "d", "f", "u"
 
 
 class LogMismatchError(ValueError):
@@ -43,6 +46,8 @@ class Chunk(Record):
 
 def plane_document(plane: Plane | BorderStrip) -> dict[str, Any]:
     """The plane as JSON."""
+    if isinstance(plane, FamilyPlane):
+        return _family_document(plane)
     x, y = ([str(x) for x in ends] for ends in (plane.x, plane.y))
     if isinstance(plane, BorderStrip):
         return plane_document(plane.phi) | {
@@ -75,6 +80,26 @@ def plane_document(plane: Plane | BorderStrip) -> dict[str, Any]:
     }
 
 
+def _family_document(plane: FamilyPlane) -> dict[str, Any]:
+    sides = [plane.x] if plane.y is None else [plane.x, plane.y]
+    ends = ([str(end) for end in side] for side in sides)
+    return {
+        "name": "family",
+        "r": _term_document(plane.r),
+        "positions": [[_term_document(term) for term in row] for row in plane.coordinates.x],
+        "velocities": [[_term_document(term) for term in row] for row in plane.coordinates.v],
+        "axes": [*plane.axes],
+        **dict(zip("xy", ends, strict=False)),
+    }
+
+
+def _term_document(term: Term) -> Any:
+    if not isinstance(term, tuple):
+        return str(term)
+    name, one, two = term
+    return [name, _term_document(one), _term_document(two)]
+
+
 def place_text(place: Place) -> str:
     """The place of a number of a scene, like velocities[2][0]."""
     kind, particle, coordinate = place
@@ -91,15 +116,15 @@ class Progress:
             "format": FORMAT,
             "plane": self.document,
             "first_level": first,
-            "code": CODE,
+            "code": CODE if isinstance(plane, Phi | BorderStrip) else FREE_CODE,
         }
-        self.plane = plane
+        self.plane, self.digits = plane, digits_of(plane)
         self.header, self.chain = _line("", header)
         self.level, self.boxes, self.at = first, 0, 0
-        self.due: list[str] = list(all_keys(first))
+        self.due: list[str] = list(all_keys(first, self.digits))
         self.children: list[str] = []
-        self._fourths = {COLLAPSES: 0, DISPERSES: 0}
-        self._shares = {COLLAPSES: Fraction(0), DISPERSES: Fraction(0)}
+        self._parts = {COLLAPSES: 0, DISPERSES: 0, FINITE: 0}
+        self._shares = dict.fromkeys(self._parts, Fraction(0))
         self.found: list[Chunk] = []
         #: What the checker has found in the log; nothing else is told of it.
         self.areas: Areas | None = None
@@ -137,7 +162,7 @@ class Progress:
         self.at += len(chunk.keys)
         for key, letter in zip(chunk.keys, chunk.letters, strict=True):
             if letter == UNDECIDED:
-                self.children += [key + digit for digit in "0123"]
+                self.children += [key + digit for digit in self.digits]
             else:
                 self._count(key, letter)
         if self.at == len(self.due):
@@ -156,16 +181,16 @@ class Progress:
         if isinstance(self.plane, BorderStrip):
             self._shares[letter] += self.plane.share(key)
         else:
-            self._fourths[letter] += 1 << 2 * (FINEST - len(key))
+            self._parts[letter] += len(self.digits) ** (FINEST - len(key))
 
     def share(self, letter: str) -> Fraction:
         """The share of the area with a verdict."""
-        return self._shares[letter] + Fraction(self._fourths[letter], 1 << 2 * FINEST)
+        return self._shares[letter] + Fraction(self._parts[letter], len(self.digits) ** FINEST)
 
     @property
     def undecided(self) -> Fraction:
         """The share of the area without one, by the log."""
-        return 1 - self.share(COLLAPSES) - self.share(DISPERSES)
+        return 1 - sum(map(self.share, self._parts), Fraction(0))
 
     def resume(self, lines: Iterator[bytes]) -> int:
         """Take over what a log has; the number of its bytes that are whole lines.
@@ -189,7 +214,7 @@ class Progress:
         try:
             found = json.loads(line)
             keys, letters, numbers = found["keys"].split(" "), found["verdicts"], found["numbers"]
-            good = re.fullmatch("[cdu]*", letters) is not None and len(letters) == len(keys)
+            good = re.fullmatch("[cdfu]*", letters) is not None and len(letters) == len(keys)
             good = good and len(numbers) == letters.count(COLLAPSES)
         except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
             raise LogMismatchError("a line is no chunk of boxes") from error
@@ -198,10 +223,9 @@ class Progress:
         return Chunk(keys, letters, numbers)
 
 
-def all_keys(level: int) -> Iterator[str]:
+def all_keys(level: int, digits: str = "0123") -> Iterator[str]:
     """The keys of all boxes of a level, in their order."""
-    for place in range(4**level):
-        yield "".join(str(place >> 2 * i & 3) for i in reversed(range(level)))
+    return map("".join, product(digits, repeat=level))
 
 
 def _line(chain: str, content: Mapping[str, Any]) -> tuple[bytes, str]:

@@ -2,18 +2,31 @@
 
 In the plane of the two ratios the scene is one just after a collision: sphere s has just collided
 with o, and c comes near: φ1 = eta_s/(-eta_c) and φ2 = d/eta_c^2, where the companion paper sees a
-border between what collapses and what does not. In a plane through a scene two numbers vary.
+border between what collapses and what does not. In a plane through a scene two numbers vary; in a
+family the numbers are terms of two parameters, or of one, and r may be such a term.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import operator
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from typing import Any
 
 from verify.language.record import Record
 from verify.spheres.flow.law import Number, Pair, State
 from verify.spheres.scene.scene import PAIRS, Coordinates, Frame, Scene
 
+#: A number, or "x" or "y", or an operation with two terms.
+Term = Any
+Terms = Sequence[Sequence[Term]]
+#: The operations of terms.
+OPERATORS: dict[str, Callable[[Any, Any], Any]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": operator.truediv,
+}
 #: Two numbers between which another one lies.
 Side = tuple[Fraction, Fraction]
 
@@ -84,34 +97,80 @@ class Through(Record):
         """The coefficient of restitution."""
         return self.scene.r
 
+    @property
+    def coordinates(self) -> Coordinates:
+        """Positions and velocities, as terms."""
+        names = {self.x_at: "x", self.y_at: "y"}
 
-Plane = Phi | Through
+        def rows(kind: str, given: Terms) -> Terms:
+            return [
+                [names.get((kind, i, k), value) for k, value in enumerate(row)]
+                for i, row in enumerate(given)
+            ]
+
+        scene = self.scene
+        return Coordinates(rows("positions", scene.positions), rows("velocities", scene.velocities))
+
+
+class FamilyPlane(Record):
+    """Scenes whose numbers are terms of x and y, with names for these; or of x alone."""
+
+    r: Term
+    coordinates: Coordinates
+    axes: tuple[str, ...]
+    x: Side
+    y: Side | None = None
+
+
+Plane = Phi | Through | FamilyPlane
+#: The planes whose scenes are free at the start.
+Scenes = Through | FamilyPlane
+
+
+def digits_of(plane: object) -> str:
+    """The digits of the key of a box: it is cut into as many."""
+    return "01" if isinstance(plane, FamilyPlane) and plane.y is None else "0123"
+
+
+def is_on_a_line(plane: Plane) -> bool:
+    """Whether at most one coordinate, the same for all, ever differs between spheres."""
+    if isinstance(plane, Phi):
+        return False
+    moving = set()
+    for rows in (plane.coordinates.x, plane.coordinates.v):
+        for k, cells in enumerate(zip(*rows, strict=True)):
+            if not all(isinstance(cell, Fraction) and cell == cells[0] for cell in cells):
+                moving.add(k)
+    return len(moving) <= 1
+
+
+def value_of(term: Term, x: Number, y: Number, number: Callable[[Fraction], Number]) -> Number:
+    """A term at the parameters."""
+    if isinstance(term, Fraction):
+        return number(term)
+    if isinstance(term, str):
+        return x if term == "x" else y
+    name, one, two = term
+    a = value_of(one, x, y, number)
+    if name == "*" and one == two:
+        return a**2
+    return OPERATORS[name](a, value_of(two, x, y, number))
 
 
 def views(
-    plane: Through, x: Number, y: Number, number: Callable[[Fraction], Number]
+    plane: Scenes, x: Number, y: Number, number: Callable[[Fraction], Number]
 ) -> tuple[list[State], list[Pair]]:
-    """The scene with two other numbers, in each of the three frames; and the three pairs."""
-    varied = {plane.x_at: x, plane.y_at: y}
-
-    def rows(kind: str, given: tuple[tuple[Fraction, ...], ...]) -> list[list[Number]]:
-        return [
-            [
-                varied[kind, i, k] if (kind, i, k) in varied else number(value)
-                for k, value in enumerate(row)
-            ]
-            for i, row in enumerate(given)
-        ]
-
-    scene = plane.scene
-    at = Coordinates(rows("positions", scene.positions), rows("velocities", scene.velocities))
-    given = Coordinates(scene.positions, scene.velocities)
+    """The scenes of a plane, in each of the three frames; and the three pairs."""
+    given = plane.coordinates
+    at = Coordinates(
+        *([[value_of(term, x, y, number) for term in row] for row in rows] for rows in given)
+    )
 
     def pair(i: int, j: int) -> Pair:
         """A pair that does not vary is known exactly: it may be in contact."""
-        if any(particle in (i, j) for _, particle, _ in varied):
-            return at.pair(i, j)
-        return Pair(*map(number, given.pair(i, j)))
+        if all(isinstance(x, Fraction) for rows in given for k in (i, j) for x in rows[k]):
+            return Pair(*map(number, given.pair(i, j)))
+        return at.pair(i, j)
 
     found = [at.state(frame, lambda _, value: value) for frame in FRAMES]
     return found, [pair(i, j) for i, j in PAIRS]

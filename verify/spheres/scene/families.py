@@ -22,8 +22,16 @@ from fractions import Fraction
 from typing import Any
 
 from verify.language.record import Record
+from verify.language.terms import Term
 from verify.spheres.scene.scene import Scene
-from verify.spheres.scene.scene_files import DIAMETER, KEYS, number_in, scene_from, toml_table
+from verify.spheres.scene.scene_files import (
+    DIAMETER,
+    KEYS,
+    LABELS,
+    number_in,
+    scene_from,
+    toml_table,
+)
 from verify.wire.inputs import InputError, rational, shown
 
 PARAMETERS = "parameters"
@@ -37,12 +45,39 @@ _OPERATIONS: dict[type, Callable[[Any, Any], Any]] = {
 }
 
 
+class FamilyTerms(Record):
+    """r, positions and velocities in diameters, and the diameter: numbers and terms."""
+
+    r: Fraction | Term
+    positions: list[list[Fraction | Term]]
+    velocities: list[list[Fraction | Term]]
+    unit: Fraction | Term
+
+
 class Family(Record):
     """Parameters with their intervals, and what the numbers of a scene are in terms of them."""
 
     where: str
     sides: Mapping[str, Side]
     table: Mapping[str, Any]
+
+    def terms(self, values: Mapping[str, Fraction | Term]) -> FamilyTerms:
+        """The scenes in which some parameters are numbers and others stay as they are.
+
+        Raises:
+            InputError: if a term cannot be used.
+        """
+        found = _replaced(self.where, self.table, values)
+        unit = found.get(DIAMETER, Fraction(1))
+        if isinstance(unit, Fraction) and unit <= 0:
+            raise InputError(f"{self.where}: {DIAMETER}: is not positive; write 0.02")
+        rows = []
+        for key in ("positions", "velocities"):
+            given = found[key]
+            if not isinstance(given, list) or len(given) != 3 or {*map(type, given)} != {list}:
+                raise InputError(f"{self.where}: {key}: write three lists of numbers")
+            rows.append([[cell if unit == 1 else cell / unit for cell in row] for row in given])
+        return FamilyTerms(found["r"], rows[0], rows[1], unit)
 
     def at(self, values: Mapping[str, Fraction]) -> Scene:
         """The scene at a point.
@@ -52,7 +87,9 @@ class Family(Record):
         """
         if not self.sides:
             return scene_from(self.where, dict(self.table))
-        return scene_from(self.where, _replaced(self.where, self.table, values))
+        found = _replaced(self.where, self.table, values)
+        labels = {name: self.table[name] for name in LABELS if name in self.table}
+        return scene_from(self.where, {key: _texts(value) for key, value in found.items()} | labels)
 
 
 def read_family(where: str, content: bytes) -> Family:
@@ -104,9 +141,9 @@ def _used(family: Family) -> None:
 
 
 def _replaced(
-    where: str, table: Mapping[str, Any], values: Mapping[str, Fraction]
+    where: str, table: Mapping[str, Any], values: Mapping[str, Fraction | Term]
 ) -> dict[str, Any]:
-    """The table with numbers for terms."""
+    """The table with values for its terms."""
 
     def rows(key: str) -> Any:
         given = table[key]
@@ -123,25 +160,30 @@ def _replaced(
     return {"r": _value(f"{where}: r", table["r"], values), **found}
 
 
-def _value(where: str, cell: Any, values: Mapping[str, Fraction]) -> str:
+def _texts(value: Any) -> Any:
+    """Numbers as texts, in lists too."""
+    return [*map(_texts, value)] if isinstance(value, list) else str(value)
+
+
+def _value(where: str, cell: Any, values: Mapping[str, Fraction | Term]) -> Fraction | Term:
     if not isinstance(cell, str) or re.fullmatch("[-+0-9.eE/]*", cell):
-        return str(number_in(where, cell))
+        return number_in(where, cell)
     if len(cell) > MAX_LETTERS:
         raise InputError(f"{where}: the term has {len(cell)} letters; write at most {MAX_LETTERS}")
     try:
         tree = ast.parse(cell.strip(), mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         raise InputError(f"{where}: {shown(cell)} is no term; write one like 1 + 2*v") from error
-    return str(_of(_Place(where, cell.strip(), values), tree))
+    return _of(_Place(where, cell.strip(), values), tree)
 
 
 class _Place(Record):
     where: str
     text: str
-    values: Mapping[str, Fraction]
+    values: Mapping[str, Fraction | Term]
 
 
-def _of(place: _Place, node: ast.expr) -> Fraction:
+def _of(place: _Place, node: ast.expr) -> Fraction | Term:
     """The value of a term; each number in it is read as it is written."""
     if isinstance(node, ast.Constant):
         return rational(place.where, ast.get_source_segment(place.text, node) or "")
@@ -152,13 +194,16 @@ def _of(place: _Place, node: ast.expr) -> Fraction:
     if isinstance(node, ast.BinOp) and type(node.op) in _OPERATIONS:
         sides = _of(place, node.left), _of(place, node.right)
         try:
-            return Fraction(_OPERATIONS[type(node.op)](*sides))
+            found: Fraction | Term = _OPERATIONS[type(node.op)](*sides)
+            return found
         except ZeroDivisionError as error:
             raise InputError(
                 f"{place.where}: {shown(place.text)} divides by zero; choose other intervals"
             ) from error
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
         base, exponent = _of(place, node.left), _power(place, node.right)
+        if isinstance(base, Term):
+            return base**exponent if exponent else Fraction(1)
         if exponent * (base.numerator.bit_length() + base.denominator.bit_length()) > MAX_BITS:
             raise InputError(
                 f"{place.where}: {shown(place.text)} is too long; write a shorter term"

@@ -18,12 +18,21 @@ FIRST_FRAMES: tuple[Frame, ...] = ((0, 2, 1), (0, 1, 2), (1, 0, 2))
 Vector = Sequence[Number]
 
 
+class Labels(Record):
+    """What a scene is called, and its units of time and length; each may be empty."""
+
+    title: str = ""
+    time_unit: str = ""
+    length_unit: str = ""
+
+
 class Scene(Record):
     """Centres and velocities of the spheres 0, 1, 2, and the coefficient of restitution."""
 
     r: Fraction
     positions: tuple[tuple[Fraction, ...], ...]
     velocities: tuple[tuple[Fraction, ...], ...]
+    labels: Labels = Labels()
 
     @property
     def dimension(self) -> int:

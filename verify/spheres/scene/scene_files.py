@@ -5,6 +5,7 @@
     velocities = [["0", "0"], ["-1", "0"], ["1", "0"]]
 
 With a line ``diameter = "0.02"`` lengths are those of the file; without it they are diameters.
+``title``, ``time_unit`` and ``length_unit`` are texts that are told with the scene.
 A number is a text or a TOML number; either is read as it is written, and no float is ever seen.
 """
 
@@ -15,12 +16,15 @@ from fractions import Fraction
 from typing import Any
 
 from verify.prover import balls
-from verify.spheres.scene.scene import PAIRS, Coordinates, Scene
+from verify.spheres.scene.scene import PAIRS, Coordinates, Labels, Scene
 from verify.wire.inputs import InputError, rational, regular_file, shown
 
 KEYS = ("r", "positions", "velocities")
 #: The diameter of the particles in the file's own unit of length; 1 without it.
 DIAMETER = "diameter"
+#: Texts that are told with a scene.
+LABELS = Labels._fields
+MAX_LABEL = 80
 MAX_DIMENSION = 20
 MAX_BYTES = 1 << 20
 
@@ -61,9 +65,8 @@ def scene_from(where: str, table: dict[str, Any]) -> Scene:
     if not 0 < r < 1:
         raise InputError(f"{where}: r: {shown(str(r))} is not in ]0,1[; write for example 3/100")
     unit = _diameter(where, table)
-    scene = Scene(
-        r, _rows(where, "positions", table, unit), _rows(where, "velocities", table, unit)
-    )
+    positions, velocities = (_rows(where, key, table, unit) for key in KEYS[1:])
+    scene = Scene(r, positions, velocities, _labels(where, table))
     lengths = {len(row) for row in (*scene.positions, *scene.velocities)}
     if len(lengths) > 1 or not 1 <= scene.dimension <= MAX_DIMENSION:
         raise InputError(
@@ -97,11 +100,26 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
         raise InputError(
             f"{where}: is a family of scenes; add --sample N, or --at for one of them: --at NAME=A"
         )
-    odd = sorted((table.keys() - {*more, DIAMETER}) ^ {*KEYS})
+    odd = sorted((table.keys() - {*more, DIAMETER, *LABELS}) ^ {*KEYS})
     if odd:
         kind = "is missing" if odd[0] in KEYS else "is not known"
         raise InputError(f"{where}: {shown(odd[0])} {kind}; write just {', '.join(KEYS)}")
     return table
+
+
+def _labels(where: str, table: dict[str, Any]) -> Labels:
+    """The texts, as they are written; the unit of length with the diameter in it."""
+    texts = [table.get(name, "") for name in LABELS]
+    for name, text in zip(LABELS, texts, strict=True):
+        if not isinstance(text, str) or not text.isprintable() or len(text) > MAX_LABEL:
+            raise InputError(
+                f"{where}: {name}: {shown(str(text))} is no text of one line; write at most "
+                f"{MAX_LABEL} letters in quotes"
+            )
+    found = Labels(*texts)
+    if not found.length_unit:
+        return found
+    return found._replace(length_unit=f"{table.get(DIAMETER, 1)} {found.length_unit}")
 
 
 def _diameter(where: str, table: dict[str, Any]) -> Fraction:

@@ -161,7 +161,10 @@ def scene_lines(found: Fate) -> Iterator[str]:
     """The verdict for a reader."""
     count = found.collisions
     after = f"after {count} collision{'' if count == 1 else 's'}"
-    time, end = time_ends(found), found.collapse
+    time, end, labels = time_ends(found), found.collapse, found.flow.scene.labels
+    unit = f" {labels.time_unit}" if labels.time_unit else ""
+    if labels.title:
+        yield labels.title
     if end is not None and time is not None and found.flow.now is not None:
         o, s, c = found.flow.now.frame
         pairs = ", ".join(f"{min(o, x)}{max(o, x)}" for x in (c, s, c))
@@ -170,7 +173,7 @@ def scene_lines(found: Fate) -> Iterator[str]:
         )
         low, high = shown_ends(time)
         least, most = shown_ends(end.angle)
-        yield f"collapse time in [{low}, {high}]; final -cos θ in [{least}, {most}]"
+        yield f"collapse time in [{low}, {high}]{unit}; final -cos θ in [{least}, {most}]"
         if found.reason:
             yield f"not as tight as asked for: {found.reason}"
     elif found.verdict == FINITE:
@@ -184,9 +187,11 @@ def scene_lines(found: Fate) -> Iterator[str]:
         )
     else:
         when = event_ends(found)
-        at = "" if when is None else f", at the time {both(when)}"
+        at = "" if when is None else f", at the time {both(when)}{unit}"
         certain = f"certain: {count} collision{'' if count == 1 else 's'}"
         yield f"undecided: {found.reason}{at}; {certain}"
+    if labels.length_unit:
+        yield f"lengths are in diameters, each {labels.length_unit}"
 
 
 def both(ends: tuple[Fraction, Fraction]) -> str:

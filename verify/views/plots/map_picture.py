@@ -12,11 +12,12 @@ from html import escape
 
 from verify.prover.decimals import exact_number
 from verify.views.map import (
-    AREAS,
     Progress,
     Strip,
     area_shares,
+    areas_shown,
     axis_names,
+    is_interval,
     is_strip,
     percent,
     plane_line,
@@ -25,7 +26,7 @@ from verify.views.map import (
 from verify.views.plots.map_figure import work
 
 #: The colours of the areas, on light and on dark paper: they differ in grey, too.
-COLOURS = {"c": "#f7bb70", "d": "#2e6bb6", "u": "#111111"}
+COLOURS = {"c": "#f7bb70", "d": "#2e6bb6", "u": "#111111", "f": "#8fb3dd"}
 #: The sides of the map and of the law beside it, in points.
 SIDE, LAW = 400, 260
 LEFT, TOP = 64, 40
@@ -56,7 +57,7 @@ def _areas(progress: Progress, *, boxes: bool) -> Iterator[str]:
     if boxes:
         yield f'<rect {place} fill="{COLOURS["u"]}"/>'
         yield f'<g transform="translate({LEFT} {TOP + SIDE}) scale({SIDE} {-SIDE})">'
-        for letter in "cd":
+        for letter in "cdf" if area_shares(progress).get("finite") else "cd":
             keys = (key for key, found, _ in progress.decided() if found == letter)
             path = "".join(_box(progress, key) for key in keys)
             style = f'stroke="{COLOURS["u"]}" stroke-width=".0004"'
@@ -65,7 +66,7 @@ def _areas(progress: Progress, *, boxes: bool) -> Iterator[str]:
     else:
         data = b64encode(png_map(progress)).decode()
         yield f'<image {place} image-rendering="pixelated" href="data:image/png;base64,{data}"/>'
-    (x_0, x_1), (y_0, y_1) = progress.plane.x, progress.plane.y
+    (x_0, x_1), (y_0, y_1) = progress.plane.x, progress.plane.y or (Fraction(0), Fraction(1))
     x_name, y_name = axis_names(progress.document)
     if boxes and is_strip(progress.document):
         delta, y_0 = progress.plane.delta, -y_1
@@ -76,7 +77,9 @@ def _areas(progress: Progress, *, boxes: bool) -> Iterator[str]:
         across, up = LEFT + float(share) * SIDE, low - float(share) * SIDE
         ticks = f"M{across:g} {low}v5"
         yield _text(across, low + 18, exact_number(x_0 + share * (x_1 - x_0), 6), "middle")
-        if quarter in (0, 4) or not (boxes and is_strip(progress.document)):
+        if is_interval(progress.document):
+            pass
+        elif quarter in (0, 4) or not (boxes and is_strip(progress.document)):
             ticks += f"M{LEFT} {up:g}h-5"
             yield _text(LEFT - 8, up + 4, exact_number(y_0 + share * (y_1 - y_0), 6), "end")
         yield f'<path d="{ticks}" stroke="#1c2128" fill="none"/>'
@@ -86,6 +89,9 @@ def _areas(progress: Progress, *, boxes: bool) -> Iterator[str]:
 
 def _box(progress: Progress, key: str) -> str:
     """Tiles of a strip are drawn by their distance from the curve."""
+    if is_interval(progress.document):
+        size = 0.5 ** len(key)
+        return f"M{_short(int(key, 2) * size)} 0h{_short(size)}v1h-{_short(size)}"
     if not is_strip(progress.document):
         return _square(key)
     corners = (f"{_short(x)} {_short(y)}" for x, y in tile_corners(progress.plane, key))
@@ -110,7 +116,7 @@ def _text(x: float, y: float, text: str, anchor: str) -> str:
 
 def _legend(progress: Progress) -> Iterator[str]:
     found = area_shares(progress)
-    for place, (letter, (name, _)) in enumerate(AREAS.items()):
+    for place, (letter, (name, _)) in enumerate(areas_shown(progress).items()):
         x, y = LEFT + 150 * place, TOP + SIDE + 54
         yield f'<rect x="{x}" y="{y}" width="12" height="12" fill="{COLOURS[letter]}"/>'
         yield _text(x + 17, y + 10, f"{name} {percent(found[name])} %", "start")
@@ -154,20 +160,21 @@ def png_map(progress: Progress) -> bytes:
         _fill_strip(dots, progress.plane)
     for key, letter, _ in progress.decided():
         if len(key) <= FINEST and not is_strip(progress.document):
-            _fill(dots, key, 1 if letter == "c" else 2)
+            _fill(dots, key, "ucdf".index(letter), is_bar=is_interval(progress.document))
     rows = b"".join(b"\0" + bytes(row) for row in reversed(dots))
-    palette = b"".join(bytes.fromhex(COLOURS[letter][1:]) for letter in "ucd")
+    colours = "ucdf" if area_shares(progress).get("finite") else "ucd"
+    palette = b"".join(bytes.fromhex(COLOURS[letter][1:]) for letter in colours)
     header = struct.pack(">IIBBBBB", side, side, 8, 3, 0, 0, 0)
     data = zlib.compress(rows, 9)
     blocks = ((b"IHDR", header), (b"PLTE", palette), (b"IDAT", data), (b"IEND", b""))
     return b"\x89PNG\r\n\x1a\n" + b"".join(_block(kind, data) for kind, data in blocks)
 
 
-def _fill(dots: list[bytearray], key: str, colour: int) -> None:
+def _fill(dots: list[bytearray], key: str, colour: int, *, is_bar: bool) -> None:
     size = 1 << FINEST - len(key)
     column = int("".join("01"[int(d) & 1] for d in key), 2) * size
     row = int("".join("01"[int(d) >> 1] for d in key), 2) * size
-    for line in dots[row : row + size]:
+    for line in dots if is_bar else dots[row : row + size]:
         line[column : column + size] = bytes([colour]) * size
 
 

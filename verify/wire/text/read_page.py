@@ -46,6 +46,7 @@ from verify.wire.text.infix import Names, read_claims, read_givens, read_term
 from verify.wire.text.letters import letter_of, name_of
 from verify.wire.text.page import Page
 from verify.wire.text.points import a_point, estimate
+from verify.wire.text.roots import isolated
 
 #: What may stand in a page, and in its tables.
 TOP = ("title", "theorem", "parameters", "cites", "assumptions", "constants", "contexts", "rows")
@@ -53,6 +54,7 @@ CONSTANT = ("value", "letter", "tex", "label")
 VARIABLE = ("letter", "tex")
 CONTEXT = (
     *("in", "says", "variables", "given", "carried", "standing", "point", "constants", "rows"),
+    *("root", "between"),
 )
 GIVEN = ("claim", "kind", "assumption")
 ROW = (
@@ -420,6 +422,9 @@ class _Reader:
             raise self.places.error(where, self._no_context(parent, "an earlier one"))
         self.scope.open(name, parent)
         names = self._variables(keys, table, name)
+        if "root" in table:
+            self._root(keys, name, table, names)
+            return
         givens = tuple(self._givens(keys, table, name))
         point = table.get("point")
         at = None if point is None else self._point(keys, point, names, parent)
@@ -438,6 +443,43 @@ class _Reader:
         says = self.text([*keys, "says"], table.get("says", ""), "a sentence")
         variables = tuple(names.values())
         self.contexts[name] = Context(name, variables, givens, at, parent, says, tuple(constants))
+
+    def _root(
+        self, keys: Sequence[str], name: str, table: Mapping[str, Any], names: dict[str, Variable]
+    ) -> None:
+        """A context whose variable stands for a root, with rows that show that there is one."""
+        for key in ("in", "given", "carried", "standing", "point", "constants"):
+            if key in table:
+                raise self.places.error(
+                    [*keys, key], "a context with a root has none; leave it out"
+                )
+        between = table.get("between", ())
+        place = [*keys, "between"]
+        if not isinstance(between, list) or len(between) != 2 or len(names) != 1:
+            raise self.places.error(
+                keys, "a root has one variable, and two numbers; write between = [1, 2]"
+            )
+        inside = self.scope.inside(name)
+        ends = [self.term(place, end, Names({})) for end in between]
+        if any(end.op != "rational" for end in ends):
+            raise self.places.error(place, "the two are no numbers; write between = [1, 2]")
+        term = self.term([*keys, "root"], table["root"], inside)
+        whole = f"{name}.range"
+        self.name(keys, whole)
+        self.scope.open(whole, None)
+        ((written, variable),) = names.items()
+        other = variable._replace(name=self.name(keys, f"{whole}.{written}"))
+        self.scope.add(other.name, other.name, whole)
+        numbers = (ends[0].value, ends[1].value)
+        try:
+            found = isolated(name, (variable, other), term, numbers, self.floats)
+        except InputError as error:
+            raise self.places.error([*keys, "root"], str(error)) from error
+        says = self.text([*keys, "says"], table.get("says", found.context.says), "a sentence")
+        self.contexts |= {name: found.context._replace(says=says), whole: found.range}
+        for row in found.rows:
+            self.rows[self.name(keys, row.name)] = row
+        self.floats[variable.name] = estimate(found.context.point[variable.name], {})
 
     def _no_context(self, name: object, wanted: str = "one of the page") -> str:
         known = ", ".join(self.contexts) or "none"

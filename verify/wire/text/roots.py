@@ -1,0 +1,133 @@
+"""The root of a term between two numbers, as a context of a statement.
+
+No term stands for such a number, so that the statement says what is proved of it: rows that the
+term has different signs at two numbers, 1e-12 apart, and that it rises (or falls) between the two
+numbers that were given. By the intermediate value theorem there is a root between the former, and
+it is the only one between the latter. What is asked in the context is proved of *all* numbers
+between the former, and so of the root; an equation that holds for the root alone is not provable.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from verify.language.record import Record
+from verify.language.statement import NEEDED, Context, Given, Obligation, Variable
+from verify.language.terms import Claim, Term, as_term, names_of, substitute, symbol
+from verify.prover.search.derivatives import derivative
+from verify.wire.inputs import InputError, shown
+from verify.wire.text.points import estimate
+
+#: The ends between which a root is named have so many decimals.
+DIGITS = 12
+STEPS = 60
+
+
+class Isolated(Record):
+    """The context of a root, the one of its whole range, and the rows that show that it exists."""
+
+    context: Context
+    range: Context
+    rows: tuple[Obligation, ...]
+
+
+def isolated(
+    name: str,
+    variables: tuple[Variable, Variable],
+    term: Term,
+    between: tuple[Fraction, Fraction],
+    known: Mapping[str, float],
+) -> Isolated:
+    """What a statement needs for a root.
+
+    Args:
+        name: of the context.
+        variables: that of the context, over which the term is, and one for the whole range.
+        term: is 0 at the root.
+        between: the numbers between which it is the only root.
+        known: about what other names in the term stand for.
+
+    Raises:
+        InputError: if the term does not change its sign, or has no derivative.
+    """
+    (variable, other), (low, high) = variables, between
+    x = variable.name
+    slope = derivative(term, x) if x in names_of(term) else None
+    if slope is None:
+        raise InputError(f"{shown(name)}: the term has no derivative by {shown(x)}; write another")
+    left, right, rising = _narrow(name, term, x, between, known)
+    whole = symbol(other.name)
+    slope = substitute(slope, {x: whole})
+    sides = (as_term(0), slope) if rising else (slope, as_term(0))
+    claims = {
+        "begins": _sign(substitute(term, {x: as_term(left)}), positive=not rising),
+        "ends": _sign(substitute(term, {x: as_term(right)}), positive=rising),
+        "rises" if rising else "falls": Claim("<", *sides),
+    }
+    only = [*claims][2]
+    says = {
+        "begins": f"so that with {name}.ends there is a root, by the intermediate value theorem",
+        "ends": f"at the other end, as {name}.begins says of the one",
+        only: f"so that the root is the only one from {low} to {high}",
+    }
+    rows = tuple(
+        Obligation(
+            f"{name}.{key}",
+            "",
+            "",
+            NEEDED,
+            says[key],
+            claim,
+            context=f"{name}.range" if key == only else None,
+        )
+        for key, claim in claims.items()
+    )
+    told = (
+        f"the root of the rows {name}.begins to {name}.{only}, and every other number as near to it"
+    )
+    return Isolated(
+        _context(name, variable, (left, right), told),
+        _context(f"{name}.range", other, between, ""),
+        rows,
+    )
+
+
+def _context(name: str, variable: Variable, ends: tuple[Fraction, Fraction], says: str) -> Context:
+    low, high, x = as_term(ends[0]), as_term(ends[1]), symbol(variable.name)
+    givens = Given(f"{name}.1", Claim("<=", low, x)), Given(f"{name}.2", Claim("<=", x, high))
+    return Context(name, (variable,), givens, {variable.name: low}, None, says, ())
+
+
+def _sign(term: Term, *, positive: bool) -> Claim:
+    return Claim("<", as_term(0), term) if positive else Claim("<", term, as_term(0))
+
+
+def _narrow(
+    name: str,
+    term: Term,
+    x: str,
+    between: tuple[Fraction, Fraction],
+    known: Mapping[str, float],
+) -> tuple[Fraction, Fraction, bool]:
+    """Ends with few decimals around a change of sign, and whether the term rises there.
+
+    They are estimates: the rows say whether it is so.
+    """
+
+    def value(at: Fraction) -> float:
+        return estimate(term, {**known, x: float(at)})
+
+    low, high = between
+    first, last = value(low), value(high)
+    if not low < high or not first * last < 0:
+        raise InputError(
+            f"{shown(name)}: the term does not change its sign from {low} to {high}, where it is "
+            f"about {first:.3g} and {last:.3g}; write numbers between which its root lies"
+        )
+    for _ in range(STEPS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if value(middle) * first > 0 else (low, middle)
+    unit = Fraction(1, 10**DIGITS)
+    near = round((low + high) / 2 / unit) * unit
+    return max(between[0], near - unit), min(between[1], near + unit), first < 0

@@ -1632,8 +1632,9 @@ def _of_family(plane: Family) -> str:
 
     sides = (plane.x,) if plane.y is None else (plane.x, plane.y)
     axes = (f"{name} in [{a}, {b}]" for name, (a, b) in zip(plane.axes, sides, strict=True))
+    r = term_text(plane.r, plane.axes)
     return (
-        f"spheres of diameter 1 with r = {term_text(plane.r, plane.axes)}, "
+        f"spheres of diameter 1{'' if r == 'r' else f' with r = {r}'}, "
         f"positions {vectors(plane.positions)}, velocities {vectors(plane.velocities)}, "
         f"{', '.join(axes)}"
     )

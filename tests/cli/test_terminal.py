@@ -117,7 +117,7 @@ def test_the_screen_fits(
     monkeypatch.delenv("COLUMNS")
     assert main(["theorem1", "--r", "0.03", "--theta0", "150deg"]) == 0
     out = capsys.readouterr().out
-    assert len(out.splitlines()) <= 35
+    assert len(out.splitlines()) <= 44
     assert "θ₀ = 5π/6" in out
     assert "-cos θ₀ = 0.86602540…" in " ".join(out.split())
     assert not re.search("[0-9]e-?[0-9]", out)

@@ -205,7 +205,14 @@ def test_what_is_refuted_is_called_refuted() -> None:
     wrong |= {f"spectrum:{row.name}" for row, d in decide_spectrum().rows if d.verdict == REFUTED}
     for cells in lines():
         if set(names(cells[3])) & wrong:
-            words = ("refuted", "not follow", "nothing rests", "not from the display", "see ")
+            words = (
+                "refuted",
+                "not follow",
+                "nothing rests",
+                "not from the display",
+                "see ",
+                "not by",
+            )
             assert any(word in cells[3] for word in words), cells
 
 

@@ -51,7 +51,14 @@ def run(options: Options) -> int:
     statement = _chosen(page.statement, options.rows)
     steps = Steps(len(statement.obligations))
     budget = WorkBudget(work, _seconds(options.time), steps, catches=True)
-    outcome = decide(statement, budget, page.hints)
+    try:
+        outcome = decide(statement, budget, page.hints)
+    except InputError as error:
+        if options.STATEMENT.endswith(".json") or "nest" not in str(error):
+            raise
+        # The checker counts brackets of the statement that is made of a page.
+        path = shown(options.STATEMENT)
+        raise InputError(f"{path}: a term nests too deeply; name its parts") from error
     if options.out is not None:
         _write(options.out, outcome)
     outcome = _but_for_citations(outcome)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping
 from fractions import Fraction
+from itertools import accumulate
 
 from verify.language.fold import fold
 from verify.language.record import Record
@@ -190,12 +191,22 @@ def _read_claims(where: str, text: str, names: Names) -> Formula:
     return found
 
 
+#: So many parentheses are inside of one another at most.
+MAX_DEPTH = 100
+
+
 class _Reader:
     """Reads one text from left to right; each method reads what its name says and goes on."""
 
     def __init__(self, where: str, text: str, names: Names) -> None:
         self.where, self.text, self.names = where, text, names
         self.tokens = self._tokens()
+        signs = [word for kind, word in self.tokens if kind == "sign"]
+        if (
+            max(accumulate((word in "([") - (word in ")]") for word in signs), default=0)
+            > MAX_DEPTH
+        ):
+            raise RecursionError
         self.at = 0
         self.moduli: dict[tuple[int, int], Term] = {}  # by where their texts begin and end
 

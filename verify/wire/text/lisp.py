@@ -47,6 +47,11 @@ class Word(str):
 Tree = Word | list["Tree"]
 
 
+#: So many parentheses are inside of one another at most.
+MAX_DEPTH = 300
+TOO_DEEP = "it nests too deeply; name its parts"
+
+
 class Source:
     """A file, for messages that name it and a line."""
 
@@ -63,7 +68,7 @@ class Source:
         try:
             yield
         except RecursionError as error:
-            raise self.error(None, "it nests too deeply; name its parts") from error
+            raise self.error(None, TOO_DEEP) from error
 
     def error(self, tree: Tree | None, what: str) -> InputError:
         """The error that something is wrong where a tree begins."""
@@ -81,7 +86,7 @@ class Source:
         """All that stands in the file.
 
         Raises:
-            InputError: where parentheses do not match.
+            InputError: where parentheses do not match, or too many are open.
         """
         stack: list[list[Tree]] = [[]]
         at, line = 0, 1
@@ -94,6 +99,8 @@ class Source:
             at, line = match.end(), line + word.count("\n")
             if word in "([":
                 stack.append([])
+                if len(stack) > MAX_DEPTH:
+                    raise self.error(None, TOO_DEEP)
             elif word in ")]":
                 if len(stack) == 1:
                     raise self.error(word, "a parenthesis closes that was not opened")

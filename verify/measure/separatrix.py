@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 from functools import partial
-from statistics import median
-from time import perf_counter
+from time import process_time
 from typing import Any
 
 from mpmath import mp, mpf
@@ -46,10 +45,10 @@ def separatrix_table(quick: bool, rounds: int) -> dict[str, Any]:
 def _timed(job: Callable[[], Any], rounds: int) -> tuple[float, Any]:
     times = []
     for _ in range(rounds):
-        start = perf_counter()
+        start = process_time()
         found = job()
-        times.append(perf_counter() - start)
-    return median(times), found
+        times.append(process_time() - start)
+    return min(times), found
 
 
 def enclosed(parameters: Parameters, q: Fraction, digits: int) -> tuple[CurveAt, int]:

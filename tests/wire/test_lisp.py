@@ -221,6 +221,7 @@ def test_operations(text: str, claim: Claim) -> None:
         ("(assert (< (!) 0))", "line 1: '!' stands alone; write what it is applied to"),
         (f"(assert (< {'(+ 1 ' * 5000}1{')' * 5000} 0))", "f.smt2: it nests too deeply"),
         (f"(assert {'(not ' * 5000}true{')' * 5001}", "f.smt2: it nests too deeply"),
+        ("(declare-const x Real)\n(declare-const x Real)", "line 2: 'x' is declared twice"),
         ("(set-logic QF_NRA)", "f.smt2: asserts nothing; write (assert (< x 1))"),
         ('(set-info :source "abc)', "line 1: '\"' has no end; close the quotation"),
         ("(declare-const x Real)(assert (and (< (* x x) 0) (= (* x x) -1)))", "no point was"),
@@ -253,6 +254,7 @@ def test_a_term_that_only_the_checker_finds_deep(
         ("(FPCore ((A 3)) 1)", "an input has to be a name; sizes cannot be used"),
         ("(FPCore x)", "is no expression; write (FPCore (x) ... (* x x))"),
         ("(FPCore (x) :pre (or (< x 1) (< 2 x)) x)", "write the precondition as comparisons"),
+        ("(FPCore (x y x) :pre (< 0 x 1) (+ x 1))", "line 1: 'x' is an argument twice"),
         ("(FPCore (x) :pre (< 0 x 1) (min))", "line 1: 'min' stands alone"),
         (
             f"(FPCore (x) :pre (< 0 x 1) {'(+ x ' * 5000}x{')' * 5001}",

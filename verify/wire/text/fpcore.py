@@ -15,7 +15,7 @@ from os.path import basename
 
 from verify.language.statement import NEEDED, Context, Given, Obligation, Statement, Variable
 from verify.language.terms import Claim, Term, as_term, names_of, symbol
-from verify.wire.inputs import InputError
+from verify.wire.inputs import InputError, shown
 from verify.wire.text.lisp import RELATIONS, Formulas, Source, Tree, Word
 from verify.wire.text.points import a_point, estimate
 
@@ -60,6 +60,9 @@ class _Core:
                 raise source.error(tree, "is no expression; write (FPCore (x) ... (* x x))")
         self.properties = self._table(properties)
         self.inputs = [self._input(item) for item in inputs]
+        for place, name in enumerate(self.inputs):
+            if name in self.inputs[:place]:
+                raise source.error(inputs[place], f"{shown(name)} is an argument twice")
         self.names = {old: symbol(self._name(old, number)) for old in self.inputs}
         formulas = Formulas(source, self.names)
         self.claims = list(self._given(self.properties.get(":pre"), formulas))

@@ -90,6 +90,8 @@ class _File:
     def _declare(self, name: Word, sort: Tree) -> None:
         if sort != "Real":
             raise self.source.error(name, f"{shown(name)} is of the sort {sort}; declare it Real")
+        if name in self.variables:
+            raise self.source.error(name, f"{shown(name)} is declared twice")
         plain = re.sub(r"[^A-Za-z0-9_]+", "_", name).strip("_")
         plain = plain if plain[:1].isalpha() and plain != "goal" else f"v_{plain}"
         while plain in self.variables.values():

@@ -8,7 +8,7 @@ tightly than a product. Signs of print (``≤``, ``·``, ``√``, ``x²``, ``ψ`
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from fractions import Fraction
 from itertools import accumulate
 
@@ -29,7 +29,6 @@ from verify.language.terms import (
     exp,
     log,
     nth_root,
-    parts_of,
     pi,
     sinh,
     sqrt,
@@ -485,12 +484,6 @@ def term_text(term: Term) -> str:
 def claim_text(claim: Claim) -> str:
     """The text that `read_claims` reads as this claim alone."""
     return f"{term_text(claim.lhs)} {claim.relation} {term_text(claim.rhs)}"
-
-
-def symbols_of(claims: Iterable[Claim]) -> list[str]:
-    """The names in claims, each once."""
-    parts = parts_of(*(side for claim in claims for side in (claim.lhs, claim.rhs)))
-    return [part.name for part in parts if part.op == "symbol"]
 
 
 def known_names(names: Collection[str]) -> Names:

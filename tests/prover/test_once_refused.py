@@ -65,6 +65,12 @@ def test_a_constant_with_a_root_in_a_proof_by_algebra() -> None:
     assert decided(1 / k <= x, {"low": ONE <= x}, 1, k=root) == PROVED
 
 
+def test_a_bound_of_a_variable_that_divides_by_a_constant() -> None:
+    givens = {"low": as_term(-2) <= x, "high": x <= -1, "far": x < 2000 / (k + 1)}
+    assert decided(ONE <= x + k, givens, -1, k=ONE) == REFUTED
+    assert decided(x + k <= ONE, givens, -1, k=ONE) == PROVED
+
+
 def test_a_claim_from_which_a_square_is_left_out() -> None:
     givens = {"low": ZERO <= x, "high": x**2 <= ZERO}
     assert decided(equal(x**3 + x, x), givens, 0) in (PROVED, UNDECIDED)

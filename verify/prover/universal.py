@@ -37,6 +37,11 @@ from verify.prover.rules import (
 from verify.prover.session import ZERO
 
 
+def _divides(term: Term) -> bool:
+    """Whether a term divides by something else than a number."""
+    return any(part.op == "div" and part.children[1].op != "rational" for part in parts_of(term))
+
+
 class Universal:
     """Proves claims in contexts, with the facts that are known there.
 
@@ -106,6 +111,8 @@ class Universal:
                 if relation == "=" or variable.op != "symbol" or variable.name not in names:
                     continue
                 if bound.op == "rational" or not self.clears_as_number(bound):
+                    continue
+                if _divides(bound):  # the sum below would have to be multiplied by the divisor
                     continue
                 number = self.ground.short_bound(bound, up=up)
                 near = Claim("<=", *((bound, number) if up else (number, bound)))

@@ -273,3 +273,17 @@ def _balanced(terms: list[Term], operation: Callable[[Term, Term], Term]) -> Ter
         pairs = [operation(a, b) for a, b in zip(terms[::2], terms[1::2], strict=False)]
         terms = pairs + terms[len(pairs) * 2 :]
     return terms[0]
+
+
+def divisors(term: Term) -> Iterator[Term]:
+    """The divisors in a term that are no numbers, each as often as clearing multiplies by it."""
+    found: dict[Term, None] = {}
+
+    def visit(part: Term) -> None:
+        if part.op == "div" and part.children[1].op != "rational":
+            found[part.children[1]] = None
+        for child in part.children:
+            visit(child)
+
+    visit(term)
+    return iter(found)

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from verify.language.argument import Reason
 from verify.language.terms import Claim, Term, names_of, substitute_claim
 from verify.prover import arguments
+from verify.prover.clearing import divisors
 from verify.prover.positivity import NotFoundError
 from verify.prover.proof import Proof
 from verify.prover.ring import Ring
@@ -92,7 +93,7 @@ class RowProofs:
         if claim.rhs is not root or claim.lhs.op != "sqrt":
             raise NotFoundError("two roots are not compared")
         squares = self.ring.lemma(claim.lhs.children[0] <= inside)
-        scale = [self.ring.lemma(0 < part) for part in _divisors(inside)]
+        scale = [self.ring.lemma(0 < part) for part in divisors(inside)]
         goal = ("mul", *scale, "goal", ("add", "root-two", sign))
         return Sum((goal, squares))
 
@@ -113,20 +114,6 @@ def _new_roots(claim: Claim, ring: Ring) -> Iterator[Term]:
             if part.op == "sqrt" and part not in ring.values and part not in ring.replaced:
                 yield part
             waiting += part.children
-
-
-def _divisors(term: Term) -> Iterator[Term]:
-    """The divisors in a term, each as often as clearing multiplies by it."""
-    found: dict[Term, None] = {}
-
-    def visit(part: Term) -> None:
-        if part.op == "div" and part.children[1].op != "rational":
-            found[part.children[1]] = None
-        for child in part.children:
-            visit(child)
-
-    visit(term)
-    return iter(found)
 
 
 def _replaced(term: Term, old: Term, new: Term) -> Term:

@@ -24,7 +24,7 @@ from verify.language.terms import (
     substitute_claim,
 )
 from verify.prover.budget import WorkBudget
-from verify.prover.clearing import has_value
+from verify.prover.clearing import divisors, has_value
 from verify.prover.goal import Bounds, Goal, bounds_of, narrowed
 from verify.prover.ground import Ground
 from verify.prover.hint import Hint
@@ -35,11 +35,6 @@ from verify.prover.rules import (
     Sum,
 )
 from verify.prover.session import ZERO
-
-
-def _divides(term: Term) -> bool:
-    """Whether a term divides by something else than a number."""
-    return any(part.op == "div" and part.children[1].op != "rational" for part in parts_of(term))
 
 
 class Universal:
@@ -112,7 +107,7 @@ class Universal:
                     continue
                 if bound.op == "rational" or not self.clears_as_number(bound):
                     continue
-                if _divides(bound):  # the sum below would have to be multiplied by the divisor
+                if [*divisors(bound)]:  # the sum below would have to be multiplied by the divisor
                     continue
                 number = self.ground.short_bound(bound, up=up)
                 near = Claim("<=", *((bound, number) if up else (number, bound)))

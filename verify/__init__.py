@@ -19,9 +19,9 @@ _OFFERED = {
         *("for_all", "lemma", "prove", "read_page", "root_between", "write_page"),
     ),
     "verify.language.terms": (
-        *("Claim", "Term", "absolute", "acos", "asin", "atan", "cos", "cos_pi", "cosh", "equal"),
-        *("exp", "log", "maximum", "minimum", "nth_root", "pi", "sin", "sinh", "sqrt", "symbol"),
-        *("tan", "tanh"),
+        *("Claim", "Term", "absolute", "acos", "any_of", "asin", "atan", "cos", "cos_pi", "cosh"),
+        *("equal", "exp", "log", "maximum", "minimum", "nth_root", "pi", "sin", "sinh", "sqrt"),
+        *("symbol", "tan", "tanh", "unequal"),
     ),
     "verify.language.statement": ("Statement",),
     "verify.prover.hint": ("Hint",),
@@ -40,6 +40,7 @@ __all__ = [
     "absolute",
     "acos",
     "always",
+    "any_of",
     "applies",
     "asin",
     "ask",
@@ -69,6 +70,7 @@ __all__ = [
     "symbol",
     "tan",
     "tanh",
+    "unequal",
     "write_page",
 ]
 
@@ -80,6 +82,7 @@ if TYPE_CHECKING:
         Term,
         absolute,
         acos,
+        any_of,
         asin,
         atan,
         cos,
@@ -98,6 +101,7 @@ if TYPE_CHECKING:
         symbol,
         tan,
         tanh,
+        unequal,
     )
     from verify.library import (
         Result,

@@ -21,6 +21,7 @@ from verify.language.terms import (
     Term,
     as_term,
     cos,
+    equal,
     exp,
     log,
     maximum,
@@ -127,6 +128,10 @@ def test_every_operation_is_written_and_read() -> None:
         ("x^y", exp(Y * log(X))),
         ("e^(x + 1)", exp(X + 1)),
         ("2*π*e", 2 * pi * exp(1)),
+        ("sum(x^k/k, k, 1, 3)", X / 1 + X**2 / 2 + X**3 / 3),
+        ("sum(x^k, k, 0, 1)", 1 + X),
+        ("prod(x + k, k, -1, 0)", (X + as_term(-1)) * (X + 0)),
+        ("sum(sum(j*k, j, 1, k), k, 1, 2)", as_term(1) * 1 + (as_term(1) * 2 + as_term(2) * 2)),
         ("tan(x)", sin(X) / cos(X)),
         ("ln(x) + root(x, 5)", log(X) + nth_root(X, 5)),
         ("|x - y|", maximum(X - Y, -(X - Y))),
@@ -142,6 +147,21 @@ def test_what_a_formula_means(text: str, term: Term) -> None:
 def test_a_chain_is_several_claims() -> None:
     found = read_claims("", "1 ≥ x > y = 0", known_names(NAMES))
     assert found == (Claim("<=", X, as_term(1)), Claim("<", Y, X), Claim("=", Y, as_term(0)))
+
+
+@pytest.mark.parametrize(
+    ("text", "claims"),
+    [
+        ("x != y", (0 < (X - Y) ** 2,)),
+        ("x ≠ 0", (0 < X**2,)),
+        ("x < 1 and y >= 2", (X < 1, as_term(2) <= Y)),
+        ("x <= 1 or x >= 2", (0 <= maximum(1 - X, X - 2),)),
+        ("x < 0 or y != 0 or 1 < x", (0 < maximum(-X, Y**2, X - 1),)),
+        ("x = 0 or x = y", (equal(0, X * (X - Y)),)),
+    ],
+)
+def test_what_is_no_inequality_is_read_as_one(text: str, claims: tuple[Claim, ...]) -> None:
+    assert read_claims("", text, known_names(NAMES)) == claims
 
 
 @pytest.mark.parametrize(
@@ -283,11 +303,33 @@ def test_an_induction() -> None:
         ('"1 + sqrt(2)"', '"2^(1/1000)"', "the exponent 1/1000 is not usable; write m or m/n"),
         ('"1 + sqrt(2)"', '"root(2)"', "a root has a term and an index, such as root(x, 3)"),
         ('"1 + sqrt(2)"', '"max(1)"', "max is of at least two terms, and 1 stand there"),
-        ('"y < d"', '"y < d and d < 9"', "a claim has no and; write a chain such as 0 < a < 1"),
+        ('"y < d"', '"y < d and d"', "claims nothing; write a claim on each side of and"),
+        ('"y < d"', '"y < d or d < 9 and d < 8"', "has both and and or in it; write two claims"),
+        (
+            '"y < d"',
+            '"y < d or 0 < d < 8"',
+            "a chain is no alternative; write one sign on",
+        ),
+        (
+            '"y < d"',
+            '"y < d or d <= 8"',
+            "alternatives need one relation in all of them",
+        ),
+        ('"1 + sqrt(2)"', '"1 or 2"', "constants.b: '1 or 2' is a claim; write a term"),
+        ('"1 + sqrt(2)"', '"sum(1/k, k, 3, 2)"', "there is no number from 3 to 2; write sum(1/k^2"),
+        ('"1 + sqrt(2)"', '"sum(1/k, 3, 2)"', "'3' is no new letter to number terms by; write sum"),
+        (
+            '"1 + sqrt(2)"',
+            '"prod(1/k)"',
+            "a prod has a term, a letter and two whole numbers",
+        ),
+        ('"1 + sqrt(2)"', '"sum(k, k, 1, 1/2)"', "a bound is no whole number; write sum(1/k^2, k"),
+        ('"1 + sqrt(2)"', '"sum(k, k, 1, 1001)"', "it has more than 1000 terms; split it, or name"),
+        ('"1 + sqrt(2)"', '"sum(1/k, k, 0, 2)"', "divides by zero"),
+        ('"1 + sqrt(2)"', '"sum(k 2, k, 1, 2)"', "'2' follows, and does not belong there"),
         ('"1 + sqrt(2)"', '"1 # 2"', "cannot read '# 2'"),
         ('"y < d"', '"y < dd"', "line 23: rows.smaller: 'dd' is not defined here; did you mean d?"),
         ('"y < d"', '"y"', "line 23: rows.smaller: 'y' claims nothing; write for example y > 0"),
-        ('"y < d"', '"y != d"', "there is no ≠; write < or >, or two rows"),
         ('"y < d"', '"0 < y > d"', "a chain has < and > in it"),
         ('"y < d"', '"y < high.x"', "its names are of the contexts inner and high, of which none"),
         ('"y < d"', '"x < d"', "'x' is a name of the context low and of high; say in which by"),
@@ -485,3 +527,26 @@ def test_a_root_that_is_not_the_only_one_is_not_proved() -> None:
 def test_what_is_said_of_a_root_that_cannot_be_used(old: str, new: str, message: str) -> None:
     with pytest.raises(InputError, match=re.escape(message)):
         read_page("f.toml", ROOT.replace(old, new).encode())
+
+
+ALTERNATIVES = """
+title = "A gap"
+[contexts.gap]
+variables = ["x"]
+given = ["0 <= x <= 3", "x <= 1 or x >= 2"]
+[rows]
+not-in-it = "x != 3/2"
+beside-it = "x < 3/2 or x > 3/2"
+outside = { claim = "(x - 1)*(x - 2) >= 0", in = "gap" }
+at-its-ends = { claim = "x < 1 or x > 2", in = "gap" }
+"""
+
+
+def test_alternatives_among_givens_and_claims_are_decided() -> None:
+    outcome = decide(read(ALTERNATIVES))
+    verdicts = {row.name: decision.verdict for row, decision in outcome.rows}
+    *proved, last = verdicts.values()
+    assert ([*proved], last) == (["proved"] * 3, "refuted")
+    files = write(outcome)
+    checked = check.check(files["statement.json"], files["certificate.json"], {})
+    assert checked.rows == verdicts

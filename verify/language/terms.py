@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from math import prod
 
 from verify.language.record import TYPE_CHECKING
 
@@ -204,6 +205,37 @@ def as_term(number: Number) -> Term:
 def equal(lhs: Number, rhs: Number) -> Claim:
     """The claim ``lhs = rhs``; ``==`` compares how terms are written."""
     return Claim("=", as_term(lhs), as_term(rhs))
+
+
+def unequal(lhs: Number, rhs: Number) -> Claim:
+    """The claim that two numbers differ: the square of their difference is positive."""
+    return Claim("<", as_term(0), _less(as_term(lhs), as_term(rhs)) ** 2)
+
+
+def any_of(*claims: Claim) -> Claim:
+    """The claim that at least one of some claims is true, all of whose terms have to be defined.
+
+    For inequalities it says that the greatest of the differences of their sides is positive (or at
+    least 0); for equations, that the product of the differences is 0.
+
+    Raises:
+        ValueError: for claims of more than one relation, for which one claim does not stand.
+    """
+    if len({claim.relation for claim in claims}) != 1:
+        written = " and ".join(dict.fromkeys(claim.relation for claim in claims)) or "no claim"
+        raise ValueError(f"alternatives need one relation in all of them, not {written}")
+    if len(claims) == 1:
+        return claims[0]
+    relation = claims[0].relation
+    if relation == "=":
+        first, *others = (_less(claim.lhs, claim.rhs) for claim in claims)
+        return Claim(relation, as_term(0), prod(others, start=first))
+    return Claim(relation, as_term(0), maximum(*(_less(c.rhs, c.lhs) for c in claims)))
+
+
+def _less(term: Term, other: Term) -> Term:
+    zero = as_term(0)
+    return term if other is zero else -other if term is zero else term - other
 
 
 def symbol(name: str) -> Term:

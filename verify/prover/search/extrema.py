@@ -78,15 +78,21 @@ def _renamed(value: Value, name: str, other: Value) -> Value:
 
 
 def by_cases(question: Question) -> Proof | None:
-    """A proof in which each minimum or maximum is one of its entries."""
-    facts, terms = question.facts, question.extrema
+    """A proof in which each minimum or maximum, in the claim or a given, is one of its entries."""
+    facts, terms = question.facts, [*question.given_extrema, *question.extrema]
     count = 1
     for term in terms:
         count *= len(term.children)
     if not terms or count > MAX_CASES:
         return None
-    plain = {n: c for n, c in facts.items() if not {c.lhs, c.rhs} & set(terms)}
+    plain = {n: c for n, c in facts.items() if not _is_of_an_entry(c, terms)}
     return _split(question, terms, plain, {}, 0)
+
+
+def _is_of_an_entry(claim: Claim, terms: list[Term]) -> bool:
+    """Whether a claim says only that an extremum is not beyond one of its entries."""
+    sides = (claim.lhs, claim.rhs), (claim.rhs, claim.lhs)
+    return any(term in terms and entry in term.children for term, entry in sides)
 
 
 def _split(

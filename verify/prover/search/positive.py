@@ -118,11 +118,12 @@ def by_squares(
 ) -> Sum | None:
     """A proof of the claim; ``zeros`` are points of the domain where p is 0.
 
-    A square that divides p is left out at first. So many ``attempts`` are made at most.
+    A square that divides p is left out, unless p has to be positive. So many ``attempts`` are made
+    at most.
     """
     if domain.p.is_zero():
         return None if domain.strict else Sum((domain.goal,), using)
-    outer = domain.divide_by_squares()
+    outer = None if domain.strict else domain.divide_by_squares()
     zeros = [point for point in zeros if domain.is_zero(point)]
     near = zeros_in_floats(domain, budget)
     tried = set()

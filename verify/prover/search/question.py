@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from functools import cached_property
@@ -72,8 +73,9 @@ class Question:
             return True
         if not self.given and refuting_point(self.goal, self.known.enclosed) is not None:
             return True
-        if not self.minima or self.minima[0][0] >= 0:
-            return False
+        least = self.minima[0][0] if self.minima else math.inf
+        if least > NEAR_ZERO or (least >= 0 and self.goal.claim.relation == "<="):
+            return False  # where sides meet, < is false, and a descent may end next to that point
         return self._are_false(self.minima) or self.false_at() is not None
 
     def _are_false(self, found: Iterable[tuple[float, tuple[float, ...]]]) -> bool:
@@ -179,6 +181,15 @@ class Question:
     @cached_property
     def extrema(self) -> list[Term]:
         """The minima and maxima in the claim, each after those inside it."""
+        return self._extrema(self.goal.claim.lhs, self.goal.claim.rhs)
+
+    @cached_property
+    def given_extrema(self) -> list[Term]:
+        """Those in what is given of the names in the claim, and not in the claim."""
+        sides = (side for claim in self.given.values() for side in (claim.lhs, claim.rhs))
+        return [term for term in self._extrema(*sides) if term not in self.extrema]
+
+    def _extrema(self, *terms: Term) -> list[Term]:
         definitions = self.goal.definitions
 
         def inside(term: Term) -> Iterable[Term]:
@@ -186,7 +197,7 @@ class Question:
                 return (definitions[term.name],)
             return term.children
 
-        parts = inner_first((self.goal.claim.lhs, self.goal.claim.rhs), inside)
+        parts = inner_first(terms, inside)
         return [part for part in parts if part.op in ("min", "max")]
 
     @cached_property

@@ -21,7 +21,7 @@ from verify.prover.goal import Bounds, Goal
 from verify.prover.points import failure_test
 from verify.prover.search.compiled import estimates
 from verify.prover.search.local_minima import Minima, simple_points
-from verify.prover.search.question import Question
+from verify.prover.search.question import NEAR_ZERO, Question
 from verify.prover.search.system import System
 from verify.prover.session import ZERO
 
@@ -152,7 +152,7 @@ class _Search:
         for distance in DISTANCES[:1] if is_bounded else DISTANCES:
             tried = 0
             for violation, point in Violations(self, distance).found():
-                if violation > 0 or tried > MAX_POINTS:
+                if violation > NEAR_ZERO or tried > MAX_POINTS:
                     break
                 for inside in (True, False):
                     for values in simple_points(point, ends, inside=inside):

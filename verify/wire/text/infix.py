@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Mapping
 from fractions import Fraction
+from functools import reduce
 from itertools import accumulate
 
 from verify.language.fold import fold
@@ -22,6 +23,7 @@ from verify.language.terms import (
     Term,
     absolute,
     acos,
+    any_of,
     as_term,
     asin,
     atan,
@@ -35,6 +37,7 @@ from verify.language.terms import (
     symbol,
     tan,
     tanh,
+    unequal,
 )
 from verify.wire.inputs import InputError, nearest, rational, shown
 from verify.wire.text.letters import GREEK, NAMES, name_of
@@ -48,9 +51,9 @@ _TOKEN = re.compile(
 )
 #: A name that needs no quotation marks.
 PLAIN = re.compile(r"(?:[A-Za-z]\w*:)*[A-Za-z]\w*(?:\.\w+)*", re.ASCII)
-_SAME = {"≤": "<=", "≥": ">=", "==": "=", "·": "*", "×": "*", "−": "-", "**": "^"}
+_SAME = {"≤": "<=", "≥": ">=", "≠": "!=", "==": "=", "·": "*", "×": "*", "−": "-", "**": "^"}
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
-RELATIONS = ("<", "<=", "=", ">=", ">")
+RELATIONS = ("<", "<=", "=", ">=", ">", "!=")
 
 #: A decimal with so many digits behind its point is written as a fraction.
 LONGEST_DECIMAL = 20
@@ -71,8 +74,11 @@ SUGAR: Mapping[str, Callable[[Term], Term]] = {
     "cosh": cosh,
     "tanh": tanh,
 }
+#: What joins the terms that stand for the numbers from one to another, and so many terms at most.
+SUMS: Mapping[str, Callable[[Term, Term], Term]] = {"sum": Term.__add__, "prod": Term.__mul__}
+MAX_TERMS = 1000
 #: All that is written like a function.
-CALLED = (*FUNCTIONS, *MANY, "root", *SUGAR)
+CALLED = (*FUNCTIONS, *MANY, "root", *SUMS, *SUGAR)
 
 
 class Formula(Record):
@@ -89,9 +95,7 @@ class Formula(Record):
         """A claim for each relation; ``a > b`` is the claim ``b < a``."""
         sides = zip(self.terms, self.terms[1:], strict=False)
         return tuple(
-            Claim("<" + relation[1:], right, left)
-            if relation[0] == ">"
-            else Claim(relation, left, right)
+            _claim(relation, left, right)
             for relation, (left, right) in zip(self.relations, sides, strict=True)
         )
 
@@ -101,7 +105,7 @@ class Formula(Record):
         found: list[Claim] = []
         for claim, relation, pair in zip(self.claims(), self.relations, inside, strict=True):
             term = pair[1] if relation[0] == ">" else pair[0]
-            if term is None or relation == "=":
+            if term is None or relation in ("=", "!="):
                 found.append(claim)
             else:
                 bound = claim.rhs
@@ -109,6 +113,16 @@ class Formula(Record):
                 found.append(Claim(claim.relation, low, term))
                 found.append(Claim(claim.relation, term, bound))
         return tuple(found)
+
+
+def _claim(relation: str, left: Term, right: Term) -> Claim:
+    if relation == "!=":
+        return unequal(left, right)
+    return (
+        Claim("<" + relation[1:], right, left)
+        if relation[0] == ">"
+        else Claim(relation, left, right)
+    )
 
 
 class Names:
@@ -141,37 +155,27 @@ class Names:
         return nearest(name, [*self.known, *NUMBERS, *CALLED], otherwise)
 
 
-def read_formula(where: str, text: str, names: Names) -> Formula:
-    """The terms and relations in a text.
-
-    Raises:
-        InputError: naming the place, and what to write instead.
-    """
-    try:
-        return _Reader(where, text, names).formula()
-    except RecursionError as error:
-        raise InputError(f"{where}: {shown(text)} nests too deeply; name its parts") from error
-
-
 def read_term(where: str, text: str, names: Names) -> Term:
     """The term that a text stands for.
 
     Raises:
-        InputError: as above, or where the text is a claim.
+        InputError: naming the place, and what to write instead.
     """
-    found = read_formula(where, text, names)
-    if found.relations:
+    (found, *_), word = _read(where, text, names)
+    if found.relations or word:
         raise InputError(f"{where}: {shown(text)} is a claim; write a term, such as (1 + x)/2")
     return found.terms[0]
 
 
 def read_claims(where: str, text: str, names: Names) -> tuple[Claim, ...]:
-    """The claims in a text, of which a chain ``0 <= x <= b`` has several.
+    """The claims in a text, of which a chain ``0 <= x <= b`` has several, and ``a and b`` too.
+
+    The claims in ``a or b`` are one, which `any_of` makes of them.
 
     Raises:
         InputError: as above, or where the text has no relation.
     """
-    return _read_claims(where, text, names).claims()
+    return _joined(where, text, names, Formula.claims)
 
 
 def read_givens(where: str, text: str, names: Names) -> tuple[Claim, ...]:
@@ -180,15 +184,42 @@ def read_givens(where: str, text: str, names: Names) -> tuple[Claim, ...]:
     Raises:
         InputError: as above.
     """
-    return _read_claims(where, text, names).bounds()
+    return _joined(where, text, names, Formula.bounds)
 
 
-def _read_claims(where: str, text: str, names: Names) -> Formula:
-    found = read_formula(where, text, names)
-    if not found.relations:
-        raise InputError(f"{where}: {shown(text)} claims nothing; write for example {text} > 0")
-    return found
+def _read(where: str, text: str, names: Names) -> tuple[list[Formula], str]:
+    """The formulas in a text, and the word between them."""
+    try:
+        return _Reader(where, text, names).formulas()
+    except RecursionError as error:
+        raise InputError(f"{where}: {shown(text)} nests too deeply; name its parts") from error
 
+
+def _joined(
+    where: str, text: str, names: Names, claims: Callable[[Formula], tuple[Claim, ...]]
+) -> tuple[Claim, ...]:
+    formulas, word = _read(where, text, names)
+    if any(not formula.relations for formula in formulas):
+        instead = (
+            f"; write a claim on each side of {word}" if word else f"; write for example {text} > 0"
+        )
+        raise InputError(f"{where}: {shown(text)} claims nothing{instead}")
+    if word != "or":
+        return tuple(claim for formula in formulas for claim in claims(formula))
+    alternatives = [formula.claims() for formula in formulas]
+    if any(len(chain) > 1 for chain in alternatives):
+        raise InputError(
+            f"{where}: {shown(text)}: a chain is no alternative; write one sign on each side of or"
+        )
+    try:
+        return (any_of(*(claim for (claim,) in alternatives)),)
+    except ValueError as error:
+        raise InputError(
+            f"{where}: {shown(text)}: {error}; write < in each, which says more, or <= in each"
+        ) from error
+
+
+_JOINING = (("name", "and"), ("name", "or"))
 
 #: So many parentheses are inside of one another at most.
 MAX_DEPTH = 100
@@ -208,6 +239,8 @@ class _Reader:
             raise RecursionError
         self.at = 0
         self.moduli: dict[tuple[int, int], Term] = {}  # by where their texts begin and end
+        self.indices: dict[str, Term] = {}  # the numbers for which the letters of sums stand
+        self.terms_left = MAX_TERMS
 
     def _tokens(self) -> list[tuple[str, str]]:
         found: list[tuple[str, str]] = []
@@ -250,8 +283,21 @@ class _Reader:
         kind, word = self.tokens[self.at]
         return "it ends" if kind == "end" else f"{shown(word)} follows"
 
+    def formulas(self) -> tuple[list[Formula], str]:
+        """The whole text: formulas, and the word and, or the word or, between them."""
+        found, words = [self.formula()], []
+        while self.tokens[self.at] in _JOINING:
+            words.append(self.tokens[self.at][1])
+            self.at += 1
+            found.append(self.formula())
+        if self.tokens[self.at][0] != "end":
+            raise self.error(self._too_much())
+        if len({*words}) > 1:
+            raise self.error("has both and and or in it; write two claims")
+        return found, words[0] if words else ""
+
     def formula(self) -> Formula:
-        """The whole text."""
+        """What stands up to the end, or to the next and or or."""
         terms, relations, begin, moduli = [self.sum()], [], 0, []
         moduli.append(self.moduli.get((begin, self.at)))
         while relation := self.take(*RELATIONS):
@@ -259,10 +305,6 @@ class _Reader:
             begin = self.at
             terms.append(self.sum())
             moduli.append(self.moduli.get((begin, self.at)))
-        if self.sign in ("!=", "≠"):
-            raise self.error("there is no ≠; write < or >, or two rows")
-        if self.tokens[self.at][0] != "end":
-            raise self.error(self._too_much())
         upwards = {relation[0] for relation in relations} & {"<", ">"}
         if len(upwards) > 1:
             raise self.error("a chain has < and > in it; write two claims")
@@ -271,8 +313,6 @@ class _Reader:
     def _too_much(self) -> str:
         kind, word = self.tokens[self.at]
         before = self.tokens[self.at - 1]
-        if word in ("and", "or"):
-            return f"a claim has no {word}; write a chain such as 0 < a < 1, or two claims"
         if kind in ("name", "number", "quoted") or word == "(":
             return f"no sign stands between {before[1]} and {word}; write {before[1]}*{word}"
         return f"{self.next_word()}, and does not belong there"
@@ -294,6 +334,8 @@ class _Reader:
                 found = found * other
             elif is_number and too:
                 found = self._quotient(found.value, other.value)
+            elif self.indices and other is as_term(0):
+                raise self.error("divides by zero")
             else:
                 found = found / other
             is_number = False
@@ -338,6 +380,8 @@ class _Reader:
             return exp(exponent)
         if exponent.op != "rational":
             return exp(exponent * log(base))
+        if exponent.value == 0 and self.indices:
+            return as_term(1)
         above, below = abs(exponent.value.numerator), exponent.value.denominator
         if below > MAX_INDEX or not 0 < above <= MAX_EXPONENT:
             raise self.error(
@@ -345,7 +389,8 @@ class _Reader:
                 f"{MAX_EXPONENT} and n to {MAX_INDEX}, or exp({exponent.value}*log(x))"
             )
         root = base if below == 1 else sqrt(base) if below == 2 else nth_root(base, below)
-        found = root**above if above > 1 or exponent.value == 1 else root
+        is_power = above > 1 or (exponent.value == 1 and not self.indices)
+        found = root**above if is_power else root
         return found if exponent.value > 0 else 1 / found
 
     def atom(self) -> Term:
@@ -376,6 +421,8 @@ class _Reader:
     def _named(self, word: str) -> Term:
         if self.sign == "(" and (word in CALLED or word not in self.names.known):
             return self._function(word)
+        if word in self.indices:
+            return self.indices[word]
         name = word if word in self.names.known else name_of(word)
         if name not in self.names.known and name in NUMBERS:
             return NUMBERS[name]
@@ -383,6 +430,8 @@ class _Reader:
 
     def _function(self, word: str) -> Term:
         self.expect("(")
+        if word in SUMS:
+            return self._summed(word)
         arguments = [self.sum()]
         while self.take(","):
             arguments.append(self.sum())
@@ -397,6 +446,52 @@ class _Reader:
             wanted = "at least two terms" if word in MANY else "one term"
             raise self.error(f"{word} is of {wanted}, and {len(arguments)} stand there")
         return SUGAR[word](*arguments) if word in SUGAR else Term(word, *arguments)
+
+    def _summed(self, word: str) -> Term:
+        """The rest of ``sum(1/k^2, k, 1, 10)``: its term for each number, joined."""
+        start, comma = self.at, self._next_comma()
+        self.at = comma
+        example = f"write {word}(1/k^2, k, 1, 10)"
+        if not self.take(","):
+            raise self.error(f"a {word} has a term, a letter and two whole numbers; {example}")
+        kind, letter = self.tokens[self.at]
+        if kind != "name" or letter in self.indices or letter in self.names.known:
+            raise self.error(f"{shown(letter)} is no new letter to number terms by; {example}")
+        self.at += 1
+        first, last = (self._whole(example) for _ in range(2))
+        self.expect(")")
+        end = self.at
+        if last < first:
+            raise self.error(f"there is no number from {first} to {last}; {example}")
+        terms = []
+        for number in range(first, last + 1):
+            self.terms_left -= 1
+            if self.terms_left < 0:
+                raise self.error(f"it has more than {MAX_TERMS} terms; split it, or name its parts")
+            self.at, self.indices[letter] = start, as_term(number)
+            terms.append(self.sum())
+            if self.at != comma:
+                raise self.error(f"{self.next_word()}, and does not belong there")
+        del self.indices[letter]
+        self.at = end
+        return reduce(SUMS[word], terms)
+
+    def _next_comma(self) -> int:
+        """Where the argument ends that begins here."""
+        depth = 0
+        for at in range(self.at, len(self.tokens)):
+            kind, word = self.tokens[at]
+            depth += (word == "(") - (word == ")") if kind == "sign" else 0
+            if kind == "end" or depth < 0 or (depth == 0 and (kind, word) == ("sign", ",")):
+                return at
+        return self.at
+
+    def _whole(self, example: str) -> int:
+        self.expect(",")
+        found = self.sum()
+        if found.op != "rational" or found.value.denominator > 1:
+            raise self.error(f"a bound is no whole number; {example}")
+        return int(found.value)
 
     def _root(self, arguments: list[Term]) -> Term:
         index = arguments[-1].value if arguments[-1].op == "rational" else Fraction(0)

@@ -12,13 +12,12 @@ from verify.prover.outcome import Outcome
 from verify.prover.proof import (
     ConstantStep,
     DefinitionStep,
-    Kind,
     LemmaStep,
     ObligationStep,
     OpenStep,
     Proof,
+    leaves,
 )
-from verify.prover.rules import RULES
 
 #: Values of sums that are no names of facts.
 _NO_FACTS = ("goal", "add", "mul", "pow", "square", "root")
@@ -71,22 +70,11 @@ def facts_of(proof: Any) -> Iterator[str]:
     if isinstance(proof, str):
         yield from () if proof.startswith("@") else (proof,)
         return
-    _, kinds = RULES[type(proof)]
-    for name, kind in kinds.items():
-        value = getattr(proof, name)
-        if name in ("using", "equation", "of") and kind == Kind.PLAIN and value is not None:
-            names = value if isinstance(value, tuple) else (value,)
-        elif kind in (Kind.VALUES, Kind.BOUNDS):
-            names = tuple(_names(value))
-        elif kind == Kind.COFACTORS:
-            names = tuple(fact for fact, _ in value)
-        elif kind in (Kind.PREMISES, Kind.PREMISE, Kind.PROOF):
-            for inner in value if kind == Kind.PREMISES else (value,):
-                yield from facts_of(inner)
-            continue
-        else:
-            continue
-        yield from (fact for fact in names if not fact.startswith("@"))
+    for leaf, value in leaves(proof):
+        if leaf in ("proof", "premise"):
+            yield from facts_of(value)
+        elif leaf in ("reference", "context_name", "value"):
+            yield from (fact for fact in _names(value) if not fact.startswith("@"))
 
 
 def _names(value: Any) -> Iterator[str]:

@@ -10,28 +10,9 @@ from verify.language.terms import Claim
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
-from verify.prover.proof import Premise, Proof
+from verify.prover.proof import Premise, Shape, shapes
 from verify.prover.relations import negation
-from verify.prover.rules import (
-    Antisymmetry,
-    Applying,
-    Cases,
-    Cuts,
-    Derivative,
-    Entry,
-    Have,
-    Induction,
-    InRange,
-    Instance,
-    Interval,
-    Law,
-    Least,
-    Monotony,
-    Root,
-    Sum,
-    Witness,
-    rule_of,
-)
+from verify.prover.rules import RULES, Sum, Witness, rule_of
 from verify.prover.uses import Node, nodes
 from verify.views.plain import plain_letters
 from verify.views.words import letters, short_name, sides_of
@@ -115,8 +96,7 @@ def _about(
             proved = opposite
             yield f"  what is proved is the opposite: {typesetter.claim(proved)}"
     if node.proof is not None:
-        sign = ">" if isinstance(proved, Claim) and proved.relation == "<=" else "≥"
-        yield from (f"  {line}" for line in _proof(node.proof, sign, typesetter))
+        yield from (f"  {line}" for line in _proof(node.proof, typesetter))
     if node.uses:
         yield "  where"
     for name in node.uses:
@@ -132,77 +112,47 @@ def _kind(node: Node, rows: Mapping[str, Row], paper: Publication) -> str:
     return f"{node.kind}, {paper.number(label)}" if label else node.kind
 
 
-def _proof(  # noqa: C901  one case a rule
-    proof: Proof, sign: str, typesetter: Typesetter
-) -> Iterator[str]:
-    """The proof in words; ``sign`` says how the difference of the sides compares to 0 in a sum."""
-    match proof:
-        case Interval(bits=bits):
-            yield f"by enclosures of both sides with {bits} bits"
-        case Sum():
-            yield from _sum(proof, sign, typesetter)
-        case Entry():
-            yield "a minimum is at most each of its entries (a maximum at least)"
-        case Root():
-            yield "the root of a positive number is positive"
-        case Cases(of=term, branches=branches) | Cuts(term=term, branches=branches):
-            yield f"in {len(branches)} cases, for {typesetter.term(term)}"
-            for i, branch in enumerate(branches, 1):
-                yield from (f"  case {i}: {line}" for line in _proof(branch, sign, typesetter))
-        case Least(branches=branches):
-            yield f"for each of {len(branches)} entries"
-            for i, branch in enumerate(branches, 1):
-                yield from (f"  entry {i}: {line}" for line in _proof(branch, sign, typesetter))
-        case Antisymmetry(branches=branches):
-            yield "each side is at most the other"
-            for i, branch in enumerate(branches, 1):
-                yield from (f"  order {i}: {line}" for line in _proof(branch, ">", typesetter))
-        case Instance(of=name, at=at):
-            values = ", ".join(f"{key} = {typesetter.term(term)}" for key, term in at.items())
-            yield f"{name} at {values}"
-        case Applying(givens=givens):
-            yield f"each of the {len(givens)} givens holds"
-        case Have(claim=claim, branches=(first, then)):
-            yield f"at first: {typesetter.claim(claim)}"
-            yield from (f"  {line}" for line in _premise(first, ">", typesetter))
-            yield from _proof(then, sign, typesetter)
-        case Derivative(variable=name, at=at, term=term, side=side, sign=why):
-            where = f"{typesetter.term(at)} {'≤' if side == 'above' else '≥'} {name}"
-            yield f"it holds at {name} = {typesetter.term(at)}, and for {where}"
-            yield f"the derivative of right - left is {'≥' if side == 'above' else '≤'} 0:"
-            yield f"  {typesetter.term(term)}"
-            yield from (f"  {line}" for line in _premise(why, ">", typesetter))
-        case Monotony(under=None):
-            yield "the function rises"
-        case Monotony(under=function):
-            yield f"{function} rises, so it is enough that {function} of both sides compare so"
-        case InRange():
-            yield "no value of the function is outside its range"
-        case Law():
-            yield "this holds identically"
-        case Induction():
-            yield "by induction: each carried given holds at the start, and at the next state"
-        case Witness(at=at):
-            values = ", ".join(f"{key} = {typesetter.term(term)}" for key, term in at.items())
-            yield f"false at {values}"
-        case _:
-            yield f"by the rule {rule_of(proof)}"
+def _proof(proof: Premise, typesetter: Typesetter) -> Iterator[str]:
+    """The proof in words, with those of its proofs that its rule shows."""
+    if isinstance(proof, str):
+        yield f"it is {proof}"
+        return
+    if isinstance(proof, Sum):
+        yield from _sum(proof, typesetter)
+        return
+    rule = RULES[type(proof)]
+    fields = {
+        name: _field(shape, getattr(proof, name), typesetter)
+        for name, shape in shapes(type(proof)).items()
+    }
+    yield from rule.says.format_map(fields).splitlines()
+    if rule.shown:
+        field, called = rule.shown
+        parts = getattr(proof, field)
+        many = shapes(type(proof))[field].form != "leaf"
+        for i, part in enumerate(parts if many else (parts,), 1):
+            name = f"{called} {i}" if many else called
+            yield from (f"  {name}: {line}" for line in _proof(part, typesetter))
 
 
-def _premise(premise: Premise, sign: str, typesetter: Typesetter) -> Iterator[str]:
-    if isinstance(premise, str):
-        yield f"it is {premise}"
-    else:
-        yield from _proof(premise, sign, typesetter)
+def _field(shape: Shape, value: Any, typesetter: Typesetter) -> str:
+    """A field within a sentence; a list of proofs counts them."""
+    if shape.form == "table":
+        return ", ".join(f"{name} = {typesetter.term(term)}" for name, term in value.items())
+    if shape.form in ("list", "row"):
+        return str(len(value))
+    if shape.of == ("claim",):
+        return typesetter.claim(value)
+    return typesetter.term(value) if shape.of == ("term",) else str(value)
 
 
-def _sum(proof: Sum, sign: str, typesetter: Typesetter) -> Iterator[str]:
+def _sum(proof: Sum, typesetter: Typesetter) -> Iterator[str]:
     if proof.using:
         yield f"after replacing what these equations define: {', '.join(proof.using)}"
     parts = [_value(addend, typesetter) for addend in proof.addends]
     parts += [f"({typesetter.term(term)})·[{name}]" for name, term in proof.equations]
     if proof.addends:
-        yield f"if it failed, goal = (left - right), cleared of fractions, would be {sign} 0, and"
+        yield "if it failed, goal = (left - right), cleared of fractions, is > 0 (≥ 0 for <), and"
         yield f"  {' + '.join(parts)} = 0"
         yield "identically, with a positive addend (a name is the difference of its sides)"
     else:

@@ -24,11 +24,12 @@ from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import (
     ConstantStep,
     DefinitionStep,
-    Kind,
     LemmaStep,
     ObligationStep,
     OpenStep,
     Step,
+    mapped,
+    shapes,
 )
 from verify.prover.rules import RULES
 from verify.wire.packaged import packaged_certificate
@@ -187,36 +188,30 @@ def _premise(item: Any, reader: TermReader) -> Any:
 
 def _proof(item: Any, reader: TermReader) -> Any:
     fields = item.keys() - {"rule"}
-    for proof_class, (rule, kinds) in RULES.items():
-        if rule == item["rule"] and kinds.keys() == fields:
-            values = {name: _field(kind, item[name], reader) for name, kind in kinds.items()}
-            return proof_class(**values)
+    for proofs, rule in RULES.items():
+        if rule.name == item["rule"] and shapes(proofs).keys() == fields:
+            return proofs(
+                **{
+                    name: mapped(shape, item[name], lambda leaf, part: _leaf(leaf, part, reader))
+                    for name, shape in shapes(proofs).items()
+                }
+            )
     raise WireError(f"a proof by {item['rule']} has other fields than {sorted(fields)}")
 
 
-def _field(kind: Kind, value: Any, reader: TermReader) -> Any:  # noqa: C901  one case a kind
-    match kind:
-        case Kind.TERM:
-            return reader.term(value)
-        case Kind.TERMS:
-            return reader.table(value)
-        case Kind.PROOF:
-            return _proof(value, reader)
-        case Kind.CLAIM:
-            return reader.comparison(value)
-        case Kind.PREMISE:
-            return _premise(value, reader)
-        case Kind.PREMISES:
-            return tuple(_premise(item, reader) for item in value)
-        case Kind.VALUES:
-            return tuple(_value(item, reader) for item in value)
-        case Kind.COFACTORS:
-            return tuple((name, reader.term(term)) for name, term in value)
-        case Kind.RATIONALS:
-            return tuple(map(Fraction, value))
-        case Kind.BOUNDS:
-            return tuple(map(tuple, value))
-    return tuple(value) if isinstance(value, list) else value
+def _leaf(leaf: str, item: Any, reader: TermReader) -> Any:
+    match leaf:
+        case "term":
+            return reader.term(item)
+        case "claim":
+            return reader.comparison(item)
+        case "proof" | "premise":
+            return _premise(item, reader)
+        case "value":
+            return _value(item, reader)
+        case "number":
+            return Fraction(item)
+    return item
 
 
 def _value(value: Any, reader: TermReader) -> Any:

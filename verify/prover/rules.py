@@ -403,7 +403,9 @@ class Instance(Record):
     givens: tuple[Premise, ...]
 
 
-@_rule("instance", says="each of the {givens} givens holds", stands="applies")
+@_rule(
+    "instance", says="each of the {givens} givens holds", examples="mean-applied", stands="applies"
+)
 class Applying(Record):
     """The values in the claim itself satisfy the givens of its context."""
 

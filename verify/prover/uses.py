@@ -42,6 +42,7 @@ def nodes(outcome: Outcome) -> dict[str, Node]:
     terms = dict(outcome.statement.parameters)
     for constants in (outcome.statement.constants, *(c.constants for c in contexts.values())):
         terms |= {constant.name: constant.term for constant in constants}
+    variables = {variable.name for c in contexts.values() for variable in c.variables}
     found: dict[str, Node] = {}
     for step in outcome.steps:
         if isinstance(step, OpenStep):
@@ -49,7 +50,8 @@ def nodes(outcome: Outcome) -> dict[str, Node]:
                 node = Node(given.name, "given", step.name, given.claim, None, ())
                 found[given.name] = node
             continue
-        used = tuple(dict.fromkeys(facts_of(step.proof)))
+        names = dict.fromkeys(facts_of(step.proof))
+        used = tuple(name for name in names if name not in variables)
         if isinstance(step, ObligationStep):
             row = rows[step.name]
             node = Node(step.name, "obligation", row.context, row.claim, step.proof, used)
@@ -66,7 +68,7 @@ def nodes(outcome: Outcome) -> dict[str, Node]:
 
 
 def facts_of(proof: Any) -> Iterator[str]:
-    """The names of facts in a proof, those of hypotheses of its branches left out."""
+    """The names of facts in a proof, and of variables; hypotheses of its branches are left out."""
     if isinstance(proof, str):
         yield from () if proof.startswith("@") else (proof,)
         return

@@ -30,6 +30,10 @@ class InputError(ValueError):
     """A text that cannot be used: the message says what, where and what to write instead."""
 
 
+class TooDeepError(InputError):
+    """Terms of an input nest more deeply than the checker reads."""
+
+
 def regular_file(path: str, most: int) -> bytes:
     """The content of a file that has an end: nothing is waited for, and no device is read.
 

@@ -169,7 +169,6 @@ def test_curves_for_several_r(capsys: pytest.CaptureFixture[str], tmp_path: Path
         ("--all --r 0.03", "--r: leave it out with --all"),
         ("--all --digits 3", "--digits: leave it out with --all"),
         ("", "--r: is missing; write for example --r 0.03, or --all"),
-        ("--r 0.03 --at 1/10 --digits 400 --out x", "--out: "),
     ],
 )
 def test_one_line_says_what_to_write(
@@ -182,6 +181,15 @@ def test_one_line_says_what_to_write(
     assert out == ""
     assert err.startswith(f"verify: {says}")
     assert err.count("\n") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_is_too_long_for_the_checker_is_not_written(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    words = f"separatrix --r 0.03 --at 1/10 --digits 400 --out {tmp_path / 'x'}"
+    assert main(words.split()) == 2
+    assert capsys.readouterr().err.startswith("verify: --out: the orbits next to f are too long")
     assert list(tmp_path.iterdir()) == []
 
 

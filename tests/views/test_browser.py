@@ -111,12 +111,6 @@ class Browser:
 
 
 @pytest.fixture(scope="module")
-def made() -> Path:
-    """The committed page, which is what people see; CI compares it with what is made now."""
-    return Path(__file__).parents[2] / "certificates"
-
-
-@pytest.fixture(scope="module")
 def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
     browser = Browser(tmp_path_factory.mktemp("profile"))
     yield browser

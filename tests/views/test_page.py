@@ -222,7 +222,8 @@ def test_assumptions_and_digests_are_listed(made: Path, page: str) -> None:
         assert prose(assumption.sentence) in page
 
 
-def test_the_measurements_are_shown(made: Path, page: str) -> None:
+def test_the_measurements_are_shown(built: Path) -> None:
+    page = "".join(pages_of(built).values())
     assert TABLE["title"] in page
     assert 'value="1.0e-1230"' in page
     assert "plot-speed" in page
@@ -259,9 +260,9 @@ def test_prose() -> None:
     assert prose("<script>") == "&lt;script&gt;"
 
 
-def test_a_second_build_is_the_same_to_the_byte(made: Path) -> None:
-    for name, content in build(made, draw=True).items():
-        assert (made / name).read_bytes() == content, name
+def test_a_second_build_is_the_same_to_the_byte(built: Path) -> None:
+    for name, content in build(built, draw=True).items():
+        assert (built / name).read_bytes() == content, name
 
 
 @pytest.fixture(autouse=True)
@@ -278,8 +279,8 @@ def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]
 
 
 @pytest.fixture
-def copy(made: Path, tmp_path: Path) -> Path:
-    return Path(shutil.copytree(made, tmp_path / "certificates"))
+def copy(built: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(built, tmp_path / "certificates"))
 
 
 def test_compare_accepts_and_writes_nothing(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -370,8 +371,8 @@ def test_unusable_measurements(
     assert err.count("\n") == 1
 
 
-def test_absent_measurements_and_spectrum_are_no_error(made: Path, tmp_path: Path) -> None:
-    shutil.copytree(made / MAIN, tmp_path / MAIN)
+def test_absent_measurements_and_spectrum_are_no_error(built: Path, tmp_path: Path) -> None:
+    shutil.copytree(built / MAIN, tmp_path / MAIN)
     pages = build(tmp_path, draw=False)
     assert "pages/spectrum.html" not in pages
     assert "pages/speed.html" not in pages

@@ -35,10 +35,11 @@ def test_the_printed_rows_come_as_they_are_decided() -> None:
 
 
 def test_what_is_cited_is_what_would_be_proved() -> None:
-    assert write(cite_spectrum()) == write(decide_spectrum())
-    assert cite_spectrum().decisions.keys() == decide_spectrum().decisions.keys()
-    for name, found in decide_spectrum().decisions.items():
-        assert cite_spectrum().decisions[name].verdict == found.verdict
+    cited, decided = cite_spectrum(), decide_spectrum()
+    assert write(cited) == write(decided)
+    assert cited.decisions.keys() == decided.decisions.keys()
+    for name, found in decided.decisions.items():
+        assert cited.decisions[name].verdict == found.verdict
 
 
 def test_another_statement_is_not_known() -> None:

@@ -106,20 +106,32 @@ def _leaves(shape: Shape, value: Any) -> Iterator[tuple[str, Any]]:
             yield from _leaves(shape.of[0], item)
 
 
-def mapped(shape: Shape, value: Any, leaf: Callable[[str, Any], Any]) -> Any:
-    """A field with other leaves; lists and rows become tuples."""
+def mapped(proof: Any, leaf: Callable[[str, Any], Any]) -> dict[str, Any]:
+    """The fields of a proof with other leaves; lists and rows become tuples."""
+    return made_of(type(proof), proof._asdict(), leaf)
+
+
+def made_of(
+    proofs: Any, values: Mapping[str, Any], leaf: Callable[[str, Any], Any]
+) -> dict[str, Any]:
+    """The fields of a class of proofs from values with other leaves."""
+    return {name: _mapped(shape, values[name], leaf) for name, shape in shapes(proofs).items()}
+
+
+def _mapped(shape: Shape, value: Any, leaf: Callable[[str, Any], Any]) -> Any:
     if shape.form == "leaf":
         return leaf(shape.of[0], value)
     if shape.form == "choice" or value is None:
         return value
-    if shape.form == "optional":
-        return mapped(shape.of[0], value, leaf)
     if shape.form == "row":
         pairs = zip(shape.of, value, strict=True)
-        return tuple(mapped(inner, item, leaf) for inner, item in pairs)
+        return tuple(_mapped(inner, item, leaf) for inner, item in pairs)
+    (inner,) = shape.of
+    if shape.form == "optional":
+        return _mapped(inner, value, leaf)
     if shape.form == "table":
-        return {name: mapped(shape.of[0], item, leaf) for name, item in value.items()}
-    return tuple(mapped(shape.of[0], item, leaf) for item in value)
+        return {name: _mapped(inner, item, leaf) for name, item in value.items()}
+    return tuple(_mapped(inner, item, leaf) for item in value)
 
 
 class ConstantStep(Record):

@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from verify.language.statement import (
@@ -28,7 +29,7 @@ from verify.prover.proof import (
     ObligationStep,
     OpenStep,
     Step,
-    mapped,
+    made_of,
     shapes,
 )
 from verify.prover.rules import RULES
@@ -170,7 +171,8 @@ def _row(item: Any, reader: TermReader) -> Obligation:
 
 def _step(item: Any, reader: TermReader) -> Step:
     if "open" in item:
-        return OpenStep(item["open"], tuple(_premise(p, reader) for p in item["givens"]))
+        leaf = partial(reader.leaf, _proof, "premise")
+        return OpenStep(item["open"], tuple(map(leaf, item["givens"])))
     proof = _proof(item["proof"], reader)
     if "constant" in item:
         return ConstantStep(item["constant"], proof)
@@ -182,44 +184,9 @@ def _step(item: Any, reader: TermReader) -> Step:
     return DefinitionStep(item["define"], item["context"], reader.term(item["term"]), proof)
 
 
-def _premise(item: Any, reader: TermReader) -> Any:
-    return item if isinstance(item, str) else _proof(item, reader)
-
-
 def _proof(item: Any, reader: TermReader) -> Any:
     fields = item.keys() - {"rule"}
     for proofs, rule in RULES.items():
         if rule.name == item["rule"] and shapes(proofs).keys() == fields:
-            return proofs(
-                **{
-                    name: mapped(shape, item[name], lambda leaf, part: _leaf(leaf, part, reader))
-                    for name, shape in shapes(proofs).items()
-                }
-            )
+            return proofs(**made_of(proofs, item, partial(reader.leaf, _proof)))
     raise WireError(f"a proof by {item['rule']} has other fields than {sorted(fields)}")
-
-
-def _leaf(leaf: str, item: Any, reader: TermReader) -> Any:
-    match leaf:
-        case "term":
-            return reader.term(item)
-        case "claim":
-            return reader.comparison(item)
-        case "proof" | "premise":
-            return _premise(item, reader)
-        case "value":
-            return _value(item, reader)
-        case "number":
-            return Fraction(item)
-    return item
-
-
-def _value(value: Any, reader: TermReader) -> Any:
-    if isinstance(value, str):
-        return value
-    op, *rest = value
-    if op in ("square", "root"):
-        return op, reader.term(rest[0])
-    if op == "pow":
-        return op, _value(rest[0], reader), int(rest[1])
-    return op, *(_value(item, reader) for item in rest)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
+from functools import partial
 from hashlib import sha256
 from typing import Any
 
@@ -33,7 +34,6 @@ from verify.prover.proof import (
     Step,
     leaves,
     mapped,
-    shapes,
 )
 from verify.prover.rules import rule_of
 from verify.wire.term_json import TermWriter
@@ -207,46 +207,13 @@ def _step(step: Step, writer: TermWriter) -> dict[str, Any]:
             "term": writer.term(step.term),
             "proof": proof_document(step.proof, writer),
         }
-    return {"open": step.name, "givens": [_premise(item, writer) for item in step.givens]}
-
-
-def _premise(item: Any, writer: TermWriter) -> Any:
-    return item if isinstance(item, str) else proof_document(item, writer)
+    leaf = partial(writer.leaf, proof_document, "premise")
+    return {"open": step.name, "givens": [*map(leaf, step.givens)]}
 
 
 def proof_document(proof: Proof, writer: TermWriter) -> dict[str, Any]:
     """A proof as JSON: its rule and its fields."""
-    fields = {
-        name: mapped(shape, getattr(proof, name), lambda leaf, item: _leaf(leaf, item, writer))
-        for name, shape in shapes(type(proof)).items()
-    }
-    return {"rule": rule_of(proof)} | fields
-
-
-def _leaf(leaf: str, item: Any, writer: TermWriter) -> Any:
-    match leaf:
-        case "term":
-            return writer.term(item)
-        case "claim":
-            return writer.claim(item)
-        case "proof" | "premise":
-            return _premise(item, writer)
-        case "value":
-            return _value(item, writer)
-        case "number":
-            return str(item)
-    return item
-
-
-def _value(value: Any, writer: TermWriter) -> Any:
-    if isinstance(value, str):
-        return value
-    op, *rest = value
-    if op in ("square", "root"):
-        return [op, writer.term(rest[0])]
-    if op == "pow":
-        return [op, _value(rest[0], writer), str(rest[1])]
-    return [op, *(_value(item, writer) for item in rest)]
+    return {"rule": rule_of(proof)} | mapped(proof, partial(writer.leaf, proof_document))
 
 
 def _step_terms(step: Step) -> Iterator[Term]:

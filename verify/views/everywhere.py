@@ -15,7 +15,6 @@ from verify.language.statement import (
     Obligation,
     Publication,
 )
-from verify.language.terms import symbol
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 from verify.views.plain import plain_letters
 from verify.views.row_lists import MORE
@@ -29,6 +28,7 @@ from verify.views.words import (
     headline,
     in_letters,
     short_name,
+    values_told,
 )
 
 FORMAT = "verify-theorem1-all/1"
@@ -155,9 +155,7 @@ def _how_bad(outcome: Outcome, row: Obligation, instead: Mapping[str, tuple[str,
 
 
 def _dependence(outcome: Outcome, row: Obligation, decision: Decision) -> str:
-    typesetter = plain_letters(outcome)
-    values = ((symbol(name), x) for name, x in decision.witness.items())
-    at = ", ".join(f"{typesetter.term(n)} = {typesetter.term(x)}" for n, x in values)
+    at = values_told(decision.witness, plain_letters(outcome))
     return f"depends: {short_name(row)}: fails at {at}"
 
 

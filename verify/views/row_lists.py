@@ -15,7 +15,6 @@ from verify.language.statement import (
     Obligation,
     Publication,
 )
-from verify.language.terms import symbol
 from verify.language.typeset import Typesetter
 from verify.prover.outcome import Decision, Outcome
 from verify.views.plain import plain_letters
@@ -27,6 +26,7 @@ from verify.views.words import (
     is_called,
     letters,
     short_name,
+    values_told,
     witness_of,
 )
 
@@ -134,10 +134,9 @@ def row_lines(
     uses = f"; with {', '.join(row.uses)}" if row.uses else ""
     method = decision.method or "no rule that was found"
     yield f"            {typesetter.claim(row.claim)}   by {method}{uses}"
-    values = witness_of(row, decision).items()
+    values = witness_of(row, decision)
     if values:
-        at = ", ".join(f"{typesetter.term(symbol(n))} = {typesetter.term(x)}" for n, x in values)
-        yield f"            false at {at}"
+        yield f"            false at {values_told(values, typesetter)}"
     if decision.verdict == REFUTED:
         better = INSTEAD_WORDS.get(verdict, "corrected by")
         severity = row.severity if verdict == REFUTED else ""

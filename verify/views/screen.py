@@ -30,6 +30,7 @@ from verify.views.point import (
     parameters_told,
 )
 from verify.views.words import (
+    SIGNS,
     believed,
     fair,
     group_verdict,
@@ -39,7 +40,6 @@ from verify.views.words import (
     summary,
 )
 
-SIGNS = {"<": "<", "<=": "≤", "=": "="}
 TITLES = {
     PRINTED: "The printed argument for it",
     REPAIRED: "The theorem with repaired constants",

@@ -22,10 +22,11 @@ from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views.enclosures import minimum_of
 from verify.views.plain import plain_letters
 from verify.views.point import in_numbers, parameters_told
-from verify.views.screen import SIGNS, TITLES, verdict_lines
+from verify.views.screen import TITLES, verdict_lines
 from verify.views.words import (
     COUNTED,
     INSTEAD_WORDS,
+    SIGNS,
     constants_of,
     ends_of,
     fair,

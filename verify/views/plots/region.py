@@ -8,7 +8,7 @@ stability threshold does.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from verify.language.statement import PRINTED, PROVED, REFUTED, REPAIRED, UNDECIDED
@@ -16,12 +16,12 @@ from verify.views.everywhere import dependences
 from verify.views.material import Rectangle, Region
 from verify.views.plots.shapes import (
     Areas,
-    Corners,
     Figure,
     Panel,
     Scale,
     Shape,
     Words,
+    corners,
     marks,
     merged,
 )
@@ -119,7 +119,7 @@ def _printed(region: Region, always: int) -> Iterator[Shape]:
     for low, high, refuted in region.bands:
         colour = "undecided" if refuted is None else "refuted-area"
         name = "" if named or refuted is None else "steps refuted"
-        yield Areas(_corners(cells(region.width, low, high)), colour, name=name)
+        yield Areas(corners(cells(region.width, low, high)), colour, name=name)
         named = named or bool(name)
         middle = float(min(Fraction(1), level(high, Fraction(0))) + level(low, Fraction(0))) / 2
         if refuted is not None:
@@ -130,7 +130,7 @@ def _printed(region: Region, always: int) -> Iterator[Shape]:
 
 def _closing(region: Region) -> Iterator[Shape]:
     inside = cells(region.width, Fraction(0), Fraction(1, 2))
-    yield Areas(_corners(inside), "proved-area", name="all proved")
+    yield Areas(corners(inside), "proved-area", name="all proved")
     yield from curves(region)
     yield WHICH
 
@@ -138,21 +138,11 @@ def _closing(region: Region) -> Iterator[Shape]:
 WHICH = Words((0.2, 0.24), "upper curve: stability\nlower curve: existence")
 
 
-def _corners(found: Iterable[Rectangle]) -> list[Corners]:
-    return [
-        (float(left), float(right), float(low), float(high)) for (left, right), (low, high) in found
-    ]
-
-
 def curves(region: Region) -> Iterator[Areas]:
     """Both thresholds."""
     for curve in region.curves:
-        part = [
-            (float(left), float(right), float(low), float(high))
-            for (left, right), (low, high) in curve
-            if low <= 1 and left <= region.width
-        ]
-        yield Areas(part, "ink", 0.8)
+        part = (box for box in curve if box[1][0] <= 1 and box[0][0] <= region.width)
+        yield Areas(corners(part), "ink", 0.8)
 
 
 # --- which entry of the min that bounds eta_bar is the least, over the region --------------------

@@ -76,7 +76,7 @@ def _everywhere(options: Options) -> int:
             shares = thresholds.all_shares(where)
             return view.printed_screen(outcome, where, shares, PAPER, verdicts, INSTEAD)
         from verify.paper.commands.whole import whole
-        from verify.views.whole import constants_and_set
+        from verify.views.everywhere import constants_and_set
         from verify.wire.judge import packaged
         from verify.wire.packaged import AS_PRINTED
 

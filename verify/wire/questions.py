@@ -19,7 +19,7 @@ from verify.wire.inputs import InputError, TooDeepError, shown
 from verify.wire.judge import judged
 from verify.wire.read import cites_of, read_statement
 from verify.wire.term_json import TermReader
-from verify.wire.text.page import Page
+from verify.wire.text import Page
 from verify.wire.write import digest, write
 
 #: What the checker says where there is more than it reads.

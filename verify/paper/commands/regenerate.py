@@ -32,7 +32,7 @@ from verify.paper.groups import REPAIRED
 from verify.paper.parameters import THEOREM
 from verify.paper.separatrix.theorem import NAME
 from verify.prover.outcome import Outcome
-from verify.wire.parameters import are_allowed
+from verify.wire.inputs import are_allowed
 from verify.wire.term_json import TermReader
 from verify.wire.write import write
 

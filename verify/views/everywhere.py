@@ -213,13 +213,14 @@ def latex(whole: Whole) -> str:
     tex = {name: letter for name, (_, letter) in whole.letters.items()}
     formulas = Formulas(tex, {name: letter for name, (letter, _) in whole.letters.items()})
     constants = [rf"{c.tex} = {formulas.term(c.term)}" for c in whole.constants]
+    givens = ", ".join(f"${formulas.claim(given)}$" for given in whole.givens)
     return "\n".join(
         [
             sentences.words(f"{CLAIM} {CONSTANTS}"),
             r"\begin{itemize}",
             *(rf"\item $\displaystyle {text}$" for text in constants),
             r"\end{itemize}",
-            f"{sentences.words(SET)} {', '.join(f'${formulas.claim(given)}$' for given in whole.givens)};",
+            f"{sentences.words(SET)} {givens};",
             sentences.words(FLIGHT),
         ]
     )

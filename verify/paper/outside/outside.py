@@ -26,8 +26,8 @@ ASSUMPTIONS = (
          THEOREM, "(x·z)² ≤ |x|²|z|² for any two vectors.", "general mathematics"),
     Assumption("glue-next", THEOREM,
          "1. If 0 and c collide next, they do so after the time τ, at the first of the two times "
-         "at which they are at distance 1. By impact-velocity-s and impact-velocity-c, with the roles "
-         "exchanged, the inner products just after that collision are those of the constants "
+         "at which they are at distance 1. By impact-velocity-s and impact-velocity-c, with the "
+         "roles exchanged, the inner products just after that collision are those of the constants "
          "named ..._next. If 0 and s collide after that, approaches-again and meets-again hold, by "
          "closing-law and next-meets: 0 and s approach, and ζ' < 1.", "numbered glue"),
     Assumption("glue-ends", THEOREM,

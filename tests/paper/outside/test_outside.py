@@ -10,7 +10,15 @@ import pytest
 from flint import arb
 
 from tests.paper.changing import accepted_lies, answer, changed, report, without
-from tests.paper.outside.states import Ending, collisions_in_turn, ending, fails, holds
+from tests.paper.outside.states import (
+    Ending,
+    collisions_in_turn,
+    ending,
+    fails,
+    floor_of,
+    holds,
+    numbers_of,
+)
 from tests.paper.sandwich.states import Random
 from verify.language.statement import PROVED
 from verify.language.terms import Claim
@@ -188,3 +196,34 @@ def test_a_simulation_that_contradicts_would_be_seen() -> None:
                 seen += 1
                 less += collisions_in_turn(end.particles, len(end.points)) >= len(end.points)
     assert less > 5
+
+
+#: The separatrix at r = 3/100, -cos = 1, equal speeds and q = 1/10.
+BORDER = Fraction("0.0517785628")
+
+
+def nearly_aligned(y: Fraction, u: Fraction) -> Start:
+    """A state in the plane with -cos = 1, unit speeds and q = 1/10, and with this u."""
+    closing, parting = balls.from_fraction(y), balls.from_fraction(y / 10)
+    zeta = balls.from_fraction(u * (2 - u))
+    across = (1 - parting**2).sqrt() * (1 - closing**2).sqrt()
+    one = arb(1)
+    return Start(
+        closing, parting, one, closing, -parting, one, one, parting * closing + across,
+        1 / (1 - zeta * closing**2).sqrt() - 1,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("y", [Fraction(1, 1000), Fraction(1, 10**4)])
+def test_both_borders_come_together_at_the_separatrix(y: Fraction) -> None:
+    r = Fraction(3, 100)
+    with balls.precision(BITS):
+        low = nearly_aligned(y, BORDER - y)
+        stair = search(r, low, Fraction(2))
+        assert stair is not None
+        assert not fails_inside(values_of(stair, Fraction(2), low), stair.points)
+        high = numbers_of(r, nearly_aligned(y, BORDER + 4 * y))
+        assert high is not None
+        points = floor_of(*high)
+        assert points is not None
+        assert not fails(high[0], points)

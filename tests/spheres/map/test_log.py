@@ -27,7 +27,7 @@ DECIDING = (
 )
 #: Of these files, for each code. Where one of them has changed: the next code, or, if no verdict
 #: and no number can have changed, another digest for this code.
-DIGEST = "61afc4178fc19874e606f8c3f0543af0c9dd48cf343f0824e622c65455df829a"
+DIGEST = "459fbc89b305d2e0d2ad5d55447a0d9acc59caafb809d1f939ace1d187ab67b5"
 DIGESTS = {2: DIGEST, 3: DIGEST}
 
 

@@ -163,12 +163,16 @@ def views(
     """The scenes of a plane, in each of the three frames; and the three pairs."""
     given = plane.coordinates
     at = Coordinates(
-        *([[value_of(term, x, y, number) for term in row] for row in rows] for rows in given)
+        *(
+            [[value_of(term, x, y, number) for term in row] for row in rows]
+            for rows in (given.x, given.v)
+        )
     )
 
     def pair(i: int, j: int) -> Pair:
         """A pair that does not vary is known exactly: it may be in contact."""
-        if all(isinstance(x, Fraction) for rows in given for k in (i, j) for x in rows[k]):
+        cells = (x for rows in (given.x, given.v) for k in (i, j) for x in rows[k])
+        if all(isinstance(x, Fraction) for x in cells):
             return Pair(*map(number, given.pair(i, j)))
         return at.pair(i, j)
 

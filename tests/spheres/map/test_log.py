@@ -27,8 +27,8 @@ DECIDING = (
 )
 #: Of these files, for each code. Where one of them has changed: the next code, or, if no verdict
 #: and no number can have changed, another digest for this code.
-DIGEST = "459fbc89b305d2e0d2ad5d55447a0d9acc59caafb809d1f939ace1d187ab67b5"
-DIGESTS = {2: DIGEST, 3: DIGEST}
+DIGEST = "7e8e56d0e25541d00e69e0f31652cfd4b9e18c7faa97e16a4766b15226f04853"
+DIGESTS = {2: DIGEST, 4: DIGEST}
 
 
 def test_other_code_has_another_number() -> None:

@@ -42,7 +42,6 @@ from verify.prover.decimals import decimal_text, round_decimal
 from verify.prover.outcome import Ends, Outcome
 from verify.prover.program import Program, UndefinedError
 from verify.prover.relations import fails, holds
-from verify.views.words import definitions_of
 
 PRECISIONS = (53, 64, 96, 128, 192, 256, 512, 1024, 2048, 4096)
 REFERENCE_BITS = 4096
@@ -113,7 +112,9 @@ def theorem_program(outcome: Outcome) -> tuple[Program, list[int]]:
 def definitions_program(outcome: Outcome) -> Program:
     """Parameters and constants as one program without inputs."""
     program = Program(())
-    for name, term in definitions_of(outcome).items():
+    statement = outcome.statement
+    definitions = {**statement.parameters, **{c.name: c.term for c in statement.constants}}
+    for name, term in definitions.items():
         program.define(name, term)
     return program
 

@@ -11,9 +11,9 @@ from functools import cache
 import numpy as np
 
 from verify.language.record import Record
-from verify.language.terms import Claim
-from verify.paper.sharper.numbers import ROOM, SUMS, eta_0, total
+from verify.language.terms import Claim, names_of
 from verify.prover.program import Machine, Program
+from verify.spheres.flow.collapse import SHARPER
 from verify.spheres.flow.law import State
 from verify.spheres.map.branches import some_of, take
 from verify.spheres.map.intervals import (
@@ -24,6 +24,8 @@ from verify.spheres.map.intervals import (
     square_root,
     up,
 )
+from verify.wire.packaged import packaged_files
+from verify.wire.questions import read_questions
 
 #: The numbers of a collapse, and the unit in which they are written as whole numbers.
 NUMBERS = ("m", "p", "X", "Y", "k", "V")
@@ -112,11 +114,22 @@ def collapsing_on_a_line(r: Intervals, state: State, owners: Array) -> tuple[Arr
 
 @cache
 def conditions() -> tuple[Program, tuple[Claim, ...]]:
-    """What the sharper theorem asks of its numbers, with Theta as the sum of all turns."""
+    """What the sharper theorem asks of its numbers, with Theta as the sum of all turns.
+
+    They are read from the statement that comes with the program, in which the last part of the
+    given `start-C-upper` is that sum.
+    """
+    (start,) = read_questions(packaged_files(SHARPER)[0], {}).contexts[:1]
+    givens = {given.name: given.claim for given in start.givens}
+    turns = givens["start-C-upper"].lhs.children[1]
     program = Program((*NUMBERS, *OTHERS))
-    parts = (over / under for over, under in (SUMS[f"turn_{i}"] for i in (1, 2, 3)))
-    program.define("Theta", total(eta_0, *parts))
-    claims = tuple(claim for name, claim in ROOM.items() if name not in CHOSEN)
+    program.define("Theta", turns)
+    known = {*NUMBERS, *OTHERS, "Theta"}
+    claims = tuple(
+        claim
+        for name, claim in givens.items()
+        if name not in CHOSEN and known.issuperset(names_of(claim.lhs, claim.rhs))
+    )
     for claim in claims:
         program.add(claim.lhs), program.add(claim.rhs)
     return program, claims

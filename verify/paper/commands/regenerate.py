@@ -49,6 +49,7 @@ WITHOUT_PARAMETERS: dict[str, Callable[[], Outcome]] = {
     "classification": classification.decide_classification,
     "sharper": sharper.decide_sharper,
     "sandwich": sandwich.decide_sandwich,
+    "outside": sandwich.decide_outside,
     "flow": scene.decide_flow,
     "line": scene.decide_line,
     NAME: separatrix.decide_separatrix,

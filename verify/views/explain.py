@@ -26,8 +26,8 @@ from verify.prover.proof import Premise, Shape, shapes
 from verify.prover.relations import negation
 from verify.prover.rules import RULES, Sum, Witness, rule_of
 from verify.prover.uses import Node, nodes
-from verify.views.plain import plain_letters
 from verify.views.point import parameters_told
+from verify.views.row_lists import plain_letters
 from verify.views.words import SIGNS, ends_of, fair, letters, short_name, sides_of, values_told
 
 Row = tuple[Obligation, Decision]

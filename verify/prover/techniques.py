@@ -13,7 +13,7 @@ from verify.prover.goal import Goal
 from verify.prover.hint import Hint
 from verify.prover.proof import Proof
 from verify.prover.search.bernstein_boxes import by_bernstein, on_interval
-from verify.prover.search.cosines import by_cosines
+from verify.prover.search.cosine_parts import by_cosines
 from verify.prover.search.differences import by_differences, by_orders_of_variables
 from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_range, by_root
 from verify.prover.search.ends_of_variables import by_ends

@@ -160,3 +160,19 @@ Proof.
     + ring.
 Qed.
 End AnyStep.
+
+Lemma cosine_of m n x i j : has m n x i j -> i <> B0 /\ j <> B0 /\ i <> j -> 0 < 1 + d m ->
+  minus_cosine n x = C m.
+Proof.
+  intros (q & X & [P Q PQ _ _ _ _ _ _ _]) (Ni & Nj & N) F. set (e := 1 + d m) in *.
+  assert (U : distance n x B0 i = 1) by (apply distance_one; exact P).
+  assert (W : distance n x B0 j = e).
+  { unfold distance. rewrite X, dot_scaled, dot_scaled_right, Q.
+    replace (e * (e * 1)) with (e * e) by ring. apply sqrt_square. lra. }
+  assert (K : dot n (to x B0 i) (to x B0 j) = - (e * C m)).
+  { rewrite X, dot_scaled_right, PQ. ring. }
+  assert (M : dot n (to x B0 B1) (to x B0 B2) = - (e * C m) /\
+    distance n x B0 B1 * distance n x B0 B2 = e).
+  { destruct i, j; try easy; rewrite U, W; [|rewrite dot_symmetric]; split; trivial; ring. }
+  unfold minus_cosine. destruct M as [-> ->]. field. lra.
+Qed.

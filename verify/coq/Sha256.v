@@ -260,7 +260,7 @@ Proof.
   unfold padded. rewrite app_length, length_padding. unfold zeros, size.
   rewrite !Nnat.Nat2N.inj_add, Nnat.N2Nat.id. change (N.of_nat 9) with 9.
   generalize (N.of_nat (length m)). intro n.
-  zify. Z.to_euclidean_division_equations. lia.
+  zify; Z.to_euclidean_division_equations; lia.
 Qed.
 
 Lemma low_byte_is n : Byte.to_N (low_byte n) = n mod 256.

@@ -38,6 +38,17 @@ class Cuts(Record):
     branches: tuple[Proof, ...]
 
 
+class MeanValue(Record):
+    """On a box, the value at a point, and for each variable a slope times its change, decide.
+
+    ``bits`` and ``bounds`` are as in `Interval`; ``at`` has a number for variables.
+    """
+
+    bits: int
+    bounds: tuple[tuple[str, str, str], ...]
+    at: Mapping[str, Term]
+
+
 # --- algebra -------------------------------------------------------------------------------------
 
 
@@ -190,6 +201,10 @@ class Witness(Record):
 #: For each class of proofs the name of its rule, and the kinds of its fields.
 RULES: dict[type[Any], tuple[str, Kinds]] = {
     Interval: ("interval", {"bits": Kind.PLAIN, "bounds": Kind.BOUNDS}),
+    MeanValue: (
+        "mean_value",
+        {"bits": Kind.PLAIN, "bounds": Kind.BOUNDS, "at": Kind.TERMS},
+    ),
     Cuts: (
         "cuts",
         {"term": Kind.TERM, "at": Kind.RATIONALS, "branches": Kind.PREMISES},

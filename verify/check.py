@@ -254,6 +254,7 @@ class Kernel:
         self.refused: set[str] = set()
         self.taken: set[str] = {"goal"}
         self.grounds: dict[int, Enclosing] = {}
+        self.slopes: dict[tuple[int, int], int] = {}  # derivatives, for `mean_value`
         self.prefix = ""  # of the names of a cited statement, while that is read
         self.shared: dict[str, Any] = {}  # shared terms that are not read yet
         self.abbreviations: dict[str, int] = {}  # and those that are
@@ -653,7 +654,9 @@ class Kernel:
             need(x in centre.known, Refused, "at: found {}, expected a variable with bounds", name)
             low, high = box.known[x]
             need(low <= c <= high, Refused, "at: found {} outside of {}", name, box.known[x])
-            slope = box.enclose(Slopes(self, place.context, x).of(h))
+            if (h, x) not in self.slopes:
+                self.slopes[h, x] = Slopes(self, place.context, x).of(h)
+            slope = box.enclose(self.slopes[h, x])
             changes.append(box.outward(box.mul(slope, Interval(low - c, high - c))))
             centre.known[x] = Interval(c, c)
         least = centre.enclose(h)

@@ -21,6 +21,7 @@ from verify.prover.rules import MeanValue
 from verify.prover.search.compiled import estimates, range_function
 from verify.prover.search.derivatives import derivative
 from verify.prover.search.exact import ExactRanges
+from verify.prover.search.nested import Nested
 from verify.prover.search.question import Question
 from verify.prover.search.tree import Ends, Piece, Tree, cost_of
 
@@ -33,18 +34,21 @@ PARTS = 64
 
 
 def by_mean_values(question: Question, leaves: int) -> Proof | None:
-    """Slopes on at most so many parts of the box."""
+    """Slopes on at most so many parts of the box, for the claim in its nested form."""
     goal = question.goal
     if goal.box is None or not goal.variables:
         return None
-    slopes = Slopes.of(goal.claim, tuple(goal.variables), goal.definitions)
+    nested = Nested(question)
+    slopes = Slopes.of(nested.claim, tuple(goal.variables), goal.definitions)
     if slopes is None:
         return None
-    tree = MeanTree(goal.claim, goal.variables, goal.definitions, question.budget, slopes)
+    tree = MeanTree(nested.claim, goal.variables, goal.definitions, question.budget, slopes)
     proof = tree.prove(leaves)
-    if proof is None and tree.left is not None:
-        question.known.left = dict(zip(goal.variables, tree.left.ends, strict=True))
-    return proof
+    if proof is None:
+        if tree.left is not None:
+            question.known.left = dict(zip(goal.variables, tree.left.ends, strict=True))
+        return None
+    return proof if nested.claim == goal.claim else nested.proof(proof)
 
 
 class Slopes:

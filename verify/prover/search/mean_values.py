@@ -31,6 +31,8 @@ BITS = 32
 NEAR = 1e-7
 #: A point divides the range of its variable into parts whose lengths are whole numbers of these.
 PARTS = 64
+#: What leaves may cost the checker, in its units: most of what a certificate may.
+MAX_UNITS = 5_400_000
 
 
 def by_mean_values(question: Question, leaves: int) -> Proof | None:
@@ -80,6 +82,8 @@ class Slopes:
 
 class MeanTree(Tree):
     """The same tree, with leaves of both kinds."""
+
+    units = MAX_UNITS
 
     def __init__(
         self,

@@ -98,7 +98,7 @@ class Nested:
 
 
 def _nested(clearing: Clearing, polynomial: Polynomial) -> Term:
-    """c + x p + y q + ..., where x occurs in most monomials, y in most of the others, and so on."""
+    """A number + x p + y q + ..., where x occurs in most monomials, y in most of the others, and so on."""
     if polynomial.is_zero():
         return as_term(0)
     if polynomial.is_constant():

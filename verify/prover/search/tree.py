@@ -67,6 +67,8 @@ class Tree:
         hypotheses: how many there are before the first cut.
     """
 
+    units = MAX_UNITS
+
     def __init__(
         self,
         claim: Claim,
@@ -94,7 +96,7 @@ class Tree:
 
     def prove(self, leaves: int) -> Proof | None:
         """A proof with at most so many leaves."""
-        self.leaves, self.most = 0, min(leaves, MAX_UNITS // self.cost)
+        self.leaves, self.most = 0, min(leaves, self.units // self.cost)
         self.guessed = []
         proof = self._cover(self.root, self.gap(self.root.ends))
         return proof if proof is not None and all(map(self._holds, self.guessed)) else None

@@ -659,10 +659,10 @@ class Kernel:
             slope = box.enclose(self.slopes[h, x])
             changes.append(box.outward(box.mul(slope, Interval(low - c, high - c))))
             centre.known[x] = Interval(c, c)
-        least = centre.enclose(h)
+        least, zero = centre.enclose(h), Fraction(0)
         for change in changes:
             least = box.outward(box.add(least, change))
-        good = HOLDS[relation](Interval(Fraction(0), Fraction(0)), least)
+        good = HOLDS[relation](Interval(zero, zero), least)
         need(good, Refused, "found {} for rhs - lhs, expected 0 {} it", least, relation)
 
     def cosine(self, place: Place, claim: Claim, __: Proof) -> None:
@@ -1809,13 +1809,13 @@ bounds = array(tuple_of(context_name, reference, reference))
 #: Each rule with the shape of its proofs.
 RULES: dict[str, tuple[Callable[..., None], Shape]] = {
     "interval": (Kernel.interval, record(rule=rule, bits=bits, bounds=bounds)),
-    "mean_value": (
-        Kernel.mean_value,
-        record(rule=rule, bits=bits, bounds=bounds, at=table(number)),
-    ),
     "cuts": (
         Kernel.cuts,
         record(rule=rule, term=anything, at=array(number), branches=proofs),
+    ),
+    "mean_value": (
+        Kernel.mean_value,
+        record(rule=rule, bits=bits, bounds=bounds, at=table(number)),
     ),
     "sum": (
         Kernel.sum,

@@ -26,6 +26,7 @@ from verify.prover.rules import (
     Interval,
     Law,
     Least,
+    MeanValue,
     Monotony,
     Root,
     Sum,
@@ -139,6 +140,10 @@ def _proof(  # noqa: C901  one case a rule
     match proof:
         case Interval(bits=bits):
             yield f"by enclosures of both sides with {bits} bits"
+        case MeanValue(bits=bits, at=at):
+            values = ", ".join(f"{key} = {typesetter.term(term)}" for key, term in at.items())
+            yield f"by enclosures with {bits} bits: right - left at {values},"
+            yield "and for each of these variables its derivative on the box, times the distance"
         case Sum():
             yield from _sum(proof, sign, typesetter)
         case Entry():

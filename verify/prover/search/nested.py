@@ -98,7 +98,7 @@ class Nested:
 
 
 def _nested(clearing: Clearing, polynomial: Polynomial) -> Term:
-    """A number + x p + y q + ..., where x occurs in most monomials, y in most of the others, and so on."""
+    """The sum x p + y q + ..., where x is in most monomials, y in most of the others, and so on."""
     if polynomial.is_zero():
         return as_term(0)
     if polynomial.is_constant():

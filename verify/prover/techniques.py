@@ -12,6 +12,7 @@ from verify.prover.clearing import TooLongError
 from verify.prover.goal import Goal
 from verify.prover.hint import Hint
 from verify.prover.proof import Proof
+from verify.prover.search.arguments_of_functions import by_arguments
 from verify.prover.search.bernstein_boxes import by_bernstein, on_interval
 from verify.prover.search.cosines import by_cosines
 from verify.prover.search.differences import by_differences, by_orders_of_variables
@@ -122,6 +123,7 @@ SEARCHES = (
     Technique("coefficients in squares of variables", by_even_powers),
     Technique("coefficients where a claim may fail", partial(by_restriction, parts=FEW_PARTS)),
     Technique("slopes", partial(by_mean_values, leaves=MANY_LEAVES)),
+    Technique("arguments of functions", by_arguments),
     Technique("ends of variables", by_ends),
     Technique("squaring", by_squaring),
     Technique("factors", by_factors),

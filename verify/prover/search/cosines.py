@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from verify.language.terms import Claim, Term
 from verify.prover.proof import Proof
+from verify.prover.rules import Sum
 from verify.prover.search.angles import Linear
 from verify.prover.search.cosine_bounds import CosineBounds
 from verify.prover.search.cosine_parts import LENGTHS, Parts
 from verify.prover.search.levels import by_levels
 from verify.prover.search.question import Question
+from verify.prover.session import ZERO
 
 
 def by_cosines(question: Question) -> Proof | None:
@@ -20,7 +23,23 @@ def by_cosines(question: Question) -> Proof | None:
     proof = linear.identity(question.goal.claim.relation)
     if proof is not None or question.goal.claim.relation == "=":
         return proof
-    return next(filter(None, _proofs(CosineBounds(question, linear))), None)
+    found = next(filter(None, _proofs(CosineBounds(question, linear))), None)
+    return found or _by_linear_claim(question, linear)
+
+
+def _by_linear_claim(question: Question, linear: Linear) -> Proof | None:
+    """The claim with sums for products, if that has fewer cosines."""
+    parts = {cosine: p for cosine, p in linear.parts.items() if not p.is_zero()}
+    if not linear.equations or len(parts) >= len(linear.cosines):
+        return None
+    term: Term = ZERO
+    for cosine, p in parts.items():
+        part = linear.clearing.term(p)
+        term = term + (part if cosine is None else part * cosine)
+    fact = question.fact(Claim(question.goal.claim.relation, term, ZERO))
+    if fact is None:
+        return None
+    return Sum(("goal", fact), tuple(linear.using), linear.cofactors(-1))
 
 
 def _proofs(bounds: CosineBounds) -> Iterator[Proof | None]:

@@ -8,12 +8,13 @@ since the pages have to be readable without a network.
 
 from __future__ import annotations
 
+import inspect
 import json
 import re
 import subprocess
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from importlib import import_module
 from pathlib import Path
@@ -26,6 +27,8 @@ from verify.language.statement import NEEDED, OTHERWISE
 from verify.paper.glossary import LETTERS
 from verify.paper.in_coq import IN_COQ
 from verify.paper.theorem1 import theorem
+from verify.prover.proof import Shape, shapes
+from verify.prover.rules import RULES
 from verify.views.words import DEFINITION
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -196,6 +199,7 @@ RUNS = {
     "classification": ("classification", "`check.py`"),
     "separatrix --all": ("separatrix", "`check.py`"),
     "the sandwich theorem": ("sandwich", "`check.py`"),
+    "its other half, outside the set": ("outside", "`check.py`"),
     "the printed set": ("printed-set", "`check.py`"),
 }
 
@@ -317,6 +321,99 @@ def equal_width() -> str:
 def double_verdicts() -> str:
     """What plain doubles get wrong."""
     return measured("double_verdicts")
+
+
+# --- the rules of the kernel ---------------------------------------------------------------------
+
+LAW = ROOT / "certificates/README.md"
+SCHEMA = ROOT / "certificates/schema/certificate.schema.json"
+
+
+def rules() -> dict[Path, str]:
+    """The two files that show the rules, as `verify.prover.rules` has them."""
+    begin = "<!-- made from verify/prover/rules.py by docs/generated.py -->\n"
+    end = "<!-- so far -->"
+    first, rest = LAW.read_text(encoding="utf-8").split(begin)
+    page = "\n".join([first + begin, *rules_in_words(), end + rest.split(end)[1]])
+    first, rest = SCHEMA.read_text(encoding="utf-8").split('  "definition":')
+    head = first.split('  "interval":')[0]
+    found = (f"  {packed({name: what}, 1)[1:-1]},\n" for name, what in rule_shapes().items())
+    return {LAW: page, SCHEMA: "".join([head, *found, '  "definition":', rest])}
+
+
+def rules_in_words() -> Iterator[str]:
+    """A table of the rules, and a paragraph on each."""
+    laws = {}
+    for proofs, rule in RULES.items():
+        meaning, _, law = inspect.getdoc(proofs).replace("``", "`").partition("\n\n")
+        if law:
+            laws[rule, ", ".join(proofs._fields)] = " ".join(meaning.split()), law
+    rows = ([f"`{rule.name}`", meaning] for (rule, _), (meaning, _) in laws.items())
+    yield table(("rule", "in a sentence"), rows)
+    for (rule, fields), (_, law) in laws.items():
+        links = ", ".join(f"[`{name}`](examples/{name})" for name in rule.examples)
+        examples = f"Example{'s' * (len(rule.examples) > 1)}: {links}."
+        gap = "\n\n" if law.endswith("|") else " "
+        yield f"\n**`{rule.name}`** `{{{fields}}}`: {law}{gap}{examples}"
+    yield ""
+
+
+def rule_shapes() -> dict[str, Any]:
+    """For each rule the schema of its proofs, and which of them may stand anywhere."""
+    found = {}
+    for proofs, rule in RULES.items():
+        meaning = inspect.getdoc(proofs).replace("``", "`").partition("\n\n")[0]
+        fields = {name: shape_schema(shape) for name, shape in shapes(proofs).items()}
+        found[rule.stands if rule.name in found else rule.name] = {
+            "description": " ".join(meaning.split()),
+            "type": "object",
+            "required": ["rule", *fields],
+            "properties": {"rule": {"const": rule.name}, **fields},
+            "additionalProperties": False,
+        }
+    anywhere = [reference(rule.name) for rule in RULES.values() if rule.stands == "proof"]
+    return found | {"proof": {"description": "a proof of a claim", "oneOf": anywhere}}
+
+
+def reference(name: str) -> dict[str, str]:
+    """A reference to a definition of the schema."""
+    return {"$ref": f"#/$defs/{name}"}
+
+
+def shape_schema(shape: Shape) -> dict[str, Any]:
+    """What a field of a proof may hold."""
+    if shape.form == "leaf":
+        return reference(shape.of[0])
+    if shape.form == "choice":
+        return {"enum": [*shape.of]}
+    inner = [shape_schema(part) for part in shape.of]
+    match shape.form:
+        case "optional":
+            return {"anyOf": [*inner, {"type": "null"}]}
+        case "table":
+            named = {"propertyNames": reference("name"), "additionalProperties": inner[0]}
+            return {"type": "object", **named}
+        case "row":
+            size = {"minItems": len(inner), "maxItems": len(inner)}
+            return {"type": "array", "prefixItems": inner, **size}
+    return {"type": "array", "items": inner[0]} | ({"minItems": shape.least} if shape.least else {})
+
+
+def packed(value: Any, indent: int) -> str:
+    """A JSON value in lines that are filled up to 100 characters."""
+    flat = json.dumps(value, ensure_ascii=False)
+    if len(flat) + indent <= 94 or not isinstance(value, list | dict):
+        return flat
+    if isinstance(value, list):
+        parts = [packed(item, indent + 1) for item in value]
+    else:
+        parts = [f"{json.dumps(key)}: {packed(item, indent + 1)}" for key, item in value.items()]
+    lines = [""]
+    for part in parts:
+        fits = len(lines[-1]) + len(part) + indent <= 94 and "\n" not in part
+        lines[-1:] = [f"{lines[-1]}{part}, "] if fits or not lines[-1] else [lines[-1], f"{part}, "]
+    text = f"\n{' ' * (indent + 1)}".join(line.rstrip() for line in lines).removesuffix(",")
+    return f"{flat[0]}{text}{flat[-1]}"
 
 
 # --- the plan of the house ------------------------------------------------------------------------
@@ -443,3 +540,8 @@ def setup(app: Any) -> dict[str, bool]:
     app.connect("source-read", _read)
     app.connect("build-finished", _finished)
     return {"parallel_read_safe": True}
+
+
+if __name__ == "__main__":
+    for path, text in rules().items():
+        path.write_text(text, encoding="utf-8")

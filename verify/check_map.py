@@ -975,10 +975,65 @@ def varying(plane: Through | Family) -> list[tuple[Place, Term]]:
     ]
 
 
+#: A polynomial of x and y: the coefficient of x^i y^j, by i and j.
+Polynomial = dict[tuple[int, int], Fraction]
+#: Polynomials with more coefficients are not used.
+MAX_COEFFICIENTS = 100
+
+
+def polynomial(term: Term) -> Polynomial | None:
+    """A term as a polynomial; None if it divides by x or y, or is long."""
+    if isinstance(term, Fraction):
+        return {(0, 0): term}
+    if isinstance(term, str):
+        return {(int(term == "x"), int(term == "y")): Fraction(1)}
+    name, one, two = term
+    a, b = polynomial(one), polynomial(two)
+    if a is None or b is None:
+        return None
+    if name == "/":
+        if {*b} != {(0, 0)} or b[0, 0] == 0:
+            return None
+        name, b = "*", {(0, 0): 1 / b[0, 0]}
+    if name == "*":
+        products = [((i + k, j + m), p * q) for (i, j), p in a.items() for (k, m), q in b.items()]
+    else:
+        products = [*a.items(), *((power, q if name == "+" else -q) for power, q in b.items())]
+    found: Polynomial = {}
+    for power, value in products:
+        found[power] = found.get(power, Fraction(0)) + value
+    return found if len(found) <= MAX_COEFFICIENTS else None
+
+
 def on_a_line(plane: Plane) -> bool:
-    """Whether at most one coordinate, the same for all, ever differs between spheres."""
+    """Whether all vectors between spheres are multiples of one vector, in every scene.
+
+    Where a coordinate is no polynomial, this is only said if at most one, the same for all spheres,
+    ever differs between them.
+    """
     if not isinstance(plane, Through | Family):
         return False
+    terms = dict(varying(plane))
+    line: list[Fraction] = []
+    for name, rows in (("positions", plane.positions), ("velocities", plane.velocities)):
+        for i in (1, 2):
+            vector = []
+            for k in range(len(rows[0])):
+                to, start = (terms.get((name, j, k), rows[j][k]) for j in (i, 0))
+                found = polynomial(("-", to, start))
+                if found is None:
+                    return _along_an_axis(plane)
+                vector.append(found)
+            for power in {power for cell in vector for power in cell}:
+                part = [cell.get(power, Fraction(0)) for cell in vector]
+                line = line or ([] if not any(part) else part)
+                if any(p * line[m] != q * line[k] for k, p in enumerate(part)
+                       for m, q in enumerate(part) if line):  # fmt: skip
+                    return False
+    return True
+
+
+def _along_an_axis(plane: Through | Family) -> bool:
     rows = (*plane.positions, *plane.velocities)
     moving = {k for (_, _, k), _ in varying(plane)}
     for one, two, three in (rows[:3], rows[3:]):

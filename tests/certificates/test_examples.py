@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 
+from docs.generated import rules
 from tests.certificates import flow
 from verify import check
 
@@ -172,6 +173,11 @@ def test_readme_shows_the_committed_example() -> None:
     assert [path for path, _ in shown] == names
     for path, text in shown:
         assert (CERTIFICATES / path).read_text(encoding="utf-8") == text
+
+
+def test_rules_are_shown_as_the_prover_has_them() -> None:
+    for path, text in rules().items():
+        assert path.read_text(encoding="utf-8") == text, "run `python docs/generated.py`"
 
 
 def test_readme_links_to_what_is_there() -> None:

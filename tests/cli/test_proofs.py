@@ -18,6 +18,7 @@ from verify.language.statement import UNDECIDED
 from verify.paper.commands import everywhere, index, step
 from verify.paper.source import PAPER
 from verify.prover.outcome import CHECKER
+from verify.prover.rules import RULES, Sum
 from verify.prover.uses import nodes
 from verify.views import graph as view
 from verify.views.explain import explain
@@ -315,6 +316,17 @@ def test_every_fact_can_be_explained_and_drawn(where: str) -> None:
     assert len(names) == len(found.vertices) > 1
     assert all(name in names for edge in found.edges for name in edge)
     ElementTree.fromstring(view.to_svg(found))
+
+
+@pytest.mark.parametrize("proofs", RULES)
+def test_a_proof_by_each_rule_is_told_in_words(proofs: type[object]) -> None:
+    rule = RULES[proofs]
+    told = "identically" if proofs is Sum else rule.says.partition("{")[0].partition("\n")[0]
+    outcomes = [outcome_of(f"certificates/examples/{name}") for name in rule.examples]
+    pages = [explain(outcome, name, PAPER) for outcome in outcomes for name in nodes(outcome)]
+    assert any(told in line for page in pages for line in page)
+    cites = any(outcome.statement.cites for outcome in outcomes)
+    assert cites or not any("a fact of a cited" in line for page in pages for line in page)
 
 
 def test_a_row_that_is_left_open_has_no_proof() -> None:

@@ -7,7 +7,7 @@ import re
 from verify.language.statement import UNDECIDED
 from verify.language.terms import Claim, as_term, symbol
 from verify.library import ask, for_all, lemma, prove
-from verify.prover.size import MAX_BITS, is_too_long
+from verify.prover.reasons import MAX_BITS, is_too_long
 
 x, y = symbol("x"), symbol("y")
 

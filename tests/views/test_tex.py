@@ -22,11 +22,11 @@ from verify.paper.commands.whole import whole
 from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
 from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome
+from verify.views.everywhere import latex
 from verify.views.markdown import report
 from verify.views.tex.article import END, PREAMBLE, part
 from verify.views.tex.formulas import Formulas, safe_letter
 from verify.views.tex.sentences import name, tex_number, words
-from verify.views.whole import latex
 from verify.wire.judge import read_judged
 from verify.wire.read import read
 

@@ -106,9 +106,9 @@ def _print_report(found: Sequence[CheckedFolder], *, latex: bool, full: bool) ->
         from verify.paper.commands.whole import whole  # loaded only where they are used
         from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
         from verify.paper.source import PAPER
+        from verify.views.everywhere import latex as theorem_tex
         from verify.views.markdown import report
         from verify.views.tex.article import tex_document
-        from verify.views.whole import latex as theorem_tex
         from verify.wire.judge import read_judged
         from verify.wire.term_json import WireError
 

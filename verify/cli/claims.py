@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from verify.cli.options import Options, Parser
@@ -21,19 +21,28 @@ def add_arguments(parser: Parser) -> None:
 
 
 def answer(
-    outcome: Outcome, options: Options, document: Mapping[str, Any] | None, screen: Iterable[str]
+    outcome: Outcome,
+    options: Options,
+    document: Callable[[], Mapping[str, Any]],
+    screen: Callable[[], Iterable[str]],
 ) -> None:
-    """Print the document, if there is one, or the screen; with ``--rows`` only those rows of it.
+    """Write the certificate that is asked for, and print the document or the screen.
+
+    With ``--rows`` only those rows of it are printed.
 
     Raises:
-        InputError: if there is no row of this name.
+        InputError: if there is no row of this name, or a file cannot be written.
     """
-    if document is None:
-        show(told(outcome, options, screen), options)
-        return
-    from verify.cli.files import print_document  # loaded only where it is used
+    from verify.cli.files import print_document, write_certificate  # loaded only where it is used
 
-    print_document(document if options.rows is None else only(outcome, options.rows, document))
+    if options.out is not None:
+        write_certificate("--out", options.out, outcome)
+    if not options.json:
+        show(told(outcome, options, screen()), options)
+    elif options.rows is None:
+        print_document(document())
+    else:
+        print_document(only(outcome, options.rows, document()))
 
 
 def only(outcome: Outcome, name: str, document: Mapping[str, Any]) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from verify.cli import claims
-from verify.cli.files import test_folder, write_certificate
+from verify.cli.files import test_folder
 from verify.cli.options import Options, Parser
 from verify.paper.classification.meaning import MEANING
 from verify.paper.commands.classification import (
@@ -37,23 +37,16 @@ def run(options: Options) -> int:
     outcome = decide_classification()
     found = None if r is None else at_restitution(r)
     verdict = verdict_at(outcome, found)
-    if options.out is not None:
-        write_certificate("--out", options.out, outcome)
-    if options.json:
-        document = classification_document(outcome)
-        if found is not None:
-            document |= restitution_document(found)
-        if verdict != outcome.verdict:
-            document |= {"verdict": verdict, "headline": verdict}
-        claims.answer(outcome, options, document, ())
-    else:
-        text = [*screen("Which collapses there are", outcome, PAPER), ""]
-        if options.verbose:
-            text += [*meaning_lines(MEANING, PAPER), ""]
-        if found is not None:
-            text += [*restitution_lines(found), ""]
-        text += theorem_lines(outcome, PAPER)
-        if verdict != outcome.verdict:
-            text += [f"{verdict.capitalize()}: the longest run at this r"]
-        claims.answer(outcome, options, None, text)
+    document, text = classification_document(outcome), []
+    if options.verbose:
+        text += [*meaning_lines(MEANING, PAPER), ""]
+    if found is not None:
+        document |= restitution_document(found)
+        text += [*restitution_lines(found), ""]
+    text += theorem_lines(outcome, PAPER)
+    if verdict != outcome.verdict:
+        document |= {"verdict": verdict, "headline": verdict}
+        text += [f"{verdict.capitalize()}: the longest run at this r"]
+    title = screen("Which collapses there are", outcome, PAPER)
+    claims.answer(outcome, options, lambda: document, lambda: [*title, "", *text])
     return EXIT_CODES[verdict]

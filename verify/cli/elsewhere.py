@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from verify.cli import claims
-from verify.cli.files import test_folder, write_certificate
+from verify.cli.files import test_folder
 from verify.cli.options import Options, Parser
 from verify.paper.commands.elsewhere import decide_elsewhere
 from verify.paper.source import PAPER
@@ -25,9 +25,10 @@ def run(options: Options) -> int:
 
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = decide_elsewhere()
-    if options.out is not None:
-        write_certificate("--out", options.out, outcome)
-    document = claims_document(outcome, "elsewhere", FORMAT) if options.json else None
-    text = [*screen(TITLE, outcome, PAPER), "", f"Verdict: {summary(outcome, PAPER)}"]
-    claims.answer(outcome, options, document, text)
+    claims.answer(
+        outcome,
+        options,
+        lambda: claims_document(outcome, "elsewhere", FORMAT),
+        lambda: [*screen(TITLE, outcome, PAPER), "", f"Verdict: {summary(outcome, PAPER)}"],
+    )
     return outcome.exit_code

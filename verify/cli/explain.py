@@ -152,7 +152,7 @@ def _anywhere(word: str, options: Options) -> list[str]:
 def _answer(word: str, outcome: Outcome | None) -> list[str]:
     """What a label or a constant comes to: at a point of Theorem 1, or in another statement."""
     from verify.paper.source import PAPER, printed_number  # loaded only where they are used
-    from verify.views.answer import about_constant, about_label
+    from verify.views.explain import about_constant, about_label
 
     if printed_number(word) is None and not CONSTANT.fullmatch(word):
         return []

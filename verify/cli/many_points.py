@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 
 from verify.cli import claims
-from verify.cli.files import print_document, progress, test_folder, write_certificate, write_file
+from verify.cli.files import print_document, progress, test_folder, write_file
 from verify.cli.options import Options
 from verify.cli.terminal import show
 from verify.cli.theorem1_point import DEFAULTS, POINT_OPTIONS, read_parameters
@@ -21,6 +21,8 @@ from verify.prover.outcome import EXIT_CODES, conjunction
 from verify.wire.inputs import InputError, integer, neg_cos, positive, restitution, shown
 
 if TYPE_CHECKING:
+    from typing import Any
+
     from verify.views.material import ScannedPoint
 
 #: What takes seconds; all of it is one search.
@@ -50,10 +52,7 @@ def _everywhere(options: Options) -> int:
     others = ("r", "neg_cos", "V0", "delta_theta", "steps", "csv")
     _leave_out(options, "--all", (*POINT_OPTIONS, *others))
     test_folder("--out", options.out, "statement.json", "certificate.json")
-    from verify.paper.commands import (
-        everywhere,  # loaded only where they are used
-        thresholds,  # loaded only where they are used
-    )
+    from verify.paper.commands import everywhere, thresholds  # loaded only where they are used
     from verify.paper.commands.printed_set import verdicts_as_printed
     from verify.views import everywhere as view
     from verify.views.document import claims_document
@@ -65,30 +64,27 @@ def _everywhere(options: Options) -> int:
     else:
         outcome = everywhere.cite_everywhere()
     argument = conjunction(outcome.decisions.values())
-    code = EXIT_CODES[argument]
-    if options.out is not None:
-        write_certificate("--out", options.out, outcome)
     verdicts = verdicts_as_printed()
-    if options.json:
-        document = claims_document(outcome, "theorem1", view.FORMAT)
+
+    def document() -> dict[str, Any]:
+        found = claims_document(outcome, "theorem1", view.FORMAT)
+        return found | ({"sets": {"printed": {"verdict": argument, **verdicts}}} if printed else {})
+
+    def screen() -> Iterable[str]:
         if printed:
-            document["sets"] = {"printed": {"verdict": argument, **verdicts}}
-        claims.answer(outcome, options, document, ())
-        return code
-    if printed:
-        where = thresholds.decide_thresholds()
-        shares = thresholds.all_shares(where)
-        text = view.printed_screen(outcome, where, shares, PAPER, verdicts, INSTEAD)
-    else:
+            where = thresholds.decide_thresholds()
+            shares = thresholds.all_shares(where)
+            return view.printed_screen(outcome, where, shares, PAPER, verdicts, INSTEAD)
         from verify.paper.commands.whole import whole
-        from verify.views.whole import constants_and_set
+        from verify.views.everywhere import constants_and_set
         from verify.wire.judge import packaged
         from verify.wire.packaged import AS_PRINTED
 
         as_printed = packaged(AS_PRINTED)
-        text = view.screen(outcome, PAPER, verdicts, as_printed, constants_and_set(whole()))
-    claims.answer(outcome, options, None, text)
-    return code
+        return view.screen(outcome, PAPER, verdicts, as_printed, constants_and_set(whole()))
+
+    claims.answer(outcome, options, document, screen)
+    return EXIT_CODES[argument]
 
 
 def _box(options: Options) -> int:
@@ -105,13 +101,15 @@ def _box(options: Options) -> int:
     from verify.views.material import ParameterBox
 
     found = box.answer(ParameterBox(*sides), v_0, delta_theta)
-    cited = found.outcome.assumptions
-    if options.out is not None and found.verdict != UNDECIDED:
-        write_certificate("--out", options.out, found.outcome)
-    elif options.out is not None:
+    if options.out is not None and found.verdict == UNDECIDED:
         print("verify: no certificate was written; ask for the certified part", file=sys.stderr)
-    document = view.box_document(found, cited) if options.json else None
-    claims.answer(found.outcome, options, document, view.screen(found, PAPER))
+        options.out = None
+    claims.answer(
+        found.outcome,
+        options,
+        lambda: view.box_document(found, found.outcome.assumptions),
+        lambda: view.screen(found, PAPER),
+    )
     return EXIT_CODES[found.verdict]
 
 

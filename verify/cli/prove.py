@@ -23,7 +23,7 @@ from verify.paper.source import PAPER
 from verify.prover.budget import WORK, WorkBudget
 from verify.prover.outcome import Outcome
 from verify.views.prove import decided_document, decided_lines
-from verify.wire.inputs import InputError, integer, nearest, rational, shown
+from verify.wire.inputs import InputError, TooDeepError, integer, nearest, rational, shown
 from verify.wire.questions import all_cites, decide, read_page_of
 
 #: The exit code of what was interrupted, as of any command.
@@ -53,8 +53,8 @@ def run(options: Options) -> int:
     budget = WorkBudget(work, _seconds(options.time), steps, catches=True)
     try:
         outcome = decide(statement, budget, page.hints)
-    except InputError as error:
-        if options.STATEMENT.endswith(".json") or "nest" not in str(error):
+    except TooDeepError as error:
+        if options.STATEMENT.endswith(".json"):
             raise
         # The checker counts brackets of the statement that is made of a page.
         path = shown(options.STATEMENT)

@@ -26,6 +26,8 @@ def write_scene(
     """
     if found.verdict == UNDECIDED:
         return "the scene is undecided"
+    if found.flow.scene.bodies is not None:
+        return "the theorem about one collision is about equal masses and radii"
     if found.line is not None and found.verdict == DISPERSES:
         return _too_many(found)
     complaint = OwnError("no precision suffices to evaluate the constants of the scene")

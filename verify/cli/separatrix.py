@@ -79,10 +79,8 @@ def _theorem(options: Options) -> int:
 
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = decide()
-    if options.out is not None:
-        write_certificate("--out", options.out, outcome)
-    document = theorem_document(outcome) if options.json else None
-    claims.answer(outcome, options, document, theorem_screen(outcome, PAPER))
+    document, text = theorem_document, theorem_screen
+    claims.answer(outcome, options, lambda: document(outcome), lambda: text(outcome, PAPER))
     return outcome.exit_code
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from verify.cli import claims
-from verify.cli.files import test_folder, write_certificate
+from verify.cli.files import test_folder
 from verify.cli.options import Options, Parser
 from verify.paper.commands.spectrum import cite_spectrum
 from verify.paper.source import PAPER
@@ -52,21 +52,14 @@ def run(options: Options) -> int:
     bits = integer("--precision", options.precision, 2, MAX_PRECISION)
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = cite_spectrum()
-    if options.out is not None:
-        write_certificate("--out", options.out, outcome)
-    spectrum = None
+    document = spectrum_document(outcome)
+    text = [*screen("Spectral claims, for every r in ]0,1[", outcome, PAPER)]
     if r is not None:
         from verify.paper.commands import eigenvalues  # loaded only where it is used
 
         spectrum = eigenvalues.at(r[0], bits) if len(r) == 1 else eigenvalues.over(r[0], r[1], bits)
-    if options.json:
-        found = spectrum_document(outcome)
-        if r is not None and spectrum is not None:
-            found |= point_document(r, spectrum, bits)
-        claims.answer(outcome, options, found, ())
-    else:
-        text = [*screen("Spectral claims, for every r in ]0,1[", outcome, PAPER)]
-        if r is not None and spectrum is not None:
-            text += point_lines(r, spectrum)
-        claims.answer(outcome, options, None, [*text, "", verdict_line(outcome, PAPER)])
+        document |= point_document(r, spectrum, bits)
+        text += point_lines(r, spectrum)
+    text += ["", verdict_line(outcome, PAPER)]
+    claims.answer(outcome, options, lambda: document, lambda: text)
     return outcome.exit_code

@@ -7,6 +7,7 @@ the smallest root of each pair's quadratic equation, many digits, and no enclosu
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 import mpmath
@@ -32,32 +33,46 @@ def simulate(scene: Scene, most: int, digits: int = DIGITS) -> list[Impact]:
         x = [[number(a.numerator) / a.denominator for a in row] for row in scene.positions]
         v = [[number(a.numerator) / a.denominator for a in row] for row in scene.velocities]
         r = number(scene.r.numerator) / scene.r.denominator
+        masses, radii = (
+            [number(a.numerator) / a.denominator for a in row] for row in _bodies(scene)
+        )
         found: list[Impact] = []
         time, last = number(0), None
         while len(found) < most:
             meetings = [
-                (t, pair) for pair in PAIRS if (t := _meeting(x, v, pair, last)) is not None
+                (t, pair) for pair in PAIRS if (t := _meeting(x, v, pair, last, radii)) is not None
             ]
             if not meetings:
                 break
             t, (i, j) = min(meetings)
             x = [[a + t * b for a, b in zip(p, w, strict=True)] for p, w in zip(x, v, strict=True)]
             e, w = _minus(x[j], x[i]), _minus(v[j], v[i])
-            push = (1 + r) / 2 * _dot(e, w) / _dot(e, e)
-            v[i] = [a + push * b for a, b in zip(v[i], e, strict=True)]
-            v[j] = [a - push * b for a, b in zip(v[j], e, strict=True)]
+            push = (1 + r) / (masses[i] + masses[j]) * _dot(e, w) / _dot(e, e)
+            v[i] = [a + push * masses[j] * b for a, b in zip(v[i], e, strict=True)]
+            v[j] = [a - push * masses[i] * b for a, b in zip(v[j], e, strict=True)]
             time, last = time + t, (i, j)
             found.append(Impact(f"{i}{j}", time, x))
         return found
 
 
+def _bodies(scene: Scene) -> tuple[Sequence[Fraction], Sequence[Fraction]]:
+    """Masses and radii."""
+    if scene.bodies is None:
+        return (Fraction(1),) * 3, (Fraction(1, 2),) * 3
+    return scene.bodies.masses, scene.bodies.radii
+
+
 def _meeting(
-    x: list[list[Any]], v: list[list[Any]], pair: tuple[int, int], last: object
+    x: list[list[Any]],
+    v: list[list[Any]],
+    pair: tuple[int, int],
+    last: object,
+    radii: Sequence[Any],
 ) -> Any | None:
     """The time until a pair is in contact; None if it does not meet."""
     i, j = pair
     e, w = _minus(x[j], x[i]), _minus(v[j], v[i])
-    a, b, c = _dot(w, w), _dot(e, w), _dot(e, e) - 1
+    a, b, c = _dot(w, w), _dot(e, w), _dot(e, e) - (radii[i] + radii[j]) ** 2
     if pair == last or b >= 0 or b * b < a * c:
         return None
     return c / (-b + mpmath.sqrt(b * b - a * c))

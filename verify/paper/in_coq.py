@@ -35,6 +35,7 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
     },
     "sharper": _GENERAL,
     "sandwich": _GENERAL,
+    "outside": {name: _GENERAL[name] for name in ("hard-spheres", "cauchy-schwarz")},
     "flow": {"hard-spheres": _GENERAL["hard-spheres"]},
     "line": {"bounded-monotone": _GENERAL["bounded-monotone"]},
     f"{THEOREM}, the set as printed": {**_VECTORS, **_OPEN},

@@ -6,19 +6,9 @@ from verify.language import argument
 from verify.language.argument import Argument, Chapter, Defined, Line, Opened, Reason
 from verify.language.statement import PROVED, Context, Obligation, Statement
 from verify.language.terms import Claim
+from verify.prover import rules
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Premise, Proof
-from verify.prover.rules import (
-    Applying,
-    Define,
-    Entry,
-    Induction,
-    Instance,
-    Interval,
-    Least,
-    Root,
-    Sum,
-)
 from verify.prover.session import Session
 
 #: Enough for the exact values of the rational numbers at the point of the parameters.
@@ -55,11 +45,11 @@ class Writing:
             elif isinstance(item, Opened):
                 self.opened(item.context, item.premises)
             elif isinstance(item, Defined):
-                self.session.constant(self.constants[item.name], Define(), chapter.context)
+                self.session.constant(self.constants[item.name], rules.Define(), chapter.context)
 
     def opened(self, context: Context, premises: tuple[str, ...] | None) -> None:
         """Open a context at its point."""
-        numeric: list[Premise] = [Interval(POINT_BITS) for _ in context.givens]
+        numeric: list[Premise] = [rules.Interval(POINT_BITS) for _ in context.givens]
         self.session.open(context, numeric if premises is None else premises)
 
     def line(self, line: Line, context: str | None) -> None:
@@ -81,21 +71,21 @@ def proof_of(reason: Reason) -> Proof:
     """The proof by the rule of the same name."""
     match reason:
         case argument.BySum():
-            return Sum(*reason)
+            return rules.Sum(*reason)
         case argument.ByLeast():
             branches = tuple(map(proof_of, reason.branches))
-            return Least(reason.side, branches, reason.equation)
+            return rules.Least(reason.side, branches, reason.equation)
         case argument.ByEntry():
-            return Entry(reason.side, reason.equation)
+            return rules.Entry(reason.side, reason.equation)
         case argument.ByInstance():
-            return Instance(reason.fact, reason.values, reason.givens)
+            return rules.Instance(reason.fact, reason.values, reason.givens)
         case argument.ByApplying():
-            return Applying(reason.givens)
+            return rules.Applying(reason.givens)
         case argument.ByRoot():
-            return Root()
+            return rules.Root()
         case argument.ByInterval():
-            return Interval(NUMBER_BITS)
+            return rules.Interval(NUMBER_BITS)
         case argument.ByInduction():
-            return Induction(reason.start, reason.next)
+            return rules.Induction(reason.start, reason.next)
         case argument.ToBeFound():
             raise TypeError("this proof has to be found")

@@ -120,7 +120,7 @@ class Ground(Constants):
         ops = {part.op for part in parts_of(claim.lhs, claim.rhs)}
         if "pi" not in ops or ops.isdisjoint(("sin", "cos")):
             return None
-        from verify.prover.half_turns import by_half_turns  # loaded only where it is needed
+        from verify.prover.tight import by_half_turns  # loaded only where it is needed
 
         def prove(simpler: Claim) -> Proof | None:
             verdict, proof = self.prove(simpler)

@@ -27,7 +27,7 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term
 from verify.prover.proof import Proof, Step
-from verify.prover.rules import RULES
+from verify.prover.rules import rule_of
 
 Ends = tuple[Fraction, Fraction]
 
@@ -89,7 +89,7 @@ class Decision(Record):
     @property
     def method(self) -> str:
         """The rule that shows it, or nothing."""
-        return "" if self.proof is None else RULES[type(self.proof)][0]
+        return "" if self.proof is None else rule_of(self.proof)
 
     @property
     def witness(self) -> Mapping[str, Term]:

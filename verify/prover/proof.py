@@ -1,14 +1,15 @@
 """What every proof has, and the steps of a certificate. Nothing here is trusted.
 
-There is one class of proofs for each rule of the kernel, in the file of that name in
-`verify.prover.rules`; its fields are those of the certificate.
+There is one class of proofs for each rule of the kernel, in `verify.prover.rules`. The annotation
+of a field says what it holds: by it proofs are written, read and searched for the facts they use.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from enum import Enum
-from typing import Any
+from collections.abc import Callable, Iterator, Mapping
+from fractions import Fraction
+from functools import cache
+from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
 from verify.language.record import Record
 from verify.language.terms import Claim, Term
@@ -16,7 +17,7 @@ from verify.language.terms import Claim, Term
 #: A number that is >= 0 for all values in scope: a rational or the name of a fact as a text,
 #: "goal", or a tuple: ("add" | "mul", value, …), ("pow", value, exponent), ("square" | "root",
 #: term).
-Value = str | tuple[object, ...]
+Value = Annotated[str | tuple[object, ...], "value"]
 
 
 def product_of(*values: Value) -> Value:
@@ -35,29 +36,102 @@ def power_of(value: Value, exponent: int) -> Value:
     return value if exponent == 1 else ("pow", value, exponent)
 
 
-class Kind(Enum):
-    """How a field of a proof is written down."""
-
-    PLAIN = "plain"  # a name, a number, a list of these, or None
-    RATIONALS = "rationals"
-    BOUNDS = "bounds"  # triples of names
-    TERM = "term"
-    TERMS = "terms"  # a table of terms
-    PROOF = "proof"
-    CLAIM = "claim"  # that compares two terms
-    PREMISE = "premise"  # a proof, or the name of a fact
-    PREMISES = "premises"  # a list of proofs and names of facts
-    VALUES = "values"
-    COFACTORS = "cofactors"  # pairs of a name and a term
-
-
-Kinds = Mapping[str, Kind]
+#: What the fields of proofs hold; the text is the name in the JSON schema.
+Bits = Annotated[int, "bits"]
+Fact = Annotated[str, "reference"]
+Name = Annotated[str, "context_name"]
+Side = Annotated[str, ("lhs", "rhs")]
+_NAMED = {Term: "term", Claim: "claim", Fraction: "number"}
 
 #: A proof of a claim by one rule: a value of one of the classes in `verify.prover.rules`.
-Proof = tuple[Any, ...]
+Proof = Annotated[tuple[Any, ...], "proof"]
 
 #: What shows that a given holds: the name of a fact, or a proof.
-Premise = str | Proof
+Premise = Annotated[str | Proof, "premise"]
+
+
+class Shape(Record):
+    """What a field holds, read off from its annotation.
+
+    ``form`` is "leaf", whose name is in ``of``; "choice" of the texts in ``of``; "optional",
+    "list" or "table" of the one shape in ``of``; or "row" of its shapes. A list has ``least``
+    entries or more.
+    """
+
+    form: str
+    of: tuple[Any, ...]
+    least: int = 0
+
+
+@cache
+def shapes(proofs: Any) -> Mapping[str, Shape]:
+    """The shapes of the fields of a class of proofs."""
+    hints = get_type_hints(proofs, include_extras=True)
+    return {field: _shape(hints[field]) for field in proofs._fields}
+
+
+def _shape(hint: Any) -> Shape:
+    if hint in _NAMED:
+        return Shape("leaf", (_NAMED[hint],))
+    first, *others = get_args(hint)
+    if get_origin(hint) is Annotated:
+        (told,) = others
+        if isinstance(told, int):
+            return _shape(first)._replace(least=told)
+        return Shape("choice", told) if isinstance(told, tuple) else Shape("leaf", (told,))
+    if get_origin(hint) is Mapping:
+        return Shape("table", (_shape(others[0]),))
+    if type(None) in others:
+        return Shape("optional", (_shape(first),))
+    if others == [...]:
+        return Shape("list", (_shape(first),))
+    return Shape("row", tuple(map(_shape, get_args(hint))))
+
+
+def leaves(proof: Proof) -> Iterator[tuple[str, Any]]:
+    """What is in the fields of a proof, each with the name of its leaf, in order."""
+    for field, shape in shapes(type(proof)).items():
+        yield from _leaves(shape, getattr(proof, field))
+
+
+def _leaves(shape: Shape, value: Any) -> Iterator[tuple[str, Any]]:
+    if shape.form == "leaf":
+        yield shape.of[0], value
+    elif shape.form == "row":
+        for inner, item in zip(shape.of, value, strict=True):
+            yield from _leaves(inner, item)
+    elif value is not None and shape.form != "choice":
+        items = value.values() if shape.form == "table" else value
+        for item in (value,) if shape.form == "optional" else items:
+            yield from _leaves(shape.of[0], item)
+
+
+def mapped(proof: Any, leaf: Callable[[str, Any], Any]) -> dict[str, Any]:
+    """The fields of a proof with other leaves; lists and rows become tuples."""
+    return made_of(type(proof), proof._asdict(), leaf)
+
+
+def made_of(
+    proofs: Any, values: Mapping[str, Any], leaf: Callable[[str, Any], Any]
+) -> dict[str, Any]:
+    """The fields of a class of proofs from values with other leaves."""
+    return {name: _mapped(shape, values[name], leaf) for name, shape in shapes(proofs).items()}
+
+
+def _mapped(shape: Shape, value: Any, leaf: Callable[[str, Any], Any]) -> Any:
+    if shape.form == "leaf":
+        return leaf(shape.of[0], value)
+    if shape.form == "choice" or value is None:
+        return value
+    if shape.form == "row":
+        pairs = zip(shape.of, value, strict=True)
+        return tuple(_mapped(inner, item, leaf) for inner, item in pairs)
+    (inner,) = shape.of
+    if shape.form == "optional":
+        return _mapped(inner, value, leaf)
+    if shape.form == "table":
+        return {name: _mapped(inner, item, leaf) for name, item in value.items()}
+    return tuple(_mapped(inner, item, leaf) for item in value)
 
 
 class ConstantStep(Record):

@@ -6,19 +6,17 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import MappingProxyType
 
-from verify.language.statement import PROVED, UNDECIDED, Constant, Obligation, Statement
-from verify.language.terms import Claim, names_of
+from verify.language.statement import PROVED, UNDECIDED, Constant, Given, Obligation, Statement
+from verify.language.terms import Claim, Term, equal, names_of, substitute, substitute_claim, symbol
 from verify.prover.budget import SpentError, WorkBudget
-from verify.prover.citing import make_known
 from verify.prover.constants import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION
 from verify.prover.ground import Ground
 from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import Step
-from verify.prover.reasons import hardest
+from verify.prover.reasons import MAX_BITS, hardest, is_too_long
 from verify.prover.rows_in_contexts import RowsInContexts
 from verify.prover.session import Session
-from verify.prover.size import MAX_BITS, is_too_long
 from verify.prover.techniques import find
 from verify.prover.universal import Universal
 
@@ -208,3 +206,35 @@ def _decide(row: Obligation, ground: Ground, universal: Universal) -> Decision:
 def _enclosures(names: tuple[str, ...], ground: Ground) -> dict[str, Enclosure]:
     found = {name: ground.enclose(ground.definitions[name]) for name in names}
     return {name: enclosure for name, enclosure in found.items() if enclosure is not None}
+
+
+# --- what is cited -------------------------------------------------------------------------------
+
+
+def make_known(prefix: str, statement: Statement, universal: Universal) -> None:
+    """Afterwards what a cited statement proves of numbers is known, with a prefix to each name."""
+    session = universal.session
+    constants = {one.name: one.term for one in statement.constants}
+    full = {name: symbol(prefix + name) for name in (*statement.parameters, *constants)}
+    for name, term in {**statement.parameters, **constants}.items():
+        definition = substitute(term, full)
+        session.definitions[prefix + name] = definition
+        universal.ground.know(prefix + name, definition)
+        session.install(prefix + name, equal(full[name], definition), None)
+    for context in statement.contexts:
+        if context.parent is None:
+            universal.contexts[prefix + context.name] = context._replace(
+                givens=tuple(_renamed(given, full) for given in context.givens),
+                constants=tuple(
+                    one._replace(term=substitute(one.term, full)) for one in context.constants
+                ),
+            )
+            session.parents[prefix + context.name] = None
+    for row in statement.obligations:
+        if row.context is None and isinstance(row.claim, Claim):
+            session.install(prefix + row.name, substitute_claim(row.claim, full), None)
+            universal.rows.add(prefix + row.name)
+
+
+def _renamed(given: Given, names: dict[str, Term]) -> Given:
+    return given._replace(claim=substitute_claim(given.claim, names))

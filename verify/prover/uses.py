@@ -12,13 +12,12 @@ from verify.prover.outcome import Outcome
 from verify.prover.proof import (
     ConstantStep,
     DefinitionStep,
-    Kind,
     LemmaStep,
     ObligationStep,
     OpenStep,
     Proof,
+    leaves,
 )
-from verify.prover.rules import RULES
 
 #: Values of sums that are no names of facts.
 _NO_FACTS = ("goal", "add", "mul", "pow", "square", "root")
@@ -43,6 +42,7 @@ def nodes(outcome: Outcome) -> dict[str, Node]:
     terms = dict(outcome.statement.parameters)
     for constants in (outcome.statement.constants, *(c.constants for c in contexts.values())):
         terms |= {constant.name: constant.term for constant in constants}
+    variables = {variable.name for c in contexts.values() for variable in c.variables}
     found: dict[str, Node] = {}
     for step in outcome.steps:
         if isinstance(step, OpenStep):
@@ -50,7 +50,8 @@ def nodes(outcome: Outcome) -> dict[str, Node]:
                 node = Node(given.name, "given", step.name, given.claim, None, ())
                 found[given.name] = node
             continue
-        used = tuple(dict.fromkeys(facts_of(step.proof)))
+        names = dict.fromkeys(facts_of(step.proof))
+        used = tuple(name for name in names if name not in variables)
         if isinstance(step, ObligationStep):
             row = rows[step.name]
             node = Node(step.name, "obligation", row.context, row.claim, step.proof, used)
@@ -67,26 +68,15 @@ def nodes(outcome: Outcome) -> dict[str, Node]:
 
 
 def facts_of(proof: Any) -> Iterator[str]:
-    """The names of facts in a proof, those of hypotheses of its branches left out."""
+    """The names of facts in a proof, and of variables; hypotheses of its branches are left out."""
     if isinstance(proof, str):
         yield from () if proof.startswith("@") else (proof,)
         return
-    _, kinds = RULES[type(proof)]
-    for name, kind in kinds.items():
-        value = getattr(proof, name)
-        if name in ("using", "equation", "of") and kind == Kind.PLAIN and value is not None:
-            names = value if isinstance(value, tuple) else (value,)
-        elif kind in (Kind.VALUES, Kind.BOUNDS):
-            names = tuple(_names(value))
-        elif kind == Kind.COFACTORS:
-            names = tuple(fact for fact, _ in value)
-        elif kind in (Kind.PREMISES, Kind.PREMISE, Kind.PROOF):
-            for inner in value if kind == Kind.PREMISES else (value,):
-                yield from facts_of(inner)
-            continue
-        else:
-            continue
-        yield from (fact for fact in names if not fact.startswith("@"))
+    for leaf, value in leaves(proof):
+        if leaf in ("proof", "premise"):
+            yield from facts_of(value)
+        elif leaf in ("reference", "context_name", "value"):
+            yield from (fact for fact in _names(value) if not fact.startswith("@"))
 
 
 def _names(value: Any) -> Iterator[str]:

@@ -19,21 +19,8 @@ from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import DIGITS, decimal_exponent, outward, rational_text
 from verify.prover.outcome import Decision, Ends, Outcome
+from verify.views import words
 from verify.views.point import in_numbers
-from verify.views.words import (
-    DOES_NOT_APPLY,
-    constants_of,
-    ends_of,
-    fair,
-    group_fails,
-    group_verdict,
-    groups,
-    headline,
-    letters,
-    sentence,
-    sides_of,
-    witness_of,
-)
 
 FORMAT = "verify-theorem1/1"
 
@@ -46,13 +33,15 @@ def document(outcome: Outcome, as_printed: Mapping[str, str] | None = None) -> d
 
     ``as_printed`` has the verdicts on the theorem with its sign, and its set, as printed.
     """
-    typesetter = letters(outcome)
-    names = ["V_0", *(constant.name for constant in constants_of(outcome, ""))]
+    typesetter = words.letters(outcome)
+    names = ["V_0", *(constant.name for constant in words.constants_of(outcome, ""))]
     return {
         "format": FORMAT,
         "command": "theorem1",
-        "verdict": DOES_NOT_APPLY if group_fails(outcome, HYPOTHESES) else outcome.verdict,
-        "headline": headline(outcome),
+        "verdict": words.DOES_NOT_APPLY
+        if words.group_fails(outcome, HYPOTHESES)
+        else outcome.verdict,
+        "headline": words.headline(outcome),
         "parameters": {key: _parameter(outcome, name) for key, name in PARAMETERS.items()},
         "theorem": in_numbers(outcome) or outcome.statement.title,
         "assumptions": [assumption_document(a) for a in outcome.assumptions],
@@ -61,11 +50,11 @@ def document(outcome: Outcome, as_printed: Mapping[str, str] | None = None) -> d
         ],
         "cites": [cite_document(cite) for cite in outcome.statement.cites],
         "hypotheses": _rows(outcome, HYPOTHESES, typesetter),
-        "constants": {name: pair(ends_of(outcome, name)) for name in names},
+        "constants": {name: pair(words.ends_of(outcome, name)) for name in names},
         "sets": {
             group: _set(outcome, group, typesetter)
             | (dict(as_printed or {}) if group == PRINTED else {})
-            for group in groups(outcome)
+            for group in words.groups(outcome)
             if group != HYPOTHESES
         },
         "spent": outcome.spent or None,
@@ -74,12 +63,12 @@ def document(outcome: Outcome, as_printed: Mapping[str, str] | None = None) -> d
 
 def claims_document(outcome: Outcome, command: str, form: str) -> dict[str, Any]:
     """A theorem about all values as one JSON document: its rows are its claims."""
-    typesetter = letters(outcome)
+    typesetter = words.letters(outcome)
     return {
         "format": form,
         "command": command,
         "verdict": outcome.verdict,
-        "headline": headline(outcome),
+        "headline": words.headline(outcome),
         "theorem": outcome.statement.title,
         "assumptions": [
             assumption_document(a) for a in (*outcome.assumptions, *outcome.printed_assumptions)
@@ -103,14 +92,14 @@ def _parameter(outcome: Outcome, name: str) -> str | list[str] | None:
     term = outcome.statement.parameters[name]
     if term.op == "rational":
         return rational_text(term.value)
-    return pair(ends_of(outcome, name))
+    return pair(words.ends_of(outcome, name))
 
 
 def _set(outcome: Outcome, group: str, typesetter: Typesetter) -> dict[str, Any]:
-    own = constants_of(outcome, group)
+    own = words.constants_of(outcome, group)
     return {
-        "verdict": group_verdict(outcome, group),
-        "constants": {c.short_name: pair(ends_of(outcome, c.name)) for c in own},
+        "verdict": words.group_verdict(outcome, group),
+        "constants": {c.short_name: pair(words.ends_of(outcome, c.name)) for c in own},
         "minima": {c.short_name: _minimum(outcome, c) for c in own if c.term.op == "min"},
         "obligations": _rows(outcome, group, typesetter),
     }
@@ -144,8 +133,8 @@ def row_document(
         "severity": row.severity if decision.verdict == REFUTED else None,
         "says": row.says,
         "claim": typesetter.claim(row.claim),
-        "statement": sentence(row, typesetter),
-        "verdict": fair(outcome, row, decision),
+        "statement": words.sentence(row, typesetter),
+        "verdict": words.fair(outcome, row, decision),
         "judged_by": decision.judge,
         "method": decision.method or None,
         "bits": decision.bits,
@@ -154,10 +143,10 @@ def row_document(
     if decision.verdict == REFUTED:
         found["corrected_by"] = row.corrected_by
     if row.context is None and isinstance(row.claim, Claim):
-        sides = sides_of(row, decision)
+        sides = words.sides_of(row, decision)
         found["lhs"], found["rhs"] = (None, None) if sides is None else map(pair, sides)
     if decision.witness:
-        values = witness_of(row, decision)
+        values = words.witness_of(row, decision)
         found["witness"] = {name: value_text(term, typesetter) for name, term in values.items()}
     return found
 

@@ -1,4 +1,4 @@
-"""What people see of Theorem 1 for all parameters: counts, assumptions, the theorem in words."""
+"""What people see of Theorem 1 for all parameters: counts, the theorem in words, its set."""
 
 from __future__ import annotations
 
@@ -15,21 +15,15 @@ from verify.language.statement import (
     Obligation,
     Publication,
 )
-from verify.language.terms import symbol
+from verify.language.typeset import Typesetter
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
+from verify.views import words
+from verify.views.material import Whole
 from verify.views.plain import plain_letters
 from verify.views.row_lists import MORE
 from verify.views.screen import causes, printed_lines
-from verify.views.words import (
-    believed,
-    cited_as,
-    counts,
-    fair,
-    given_by,
-    headline,
-    in_letters,
-    short_name,
-)
+from verify.views.tex import sentences
+from verify.views.tex.formulas import Formulas
 
 FORMAT = "verify-theorem1-all/1"
 
@@ -65,11 +59,11 @@ def screen(
     yield ""
     yield from printed_lines(as_printed)
     yield from _argument(printed, paper)
-    yield f"The theorem with repaired constants: {headline(outcome)}"
+    yield f"The theorem with repaired constants: {words.headline(outcome)}"
     yield ""
-    yield f"Rows: {counts(outcome, 'needed')}"
-    yield f"The step, for every state, is {cited_as(cite, paper)}"
-    yield f"{believed(outcome, paper)} The sentences: -v."
+    yield f"Rows: {words.counts(outcome, 'needed')}"
+    yield f"The step, for every state, is {words.cited_as(cite, paper)}"
+    yield f"{words.believed(outcome, paper)} The sentences: -v."
     yield "The graph of the proof: verify graph --out FILE.svg"
     yield MORE
     yield ""
@@ -77,8 +71,8 @@ def screen(
         yield THEOREM
         yield from whole
         yield ""
-    title = in_letters(outcome.statement.title)
-    yield f"Verdict: {headline(outcome)}: {title}; given {given_by(outcome, paper)}"
+    title = words.in_letters(outcome.statement.title)
+    yield f"Verdict: {words.headline(outcome)}: {title}; given {words.given_by(outcome, paper)}"
 
 
 def _argument(printed: Outcome, paper: Publication) -> Iterator[str]:
@@ -87,12 +81,14 @@ def _argument(printed: Outcome, paper: Publication) -> Iterator[str]:
     rows = [
         (row, found)
         for row, found in printed.rows
-        if row.severity == BREAKS and fair(printed, row, found) == REFUTED
+        if row.severity == BREAKS and words.fair(printed, row, found) == REFUTED
     ]
     for title, depends in (("for all parameters", False), ("for some, such as small δ_θ", True)):
         here = [row for row, found in rows if bool(found.witness) == depends]
         where = (f"({paper.number(row.label).strip('()')})" for row in here)
-        names = ", ".join(f"{short_name(row)} {at}" for row, at in zip(here, where, strict=True))
+        names = ", ".join(
+            f"{words.short_name(row)} {at}" for row, at in zip(here, where, strict=True)
+        )
         if here:
             yield f"  Refuted steps that break it, {title}: {names}."
             yield from causes(here, paper)
@@ -114,19 +110,19 @@ def printed_screen(
     """
     yield "The printed set, for all parameters that satisfy the corrected hypothesis"
     yield ""
-    found = [(row, d) for row, d in outcome.rows if fair(outcome, row, d) == REFUTED]
+    found = [(row, d) for row, d in outcome.rows if words.fair(outcome, row, d) == REFUTED]
     for severity in ACCUSATIONS:
         here = [row for row, d in found if not d.witness and row.severity == severity]
         if here:
             yield f"  {severity}, for all parameters:"
-            yield from (f"    {short_name(row)}   [{paper.cited(row.label)}]" for row in here)
+            yield from (f"    {words.short_name(row)}   [{paper.cited(row.label)}]" for row in here)
     yield ""
     for row, decision in found:
         if decision.witness:
             yield f"  {_dependence(outcome, row, decision)}   [{paper.cited(row.label)}]"
             yield f"    {_how_bad(outcome, row, instead)}"
             yield from (
-                f"    {sentence}" for sentence in _sentences(where, shares, short_name(row))
+                f"    {sentence}" for sentence in _sentences(where, shares, words.short_name(row))
             )
     yield ""
     yield (
@@ -139,7 +135,7 @@ def printed_screen(
     yield ""
     found_all = conjunction(outcome.decisions.values())
     argument = (
-        f"{found_all}: the printed argument, for all parameters: {counts(outcome, 'printed')}"
+        f"{found_all}: the printed argument, for all parameters: {words.counts(outcome, 'printed')}"
     )
     yield f"Verdict: {argument}; {as_printed['set']}: the set as printed, with > for <"
 
@@ -155,17 +151,15 @@ def _how_bad(outcome: Outcome, row: Obligation, instead: Mapping[str, tuple[str,
 
 
 def _dependence(outcome: Outcome, row: Obligation, decision: Decision) -> str:
-    typesetter = plain_letters(outcome)
-    values = ((symbol(name), x) for name, x in decision.witness.items())
-    at = ", ".join(f"{typesetter.term(n)} = {typesetter.term(x)}" for n, x in values)
-    return f"depends: {short_name(row)}: fails at {at}"
+    at = words.values_told(decision.witness, plain_letters(outcome))
+    return f"depends: {words.short_name(row)}: fails at {at}"
 
 
 def dependences(outcome: Outcome, where: Outcome, shares: Shares) -> Iterator[tuple[str, str]]:
     """The printed rows that fail for some parameters only, with what is known of where."""
     for row, decision in outcome.rows:
-        if fair(outcome, row, decision) == REFUTED and decision.witness:
-            found = list(_sentences(where, shares, short_name(row)))
+        if words.fair(outcome, row, decision) == REFUTED and decision.witness:
+            found = list(_sentences(where, shares, words.short_name(row)))
             yield row.says, "; ".join(found) or _dependence(outcome, row, decision)
 
 
@@ -188,3 +182,45 @@ def _percent(share: Fraction, *, up: bool = False) -> str:
     hundredths = share * 10000
     whole = -(-hundredths // 1) if up else hundredths // 1
     return f"{whole // 100}.{whole % 100:02} %"
+
+
+# --- the theorem, whole --------------------------------------------------------------------------
+
+CONSTANTS = "Its constants:"
+SET = (
+    "Its set: 0 and 1 are in contact and have just collided, s is 1 and c is 2, d is the gap "
+    "between 0 and 2, and"
+)
+FLIGHT = "and what free flight reaches from there before the next collision."
+
+
+def constants_and_set(whole: Whole) -> Iterator[str]:
+    """Constants and set for a terminal."""
+    typesetter = plain(whole)
+    yield CONSTANTS
+    for constant in whole.constants:
+        yield f"  {constant.letter} = {typesetter.term(constant.term)}"
+    yield f"{SET} {', '.join(map(typesetter.claim, whole.givens))}; {FLIGHT}"
+
+
+def plain(whole: Whole) -> Typesetter:
+    """A typesetter in its letters."""
+    return Typesetter({name: letter for name, (letter, _) in whole.letters.items()})
+
+
+def latex(whole: Whole) -> str:
+    """Theorem, constants and set, to be copied into a theorem environment; every line breaks."""
+    tex = {name: letter for name, (_, letter) in whole.letters.items()}
+    formulas = Formulas(tex, {name: letter for name, (letter, _) in whole.letters.items()})
+    constants = [rf"{c.tex} = {formulas.term(c.term)}" for c in whole.constants]
+    givens = ", ".join(f"${formulas.claim(given)}$" for given in whole.givens)
+    return "\n".join(
+        [
+            sentences.words(f"{CLAIM} {CONSTANTS}"),
+            r"\begin{itemize}",
+            *(rf"\item $\displaystyle {text}$" for text in constants),
+            r"\end{itemize}",
+            f"{sentences.words(SET)} {givens};",
+            sentences.words(FLIGHT),
+        ]
+    )

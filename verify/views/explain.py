@@ -1,41 +1,34 @@
-"""One row with the facts that its proof uses and the identity that proves it, to check by hand."""
+"""What ``verify explain`` prints: a row with its proof, a formula, a constant of Theorem 1."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from verify.language.statement import PROVED, REFUTED, Obligation, Publication
-from verify.language.terms import Claim
+from verify.language.statement import (
+    NEEDED,
+    OTHERWISE,
+    PRINTED,
+    PROVED,
+    REFUTED,
+    REMARK,
+    REPAIRED,
+    UNDECIDED,
+    Constant,
+    Obligation,
+    Publication,
+)
+from verify.language.terms import Claim, names_of
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
-from verify.prover.proof import Premise, Proof
+from verify.prover.proof import Premise, Shape, shapes
 from verify.prover.relations import negation
-from verify.prover.rules import (
-    Antisymmetry,
-    Applying,
-    Cases,
-    Cuts,
-    Derivative,
-    Entry,
-    Have,
-    Induction,
-    InRange,
-    Instance,
-    Interval,
-    Law,
-    Least,
-    MeanValue,
-    Monotony,
-    Root,
-    Sum,
-    Witness,
-    rule_of,
-)
+from verify.prover.rules import RULES, Sum, Witness, rule_of
 from verify.prover.uses import Node, nodes
 from verify.views.plain import plain_letters
-from verify.views.words import letters, short_name, sides_of
+from verify.views.point import parameters_told
+from verify.views.words import SIGNS, ends_of, fair, letters, short_name, sides_of, values_told
 
 Row = tuple[Obligation, Decision]
 
@@ -116,8 +109,7 @@ def _about(
             proved = opposite
             yield f"  what is proved is the opposite: {typesetter.claim(proved)}"
     if node.proof is not None:
-        sign = ">" if isinstance(proved, Claim) and proved.relation == "<=" else "≥"
-        yield from (f"  {line}" for line in _proof(node.proof, sign, typesetter))
+        yield from (f"  {line}" for line in _proof(node.proof, typesetter))
     if node.uses:
         yield "  where"
     for name in node.uses:
@@ -133,81 +125,47 @@ def _kind(node: Node, rows: Mapping[str, Row], paper: Publication) -> str:
     return f"{node.kind}, {paper.number(label)}" if label else node.kind
 
 
-def _proof(  # noqa: C901  one case a rule
-    proof: Proof, sign: str, typesetter: Typesetter
-) -> Iterator[str]:
-    """The proof in words; ``sign`` says how the difference of the sides compares to 0 in a sum."""
-    match proof:
-        case Interval(bits=bits):
-            yield f"by enclosures of both sides with {bits} bits"
-        case MeanValue(bits=bits, at=at):
-            values = ", ".join(f"{key} = {typesetter.term(term)}" for key, term in at.items())
-            yield f"by enclosures with {bits} bits: right - left at {values},"
-            yield "and for each of these variables its derivative on the box, times the distance"
-        case Sum():
-            yield from _sum(proof, sign, typesetter)
-        case Entry():
-            yield "a minimum is at most each of its entries (a maximum at least)"
-        case Root():
-            yield "the root of a positive number is positive"
-        case Cases(of=term, branches=branches) | Cuts(term=term, branches=branches):
-            yield f"in {len(branches)} cases, for {typesetter.term(term)}"
-            for i, branch in enumerate(branches, 1):
-                yield from (f"  case {i}: {line}" for line in _proof(branch, sign, typesetter))
-        case Least(branches=branches):
-            yield f"for each of {len(branches)} entries"
-            for i, branch in enumerate(branches, 1):
-                yield from (f"  entry {i}: {line}" for line in _proof(branch, sign, typesetter))
-        case Antisymmetry(branches=branches):
-            yield "each side is at most the other"
-            for i, branch in enumerate(branches, 1):
-                yield from (f"  order {i}: {line}" for line in _proof(branch, ">", typesetter))
-        case Instance(of=name, at=at):
-            values = ", ".join(f"{key} = {typesetter.term(term)}" for key, term in at.items())
-            yield f"{name} at {values}"
-        case Applying(givens=givens):
-            yield f"each of the {len(givens)} givens holds"
-        case Have(claim=claim, branches=(first, then)):
-            yield f"at first: {typesetter.claim(claim)}"
-            yield from (f"  {line}" for line in _premise(first, ">", typesetter))
-            yield from _proof(then, sign, typesetter)
-        case Derivative(variable=name, at=at, term=term, side=side, sign=why):
-            where = f"{typesetter.term(at)} {'≤' if side == 'above' else '≥'} {name}"
-            yield f"it holds at {name} = {typesetter.term(at)}, and for {where}"
-            yield f"the derivative of right - left is {'≥' if side == 'above' else '≤'} 0:"
-            yield f"  {typesetter.term(term)}"
-            yield from (f"  {line}" for line in _premise(why, ">", typesetter))
-        case Monotony(under=None):
-            yield "the function rises"
-        case Monotony(under=function):
-            yield f"{function} rises, so it is enough that {function} of both sides compare so"
-        case InRange():
-            yield "no value of the function is outside its range"
-        case Law():
-            yield "this holds identically"
-        case Induction():
-            yield "by induction: each carried given holds at the start, and at the next state"
-        case Witness(at=at):
-            values = ", ".join(f"{key} = {typesetter.term(term)}" for key, term in at.items())
-            yield f"false at {values}"
-        case _:
-            yield f"by the rule {rule_of(proof)}"
+def _proof(proof: Premise, typesetter: Typesetter) -> Iterator[str]:
+    """The proof in words, with those of its proofs that its rule shows."""
+    if isinstance(proof, str):
+        yield f"it is {proof}"
+        return
+    if isinstance(proof, Sum):
+        yield from _sum(proof, typesetter)
+        return
+    rule = RULES[type(proof)]
+    fields = {
+        name: _field(shape, getattr(proof, name), typesetter)
+        for name, shape in shapes(type(proof)).items()
+    }
+    yield from rule.says.format_map(fields).splitlines()
+    if rule.shown:
+        field, called = rule.shown
+        parts = getattr(proof, field)
+        many = shapes(type(proof))[field].form != "leaf"
+        for i, part in enumerate(parts if many else (parts,), 1):
+            name = f"{called} {i}" if many else called
+            yield from (f"  {name}: {line}" for line in _proof(part, typesetter))
 
 
-def _premise(premise: Premise, sign: str, typesetter: Typesetter) -> Iterator[str]:
-    if isinstance(premise, str):
-        yield f"it is {premise}"
-    else:
-        yield from _proof(premise, sign, typesetter)
+def _field(shape: Shape, value: Any, typesetter: Typesetter) -> str:
+    """A field within a sentence; a list of proofs counts them."""
+    if shape.form == "table":
+        return values_told(value, typesetter)
+    if shape.form in ("list", "row"):
+        return str(len(value))
+    if shape.of == ("claim",):
+        return typesetter.claim(value)
+    return typesetter.term(value) if shape.of == ("term",) else str(value)
 
 
-def _sum(proof: Sum, sign: str, typesetter: Typesetter) -> Iterator[str]:
+def _sum(proof: Sum, typesetter: Typesetter) -> Iterator[str]:
     if proof.using:
         yield f"after replacing what these equations define: {', '.join(proof.using)}"
     parts = [_value(addend, typesetter) for addend in proof.addends]
     parts += [f"({typesetter.term(term)})·[{name}]" for name, term in proof.equations]
     if proof.addends:
-        yield f"if it failed, goal = (left - right), cleared of fractions, would be {sign} 0, and"
+        yield "if it failed, goal = (left - right), cleared of fractions, is > 0 (≥ 0 for <), and"
         yield f"  {' + '.join(parts)} = 0"
         yield "identically, with a positive addend (a name is the difference of its sides)"
     else:
@@ -229,3 +187,118 @@ def _value(value: Any, typesetter: Typesetter) -> str:
         parts = parts[1:]
     inner = (" + " if op == "add" else "·").join(parts)
     return f"({inner})" if op == "add" else inner
+
+
+# --- what a formula or a constant comes to -------------------------------------------------------
+
+#: What rows of the paper are called by the verdict on them, where it is worth a line each.
+KINDS = {
+    REFUTED: "printed, and false",
+    OTHERWISE: "printed and true, but not by the printed argument",
+    REMARK: "false, but the text does not claim it",
+    UNDECIDED: "printed, and undecided",
+}
+
+
+def about_label(outcome: Outcome, label: str, paper: Publication) -> list[str]:
+    """What stands at a label: what is false there, what is true, and who uses it."""
+    rows = [pair for pair in outcome.rows if pair[0].label == label]
+    if not rows:
+        return []
+    text = [f"{paper.cited(label)}{_place(outcome)}", f"  {_verdict(outcome, rows)}"]
+    for verdict, title in KINDS.items():
+        for row, found in rows:
+            if row.role == PRINTED and fair(outcome, row, found) == verdict:
+                text += _false(outcome, row, found, title)
+    held = [row for row, d in rows if row.role == PRINTED and d.verdict == PROVED]
+    true = [row for row, d in rows if row.role == NEEDED and d.verdict == PROVED]
+    text += _named("printed, and proved", held) + _named("needed, and proved", true)
+    return text + _named_names("used by", _users(outcome, {row.name for row, _ in rows}))
+
+
+def _place(outcome: Outcome) -> str:
+    return f", at {parameters_told(outcome)}" if outcome.statement.parameters else ""
+
+
+def _verdict(outcome: Outcome, rows: list[Row]) -> str:
+    """In a line: how many of the printed rows there are false, and whether what is needed holds."""
+    printed = [fair(outcome, row, d) for row, d in rows if row.role == PRINTED]
+    needed = [d.verdict for row, d in rows if row.role == NEEDED]
+    parts = []
+    if printed:
+        parts.append(f"printed: {printed.count(REFUTED)} of {len(printed)} rows refuted")
+    if needed:
+        parts.append(f"needed: {needed.count(PROVED)} of {len(needed)} rows proved")
+    return "; ".join(parts)
+
+
+def _false(outcome: Outcome, row: Obligation, found: Decision, title: str) -> Iterator[str]:
+    severity = f", {row.severity}" if fair(outcome, row, found) == REFUTED and row.severity else ""
+    yield f"  {title}{severity}: {short_name(row)}: {row.says}"
+    yield f"    {letters(outcome).claim(row.claim)}"
+    yield from _numbers(row, found)
+    better = next((p for p in outcome.rows if p[0].name == row.corrected_by), None)
+    if better is not None:
+        yield f"    {better[1].verdict} in its place: {better[0].name}: {better[0].says}"
+        yield from _numbers(*better)
+
+
+def _numbers(row: Obligation, found: Decision) -> Iterator[str]:
+    sides = sides_of(row, found)
+    if sides is not None and isinstance(row.claim, Claim):
+        yield f"    {short(sides[0])} {SIGNS[row.claim.relation]} {short(sides[1])}"
+
+
+def _named(title: str, rows: list[Obligation]) -> list[str]:
+    return _named_names(title, [row.name for row in rows])
+
+
+def _named_names(title: str, names: list[str]) -> list[str]:
+    return [f"  {title}: {', '.join(names)}"] if names else []
+
+
+def _users(outcome: Outcome, names: set[str]) -> list[str]:
+    """What is proved from one of these facts."""
+    return [node.name for node in nodes(outcome).values() if names & set(node.uses)]
+
+
+def about_constant(outcome: Outcome, word: str, paper: Publication) -> list[str]:
+    """A constant of Theorem 1 by its name or letter: as printed, repaired, and who uses it."""
+    found = [c for c in outcome.statement.constants if word in (c.name, c.short_name, c.letter)]
+    if not found:
+        return []
+    bounds = paper.notes().bounds
+    text = [f"{found[0].letter}, {paper.cited(found[0].label)}{_place(outcome)}"]
+    for constant in found:
+        sign, bound = bounds.get(constant.name, ("=", constant))
+        what = "repaired" if constant.name.startswith(f"{REPAIRED}.") else "as printed"
+        text.append(f"  {what}: {_told(outcome, constant)}")
+        text.append(f"    {bound.letter} {sign} {letters(outcome).term(bound.term)}")
+    text += _doubts(outcome, found)
+    names = {constant.name for constant in found}
+    users = [short_name(row) for row, _ in outcome.rows if names & _names(row)]
+    text += _named_names("used by the rows", list(dict.fromkeys(users)))
+    if any(constant.name.startswith(f"{PRINTED}.") for constant in found):
+        text.append(
+            "  the set with the printed constants does what the theorem claims: "
+            "certificates/printed-set"
+        )
+    return text
+
+
+def _told(outcome: Outcome, constant: Constant) -> str:
+    ends = ends_of(outcome, constant.name)
+    return f"{constant.letter} = {'undefined' if ends is None else short(ends)}"
+
+
+def _doubts(outcome: Outcome, constants: list[Constant]) -> list[str]:
+    """What is false of the printed constant, as far as rows about it say; else that nothing is."""
+    own = {constant.name for constant in constants if not constant.name.startswith(REPAIRED)}
+    rows = [p for p in outcome.rows if fair(outcome, *p) == REFUTED and own & _names(p[0])]
+    names = [f"{short_name(row)} ({row.severity})" for row, _ in rows]
+    return _named_names("printed rows about it that are false", names)
+
+
+def _names(row: Obligation) -> set[str]:
+    claim = row.claim
+    return set(names_of(claim.lhs, claim.rhs)) if isinstance(claim, Claim) else set()

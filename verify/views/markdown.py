@@ -6,24 +6,24 @@ from collections.abc import Iterator
 from typing import Any
 
 from verify.language.statement import REPAIRED, Always, Applies, Obligation, Publication
-from verify.language.terms import Claim, symbol
+from verify.language.terms import Claim
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
 from verify.views.enclosures import minimum_of
 from verify.views.point import in_numbers
 from verify.views.setting import apart, markdown_template
 from verify.views.words import (
+    SIGNS,
     ends_of,
     groups,
     is_about,
     letters,
     short_name,
     sides_of,
+    values_told,
     verdict_text,
 )
 from verify.views.words import fair as verdict_of
-
-_SIGNS = {"<": "<", "<=": "≤", "=": "="}
 
 #: A longer formula is left to the statement file; what the row says names it.
 LONGEST = 400
@@ -61,10 +61,8 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
         """The numbers that show a row, or the values at which it is false."""
         sides = sides_of(row, decision)
         if sides is not None and isinstance(row.claim, Claim):
-            return f"{short(sides[0])} {_SIGNS[row.claim.relation]} {short(sides[1])}"
-        values = ((symbol(name), value) for name, value in decision.witness.items())
-        at = ", ".join(f"{typesetter.term(n)} = {typesetter.term(value)}" for n, value in values)
-        return f"at {at}" if at else ""
+            return f"{short(sides[0])} {SIGNS[row.claim.relation]} {short(sides[1])}"
+        return f"at {values_told(decision.witness, typesetter)}" if decision.witness else ""
 
     def constants() -> Iterator[tuple[str, ...]]:
         """Letter, value, and definition or bound of each constant."""

@@ -10,7 +10,15 @@ from verify.language.terms import Claim, symbol
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
 from verify.views.mathml import MathML
-from verify.views.words import ends_of, headline, letters, sides_of, witness_of
+from verify.views.words import (
+    ends_of,
+    headline,
+    letters,
+    sides_of,
+    tex_letters,
+    values_told,
+    witness_of,
+)
 
 
 def notebook_page(outcome: Outcome) -> str:
@@ -19,7 +27,7 @@ def notebook_page(outcome: Outcome) -> str:
 
 
 def _lines(outcome: Outcome) -> Iterator[str]:
-    math = MathML(_letters(outcome))
+    math = MathML(tex_letters(outcome))
     statement = outcome.statement
     yield f"<p><b>{escape(statement.title)}</b>: {escape(headline(outcome))}</p>"
     if statement.constants:
@@ -30,15 +38,6 @@ def _lines(outcome: Outcome) -> Iterator[str]:
     for assumption in outcome.assumptions:
         name, sentence = escape(assumption.name), escape(assumption.sentence)
         yield f"<p>assumed: {name}: {sentence}</p>"
-
-
-def _letters(outcome: Outcome) -> dict[str, str]:
-    """The letters of all names in LaTeX."""
-    found = {one.name: one.tex for one in outcome.statement.constants}
-    for context in outcome.statement.contexts:
-        found |= {variable.name: variable.tex for variable in context.variables}
-        found |= {one.name: one.tex for one in context.constants}
-    return found
 
 
 def _table(rows: Iterator[tuple[str, ...]]) -> Iterator[str]:
@@ -67,8 +66,5 @@ def _row(row: Obligation, found: Decision, outcome: Outcome, math: MathML) -> tu
     if sides is not None:
         how += f"; {short(sides[0])} and {short(sides[1])}"
     if found.witness:
-        values = witness_of(row, found).items()
-        how += "; at " + ", ".join(
-            f"{typesetter.term(symbol(name))} = {typesetter.term(term)}" for name, term in values
-        )
+        how += f"; at {values_told(witness_of(row, found), typesetter)}"
     return escape(row.name), claim, f"<b>{escape(found.verdict)}</b>", escape(how)

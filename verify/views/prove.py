@@ -11,7 +11,15 @@ from verify.language.typeset import Typesetter
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
 from verify.views.document import assumption_document, cite_document, row_document
-from verify.views.words import headline, letters, sentence, sides_of, summary, witness_of
+from verify.views.words import (
+    headline,
+    letters,
+    sentence,
+    sides_of,
+    summary,
+    values_told,
+    witness_of,
+)
 
 FORMAT = "verify-prove/1"
 
@@ -31,9 +39,7 @@ def decided_lines(outcome: Outcome, paper: Publication, *, numbers: bool = False
         elif found.reason:
             line += f"   because {found.reason}"
         if found.witness:
-            values = witness_of(row, found).items()
-            at = (f"{typesetter.term(symbol(n))} = {typesetter.term(t)}" for n, t in values)
-            line += f", false at {', '.join(at)}"
+            line += f", false at {values_told(witness_of(row, found), typesetter)}"
         yield line
         if numbers:
             yield from _numbers(row, found)

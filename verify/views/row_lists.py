@@ -15,20 +15,10 @@ from verify.language.statement import (
     Obligation,
     Publication,
 )
-from verify.language.terms import symbol
 from verify.language.typeset import Typesetter
 from verify.prover.outcome import Decision, Outcome
+from verify.views import words
 from verify.views.plain import plain_letters
-from verify.views.words import (
-    INSTEAD_WORDS,
-    believed,
-    fair,
-    groups,
-    is_called,
-    letters,
-    short_name,
-    witness_of,
-)
 
 #: Where the rest is.
 MORE = "All rows: -v; some: --rows NAME; one with its proof: verify explain NAME."
@@ -59,10 +49,10 @@ def heading(group: str) -> str:
 
 def brief(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """The rows by group, each refuted or undecided one in a line, and what is taken on trust."""
-    parts = (f"{heading(group)} {_share(outcome, group)}" for group in groups(outcome))
+    parts = (f"{heading(group)} {_share(outcome, group)}" for group in words.groups(outcome))
     yield f"Rows proved, of those needed: {', '.join(parts)}."
     for verdict, title in _TITLES.items():
-        found = [(row, d) for row, d in outcome.rows if fair(outcome, row, d) == verdict]
+        found = [(row, d) for row, d in outcome.rows if words.fair(outcome, row, d) == verdict]
         if found:
             yield ""
             what = (
@@ -90,13 +80,13 @@ def severity_of(row: Obligation, decision: Decision) -> str:
 
 def _one_line(row: Obligation, paper: Publication) -> str:
     correction = row.corrected_by or ""
-    return f"    {short_name(row):<24} {correction:<26} {paper.number(row.label)}".rstrip()
+    return f"    {words.short_name(row):<24} {correction:<26} {paper.number(row.label)}".rstrip()
 
 
 def trusted_names(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """Which sentences a verdict rests on, and which of them Coq has proved."""
     if outcome.assumptions:
-        yield f"{believed(outcome, paper)} The sentences: -v."
+        yield f"{words.believed(outcome, paper)} The sentences: -v."
     if outcome.printed_assumptions:
         names = ", ".join(assumption.name for assumption in outcome.printed_assumptions)
         yield f"Only for printed rows: {names}."
@@ -104,8 +94,8 @@ def trusted_names(outcome: Outcome, paper: Publication) -> Iterator[str]:
 
 def all_rows(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """Every row, with its exact claim and what proves or refutes it."""
-    typesetter = letters(outcome)
-    for group in groups(outcome):
+    typesetter = words.letters(outcome)
+    for group in words.groups(outcome):
         yield heading(group)
         for row, decision in outcome.of_group(group):
             yield from row_lines(outcome, row, decision, typesetter, paper)
@@ -115,7 +105,7 @@ def all_rows(outcome: Outcome, paper: Publication) -> Iterator[str]:
 def rows_called(outcome: Outcome, name: str, paper: Publication) -> list[str]:
     """The rows of this name, label or printed number; their claims simplified."""
     typesetter = plain_letters(outcome)
-    found = [p for p in outcome.rows if is_called(p[0], name, paper)]
+    found = [p for p in outcome.rows if words.is_called(p[0], name, paper)]
     lines = (row_lines(outcome, row, decision, typesetter, paper) for row, decision in found)
     return [line for part in lines for line in part]
 
@@ -129,17 +119,16 @@ def row_lines(
 ) -> Iterator[str]:
     """A row: its words, its claim, by what it is decided, and where it is false."""
     role = " (as printed)" if row.role == PRINTED else ""
-    verdict = fair(outcome, row, decision)
+    verdict = words.fair(outcome, row, decision)
     yield f"  {verdict:<9} {row.says}{role}   [{row.name}, {paper.cited(row.label)}]"
     uses = f"; with {', '.join(row.uses)}" if row.uses else ""
     method = decision.method or "no rule that was found"
     yield f"            {typesetter.claim(row.claim)}   by {method}{uses}"
-    values = witness_of(row, decision).items()
+    values = words.witness_of(row, decision)
     if values:
-        at = ", ".join(f"{typesetter.term(symbol(n))} = {typesetter.term(x)}" for n, x in values)
-        yield f"            false at {at}"
+        yield f"            false at {words.values_told(values, typesetter)}"
     if decision.verdict == REFUTED:
-        better = INSTEAD_WORDS.get(verdict, "corrected by")
+        better = words.INSTEAD_WORDS.get(verdict, "corrected by")
         severity = row.severity if verdict == REFUTED else ""
         parts = (severity, row.corrected_by and f"{better} {row.corrected_by}")
         yield f"            {'; '.join(part for part in parts if part)}".rstrip()

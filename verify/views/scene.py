@@ -13,7 +13,9 @@ from verify.prover.outcome import CHECKER
 
 FORMAT = "verify-scene/2"
 #: The exit code without a verdict.
-UNDECIDED_CODE = 3
+UNDECIDED, UNDECIDED_CODE = "undecided", 3
+#: What a verdict on spheres of different masses or radii rests on.
+LAW = "the law of collision for these masses and radii"
 
 #: What the spheres tell of a scene, and of a collision: records of theirs, whose entries are read.
 Told = Any
@@ -28,7 +30,7 @@ WIDTHS = (5, 5, 12, 11, 13, 13, 13, 8)
 
 def exit_code(told: Told) -> int:
     """0 with a verdict, or where it is known exactly why there is none; 3 otherwise."""
-    return 0 if told.theorems or told.is_exact else UNDECIDED_CODE
+    return 0 if told.verdict != UNDECIDED or told.is_exact else UNDECIDED_CODE
 
 
 def judge_of(is_checked: bool) -> str:
@@ -38,8 +40,12 @@ def judge_of(is_checked: bool) -> str:
 
 def given_line(told: Told, judge: str) -> str:
     """What a verdict rests on, and who gives it; empty without a verdict."""
-    given = " and ".join(f"certificates/{name}" for name in told.theorems)
-    return f"given {given}; judged by {judge}" if given else ""
+    if told.verdict == UNDECIDED:
+        return ""
+    named = [f"certificates/{name}" for name in told.theorems]
+    if told.scene.bodies is not None:
+        named.insert(0, LAW)
+    return f"given {' and '.join(named)}; judged by {judge}"
 
 
 def scene_document(told: Told, judge: str) -> dict[str, Any]:
@@ -48,7 +54,7 @@ def scene_document(told: Told, judge: str) -> dict[str, Any]:
         "format": FORMAT,
         "command": "scene",
         "verdict": told.verdict,
-        "judged_by": judge if told.theorems else None,
+        "judged_by": None if told.verdict == UNDECIDED else judge,
         "cites": told.theorems,
         "reason": told.reason,
         "says": told.says,

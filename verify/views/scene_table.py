@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from verify.prover.decimals import exact_number, outward
-from verify.views.scene import Told
+from verify.views.scene import UNDECIDED, Told
 
 #: Digits of the enclosures.
 DIGITS = 17
@@ -34,7 +34,7 @@ def cells(file: str, told: Told, judge: str) -> Cells:
         "" if told.central is None else str(told.central),
         str(told.collisions),
         *(end for pair in ends for end in pair),
-        judge if told.theorems else "",
+        "" if told.verdict == UNDECIDED else judge,
         *told.scene.labels,
     )
 

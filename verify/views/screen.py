@@ -22,6 +22,7 @@ from verify.language.statement import (
 from verify.language.terms import Claim
 from verify.prover.decimals import short
 from verify.prover.outcome import Outcome
+from verify.views import words
 from verify.views.point import (
     failed_hypotheses,
     final_angle,
@@ -29,17 +30,7 @@ from verify.views.point import (
     known_there,
     parameters_told,
 )
-from verify.views.words import (
-    believed,
-    fair,
-    group_verdict,
-    groups,
-    short_name,
-    sides_of,
-    summary,
-)
 
-SIGNS = {"<": "<", "<=": "≤", "=": "="}
 TITLES = {
     PRINTED: "The printed argument for it",
     REPAIRED: "The theorem with repaired constants",
@@ -57,7 +48,7 @@ def screen(
     yield f"Theorem 1 ({outcome.statement.theorem}) at {parameters_told(outcome)}"
     yield ""
     yield from printed_lines(as_printed or {})
-    sets = [group for group in groups(outcome) if group != HYPOTHESES]
+    sets = [group for group in words.groups(outcome) if group != HYPOTHESES]
     yield from _hypotheses(outcome, paper)
     for group in sets:
         yield _set_line(outcome, group)
@@ -70,7 +61,7 @@ def screen(
     yield "All rows: -v; some: --rows NAME; for programs: --json; a certificate: --out DIR."
     yield ""
     if outcome.verdict == PROVED and outcome.assumptions:
-        yield believed(outcome, paper)
+        yield words.believed(outcome, paper)
     yield _verdict(outcome, paper, sets)
 
 
@@ -100,7 +91,7 @@ def _argument(outcome: Outcome, paper: Publication) -> Iterator[str]:
     kinds = Counter(
         row.severity
         for row, found in outcome.rows
-        if row.severity and fair(outcome, row, found) in (REFUTED, OTHERWISE, REMARK)
+        if row.severity and words.fair(outcome, row, found) in (REFUTED, OTHERWISE, REMARK)
     )
     rest = [counted(kinds[kind], kind) for kind in (HARMLESS, SLIP) if kinds[kind]]
     if rest:
@@ -115,21 +106,23 @@ def _argument(outcome: Outcome, paper: Publication) -> Iterator[str]:
 
 def _breaking(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """The refuted steps that break the printed argument, a line each with both numbers."""
-    rows = [p for p in outcome.rows if fair(outcome, *p) == REFUTED and p[0].severity == BREAKS]
+    rows = [
+        p for p in outcome.rows if words.fair(outcome, *p) == REFUTED and p[0].severity == BREAKS
+    ]
     if rows:
         yield "  Refuted steps that break it (left and right side, formula):"
     for row, decision in rows:
-        sides = sides_of(row, decision)
+        sides = words.sides_of(row, decision)
         if sides is not None and isinstance(row.claim, Claim):
-            sign = SIGNS[row.claim.relation]
+            sign = words.SIGNS[row.claim.relation]
             numbers = f"{short(sides[0], 3)} {sign} {short(sides[1], 3)}"
-            yield f"    {short_name(row):<18} {numbers:<26} {paper.number(row.label)}"
+            yield f"    {words.short_name(row):<18} {numbers:<26} {paper.number(row.label)}"
     yield from causes([row for row, _ in rows], paper)
 
 
 def causes(rows: Iterable[Obligation], paper: Publication) -> Iterator[str]:
     """Why these rows are false: the first sentence on each cause."""
-    names = {row.name: short_name(row) for row in rows}
+    names = {row.name: words.short_name(row) for row in rows}
     for own, text in paper.notes().causes:
         first, *others = [names[name] for name in own if name in names] or [""]
         if first:
@@ -142,7 +135,7 @@ def verdict_lines(outcome: Outcome, paper: Publication, sets: list[str]) -> Iter
     yield from _hypotheses(outcome, paper)
     yield from (_set_line(outcome, group) for group in sets)
     if outcome.verdict == PROVED and outcome.assumptions:
-        yield believed(outcome, paper)
+        yield words.believed(outcome, paper)
     yield _verdict(outcome, paper, sets)
 
 
@@ -159,10 +152,10 @@ def _hypotheses(outcome: Outcome, paper: Publication) -> Iterator[str]:
 
 
 def _set_line(outcome: Outcome, group: str) -> str:
-    return f"{TITLES.get(group, group)}: {group_verdict(outcome, group)}"
+    return f"{TITLES.get(group, group)}: {words.group_verdict(outcome, group)}"
 
 
 def _verdict(outcome: Outcome, paper: Publication, sets: list[str]) -> str:
     which = f", {' and '.join(sets)} constants," if sets else ""
     title = f"Theorem 1{which} at {parameters_told(outcome)}"
-    return f"Verdict: {summary(outcome, paper, title)}"
+    return f"Verdict: {words.summary(outcome, paper, title)}"

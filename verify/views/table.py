@@ -19,38 +19,25 @@ from verify.language.terms import Claim
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import outward, people, short
 from verify.prover.outcome import Decision, Ends, Outcome
+from verify.views import words
 from verify.views.enclosures import minimum_of
 from verify.views.plain import plain_letters
 from verify.views.point import in_numbers, parameters_told
-from verify.views.screen import SIGNS, TITLES, verdict_lines
-from verify.views.words import (
-    COUNTED,
-    INSTEAD_WORDS,
-    constants_of,
-    ends_of,
-    fair,
-    group_verdict,
-    groups,
-    is_called,
-    letters,
-    short_name,
-    sides_of,
-    taken_on_trust,
-)
+from verify.views.screen import TITLES, verdict_lines
 
 
 def some_rows(outcome: Outcome, name: str, paper: Publication) -> list[str]:
     """The rows of this name, label or printed number; their claims simplified."""
     typesetter = plain_letters(outcome)
-    rows = [p for p in outcome.rows if is_called(p[0], name, paper)]
+    rows = [p for p in outcome.rows if words.is_called(p[0], name, paper)]
     parts = (_row(outcome, row, found, typesetter, paper, row.name) for row, found in rows)
     return [line for part in parts for line in part]
 
 
 def report_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
     """The report, line by line; the last line is the result with everything it is about."""
-    typesetter = letters(outcome)
-    sets = [group for group in groups(outcome) if group != HYPOTHESES]
+    typesetter = words.letters(outcome)
+    sets = [group for group in words.groups(outcome) if group != HYPOTHESES]
     yield f"Theorem 1 ({outcome.statement.theorem}) at {parameters_told(outcome)}"
     yield ""
     yield from _first_screen(outcome, paper, sets)
@@ -58,7 +45,7 @@ def report_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
     yield "Hypotheses"
     for row, decision in outcome.of_group(HYPOTHESES):
         yield from _row(outcome, row, decision, typesetter, paper)
-    common = constants_of(outcome, "")
+    common = words.constants_of(outcome, "")
     if common:
         yield from ("", "Constants")
     for constant in common:
@@ -66,7 +53,7 @@ def report_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
     for group in sets:
         yield from _set(outcome, group, typesetter, paper)
     yield ""
-    yield from taken_on_trust(outcome, paper)
+    yield from words.taken_on_trust(outcome, paper)
     yield ""
     yield from verdict_lines(outcome, paper, sets)
 
@@ -74,8 +61,8 @@ def report_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
 def _set(outcome: Outcome, group: str, typesetter: Typesetter, paper: Publication) -> Iterator[str]:
     rows = outcome.of_group(group)
     yield ""
-    yield f"{TITLES.get(group, group)}: {group_verdict(outcome, group)}"
-    for constant in constants_of(outcome, group):
+    yield f"{TITLES.get(group, group)}: {words.group_verdict(outcome, group)}"
+    for constant in words.constants_of(outcome, group):
         yield from _constant(outcome, constant, typesetter)
     numbers = in_numbers(outcome) if group == REPAIRED else None
     if numbers is not None:
@@ -83,9 +70,11 @@ def _set(outcome: Outcome, group: str, typesetter: Typesetter, paper: Publicatio
     yield ""
     for row, decision in rows:
         yield from _row(outcome, row, decision, typesetter, paper)
-    verdicts = Counter(fair(outcome, row, decision) for row, decision in rows)
+    verdicts = Counter(words.fair(outcome, row, decision) for row, decision in rows)
     yield ""
-    yield "  " + ", ".join(f"{count} {COUNTED[verdict]}" for verdict, count in verdicts.items())
+    yield "  " + ", ".join(
+        f"{count} {words.COUNTED[verdict]}" for verdict, count in verdicts.items()
+    )
     if group == PRINTED:
         refuted = {row.name for row, found in rows if found.verdict == REFUTED}
         yield from _causes(refuted, paper.notes().causes)
@@ -113,7 +102,7 @@ def _changes(paper: Publication) -> Iterator[str]:
 
 
 def _constant(outcome: Outcome, constant: Constant, typesetter: Typesetter) -> Iterator[str]:
-    value = _short(ends_of(outcome, constant.name))
+    value = _short(words.ends_of(outcome, constant.name))
     if constant.term.op == "rational":  # chosen; the rows have its bounds
         yield f"  {constant.letter:<6} {value}"
         return
@@ -134,19 +123,20 @@ def _row(
     name: str = "",
 ) -> Iterator[str]:
     role = " (as printed)" if row.role == PRINTED and row.group == HYPOTHESES else ""
-    where = f"[{name or short_name(row)}, {paper.cited(row.label)}]"
-    verdict = fair(outcome, row, decision)
+    where = f"[{name or words.short_name(row)}, {paper.cited(row.label)}]"
+    verdict = words.fair(outcome, row, decision)
     yield f"  {verdict:<9} {row.says}{role}   {where}"
     yield f"            {typesetter.claim(row.claim)}"
-    sides = sides_of(row, decision)
+    sides = words.sides_of(row, decision)
     if sides is not None and isinstance(row.claim, Claim):
-        numbers = f"{short(sides[0])} {SIGNS[row.claim.relation]} {short(sides[1])}"
+        numbers = f"{short(sides[0])} {words.SIGNS[row.claim.relation]} {short(sides[1])}"
         yield f"            {numbers}   {_margin(decision, sides)}"
     if decision.verdict == REFUTED:
         if row.severity and verdict == REFUTED:
             yield f"            {row.severity}"
         if row.corrected_by:
-            yield f"            {INSTEAD_WORDS.get(verdict, 'corrected by')} {row.corrected_by}"
+            instead = words.INSTEAD_WORDS.get(verdict, "corrected by")
+            yield f"            {instead} {row.corrected_by}"
 
 
 def _short(ends: Ends | None) -> str:
@@ -168,9 +158,9 @@ def _first_screen(outcome: Outcome, paper: Publication, sets: list[str]) -> Iter
     yield from verdict_lines(outcome, paper, sets)
     refuted: dict[str, list[str]] = {}
     for row, decision in outcome.rows:
-        found = fair(outcome, row, decision)
+        found = words.fair(outcome, row, decision)
         if found == REFUTED and (row.role == PRINTED or row.group in sets):
             kind = f"{row.group}, {row.severity}" if row.severity else row.group
-            refuted.setdefault(kind, []).append(short_name(row))
+            refuted.setdefault(kind, []).append(words.short_name(row))
     for kind, names in refuted.items():
         yield f"Refuted, {kind}: {', '.join(names)}"

@@ -6,7 +6,7 @@ Everything is taken from the outcome, fresh or read back; nothing is decided her
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from verify.language.statement import (
     HYPOTHESES,
@@ -23,7 +23,7 @@ from verify.language.statement import (
     Obligation,
     Publication,
 )
-from verify.language.terms import Claim, Term, names_of
+from verify.language.terms import Claim, Term, names_of, symbol
 from verify.language.typeset import Typesetter
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 
@@ -56,6 +56,9 @@ TITLE_LETTERS = {
     "delta_x": "δ_x",
     "delta_y": "δ_y",
 }
+
+#: How relations are shown.
+SIGNS = {"<": "<", "<=": "≤", "=": "="}
 
 #: A longer formula is left to the statement file where a row is told in one line.
 MAX_FORMULA = 400
@@ -249,11 +252,26 @@ def letters(outcome: Outcome) -> Typesetter:
     return Typesetter(names | parameter_letters(outcome))
 
 
+def tex_letters(outcome: Outcome) -> dict[str, str]:
+    """The letters of all constants and variables in LaTeX."""
+    found = {one.name: one.tex for one in outcome.statement.constants}
+    for context in outcome.statement.contexts:
+        found |= {variable.name: variable.tex for variable in context.variables}
+        found |= {one.name: one.tex for one in context.constants}
+    return found
+
+
 def parameter_letters(outcome: Outcome) -> dict[str, str]:
     """The letters of the parameters: the paper's where they are those of Theorem 1."""
     found = parameters_of(outcome)
     known = LETTERS if {"V_0", "delta_theta"} <= found.keys() else {}
     return {name: known.get(name, name) for name in found}
+
+
+def values_told(values: Mapping[str, Term], typesetter: Typesetter) -> str:
+    """Names with the values that they have."""
+    term = typesetter.term
+    return ", ".join(f"{term(symbol(name))} = {term(value)}" for name, value in values.items())
 
 
 def short_name(row: Obligation) -> str:

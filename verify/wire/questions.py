@@ -15,11 +15,11 @@ from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.proof import Step
 from verify.prover.prove import NO_HINTS, prove
-from verify.wire.inputs import InputError, shown
+from verify.wire.inputs import InputError, TooDeepError, shown
 from verify.wire.judge import judged
 from verify.wire.read import cites_of, read_statement
 from verify.wire.term_json import TermReader
-from verify.wire.text.page import Page
+from verify.wire.text import Page
 from verify.wire.write import digest, write
 
 #: What the checker says where there is more than it reads.
@@ -112,8 +112,11 @@ class Reading:
         cited = {digest(cite.content): cite.content for cite in all_cites(statement.cites)}
         try:
             self._content = write(_claims(statement, ()))["statement.json"]
-        except RecursionError as error:
-            raise InputError("STATEMENT: its terms are too deep; nest fewer operations") from error
+            deep = _is_deep(json.loads(self._content))
+        except RecursionError:
+            deep = True
+        if deep:
+            raise TooDeepError("STATEMENT: its terms are too deep; nest fewer operations")
         self._cited = cited
         self._batches: list[tuple[Obligation | None, str, Sequence[Step]]] = []
         _document(self._content, cited)
@@ -158,6 +161,15 @@ class Reading:
         for name in own:
             checking.kernel.shared.pop(name, None)
             checking.kernel.abbreviations.pop(name, None)
+
+
+def _is_deep(document: Any) -> bool:
+    """Whether lists and tables nest more deeply than the checker reads."""
+    level = [document]
+    for _ in range(check.MAX_NESTING):
+        lists = [item.values() if isinstance(item, dict) else item for item in level]
+        level = [item for inner in lists for item in inner if isinstance(item, dict | list)]
+    return bool(level)
 
 
 def _claims(statement: Statement, steps: Sequence[Step]) -> Outcome:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from verify.language.statement import (
@@ -24,11 +25,12 @@ from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import (
     ConstantStep,
     DefinitionStep,
-    Kind,
     LemmaStep,
     ObligationStep,
     OpenStep,
     Step,
+    made_of,
+    shapes,
 )
 from verify.prover.rules import RULES
 from verify.wire.packaged import packaged_certificate
@@ -169,7 +171,8 @@ def _row(item: Any, reader: TermReader) -> Obligation:
 
 def _step(item: Any, reader: TermReader) -> Step:
     if "open" in item:
-        return OpenStep(item["open"], tuple(_premise(p, reader) for p in item["givens"]))
+        leaf = partial(reader.leaf, _proof, "premise")
+        return OpenStep(item["open"], tuple(map(leaf, item["givens"])))
     proof = _proof(item["proof"], reader)
     if "constant" in item:
         return ConstantStep(item["constant"], proof)
@@ -181,50 +184,9 @@ def _step(item: Any, reader: TermReader) -> Step:
     return DefinitionStep(item["define"], item["context"], reader.term(item["term"]), proof)
 
 
-def _premise(item: Any, reader: TermReader) -> Any:
-    return item if isinstance(item, str) else _proof(item, reader)
-
-
 def _proof(item: Any, reader: TermReader) -> Any:
     fields = item.keys() - {"rule"}
-    for proof_class, (rule, kinds) in RULES.items():
-        if rule == item["rule"] and kinds.keys() == fields:
-            values = {name: _field(kind, item[name], reader) for name, kind in kinds.items()}
-            return proof_class(**values)
+    for proofs, rule in RULES.items():
+        if rule.name == item["rule"] and shapes(proofs).keys() == fields:
+            return proofs(**made_of(proofs, item, partial(reader.leaf, _proof)))
     raise WireError(f"a proof by {item['rule']} has other fields than {sorted(fields)}")
-
-
-def _field(kind: Kind, value: Any, reader: TermReader) -> Any:  # noqa: C901  one case a kind
-    match kind:
-        case Kind.TERM:
-            return reader.term(value)
-        case Kind.TERMS:
-            return reader.table(value)
-        case Kind.PROOF:
-            return _proof(value, reader)
-        case Kind.CLAIM:
-            return reader.comparison(value)
-        case Kind.PREMISE:
-            return _premise(value, reader)
-        case Kind.PREMISES:
-            return tuple(_premise(item, reader) for item in value)
-        case Kind.VALUES:
-            return tuple(_value(item, reader) for item in value)
-        case Kind.COFACTORS:
-            return tuple((name, reader.term(term)) for name, term in value)
-        case Kind.RATIONALS:
-            return tuple(map(Fraction, value))
-        case Kind.BOUNDS:
-            return tuple(map(tuple, value))
-    return tuple(value) if isinstance(value, list) else value
-
-
-def _value(value: Any, reader: TermReader) -> Any:
-    if isinstance(value, str):
-        return value
-    op, *rest = value
-    if op in ("square", "root"):
-        return op, reader.term(rest[0])
-    if op == "pow":
-        return op, _value(rest[0], reader), int(rest[1])
-    return op, *(_value(item, reader) for item in rest)

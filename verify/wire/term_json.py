@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -22,8 +22,40 @@ class WireError(ValueError):
     """A document that does not have the described form."""
 
 
-class TermWriter:
+class _Parts:
+    """What is in the fields of proofs, which is read as it is written: leaf by leaf."""
+
+    #: What becomes of a rational, and of an exponent.
+    number: Callable[[Any], Any]
+    exponent: Callable[[Any], Any]
+    term: Callable[[Any], Any]
+    claim: Callable[[Any], Any]
+
+    def leaf(self, proof: Callable[[Any, Any], Any], name: str, item: Any) -> Any:
+        """What a leaf of this name becomes; ``proof`` says what a proof does."""
+        match name:
+            case "term" | "claim" | "value" | "number":
+                return getattr(self, name)(item)
+            case "proof" | "premise" if not isinstance(item, str):
+                return proof(item, self)
+        return item
+
+    def value(self, value: Any) -> Any:
+        """A number that is >= 0."""
+        if isinstance(value, str):
+            return value
+        op, *rest = value
+        if op in ("square", "root"):
+            return op, self.term(rest[0])
+        if op == "pow":
+            return op, self.value(rest[0]), self.exponent(rest[1])
+        return op, *map(self.value, rest)
+
+
+class TermWriter(_Parts):
     """Writes terms; subterms that occur again in what was announced are written as names."""
+
+    number = exponent = str
 
     def __init__(self, prefix: str, terms: Iterable[Term], known: Mapping[Term, str]) -> None:
         self._names: dict[Term, str] = dict(known)
@@ -92,8 +124,10 @@ def _size(term: Term) -> int:
     return size
 
 
-class TermReader:
+class TermReader(_Parts):
     """Reads terms, with a table of shared ones."""
+
+    number, exponent = Fraction, int
 
     def __init__(self, *tables: Mapping[str, Any]) -> None:
         self._documents = {name: value for table in tables for name, value in table.items()}

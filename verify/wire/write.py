@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
+from functools import partial
 from hashlib import sha256
 from typing import Any
 
@@ -26,13 +27,15 @@ from verify.prover.outcome import Enclosure, Ends, Outcome
 from verify.prover.proof import (
     ConstantStep,
     DefinitionStep,
-    Kind,
     LemmaStep,
     ObligationStep,
     OpenStep,
+    Proof,
     Step,
+    leaves,
+    mapped,
 )
-from verify.prover.rules import RULES
+from verify.prover.rules import rule_of
 from verify.wire.term_json import TermWriter
 
 STATEMENT_FORMAT = "verify-statement/2"
@@ -204,56 +207,13 @@ def _step(step: Step, writer: TermWriter) -> dict[str, Any]:
             "term": writer.term(step.term),
             "proof": proof_document(step.proof, writer),
         }
-    return {"open": step.name, "givens": [_premise(item, writer) for item in step.givens]}
+    leaf = partial(writer.leaf, proof_document, "premise")
+    return {"open": step.name, "givens": [*map(leaf, step.givens)]}
 
 
-def _premise(item: Any, writer: TermWriter) -> Any:
-    return item if isinstance(item, str) else proof_document(item, writer)
-
-
-def proof_document(proof: Any, writer: TermWriter) -> dict[str, Any]:
+def proof_document(proof: Proof, writer: TermWriter) -> dict[str, Any]:
     """A proof as JSON: its rule and its fields."""
-    rule, kinds = RULES[type(proof)]
-    document: dict[str, Any] = {"rule": rule}
-    for name, kind in kinds.items():
-        document[name] = _field(kind, getattr(proof, name), writer)
-    return document
-
-
-def _field(kind: Kind, value: Any, writer: TermWriter) -> Any:  # noqa: C901  one case a kind
-    match kind:
-        case Kind.TERM:
-            return writer.term(value)
-        case Kind.TERMS:
-            return writer.table(value)
-        case Kind.PROOF:
-            return proof_document(value, writer)
-        case Kind.CLAIM:
-            return writer.claim(value)
-        case Kind.PREMISE:
-            return _premise(value, writer)
-        case Kind.PREMISES:
-            return [_premise(item, writer) for item in value]
-        case Kind.VALUES:
-            return [_value(item, writer) for item in value]
-        case Kind.COFACTORS:
-            return [[name, writer.term(term)] for name, term in value]
-        case Kind.RATIONALS:
-            return [str(item) for item in value]
-        case Kind.BOUNDS:
-            return [list(item) for item in value]
-    return list(value) if isinstance(value, tuple) else value
-
-
-def _value(value: Any, writer: TermWriter) -> Any:
-    if isinstance(value, str):
-        return value
-    op, *rest = value
-    if op in ("square", "root"):
-        return [op, writer.term(rest[0])]
-    if op == "pow":
-        return [op, _value(rest[0], writer), str(rest[1])]
-    return [op, *(_value(item, writer) for item in rest)]
+    return {"rule": rule_of(proof)} | mapped(proof, partial(writer.leaf, proof_document))
 
 
 def _step_terms(step: Step) -> Iterator[Term]:
@@ -266,25 +226,14 @@ def _step_terms(step: Step) -> Iterator[Term]:
         yield from _proof_terms(proof)
 
 
-def _proof_terms(proof: Any) -> Iterator[Term]:  # noqa: C901  one case a kind
-    if isinstance(proof, str):
-        return
-    for name, kind in RULES[type(proof)][1].items():
-        value = getattr(proof, name)
-        if kind == Kind.TERM:
-            yield value
-        elif kind == Kind.TERMS:
-            yield from value.values()
-        elif kind == Kind.COFACTORS:
-            yield from (term for _, term in value)
-        elif kind == Kind.VALUES:
-            for item in value:
-                yield from _value_terms(item)
-        elif kind == Kind.CLAIM:
-            yield from (value.lhs, value.rhs)
-        elif kind in (Kind.PROOF, Kind.PREMISE, Kind.PREMISES):
-            for item in value if kind == Kind.PREMISES else (value,):
-                yield from _proof_terms(item)
+def _proof_terms(proof: Any) -> Iterator[Term]:
+    for leaf, item in () if isinstance(proof, str) else leaves(proof):
+        if leaf in ("proof", "premise"):
+            yield from _proof_terms(item)
+        elif leaf == "claim":
+            yield from (item.lhs, item.rhs)
+        elif leaf in ("term", "value"):
+            yield from _value_terms(item)
 
 
 def _value_terms(value: Any) -> Iterator[Term]:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import cache
-from typing import Any
 
 import pytest
 from flint import arb
 
+from tests.paper.changing import answer, but, changed, report, without
 from tests.paper.sharper.particles import Particles, dot
 from tests.paper.sharper.states import Numbers, Random
 from verify import check
@@ -19,18 +19,13 @@ from verify.paper.sharper import numbers, state
 from verify.paper.sharper.sharper import sharper
 from verify.prover import balls
 from verify.prover.outcome import Decision, Outcome
-from verify.prover.proof import LemmaStep, ObligationStep, OpenStep, Step
+from verify.prover.proof import LemmaStep, ObligationStep, Step
 from verify.prover.rules import Applying, Interval, Sum
 from verify.wire.read import read
 from verify.wire.write import write
 
 BITS = 4000
 COLLISIONS = 40
-
-
-def report(outcome: Outcome) -> check.Report:
-    files = write(outcome)
-    return check.check(files["statement.json"], files["certificate.json"], {})
 
 
 def test_the_theorem_is_proved_and_small() -> None:
@@ -72,54 +67,14 @@ def test_the_point_is_inside() -> None:
 # --- what is refused -----------------------------------------------------------------------------
 
 
-def without(name: str) -> Outcome:
-    """The theorem without a given, and without what is said of it."""
-    outcome = decide_sharper()
-    contexts, steps = list(outcome.statement.contexts), list(outcome.steps)
-    for number, context in enumerate(contexts):
-        names = [given.name for given in context.givens]
-        if name not in names:
-            continue
-        at = names.index(name)
-        contexts[number] = context._replace(givens=_but(context.givens, at))
-        for i, step in enumerate(steps):
-            if isinstance(step, OpenStep) and step.name == context.name:
-                steps[i] = step._replace(givens=_but(step.givens, at))
-    statement = outcome.statement._replace(contexts=tuple(contexts))
-    return outcome._replace(statement=statement, steps=tuple(steps))
-
-
-def _but(items: tuple[Any, ...], at: int) -> tuple[Any, ...]:
-    return items[:at] + items[at + 1 :]
-
-
-def answer(outcome: Outcome) -> str:
-    try:
-        return report(outcome).verdict
-    except check.Malformed:
-        return "MALFORMED"
-
-
 @pytest.mark.parametrize("name", numbers.GIVENS)
 def test_each_inequality_and_entry_condition_is_used(name: str) -> None:
-    assert answer(without(name)) in {"REFUSED", "MALFORMED"}
+    assert answer(without(decide_sharper(), name)) in {"REFUSED", "MALFORMED"}
 
 
 @pytest.mark.parametrize("name", [*state.PAIRS, "s-upper", "t-lower", "t-upper"])
 def test_each_pair_of_vectors_and_each_time_is_used(name: str) -> None:
-    assert answer(without(name)) in {"REFUSED", "MALFORMED"}
-
-
-def changed(name: str, claim: Claim) -> Outcome:
-    """The theorem with another claim in place of a given."""
-    outcome = decide_sharper()
-
-    def other(context: Context) -> Context:
-        givens = (g._replace(claim=claim) if g.name == name else g for g in context.givens)
-        return context._replace(givens=tuple(givens))
-
-    contexts = tuple(map(other, outcome.statement.contexts))
-    return outcome._replace(statement=outcome.statement._replace(contexts=contexts))
+    assert answer(without(decide_sharper(), name)) in {"REFUSED", "MALFORMED"}
 
 
 def weaker(claim: Claim) -> Claim:
@@ -129,7 +84,7 @@ def weaker(claim: Claim) -> Claim:
 
 @pytest.mark.parametrize("name", [*numbers.GIVENS][::3])
 def test_a_weaker_given_is_refused(name: str) -> None:
-    assert answer(changed(name, weaker(numbers.GIVENS[name]))) == "REFUSED"
+    assert answer(changed(decide_sharper(), name, weaker(numbers.GIVENS[name]))) == "REFUSED"
 
 
 #: The theorem as it might be miswritten: a sign, a factor, a power, an end.
@@ -174,7 +129,7 @@ MUTANTS: dict[str, tuple[str, Claim]] = {
 
 @pytest.mark.parametrize("mutant", MUTANTS)
 def test_a_mutant_is_refused(mutant: str) -> None:
-    assert answer(changed(*MUTANTS[mutant])) == "REFUSED"
+    assert answer(changed(decide_sharper(), *MUTANTS[mutant])) == "REFUSED"
 
 
 @pytest.mark.parametrize("name", ["tau", "D", "C_next", "y_next", "eta_s_next", "A_next", "B_next"])
@@ -220,7 +175,7 @@ def test_a_sum_without_one_of_its_addends_is_refused() -> None:
     lies: dict[str, list[LemmaStep]] = {}
     for number, (step, claim, context, proof) in enumerate(sums()):
         for i in range(len(proof.addends)):
-            fewer = proof._replace(addends=_but(proof.addends, i))
+            fewer = proof._replace(addends=but(proof.addends, i))
             lie = LemmaStep(f"lie.{number}.{i}", context, claim, fewer)
             lies.setdefault(step.name, []).append(lie)
     assert sum(map(len, lies.values())) > 300

@@ -200,6 +200,26 @@ def test_the_critical_r_on_a_line(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert (tmp_path / "map.svg").read_text(encoding="utf-8").count("</svg>") == 1
 
 
+def test_a_line_may_have_any_rational_direction(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Positions and velocities along (3, 4); a little beside the line nothing is decided."""
+    turned = """r = 0.06
+positions = [[1, 1], ["1 + 3*0.4", "1 + 4*0.4"], ["1 - 3*0.5", "1 - 4*0.5"]]
+velocities = [[5, 0], ["5 - 3*s", "-4*s"], ["5 + 3", "4 + BESIDE"]]
+parameters = {s = "1..1.01"}
+"""
+    for beside, letter in (("0", "c"), ("1/1000000", "u")):
+        file, out = tmp_path / "turned.toml", tmp_path / f"out-{letter}"
+        file.write_text(turned.replace("BESIDE", beside), encoding="utf-8")
+        assert main(["map", str(file), "--x", "s", "--boxes", "64", "--out", str(out)]) in (0, 3)
+        assert check_map.main([str(out / "map.jsonl")]) == 0
+        first = (out / "map.jsonl").read_text(encoding="utf-8").splitlines()[1]
+        assert {*json.loads(first)["verdicts"]} == {letter}
+        told = capsys.readouterr().out
+        assert ("certificates/line" in told) == (letter == "c")
+
+
 def test_a_collapse_on_a_line_is_not_taken_elsewhere() -> None:
     """Without six numbers a box collapses on a line only."""
     lines = [
@@ -213,6 +233,8 @@ def test_a_collapse_on_a_line_is_not_taken_elsewhere() -> None:
         check_map.check_log(iter(sealed([header, lines[1]])))
     for row in lines[0]["plane"]["velocities"]:
         row[1] = "x"
+    check_map.check_log(iter(sealed(lines)))  # all drift sideways alike, and stay on a line
+    lines[0]["plane"]["velocities"][2][1] = "0"
     with pytest.raises(check_map.LogError, match="six numbers"):
         check_map.check_log(iter(sealed(lines)))
 

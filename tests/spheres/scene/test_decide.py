@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from itertools import pairwise
 from random import Random
 
 import mpmath
 import pytest
 
+from tests.spheres.scene.agreement import contradictions
 from tests.spheres.scene.random_scenes import random_scene
 from tests.spheres.scene.scenes import CASES, REST, aligned, on_a_line, scene
 from verify.measure.simulation import DIGITS, Impact, simulate
 from verify.prover import balls
 from verify.spheres.flow.pairs import PARTING, PASSING
-from verify.spheres.scene.decide import COLLAPSES, DISPERSES, UNDECIDED, Budget, Fate, decide_scene
+from verify.spheres.scene.decide import COLLAPSES, DISPERSES, UNDECIDED, Budget, decide_scene
 from verify.spheres.scene.scene import PAIRS, Coordinates, Scene
-from verify.spheres.scene.verdict import central, pairs_of, scene_lines, time_ends
-
-#: Collisions of the simulation after the last one that was followed.
-MORE = 60
+from verify.spheres.scene.verdict import scene_lines, time_ends
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -35,48 +32,6 @@ def test_a_hundred_thousand_collisions_on_a_line() -> None:
     found = decide_scene(on_a_line("0.0717967697388478"), Budget(collisions=400_000))
     assert found.verdict == DISPERSES
     assert found.collisions > 100_000
-
-
-def contradictions(found: Fate) -> list[str]:
-    """What an independent simulation with 400 digits does not confirm."""
-    count = len(found.flow.collisions)
-    more = MORE if found.verdict == COLLAPSES else 5
-    seen = simulate(found.flow.scene, count + more)
-    wrong = []
-    if [collision.pair for collision in seen[:count]] != pairs_of(found):
-        wrong.append("the pairs differ")
-    for collision, move in zip(seen, found.flow.collisions, strict=False):
-        with balls.precision(found.flow.bits):
-            if not is_inside(collision.time, balls.ends(balls.as_ball(move.after.time))):
-                wrong.append("a time differs")
-    if found.verdict == DISPERSES and len(seen) != count:
-        wrong.append("there are more collisions")
-    ends, o = time_ends(found), central(found)
-    if found.collapse is not None and ends is not None and o is not None:
-        rest = seen[count - 1 :]
-        turns = pairwise(rest)
-        if any(a.pair == b.pair or str(o) not in b.pair for a, b in turns):
-            wrong.append("the pairs do not take turns")
-        if len(seen) != count + MORE or not is_inside(seen[-1].time, ends):
-            wrong.append("the collapse is at another time")
-        if not all(is_inside(neg_cos(c, o), found.collapse.angle) for c in rest):
-            wrong.append("the angle is another one")
-    return wrong
-
-
-def neg_cos(collision: Impact, central: int) -> object:
-    """-cos of the angle at the central particle, at a collision."""
-    with mpmath.workdps(DIGITS):
-        x = [mpmath.matrix(position) for position in collision.positions]
-        a, b = (x[k] - x[central] for k in range(3) if k != central)
-        return -mpmath.fdot(a, b) / mpmath.norm(a) / mpmath.norm(b)
-
-
-def is_inside(value: object, ends: tuple[Fraction, Fraction]) -> bool:
-    with mpmath.workdps(DIGITS):
-        low, high = (mpmath.mpf(end.numerator) / end.denominator for end in ends)
-        slack = mpmath.mpf(10) ** (20 - DIGITS)
-        return bool(low - slack <= value <= high + slack)
 
 
 def test_random_scenes_against_a_simulation() -> None:

@@ -7,9 +7,9 @@ from random import Random
 
 import mpmath
 
+from tests.spheres.scene.agreement import is_inside
 from tests.spheres.scene.random_scenes import random_scene
 from tests.spheres.scene.scenes import aligned, on_a_line
-from tests.spheres.scene.test_decide import is_inside
 from verify.measure.simulation import DIGITS, simulate
 from verify.spheres.scene.decide import DISPERSES, FINITE, Budget, decide_scene
 from verify.spheres.scene.energy import energy_at_start, energy_lost

@@ -83,6 +83,7 @@ THEOREMS: dict[str, Callable[[], Outcome]] = {
     "elsewhere": elsewhere.decide_elsewhere,
     "sharper": sharper.decide_sharper,
     "sandwich": sandwich.decide_sandwich,
+    "outside": sandwich.decide_outside,
     "flow": scene.decide_flow,
     "line": scene.decide_line,
     "separatrix": separatrix.decide_separatrix,

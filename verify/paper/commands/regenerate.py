@@ -32,7 +32,7 @@ from verify.paper.groups import REPAIRED
 from verify.paper.parameters import THEOREM
 from verify.paper.separatrix.theorem import NAME
 from verify.prover.outcome import Outcome
-from verify.wire.parameters import are_allowed
+from verify.wire.inputs import are_allowed
 from verify.wire.term_json import TermReader
 from verify.wire.write import write
 
@@ -49,6 +49,7 @@ WITHOUT_PARAMETERS: dict[str, Callable[[], Outcome]] = {
     "classification": classification.decide_classification,
     "sharper": sharper.decide_sharper,
     "sandwich": sandwich.decide_sandwich,
+    "outside": sandwich.decide_outside,
     "flow": scene.decide_flow,
     "line": scene.decide_line,
     NAME: separatrix.decide_separatrix,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from verify.paper.outside.outside import outside
 from verify.paper.sandwich.sandwich import sandwich
 from verify.prover.arguments import write_down
 from verify.prover.outcome import Outcome
@@ -14,3 +15,9 @@ from verify.wire.judge import judged
 def decide_sandwich() -> Outcome:
     """The theorem, each line with the proof that its reason describes."""
     return judged(write_down(sandwich()))
+
+
+@cache
+def decide_outside() -> Outcome:
+    """The other half: above an orbit of such a map that ends, collisions in turn end."""
+    return judged(write_down(outside()))

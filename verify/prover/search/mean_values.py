@@ -12,7 +12,7 @@ import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from verify.language.terms import Claim, Term, as_term, names_of, substitute
+from verify.language.terms import Claim, Term, names_of, substitute
 from verify.prover.budget import WorkBudget
 from verify.prover.goal import Bounds
 from verify.prover.numbers import float_of
@@ -149,7 +149,7 @@ class MeanTree(Tree):
             low, high = box.ends[index]
             points.append(low + (high - low) * Fraction(round(part * PARTS), PARTS))
         self.chosen.append((box.ends, tuple(points)))
-        at = {name: as_term(c) for name, c in zip(self.slopes.names, points, strict=True)}
+        at = dict(zip(self.slopes.names, points, strict=True))
         return MeanValue(BITS, self.bounds(box), at)
 
     def holds_at(self, ends: Sequence[Ends], points: Sequence[Fraction]) -> bool:

@@ -12,7 +12,7 @@ from fractions import Fraction
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.spheres.flow.law import Number, State
+from verify.spheres.flow.law import EQUAL, Number, Sizes, State
 
 #: What the theorems on collapses are cited as.
 SHARPER, SANDWICH, LINE = "sharper", "sandwich", "line"
@@ -98,6 +98,25 @@ def start_of(state: State) -> Start:
         state.B,
         state.w,
         gap / (1 + reach),
+    )
+
+
+def start_with(state: State, sizes: Sizes) -> Start:
+    """The same for spheres of other sizes; d is in units of the contact distance of o and c."""
+    if sizes is EQUAL:
+        return start_of(state)
+    gap = state.eps * state.v**2
+    reach, touch, near = (balls.any_root(x) for x in (sizes.c + gap, sizes.c, sizes.s))
+    return Start(
+        state.lam * state.v / reach,
+        state.rho * state.v / near,
+        state.C / (reach * near),
+        state.a / near,
+        state.b / reach,
+        state.A,
+        state.B,
+        state.w,
+        gap / (touch * (touch + reach)),
     )
 
 

@@ -7,10 +7,21 @@ nothing: once that time has passed, R² >= 2 and A >= 0.
 from __future__ import annotations
 
 from verify.language.record import Record
+from verify.prover import balls
 from verify.spheres.flow.follow import Flow
-from verify.spheres.flow.law import State
-from verify.spheres.scene.criteria import INELASTIC, RECEDING, TURNING, inelastic, turning, whole
-from verify.spheres.scene.scene import FIRST_FRAMES
+from verify.spheres.flow.law import Number, State
+from verify.spheres.scene.criteria import (
+    INELASTIC,
+    RECEDING,
+    TURNING,
+    Spread,
+    Whole,
+    inelastic,
+    spread,
+    turning,
+    whole,
+)
+from verify.spheres.scene.scene import FIRST_FRAMES, Frame
 
 
 class Criterion(Record):
@@ -22,18 +33,24 @@ class Criterion(Record):
 
 def finitely_many(flow: Flow) -> Criterion | None:
     """A criterion that holds, if any."""
-    if inelastic(flow.r) < 0:
+    if flow.scene.bodies is None and inelastic(flow.r) < 0:
         return Criterion(INELASTIC, at_start=True)
-    name = _at(flow.start.state(FIRST_FRAMES[0], flow.keep))
+    name = _at(flow, FIRST_FRAMES[0], flow.start.state(FIRST_FRAMES[0], flow.keep))
     if name is not None:
         return Criterion(name, at_start=True)
-    name = None if flow.now is None else _at(flow.now.state)
+    name = None if flow.now is None else _at(flow, flow.now.frame, flow.now.state)
     return None if name is None else Criterion(name, at_start=False)
 
 
-def _at(state: State) -> str | None:
-    now = whole(state)
-    if not now.R2 >= 2:
+def _at(flow: Flow, frame: Frame, state: State) -> str | None:
+    bodies = flow.scene.bodies
+    if bodies is None:
+        now: Whole | Spread = whole(state)
+        most: Number = 2
+    else:
+        now = spread(state, frame, bodies, balls.exact)
+        most = now.touching
+    if not now.R2 >= most:
         return None
     if now.A >= 0:
         return RECEDING

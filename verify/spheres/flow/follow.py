@@ -15,6 +15,7 @@ from verify.spheres.flow.law import (
     Flight,
     Number,
     Pair,
+    Sizes,
     State,
     collided,
     drifted,
@@ -33,6 +34,7 @@ from verify.spheres.scene.scene import (
     Scene,
     coordinates,
     pair_name,
+    sizes_of,
 )
 
 COLLIDE, RECENTRE, DRIFT = "collide", "recentre", "drift"
@@ -94,6 +96,10 @@ class Flow:
         """The moment just after the last collision; None before the first."""
         return self.collisions[-1].after if self.collisions else None
 
+    def sizes(self, frame: Frame) -> Sizes:
+        """What the law needs of the spheres besides r."""
+        return sizes_of(self.scene, frame, balls.exact)
+
     def keep(self, _: str, value: Number) -> Number:
         """A rational number stays one while it is short."""
         return balls.shortened(value, self.bits)
@@ -139,22 +145,28 @@ class Flow:
             return
         yield [], now
         o, s, c = now.frame
-        other = Moment((s, o, c), recentred(now.state, self.keep), now.time)
+        state = recentred(now.state, self.keep, self.sizes(now.frame))
+        other = Moment((s, o, c), state, now.time)
         yield [Move(RECENTRE, now, other)], other
 
     def _collide(self, moment: Moment, way: Flight) -> list[Move] | None:
         """The flight and the collision of o and c, if no other pair meets before."""
         moves: list[Move] = []
-        while (cut := passing(moment.state, way)) is not None:
+        sizes = self.sizes(moment.frame)
+        while (cut := passing(moment.state, way, sizes)) is not None:
             moves.append(self._drift(moment, cut))
             found = meeting(moves[-1].after)
-            if len(moves) > MAX_CUTS or not is_free(moves[-1]) or not isinstance(found, Flight):
+            if (
+                len(moves) > MAX_CUTS
+                or not is_free(moves[-1], sizes)
+                or not isinstance(found, Flight)
+            ):
                 return None
             moment, way = moves[-1].after, found
-        if not is_next(moment.state, way):
+        if not is_next(moment.state, way, sizes):
             return None
         o, s, c = moment.frame
-        state = collided(self.r, moment.state, way, self.keep)
+        state = collided(self.r, moment.state, way, self.keep, sizes)
         after = Moment((o, c, s), state, self.keep("time", moment.time + way.y * way.T))
         return [*moves, Move(COLLIDE, moment, after, way)]
 
@@ -184,7 +196,8 @@ def pairs_now(flow: Flow) -> dict[str, Pair]:
         return {pair_name(i, j): flow.start.pair(i, j) for i, j in PAIRS}
     (o, s, c), (own, spectator) = flow.now.frame, inner(flow.now.state)
     names = (pair_name(o, c), pair_name(o, s), pair_name(s, c))
-    return dict(zip(names, (own, spectator, outer(flow.now.state)), strict=True))
+    other = outer(flow.now.state, flow.sizes(flow.now.frame))
+    return dict(zip(names, (own, spectator, other), strict=True))
 
 
 def why_apart(flow: Flow) -> dict[str, str]:
@@ -218,13 +231,13 @@ def meeting(moment: Moment) -> Flight | str | None:
     return flight(state, balls.any_root)
 
 
-def is_next(state: State, way: Flight) -> bool:
+def is_next(state: State, way: Flight, sizes: Sizes) -> bool:
     """True only if no other pair meets before o and c do, or at that instant."""
     return (
         bool(state.sig >= 0)
         and bool(state.sig + way.T * state.lam * state.rho >= 0)
         and bool(parted(state, way) > 0)
-        and stays_apart(outer(state), way.y * way.T)
+        and stays_apart(outer(state, sizes), way.y * way.T)
     )
 
 
@@ -235,22 +248,22 @@ def stays_apart(pair: Pair, time: Number) -> bool:
     return bool(g >= 0) and bool(g + step >= 0) and bool(g + time * (2 * p + m * time) > 0)
 
 
-def passing(state: State, way: Flight) -> Fraction | None:
+def passing(state: State, way: Flight, sizes: Sizes) -> Fraction | None:
     """The time at which another pair is nearest, if it passes by before o and c meet."""
     time = way.y * way.T
     _, spectator = inner(state)
     times = []
-    for pair in (spectator, outer(state)):
+    for pair in (spectator, outer(state, sizes)):
         g, p, m = pair
         if g + p * time < 0 and never_meets(pair) and m > 0:
             times.append(balls.short_rational(-p / m))
     return min(times, default=None)
 
 
-def is_free(drift: Move) -> bool:
+def is_free(drift: Move, sizes: Sizes) -> bool:
     """True only if all pairs are apart during a drift."""
     state, time = drift.before.state, balls.exact(drift.time)
-    pairs = (*inner(state), outer(state))
+    pairs = (*inner(state), outer(state, sizes))
     return bool(time > 0) and all(stays_apart(pair, time) for pair in pairs)
 
 

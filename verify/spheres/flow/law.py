@@ -19,12 +19,29 @@ Number = Any
 Keep = Callable[[str, Number], Number]
 
 
+class Sizes(Record):
+    """What the law needs besides r: the squares of the contact distances, and 1 + m_o/m_c.
+
+    ``c``, ``s`` and ``outer`` are the pairs o and c, o and s, s and c. Without other numbers the
+    spheres are equal, with diameter 1.
+    """
+
+    c: Number = 1
+    s: Number = 1
+    outer: Number = 1
+    ratio: Number = 2
+
+
+EQUAL = Sizes()
+
+
 class State(Record):
     """A central sphere o and two others, s (the spectator) and c, at some moment.
 
     x_s and x_c are their centres seen from that of o, W_s and W_c their velocities. With v > 0, a
     unit of speed: x_c·W_c = -lam v, |x_c|² = 1 + eps v², x_s·W_s = rho v, |x_s|² = 1 + sig v²;
-    A = |W_c|², B = |W_s|², C = -x_s·x_c, a = x_s·W_c, b = x_c·W_s, w = W_s·W_c.
+    A = |W_c|², B = |W_s|², C = -x_s·x_c, a = x_s·W_c, b = x_c·W_s, w = W_s·W_c. Where spheres are
+    not equal, the squares of their contact distances take the place of 1.
     """
 
     v: Number
@@ -54,7 +71,10 @@ class Flight(Record):
 
 
 class Pair(Record):
-    """Two spheres: g = |x|² - 1, p = x·w and m = |w|², so that |x + tw|² = 1 + g + 2pt + mt²."""
+    """Two spheres: g = |x|² - 1, p = x·w and m = |w|², so that |x + tw|² = 1 + g + 2pt + mt².
+
+    Where spheres are not equal, the square of their contact distance takes the place of 1.
+    """
 
     g: Number
     p: Number
@@ -76,25 +96,34 @@ def flight(state: State, root: Callable[[Number], Number], keep: Keep = unnamed)
     return Flight(y, q, kap, s, T)
 
 
-def collided(r: Number, state: State, way: Flight, keep: Keep = unnamed) -> State:
+def collided(
+    r: Number, state: State, way: Flight, keep: Keep = unnamed, sizes: Sizes = EQUAL
+) -> State:
     """The state just after o and c have collided; now c is the spectator.
 
-    With ω = x_c at contact, W_c becomes W_c + (1+r) y s ω and W_s becomes W_s + (1+r)/2 y s ω.
+    With ω = x_c at contact, W_c becomes W_c + (1+r) y s ω and W_s becomes W_s + (1+r)/2 y s ω. For
+    other sizes both changes are divided by the square of the contact distance, and 1 + m_o/m_c
+    takes the place of 2.
     """
     _, _, _, _, _, A, B, C, a, b, w = state
     y, q, _, s, T = way
-    speed, time, half = y * s, y * T, (1 + r) / 2
+    ratio = sizes.ratio
+    speed, time, half = y * s, y * T, (1 + r) / ratio
     push, turned = half * speed, time * w
     f, TB = b + turned, T * B
     C = keep("C", C - time * (a + f))
-    lam = keep("lam", half * s * C - q - TB)
-    A_next = keep("A", B + push * (2 * f + push))
-    B_next = keep("B", A - (1 - r**2) * speed**2)
+    lam = keep("lam", _over(half * s * C, sizes.c) - q - TB)
+    A_next = keep("A", B + _over(push * (2 * f + push), sizes.c))
+    B_next = keep("B", A - _over((1 - r**2) * speed**2, sizes.c))
     a_next = keep("a", f + push)
-    b_next = keep("b", a + turned - 2 * push * C)
-    w_next = keep("w", w + push * (2 * f + r * speed))
+    b_next = keep("b", a + turned - _over(ratio * push * C, sizes.c))
+    w_next = keep("w", w + _over(push * (ratio * f + r * speed), sizes.c))
     eps = keep("eps", parted(state, way))
     return State(y, lam, r * s, eps, 0, A_next, B_next, C, a_next, b_next, w_next)
+
+
+def _over(value: Number, square: Number) -> Number:
+    return value if isinstance(square, int) else value / square
 
 
 def parted(state: State, way: Flight) -> Number:
@@ -102,10 +131,11 @@ def parted(state: State, way: Flight) -> Number:
     return state.sig / state.lam / state.lam + way.T * (2 * way.q + way.T * state.B)
 
 
-def outer(state: State) -> Pair:
+def outer(state: State, sizes: Sizes = EQUAL) -> Pair:
     """The pair s, c."""
     v, lam, rho, eps, sig, A, B, C, a, b, w = state
-    return Pair(1 + (eps + sig) * v**2 + 2 * C, (rho - lam) * v - a - b, A + B - 2 * w)
+    rest = sizes.c + sizes.s - sizes.outer
+    return Pair(rest + (eps + sig) * v**2 + 2 * C, (rho - lam) * v - a - b, A + B - 2 * w)
 
 
 def inner(state: State) -> tuple[Pair, Pair]:
@@ -117,10 +147,10 @@ def inner(state: State) -> tuple[Pair, Pair]:
     )
 
 
-def recentred(state: State, keep: Keep = unnamed) -> State:
+def recentred(state: State, keep: Keep = unnamed, sizes: Sizes = EQUAL) -> State:
     """The same moment seen from s: now s is central, o the spectator, and c stays c."""
     v, _, rho, _, sig, _, B, C, a, b, w = state
-    g, p, m = outer(state)
+    g, p, m = outer(state, sizes)
     return State(
         1,
         keep("lam", -p),
@@ -129,7 +159,7 @@ def recentred(state: State, keep: Keep = unnamed) -> State:
         keep("sig", sig * v**2),
         keep("A", m),
         B,
-        keep("C", -C - 1 - sig * v**2),
+        keep("C", -C - sizes.s - sig * v**2),
         keep("a", rho * v - a),
         keep("b", rho * v - b),
         keep("w", B - w),

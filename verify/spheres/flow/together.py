@@ -14,7 +14,7 @@ from verify.language.record import Record
 from verify.prover import balls
 from verify.spheres.flow.follow import Flow, pairs_now
 from verify.spheres.flow.law import Number, Pair
-from verify.spheres.scene.scene import Coordinates, pair_name
+from verify.spheres.scene.scene import Coordinates, Scene, pair_name
 
 TRIPLE, GRAZING = "triple-contact", "grazing"
 #: How each is told, without its time.
@@ -131,7 +131,7 @@ def _of_symmetry(flow: Flow, pairs: Mapping[str, Pair]) -> Event | None:
     """Two spheres that behave alike meet the third one at the same time."""
     given = Coordinates(flow.scene.positions, flow.scene.velocities)
     for o, s, c in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
-        if not is_symmetric(given, (o, s, c)):
+        if not (_are_alike(flow.scene, s, c) and is_symmetric(given, (o, s, c))):
             continue
         names = (pair_name(o, s), pair_name(o, c))
         g, p, m = pairs[names[0]]
@@ -144,6 +144,12 @@ def _of_symmetry(flow: Flow, pairs: Mapping[str, Pair]) -> Event | None:
     return None
 
 
+def _are_alike(scene: Scene, s: int, c: int) -> bool:
+    """Whether two spheres have the same mass and radius."""
+    bodies = scene.bodies
+    return bodies is None or all(row[s] == row[c] for row in bodies)
+
+
 def _is_apart(pair: Pair, time: Number) -> bool:
     """True only if the pair is apart until then, or parts, or passes by."""
     g, p, m = pair
@@ -151,7 +157,10 @@ def _is_apart(pair: Pair, time: Number) -> bool:
 
 
 def is_symmetric(given: Coordinates, frame: tuple[int, int, int]) -> bool:
-    """Whether the scene looks the same from o with s and c exchanged, up to an isometry."""
+    """Whether positions and velocities look the same from o with s and c exchanged.
+
+    Up to an isometry.
+    """
     o, s, c = frame
 
     def keep(_: str, value: Number) -> Number:

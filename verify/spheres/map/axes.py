@@ -16,7 +16,7 @@ from verify.spheres.map import planes
 from verify.spheres.map.planes import FamilyPlane, Place, Scenes, Side, Through
 from verify.spheres.scene.families import Family, FamilyTerms, read_family
 from verify.spheres.scene.scene import Coordinates
-from verify.spheres.scene.scene_files import read_scene
+from verify.spheres.scene.scene_files import OPTIONAL, read_scene
 from verify.wire.inputs import InputError, rational, shown
 
 #: The letters of the operations of terms.
@@ -77,7 +77,7 @@ def plane_in(
         raise InputError("--y: is the number that --x varies; name another one")
     family = read_family(where, content)
     if not family.sides and len(axes) == 2 and all(axis.place for axis in axes):
-        found = _through(where, content, axes)
+        found = None if family.table.keys() & {*OPTIONAL} else _through(where, content, axes)
         if found is not None:
             return found
     sides = [_side(family, axis) for axis in axes]
@@ -94,7 +94,7 @@ def plane_in(
 
 
 def _through(where: str, content: bytes, axes: Sequence[Axis]) -> Through | None:
-    """The plane of a scene whose lengths are diameters."""
+    """The plane of a scene of equal particles whose lengths are diameters."""
     scene = read_scene(where, content)
     (x_at, x), (y_at, y) = ((axis.place, axis.side) for axis in axes)
     for axis, place in zip(axes, (x_at, y_at), strict=True):
@@ -102,7 +102,7 @@ def _through(where: str, content: bytes, axes: Sequence[Axis]) -> Through | None
             raise InputError(f"{axis.option}: {axis.name} is not in the scene; write {EXAMPLE}")
     if x_at is None or y_at is None or x is None or y is None or scene.dimension < 2:
         return None
-    return None if b"diameter" in content else Through(scene, x_at, y_at, x, y)
+    return Through(scene, x_at, y_at, x, y)
 
 
 def _side(family: Family, axis: Axis) -> Side:

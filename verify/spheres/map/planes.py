@@ -133,9 +133,73 @@ def digits_of(plane: object) -> str:
 
 
 def is_on_a_line(plane: Plane) -> bool:
-    """Whether at most one coordinate, the same for all, ever differs between spheres."""
+    """Whether all vectors between spheres are multiples of one vector, in every scene.
+
+    Where a coordinate is no polynomial of x and y, this is said only of lines along an axis.
+    """
     if isinstance(plane, Phi):
         return False
+    vectors: list[list[Polynomial]] = []
+    for rows in (plane.coordinates.x, plane.coordinates.v):
+        found = [[_polynomial(cell) for cell in row] for row in rows]
+        vectors += [
+            [_sum(b, a, -1) for a, b in zip(found[0], row, strict=True) if a and b]
+            for row in found[1:]
+        ]
+    if any(len(vector) < len(plane.coordinates.x[0]) for vector in vectors):
+        return _is_along_an_axis(plane)
+    parts = [
+        [cell.get(power, Fraction(0)) for cell in vector]
+        for vector in vectors
+        for power in {power for cell in vector for power in cell}
+    ]
+    parts = [part for part in parts if any(part)]
+    return all(_are_parallel(parts[0], part) for part in parts[1:])
+
+
+#: The coefficients of x^i y^j by i, j; a zero polynomial has one of them, which is 0.
+Polynomial = dict[tuple[int, int], Fraction]
+#: Polynomials with more coefficients are not looked at.
+MAX_COEFFICIENTS = 100
+
+
+def _polynomial(term: Term) -> Polynomial | None:
+    """A term as a polynomial; None if it is none, or a long one."""
+    if isinstance(term, Fraction):
+        return {(0, 0): term}
+    if isinstance(term, str):
+        return {(1, 0) if term == "x" else (0, 1): Fraction(1)}
+    name, *parts = term
+    one, two = map(_polynomial, parts)
+    if one is None or two is None:
+        return None
+    if name in ("+", "-"):
+        return _sum(one, two, 1 if name == "+" else -1)
+    if name == "/":
+        divisor = two.get((0, 0))
+        if not divisor or len(two) > 1:
+            return None
+        return {power: value / divisor for power, value in one.items()}
+    found: Polynomial = {}
+    for (i, j), a in one.items():
+        for (k, m), b in two.items():
+            found[i + k, j + m] = found.get((i + k, j + m), Fraction(0)) + a * b
+    return found if len(found) <= MAX_COEFFICIENTS else None
+
+
+def _sum(one: Polynomial, two: Polynomial, factor: int) -> Polynomial:
+    zero = Fraction(0)
+    powers = {**one, **two}
+    return {power: one.get(power, zero) + factor * two.get(power, zero) for power in powers}
+
+
+def _are_parallel(one: Sequence[Fraction], two: Sequence[Fraction]) -> bool:
+    k = next(k for k, value in enumerate(one) if value)
+    return all(a * two[k] == b * one[k] for a, b in zip(one, two, strict=True))
+
+
+def _is_along_an_axis(plane: Scenes) -> bool:
+    """Whether at most one coordinate, the same for all, ever differs between spheres."""
     moving = set()
     for rows in (plane.coordinates.x, plane.coordinates.v):
         for k, cells in enumerate(zip(*rows, strict=True)):
@@ -163,12 +227,16 @@ def views(
     """The scenes of a plane, in each of the three frames; and the three pairs."""
     given = plane.coordinates
     at = Coordinates(
-        *([[value_of(term, x, y, number) for term in row] for row in rows] for rows in given)
+        *(
+            [[value_of(term, x, y, number) for term in row] for row in rows]
+            for rows in (given.x, given.v)
+        )
     )
 
     def pair(i: int, j: int) -> Pair:
         """A pair that does not vary is known exactly: it may be in contact."""
-        if all(isinstance(x, Fraction) for rows in given for k in (i, j) for x in rows[k]):
+        cells = (x for rows in (given.x, given.v) for k in (i, j) for x in rows[k])
+        if all(isinstance(x, Fraction) for x in cells):
             return Pair(*map(number, given.pair(i, j)))
         return at.pair(i, j)
 

@@ -6,11 +6,20 @@ centre of mass; they are polynomials in the inner products of a state.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from itertools import permutations
+
 from verify.language.record import Record
-from verify.spheres.flow.law import Number, State, inner, outer
+from verify.spheres.flow.law import EQUAL, Number, Sizes, State, inner, outer
+from verify.spheres.scene.scene import Bodies, Frame
 
 INELASTIC, RECEDING, TURNING = "restitution", "receding", "turning"
-#: What each criterion says, in words.
+#: What each criterion says, in words; and for spheres of which some are not equal.
+SAYS_OF_UNEQUAL = {
+    RECEDING: "A >= 0 and R² = Σ m|x|² >= B: they recede as a whole; a collapse would need R² <= B",
+    TURNING: "A²R² < (R² - B)L² and R² = Σ m|x|² >= B: with this angular momentum R² never falls "
+    "to B, the most that it is in a collapse",
+}
 SAYS = {
     INELASTIC: "r > 7 - 4√3: three equal spheres with this r never collapse",
     RECEDING: "A >= 0 and R² >= 2: the spheres recede as a whole; a collapse would need R² <= 2",
@@ -36,8 +45,13 @@ def whole(state: State) -> Whole:
 
 def angular(state: State) -> Number:
     """L² for L = (2/3)(x_s∧W_s + x_c∧W_c) - (1/3)(x_s∧W_c + x_c∧W_s)."""
-    v = state.v
-    xx = {"ss": 1 + state.sig * v**2, "cc": 1 + state.eps * v**2, "sc": -state.C}
+    return _turned(state, EQUAL, (2, 2, -1)) / 9
+
+
+def _turned(state: State, sizes: Sizes, shares: tuple[Number, Number, Number]) -> Number:
+    """The square of S x_s∧W_s + K x_c∧W_c + M (x_s∧W_c + x_c∧W_s) for shares S, K, M."""
+    v, (own, other, mixed) = state.v, shares
+    xx = {"ss": sizes.s + state.sig * v**2, "cc": sizes.c + state.eps * v**2, "sc": -state.C}
     ww = {"ss": state.B, "cc": state.A, "sc": state.w}
     xw = {"ss": state.rho * v, "cc": -(state.lam * v), "sc": state.a, "cs": state.b}
 
@@ -45,12 +59,48 @@ def angular(state: State) -> Number:
         """(x_i∧W_j)·(x_k∧W_m)."""
         return _of(xx, i, k) * _of(ww, j, m) - xw[i + m] * xw[k + j]
 
-    blades = ((2, "s", "s"), (2, "c", "c"), (-1, "s", "c"), (-1, "c", "s"))
+    blades = ((own, "s", "s"), (other, "c", "c"), (mixed, "s", "c"), (mixed, "c", "s"))
     parts = [n * k * product(i, j, x, y) for n, i, j in blades for k, x, y in blades]
     total = parts[0]
     for part in parts[1:]:
         total = total + part
-    return total / 9
+    return total
+
+
+class Spread(Record):
+    """R² = Σ m|x|², A = Σ m x·v and L² of spheres with masses and radii.
+
+    ``touching`` is the most that R² can be where one sphere touches both others; it is 2 where all
+    masses and diameters are 1.
+    """
+
+    R2: Number
+    A: Number
+    L2: Number
+    touching: Number
+
+
+def spread(state: State, frame: Frame, bodies: Bodies, number: Callable[..., Number]) -> Spread:
+    """These four of a state: sums over pairs with m_i m_j/M, M being the sum of all masses."""
+    (o, s, c), sizes = frame, bodies.sizes(frame, number)
+    total = sum(bodies.masses)
+    weights = {
+        (i, j): bodies.masses[i] * bodies.masses[j] / total for i, j in permutations(frame, 2)
+    }
+    oc, os, sc = (number(weights[pair]) for pair in ((o, c), (o, s), (s, c)))
+    own, spectator = inner(state)
+    found = ((oc, own, sizes.c), (os, spectator, sizes.s), (sc, outer(state, sizes), sizes.outer))
+    squares = [weight * (pair.g + square) for weight, pair, square in found]
+    rates = [weight * pair.p for weight, pair, _ in found]
+    most = max(
+        weights[i, j] * bodies.square(i, j)
+        + weights[i, k] * bodies.square(i, k)
+        + weights[j, k] * (2 * bodies.radii[i] + bodies.radii[j] + bodies.radii[k]) ** 2
+        for i, j, k in ((0, 1, 2), (1, 0, 2), (2, 0, 1))
+    )
+    turned = _turned(state, sizes, (os + sc, oc + sc, -sc))
+    R2, A = squares[0] + squares[1] + squares[2], rates[0] + rates[1] + rates[2]
+    return Spread(R2, A, turned, number(most))
 
 
 def _of(table: dict[str, Number], i: str, j: str) -> Number:
@@ -62,6 +112,7 @@ def inelastic(r: Number) -> Number:
     return r**2 - 14 * r + 1
 
 
-def turning(now: Whole) -> Number:
+def turning(now: Whole | Spread) -> Number:
     """What is positive if the angular momentum keeps R² above 2, where R² >= 2 now."""
-    return (now.R2 - 2) * now.L2 - now.A**2 * now.R2
+    most = now.touching if isinstance(now, Spread) else 2
+    return (now.R2 - most) * now.L2 - now.A**2 * now.R2

@@ -75,9 +75,9 @@ def decide_scene(scene: Scene, budget: Budget = Budget()) -> Fate:  # noqa: B008
         found = at_precision(scene, budget, bits)
         if not (found.verdict == UNDECIDED or (found.collapse and found.reason)) or found.event:
             return found
-        spent = len(found.flow.collisions) >= budget.collisions or bits >= budget.max_bits
+        is_last = len(found.flow.collisions) >= budget.collisions or bits >= budget.max_bits
         line = on_a_line(found, budget)
-        if spent or (line is not None and line.collisions > LONG_LINE):
+        if is_last or (line is not None and line.collisions > LONG_LINE):
             return line or found
         bits *= 2
 
@@ -85,7 +85,8 @@ def decide_scene(scene: Scene, budget: Budget = Budget()) -> Fate:  # noqa: B008
 def on_a_line(found: Fate, budget: Budget) -> Fate | None:
     """More about spheres on a line, where the flow itself has become unclear."""
     with balls.precision(found.flow.bits):
-        line = None if found.collapse else follow_line(found.flow, budget.collisions)
+        is_open = found.collapse is None and found.flow.scene.bodies is None
+        line = follow_line(found.flow, budget.collisions) if is_open else None
         criterion = None if line is None else finitely_many(found.flow)
     if line is None:
         return None
@@ -96,7 +97,7 @@ def on_a_line(found: Fate, budget: Budget) -> Fate | None:
         return None
     if line.ends:
         return Fate(DISPERSES, "no pair meets any more", found.flow, line=line, why=APART)
-    reason = f"budget: {budget.collisions} collisions were followed"
+    reason = spent(found.flow.scene, budget)
     verdict = UNDECIDED if criterion is None else FINITE
     return Fate(verdict, reason, found.flow, None, criterion, line, BUDGET)
 
@@ -124,7 +125,7 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
                 if not flow.advance():
                     return Fate(DISPERSES, "no pair meets any more", flow, why=APART)
                 wait -= 1
-            reason, why = f"budget: {budget.collisions} collisions were followed", BUDGET
+            reason, why = spent(scene, budget), BUDGET
             criterion = None if known else finitely_many(flow)
         except UnclearError as error:
             reason, why, criterion = str(error), error.name, None
@@ -137,6 +138,14 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
         return Fate(verdict, reason, flow, None, criterion, None, why)
 
 
+def spent(scene: Scene, budget: Budget) -> str:
+    """Why there is no verdict after so many collisions."""
+    found = f"budget: {budget.collisions} collisions were followed"
+    if scene.bodies is None:
+        return found
+    return f"{found}; the theorems on collapses are about equal masses and radii"
+
+
 def told_event(event: Event) -> str:
     """What happens exactly, in words."""
     return EVENTS[event.name].format(*event.pairs)
@@ -145,7 +154,7 @@ def told_event(event: Event) -> str:
 def find_end(flow: Flow) -> Collapse | None:
     """Why the spheres collapse, as the moment after the last collision shows it."""
     now, r = flow.now, flow.scene.r
-    if now is None:
+    if now is None or flow.scene.bodies is not None:  # the theorems are about equal spheres
         return None
     if flow.is_on_a_line is None:
         flow.is_on_a_line = is_on_a_line(flow.scene)

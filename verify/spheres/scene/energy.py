@@ -1,7 +1,9 @@
-"""How fast the spheres of a scene meet, and how much energy they lose; each has the mass 1.
+"""How fast the spheres of a scene meet, and how much energy they lose.
 
-A collision with the normal speed u takes (1 - r²)u²/4 from the kinetic energy. The energy of the
-centre of mass stays; that of the motion relative to it is Σ|v_i - v_j|²/6, over the three pairs.
+A collision with the normal speed u takes μ(1 - r²)u²/2 from the kinetic energy, for the reduced
+mass μ of its pair. The energy of the centre of mass stays; that of the motion relative to it is
+Σ m_i m_j |v_i - v_j|²/2M, over the three pairs, M being the sum of all masses. Each mass is 1 where
+nothing else is said.
 """
 
 from __future__ import annotations
@@ -10,34 +12,52 @@ from fractions import Fraction
 
 from verify.prover import balls
 from verify.spheres.flow.collapse import LINE, SHARPER
-from verify.spheres.flow.follow import Flow
+from verify.spheres.flow.follow import Flow, Move
 from verify.spheres.flow.law import Number
 from verify.spheres.scene.decide import DISPERSES, Fate
-from verify.spheres.scene.scene import PAIRS
+from verify.spheres.scene.scene import PAIRS, Scene
 
 
 def normal_speeds(found: Fate) -> list[Number]:
     """The normal relative speed just before each collision that was followed."""
+    bodies = found.flow.scene.bodies
     with balls.precision(found.flow.bits):
-        ways = [move.way for move in found.flow.collisions]
-        return [way.y * way.s for way in ways if way is not None]
+        speeds = [(move, move.way.y * move.way.s) for move in found.flow.collisions if move.way]
+        if bodies is None:
+            return [speed for _, speed in speeds]
+        frames = [(move.before.frame, speed) for move, speed in speeds]
+        return [speed / balls.exact(bodies.radii[o] + bodies.radii[c])
+                for (o, _, c), speed in frames]  # fmt: skip
+
+
+def masses_of(scene: Scene) -> tuple[Fraction, ...]:
+    """The masses."""
+    return (Fraction(1),) * 3 if scene.bodies is None else scene.bodies.masses
+
+
+def _share(found: Fate, move: Move) -> Number:
+    """What the square of the normal speed is multiplied with for the energy that is lost."""
+    masses, (o, _, c) = masses_of(found.flow.scene), move.before.frame
+    reduced = masses[o] * masses[c] / (masses[o] + masses[c])
+    return (1 - found.flow.r**2) * balls.exact(reduced / 2)
 
 
 def energy_at_start(flow: Flow) -> Fraction:
     """The kinetic energy relative to the centre of mass."""
-    squares = [flow.start.pair(i, j).m for i, j in PAIRS]
-    return balls.as_fraction(sum(squares[1:], squares[0]) / 6)
+    masses = masses_of(flow.scene)
+    parts = [balls.as_fraction(flow.start.pair(i, j).m) * masses[i] * masses[j] for i, j in PAIRS]
+    return sum(parts, Fraction(0)) / (2 * sum(masses))
 
 
 def energy_lost(found: Fate) -> tuple[Fraction, Fraction]:
     """Between what the energy lies that all collisions together take."""
     all_of_it = energy_at_start(found.flow)
     with balls.precision(found.flow.bits):
-        share = (1 - found.flow.r**2) / 4
         lost = balls.as_ball(balls.exact(Fraction(0)))
-        for speed in normal_speeds(found):
-            lost += share * speed**2
-        most = balls.ends(lost + share * _later(found))[1]
+        for move, speed in zip(found.flow.collisions, normal_speeds(found), strict=True):
+            lost += _share(found, move) * speed**2
+        later = (1 - found.flow.r**2) / 4 * _later(found)
+        most = balls.ends(lost + later)[1]
         least = balls.ends(lost)[0]
     if not _is_bounded(found):
         most = all_of_it

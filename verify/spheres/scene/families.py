@@ -28,6 +28,9 @@ from verify.spheres.scene.scene_files import (
     DIAMETER,
     KEYS,
     LABELS,
+    MASSES,
+    OPTIONAL,
+    RADII,
     number_in,
     scene_from,
     toml_table,
@@ -35,6 +38,7 @@ from verify.spheres.scene.scene_files import (
 from verify.wire.inputs import InputError, rational, shown
 
 PARAMETERS = "parameters"
+BODIES = {MASSES, RADII}
 MAX_PARAMETERS, MAX_LETTERS, MAX_POWER, MAX_BITS = 20, 500, 20, 10_000
 Side = tuple[Fraction, Fraction]
 _OPERATIONS: dict[type, Callable[[Any, Any], Any]] = {
@@ -67,6 +71,12 @@ class Family(Record):
         Raises:
             InputError: if a term cannot be used.
         """
+        odd = sorted(BODIES & self.table.keys())
+        if odd:
+            raise InputError(
+                f"{self.where}: {odd[0]}: maps are about equal particles; leave it out, or sample "
+                "the family: verify scene FILE --sample 1000"
+            )
         found = _replaced(self.where, self.table, values)
         unit = found.get(DIAMETER, Fraction(1))
         if isinstance(unit, Fraction) and unit <= 0:
@@ -130,7 +140,7 @@ def _side(where: str, name: str, text: object) -> Side:
 
 def _used(family: Family) -> None:
     """Afterwards each parameter occurs in some term."""
-    texts = " ".join(str(family.table.get(key)) for key in (*KEYS, DIAMETER))
+    texts = " ".join(str(family.table.get(key)) for key in (*KEYS, *OPTIONAL))
     names = {*re.findall(r"[A-Za-z]\w*", texts)}
     unused = sorted(family.sides.keys() - names)
     if unused:
@@ -157,6 +167,14 @@ def _replaced(
     found = {key: rows(key) for key in ("positions", "velocities")}
     if DIAMETER in table:
         found[DIAMETER] = _value(f"{where}: {DIAMETER}", table[DIAMETER], values)
+    for key in BODIES & table.keys():
+        given = table[key]
+        if isinstance(given, list):
+            given = [
+                _value(f"{where}: {key} of particle {i}", cell, values)
+                for i, cell in enumerate(given)
+            ]
+        found[key] = given
     return {"r": _value(f"{where}: r", table["r"], values), **found}
 
 

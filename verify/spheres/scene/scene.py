@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from verify.language.record import Record
-from verify.spheres.flow.law import Number, Pair, State
+from verify.spheres.flow.law import EQUAL, Number, Pair, Sizes, State
 
 #: The three pairs, and for each the third sphere.
 PAIRS = ((0, 1), (0, 2), (1, 2))
@@ -16,6 +16,7 @@ Frame = tuple[int, int, int]
 #: Frames in which the pairs 01, 02 and 12 are o, c.
 FIRST_FRAMES: tuple[Frame, ...] = ((0, 2, 1), (0, 1, 2), (1, 0, 2))
 Vector = Sequence[Number]
+HALF = Fraction(1, 2)
 
 
 class Labels(Record):
@@ -26,6 +27,24 @@ class Labels(Record):
     length_unit: str = ""
 
 
+class Bodies(Record):
+    """Masses and radii, of which some differ."""
+
+    masses: tuple[Fraction, ...]
+    radii: tuple[Fraction, ...]
+
+    def square(self, i: int, j: int) -> Fraction:
+        """The square of the contact distance of a pair."""
+        return (self.radii[i] + self.radii[j]) ** 2
+
+    def sizes(self, frame: Frame, number: Callable[[Fraction], Number]) -> Sizes:
+        """What the law of collision needs of them, seen from a sphere."""
+        o, s, c = frame
+        ratio = 1 + self.masses[o] / self.masses[c]
+        squares = (self.square(o, c), self.square(o, s), self.square(s, c))
+        return Sizes(*map(number, (*squares, ratio)))
+
+
 class Scene(Record):
     """Centres and velocities of the spheres 0, 1, 2, and the coefficient of restitution."""
 
@@ -33,11 +52,18 @@ class Scene(Record):
     positions: tuple[tuple[Fraction, ...], ...]
     velocities: tuple[tuple[Fraction, ...], ...]
     labels: Labels = Labels()
+    #: None if all masses are equal and all diameters are 1.
+    bodies: Bodies | None = None
 
     @property
     def dimension(self) -> int:
         """The number of coordinates."""
         return len(self.positions[0])
+
+    @property
+    def is_in_diameters(self) -> bool:
+        """Whether lengths are measured in the diameter of all three."""
+        return self.bodies is None or {*self.bodies.radii} == {HALF}
 
 
 class Coordinates(Record):
@@ -45,11 +71,18 @@ class Coordinates(Record):
 
     x: Sequence[Vector]
     v: Sequence[Vector]
+    #: The squares of the contact distances, in the order of `PAIRS`.
+    squares: Sequence[Number] = (1, 1, 1)
+
+    def square(self, i: int, j: int) -> Number:
+        """The square of the contact distance of a pair."""
+        return self.squares[i + j - 1]
 
     def pair(self, i: int, j: int) -> Pair:
-        """|x|² - 1, x·w and |w|² of a pair."""
+        """|x|² less the square of the contact distance, x·w and |w|² of a pair."""
         x, w = difference(self.x, i, j), difference(self.v, i, j)
-        return Pair(inner_product(x, x) - 1, inner_product(x, w), inner_product(w, w))
+        gap = inner_product(x, x) - self.square(i, j)
+        return Pair(gap, inner_product(x, w), inner_product(w, w))
 
     def state(self, frame: Frame, keep: Callable[[str, Number], Number]) -> State:
         """The scene seen from one of its spheres, with the unit of speed 1."""
@@ -60,8 +93,8 @@ class Coordinates(Record):
             1,
             keep("lam", -inner_product(x_c, W_c)),
             keep("rho", inner_product(x_s, W_s)),
-            keep("eps", inner_product(x_c, x_c) - 1),
-            keep("sig", inner_product(x_s, x_s) - 1),
+            keep("eps", inner_product(x_c, x_c) - self.square(o, c)),
+            keep("sig", inner_product(x_s, x_s) - self.square(o, s)),
             keep("A", inner_product(W_c, W_c)),
             keep("B", inner_product(W_s, W_s)),
             keep("C", -inner_product(x_s, x_c)),
@@ -77,7 +110,15 @@ def coordinates(scene: Scene, number: Callable[[Fraction], Number]) -> Coordinat
     def all_of(rows: Sequence[Sequence[Any]]) -> tuple[tuple[Number, ...], ...]:
         return tuple(tuple(number(value) for value in row) for row in rows)
 
-    return Coordinates(all_of(scene.positions), all_of(scene.velocities))
+    x, v = all_of(scene.positions), all_of(scene.velocities)
+    if scene.bodies is None:
+        return Coordinates(x, v)
+    return Coordinates(x, v, [number(scene.bodies.square(i, j)) for i, j in PAIRS])
+
+
+def sizes_of(scene: Scene, frame: Frame, number: Callable[[Fraction], Number]) -> Sizes:
+    """What the law of collision needs of the spheres besides r."""
+    return EQUAL if scene.bodies is None else scene.bodies.sizes(frame, number)
 
 
 def difference(rows: Sequence[Vector], i: int, j: int) -> Vector:

@@ -5,6 +5,8 @@
     velocities = [["0", "0"], ["-1", "0"], ["1", "0"]]
 
 With a line ``diameter = "0.02"`` lengths are those of the file; without it they are diameters.
+Lines ``masses = ["1", "2", "1"]`` and ``radii = ["1", "1", "0.5"]`` give each particle its own;
+without them all masses are 1, and all diameters the same. Different radii are lengths of the file.
 ``title``, ``time_unit`` and ``length_unit`` are texts that are told with the scene.
 A number is a text or a TOML number; either is read as it is written, and no float is ever seen.
 """
@@ -16,12 +18,17 @@ from fractions import Fraction
 from typing import Any
 
 from verify.prover import balls
-from verify.spheres.scene.scene import PAIRS, Coordinates, Labels, Scene
+from verify.prover.decimals import exact_number
+from verify.spheres.scene.scene import HALF, PAIRS, Bodies, Labels, Scene, coordinates
 from verify.wire.inputs import InputError, rational, regular_file, shown
 
 KEYS = ("r", "positions", "velocities")
 #: The diameter of the particles in the file's own unit of length; 1 without it.
 DIAMETER = "diameter"
+#: Numbers of which each particle has one.
+MASSES, RADII = "masses", "radii"
+#: Keys that a file may do without.
+OPTIONAL = (DIAMETER, MASSES, RADII)
 #: Texts that are told with a scene.
 LABELS = Labels._fields
 MAX_LABEL = 80
@@ -65,8 +72,14 @@ def scene_from(where: str, table: dict[str, Any]) -> Scene:
     if not 0 < r < 1:
         raise InputError(f"{where}: r: {shown(str(r))} is not in ]0,1[; write for example 3/100")
     unit = _diameter(where, table)
+    masses, radii = _each(where, MASSES, table), _each(where, RADII, table)
+    if radii and DIAMETER in table:
+        raise InputError(f"{where}: {RADII}: the file has a {DIAMETER} too; write one of them")
+    if len({*radii}) == 1:
+        unit, radii = 2 * radii[0], ()
     positions, velocities = (_rows(where, key, table, unit) for key in KEYS[1:])
-    scene = Scene(r, positions, velocities, _labels(where, table))
+    labels = _labels(where, table, None if radii else unit)
+    scene = Scene(r, positions, velocities, labels, _bodies(masses, radii))
     lengths = {len(row) for row in (*scene.positions, *scene.velocities)}
     if len(lengths) > 1 or not 1 <= scene.dimension <= MAX_DIMENSION:
         raise InputError(
@@ -100,15 +113,40 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
         raise InputError(
             f"{where}: is a family of scenes; add --sample N, or --at for one of them: --at NAME=A"
         )
-    odd = sorted((table.keys() - {*more, DIAMETER, *LABELS}) ^ {*KEYS})
+    odd = sorted((table.keys() - {*more, *OPTIONAL, *LABELS}) ^ {*KEYS})
     if odd:
         kind = "is missing" if odd[0] in KEYS else "is not known"
         raise InputError(f"{where}: {shown(odd[0])} {kind}; write just {', '.join(KEYS)}")
     return table
 
 
-def _labels(where: str, table: dict[str, Any]) -> Labels:
-    """The texts, as they are written; the unit of length with the diameter in it."""
+def _each(where: str, key: str, table: dict[str, Any]) -> tuple[Fraction, ...]:
+    """A positive number for each particle; none if the file does not have them."""
+    if key not in table:
+        return ()
+    given = table[key]
+    if not isinstance(given, list) or len(given) != 3:
+        raise InputError(f'{where}: {key}: write one for each particle, like ["1", "2", "1"]')
+    found = tuple(
+        number_in(f"{where}: {key} of particle {i}", value) for i, value in enumerate(given)
+    )
+    for i, value in enumerate(found):
+        if value <= 0:
+            raise InputError(
+                f"{where}: {key} of particle {i}: {shown(str(given[i]))} is not positive; write 1"
+            )
+    return found
+
+
+def _bodies(masses: tuple[Fraction, ...], radii: tuple[Fraction, ...]) -> Bodies | None:
+    """None if all are equal."""
+    if not radii and len({*masses}) <= 1:
+        return None
+    return Bodies(masses or (Fraction(1),) * 3, radii or (HALF,) * 3)
+
+
+def _labels(where: str, table: dict[str, Any], unit: Fraction | None) -> Labels:
+    """The texts, as they are written; the unit of length with the diameter in it, if it is that."""
     texts = [table.get(name, "") for name in LABELS]
     for name, text in zip(LABELS, texts, strict=True):
         if not isinstance(text, str) or not text.isprintable() or len(text) > MAX_LABEL:
@@ -117,9 +155,10 @@ def _labels(where: str, table: dict[str, Any]) -> Labels:
                 f"{MAX_LABEL} letters in quotes"
             )
     found = Labels(*texts)
-    if not found.length_unit:
+    if not found.length_unit or unit is None:
         return found
-    return found._replace(length_unit=f"{table.get(DIAMETER, 1)} {found.length_unit}")
+    length = table[DIAMETER] if DIAMETER in table else exact_number(unit)
+    return found._replace(length_unit=f"{length} {found.length_unit}")
 
 
 def _diameter(where: str, table: dict[str, Any]) -> Fraction:
@@ -157,22 +196,25 @@ def number_in(where: str, value: Any) -> Fraction:
 
 def _apart(where: str, scene: Scene) -> None:
     """Afterwards no two particles overlap."""
-    given = Coordinates(scene.positions, scene.velocities)
+    given = coordinates(scene, Fraction)
     for i, j in PAIRS:
         gap, _, _ = given.pair(i, j)
         if gap < 0:
+            reach = Fraction(1)
+            if scene.bodies is not None:
+                reach = scene.bodies.radii[i] + scene.bodies.radii[j]
             raise OverlapError(
-                f"{where}: the particles {i} and {j} overlap by about {_overlap(gap)}: their "
-                "distance has to be at least 1"
+                f"{where}: the particles {i} and {j} overlap by about {_overlap(gap, reach)}: "
+                f"their distance has to be at least {exact_number(reach)}"
             )
 
 
-def _overlap(gap: Fraction) -> str:
-    """1 - |x| where |x|² - 1 = gap < 0, with three digits, however small it is."""
+def _overlap(gap: Fraction, least: Fraction) -> str:
+    """How much |x| is below that where |x|² less its square is negative, with three digits."""
     from decimal import Context, Decimal  # loaded only where it is used
 
     with balls.precision(192):
-        reach = balls.from_fraction(1 + gap).sqrt()
-        low, high = balls.ends(-balls.from_fraction(gap) / (1 + reach))
+        reach = balls.from_fraction(least**2 + gap).sqrt()
+        low, high = balls.ends(-balls.from_fraction(gap) / (balls.from_fraction(least) + reach))
     top, divisor = map(Decimal, ((low + high) / 2).as_integer_ratio())
     return f"{Context(prec=3).divide(top, divisor).normalize()}"

@@ -8,11 +8,11 @@ from fractions import Fraction
 from verify.language.record import Record
 from verify.prover import balls
 from verify.prover.decimals import exact_number, outward
-from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, Start, start_of
+from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, Start, start_with
 from verify.spheres.flow.follow import name_of
 from verify.spheres.flow.law import Number
 from verify.spheres.flow.theorem import NAME as FLOW
-from verify.spheres.scene.criteria import SAYS
+from verify.spheres.scene.criteria import SAYS, SAYS_OF_UNEQUAL
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, EXACT, FINITE, Fate
 from verify.spheres.scene.energy import energy_lost, normal_speeds
 from verify.spheres.scene.scene import Scene
@@ -98,8 +98,8 @@ def steps(found: Fate) -> Iterator[Step]:
         speeds = normal_speeds(found)
         for move, speed in zip(found.flow.collisions, speeds, strict=True):
             o, _, c = move.before.frame
-            pair, after = name_of(move.before.frame), start_of(move.after.state)
-            yield Step(pair, (o, c), move.after.time, speed, after)
+            after = start_with(move.after.state, found.flow.sizes(move.after.frame))
+            yield Step(name_of(move.before.frame), (o, c), move.after.time, speed, after)
 
 
 def impacts(found: Fate) -> Iterator[Impact]:
@@ -147,12 +147,15 @@ def reason(found: Fate) -> str:
         holds = f"the conditions of the {which} hold after the last collision"
         return f"{holds}; not as tight as asked for: {found.reason}" if found.reason else holds
     if found.criterion is not None:
-        return SAYS[found.criterion.name]
+        words = SAYS if found.flow.scene.bodies is None else SAYS_OF_UNEQUAL
+        return words[found.criterion.name]
     return found.reason
 
 
 def theorems(found: Fate) -> list[str]:
     """The names of the theorems on which a verdict rests; none without a verdict."""
+    if found.flow.scene.bodies is not None:
+        return [CLASSIFICATION] if found.verdict == FINITE else []
     last = {COLLAPSES: [found.name], FINITE: [CLASSIFICATION], DISPERSES: []}
     return [FLOW, *last[found.verdict]] if found.verdict in last else []
 
@@ -191,7 +194,9 @@ def scene_lines(found: Fate) -> Iterator[str]:
         certain = f"certain: {count} collision{'' if count == 1 else 's'}"
         yield f"undecided: {found.reason}{at}; {certain}"
     if labels.length_unit:
-        yield f"lengths are in diameters, each {labels.length_unit}"
+        unit = labels.length_unit
+        in_diameters = found.flow.scene.is_in_diameters
+        yield f"lengths are in diameters, each {unit}" if in_diameters else f"lengths are in {unit}"
 
 
 def both(ends: tuple[Fraction, Fraction]) -> str:

@@ -25,7 +25,7 @@ from verify.language.statement import (
 from verify.language.terms import Claim
 from verify.prover.decimals import outward
 from verify.prover.outcome import Outcome
-from verify.views import classification, everywhere, whole
+from verify.views import classification, everywhere
 from verify.views.material import Material
 from verify.views.mathml import MathML
 from verify.views.page import rows
@@ -280,11 +280,11 @@ def _content(material: Material) -> dict[str, Any]:
         "printed": paper.printed,
         "coq": checked_in_coq(material),
         "latex": latex(main),
-        "whole_latex": whole.latex(material.whole),
-        "whole_set": whole.SET,
-        "whole_more": whole.MORE,
+        "whole_latex": everywhere.latex(material.whole),
+        "whole_set": everywhere.SET,
+        "whole_more": everywhere.FLIGHT,
         "whole_math": MathML({n: tex for n, (_, tex) in material.whole.letters.items()}),
-        "whole_text": whole.plain(material.whole),
+        "whole_text": everywhere.plain(material.whole),
         "Math": rows.Math,
         "subtitle": (
             f"{paper.authors}, {paper.title} (its companion is {paper.companion}): Theorem 1 and "

@@ -19,11 +19,18 @@ from verify.language.terms import Claim, Term, symbol
 from verify.prover.decimals import decimal_text, outward, round_decimal, short
 from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views.mathml import MathML
-from verify.views.words import ends_of, fair, letters, sides_of, witness_shown
+from verify.views.words import (
+    SIGNS,
+    ends_of,
+    fair,
+    letters,
+    sides_of,
+    tex_letters,
+    values_told,
+    witness_shown,
+)
 
 Row = tuple[Obligation, Decision]
-
-SIGNS = {"<": "<", "<=": "≤", "=": "="}
 
 #: Formulas with more letters than this stay in the statement file.
 LONGEST = 400
@@ -81,12 +88,8 @@ class Writer:
     def __init__(self, outcome: Outcome, paper: Publication) -> None:
         self.outcome, self.notes = outcome, paper.notes()
         self.typesetter = letters(outcome)
-        statement = outcome.statement
-        tex = {constant.name: constant.tex for constant in statement.constants}
-        for context in statement.contexts:
-            tex |= {variable.name: variable.tex for variable in context.variables}
-            tex |= {constant.name: constant.tex for constant in context.constants}
-        self._mathml = MathML(tex | ({"c": r"(-\cos\theta_0)"} if statement.parameters else {}))
+        of_parameters = {"c": r"(-\cos\theta_0)"} if outcome.statement.parameters else {}
+        self._mathml = MathML(tex_letters(outcome) | of_parameters)
         self._rows = {row.name: (row, found) for row, found in outcome.rows}
 
     def claim(self, claim: Claim | Applies | Always) -> Math:
@@ -145,9 +148,8 @@ class Writer:
             margin = (rhs[0] - lhs[1], rhs[1] - lhs[0])
             low, high = outward(margin, 20)
             return Number(short(margin, 4), (low, high)), ""
-        values = witness_shown(self.outcome, row, found).items()
-        term = self.typesetter.term
-        return None, ", ".join(f"{term(symbol(name))} = {term(value)}" for name, value in values)
+        values = witness_shown(self.outcome, row, found)
+        return None, values_told(values, self.typesetter)
 
 
 def summands(claim: Claim) -> Iterator[Term]:

@@ -7,7 +7,7 @@ from typing import Any
 
 from verify.language.record import Record
 from verify.views.material import CertifiedMap, CertifiedStrip, Plotted, Story
-from verify.views.plots import breaks, map_figure, margins, region, roots, speed
+from verify.views.plots import map_figure, margins, region, roots, speed
 from verify.views.plots.collapse import figure as collapse_figure
 from verify.views.plots.shapes import Figure
 
@@ -33,7 +33,7 @@ def figures(plotted: Plotted, precision: Mapping[str, Any] | None) -> list[Figur
     ``precision`` is the table of that name of the committed measurements, if there is one.
     """
     found = [
-        breaks.figure(plotted.margins),
+        margins.broken_steps(plotted.margins),
         region.picture(plotted.region),
         margins.figure(plotted.margins),
         region.least_entries(plotted.least, plotted.region),

@@ -67,7 +67,7 @@ def _bounds(shown: Story) -> Panel:
     step = 1 + (most - least) // 8
     y = Scale("time left", 10.0**least, 10.0**most, powers(least, most, step), logarithmic=True)
 
-    def shapes() -> Iterable[Shape]:
+    def drawn() -> Iterable[Shape]:
         floor = 10.0**least
         boxes = [(n - 0.3, n + 0.3, max(low, floor), high) for n, low, high in bars]
         yield Areas(boxes, "proved-area", 0.8, "proved bounds of the time left")
@@ -77,7 +77,7 @@ def _bounds(shown: Story) -> Panel:
         f"left falls from below {bars[0][2]:.1e} to below {bars[-1][2]:.1e}, nearly on a straight "
         "line: each flight is shorter than the one before by about the same factor."
     )
-    return Panel("How long it can still take", x, y, shapes, told)
+    return Panel("How long it can still take", x, y, drawn, told)
 
 
 # --- the animation -------------------------------------------------------------------------------

@@ -10,20 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 from zlib import crc32
 
-from verify.views.plots.shapes import (
-    Areas,
-    Circle,
-    Curve,
-    Frame,
-    Panel,
-    Point,
-    Rule,
-    Scale,
-    Shape,
-    Straight,
-    Trace,
-    Words,
-)
+from verify.views.plots import shapes
 
 _LIGHT = """
 ink #1c2128, faint #6f7781, undecided #bcc3cb, paper #ffffff, proved #1d5ca8, refuted #a3470a,
@@ -49,7 +36,7 @@ LEFT, RIGHT, TOP, BOTTOM, LEGEND = 66, 14, 34, 52, 22
 SIZE = 14
 
 
-def svg(name: str, panels: Sequence[Panel], description: str) -> str:
+def svg(name: str, panels: Sequence[shapes.Panel], description: str) -> str:
     """One SVG element with the panels side by side; ``name`` keeps its ids apart from others."""
     width = sum(panel.width for panel in panels)
     height = max(panel.height for panel in panels)
@@ -96,7 +83,7 @@ def _pattern(name: str, area: str, line: str) -> str:
 class _Place:
     """Where the values of a panel lie in its drawing."""
 
-    def __init__(self, panel: Panel, legend: int) -> None:
+    def __init__(self, panel: shapes.Panel, legend: int) -> None:
         self.panel = panel
         self.left, self.right = LEFT, panel.width - RIGHT
         self.top, self.bottom = TOP, panel.height - BOTTOM - LEGEND * legend
@@ -108,22 +95,22 @@ class _Place:
         return self.bottom - (self.bottom - self.top) * self.panel.y.share(value)
 
 
-def _panel(name: str, panel: Panel) -> Iterator[str]:
-    shapes = list(panel.shapes())
-    legend = [s for s in shapes if isinstance(s, Areas | Curve) and s.name]
+def _panel(name: str, panel: shapes.Panel) -> Iterator[str]:
+    drawn = list(panel.shapes())
+    legend = [s for s in drawn if isinstance(s, shapes.Areas | shapes.Curve) and s.name]
     place = _Place(panel, (len(legend) + 1) // 2)
     clip = f"{name}-clip-{_number_of(panel.title)}"
     size = f'width="{place.right - place.left}" height="{place.bottom - place.top}"'
     yield f'<clipPath id="{clip}"><rect x="{place.left}" y="{place.top}" {size}/></clipPath>'
     yield f'<g clip-path="url(#{clip})">'
-    for shape in shapes:
-        if not isinstance(shape, Words):
+    for shape in drawn:
+        if not isinstance(shape, shapes.Words):
             yield from _shape(name, shape, place)
     yield "</g>"
     yield from _axes(place)
     yield _text((8, 20), panel.title, weight="600")
-    for shape in shapes:
-        if isinstance(shape, Words):
+    for shape in drawn:
+        if isinstance(shape, shapes.Words):
             at = place.x(shape.at[0]), place.y(shape.at[1])
             yield from _lines(at, shape)
     yield from _legend(name, legend, place)
@@ -137,33 +124,33 @@ def _number_of(text: str) -> int:
 # --- shapes --------------------------------------------------------------------------------------
 
 
-def _shape(name: str, shape: Shape, place: _Place) -> Iterator[str]:
+def _shape(name: str, shape: shapes.Shape, place: _Place) -> Iterator[str]:
     match shape:
-        case Areas():
+        case shapes.Areas():
             yield _boxes(name, shape, place)
-        case Curve():
+        case shapes.Curve():
             yield from _curve(shape, place)
-        case Circle(radius=radius):
+        case shapes.Circle(radius=radius):
             x, y = place.x(0), place.y(0)
             across, down = place.x(radius) - x, y - place.y(radius)
             yield (
                 f'<ellipse cx="{x:.1f}" cy="{y:.1f}" rx="{across:.1f}" ry="{down:.1f}" fill="none" '
                 'stroke="var(--faint)"/>'
             )
-        case Rule(at=at):
+        case shapes.Rule(at=at):
             y = place.y(at)
             yield f'<path d="M{place.left} {y:.1f}H{place.right}" stroke="var(--ink)"/>'
-        case Frame(corners=(left, right, low, high)):
+        case shapes.Frame(corners=(left, right, low, high)):
             x, y = place.x(left), place.y(high)
             size = f'width="{place.x(right) - x:.1f}" height="{place.y(low) - y:.1f}"'
             for colour, width in (("paper", 4), ("ink", 1.5)):
                 style = f'stroke="var(--{colour})" stroke-width="{width}"'
                 yield f'<rect x="{x:.1f}" y="{y:.1f}" {size} fill="none" {style}/>'
-        case Trace(points=points, colour=colour):
+        case shapes.Trace(points=points, colour=colour):
             path = "L".join(f"{place.x(x):.1f} {place.y(y):.1f}" for x, y in points)
             style = f'stroke="var(--{colour})" stroke-width="2"'
             yield f'<path d="M{path}" fill="none" {style}/>'
-        case Straight(start=start, end=end, colour=colour):
+        case shapes.Straight(start=start, end=end, colour=colour):
             (x, y), (u, v) = ((place.x(a), place.y(b)) for a, b in (start, end))
             yield (
                 f'<path d="M{x:.1f} {y:.1f}L{u:.1f} {v:.1f}" stroke="var(--{colour})" '
@@ -171,7 +158,7 @@ def _shape(name: str, shape: Shape, place: _Place) -> Iterator[str]:
             )
 
 
-def _boxes(name: str, shape: Areas, place: _Place) -> str:
+def _boxes(name: str, shape: shapes.Areas, place: _Place) -> str:
     path = "".join(
         f"M{place.x(left):.1f} {place.y(low):.1f}H{place.x(right):.1f}"
         f"V{place.y(high):.1f}H{place.x(left):.1f}z"
@@ -191,7 +178,7 @@ def _fill(name: str, colour: str) -> str:
 MARKS = ("M-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z", "M-4-4h8v8h-8z", "M0-5l5 9h-10z", "M0 5l5-9h-10z")
 
 
-def _curve(shape: Curve, place: _Place) -> Iterator[str]:
+def _curve(shape: shapes.Curve, place: _Place) -> Iterator[str]:
     points = [(place.x(x), place.y(y)) for x, y in shape.points]
     path = "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in points)
     yield f'<path d="{path}" fill="none" stroke="var(--{shape.colour})" stroke-width="1.4"/>'
@@ -199,7 +186,7 @@ def _curve(shape: Curve, place: _Place) -> Iterator[str]:
         yield _mark(at, shape)
 
 
-def _mark(at: Point, shape: Curve) -> str:
+def _mark(at: shapes.Point, shape: shapes.Curve) -> str:
     return (
         f'<path d="{MARKS[shape.mark % len(MARKS)]}" fill="var(--{shape.colour})" '
         f'transform="translate({at[0]:.1f} {at[1]:.1f})"/>'
@@ -209,7 +196,7 @@ def _mark(at: Point, shape: Curve) -> str:
 # --- words ---------------------------------------------------------------------------------------
 
 
-def _text(at: Point, text: str, anchor: str = "start", weight: str = "") -> str:
+def _text(at: shapes.Point, text: str, anchor: str = "start", weight: str = "") -> str:
     more = f' text-anchor="{anchor}"' if anchor != "start" else ""
     more += f' font-weight="{weight}"' if weight else ""
     return f'<text x="{at[0]:.1f}" y="{at[1]:.1f}" fill="var(--ink)"{more}>{escape(text)}</text>'
@@ -218,7 +205,7 @@ def _text(at: Point, text: str, anchor: str = "start", weight: str = "") -> str:
 _RIM = 'paint-order="stroke" stroke="var(--paper)" stroke-width="4" stroke-linejoin="round"'
 
 
-def _lines(at: Point, shape: Words) -> Iterator[str]:
+def _lines(at: shapes.Point, shape: shapes.Words) -> Iterator[str]:
     """The lines of some words, each with a rim that keeps it readable on colours."""
     for number, line in enumerate(shape.text.split("\n")):
         text = _text((at[0], at[1] + 5 + 18 * number), line, shape.anchor)
@@ -243,17 +230,19 @@ def _axes(place: _Place) -> Iterator[str]:
     )
 
 
-def _shown(scale: Scale) -> Iterable[tuple[float, str]]:
+def _shown(scale: shapes.Scale) -> Iterable[tuple[float, str]]:
     return (tick for tick in scale.ticks if -1e-9 <= scale.share(tick[0]) <= 1 + 1e-9)
 
 
-def _legend(name: str, entries: Sequence[Areas | Curve], place: _Place) -> Iterator[str]:
+def _legend(
+    name: str, entries: Sequence[shapes.Areas | shapes.Curve], place: _Place
+) -> Iterator[str]:
     """What each colour means, below the panel in two columns."""
     top = place.bottom + BOTTOM + 6
     for number, entry in enumerate(entries):
         x = 14 + (number % 2) * (place.panel.width / 2 - 8)
         y = top + LEGEND * (number // 2)
-        if isinstance(entry, Areas):
+        if isinstance(entry, shapes.Areas):
             fill = _fill(name, entry.colour)
             yield f'<rect x="{x}" y="{y - 11}" width="18" height="13" fill="{fill}"/>'
         else:

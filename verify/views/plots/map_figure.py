@@ -22,21 +22,7 @@ from verify.views.map import (
     plane_line,
 )
 from verify.views.material import CertifiedMap, CertifiedStrip
-from verify.views.plots.shapes import (
-    Areas,
-    Curve,
-    Figure,
-    Frame,
-    Panel,
-    Point,
-    Scale,
-    Shape,
-    Straight,
-    Trace,
-    Words,
-    merged,
-    powers,
-)
+from verify.views.plots import shapes
 
 #: The colour of each area; the border is what is left between the two decided ones.
 COLOURS = {COLLAPSES: "refuted-area", DISPERSES: "proved-area", UNDECIDED: "ink"}
@@ -50,7 +36,7 @@ Cell = tuple[Fraction, Fraction, Fraction, Fraction]
 Law = Sequence[tuple[int, Fraction]]
 
 
-def figure(found: CertifiedMap, strip: CertifiedStrip | None, name: str) -> Figure:
+def figure(found: CertifiedMap, strip: CertifiedStrip | None, name: str) -> shapes.Figure:
     """The figure of a map of boxes, with the strip that encloses its border."""
     progress = found.progress
     shares = {key: percent(share) for key, share in area_shares(progress).items()}
@@ -66,9 +52,9 @@ def figure(found: CertifiedMap, strip: CertifiedStrip | None, name: str) -> Figu
     )
     if strip is not None:
         caption += _about(strip)
-    line = [] if strip is None else [Trace(list(border(strip.plane)), "paper")]
+    line = [] if strip is None else [shapes.Trace(list(border(strip.plane)), "paper")]
     panels = [_whole(progress, shares), _closer(progress, line), _law(law)]
-    return Figure(name, "Which scenes collapse", caption, panels)
+    return shapes.Figure(name, "Which scenes collapse", caption, panels)
 
 
 def is_border_of(strip: Strip, plane: Any) -> bool:
@@ -76,7 +62,7 @@ def is_border_of(strip: Strip, plane: Any) -> bool:
     return bool(strip.phi._replace(x=plane.x, y=plane.y) == plane)
 
 
-def border(strip: Strip) -> Iterator[Point]:
+def border(strip: Strip) -> Iterator[shapes.Point]:
     """The curve of a strip: its values in the middle of each part."""
     low, high = strip.x
     for number, (value, *_) in enumerate(strip.curve):
@@ -135,12 +121,12 @@ def window(progress: Progress) -> Cell:
     return left, left + CLOSER, low, low + CLOSER
 
 
-def _scales(progress: Progress, shown: Cell) -> tuple[Scale, Scale]:
+def _scales(progress: Progress, shown: Cell) -> tuple[shapes.Scale, shapes.Scale]:
     ends = progress.plane.x, progress.plane.y
     made = []
     for name, (low, high), at in zip(names(progress), ends, (shown[:2], shown[2:]), strict=True):
         first, last = (low + (high - low) * share for share in at)
-        made.append(Scale(name, float(first), float(last), round_marks(first, last)))
+        made.append(shapes.Scale(name, float(first), float(last), round_marks(first, last)))
     return made[0], made[1]
 
 
@@ -165,7 +151,7 @@ def round_marks(low: Fraction, high: Fraction) -> list[tuple[float, str]]:
     return [(float(k * step), f"{float(k * step):g}") for k in count]
 
 
-def _areas(progress: Progress, shown: Cell, named: dict[str, str]) -> Iterator[Shape]:
+def _areas(progress: Progress, shown: Cell, named: dict[str, str]) -> Iterator[shapes.Shape]:
     """The border's colour everywhere, and the decided boxes on top of it."""
     (x_0, x_1), (y_0, y_1) = progress.plane.x, progress.plane.y
     corners = {UNDECIDED: [shown]}
@@ -178,7 +164,7 @@ def _areas(progress: Progress, shown: Cell, named: dict[str, str]) -> Iterator[S
              y_0 + (y_1 - y_0) * d)
             for a, b, c, d in boxes
         ]  # fmt: skip
-        yield Areas(merged(placed), COLOURS[letter], name=named[AREAS[letter][0]])
+        yield shapes.Areas(shapes.merged(placed), COLOURS[letter], name=named[AREAS[letter][0]])
 
 
 def _cut(cell: Cell, shown: Cell) -> Cell:
@@ -186,20 +172,24 @@ def _cut(cell: Cell, shown: Cell) -> Cell:
     return max(a, shown[0]), min(b, shown[1]), max(c, shown[2]), min(d, shown[3])
 
 
-def _whole(progress: Progress, shares: dict[str, str]) -> Panel:
+def _whole(progress: Progress, shares: dict[str, str]) -> shapes.Panel:
     x, y = _scales(progress, (Fraction(0), Fraction(1), Fraction(0), Fraction(1)))
     piece = window(progress)
     (x_0, x_1), (y_0, y_1) = progress.plane.x, progress.plane.y
 
-    def shapes() -> Iterable[Shape]:
+    def drawn() -> Iterable[shapes.Shape]:
         everything = (Fraction(0), Fraction(1), Fraction(0), Fraction(1))
         yield from _areas(progress, everything, {n: f"{n} {s} %" for n, s in shares.items()})
-        yield Frame((
+        yield shapes.Frame((
             float(x_0 + (x_1 - x_0) * piece[0]), float(x_0 + (x_1 - x_0) * piece[1]),
             float(y_0 + (y_1 - y_0) * piece[2]), float(y_0 + (y_1 - y_0) * piece[3]),
         ))  # fmt: skip
-        yield Words((x.low + 0.6 * (x.high - x.low), y.low + 0.6 * (y.high - y.low)), "disperses")
-        yield Words((x.low + 0.03 * (x.high - x.low), y.low + 0.1 * (y.high - y.low)), "collapses")
+        yield shapes.Words(
+            (x.low + 0.6 * (x.high - x.low), y.low + 0.6 * (y.high - y.low)), "disperses"
+        )
+        yield shapes.Words(
+            (x.low + 0.03 * (x.high - x.low), y.low + 0.1 * (y.high - y.low)), "collapses"
+        )
 
     told = (
         f"The hatched area at the lower left collapses ({shares['collapses']} %), the plain one "
@@ -207,10 +197,10 @@ def _whole(progress: Progress, shares: dict[str, str]) -> Panel:
         f"them, {shares['undecided']} % of the area, is undecided and falls from the left side to "
         "the bottom. A small square on it is shown in the next panel."
     )
-    return Panel("The whole map", x, y, shapes, told, height=372)
+    return shapes.Panel("The whole map", x, y, drawn, told, height=372)
 
 
-def _closer(progress: Progress, line: Sequence[Shape]) -> Panel:
+def _closer(progress: Progress, line: Sequence[shapes.Shape]) -> shapes.Panel:
     piece = window(progress)
     x, y = _scales(progress, piece)
     named = {name: name for name, _ in AREAS.values()}
@@ -220,24 +210,26 @@ def _closer(progress: Progress, line: Sequence[Shape]) -> Panel:
         "right, between what disperses above and what collapses below."
     )
     title = f"The border, {CLOSER.denominator} times closer"
-    return Panel(title, x, y, lambda: [*_areas(progress, piece, named), *line], told, height=372)
+    return shapes.Panel(
+        title, x, y, lambda: [*_areas(progress, piece, named), *line], told, height=372
+    )
 
 
-def _law(law: Law) -> Panel:
+def _law(law: Law) -> shapes.Panel:
     points = [(float(boxes), 100 * float(share)) for boxes, share in law]
-    x = Scale("boxes looked at", 100, 10**5, powers(2, 5), logarithmic=True)
+    x = shapes.Scale("boxes looked at", 100, 10**5, shapes.powers(2, 5), logarithmic=True)
     boxes, share = points[-1]
     least = math.floor(math.log10(share))
-    marks = powers(least, 2)
-    y = Scale("undecided, in % of the area", 10.0**least, 100, marks, logarithmic=True)
+    marks = shapes.powers(least, 2)
+    y = shapes.Scale("undecided, in % of the area", 10.0**least, 100, marks, logarithmic=True)
 
-    def shapes() -> Iterable[Shape]:
-        yield Straight((boxes / 30, share * 30), (boxes * 4, share / 4), "faint")
-        yield Curve(points, "series-1", 0, "this map, level by level")
-        yield Words((boxes / 12, share * 16), "slope −1")
+    def drawn() -> Iterable[shapes.Shape]:
+        yield shapes.Straight((boxes / 30, share * 30), (boxes * 4, share / 4), "faint")
+        yield shapes.Curve(points, "series-1", 0, "this map, level by level")
+        yield shapes.Words((boxes / 12, share * 16), "slope −1")
 
     told = (
         f"The undecided share falls from {points[0][1]:.2g} % after {law[0][0]} boxes to "
         f"{share:.2g} % after {law[-1][0]}, along a line of slope -1 on logarithmic axes."
     )
-    return Panel("Undecided area against work", x, y, shapes, told, height=372)
+    return shapes.Panel("Undecided area against work", x, y, drawn, told, height=372)

@@ -1,24 +1,15 @@
-"""How close the two sides of each obligation are, over r at theta_0 = pi."""
+"""How close the two sides of each obligation are, over r at theta_0 = pi; and which break."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from itertools import groupby
 
-from verify.language.statement import PROVED, REFUTED
+from verify.language.statement import BREAKS, PRINTED, PROVED, REFUTED, REPAIRED
 from verify.prover.decimals import decimal_text, round_decimal
 from verify.views.material import Margins, Ratios
-from verify.views.plots.shapes import (
-    Areas,
-    Corners,
-    Figure,
-    Panel,
-    Rule,
-    Scale,
-    Shape,
-    marks,
-    powers,
-)
+from verify.views.plots import shapes
 
 TIGHTEST = 14
 
@@ -36,7 +27,7 @@ def printed_ratios(every: Sequence[Ratios]) -> tuple[list[Ratios], list[Ratios]]
     return refuted, others[:TIGHTEST]
 
 
-def figure(found: Margins) -> Figure:
+def figure(found: Margins) -> shapes.Figure:
     """Both sets, one below the other on a phone."""
     refuted, others = printed_ratios(found.printed)
     repaired, across = found.repaired, _scale(found.end)
@@ -46,7 +37,7 @@ def figure(found: Margins) -> Figure:
     table = [("Drawn step (from the largest ratio)", "set", "left/right at r ≈ 0.0279, at most")]
     for name, part in (("printed, refuted", refuted), ("printed", others), ("repaired", tightest)):
         table += ((row.says, name, decimal_up(row.middle)) for row in part)
-    return Figure(
+    return shapes.Figure(
         "margins",
         "How close each step is, over r at θ₀ = π",
         f"The ratio of the two sides, left/right, on {len(found.intervals)} intervals of r between "
@@ -59,8 +50,10 @@ def figure(found: Margins) -> Figure:
         f"not identities are proved on every interval, from r = {_end(found, 0)} to "
         f"r = {_end(found, -1)}. A step in the table below leads to its curve.",
         (
-            Panel("As printed", across, _WIDE, lambda: _printed(refuted, others), TOLD_PRINTED),
-            Panel("Repaired", across, _NARROW, lambda: _repaired(tightest), TOLD_REPAIRED),
+            shapes.Panel(
+                "As printed", across, _WIDE, lambda: _printed(refuted, others), TOLD_PRINTED
+            ),
+            shapes.Panel("Repaired", across, _NARROW, lambda: _repaired(tightest), TOLD_REPAIRED),
         ),
         table,
         [
@@ -82,36 +75,110 @@ def decimal_up(value: Fraction) -> str:
     return decimal_text(*round_decimal(value, 4, up=True))
 
 
-def _printed(refuted: Sequence[Ratios], others: Sequence[Ratios]) -> Iterator[Shape]:
-    yield Rule(1)
+def _printed(refuted: Sequence[Ratios], others: Sequence[Ratios]) -> Iterator[shapes.Shape]:
+    yield shapes.Rule(1)
     yield from _curves("p", others, "proved", "holds", len(refuted))
     yield from _curves("p", refuted, "refuted", "refuted")
 
 
-def _repaired(tightest: Sequence[Ratios]) -> Iterator[Shape]:
-    yield Rule(1)
+def _repaired(tightest: Sequence[Ratios]) -> Iterator[shapes.Shape]:
+    yield shapes.Rule(1)
     yield from _curves("r", tightest, "proved", "proved")
 
 
 def _curves(
     panel: str, part: Sequence[Ratios], colour: str, name: str, before: int = 0
-) -> Iterator[Areas]:
+) -> Iterator[shapes.Areas]:
     """A curve for each row, which its row in the table refers to; the first is in the legend."""
     for number, row in enumerate(part, before + 1):
         key, entry = f"margin-{panel}-{number}", name if number == before + 1 else ""
-        yield Areas(_boxes(row), colour, 0.9, entry, key)
+        yield shapes.Areas(shapes.corners(row.boxes), colour, 0.9, entry, key)
 
 
-def _boxes(row: Ratios) -> list[Corners]:
-    return [
-        (float(left), float(right), float(low), float(high))
-        for (left, right), (low, high) in row.boxes
-    ]
+def _scale(end: Fraction) -> shapes.Scale:
+    return shapes.Scale(
+        "r", 0, float(end), shapes.marks("0", "0.01", "0.02", "0.03", "0.04", "0.05")
+    )
 
 
-def _scale(end: Fraction) -> Scale:
-    return Scale("r", 0, float(end), marks("0", "0.01", "0.02", "0.03", "0.04", "0.05"))
+_WIDE = shapes.Scale("left / right", 0.1, 3e3, shapes.powers(-1, 3), logarithmic=True)
+_NARROW = shapes.Scale(
+    "left / right", 0.5, 1.05, shapes.marks("0.5", "0.6", "0.7", "0.8", "0.9", "1")
+)
 
 
-_WIDE = Scale("left / right", 0.1, 3e3, powers(-1, 3), logarithmic=True)
-_NARROW = Scale("left / right", 0.5, 1.05, marks("0.5", "0.6", "0.7", "0.8", "0.9", "1"))
+# --- the steps that break the printed argument ----------------------------------------------------
+
+WIDTH, HEIGHT = 440, 380
+#: Below this ratio nothing is drawn.
+LOW = 0.1
+#: A curve that rises into view has its name beside this ratio.
+RISEN = Fraction(4, 5)
+#: Curves whose names would stand upon each other have one name: their ratios differ by less.
+NEAR = 1.2
+
+
+def broken_steps(found: Margins) -> shapes.Figure:
+    """The steps that break the printed argument, and the same steps repaired: one panel."""
+    broken = [row for row in found.printed if row.severity == BREAKS and REFUTED in row.verdicts]
+    names = {f"{REPAIRED}.{row.name.removeprefix(f'{PRINTED}.')}" for row in broken}
+    repaired = [row for row in found.repaired if row.name in names]
+    across = _scale(found.end)
+    up = shapes.Scale("left side / right side", LOW, 1e3, shapes.powers(-1, 3), logarithmic=True)
+    return shapes.Figure(
+        "breaks",
+        "Where the printed proof breaks, and by how much",
+        f"{len(broken)} inequalities of the printed proof, over r at θ₀ = π: the left side "
+        "divided by the right side. A step holds where this is at most 1. Orange: as "
+        "printed. Blue: the same steps with the repaired constants. Each box contains the ratio at "
+        "every r of its interval. A fifth step that breaks has no curve: 0 < 0, in the claim that "
+        "the set has interior points.",
+        (
+            shapes.Panel(
+                "The steps that break the argument",
+                across,
+                up,
+                lambda: _broken(broken, repaired),
+                "The orange curves of the printed steps lie above the line at 1, two of them "
+                "about a hundred times as high; the blue ones of the repaired steps lie below it.",
+                WIDTH,
+                HEIGHT,
+            ),
+        ),
+    )
+
+
+def _broken(broken: Sequence[Ratios], repaired: Sequence[Ratios]) -> Iterator[shapes.Shape]:
+    yield shapes.Rule(1)
+    yield shapes.Words((0.001, 1.3), "above this line a step fails")
+    for part, colour, name in (
+        (broken, "refuted", "as printed"),
+        (repaired, "proved", "repaired"),
+    ):
+        for number, row in enumerate(part):
+            yield shapes.Areas(shapes.corners(row.boxes), colour, 0.9, name if number == 0 else "")
+        yield from _names(part)
+
+
+def _names(part: Sequence[Ratios]) -> Iterator[shapes.Words]:
+    """A name above each curve, at its left end, or before the end of one that rises into view."""
+    for group in _near(part):
+        text = ", ".join(row.name.partition(".")[2] for row in group)
+        (left, _), (_, height) = group[0].boxes[0]
+        if height > LOW:
+            yield shapes.Words((float(left) + 0.001, float(height) * 1.35), text)
+        else:
+            (left, _), (_, height) = next(box for box in group[0].boxes if box[1][1] > RISEN)
+            yield shapes.Words((float(left) - 0.001, float(height)), text, "end")
+
+
+def _near(part: Sequence[Ratios]) -> list[list[Ratios]]:
+    """The curves, from the highest, in groups that cannot be told apart."""
+    numbers: list[int] = []
+    last = 0.0
+    for row in part:
+        here = float(row.middle)
+        numbers.append(numbers[-1] + (last > NEAR * here) if numbers else 0)
+        last = here
+    pairs = zip(numbers, part, strict=True)
+    return [[row for _, row in group] for _, group in groupby(pairs, key=lambda pair: pair[0])]

@@ -8,23 +8,13 @@ stability threshold does.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from verify.language.statement import PRINTED, PROVED, REFUTED, REPAIRED, UNDECIDED
 from verify.views.everywhere import dependences
 from verify.views.material import Rectangle, Region
-from verify.views.plots.shapes import (
-    Areas,
-    Corners,
-    Figure,
-    Panel,
-    Scale,
-    Shape,
-    Words,
-    marks,
-    merged,
-)
+from verify.views.plots import shapes
 from verify.views.words import fair
 
 #: Values of r at which the axis of s = r^(1/3) is marked.
@@ -34,7 +24,7 @@ TICKS = ("0.0005", "0.005", "0.02", "0.05")
 COLUMNS = 300
 
 
-def picture(region: Region) -> Figure:
+def picture(region: Region) -> shapes.Figure:
     """The map of the README: the printed proof beside the repaired one, for all parameters."""
     rows = region.printed.rows
     refuted = [(row, found) for row, found in rows if fair(region.printed, row, found) == REFUTED]
@@ -52,19 +42,19 @@ def picture(region: Region) -> Figure:
         f"one that of stability 2r^(1/3)(1+r^(1/3))/(1+r), "
         f"which the proof needs. V₀ = 1, δ_θ = 1/10."
     )
-    return Figure(
+    return shapes.Figure(
         "region",
         "Where the printed proof fails, and where the repaired one closes",
         caption,
         (
-            Panel(
+            shapes.Panel(
                 "As printed: steps refuted",
                 across,
                 C,
                 lambda: _printed(region, len(always)),
                 TOLD_PRINTED,
             ),
-            Panel("Repaired: closes", across, C, lambda: _closing(region), TOLD_REPAIRED),
+            shapes.Panel("Repaired: closes", across, C, lambda: _closing(region), TOLD_REPAIRED),
         ),
         [
             ("Step", "Where it holds, and where it does not"),
@@ -99,13 +89,13 @@ def level(q: Fraction, s: Fraction) -> Fraction:
 # --- drawing -------------------------------------------------------------------------------------
 
 
-def scale(region: Region) -> Scale:
+def scale(region: Region) -> shapes.Scale:
     """The axis of s."""
     ticks = [(float(Fraction(t)) ** (1 / 3), t) for t in TICKS]
-    return Scale("r (on the scale of its cube root)", 0, float(region.width), ticks)
+    return shapes.Scale("r (on the scale of its cube root)", 0, float(region.width), ticks)
 
 
-C = Scale("−cos θ₀", 0, 1, marks("0", "0.2", "0.4", "0.6", "0.8", "1"))
+C = shapes.Scale("−cos θ₀", 0, 1, shapes.marks("0", "0.2", "0.4", "0.6", "0.8", "1"))
 
 TOLD_PRINTED = (
     "The plane of r and −cos θ₀. The whole region above the curve of stability is hatched orange: "
@@ -114,45 +104,35 @@ TOLD_PRINTED = (
 TOLD_REPAIRED = "The same plane: the whole region above the curve of stability is blue: it closes."
 
 
-def _printed(region: Region, always: int) -> Iterator[Shape]:
+def _printed(region: Region, always: int) -> Iterator[shapes.Shape]:
     named = False
     for low, high, refuted in region.bands:
         colour = "undecided" if refuted is None else "refuted-area"
         name = "" if named or refuted is None else "steps refuted"
-        yield Areas(_corners(cells(region.width, low, high)), colour, name=name)
+        yield shapes.Areas(shapes.corners(cells(region.width, low, high)), colour, name=name)
         named = named or bool(name)
         middle = float(min(Fraction(1), level(high, Fraction(0))) + level(low, Fraction(0))) / 2
         if refuted is not None:
-            yield Words((0.006, middle), f"{always + refuted}")
+            yield shapes.Words((0.006, middle), f"{always + refuted}")
     yield from curves(region)
     yield WHICH
 
 
-def _closing(region: Region) -> Iterator[Shape]:
+def _closing(region: Region) -> Iterator[shapes.Shape]:
     inside = cells(region.width, Fraction(0), Fraction(1, 2))
-    yield Areas(_corners(inside), "proved-area", name="all proved")
+    yield shapes.Areas(shapes.corners(inside), "proved-area", name="all proved")
     yield from curves(region)
     yield WHICH
 
 
-WHICH = Words((0.2, 0.24), "upper curve: stability\nlower curve: existence")
+WHICH = shapes.Words((0.2, 0.24), "upper curve: stability\nlower curve: existence")
 
 
-def _corners(found: Iterable[Rectangle]) -> list[Corners]:
-    return [
-        (float(left), float(right), float(low), float(high)) for (left, right), (low, high) in found
-    ]
-
-
-def curves(region: Region) -> Iterator[Areas]:
+def curves(region: Region) -> Iterator[shapes.Areas]:
     """Both thresholds."""
     for curve in region.curves:
-        part = [
-            (float(left), float(right), float(low), float(high))
-            for (left, right), (low, high) in curve
-            if low <= 1 and left <= region.width
-        ]
-        yield Areas(part, "ink", 0.8)
+        part = (box for box in curve if box[1][0] <= 1 and box[0][0] <= region.width)
+        yield shapes.Areas(shapes.corners(part), "ink", 0.8)
 
 
 # --- which entry of the min that bounds eta_bar is the least, over the region --------------------
@@ -163,7 +143,7 @@ SHADES = ("series-2", "series-4", "proved-area", "series-1", "series-6", "series
 Cells = Sequence[tuple[Rectangle, int | None]]
 
 
-def least_entries(least: Mapping[str, Cells], region: Region) -> Figure:
+def least_entries(least: Mapping[str, Cells], region: Region) -> shapes.Figure:
     """Both sets side by side."""
     captions = []
     for group in (PRINTED, REPAIRED):
@@ -173,7 +153,7 @@ def least_entries(least: Mapping[str, Cells], region: Region) -> Figure:
             for index in sorted(i for i in counts if i is not None)
         )
         captions.append(f"{group}: {parts}, undecided on {counts[None]}")
-    return Figure(
+    return shapes.Figure(
         "minimum",
         "Which entry of η̄ is the smallest",
         "On each coloured cell one entry of the min that defines or bounds η̄ is at most each other "
@@ -186,16 +166,18 @@ def least_entries(least: Mapping[str, Cells], region: Region) -> Figure:
     )
 
 
-def _map(title: str, cells: Cells, region: Region) -> Panel:
+def _map(title: str, cells: Cells, region: Region) -> shapes.Panel:
     present = sorted({i for _, i in cells if i is not None})
 
-    def shapes() -> Iterator[Shape]:
+    def drawn() -> Iterator[shapes.Shape]:
         for index in [None, *present]:
-            part = merged((*box[0], *box[1]) for box, entry in cells if entry == index)
+            part = shapes.merged((*box[0], *box[1]) for box, entry in cells if entry == index)
             colour = "undecided" if index is None else SHADES[index]
-            yield Areas(part, colour, name=UNDECIDED if index is None else f"entry {index + 1}")
+            yield shapes.Areas(
+                part, colour, name=UNDECIDED if index is None else f"entry {index + 1}"
+            )
         yield from curves(region)
 
     names = " and ".join(f"entry {index + 1}" for index in present)
     told = f"Above the curve of stability all decided cells have {names} as the smallest."
-    return Panel(title, scale(region), C, shapes, told, 420, 380)
+    return shapes.Panel(title, scale(region), C, drawn, told, 420, 380)

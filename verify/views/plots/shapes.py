@@ -137,6 +137,11 @@ def marks(*texts: str) -> list[tuple[float, str]]:
     return [(float(Fraction(text)), text.replace("-", "−")) for text in texts]
 
 
+def corners(boxes: Iterable[tuple[tuple[Fraction, Fraction], ...]]) -> list[Corners]:
+    """Boxes that are given by their two sides."""
+    return [(float(a), float(b), float(c), float(d)) for (a, b), (c, d) in boxes]
+
+
 def merged(cells: Iterable[tuple[Fraction, Fraction, Fraction, Fraction]]) -> list[Corners]:
     """The same area in fewer boxes: neighbours of one height are joined, then of one width."""
     rows = _joined((low, high, left, right) for left, right, low, high in cells)

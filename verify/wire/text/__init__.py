@@ -5,3 +5,18 @@ what is written is read as the same statement. `smtlib.py` and `fpcore.py` read 
 other programs. The room uses the language and the readers of numbers beside it. A newcomer begins
 with `infix.py`.
 """
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from verify.language.record import Record
+from verify.language.statement import Statement
+from verify.prover.hint import Hint
+
+
+class Page(Record):
+    """A statement, and hints by the names of its rows."""
+
+    statement: Statement
+    hints: Mapping[str, Hint]

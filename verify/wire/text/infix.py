@@ -22,24 +22,18 @@ from verify.language.terms import (
     Claim,
     Term,
     absolute,
-    acos,
     any_of,
     as_term,
-    asin,
-    atan,
-    cosh,
     exp,
     log,
     nth_root,
     pi,
-    sinh,
     sqrt,
     symbol,
-    tan,
-    tanh,
     unequal,
 )
 from verify.wire.inputs import InputError, nearest, rational, shown
+from verify.wire.text import letters
 from verify.wire.text.letters import GREEK, NAMES, name_of
 
 _LETTERS = f"A-Za-z{''.join(NAMES)}"
@@ -62,18 +56,7 @@ LONGEST_DECIMAL = 20
 MANY = ("min", "max")
 NUMBERS: Mapping[str, Term] = {"pi": pi, "e": exp(1)}
 #: What a reader writes in operations of the language.
-SUGAR: Mapping[str, Callable[[Term], Term]] = {
-    "abs": absolute,
-    "cbrt": lambda term: nth_root(term, 3),
-    "tan": tan,
-    "ln": log,
-    "arctan": atan,
-    **dict.fromkeys(("asin", "arcsin"), asin),
-    **dict.fromkeys(("acos", "arccos"), acos),
-    "sinh": sinh,
-    "cosh": cosh,
-    "tanh": tanh,
-}
+SUGAR: Mapping[str, Callable[[Term], Term]] = {**letters.FUNCTIONS, "ln": log}
 #: What joins the terms that stand for the numbers from one to another, and so many terms at most.
 SUMS: Mapping[str, Callable[[Term, Term], Term]] = {"sum": Term.__add__, "prod": Term.__mul__}
 MAX_TERMS = 1000

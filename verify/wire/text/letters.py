@@ -1,41 +1,33 @@
-"""The letter that stands for a name in text and in LaTeX, where an author has not chosen one."""
+"""Names as people write them: of functions, and the letters that stand for names."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Mapping
 
+from verify.language import terms
+
+_GREEK = (
+    (
+        "αβγδεζηθικλμνξπ",
+        "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi",
+    ),
+    ("ρστφχψω", "rho sigma tau phi chi psi omega"),
+    ("ΓΔΘΛΞΣΦΨΩ", "Gamma Delta Theta Lambda Xi Sigma Phi Psi Omega"),
+)
 GREEK = {
-    "alpha": "α",
-    "beta": "β",
-    "gamma": "γ",
-    "delta": "δ",
-    "epsilon": "ε",
-    "zeta": "ζ",
-    "eta": "η",
-    "theta": "θ",
-    "iota": "ι",
-    "kappa": "κ",
-    "lambda": "λ",
-    "mu": "μ",
-    "nu": "ν",
-    "xi": "ξ",
-    "pi": "π",
-    "rho": "ρ",
-    "sigma": "σ",
-    "tau": "τ",
-    "phi": "φ",
-    "chi": "χ",
-    "psi": "ψ",
-    "omega": "ω",
-    "Gamma": "Γ",
-    "Delta": "Δ",
-    "Theta": "Θ",
-    "Lambda": "Λ",
-    "Xi": "Ξ",
-    "Sigma": "Σ",
-    "Phi": "Φ",
-    "Psi": "Ψ",
-    "Omega": "Ω",
+    name: letter
+    for letters, names in _GREEK
+    for letter, name in zip(letters, names.split(), strict=True)
+}
+#: Functions of one number that are written with the operations of the language.
+FUNCTIONS: Mapping[str, Callable[[terms.Term], terms.Term]] = {
+    **{name: getattr(terms, name) for name in ("tan", "sinh", "cosh", "tanh")},
+    "abs": terms.absolute,
+    "cbrt": lambda term: terms.nth_root(term, 3),
+    "arctan": terms.atan,
+    **dict.fromkeys(("asin", "arcsin"), terms.asin),
+    **dict.fromkeys(("acos", "arccos"), terms.acos),
 }
 NAMES = {letter: name for name, letter in GREEK.items()}
 LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")

@@ -9,29 +9,20 @@ from fractions import Fraction
 from functools import reduce
 from itertools import pairwise
 
+from verify.language import terms
 from verify.language.terms import (
     Claim,
     Term,
-    absolute,
-    acos,
     as_term,
-    asin,
-    atan,
-    cos,
-    cosh,
     exp,
     log,
     maximum,
     minimum,
-    nth_root,
     pi,
-    sin,
-    sinh,
     sqrt,
-    tan,
-    tanh,
 )
 from verify.wire.inputs import InputError, nearest, rational, shown
+from verify.wire.text.letters import FUNCTIONS
 
 _TOKEN = re.compile(r'\s+|;[^\n]*|"(?:[^"]|"")*"|\|[^|]*\||[()\[\]]|[^\s()\[\];"|]+')
 _NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?|[+-]?[0-9]+/[0-9]+")
@@ -156,22 +147,11 @@ OPERATIONS: dict[str, Callable[..., Term]] = {
     "/": _quotient,
     "^": _power,
     "pow": _power,
-    **dict.fromkeys(("abs", "fabs"), absolute),
     **dict.fromkeys(("min", "fmin"), minimum),
     **dict.fromkeys(("max", "fmax"), maximum),
-    **dict.fromkeys(("atan", "arctan"), atan),
-    **dict.fromkeys(("asin", "arcsin"), asin),
-    **dict.fromkeys(("acos", "arccos"), acos),
-    "sinh": sinh,
-    "cosh": cosh,
-    "tanh": tanh,
-    "sqrt": sqrt,
-    "cbrt": lambda term: nth_root(term, 3),
-    "exp": exp,
-    "log": log,
-    "sin": sin,
-    "cos": cos,
-    "tan": tan,
+    **FUNCTIONS,
+    "fabs": FUNCTIONS["abs"],
+    **{name: getattr(terms, name) for name in ("atan", "sqrt", "exp", "log", "sin", "cos")},
 }
 #: Numbers by their names in FPCore.
 NUMBERS: Mapping[str, Term] = {"PI": pi, "E": exp(1), "LN2": log(2), "LN10": log(10)}

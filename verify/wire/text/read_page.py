@@ -42,9 +42,9 @@ from verify.language.statement import (
 from verify.language.terms import Claim, Term, names_of
 from verify.prover.hint import Hint
 from verify.wire.inputs import InputError, nearest, shown
+from verify.wire.text import Page
 from verify.wire.text.infix import Names, read_claims, read_givens, read_term
 from verify.wire.text.letters import letter_of, name_of
-from verify.wire.text.page import Page
 from verify.wire.text.points import a_point, estimate
 from verify.wire.text.roots import isolated
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections import Counter
 from fractions import Fraction
 from itertools import pairwise
@@ -35,6 +36,7 @@ from verify.spheres.scene.scene import FIRST_FRAMES, PAIRS, Bodies, Scene, coord
 from verify.spheres.scene.scene_files import read_scene
 from verify.spheres.scene.trajectory import trajectory
 from verify.spheres.scene.verdict import steps, told
+from verify.views.plots.scene_drawing import legs
 from verify.wire.inputs import InputError
 
 SCHEMA = Path(__file__).resolve().parents[3] / "certificates/schema/scene.schema.json"
@@ -309,7 +311,6 @@ def test_what_the_command_says(tmp_path: Path, capsys: pytest.CaptureFixture[str
     axes = ["--x", "velocities[2][0]=0.5..1", "--y", "velocities[2][1]=0..1"]
     assert main(["map", str(file), *axes, "--out", str(tmp_path / "map")]) == 2
     assert "masses: maps are about equal particles" in capsys.readouterr().err
-    assert main(["scene", str(file), "--plot", str(tmp_path / "a.svg")]) == 2
 
 
 def test_symmetric_positions_with_different_masses_meet_at_once_all_the_same() -> None:
@@ -328,3 +329,26 @@ def test_a_mass_may_be_a_parameter() -> None:
     family = read_family("a", text.encode())
     scene = family.at({"m": Fraction(3, 2)})
     assert scene.bodies == Bodies((Fraction(1), Fraction(3, 2), Fraction(3)), (HALF,) * 3)
+
+
+def test_drawings_have_the_radii_and_the_units(tmp_path: Path) -> None:
+    """In a drawing spheres touch where they collide."""
+    file, svg, page = (tmp_path / name for name in ("sizes.toml", "a.svg", "a.html"))
+    units = 'length_unit = "mm"\ntime_unit = "ms"\n'
+    file.write_text(FILE + SIZES + units, encoding="utf-8")
+    assert main(["scene", str(file), "--plot", str(svg)]) == 0
+    text = svg.read_text(encoding="utf-8")
+    assert ">1 mm</text>" in text
+    assert "normal speed, mm per ms" in text
+    assert main(["scene", str(file), "--plot", str(page)]) == 0
+    assert '"radii": [0.5, 1.0, 0.25]' in page.read_text(encoding="utf-8")
+    for scene in unequals(21, 12):
+        found = decide_scene(scene, Budget(collisions=6))
+        radii = scene.bodies.radii
+        path = legs(told(found), steps(found))
+        for leg in path[1:]:
+            i, j = map(int, leg.pair)
+            if scene.dimension == 2:
+                assert math.dist(leg.places[i], leg.places[j]) == pytest.approx(
+                    float(radii[i] + radii[j]), abs=1e-9
+                )

@@ -18,9 +18,11 @@ from verify.prover.goal import Bounds
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value, product_of, sum_of
 from verify.prover.rules import Cuts, Interval
-from verify.prover.search.angles import HALF
+from verify.prover.search.angles import HALF, Linear
 from verify.prover.search.cosine_bounds import CosineBounds
 from verify.prover.search.exact import ExactRanges
+from verify.prover.search.levels import by_levels
+from verify.prover.search.question import Question
 
 #: Numbers of terms of the series that are tried, of a lower bound; an upper one has one more.
 LENGTHS = (2, 4, 8, 12)
@@ -180,3 +182,27 @@ class Parts:
 
 def _has_sign(tensor: Tensor) -> bool:
     return min(tensor.coefficients) >= 0 or max(tensor.coefficients) <= 0
+
+
+# --- what finds a proof --------------------------------------------------------------------------
+
+
+def by_cosines(question: Question) -> Proof | None:
+    """A proof of a claim that is linear in cosines, after products of them are replaced."""
+    linear = Linear(question.goal, question.session, question.using)
+    if not linear.is_plain:
+        return None
+    proof = linear.identity(question.goal.claim.relation)
+    if proof is not None or question.goal.claim.relation == "=":
+        return proof
+    return next(filter(None, _proofs(CosineBounds(question, linear))), None)
+
+
+def _proofs(bounds: CosineBounds) -> Iterator[Proof | None]:
+    """By factors, on parts of an interval, or on the whole domain; -1 and 1 come first."""
+    yield by_levels(bounds)
+    yield bounds.whole(1)
+    if len(bounds.goal.variables) == 1 and bounds.goal.box:
+        yield Parts(bounds).proof()
+    for length in LENGTHS[:2]:
+        yield bounds.whole(length)

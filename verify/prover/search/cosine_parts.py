@@ -11,18 +11,19 @@ from fractions import Fraction
 from math import ceil, floor
 
 from verify.language.record import Record
-from verify.language.terms import Term, symbol
+from verify.language.terms import Claim, Term, symbol
 from verify.prover.bernstein import ANY, Side, Tensor
 from verify.prover.clearing import Polynomial
 from verify.prover.goal import Bounds
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value, product_of, sum_of
-from verify.prover.rules import Cuts, Interval
+from verify.prover.rules import Cuts, Interval, Sum
 from verify.prover.search.angles import HALF, Linear
 from verify.prover.search.cosine_bounds import CosineBounds
 from verify.prover.search.exact import ExactRanges
 from verify.prover.search.levels import by_levels
 from verify.prover.search.question import Question
+from verify.prover.session import ZERO
 
 #: Numbers of terms of the series that are tried, of a lower bound; an upper one has one more.
 LENGTHS = (2, 4, 8, 12)
@@ -195,7 +196,23 @@ def by_cosines(question: Question) -> Proof | None:
     proof = linear.identity(question.goal.claim.relation)
     if proof is not None or question.goal.claim.relation == "=":
         return proof
-    return next(filter(None, _proofs(CosineBounds(question, linear))), None)
+    found = next(filter(None, _proofs(CosineBounds(question, linear))), None)
+    return found or _by_linear_claim(question, linear)
+
+
+def _by_linear_claim(question: Question, linear: Linear) -> Proof | None:
+    """The claim with sums for products, if that has fewer cosines."""
+    parts = {cosine: p for cosine, p in linear.parts.items() if not p.is_zero()}
+    if not linear.equations or len(parts) >= len(linear.cosines):
+        return None
+    term: Term = ZERO
+    for cosine, p in parts.items():
+        part = linear.clearing.term(p)
+        term = term + (part if cosine is None else part * cosine)
+    fact = question.fact(Claim(question.goal.claim.relation, term, ZERO))
+    if fact is None:
+        return None
+    return Sum(("goal", fact), tuple(linear.using), linear.cofactors(-1))
 
 
 def _proofs(bounds: CosineBounds) -> Iterator[Proof | None]:

@@ -115,3 +115,16 @@ Check (fun d r s i j u rest t => eq_refl : Runs.motion d r s (cons (i, j, u) res
 Check (fun d r s l => eq_refl : Runs.disperses d r s l =
   ((exists z, Runs.run d r s l z /\ forall t, 0 < t -> nobody_collides d (later t z)) /\
    forall T, trajectory d r s T (Runs.motion d r s l))).
+Check (fun o s c x => eq_refl : Runs.renamed o s c x =
+  let role i := match i with B0 => o | B1 => s | B2 => c end in
+  Scene (fun i => position x (role i)) (fun i => velocity x (role i))).
+Check (fun i j t l => eq_refl : Runs.lasts (cons (i, j, t) l) = t + Runs.lasts l).
+Check (eq_refl : Runs.lasts nil = 0).
+Check (fun d r s l o i c earliest latest least most => eq_refl :
+  Runs.collapses_after d r s l o i c earliest latest least most =
+  exists z scenes time T Z at_T whole, Runs.run d r s l z /\
+    collapses d r (Runs.renamed o i c z) scenes time T Z at_T /\
+    trajectory d r s (Runs.lasts l + T) whole /\
+    (forall t, 0 <= t -> Runs.renamed o i c (whole (Runs.lasts l + t)) = Z t) /\
+    (forall T' Z', trajectory d r s T' Z' -> T' <= Runs.lasts l + T) /\
+    earliest <= Runs.lasts l + T <= latest /\ least <= minus_cosine d at_T <= most).

@@ -254,6 +254,7 @@ class Kernel:
         self.refused: set[str] = set()
         self.taken: set[str] = {"goal"}
         self.grounds: dict[int, Enclosing] = {}
+        self.slopes: dict[tuple[int, int], int] = {}  # derivatives, for `mean_value`
         self.prefix = ""  # of the names of a cited statement, while that is read
         self.shared: dict[str, Any] = {}  # shared terms that are not read yet
         self.abbreviations: dict[str, int] = {}  # and those that are
@@ -625,6 +626,44 @@ class Kernel:
         ends = [other for g in given for other in slopes.near_end(g, is_above)]
         for end, premise in self.paired(ends, proof["bounds"]):
             self.premise(place, Claim("<=", *((end, c) if is_above else (c, end))), premise)
+
+    def mean_value(self, place: Place, claim: Claim, proof: Proof) -> None:
+        """On a box a term is its value at a point, and for each variable a slope times its change.
+
+        Let h be rhs - lhs. The box has the intervals that the bounds show, so that the values in
+        scope are one of its points; what is not a variable with an entry in ``at`` keeps its value.
+        h has an enclosure on the box, so it is defined on all of it, and where its derivative D by
+        a variable is, that is the derivative of h there, as in `derivative`. The point c of ``at``
+        lies in the box. Go from c to the values in scope, changing one variable x after the other:
+        all on the way lies in the box, so by the mean value theorem each step changes h by the
+        value of D at a point of the box, times the change of x, which is at least x.low - c and
+        at most x.high - c.
+        """
+        relation, lhs, rhs = claim
+        need(relation in ("<", "<="), Refused, "found {}, expected < or <=", relation)
+        box = self.enclosing(place, proof)
+        centre = Enclosing(self, proof["bits"], self.grounds[proof["bits"]])
+        for name, _, _ in proof["bounds"]:
+            variable = self.names[name]
+            need(variable not in self.definitions, Refused, "found bounds of the constant {}", name)
+            centre.known[variable] = box.known[variable]
+        h, changes = self.node("sub", (rhs, lhs)), []
+        box.enclose(h)
+        for name, text in proof["at"].items():
+            x, c = place.context.variables.get(name, FREE), rational(text)
+            need(x in centre.known, Refused, "at: found {}, expected a variable with bounds", name)
+            low, high = box.known[x]
+            need(low <= c <= high, Refused, "at: found {} outside of {}", name, box.known[x])
+            if (h, x) not in self.slopes:
+                self.slopes[h, x] = Slopes(self, place.context, x).of(h)
+            slope = box.enclose(self.slopes[h, x])
+            changes.append(box.outward(box.mul(slope, Interval(low - c, high - c))))
+            centre.known[x] = Interval(c, c)
+        least, zero = centre.enclose(h), Fraction(0)
+        for change in changes:
+            least = box.outward(box.add(least, change))
+        good = HOLDS[relation](Interval(zero, zero), least)
+        need(good, Refused, "found {} for rhs - lhs, expected 0 {} it", least, relation)
 
     def cosine(self, place: Place, claim: Claim, __: Proof) -> None:
         """The partial sums of the series of a cosine lie above it and below it, in turn.
@@ -1773,6 +1812,10 @@ RULES: dict[str, tuple[Callable[..., None], Shape]] = {
     "cuts": (
         Kernel.cuts,
         record(rule=rule, term=anything, at=array(number), branches=proofs),
+    ),
+    "mean_value": (
+        Kernel.mean_value,
+        record(rule=rule, bits=bits, bounds=bounds, at=table(number)),
     ),
     "sum": (
         Kernel.sum,

@@ -249,7 +249,13 @@ def test_which_coordinates_vary_and_which_scenes_are_on_a_line() -> None:
     assert check_map.on_a_line(family())
     assert check_map.on_a_line(family(velocities=[["0", "3"], ["-1", "3"], ["1", "3"]]))
     assert not check_map.on_a_line(family(velocities=[["0", "3"], ["-1", "3"], ["1", "2"]]))
-    assert not check_map.on_a_line(family(velocities=[["0", "x"], ["-1", "x"], ["1", "x"]]))
+    assert check_map.on_a_line(family(velocities=[["0", "x"], ["-1", "x"], ["1", "x"]]))
+    assert not check_map.on_a_line(family(velocities=[["0", "x"], ["-1", "x"], ["1", "0"]]))
+    turned = {"positions": [["0", "0"], ["2", "1"], ["-4", "-2"]]}
+    parallel = [["0", "0"], ["-2", "-1"], [["*", "4", "x"], ["*", "2", "x"]]]
+    assert check_map.on_a_line(family(**turned, velocities=parallel))
+    beside = [["0", "0"], ["-2", "-1"], [["*", "4", "x"], "x"]]
+    assert not check_map.on_a_line(family(**turned, velocities=beside))
     assert not check_map.on_a_line(family(positions=[["0", "0"], ["2", "1"], ["-5/2", "1"]]))
     assert not check_map.on_a_line(check_map.Phi(*[F(1, 2)] * 3, *[(F(0), F(1))] * 3))
 

@@ -25,24 +25,31 @@ def answer(
     options: Options,
     document: Callable[[], Mapping[str, Any]],
     screen: Callable[[], Iterable[str]],
+    *,
+    has_rows: bool = False,
 ) -> None:
     """Write the certificate that is asked for, and print the document or the screen.
 
-    With ``--rows`` only those rows of it are printed.
+    With ``--rows`` only those rows of it are printed, with ``-v`` every row: before the screen, if
+    it does not have them.
 
     Raises:
         InputError: if there is no row of this name, or a file cannot be written.
     """
-    from verify.cli.files import print_document, write_certificate  # loaded only where it is used
+    from verify.cli.files import print_document, write_certificate  # loaded only where used
 
+    found: Mapping[str, Any] = {}
+    text: list[str] = []
+    if not options.json:
+        text = told(outcome, options, screen(), has_rows=has_rows)
+    else:
+        found = document() if options.rows is None else only(outcome, options.rows, document())
     if options.out is not None:
         write_certificate("--out", options.out, outcome)
-    if not options.json:
-        show(told(outcome, options, screen()), options)
-    elif options.rows is None:
-        print_document(document())
+    if options.json:
+        print_document(found)
     else:
-        print_document(only(outcome, options.rows, document()))
+        show(text, options)
 
 
 def only(outcome: Outcome, name: str, document: Mapping[str, Any]) -> dict[str, Any]:
@@ -73,7 +80,7 @@ def _is_row(item: Any) -> bool:
     return isinstance(item, dict) and {"name", "role", "claim"} <= item.keys()
 
 
-def told(outcome: Outcome, options: Options, screen: Iterable[str]) -> list[str]:
+def told(outcome: Outcome, options: Options, screen: Iterable[str], *, has_rows: bool) -> list[str]:
     """What fits on a screen; with ``-v`` after every row and what is taken on trust.
 
     With ``--rows`` the rows of that name, and of the screen the last line, which has the verdict.
@@ -91,7 +98,7 @@ def told(outcome: Outcome, options: Options, screen: Iterable[str]) -> list[str]
         if not found:
             raise no_row(outcome, options.rows)
         return [*found, "", verdict]
-    if options.verbose:
+    if options.verbose and not has_rows:
         lines = [*all_rows(outcome, PAPER), *taken_on_trust(outcome, PAPER), "", *lines]
     return [*lines, verdict]
 

@@ -11,6 +11,7 @@ from io import BytesIO
 
 from verify import check_map
 from verify.cli.files import print_document, read_bytes, write_all
+from verify.cli.map_boxes import test_tables, write_tables
 from verify.cli.options import Options, Parser, field
 from verify.cli.scene_sample import point_in
 from verify.language.errors import OwnError
@@ -53,6 +54,8 @@ def add_arguments(parser: Parser) -> None:
     parser.option("--jobs", "processes (default 1)", "N", default="1")
     parser.option("--dask", "decide on a Dask cluster: tcp://HOST:PORT", "ADDRESS")
     parser.option("--out", "write the log, or go on with it; areas and pictures", "DIR")
+    parser.option("--csv", "a table with a line for each box: verdict, and its sides", "FILE")
+    parser.flag("--middles", text="scene files: decide the middle of each box, for table, pictures")
     parser.flag("--show-boxes", text="draw each box in the picture")
     parser.flag("--json", text="one JSON document on stdout")
 
@@ -115,6 +118,7 @@ def run(options: Options) -> int:
     """Grow the map, write what is asked for, print the areas, return the exit code."""
     plane, share = read_plane(options), _share(options.undecided or "1%")
     delta = _delta(options)
+    test_tables(options, plane)
     boxes = integer("--boxes", options.boxes, 1, MAX_BOXES)
     level = integer("--level", options.level or str(MAX_LEVEL), 1, MAX_LEVEL)
     jobs = integer("--jobs", options.jobs, 1, MAX_JOBS)
@@ -135,6 +139,7 @@ def run(options: Options) -> int:
             f"--out: {shown(os.path.join(options.out, LOG))} is no log of this map ({error}); "
             "name another folder"
         ) from error
+    write_tables(options, progress)
     if options.json:
         print_document(map_document(progress, _cites(progress)))
     else:

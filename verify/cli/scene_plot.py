@@ -17,8 +17,6 @@ def write_plot(option: str, path: str, kind: str, found: Fate, limits: Budget) -
     Raises:
         InputError: if the file cannot be written, or numbers are too large or small for a drawing.
     """
-    if found.flow.scene.bodies is not None:
-        raise InputError(f"{option}: spheres of different masses or radii are not drawn; omit it")
     try:
         text = _drawn(kind, found, limits)
     except (OverflowError, ZeroDivisionError) as error:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 from verify.cli.options import Options, Parser, field
 from verify.cli.terminal import add_color, show
@@ -11,7 +12,6 @@ from verify.paper.commands.citing import as_printed
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.groups import SELECTIONS
 from verify.paper.source import PAPER
-from verify.prover.outcome import Outcome
 from verify.views.screen import screen
 from verify.wire.inputs import InputError, integer
 
@@ -75,15 +75,23 @@ def _point(options: Options) -> int:
     table = options.verbose or options.rows is not None
     more = options.out or options.json or table
     outcome = decide_point(parameters, options.constants, bits, last, all_sides=bool(more))
-    text = _table(outcome, options.rows) if table else ()
-    if options.out is not None:
-        from verify.cli.files import write_certificate
-
-        write_certificate("--out", options.out, outcome)
-    if options.json:
-        _print_document(outcome, bits, options.rows)
+    if not more:
+        show(screen(outcome, PAPER, as_printed(outcome)), options)
         return outcome.exit_code
-    show(text if table else screen(outcome, PAPER, as_printed(outcome)), options)
+    from verify.cli import claims  # loaded only where they are used
+    from verify.views.document import document
+    from verify.views.enclosures import sharpened
+    from verify.views.table import report_lines
+
+    def whole() -> dict[str, Any]:
+        shown = sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome
+        return document(shown, as_printed(outcome))
+
+    def text() -> Iterable[str]:
+        every = options.verbose and options.rows is None
+        return report_lines(outcome, PAPER) if every else screen(outcome, PAPER)
+
+    claims.answer(outcome, options, whole, text, has_rows=True)
     return outcome.exit_code
 
 
@@ -95,28 +103,3 @@ def _precisions(options: Options) -> tuple[int, int]:
             f"--max-precision: {last} is below --precision {bits}; write at least {bits}"
         )
     return bits, last
-
-
-def _print_document(outcome: Outcome, bits: int, rows: str | None) -> None:
-    from verify.cli.claims import only  # loaded only where they are used
-    from verify.cli.files import print_document
-    from verify.views.document import document
-    from verify.views.enclosures import sharpened
-
-    shown_outcome = sharpened(outcome, bits) if bits > ENCLOSED_BITS else outcome
-    found = document(shown_outcome, as_printed(outcome))
-    print_document(found if rows is None else only(outcome, rows, found))
-
-
-def _table(outcome: Outcome, name: str | None) -> Iterable[str]:
-    """The whole table, or the rows of a name."""
-    from verify.views.table import report_lines, some_rows  # loaded only where they are used
-
-    if name is None:
-        return report_lines(outcome, PAPER)
-    found = some_rows(outcome, name, PAPER)
-    if not found:
-        from verify.cli.claims import no_row
-
-        raise no_row(outcome, name)
-    return found

@@ -89,6 +89,34 @@ class Interval(Record):
     bounds: tuple[tuple[Name, Fact, Fact], ...] = ()
 
 
+@_rule(
+    "mean_value",
+    says="by enclosures with {bits} bits: right - left at {at}, and on the box the derivative\n"
+    "for each of these variables, times how far it is from there",
+    examples="mean-value",
+)
+class MeanValue(Record):
+    """On a box the value at a point, and for each variable a slope times its change, decide.
+
+    proves < or <=, with bits and bounds as in `interval`, but bounds of variables only. They make a
+    box, the product of the intervals of these variables. `at` has for some of them, all variables
+    of the context itself, a number c in the interval. On the box h = `["sub", rhs, lhs]` is
+    enclosed, and for each variable x in `at` its derivative D by x, as in `derivative` below. And h
+    is enclosed where each x in `at` is its c and the others have their intervals. The last
+    interval, plus D times [low - c, high - c] for each x with the interval from low to high, has to
+    lie above 0 for <, and not to reach below it for <=. *Sound, since* all values in scope lie in
+    the box, h and D are defined on all of it, and D is the derivative of h: so from c to these
+    values, one variable after the other, each step changes h by a value of D on the box times x -
+    c, by the mean value theorem. If D has a sign on the box, c is best the end at which h is least.
+    *Why:* `interval` does not see that what occurs twice is the same, so that it may need a hundred
+    times as many parts of a box.
+    """
+
+    bits: Bits
+    bounds: tuple[tuple[Name, Fact, Fact], ...]
+    at: Mapping[str, Fraction]
+
+
 @_rule("cuts", says="in {branches} cases, for {term}", shown=("branches", "case"))
 class Cuts(Record):
     """A term lies between neighbouring cuts: one branch for each piece.

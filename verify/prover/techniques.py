@@ -12,8 +12,9 @@ from verify.prover.clearing import TooLongError
 from verify.prover.goal import Goal
 from verify.prover.hint import Hint
 from verify.prover.proof import Proof
+from verify.prover.search.arguments_of_functions import by_arguments
 from verify.prover.search.bernstein_boxes import by_bernstein, on_interval
-from verify.prover.search.cosines import by_cosines
+from verify.prover.search.cosine_parts import by_cosines
 from verify.prover.search.differences import by_differences, by_orders_of_variables
 from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_range, by_root
 from verify.prover.search.ends_of_variables import by_ends
@@ -23,6 +24,7 @@ from verify.prover.search.extrema import by_cases, by_entries
 from verify.prover.search.factors import by_factors
 from verify.prover.search.growth import by_growth
 from verify.prover.search.linear import by_linear_sum, by_products, find_ranges
+from verify.prover.search.mean_values import by_mean_values
 from verify.prover.search.multiple_angles import by_multiple_angles
 from verify.prover.search.on_equations import squares_on_equations
 from verify.prover.search.positive import (
@@ -38,6 +40,7 @@ from verify.prover.search.rising import by_monotony, by_powers, by_same_argument
 from verify.prover.search.squaring import by_squaring
 from verify.prover.search.subterms import by_subterms
 from verify.prover.search.tree import by_tree
+from verify.prover.search.whole_powers import by_whole_powers
 from verify.prover.search.witnesses import is_false
 from verify.prover.signs import signs
 from verify.prover.universal import Universal
@@ -107,6 +110,7 @@ PRODUCTS = (
     Technique("orders of variables", by_orders_of_variables),
     Technique("powers of roots", by_powers),
     Technique("squares where equations hold", squares_on_equations),
+    Technique("powers of both sides", by_whole_powers),
 )
 #: Groups whose lemmas are of no use to others: without a proof they are taken back.
 TIDY = (SUMS, PRODUCTS, (NORMAL_FORM,))
@@ -120,6 +124,8 @@ SEARCHES = (
     Technique("coefficients on few parts", partial(by_bernstein, parts=FEW_PARTS)),
     Technique("coefficients in squares of variables", by_even_powers),
     Technique("coefficients where a claim may fail", partial(by_restriction, parts=FEW_PARTS)),
+    Technique("slopes", partial(by_mean_values, leaves=MANY_LEAVES)),
+    Technique("arguments of functions", by_arguments),
     Technique("ends of variables", by_ends),
     Technique("squaring", by_squaring),
     Technique("factors", by_factors),

@@ -9,20 +9,10 @@ from verify.language.statement import REPAIRED, Always, Applies, Obligation, Pub
 from verify.language.terms import Claim
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
+from verify.views import words
 from verify.views.enclosures import minimum_of
 from verify.views.point import in_numbers
 from verify.views.setting import apart, markdown_template
-from verify.views.words import (
-    SIGNS,
-    ends_of,
-    groups,
-    is_about,
-    letters,
-    short_name,
-    sides_of,
-    values_told,
-    verdict_text,
-)
 from verify.views.words import fair as verdict_of
 
 #: A longer formula is left to the statement file; what the row says names it.
@@ -43,7 +33,7 @@ def defects(outcome: Outcome, paper: Publication) -> str:
 
 def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
     """What the template speaks of."""
-    typesetter, about = letters(outcome), is_about(outcome, paper)
+    typesetter, about = words.letters(outcome), words.is_about(outcome, paper)
     main = about and outcome.statement.theorem == paper.theorem
 
     def brief(text: str) -> str:
@@ -59,16 +49,16 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
 
     def evidence(row: Obligation, decision: Decision) -> str:
         """The numbers that show a row, or the values at which it is false."""
-        sides = sides_of(row, decision)
+        sides = words.sides_of(row, decision)
         if sides is not None and isinstance(row.claim, Claim):
-            return f"{short(sides[0])} {SIGNS[row.claim.relation]} {short(sides[1])}"
-        return f"at {values_told(decision.witness, typesetter)}" if decision.witness else ""
+            return f"{short(sides[0])} {words.SIGNS[row.claim.relation]} {short(sides[1])}"
+        return f"at {words.values_told(decision.witness, typesetter)}" if decision.witness else ""
 
     def constants() -> Iterator[tuple[str, ...]]:
         """Letter, value, and definition or bound of each constant."""
         bounds = paper.notes().bounds if main else {}
         for one in outcome.statement.constants:
-            group, ends = one.name.rpartition(".")[0], ends_of(outcome, one.name)
+            group, ends = one.name.rpartition(".")[0], words.ends_of(outcome, one.name)
             sign, bound = bounds.get(one.name, ("=", one))
             least = minimum_of(outcome, one).least if one.term.op == "min" else None
             told = "" if least is None else f" (entry {least} is the least)"
@@ -81,15 +71,15 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
         "about": about,
         "paper": paper,
         "changes": paper.notes().changes if main else (),
-        "verdict": verdict_text(outcome, paper),
-        "numbers": in_numbers(outcome) if REPAIRED in groups(outcome) else None,
-        "groups": groups(outcome),
+        "verdict": words.verdict_text(outcome, paper),
+        "numbers": in_numbers(outcome) if REPAIRED in words.groups(outcome) else None,
+        "groups": words.groups(outcome),
         "constants": list(constants()),
         "printed": paper.printed,
         "claim": claim,
         "told": told,
         "term": lambda one: brief(typesetter.term(one)),
         "evidence": evidence,
-        "short_name": short_name,
+        "short_name": words.short_name,
         "verdict_of": lambda row, found: verdict_of(outcome, row, found),
     }

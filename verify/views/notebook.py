@@ -9,16 +9,8 @@ from verify.language.statement import UNDECIDED, Constant, Obligation
 from verify.language.terms import Claim, symbol
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
+from verify.views import words
 from verify.views.mathml import MathML
-from verify.views.words import (
-    ends_of,
-    headline,
-    letters,
-    sides_of,
-    tex_letters,
-    values_told,
-    witness_of,
-)
 
 
 def notebook_page(outcome: Outcome) -> str:
@@ -27,9 +19,9 @@ def notebook_page(outcome: Outcome) -> str:
 
 
 def _lines(outcome: Outcome) -> Iterator[str]:
-    math = MathML(tex_letters(outcome))
+    math = MathML(words.tex_letters(outcome))
     statement = outcome.statement
-    yield f"<p><b>{escape(statement.title)}</b>: {escape(headline(outcome))}</p>"
+    yield f"<p><b>{escape(statement.title)}</b>: {escape(words.headline(outcome))}</p>"
     if statement.constants:
         yield from _table(_constant(one, outcome, math) for one in statement.constants)
     yield from _table(_row(row, found, outcome, math) for row, found in outcome.rows)
@@ -48,13 +40,13 @@ def _table(rows: Iterator[tuple[str, ...]]) -> Iterator[str]:
 
 
 def _constant(constant: Constant, outcome: Outcome, math: MathML) -> tuple[str, ...]:
-    ends = ends_of(outcome, constant.name)
+    ends = words.ends_of(outcome, constant.name)
     value = "" if ends is None else escape(short(ends))
     return math.term(symbol(constant.name)), math.term(constant.term, "="), value
 
 
 def _row(row: Obligation, found: Decision, outcome: Outcome, math: MathML) -> tuple[str, ...]:
-    typesetter = letters(outcome)
+    typesetter = words.letters(outcome)
     if isinstance(row.claim, Claim):
         claim = math.claim(row.claim)
     else:
@@ -62,9 +54,9 @@ def _row(row: Obligation, found: Decision, outcome: Outcome, math: MathML) -> tu
     if row.context is not None:
         claim += f" for all values of {escape(row.context)}"
     how = f"by {found.method}" if found.method and found.verdict != UNDECIDED else found.reason
-    sides = sides_of(row, found)
+    sides = words.sides_of(row, found)
     if sides is not None:
         how += f"; {short(sides[0])} and {short(sides[1])}"
     if found.witness:
-        how += f"; at {values_told(witness_of(row, found), typesetter)}"
+        how += f"; at {words.values_told(words.witness_of(row, found), typesetter)}"
     return escape(row.name), claim, f"<b>{escape(found.verdict)}</b>", escape(how)

@@ -10,16 +10,8 @@ from verify.language.terms import Claim, symbol
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
+from verify.views import words
 from verify.views.document import assumption_document, cite_document, row_document
-from verify.views.words import (
-    headline,
-    letters,
-    sentence,
-    sides_of,
-    summary,
-    values_told,
-    witness_of,
-)
 
 FORMAT = "verify-prove/1"
 
@@ -29,17 +21,19 @@ def decided_lines(outcome: Outcome, paper: Publication, *, numbers: bool = False
 
     With ``numbers`` there are also enclosures of constants and of both sides of each row.
     """
-    typesetter = letters(outcome)
+    typesetter = words.letters(outcome)
     if numbers:
         yield from _constants(outcome, typesetter)
     for row, found in outcome.rows:
-        line = f"{found.verdict:<9} {row.name}  {sentence(row, typesetter).removeprefix(': ')}"
+        line = (
+            f"{found.verdict:<9} {row.name}  {words.sentence(row, typesetter).removeprefix(': ')}"
+        )
         if found.verdict != UNDECIDED:
             line += f"   by {found.method}"
         elif found.reason:
             line += f"   because {found.reason}"
         if found.witness:
-            line += f", false at {values_told(witness_of(row, found), typesetter)}"
+            line += f", false at {words.values_told(words.witness_of(row, found), typesetter)}"
         yield line
         if numbers:
             yield from _numbers(row, found)
@@ -47,7 +41,7 @@ def decided_lines(outcome: Outcome, paper: Publication, *, numbers: bool = False
         yield f"assumed   {assumption.name}  {assumption.sentence}"
     if outcome.spent:
         yield f"undecided: {outcome.spent}"
-    yield f"Verdict: {summary(outcome, paper)}"
+    yield f"Verdict: {words.summary(outcome, paper)}"
 
 
 def _constants(outcome: Outcome, typesetter: Typesetter) -> Iterator[str]:
@@ -57,7 +51,7 @@ def _constants(outcome: Outcome, typesetter: Typesetter) -> Iterator[str]:
 
 def _numbers(row: Obligation, found: Decision) -> Iterator[str]:
     """What is known of a row in numbers: for which values it is claimed, and its two sides."""
-    sides = sides_of(row, found)
+    sides = words.sides_of(row, found)
     if row.context is not None:
         yield f"  for all values of {row.context}"
     if sides is not None and isinstance(row.claim, Claim):
@@ -73,12 +67,12 @@ def _numbers(row: Obligation, found: Decision) -> Iterator[str]:
 
 def decided_document(outcome: Outcome) -> dict[str, Any]:
     """The outcome as one JSON document."""
-    typesetter = letters(outcome)
+    typesetter = words.letters(outcome)
     return {
         "format": FORMAT,
         "command": "prove",
         "verdict": outcome.verdict,
-        "headline": headline(outcome),
+        "headline": words.headline(outcome),
         "theorem": outcome.statement.title,
         "assumptions": [assumption_document(a) for a in outcome.assumptions],
         "cites": [cite_document(cite) for cite in outcome.statement.cites],

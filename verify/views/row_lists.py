@@ -8,15 +8,19 @@ from verify.language.statement import (
     NEEDED,
     OTHERWISE,
     PRINTED,
+    PROVED,
     REFUTED,
     REMARK,
+    REPAIRED,
     SEVERITIES,
     UNDECIDED,
     Obligation,
     Publication,
 )
+from verify.language.terms import Claim
 from verify.language.typeset import Typesetter
-from verify.prover.outcome import Decision, Outcome
+from verify.prover.decimals import outward, people, short
+from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views import words
 from verify.views.plain import plain_letters
 
@@ -118,12 +122,19 @@ def row_lines(
     paper: Publication,
 ) -> Iterator[str]:
     """A row: its words, its claim, by what it is decided, and where it is false."""
-    role = " (as printed)" if row.role == PRINTED else ""
+    of_set = row.group in (PRINTED, REPAIRED)  # the heading says so
+    role = " (as printed)" if row.role == PRINTED and not of_set else ""
     verdict = words.fair(outcome, row, decision)
     yield f"  {verdict:<9} {row.says}{role}   [{row.name}, {paper.cited(row.label)}]"
     uses = f"; with {', '.join(row.uses)}" if row.uses else ""
-    method = decision.method or "no rule that was found"
-    yield f"            {typesetter.claim(row.claim)}   by {method}{uses}"
+    by = f"by {decision.method or 'no rule that was found'}{uses}"
+    claim, sides = typesetter.claim(row.claim), words.sides_of(row, decision)
+    if sides is not None and isinstance(row.claim, Claim):
+        yield f"            {claim}"
+        sign, margin = words.SIGNS[row.claim.relation], _margin(decision, sides)
+        yield f"            {short(sides[0])} {sign} {short(sides[1])}   {margin or by}"
+    else:
+        yield f"            {claim}   {by}"
     values = words.witness_of(row, decision)
     if values:
         yield f"            false at {words.values_told(values, typesetter)}"
@@ -132,3 +143,13 @@ def row_lines(
         severity = row.severity if verdict == REFUTED else ""
         parts = (severity, row.corrected_by and f"{better} {row.corrected_by}")
         yield f"            {'; '.join(part for part in parts if part)}".rstrip()
+
+
+def _margin(decision: Decision, sides: tuple[Ends, Ends]) -> str:
+    """A lower bound of rhs - lhs, or of lhs - rhs if refuted, where enclosures show one."""
+    (low, high), (other_low, other_high) = sides
+    gap = other_low - high if decision.verdict == PROVED else low - other_high
+    if gap <= 0 or decision.method != "interval":
+        return ""
+    sign = "" if decision.verdict == PROVED else "-"
+    return f"margin {sign}{people(outward((gap, gap), 3)[0])}"

@@ -8,30 +8,19 @@ from collections.abc import Iterable, Iterator
 from verify.language.statement import (
     HYPOTHESES,
     PRINTED,
-    PROVED,
     REFUTED,
     REPAIRED,
     Constant,
-    Obligation,
     Publication,
 )
-from verify.language.terms import Claim
 from verify.language.typeset import Typesetter
-from verify.prover.decimals import outward, people, short
-from verify.prover.outcome import Decision, Ends, Outcome
+from verify.prover.decimals import short
+from verify.prover.outcome import Ends, Outcome
 from verify.views import words
 from verify.views.enclosures import minimum_of
-from verify.views.plain import plain_letters
 from verify.views.point import in_numbers, parameters_told
+from verify.views.row_lists import row_lines
 from verify.views.screen import TITLES, verdict_lines
-
-
-def some_rows(outcome: Outcome, name: str, paper: Publication) -> list[str]:
-    """The rows of this name, label or printed number; their claims simplified."""
-    typesetter = plain_letters(outcome)
-    rows = [p for p in outcome.rows if words.is_called(p[0], name, paper)]
-    parts = (_row(outcome, row, found, typesetter, paper, row.name) for row, found in rows)
-    return [line for part in parts for line in part]
 
 
 def report_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
@@ -44,7 +33,7 @@ def report_lines(outcome: Outcome, paper: Publication) -> Iterator[str]:
     yield ""
     yield "Hypotheses"
     for row, decision in outcome.of_group(HYPOTHESES):
-        yield from _row(outcome, row, decision, typesetter, paper)
+        yield from row_lines(outcome, row, decision, typesetter, paper)
     common = words.constants_of(outcome, "")
     if common:
         yield from ("", "Constants")
@@ -69,7 +58,7 @@ def _set(outcome: Outcome, group: str, typesetter: Typesetter, paper: Publicatio
         yield from ("", f"  {numbers}")
     yield ""
     for row, decision in rows:
-        yield from _row(outcome, row, decision, typesetter, paper)
+        yield from row_lines(outcome, row, decision, typesetter, paper)
     verdicts = Counter(words.fair(outcome, row, decision) for row, decision in rows)
     yield ""
     yield "  " + ", ".join(
@@ -114,43 +103,8 @@ def _constant(outcome: Outcome, constant: Constant, typesetter: Typesetter) -> I
             yield f"           entry {number}: {_short(entry)} {mark}".rstrip()
 
 
-def _row(
-    outcome: Outcome,
-    row: Obligation,
-    decision: Decision,
-    typesetter: Typesetter,
-    paper: Publication,
-    name: str = "",
-) -> Iterator[str]:
-    role = " (as printed)" if row.role == PRINTED and row.group == HYPOTHESES else ""
-    where = f"[{name or words.short_name(row)}, {paper.cited(row.label)}]"
-    verdict = words.fair(outcome, row, decision)
-    yield f"  {verdict:<9} {row.says}{role}   {where}"
-    yield f"            {typesetter.claim(row.claim)}"
-    sides = words.sides_of(row, decision)
-    if sides is not None and isinstance(row.claim, Claim):
-        numbers = f"{short(sides[0])} {words.SIGNS[row.claim.relation]} {short(sides[1])}"
-        yield f"            {numbers}   {_margin(decision, sides)}"
-    if decision.verdict == REFUTED:
-        if row.severity and verdict == REFUTED:
-            yield f"            {row.severity}"
-        if row.corrected_by:
-            instead = words.INSTEAD_WORDS.get(verdict, "corrected by")
-            yield f"            {instead} {row.corrected_by}"
-
-
 def _short(ends: Ends | None) -> str:
     return "undefined" if ends is None else short(ends)
-
-
-def _margin(decision: Decision, sides: tuple[Ends, Ends]) -> str:
-    """A lower bound of rhs - lhs, or of lhs - rhs if refuted; or the rule where there is none."""
-    (low, high), (other_low, other_high) = sides
-    gap = other_low - high if decision.verdict == PROVED else low - other_high
-    if gap < 0 or decision.method != "interval":
-        return f"by {decision.method}"
-    sign = "" if decision.verdict == PROVED else "-"
-    return f"margin {sign}{people(outward((gap, gap), 3)[0])}"
 
 
 def _first_screen(outcome: Outcome, paper: Publication, sets: list[str]) -> Iterator[str]:

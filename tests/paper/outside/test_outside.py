@@ -19,7 +19,8 @@ from tests.paper.outside.states import (
     holds,
     numbers_of,
 )
-from tests.paper.sandwich.states import Random
+from tests.paper.sandwich.states import Random, values_of
+from tests.paper.sandwich.states import fails as fails_inside
 from verify.language.statement import PROVED
 from verify.language.terms import Claim
 from verify.paper.commands.sandwich import decide_outside
@@ -27,6 +28,8 @@ from verify.paper.outside import floor, numbers, state
 from verify.paper.outside.outside import outside
 from verify.prover import balls
 from verify.prover.proof import LemmaStep
+from verify.spheres.flow.collapse import Start
+from verify.spheres.flow.sandwich import search
 from verify.wire.read import read
 from verify.wire.write import write
 

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections import Counter
 from fractions import Fraction
+from itertools import pairwise
+from random import Random
 
 import pytest
 
+from tests.spheres.scene.kinds import random_scene_of
 from tests.spheres.scene.scenes import on_a_line
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, decide_scene
 from verify.spheres.scene.families import read_family
 from verify.spheres.scene.sampling import draw
+from verify.spheres.scene.trajectory import trajectory
 from verify.spheres.scene.verdict import told
 
 LINE = """r = "0.056..0.0717"
@@ -62,3 +66,39 @@ def test_each_theorem_on_collapses_is_told_with_its_energy() -> None:
         names.add(found.reason)
         assert 0 <= found.energy[0] <= found.energy[1]
     assert {"sharper", "sandwich"} <= names
+
+
+@pytest.mark.parametrize("kind", ["near-plane", "near-space", "at-an-angle"])
+def test_the_angle_of_each_collapse_is_that_of_zhou_and_kadanoff(kind: str) -> None:
+    """(1+r) (-cos θ) >= 4√r: no enclosure of a final angle lies below; some are near it."""
+    rng, count = Random(4), 0
+    for _ in range(60):
+        scene = random_scene_of(kind, rng)
+        found = decide_scene(scene)
+        if found.collapse is None:
+            continue
+        count += 1
+        most = found.collapse.angle[1] * (1 + scene.r)
+        assert most > 0
+        assert most**2 >= 16 * scene.r
+    assert count > 10
+
+
+def test_particles_do_not_turn_as_those_of_schoerghofer_and_zhou_may() -> None:
+    """Collisions change velocities along the line of centres only."""
+    rng, collisions = Random(6), 0
+    for _ in range(12):
+        scene = random_scene_of("near-space", rng)
+        found = decide_scene(scene)
+        for before, after in pairwise(trajectory(found)):
+            i, j = map(int, after.pair)
+            x = [[(low + high) / 2 for low, high in row[:3]] for row in after.particles]
+            v, w = ([[(low + high) / 2 for low, high in row[3:]] for row in instant.particles]
+                    for instant in (before, after))  # fmt: skip
+            line = [b - a for a, b in zip(x[i], x[j], strict=True)]
+            change = [b - a for a, b in zip(v[i], w[i], strict=True)]
+            turned = [line[k] * change[k - 1] - line[k - 1] * change[k] for k in range(3)]
+            assert all(abs(part) < Fraction(1, 10**12) for part in turned)
+            assert v[3 - i - j] == w[3 - i - j]
+            collisions += 1
+    assert collisions > 20

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections import Counter
 from fractions import Fraction
 from itertools import pairwise
@@ -35,6 +36,7 @@ from verify.spheres.scene.scene import FIRST_FRAMES, PAIRS, Bodies, Scene, coord
 from verify.spheres.scene.scene_files import read_scene
 from verify.spheres.scene.trajectory import trajectory
 from verify.spheres.scene.verdict import steps, told
+from verify.views.plots.scene_drawing import legs
 from verify.wire.inputs import InputError
 
 SCHEMA = Path(__file__).resolve().parents[3] / "certificates/schema/scene.schema.json"
@@ -88,7 +90,60 @@ def test_no_scene_of_unequal_spheres_collapses_by_a_theorem_about_equal_ones() -
     scene = aligned()._replace(bodies=Bodies((Fraction(1), Fraction(2), Fraction(1)), (HALF,) * 3))
     found = decide_scene(scene, Budget(collisions=40))
     assert (found.verdict, found.name) == (UNDECIDED, "budget")
-    assert "equal masses and radii" in found.reason
+    assert "about equal masses" in found.reason
+    radii = aligned()._replace(bodies=Bodies((Fraction(1),) * 3, (HALF, HALF, Fraction(49, 100))))
+    other = decide_scene(radii, Budget(collisions=40))
+    assert (other.verdict, other.name) == (UNDECIDED, "budget")
+    assert "about equal radii" in other.reason
+
+
+def on_a_line(rng: Random, radii: tuple[Fraction, ...], r: Fraction) -> tuple[Scene, Scene]:
+    """A scene on a line with these radii, and one of equal spheres with the same gaps."""
+    gaps = [Fraction(rng.randint(1, 900), 1000) for _ in range(2)]
+    speeds = [Fraction(rng.randint(-100, 100), 100) for _ in range(3)]
+    rows = []
+    for a, b, c in (radii, (HALF,) * 3):
+        along = (Fraction(0), a + b + gaps[0], -a - c - gaps[1])
+        rows.append(tuple((3 * x / 5, 4 * x / 5) for x in along))
+    velocities = tuple((3 * v / 5, 4 * v / 5) for v in speeds)
+    bodies = Bodies((Fraction(2),) * 3, radii)
+    return Scene(r, rows[0], velocities, bodies=bodies), Scene(r, rows[1], velocities)
+
+
+def test_on_a_line_radii_do_not_matter() -> None:
+    """Only gaps do, so that the theorem on a line is about any radii."""
+    rng, seen = Random(8), Counter[str]()
+    for _ in range(120):
+        r = Fraction(rng.choice(("0.03", "0.0717", "0.0718", "0.3")))
+        radii = tuple(Fraction(rng.randint(1, 30), 20) for _ in range(3))
+        uneven, even = on_a_line(rng, radii, r)
+        one, two = decide_scene(uneven), decide_scene(even)
+        assert (one.verdict, one.name, one.collisions) == (two.verdict, two.name, two.collisions)
+        assert contradictions(one, 600) == []
+        if one.collapse is not None:
+            ends, others = (told(x).time for x in (one, two))
+            assert ends is not None
+            assert others is not None
+            assert ends[0] <= others[1]
+            assert others[0] <= ends[1]
+            assert told(one).theorems == ["line"]
+        seen[one.verdict] += 1
+    assert min(seen["collapses"], seen["disperses"]) > 10
+
+
+def test_masses_matter_on_a_line_and_above_the_first_threshold() -> None:
+    """7 - 4√3 is about one mass: with others there is no such theorem here."""
+    radii = (HALF, Fraction(1), Fraction(1, 4))
+    scene, _ = on_a_line(Random(2), radii, Fraction(1, 100))
+    speeds = ((Fraction(0),) * 2, (Fraction(-3), Fraction(-4)), (Fraction(3), Fraction(4)))
+    scene = scene._replace(velocities=speeds)
+    few = Budget(collisions=1)
+    assert decide_scene(scene, few).verdict == "collapses"
+    fast = scene._replace(r=Fraction(1, 2))
+    assert decide_scene(fast, few).name == "restitution"
+    masses = Bodies((Fraction(2), Fraction(2), Fraction(1)), radii)
+    assert decide_scene(scene._replace(bodies=masses), few).verdict == UNDECIDED
+    assert decide_scene(fast._replace(bodies=masses), few).name == "budget"
 
 
 HALF = Fraction(1, 2)
@@ -256,7 +311,6 @@ def test_what_the_command_says(tmp_path: Path, capsys: pytest.CaptureFixture[str
     axes = ["--x", "velocities[2][0]=0.5..1", "--y", "velocities[2][1]=0..1"]
     assert main(["map", str(file), *axes, "--out", str(tmp_path / "map")]) == 2
     assert "masses: maps are about equal particles" in capsys.readouterr().err
-    assert main(["scene", str(file), "--plot", str(tmp_path / "a.svg")]) == 2
 
 
 def test_symmetric_positions_with_different_masses_meet_at_once_all_the_same() -> None:
@@ -275,3 +329,26 @@ def test_a_mass_may_be_a_parameter() -> None:
     family = read_family("a", text.encode())
     scene = family.at({"m": Fraction(3, 2)})
     assert scene.bodies == Bodies((Fraction(1), Fraction(3, 2), Fraction(3)), (HALF,) * 3)
+
+
+def test_drawings_have_the_radii_and_the_units(tmp_path: Path) -> None:
+    """In a drawing spheres touch where they collide."""
+    file, svg, page = (tmp_path / name for name in ("sizes.toml", "a.svg", "a.html"))
+    units = 'length_unit = "mm"\ntime_unit = "ms"\n'
+    file.write_text(FILE + SIZES + units, encoding="utf-8")
+    assert main(["scene", str(file), "--plot", str(svg)]) == 0
+    text = svg.read_text(encoding="utf-8")
+    assert ">1 mm</text>" in text
+    assert "normal speed, mm per ms" in text
+    assert main(["scene", str(file), "--plot", str(page)]) == 0
+    assert '"radii": [0.5, 1.0, 0.25]' in page.read_text(encoding="utf-8")
+    for scene in unequals(21, 12):
+        found = decide_scene(scene, Budget(collisions=6))
+        radii = scene.bodies.radii
+        path = legs(told(found), steps(found))
+        for leg in path[1:]:
+            i, j = map(int, leg.pair)
+            if scene.dimension == 2:
+                assert math.dist(leg.places[i], leg.places[j]) == pytest.approx(
+                    float(radii[i] + radii[j]), abs=1e-9
+                )

@@ -11,16 +11,19 @@ from fractions import Fraction
 from math import ceil, floor
 
 from verify.language.record import Record
-from verify.language.terms import Term, symbol
+from verify.language.terms import Claim, Term, symbol
 from verify.prover.bernstein import ANY, Side, Tensor
 from verify.prover.clearing import Polynomial
 from verify.prover.goal import Bounds
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value, product_of, sum_of
-from verify.prover.rules import Cuts, Interval
-from verify.prover.search.angles import HALF
+from verify.prover.rules import Cuts, Interval, Sum
+from verify.prover.search.angles import HALF, Linear
 from verify.prover.search.cosine_bounds import CosineBounds
 from verify.prover.search.exact import ExactRanges
+from verify.prover.search.levels import by_levels
+from verify.prover.search.question import Question
+from verify.prover.session import ZERO
 
 #: Numbers of terms of the series that are tried, of a lower bound; an upper one has one more.
 LENGTHS = (2, 4, 8, 12)
@@ -180,3 +183,43 @@ class Parts:
 
 def _has_sign(tensor: Tensor) -> bool:
     return min(tensor.coefficients) >= 0 or max(tensor.coefficients) <= 0
+
+
+# --- what finds a proof --------------------------------------------------------------------------
+
+
+def by_cosines(question: Question) -> Proof | None:
+    """A proof of a claim that is linear in cosines, after products of them are replaced."""
+    linear = Linear(question.goal, question.session, question.using)
+    if not linear.is_plain:
+        return None
+    proof = linear.identity(question.goal.claim.relation)
+    if proof is not None or question.goal.claim.relation == "=":
+        return proof
+    found = next(filter(None, _proofs(CosineBounds(question, linear))), None)
+    return found or _by_linear_claim(question, linear)
+
+
+def _by_linear_claim(question: Question, linear: Linear) -> Proof | None:
+    """The claim with sums for products, if that has fewer cosines."""
+    parts = {cosine: p for cosine, p in linear.parts.items() if not p.is_zero()}
+    if not linear.equations or len(parts) >= len(linear.cosines):
+        return None
+    term: Term = ZERO
+    for cosine, p in parts.items():
+        part = linear.clearing.term(p)
+        term = term + (part if cosine is None else part * cosine)
+    fact = question.fact(Claim(question.goal.claim.relation, term, ZERO))
+    if fact is None:
+        return None
+    return Sum(("goal", fact), tuple(linear.using), linear.cofactors(-1))
+
+
+def _proofs(bounds: CosineBounds) -> Iterator[Proof | None]:
+    """By factors, on parts of an interval, or on the whole domain; -1 and 1 come first."""
+    yield by_levels(bounds)
+    yield bounds.whole(1)
+    if len(bounds.goal.variables) == 1 and bounds.goal.box:
+        yield Parts(bounds).proof()
+    for length in LENGTHS[:2]:
+        yield bounds.whole(length)

@@ -70,10 +70,14 @@ class ExactRanges:
     def _rounded(self, function: Callable[..., Range]) -> Callable[..., Range]:
         return lambda *operands: self._outward(function(*operands))
 
-    def _outward(self, x: Range) -> Range:
-        return self._below(x[0]), -self._below(-x[1])
+    def product(self, x: Range, y: Range) -> Range:
+        """The interval of a product."""
+        return self._outward(_product(x, y))
 
-    def _below(self, end: Fraction) -> Fraction:
+    def _outward(self, x: Range) -> Range:
+        return self.below(x[0]), -self.below(-x[1])
+
+    def below(self, end: Fraction) -> Fraction:
         """The number, or one with fewer bits that is a little smaller."""
         n, d = end.numerator, end.denominator
         if n.bit_length() + d.bit_length() <= 2 * self._bits:

@@ -67,6 +67,8 @@ class Tree:
         hypotheses: how many there are before the first cut.
     """
 
+    units = MAX_UNITS
+
     def __init__(
         self,
         claim: Claim,
@@ -80,7 +82,7 @@ class Tree:
         self.sides = claim.lhs, claim.rhs
         self.ranges = range_function(self.names, self.sides, definitions)
         self.exact = ExactRanges(self.names, definitions, BITS)
-        self.cost = _cost(self.sides, definitions)
+        self.cost = cost_of(self.sides, definitions, BITS)
         self.root = Piece(
             tuple(bounds.ends or (Fraction(0), Fraction(0)) for bounds in variables.values()),
             tuple((bounds.low_fact, bounds.high_fact) for bounds in variables.values()),
@@ -94,12 +96,12 @@ class Tree:
 
     def prove(self, leaves: int) -> Proof | None:
         """A proof with at most so many leaves."""
-        self.leaves, self.most = 0, min(leaves, MAX_UNITS // self.cost)
+        self.leaves, self.most = 0, min(leaves, self.units // self.cost)
         self.guessed = []
-        proof = self._cover(self.root, self._gap(self.root.ends))
+        proof = self._cover(self.root, self.gap(self.root.ends))
         return proof if proof is not None and all(map(self._holds, self.guessed)) else None
 
-    def _gap(self, ends: Sequence[Ends]) -> float:
+    def gap(self, ends: Sequence[Ends]) -> float:
         """A lower bound of rhs - lhs on a box; minus infinity where none is known."""
         self.budget.spend(1 + self.cost // 25)
         try:
@@ -130,9 +132,7 @@ class Tree:
     def _cover(self, box: Piece, gap: float) -> Proof | None:
         if gap >= 0:
             self.leaves += 1
-            self.guessed.append(box.ends)
-            named = zip(self.names, self.facts(box), strict=True)
-            return Interval(BITS, tuple((name, low, high) for name, (low, high) in named))
+            return self.leaf(box)
         if box.depth >= MAX_DEPTH or self.leaves >= self.most or not self._may_hold(box):
             self.left = box
             return None
@@ -150,6 +150,16 @@ class Tree:
             branches.append(proof)
         cut = halves[0][0][index][1]
         return Cuts(symbol(self.names[index]), (cut,), tuple(branches))
+
+    def leaf(self, box: Piece) -> Proof:
+        """The proof on a box on which the claim seems to hold."""
+        self.guessed.append(box.ends)
+        return Interval(BITS, self.bounds(box))
+
+    def bounds(self, box: Piece) -> tuple[tuple[str, str, str], ...]:
+        """Each variable with the names of the facts that bound it on a box."""
+        named = zip(self.names, self.facts(box), strict=True)
+        return tuple((name, low, high) for name, (low, high) in named)
 
     def facts(self, box: Piece) -> tuple[tuple[str, str], ...]:
         """The facts that bound each variable on a box."""
@@ -176,7 +186,7 @@ class Tree:
             halves = []
             for pair in ((low, middle), (middle, high)):
                 ends = (*box.ends[:index], pair, *box.ends[index + 1 :])
-                halves.append((ends, self._gap(ends)))
+                halves.append((ends, self.gap(ends)))
             gaps = [min(gap, 0.0) for _, gap in halves]
             score = (sum(gaps) if sum(gaps) > -math.inf else -math.inf, high - low)
             if best is None or score > best:
@@ -201,7 +211,7 @@ def _binary_exponent(value: Fraction) -> int:
     return found if value >= Fraction(2) ** found else found - 1
 
 
-def _cost(terms: Sequence[Term], definitions: Mapping[str, Term]) -> int:
+def cost_of(terms: Sequence[Term], definitions: Mapping[str, Term], bits: int) -> int:
     """About the checker's units of work for one evaluation."""
     seen: set[Term] = set()
     waiting = list(terms)
@@ -217,9 +227,9 @@ def _cost(terms: Sequence[Term], definitions: Mapping[str, Term]) -> int:
             if term.name in definitions:
                 waiting.append(definitions[term.name])
         elif term.op in ("cos", "cos_pi", "sin"):
-            total += 8 * (BITS // 2 + 11)
+            total += 8 * (bits // 2 + 11)
         elif term.op in ("exp", "log", "atan", "root"):
-            total += 16 * (BITS // 2 + 18)
+            total += 16 * (bits // 2 + 18)
         elif term.op == "pow":
             total += 10 + 14 * term.exponent.bit_length()
         elif term.op != "rational":

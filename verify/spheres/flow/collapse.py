@@ -134,11 +134,13 @@ def find_collapse(r: Fraction, state: State, time: Number) -> Collapse | None:
     return Collapse(numbers, start, (time, time + T * eta_0 / (1 - p - Y)))
 
 
-def find_line_collapse(r: Fraction, state: State, time: Number) -> Collapse | None:
-    """Why spheres on a line collapse; None if balls do not show it."""
+def find_line_collapse(
+    r: Fraction, state: State, time: Number, sizes: Sizes = EQUAL
+) -> Collapse | None:
+    """Why spheres on a line collapse; None if balls do not show it. Their masses are equal."""
     if not (state.lam > 0 and state.C > 0):
         return None
-    start, half = start_of(state), (1 + r) / 2
+    start, half = start_with(state, sizes), (1 + r) / 2
     if not (start.y > 0 and start.eta_s > 0 and start.d > 0):
         return None
     least = _fixed_point(half, r)
@@ -149,7 +151,8 @@ def find_line_collapse(r: Fraction, state: State, time: Number) -> Collapse | No
     if not (2 * Q < half and r <= Q * (half - Q) and start.eta_s <= balls.exact(Q) * start.y):
         return None
     E = balls.exact((half - Q) / (half - 2 * Q))
-    later = E * (start.d / start.y)
+    reach = 1 if sizes is EQUAL else balls.any_root(sizes.c)
+    later = E * (start.d * reach / start.y)
     return Collapse({"Q": balls.exact(Q), "E": E}, start, (time, time + later))
 
 

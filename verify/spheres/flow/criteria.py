@@ -33,7 +33,7 @@ class Criterion(Record):
 
 def finitely_many(flow: Flow) -> Criterion | None:
     """A criterion that holds, if any."""
-    if flow.scene.bodies is None and inelastic(flow.r) < 0:
+    if flow.scene.has_one_mass and inelastic(flow.r) < 0:
         return Criterion(INELASTIC, at_start=True)
     name = _at(flow, FIRST_FRAMES[0], flow.start.state(FIRST_FRAMES[0], flow.keep))
     if name is not None:

@@ -1,4 +1,4 @@
-"""Three spheres on a line: only the ratio of two speeds matters, and it loses no digits.
+"""Three spheres of one mass on a line: the ratio of two speeds is all, and loses no digits.
 
 While the middle sphere o meets s and c in turn, let q be the speed at which it parts from the one
 that it just met, in units of the speed at which it approaches the other. On a line a pair that
@@ -14,7 +14,7 @@ from fractions import Fraction
 from verify.language.record import Record
 from verify.prover import balls
 from verify.spheres.flow.follow import Flow
-from verify.spheres.flow.law import recentred
+from verify.spheres.flow.law import EQUAL, recentred
 from verify.spheres.scene.scene import Scene, difference
 
 
@@ -46,9 +46,11 @@ def follow_line(flow: Flow, most: int) -> LineRun | None:
     """
     if not flow.collisions or not is_on_a_line(flow.scene):
         return None
-    state = flow.collisions[0].after.state
+    first = flow.collisions[0].after
+    state, sizes = first.state, flow.sizes(first.frame)
     if state.C < 0:
-        state = recentred(state)
+        o, s, c = first.frame
+        state, sizes = recentred(state, sizes=sizes), flow.sizes((s, o, c))
     if not state.C > 0:
         return None
     if state.lam <= 0:
@@ -56,8 +58,9 @@ def follow_line(flow: Flow, most: int) -> LineRun | None:
     if not state.lam > 0:
         return None
     half = (1 + flow.r) / 2
-    reach = balls.any_root(1 + state.eps * state.v**2)
-    q, count = state.rho / state.lam * reach, 1
+    reach = balls.any_root(sizes.c + state.eps * state.v**2)
+    near = 1 if sizes is EQUAL else balls.any_root(sizes.s)
+    q, count = state.rho / state.lam * reach / near, 1
     while count < most:
         count += 1
         rest = half - q

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from hashlib import sha256
@@ -176,6 +177,16 @@ class Progress:
             for key, letter in zip(chunk.keys, chunk.letters, strict=True):
                 if letter != UNDECIDED:
                     yield key, letter, next(numbers) if letter == COLLAPSES else ()
+
+    def leaves(self) -> Iterator[tuple[str, str]]:
+        """Boxes that fill the plane, and their letters: of a part without verdict the largest."""
+        for key, letter, _ in self.decided():
+            yield key, letter
+        rest = self.due[self.at :]
+        families = Counter(key[:-1] for key in (*rest, *self.children))
+        whole = {key for key, count in families.items() if count == len(self.digits)}
+        for key in (*whole, *(key for key in rest if key[:-1] not in whole)):
+            yield key, UNDECIDED
 
     def _count(self, key: str, letter: str) -> None:
         if isinstance(self.plane, BorderStrip):

@@ -16,6 +16,7 @@ from verify.spheres.scene.scene import Bodies, Frame
 INELASTIC, RECEDING, TURNING = "restitution", "receding", "turning"
 #: What each criterion says, in words; and for spheres of which some are not equal.
 SAYS_OF_UNEQUAL = {
+    INELASTIC: "r > 7 - 4√3: three spheres of one mass with this r never collapse",
     RECEDING: "A >= 0 and R² = Σ m|x|² >= B: they recede as a whole; a collapse would need R² <= B",
     TURNING: "A²R² < (R² - B)L² and R² = Σ m|x|² >= B: with this angular momentum R² never falls "
     "to B, the most that it is in a collapse",

@@ -85,7 +85,7 @@ def decide_scene(scene: Scene, budget: Budget = Budget()) -> Fate:  # noqa: B008
 def on_a_line(found: Fate, budget: Budget) -> Fate | None:
     """More about spheres on a line, where the flow itself has become unclear."""
     with balls.precision(found.flow.bits):
-        is_open = found.collapse is None and found.flow.scene.bodies is None
+        is_open = found.collapse is None and found.flow.scene.has_one_mass
         line = follow_line(found.flow, budget.collisions) if is_open else None
         criterion = None if line is None else finitely_many(found.flow)
     if line is None:
@@ -143,7 +143,8 @@ def spent(scene: Scene, budget: Budget) -> str:
     found = f"budget: {budget.collisions} collisions were followed"
     if scene.bodies is None:
         return found
-    return f"{found}; the theorems on collapses are about equal masses and radii"
+    what = "radii" if scene.has_one_mass else "masses"
+    return f"{found}; the theorems on collapses are about equal {what}"
 
 
 def told_event(event: Event) -> str:
@@ -154,12 +155,14 @@ def told_event(event: Event) -> str:
 def find_end(flow: Flow) -> Collapse | None:
     """Why the spheres collapse, as the moment after the last collision shows it."""
     now, r = flow.now, flow.scene.r
-    if now is None or flow.scene.bodies is not None:  # the theorems are about equal spheres
+    if now is None or not flow.scene.has_one_mass:  # the theorems are about equal masses
         return None
     if flow.is_on_a_line is None:
         flow.is_on_a_line = is_on_a_line(flow.scene)
     if flow.is_on_a_line:
-        return find_line_collapse(r, now.state, now.time)
+        return find_line_collapse(r, now.state, now.time, flow.sizes(now.frame))
+    if flow.scene.bodies is not None:  # the others are about diameters that are 1
+        return None
     found = find_collapse(r, now.state, now.time)
     return find_sandwich(r, now.state, now.time) if found is None else found
 

@@ -56,7 +56,8 @@ def energy_lost(found: Fate) -> tuple[Fraction, Fraction]:
         lost = balls.as_ball(balls.exact(Fraction(0)))
         for move, speed in zip(found.flow.collisions, normal_speeds(found), strict=True):
             lost += _share(found, move) * speed**2
-        later = (1 - found.flow.r**2) / 4 * _later(found)
+        mass = balls.exact(masses_of(found.flow.scene)[0])
+        later = (1 - found.flow.r**2) * mass / 4 * _later(found)
         most = balls.ends(lost + later)[1]
         least = balls.ends(lost)[0]
     if not _is_bounded(found):

@@ -33,6 +33,11 @@ class Bodies(Record):
     masses: tuple[Fraction, ...]
     radii: tuple[Fraction, ...]
 
+    @property
+    def has_one_mass(self) -> bool:
+        """Whether all masses are the same: then only radii differ."""
+        return len({*self.masses}) == 1
+
     def square(self, i: int, j: int) -> Fraction:
         """The square of the contact distance of a pair."""
         return (self.radii[i] + self.radii[j]) ** 2
@@ -59,6 +64,11 @@ class Scene(Record):
     def dimension(self) -> int:
         """The number of coordinates."""
         return len(self.positions[0])
+
+    @property
+    def has_one_mass(self) -> bool:
+        """Whether all masses are the same."""
+        return self.bodies is None or self.bodies.has_one_mass
 
     @property
     def is_in_diameters(self) -> bool:

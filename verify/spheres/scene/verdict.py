@@ -155,7 +155,7 @@ def reason(found: Fate) -> str:
 def theorems(found: Fate) -> list[str]:
     """The names of the theorems on which a verdict rests; none without a verdict."""
     if found.flow.scene.bodies is not None:
-        return [CLASSIFICATION] if found.verdict == FINITE else []
+        return [LINE] * (found.verdict == COLLAPSES) + [CLASSIFICATION] * (found.verdict == FINITE)
     last = {COLLAPSES: [found.name], FINITE: [CLASSIFICATION], DISPERSES: []}
     return [FLOW, *last[found.verdict]] if found.verdict in last else []
 

@@ -18,17 +18,8 @@ from verify.language.statement import (
 from verify.language.terms import Claim, Term, symbol
 from verify.prover.decimals import decimal_text, outward, round_decimal, short
 from verify.prover.outcome import Decision, Ends, Outcome
+from verify.views import words
 from verify.views.mathml import MathML
-from verify.views.words import (
-    SIGNS,
-    ends_of,
-    fair,
-    letters,
-    sides_of,
-    tex_letters,
-    values_told,
-    witness_shown,
-)
 
 Row = tuple[Obligation, Decision]
 
@@ -87,9 +78,9 @@ class Writer:
 
     def __init__(self, outcome: Outcome, paper: Publication) -> None:
         self.outcome, self.notes = outcome, paper.notes()
-        self.typesetter = letters(outcome)
+        self.typesetter = words.letters(outcome)
         of_parameters = {"c": r"(-\cos\theta_0)"} if outcome.statement.parameters else {}
-        self._mathml = MathML(tex_letters(outcome) | of_parameters)
+        self._mathml = MathML(words.tex_letters(outcome) | of_parameters)
         self._rows = {row.name: (row, found) for row, found in outcome.rows}
 
     def claim(self, claim: Claim | Applies | Always) -> Math:
@@ -112,15 +103,15 @@ class Writer:
     def constant(self, constant: Constant) -> tuple[Math, Number | None, Math]:
         """The letter of a constant, its value, and its definition or bound after the sign."""
         sign, bound = self.notes.bounds[constant.name]
-        value = number_of(ends_of(self.outcome, constant.name))
+        value = number_of(words.ends_of(self.outcome, constant.name))
         return self.term(symbol(constant.name)), value, self.term(bound.term, sign)
 
     def shown(self, row: Obligation, found: Decision) -> Shown:
         """A row with its formula and numbers."""
-        sides = sides_of(row, found)
+        sides = words.sides_of(row, found)
         lhs, rhs = (None, None) if sides is None else map(number_of, sides)
-        sign = SIGNS[row.claim.relation] if isinstance(row.claim, Claim) else ""
-        verdict = fair(self.outcome, row, found)
+        sign = words.SIGNS[row.claim.relation] if isinstance(row.claim, Claim) else ""
+        verdict = words.fair(self.outcome, row, found)
         return Shown(row, found, verdict, self.claim(row.claim), lhs, sign, rhs)
 
     def all_shown(self, rows: Iterable[Row]) -> list[Shown]:
@@ -142,14 +133,14 @@ class Writer:
 
     def _margin(self, row: Obligation, found: Decision) -> tuple[Number | None, str]:
         """An enclosure of right - left, from the certified ends of both; or where a claim fails."""
-        sides = sides_of(row, found)
+        sides = words.sides_of(row, found)
         if sides is not None:
             lhs, rhs = sides
             margin = (rhs[0] - lhs[1], rhs[1] - lhs[0])
             low, high = outward(margin, 20)
             return Number(short(margin, 4), (low, high)), ""
-        values = witness_shown(self.outcome, row, found)
-        return None, values_told(values, self.typesetter)
+        values = words.witness_shown(self.outcome, row, found)
+        return None, words.values_told(values, self.typesetter)
 
 
 def summands(claim: Claim) -> Iterator[Term]:
@@ -173,7 +164,7 @@ def number_of(ends: Ends | None) -> Number | None:
 
 def with_verdict(rows: Iterable[Row], verdict: str, outcome: Outcome) -> list[Row]:
     """The rows of an outcome with a verdict on what they say."""
-    return [(row, found) for row, found in rows if fair(outcome, row, found) == verdict]
+    return [(row, found) for row, found in rows if words.fair(outcome, row, found) == verdict]
 
 
 def of_role(rows: Iterable[Row], role: str) -> list[Row]:

@@ -13,8 +13,7 @@ from verify.views.scene import Step, Told
 SIZE, LEFT, RIGHT, TOP, BOTTOM = 420, 52, 12, 64, 46
 #: More points than this are drawn without a mark for each.
 MARKS = 60
-NAMES = ("normal speed, diameters per unit of time", "gap of the next pair, diameters",
-         "time to the collapse, between its bounds")  # fmt: skip
+DIAMETER = "diameter"
 SPEED, GAP, REST = range(3)
 
 
@@ -24,6 +23,29 @@ class Point(Record):
     n: int
     low: float
     high: float
+
+
+def length_unit(told: Told) -> str:
+    """One unit of length, in words."""
+    if told.scene.is_in_diameters:
+        return DIAMETER
+    return told.scene.labels.length_unit or "unit of length"
+
+
+def several(unit: str) -> str:
+    """More than one of it."""
+    return unit.replace(DIAMETER, "diameters").replace("unit of", "units of")
+
+
+def _names(told: Told) -> tuple[str, str, str]:
+    """The three series, with the units of the file."""
+    time, length = told.scene.labels.time_unit, several(length_unit(told))
+    gap = length if told.scene.is_in_diameters else "contact distances"
+    return (
+        f"normal speed, {length} per {time or 'unit of time'}",
+        f"gap of the next pair, {gap}",
+        f"time to the collapse, between its bounds{f', {time}' * bool(time)}",
+    )
 
 
 def approach(told: Told, steps: Iterable[Step]) -> Iterator[str]:
@@ -39,7 +61,7 @@ def approach(told: Told, steps: Iterable[Step]) -> Iterator[str]:
         return
     axes = _Axes(last, min(p.low for p in points), max(p.high for p in points))
     yield from axes.drawn()
-    for k, (name, one) in enumerate(zip(NAMES, series, strict=True)):
+    for k, (name, one) in enumerate(zip(_names(told), series, strict=True)):
         if one:
             y = 14 + 17 * k
             yield f'<path class="c{k}" stroke-width="3" d="M{LEFT} {y - 4}h22"/>'

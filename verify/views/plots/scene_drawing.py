@@ -9,7 +9,7 @@ from itertools import islice
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.views.plots.approach import approach, svg_text
+from verify.views.plots.approach import approach, length_unit, several, svg_text
 from verify.views.plots.drawing import SCHEMES
 from verify.views.scene import Step, Told
 
@@ -35,12 +35,13 @@ def scene_svg(told: Told, steps: Sequence[Step]) -> str:
         f'<rect class="paper" width="{across}" height="{height}"/>',
         *_heading(told),
     ]
-    zoom, width = _zoom(path, end)
-    panels = (_trajectories(path, end), zoom, approach(told, steps))
+    radii, unit = bodies_of(told).radii, length_unit(told)
+    zoom, width = _zoom(path, end, radii)
+    panels = (_trajectories(path, end, radii, unit), zoom, approach(told, steps))
     pair = " and ".join(path[-1].pair or "01")
     titles = (
         "centre-of-mass frame, to scale",
-        f"contact of {pair}, {width:.2g} diameters wide",
+        f"contact of {pair}, {width:.2g} {several(unit)} wide",
         "from collision to collision",
     )
     for k, (panel, title) in enumerate(zip(panels, titles, strict=True)):
@@ -89,46 +90,54 @@ def _point(p: Sequence[float], box: Box) -> tuple[float, float]:
     return (p[0] - x + half) * scale, (y + half - p[1]) * scale
 
 
-def _trajectories(path: Sequence[Leg], end: float) -> Iterator[str]:
+def _trajectories(
+    path: Sequence[Leg], end: float, radii: Sequence[float], unit: str
+) -> Iterator[str]:
     """The paths of the centres, and the spheres at the start and at the end."""
     last = places_at(path, end)
     stops = [leg.places for leg in path] + [last]
-    box = _frame([p for places in stops for p in places], 0.6)
+    box = _frame([p for places in stops for p in places], 1.2 * max(radii))
     for i in range(3):
         line = " ".join("{:.2f},{:.2f}".format(*_point(places[i], box)) for places in stops)
         yield f'<polyline class="c{i}" points="{line}"/>'
-    yield from _spheres(path[0].places, box, "2 3")
-    yield from _spheres(last, box, "")
+    yield from _spheres(path[0].places, box, "2 3", radii)
+    yield from _spheres(last, box, "", radii)
     yield f'<path class="axis" d="M12 {SIZE - 24}v6M12 {SIZE - 21}h{box[3]:.2f}v-3v6"/>'
-    yield svg_text(12, SIZE - 6, "1 diameter")
+    yield svg_text(12, SIZE - 6, f"1 {unit}")
 
 
-def _zoom(path: Sequence[Leg], end: float) -> tuple[Iterator[str], float]:
+def _zoom(path: Sequence[Leg], end: float, radii: Sequence[float]) -> tuple[Iterator[str], float]:
     """The gap of the pair that collided last, at several moments; and the width of the drawing."""
     stops = [leg.places for leg in path[:6]] + [places_at(path, end)]
     i, j = map(int, path[-1].pair or "01")
-    (x, y), _ = _contact(stops[-1][i], stops[-1][j])
-    gaps = [abs(_contact(places[i], places[j])[1]) for places in stops]
+    ends = radii[i], radii[j]
+    (x, y), _ = _contact(stops[-1][i], stops[-1][j], ends)
+    gaps = [abs(_contact(places[i], places[j], ends)[1]) for places in stops]
     half = max(2 * max(gaps), 1e-6)
-    return _zoomed(stops, (x, y, half, SIZE / (2 * half))), 2 * half
+    return _zoomed(stops, (x, y, half, SIZE / (2 * half)), radii), 2 * half
 
 
-def _zoomed(stops: Sequence[Sequence[Vector]], box: Box) -> Iterator[str]:
+def _zoomed(stops: Sequence[Sequence[Vector]], box: Box, radii: Sequence[float]) -> Iterator[str]:
     for places in stops[:-1]:
-        yield from _spheres(places, box, "2 6")
-    yield from _spheres(stops[-1], box, "")
+        yield from _spheres(places, box, "2 6", radii)
+    yield from _spheres(stops[-1], box, "", radii)
 
 
-def _contact(p: Sequence[float], z: Sequence[float]) -> tuple[tuple[float, float], float]:
-    """The point midway between two centres, and the gap between the spheres."""
-    middle = (p[0] + z[0]) / 2, (p[1] + z[1]) / 2
-    return middle, math.hypot(p[0] - z[0], p[1] - z[1]) - 1
+def _contact(
+    p: Sequence[float], z: Sequence[float], radii: tuple[float, float]
+) -> tuple[tuple[float, float], float]:
+    """The point between two centres where the spheres touch, and the gap between them."""
+    a, b = radii
+    middle = (p[0] * b + z[0] * a) / (a + b), (p[1] * b + z[1] * a) / (a + b)
+    return middle, math.hypot(p[0] - z[0], p[1] - z[1]) - (a + b)
 
 
-def _spheres(places: Sequence[Sequence[float]], box: Box, dashes: str) -> Iterator[str]:
+def _spheres(
+    places: Sequence[Sequence[float]], box: Box, dashes: str, radii: Sequence[float]
+) -> Iterator[str]:
     for i, place in enumerate(places):
         x, y = _point(place, box)
-        radius = box[3] / 2
+        radius = box[3] * radii[i]
         circle = f'cx="{x:.2f}" cy="{y:.2f}" r="{radius:.2f}"'
         if dashes:
             yield f'<circle class="c{i}" {circle} stroke-dasharray="{dashes}"/>'
@@ -146,14 +155,18 @@ def scene_page(told: Told, steps: Iterable[Step]) -> str:
 
     path = legs(told, steps, most=60)
     points = [p for leg in path for p in leg.places]
-    low = [min(p[k] for p in points) - 0.7 for k in (0, 1)]
-    high = [max(p[k] for p in points) + 0.7 for k in (0, 1)]
+    radii = bodies_of(told).radii
+    low, high = (
+        [best(p[k] for p in points) + 1.4 * room for k in (0, 1)]
+        for best, room in ((min, -max(radii)), (max, max(radii)))
+    )
     box = {"x": (low[0] + high[0]) / 2, "y": (low[1] + high[1]) / 2}
     box |= {"width": high[0] - low[0], "height": high[1] - low[1]}
     data = {
         "legs": [leg._asdict() for leg in path],
         "end": end_time(told, path),
         "colours": COLOURS,
+        "radii": radii,
         "box": box,
     }
     schemes = {
@@ -170,6 +183,21 @@ def scene_page(told: Told, steps: Iterable[Step]) -> str:
 Vector = list[float]
 
 
+class Sizes(Record):
+    """Masses and radii."""
+
+    masses: Sequence[float]
+    radii: Sequence[float]
+
+
+def bodies_of(told: Told) -> Sizes:
+    """The masses and radii of a scene."""
+    bodies = told.scene.bodies
+    if bodies is None:
+        return Sizes((1.0,) * 3, (0.5,) * 3)
+    return Sizes([float(mass) for mass in bodies.masses], [float(x) for x in bodies.radii])
+
+
 class Leg(Record):
     """From a time on all spheres move straight; ``pair`` has just collided, if any."""
 
@@ -181,16 +209,16 @@ class Leg(Record):
 
 def legs(told: Told, steps: Iterable[Step], most: int = 200) -> list[Leg]:
     """The flight after the start and after each collision, seen from the centre of mass."""
-    scene, r = told.scene, float(told.scene.r)
+    scene, r, masses = told.scene, float(told.scene.r), bodies_of(told).masses
     x = [[float(a) for a in row] for row in scene.positions]
     v = [[float(a) for a in row] for row in scene.velocities]
-    x, v = _centred(x), _centred(v)
+    x, v = _centred(x, masses), _centred(v, masses)
     path = [Leg(0.0, "", x, v)]
     with balls.precision(told.bits):
         for step in islice(steps, most):
             time = balls.as_float(step.time)
             x = [_moved(a, time - path[-1].time, b) for a, b in zip(x, v, strict=True)]
-            v = _collided(x, v, step.hit, r)
+            v = _collided(x, v, step.hit, r, masses)
             path.append(Leg(time, step.pair, x, v))
     return _in_plane(path)
 
@@ -206,23 +234,26 @@ def _moved(x: Vector, time: float, v: Vector) -> Vector:
     return [a + time * b for a, b in zip(x, v, strict=True)]
 
 
-def _centred(rows: list[Vector]) -> list[Vector]:
-    middle = [sum(column) / 3 for column in zip(*rows, strict=True)]
+def _centred(rows: list[Vector], masses: Sequence[float]) -> list[Vector]:
+    middle = [_dot(masses, column) / sum(masses) for column in zip(*rows, strict=True)]
     return [[a - b for a, b in zip(row, middle, strict=True)] for row in rows]
 
 
-def _collided(x: list[Vector], v: list[Vector], pair: tuple[int, int], r: float) -> list[Vector]:
+def _collided(
+    x: list[Vector], v: list[Vector], pair: tuple[int, int], r: float, masses: Sequence[float]
+) -> list[Vector]:
     i, j = pair
     e = [b - a for a, b in zip(x[i], x[j], strict=True)]
     length = math.sqrt(_dot(e, e)) or 1.0
-    e = [a / length for a in e]
-    push = (1 + r) / 2 * _dot(e, [b - a for a, b in zip(v[i], v[j], strict=True)])
+    e = [part / length for part in e]
+    a, b = masses[i], masses[j]
+    push = (1 + r) / (a + b) * _dot(e, [q - p for p, q in zip(v[i], v[j], strict=True)])
     new = list(v)
-    new[i], new[j] = _moved(v[i], push, e), _moved(v[j], -push, e)
+    new[i], new[j] = _moved(v[i], b * push, e), _moved(v[j], -(a * push), e)
     return new
 
 
-def _dot(x: Vector, z: Vector) -> float:
+def _dot(x: Sequence[float], z: Sequence[float]) -> float:
     return sum(a * b for a, b in zip(x, z, strict=True))
 
 

@@ -3,16 +3,31 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from fractions import Fraction
 
 from verify import check
+from verify.prover.proof import Shape, shapes
+from verify.prover.rules import RULES
 from verify.wire.coq.reading import Json, NotAcceptedError
 from verify.wire.coq.statement import Numbers, listed, rational
 
 #: The bits with which Coq tries first.
 LOWEST = 128
 SIDES = {"lhs": "Left", "rhs": "Right"}
+
+
+#: For each rule the constructor of its proofs, and the fields in the order in which it takes them.
+CONSTRUCTORS = {
+    "cuts": "Cuts term at branches",
+    "cases": "Cases of branches",
+    "entry": "Entry side equation",
+    "least": "Least side equation branches",
+    "root": "PositiveRoot",
+    "antisymmetry": "Antisymmetry branches",
+    "angles": "Angles",
+    "cosine": "Cosine_",
+    "sum": "BySum using addends equations",
+}
 
 
 class Proofs(Numbers):
@@ -35,13 +50,43 @@ class Proofs(Numbers):
         """A proof, or a premise that is a fact."""
         if isinstance(proof, str):
             return f"Given_ {self.reference(proof)}"
-        if proof["rule"] not in PROOFS:
-            raise NotAcceptedError(f"the checker in Coq has no rule {proof['rule']}")
-        return PROOFS[proof["rule"]](self, proof, context)
+        rule = proof["rule"]
+        if rule == "interval":
+            return f"Interval {self.precision(proof)}"
+        if rule == "instance":
+            return self.instance(proof, context)
+        if rule not in CONSTRUCTORS:
+            raise NotAcceptedError(f"the checker in Coq has no rule {rule}")
+        (found,) = (shapes(proofs) for proofs, known in RULES.items() if known.name == rule)
+        name, *fields = CONSTRUCTORS[rule].split()
+        parts = (self.field(found[key], proof[key], context) for key in fields)
+        return " ".join([name, *parts])
 
-    def interval(self, proof: Json, _: check.Context) -> str:
-        """The precision and the bounds."""
-        return f"Interval {self.precision(proof)}"
+    def field(self, shape: Shape, value: Json, context: check.Context) -> str:
+        """What a field holds; a list of proofs that has a fixed length is a list, too."""
+        if shape.form == "choice":
+            return SIDES[value]
+        if shape.form == "leaf":
+            return self.leaf(shape.of[0], value, context)
+        if shape.form == "optional":
+            return "None" if value is None else f"(Some {self.field(shape.of[0], value, context)})"
+        shapes_ = shape.of if shape.form == "row" else shape.of * len(value)
+        parts = [self.field(*pair, context) for pair in zip(shapes_, value, strict=True)]
+        is_pair = shape.form == "row" and shape.of[0].of != ("proof",)
+        return f"({', '.join(parts)})" if is_pair else listed(parts)
+
+    def leaf(self, kind: str, value: Json, context: check.Context) -> str:
+        """A term, a number as a term, a fact, a proof or a premise, or what is >= 0."""
+        match kind:
+            case "term":
+                return self.term(self.read(value, context))
+            case "number":
+                return self.term(self.kernel.rational(check.rational(value)))
+            case "reference":
+                return self.reference(value)
+            case "value":
+                return self.addend(value, context)
+        return self.proof(value, context)
 
     def precision(self, proof: Json) -> str:
         """The bits and the bounds of an enclosure."""
@@ -50,52 +95,6 @@ class Proofs(Numbers):
             for name, low, up in proof["bounds"]
         )
         return f"{proof['bits']} {listed(bounds)}"
-
-    def cuts(self, proof: Json, context: check.Context) -> str:
-        """The term, the cuts as terms, and the branches."""
-        points = (self.term(self.kernel.rational(check.rational(text))) for text in proof["at"])
-        term = self.term(self.read(proof["term"], context))
-        return f"Cuts {term} {listed(points)} {self.proofs(proof['branches'], context)}"
-
-    def cases(self, proof: Json, context: check.Context) -> str:
-        """The minimum or maximum, and the branches."""
-        term = self.term(self.read(proof["of"], context))
-        return f"Cases {term} {self.proofs(proof['branches'], context)}"
-
-    def entry(self, proof: Json, _: check.Context) -> str:
-        """The side and the equation."""
-        return f"Entry {SIDES[proof['side']]} {self.optional(proof['equation'])}"
-
-    def least(self, proof: Json, context: check.Context) -> str:
-        """The side, the equation, and the branches."""
-        branches = self.proofs(proof["branches"], context)
-        return f"Least {SIDES[proof['side']]} {self.optional(proof['equation'])} {branches}"
-
-    def root(self, _: Json, __: check.Context) -> str:
-        """Nothing but its name."""
-        return "PositiveRoot"
-
-    def antisymmetry(self, proof: Json, context: check.Context) -> str:
-        """The two branches."""
-        return f"Antisymmetry {self.proofs(proof['branches'], context)}"
-
-    def angles(self, _: Json, __: check.Context) -> str:
-        """Nothing but its name."""
-        return "Angles"
-
-    def cosine(self, _: Json, __: check.Context) -> str:
-        """Nothing but its name."""
-        return "Cosine_"
-
-    def sum(self, proof: Json, context: check.Context) -> str:
-        """What is replaced, the addends, and the equations."""
-        using = listed(map(self.reference, proof["using"]))
-        addends = listed(self.addend(item, context) for item in proof["addends"])
-        equations = listed(
-            f"({self.reference(name)}, {self.term(self.read(cofactor, context))})"
-            for name, cofactor in proof["equations"]
-        )
-        return f"BySum {using} {addends} {equations}"
 
     def addend(self, item: Json, context: check.Context) -> str:
         """What is >= 0."""
@@ -189,19 +188,3 @@ class Proofs(Numbers):
         precisions = sorted({LOWEST, *(bits for _, bits, _ in self.enclosed())})
         known = [(bits, terms if bits == LOWEST else sorted(constants)) for bits in precisions]
         return [f"({bits}, {listed(map(self.term, found))})" for bits, found in known]
-
-
-#: How each rule is written.
-PROOFS: dict[str, Callable[[Proofs, Json, check.Context], str]] = {
-    "interval": Proofs.interval,
-    "cuts": Proofs.cuts,
-    "cases": Proofs.cases,
-    "entry": Proofs.entry,
-    "least": Proofs.least,
-    "root": Proofs.root,
-    "antisymmetry": Proofs.antisymmetry,
-    "angles": Proofs.angles,
-    "cosine": Proofs.cosine,
-    "sum": Proofs.sum,
-    "instance": Proofs.instance,
-}

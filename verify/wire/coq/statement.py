@@ -62,10 +62,6 @@ class Numbers:
         """A usable fact, or the hypothesis of a branch."""
         return f"(Hypothesis_ {name[1:]})" if name.startswith("@") else f"(Fact {self.name(name)})"
 
-    def optional(self, name: str | None) -> str:
-        """A usable fact, or none."""
-        return "None" if name is None else f"(Some {self.reference(name)})"
-
     # --- the statement ---
 
     def node(self, number: int) -> str:

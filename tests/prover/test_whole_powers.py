@@ -1,0 +1,45 @@
+"""Claims about products that are given: by powers of both sides, and never more than is true."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from verify import check
+from verify.language.terms import Claim, Number, Term, equal, symbol
+from verify.library import ask, certificate, for_all, lemma, prove
+
+a, b, c = map(symbol, "abc")
+POSITIVE = [0 < a, 0 < b, 0 < c]
+ONE = for_all("one", [*POSITIVE, equal(a * b * c, 1)], {"a": 1, "b": 1, "c": 1})
+EIGHT = for_all("eight", [*POSITIVE, equal(8, a * b * c)], {"a": 2, "b": 2, "c": 2})
+TWO = for_all("two", [0 < a, 0 < b, equal(a * b, 2)], {"a": 1, "b": 2})
+
+
+def verdict(claim: Claim, context: object) -> str:
+    """What is found, after the checker has agreed."""
+    outcome = prove(lemma("t", [ask("row", claim, context)], (), [context]))  # type: ignore[arg-type,list-item]
+    found = outcome.decisions["row"].verdict
+    if found != "undecided":
+        files = certificate(outcome)
+        report = check.check(files["statement.json"], files["certificate.json"], {})
+        assert report.rows == {"row": found}
+    return found
+
+
+@pytest.mark.parametrize(
+    ("least", "term", "context"),
+    [
+        (3, a + b + c, ONE),
+        (3, a * b + b * c + c * a, ONE),
+        (6, a + b + c, EIGHT),
+        (12, a * b + b * c + c * a, EIGHT),
+        (Fraction(28, 10), a + b, TWO),
+    ],
+)
+def test_a_least_value_is_found_and_no_larger_one(
+    least: Number, term: Term, context: object
+) -> None:
+    assert verdict(least <= term, context) == "proved"
+    assert verdict(least + Fraction(1, 2) <= term, context) != "proved"

@@ -1,0 +1,174 @@
+"""A map as a table, and the scenes in the middle of its boxes, in the table and in pictures."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections import Counter
+from fractions import Fraction
+from itertools import pairwise
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from verify.cli import main
+from verify.spheres.map.grow import Target, grow
+from verify.spheres.map.log import Progress
+from verify.spheres.map.middles import boxes
+from verify.spheres.map.planes import Phi
+from verify.spheres.map.workers import workers
+from verify.views.plots.map_colours import BALLS, COLOURINGS, RAMP, Ramp, between
+
+SCENES = """r = "0.04..0.07"
+diameter = "0.5"
+positions = [[0, 0], ["0.505", 0], ["-0.51", "h"]]
+velocities = [[0, 0], [-1, "0.1"], [1, 0]]
+length_unit = "mm"
+time_unit = "ms"
+parameters = {h = "0..0.3"}
+"""
+LETTERS = {
+    "collapses": {"collapses"},
+    "disperses": {"disperses"},
+    "finite": {"finite", "disperses"},
+}
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A map with its table and its pictures."""
+    place = tmp_path_factory.mktemp("middles")
+    (place / "scenes.toml").write_text(SCENES, encoding="utf-8")
+    command = ["map", str(place / "scenes.toml"), "--x", "r", "--y", "h", "--boxes", "400"]
+    more = ["--middles", "--csv", str(place / "map.csv"), "--out", str(place / "out")]
+    assert main([*command, *more]) in (0, 3)
+    return place
+
+
+def rows_of(path: Path) -> list[dict[str, str]]:
+    """The lines of a table."""
+    with path.open(encoding="utf-8") as file:
+        return [*csv.DictReader(file)]
+
+
+def area(row: dict[str, str]) -> Fraction:
+    """The area of a box."""
+    sides = (Fraction(row[f"{name}_high"]) - Fraction(row[f"{name}_low"]) for name in ("r", "h"))
+    a, b = sides
+    return a * b
+
+
+def test_the_boxes_of_the_table_are_the_areas_of_the_map(folder: Path) -> None:
+    shares: Counter[str] = Counter()
+    whole = Fraction("0.03") * Fraction("0.3")
+    for row in rows_of(folder / "map.csv"):
+        shares[row["verdict"]] += area(row) / whole  # type: ignore[assignment]
+    document = json.loads((folder / "out" / "map.json").read_text(encoding="utf-8"))
+    told = {name: Fraction(share) for name, share in document["areas"].items() if share != "0"}
+    assert dict(shares) == told
+    assert sum(shares.values()) == 1
+
+
+def test_the_middle_of_a_box_has_its_verdict(folder: Path) -> None:
+    seen = set()
+    for row in rows_of(folder / "map.csv"):
+        seen.add((row["verdict"], row["middle_verdict"]))
+        assert row["middle_verdict"] in LETTERS.get(row["verdict"], row["middle_verdict"])
+        assert (
+            bool(row["time_low"]) == (row["middle_verdict"] == "collapses") == bool(row["central"])
+        )
+    assert {("collapses", "collapses"), ("disperses", "disperses")} <= seen
+    assert {one for one, _ in seen} >= {"undecided"}
+
+
+def test_boxes_fill_the_plane_wherever_a_map_was_left() -> None:
+    progress = Progress(Phi(Fraction(3, 100), Fraction(1)))
+    with workers(1, None) as staff:
+        for _ in grow(progress, Target(Fraction(0), 1, 20), staff, lambda _: None):
+            found = list(boxes(progress))
+            x = [(a.x[1] - a.x[0]) * (a.y[1] - a.y[0]) for a in found if a.y is not None]
+            assert sum(x) == Fraction(1, 8)
+            assert sum(box.letter == "u" for box in found) > 0
+    assert len(list(boxes(Progress(Phi(Fraction(3, 100), Fraction(1)))))) == 64
+
+
+@pytest.mark.parametrize("name", [one.name for one in COLOURINGS])
+def test_each_picture_has_a_key_and_its_units(folder: Path, name: str) -> None:
+    text = (folder / "out" / f"map-{name}.svg").read_text(encoding="utf-8")
+    ElementTree.fromstring(text)
+    assert "undecided</text>" in text
+    assert ("ball 2</text>" in text) == (name == "central")
+    assert text.count(" ms</text>") == (5 if name == "time" else 0)
+    assert len({part.split('"')[0] for part in text.split('fill="#')}) > 3
+
+
+def test_axes_that_are_places_have_the_units_of_the_file(tmp_path: Path) -> None:
+    scene = tmp_path / "one.toml"
+    scene.write_text(SCENES.replace('"h"', "0.05").replace('"0.04..0.07"', "0.03")
+                     .partition("parameters")[0], encoding="utf-8")  # fmt: skip
+    axes = ["--x", "positions[2][1]=0..0.1", "--y", "velocities[2][1]=0..0.2"]
+    out = ["--middles", "--boxes", "64", "--out", str(tmp_path / "out")]
+    assert main(["map", str(scene), *axes, *out]) in (0, 3)
+    text = (tmp_path / "out" / "map-time.svg").read_text(encoding="utf-8")
+    assert "positions[2][1] (mm)</text>" in text
+    assert "velocities[2][1] (mm/ms)</text>" in text
+
+
+def test_an_interval_of_scenes_is_a_table_too(tmp_path: Path) -> None:
+    path, scenes = tmp_path / "map.csv", tmp_path / "scenes.toml"
+    scenes.write_text(SCENES, encoding="utf-8")
+    command = ["map", str(scenes), "--x", "r", "--at", "h=0.05", "--boxes", "40"]
+    assert main([*command, "--csv", str(path)]) in (0, 3)
+    rows = rows_of(path)
+    assert [*rows[0]] == ["verdict", "r_low", "r_high"]
+    ends = [(Fraction(row["r_low"]), Fraction(row["r_high"])) for row in rows]
+    assert sorted(ends)[0][0] == Fraction("0.04")
+    assert sum(high - low for low, high in ends) == Fraction("0.03")
+
+
+def test_colours_get_lighter_so_that_they_are_told_apart_in_grey() -> None:
+    def grey(colour: str) -> float:
+        red, green, blue = bytes.fromhex(colour[1:])
+        return 0.299 * red + 0.587 * green + 0.114 * blue
+
+    greys = [grey(between(k / 40)) for k in range(41)]
+    assert greys == sorted(greys)
+    assert between(0) == RAMP[0]
+    assert between(1) == RAMP[-1]
+    assert min(b - a for a, b in pairwise(greys)) > 1
+    assert [grey(colour) for colour in BALLS] == sorted(grey(colour) for colour in BALLS)
+    assert grey(BALLS[2]) < 235, "lighter would be taken for white"
+
+
+@pytest.mark.parametrize("values", [[2.0, 5.0], [0.001, 70.0], [3.0], []])
+def test_a_ramp_goes_from_the_least_to_the_largest(values: list[float]) -> None:
+    ramp = Ramp(values)
+    for value in values:
+        assert 0 <= ramp.share(value) <= 1
+    if len(values) > 1:
+        assert [ramp.share(value) for value in values] == [0, 1]
+        assert ramp.at(ramp.share(4.0)) == pytest.approx(4.0)
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        (
+            ["phi", "--r", "0.03", "--middles", "--csv", "x"],
+            "--middles: is for the file of a scene",
+        ),
+        (["phi", "--r", "0.03", "--strip", "1e-6", "--csv", "x"], "--csv: the tiles of a strip"),
+        (
+            ["certificates/scenes/on-a-line.toml", "--x", "r=0.01..0.02", "--middles"],
+            "--middles: add",
+        ),
+    ],
+)
+def test_what_cannot_be_written_is_refused(
+    more: list[str], words: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["map", *more]) == 2
+    error = capsys.readouterr().err
+    assert words in error
+    assert error.count("\n") == 1

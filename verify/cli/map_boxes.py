@@ -1,0 +1,89 @@
+"""What is written of the boxes of a map: a table, and pictures coloured by their middles."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+from verify.cli.files import read_bytes, write_all, write_file
+from verify.cli.options import Options
+from verify.language.record import TYPE_CHECKING
+from verify.spheres.map.planes import FamilyPlane, Plane, Through
+from verify.spheres.scene.families import read_family
+from verify.wire.inputs import InputError
+
+if TYPE_CHECKING:
+    from verify.spheres.map.log import Progress
+
+#: A scene takes some milliseconds.
+MAX_MIDDLES = 100_000
+
+
+def test_tables(options: Options, plane: Plane) -> None:
+    """Afterwards what is asked for can be written of such a map.
+
+    Raises:
+        InputError: if not.
+    """
+    if options.csv is not None and options.strip is not None:
+        raise InputError("--csv: the tiles of a strip are no rectangles; leave out one of them")
+    if not options.middles:
+        return
+    if not isinstance(plane, Through | FamilyPlane):
+        raise InputError("--middles: is for the file of a scene; leave it out")
+    if options.csv is None and options.out is None:
+        raise InputError("--middles: add --csv FILE for a table, or --out DIR for pictures")
+
+
+def write_tables(options: Options, progress: Progress) -> None:
+    """Write the table and the pictures that are asked for."""
+    if options.csv is None and not options.middles:
+        return
+    from verify.spheres.map.middles import boxes, middles  # loaded only where they are used
+    from verify.views.map import axis_names
+    from verify.views.map_table import table_rows
+    from verify.views.scene_table import csv_text
+
+    found = list(boxes(progress))
+    known = None
+    if options.middles:
+        if len(found) > MAX_MIDDLES:
+            raise InputError(
+                f"--middles: the map has {len(found)} boxes that were not divided; ask for at most "
+                f"{MAX_MIDDLES}: --boxes {MAX_MIDDLES}"
+            )
+        known = list(middles(progress, found))
+    if options.csv is not None:
+        rows = table_rows(axis_names(progress.document), found, known)
+        write_file("--csv", options.csv, csv_text(rows))
+    if known is not None and options.out is not None:
+        write_all(
+            "--out",
+            options.out,
+            _pictures(options, progress, list(zip(found, known, strict=True))),
+        )
+
+
+def _pictures(options: Options, progress: Progress, pairs: Sequence[Any]) -> dict[str, bytes]:
+    from verify.views.map import axis_names
+    from verify.views.plots.map_colours import COLOURINGS, coloured
+
+    table = read_family(options.plane, read_bytes("plane", options.plane)).table
+    length, time = (str(table.get(name, "")) for name in ("length_unit", "time_unit"))
+    plane: Any = progress.plane
+    sides = [side for side in (plane.x, plane.y) if side is not None]
+    axes: list[tuple[str, Fraction, Fraction]] = [
+        (_with_unit(name, length, time), *side)
+        for name, side in zip(axis_names(progress.document), sides, strict=False)
+    ]
+    return {f"map-{one.name}.svg": coloured(one, axes, pairs, time).encode() for one in COLOURINGS}
+
+
+def _with_unit(name: str, length: str, time: str) -> str:
+    """The name of an axis, with its unit if it is a place in the scene and the file has units."""
+    if name.startswith("positions") and length:
+        return f"{name} ({length})"
+    if name.startswith("velocities") and length and time:
+        return f"{name} ({length}/{time})"
+    return name

@@ -1,0 +1,73 @@
+"""Claims c <= R about a number c > 0 where equations are given: by a power of both sides.
+
+An equation of degree k says something about the k-th power of R rather than about R: for a b c = 1
+it is (a + b + c)^3 >= 27 a b c that squares show. With R >= 0 and c^k <= R^k,
+
+    (c - R)(c^(k-1) + c^(k-2) R + ... + R^(k-1)) + R^k - c^k = 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from verify.language.terms import Claim, Term, as_term
+from verify.prover.clearing import atoms_of
+from verify.prover.proof import Proof, Value
+from verify.prover.rules import Sum
+from verify.prover.search.question import Question
+from verify.prover.session import ZERO
+
+#: Higher powers are not tried.
+MAX_POWER = 4
+
+
+def by_whole_powers(question: Question) -> Proof | None:
+    """A proof by the powers whose exponents are the degrees of the equations."""
+    claim, parts = question.plain.claim, question.clearing
+    number, other = claim.lhs, claim.rhs
+    if number.op != "rational" or number.value <= 0 or not question.equations:
+        return None
+    if any(atom.op != "symbol" for atom in atoms_of((other,), {})):
+        return None
+    cleared, divisor = parts.clear(other)
+    if divisor != parts.one or cleared.is_constant():
+        return None
+    least = question.fact(Claim("<=", ZERO, other))
+    if least is None:
+        return None
+    c = number.value
+    for power, left, equations in _powers(question, int(cleared.total_degree())):
+        fact = question.fact(Claim(claim.relation, as_term(c**power) * left, other**power))
+        if fact is not None:
+            terms: list[Value] = [str(c ** (power - 1))]
+            terms += [
+                ("mul", str(c ** (power - 1 - i)), ("pow", least, i)) for i in range(1, power)
+            ]
+            scaled = tuple((name, as_term(c**power) * term) for name, term in equations)
+            return Sum((("mul", "goal", ("add", *terms)), fact), question.using, scaled)
+    return None
+
+
+def _powers(
+    question: Question, degree: int
+) -> Iterator[tuple[int, Term, tuple[tuple[str, Term], ...]]]:
+    """Exponents k, with a term that is 1 by an equation, and by which multiple of it.
+
+    For an equation e = b about a number b > 0 the term is a power of e/b of the degree of R^k.
+    """
+    clear = question.clearing.difference
+    for name, equation in question.equations.items():
+        k = int(clear(equation.lhs, equation.rhs).total_degree())
+        if not 2 <= k <= MAX_POWER:
+            continue
+        turned = equation.lhs.op == "rational"
+        e, b = (equation.rhs, equation.lhs) if turned else (equation.lhs, equation.rhs)
+        if b.op == "rational" and b.value > 0:
+            unit = e / b if b.value != 1 else e
+            powers = [as_term(1), *(unit**i for i in range(1, degree))]
+            total = powers[0]
+            for one in powers[1:]:
+                total = total + one
+            yield k, unit**degree, ((name, -total / b if turned else total / b),)
+        else:
+            yield k, as_term(1), ()

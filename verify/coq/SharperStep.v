@@ -99,7 +99,7 @@ Proof.
   rewrite Forall_forall in I. exact (I g J).
 Qed.
 
-Section Step.
+Section SharperStep.
 Variable v : valuation.
 Hypothesis inside : scope SS state_context v.
 Notation r := (v Sharper.number_of_r).
@@ -192,4 +192,4 @@ Proof.
   - reflexivity.
   - unfold Sharper.A_next, impact. cbn [y A d]. unfold Sharper.kappa. fold flight. ring.
 Qed.
-End Step.
+End SharperStep.

@@ -1,5 +1,5 @@
-(* Reads documents in hexadecimal digits, a line each, and writes each as verify/coq/json.ml has read
-   it, also in hexadecimal digits; or a minus sign where it is refused. *)
+(* Reads documents in hexadecimal digits, a line each, and writes the digest of each, and the document
+   as verify/coq/json.ml has read it, also in hexadecimal digits; or a minus sign where it is refused. *)
 open Json
 
 let hex s = String.concat "" (List.map (fun c -> Printf.sprintf "%02x" (Char.code c)) (List.of_seq (String.to_seq s)))
@@ -27,7 +27,9 @@ let () =
   try
     while true do
       let b = Buffer.create 999 in
-      (match parse (unhex (input_line stdin)) with
+      let found = unhex (input_line stdin) in
+      print_string (sha256 found ^ " ");
+      (match parse found with
        | value -> written b value; print_string (hex (Buffer.contents b))
        | exception Malformed _ -> print_char '-');
       print_newline ()

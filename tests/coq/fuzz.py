@@ -124,7 +124,8 @@ def disagreements(program: str, found: list[bytes]) -> list[bytes]:
             same = ([json.loads(text)] if text else None) == wanted(data)
         except UnicodeDecodeError:
             same = False
-        if not same or digest != sha256(data).hexdigest():
+        known = sha256(data).hexdigest() if len(data) < 1000 else "-"
+        if not same or digest != known:
             other.append(data)
     return other
 

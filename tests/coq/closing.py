@@ -2,9 +2,7 @@
 
     python -m tests.coq.closing DIRECTORY        # writes Closed.v, and prints the files it needs
 
-A statement has the terms and contexts of those that it cites first, in order, so that it begins
-with the numbers of the first one. Of a second one the numbers come after those: it is exported once
-more, as a statement that cites the first one, too.
+What is cited second is exported once more, as `verify.wire.coq.beside` does.
 """
 
 from __future__ import annotations
@@ -15,7 +13,7 @@ import sys
 from hashlib import sha256
 from pathlib import Path
 
-from verify import check
+from verify.wire.coq.beside import beside
 from verify.wire.coq.export import export
 
 ROOT = Path(__file__).resolve().parents[2] / "certificates"
@@ -24,19 +22,6 @@ ROOT = Path(__file__).resolve().parents[2] / "certificates"
 def module(folder: Path) -> str:
     """The Coq file of a folder, as `.ci/coq` calls it."""
     return "Checked_" + re.sub("[^A-Za-z0-9]", "_", str(folder.relative_to(ROOT)))
-
-
-def beside(folder: Path, first: Path) -> check.Folder:
-    """A certificate whose statement cites another one, without use of it."""
-    other = (first / "statement.json").read_bytes()
-    statement = json.loads((folder / "statement.json").read_bytes())
-    certificate = json.loads((folder / "certificate.json").read_bytes())
-    assert not statement["cites"], folder
-    theorem = json.loads(other)["theorem"]
-    cite = {"name": "beside", "statement_sha256": sha256(other).hexdigest(), "theorem": theorem}
-    data = json.dumps({**statement, "cites": [cite]}).encode()
-    certificate["statement_sha256"] = sha256(data).hexdigest()
-    return check.Folder(folder.name, data, json.dumps(certificate).encode(), [other])
 
 
 def closed(name: str, own: str, others: list[str], proofs: list[str]) -> list[str]:

@@ -1,5 +1,6 @@
-(* Reads documents in hexadecimal digits, a line each, and writes each as verify/coq/json.ml has read
-   it, also in hexadecimal digits; or a minus sign where it is refused. *)
+(* Reads documents in hexadecimal digits, a line each. Writes the digest of each, if it is short, and
+   the document as verify/coq/json.ml has read it, also in hexadecimal digits; or a minus sign where
+   it is refused. *)
 open Json
 
 let hex s = String.concat "" (List.map (fun c -> Printf.sprintf "%02x" (Char.code c)) (List.of_seq (String.to_seq s)))
@@ -27,7 +28,9 @@ let () =
   try
     while true do
       let b = Buffer.create 999 in
-      (match parse (unhex (input_line stdin)) with
+      let found = unhex (input_line stdin) in
+      print_string ((if String.length found < 1000 then sha256 found else "-") ^ " ");
+      (match parse found with
        | value -> written b value; print_string (hex (Buffer.contents b))
        | exception Malformed _ -> print_char '-');
       print_newline ()

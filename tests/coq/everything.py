@@ -38,6 +38,12 @@ POINTS = (
 )
 #: The scenes that disperse, with the balls that collide.
 DISPERSING = {"passing": "", "parting": "01 02 01 02"}
+#: The scenes that collapse: the balls that collide, then the one in the middle, the one that it met
+#: last and the one that it meets next; between what the time and minus the cosine of the angle are.
+COLLAPSING = {
+    "nearly-aligned": ("01 02", "021", "8953/1250000 9753/1250000 99483/100000 249719/250000"),
+    "in-space": ("01 12", "120", "6277/20000 7933/25000 97079/100000 19831/20000"),
+}
 PARTS = ("the_nodes", "the_contexts", "the_rows", "the_citations", "the_statement")
 
 
@@ -48,16 +54,40 @@ def conjunction(prefix: str) -> str:
 
 def dispersing(name: str) -> str:
     """What Coq proves of a scene, with its numbers as the file of the scene has them."""
+    return _about_scene(name, "disperses", DISPERSING[name], [])
+
+
+def collapsing(name: str) -> str:
+    """The same of a scene that collapses."""
+    pairs, roles, bounds = COLLAPSING[name]
+    more = [f"Theorem1.B{ball}" for ball in roles]
+    return _about_scene(name, "collapses_after", pairs, [*more, *map(_number, bounds.split())])
+
+
+def _about_scene(name: str, kind: str, collisions: str, more: list[str]) -> str:
     scene = tomllib.loads((ROOT / f"scenes/{name}.toml").read_text(encoding="utf-8"))
-    r = Fraction(str(scene["r"]))
     places, velocities = (_coordinates(scene[key]) for key in ("positions", "velocities"))
-    pairs = [(f"Theorem1.B{i}", f"Theorem1.B{j}") for i, j in DISPERSING[name].split()]
+    pairs = [(f"Theorem1.B{i}", f"Theorem1.B{j}") for i, j in collisions.split()]
     times = "".join(f"exists t_{n}, " for n, _ in enumerate(pairs))
     meetings = "; ".join(f"({i}, {j}, t_{n})" for n, (i, j) in enumerate(pairs))
     scene_ = f"(Theorem1.Scene {places} {velocities})"
-    says = f"{times}Runs.disperses 2 ({r.numerator} / {r.denominator}) {scene_} [{meetings}]"
-    proof = f"{'eexists. ' * len(pairs)}exact Scene_{name}.three_balls."
-    return f"Theorem {name} : {says}.\nProof. {proof} Qed."
+    says = " ".join(
+        (f"{times}Runs.{kind} {len(scene['positions'][0])} {_number(scene['r'])}", scene_,
+         f"[{meetings}]", *more)
+    )  # fmt: skip
+    file = compiled(name)
+    proof = f"{'eexists. ' * len(pairs)}exact Scene_{file}.three_balls."
+    return f"Theorem {file} : {says}.\nProof. {proof} Qed."
+
+
+def compiled(name: str) -> str:
+    """A scene in the name of a file for Coq."""
+    return name.replace("-", "_")
+
+
+def _number(x: object) -> str:
+    value = Fraction(str(x))
+    return f"({value.numerator} / {value.denominator})"
 
 
 def _coordinates(rows: list[list[object]]) -> str:
@@ -87,6 +117,7 @@ def folders() -> list[Path]:
 def everything(folders: list[Path]) -> str:
     """The theorems about what is committed, one with another, and what they assume."""
     own = {module(folder): folder for folder in folders}
+    scenes = [*DISPERSING, *COLLAPSING]
     lines = [f"From Verify Require {name}." for name in own]
     lines += [
         "From Verify Require Meaning Checker Accepted Closed Point Angle Pinned PinnedMeaning.",
@@ -94,10 +125,11 @@ def everything(folders: list[Path]) -> str:
         "From Verify Require Theorem1 FromNumbers.",
         "Open Scope R_scope.",
         *POINTS,
-        f"From Verify Require Runs {' '.join(f'Scene_{name}' for name in DISPERSING)}.",
+        f"From Verify Require Runs {' '.join(f'Scene_{compiled(name)}' for name in scenes)}.",
         "From Coq Require Import List.",
         "Import ListNotations.",
         *map(dispersing, DISPERSING),
+        *map(collapsing, COLLAPSING),
         "Definition soundness : forall S C, Checker.accepts S C = true ->",
         "  Meaning.citations_true S -> Meaning.true_statement S := Accepted.accepts_sound.",
         f"Definition theorem_1 : {conjunction('Pinned.')}",
@@ -115,8 +147,8 @@ def everything(folders: list[Path]) -> str:
         lines.append(f"Definition true_{name} : Meaning.true_statement {name}.the_statement")
         lines.append(f"  := {proof}.")
     names = "".join(f", true_{name}" for name in own)
-    main = "soundness, theorem_1, point, angle, passing, parting, Pinned.collapsing_scene"
-    main += ", separatrix, discharged"
+    main = f"soundness, theorem_1, point, angle, {', '.join(map(compiled, scenes))}"
+    main += ", Pinned.collapsing_scene, separatrix, discharged"
     lines.append(f"Definition everything := ({main}{names}).")
     return "\n".join([*lines, "Print Assumptions everything.", ""])
 

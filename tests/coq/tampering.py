@@ -107,6 +107,23 @@ DEFINITIONS = {
     "another-kind": Definition("Meaning", "Carried | Standing.", "Carried | Standing | Hidden."),
 }  # fmt: skip
 
+#: In the file of a scene that collapses, where each changed number and each other order is refused.
+SCENE = "Scene_nearly_aligned"
+SCENES = {
+    "scene-velocity": ("- (7 / 5)", "- (8 / 5)"),
+    "scene-order": (
+        "[(Theorem1.B0, Theorem1.B1, the_time_1); (Theorem1.B0, Theorem1.B2, the_time_2)]",
+        "[(Theorem1.B0, Theorem1.B2, the_time_1); (Theorem1.B0, Theorem1.B1, the_time_2)]",
+    ),
+    "scene-next-ball": (
+        "the_time_2)] Theorem1.B0 Theorem1.B2 Theorem1.B1",
+        "the_time_2)] Theorem1.B0 Theorem1.B1 Theorem1.B2",
+    ),
+    "scene-latest": ("(8953 / 1250000) (9753 / 1250000)", "(8953 / 1250000) (9752 / 1250000)"),
+    "scene-earliest": ("(8953 / 1250000) (9753 / 1250000)", "(8954 / 1250000) (9753 / 1250000)"),
+    "scene-angle": ("(99483 / 100000) (249719 / 250000)", "(99484 / 100000) (249719 / 250000)"),
+}  # fmt: skip
+
 FALSE = "Theorem proved : False. Proof. exact wrong. Qed.\n"
 #: Whole files that prove False, each with a word that the judge has to say.
 ASSUMPTIONS = {
@@ -311,6 +328,16 @@ def another_statement(name: str, directory: Path) -> bool:
     return name == "the-same"
 
 
+def another_scene(name: str, directory: Path) -> bool:
+    """Whether a scene with another number, or another order of collisions, is refused."""
+    old, new = SCENES[name]
+    text = (directory / f"{SCENE}.v").read_text()
+    if text.count(old) != 1:
+        raise ValueError(f"{old}: {text.count(old)} times in {SCENE}.v")
+    written(directory, SCENE, text.replace(old, new))
+    return "Error" in coqc(directory, SCENE).stdout
+
+
 Way = tuple[str, Callable[[str, Path], bool]]
 
 
@@ -319,6 +346,7 @@ def ways() -> list[Way]:
     found: list[Way] = [(name, definition) for name in DEFINITIONS]
     found += [(name, assumption) for name in ASSUMPTIONS]
     found += [(name, nothing) for name in NOTHING]
+    found += [(name, another_scene) for name in SCENES]
     found += [("another-statement", another_statement), ("the-same", another_statement)]
     found += [(name, the_same_definition) for name in ("Theorem1", "Meaning")]
     return [*found, ("nothing-wrong", no_assumption)]

@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import re
 import shutil
+from fractions import Fraction
 from hashlib import sha256
 from pathlib import Path
 
 import pytest
 
 from tests.coq.closing import unread
-from tests.coq.everything import DISPERSING, POINTS, dispersing
+from tests.coq.everything import COLLAPSING, DISPERSING, POINTS, collapsing, dispersing
 from tests.coq.readback import Exported, Interner, Written
 from tests.lies.lies import honest
 from verify import check
@@ -120,15 +121,17 @@ def test_a_point_run_ends_in_a_theorem_on_three_balls(capsys: pytest.CaptureFixt
     assert text.endswith("Qed. Print Assumptions three_balls.")
 
 
-@pytest.mark.parametrize(
-    "folder", ["theorem1-all", "step", "flow", "scenes/in-space", "scenes/on-a-line"]
-)
+@pytest.mark.parametrize("folder", ["theorem1-all", "step", "flow", "scenes/on-a-line"])
 def test_other_statements_have_no_such_theorem(
     folder: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["export", "coq", "--balls", str(ROOT / "certificates" / folder)]) == 2
     err = capsys.readouterr().err
-    reason = "no scene that disperses" if folder.startswith("scenes") else "does not apply the step"
+    reason = (
+        "no scene that disperses or collapses"
+        if folder.startswith("scenes")
+        else "does not apply the step"
+    )
     assert reason in err
     assert "Traceback" not in err
 
@@ -144,4 +147,22 @@ def test_a_scene_that_disperses_ends_in_its_theorem(
         tuple(x) for x in DISPERSING[name].split()
     ]
     places = dispersing(name).partition("Theorem1.Scene ")[2].partition(") (fun")[0]
+    assert f"Definition the_scene_0 : Theorem1.scene := Theorem1.Scene {places}" in text
+
+
+@pytest.mark.parametrize("name", COLLAPSING)
+def test_a_scene_that_collapses_ends_in_its_theorem(
+    name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["export", "coq", "--balls", str(ROOT / "certificates/scenes" / name)]) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    said = text.partition("Theorem three_balls : ")[2].partition(". Proof.")[0]
+    collisions, _, after = said.partition("[")[2].partition("] ")
+    pairs, roles, bounds = COLLAPSING[name]
+    assert re.findall(r"B(\d), Theorem1\.B(\d), ", collisions) == [tuple(x) for x in pairs.split()]
+    assert "".join(re.findall(r"Theorem1\.B(\d)", after)) == roles
+    assert [Fraction(*map(int, x)) for x in re.findall(r"\((\d+) / (\d+)\)", after)] == [
+        Fraction(x) for x in bounds.split()
+    ]
+    places = collapsing(name).partition("Theorem1.Scene ")[2].partition(") (fun")[0]
     assert f"Definition the_scene_0 : Theorem1.scene := Theorem1.Scene {places}" in text

@@ -10,7 +10,7 @@ from typing import Any
 from tests.coq.record import RECORD, without_times
 from verify.views.material import CoqRecord
 from verify.views.page.build import checked_in_coq
-from verify.wire.coq.record import checked
+from verify.wire.packaged import checked
 
 
 def said(digests: list[dict[str, str]]) -> str:

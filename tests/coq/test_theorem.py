@@ -89,6 +89,7 @@ def test_everything_of_the_proof_is_compiled() -> None:
         "Step",
         "All",
         "Flow",
+        "Sharper",
     }
 
 

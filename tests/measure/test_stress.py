@@ -9,7 +9,7 @@ import pytest
 from tests.points import parameters
 from verify.cli import main
 from verify.measure import stress
-from verify.measure.stress import Case, run_spectrum, run_theorem1
+from verify.measure.stress import Case, run_claim, run_spectrum, run_theorem1
 from verify.paper.commands.eigenvalues import Spectrum
 from verify.paper.commands.theorem1 import decide_point
 
@@ -31,6 +31,15 @@ CASE = Case("ordinary", "for the test", "theorem1", {"r": "0.03"}, "proved")
 def test_a_wrong_verdict_is_seen() -> None:
     assert run_theorem1(CASE).right
     assert not run_theorem1(CASE._replace(expect="refuted")).right
+
+
+def test_a_wrong_answer_about_functions_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    case = Case("sine", "for the test", "claim", {"claim": "0 < sin(10^22)"}, "refuted")
+    assert run_claim(case).right
+    assert not run_claim(case._replace(expect="proved")).right
+    ends = stress.CheckerEngine.ends
+    monkeypatch.setattr(stress.CheckerEngine, "ends", lambda *a: [-e for e in ends(*a)][::-1])
+    assert not run_claim(case).right
 
 
 def test_a_wrong_enclosure_is_seen() -> None:

@@ -19,7 +19,7 @@ def add_arguments(parser: Parser) -> None:
     parser.place("folder", "a folder with a statement and its certificate")
     text = "also every constant as a definition, and every row as a lemma in ordinary notation"
     parser.flag("--readable", text=text)
-    parser.flag("--balls", text="end with the theorem on three balls: a point run of theorem1")
+    parser.flag("--balls", text="end with the theorem on three balls: theorem1, or a scene")
 
 
 def run(options: Options) -> int:

@@ -142,7 +142,7 @@ def _scan(options: Options) -> int:
     """Print the verdict at many values of r; the exit code is that of the worst."""
     from verify.cli.steps import watched  # loaded only where they are used
     from verify.paper.commands.scan import scan
-    from verify.views.ranges import range_lines, ranges, ranges_document, verdict_of
+    from verify.views.box import range_lines, ranges, ranges_document, verdict_of
     from verify.views.scene_table import csv_text
 
     if ".." not in options.r:

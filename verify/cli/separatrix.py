@@ -12,7 +12,7 @@ import sys
 from fractions import Fraction
 
 from verify.cli import claims
-from verify.cli.files import print_document, test_folder, write_all, write_certificate
+from verify.cli.files import print_document, test_folder, write_certificate, write_file
 from verify.cli.options import Options, Parser, field
 from verify.cli.terminal import show
 from verify.language.errors import UnreadError
@@ -101,7 +101,7 @@ def _point(options: Options) -> int:
         strips = staircase(drawn, CORNERS, DIGITS, budget)
         if not strips:
             raise InputError("--plot: no curve is known there; choose parameters that have one")
-        _write_plot(options.plot, strip_svg(drawn, strips))
+        write_file("--plot", options.plot, strip_svg(drawn, strips))
     if options.json:
         print_document(separatrix_document(found, certified))
     else:
@@ -124,7 +124,7 @@ def _curves(options: Options) -> int:
         strips = [staircase(one, FEW_CORNERS, DIGITS, budget) for one in found]
         if not any(strips):
             raise InputError("--plot: no curve is known there; choose smaller values of --r")
-        _write_plot(options.plot, curves_svg(list(zip(found, strips, strict=True))))
+        write_file("--plot", options.plot, curves_svg(list(zip(found, strips, strict=True))))
     if options.json:
         print_document(curves_document(found))
     else:
@@ -202,8 +202,3 @@ def _test_plot(options: Options) -> None:
         raise InputError(f"--plot: {shown(options.plot)} does not end in .svg; write such a name")
     folder, name = os.path.split(options.plot)
     test_folder("--plot", folder or os.curdir, name)
-
-
-def _write_plot(path: str, text: str) -> None:
-    folder, name = os.path.split(path)
-    write_all("--plot", folder or os.curdir, {name: text.encode()})

@@ -1,5 +1,5 @@
 (* The checker as an OCaml program; numbers stay Coq's own, so that nothing but the reader of files
-   (reader.ml) is not proved. *)
+   (ExtractFiles.v, json.ml, reader.ml) has to be believed besides. *)
 From Coq Require Import ZArith QArith.
 From Verify Require Import Meaning Clearing Kernel Checker.
 From Coq Require Import ExtrOcamlBasic.

@@ -212,9 +212,9 @@ Proof.
   - flow Flow.next_W_c_W_c F. rewrite Kappa in F. etransitivity; [|exact F]. field.
   - flow Flow.next_W_s_W_c F. rewrite Kappa in F. etransitivity; [|exact F]. field.
 Qed.
-(* Nobody overlaps there. *)
+(* Nobody overlaps there, and only o and c touch. *)
 Theorem flow_apart_after : let z := collided d r o c (later flight_time x) in
-  1 <= square d z o c /\ 1 <= square d z o i /\ 1 <= square d z c i.
+  1 <= square d z o c /\ 1 < square d z o i /\ 1 < square d z c i.
 Proof.
   pose proof takes_time. destruct (apart flight_time ltac:(lra)) as [P Q]. pose proof touches as R.
   assert (E : square d (later flight_time x) c i = square d (later flight_time x) i c).

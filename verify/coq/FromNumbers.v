@@ -4,7 +4,7 @@
 From Coq Require Import Reals List Lra Lia.
 From Verify Require Import Theorem1 Vectors Motion Sequences Meaning Terms Citations Readable Extension.
 From Verify Require Import Gram OneStep Trajectory InTurn Ending.
-From Verify Require Step.
+From Verify Require AnyStep Step.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -113,7 +113,9 @@ Ltac at_the_start x a :=
   replace (after S0 at_start start x) with a by (symmetry; exact (started x _ eq_refl)).
 Lemma start_shown : shows (after S0 at_start start) D s B1 B2.
 Proof.
-  destruct good_scene as [G1 G2 G3 _ _ _ [G4 _] _ _ _]. exists q. split; [|split].
+  destruct good_scene as [G1 G2 G3 _ _ _ [G4 _] _ _ _]. exists q.
+  split; [|split]; unfold numbers_of; cbn [AnyStep.y AnyStep.eta_s AnyStep.C AnyStep.a AnyStep.b
+    AnyStep.A AnyStep.B AnyStep.w AnyStep.d].
   - at_the_start Step.number_of_d d_0. apply same_vector. intros k. unfold scaled. field. lra.
   - change (square D s B0 B1 = 1). rewrite square_of_distance, G3. ring.
   - rewrite dot_scaled, dot_scaled_right.

@@ -3,6 +3,7 @@
    `verify export coq --readable` prints for that certificate. *)
 From Coq Require Import Reals List Lra Lia.
 From Verify Require Import Theorem1 Vectors Motion Meaning Terms Checker Readable Extension.
+From Verify Require Import AnyStep.
 From Verify Require Step.
 Import ListNotations.
 Open Scope R_scope.
@@ -26,21 +27,11 @@ Proof. vm_compute. reflexivity. Qed.
 
 (* --- states that are those of vectors --------------------------------------------------------- *)
 
-(* p and q are the directions from ball 0 to the ball that just met it and to the one that it meets
-   next; s and c are their relative velocities. *)
-Record has_vectors (v : valuation) (dimension : nat) (p q s c : vector) : Prop := {
-  unit_p : dot dimension p p = 1; unit_q : dot dimension q q = 1;
-  angle : dot dimension p q = - v Step.number_of_C;
-  p_s : dot dimension p s = v Step.number_of_eta_s; q_c : dot dimension q c = - v Step.number_of_y;
-  p_c : dot dimension p c = v Step.number_of_a; q_s : dot dimension q s = v Step.number_of_b;
-  square_s : dot dimension s s = v Step.number_of_B;
-  square_c : dot dimension c c = v Step.number_of_A;
-  s_c : dot dimension s c = v Step.number_of_w
-}.
+Definition numbers_of (v : valuation) : numbers := Numbers (v Step.number_of_y)
+  (v Step.number_of_eta_s) (v Step.number_of_C) (v Step.number_of_a) (v Step.number_of_b)
+  (v Step.number_of_A) (v Step.number_of_B) (v Step.number_of_w) (v Step.number_of_d).
 (* Ball i has just met ball 0, and j is next. *)
-Definition shows (v : valuation) (dimension : nat) (x : scene) (i j : ball) : Prop :=
-  exists q, to x B0 j = scaled (1 + v Step.number_of_d) q /\
-    has_vectors v dimension (to x B0 i) q (relative x B0 i) (relative x B0 j).
+Definition shows (v : valuation) : nat -> scene -> ball -> ball -> Prop := has (numbers_of v).
 
 (* The inequalities of Cauchy and Schwarz that the certificate uses. *)
 Lemma impact_square d p q s c t e :
@@ -73,11 +64,12 @@ Definition the_standing := Eval vm_compute in
 Lemma the_standing_is :
   map (fun a => read_claim Step.the_table (given_claim a)) (standing S0 state_context) = the_standing.
 Proof. vm_compute. reflexivity. Qed.
-Lemma vectors_standing v dimension p q s c : has_vectors v dimension p q s c ->
+Lemma vectors_standing v dimension p q s c : products (numbers_of v) dimension p q s c ->
   satisfies S0 v (standing S0 state_context).
 Proof.
   intros [P Q PQ PS QC PC QS SS CC SC].
-  assert (A : Forall (shown_here v) the_standing).
+  cbn [y eta_s C a b A B w d numbers_of] in *.
+  assert (X : Forall (shown_here v) the_standing).
   { pose proof (cauchy_schwarz dimension p q) as C1. pose proof (cauchy_schwarz dimension p s) as C2.
     pose proof (cauchy_schwarz dimension q c) as C3. pose proof (cauchy_schwarz dimension p c) as C4.
     pose proof (cauchy_schwarz dimension q s) as C5. pose proof (cauchy_schwarz dimension s c) as C6.
@@ -90,8 +82,8 @@ Proof.
       | exact C6 | exact C7 | exact (proj1 (C8 _ (1 + v Step.number_of_d)))
       | exact (proj2 (C8 _ (1 + v Step.number_of_d)))]|]).
     apply Forall_nil. }
-  rewrite <- the_standing_is in A. unfold satisfies. rewrite Forall_map in A. revert A.
-  apply Forall_impl. intros a.
+  rewrite <- the_standing_is in X. unfold satisfies. rewrite Forall_map in X. revert X.
+  apply Forall_impl. intros g.
   apply (read_claim_right S0 Step.the_order Step.the_table Step.the_table_is).
   exact Step.all_right.
 Qed.

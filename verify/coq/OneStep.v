@@ -3,6 +3,7 @@
    certificate of the step calls next. *)
 From Coq Require Import Reals List Lra Lia.
 From Verify Require Import Theorem1 Vectors Motion Meaning Terms Checker Readable Extension Gram.
+From Verify Require Import AnyStep.
 From Verify Require Step.
 Import ListNotations.
 Open Scope R_scope.
@@ -181,99 +182,36 @@ Qed.
 
 (* --- the scene -------------------------------------------------------------------------------- *)
 
+Theorem step_is_certified : step_certified (numbers_of w) flight.
+Proof.
+  split; [exact flight_positive | exact recedes | exact far | exact far_after | exact touching
+    | exact approaching | exact colliding_apart | exact spectator_apart | exact outer_apart].
+Qed.
+Lemma new_numbers : numbers_of new = after_step r (numbers_of w) flight.
+Proof.
+  unfold numbers_of. rewrite (new_value Step.number_of_y _ eq_refl),
+    (new_value Step.number_of_eta_s _ eq_refl), (new_value Step.number_of_C _ eq_refl),
+    (new_value Step.number_of_a _ eq_refl), (new_value Step.number_of_b _ eq_refl),
+    (new_value Step.number_of_A _ eq_refl), (new_value Step.number_of_B _ eq_refl),
+    (new_value Step.number_of_w _ eq_refl), (new_value Step.number_of_d _ eq_refl).
+  unfold after_step. f_equal; try reflexivity.
+  transitivity (Step.A_next r y b A B n d).
+  - reflexivity.
+  - unfold Step.A_next, impact.
+    cbn [AnyStep.y AnyStep.A AnyStep.d AnyStep.B AnyStep.b AnyStep.w]. unfold Step.kappa. fold flight.
+    ring.
+Qed.
 Variable D : nat.  (* the dimension *)
 Variable x : scene.
 Variable i j : ball.
 Hypothesis others : i <> B0 /\ j <> B0 /\ i <> j.
 Hypothesis shown_by : shows w D x i j.
 
-(* Inner products of combinations of p, q, s and c, in the numbers of the state. *)
-Ltac in_numbers :=
-  repeat (rewrite ?dot_linear, ?dot_linear_right, ?dot_scaled, ?dot_scaled_right);
-  match goal with
-  | PQ : dot D ?p ?q = - C, SC : dot D ?s ?c = n |- _ =>
-      rewrite ?(dot_symmetric D q p), ?(dot_symmetric D s p), ?(dot_symmetric D c p),
-        ?(dot_symmetric D s q), ?(dot_symmetric D c q), ?(dot_symmetric D c s)
-  end;
-  repeat match goal with E : dot D _ _ = _ |- _ => progress rewrite ?E; clear E end.
-
-(* The squared distances after a time. *)
-Lemma squares t :
-  square D (later t x) B0 i = 1 + t * eta_s + t * eta_s + t * t * B /\
-  square D (later t x) B0 j =
-    (1 + d) * (1 + d) + (1 + d) * t * - y + t * (1 + d) * - y + t * t * A /\
-  square D (later t x) i j =
-    1 - 2 * (1 + d) * - C + (1 + d) ^ 2 + 2 * t * (eta_s - a - (1 + d) * b + (1 + d) * - y)
-      + t ^ 2 * (A + B - 2 * n).
-Proof.
-  destruct shown_by as (q & X & [P Q PQ PS QC PC QS SS CC SC]). unfold square.
-  rewrite (to_outer _ i j), !to_later, X. in_numbers. repeat split; ring.
-Qed.
-
-(* --- the next collision ----------------------------------------------------------------------- *)
-
 Theorem meets : first_to_meet D x B0 j flight.
-Proof.
-  destruct others as (Ni & Nj & Nij). pose proof flight_positive as F. pose proof recedes as E.
-  assert (Pairs : forall k l, k <> l -> (k = B0 /\ l = i) \/ (k = i /\ l = B0) \/ (k = B0 /\ l = j) \/
-    (k = j /\ l = B0) \/ (k = i /\ l = j) \/ (k = j /\ l = i)).
-  { intros k l. destruct i, j, k, l; tauto || easy. }
-  assert (Away : forall t, 0 < t <= flight ->
-    1 < distance D (later t x) B0 i /\ 1 < distance D (later t x) i j).
-  { intros t T. destruct (squares t) as (Qi & _ & Qo). split; apply distance_above.
-    - rewrite Qi. pose proof (spectator_apart t ltac:(lra)) as S.
-      assert (0 < t * eta_s) by (apply Rmult_lt_0_compat; lra). lra.
-    - rewrite Qo. apply outer_apart. lra. }
-  split; trivial.
-  - intros t k l T N. destruct (Away t ltac:(lra)) as [Ai Ao]. destruct (squares t) as (_ & Qj & _).
-    assert (Aj : 1 < distance D (later t x) B0 j)
-      by (apply distance_above; rewrite Qj; apply colliding_apart; lra).
-    destruct (Pairs k l N) as [[-> ->]|[[-> ->]|[[-> ->]|[[-> ->]|[[-> ->]|[-> ->]]]]]]; trivial;
-      now rewrite distance_symmetric.
-  - apply distance_one. destruct (squares flight) as (_ & Qj & _). rewrite Qj. exact touching.
-  - replace (rate D (later flight x) B0 j) with (Step.kappa y A d); [exact approaching|].
-    destruct shown_by as (q & X & [P Q PQ PS QC PC QS SS CC SC]).
-    unfold rate. rewrite to_later, relative_later, X. in_numbers. unfold Step.kappa. fold flight. ring.
-  - intros k K0 Kj. destruct (Away flight ltac:(lra)) as [Ai Ao].
-    assert (k = i) by (destruct i, j, k; easy). subst k. split; trivial. now rewrite distance_symmetric.
-Qed.
+Proof. exact (AnyStep.meets _ _ step_is_certified D x i j others shown_by). Qed.
 Theorem shows_next : shows new D (collided D r B0 j (later flight x)) j i.
 Proof.
-  destruct others as (Ni & Nj & Nij). pose proof far_after as F.
-  destruct shown_by as (q & X & [P Q PQ PS QC PC QS SS CC SC]).
-  set (p := to x B0 i) in *. set (s := relative x B0 i) in *. set (c := relative x B0 j) in *.
-  set (omega := combined (1 + d) q flight c).
-  set (root := Step.D y eta_s A B d) in *. set (kappa := Step.kappa y A d).
-  assert (Omega : to (later flight x) B0 j = omega).
-  { rewrite to_later, X. fold c. apply same_vector. intros k. unfold omega, combined, scaled. ring. }
-  assert (Kappa : rate D (later flight x) B0 j = kappa).
-  { unfold rate. rewrite Omega. change (relative (later flight x) B0 j) with c. unfold omega.
-    in_numbers. unfold kappa, Step.kappa. fold flight. ring. }
-  assert (Root : root * root = 1 + flight * eta_s + flight * eta_s + flight * flight * B).
-  { unfold root, Step.D. fold flight. apply sqrt_sqrt.
-    destruct (squares flight) as (E & _). rewrite <- E. apply dot_self. }
-  exists (combined (1 / root) p (flight / root) s).
-  rewrite !to_collided, Omega, (relative_collided _ _ _ _ Nj),
-    (relative_collided_other _ _ _ _ _ Ni Nij), Kappa, Omega.
-  change (relative (later flight x) B0 j) with c. change (relative (later flight x) B0 i) with s.
-  split.
-  - rewrite to_later. fold p s. replace (1 + new Step.number_of_d) with root.
-    + apply same_vector. intros k. unfold combined, scaled. field. lra.
-    + replace (new Step.number_of_d) with (root - 1); [ring | symmetry; is_new Step.number_of_d].
-  - pose proof touching as T. split; unfold omega; in_numbers.
-    + etransitivity; [|exact T]. ring.
-    + transitivity ((root * root) / (root * root)); [rewrite Root at 1 | ]; field; lra.
-    + in_new Step.number_of_C (Step.C_next y eta_s C a b A B n d).
-      unfold Step.C_next. fold flight root. ring.
-    + in_new Step.number_of_eta_s (Step.eta_s_next r y A d).
-      unfold Step.eta_s_next. fold flight kappa. ring.
-    + in_new Step.number_of_y (Step.y_next r y eta_s C a b A B n d).
-      unfold Step.y_next. fold flight root kappa. ring.
-    + in_new Step.number_of_a (Step.a_next r y b A n d). unfold Step.a_next. fold flight kappa. ring.
-    + in_new Step.number_of_b (Step.b_next r y eta_s C a b A B n d).
-      unfold Step.b_next. fold flight root kappa. ring.
-    + in_new Step.number_of_B (Step.B_next r y A d). unfold Step.B_next. fold flight kappa. ring.
-    + in_new Step.number_of_A (Step.A_next r y b A B n d). unfold Step.A_next. fold flight kappa. ring.
-    + in_new Step.number_of_w (Step.w_next r y b A n d). unfold Step.w_next. fold flight kappa. ring.
+  unfold shows. rewrite new_numbers.
+  exact (AnyStep.shows_next _ _ _ step_is_certified D x i j others shown_by).
 Qed.
 End OneStep.

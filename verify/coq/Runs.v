@@ -32,6 +32,27 @@ Definition disperses (s : scene) (l : list meeting) : Prop :=
   (exists z, run s l z /\ forall t, 0 < t -> nobody_collides d (later t z)) /\
   forall T, trajectory d r s T (motion s l).
 
+(* --- the page for scenes that collapse ---------------------------------------------------------- *)
+
+(* The balls o, s and c of a scene get the names 0, 1 and 2. *)
+Definition role (o s c i : ball) : ball := match i with B0 => o | B1 => s | B2 => c end.
+Definition renamed (o s c : ball) (x : scene) : scene :=
+  Scene (fun i => position x (role o s c i)) (fun i => velocity x (role o s c i)).
+(* How long the collisions of a list take. *)
+Definition lasts (l : list meeting) : R := fold_right (fun m t => snd m + t) 0 l.
+(* From s there are these collisions, and from then on o collides with c and i in turn without end.
+   There is a trajectory until the collapse, and none from s lasts longer. The whole takes a time
+   between the two times, and minus the cosine of the angle at o is between the two numbers in the
+   end. *)
+Definition collapses_after (s : scene) (l : list meeting) (o i c : ball)
+    (earliest latest least most : R) : Prop :=
+  exists z scenes time T Z at_T whole, run s l z /\
+    collapses d r (renamed o i c z) scenes time T Z at_T /\
+    trajectory d r s (lasts l + T) whole /\
+    (forall t, 0 <= t -> renamed o i c (whole (lasts l + t)) = Z t) /\
+    (forall T' Z', trajectory d r s T' Z' -> T' <= lasts l + T) /\
+    earliest <= lasts l + T <= latest /\ least <= minus_cosine d at_T <= most.
+
 (* --- the proof -------------------------------------------------------------------------------- *)
 
 Lemma free_for_ever s : (forall t, 0 < t -> nobody_collides d (later t s)) ->
@@ -44,19 +65,19 @@ Proof.
     + intros u _. now rewrite later_later.
     + left. split; [now apply N | reflexivity].
 Qed.
-Lemma one_more_collision s i j u Z : i <> j -> first_to_meet d s i j u ->
-  (forall T, trajectory d r (collided d r i j (later u s)) T Z) ->
-  forall T, trajectory d r s T (fun t => if Rlt_dec t u then later t s else Z (t - u)).
+Lemma one_more_collision s i j u T Z : i <> j -> first_to_meet d s i j u ->
+  trajectory d r (collided d r i j (later u s)) T Z ->
+  trajectory d r s (u + T) (fun t => if Rlt_dec t u then later t s else Z (t - u)).
 Proof.
-  intros N [P B C A O] F T. split.
+  intros N [P B C A O] F. split.
   - destruct (Rlt_dec 0 u) as [_|K]; [apply later_0 | now destruct K].
-  - intros t [L _]. destruct (Rlt_dec t u) as [K|K].
+  - intros t [L M']. destruct (Rlt_dec t u) as [K|K].
     + exists (u - t). split; [lra|]. intros v V. destruct (Rlt_dec (t + v) u); [|lra].
       now rewrite later_later.
-    + destruct (F (t - u + 1)) as [_ G _]. destruct (G (t - u) ltac:(lra)) as (e & E & H).
+    + destruct F as [_ G _]. destruct (G (t - u) ltac:(lra)) as (e & E & H).
       exists e. split; [exact E|]. intros v V. destruct (Rlt_dec (t + v) u); [lra|].
       rewrite <- (H v V). f_equal. ring.
-  - intros t [L _]. destruct (Rlt_dec t u) as [K|K].
+  - intros t [L M']. destruct (Rlt_dec t u) as [K|K].
     + exists t, (later t s). split; [exact L|]. split.
       * intros v V. destruct (Rlt_dec (t - v) u); [|lra]. now rewrite later_later.
       * left. split; [|reflexivity]. intros a b M. pose proof (B t a b ltac:(lra) M). split; lra.
@@ -64,9 +85,9 @@ Proof.
       * exists u, (later u s). split; [exact L|]. split.
         -- intros v V. destruct (Rlt_dec (u - v) u); [|lra]. now rewrite later_later.
         -- right. exists i, j. split; [exact N|]. split; [exact C|]. split; [exact A|].
-           split; [exact O|]. destruct (F 1) as [G _ _]. rewrite Rminus_diag_eq by reflexivity.
+           split; [exact O|]. destruct F as [G _ _]. rewrite Rminus_diag_eq by reflexivity.
            exact G.
-      * destruct (F (t - u + 1)) as [_ _ G].
+      * destruct F as [_ _ G].
         destruct (G (t - u) ltac:(lra)) as (e & w & E & H & Q). exists (Rmin e (t - u)), w.
         split; [apply Rmin_glb_lt; lra|]. split; [|exact Q].
         intros v V. pose proof (Rmin_l e (t - u)). pose proof (Rmin_r e (t - u)).
@@ -79,7 +100,8 @@ Proof.
   induction l as [|[[i j] u] l IH]; cbn [run motion]; intros s U.
   - subst z. now apply free_for_ever.
   - destruct U as (N & M & U).
-    exact (one_more_collision s i j u _ N M (IH _ U)).
+    intros T. replace T with (u + (T - u)) by ring.
+    exact (one_more_collision s i j u _ _ N M (IH _ U (T - u))).
 Qed.
 
 (* A pair that never meets again: it parts, or passes by. *)

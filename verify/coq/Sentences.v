@@ -5,7 +5,7 @@
 From Coq Require Import Reals.
 From Verify Require Import Theorem1.
 From Verify Require Vectors Sequences Ending Steady OneStep Trajectory OneScene Interior InTurn Gram.
-From Verify Require Meaning Step Collapse FromNumbers Runs.
+From Verify Require Meaning Step Collapse FromNumbers Runs Sharper AnyStep SharperStep SharperCollapse.
 Open Scope R_scope.
 
 (* --- hard-spheres: a definition, and what it says --------------------------------------------- *)
@@ -115,3 +115,31 @@ Check (fun d r s i j u rest t => eq_refl : Runs.motion d r s (cons (i, j, u) res
 Check (fun d r s l => eq_refl : Runs.disperses d r s l =
   ((exists z, Runs.run d r s l z /\ forall t, 0 < t -> nobody_collides d (later t z)) /\
    forall T, trajectory d r s T (Runs.motion d r s l))).
+Check (fun o s c x => eq_refl : Runs.renamed o s c x =
+  let role i := match i with B0 => o | B1 => s | B2 => c end in
+  Scene (fun i => position x (role i)) (fun i => velocity x (role i))).
+Check (fun i j t l => eq_refl : Runs.lasts (cons (i, j, t) l) = t + Runs.lasts l).
+Check (eq_refl : Runs.lasts nil = 0).
+Check (fun d r s l o i c earliest latest least most => eq_refl :
+  Runs.collapses_after d r s l o i c earliest latest least most =
+  exists z scenes time T Z at_T whole, Runs.run d r s l z /\
+    collapses d r (Runs.renamed o i c z) scenes time T Z at_T /\
+    trajectory d r s (Runs.lasts l + T) whole /\
+    (forall t, 0 <= t -> Runs.renamed o i c (whole (Runs.lasts l + t)) = Z t) /\
+    (forall T' Z', trajectory d r s T' Z' -> T' <= Runs.lasts l + T) /\
+    earliest <= Runs.lasts l + T <= latest /\ least <= minus_cosine d at_T <= most).
+
+(* --- the sharper theorem on trajectories ------------------------------------------------------- *)
+
+Check (AnyStep.meets : forall m t, AnyStep.step_certified m t -> forall d x i j, distinct i j ->
+  AnyStep.has m d x i j -> first_to_meet d x B0 j t).
+Check (AnyStep.shows_next : forall r m t, AnyStep.step_certified m t -> forall d x i j, distinct i j ->
+  AnyStep.has m d x i j ->
+  AnyStep.has (AnyStep.after_step r m t) d (collided d r B0 j (later t x)) j i).
+Check (SharperCollapse.sharper_collapse : forall v,
+  Meaning.scope Sharper.the_statement SharperStep.start_context v -> forall d x,
+  AnyStep.has (SharperStep.numbers_of (Meaning.after Sharper.the_statement v SharperStep.start)) d x
+    B1 B2 ->
+  collapse d (v Sharper.number_of_r) x
+    (Sharper.duration (v Sharper.number_of_p) (v Sharper.number_of_Y) (v Sharper.number_of_T) *
+      v Sharper.number_of_eta_0) (v Sharper.number_of_C_0) (v Sharper.number_of_Theta)).

@@ -4,58 +4,108 @@
    compressing them leaves. `sha256` computes it from the message alone, without a copy of it, and
    `sha256_is_the_digest` says that what it finds is that and nothing else. The examples are the
    standard's. *)
-From Coq Require Import String List Arith ZArith Lia Strings.Byte.
+From Coq Require Import Bool String List Arith ZArith Lia Strings.Byte.
 Import ListNotations.
 Open Scope N_scope.
 
-(* --- words of 32 bits: numbers below 2^32 ------------------------------------------------------ *)
+(* --- words of 32 bits, the lowest first -------------------------------------------------------- *)
 
-Definition mask : N := 0xffffffff.
-Definition cut (x : N) : N := N.land x mask.
-Definition plus (x y : N) : N := cut (x + y).
-Definition right (n x : N) : N := N.shiftr x n.
-Definition rotate (n x : N) : N := N.lor (right n x) (cut (N.shiftl x (32 - n))).
+Definition word : Type := list bool.
+Fixpoint value (x : word) : N :=
+  match x with [] => 0 | b :: x => N.b2n b + 2 * value x end.
+Fixpoint bits (count : nat) (n : N) : word :=
+  match count with O => [] | S k => N.odd n :: bits k (N.div2 n) end.
+Definition to_word : N -> word := bits 32.
 
-Lemma cut_is_mod x : cut x = x mod 2 ^ 32.
-Proof. exact (N.land_ones x 32). Qed.
+(* What is carried if three bits are added, in few branches. *)
+Definition carried (a b c : bool) : bool := if xorb a b then c else a.
+Fixpoint sum (carry : bool) (x y : word) : word :=
+  match x, y with
+  | a :: x, b :: y => xorb a (xorb b carry) :: sum (carried a b carry) x y
+  | _, _ => []
+  end.
+Definition plus : word -> word -> word := sum false.
+Definition rotate (n : nat) (x : word) : word := skipn n x ++ firstn n x.
+Definition right (n : nat) (x : word) : word := skipn n x ++ repeat false n.
+Fixpoint bitwise (f : bool -> bool -> bool -> bool) (x y z : word) : word :=
+  match x, y, z with
+  | a :: x, b :: y, c :: z => f a b c :: bitwise f x y z
+  | _, _, _ => []
+  end.
 
-Lemma plus_is_sum x y : plus x y = (x + y) mod 2 ^ 32.
-Proof. apply cut_is_mod. Qed.
+Lemma value_bits count : forall n, value (bits count n) = n mod 2 ^ N.of_nat count.
+Proof.
+  induction count as [| k IH]; intro n.
+  - cbn [value bits]. symmetry. apply N.mod_1_r.
+  - cbn [value bits]. rewrite IH, Nnat.Nat2N.inj_succ, N.pow_succ_r', N.div2_div.
+    rewrite (N.mod_mul_r n 2) by (try apply N.pow_nonzero; lia). f_equal.
+    rewrite <- N.bit0_odd. apply N.bit0_mod.
+Qed.
 
-Lemma cut_below x : cut x < 2 ^ 32.
-Proof. rewrite cut_is_mod. now apply N.mod_lt. Qed.
+Lemma value_below x : value x < 2 ^ N.of_nat (length x).
+Proof.
+  induction x as [| b x IH]; [reflexivity |].
+  cbn [value length]. rewrite Nnat.Nat2N.inj_succ, N.pow_succ_r'. destruct b; cbn [N.b2n]; lia.
+Qed.
+
+Lemma sum_length x : forall carry y, length x = length y -> length (sum carry x y) = length x.
+Proof.
+  induction x as [| a x IH]; intros carry [| b y] h; try discriminate; [reflexivity |].
+  cbn [sum length]. f_equal. apply IH. now injection h.
+Qed.
+
+Lemma sum_value x : forall carry y, length x = length y -> exists over,
+  value x + value y + N.b2n carry = 2 ^ N.of_nat (length x) * over + value (sum carry x y).
+Proof.
+  induction x as [| a x IH]; intros carry [| b y] h; try discriminate.
+  - exists (N.b2n carry). cbn [value sum length]. change (2 ^ N.of_nat 0) with 1. lia.
+  - injection h as h. destruct (IH (carried a b carry) y h) as [over same]. exists over.
+    cbn [value sum length]. rewrite Nnat.Nat2N.inj_succ, N.pow_succ_r'.
+    destruct a, b, carry; cbn [carried andb orb xorb N.b2n] in *; lia.
+Qed.
+
+Lemma plus_is_sum x y : length x = 32%nat -> length y = 32%nat ->
+  value (plus x y) = (value x + value y) mod 2 ^ 32.
+Proof.
+  intros hx hy. destruct (sum_value x false y) as [over same]; [congruence |].
+  rewrite hx, N.add_0_r in same. apply N.mod_unique with over; [| exact same].
+  pose proof (value_below (plus x y)) as below. unfold plus in below at 2.
+  rewrite sum_length, hx in below by congruence. exact below.
+Qed.
 
 (* Bit i of a rotated word is bit i + n of the word, counted around. *)
-Lemma rotate_bits n x i : x < 2 ^ 32 -> n < 32 -> i < 32 ->
-  N.testbit (rotate n x) i = N.testbit x ((i + n) mod 32).
+Lemma rotate_bits n x i : length x = 32%nat -> (n < 32)%nat -> (i < 32)%nat ->
+  nth i (rotate n x) false = nth ((i + n) mod 32) x false.
 Proof.
-  intros small hn hi. unfold rotate, right, cut, mask.
-  change 0xffffffff with (N.ones 32).
-  rewrite N.lor_spec, N.land_spec, N.shiftr_spec', N.ones_spec_low, Bool.andb_true_r by exact hi.
-  assert (high : forall k, 32 <= k -> N.testbit x k = false).
-  { intros k hk. destruct (N.eq_dec x 0) as [-> | nz]; [apply N.bits_0 |].
-    apply N.bits_above_log2. apply N.lt_le_trans with 32; [| exact hk].
-    apply N.log2_lt_pow2; [lia | exact small]. }
-  destruct (N.lt_ge_cases (i + n) 32) as [inside | outside].
-  - rewrite (N.mod_small (i + n) 32) by exact inside.
-    rewrite (N.shiftl_spec_low x (32 - n) i) by lia. apply Bool.orb_false_r.
-  - replace ((i + n) mod 32) with (i + n - 32).
-    + rewrite (high (i + n)) by lia. rewrite N.shiftl_spec_high' by lia. cbn [orb].
-      f_equal. lia.
-    + apply N.mod_unique with 1; lia.
+  intros h hn hi. rewrite <- (firstn_skipn n x) at 2. unfold rotate.
+  assert (left : length (firstn n x) = n) by (rewrite firstn_length; lia).
+  assert (rest : length (skipn n x) = (32 - n)%nat) by (rewrite skipn_length; lia).
+  destruct (le_lt_dec (32 - n) i) as [outside | inside].
+  - rewrite app_nth2, rest by lia.
+    replace ((i + n) mod 32)%nat with (i - (32 - n))%nat by (apply Nat.mod_unique with 1%nat; lia).
+    rewrite app_nth1; [reflexivity | lia].
+  - rewrite app_nth1, Nat.mod_small by lia. rewrite app_nth2, left by lia.
+    f_equal. lia.
 Qed.
 
 (* --- the functions and constants of the standard ----------------------------------------------- *)
 
-Definition choose (x y z : N) : N := N.lxor (N.land x y) (N.ldiff z x).
-Definition majority (x y z : N) : N :=
-  N.lxor (N.land x y) (N.lxor (N.land x z) (N.land y z)).
-Definition Sigma0 (x : N) : N := N.lxor (rotate 2 x) (N.lxor (rotate 13 x) (rotate 22 x)).
-Definition Sigma1 (x : N) : N := N.lxor (rotate 6 x) (N.lxor (rotate 11 x) (rotate 25 x)).
-Definition sigma0 (x : N) : N := N.lxor (rotate 7 x) (N.lxor (rotate 18 x) (right 3 x)).
-Definition sigma1 (x : N) : N := N.lxor (rotate 17 x) (N.lxor (rotate 19 x) (right 10 x)).
+Definition choose : word -> word -> word -> word := bitwise (fun a b c => if a then b else c).
+Definition majority : word -> word -> word -> word := bitwise carried.
+Definition xor3 : word -> word -> word -> word := bitwise (fun a b c => xorb a (xorb b c)).
+Definition Sigma0 (x : word) : word := xor3 (rotate 2 x) (rotate 13 x) (rotate 22 x).
+Definition Sigma1 (x : word) : word := xor3 (rotate 6 x) (rotate 11 x) (rotate 25 x).
+Definition sigma0 (x : word) : word := xor3 (rotate 7 x) (rotate 18 x) (right 3 x).
+Definition sigma1 (x : word) : word := xor3 (rotate 17 x) (rotate 19 x) (right 10 x).
 
-Definition constants : list N :=
+(* The standard writes two of them in another way. *)
+Lemma choose_bit (a b c : bool) : (if a then b else c) = xorb (a && b) (negb a && c).
+Proof. now destruct a, b, c. Qed.
+
+Lemma majority_bit a b c : carried a b c = xorb (a && b) (xorb (a && c) (b && c)).
+Proof. now destruct a, b, c. Qed.
+
+Definition constants : list word := map to_word
   [0x428a2f98; 0x71374491; 0xb5c0fbcf; 0xe9b5dba5; 0x3956c25b; 0x59f111f1; 0x923f82a4; 0xab1c5ed5;
    0xd807aa98; 0x12835b01; 0x243185be; 0x550c7dc3; 0x72be5d74; 0x80deb1fe; 0x9bdc06a7; 0xc19bf174;
    0xe49b69c1; 0xefbe4786; 0x0fc19dc6; 0x240ca1cc; 0x2de92c6f; 0x4a7484aa; 0x5cb0a9dc; 0x76f988da;
@@ -65,35 +115,36 @@ Definition constants : list N :=
    0x19a4c116; 0x1e376c08; 0x2748774c; 0x34b0bcb5; 0x391c0cb3; 0x4ed8aa4a; 0x5b9cca4f; 0x682e6ff3;
    0x748f82ee; 0x78a5636f; 0x84c87814; 0x8cc70208; 0x90befffa; 0xa4506ceb; 0xbef9a3f7; 0xc67178f2].
 
-Record state := State { A : N; B : N; C : N; D : N; E : N; F : N; G : N; H : N }.
+Record state := State { A : word; B : word; C : word; D : word; E : word; F : word; G : word; H : word }.
 Definition initial : state :=
-  State 0x6a09e667 0xbb67ae85 0x3c6ef372 0xa54ff53a 0x510e527f 0x9b05688c 0x1f83d9ab 0x5be0cd19.
+  State (to_word 0x6a09e667) (to_word 0xbb67ae85) (to_word 0x3c6ef372) (to_word 0xa54ff53a)
+        (to_word 0x510e527f) (to_word 0x9b05688c) (to_word 0x1f83d9ab) (to_word 0x5be0cd19).
 
 (* --- one block --------------------------------------------------------------------------------- *)
 
 (* A round, with its constant and its word of the schedule. *)
-Definition round (s : state) (k w : N) : state :=
+Definition round (s : state) (k w : word) : state :=
   let '(State a b c d e f g h) := s in
   let t1 := plus h (plus (Sigma1 e) (plus (choose e f g) (plus k w))) in
   let t2 := plus (Sigma0 a) (majority a b c) in
   State (plus t1 t2) a b c (plus d t1) e f g.
 
 (* The schedule from 16 words in a row: the next of them, and what comes after these 16. *)
-Definition scheduled (window : list N) : N :=
-  plus (sigma1 (nth 14 window 0)) (plus (nth 9 window 0) (plus (sigma0 (nth 1 window 0))
-    (nth 0 window 0))).
-Fixpoint rounds (ks window : list N) (s : state) : state :=
+Definition scheduled (window : list word) : word :=
+  plus (sigma1 (nth 14 window [])) (plus (nth 9 window []) (plus (sigma0 (nth 1 window []))
+    (nth 0 window []))).
+Fixpoint rounds (ks window : list word) (s : state) : state :=
   match ks with
   | [] => s
   | k :: more =>
-      rounds more (tl window ++ [scheduled window]) (round s k (nth 0 window 0))
+      rounds more (tl window ++ [scheduled window]) (round s k (nth 0 window []))
   end.
 
 (* Bytes in big-endian order as a number. *)
 Definition number (l : list byte) : N := fold_left (fun n b => 256 * n + Byte.to_N b) l 0.
-Fixpoint words (l : list byte) : list N :=
+Fixpoint words (l : list byte) : list word :=
   match l with
-  | a :: b :: c :: d :: more => number [a; b; c; d] :: words more
+  | a :: b :: c :: d :: more => to_word (number [a; b; c; d]) :: words more
   | _ => []
   end.
 
@@ -103,11 +154,11 @@ Definition compress (s : state) (block : list byte) : state :=
         (plus (E s) (E t)) (plus (F s) (F t)) (plus (G s) (G t)) (plus (H s) (H t)).
 
 (* The schedule as the standard writes it. *)
-Fixpoint window_at (t : nat) (window : list N) : list N :=
+Fixpoint window_at (t : nat) (window : list word) : list word :=
   match t with O => window | S n => window_at n (tl window ++ [scheduled window]) end.
-Definition W (block : list byte) (t : nat) : N := nth 0 (window_at t (words block)) 0.
+Definition W (block : list byte) (t : nat) : word := nth 0 (window_at t (words block)) [].
 
-Fixpoint rounds_from (t : nat) (block : list byte) (ks : list N) (s : state) : state :=
+Fixpoint rounds_from (t : nat) (block : list byte) (ks : list word) (s : state) : state :=
   match ks with [] => s | k :: more => rounds_from (S t) block more (round s k (W block t)) end.
 
 (* --- a message --------------------------------------------------------------------------------- *)
@@ -126,7 +177,7 @@ Definition size (m : list byte) : N := N.of_nat (length m).
 Definition padded (m : list byte) : list byte := m ++ padding (size m).
 
 Definition output (s : state) : list byte :=
-  flat_map (fun w => in_bytes 4 w []) [A s; B s; C s; D s; E s; F s; G s; H s].
+  flat_map (fun w => in_bytes 4 (value w) []) [A s; B s; C s; D s; E s; F s; G s; H s].
 
 (* The digest of a message, as the standard defines it. *)
 Definition Digest (m d : list byte) : Prop :=
@@ -191,7 +242,7 @@ Lemma window_later t w : window_at (S t) w = tl (window_at t w) ++ [scheduled (w
 Proof. revert w. induction t as [| t IH]; intro w; [reflexivity | exact (IH _)]. Qed.
 
 Lemma window_shifts t w i : length w = 16%nat -> (i < 15)%nat ->
-  nth (S i) (window_at t w) 0 = nth i (window_at (S t) w) 0.
+  nth (S i) (window_at t w) [] = nth i (window_at (S t) w) [].
 Proof.
   intros h hi. rewrite window_later. pose proof (window_length t w h) as l.
   destruct (window_at t w); [discriminate |]. cbn [tl nth].
@@ -199,7 +250,7 @@ Proof.
 Qed.
 
 Lemma window_nth w i : length w = 16%nat -> forall t, (i < 16)%nat ->
-  nth i (window_at t w) 0 = nth 0 (window_at (t + i) w) 0.
+  nth i (window_at t w) [] = nth 0 (window_at (t + i) w) [].
 Proof.
   intro h. induction i as [| i IH]; intros t hi.
   - now rewrite Nat.add_0_r.
@@ -215,7 +266,7 @@ Proof.
 Qed.
 
 Lemma W_first block t : length (words block) = 16%nat -> (t < 16)%nat ->
-  W block t = nth t (words block) 0.
+  W block t = nth t (words block) [].
 Proof. intros h ht. symmetry. exact (window_nth _ t h 0%nat ht). Qed.
 
 Lemma W_next block t : length (words block) = 16%nat ->

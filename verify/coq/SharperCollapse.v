@@ -34,7 +34,7 @@ Proof.
 Qed.
 Lemma good_after n : (forall k, (k <= n)%nat -> shown_at k) -> scope SS state_context (at_step n).
 Proof.
-  intros V. destruct (Sharper.always v good_start) as [_ G]. destruct (G n) as [P _]; [|exact P].
+  intros V. destruct (Sharper.always citations v good_start) as [_ G]. destruct (G n) as [P _]; [|exact P].
   intros k K. destruct (V k K) as (q & _ & Q). now apply vectors_standing in Q.
 Qed.
 Lemma always_shown n : forall k, (k <= n)%nat -> shown_at k.

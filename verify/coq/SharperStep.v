@@ -1,10 +1,10 @@
 (* The states of the sharper theorem: the numbers of each satisfy what AnyStep.v asks for, and the
-   certificate's next state is the one there. Sharper.v is what `verify export coq --readable` prints
-   for that certificate. *)
+   certificate's next state is the one there. Sharper.v has the lemmas of that certificate, with the
+   numbers that its terms have in a statement that cites the flow before it. *)
 From Coq Require Import Reals List Lra Lia.
 From Verify Require Import Theorem1 Vectors Motion Meaning Terms Checker Readable.
 From Verify Require Import Extension AnyStep.
-From Verify Require Gram OneStep Sharper.
+From Verify Require Citations Flow Gram OneStep Sharper.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -28,6 +28,13 @@ Definition numbers_of (v : valuation) : numbers := Numbers (v Sharper.number_of_
   (v Sharper.number_of_eta_s) (v Sharper.number_of_C) (v Sharper.number_of_a)
   (v Sharper.number_of_b) (v Sharper.number_of_A) (v Sharper.number_of_B) (v Sharper.number_of_w)
   (v Sharper.number_of_d).
+
+Lemma citations : citations_true SS.
+Proof.
+  apply (Citations.citations_closed [(Flow.the_statement, Citations.size Flow.the_statement SS)]).
+  - vm_compute. reflexivity.
+  - apply Forall_cons; [exact Flow.proved | constructor].
+Qed.
 
 (* --- the inequalities of Cauchy and Schwarz that the certificate uses --------------------------- *)
 
@@ -75,7 +82,7 @@ Qed.
 
 Ltac row_of w is_row inside :=
   refine (row_in_scope SS Sharper.the_order Sharper.the_table Sharper.the_table_is
-    Sharper.the_rows_hold Sharper.all_values _ _ _ w Sharper.all_right is_row _); exact inside.
+    (Sharper.the_rows_hold citations) Sharper.all_values _ _ _ w Sharper.all_right is_row _); exact inside.
 Definition conditions_of (c : nat) : list shown_claim :=
   map (fun a => read_claim Sharper.the_table (given_claim a))
     (flat_map (givens_of SS) (rev (around SS c))).
@@ -92,7 +99,7 @@ Proof.
   rewrite Forall_forall in I. exact (I g J).
 Qed.
 
-Section Step.
+Section SharperStep.
 Variable v : valuation.
 Hypothesis inside : scope SS state_context v.
 Notation r := (v Sharper.number_of_r).
@@ -133,11 +140,11 @@ Proof.
     apply (read_claim_right SS Sharper.the_order Sharper.the_table Sharper.the_table_is _ _ _
       Sharper.all_right).
 Qed.
-Lemma before t : 0 <= t < flight -> scope SS 5 (at_time Sharper.number_of_s t).
+Lemma before t : 0 <= t < flight -> scope SS 17 (at_time Sharper.number_of_s t).
 Proof.
   intros T. eapply at_a_time; try (vm_compute; reflexivity); try apply T. lia.
 Qed.
-Lemma meanwhile t : 0 <= t <= flight -> scope SS 6 (at_time Sharper.number_of_t t).
+Lemma meanwhile t : 0 <= t <= flight -> scope SS 18 (at_time Sharper.number_of_t t).
 Proof.
   intros T. eapply at_a_time; try (vm_compute; reflexivity); try apply T. lia.
 Qed.
@@ -185,4 +192,4 @@ Proof.
   - reflexivity.
   - unfold Sharper.A_next, impact. cbn [y A d]. unfold Sharper.kappa. fold flight. ring.
 Qed.
-End Step.
+End SharperStep.

@@ -3,7 +3,7 @@
    and so does the angle at ball 0. *)
 From Coq Require Import Reals List Lra Lia Arith.
 From Verify Require Import Theorem1 Vectors Motion Sequences Meaning Terms Readable Extension Gram OneStep.
-From Verify Require Step.
+From Verify Require AnyStep Step.
 Open Scope R_scope.
 
 Section Trajectory.
@@ -64,21 +64,8 @@ Proof.
 Qed.
 Lemma cosine_is n : minus_cosine D (scenes n) = cosine n.
 Proof.
-  destruct (always_shown n n (Nat.le_refl n)) as (q & X & [P Q PQ _ _ _ _ _ _ _]).
-  pose proof (far _ (always_good n)) as F. fold (cosine n) in PQ.
-  set (e := 1 + at_step n Step.number_of_d) in *.
-  assert (U : distance D (scenes n) B0 (collides_with (S n)) = 1) by (apply distance_one; exact P).
-  assert (W : distance D (scenes n) B0 (collides_with n) = e).
-  { unfold distance. rewrite X, dot_scaled, dot_scaled_right, Q.
-    replace (e * (e * 1)) with (e * e) by ring. apply sqrt_square. lra. }
-  assert (K : dot D (to (scenes n) B0 (collides_with (S n))) (to (scenes n) B0 (collides_with n)) =
-    - (e * cosine n)).
-  { rewrite X, dot_scaled_right, PQ. ring. }
-  assert (M : dot D (to (scenes n) B0 B1) (to (scenes n) B0 B2) = - (e * cosine n) /\
-    distance D (scenes n) B0 B1 * distance D (scenes n) B0 B2 = e).
-  { revert U W K. unfold collides_with. rewrite Nat.even_succ, <- Nat.negb_even.
-    destruct (Nat.even n); cbn [negb]; intros -> -> K; [|rewrite dot_symmetric]; split; lra. }
-  unfold minus_cosine. destruct M as [-> ->]. field. lra.
+  exact (AnyStep.cosine_of _ _ _ _ _ (always_shown n n (Nat.le_refl n)) (in_turn n)
+    (far _ (always_good n))).
 Qed.
 Lemma time_next n : time (S n) = time n + flight (at_step n).
 Proof. unfold time. now rewrite next_state, clock_next. Qed.

@@ -536,14 +536,6 @@ let read_file path =
     let text = really_input_string input (min (in_channel_length input) (1 lsl 22 + 1)) in
     close_in input; text
   with Sys_error why -> raise (Unusable why) | End_of_file -> raise (Unusable (path ^ " has changed"))
-(* The digest of a text, from the program of that name: it reads what was read here. *)
-let sha256 text =
-  let output, input = Unix.open_process_args "sha256sum" [| "sha256sum" |] in
-  output_string input text; close_out input;
-  let line = try input_line output with End_of_file -> "" in
-  ignore (Unix.close_process (output, input));
-  if String.length line < 64 then raise (Unusable "sha256sum answers nothing");
-  String.sub line 0 64
 
 (* Two files, and what lies beside them to be cited: statements, some with certificates. *)
 type pair = { statement_text : string; certificate_text : string }

@@ -14,21 +14,24 @@ import re
 from collections.abc import Callable
 from fractions import Fraction
 from importlib.resources import files
+from typing import cast
 
 from verify.language.record import Record
 from verify.language.statement import PROVED, REFUTED
-from verify.language.terms import as_term, sqrt, symbol
+from verify.language.terms import Claim, as_term, sqrt, symbol
 from verify.measure.bench import definitions_program
 from verify.measure.engines import CheckerEngine, load
 from verify.paper.commands import eigenvalues
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.groups import HYPOTHESES
 from verify.prover import balls
+from verify.prover.budget import WorkBudget
 from verify.prover.constants import MAX_BITS
 from verify.prover.outcome import Ends, Outcome
 from verify.prover.program import ExactArithmetic
 from verify.prover.proof import OpenStep
 from verify.wire.inputs import angle, rational
+from verify.wire.questions import decide, read_page_of
 
 #: The independent computation has this many bits more than the precision that was needed.
 EXTRA_BITS = 512
@@ -205,7 +208,28 @@ def run_spectrum(case: Case) -> Finding:
     return Finding(case, case.expect, POINT_BITS, lost, None, right)
 
 
+def run_claim(case: Case) -> Finding:
+    """Decide a claim about numbers, and compare; the checker's arithmetic gives a second answer."""
+    text = f'title = "{case.name}"\n[rows]\nclaim = "{case.arguments["claim"]}"\n'
+    outcome = decide(read_page_of(case.name + ".toml", text.encode(), {}).statement, WorkBudget())
+    ((row, decision),) = outcome.rows
+    claim = cast(Claim, row.claim)
+    bits = precision_needed(outcome)
+    program = definitions_program(outcome)
+    slots = [program.add(side) for side in (claim.lhs, claim.rhs)]
+    with balls.precision(bits):
+        lost = _loss(load(program, balls.BallArithmetic()).run(())[claim.rhs - claim.lhs], bits)
+    engine = CheckerEngine()
+    with engine.at(bits + EXTRA_BITS):
+        values = load(program, engine).run(()).values
+        lhs, rhs = (engine.ends(values[slot]) for slot in slots)
+    same = lhs[1] < rhs[0] if decision.verdict == PROVED else rhs[1] < lhs[0]
+    right = same and decision.verdict == case.expect
+    return Finding(case, decision.verdict, bits, lost or 0.0, None, right)
+
+
 RUNNERS: dict[str, Callable[[Case], Finding]] = {
     "theorem1": run_theorem1,
     "spectrum": run_spectrum,
+    "claim": run_claim,
 }

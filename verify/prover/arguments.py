@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from verify.language import argument
 from verify.language.argument import Argument, Chapter, Defined, Line, Opened, Reason
 from verify.language.statement import PROVED, Context, Obligation, Statement
@@ -67,25 +69,27 @@ class Writing:
         self.session.prove_row(row, proof)
 
 
+#: The rules that take just what a reason has.
+_SAME: dict[Any, Any] = {
+    argument.BySum: rules.Sum,
+    argument.ByInstance: rules.Instance,
+    argument.ByApplying: rules.Applying,
+    argument.ByRoot: rules.Root,
+    argument.ByInduction: rules.Induction,
+}
+
+
 def proof_of(reason: Reason) -> Proof:
     """The proof by the rule of the same name."""
     match reason:
-        case argument.BySum():
-            return rules.Sum(*reason)
         case argument.ByLeast():
             branches = tuple(map(proof_of, reason.branches))
             return rules.Least(reason.side, branches, reason.equation)
         case argument.ByEntry():
             return rules.Entry(reason.side, reason.equation)
-        case argument.ByInstance():
-            return rules.Instance(reason.fact, reason.values, reason.givens)
-        case argument.ByApplying():
-            return rules.Applying(reason.givens)
-        case argument.ByRoot():
-            return rules.Root()
         case argument.ByInterval():
             return rules.Interval(NUMBER_BITS)
-        case argument.ByInduction():
-            return rules.Induction(reason.start, reason.next)
         case argument.ToBeFound():
             raise TypeError("this proof has to be found")
+    found: Proof = _SAME[type(reason)](*reason)
+    return found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from operator import le, lt
 from typing import Any
 
 from verify.language.record import Record
@@ -22,14 +23,6 @@ class Meaning(Record):
     fails: Callable[[Any, Any], bool]
 
 
-def _at_most(x: Any, y: Any) -> bool:
-    return bool(x <= y)
-
-
-def _below(x: Any, y: Any) -> bool:
-    return bool(x < y)
-
-
 def _equal(x: Any, y: Any) -> bool:
     return bool(x <= y) and bool(y <= x)
 
@@ -39,8 +32,8 @@ def _different(x: Any, y: Any) -> bool:
 
 
 MEANINGS = {
-    "<": Meaning(_below, lambda x, y: _at_most(y, x)),
-    "<=": Meaning(_at_most, lambda x, y: _below(y, x)),
+    "<": Meaning(lt, lambda x, y: y <= x),
+    "<=": Meaning(le, lambda x, y: y < x),
     "=": Meaning(_equal, _different),
 }
 
@@ -51,7 +44,7 @@ def holds(relation: str, x: Any, y: Any) -> bool:
     Raises:
         KeyError: for an unknown relation.
     """
-    return MEANINGS[relation].holds(x, y)
+    return bool(MEANINGS[relation].holds(x, y))
 
 
 def fails(relation: str, x: Any, y: Any) -> bool:
@@ -60,7 +53,7 @@ def fails(relation: str, x: Any, y: Any) -> bool:
     Raises:
         KeyError: for an unknown relation.
     """
-    return MEANINGS[relation].fails(x, y)
+    return bool(MEANINGS[relation].fails(x, y))
 
 
 def negation(claim: Claim) -> Claim | None:

@@ -16,6 +16,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import partial
+from operator import add, sub
 
 from verify.language.record import Record
 from verify.prover import balls
@@ -45,8 +47,8 @@ class SlopeArithmetic:
 
     def __init__(self, cell: Sequence[Side]) -> None:
         self._operations: dict[str, Callable[..., Slope]] = {
-            "add": self._add,
-            "sub": self._sub,
+            "add": partial(self._linear, add),
+            "sub": partial(self._linear, sub),
             "mul": self._mul,
             "div": self._div,
             "neg": self._neg,
@@ -84,23 +86,15 @@ class SlopeArithmetic:
             total = total + slope * offset
         return Slope(centre, plain.intersection(total), slopes)
 
-    def _add(self, a: Slope, b: Slope) -> Slope:
+    def _linear(self, operation: Callable[[Ball, Ball], Ball], a: Slope, b: Slope) -> Slope:
         if a.slopes is None or b.slopes is None:
             slopes = None
         elif b.slopes is self._flat:
             slopes = a.slopes
         else:
-            slopes = tuple([x + y for x, y in zip(a.slopes, b.slopes, strict=True)])
-        return self._sharpened(a.centre + b.centre, a.range + b.range, slopes)
-
-    def _sub(self, a: Slope, b: Slope) -> Slope:
-        if a.slopes is None or b.slopes is None:
-            slopes = None
-        elif b.slopes is self._flat:
-            slopes = a.slopes
-        else:
-            slopes = tuple([x - y for x, y in zip(a.slopes, b.slopes, strict=True)])
-        return self._sharpened(a.centre - b.centre, a.range - b.range, slopes)
+            slopes = tuple(map(operation, a.slopes, b.slopes))
+        centre, whole = operation(a.centre, b.centre), operation(a.range, b.range)
+        return self._sharpened(centre, whole, slopes)
 
     def _neg(self, a: Slope) -> Slope:
         slopes = None if a.slopes is None else tuple([-x for x in a.slopes])

@@ -18,7 +18,7 @@ from verify.language.statement import (
     Obligation,
     Publication,
 )
-from verify.language.terms import Claim, names_of
+from verify.language.terms import Claim, names_of, symbol
 from verify.language.typeset import Typesetter
 from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
@@ -26,9 +26,9 @@ from verify.prover.proof import Premise, Shape, shapes
 from verify.prover.relations import negation
 from verify.prover.rules import RULES, Sum, Witness, rule_of
 from verify.prover.uses import Node, nodes
-from verify.views.plain import plain_letters
 from verify.views.point import parameters_told
-from verify.views.words import SIGNS, ends_of, fair, letters, short_name, sides_of, values_told
+from verify.views.row_lists import plain_letters
+from verify.views.words import SIGNS, ends_of, fair, letters, short_name, sides_of
 
 Row = tuple[Obligation, Decision]
 
@@ -151,7 +151,8 @@ def _proof(proof: Premise, typesetter: Typesetter) -> Iterator[str]:
 def _field(shape: Shape, value: Any, typesetter: Typesetter) -> str:
     """A field within a sentence; a list of proofs counts them."""
     if shape.form == "table":
-        return values_told(value, typesetter)
+        texts = ((name, _field(shape.of[0], item, typesetter)) for name, item in value.items())
+        return ", ".join(f"{typesetter.term(symbol(name))} = {text}" for name, text in texts)
     if shape.form in ("list", "row"):
         return str(len(value))
     if shape.of == ("claim",):

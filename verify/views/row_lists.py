@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from verify.language.simplify import simplified, simplified_claim
 from verify.language.statement import (
     NEEDED,
     OTHERWISE,
@@ -14,15 +15,17 @@ from verify.language.statement import (
     REPAIRED,
     SEVERITIES,
     UNDECIDED,
+    Always,
+    Applies,
     Obligation,
     Publication,
 )
-from verify.language.terms import Claim
+from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
-from verify.prover.decimals import outward, people, short
+from verify.prover.decimals import exact_number, outward, people, short
 from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views import words
-from verify.views.plain import plain_letters
+from verify.views.words import letters
 
 #: Where the rest is.
 MORE = "All rows: -v; some: --rows NAME; one with its proof: verify explain NAME."
@@ -153,3 +156,31 @@ def _margin(decision: Decision, sides: tuple[Ends, Ends]) -> str:
         return ""
     sign = "" if decision.verdict == PROVED else "-"
     return f"margin {sign}{people(outward((gap, gap), 3)[0])}"
+
+
+# --- terms that are easy to read -----------------------------------------------------------------
+
+#: Fractions with a smaller denominator stay fractions.
+LONG = 100
+
+
+class PlainTypesetter(Typesetter):
+    """Writes terms that have the same values as those that it is given, and are easier to read."""
+
+    def claim(self, claim: Claim | Applies | Always) -> str:
+        """The claim, its sides simplified."""
+        return super().claim(simplified_claim(claim) if isinstance(claim, Claim) else claim)
+
+    def term(self, term: Term) -> str:
+        """The term, simplified."""
+        return super().term(simplified(term))
+
+    def _write(self, term: Term) -> str:
+        if term.op == "rational" and term.value.denominator >= LONG:
+            return exact_number(term.value)
+        return super()._write(term)
+
+
+def plain_letters(outcome: Outcome) -> PlainTypesetter:
+    """A typesetter in the letters of an outcome, for what is shown and not checked."""
+    return PlainTypesetter(letters(outcome).letters)

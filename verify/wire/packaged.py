@@ -1,13 +1,14 @@
-"""The certificates that come with the program: they are cited, and not checked in each run."""
+"""What comes with the program: certificates that are not checked in each run; what Coq checked."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cache
 from hashlib import sha256
 
 from verify.language.errors import OwnError
+from verify.language.record import Record
 
 #: The folder with copies of some of those in `certificates`.
 PACKAGED = os.path.join(os.path.dirname(os.path.dirname(__file__)), "data")
@@ -127,3 +128,38 @@ def packaged_certificate(digest: str) -> bytes:
         if files["statement.json"] == digest:
             return packaged_files(name)[1]
     return b""
+
+
+# --- what Coq has checked ------------------------------------------------------------------------
+
+
+class Checked(Record):
+    """The version of Coq, and for each pair of statement and certificate the seconds it took."""
+
+    version: str
+    seconds: dict[tuple[str, str], int]
+
+    def of(self, pairs: Iterable[Mapping[str, str]]) -> list[int | None]:
+        """For each pair the seconds, or none if Coq has not checked these very files.
+
+        A pair is given by the digests of its files.
+        """
+        return [
+            self.seconds.get((digests["statement.json"], digests["certificate.json"]))
+            for digests in pairs
+        ]
+
+
+def checked() -> Checked:
+    """The committed record."""
+    import json  # loaded only where it is used
+
+    with open(os.path.join(PACKAGED, "coq.json"), encoding="utf-8") as file:
+        record = json.load(file)
+    return Checked(
+        record["coq"],
+        {
+            (item["statement_sha256"], item["certificate_sha256"]): item["seconds"]
+            for item in record["certificates"]
+        },
+    )

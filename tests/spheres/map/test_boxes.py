@@ -115,7 +115,7 @@ def test_a_verdict_depends_on_its_box_alone() -> None:
     together = verdicts(plane, keys)
     for i in rng.sample(range(len(keys)), 40):
         assert verdicts(plane, keys[i : i + 1]) == Verdicts(
-            together.letters[i], [together.numbers[i]]
+            together.letters[i], [together.numbers[i]], [0] * (i in together.late)
         )
 
 

@@ -16,8 +16,8 @@ from verify import check_map
 from verify.cli import main
 from verify.spheres.map.axes import axis_in, plane_in
 from verify.spheres.map.boxes import verdicts
-from verify.spheres.map.grow import Target, grow
-from verify.spheres.map.log import Progress
+from verify.spheres.map.grow import Target, decide_chunk, grow
+from verify.spheres.map.log import Progress, plane_document
 from verify.spheres.map.planes import Scenes
 from verify.spheres.map.workers import workers
 from verify.spheres.scene.decide import decide_scene
@@ -280,3 +280,23 @@ def test_an_axis_is_in_the_unit_of_the_file() -> None:
     plane = plane_of(text, "positions[1][0]=3..4", "velocities[1][0]=-1..-0.5")
     assert plane.coordinates.x[1] == [("/", "x", Fraction(2))]
     assert plane.coordinates.x[2] == [Fraction(-3, 2)]
+
+
+NEAR_A_LINE = """r = "0.05..0.06"
+positions  = [[0, 0], ["1.01", 0], ["-1.05", "0.001"]]
+velocities = [[0, 0], [-1, 0], [1, 0]]
+"""
+
+
+def test_what_the_checker_does_not_follow_is_undecided() -> None:
+    """So many collisions are certain in doubles, and not in the numbers of the checker."""
+    plane = plane_of(NEAR_A_LINE, "r")
+    keys = ["10101011000", "11111111111"]
+    chunk, _ = decide_chunk(plane, keys)
+    assert chunk.letters == "ud"
+    checked = check_map.plane_of(plane_document(plane))
+    law = check_map.law_in(checked)
+    begin = check_map.beginning(law, checked)
+    with pytest.raises(check_map.RefusedError, match="which collision is the next"):
+        check_map.prove_box(law, begin, keys[0], "d", [])
+    check_map.prove_box(law, begin, keys[1], "d", [])

@@ -27,8 +27,8 @@ DECIDING = (
 )
 #: Of these files, for each code. Where one of them has changed: the next code, or, if no verdict
 #: and no number can have changed, another digest for this code.
-DIGEST = "91b8f2c7546201f6efff5a6755569ac991edb171360a7a52344ae8e38f4252ff"
-DIGESTS = {2: DIGEST, 4: DIGEST}
+DIGEST = "87b507fd699d466f751f5483ddad96f5a664cd769f103423033b5d61143f25ab"
+DIGESTS = {2: DIGEST, 5: DIGEST}
 
 
 def test_other_code_has_another_number() -> None:

@@ -35,8 +35,8 @@ from verify.views.material import (
     Region,
     Story,
 )
-from verify.wire.coq.record import checked
 from verify.wire.judge import with_verdicts
+from verify.wire.packaged import checked
 from verify.wire.read import read
 from verify.wire.term_json import WireError
 

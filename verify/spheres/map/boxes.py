@@ -48,10 +48,14 @@ NOTHING = (Fraction(0), Fraction(0))
 
 
 class Verdicts(Record):
-    """One letter a box, and for each box the numbers of the branches that collapse."""
+    """One letter a box, and for each box the numbers of the branches that collapse.
+
+    ``late`` are the places of boxes with more collisions than the checker surely follows.
+    """
 
     letters: str
     numbers: list[list[tuple[int, ...]]]
+    late: Sequence[int] = ()
 
 
 def corners(keys: Sequence[str]) -> tuple[list[int], list[int]]:
@@ -110,7 +114,7 @@ class _Boxes:
 
     def __init__(self, size: int) -> None:
         self.collapse, self.disperse, self.unclear = (np.zeros(size, bool) for _ in range(3))
-        self.branches = np.ones(size, int)
+        self.branches, self.late = np.ones(size, int), np.zeros(size, bool)
         self.numbers: list[list[tuple[int, ...]]] = [[] for _ in range(size)]
 
     def closed(self, boxes: Array, numbers: Array) -> None:
@@ -141,7 +145,7 @@ class _Boxes:
         good = self.open() & (self.collapse | self.disperse)
         names = np.where(good, np.where(self.collapse, COLLAPSES, DISPERSES), UNDECIDED)
         numbers = [n if c == COLLAPSES else [] for n, c in zip(self.numbers, names, strict=True)]
-        return Verdicts("".join(names.tolist()), numbers)
+        return Verdicts("".join(names.tolist()), numbers, np.flatnonzero(good & self.late).tolist())
 
 
 def verdicts(plane: Plane | BorderStrip, keys: Sequence[str]) -> Verdicts:
@@ -169,9 +173,10 @@ def _and_more(
         return found
     others = more([keys[i] for i in left])
     letters, numbers = list(found.letters), found.numbers
+    late = [*found.late, *(left[i] for i in others.late)]
     for i, letter, sixes in zip(left, others.letters, others.numbers, strict=True):
         letters[i], numbers[i] = letter, sixes
-    return Verdicts("".join(letters), numbers)
+    return Verdicts("".join(letters), numbers, late)
 
 
 def finitely_many(plane: Scenes, keys: Sequence[str]) -> Verdicts:
@@ -298,6 +303,7 @@ def follow(
         rest = np.ones(len(owners), bool)
         rest[shown] = False
         if collisions >= MAX_COLLISIONS:
+            boxes.late[owners] = True
             boxes.unclear[owners[rest & _may_go_on(some_of(interval, owners), state)]] = True
         rest &= boxes.open()[owners]
         state, owners = take(state, rest), owners[rest]

@@ -9,9 +9,10 @@ from fractions import Fraction
 from functools import partial
 from typing import BinaryIO
 
+from verify import check_map
 from verify.language.record import Record
-from verify.spheres.map.boxes import verdicts
-from verify.spheres.map.log import Chunk, Progress
+from verify.spheres.map.boxes import UNDECIDED, Verdicts, verdicts
+from verify.spheres.map.log import Chunk, Progress, plane_document
 from verify.spheres.map.planes import Plane
 from verify.spheres.map.strip import BorderStrip
 from verify.spheres.map.workers import Workers
@@ -36,13 +37,32 @@ class Sample(Record):
 def decide_chunk(plane: Plane | BorderStrip, keys: list[str]) -> tuple[Chunk, float]:
     """The verdicts on some boxes, and the CPU seconds that they took."""
     before = time.process_time()
-    found = verdicts(plane, keys)
+    found = _confirmed(plane, keys, verdicts(plane, keys))
     numbers = [
         [number for six in sixes for number in six]
         for letter, sixes in zip(found.letters, found.numbers, strict=True)
         if letter == "c"
     ]
     return Chunk(keys, found.letters, numbers), time.process_time() - before
+
+
+def _confirmed(plane: Plane | BorderStrip, keys: list[str], found: Verdicts) -> Verdicts:
+    """The verdicts without those of late boxes that the checker does not follow as far."""
+    if not found.late:
+        return found
+    checked = check_map.plane_of(plane_document(plane))
+    law = check_map.law_in(checked)
+    begin = check_map.beginning(law, checked)
+    rules = check_map.Rules(check_map.price_of(checked), check_map.on_a_line(checked))
+    letters = list(found.letters)
+    for i in found.late:
+        flat = [number for six in found.numbers[i] for number in six]
+        try:
+            numbers = check_map.sixes(flat, letters[i], 0 if rules.is_line else 6)
+            check_map.prove_box(law, begin, keys[i], letters[i], numbers, None, rules)
+        except check_map.RefusedError:
+            letters[i] = UNDECIDED
+    return found._replace(letters="".join(letters))
 
 
 def is_reached(goal: Target, progress: Progress) -> bool:

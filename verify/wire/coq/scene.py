@@ -1,8 +1,10 @@
-"""What the certificate of a scene that disperses says of its three balls: a theorem in Coq.
+"""What the certificate of a scene says of its three balls: a theorem in Coq.
 
 Each collision of the certificate applies the flow; `verify/coq/FlowStep.v` takes the inner products
 of the balls' places and velocities through it, and `verify/coq/Runs.v` makes a trajectory of them.
-Which ball is which is found by comparing the first numbers with the scene; Coq checks that.
+A scene that disperses ends in three pairs that never meet again; one that collapses applies the
+sharper theorem to the state that the last collision leaves (`verify/coq/FlowCollapse.v`). Which
+ball is which is found by comparing the first numbers with the scene; Coq checks that.
 """
 
 from __future__ import annotations
@@ -24,14 +26,26 @@ STEP = (
     "w_next", "eps_next",
 )  # fmt: skip
 PAIRS = ("01", "02", "12")
+#: What follows the numbers of a state in ``recentred`` of FlowCollapse.v, and the state after it.
+RECENTRED = tuple(f"{x}_next" for x in ("lam", "rho", "eps", "sig", "A", "C", "a", "b", "w"))
+SEEN = (*(f"{x}_next" for x in STATE[1:6]), "B", *(f"{x}_next" for x in STATE[7:]))
+#: The numbers of ``unit_numbers`` there, and of a state in AnyStep.v at the start.
+UNIT = (
+    "v", "lam", "rho", "eps", "sig", "C", "b", "reach", "closing", "parting", "cosine", "turning",
+    "distance",
+)  # fmt: skip
+START = tuple(f"{x}_start" for x in ("y", "eta_s", "C", "a", "b", "A", "B", "w", "d"))
+#: The rows that bound the time of a collapse and its angle.
+BOUNDS = ("time-from", "time-to", "angle-from", "angle-to")
 ENDS = {"flow:parting", "flow:passing"}
-REASON = "it is no scene that disperses after collisions of one ball with the two others"
+COLLAPSE = ["flow:unit", "sharper:start"]
+REASON = "it is no scene that disperses or collapses after collisions, each seen from one ball"
 
 HEAD = """
 (* --- three balls --- *)
 
 From Coq Require Import Lra.
-From Verify Require Theorem1 Motion Citations Flow FlowStep FlowScene Runs.
+From Verify Require Theorem1 Motion Citations Flow FlowStep FlowScene Runs MODULES.
 
 Lemma the_beginning : Citations.begins Flow.the_statement the_statement
   (Citations.size Flow.the_statement the_statement) = true.
@@ -39,10 +53,11 @@ Proof. vm_compute. reflexivity. Qed.
 Lemma the_citations_are_true : citations_true the_statement.
 Proof.
   apply (Citations.citations_closed
-    [(Flow.the_statement, Citations.size Flow.the_statement the_statement)]).
+    [CITED]).
   - vm_compute. reflexivity.
-  - apply Forall_cons; [exact Flow.proved | constructor].
+  - repeat apply Forall_cons; [PROOFS | constructor].
 Qed."""
+CITED = "(MODULE.the_statement, Citations.size MODULE.the_statement the_statement)"
 
 
 def about_scene(reading: Reading) -> list[str]:
@@ -54,11 +69,20 @@ def about_scene(reading: Reading) -> list[str]:
     found = reading.statement.rows.values()
     rows = [Applied(row.name, row.claim) for row in found if isinstance(row.claim, check.Applies)]
     contexts = [row.claim.context.name for row in rows]
-    collisions = contexts.count("flow:collision")
-    expected = ["flow:collision"] * collisions + ["flow:pairs"] * (collisions > 0)
-    if contexts[:-3] != expected or not {*contexts[-3:]} <= ENDS or len(contexts) < len(PAIRS):
+    collapses = contexts[-2:] == COLLAPSE
+    last = 2 if collapses else len(PAIRS)
+    steps, ends = rows[:-last], rows[-last:]
+    if steps and steps[-1].kind == "flow:pairs" and not collapses:
+        steps.pop()
+    ordered = all(
+        row.kind == "flow:collision"
+        or (row.kind == "flow:recentre" and before == after == "flow:collision")
+        for before, row, after in _neighbours(steps)
+    )
+    ended = collapses or (len(ends) == last and {row.kind for row in ends} <= ENDS)
+    if not (ordered and ended and (steps or not collapses)):
         raise NotAcceptedError(REASON)
-    return [*Scene(reading, rows[:collisions], rows[-3:]).told()]
+    return [*Scene(reading, steps, ends, collapses=collapses).told()]
 
 
 class Applied(NamedTuple):
@@ -67,12 +91,27 @@ class Applied(NamedTuple):
     name: str
     claim: check.Applies
 
+    @property
+    def kind(self) -> str:
+        """The context that it applies."""
+        return self.claim.context.name
+
+
+def _neighbours(rows: list[Applied]) -> Iterator[tuple[str, Applied, str]]:
+    """Each row, between what the one before it and the one after it apply."""
+    kinds = ["", *(row.kind for row in rows), ""]
+    yield from zip(kinds, rows, kinds[2:], strict=False)
+
 
 class Scene:
-    """A scene with its collisions and its three last rows."""
+    """A scene with its collisions, the balls from which they are seen, and its last rows."""
 
-    def __init__(self, reading: Reading, collisions: list[Applied], ends: list[Applied]) -> None:
-        self.reading, self.collisions, self.ends = reading, collisions, ends
+    def __init__(
+        self, reading: Reading, steps: list[Applied], ends: list[Applied], *, collapses: bool
+    ) -> None:
+        self.reading, self.steps, self.ends, self.collapses = reading, steps, ends, collapses
+        self.collisions = [row for row in steps if row.kind == "flow:collision"]
+        self.meetings: list[str] = []
         self.form = Readable(reading)
         self.places, self.velocities = self.coordinates("x"), self.coordinates("v")
         self.dimension = len(self.places[0])
@@ -118,24 +157,45 @@ class Scene:
     def at(self, row: Applied) -> dict[str, str]:
         """The terms for the variables of a context of the flow, in ordinary notation."""
         items = row.claim.context.variables.items()
+        kind = row.kind.rpartition(":")[2]
         return {
-            name.rpartition(":")[2]: self.form.notation.term(row.claim.at[x], 4)
+            name.rpartition(":")[2].removeprefix(f"{kind}."): self.form.notation.term(
+                row.claim.at[x], 4
+            )
             for name, x in items
         }
 
     def told(self) -> Iterator[str]:
         """All that is added."""
-        names = [row.name for row in (*self.collisions, *self.ends)]
-        yield from readable(self.reading, self.form, names)
-        yield HEAD
+        names = [row.name for row in (*self.steps, *self.ends)]
+        yield from readable(self.reading, self.form, [*names, *BOUNDS * self.collapses])
+        yield self.head()
         yield self.scene()
         o, s, c = self.balls
         if self.collisions:
             yield self.first()
-        for n, row in enumerate(self.collisions, 1):
-            yield self.collision(n, row, (o, s, c))
-            s, c = c, s
-        yield self.last((o, s, c))
+        n = 0
+        for row in self.steps:
+            if row.kind == "flow:recentre":
+                yield self.recentre(n, row, (o, s, c))
+                o, s = s, o
+            else:
+                n += 1
+                yield self.collision(n, row, (o, s, c))
+                self.meetings.append(f"(Theorem1.B{o}, Theorem1.B{c}, the_time_{n})")
+                s, c = c, s
+        yield self.collapse((o, s, c)) if self.collapses else self.last((o, s, c))
+
+    def head(self) -> str:
+        """What is cited, and that it is proved."""
+        modules = ["Flow", "Sharper"] if self.collapses else ["Flow"]
+        proofs = ["exact Flow.proved", "exact (Sharper.proved SharperStep.citations)"]
+        more = "FlowCollapse AnyStep Sharper SharperStep SharperCollapse" * self.collapses
+        return (
+            HEAD.replace(" MODULES", f" {more}".rstrip())
+            .replace("CITED", ";\n     ".join(CITED.replace("MODULE", name) for name in modules))
+            .replace("PROOFS", " | ".join(proofs[: len(modules)]))
+        )
 
     def scene(self) -> str:
         """The scene that is given."""
@@ -179,10 +239,31 @@ Qed."""
             f"    ({self.form.notation.name(row.name)} the_citations_are_true))"
         )
 
+    def recentre(self, n: int, row: Applied, balls: tuple[int, int, int]) -> str:
+        """The state after collision n as it is seen from the ball that was struck."""
+        o, s, c = (f"Theorem1.B{ball}" for ball in balls)
+        here, label = self.at(row), f"recentre_{n}"
+        numbers = (*STATE, *RECENTRED)
+        rewritten = ",\n    ".join(
+            f"(the_numbers_{label} Flow.number_of_recentre_{name} _ eq_refl)" for name in numbers
+        )
+        state = " ".join(("1", *(here[name] for name in SEEN)))
+        return f"""{self.substitution(label, row)}
+Lemma the_certified_{label} : FlowCollapse.recentred {" ".join(here[name] for name in numbers)}.
+Proof.
+  pose proof (FlowCollapse.recentre_certified _ {self.certified(row, 4, label)}) as A.
+  rewrite {rewritten} in A. exact A.
+Qed.
+Lemma the_seen_{label} : FlowStep.gram {self.dimension} the_scene_{n} {s} {o} {c} {state}.
+Proof. eapply FlowCollapse.seen_from_s; [exact the_seen_{n} | exact the_certified_{label}]. Qed.
+Lemma the_apart_{label} : 0 < {here["eps_next"]}.
+Proof. eapply FlowCollapse.apart_seen; [exact the_seen_{label} | apply the_clear_{n}]. Qed."""
+
     def collision(self, n: int, row: Applied, balls: tuple[int, int, int]) -> str:
         """One collision: what the certificate says, the scene after it, and its numbers."""
         o, s, c = (f"Theorem1.B{ball}" for ball in balls)
         here, d, before = self.at(row), self.dimension, n - 1
+        seen = f"recentre_{before}" if self.recentred(row) else f"{before}"
         values = " ".join(here[name] for name in ("r", *STATE, *STEP))
         rewritten = ",\n    ".join(
             f"(the_numbers_{n} Flow.number_of_{name} _ eq_refl)"
@@ -191,7 +272,7 @@ Qed."""
         rho = f"({here['r']} * {here['s']})"
         after = (here["y"], here["lam_next"], rho, here["eps_next"], "0")
         state = " ".join((*after, *(here[f"{name}_next"] for name in STATE[5:])))
-        here_too = f"repeat split; discriminate | exact the_seen_{before}"
+        here_too = f"repeat split; discriminate | exact the_seen_{seen}"
         given = f"exact the_certified_{n} | exact the_later_{n} | {here_too}"
         return f"""{self.substitution(str(n), row)}
 Lemma the_certified_{n} : FlowStep.flow_collision {values}.
@@ -200,7 +281,7 @@ Proof.
   rewrite {rewritten} in A. exact A.
 Qed.
 Lemma the_later_{n} : 0 < {here["kap"]}.
-Proof. eapply FlowStep.kap_positive; [exact the_certified_{n} | exact the_apart_{before}]. Qed.
+Proof. eapply FlowStep.kap_positive; [exact the_certified_{n} | exact the_apart_{seen}]. Qed.
 Definition the_time_{n} : R := FlowStep.flight_time {here["y"]} {here["T"]}.
 Definition the_scene_{n} : Theorem1.scene :=
   Theorem1.collided {d} {here["r"]} {o} {c} (Theorem1.later the_time_{n} the_scene_{before}).
@@ -209,10 +290,10 @@ Proof. eapply FlowStep.flow_meets with (i := {s}); [{given}]. Qed.
 Lemma the_seen_{n} : FlowStep.gram {d} the_scene_{n} {o} {c} {s} {state}.
 Proof. eapply FlowStep.flow_next; [exact the_certified_{n} | {here_too}]. Qed.
 Lemma the_clear_{n} : 1 <= Motion.square {d} the_scene_{n} {o} {c} /\\
-  1 <= Motion.square {d} the_scene_{n} {o} {s} /\\ 1 <= Motion.square {d} the_scene_{n} {c} {s}.
+  1 < Motion.square {d} the_scene_{n} {o} {s} /\\ 1 < Motion.square {d} the_scene_{n} {c} {s}.
 Proof.
   eapply FlowStep.flow_apart_after;
-    [exact the_certified_{n} | exact the_later_{n} | exact the_seen_{before}].
+    [exact the_certified_{n} | exact the_later_{n} | exact the_seen_{seen}].
 Qed.
 Lemma the_apart_{n} : 0 < {here["eps_next"]}.
 Proof. apply the_certified_{n}. Qed."""
@@ -221,13 +302,7 @@ Proof. apply the_certified_{n}. Qed."""
         """No pair meets again, and the theorem."""
         n, d = len(self.collisions), self.dimension
         texts = "".join(self.end(i, row) for i, row in enumerate(self.ends))
-        meetings, roles = [], list(self.balls)
-        for i in range(1, n + 1):
-            meetings.append(f"(Theorem1.B{roles[0]}, Theorem1.B{roles[2]}, the_time_{i})")
-            roles[1:] = reversed(roles[1:])
-        kernel = self.reading.kernel
-        r = self.form.notation.term(kernel.definitions[kernel.names["r"]], 4)
-        steps = (f"split; [discriminate|]. split; [exact the_meets_{i}|]." for i in range(1, n + 1))
+        r = self.restitution()
         again = self.by_state(balls) if n else self.by_numbers(balls)
         return f"""{texts}
 Lemma the_end : forall t, 0 < t -> Theorem1.nobody_collides {d} (Theorem1.later t the_scene_{n}).
@@ -236,11 +311,124 @@ Qed.
 
 (* {len(self.collisions)} collisions, and then none. *)
 Theorem three_balls : Runs.disperses {d} {r} the_scene_0
-  [{"; ".join(meetings)}].
+  [{"; ".join(self.meetings)}].
 Proof.
-  refine (Runs.run_disperses {d} {r} the_scene_0 _ the_scene_{n} _ the_end). cbn [Runs.run].
-  {" ".join(steps)} reflexivity.
+  refine (Runs.run_disperses {d} {r} the_scene_0 _ the_scene_{n} _ the_end). {self.run()}
 Qed."""
+
+    def restitution(self) -> str:
+        """The number r of the scene."""
+        kernel = self.reading.kernel
+        return self.form.notation.term(kernel.definitions[kernel.names["r"]], 4)
+
+    def run(self) -> str:
+        """The proof that the collisions are those, one after the other."""
+        steps = (
+            f"split; [discriminate|]. split; [exact the_meets_{i}|]."
+            for i in range(1, len(self.collisions) + 1)
+        )
+        return f"cbn [Runs.run].\n  {' '.join(steps)} reflexivity."
+
+    def recentred(self, row: Applied) -> bool:
+        """Whether the collision of this row is seen from another ball than the one before it."""
+        at = self.steps.index(row)
+        return at > 0 and self.steps[at - 1].kind == "flow:recentre"
+
+    def collapse(self, balls: tuple[int, int, int]) -> str:
+        """The sharper theorem for the state after the last collision, and the theorem."""
+        o, s, c = (f"Theorem1.B{ball}" for ball in balls)
+        n, d, r = len(self.collisions), self.dimension, self.restitution()
+        unit, start = map(self.at, self.ends)
+        at_unit, at_start = (
+            ", ".join(f"(the_numbers_{label} {module}{name} _ eq_refl)" for name in names)
+            for label, module, names in (
+                ("unit", "Flow.number_of_unit_", UNIT),
+                ("collapse", "Sharper.number_of_", START),
+            )
+        )
+        said = ", ".join(
+            f"(the_numbers_collapse Sharper.number_of_{name} _ eq_refl)"
+            for name in ("r", "p", "Y", "T", "eta_0", "C_0", "Theta")
+        )
+        limit = f"(Sharper.duration {start['p']} {start['Y']} {start['T']} * {start['eta_0']})"
+        bounds = self.bounds()
+        time_from, time_to, angle_from, angle_to = (
+            f"({self.form.notation.name(name)} the_citations_are_true)" for name in BOUNDS
+        )
+        times = ", ".join(f"the_time_{i}" for i in range(1, n + 1))
+        return f"""{self.substitution("unit", self.ends[0])}
+Lemma the_unit : FlowCollapse.unit_numbers {" ".join(unit[name] for name in UNIT)}.
+Proof.
+  pose proof (FlowCollapse.unit_certified _ {self.certified(self.ends[0], 8, "unit")}) as A.
+  rewrite {at_unit} in A. exact A.
+Qed.{self.substitution("collapse", self.ends[1])}
+Definition the_start := after the_statement (fun _ => 0) the_at_collapse.
+Lemma the_start_is_good : scope SharperStep.SS SharperStep.start_context the_start.
+Proof.
+  apply FlowCollapse.sharper_of_row; [vm_compute; reflexivity|].
+  exact ({self.form.notation.name(self.ends[1].name)} the_citations_are_true).
+Qed.
+Definition the_renamed_scene := Runs.renamed {o} {s} {c} the_scene_{n}.
+Lemma the_state : AnyStep.has (SharperStep.numbers_of
+  (after SharperStep.SS the_start SharperStep.start)) {d} the_renamed_scene Theorem1.B1 Theorem1.B2.
+Proof.
+  rewrite FlowCollapse.first_numbers. unfold the_start.
+  rewrite {at_start}.
+  eapply FlowCollapse.unit_state; [exact the_seen_{n} | exact the_unit].
+Qed.
+Lemma the_collapse : Theorem1.collapse {d} {r} the_renamed_scene
+  {limit} {start["C_0"]} {start["Theta"]}.
+Proof.
+  pose proof (SharperCollapse.sharper_collapse the_start the_start_is_good {d} _ the_state) as A.
+  unfold SharperCollapse.latest, the_start in A.
+  rewrite {said} in A. exact A.
+Qed.
+
+(* {n} collisions, and then collisions without end. *)
+Theorem three_balls : Runs.collapses_after {d} {r} the_scene_0
+  [{"; ".join(self.meetings)}] {o} {s} {c}
+  {" ".join(bounds)}.
+Proof.
+  refine (FlowCollapse.collapses_from {d} {r} the_scene_0 _ the_scene_{n} {o} {s} {c}
+    _ _ _ _ _ _ _ _ _ the_collapse _ _ _ _).
+  - repeat split; discriminate.
+  - {self.run()}
+  - pose proof {time_from} as A. revert A. unfold Runs.lasts, {times}, FlowStep.flight_time,
+      {self.clocks()}. cbn [fold_right snd]. lra.
+  - pose proof {time_to} as A. revert A. unfold Runs.lasts, {times}, FlowStep.flight_time,
+      {self.clocks()}. cbn [fold_right snd]. intros A.
+    refine (Rle_trans _ _ _ (Rplus_le_compat_l _ _ _ (FlowCollapse.duration_at_most _ _ _ _
+      {self.duration()} _ _)) _); lra.
+  - pose proof {angle_from} as A. lra.
+  - pose proof {angle_to} as A. lra.
+Qed."""
+
+    def bounds(self) -> list[str]:
+        """The bounds of the time and of the angle."""
+        rows, term = self.reading.statement.rows, self.form.notation.term
+        claims = {name: rows[name].claim for name in BOUNDS if name in rows}
+        if len(claims) < len(BOUNDS) or not all(
+            isinstance(x, check.Claim) for x in claims.values()
+        ):
+            raise NotAcceptedError(REASON)
+        return [
+            term(claim.lhs if name.endswith("from") else claim.rhs, 4)
+            for name, claim in claims.items()
+            if isinstance(claim, check.Claim)
+        ]
+
+    def duration(self) -> str:
+        """How long the collapse takes at most, from the last collision on: a term of a bound."""
+        claim, kernel = self.reading.statement.rows["time-to"].claim, self.reading.kernel
+        if not isinstance(claim, check.Claim) or kernel.nodes[claim.lhs].op != "add":
+            raise NotAcceptedError(REASON)
+        return self.form.notation.term(kernel.nodes[claim.lhs].subterms[1], 4)
+
+    def clocks(self) -> str:
+        """The constants that are the times of the collisions, the last one first."""
+        names = self.reading.kernel.names
+        found = [name for name in names if name.startswith("time.")][::-1]
+        return ", ".join(self.form.notation.term(names[name], 4) for name in found)
 
     def pairs(self, balls: tuple[int, int, int]) -> Iterator[tuple[str, int]]:
         """The pairs o-s, o-c and s-c by name, each with the number of its last row."""
@@ -257,7 +445,7 @@ Qed."""
         return f"""
   eapply (FlowScene.never_again {self.dimension} the_scene_{n} {names});
     [repeat split; discriminate | exact the_seen_{n} | | {order}].
-  destruct the_clear_{n} as (A & B & C). auto."""
+  destruct the_clear_{n} as (A & B & C). repeat split; lra."""
 
     def by_numbers(self, balls: tuple[int, int, int]) -> str:
         """That no pair of the given scene ever meets."""
@@ -282,11 +470,11 @@ Qed."""
         kind = row.claim.context.name.removeprefix("flow:")
         number = {"parting": 9, "passing": 11}[kind]
         here = self.at(row)
-        p = here[f"{kind}.p"]
+        p = here["p"]
         says = f"forall m g, FlowScene.pair_ends m g {p}"
         intros, more, names = "intros m g. ", " m g", ["p"]
         if kind == "passing":
-            says = f"FlowScene.pair_ends {here['passing.m']} {here['passing.g']} {p}"
+            says = f"FlowScene.pair_ends {here['m']} {here['g']} {p}"
             intros, more, names = "", "", ["m", "g", "p"]
         good = self.certified(row, number, f"end_{i}")
         numbers = (f"(the_numbers_end_{i} Flow.number_of_{kind}_{x} _ eq_refl)" for x in names)

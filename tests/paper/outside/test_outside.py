@@ -28,8 +28,10 @@ from verify.paper.outside import floor, numbers, state
 from verify.paper.outside.outside import outside
 from verify.prover import balls
 from verify.prover.proof import LemmaStep
-from verify.spheres.flow.collapse import Start
+from verify.spheres.flow.collapse import Start, start_of
+from verify.spheres.flow.follow import Flow
 from verify.spheres.flow.sandwich import search
+from verify.spheres.scene.scene import Scene
 from verify.wire.read import read
 from verify.wire.write import write
 
@@ -230,3 +232,38 @@ def test_both_borders_come_together_at_the_separatrix(y: Fraction) -> None:
         points = floor_of(*high)
         assert points is not None
         assert not fails(high[0], points)
+
+
+#: Particles with 0-2 and 0-1 in turn, nine times; then 1-2 meet.
+MEETING_LATER = Scene(
+    Fraction("0.0522299"),
+    (
+        (Fraction(0), Fraction(0)),
+        (Fraction("1.00360729"), Fraction("-0.1490082")),
+        (Fraction("-1.00969542"), Fraction("-0.2753928")),
+    ),
+    (
+        (Fraction("0.47918"), Fraction("0.187468")),
+        (Fraction("-0.327398"), Fraction("0.157718")),
+        (Fraction("0.815177"), Fraction("0.1914068")),
+    ),
+)
+
+
+def test_another_pair_may_meet_after_collisions_in_turn_have_ended() -> None:
+    """The theorem allows three more in turn, and there are four: so a scene has to be followed."""
+    with balls.precision(256):
+        flow = Flow(MEETING_LATER, 256)
+        for _ in range(6):
+            assert flow.advance()
+        assert flow.now is not None
+        found = numbers_of(MEETING_LATER.r, start_of(flow.now.state))
+        assert found is not None
+        points = floor_of(*found)
+        assert points is not None
+        assert not fails(found[0], points)
+        assert len(points) == 3
+        while flow.advance():
+            pass
+    pairs = [tuple(sorted(move.after.frame[:2])) for move in flow.collisions]
+    assert pairs == [(0, 1), (0, 2)] * 4 + [(0, 1), (1, 2)]

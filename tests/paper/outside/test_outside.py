@@ -137,7 +137,7 @@ def is_true(found: Ending) -> bool:
 
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_random_states_on_both_sides(dimension: int) -> None:
-    """No state is told to collapse by one half and to end by the other; what is told is true."""
+    """No state is told to collapse by one half and to end by the other, and told ends come."""
     draw, told = Random(430 + dimension, dimension), {"collapses": 0, "ends": 0, "open": 0}
     with balls.precision(BITS):
         for _ in range(ROUNDS):

@@ -23,6 +23,7 @@ from verify.prover.search.even import by_even_powers
 from verify.prover.search.extrema import by_cases, by_entries
 from verify.prover.search.factors import by_factors
 from verify.prover.search.growth import by_growth
+from verify.prover.search.laws import by_laws, by_products_of_logarithms
 from verify.prover.search.linear import by_linear_sum, by_products, find_ranges
 from verify.prover.search.mean_values import by_mean_values
 from verify.prover.search.multiple_angles import by_multiple_angles
@@ -81,6 +82,7 @@ def _other_cosines(question: Question) -> Proof | None:
 
 #: For what needs no facts on divisors and radicands.
 FREE = (Technique("identity", by_identity), Technique("interval", _interval))
+LAWS = Technique("laws", by_laws)
 #: For equations.
 EQUATIONS = (
     Technique("cosines", by_cosines),
@@ -120,6 +122,8 @@ SEARCHES = (
     Technique("a small tree", partial(by_tree, leaves=FEW_LEAVES)),
     Technique("cosines", _other_cosines),
     Technique("growth", by_growth),
+    LAWS,
+    Technique("products of logarithms", by_products_of_logarithms),
     Technique("multiple angles", by_multiple_angles),
     Technique("coefficients on few parts", partial(by_bernstein, parts=FEW_PARTS)),
     Technique("coefficients in squares of variables", by_even_powers),
@@ -210,6 +214,7 @@ def _of_equation(question: Question) -> Iterator[tuple[Question, tuple[Technique
     widened = question.widened() or question
     if widened.clears():
         yield widened, (NORMAL_FORM,)
+    yield question, (LAWS,)
     if question.clears() and question.may_be_equal():
         yield question, EQUATIONS
 

@@ -15,6 +15,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+from tests.check import test_rule_law, test_rule_monotony, test_rule_range
 from tests.coq.closing import unread
 from tests.lies.lies import LIES, honest
 from verify import check
@@ -92,9 +93,20 @@ def dropped(folder: Path) -> Iterator[tuple[str, tuple[bytes, bytes]]]:
             yield f"{folder.name}:{name}:another-digit", packed(first, certificate)
 
 
+def functions() -> dict[str, tuple[bytes, bytes]]:
+    """Laws, ranges and functions that rise: true ones, and near misses of them."""
+    laws = [test_rule_law.statement(claim) for claim, _ in test_rule_law.CASES]
+    ranges = [test_rule_range.statement(claim) for claim, _ in test_rule_range.CASES]
+    rising = [pair for pair, _ in test_rule_monotony.statements()]
+    rules = {"law": laws, "range": ranges, "monotony": rising}
+    return {
+        f"{rule}-{i}": one.files() for rule, found in rules.items() for i, one in enumerate(found)
+    }
+
+
 def controls() -> Iterator[tuple[str, Reading]]:
-    """What has the format and is refused, and two that are honest."""
-    pairs = [("honest", honest().files())]
+    """What has the format and is refused, and some that are honest."""
+    pairs = [("honest", honest().files()), *functions().items()]
     pairs += [(name, lie.files()) for name, lie in LIES.items()]
     for folder in sorted({path for path in EXAMPLES.iterdir() if path.is_dir()} - unread().keys()):
         pairs += dropped(folder)

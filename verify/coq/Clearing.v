@@ -12,6 +12,8 @@ Inductive addend : Set :=
 | Goal | Number (q : Q) | Known (f : reference) | Root (t : positive) | Square (t : positive)
 | Sum (l : list addend) | Product (l : list addend) | Power (a : addend) (n : positive).
 
+(* Functions that rise where they are defined. *)
+Inductive rising : Set := SquareRoot | Elementary (f : elementary).
 Record clearing := Clearing {
   cleared : PM.t quotient;
   squares : list (positive * quotient)  (* of roots, with their radicands; the latest first *)

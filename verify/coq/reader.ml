@@ -120,13 +120,14 @@ type kernel = {
   mutable cited_constants : positive list;
   mutable constants : (string * int) list;
   mutable own_contexts : nat list;
+  mutable sides : int list;  (* of the claim of a row or a lemma that is proved *)
   mutable often : int list;  (* ground terms that are worth to be enclosed once *)
 }
 let kernel () = {
   nodes = []; count = 0; by_number = Hashtbl.create 999; index = Hashtbl.create 999; names = Hashtbl.create 99;
   definitions = Hashtbl.create 99; taken = Hashtbl.create 99; unread = Hashtbl.create 99; read = Hashtbl.create 99;
   places = Hashtbl.create 9; contexts = []; facts = Hashtbl.create 99; known = Hashtbl.create 99;
-  cited = []; cited_constants = []; constants = []; own_contexts = []; often = [] }
+  cited = []; cited_constants = []; constants = []; own_contexts = []; sides = []; often = [] }
 
 let home k i = let _, h, _ = Hashtbl.find k.by_number i in h
 let height k i = let _, _, n = Hashtbl.find k.by_number i in n
@@ -393,6 +394,13 @@ let rec addend k c = function
   | List (Str "add" :: l) -> Sum (List.map (addend k c) l)
   | List (Str "mul" :: l) -> Product (List.map (addend k c) l)
   | _ -> bad "expected a value"
+(* A function that rises; its values at the sides of the claim are terms. *)
+let rising k x =
+  let op = among ["exp"; "log"; "atan"; "sqrt"] x in
+  List.iter (fun t -> ignore (node k op [t] 0)) k.sides;
+  match op with
+  | "exp" -> Elementary Exp | "log" -> Elementary Log | "atan" -> Elementary Atan | _ -> SquareRoot
+let sides g = [int_of g.lhs; int_of g.rhs]
 let side x = if among ["lhs"; "rhs"] x = "lhs" then Left else Right
 let rule_of = function Obj l -> (match List.assoc_opt "rule" l with Some (Str s) -> s | _ -> bad "rule") | _ -> bad "rule"
 let rec proof k c x =
@@ -419,6 +427,12 @@ let rec proof k c x =
       need (List.length branches = 2) "too many or too few branches"; Antisymmetry branches
   | "angles" -> ignore (keys []); Angles
   | "cosine" -> ignore (keys []); Cosine_
+  | "range" -> ignore (keys []); Range
+  | "law" -> ignore (keys []); ignore (node k "pi" [] 0); Law
+  | "monotony" ->
+      let get = keys ["premise"; "under"] in
+      let under = optional (rising k) (get "under") in
+      Monotony (under, premise k c (get "premise"))
   | "sum" ->
       let get = keys ["using"; "addends"; "equations"] in
       let replacements = List.map (reference k) (list (get "using")) in
@@ -434,7 +448,8 @@ let rec proof k c x =
       Instance (fact k s, pairs at, premises k c (get "givens"))
   | s -> bad ("no rule here: " ^ s)
 and proofs k c x = List.map (proof k c) (list x)
-and premises k c x = List.map (function Str _ as s -> Given_ (reference k s) | p -> proof k c p) (list x)
+and premise k c = function Str _ as s -> Given_ (reference k s) | p -> proof k c p
+and premises k c x = List.map (premise k c) (list x)
 
 let row_proof k (r : line) x =
   let keys l = record ("rule" :: l) x in
@@ -450,9 +465,10 @@ let row_proof k (r : line) x =
       let at = values k "" r.inside outside (get "at") in
       let terms = put_givens k r.inside at [g] in
       if outside.number = 0 then k.often <- terms @ k.often;
+      k.sides <- terms;
       let given = premises k outside (get "givens") in
       ByWitness (pairs at, given, proof k outside (get "negation"))
-  | Compare _, _ -> ByProof (proof k r.inside x)
+  | Compare g, _ -> k.sides <- sides g; ByProof (proof k r.inside x)
   | _ -> bad "another rule is needed"
 let defining k x = match rule_of x with
   | "define" -> ignore (record ["rule"] x); ByClearing
@@ -472,6 +488,7 @@ let step k rows numbered once x =
       let c = find k "" (optional long_name (get "context")) and s = name (get "lemma") in
       introduce k s;
       let g = claim k "" c (get "claim") in
+      k.sides <- sides g;
       let p = proof k c (get "proof") in
       Hashtbl.replace k.known s (c, g);
       Lemma_ (fact k s, nat c.number, g, p)

@@ -13,7 +13,12 @@ from verify.wire.coq.statement import Numbers, listed, rational
 
 #: The bits with which Coq tries first.
 LOWEST = 128
-SIDES = {"lhs": "Left", "rhs": "Right"}
+#: The words of a choice: a side of a claim, or a function that rises.
+WORDS = {
+    "lhs": "Left", "rhs": "Right", None: "None", "sqrt": "(Some SquareRoot)",
+    "exp": "(Some (Elementary Exp))", "log": "(Some (Elementary Log))",
+    "atan": "(Some (Elementary Atan))",
+}  # fmt: skip
 
 
 #: For each rule the constructor of its proofs, and the fields in the order in which it takes them.
@@ -26,6 +31,9 @@ CONSTRUCTORS = {
     "antisymmetry": "Antisymmetry branches",
     "angles": "Angles",
     "cosine": "Cosine_",
+    "range": "Range",
+    "law": "Law",
+    "monotony": "Monotony under premise",
     "sum": "BySum using addends equations",
 }
 
@@ -65,7 +73,7 @@ class Proofs(Numbers):
     def field(self, shape: Shape, value: Json, context: check.Context) -> str:
         """What a field holds; a list of proofs that has a fixed length is a list, too."""
         if shape.form == "choice":
-            return SIDES[value]
+            return WORDS[value]
         if shape.form == "leaf":
             return self.leaf(shape.of[0], value, context)
         if shape.form == "optional":

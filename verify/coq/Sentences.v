@@ -1,7 +1,7 @@
 (* What the certificates take on trust, sentence by sentence, with what Coq proves instead: this file
    fails to compile if one of these theorems comes to say anything else. The list of sentences and
    names is verify/paper/in_coq.py. Sentences of general mathematics are about all vectors, sequences
-   and functions; the numbered sentences are about the rows of one certificate, that of the step. *)
+   and functions; the numbered sentences are about the rows of one certificate, that of the step or that of the sharper theorem. *)
 From Coq Require Import Reals.
 From Verify Require Import Theorem1.
 From Verify Require Vectors Sequences Ending Steady OneStep Trajectory OneScene Interior InTurn Gram.
@@ -129,17 +129,40 @@ Check (fun d r s l o i c earliest latest least most => eq_refl :
     (forall T' Z', trajectory d r s T' Z' -> T' <= Runs.lasts l + T) /\
     earliest <= Runs.lasts l + T <= latest /\ least <= minus_cosine d at_T <= most).
 
-(* --- the sharper theorem on trajectories ------------------------------------------------------- *)
+(* --- the numbered sentences of the sharper theorem ---------------------------------------------- *)
 
+(* glue-next: the values v are those of a state. *)
+Check (SharperStep.sharper_step : forall v,
+  Meaning.scope Sharper.the_statement SharperStep.state_context v ->
+  AnyStep.step_certified (SharperStep.numbers_of v) (SharperStep.flight v)).
 Check (AnyStep.meets : forall m t, AnyStep.step_certified m t -> forall d x i j, distinct i j ->
   AnyStep.has m d x i j -> first_to_meet d x B0 j t).
 Check (AnyStep.shows_next : forall r m t, AnyStep.step_certified m t -> forall d x i j, distinct i j ->
   AnyStep.has m d x i j ->
   AnyStep.has (AnyStep.after_step r m t) d (collided d r B0 j (later t x)) j i).
-Check (SharperCollapse.sharper_collapse : forall v,
-  Meaning.scope Sharper.the_statement SharperStep.start_context v -> forall d x,
+Check (SharperStep.new_numbers : forall v,
+  SharperStep.numbers_of (SharperStep.new v) =
+  AnyStep.after_step (v Sharper.number_of_r) (SharperStep.numbers_of v) (SharperStep.flight v)).
+
+(* glue-collapse: collisions without end, in finite time. The values v are those of a start. *)
+Definition sharper_start (v : Meaning.valuation) : Prop :=
+  Meaning.scope Sharper.the_statement SharperStep.start_context v.
+Definition sharper_begins (v : Meaning.valuation) (d : nat) (x : scene) : Prop :=
   AnyStep.has (SharperStep.numbers_of (Meaning.after Sharper.the_statement v SharperStep.start)) d x
-    B1 B2 ->
-  collapse d (v Sharper.number_of_r) x
-    (Sharper.duration (v Sharper.number_of_p) (v Sharper.number_of_Y) (v Sharper.number_of_T) *
-      v Sharper.number_of_eta_0) (v Sharper.number_of_C_0) (v Sharper.number_of_Theta)).
+    B1 B2.
+Definition sharper_latest (v : Meaning.valuation) : R :=
+  Sharper.duration (v Sharper.number_of_p) (v Sharper.number_of_Y) (v Sharper.number_of_T) *
+    v Sharper.number_of_eta_0.
+Check (SharperCollapse.collide_in_turn : forall v, sharper_start v -> forall d x,
+  sharper_begins v d x -> collides_in_turn d (v Sharper.number_of_r) (SharperCollapse.scenes v d x)
+    (SharperCollapse.time v)).
+Check (SharperCollapse.time_bounded : forall v, sharper_start v -> forall d x,
+  sharper_begins v d x -> forall n, SharperCollapse.time v n <= sharper_latest v).
+
+(* glue-angle *)
+Check (SharperCollapse.angle_stays : forall v, sharper_start v -> forall d x,
+  sharper_begins v d x -> forall n, Rabs (minus_cosine d (SharperCollapse.scenes v d x n) -
+    v Sharper.number_of_C_0) <= v Sharper.number_of_Theta).
+Check (SharperCollapse.sharper_collapse : forall v, sharper_start v -> forall d x,
+  sharper_begins v d x -> collapse d (v Sharper.number_of_r) x (sharper_latest v)
+    (v Sharper.number_of_C_0) (v Sharper.number_of_Theta)).

@@ -19,6 +19,7 @@ _GENERAL = {
     ),
 }  # fmt: skip
 _VECTORS = {"cauchy-schwarz": ("Vectors.cauchy_schwarz", "Vectors.vector_exists")}
+_LENGTH = {"finite-length": ("Ending.place_cauchy", "Ending.positions_converge_to_ending")}
 _OPEN = {"open-condition": ("Steady.steady_less", "Steady.nearby_both")}
 _CURVE = ("SeparatrixProof.separatrix",)
 
@@ -26,14 +27,25 @@ _CURVE = ("SeparatrixProof.separatrix",)
 IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
     "step": {
         **_GENERAL | _VECTORS,
-        "finite-length": ("Ending.place_cauchy", "Ending.positions_converge_to_ending"),
+        **_LENGTH,
         **_OPEN,
         "glue-next": ("OneStep.meets", "OneStep.shows_next"),
         "glue-collapse": ("Trajectory.scenes_collide_in_turn", "Trajectory.finite_time"),
         "glue-angle": ("Trajectory.angle_converges", "Ending.in_turn_collapses"),
         "glue-interior": ("OneScene.numbers_of_point_are", "Interior.set_near"),
     },
-    "sharper": _GENERAL,
+    "sharper": {
+        **_GENERAL,
+        **_LENGTH,
+        "glue-next": (
+            "SharperStep.sharper_step",
+            "SharperStep.new_numbers",
+            "AnyStep.meets",
+            "AnyStep.shows_next",
+        ),
+        "glue-collapse": ("SharperCollapse.collide_in_turn", "SharperCollapse.time_bounded"),
+        "glue-angle": ("SharperCollapse.angle_stays", "SharperCollapse.sharper_collapse"),
+    },
     "sandwich": _GENERAL,
     "outside": {name: _GENERAL[name] for name in ("hard-spheres", "cauchy-schwarz")},
     "flow": {"hard-spheres": _GENERAL["hard-spheres"]},

@@ -42,7 +42,7 @@ def counts() -> str:
     found = figures()
     return (
         f"At r = 0.03, θ₀ = π, {found['refuted']} of its inequalities are refuted; they have "
-        f"{found['causes']} causes. {found['breaking']} of them, with "
+        f"{found['causes']} causes. {found['breaking']} of the {found['refuted']}, with "
         f"{found['breaking_causes']} causes, break the argument; {found['harmless']} are false but "
         f"harmless there; {found['slips']} are slips of wording."
     )
@@ -70,6 +70,23 @@ def test_the_assumptions_are_those_of_the_readme() -> None:
     kinds = sorted(assumption.kind for assumption in outcome.assumptions)
     assert kinds == ["definition", *["general mathematics"] * 4, *["numbered glue"] * 4]
     assert f"Given {len(kinds)} assumptions*: a definition" in words("README.md")
+
+
+@pytest.mark.parametrize(
+    ("folder", "readme", "tutorial"),
+    [
+        ("printed-sign", "{all} for the sign, {proved} of them proved in Coq", "rests on {all}"),
+        ("printed-set", "{all} for the set, {proved} of them proved", "on {all} sentences, of"),
+    ],
+)
+def test_what_the_verdicts_on_the_print_rest_on(folder: str, readme: str, tutorial: str) -> None:
+    from generated import sentences_of
+
+    found = [proved and "(" not in name for name, proved in sentences_of(folder)]
+    said = {"all": len(found), "proved": sum(found) or "none"}
+    assert readme.format(**said) in words("README.md")
+    assert tutorial.format(**said) in words("docs/tutorials/referee.md")
+    assert f"Coq has proved {said['proved']}" in words("docs/tutorials/referee.md")
 
 
 def test_what_is_generated_is_there() -> None:

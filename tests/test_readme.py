@@ -72,21 +72,20 @@ def test_the_assumptions_are_those_of_the_readme() -> None:
     assert f"Given {len(kinds)} assumptions*: a definition" in words("README.md")
 
 
-@pytest.mark.parametrize(
-    ("folder", "readme", "tutorial"),
-    [
-        ("printed-sign", "{all} for the sign, {proved} of them proved in Coq", "rests on {all}"),
-        ("printed-set", "{all} for the set, {proved} of them proved", "on {all} sentences, of"),
-    ],
-)
-def test_what_the_verdicts_on_the_print_rest_on(folder: str, readme: str, tutorial: str) -> None:
+def test_what_the_verdicts_on_the_print_rest_on() -> None:
     from generated import sentences_of
 
-    found = [proved and "(" not in name for name, proved in sentences_of(folder)]
-    said = {"all": len(found), "proved": sum(found) or "none"}
-    assert readme.format(**said) in words("README.md")
-    assert tutorial.format(**said) in words("docs/tutorials/referee.md")
-    assert f"Coq has proved {said['proved']}" in words("docs/tutorials/referee.md")
+    readme, tutorial = words("README.md"), words("docs/tutorials/referee.md")
+    for folder, short in (
+        ("printed-sign", "sentences for the sign"),
+        ("printed-set", "for the set"),
+    ):
+        found = [proved and "(" not in name for name, proved in sentences_of(folder)]
+        proved = str(sum(found) or "none")
+        assert re.search(
+            f" {len(found)} {short}, of which (Coq|it) has proved {proved}[ ,.]", readme
+        )
+        assert f"rests on {len(found)} sentences, of which Coq has proved {proved}" in tutorial
 
 
 def test_what_is_generated_is_there() -> None:

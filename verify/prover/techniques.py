@@ -35,6 +35,7 @@ from verify.prover.search.positive import (
     squares_with_roots,
     wider_squares,
 )
+from verify.prover.search.quadratic import by_completing_squares
 from verify.prover.search.question import Question
 from verify.prover.search.restricted import by_restriction
 from verify.prover.search.rising import by_monotony, by_powers, by_same_arguments
@@ -100,6 +101,7 @@ SIMPLE = (
     Technique("signs", _signs),
     Technique("coefficients", lambda question: on_interval(question.plain)),
     Technique("cuts", _cuts),
+    Technique("completed squares", by_completing_squares),
 )
 #: For what follows from all that is linked to a claim, by sums.
 SUMS = (Technique("linear sums", by_linear_sum),)

@@ -14,6 +14,7 @@ import pytest
 from verify.language.statement import PROVED, REFUTED, Constant, Obligation
 from verify.language.terms import Claim, Term, as_term, equal, maximum, minimum, sqrt, symbol
 from verify.library import ask, for_all, lemma, prove
+from verify.prover.search.squares import decompose
 
 a, b, c, k, t, u, v, w, x, y, z = map(symbol, "abcktuvwxyz")
 
@@ -209,3 +210,18 @@ def test_the_search_ends_when_its_work_is_used_up() -> None:
     start = perf_counter()
     prove(lemma("title", [row], [], [place]), work=1_000_000)
     assert perf_counter() - start < 60  # some seconds; without a limit on products, hours
+
+
+def test_many_rows_do_not_enter_a_sum_of_squares(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A square needs none of the rows before it, so that a long page costs no more for each row."""
+    sizes = []
+
+    def counted(p, domain, polynomials, blocks, budget):
+        sizes.append(len(blocks))
+        return decompose(p, domain, polynomials, blocks, budget)
+
+    monkeypatch.setattr("verify.prover.search.positive.decompose", counted)
+    real = for_all("real", [], point={"x": 0})
+    rows = [ask(f"row-{n}", 0 < x**2 - 2 * n * x + n * n + 1, real) for n in range(1, 13)]
+    assert prove(lemma("A page", rows, contexts=[real])).verdict == "proved"
+    assert max(sizes) <= 7

@@ -267,7 +267,7 @@ Definition least (p : place) (g : claim) (s : side) (equation : option reference
 
 Definition root (p : place) (g : claim) : bool :=
   match PM.find (rhs g) T with
-  | Some (NSqrt a) =>
+  | Some (NSqrt a | NOf (NthRoot _) a) =>
       is_zero (lhs g) && same_relation (relation_of g) Less && knows p true a
   | _ => false
   end.

@@ -8,10 +8,14 @@ Open Scope R_scope.
 Definition same_function (f g : elementary) : bool :=
   match f, g with
   | Exp, Exp | Log, Log | Sin, Sin | Atan, Atan => true
+  | NthRoot m, NthRoot n => Pos.eqb m n
   | _, _ => false
   end.
 Lemma same_function_sound f g : same_function f g = true -> f = g.
-Proof. destruct f, g; try discriminate; reflexivity. Qed.
+Proof.
+  destruct f, g; try discriminate; trivial. cbn [same_function]. intros E. f_equal.
+  now apply Pos.eqb_eq.
+Qed.
 
 (* What makes an identity true. *)
 Inductive condition : Set :=

@@ -1,6 +1,6 @@
 (* The rule of functions that rise: they keep the order of their arguments, and show it. *)
 From Coq Require Import Reals ZArith List Lra Bool FMapPositive.
-From Verify Require Import Meaning Terms Substitution Clearing Cosines Laws.
+From Verify Require Import Meaning Roots Terms Substitution Clearing Cosines Laws.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -56,6 +56,7 @@ Proof.
   - now apply exp_increasing.
   - now apply ln_increasing.
   - now apply atan_increasing.
+  - now apply nth_root_rises.
 Qed.
 
 Section SoundRising.

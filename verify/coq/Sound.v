@@ -1,7 +1,7 @@
 (* Each rule is sound: what it accepts holds for all values that satisfy what is in scope. One lemma
    per rule, in the order of verify/check.py; the rule of intervals is in Places.v. *)
 From Coq Require Import Reals QArith Qreals ZArith NArith List Lra Lia Bool Arith FMapPositive.
-From Verify Require Import Meaning Polynomials Terms Substitution Clearing Cleared Enclosures Cosines.
+From Verify Require Import Meaning Roots Polynomials Terms Substitution Clearing Cleared Enclosures Cosines.
 From Verify Require Import Laws Rising Kernel Induction Places.
 Import ListNotations.
 Open Scope R_scope.
@@ -158,13 +158,15 @@ Qed.
 
 Lemma root_sound g : root S T F p g = true -> holds S v g.
 Proof.
-  unfold root. destruct (PM.find (rhs g) T) as [[]|] eqn:E; try discriminate. intros Q. split_and Q.
-  destruct (is_zero_sound v _ Q) as [W D]. apply same_relation_sound in A0.
-  apply (knows_sound v p here) in A. destruct A as (D' & Pos & Str). specialize (Str eq_refl).
-  unfold holds, stands. rewrite A0, W, (value_is _ _ _ E), (defined_is _ _ _ E).
-  cbn [related node_value subterms proviso In]. repeat split; trivial.
-  - intuition (subst; trivial).
+  unfold root. destruct (PM.find (rhs g) T) as [[]|] eqn:E; try discriminate;
+    try (destruct f; try discriminate); intros Q; split_and Q;
+    destruct (is_zero_sound v _ Q) as [W D]; apply same_relation_sound in A0;
+    apply (knows_sound v p here) in A; destruct A as (D' & Pos & Str); specialize (Str eq_refl);
+    unfold holds, stands; rewrite A0, W, (value_is _ _ _ E), (defined_is _ _ _ E);
+    cbn [related node_value applied subterms proviso in_domain In]; repeat split; trivial;
+    try (intuition (subst; trivial)).
   - now apply sqrt_lt_R0.
+  - now apply nth_root_positive.
 Qed.
 
 (* --- antisymmetry, angles, cosine, range, law and monotony --- *)

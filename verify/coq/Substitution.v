@@ -30,7 +30,11 @@ Definition key (n : node) : positive :=
   | NMax a l => coded 10 (coded a (fold_right coded 1%positive l))
   | NCos a => coded 11 (coded a 1)
   | NCosPi a => coded 12 (coded a 1)
-  | NOf f a => coded match f with Exp => 13 | Log => 14 | Sin => 15 | Atan => 16 end (coded a 1)
+  | NOf Exp a => coded 13 (coded a 1)
+  | NOf Log a => coded 14 (coded a 1)
+  | NOf Sin a => coded 15 (coded a 1)
+  | NOf Atan a => coded 16 (coded a 1)
+  | NOf (NthRoot n) a => coded 18 (coded n (coded a 1))
   | NPi => coded 17 1
   end.
 Definition keys (l : list (positive * node)) : PM.t positive :=

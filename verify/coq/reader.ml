@@ -147,9 +147,12 @@ let make op args extra =
   | "min", a :: (_ :: _ as l) -> NMin (a, l) | "max", a :: (_ :: _ as l) -> NMax (a, l)
   | "pi", [] -> NPi | "exp", [a] -> NOf (Exp, a) | "log", [a] -> NOf (Log, a)
   | "sin", [a] -> NOf (Sin, a) | "atan", [a] -> NOf (Atan, a)
-  | "root", _ -> bad ("the checker in Coq has no operation " ^ op)
+  | "root", [a] -> NOf (NthRoot (pos extra), a)
   | _ -> bad ("no term: " ^ op)
-let named = function Exp -> "exp" | Log -> "log" | Sin -> "sin" | Atan -> "atan"
+let rec int_of = function XH -> 1 | XO p -> 2 * int_of p | XI p -> 2 * int_of p + 1
+let named = function
+  | Exp -> "exp", 0 | Log -> "log", 0 | Sin -> "sin", 0 | Atan -> "atan", 0
+  | NthRoot n -> "root", int_of n
 let node k op args extra =
   let key = Node (op, args, extra) in
   match Hashtbl.find_opt k.index key with
@@ -181,8 +184,10 @@ let rec term k prefix = function
         let i = term k p value in
         Hashtbl.add k.read full i; i
       end else number k (rational s)
-  | List [Str "pow"; a; n] -> let a = term k prefix a in node k "pow" [a] (exponent n)
-  | List (Str op :: args) when op <> "pow" ->
+  | List [Str ("pow" | "root" as op); a; n] ->
+      let a = term k prefix a and n = exponent n in
+      need (op = "pow" || (n >= 2 && n <= 99)) "expected the index of a root"; node k op [a] n
+  | List (Str op :: args) when op <> "pow" && op <> "root" ->
       let args = List.fold_left (fun l a -> term k prefix a :: l) [] args in
       node k op (List.rev args) 0
   | _ -> bad "expected a term"
@@ -198,7 +203,6 @@ let claim k prefix c = function
       { relation_of = r; lhs = pos a; rhs = pos b }
   | _ -> bad "expected a claim"
 let rec int_of_nat = function O -> 0 | S n -> 1 + int_of_nat n
-let rec int_of = function XH -> 1 | XO p -> 2 * int_of p | XI p -> 2 * int_of p + 1
 let fact k s =
   match Hashtbl.find_opt k.facts s with
   | Some i -> pos i
@@ -246,7 +250,7 @@ let rec substituted k c at memo i =
           | NCos a, _, _ -> node k "cos" (again [a]) 0
           | NCosPi a, _, _ -> node k "cos_pi" (again [a]) 0
           | NPi, _, _ -> node k "pi" [] 0
-          | NOf (f, a), _, _ -> node k (named f) (again [a]) 0
+          | NOf (f, a), _, _ -> let op, extra = named f in node k op (again [a]) extra
           | NRational _, _, _ -> i in
       Hashtbl.replace memo i j; j
 let put k c at claims =

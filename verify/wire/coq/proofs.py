@@ -67,7 +67,9 @@ class Proofs(Numbers):
             raise NotAcceptedError(f"the checker in Coq has no rule {rule}")
         (found,) = (shapes(proofs) for proofs, known in RULES.items() if known.name == rule)
         name, *fields = CONSTRUCTORS[rule].split()
-        parts = (self.field(found[key], proof[key], context) for key in fields)
+        parts = [self.field(found[key], proof[key], context) for key in fields]
+        if fields[-1:] == ["premise"]:
+            parts[-1] = f"({parts[-1]})"
         return " ".join([name, *parts])
 
     def field(self, shape: Shape, value: Json, context: check.Context) -> str:

@@ -323,6 +323,18 @@ def double_verdicts() -> str:
     return measured("double_verdicts")
 
 
+def maps() -> str:
+    """What maps cost, and what their checks do."""
+    return measured("maps")
+
+
+def growth() -> str:
+    """How times grow."""
+    path = ROOT / "tests/measure/benchmarks/growth.json"
+    found = json.loads(path.read_text(encoding="utf-8"))
+    return table(found["columns"], found["rows"])
+
+
 # --- the rules of the kernel ---------------------------------------------------------------------
 
 LAW = ROOT / "certificates/README.md"
@@ -511,7 +523,8 @@ FRAGMENTS: dict[str, Callable[[], str]] = {
     for function in (
         believed_and_proved,
         *(row_counts, defects, changes, causes, remarks, assumptions, letters, exit_codes),
-        *(commands, schemas, law, precision, equal_width, double_verdicts, house, imports),
+        *(commands, schemas, law, precision, equal_width, double_verdicts, maps, growth),
+        *(house, imports),
     )
 }
 

@@ -65,7 +65,7 @@ print(report.verdict)
 
 FIRST_SAYS = """small proved interval
 entry proved entry
-parabola proved cuts
+parabola proved sum
 wrong refuted witness
 REFUTED
 """

@@ -42,7 +42,7 @@ def counts() -> str:
     found = figures()
     return (
         f"At r = 0.03, θ₀ = π, {found['refuted']} of its inequalities are refuted; they have "
-        f"{found['causes']} causes. {found['breaking']} of them, with "
+        f"{found['causes']} causes. {found['breaking']} of the {found['refuted']}, with "
         f"{found['breaking_causes']} causes, break the argument; {found['harmless']} are false but "
         f"harmless there; {found['slips']} are slips of wording."
     )
@@ -70,6 +70,22 @@ def test_the_assumptions_are_those_of_the_readme() -> None:
     kinds = sorted(assumption.kind for assumption in outcome.assumptions)
     assert kinds == ["definition", *["general mathematics"] * 4, *["numbered glue"] * 4]
     assert f"Given {len(kinds)} assumptions*: a definition" in words("README.md")
+
+
+def test_what_the_verdicts_on_the_print_rest_on() -> None:
+    from generated import sentences_of
+
+    readme, tutorial = words("README.md"), words("docs/tutorials/referee.md")
+    for folder, short in (
+        ("printed-sign", "sentences for the sign"),
+        ("printed-set", "for the set"),
+    ):
+        found = [proved and "(" not in name for name, proved in sentences_of(folder)]
+        proved = str(sum(found) or "none")
+        assert re.search(
+            f" {len(found)} {short}, of which (Coq|it) has proved {proved}[ ,.]", readme
+        )
+        assert f"rests on {len(found)} sentences, of which Coq has proved {proved}" in tutorial
 
 
 def test_what_is_generated_is_there() -> None:

@@ -214,6 +214,21 @@ def test_a_constant_is_told_as_printed_and_repaired(
     assert "used by the rows: eta_bar-positive, " in text
 
 
+def test_a_constant_and_a_packaged_row_are_told_without_a_check(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The judge of a point is FLINT; what comes with the program was checked before."""
+
+    def never(*_: object) -> None:
+        raise AssertionError("nothing is to be checked")
+
+    monkeypatch.setattr("verify.check.check", never)
+    for word, said in (("delta_1", "δ₁ = 0.19054199…"), ("ratio-falls", "before these files")):
+        code, out, err = run(capsys, "explain", word)
+        assert (code, err) == (0, "")
+        assert said in " ".join(out.split())
+
+
 def test_rows_are_found_by_the_number_of_their_formula(
     capsys: pytest.CaptureFixture[str],
 ) -> None:

@@ -15,6 +15,8 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+from tests.check import test_rule_law, test_rule_monotony, test_rule_range
+from tests.check.support import INTERVAL, ROOT, Pair, term, total
 from tests.coq.closing import unread
 from tests.lies.lies import LIES, honest
 from verify import check
@@ -92,9 +94,38 @@ def dropped(folder: Path) -> Iterator[tuple[str, tuple[bytes, bytes]]]:
             yield f"{folder.name}:{name}:another-digit", packed(first, certificate)
 
 
+#: Claims on roots with their proofs.
+ROOTS: list[tuple[str, Any]] = [
+    ("root(27, 3) = 3", INTERVAL), ("root(27, 4) = 3", INTERVAL), ("root(0, 3) <= 0", INTERVAL),
+    ("root(8/27, 3) <= 2/3", INTERVAL), ("root(9/27, 3) <= 2/3", INTERVAL),
+    ("root(-1, 3) <= 0", INTERVAL), ("root(1 - sqrt(1), 3) <= 1", INTERVAL),
+    ("root(2, 3) < 1259921049894873165/1000000000000000000", INTERVAL),
+    ("root(2, 3) < 1259921049894873164/1000000000000000000", INTERVAL),
+    ("root(2, 3)**3 = 2", total()), ("root(2, 3)**2 = 2", total()),
+    ("root(2, 3)**7 = 4*root(2, 3)", total()), ("root(2, 3)**7 = 4*root(2, 4)", total()),
+    ("root(1/root(2, 3), 4)**4 = 1/root(2, 3)", total()), ("root(0, 5)**5 = 0", total()),
+    ("-1 < root(2, 3)", total("goal", ["root", term("root(2, 3)")], "1")),
+    ("1 < root(2, 3)", total("goal", ["root", term("root(2, 3)")], "1")),
+    ("0 < root(2, 3)", ROOT), ("0 < root(3, 3)", ROOT), ("1 < root(2, 3)", ROOT),
+]  # fmt: skip
+
+
+def functions() -> dict[str, tuple[bytes, bytes]]:
+    """Laws, ranges, roots and functions that rise: true ones, and near misses of them."""
+    laws = [test_rule_law.statement(claim) for claim, _ in test_rule_law.CASES]
+    ranges = [test_rule_range.statement(claim) for claim, _ in test_rule_range.CASES]
+    rising = [pair for pair, _ in test_rule_monotony.statements()]
+    two = ("two", "0 < 2", INTERVAL)
+    roots = [Pair().lemma(*two).row("row", claim, proof) for claim, proof in ROOTS]
+    rules = {"root": roots, "law": laws, "range": ranges, "monotony": rising}
+    return {
+        f"{rule}-{i}": one.files() for rule, found in rules.items() for i, one in enumerate(found)
+    }
+
+
 def controls() -> Iterator[tuple[str, Reading]]:
-    """What has the format and is refused, and two that are honest."""
-    pairs = [("honest", honest().files())]
+    """What has the format and is refused, and some that are honest."""
+    pairs = [("honest", honest().files()), *functions().items()]
     pairs += [(name, lie.files()) for name, lie in LIES.items()]
     for folder in sorted({path for path in EXAMPLES.iterdir() if path.is_dir()} - unread().keys()):
         pairs += dropped(folder)

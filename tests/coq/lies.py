@@ -15,6 +15,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from tests.check.support import INTERVAL, Pair, answer
+from tests.coq.controls import functions
 from tests.lies.lies import LIES, honest
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "certificates/examples"
@@ -118,10 +119,28 @@ def cited_by_cited(reader: str, root: Path) -> list[str]:
     return wrong
 
 
+def of_functions(reader: str, root: Path) -> list[str]:
+    """What it says wrongly of laws, ranges and functions that rise."""
+    pairs = functions()
+    for name, (first, second) in pairs.items():
+        beside(root, name, ("statement.json", first), ("certificate.json", second))
+    _, out, _ = run(reader, root, *pairs)
+    found = dict(line.split(": ", 1) for line in out.splitlines())
+    codes = {name: answer(pair)[0] for name, pair in pairs.items()}
+    assert {*codes.values()} == {0, 1, 4}
+    words = {0: "PROVED: given nothing", 1: "REFUSED: ", 4: "MALFORMED: "}
+    return [
+        f"{name}: {said}, where the checker says {words[codes[name]]}"
+        for name, said in found.items()
+        if not said.startswith(words[codes[name]])
+    ] + [f"{name}: nothing" for name in pairs.keys() - found.keys()]
+
+
 def main(reader: str) -> int:
     """Give all of them to the program; 1 if a lie passes, or the honest pair does not."""
     with tempfile.TemporaryDirectory() as path:
         lines = inputs(reader, Path(path)) + cited(reader, Path(path))
+        lines += of_functions(reader, Path(path))
     pairs = {"honest": honest().files(), **{name: lie.files() for name, lie in LIES.items()}}
     with tempfile.TemporaryDirectory() as path:
         for name, (first, second) in pairs.items():

@@ -127,6 +127,8 @@ class Exported:
         """A node; a constant is its context and its definition."""
         kind, *rest = [node] if isinstance(node, str) else node
         if kind == "NOf":
+            if rest[0][0] == "NthRoot":
+                return self.intern("root", self.term(rest[1]), number(rest[0][1]))
             kind, *rest = f"NOf {rest[0]}", *rest[1:]
         if kind == "NRational":
             return self.intern("rational", Fraction(number(rest[0]), number(rest[1])))
@@ -216,8 +218,8 @@ class Written:
                 self.names[full] = self.term(self.shared[full], prefix)
                 return self.names[full]
             return self.intern("rational", Fraction(value))
-        if value[0] == "pow":
-            return self.intern("pow", self.term(value[1], prefix), int(value[2]))
+        if value[0] in ("pow", "root"):
+            return self.intern(value[0], self.term(value[1], prefix), int(value[2]))
         return self.intern(value[0], *(self.term(part, prefix) for part in value[1:]))
 
     def claim(self, value: Json, prefix: str) -> Any:

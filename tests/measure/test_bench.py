@@ -5,28 +5,63 @@ from __future__ import annotations
 import json
 import subprocess
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 
 from tests.measure.benchmarks.ratios import committed, grown
-from verify.cli import main
+from verify.cli import main, report
 from verify.measure import scenes
-from verify.measure.bench import _cpu, relative_width, scientific
+from verify.measure.bench import (
+    MAIN_JOB,
+    TABLES,
+    _cpu,
+    out_of_date,
+    relative_width,
+    scientific,
+)
+
+COMMITTED = Path(__file__).parents[2] / "certificates" / "data" / "bench.json"
 
 
 def test_the_quick_form(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["bench", "--quick", "--json"]) == 0
     document = json.loads(capsys.readouterr().out)
     tables = document["tables"]
-    assert {"precision", "equal_width", "spectrum", "decided", "doubles", "processes"} <= set(
-        tables
-    )
+    assert tables.keys() == {*TABLES}
+    assert out_of_date(tables) == ["the table precision has other rows"]
     for table in tables.values():
         assert all(len(row) == len(table["columns"]) for row in table["rows"])
     widths = [float(row[2]) for row in tables["precision"]["rows"]]
     assert widths == sorted(widths, reverse=True)
     assert all(float(row[3]) <= float(row[2]) for row in tables["equal_width"]["rows"])
     assert any(row[2] > 0 for row in tables["double_verdicts"]["rows"])
+
+
+def test_measurements_of_an_earlier_program_are_told() -> None:
+    tables = json.loads(COMMITTED.read_text(encoding="utf-8"))["tables"]
+    assert out_of_date(tables) == []
+    rows = [row for row in tables["processes"]["rows"] if row[0] != MAIN_JOB]
+    older = tables | {"older": {}, "processes": {"rows": rows}}
+    del older["maps"]
+    assert out_of_date(older) == [
+        "has a table older, which is not made now",
+        "has no table maps",
+        "the table processes has other rows",
+    ]
+
+
+def test_the_report_compares_what_was_measured(capsys: pytest.CaptureFixture[str]) -> None:
+    tables = json.loads(COMMITTED.read_text(encoding="utf-8"))["tables"]
+    assert not report._stale("there", {"bench": tables})
+    assert not report._stale("there", {})
+    assert capsys.readouterr().out == ""
+    del tables["slack"]
+    assert report._stale("there", {"bench": tables})
+    assert capsys.readouterr().out == (
+        "STALE    there/data/bench.json: has no table slack; write it anew with "
+        "verify bench --out there/data\n"
+    )
 
 
 def test_widths_are_rounded_up() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import isqrt
 
 import pytest
 
@@ -22,6 +23,7 @@ from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.rules import Interval, Sum
 from verify.prover.session import Session
+from verify.prover.tight import Tight
 from verify.wire.write import write
 
 a, b, m, n = (symbol(name) for name in "abmn")
@@ -66,6 +68,24 @@ def test_the_ladder_climbs_to_the_precision_that_decides() -> None:
     assert decision.verdict == PROVED
     assert decision.bits > 128
     assert defined.verdict(a <= near) == REFUTED
+
+
+def test_what_one_claim_needed_is_tried_for_the_next_before_algebra(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    searched: list[Claim] = []
+
+    def prove(_: Tight, claim: Claim) -> None:
+        searched.append(claim)
+
+    monkeypatch.setattr(Tight, "prove", prove)
+    near = Fraction(isqrt(2 * 10**1200), 10**600)
+    ground = Ground(Session(), 64, 4096)
+    ground.define(Constant("a", "a", "a", "label", sqrt(2)))
+    for _ in range(3):
+        near += Fraction(1, 10**600)
+        assert ground.prove(a < near)[0] == PROVED
+        assert {*searched} <= {a < searched[0].rhs, searched[0].rhs <= a}
 
 
 def test_exact_values_decide_equalities_of_rationals() -> None:

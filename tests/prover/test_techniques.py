@@ -9,7 +9,7 @@ import pytest
 
 from verify.language.fold import replaced
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
-from verify.language.terms import Claim, as_term, cos_pi, minimum, sqrt, symbol
+from verify.language.terms import Claim, Term, as_term, cos_pi, minimum, sqrt, symbol
 from verify.library import ask, for_all, lemma, prove
 from verify.prover import techniques
 from verify.prover.bernstein import Tensor
@@ -150,9 +150,51 @@ def test_a_quadratic_form_needs_few_of_the_directions(monkeypatch: pytest.Monkey
         return dot(a, b)
 
     monkeypatch.setattr(bases, "_dot", counted)
+    monkeypatch.setattr(techniques, "SIMPLE", ())
     names = [symbol(f"x{i}") for i in range(12)]
     form = sum((a**2 + a * b + b**2 for a, b in pairwise(names)), as_term(0))
     context = for_all("all", [], {f"x{i}": 0 for i in range(12)})
     found = prove(lemma("title", [ask("row", 0 <= form, context)], (), [context]))
     assert found.decisions["row"].verdict == PROVED
     assert 0 < len(products) < 3000
+
+
+def summed(terms: Sequence[Term]) -> Term:
+    """A sum whose depth is the logarithm of its length."""
+    half = len(terms) // 2
+    return terms[0] if half == 0 else summed(terms[:half]) + summed(terms[half:])
+
+
+def expanded_squares(n: int) -> Term:
+    """The squares of n sums of variables, expanded."""
+    names = [symbol(f"x{i}") for i in range(n)]
+    rows = [[0] * i + [1 + (i * j + j) % 5 for j in range(n - i)] for i in range(n)]
+    return summed(
+        [
+            sum(row[j] * row[k] for row in rows) * names[j] * names[k]
+            for j in range(n)
+            for k in range(n)
+        ]
+    )
+
+
+def test_a_quadratic_form_is_proved_by_completing_squares(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    for name in ("SUMS", "PRODUCTS", "SEARCHES", "LAST"):
+        monkeypatch.setattr(techniques, name, ())
+    place = for_all("all", {}, {f"x{i}": 0 for i in range(30)})
+    x0, x1 = symbol("x0"), symbol("x1")
+    claims = {
+        "form": as_term(0) <= expanded_squares(30),
+        "shifted": 2 * x0 < expanded_squares(5) + x0**2 + 2,
+        "linear": as_term(0) <= x0,
+        "zero": 2 * x0 < x0**2 + 1,
+        "saddle": 4 * x0 * x1 <= x0**2 + x1**2,
+        "flat": 2 * x0 * x1 <= x0**2,
+    }
+    rows = [ask(name, claim, place) for name, claim in claims.items()]
+    found = prove(lemma("title", rows, (), [place]))
+    proved = {name for name, decision in found.decisions.items() if decision.verdict == PROVED}
+    assert proved == {"form", "shifted"}
+    assert {found.decisions[name].method for name in proved} == {"sum"}

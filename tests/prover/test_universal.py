@@ -121,7 +121,7 @@ def decide(claim: Claim) -> Decision:
         ((2 * r - 1) ** 2 <= as_term(1), (PROVED, "interval")),
         (0 < (2 * r - 1) ** 2 + TINY, (PROVED, "interval")),
         (0 < 4 * r**2 - 4 * r + 1 + Fraction(1, 20), (PROVED, "sum")),
-        (0 < 4 * r**2 - 4 * r + 1 + TINY, (PROVED, "cuts")),
+        (0 < 4 * r**2 - 4 * r + 1 + TINY, (PROVED, "sum")),
         (0 < (2 * r - 1) ** 2, (REFUTED, "witness")),
         (0 <= (2 * r - 1) ** 2 - Fraction(1, 100), (REFUTED, "witness")),
         (0 < 1 + r * k, (PROVED, "interval")),

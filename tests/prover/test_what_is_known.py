@@ -221,7 +221,7 @@ def test_many_rows_do_not_enter_a_sum_of_squares(monkeypatch: pytest.MonkeyPatch
         return decompose(p, domain, polynomials, blocks, budget)
 
     monkeypatch.setattr("verify.prover.search.positive.decompose", counted)
-    real = for_all("real", [], point={"x": 0})
-    rows = [ask(f"row-{n}", 0 < x**2 - 2 * n * x + n * n + 1, real) for n in range(1, 13)]
+    real = for_all("real", [], point={"x": 0, "y": 0})
+    rows = [ask(f"row-{n}", 0 < x**4 + y**4 - n * x * y + n * n, real) for n in range(1, 13)]
     assert prove(lemma("A page", rows, contexts=[real])).verdict == "proved"
     assert max(sizes) <= 7

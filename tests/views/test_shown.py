@@ -24,7 +24,7 @@ from verify.spheres.scene import scene_files
 from verify.spheres.scene.scene import Scene
 from verify.views.graph import graph, levels
 from verify.views.material import CertifiedMap
-from verify.views.page.blueprint import direct, edges_between_labels
+from verify.views.page.blueprint import direct, edges_between_labels, lowered
 from verify.views.plots import collapse, map_figure
 from verify.views.plots.shapes import merged
 from verify.views.setting import prose
@@ -170,7 +170,7 @@ def test_an_animation_is_the_same_again_and_brings_no_script(shown: collapse.Fil
 
 def test_lines_that_are_left_out_follow_from_others() -> None:
     edges = edges_between_labels(graph(everywhere.decide_everywhere()))
-    level = levels(edges)
+    level = lowered(levels(edges), edges)
     kept = direct(edges, level)
     above: dict[str, set[str]] = {}
     for label in sorted(kept, key=lambda label: level[label]):
@@ -179,6 +179,24 @@ def test_lines_that_are_left_out_follow_from_others() -> None:
         down = {source for source in sources if level[source] < level[label]}
         assert down <= above[label]
     assert sum(map(len, kept.values())) < sum(map(len, edges.values())) / 2
+
+
+def test_each_fact_is_below_what_it_rests_on_whatever_comes_first() -> None:
+    edges = {"last": {"a", "b"}, "a": {"first"}, "b": {"a"}, "first": set(), "apart": set()}
+    assert levels(edges) == {"last": 3, "a": 1, "b": 2, "first": 0, "apart": 0}
+    circle = levels({"x": {"y"}, "y": {"x", "z"}, "z": set()})
+    assert circle == {"x": 2, "y": 1, "z": 0}
+
+
+def test_the_theorem_is_the_last_of_the_formulas_that_it_rests_on() -> None:
+    outcome = everywhere.decide_everywhere()
+    edges = edges_between_labels(graph(outcome))
+    level = lowered(levels(edges), edges)
+    last = outcome.rows[-1][0].label
+    assert [label for label in level if level[label] >= level[last]] == [last]
+    assert all(level[label] < level[last] for label in edges[last])
+    for label in set().union(*edges.values()):
+        assert any(label in edges[user] and level[user] == level[label] + 1 for user in edges)
 
 
 def _folder_of(made: Path, folder: str) -> Outcome:

@@ -11,15 +11,24 @@ from difflib import get_close_matches
 
 from verify.cli.files import MAX_BYTES
 from verify.cli.options import Options, Parser, field
-from verify.cli.proofs import MAIN, accepted_outcome, explained_in, names_with, outcome_of
+from verify.cli.proofs import (
+    MAIN,
+    accepted_outcome,
+    explained_in,
+    names_with,
+    outcome_of,
+    with_something_proved,
+)
 from verify.cli.terminal import add_color, show
 from verify.language.record import TYPE_CHECKING
 from verify.wire.inputs import InputError, regular_file, shown
 from verify.wire.packaged import AS_PRINTED, PACKAGED_FILES
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from typing import Any
 
+    from verify.language.terms import Term
     from verify.paper.commands.place import Place
     from verify.prover.outcome import Outcome
 
@@ -57,14 +66,16 @@ def run(options: Options) -> int:
     *folders, word = options.row
     if len(folders) > 1:
         raise InputError(f"row: {shown(word)} is a word too many; write FOLDER ROW, or ROW")
-    word, point = _label(word), _point(options)
-    if point and folders:
+    word, parameters = _label(word), _parameters(options)
+    if parameters and folders:
         raise InputError(f"row: leave out {shown(folders[0])} with --r; write --r R ROW")
-    answer = _answer(word, point) if point and not options.verbose else []
+    answer = _answer(word, parameters) if parameters and not options.verbose else []
     if answer:
         text = answer
-    elif point:
-        text = _inside("theorem1", point, word, options)
+    elif parameters:
+        from verify.paper.commands.theorem1 import decide_point  # loaded only where it is used
+
+        text = _inside("theorem1", accepted_outcome(decide_point(parameters)), word, options)
     elif folders:
         text = _inside(folders[0], outcome_of(folders[0]), word, options)
     else:
@@ -80,8 +91,8 @@ def _label(word: str) -> str:
     return next(iter(labels_called(word)), word)
 
 
-def _point(options: Options) -> Outcome | None:
-    """The outcome at the point that the options name; None if they name none."""
+def _parameters(options: Options) -> Mapping[str, Term] | None:
+    """The parameters of the point that the options name; None if they name none."""
     given = {name: getattr(options, field(name)) for name in ("--r", *ANGLES)}
     if given["--r"] is None:
         for name in (name for name, value in given.items() if value is not None):
@@ -91,12 +102,10 @@ def _point(options: Options) -> Outcome | None:
         DEFAULTS,
         read_parameters,
     )  # loaded only where they are used
-    from verify.paper.commands.theorem1 import decide_point
 
     values = {field(name): value for name, value in given.items() if value is not None}
     missing = {field(name): DEFAULTS.get(field(name)) for name in given}
-    parameters = read_parameters(Options(**(missing | values)))
-    return accepted_outcome(decide_point(parameters))
+    return read_parameters(Options(**(missing | values)))
 
 
 def _inside(folder: str, outcome: Outcome, word: str, options: Options) -> list[str]:
@@ -125,7 +134,7 @@ def _anywhere(word: str, options: Options) -> list[str]:
     from verify.paper.source import PAPER
     from verify.views.explain import explain
 
-    answer = _answer(word, _point(Options(**_SAMPLE)))
+    answer = _answer(word, _parameters(Options(**_SAMPLE)))
     if answer and not options.verbose:
         return [*answer, f"Where it is written, with all rows: verify explain -v {word}"]
     found = written(word) if word else []
@@ -149,19 +158,26 @@ def _anywhere(word: str, options: Options) -> list[str]:
     return text
 
 
-def _answer(word: str, outcome: Outcome | None) -> list[str]:
-    """What a label or a constant comes to: at a point of Theorem 1, or in another statement."""
+def _answer(word: str, parameters: Mapping[str, Term] | None) -> list[str]:
+    """What a label or a constant comes to: at a point of Theorem 1, or in another statement.
+
+    The verdicts at the point are those that `verify theorem1` prints there, by the same judges.
+    """
     from verify.paper.source import PAPER, printed_number  # loaded only where they are used
+
+    is_label = printed_number(word) is not None
+    if parameters is None or not (is_label or CONSTANT.fullmatch(word)):
+        return []
+    from verify.paper.commands.theorem1 import decide_point
     from verify.views.explain import about_constant, about_label
 
-    if printed_number(word) is None and not CONSTANT.fullmatch(word):
-        return []
-    text = [] if outcome is None else about_constant(outcome, word, PAPER)
-    if outcome is not None and printed_number(word) is not None:
-        text = about_label(outcome, word, PAPER)
-        for name in ("elsewhere", "spectrum", "classification"):
-            found = [] if text else about_label(outcome_of(name), word, PAPER)
-            text = [f"in {name}", *found] if found else text
+    outcome = with_something_proved(decide_point(parameters, all_sides=is_label))
+    if not is_label:
+        return about_constant(outcome, word, PAPER)
+    text = about_label(outcome, word, PAPER)
+    for name in ("elsewhere", "spectrum", "classification"):
+        found = [] if text else about_label(outcome_of(name), word, PAPER)
+        text = [f"in {name}", *found] if found else text
     return text
 
 

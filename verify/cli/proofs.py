@@ -100,9 +100,18 @@ def accepted_outcome(outcome: Outcome) -> Outcome:
     """
     from verify.wire.judge import judged  # loaded only where it is used
 
+    return judged(with_something_proved(outcome))
+
+
+def with_something_proved(outcome: Outcome) -> Outcome:
+    """The outcome.
+
+    Raises:
+        InputError: if the precision did not suffice for all of it.
+    """
     if outcome.spent:
         raise InputError(f"row: nothing is proved there: {outcome.spent}; name another statement")
-    return judged(outcome)
+    return outcome
 
 
 def _read(where: str) -> Outcome:

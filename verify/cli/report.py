@@ -10,8 +10,12 @@ from collections.abc import Mapping
 from verify.cli.files import test_folder, write_all
 from verify.cli.options import Options, Parser
 from verify.cli.steps import Steps
+from verify.language.record import TYPE_CHECKING
 from verify.paper.commands.report_files import MAX_BYTES
 from verify.wire.inputs import InputError, regular_file, shown
+
+if TYPE_CHECKING:
+    from typing import Any
 
 #: What is compared.
 PAGES = ("index.html", "index.md", "constants.tex")
@@ -61,7 +65,8 @@ def run(options: Options) -> int:
         for name in made:
             print(f"written  {os.path.join(options.directory, name)}")
         return 0
-    return 1 if _differing(options.directory, made) else 0
+    differing = _differing(options.directory, made)
+    return 1 if _stale(options.directory, material.measurements) or differing else 0
 
 
 def _differing(directory: str, made: Mapping[str, bytes]) -> int:
@@ -76,6 +81,21 @@ def _differing(directory: str, made: Mapping[str, bytes]) -> int:
         differing += 1
         print(f"{'DIFFERS':<8} {os.path.join(directory, name)}: no such page is made now")
     return differing
+
+
+def _stale(directory: str, measurements: Mapping[str, dict[str, Any]]) -> bool:
+    """Whether the speeds are not those that `verify bench` measures now; why has been told."""
+    if "bench" not in measurements:
+        return False
+    from verify.measure.bench import out_of_date  # loads mpmath
+
+    folder = os.path.join(directory, "data")
+    reasons = out_of_date(measurements["bench"])
+    if reasons:
+        path = os.path.join(folder, "bench.json")
+        told = f"write it anew with verify bench --out {folder}"
+        print(f"STALE    {path}: {'; '.join(reasons)}; {told}")
+    return bool(reasons)
 
 
 def _old_pages(directory: str) -> set[str]:

@@ -1,7 +1,7 @@
 (* What Clearing.v computes is right, at values for which what is usable holds: a cleared term is N/D,
    with D > 0, and sums and products of what is positive are positive. *)
 From Coq Require Import Reals QArith Qreals ZArith NArith List Lra Lia Bool FMapPositive.
-From Verify Require Import Meaning Polynomials Terms Substitution Clearing.
+From Verify Require Import Meaning Roots Polynomials Terms Substitution Clearing.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -25,11 +25,11 @@ Notation val := (value_at S v).
 Notation at_values := (at_values (value_at S v)).
 Definition is_quotient (i : positive) (x : quotient) : Prop :=
   defined_at S v i /\ 0 < at_values (snd x) /\ val i * at_values (snd x) = at_values (fst x).
-Definition is_square (x : positive * quotient) : Prop :=
-  0 < at_values (snd (snd x)) /\
-  val (fst x) * val (fst x) * at_values (snd (snd x)) = at_values (fst (snd x)).
+Definition is_power (x : positive * (positive * quotient)) : Prop :=
+  let '(i, (k, (n, d))) := x in
+  0 < at_values d /\ val i ^ Pos.to_nat k * at_values d = at_values n.
 Definition sound (s : clearing) : Prop :=
-  (forall i x, PM.find i (cleared s) = Some x -> is_quotient i x) /\ Forall is_square (squares s).
+  (forall i x, PM.find i (cleared s) = Some x -> is_quotient i x) /\ Forall is_power (powers s).
 
 Lemma nothing_sound : sound nothing_cleared.
 Proof. split; [|constructor]. intros i x E. cbn in E. now rewrite PM.gempty in E. Qed.
@@ -115,7 +115,8 @@ Proof.
 Qed.
 Lemma applies_there_sound f a : applies_there T knows f a = true -> in_domain f (val a).
 Proof.
-  destruct f; cbn [applies_there in_domain]; trivial. unfold positive_there.
+  destruct f; cbn [applies_there in_domain]; trivial; [|apply rooted_sound].
+  unfold positive_there.
   destruct (is_rational T a) as [q|] eqn:E; intros H; [|apply knows_sound in H; tauto].
   destruct (rational_sound _ _ E) as [-> _]. apply Z.ltb_lt in H. unfold Q2R.
   apply Rmult_lt_0_compat; [now apply IZR_lt | apply Rinv_0_lt_compat, IZR_lt; reflexivity].
@@ -175,15 +176,22 @@ Proof.
   - destruct (applies_there T knows f a) eqn:F; try discriminate. injection H as <-.
     apply applies_there_sound in F. split; [auto | apply atom_quotient].
 Qed.
-Lemma with_square_sound i n xs s x : PM.find i T = Some n -> Forall2 is_quotient (parts n) xs ->
-  combined T K knows is_defined i n xs = Some x -> sound s -> sound (with_square i n xs s).
+Lemma with_power_sound i n xs s x : PM.find i T = Some n -> Forall2 is_quotient (parts n) xs ->
+  combined T K knows is_defined i n xs = Some x -> sound s -> sound (with_power i n xs s).
 Proof.
-  intros E Q H [A B]. destruct n; cbn [with_square]; try (split; assumption).
-  destruct xs as [|y [|]]; try (split; assumption). split; trivial. constructor; trivial.
-  cbn [parts subterms combined] in *. quotients.
-  destruct (rooted T knows a) eqn:F; try discriminate. apply rooted_sound in F.
-  unfold is_square. cbn [fst snd]. unfold is_quotient in *. rewrite (table_value _ _ E).
-  cbn [node_value]. rewrite sqrt_sqrt by assumption. tauto.
+  intros E Q H [A B].
+  destruct n; cbn [with_power]; try (split; assumption).
+  - destruct xs as [|y [|]]; try (split; assumption). split; trivial. constructor; trivial.
+    cbn [parts subterms combined] in *. quotients.
+    destruct (rooted T knows a) eqn:F; try discriminate. apply rooted_sound in F.
+    unfold is_power. unfold is_quotient in *. rewrite (table_value _ _ E). destruct y as [n d].
+    cbn [node_value]. change (Pos.to_nat 2) with 2%nat. rewrite pow2_sqrt by assumption. tauto.
+  - destruct f; try (split; assumption).
+    destruct xs as [|y [|]]; try (split; assumption). split; trivial. constructor; trivial.
+    cbn [parts subterms combined applies_there] in *. quotients.
+    destruct (rooted T knows a) eqn:F; try discriminate. apply rooted_sound in F.
+    unfold is_power. unfold is_quotient in *. rewrite (table_value _ _ E). destruct y as [m d].
+    cbn [node_value applied]. rewrite nth_root_power by assumption. tauto.
 Qed.
 Notation clear := (clear T K knows is_defined replaced).
 Lemma clear_sound fuel : forall s i x s1, sound s -> clear fuel s i = Some (x, s1) ->
@@ -200,7 +208,7 @@ Proof.
   - bind H n W. bind H y F. destruct y as [xs s2]. bind H z G. injection H as <- <-.
     apply (each_sound sound is_quotient) in F; [|intros; eapply IH; eauto | trivial]. destruct F as [Q2 F].
     pose proof (combined_sound _ _ _ _ W F G). split; trivial.
-    apply remember_sound; trivial. eapply with_square_sound; eauto.
+    apply remember_sound; trivial. eapply with_power_sound; eauto.
 Qed.
 Notation difference := (difference T K knows is_defined replaced).
 (* The difference has the sign of the difference of the terms. *)
@@ -270,10 +278,12 @@ Proof.
       unfold is_signed; cbn [fst snd related] in *; rewrite V.
     + split; [apply Rmult_le_pos; lra | intros _; apply Rmult_lt_0_compat; lra].
     + split; [apply Rmult_le_pos; lra | discriminate].
-  - destruct (PM.find t T) as [[]|] eqn:N; try discriminate. bind H x X. destruct x as [x s2].
-    injection H as <- <-. apply clear_sound in X; trivial. destruct X as [Q2 (_ & P & V)].
-    split; trivial. unfold is_signed. cbn [fst snd]. rewrite <- V. split; [|discriminate].
-    apply Rmult_le_pos; [|lra]. rewrite (table_value _ _ N). cbn [node_value]. apply sqrt_pos.
+  - destruct (PM.find t T) as [[]|] eqn:N; try discriminate; try (destruct f; try discriminate);
+      bind H x X; destruct x as [x s2]; injection H as <- <-; apply clear_sound in X; trivial;
+      destruct X as [Q2 (_ & P & V)]; split; trivial; unfold is_signed; cbn [fst snd];
+      rewrite <- V; (split; [|discriminate]); (apply Rmult_le_pos; [|lra]);
+      rewrite (table_value _ _ N); cbn [node_value applied];
+      [apply sqrt_pos | apply nth_root_nonnegative].
   - bind H x X. destruct x as [x s2]. injection H as <- <-. apply clear_sound in X; trivial.
     destruct X as [Q2 _]. split; trivial. unfold is_signed. cbn [fst snd]. rewrite times_value.
     split; [apply Rle_0_sqr | discriminate].
@@ -293,11 +303,11 @@ Qed.
 
 Lemma reduce_sound s : sound s -> forall p, exists k, 0 < k /\ at_values (reduce s p) = k * at_values p.
 Proof.
-  intros [_ Q]. unfold reduce. induction Q as [|[x [n d]] l A B IH]; cbn [fold_left]; intros p.
+  intros [_ Q]. unfold reduce. induction Q as [|[x [i [n d]]] l A B IH]; cbn [fold_left]; intros p.
   - exists 1. split; [lra | ring].
   - destruct A as [P V]. cbn [fst snd] in *.
-    destruct (without_squares_value val x n d p P V) as (k & Pk & E).
-    destruct (IH (without_squares x n d p)) as (j & Pj & F). exists (j * k).
+    destruct (without_powers_value val x i n d p P V) as (k & Pk & E).
+    destruct (IH (without_powers x i n d p)) as (j & Pj & F). exists (j * k).
     split; [now apply Rmult_lt_0_compat|]. rewrite F, E. ring.
 Qed.
 Lemma vanishes_sound s p : sound s -> vanishes s p = true -> at_values p = 0.

@@ -12,9 +12,11 @@ Inductive addend : Set :=
 | Goal | Number (q : Q) | Known (f : reference) | Root (t : positive) | Square (t : positive)
 | Sum (l : list addend) | Product (l : list addend) | Power (a : addend) (n : positive).
 
+(* Functions that rise where they are defined. *)
+Inductive rising : Set := SquareRoot | Elementary (f : elementary).
 Record clearing := Clearing {
   cleared : PM.t quotient;
-  squares : list (positive * quotient)  (* of roots, with their radicands; the latest first *)
+  powers : list (positive * (positive * quotient))  (* roots, with index and radicand; the latest first *)
 }.
 Definition nothing_cleared : clearing := Clearing (PM.empty quotient) [].
 Definition levels : nat := 400.
@@ -29,7 +31,7 @@ Variable replaced : PM.t positive.
 Definition is_rational (i : positive) : option Q :=
   match PM.find i T with Some (NRational n d) => Some (Qmake n d) | _ => None end.
 Definition remember (i : positive) (x : quotient) (s : clearing) : clearing :=
-  Clearing (PM.add i x (cleared s)) (squares s).
+  Clearing (PM.add i x (cleared s)) (powers s).
 Definition added (plus_ : polynomial -> polynomial -> polynomial) (x y : quotient) : quotient :=
   let (n, d) := x in
   let (m, e) := y in
@@ -44,16 +46,16 @@ Definition divided (b : positive) (x y : quotient) : option quotient :=
       else let* o := find_node T K (NNeg b) in
         if knows true o then Some (times (opposite n) e, times d (opposite m)) else None
   end.
-(* The logarithm of what is known to be positive, and the root of what is known to be nonnegative. *)
-Definition positive_there (a : positive) : bool :=
-  match is_rational a with Some q => Z.ltb 0 (Qnum q) | None => knows true a end.
-Definition applies_there (f : elementary) (a : positive) : bool :=
-  match f with Log => positive_there a | _ => true end.
+(* The root of what is known to be nonnegative, and the logarithm of what is known to be positive. *)
 Definition rooted (a : positive) : bool :=
   match is_rational a with
   | Some q => Z.leb 0 (Qnum q)
   | None => knows true a || knows false a
   end.
+Definition positive_there (a : positive) : bool :=
+  match is_rational a with Some q => Z.ltb 0 (Qnum q) | None => knows true a end.
+Definition applies_there (f : elementary) (a : positive) : bool :=
+  match f with Log => positive_there a | NthRoot _ => rooted a | _ => true end.
 Definition parts (n : node) : list positive :=
   match n with NConstant _ _ => [] | _ => subterms n end.
 Definition combined (i : positive) (n : node) (xs : list quotient) : option quotient :=
@@ -72,9 +74,10 @@ Definition combined (i : positive) (n : node) (xs : list quotient) : option quot
   | NPow _ k, [(n, d)] => Some (power n (Pos.to_nat k), power d (Pos.to_nat k))
   | _, _ => None
   end.
-Definition with_square (i : positive) (n : node) (xs : list quotient) (s : clearing) : clearing :=
+Definition with_power (i : positive) (n : node) (xs : list quotient) (s : clearing) : clearing :=
   match n, xs with
-  | NSqrt _, [x] => Clearing (cleared s) ((i, x) :: squares s)
+  | NSqrt _, [x] => Clearing (cleared s) ((i, (2%positive, x)) :: powers s)
+  | NOf (NthRoot k) _, [x] => Clearing (cleared s) ((i, (k, x)) :: powers s)
   | _, _ => s
   end.
 
@@ -91,7 +94,7 @@ Fixpoint clear (fuel : nat) (s : clearing) (i : positive) : option (quotient * c
               let* n := PM.find i T in
               let* (xs, s1) := each (clear fuel) s (parts n) in
               let* x := combined i n xs in
-              Some (x, remember i x (with_square i n xs s1))
+              Some (x, remember i x (with_power i n xs s1))
           end
       end
   end.
@@ -128,7 +131,8 @@ Fixpoint addend_value (a : addend) (s : clearing) : signed :=
       end
   | Root t =>
       match PM.find t T with
-      | Some (NSqrt _) => let* (x, s1) := clear levels s t in Some ((fst x, false), s1)
+      | Some (NSqrt _ | NOf (NthRoot _) _) =>
+          let* (x, s1) := clear levels s t in Some ((fst x, false), s1)
       | _ => None
       end
   | Square t =>
@@ -141,7 +145,7 @@ Fixpoint addend_value (a : addend) (s : clearing) : signed :=
   end.
 
 Definition reduce (s : clearing) (p : polynomial) : polynomial :=
-  fold_left (fun p x => without_squares (fst x) (fst (snd x)) (snd (snd x)) p) (squares s) p.
+  fold_left (fun p x => let '(i, (k, (n, d))) := x in without_powers i k n d p) (powers s) p.
 Definition vanishes (s : clearing) (p : polynomial) : bool :=
   match reduce s p with [] => true | _ => false end.
 End Clear.

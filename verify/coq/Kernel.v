@@ -2,6 +2,7 @@
    them right. *)
 From Coq Require Import Reals QArith Qreals ZArith NArith List Lra Lia Bool Arith FMapPositive.
 From Verify Require Import Meaning Polynomials Terms Substitution Clearing Enclosures Functions Cosines.
+From Verify Require Import Laws Rising.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -17,7 +18,8 @@ Inductive proof : Set :=
 | Entry (s : side) (equation : option reference)
 | Least (s : side) (equation : option reference) (branches : list proof)
 | PositiveRoot
-| Antisymmetry (branches : list proof) | Angles | Cosine_
+| Antisymmetry (branches : list proof) | Angles | Cosine_ | Range | Law
+| Monotony (under : option rising) (premise : proof)
 | BySum (replacements : list reference) (addends : list addend) (equations : list (reference * positive))
 | Instance (of : positive) (at_ : substitution) (premises : list proof).
 
@@ -36,24 +38,6 @@ Definition no_facts : facts :=
 Definition place : Set := (nat * list claim)%type.
 Definition no_hypotheses (c : nat) : place := (c, []).
 Definition branch (p : place) (more : list claim) : place := (fst p, snd p ++ more).
-
-Definition same_relation (r s : relation) : bool :=
-  match r, s with
-  | Less, Less | AtMost, AtMost | Equal, Equal | Differs, Differs => true
-  | _, _ => false
-  end.
-Definition same_claim (g h : claim) : bool :=
-  same_relation (relation_of g) (relation_of h) && Pos.eqb (lhs g) (lhs h) && Pos.eqb (rhs g) (rhs h).
-Lemma same_claim_sound g h : same_claim g h = true -> g = h.
-Proof.
-  unfold same_claim. destruct g as [r a b], h as [s c d]. cbn [relation_of lhs rhs]. intros H.
-  apply andb_prop in H. destruct H as [H B]. apply andb_prop in H. destruct H as [H A].
-  apply Pos.eqb_eq in A, B. subst. destruct r, s; try discriminate; reflexivity.
-Qed.
-Definition negated (g : claim) : claim :=
-  let r := match relation_of g with
-    | Less => AtMost | AtMost => Less | Equal => Differs | Differs => Equal end in
-  Claim r (rhs g) (lhs g).
 
 Section Paired.
 Context {A : Type}.
@@ -283,7 +267,7 @@ Definition least (p : place) (g : claim) (s : side) (equation : option reference
 
 Definition root (p : place) (g : claim) : bool :=
   match PM.find (rhs g) T with
-  | Some (NSqrt a) =>
+  | Some (NSqrt a | NOf (NthRoot _) a) =>
       is_zero (lhs g) && same_relation (relation_of g) Less && knows p true a
   | _ => false
   end.
@@ -291,6 +275,10 @@ Definition root (p : place) (g : claim) : bool :=
 Definition antisymmetry (p : place) (g : claim) (branches : list proof) : bool :=
   same_relation (relation_of g) Equal &&
   paired (prove p) [Claim AtMost (lhs g) (rhs g); Claim AtMost (rhs g) (lhs g)] branches.
+
+Definition monotony (p : place) (g : claim) (under : option rising) (premise : proof) : bool :=
+  clears p [lhs g; rhs g] &&
+  match below T K under g with Some h => prove p h premise | None => false end.
 
 Definition is_atom (i : positive) : bool :=
   match PM.find i T with
@@ -393,6 +381,9 @@ Fixpoint prove (p : place) (g : claim) (q : proof) {struct q} : bool :=
   | Antisymmetry branches => antisymmetry prove p g branches
   | Angles => angles T K (knows p) (has_value p) g
   | Cosine_ => cosine T K (knows p) (has_value p) g
+  | Range => range T K (knows p) (has_value p) g
+  | Law => law T K (knows p) (has_value p) g
+  | Monotony under premise => monotony prove p g under premise
   | BySum u a e => sum p g u a e
   | Instance f s premises => instance prove p g f s premises
   end.

@@ -7,7 +7,7 @@ Open Scope R_scope.
 
 (* --- terms and their values ------------------------------------------------------------------- *)
 
-Inductive elementary : Set := Exp | Log | Sin | Atan.
+Inductive elementary : Set := Exp | Log | Sin | Atan | NthRoot (n : positive).
 
 Inductive term : Set :=
 | Rational (n : Z) (d : positive)
@@ -17,10 +17,16 @@ Inductive term : Set :=
 | Min (a b : term) | Max (a b : term) | Cos (a : term) | CosPi (a : term)
 | Pi | Of (f : elementary) (a : term).
 
+(* The root of a number that is not negative. *)
+Definition nth_root (n : positive) (x : R) : R :=
+  if Rlt_dec 0 x then Rpower x (/ IZR (Zpos n)) else 0.
 (* The logarithm is the natural one, of positive numbers. *)
 Definition applied (f : elementary) (x : R) : R :=
-  match f with Exp => exp x | Log => ln x | Sin => sin x | Atan => atan x end.
-Definition in_domain (f : elementary) (x : R) : Prop := match f with Log => 0 < x | _ => True end.
+  match f with
+  | Exp => exp x | Log => ln x | Sin => sin x | Atan => atan x | NthRoot n => nth_root n x
+  end.
+Definition in_domain (f : elementary) (x : R) : Prop :=
+  match f with Log => 0 < x | NthRoot _ => 0 <= x | _ => True end.
 
 (* The values of the variables, by their numbers. *)
 Definition valuation := positive -> R.

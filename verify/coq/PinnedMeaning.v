@@ -38,6 +38,9 @@ Check (fun a => eq_refl : value (M.Of M.Exp a) = exp (value a)).
 Check (fun a => eq_refl : value (M.Of M.Log a) = ln (value a)).
 Check (fun a => eq_refl : value (M.Of M.Sin a) = sin (value a)).
 Check (fun a => eq_refl : value (M.Of M.Atan a) = atan (value a)).
+Check (fun n a => eq_refl : value (M.Of (M.NthRoot n) a) = M.nth_root n (value a)).
+Check (fun n x => eq_refl : M.nth_root n x =
+  if Rlt_dec 0 x then Rpower x (/ IZR (Zpos n)) else 0).
 
 Check (fun n d => eq_refl : defined (M.Rational n d) = True).
 Check (fun x => eq_refl : defined (M.Unknown x) = True).
@@ -57,6 +60,7 @@ Check (fun a => eq_refl : defined (M.Of M.Exp a) = (defined a /\ True)).
 Check (fun a => eq_refl : defined (M.Of M.Log a) = (defined a /\ 0 < value a)).
 Check (fun a => eq_refl : defined (M.Of M.Sin a) = (defined a /\ True)).
 Check (fun a => eq_refl : defined (M.Of M.Atan a) = (defined a /\ True)).
+Check (fun n a => eq_refl : defined (M.Of (M.NthRoot n) a) = (defined a /\ 0 <= value a)).
 End Terms.
 
 (* A node stands for a term over the terms that earlier nodes stand for. *)

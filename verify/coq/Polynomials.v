@@ -225,7 +225,7 @@ Proof.
 Qed.
 End Values.
 
-(* --- squares of roots ------------------------------------------------------------------------- *)
+(* --- powers of roots -------------------------------------------------------------------------- *)
 
 (* The exponent of an atom, and the other factors. *)
 Fixpoint split_at (x : positive) (m : monomial) : N * monomial :=
@@ -235,23 +235,24 @@ Fixpoint split_at (x : positive) (m : monomial) : N * monomial :=
       if Pos.eqb x y then (Npos n, r)
       else let (k, rest) := split_at x r in (k, (y, n) :: rest)
   end.
-Definition half_exponent (x : positive) (t : monomial * Q) : nat :=
-  N.to_nat (N.div2 (fst (split_at x (fst t)))).
-Definition highest (x : positive) (p : polynomial) : nat :=
-  fold_right (fun t => Nat.max (half_exponent x t)) O p.
-(* One monomial times d^top, where x^2 = n/d: n^half d^(top - half) takes the place of x^(2 half). *)
-Definition without_square (x : positive) (n d : polynomial) (top : nat) (t : monomial * Q) :=
+(* How often a power of the atom is in a monomial, and the power that is left. *)
+Definition whole_times (x index : positive) (t : monomial * Q) : nat :=
+  N.to_nat (fst (N.div_eucl (fst (split_at x (fst t))) (Npos index))).
+Definition highest (x index : positive) (p : polynomial) : nat :=
+  fold_right (fun t => Nat.max (whole_times x index t)) O p.
+(* One monomial times d^top, where x^index = n/d: n^h d^(top - h) takes the place of x^(index h). *)
+Definition without_power (x index : positive) (n d : polynomial) (top : nat) (t : monomial * Q) :=
   let (k, rest) := split_at x (fst t) in
-  let h := N.to_nat (N.div2 k) in
-  let left := if N.odd k then merged [(x, 1%positive)] rest else rest in
-  scaled left (snd t) (times (power n h) (power d (top - h))).
-Definition without_squares (x : positive) (n d : polynomial) (p : polynomial) : polynomial :=
-  match highest x p with
+  let (h, o) := N.div_eucl k (Npos index) in
+  let left := match o with N0 => rest | Npos e => merged [(x, e)] rest end in
+  scaled left (snd t) (times (power n (N.to_nat h)) (power d (top - N.to_nat h))).
+Definition without_powers (x index : positive) (n d : polynomial) (p : polynomial) : polynomial :=
+  match highest x index p with
   | O => p
-  | top => sum_of (map (without_square x n d top) p)
+  | top => sum_of (map (without_power x index n d top) p)
   end.
 
-Section Squares.
+Section Powers.
 Variable v : positive -> R.
 Lemma split_at_value x m : forall k rest, split_at x m = (k, rest) ->
   monomial_value v m = v x ^ N.to_nat k * monomial_value v rest.
@@ -263,41 +264,42 @@ Proof.
     + destruct (split_at x m) as [k' rest']. injection H as <- <-.
       cbn [monomial_value]. rewrite (IH _ _ eq_refl). ring.
 Qed.
-Lemma without_square_value x n d top t :
-  v x * v x * at_values v d = at_values v n -> (half_exponent x t <= top)%nat ->
-  at_values v (without_square x n d top t) =
+Lemma without_power_value x index n d top t :
+  v x ^ Pos.to_nat index * at_values v d = at_values v n -> (whole_times x index t <= top)%nat ->
+  at_values v (without_power x index n d top t) =
   at_values v d ^ top * (Q2R (snd t) * monomial_value v (fst t)).
 Proof.
-  destruct t as [m c]. unfold without_square, half_exponent. cbn [fst snd].
-  destruct (split_at x m) as [k rest] eqn:E. cbn [fst]. intros Hx Hk.
+  destruct t as [m c]. unfold without_power, whole_times. cbn [fst snd].
+  destruct (split_at x m) as [k rest] eqn:E. cbn [fst].
+  pose proof (N.div_eucl_spec k (Npos index)) as D.
+  destruct (N.div_eucl k (Npos index)) as [q o]. cbn [fst]. intros Hx Hk.
   apply split_at_value in E. rewrite E, scaled_value, times_value, !power_value.
-  set (h := N.to_nat (N.div2 k)) in *.
-  assert (K : v x ^ N.to_nat k * monomial_value v rest = (v x * v x) ^ h *
-    monomial_value v (if N.odd k then merged [(x, 1%positive)] rest else rest)).
-  { rewrite (N.div2_odd k) at 1. rewrite N2Nat.inj_add, N2Nat.inj_mul, pow_add, pow_mult. fold h.
-    clearbody h. change (N.to_nat 2) with 2%nat. replace (v x ^ 2) with (v x * v x) by ring.
-    destruct (N.odd k); cbn [N.b2n].
-    - rewrite merged_value. cbn [monomial_value]. change (Pos.to_nat 1) with 1%nat.
-      change (N.to_nat 1) with 1%nat. ring.
-    - change (N.to_nat 0) with 0%nat. ring. }
+  set (h := N.to_nat q) in *.
+  assert (K : v x ^ N.to_nat k * monomial_value v rest = (v x ^ Pos.to_nat index) ^ h *
+    monomial_value v (match o with N0 => rest | Npos e => merged [(x, e)] rest end)).
+  { rewrite D, N2Nat.inj_add, N2Nat.inj_mul, pow_add, pow_mult. fold h. clearbody h.
+    change (N.to_nat (Npos index)) with (Pos.to_nat index). destruct o as [|e].
+    - change (N.to_nat 0) with 0%nat. ring.
+    - rewrite merged_value. cbn [monomial_value]. change (N.to_nat (Npos e)) with (Pos.to_nat e).
+      ring. }
   rewrite K, <- Hx, Rpow_mult_distr.
   replace (at_values v d ^ top) with (at_values v d ^ h * at_values v d ^ (top - h))
     by (rewrite <- pow_add; f_equal; lia).
   ring.
 Qed.
-Lemma without_squares_value x n d p :
-  0 < at_values v d -> v x * v x * at_values v d = at_values v n ->
-  exists k, 0 < k /\ at_values v (without_squares x n d p) = k * at_values v p.
+Lemma without_powers_value x index n d p :
+  0 < at_values v d -> v x ^ Pos.to_nat index * at_values v d = at_values v n ->
+  exists k, 0 < k /\ at_values v (without_powers x index n d p) = k * at_values v p.
 Proof.
-  intros Hd Hx. unfold without_squares. destruct (highest x p) as [|h] eqn:E.
+  intros Hd Hx. unfold without_powers. destruct (highest x index p) as [|h] eqn:E.
   - exists 1. split; [lra | ring].
   - exists (at_values v d ^ S h). split; [now apply pow_lt|].
-    assert (B : (highest x p <= S h)%nat) by lia. clear E.
+    assert (B : (highest x index p <= S h)%nat) by lia. clear E.
     rewrite sum_of_value. induction p as [|t p IH]; cbn [map values_sum fold_right].
     + simpl. ring.
-    + cbn [highest fold_right] in B. fold (highest x p) in B.
-      fold (values_sum v (map (without_square x n d (S h)) p)).
-      rewrite IH by lia. rewrite without_square_value by (trivial; lia).
+    + cbn [highest fold_right] in B. fold (highest x index p) in B.
+      fold (values_sum v (map (without_power x index n d (S h)) p)).
+      rewrite IH by lia. rewrite without_power_value by (trivial; lia).
       destruct t as [m c]. cbn [at_values fst snd]. ring.
 Qed.
-End Squares.
+End Powers.

@@ -70,6 +70,7 @@ Fixpoint show (l : values) (v : valuation) (t : shape) : R :=
   | Function Log a => ln (show l v a)
   | Function Sin a => sin (show l v a)
   | Function Atan a => atan (show l v a)
+  | Function (NthRoot n) a => nth_root n (show l v a)
   end.
 
 Hypothesis in_order : ordered (numbered S) = true.

@@ -1,47 +1,10 @@
 (* Each rule is sound: what it accepts holds for all values that satisfy what is in scope. One lemma
    per rule, in the order of verify/check.py; the rule of intervals is in Places.v. *)
 From Coq Require Import Reals QArith Qreals ZArith NArith List Lra Lia Bool Arith FMapPositive.
-From Verify Require Import Meaning Polynomials Terms Substitution Clearing Cleared Enclosures Cosines.
-From Verify Require Import Kernel Places.
+From Verify Require Import Meaning Roots Polynomials Terms Substitution Clearing Cleared Enclosures Cosines.
+From Verify Require Import Laws Rising Kernel Induction Places.
 Import ListNotations.
 Open Scope R_scope.
-
-(* Induction over proofs, with those that are parts of them. *)
-Section Induction.
-Variable P : proof -> Prop.
-Hypothesis PGiven : forall f, P (Given_ f).
-Hypothesis PInterval : forall b l, P (Interval b l).
-Hypothesis PCuts : forall t l ps, Forall P ps -> P (Cuts t l ps).
-Hypothesis PCases : forall t ps, Forall P ps -> P (Cases t ps).
-Hypothesis PEntry : forall s e, P (Entry s e).
-Hypothesis PLeast : forall s e ps, Forall P ps -> P (Least s e ps).
-Hypothesis PRoot : P PositiveRoot.
-Hypothesis PAntisymmetry : forall ps, Forall P ps -> P (Antisymmetry ps).
-Hypothesis PAngles : P Angles.
-Hypothesis PCosine : P Cosine_.
-Hypothesis PSum : forall u a e, P (BySum u a e).
-Hypothesis PInstance : forall f s ps, Forall P ps -> P (Instance f s ps).
-Fixpoint proof_induction (p : proof) : P p :=
-  let each_of := fix each_of (l : list proof) : Forall P l :=
-    match l with
-    | [] => Forall_nil P
-    | q :: r => Forall_cons q (proof_induction q) (each_of r)
-    end in
-  match p with
-  | Given_ f => PGiven f
-  | Interval b l => PInterval b l
-  | Cuts t l ps => PCuts t l ps (each_of ps)
-  | Cases t ps => PCases t ps (each_of ps)
-  | Entry s e => PEntry s e
-  | Least s e ps => PLeast s e ps (each_of ps)
-  | PositiveRoot => PRoot
-  | Antisymmetry ps => PAntisymmetry ps (each_of ps)
-  | Angles => PAngles
-  | Cosine_ => PCosine
-  | BySum u a e => PSum u a e
-  | Instance f s ps => PInstance f s ps (each_of ps)
-  end.
-End Induction.
 
 Section Sound.
 Variable S : statement.
@@ -195,16 +158,18 @@ Qed.
 
 Lemma root_sound g : root S T F p g = true -> holds S v g.
 Proof.
-  unfold root. destruct (PM.find (rhs g) T) as [[]|] eqn:E; try discriminate. intros Q. split_and Q.
-  destruct (is_zero_sound v _ Q) as [W D]. apply same_relation_sound in A0.
-  apply (knows_sound v p here) in A. destruct A as (D' & Pos & Str). specialize (Str eq_refl).
-  unfold holds, stands. rewrite A0, W, (value_is _ _ _ E), (defined_is _ _ _ E).
-  cbn [related node_value subterms proviso In]. repeat split; trivial.
-  - intuition (subst; trivial).
+  unfold root. destruct (PM.find (rhs g) T) as [[]|] eqn:E; try discriminate;
+    try (destruct f; try discriminate); intros Q; split_and Q;
+    destruct (is_zero_sound v _ Q) as [W D]; apply same_relation_sound in A0;
+    apply (knows_sound v p here) in A; destruct A as (D' & Pos & Str); specialize (Str eq_refl);
+    unfold holds, stands; rewrite A0, W, (value_is _ _ _ E), (defined_is _ _ _ E);
+    cbn [related node_value applied subterms proviso in_domain In]; repeat split; trivial;
+    try (intuition (subst; trivial)).
   - now apply sqrt_lt_R0.
+  - now apply nth_root_positive.
 Qed.
 
-(* --- antisymmetry, angles and cosine --- *)
+(* --- antisymmetry, angles, cosine, range, law and monotony --- *)
 
 Lemma antisymmetry_sound g branches : Forall proves branches ->
   antisymmetry prove p g branches = true -> holds S v g.
@@ -225,6 +190,25 @@ Lemma cosine_right g : cosine T K (knows S T F p) (has_value S F p) g = true -> 
 Proof.
   exact (cosine_sound S in_order T is_table K v (knows S T F p) (knows_sign v p here)
     (has_value S F p) (has_value_sound v p here) g).
+Qed.
+
+Lemma range_right g : range T K (knows S T F p) (has_value S F p) g = true -> holds S v g.
+Proof.
+  exact (range_sound S in_order T is_table K v (knows S T F p) (knows_sign v p here)
+    (has_value S F p) (has_value_sound v p here) g).
+Qed.
+Lemma law_right g : law T K (knows S T F p) (has_value S F p) g = true -> holds S v g.
+Proof.
+  exact (law_sound S in_order T is_table K v (knows S T F p) (knows_sign v p here)
+    (has_value S F p) (has_value_sound v p here) g).
+Qed.
+Lemma monotony_sound g under premise : proves premise ->
+  monotony S T K F prove p g under premise = true -> holds S v g.
+Proof.
+  unfold monotony. intros P E. split_and E. apply (clears_sound v p here) in E.
+  inversion_clear E as [|? ? L E']. inversion_clear E' as [|? ? R _].
+  destruct (below T K under g) as [h|] eqn:B; try discriminate.
+  apply (below_sound S in_order T is_table K v under g h B L R). exact (P _ _ A v here).
 Qed.
 
 (* --- sum --- *)
@@ -363,6 +347,9 @@ Lemma prove_step p g q : prove p g q = match q with
   | Antisymmetry branches => antisymmetry prove p g branches
   | Angles => angles T K (knows S T F p) (has_value S F p) g
   | Cosine_ => cosine T K (knows S T F p) (has_value S F p) g
+  | Range => range T K (knows S T F p) (has_value S F p) g
+  | Law => law T K (knows S T F p) (has_value S F p) g
+  | Monotony under premise => monotony S T K F prove p g under premise
   | BySum u a e => sum S T K F p g u a e
   | Instance f s premises => instance S T K H F prove p g f s premises
   end.
@@ -383,6 +370,9 @@ Proof.
   - exact (antisymmetry_sound v p here prove _ _ H0 E).
   - exact (angles_right v p here _ E).
   - exact (cosine_right v p here _ E).
+  - exact (range_right v p here _ E).
+  - exact (law_right v p here _ E).
+  - exact (monotony_sound v p here prove _ _ _ IHq E).
   - exact (sum_sound v p here _ _ _ _ E).
   - exact (instance_sound v p here prove _ _ _ _ H0 E).
 Qed.

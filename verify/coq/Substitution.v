@@ -18,7 +18,7 @@ Fixpoint coded (p rest : positive) : positive :=
   end.
 Definition key (n : node) : positive :=
   match n with
-  | NRational _ _ | NVariable _ | NConstant _ _ | NPi => 1
+  | NRational _ _ | NVariable _ | NConstant _ _ => 1
   | NAdd a b => coded 2 (coded a (coded b 1))
   | NSub a b => coded 3 (coded a (coded b 1))
   | NMul a b => coded 4 (coded a (coded b 1))
@@ -30,7 +30,12 @@ Definition key (n : node) : positive :=
   | NMax a l => coded 10 (coded a (fold_right coded 1%positive l))
   | NCos a => coded 11 (coded a 1)
   | NCosPi a => coded 12 (coded a 1)
-  | NOf f a => coded match f with Exp => 13 | Log => 14 | Sin => 15 | Atan => 16 end (coded a 1)
+  | NOf Exp a => coded 13 (coded a 1)
+  | NOf Log a => coded 14 (coded a 1)
+  | NOf Sin a => coded 15 (coded a 1)
+  | NOf Atan a => coded 16 (coded a 1)
+  | NOf (NthRoot n) a => coded 18 (coded n (coded a 1))
+  | NPi => coded 17 1
   end.
 Definition keys (l : list (positive * node)) : PM.t positive :=
   fold_right (fun x m => PM.add (key (snd x)) (fst x) m) (PM.empty positive) l.

@@ -42,6 +42,26 @@ Proof.
     apply IH in G; trivial; [|intros; eapply F; eauto; now right]. destruct G. auto.
 Qed.
 
+(* --- claims ----------------------------------------------------------------------------------- *)
+
+Definition same_relation (r s : relation) : bool :=
+  match r, s with
+  | Less, Less | AtMost, AtMost | Equal, Equal | Differs, Differs => true
+  | _, _ => false
+  end.
+Definition same_claim (g h : claim) : bool :=
+  same_relation (relation_of g) (relation_of h) && Pos.eqb (lhs g) (lhs h) && Pos.eqb (rhs g) (rhs h).
+Lemma same_claim_sound g h : same_claim g h = true -> g = h.
+Proof.
+  unfold same_claim. destruct g as [r a b], h as [s c d]. cbn [relation_of lhs rhs]. intros H.
+  apply andb_prop in H. destruct H as [H B]. apply andb_prop in H. destruct H as [H A].
+  apply Pos.eqb_eq in A, B. subst. destruct r, s; try discriminate; reflexivity.
+Qed.
+Definition negated (g : claim) : claim :=
+  let r := match relation_of g with
+    | Less => AtMost | AtMost => Less | Equal => Differs | Differs => Equal end in
+  Claim r (rhs g) (lhs g).
+
 (* --- tables ----------------------------------------------------------------------------------- *)
 
 Definition subterms (n : node) : list positive :=

@@ -12,7 +12,7 @@ import resource
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from pathlib import Path
@@ -31,6 +31,7 @@ from verify.measure.engines import (
     load,
 )
 from verify.measure.inequalities import inequality_table
+from verify.measure.maps import maps_table
 from verify.measure.scenes import scene_tables
 from verify.measure.separatrix import separatrix_table
 from verify.measure.slack import slack_table
@@ -69,7 +70,13 @@ def parameters(r: str, c: str) -> dict[str, Term]:
 
 
 #: How often `run_benchmarks` tells its progress.
-STEPS = 10
+STEPS = 11
+#: The tables that it makes.
+TABLES = (
+    *("precision", "equal_width", "spectrum", "decided", "doubles", "double_verdicts"),
+    *("throughput", "scene_precision", "scene_simulation", "maps", "separatrix", "processes"),
+    *("slack", "inequalities"),
+)
 
 
 def run_benchmarks(quick: bool, progress: Progress) -> dict[str, Table]:
@@ -90,6 +97,8 @@ def run_benchmarks(quick: bool, progress: Progress) -> dict[str, Table]:
     tables["throughput"] = throughput_table(100 if quick else 1000, rounds)
     progress("scenes")
     tables |= scene_tables([bits for bits in precisions if bits <= 512], rounds, _cpu)
+    progress("maps")
+    tables["maps"] = maps_table(quick, 1 if quick else 3, _cpu)
     progress("the separatrix")
     tables["separatrix"] = separatrix_table(quick, rounds)
     progress("whole processes")
@@ -99,6 +108,17 @@ def run_benchmarks(quick: bool, progress: Progress) -> dict[str, Table]:
     progress("published inequalities")
     tables["inequalities"] = inequality_table(quick)
     return tables
+
+
+def out_of_date(tables: Mapping[str, Table]) -> list[str]:
+    """Why measurements are not those that the program would make in full; nothing if they are."""
+    found = [f"has no table {name}" for name in TABLES if name not in tables]
+    found += [f"has a table {name}, which is not made now" for name in tables if name not in TABLES]
+    wanted = {"precision": map(str, PRECISIONS), "processes": [*_commands(""), WITHOUT_PYC]}
+    for name in wanted.keys() & tables.keys():
+        if [str(row[0]) for row in tables[name]["rows"]] != list(wanted[name]):
+            found.append(f"the table {name} has other rows")
+    return sorted(found)
 
 
 def theorem_program(outcome: Outcome) -> tuple[Program, list[int]]:
@@ -364,25 +384,8 @@ def process_table(rounds: int) -> Table:
     They take turns, and the least time of each counts: what else runs only adds to one. Without
     .pyc: the program alone is compiled each time, Python's library and flint are not.
     """
-    commands = {
-        "python -c pass": ["-c", "pass"],
-        "python -c 'import flint'": ["-c", "import flint"],
-        MAIN_JOB: ["-m", "verify", "theorem1", "--r", "0.03"],
-        "verify theorem1 --r 0.03 --json": ["-m", "verify", "theorem1", "--r", "0.03", "--json"],
-        "verify theorem1 --all": ["-m", "verify", "theorem1", "--all"],
-        "verify explain delta_1": ["-m", "verify", "explain", "delta_1"],
-        "verify theorem1 --r 0.02..0.03": ["-m", "verify", "theorem1", "--r", "0.02..0.03"],
-        "verify spectrum": ["-m", "verify", "spectrum"],
-        "verify classification": ["-m", "verify", "classification"],
-        "verify elsewhere": ["-m", "verify", "elsewhere"],
-    }
     with TemporaryDirectory() as folder:
-        point, drawing = str(Path(folder, "point")), str(Path(folder, "graph.json"))
-        commands |= {
-            "verify graph step": ["-m", "verify", "graph", "step", "--out", drawing],
-            "verify theorem1 --r 0.03 --out POINT": [*commands[MAIN_JOB], "--out", point],
-            "verify check POINT": ["-m", "verify", "check", point],
-        }
+        commands = _commands(folder)
         times: dict[str, list[float]] = {name: [] for name in [*commands, WITHOUT_PYC]}
         sources = Path(__file__).parents[1]
         shutil.copytree(
@@ -402,6 +405,28 @@ def process_table(rounds: int) -> Table:
         "columns": ["command", "ms", "times an empty process", "times importing flint"],
         "rows": rows,
         "raw_seconds": times,
+    }
+
+
+def _commands(folder: str) -> dict[str, list[str]]:
+    """What Python is started with, by names; files go into a folder."""
+    point, drawing = str(Path(folder, "point")), str(Path(folder, "graph.json"))
+    main_job = ["-m", "verify", "theorem1", "--r", "0.03"]
+    return {
+        "python -c pass": ["-c", "pass"],
+        "python -c 'import flint'": ["-c", "import flint"],
+        MAIN_JOB: main_job,
+        "verify theorem1 --r 0.03 --json": [*main_job, "--json"],
+        "verify theorem1 --all": ["-m", "verify", "theorem1", "--all"],
+        "verify explain delta_1": ["-m", "verify", "explain", "delta_1"],
+        "verify explain ratio-falls": ["-m", "verify", "explain", "ratio-falls"],
+        "verify theorem1 --r 0.02..0.03": ["-m", "verify", "theorem1", "--r", "0.02..0.03"],
+        "verify spectrum": ["-m", "verify", "spectrum"],
+        "verify classification": ["-m", "verify", "classification"],
+        "verify elsewhere": ["-m", "verify", "elsewhere"],
+        "verify graph step": ["-m", "verify", "graph", "step", "--out", drawing],
+        "verify theorem1 --r 0.03 --out POINT": [*main_job, "--out", point],
+        "verify check POINT": ["-m", "verify", "check", point],
     }
 
 

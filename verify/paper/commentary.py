@@ -15,11 +15,11 @@ from verify.paper.rows import Cause, Remark
 
 CAUSES = (
     Cause(("hypotheses.angle-as-printed", "printed.second-assumption-as-printed"),
-        "< is printed for >, which `EQUATSS3.4ZKCl2CondiStabi` has. The two conditions exclude "
-        "each other: wherever h₅ > 0, as the text asks, the printed hypothesis fails (at r = "
-        "3/100 with -cos θ₀ = 1, for one), and the other rows are judged outside it. The first "
-        "row is a remark: it says that the point is not one of those that are printed. The second "
-        "one is what the text concludes from the hypothesis."),
+        "< is printed for >, which (4.6), `EQUATSS3.4ZKCl2CondiStabi`, has. The two conditions "
+        "exclude each other: wherever h₅ > 0, as the text asks, the printed hypothesis fails (at r "
+        "= 3/100 with -cos θ₀ = 1, for one), and the other rows are judged outside it. What is "
+        "refuted here is what the text concludes from the hypothesis. That the point does not "
+        "satisfy the hypothesis as printed is a remark (`angle-as-printed`)."),
     Cause(("printed.r_stabi-gives-fixed-points",),
         "The two fixed points come from the condition on the angle, read with >; r < r_stabi does "
         "not give them."),
@@ -27,8 +27,9 @@ CAUSES = (
     Cause(("printed.set-interior",),
         "ω_{c,0}·ω_{s,0} = cos θ₀ is an equation, so this set has no interior, not even among the "
         "data in contact, and the theorem claims one. The union of such sets over neighbouring "
-        "angles has one; the text does not form it. So a claim of the theorem is not reached. It "
-        "is true, as the set has room for the angle (`certificates/printed-set`)."),
+        "angles has one; the text does not form it. So the text does not reach this claim of "
+        "the theorem. The claim is true: the set can be given room for the angle "
+        "(`certificates/printed-set`)."),
     Cause(("printed.init-zeta-bound-2",),
         "The bound 2 is printed for the bound 2x, which the display uses. Both bounds and the "
         "display are true."),
@@ -41,8 +42,8 @@ CAUSES = (
     Cause(("printed.zeta-time-square",), "τ_n/(-η_{c,n}) is printed for its square."),
     Cause(("printed.zeta-x-bound", "printed.zeta-term-2", "printed.zeta-remainders",
         "printed.zeta-total"),
-        "Only of x₀ is it assumed that it is at most (V₀/V₁) δ₂² h₅/12; of the others the text "
-        "has the bound δ_x, which is larger."),
+        "The bound (V₀/V₁) δ₂² h₅/12 is assumed for x₀ only; for later x_n the text has the bound "
+        "δ_x, which is larger."),
     Cause(("printed.CndT-as-printed",),
         "For the distance of the centres '1 +' is missing in front of (√2-1)/2; for the gap "
         "between the two balls the sentence is right as it stands."),
@@ -50,11 +51,12 @@ CAUSES = (
         "- is printed for + in front of the last term (and = for ≤); the line below has +."),
     Cause(("printed.angle-absorbed", "printed.y-term-3", "printed.final-angle"),
         "The entry V₀/(33 V₁^{1/2}) |Δθ| of η̄ has no factor 1-C_η, and the printed bounds let the "
-        "angle drift by 14 (V₁^{1/2}/V₀) η̄/(1-C_η). Which of the three steps fail depends on the "
-        "parameters: at r = 3/100 the first two for δ_θ = 1/10, the first and the last for δ_θ = "
-        "1/1000. The last one is what the theorem claims of the final angle, and breaks the "
-        "argument wherever it fails; the first one breaks it only there. In y_n the second one "
-        "has the factor (1+r)/2, with which it holds (`y-term-3-factor`)."),
+        "angle drift by 14 (V₁^{1/2}/V₀) η̄/(1-C_η). It depends on the parameters which of three "
+        "steps fail: at r = 3/100 `angle-absorbed` and `y-term-3` for δ_θ = 1/10, `angle-absorbed` "
+        "and `final-angle` for δ_θ = 1/1000. The step `final-angle` is what the theorem claims of "
+        "the final angle; where it fails, it breaks the argument, and so does `angle-absorbed`, "
+        "which is harmless elsewhere. In y_n the step `y-term-3` has the factor (1+r)/2, with "
+        "which it holds (`y-term-3-factor`)."),
     Cause(("printed.x-term-1-d",),
         "d_n/δ₂ ≤ h₄δ_x/2 fails at r = 1/1000000 with -cos θ₀ = 1/20, for one. The display has the "
         "factor r in front of it, which the text drops; with it the step holds for all parameters "

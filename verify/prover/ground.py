@@ -35,6 +35,9 @@ class Ground(Constants):
     ) -> None:
         super().__init__(session, start_bits, max_bits)
         self._decided: dict[Claim, tuple[str, Proof | None]] = {}
+        #: The most bits that decided a claim so far. Others near the same threshold need as many,
+        #: so these are tried before a search by algebra.
+        self._reached = 0
 
     def mark(self) -> Callable[[], None]:
         """What forgets the decisions from now on, whose lemmas may be gone."""
@@ -80,15 +83,17 @@ class Ground(Constants):
         return found
 
     def _prove(self, claim: Claim) -> tuple[str, Proof | None]:
-        bits = self.start_bits
-        found = self.decide_at(claim, bits)
+        found = self.decide_at(claim, self.start_bits)
         if found is None:
-            found = self._decide_tight(claim, bits)
+            found = self._decide_tight(claim, self.start_bits)
+        if found is not None:
+            return found
         for bits in self.ladder():
-            if found is not None:
-                return found
             found = self.decide_at(claim, bits)
-        return found or (UNDECIDED, None)
+            if found is not None:
+                self._reached = max(self._reached, bits)
+                return found
+        return UNDECIDED, None
 
     def _decides_by(self, claim: Claim, bits: int) -> bool:
         """Whether enclosures decide at a higher precision, so that no algebra is needed."""
@@ -102,7 +107,7 @@ class Ground(Constants):
         from verify.prover.clearing import TooLongError  # loaded only where they are needed
         from verify.prover.tight import TIGHT_BITS, Tight
 
-        if self._decides_by(claim, TIGHT_BITS):
+        if self._decides_by(claim, max(TIGHT_BITS, self._reached)):
             return None
         tight = Tight(self, bits)
         try:

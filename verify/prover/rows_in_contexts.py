@@ -54,12 +54,11 @@ class RowsInContexts:
 
     def _numbers(self, row: Obligation, claim: Claim) -> Decision:
         """Decide a row without variables that enclosures leave open, such as one with equality."""
-        other = negation(claim)
-        if other is None:
-            return Decision(UNDECIDED)
         sides = self.known.ground.enclose(claim.lhs, claim.rhs)
-        for verdict, wanted in ((PROVED, claim), (REFUTED, other)):
-            proof = None if sides is None else self.known.prove(self.known.goal(wanted, None))
+        for verdict, wanted in ((PROVED, claim), (REFUTED, negation(claim))):
+            if sides is None or wanted is None:
+                continue
+            proof = self.known.prove(self.known.goal(wanted, None))
             if proof is not None:
                 self.known.session.prove_row(row, proof, holds=verdict == PROVED)
                 return Decision(verdict, proof, sides)

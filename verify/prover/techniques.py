@@ -23,6 +23,7 @@ from verify.prover.search.even import by_even_powers
 from verify.prover.search.extrema import by_cases, by_entries
 from verify.prover.search.factors import by_factors
 from verify.prover.search.growth import by_growth
+from verify.prover.search.laws import by_laws, by_products_of_logarithms
 from verify.prover.search.linear import by_linear_sum, by_products, find_ranges
 from verify.prover.search.mean_values import by_mean_values
 from verify.prover.search.multiple_angles import by_multiple_angles
@@ -34,6 +35,7 @@ from verify.prover.search.positive import (
     squares_with_roots,
     wider_squares,
 )
+from verify.prover.search.quadratic import by_completing_squares
 from verify.prover.search.question import Question
 from verify.prover.search.restricted import by_restriction
 from verify.prover.search.rising import by_monotony, by_powers, by_same_arguments
@@ -81,6 +83,7 @@ def _other_cosines(question: Question) -> Proof | None:
 
 #: For what needs no facts on divisors and radicands.
 FREE = (Technique("identity", by_identity), Technique("interval", _interval))
+LAWS = Technique("laws", by_laws)
 #: For equations.
 EQUATIONS = (
     Technique("cosines", by_cosines),
@@ -98,6 +101,7 @@ SIMPLE = (
     Technique("signs", _signs),
     Technique("coefficients", lambda question: on_interval(question.plain)),
     Technique("cuts", _cuts),
+    Technique("completed squares", by_completing_squares),
 )
 #: For what follows from all that is linked to a claim, by sums.
 SUMS = (Technique("linear sums", by_linear_sum),)
@@ -120,6 +124,8 @@ SEARCHES = (
     Technique("a small tree", partial(by_tree, leaves=FEW_LEAVES)),
     Technique("cosines", _other_cosines),
     Technique("growth", by_growth),
+    LAWS,
+    Technique("products of logarithms", by_products_of_logarithms),
     Technique("multiple angles", by_multiple_angles),
     Technique("coefficients on few parts", partial(by_bernstein, parts=FEW_PARTS)),
     Technique("coefficients in squares of variables", by_even_powers),
@@ -210,6 +216,7 @@ def _of_equation(question: Question) -> Iterator[tuple[Question, tuple[Technique
     widened = question.widened() or question
     if widened.clears():
         yield widened, (NORMAL_FORM,)
+    yield question, (LAWS,)
     if question.clears() and question.may_be_equal():
         yield question, EQUATIONS
 

@@ -127,14 +127,26 @@ def to_svg(found: Graph) -> str:
 
 
 def levels(above: Mapping[str, Iterable[str]]) -> dict[str, int]:
-    """How far each fact is from what it rests on; an edge that closes a circle does not count.
+    """How far each fact is from what it rests on, in any order; no edge leads up.
 
-    Such an edge is one to a correction, or between formulas that rest on one another.
+    An edge that closes a circle does not count: one to a correction, or between formulas that rest
+    on one another.
     """
     found: dict[str, int] = {}
-    for name, sources in above.items():  # facts come after those that they use
+    begun: set[str] = set()
+
+    def visit(name: str) -> None:
+        begun.add(name)
+        sources = sorted(above[name])
+        for one in sources:
+            if one not in begun:
+                visit(one)
         found[name] = 1 + max((found[one] for one in sources if one in found), default=-1)
-    return found
+
+    for name in above:
+        if name not in begun:
+            visit(name)
+    return {name: found[name] for name in above}
 
 
 def _lines(found: Graph, place: dict[str, tuple[int, int]]) -> Iterable[str]:

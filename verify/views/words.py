@@ -55,6 +55,10 @@ TITLE_LETTERS = {
     "d_bar": "d̄",
     "delta_x": "δ_x",
     "delta_y": "δ_y",
+    "eta_s": "η_s",
+    "d_0": "d₀",
+    "Theta/6": "Θ/6",
+    "sqrt(r)": "√r",
 }
 
 #: How relations are shown.

@@ -20,7 +20,7 @@ from verify.wire.judge import judged
 from verify.wire.read import cites_of, read_statement
 from verify.wire.term_json import TermReader
 from verify.wire.text import Page
-from verify.wire.write import digest, write
+from verify.wire.write import certificate_file, digest, statement_file
 
 #: What the checker says where there is more than it reads.
 LIMITS = (
@@ -111,7 +111,7 @@ class Reading:
         self._statement = statement
         cited = {digest(cite.content): cite.content for cite in all_cites(statement.cites)}
         try:
-            self._content = write(_claims(statement, ()))["statement.json"]
+            self._content, self._names = statement_file(_claims(statement, ()))
             deep = _is_deep(json.loads(self._content))
         except RecursionError:
             deep = True
@@ -145,7 +145,8 @@ class Reading:
 
     def _read(self, row: Obligation | None, claimed: str, steps: Sequence[Step]) -> None:
         checking = self._checking
-        certificate = write(_claims(self._statement, steps))["certificate.json"]
+        claimed_steps = _claims(self._statement, steps)
+        certificate = certificate_file(claimed_steps, self._content, self._names)
         document = check.parsed("certificate", certificate, check.CERTIFICATE)
         if row is not None:
             rows = checking.statement.rows
@@ -173,7 +174,7 @@ def _is_deep(document: Any) -> bool:
 
 
 def _claims(statement: Statement, steps: Sequence[Step]) -> Outcome:
-    decisions = {row.name: Decision(PROVED) for row in statement.obligations}
+    decisions = dict.fromkeys((row.name for row in statement.obligations), Decision(PROVED))
     return Outcome(statement, decisions, tuple(steps), {})
 
 

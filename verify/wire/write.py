@@ -48,14 +48,24 @@ def write(outcome: Outcome) -> dict[str, bytes]:
     Besides statement and certificate there are the statements that are cited, with their
     certificates if those are at hand.
     """
+    first, names = statement_file(outcome)
+    second = certificate_file(outcome, first, names)
+    cited = dict(_cited(outcome.statement.cites))
+    return {"statement.json": first, "certificate.json": second} | cited
+
+
+def statement_file(outcome: Outcome) -> tuple[bytes, Mapping[Term, str]]:
+    """The statement, and the names of the terms that its certificate may share with it."""
     statement = outcome.statement
     writer = TermWriter(_unused("t", statement), statement_terms(statement), {})
-    first = encode(_statement(outcome, writer))
+    return encode(_statement(outcome, writer)), writer.names
+
+
+def certificate_file(outcome: Outcome, statement: bytes, names: Mapping[Term, str]) -> bytes:
+    """The certificate of a statement, of which `statement_file` has made the bytes and names."""
     used = [term for step in outcome.steps for term in _step_terms(step)]
-    prefix = _unused("u", statement)
-    second = encode(_certificate(outcome, first, TermWriter(prefix, used, writer.names)))
-    cited = dict(_cited(statement.cites))
-    return {"statement.json": first, "certificate.json": second} | cited
+    writer = TermWriter(_unused("u", outcome.statement), used, names)
+    return encode(_certificate(outcome, statement, writer))
 
 
 def _unused(prefix: str, statement: Statement) -> str:

@@ -1,228 +1,229 @@
-"""How the time of a job grows with its size: the table of docs/explanation/speed.md.
+"""How the time of a job grows with its size: the table of `docs/explanation/speed.md`.
 
-Run ``python -m tests.measure.benchmarks.growth``. For each job it prints the CPU seconds at several
-sizes, each the least of some runs, and the slope between the last two sizes on logarithmic scales.
+    python -m tests.measure.benchmarks.growth            # prints the table, a line for each job
+    python -m tests.measure.benchmarks.growth --write    # and writes it into growth.json
+
+CPU time in one process, the least of a few rounds in which all sizes of a job take turns. The
+exponent is the slope of log(time) over log(size), fitted to the larger half of the sizes: the
+constant part of a job, such as reading its input, flattens the smaller ones.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import io
+import json
+import math
+import sys
+from collections.abc import Callable, Sequence
 from contextlib import redirect_stdout
 from fractions import Fraction
-from functools import reduce
-from io import StringIO
-from itertools import pairwise
-from math import isqrt, log
-from operator import add
+from functools import partial
+from pathlib import Path
 from time import process_time
 from typing import Any, NamedTuple
 
-import verify
-from verify import check
-from verify.cli import main
-from verify.language.terms import as_term
+from verify import cli
+from verify.language.statement import PROVED
+from verify.language.terms import Claim, Term, as_term, symbol
+from verify.library import ask, for_all, lemma, prove
+from verify.measure.bench import parameters, theorem_program
+from verify.measure.engines import ArbEngine, load
+from verify.measure.scenes import ordinary
 from verify.paper.commands.theorem1 import decide_point
 from verify.spheres.scene.decide import Budget, decide_scene
-from verify.spheres.scene.scene_files import read_scene
 
-#: What is measured takes so many seconds at least, and at most so many runs.
-SECONDS, RUNS = 0.2, 20
-
-LINE = """r = "{r}"
-positions = [["0"], ["2"], ["-5/2"]]
-velocities = [["0"], ["-1"], ["1"]]
-"""
+FIGURES = Path(__file__).with_name("growth.json")
+ROUNDS = 3
+COLUMNS = ("what grows", "job", "sizes", "CPU ms", "exponent", "what limits it")
 
 
-class Job(NamedTuple):
-    """Work of several sizes; ``prepare`` gives what is measured, ``limit`` is what limits it."""
+class Growth(NamedTuple):
+    """A job of a size: what is varied, what is done, and what limits larger sizes."""
 
-    name: str
-    limit: str
+    varied: str
+    job: str
     sizes: tuple[int, ...]
-    prepare: Callable[[int], Callable[[], Any]]
+    prepare: Callable[[int], Callable[[], object]]
+    limit: str
+
+    @property
+    def ends(self) -> str:
+        """The least and the largest size, in words."""
+        return f"{self.sizes[0]} to {self.sizes[-1]}"
 
 
-def page(rows: int) -> Any:
-    """So many polynomial claims about one variable."""
-    x = verify.symbol("x")
-    real = verify.for_all("real", [], point={"x": 0})
-    questions = [
-        verify.ask(f"row-{k}", 0 < x**2 - 2 * k * x + k * k + 1, real) for k in range(1, rows + 1)
-    ]
-    return verify.lemma("A page", questions, contexts=[real])
-
-
-def chain(variables: int) -> Any:
-    """From a chain of inequalities that the first one is less than the last one."""
-    names = [verify.symbol(f"x{k}") for k in range(variables)]
-    givens = [a < b for a, b in pairwise(names)]
-    context = verify.for_all("chain", givens, point={f"x{k}": k for k in range(variables)})
-    claim = names[0] < names[-1]
-    return verify.lemma("A chain", [verify.ask("ends", claim, context)], contexts=[context])
-
-
-def form(variables: int) -> Any:
-    """A positive quadratic form."""
-    names = [verify.symbol(f"x{k}") for k in range(variables)]
-    total = reduce(add, names)
-    squares = reduce(add, (x**2 for x in names))
-    context = verify.for_all("all", [], point={f"x{k}": 0 for k in range(variables)})
-    claim = total**2 <= variables * squares
-    return verify.lemma("A form", [verify.ask("form", claim, context)], contexts=[context])
-
-
-def power(degree: int) -> Any:
-    """Bernoulli's inequality on an interval."""
-    x = verify.symbol("x")
-    context = verify.for_all("interval", [0 <= x, x <= 2], point={"x": 1})
-    claim = degree * x <= x**degree + degree - 1
-    return verify.lemma("A power", [verify.ask("power", claim, context)], contexts=[context])
-
-
-def proving(statement: Callable[[int], Any]) -> Callable[[int], Callable[[], Any]]:
-    """The search for a proof of all rows."""
-
-    def prepare(size: int) -> Callable[[], Any]:
-        found = statement(size)
-
-        def work() -> None:
-            assert verify.prove(found, seconds=60).verdict == "proved"
-
-        return work
-
-    return prepare
-
-
-def checking(statement: Callable[[int], Any]) -> Callable[[int], Callable[[], Any]]:
-    """The check of the certificate."""
-
-    def prepare(size: int) -> Callable[[], Any]:
-        files = verify.certificate(verify.prove(statement(size), seconds=60))
-        return lambda: check.check(files["statement.json"], files["certificate.json"], {})
-
-    return prepare
-
-
-def at_bits(bits: int) -> Callable[[], Any]:
-    """All constants and rows of Theorem 1 at r = 3/100."""
-    parameters = _parameters(Fraction(3, 100))
-    return lambda: decide_point(parameters, "all", bits, bits)
-
-
-def near_threshold(digits: int) -> Callable[[], Any]:
-    """Theorem 1 at a number r that many digits below 9 - 4 sqrt 5."""
-    scale = 10 ** (digits + 2)
-    parameters = _parameters(Fraction(9 * scale - isqrt(80 * scale * scale) - 100, scale))
-    return lambda: decide_point(parameters)
-
-
-def _parameters(r: Fraction) -> dict[str, Any]:
-    values = {"r": r, "c": Fraction(1), "V_0": Fraction(1), "delta_theta": Fraction(1, 10)}
-    return {name: as_term(value) for name, value in values.items()}
-
-
-def on_a_line(distance: int) -> Callable[[], Any]:
-    """Balls on a line, with r above 7 - 4 sqrt 3 by one over a number; they part in the end."""
-    scale = 10**30
-    r = Fraction(7 * scale - isqrt(48 * scale * scale) + scale // distance, scale)
-    scene = read_scene("line", LINE.format(r=r).encode())
-    return lambda: decide_scene(scene, Budget())
-
-
-def covering(parts: int) -> Callable[[], Any]:
-    """A map at r = 3/100 until one of so many parts of its area is left undecided."""
-    words = ["map", "phi", "--r", "3/100", "--undecided", str(Fraction(100, parts)) + "%"]
+def proved(claims: Sequence[Claim], variables: int, low: int | None = None) -> Callable[[], object]:
+    """To prove claims about variables, which are at least ``low``, and to check the proof."""
+    names = [f"x{i}" for i in range(variables)]
+    givens = {} if low is None else {f"low{name}": low <= symbol(name) for name in names}
+    place = for_all("all", givens, dict.fromkeys(names, low or 0))
+    asked = lemma("growth", [ask(f"row{i}", c, place) for i, c in enumerate(claims)], (), [place])
 
     def work() -> None:
-        with redirect_stdout(StringIO()):
-            main(words)
+        found = prove(asked, work=10**9)
+        if any(decision.verdict != PROVED for decision in found.decisions.values()):
+            raise RuntimeError("a row of a known truth is not proved")
 
     return work
 
 
+def total(terms: Sequence[Term]) -> Term:
+    """A sum whose depth is the logarithm of its length."""
+    half = len(terms) // 2
+    return terms[0] if half == 0 else total(terms[:half]) + total(terms[half:])
+
+
+def rows(n: int) -> Callable[[], object]:
+    """So many rows that have nothing to do with each other."""
+    x = symbol("x0")
+    return proved([2 * (i + 1) * x <= x**2 + (i + 1) ** 2 for i in range(n)], 1)
+
+
+def form(n: int) -> Callable[[], object]:
+    """One quadratic form in so many variables, with a term for each pair."""
+    names = [symbol(f"x{i}") for i in range(n)]
+    squares = [n * x**2 for x in names]
+    products = [2 * names[i] * names[j] for i in range(n) for j in range(i)]
+    return proved([as_term(0) <= total([*squares, *products])], n)
+
+
+def bernoulli(n: int) -> Callable[[], object]:
+    """One polynomial of this degree on a half-line."""
+    x = symbol("x0")
+    return proved([1 + n * x <= (1 + x) ** n], 1, 0)
+
+
+def bits(n: int) -> Callable[[], object]:
+    """All constants of Theorem 1 and both sides of its rows, with so many bits."""
+    engine = ArbEngine()
+    program, _ = theorem_program(decide_point(parameters("3/100", "1")))
+
+    def work() -> None:
+        with engine.at(n):
+            load(program, engine).run(())
+
+    return work
+
+
+def near(n: int) -> Callable[[], object]:
+    """Theorem 1 where r is below 9 - 4 sqrt 5 by 10^-n."""
+    r = 9 - Fraction(math.isqrt(80 * 10 ** (2 * n)) + 1, 10**n)
+    return partial(decide_point, parameters(str(r), "1"), all_sides=False)
+
+
+def commanded(*words: str) -> Callable[[], object]:
+    """A command, whose text is thrown away."""
+
+    def work() -> None:
+        with redirect_stdout(io.StringIO()):
+            cli.main(words)
+
+    return work
+
+
+def undecided(n: int) -> Callable[[], object]:
+    """A map of the plane, until 1/n of it is undecided."""
+    return commanded("map", "phi", "--r", "0.03", "--undecided", f"{100 / n:.6f}%")
+
+
+def collisions(n: int) -> Callable[[], object]:
+    """A collapse whose time is asked for to n digits: 1.2 collisions are followed for each."""
+    return partial(decide_scene, ordinary(Fraction(3, 100)), Budget(digits=n))
+
+
 JOBS = (
-    Job(
-        "rows of a page, proved",
-        "each row may use the rows before it",
-        (25, 50, 100),
-        proving(page),
+    Growth(
+        "rows",
+        "`prove`, rows of one context",
+        (10, 20, 40, 80, 160),
+        rows,
+        "each row is decided and written for itself, and finds what is known among those before it",
     ),
-    Job(
-        "rows of a page, checked", "reading and summing, row by row", (25, 50, 100), checking(page)
+    Growth(
+        "variables",
+        "`prove`, a quadratic form",
+        (6, 9, 13, 19, 28),
+        form,
+        "n(n+1)/2 terms, and n squares of up to n terms, which the checker expands: at most cubic",
     ),
-    Job(
-        "links of a chain, proved",
-        "one linear programme in exact arithmetic",
-        (8, 16, 32),
-        proving(chain),
+    Growth(
+        "degree",
+        "`prove`, (1+x)ⁿ ≥ 1 + nx for x ≥ 0",
+        (16, 32, 64, 128, 256),
+        bernoulli,
+        "the expansion of the claim in exact numbers, here and in the checker",
     ),
-    Job(
-        "variables of a quadratic form, proved",
-        "the n² entries of one square matrix",
-        (4, 8, 16),
-        proving(form),
+    Growth(
+        "collisions (1.2 for each digit of the time)",
+        "`scene`, a collapse",
+        (12, 24, 48, 96, 192),
+        collisions,
+        "each collision is a few dozen operations on balls, whose bits grow with the digits",
     ),
-    Job(
-        "degree on an interval, proved",
-        "the coefficients on each part, and the parts",
-        (8, 16, 32),
-        proving(power),
+    Growth(
+        "1/undecided share",
+        "`map phi`",
+        (10, 20, 40, 80, 160),
+        undecided,
+        "what stays undecided lies along curves: half the share takes twice the boxes",
     ),
-    Job(
-        "bits of a point run",
-        "multiplication in FLINT; below 16 000 bits all that does not depend on bits",
-        (4096, 16384, 65536),
-        at_bits,
+    Growth(
+        "bits",
+        "`theorem1`, all enclosures",
+        (1 << 12, 1 << 13, 1 << 14, 1 << 15, 1 << 16),
+        bits,
+        "FLINT's multiplication of long numbers; below some 1000 bits Python is all of the time",
     ),
-    Job(
-        "digits from the threshold 9-4√5",
-        "rational bounds that lie closer and closer, in the search and in the check",
-        (50, 200, 800),
-        near_threshold,
-    ),
-    Job(
-        "1 over the undecided share of a map",
-        "a border is a curve: half the share, twice the boxes",
-        (50, 100, 200),
-        covering,
-    ),
-    Job(
-        "collisions on a line",
-        "setting up; a collision itself costs some microseconds",
-        (10**3, 10**5, 10**6),
-        on_a_line,
+    Growth(
+        "digits of 1/(9-4√5-r)",
+        "`theorem1`, next to a threshold",
+        (250, 500, 1000, 2000, 4000),
+        near,
+        "3.3 bits are needed for each digit, and tried from 128 on in doubled steps",
     ),
 )
 
 
-def seconds(work: Callable[[], Any]) -> float:
-    """The CPU time of the fastest run."""
-    times: list[float] = []
-    while not times or (sum(times) < SECONDS and len(times) < RUNS):
-        start = process_time()
-        work()
-        times.append(process_time() - start)
-    return min(times)
+def slope(sizes: Sequence[int], seconds: Sequence[float]) -> float:
+    """The exponent that fits the larger half of the sizes best."""
+    half = len(sizes) // 2
+    points = [(math.log(n), math.log(t)) for n, t in zip(sizes[half:], seconds[half:], strict=True)]
+    x, y = (sum(values) / len(points) for values in zip(*points, strict=True))
+    return sum((a - x) * (b - y) for a, b in points) / sum((a - x) ** 2 for a, _ in points)
 
 
-def lines() -> Iterator[str]:
-    """The table in Markdown."""
-    yield "| what grows | sizes | CPU time | slope | what limits it |"
-    yield "|---|---|---|---|---|"
-    for job in JOBS:
-        sizes: list[int] = []
-        times = []
-        for size in job.sizes:
-            work = job.prepare(size)
-            times.append(seconds(work))
-            found = work() if job.prepare is on_a_line else None
-            sizes.append(size if found is None else found.collisions)
-        slope = log(times[-1] / times[-2]) / log(sizes[-1] / sizes[-2])
-        ms = ", ".join(f"{1000 * t:.3g}" for t in times)
-        yield f"| {job.name} | {', '.join(map(str, sizes))} | {ms} ms | {slope:.1f} | {job.limit} |"
+def measured(growth: Growth, rounds: int) -> list[float]:
+    """The least seconds for each size."""
+    jobs = [growth.prepare(size) for size in growth.sizes]
+    least = [math.inf] * len(jobs)
+    for _ in range(rounds):
+        for i, job in enumerate(jobs):
+            start = process_time()
+            job()
+            least[i] = min(least[i], process_time() - start)
+    return least
+
+
+def table(rounds: int) -> dict[str, Any]:
+    """The table, with the columns that the page shows."""
+    found = []
+    for growth in JOBS:
+        seconds = measured(growth, rounds)
+        times = f"{1000 * seconds[0]:.3g} to {1000 * seconds[-1]:.3g}"
+        exponent = f"{slope(growth.sizes, seconds):.1f}"
+        found.append([growth.varied, growth.job, growth.ends, times, exponent, growth.limit])
+        print(" | ".join(found[-1]), flush=True)
+    return {"columns": list(COLUMNS), "rows": found}
+
+
+def main(arguments: list[str]) -> int:
+    """Measure, print, and write."""
+    made = table(ROUNDS)
+    if arguments == ["--write"]:
+        text = json.dumps(made, ensure_ascii=False, indent=1)
+        FIGURES.write_text(f"{text}\n", encoding="utf-8")
+    return 0
 
 
 if __name__ == "__main__":
-    for line in lines():
-        print(line, flush=True)
+    sys.exit(main(sys.argv[1:]))

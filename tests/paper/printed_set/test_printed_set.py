@@ -276,7 +276,7 @@ def test_the_first_screen_answers_three_questions(
     for name in ("set-interior", "zeta-x-bound", "zeta-term-2", "zeta-remainders", "zeta-total"):
         assert f"{name} " in first
     assert "Why set-interior: ω_{c,0}·ω_{s,0} = cos θ₀ is an equation" in first
-    assert "Why zeta-x-bound and 3 more: Only of x₀ is it assumed" in first
+    assert "Why zeta-x-bound and 3 more: The bound" in first
     assert "final-angle" in first
     assert "The theorem with repaired constants: proved" in first
 

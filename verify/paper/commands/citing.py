@@ -32,7 +32,12 @@ def applying(between: Mapping[str, str]) -> Applying:
 
 
 def applies(verdicts: Mapping[str, str]) -> bool:
-    """Whether all rows are proved that show at a point what the step needs."""
+    """Whether all rows are proved that show at a point what the step needs.
+
+    Raises:
+        OwnError: if the files of the step are not those that the checker has accepted.
+    """
+    packaged_files(STEP)
     needed = (*numbers.row_names().values(), _row("fixed-points-exist"))
     return all(verdicts[name] == PROVED for name in needed)
 

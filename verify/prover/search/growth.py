@@ -44,7 +44,7 @@ from verify.prover.session import ZERO
 
 #: Derivatives and cuts inside one another, claims that are looked at in all, and those of them
 #: that other techniques get.
-MAX_DEPTH, MAX_CLAIMS, MAX_ALGEBRAIC = 12, 60, 3
+MAX_DEPTH, MAX_CLAIMS, MAX_ALGEBRAIC = 30, 60, 3
 #: Variables of a claim, of which one grows, and places of the others that estimates look at.
 MAX_VARIABLES, PLACES = 3, 12
 #: A claim may have so many different terms, each of which costs so many units of work.
@@ -126,7 +126,7 @@ class Growth:
         self.claims += 1
         size = _size(claim)
         self.question.budget.spend(PRICE * size)
-        if depth == 0 or self.claims > MAX_CLAIMS or size > MAX_PARTS:
+        if depth <= 0 or self.claims > MAX_CLAIMS or size > MAX_PARTS:
             return None
         if self.goal.variables.keys().isdisjoint(names_of(claim.lhs, claim.rhs)):
             return self._ground(claim)
@@ -190,7 +190,9 @@ class Growth:
             if low < high or (low == high and claim.relation == "<="):
                 return Interval(BITS_AT_POINT)
         verdict, proof = self.known.ground.prove(claim)
-        return proof if verdict == PROVED else None
+        if verdict == PROVED:
+            return proof
+        return self.known.prove(self.known.goal(claim, None))
 
     def _without(self, claim: Claim) -> Proof | None:
         """A claim about the other variables alone, as a lemma."""
@@ -553,19 +555,23 @@ class Growth:
             if abs(high - low) <= NOISE * (abs(low) + abs(high) + NOISE):
                 yield number
                 return
-        changes: list[Fraction] = []
-        slope = derivative(claim.rhs - claim.lhs, self.name)
-        if slope is not None:
-            signs = sorted(self._gaps(Claim("<=", ZERO, slope), bounds))
-            for (a, before), (b, after) in pairwise(signs):
-                if before * after < 0:
-                    changes.append(_short((a + b) / 2, (b - a) / 8))
+        changes = [*self._turns(claim, bounds)]
         yield from changes[:2]
         if bounds.ends is not None and not changes:
             low, high = map(float_of, bounds.ends)
             yield _short((low + high) / 2, (high - low) / 8)
         elif not changes:
             yield from inside[:2]
+
+    def _turns(self, claim: Claim, bounds: Bounds) -> Iterator[Fraction]:
+        """Numbers at or near which the derivative changes its sign."""
+        slope = derivative(claim.rhs - claim.lhs, self.name)
+        signs = [] if slope is None else sorted(self._gaps(Claim("<=", ZERO, slope), bounds))
+        meets = [x for x, sign in signs if sign == 0]
+        for (a, before), (b, after) in pairwise((x, sign) for x, sign in signs if sign):
+            if before * after < 0:
+                at = [x for x in meets if a < x < b]
+                yield Fraction(at[0]) if len(at) == 1 else _short((a + b) / 2, (b - a) / 8)
 
 
 def _weaker(name: str, relation: str, wanted: str) -> Premise | None:

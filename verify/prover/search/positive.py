@@ -210,7 +210,7 @@ def _attempts(domain: Domain) -> Iterator[Attempt]:
     top = degree + degree % 2
     used = _connected(domain)
     facts = [f for f in domain.facts.values() if set(_variables(f.polynomial)) <= set(used)]
-    if not facts or top > 2 or len(facts) > FEW:
+    if not facts or top > 2:
         yield Attempt([one], [Block(0, pruned(domain, p, top // 2, used))])
     if not facts:
         multiple = _of_squares(domain, used)

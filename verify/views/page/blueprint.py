@@ -44,6 +44,16 @@ def edges_between_labels(found: Graph) -> Edges:
     return edges
 
 
+def lowered(level: Mapping[str, int], edges: Edges) -> dict[str, int]:
+    """Each formula that another rests on is just above the first that does: lines are short."""
+    found = dict(level)
+    for label in sorted(level, key=lambda label: -level[label]):
+        below = [found[user] for user, sources in edges.items() if label in sources]
+        users = [place for place in below if place > level[label]]
+        found[label] = min(users, default=found[label] + 1) - 1
+    return found
+
+
 def direct(edges: Edges, level: Mapping[str, int]) -> Edges:
     """The edges that lead down, without those that follow from others."""
     down = {
@@ -67,7 +77,7 @@ def proof_drawing(everywhere: Outcome, point: Outcome, paper: Publication) -> st
     """The graph of the theorem for all parameters; what is refuted at the point is hatched."""
     edges = edges_between_labels(graph(everywhere))
     formulas = {label: _formula(label, everywhere, point, paper) for label in edges}
-    level = levels(edges)
+    level = lowered(levels(edges), edges)
     place = dict(_places(level))
     height = max(y for _, y in place.values()) + HEIGHT + 60
     told = (

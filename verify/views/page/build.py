@@ -40,6 +40,7 @@ from verify.views.screen import causes
 from verify.views.setting import TEMPLATES, in_html, in_markdown
 from verify.views.words import (
     CONDITIONALLY_PROVED,
+    believed,
     constants_of,
     counts,
     ends_of,
@@ -184,9 +185,11 @@ def joined(pages: Mapping[str, str], draw: bool) -> dict[str, str]:
 def _pictures(material: Material) -> Pictures:
     precision = material.measurements.get("bench", {}).get("precision")
     told = (
-        "Each box is a formula of the paper, by its printed number; lines lead down from what it "
-        "rests on, as far as other lines do not say so already. A box leads to its rows. Hatched: "
-        f"printed steps with this label are refuted at {place(material.main)}. All facts, "
+        "Each box is a formula of the paper, by its printed number, and a link to its rows. Lines "
+        "lead down from what a formula rests on; a line that follows from others is left out. "
+        "Where no line leads down from a box, Theorem 1 does without its rows in this certificate. "
+        "Assumed: a sentence that is taken on trust. Hatched: printed steps with this label are "
+        f"refuted at {place(material.main)}. All facts, "
         f"{len(material.plotted.region.everywhere.steps)} steps of the certificate, one by one: "
         "verify graph --out proof.svg."
     )
@@ -277,6 +280,7 @@ def _content(material: Material) -> dict[str, Any]:
         "writer": rows.Writer(main, paper),
         "writer_of": lambda outcome: rows.Writer(outcome, paper),
         "given": lambda outcome: given_by(outcome, paper),
+        "believed": lambda outcome: believed(outcome, paper),
         "printed": paper.printed,
         "coq": checked_in_coq(material),
         "latex": latex(main),
@@ -296,10 +300,11 @@ def _content(material: Material) -> dict[str, Any]:
         "SETS": SETS,
         "MEASURED": MEASURED,
         "CONDITIONALLY_PROVED": CONDITIONALLY_PROVED,
-        "EVERYWHERE_IN_WORDS": everywhere.THEOREM,
+        "EVERYWHERE_IN_WORDS": everywhere.CLAIM,
         "SETTING": classification.SETTING,
         "THEOREMS": classification.THEOREMS,
         "LONG": rows.LONG,
+        "MANY": rows.MANY,
     }
 
 

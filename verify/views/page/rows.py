@@ -125,7 +125,7 @@ class Writer:
             cause = next((text for names, text in self.notes.causes if row.name in names), "")
             before = first.setdefault(cause, row.name)
             if cause and before != row.name:
-                cause = f"The same as in `{before}`."
+                cause = f"The cause is that of `{before}`."
             other = self._rows.get(row.corrected_by or "")
             repair = None if other is None else self.shown(*other)
             margin, false_at = self._margin(row, found)

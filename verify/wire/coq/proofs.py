@@ -13,7 +13,12 @@ from verify.wire.coq.statement import Numbers, listed, rational
 
 #: The bits with which Coq tries first.
 LOWEST = 128
-SIDES = {"lhs": "Left", "rhs": "Right"}
+#: The words of a choice: a side of a claim, or a function that rises.
+WORDS = {
+    "lhs": "Left", "rhs": "Right", None: "None", "sqrt": "(Some SquareRoot)",
+    "exp": "(Some (Elementary Exp))", "log": "(Some (Elementary Log))",
+    "atan": "(Some (Elementary Atan))",
+}  # fmt: skip
 
 
 #: For each rule the constructor of its proofs, and the fields in the order in which it takes them.
@@ -26,6 +31,9 @@ CONSTRUCTORS = {
     "antisymmetry": "Antisymmetry branches",
     "angles": "Angles",
     "cosine": "Cosine_",
+    "range": "Range",
+    "law": "Law",
+    "monotony": "Monotony under premise",
     "sum": "BySum using addends equations",
 }
 
@@ -59,13 +67,15 @@ class Proofs(Numbers):
             raise NotAcceptedError(f"the checker in Coq has no rule {rule}")
         (found,) = (shapes(proofs) for proofs, known in RULES.items() if known.name == rule)
         name, *fields = CONSTRUCTORS[rule].split()
-        parts = (self.field(found[key], proof[key], context) for key in fields)
+        parts = [self.field(found[key], proof[key], context) for key in fields]
+        if fields[-1:] == ["premise"]:
+            parts[-1] = f"({parts[-1]})"
         return " ".join([name, *parts])
 
     def field(self, shape: Shape, value: Json, context: check.Context) -> str:
         """What a field holds; a list of proofs that has a fixed length is a list, too."""
         if shape.form == "choice":
-            return SIDES[value]
+            return WORDS[value]
         if shape.form == "leaf":
             return self.leaf(shape.of[0], value, context)
         if shape.form == "optional":

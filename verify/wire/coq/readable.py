@@ -7,7 +7,7 @@ has to be believed: a lemma that does not say what the row says does not compile
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable
 
 from verify import check
 from verify.wire.coq.proofs import Proofs
@@ -151,8 +151,9 @@ FUNCTIONS = {
 #: A name of these is Coq's, or one that the file needs.
 TAKEN = (
     "as at cofix else end exists exists2 fix for forall fun if in let match mod return then using "
-    "where with Prop Set Type SProp R Rmin Rmax sqrt cos exp ln sin atan PI v fst snd Some None "
-    "nil cons pair true false eq_refl values show read table numbered Qmake list nat positive"
+    "where with Prop Set Type SProp R Rmin Rmax sqrt cos exp ln sin atan nth_root PI v fst snd "
+    "Some None nil cons pair true false eq_refl values show read table numbered Qmake list nat "
+    "positive"
 )
 #: A term that is longer in letters is not readable.
 MAX_LETTERS = 200_000
@@ -227,12 +228,15 @@ class Notation:
             for other in reversed(others):
                 text = f"(R{op} {self.term(other, 4)} {text})"
             return text[1:-1], 3
-        return self.function(op, subterms)
+        return self.function(term)
 
-    def function(self, op: str, subterms: Sequence[int]) -> tuple[str, int]:
-        """A function of Coq's library."""
+    def function(self, term: int) -> tuple[str, int]:
+        """A function of Coq's library, or a root."""
+        op, subterms, rest = self.kernel.nodes[term]
         if op == "pi":
             return "PI", 4
+        if op == "root":
+            return f"nth_root {rest[0]} {self.term(subterms[0], 4)}", 3
         if op == "cos_pi":
             return f"cos (PI * {self.term(subterms[0], 3)})", 3
         if op not in FUNCTIONS:

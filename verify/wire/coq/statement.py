@@ -81,6 +81,8 @@ class Numbers:
             return f"NPow {below[0]} {rest[0]}"
         if op in ("min", "max"):
             return f"N{op.capitalize()} {below[0]} {listed(below[1:])}"
+        if op == "root":
+            return f"NOf (NthRoot {rest[0]}) {below[0]}"
         if op not in NODES:
             raise NotAcceptedError(f"the checker in Coq has no operation {op}")
         return " ".join((NODES[op], *below))

@@ -1,0 +1,323 @@
+"""Claims about exponentials and logarithms, taken apart by their laws.
+
+Exponentials of sums become products of a few, such as exp(a/2) and exp(b/2), and logarithms of
+products become sums. What is left is a claim about those. A comparison of sums of logarithms
+follows from one of products.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from math import gcd, lcm
+
+from flint import fmpz
+
+from verify.language.fold import replaced
+from verify.language.terms import Claim, Term, as_term, equal, exp, log
+from verify.prover.clearing import Clearing, TooLongError, atoms_of
+from verify.prover.numbers import fraction_of
+from verify.prover.proof import Proof, product_of
+from verify.prover.rules import Interval, Law, Monotony, Sum
+from verify.prover.search.question import Question
+from verify.prover.session import ZERO
+
+ONE = as_term(1)
+#: A product may have so many factors, and a number such factors.
+MAX_FACTORS, MAX_NUMBER = 24, 10**9
+#: Enough for exp 0 and log 1, which are exact.
+BITS = 32
+
+#: Numbers of factors, by what each is the exponential of.
+Powers = Mapping[Term, int]
+
+
+def by_laws(question: Question) -> Proof | None:
+    """A claim about parts of the exponentials and logarithms in the claim."""
+    claim, laws = question.plain.claim, Laws(question)
+    chosen = laws.of(atoms_of((claim.lhs, claim.rhs), {}))
+    simpler = Claim(claim.relation, *(replaced(s, chosen) for s in (claim.lhs, claim.rhs)))
+    if simpler == claim or not question.known.clears((simpler.lhs, simpler.rhs), laws.place):
+        return None
+    fact = laws.fact(simpler)
+    if fact is None:
+        return None
+    if claim.relation == "=":
+        return Sum((), (*laws.used,), ((fact, ONE),))
+    return Sum(("goal", fact), (*laws.used,))
+
+
+def by_products_of_logarithms(question: Question) -> Proof | None:
+    """Both sides are sums of multiples of logarithms, of which one product is the larger."""
+    claim, laws = question.plain.claim, Laws(question)
+    parts = None if claim.relation == "=" else _multiples(claim)
+    if parts is None:
+        return None
+    whole = lcm(*(part.denominator for part in parts.values()))
+    sides = [
+        [(atom, int(sign * part * whole)) for atom, part in parts.items() if sign * part > 0]
+        for sign in (-1, 1)
+    ]
+    if not all(sides) or sum(n for side in sides for _, n in side) > MAX_FACTORS:
+        return None
+    low, high = (_product(a.children[0] for a, n in side for _ in range(n)) for side in sides)
+    if not question.known.clears((log(low), log(high)), laws.place):
+        return None
+    inner = question.fact(Claim(claim.relation, low, high))
+    if inner is None:
+        return None
+    compared = laws.lemma(Claim(claim.relation, log(low), log(high)), Monotony(inner))
+    try:
+        for side in sides:
+            laws.sum_of_logarithms([atom.children[0] for atom, n in side for _ in range(n)])
+    except StuckError:
+        return None
+    return Sum(("goal", product_of(str(Fraction(1, whole)), compared)), (*laws.used,))
+
+
+def _multiples(claim: Claim) -> dict[Term, Fraction] | None:
+    """The logarithms in the difference of the sides with their factors; None if more is there."""
+    try:
+        clearing = Clearing((claim.lhs, claim.rhs), {})
+        p = clearing.difference(claim.rhs, claim.lhs)
+    except TooLongError:
+        return None
+    found: dict[Term, Fraction] = {}
+    for monomial, factor in p.to_dict().items():
+        if sum(monomial) != 1 or (atom := clearing.atoms[[*monomial].index(1)]).op != "log":
+            return None
+        found[atom] = fraction_of(factor)
+    return found
+
+
+class StuckError(ValueError):
+    """A product of positive factors was not shown to be positive."""
+
+
+class Laws:
+    """Equations of exponentials and logarithms at a place, each proved once it is used."""
+
+    def __init__(self, question: Question) -> None:
+        self.question, self.known = question, question.known
+        self.session, self.place = question.session, question.goal.context
+        self.used: dict[str, None] = {}
+
+    def fact(self, claim: Claim) -> str | None:
+        """The name of a claim that is proved now."""
+        found = self.question.fact(claim)
+        if found is not None or self.known.home(claim, self.place) is not None:
+            return found
+        proof = self.known.prove(self.known.goal(claim, None))
+        return None if proof is None else self.session.lemma(claim, proof)
+
+    def lemma(self, claim: Claim, proof: Proof) -> str:
+        """The name of a claim with this proof."""
+        place = self.known.home(claim, self.place)
+        return self.session.known(claim, place) or self.session.lemma(claim, proof, place)
+
+    def use(self, claim: Claim, proof: Proof) -> None:
+        """An equation, which tells what its left side is."""
+        self.used[self.lemma(claim, proof)] = None
+
+    def clears(self, *terms: Term) -> bool:
+        """Whether all divisors, and what logarithms are of, have the signs that they need."""
+        return self.known.clears(terms, self.place)
+
+    def of(self, atoms: Sequence[Term]) -> dict[Term, Term]:
+        """What the exponentials and logarithms among some terms are, in simpler ones."""
+        chosen = self.exponentials([atom for atom in atoms if atom.op == "exp"])
+        for atom in atoms:
+            if atom.op == "log":
+                try:
+                    chosen |= self.logarithm(atom)
+                except StuckError:
+                    continue
+        return chosen
+
+    # --- exponentials ---------------------------------------------------------------------------
+
+    def exponentials(self, atoms: Sequence[Term]) -> dict[Term, Term]:
+        """For each of them the product of powers of a few that it is, if that is simpler."""
+        sums = {atom: found for atom in atoms if (found := _linear(atom.children[0])) is not None}
+        steps: dict[Term, Fraction] = {}
+        for part in {part for found in sums.values() for part in found}:
+            factors = [found[part] for found in sums.values() if part in found]
+            above = 1 if part.op == "log" else gcd(*(f.numerator for f in factors))
+            step = Fraction(above, lcm(*(f.denominator for f in factors)))
+            steps[part] = -step if all(f < 0 for f in factors) else step
+        chosen = {}
+        for atom, found in sums.items():
+            powers = {step_of(part, steps[part]): int(f / steps[part]) for part, f in found.items()}
+            if sum(map(abs, powers.values())) > MAX_FACTORS or powers == {atom.children[0]: 1}:
+                continue
+            inner = [exp(part) for part in powers]
+            if len(steps) <= len(sums) and self.clears(atom, *inner):
+                chosen[atom] = self._product(atom, powers)
+        return chosen
+
+    def _product(self, atom: Term, powers: Powers) -> Term:
+        """The product that an exponential is."""
+        factors = [(part, 1 if n > 0 else -1) for part, n in powers.items() for _ in range(abs(n))]
+        if not factors:
+            if atom != exp(0):
+                self.use(equal(atom, exp(0)), Monotony(Sum(())))
+            self.use(equal(exp(0), ONE), Interval(BITS))
+            return ONE
+        if len(factors) > 1:
+            halves = factors[: len(factors) // 2], factors[len(factors) // 2 :]
+            parts = [exp(_sum(half)) for half in halves]
+            self.use(equal(atom, parts[0] * parts[1]), Law())
+            return _product([self._part(*pair) for pair in zip(parts, halves, strict=True)])
+        ((part, sign),) = factors
+        if sign < 0:
+            return self._inverse(atom, exp(part))
+        if atom != exp(part):
+            self.use(equal(atom, exp(part)), Monotony(Sum(())))
+        return self._plain(exp(part))
+
+    def _part(self, atom: Term, factors: Sequence[tuple[Term, int]]) -> Term:
+        powers: dict[Term, int] = {}
+        for part, sign in factors:
+            powers[part] = powers.get(part, 0) + sign
+        return self._plain(atom) if powers == {atom.children[0]: 1} else self._product(atom, powers)
+
+    def _plain(self, atom: Term) -> Term:
+        """An exponential, or what it is the exponential of the logarithm of."""
+        inner = atom.children[0]
+        if inner.op != "log":
+            return atom
+        number: Term = inner.children[0]
+        self.use(equal(atom, number), Law())
+        return number
+
+    def _inverse(self, atom: Term, other: Term) -> Term:
+        """The inverse of another exponential, which the product of both shows."""
+        one = exp(0)
+        product = self.lemma(equal(one, other * atom), Law())
+        unit = self.lemma(equal(one, ONE), Interval(BITS))
+        self.clears(ONE / other)
+        self.use(equal(atom, ONE / other), Sum((), (unit,), ((product, as_term(-1)),)))
+        plain = self._plain(other)
+        self.clears(ONE / plain)
+        return ONE / plain
+
+    # --- logarithms -----------------------------------------------------------------------------
+
+    def logarithm(self, atom: Term) -> dict[Term, Term]:
+        """The sum of multiples of simpler logarithms that it is, if it is one."""
+        found = _factors(atom.children[0])
+        if found is None:
+            return {}
+        above, below = found
+        parts = [*dict.fromkeys((*above, *below))]
+        if parts == [atom.children[0]] or not self.clears(*map(log, parts)):
+            return {}
+        top, bottom = (_product(side or [ONE]) for side in (above, below))
+        if not self.clears(log(top), log(bottom)):
+            return {}
+        if below or atom.children[0] != top:
+            law = self.lemma(equal(log(top), atom + log(bottom)), Law())
+            self.use(equal(atom, log(top) - log(bottom)), Sum((), (), ((law, as_term(-1)),)))
+        return {atom: self.sum_of_logarithms(above) - self.sum_of_logarithms(below)}
+
+    def sum_of_logarithms(self, factors: Sequence[Term]) -> Term:
+        """What the logarithm of their product is."""
+        if not factors:
+            self.use(equal(log(ONE), ZERO), Interval(BITS))
+            return ZERO
+        product = factors[0]
+        for factor in factors[1:]:
+            whole = product * factor
+            if not self.clears(log(whole)):
+                raise StuckError
+            self.use(equal(log(whole), log(product) + log(factor)), Law())
+            product = whole
+        return _total([self._of_factor(factor) for factor in factors])
+
+    def _of_factor(self, factor: Term) -> Term:
+        """The logarithm of a factor, of an exponential, or of a root."""
+        atom = log(factor)
+        if factor.op == "exp":
+            argument: Term = factor.children[0]
+            self.use(equal(atom, argument), Law())
+            return argument
+        if factor.op == "sqrt" and self.clears(log(factor.children[0])):
+            inner = log(factor.children[0])
+            law = self.lemma(equal(inner, atom + atom), Law())
+            half = Sum((), (), ((law, as_term(Fraction(-1, 2))),))
+            self.use(equal(atom, inner / 2), half)
+            return inner / 2
+        return atom
+
+
+def _product(factors: Iterable[Term]) -> Term:
+    first, *others = factors
+    for factor in others:
+        first = first * factor
+    return first
+
+
+def _total(terms: Iterable[Term]) -> Term:
+    first, *others = terms
+    for term in others:
+        first = first + term
+    return first
+
+
+def step_of(part: Term, step: Fraction) -> Term:
+    """A multiple of a term, as short as it can be written."""
+    if part == ONE:
+        return as_term(step)
+    return part if step == 1 else as_term(step) * part
+
+
+def _sum(factors: Sequence[tuple[Term, int]]) -> Term:
+    """What the product of exponentials is the exponential of."""
+    return _total(part if sign > 0 else -part for part, sign in factors)
+
+
+def _linear(argument: Term) -> dict[Term, Fraction] | None:
+    """The rational factors of the different products in a polynomial."""
+    try:
+        clearing = Clearing((argument,), {})
+        above, below = clearing.clear(argument)
+    except TooLongError:
+        return None
+    if not below.is_constant() or below.is_zero():
+        return None
+    polynomial = above / below.leading_coefficient()
+    found = {}
+    for monomial, factor in polynomial.to_dict().items():
+        powers = sorted(zip(clearing.atoms, map(int, monomial), strict=False), key=str)
+        factors = [atom if n == 1 else atom**n for atom, n in powers if n]
+        found[_product(factors or [ONE])] = fraction_of(factor)
+    return found
+
+
+def _factors(term: Term) -> tuple[list[Term], list[Term]] | None:
+    """The factors of a quotient of polynomials, above and below; prime numbers among them."""
+    try:
+        clearing = Clearing((term,), {})
+        quotient = clearing.clear(term)
+    except TooLongError:
+        return None
+    common = quotient[0].gcd(quotient[1])
+    sides: list[list[Term]] = []
+    scale = Fraction(1)
+    for sign, polynomial in zip((1, -1), quotient, strict=True):
+        if polynomial.is_zero():
+            return None
+        number, factors = (polynomial / common).factor()
+        scale *= fraction_of(number) ** sign
+        sides.append([clearing.term(f) for f, n in factors for _ in range(int(n))])
+    if scale < 0 and len(sides[0]) == 1:
+        sides[0], scale = [-sides[0][0]], -scale
+    if scale <= 0 or max(scale.numerator, scale.denominator) > MAX_NUMBER:
+        return None
+    sides[0] += _primes(scale.numerator)
+    sides[1] += _primes(scale.denominator)
+    return (sides[0], sides[1]) if len(sides[0] + sides[1]) <= MAX_FACTORS else None
+
+
+def _primes(number: int) -> Iterator[Term]:
+    return (as_term(int(p)) for p, n in fmpz(number).factor() for _ in range(int(n)))

@@ -4,7 +4,7 @@
 From Coq Require Import Bool String List Arith ZArith QArith Strings.Byte FMapPositive.
 From Verify Require Import Sha256 Json ReadJson JsonLetters JsonRead.
 From Verify Require Import Meaning Terms Kernel Checker Accepted MoreNodes.
-From Verify Require Import Decode DecodeTerms DecodeStatement DecodeProof DecodeFiles.
+From Verify Require Import Decode DecodeTerms DecodeStatement DecodeFiles.
 Import ListNotations.
 
 Inductive answer : Type :=

@@ -164,6 +164,9 @@ Definition decimal (x : json) : reading K Q :=
   let! s := str x in from (decimal_of s) "a decimal number".
 Definition exponent (x : json) : reading K positive :=
   let! s := str x in from (exponent_of s) "expected an exponent".
+Definition root_index (x : json) : reading K positive :=
+  let! n := exponent x in
+  if (2 <=? n)%positive && (n <=? 99)%positive then ret n else bad "expected the index of a root".
 Definition bits_in (x : json) : reading K positive :=
   match x with
   | JInt (Npos n) => if (2 <=? n)%positive && (n <=? 65536)%positive then ret n else bad "bits"

@@ -1,7 +1,7 @@
 (* The enclosures of a certificate, and the certificate as a whole, beside its statement. *)
 From Coq Require Import Bool String List Arith ZArith QArith Strings.Byte FMapPositive MSets.MSetPositive.
 From Verify Require Import Json ReadJson Meaning Terms Substitution Clearing Kernel Checker.
-From Verify Require Import Decode DecodeTerms DecodeStatement DecodeProof.
+From Verify Require Import Decode DecodeTerms DecodeStatement DecodeSteps.
 Import ListNotations.
 Open Scope N_scope.
 

@@ -167,12 +167,10 @@ Definition node_for (op : list byte) (args : list positive) : option node :=
       end
   end.
 Definition operation (op : list byte) (args : list positive) : M positive :=
-  match node_for op args with
-  | Some x => put_node x
-  | None =>
-      if is "root" op then bad_name "the checker in Coq has no operation " op
-      else bad_name "no term: " op
-  end.
+  match node_for op args with Some x => put_node x | None => bad_name "no term: " op end.
+(* Those that have a number besides, with what reads it. *)
+Definition with_number : list (string * ((json -> M positive) * (positive -> positive -> node))) :=
+  [("pow", (exponent, NPow)); ("root", (root_index, fun a n => NOf (NthRoot n) a))]%string.
 
 (* A term. Each shared term is read once, so that `fuel`, their number, is enough. *)
 Fixpoint term_with (fuel : nat) : list byte -> json -> M positive :=
@@ -197,17 +195,16 @@ Fixpoint term_with (fuel : nat) : list byte -> json -> M positive :=
         | None => let! q := rational s in put_rational q
         end
     | JList (JStr op :: args) =>
-        if is "pow" op then
-          match args with
-          | [a; e] =>
-              let! a := inside prefix a in
-              let! e := exponent e in
-              put_node (NPow a e)
-          | _ => bad "expected a term"
-          end
-        else
-          let! args := over (inside prefix) [] args in
-          operation op args
+        match choice with_number op, args with
+        | Some (read, node), [a; n] =>
+            let! a := inside prefix a in
+            let! n := read n in
+            put_node (node a n)
+        | Some _, _ => bad "expected a term"
+        | None, _ =>
+            let! args := over (inside prefix) [] args in
+            operation op args
+        end
     | _ => bad "expected a term"
     end.
 Definition term (prefix : list byte) (x : json) : M positive :=

@@ -1,6 +1,7 @@
 (* From bytes to the answer: `accepts_files` reads the bytes of a statement.json and a
    certificate.json and says whether the statement is proved. `accepts_files_sound` says what it
-   means that they are accepted. *)
+   means that they are accepted; `accepts_beside_sound` says it of the program, which finds all
+   statements by their digests. *)
 From Coq Require Import Bool String List Arith ZArith QArith Strings.Byte FMapPositive.
 From Verify Require Import Sha256 Json ReadJson JsonLetters JsonRead.
 From Verify Require Import Meaning Terms Kernel Checker Accepted MoreNodes.
@@ -40,7 +41,8 @@ Definition checked (hash s c : list byte) : answer :=
           end
       end
   end.
-Definition accepts_files (s c : list byte) : answer := checked (hexadecimal (sha256 s)) s c.
+Definition digest_of (text : list byte) : list byte := hexadecimal (sha256 text).
+Definition accepts_files (s c : list byte) : answer := checked (digest_of s) s c.
 
 Lemma parsed_is text (k later : kernel) x : parsed text k = Ok x later -> Document text x.
 Proof.
@@ -63,3 +65,42 @@ Proof.
   apply accepts_sound with C; [exact A | now apply Z].
 Qed.
 End Files.
+
+(* --- statements by their digests ---------------------------------------------------------------- *)
+
+Definition by_digest (texts : list (list byte)) : list (list byte * list byte) :=
+  map (fun text => (digest_of text, text)) texts.
+(* The text with a digest. *)
+Definition text_with (found : list (list byte * list byte)) (d : list byte) : option (list byte) :=
+  find_key d found.
+Definition accepts_beside (found : list (list byte * list byte)) (d c : list byte) : answer :=
+  match text_with found d with
+  | Some s => checked (text_with found) d s c
+  | None => IsMalformed "no statement with the digest " d
+  end.
+
+Lemma same_is s : forall t, same s t = true -> s = t.
+Proof.
+  induction s as [|a s IH]; intros [|b t]; cbn [same]; try discriminate; trivial.
+  intros H. apply andb_prop in H. destruct H as [A B]. apply Byte.byte_dec_bl in A.
+  f_equal; auto.
+Qed.
+Lemma text_with_is texts d s : text_with (by_digest texts) d = Some s -> In s texts /\ digest_of s = d.
+Proof.
+  induction texts as [|text texts IH]; [discriminate|].
+  unfold text_with, by_digest. cbn [map find_key].
+  destruct (same d (digest_of text)) eqn:E.
+  - injection 1 as <-. apply same_is in E. split; [now left | now symmetry].
+  - intros H. destruct (IH H). split; [now right | assumption].
+Qed.
+(* One of these texts has the digest; it is a document, and a statement that is true if what it cites
+   among these texts is. *)
+Theorem accepts_beside_sound texts d c S : accepts_beside (by_digest texts) d c = Accepts S ->
+  exists s x, In s texts /\ digest_of s = d /\ Document s x /\
+    statement_of (text_with (by_digest texts)) x = Some S /\ (citations_true S -> true_statement S).
+Proof.
+  unfold accepts_beside. destruct (text_with (by_digest texts) d) as [s|] eqn:F; [|discriminate].
+  apply text_with_is in F. destruct F as [I <-]. intros A.
+  destruct (accepts_files_sound (text_with (by_digest texts)) s c S A) as (x & D & M & T).
+  exists s, x. auto.
+Qed.

@@ -78,7 +78,7 @@ Definition rule_of (x : json) : M (list byte) :=
 Definition parts_of (keys : list string) (x : json) : M (list json) :=
   let! l := record ("rule"%string :: keys) x in ret (tl l).
 
-Section Rules.
+Section ReadRules.
 Variable c : spot.
 (* The sides of the claim that is proved. *)
 Variable sides_of : list positive.
@@ -201,7 +201,7 @@ Definition rules : list (string * (json -> M proof)) :=
    ("least", least); ("root", alone PositiveRoot); ("antisymmetry", antisymmetry);
    ("angles", alone Angles); ("cosine", alone Cosine_);
    ("range", alone Range); ("law", law); ("monotony", monotony); ("sum", sum); ("instance", instance)]%string.
-End Rules.
+End ReadRules.
 
 (* A document has at most 100 nested brackets, so that `fuel` of 100 is enough. *)
 Fixpoint proof_with (fuel : nat) (c : spot) (sides : list positive) (x : json) : M proof :=

@@ -262,7 +262,7 @@ Definition after_each {X} (f : X -> positive -> M (positive * X)) :=
     | i :: l => let! (j, memo) := f memo i in go memo (j :: found) l
     end.
 
-Section Substituted.
+Section PutValues.
 Variable c : spot.
 Variable at_ : PM.t positive.
 (* The term after values are put for the variables of c; its nodes are made where needed. *)
@@ -289,7 +289,7 @@ Fixpoint substituted (fuel : nat) (memo : PM.t positive) (i : positive)
           ret (j, PM.add i j memo)
       end
   end.
-End Substituted.
+End PutValues.
 (* Makes the nodes of claims after values are put for the variables of a context. *)
 Definition put_claims (c : home) (at_ : substitution) (claims : list claim) : M (list positive) :=
   let m := fold_right (fun x m => PM.add (fst x) (snd x) m) (PM.empty positive) at_ in

@@ -12,7 +12,7 @@ Definition with_nodes (more : list node) (S : statement) : statement :=
 
 (* --- what a statement names --------------------------------------------------------------------- *)
 
-Section Named.
+Section OwnNames.
 Variable bound : positive.
 Definition among_them (i : positive) : bool := Pos.ltb i bound.
 Definition claim_names (g : claim) : bool := among_them (lhs g) && among_them (rhs g).
@@ -25,7 +25,7 @@ Definition row_names (r : row) : bool :=
   | Applies _ at_ => substitution_names at_
   | Always _ start next => substitution_names start && substitution_names next
   end.
-End Named.
+End OwnNames.
 Definition names_its_own (S : statement) : bool :=
   let bound := Pos.of_succ_nat (length (nodes S)) in
   forallb (fun x => forallb (among_them bound) (subterms x)) (nodes S) &&

@@ -6,8 +6,9 @@
    proved in this run; or why not. In it, what is not ASCII is \xNN. Exit code 0 if all are proved, 1 if
    one is refused, 2 if a file cannot be read (a line on stderr), 4 if one is malformed, 5 for an error
    of its own. It counts no work: a folder that takes more than a minute of the processor, or a
-   gigabyte, is malformed. The answer on the bytes of two files is Coq's (AcceptsFiles.v); what has to
-   be believed here is that these are the bytes of the files, and that the answer is printed. *)
+   gigabyte, is malformed. The answer on the bytes of the files is Coq's (AcceptsFiles.v). What has to be
+   believed here is that these are the bytes of the files, that the answer is printed, and that what is
+   cited counts as proved only where a certificate of it is accepted. *)
 open Checker
 
 exception Malformed of string
@@ -18,13 +19,6 @@ let bytes s =
 let text l =
   let b = Buffer.create 16 in
   List.iter (Buffer.add_char b) l; Buffer.contents b
-(* The digest of a text, in hexadecimal digits. Each is computed once. *)
-let digests = Hashtbl.create 9
-let digest s = match Hashtbl.find_opt digests s with
-  | Some found -> found
-  | None ->
-      let found = text (hexadecimal (sha256 (bytes s))) in
-      Hashtbl.add digests s found; found
 
 (* --- files ------------------------------------------------------------------------------------ *)
 
@@ -85,7 +79,9 @@ let too_much = Malformed "more than a minute of work, or a gigabyte"
 let limited f x =
   let timer value = ignore (Unix.setitimer Unix.ITIMER_VIRTUAL { Unix.it_interval = 0.; it_value = value }) in
   Sys.set_signal Sys.sigvtalrm (Sys.Signal_handle (fun _ -> raise too_much));
-  let alarm = Gc.create_alarm (fun () -> if (Gc.quick_stat ()).Gc.heap_words > words then raise too_much) in
+  let heap () = (Gc.quick_stat ()).Gc.heap_words in
+  let before = heap () in
+  let alarm = Gc.create_alarm (fun () -> if heap () > before + words then raise too_much) in
   let stop () = timer 0.; Gc.delete_alarm alarm in
   timer seconds;
   match f x with
@@ -93,12 +89,19 @@ let limited f x =
   | exception (Stack_overflow | Out_of_memory) -> stop (); raise too_much
   | exception e -> stop (); raise e
 
+(* Statements by their digests; and the digests of their texts. *)
+type library = { found : (char list * char list) list; digests : (string, char list) Hashtbl.t }
+let library texts =
+  let found = by_digest (List.map bytes texts) and digests = Hashtbl.create 9 in
+  List.iter2 (fun s (digest, _) -> Hashtbl.replace digests s digest) texts found;
+  { found; digests }
+let summary available digest = Option.bind (text_with available.found digest) summary_of
+
 let check available pair =
-  let hash = digest pair.statement_text in
-  let cited d = Option.map bytes (Hashtbl.find_opt available (text d)) in
+  let digest = Hashtbl.find available.digests pair.statement_text in
+  let hash = text digest in
   let found () =
-    let s = bytes pair.statement_text in
-    checked cited (bytes hash) s (bytes pair.certificate_text), summary_of s in
+    accepts_beside available.found digest (bytes pair.certificate_text), summary available digest in
   let report verdict_ why names = { verdict_; why; hash; names } in
   let refused why names = report Refused_ why (Option.value names ~default:nothing_named) in
   match limited found () with
@@ -131,7 +134,7 @@ let citations available report =
     if Hashtbl.mem seen hash then [] else begin
       Hashtbl.add seen hash ();
       let prefix = prefix ^ text one.cited_name ^ ":" in
-      let names = Option.get (summary_of (bytes (Hashtbl.find available hash))) in
+      let names = Option.get (summary available one.cited_digest) in
       (prefix, text one.cited_theorem, hash, List.map text names.sentences)
         :: List.concat_map (follow prefix) names.cites
     end in
@@ -162,9 +165,9 @@ let exit_code = function Proved_ -> 0 | Undecided_ -> 3 | Refused_ -> 1 | Malfor
 
 let run folders =
   let found = List.map read_folder folders in
-  let available = Hashtbl.create 9 and known = Hashtbl.create 9 and closed = Hashtbl.create 9 in
-  List.iter (fun f -> List.iter (fun text -> Hashtbl.replace available (digest text) text)
-    (f.own.statement_text :: f.beside)) found;
+  let known = Hashtbl.create 9 and closed = Hashtbl.create 9 in
+  let texts = List.concat_map (fun f -> f.own.statement_text :: f.beside) found in
+  let available = library (List.sort_uniq compare texts) in
   let once pair = match Hashtbl.find_opt known pair with
     | Some report -> report
     | None ->

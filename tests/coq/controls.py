@@ -110,6 +110,31 @@ ROOTS: list[tuple[str, Any]] = [
 ]  # fmt: skip
 
 
+def rising_within() -> Iterator[Pair]:
+    """Values of functions in proofs within proofs and of givens; of each a near miss, too."""
+    monotony = test_rule_monotony.monotony
+
+    def context(proof: Any = INTERVAL) -> Pair:
+        givens = {"less": "x < y", "most": "x <= y"}
+        return Pair().context("c", {"x": "1", "y": "2"}, givens, [proof, INTERVAL])
+
+    for given in ("less", "most"):
+        inner = monotony(monotony(given), "atan")
+        yield context().row("row", "exp(x) < exp(y)", monotony(inner), "c")
+        inner = monotony(monotony(monotony(given)), "exp")
+        yield context().row("row", "x < y", monotony(inner, "exp"), "c")
+    for under in ("exp", "sqrt"):
+        yield context(monotony(INTERVAL, under)).row("row", "0 < 1", INTERVAL)
+    for numbers in ({"x": "2", "y": "3"}, {"x": "3", "y": "2"}):
+        proofs = [monotony(INTERVAL, "exp"), INTERVAL]
+        applies = {"rule": "instance", "givens": proofs}
+        yield context().row("row", ["applies", "c", numbers], applies)
+        pair = context().row("one", "exp(x) < exp(y)", monotony("less"), "c")
+        instance = {"rule": "instance", "of": "one", "at": numbers, "givens": proofs}
+        a, b = numbers.values()
+        yield pair.row("row", f"exp({a}) < exp({b})", instance)
+
+
 def functions() -> dict[str, tuple[bytes, bytes]]:
     """Laws, ranges, roots and functions that rise: true ones, and near misses of them."""
     laws = [test_rule_law.statement(claim) for claim, _ in test_rule_law.CASES]
@@ -118,6 +143,7 @@ def functions() -> dict[str, tuple[bytes, bytes]]:
     two = ("two", "0 < 2", INTERVAL)
     roots = [Pair().lemma(*two).row("row", claim, proof) for claim, proof in ROOTS]
     rules = {"root": roots, "law": laws, "range": ranges, "monotony": rising}
+    rules["within"] = [*rising_within()]
     return {
         f"{rule}-{i}": one.files() for rule, found in rules.items() for i, one in enumerate(found)
     }

@@ -110,7 +110,7 @@ class Claims:
             least = mpmath.mpf(bound.numerator) / bound.denominator
             least -= (1 + abs(least)) * mpmath.mpf(10) ** (20 - DIGITS)
             values = [self.at(point) for point in self.points() + self.points()]
-            return found, all(v is not None and v >= least for v in values)
+            return found, all(v is not None and not v < least for v in values)
 
 
 def occurs(name: str, term: Json) -> bool:

@@ -59,6 +59,13 @@ def test_the_claim_that_an_induction_lacks_is_named() -> None:
     )
 
 
+def test_an_induction_asks_for_carried_givens() -> None:
+    place = for_all("step", {"low": 0 <= x}, {"x": 0})
+    rows = [ask("always", always(place, {"x": 0}, {"x": x + 1}))]
+    found = prove(lemma("title", rows, [], [place]), work=400_000).decisions["always"]
+    assert found.reason == "its given low is neither carried nor standing; make it carried"
+
+
 def test_the_point_where_a_claim_is_most_nearly_false_is_named() -> None:
     motzkin = x**4 * y**2 + x**2 * y**4 - 3 * x**2 * y**2 + 1
     box = [0 <= x, x <= as_term(2), 0 <= y, y <= as_term(2)]

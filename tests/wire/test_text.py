@@ -254,6 +254,13 @@ def test_a_point_on_a_curve_is_asked_for() -> None:
         read(page + '[rows]\na = "x < 3"\n')
 
 
+def test_other_signs_of_print_are_read() -> None:
+    (row,) = read('title = "t"\n[constants]\nb = 2\n[rows]\na = "3⋅b ⩽ 7"\n').obligations
+    assert row.claim == (3 * symbol("b") <= 7)
+    (row,) = read('title = "t"\n[constants]\nb = 2\n[rows]\na = "b ⩾ 1"\n').obligations
+    assert row.claim == (as_term(1) <= symbol("b"))
+
+
 def test_givens_that_contradict_one_another_are_thought_of() -> None:
     page = 'title = "t"\n[contexts.c]\nvariables = ["x"]\ngiven = ["x < 0", "x > 1"]\n'
     with pytest.raises(InputError, match=r"x = 1 }; or mend the givens, if they contradict one"):
@@ -335,6 +342,9 @@ def test_an_induction() -> None:
         ('"1 + sqrt(2)"', '"sum(k 2, k, 1, 2)"', "'2' follows, and does not belong there"),
         ('"1 + sqrt(2)"', '"1 # 2"', "cannot read '# 2'"),
         ('"1 + sqrt(2)"', '"2,50"', "',' follows, and does not belong there; write a point: 2.50"),
+        ('"y < d"', '"y =< d"', "'<' follows, where a number or a name is missing; write <="),
+        ('"y < d"', '"y => d"', "'>' follows, where a number or a name is missing; write >="),
+        ('"1 + sqrt(2)"', '"int(k^2, k, 0, 1)"', "'int' is no function; did you mean"),
         ('"1 + sqrt(2)"', '"2,x"', "',' follows, and does not belong there"),
         ('"1 + sqrt(2)"', "'\\frac{1}{2}'", "TeX is not read, write for example (a/b)*sqrt(x)"),
         ('"1 + sqrt(2)"', '"\\frac{1}{2}"', "TeX is not read, write for example (a/b)*sqrt(x)"),

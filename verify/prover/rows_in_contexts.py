@@ -87,8 +87,9 @@ class RowsInContexts:
         context = self.known.contexts.get(claim.context)
         if context is None or context.parent != row.context:
             return _undecided(f"the context {claim.context} is not one inside that of the row")
-        if any(given.kind == "plain" for given in context.givens):
-            return _undecided(f"a given of {claim.context} is neither carried nor standing")
+        plain = next((given.name for given in context.givens if given.kind == "plain"), None)
+        if plain is not None:
+            return _undecided(f"its given {plain} is neither carried nor standing; make it carried")
         carried = context._replace(givens=tuple(g for g in context.givens if g.kind == "carried"))
         start = self.known.premises(carried, claim.start, row.context)
         following = (

@@ -41,7 +41,7 @@ _NAME = rf"(?:[A-Za-z][A-Za-z0-9_]*:)*[{_LETTERS}][{_LETTERS}0-9_]*(?:\.[{_LETTE
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
     rf"|`(?P<quoted>[^`]+)`|(?P<name>{_NAME})|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
-    r"|(?P<sign><=|>=|==|!=|\*\*|[-+*/^()<>=,|√≤≥≠·×−]))"
+    r"|(?P<sign><=|>=|==|!=|\*\*|[-+*/^()<>=,|√≤≥⩽⩾≠·⋅×−]))"
 )
 #: What to write instead of a text that begins with a sign which no formula has.
 INSTEAD: Mapping[str, str] = {
@@ -52,7 +52,10 @@ INSTEAD: Mapping[str, str] = {
 OTHER_BASES: Mapping[str, int] = {"log10": 10, "lg": 10, "log_10": 10, "log2": 2, "log_2": 2}
 #: A name that needs no quotation marks.
 PLAIN = re.compile(r"(?:[A-Za-z]\w*:)*[A-Za-z]\w*(?:\.\w+)*", re.ASCII)
-_SAME = {"≤": "<=", "≥": ">=", "≠": "!=", "==": "=", "·": "*", "×": "*", "−": "-", "**": "^"}
+_SAME = dict(
+    pair.split()
+    for pair in ("≤ <=", "⩽ <=", "≥ >=", "⩾ >=", "≠ !=", "== =", "· *", "⋅ *", "× *", "− -", "** ^")
+)
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 RELATIONS = ("<", "<=", "=", ">=", ">", "!=")
 
@@ -411,7 +414,9 @@ class _Reader:
             self.moduli[start, self.at] = found
             return absolute(found)
         self.at -= 1
-        raise self.error(f"{self.next_word()}, where a number or a name is missing")
+        swapped = word in ("<", ">") and self.tokens[self.at - 1] == ("sign", "=")
+        instead = f"; write {word}=" if swapped else ""
+        raise self.error(f"{self.next_word()}, where a number or a name is missing{instead}")
 
     def _named(self, word: str) -> Term:
         if self.sign == "(" and (word in CALLED or word not in self.names.known):
@@ -425,14 +430,14 @@ class _Reader:
 
     def _function(self, word: str) -> Term:
         self.expect("(")
+        if word not in CALLED:
+            raise self.error(f"{shown(word)} is no function; {self._instead_of(word)}")
         if word in SUMS:
             return self._summed(word)
         arguments = [self.sum()]
         while self.take(","):
             arguments.append(self.sum())
         self.expect(")")
-        if word not in CALLED:
-            raise self.error(f"{shown(word)} is no function; {self._instead_of(word)}")
         if word == "root":
             return self._root(arguments)
         if (len(arguments) > 1) != (word in MANY):

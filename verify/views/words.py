@@ -107,7 +107,10 @@ def given(assumptions: Iterable[Assumption]) -> str:
     total = sum(kinds.values())
     if total == 0:
         return "no assumptions"
-    parts = ", ".join(f"{count} {kind}" for kind, count in kinds.items())
+    names = {
+        kind: f"{kind}s" if kind == DEFINITION and n > 1 else kind for kind, n in kinds.items()
+    }
+    parts = ", ".join(f"{count} {names[kind]}" for kind, count in kinds.items())
     return f"{total} {'assumption' if total == 1 else 'assumptions'} ({parts})"
 
 

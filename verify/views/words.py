@@ -5,6 +5,7 @@ Everything is taken from the outcome, fresh or read back; nothing is decided her
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 
@@ -175,6 +176,14 @@ def in_letters(title: str) -> str:
     for name, letter in TITLE_LETTERS.items():
         title = title.replace(name, letter)
     return title
+
+
+def begun(text: str, names: Iterable[str] = ()) -> str:
+    """The text with a capital, unless one of these names, or another letter, comes first."""
+    first = re.findall(r"\w*", text)[0]
+    if first in names or (len(first) == 1 and first not in "aA"):
+        return text
+    return text[:1].upper() + text[1:]
 
 
 def taken_on_trust(outcome: Outcome, paper: Publication) -> Iterator[str]:

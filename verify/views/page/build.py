@@ -40,6 +40,7 @@ from verify.views.screen import causes
 from verify.views.setting import TEMPLATES, in_html, in_markdown
 from verify.views.words import (
     CONDITIONALLY_PROVED,
+    begun,
     believed,
     constants_of,
     counts,
@@ -231,8 +232,7 @@ def readme_picture(figure: Figure) -> str:
 
 def title(outcome: Outcome) -> str:
     """The title of a theorem as the start of a sentence."""
-    text = in_letters(outcome.statement.title)
-    return text[:1].upper() + text[1:]
+    return begun(in_letters(outcome.statement.title))
 
 
 def constant(outcome: Outcome, name: str) -> rows.Number | None:

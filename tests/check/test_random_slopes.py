@@ -156,7 +156,7 @@ def test_random_claims(first: int) -> None:
     seeds = range(first, min(first + 100, FIRST + ROUNDS))
     answers = {seed: Claims(seed).answer() for seed in seeds}
     assert [seed for seed, (_, good) in answers.items() if not good] == []
-    assert sum(found == "proved" for found, _ in answers.values()) >= len(seeds) // 10
+    assert sum(found == "proved" for found, _ in answers.values()) >= len(seeds) // 20
 
 
 def test_wrong_claims_are_seen() -> None:

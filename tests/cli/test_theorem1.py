@@ -105,6 +105,19 @@ def test_many_points_as_a_table(capsys: pytest.CaptureFixture[str], tmp_path: Pa
     assert "--steps" in err
 
 
+def test_many_points_by_several_processes_are_the_same(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    found = []
+    for jobs in ("1", "2", "3"):
+        table = tmp_path / f"{jobs}.csv"
+        words = ("--r", "0.0001..0.0601", "--steps", "241", "--neg-cos", "99/100")
+        said = run(capsys, *words, "--csv", str(table), "--jobs", jobs)
+        found.append((said, table.read_bytes()))
+    assert found[0][0][0] == 1
+    assert found[0] == found[1] == found[2]
+
+
 @pytest.mark.parametrize(
     ("words", "expected"),
     [
@@ -160,6 +173,11 @@ def test_unusable_boxes(words: tuple[str, ...], capsys: pytest.CaptureFixture[st
         ("--r", "0.06..0.01", "--steps", "5"),
         ("--r", "0.01..0.06", "--steps", "1"),
         ("--r", "0.01..0.06", "--steps", "5", "--out", "x"),
+        ("--r", "0.01..0.06", "--steps", "5", "--jobs", "0"),
+        ("--r", "0.01..0.06", "--steps", "5", "--jobs", "two"),
+        ("--r", "0.01..0.06", "--jobs", "2"),
+        ("--r", "0.03", "--jobs", "2"),
+        ("--all", "--jobs", "2"),
     ],
 )
 def test_unusable_grids(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:

@@ -16,8 +16,9 @@ Json = Any
 OPERATIONS = {
     "NAdd": "add", "NSub": "sub", "NMul": "mul", "NDiv": "div", "NNeg": "neg", "NPow": "pow",
     "NSqrt": "sqrt", "NMin": "min", "NMax": "max", "NCos": "cos", "NCosPi": "cos_pi",
+    "NPi": "pi", "NOf Exp": "exp", "NOf Log": "log", "NOf Sin": "sin", "NOf Atan": "atan",
 }  # fmt: skip
-RELATIONS = {"Less": "<", "AtMost": "<=", "Equal": "="}
+RELATIONS = {"Less": "<", "AtMost": "<=", "Equal": "=", "Differs": "!="}
 
 
 class Said(NamedTuple):
@@ -124,7 +125,9 @@ class Exported:
 
     def node(self, i: int, node: list[Any]) -> int:
         """A node; a constant is its context and its definition."""
-        kind, *rest = node
+        kind, *rest = [node] if isinstance(node, str) else node
+        if kind == "NOf":
+            kind, *rest = f"NOf {rest[0]}", *rest[1:]
         if kind == "NRational":
             return self.intern("rational", Fraction(number(rest[0]), number(rest[1])))
         if kind == "NVariable":

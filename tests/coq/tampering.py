@@ -103,6 +103,8 @@ DEFINITIONS = {
         "Meaning", "| Proved, s => says (row_context r) s", "| Proved, s => True"
     ),
     "root": Definition("Meaning", "| Sqrt a => sqrt (value v a)", "| Sqrt a => 0 * value v a"),
+    "sine": Definition("Meaning", "Sin => sin x", "Sin => cos x"),
+    "logarithm": Definition("Meaning", "Log => 0 < x", "Log => 0 <= x"),
     "divisor": Definition("Meaning", " /\\ value v b <> 0", ""),
     "another-kind": Definition("Meaning", "Carried | Standing.", "Carried | Standing | Hidden."),
 }  # fmt: skip

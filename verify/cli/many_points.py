@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
+from itertools import chain
 
 from verify.cli import claims
 from verify.cli.files import print_document, progress, test_folder, write_file
@@ -24,6 +25,9 @@ if TYPE_CHECKING:
     from typing import Any
 
     from verify.views.material import ScannedPoint
+
+#: So many points of a grid are given to a process at a time.
+TOGETHER = 50
 
 #: What takes seconds; all of it is one search.
 PROVING = "deciding the rows of the printed set for all parameters, which takes seconds"
@@ -49,7 +53,7 @@ def _leave_out(options: Options, command: str, names: tuple[str, ...]) -> None:
 
 def _everywhere(options: Options) -> int:
     """Prove Theorem 1 for all parameters; print, write, return the exit code."""
-    others = ("r", "neg_cos", "V0", "delta_theta", "steps", "csv")
+    others = ("r", "neg_cos", "V0", "delta_theta", "steps", "csv", "jobs")
     _leave_out(options, "--all", (*POINT_OPTIONS, *others))
     test_folder("--out", options.out, "statement.json", "certificate.json")
     from verify.paper.commands import everywhere, thresholds  # loaded only where they are used
@@ -89,7 +93,7 @@ def _everywhere(options: Options) -> int:
 
 def _box(options: Options) -> int:
     """Prove Theorem 1 at all points of a box; print, write, return the exit code."""
-    _leave_out(options, "A..B", (*POINT_OPTIONS, "constants", "csv"))
+    _leave_out(options, "A..B", (*POINT_OPTIONS, "constants", "csv", "jobs"))
     sides = _side("--r", options.r, restitution), _side("--neg-cos", options.neg_cos, neg_cos)
     v_0, delta_theta = (
         positive("--V0", options.V0),
@@ -140,8 +144,8 @@ def _noted(
 
 def _scan(options: Options) -> int:
     """Print the verdict at many values of r; the exit code is that of the worst."""
-    from verify.cli.steps import watched  # loaded only where they are used
-    from verify.paper.commands.scan import scan
+    from verify.cli.steps import MAX_JOBS, in_order, watched  # loaded only where they are used
+    from verify.paper.commands.scan import Grid
     from verify.views.box import range_lines, ranges, ranges_document, verdict_of
     from verify.views.scene_table import csv_text
 
@@ -153,9 +157,12 @@ def _scan(options: Options) -> int:
         raise InputError(f"--r: write the smaller end of {shown(options.r)} first")
     steps = integer("--steps", options.steps, 2, 10**7)
     options.r = options.r.split("..", 1)[0]
+    jobs = integer("--jobs", options.jobs, 1, MAX_JOBS)
     values = {name: term.value for name, term in read_parameters(options).items()}
+    grid = Grid(ends[0], ends[1], steps, values)
+    parts = in_order(grid.part, grid.parts(1 if jobs == 1 else TOGETHER), jobs)
     rows: list[tuple[str, str, str]] = []
-    points = watched(scan((ends[0], ends[1]), steps, values), steps)
+    points = watched(chain.from_iterable(parts), steps)
     found = list(ranges(points if options.csv is None else _noted(points, rows)))
     if options.csv is not None:
         write_file("--csv", options.csv, csv_text([("r", "verdict", "refuted"), *rows]))

@@ -14,6 +14,7 @@ from verify.cli.files import print_document, read_bytes, write_all
 from verify.cli.map_boxes import test_tables, write_tables
 from verify.cli.options import Options, Parser, field
 from verify.cli.scene_sample import point_in
+from verify.cli.steps import MAX_JOBS
 from verify.language.errors import OwnError
 from verify.language.record import TYPE_CHECKING
 from verify.spheres.map.axes import axis_in, interval_in, plane_in
@@ -34,7 +35,7 @@ UNDECIDED_CODE = 3
 STRIP_LEVEL, BANDS_BELOW = 6, 16
 #: And twice as many where δ is less than this.
 FINE, FINER = Fraction(1, 10**7), Fraction(1, 10**8)
-MAX_BOXES, MAX_LEVEL, MAX_JOBS = 10**8, 26, 256
+MAX_BOXES, MAX_LEVEL = 10**8, 26
 
 
 def add_arguments(parser: Parser) -> None:

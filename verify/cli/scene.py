@@ -7,6 +7,7 @@ import sys
 
 from verify.cli.files import print_document, read_bytes, test_folder, write_file
 from verify.cli.options import Options, Parser
+from verify.cli.steps import MAX_JOBS
 from verify.cli.terminal import add_color, show
 from verify.spheres.scene.decide import MAX_DIGITS, Budget, Fate, decide_scene
 from verify.spheres.scene.scene import Scene
@@ -14,9 +15,6 @@ from verify.spheres.scene.scene_files import read_scene
 from verify.spheres.scene.verdict import steps, told
 from verify.views.scene import collision_table, exit_code, given_line, judge_of, scene_document
 from verify.wire.inputs import InputError, integer, shown
-
-#: More than this would be a mistake.
-MAX_JOBS = 256
 
 
 def add_arguments(parser: Parser) -> None:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from functools import partial
 from typing import Any
 
 from verify.cli.files import print_document, read_bytes, write_file, write_folder
 from verify.cli.options import Options
 from verify.cli.scene_certificate import write_scene
-from verify.cli.steps import watched
+from verify.cli.steps import in_order, watched
 from verify.cli.terminal import show
 from verify.language.errors import OwnError
 from verify.spheres.scene.decide import Budget, decide_scene
@@ -41,7 +41,7 @@ def run_folder(options: Options, limits: Budget, jobs: int) -> int:
     wants_document = options.json or options.out is not None
     work = partial(decide_file, options.scene, options.out, limits, wants_document)
     results: list[Result] = []
-    for result in watched(_all(work, names, jobs), len(names), apart=True):
+    for result in watched(in_order(work, names, jobs), len(names), apart=True):
         results.append(result)
         if not (options.json or options.csv):
             show([f"{result['file']}: {' '.join(result['lines'])}"], options, records=True)
@@ -54,17 +54,6 @@ def run_folder(options: Options, limits: Budget, jobs: int) -> int:
         found = [{"file": result["file"], **result["document"]} for result in results]
         print_document({"format": FORMAT, "command": "scene", "scenes": found})
     return worst(int(result["code"]) for result in results)
-
-
-def _all(work: Any, names: list[str], jobs: int) -> Iterator[Result]:
-    """The results in the order of the names, whatever the number of processes."""
-    if jobs == 1:
-        yield from map(work, names)
-        return
-    from verify.spheres.map.workers import workers  # loaded only where it is used
-
-    with workers(jobs, None) as staff:
-        yield from staff.in_order(work, names)
 
 
 def decide_file(

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
 
 from verify.cli.files import print_document, read_bytes, write_file
 from verify.cli.options import Options
-from verify.cli.steps import watched
+from verify.cli.steps import in_order, watched
 from verify.cli.terminal import show
 from verify.prover.ground import FLINT
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Budget, decide_scene
@@ -65,7 +64,7 @@ def run_sample(options: Options, limits: Budget, jobs: int) -> int:
     if not family.sides:
         raise InputError(f"scene: {shown(options.scene)} has no parameters; add [parameters]")
     work = partial(_decide, options.scene, limits)
-    found = list(watched(_all(work, draw(family, count, seed), jobs), count))
+    found = list(watched(in_order(work, draw(family, count, seed), jobs), count))
     left_out, rows = found[-1][0], [row for _, row in found]
     if options.csv is not None:
         names = (*family.sides, *COLUMNS)
@@ -83,18 +82,6 @@ def _confidence(text: str) -> Fraction:
     if not 0 < level < 1:
         raise InputError(f"--confidence: {shown(text)} is not in ]0,1[; write for example 99%")
     return level
-
-
-def _all(
-    work: partial[tuple[int, Cells]], points: Iterator[Drawn], jobs: int
-) -> Iterator[tuple[int, Cells]]:
-    if jobs == 1:
-        yield from map(work, points)
-        return
-    from verify.spheres.map.workers import workers  # loaded only where it is used
-
-    with workers(jobs, None) as staff:
-        yield from staff.in_order(work, points)
 
 
 def _decide(where: str, limits: Budget, drawn: Drawn) -> tuple[int, Cells]:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import TypeVar
 
 Part = TypeVar("Part")
+Task = TypeVar("Task")
 
+#: So many processes may be asked for; more would be a mistake.
+MAX_JOBS = 256
 #: The width of a bar, and how many seconds it stays as it is at least.
 WIDTH, PAUSE = 30, 0.1
 
@@ -73,6 +76,17 @@ def watched(parts: Iterable[Part], count: int, *, apart: bool = False) -> Iterat
             text = f"[{bar}] {done} of {count}{clock.rest(done)}"
             print(f"\r{text}\x1b[K", end="", file=sys.stderr, flush=True)
             shown = time.monotonic()
+
+
+def in_order(work: Callable[[Task], Part], tasks: Iterable[Task], jobs: int) -> Iterator[Part]:
+    """The results in the order of the tasks, whatever the number of processes."""
+    if jobs == 1:
+        yield from map(work, tasks)
+        return
+    from verify.spheres.map.workers import workers  # loaded only where it is used
+
+    with workers(jobs, None) as staff:
+        yield from staff.in_order(work, tasks)
 
 
 def time_in_words(seconds: float) -> str:

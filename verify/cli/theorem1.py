@@ -38,6 +38,7 @@ def add_arguments(parser: Parser) -> None:
         "--precision": ("BITS", f"starting bits (default {DEFAULTS['precision']})"),
         "--max-precision": ("BITS", f"last bits (default {DEFAULTS['max_precision']})"),
         "--steps": ("N", "with --r A..B: that many values of r, one verdict each"),
+        "--jobs": ("N", "with --steps: processes (default 1)"),
         "--csv": ("FILE", "with --steps: a line for each point, with its refuted rows"),
         "--rows": ("NAME", "print the rows of this name, label or (4.47) only"),
         "--out": ("DIR", "write statement.json and certificate.json"),
@@ -64,8 +65,9 @@ def run(options: Options) -> int:
 
 def _point(options: Options) -> int:
     """Decide Theorem 1 at a point; print, write, return the exit code."""
-    if options.csv is not None:
-        raise InputError("--csv: has a meaning with --r A..B --steps N only; leave it out")
+    for name in ("csv", "jobs"):
+        if getattr(options, name) != DEFAULTS.get(name):
+            raise InputError(f"--{name}: has a meaning with --r A..B --steps N only; leave it out")
     parameters = read_parameters(options)
     bits, last = _precisions(options)
     if options.out is not None:

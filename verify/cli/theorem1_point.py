@@ -13,6 +13,7 @@ DEFAULTS = {
     "constants": "all",
     "precision": "128",
     "max_precision": "65536",
+    "jobs": "1",
 }
 #: The options that only a single point has.
 POINT_OPTIONS = ("theta0", "precision", "max_precision")

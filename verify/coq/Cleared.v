@@ -113,6 +113,13 @@ Proof.
   - destruct (rational_sound _ _ E) as [-> _]. apply sign_value. now apply Z.leb_le.
   - apply orb_prop in H. destruct H as [H|H]; apply knows_sound in H; tauto.
 Qed.
+Lemma applies_there_sound f a : applies_there T knows f a = true -> in_domain f (val a).
+Proof.
+  destruct f; cbn [applies_there in_domain]; trivial. unfold positive_there.
+  destruct (is_rational T a) as [q|] eqn:E; intros H; [|apply knows_sound in H; tauto].
+  destruct (rational_sound _ _ E) as [-> _]. apply Z.ltb_lt in H. unfold Q2R.
+  apply Rmult_lt_0_compat; [now apply IZR_lt | apply Rinv_0_lt_compat, IZR_lt; reflexivity].
+Qed.
 Lemma atom_quotient i : 0 < at_values one /\ val i * at_values one = at_values (atom i).
 Proof. rewrite one_value, atom_value. lra. Qed.
 
@@ -164,6 +171,9 @@ Proof.
   - injection H as <-. split; [tauto | apply atom_quotient].
   - injection H as <-. split; [tauto | apply atom_quotient].
   - injection H as <-. split; [tauto | apply atom_quotient].
+  - injection H as <-. split; [tauto | apply atom_quotient].
+  - destruct (applies_there T knows f a) eqn:F; try discriminate. injection H as <-.
+    apply applies_there_sound in F. split; [auto | apply atom_quotient].
 Qed.
 Lemma with_square_sound i n xs s x : PM.find i T = Some n -> Forall2 is_quotient (parts n) xs ->
   combined T K knows is_defined i n xs = Some x -> sound s -> sound (with_square i n xs s).

@@ -44,7 +44,11 @@ Definition divided (b : positive) (x y : quotient) : option quotient :=
       else let* o := find_node T K (NNeg b) in
         if knows true o then Some (times (opposite n) e, times d (opposite m)) else None
   end.
-(* The root of what is known to be nonnegative. *)
+(* The logarithm of what is known to be positive, and the root of what is known to be nonnegative. *)
+Definition positive_there (a : positive) : bool :=
+  match is_rational a with Some q => Z.ltb 0 (Qnum q) | None => knows true a end.
+Definition applies_there (f : elementary) (a : positive) : bool :=
+  match f with Log => positive_there a | _ => true end.
 Definition rooted (a : positive) : bool :=
   match is_rational a with
   | Some q => Z.leb 0 (Qnum q)
@@ -55,7 +59,9 @@ Definition parts (n : node) : list positive :=
 Definition combined (i : positive) (n : node) (xs : list quotient) : option quotient :=
   match n, xs with
   | NRational n d, _ => Some (number (Qmake n d), one)
-  | NVariable _, _ | NMin _ _, _ | NMax _ _, _ | NCos _, _ | NCosPi _, _ => Some (atom i, one)
+  | NVariable _, _ | NMin _ _, _ | NMax _ _, _ | NCos _, _ | NCosPi _, _ | NPi, _ =>
+      Some (atom i, one)
+  | NOf f a, _ => if applies_there f a then Some (atom i, one) else None
   | NConstant _ _, _ => if is_defined i then Some (atom i, one) else None
   | NSqrt a, _ => if rooted a then Some (atom i, one) else None
   | NAdd _ _, [x; y] => Some (added plus x y)

@@ -1,7 +1,7 @@
 (* The rules, in the order of verify/check.py and under the same names. Sound.v proves
    them right. *)
 From Coq Require Import Reals QArith Qreals ZArith NArith List Lra Lia Bool Arith FMapPositive.
-From Verify Require Import Meaning Polynomials Terms Substitution Clearing Enclosures Cosines.
+From Verify Require Import Meaning Polynomials Terms Substitution Clearing Enclosures Functions Cosines.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -132,6 +132,8 @@ Definition operation (bits : positive) (n : node) (xs : list enclosure) : option
   | NMax _ _, x :: r => Some (fold_right (enclosed_max bits) x r)
   | NCos _, [x] => Some (enclosed_cos bits x)
   | NCosPi _, [x] => Some (enclosed_cos_pi bits x)
+  | NPi, [] => Some (Around (I.pi (p bits)))
+  | NOf f _, [x] => enclosed_elementary bits f x
   | _, _ => None
   end.
 Fixpoint enclose (bits : positive) (fuel : nat) (m : memory) (i : positive) :
@@ -292,7 +294,8 @@ Definition antisymmetry (p : place) (g : claim) (branches : list proof) : bool :
 
 Definition is_atom (i : positive) : bool :=
   match PM.find i T with
-  | Some (NVariable _ | NConstant _ _ | NSqrt _ | NMin _ _ | NMax _ _ | NCos _ | NCosPi _) => true
+  | Some (NVariable _ | NConstant _ _ | NSqrt _ | NMin _ _ | NMax _ _ | NCos _ | NCosPi _ | NPi
+      | NOf _ _) => true
   | _ => false
   end.
 Fixpoint replacing (p : place) (l : list reference) (m : PM.t positive) : option (PM.t positive) :=

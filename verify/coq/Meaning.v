@@ -7,12 +7,20 @@ Open Scope R_scope.
 
 (* --- terms and their values ------------------------------------------------------------------- *)
 
+Inductive elementary : Set := Exp | Log | Sin | Atan.
+
 Inductive term : Set :=
 | Rational (n : Z) (d : positive)
 | Unknown (x : positive)
 | Add (a b : term) | Sub (a b : term) | Mul (a b : term) | Div (a b : term) | Neg (a : term)
 | Pow (a : term) (n : positive) | Sqrt (a : term)
-| Min (a b : term) | Max (a b : term) | Cos (a : term) | CosPi (a : term).
+| Min (a b : term) | Max (a b : term) | Cos (a : term) | CosPi (a : term)
+| Pi | Of (f : elementary) (a : term).
+
+(* The logarithm is the natural one, of positive numbers. *)
+Definition applied (f : elementary) (x : R) : R :=
+  match f with Exp => exp x | Log => ln x | Sin => sin x | Atan => atan x end.
+Definition in_domain (f : elementary) (x : R) : Prop := match f with Log => 0 < x | _ => True end.
 
 (* The values of the variables, by their numbers. *)
 Definition valuation := positive -> R.
@@ -32,16 +40,19 @@ Fixpoint value (v : valuation) (t : term) : R :=
   | Max a b => Rmax (value v a) (value v b)
   | Cos a => cos (value v a)
   | CosPi a => cos (PI * value v a)
+  | Pi => PI
+  | Of f a => applied f (value v a)
   end.
 
-(* No division by 0, no root of a negative number. *)
+(* No division by 0, no root of a negative number, no logarithm of one that is not positive. *)
 Fixpoint defined (v : valuation) (t : term) : Prop :=
   match t with
-  | Rational _ _ | Unknown _ => True
+  | Rational _ _ | Unknown _ | Pi => True
   | Add a b | Sub a b | Mul a b | Min a b | Max a b => defined v a /\ defined v b
   | Div a b => defined v a /\ defined v b /\ value v b <> 0
   | Neg a | Pow a _ | Cos a | CosPi a => defined v a
   | Sqrt a => defined v a /\ 0 <= value v a
+  | Of f a => defined v a /\ in_domain f (value v a)
   end.
 
 (* --- terms by their numbers ------------------------------------------------------------------- *)
@@ -54,7 +65,8 @@ Inductive node : Set :=
 | NAdd (a b : positive) | NSub (a b : positive) | NMul (a b : positive) | NDiv (a b : positive)
 | NNeg (a : positive) | NPow (a : positive) (n : positive) | NSqrt (a : positive)
 | NMin (a : positive) (l : list positive) | NMax (a : positive) (l : list positive)
-| NCos (a : positive) | NCosPi (a : positive).
+| NCos (a : positive) | NCosPi (a : positive)
+| NPi | NOf (f : elementary) (a : positive).
 
 Definition undefined : term := Div (Rational 1 1) (Rational 0 1).
 
@@ -78,6 +90,8 @@ Definition tree (k : positive) (n : node) : term :=
   | NMax a l => fold_right (fun x => Max (tree_at x)) (tree_at a) l
   | NCos a => Cos (tree_at a)
   | NCosPi a => CosPi (tree_at a)
+  | NPi => Pi
+  | NOf f a => Of f (tree_at a)
   end.
 End Trees.
 

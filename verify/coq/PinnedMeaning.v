@@ -33,6 +33,11 @@ Check (fun a b => eq_refl : value (M.Min a b) = Rmin (value a) (value b)).
 Check (fun a b => eq_refl : value (M.Max a b) = Rmax (value a) (value b)).
 Check (fun a => eq_refl : value (M.Cos a) = cos (value a)).
 Check (fun a => eq_refl : value (M.CosPi a) = cos (PI * value a)).
+Check (eq_refl : value M.Pi = PI).
+Check (fun a => eq_refl : value (M.Of M.Exp a) = exp (value a)).
+Check (fun a => eq_refl : value (M.Of M.Log a) = ln (value a)).
+Check (fun a => eq_refl : value (M.Of M.Sin a) = sin (value a)).
+Check (fun a => eq_refl : value (M.Of M.Atan a) = atan (value a)).
 
 Check (fun n d => eq_refl : defined (M.Rational n d) = True).
 Check (fun x => eq_refl : defined (M.Unknown x) = True).
@@ -47,6 +52,11 @@ Check (fun a b => eq_refl : defined (M.Min a b) = (defined a /\ defined b)).
 Check (fun a b => eq_refl : defined (M.Max a b) = (defined a /\ defined b)).
 Check (fun a => eq_refl : defined (M.Cos a) = defined a).
 Check (fun a => eq_refl : defined (M.CosPi a) = defined a).
+Check (eq_refl : defined M.Pi = True).
+Check (fun a => eq_refl : defined (M.Of M.Exp a) = (defined a /\ True)).
+Check (fun a => eq_refl : defined (M.Of M.Log a) = (defined a /\ 0 < value a)).
+Check (fun a => eq_refl : defined (M.Of M.Sin a) = (defined a /\ True)).
+Check (fun a => eq_refl : defined (M.Of M.Atan a) = (defined a /\ True)).
 End Terms.
 
 (* A node stands for a term over the terms that earlier nodes stand for. *)
@@ -72,6 +82,8 @@ Check (fun a b c => eq_refl : tree (M.NMin a [b; c]) = M.Min (at_ b) (M.Min (at_
 Check (fun a b c => eq_refl : tree (M.NMax a [b; c]) = M.Max (at_ b) (M.Max (at_ c) (at_ a))).
 Check (fun a => eq_refl : tree (M.NCos a) = M.Cos (at_ a)).
 Check (fun a => eq_refl : tree (M.NCosPi a) = M.CosPi (at_ a)).
+Check (eq_refl : tree M.NPi = M.Pi).
+Check (fun f a => eq_refl : tree (M.NOf f a) = M.Of f (at_ a)).
 Check (eq_refl : M.grow k [] trees = trees).
 Check (fun n rest => eq_refl : M.grow k (n :: rest) trees =
   M.grow (Pos.succ k) rest (PositiveMap.add k (M.tree trees k n) trees)).

@@ -1,7 +1,7 @@
 (* At a place in a proof: what is found there of facts, clearings and enclosures is true for all values
    that satisfy what is in scope. *)
 From Coq Require Import Reals QArith Qreals ZArith NArith List Lra Lia Bool Arith FMapPositive.
-From Verify Require Import Meaning Polynomials Terms Substitution Clearing Cleared Enclosures Cosines Kernel.
+From Verify Require Import Meaning Polynomials Terms Substitution Clearing Cleared Enclosures Functions Cosines Kernel.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -80,7 +80,8 @@ Lemma defined_is v i n : PM.find i T = Some n ->
 Proof. rewrite is_table. now apply defined_node. Qed.
 Lemma is_zero_sound v i : is_zero T i = true -> value_at S v i = 0 /\ defined_at S v i.
 Proof.
-  unfold is_zero. destruct (PM.find i T) as [[[] d| | | | | | | | | | | | |]|] eqn:E; try discriminate.
+  unfold is_zero. destruct (PM.find i T) as [n|] eqn:E; try discriminate.
+  destruct n as [[] d| | | | | | | | | | | | | | |]; try discriminate.
   intros _. rewrite (value_is _ _ _ E), (defined_is _ _ _ E). cbn. split; [unfold Rdiv; ring | tauto].
 Qed.
 
@@ -231,6 +232,8 @@ Proof.
   - injection O as <-. auto using greatest_of.
   - injection O as <-. auto using cos_sound.
   - injection O as <-. auto using cos_pi_sound.
+  - injection O as <-. split; [tauto|]. apply I.pi_correct.
+  - eapply elementary_sound in O; eauto. tauto.
 Qed.
 Lemma enclose_sound v bits fuel : forall m i x m1, remembered v m ->
   enclose T bits fuel m i = Some (x, m1) -> remembered v m1 /\ right v i x.

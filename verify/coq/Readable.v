@@ -10,7 +10,8 @@ Inductive shape : Set :=
 | Whole (n : Z) | Fraction (n : Z) (d : positive) | Named (x : positive) | Abbreviated (i : positive)
 | Plus (a b : shape) | Minus (a b : shape) | Times (a b : shape) | Over (a b : shape)
 | Opposite (a : shape) | ToThe (a : shape) (n : nat) | RootOf (a : shape)
-| Smaller (a b : shape) | Larger (a b : shape) | CosOf (a : shape) | CosPiOf (a : shape).
+| Smaller (a b : shape) | Larger (a b : shape) | CosOf (a : shape) | CosPiOf (a : shape)
+| PiItself | Function (f : elementary) (a : shape).
 
 Fixpoint read (T : PM.t node) (fuel : nat) (i : positive) : shape :=
   match fuel with
@@ -33,6 +34,8 @@ Fixpoint read (T : PM.t node) (fuel : nat) (i : positive) : shape :=
       | Some (NMax a l) => fold_right (fun x => Larger (r x)) (r a) l
       | Some (NCos a) => CosOf (r a)
       | Some (NCosPi a) => CosPiOf (r a)
+      | Some NPi => PiItself
+      | Some (NOf f a) => Function f (r a)
       end
   end.
 
@@ -62,6 +65,11 @@ Fixpoint show (l : values) (v : valuation) (t : shape) : R :=
   | Larger a b => Rmax (show l v a) (show l v b)
   | CosOf a => cos (show l v a)
   | CosPiOf a => cos (PI * show l v a)
+  | PiItself => PI
+  | Function Exp a => exp (show l v a)
+  | Function Log a => ln (show l v a)
+  | Function Sin a => sin (show l v a)
+  | Function Atan a => atan (show l v a)
   end.
 
 Hypothesis in_order : ordered (numbered S) = true.

@@ -18,7 +18,7 @@ Fixpoint coded (p rest : positive) : positive :=
   end.
 Definition key (n : node) : positive :=
   match n with
-  | NRational _ _ | NVariable _ | NConstant _ _ => 1
+  | NRational _ _ | NVariable _ | NConstant _ _ | NPi => 1
   | NAdd a b => coded 2 (coded a (coded b 1))
   | NSub a b => coded 3 (coded a (coded b 1))
   | NMul a b => coded 4 (coded a (coded b 1))
@@ -30,6 +30,7 @@ Definition key (n : node) : positive :=
   | NMax a l => coded 10 (coded a (fold_right coded 1%positive l))
   | NCos a => coded 11 (coded a 1)
   | NCosPi a => coded 12 (coded a 1)
+  | NOf f a => coded match f with Exp => 13 | Log => 14 | Sin => 15 | Atan => 16 end (coded a 1)
   end.
 Definition keys (l : list (positive * node)) : PM.t positive :=
   fold_right (fun x m => PM.add (key (snd x)) (fst x) m) (PM.empty positive) l.
@@ -72,6 +73,7 @@ Definition rebuilt (n : node) (l : list positive) : option node :=
   | NMax _ _, a :: r => Some (NMax a r)
   | NCos _, [a] => Some (NCos a)
   | NCosPi _, [a] => Some (NCosPi a)
+  | NOf f _, [a] => Some (NOf f a)
   | _, _ => None
   end.
 Definition mapped (n : node) : option node :=

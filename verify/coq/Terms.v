@@ -46,8 +46,8 @@ Qed.
 
 Definition subterms (n : node) : list positive :=
   match n with
-  | NRational _ _ | NVariable _ => []
-  | NConstant _ a | NNeg a | NPow a _ | NSqrt a | NCos a | NCosPi a => [a]
+  | NRational _ _ | NVariable _ | NPi => []
+  | NConstant _ a | NNeg a | NPow a _ | NSqrt a | NCos a | NCosPi a | NOf _ a => [a]
   | NAdd a b | NSub a b | NMul a b | NDiv a b => [a; b]
   | NMin a l | NMax a l => a :: l
   end.
@@ -155,9 +155,16 @@ Definition node_value (v : valuation) (f : positive -> R) (k : positive) (n : no
   | NMax a l => fold_right (fun x => Rmax (f x)) (f a) l
   | NCos a => cos (f a)
   | NCosPi a => cos (PI * f a)
+  | NPi => PI
+  | NOf h a => applied h (f a)
   end.
 Definition proviso (f : positive -> R) (n : node) : Prop :=
-  match n with NDiv _ b => f b <> 0 | NSqrt a => 0 <= f a | _ => True end.
+  match n with
+  | NDiv _ b => f b <> 0
+  | NSqrt a => 0 <= f a
+  | NOf h a => in_domain h (f a)
+  | _ => True
+  end.
 
 Section Table.
 Variable S : statement.

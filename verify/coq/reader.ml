@@ -144,9 +144,11 @@ let make op args extra =
   | "div", [a; b] -> NDiv (a, b) | "neg", [a] -> NNeg a | "pow", [a] -> NPow (a, pos extra)
   | "sqrt", [a] -> NSqrt a | "cos", [a] -> NCos a | "cos_pi", [a] -> NCosPi a
   | "min", a :: (_ :: _ as l) -> NMin (a, l) | "max", a :: (_ :: _ as l) -> NMax (a, l)
-  | ("pi" | "exp" | "log" | "sin" | "atan" | "root"), _ ->
-      bad ("the checker in Coq has no operation " ^ op)
+  | "pi", [] -> NPi | "exp", [a] -> NOf (Exp, a) | "log", [a] -> NOf (Log, a)
+  | "sin", [a] -> NOf (Sin, a) | "atan", [a] -> NOf (Atan, a)
+  | "root", _ -> bad ("the checker in Coq has no operation " ^ op)
   | _ -> bad ("no term: " ^ op)
+let named = function Exp -> "exp" | Log -> "log" | Sin -> "sin" | Atan -> "atan"
 let node k op args extra =
   let key = Node (op, args, extra) in
   match Hashtbl.find_opt k.index key with
@@ -242,6 +244,8 @@ let rec substituted k c at memo i =
           | NMax (a, l), _, _ -> node k "max" (again (a :: l)) 0
           | NCos a, _, _ -> node k "cos" (again [a]) 0
           | NCosPi a, _, _ -> node k "cos_pi" (again [a]) 0
+          | NPi, _, _ -> node k "pi" [] 0
+          | NOf (f, a), _, _ -> node k (named f) (again [a]) 0
           | NRational _, _, _ -> i in
       Hashtbl.replace memo i j; j
 let put k c at claims =

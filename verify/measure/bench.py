@@ -35,7 +35,7 @@ from verify.measure.scenes import scene_tables
 from verify.measure.separatrix import separatrix_table
 from verify.measure.slack import slack_table
 from verify.paper.commands import eigenvalues
-from verify.paper.commands.scan import scan
+from verify.paper.commands.scan import Grid, Scan
 from verify.paper.commands.theorem1 import constants_enclosure, decide_point
 from verify.prover import balls
 from verify.prover.decimals import decimal_text, round_decimal
@@ -329,6 +329,12 @@ def _double_verdict(claim: Claim, values: Sequence[Any], program: Program) -> st
     return PROVED if holds(claim.relation, lhs, rhs) else REFUTED
 
 
+def _sweep(grid: Grid) -> None:
+    job = Scan()
+    for i in range(grid.steps):
+        job.at({**grid.parameters, "r": grid.value(i)})
+
+
 def throughput_table(count: int, rounds: int) -> Table:
     """Parameter points per second, in one process."""
     points = [str(Fraction(k, 20 * count)) for k in range(1, count + 1)]
@@ -339,8 +345,8 @@ def throughput_table(count: int, rounds: int) -> Table:
     single = min(
         _seconds(lambda: [decide_point(parameters(r, "1")) for r in some]) for _ in range(rounds)
     )
-    grid = (Fraction(1, 1000), Fraction(55, 1000))
-    full = min(_seconds(lambda: list(scan(grid, count, exact[0]))) for _ in range(rounds))
+    grid = Grid(Fraction(1, 1000), Fraction(55, 1000), count, exact[0])
+    full = min(_seconds(lambda: _sweep(grid)) for _ in range(rounds))
     return {
         "title": "Throughput in one process at 128 bits",
         "columns": ["work", "points per second"],

@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 
 from verify.language.terms import as_term
-from verify.paper.commands.scan import Scan, scan
+from verify.paper.commands.scan import Grid, Scan, _job
 from verify.paper.commands.theorem1 import decide_point
 from verify.views.words import fair
 
@@ -27,7 +27,8 @@ def single(parameters) -> tuple[str, dict[str, str]]:
 @pytest.mark.parametrize("c", ["1", "97/100", "1/2"])
 def test_grid(c) -> None:
     parameters = PARAMETERS | {"c": Fraction(c)}
-    for r, point in scan((Fraction(1, 1000), Fraction(6, 100)), 13, parameters):
+    grid = Grid(Fraction(1, 1000), Fraction(6, 100), 13, parameters)
+    for r, point in (pair for places in grid.parts(5) for pair in grid.part(places)):
         here = parameters | {"r": r}
         assert (point.verdict, dict(point.rows)) == single(here)
 
@@ -50,12 +51,15 @@ def test_most_points_need_no_single_run(monkeypatch) -> None:
         "verify.paper.commands.scan.decide_point",
         lambda parameters: calls.append(1) or decide_point(parameters),
     )
-    points = list(scan((Fraction(1, 1000), Fraction(55, 1000)), 200, PARAMETERS))
+    _job.cache_clear()
+    points = Grid(Fraction(1, 1000), Fraction(55, 1000), 200, PARAMETERS).part(range(200))
     assert len(points) == 200
     assert len(calls) <= 5
     assert {point.verdict for _, point in points} == {"proved"}
 
 
-def test_one_point_is_no_grid() -> None:
-    with pytest.raises(ValueError, match="two points"):
-        list(scan((Fraction(1, 100), Fraction(1, 50)), 1, PARAMETERS))
+def test_a_grid_has_its_ends_and_equal_distances() -> None:
+    grid = Grid(Fraction(1, 100), Fraction(1, 20), 9, PARAMETERS)
+    places = [i for part in grid.parts(4) for i in part]
+    assert places == [*range(9)]
+    assert [*map(grid.value, places)] == [Fraction(2 + i, 200) for i in places]

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 from verify.language.statement import (
     NEEDED,
@@ -202,19 +202,33 @@ def _names(values: tuple[Any, ...]) -> Iterator[str]:
             yield from _names(value)
 
 
-def scan(
-    ends: tuple[Fraction, Fraction], steps: int, parameters: Mapping[str, Fraction]
-) -> Iterator[tuple[Fraction, ScannedPoint]]:
-    """The points of a grid of values of r between two ends, both included.
+class Grid(NamedTuple):
+    """Values of r between two ends, both included, at equal distances.
 
-    ``parameters`` has r, c, V_0 and delta_theta in this order; its r is not used.
-
-    Raises:
-        ValueError: for less than two steps.
+    ``parameters`` has r, c, V_0 and delta_theta in this order; its r is not used. Two values at
+    least.
     """
-    if steps < 2:
-        raise ValueError("a grid has at least two points")
-    job, (low, high) = Scan(), ends
-    for i in range(steps):
-        r = low + (high - low) * i / (steps - 1)
-        yield r, job.at({**parameters, "r": r})
+
+    low: Fraction
+    high: Fraction
+    steps: int
+    parameters: Mapping[str, Fraction]
+
+    def part(self, places: range) -> list[tuple[Fraction, ScannedPoint]]:
+        """The points at some places of the grid, from 0 on."""
+        return [(r, _job().at({**self.parameters, "r": r})) for r in map(self.value, places)]
+
+    def value(self, i: int) -> Fraction:
+        """A value of r, from 0 on."""
+        return self.low + (self.high - self.low) * i / (self.steps - 1)
+
+    def parts(self, size: int) -> Iterator[range]:
+        """All places, so many at a time."""
+        places = range(self.steps)
+        return (places[i : i + size] for i in range(0, self.steps, size))
+
+
+@cache
+def _job() -> Scan:
+    """What this process has compiled."""
+    return Scan()

@@ -7,7 +7,7 @@ has to be believed: a lemma that does not say what the row says does not compile
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 
 from verify import check
 from verify.wire.coq.proofs import Proofs
@@ -144,12 +144,15 @@ Proof. {proof} Qed."""
 
 
 SYMBOLS = {"add": (" + ", 1), "sub": (" - ", 1), "mul": (" * ", 2), "div": (" / ", 2)}
-RELATIONS = {"<": "<", "<=": "<=", "=": "="}
+RELATIONS = {"<": "<", "<=": "<=", "=": "=", "!=": "<>"}
+FUNCTIONS = {
+    "sqrt": "sqrt", "cos": "cos", "exp": "exp", "log": "ln", "sin": "sin", "atan": "atan",
+}  # fmt: skip
 #: A name of these is Coq's, or one that the file needs.
 TAKEN = (
     "as at cofix else end exists exists2 fix for forall fun if in let match mod return then using "
-    "where with Prop Set Type SProp R Rmin Rmax sqrt cos PI v fst snd Some None nil cons pair true "
-    "false eq_refl values show read table numbered Qmake list nat positive"
+    "where with Prop Set Type SProp R Rmin Rmax sqrt cos exp ln sin atan PI v fst snd Some None "
+    "nil cons pair true false eq_refl values show read table numbered Qmake list nat positive"
 )
 #: A term that is longer in letters is not readable.
 MAX_LETTERS = 200_000
@@ -218,15 +221,23 @@ class Notation:
             return f"- {self.term(subterms[0], 4)}", 0
         if op == "pow":
             return f"{self.term(subterms[0], 4)} ^ {rest[0]}", 3
-        if op == "cos_pi":
-            return f"cos (PI * {self.term(subterms[0], 3)})", 3
         if op in ("min", "max"):
             first, *others = subterms
             text = self.term(first, 4)
             for other in reversed(others):
                 text = f"(R{op} {self.term(other, 4)} {text})"
             return text[1:-1], 3
-        return f"{op} {self.term(subterms[0], 4)}", 3
+        return self.function(op, subterms)
+
+    def function(self, op: str, subterms: Sequence[int]) -> tuple[str, int]:
+        """A function of Coq's library."""
+        if op == "pi":
+            return "PI", 4
+        if op == "cos_pi":
+            return f"cos (PI * {self.term(subterms[0], 3)})", 3
+        if op not in FUNCTIONS:
+            raise NotAcceptedError(f"the checker in Coq has no operation {op}")
+        return f"{FUNCTIONS[op]} {self.term(subterms[0], 4)}", 3
 
     def named(self, term: int) -> tuple[str, int]:
         """A variable, or a constant at the variables on which it depends."""

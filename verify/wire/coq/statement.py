@@ -9,10 +9,11 @@ from verify import check
 from verify.wire.coq.reading import NotAcceptedError, Reading
 
 RELATIONS = {"<": "Less", "<=": "AtMost", "=": "Equal", "!=": "Differs"}
-#: The nodes of one or two subterms; a constant, a variable, and the rest have more to them.
+#: The nodes of at most two subterms; a constant, a variable, and the rest have more to them.
 NODES = {
     "add": "NAdd", "sub": "NSub", "mul": "NMul", "div": "NDiv", "neg": "NNeg", "sqrt": "NSqrt",
-    "cos": "NCos", "cos_pi": "NCosPi",
+    "cos": "NCos", "cos_pi": "NCosPi", "pi": "NPi", "exp": "NOf Exp", "log": "NOf Log",
+    "sin": "NOf Sin", "atan": "NOf Atan",
 }  # fmt: skip
 
 

@@ -76,6 +76,54 @@ def test_what_a_certificate_adds_is_not_in_the_next_one() -> None:
     assert state(library) == before
 
 
+def nested() -> Pair:
+    """A cited statement with a context in another one, and facts about signs everywhere."""
+    pair = Pair("NESTED").constant("c", "2").row("sign", "0 < c", INTERVAL)
+    pair.context("outer", {"x": "1"}, {"x-pos": "0 < x", "x-low": "0 <= x"})
+    pair.inner("outer", "d", "x + c")
+    return pair.context("inner", {"y": "1"}, {"y-low": "0 <= y"}, parent="outer")
+
+
+def known(kernel: check.Kernel) -> Any:
+    """All that a kernel knows, with contexts by their names."""
+
+    def named(value: Any) -> Any:
+        if isinstance(value, dict):
+            return {key: named(item) for key, item in value.items()}
+        if isinstance(value, check.Context):
+            tables = check.copies(value)
+            return value.name, [item.name for item in value.around], value.is_open, tables
+        is_plain = not isinstance(value, list | check.Fact)
+        return value if is_plain else [named(item) for item in value]
+
+    return named({"outermost": kernel.outermost, **check.copies(kernel)})
+
+
+def apart(kernel: check.Kernel, other: check.Kernel) -> bool:
+    """Whether two kernels have no table and no context in common."""
+
+    def parts(found: check.Kernel) -> set[int]:
+        owners = [found, found.outermost, *found.contexts.values()]
+        tables = [item for owner in owners for item in vars(owner).values()]
+        changing = [item for item in tables if isinstance(item, dict | list | set)]
+        contexts = [*found.homes, *(fact.context for fact in found.facts.values())]
+        around = [item for context in contexts for item in (*context.around, context)]
+        return {id(item) for item in [*owners, *changing, *around]}
+
+    return not parts(kernel) & parts(other)
+
+
+def test_a_copy_knows_the_same_and_shares_nothing_that_changes() -> None:
+    library, kernel = check.Library(), check.Kernel()
+    items = citing(nested(), INTERVAL, "0 <= 1").statement["cites"]
+    found, _ = library.open(items, kernel, beside(nested()))
+    assert known(found) == known(kernel)
+    assert apart(found, kernel)
+    assert [item.name for item in found.contexts["c:inner"].around] == ["", "c:outer", "c:inner"]
+    assert found.outermost.positive
+    assert found.contexts["c:outer"].positive
+
+
 def test_other_bytes_are_read_anew() -> None:
     """Whoever calls this says under which digest they are; those that were read are compared."""
     other, library = cited(), check.Library()

@@ -6,8 +6,11 @@ import ast
 import re
 import subprocess
 import sys
+import sysconfig
 import tomllib
 from pathlib import Path
+
+import pytest
 
 from verify.cli import COMMANDS
 
@@ -51,6 +54,17 @@ def test_the_lock_file_has_what_is_installed() -> None:
     locked = names((ROOT / "requirements.lock").read_text(encoding="utf-8").split())
     asked = names([*project["dependencies"], *extras["docs"], *extras["test"]])
     assert asked <= locked
+
+
+def test_a_type_checker_finds_the_package_from_any_folder(tmp_path: Path) -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    is_path = project["tool"]["setuptools"].get("package-dir") == {"": "."}
+    if is_path and [*Path(sysconfig.get_path("purelib")).glob("__editable___verify*_finder.py")]:
+        pytest.skip("this environment has an older install; run pip install -e . again")
+    (tmp_path / "program.py").write_text("from verify import symbol\n\nsymbol('x')\n")
+    command = [sys.executable, "-I", "-m", "mypy", "--strict", "--no-incremental", "program.py"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout
 
 
 def test_help_loads_nothing_heavy() -> None:

@@ -100,7 +100,7 @@ def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["scene", "nan.toml"], "nan.toml: r: "),
         (["scene", "words.toml"], "words.toml: "),
         (["scene", "huge.toml"], "huge.toml: positions of particle 1: "),
-        (["scene", "empty"], "empty: 'positions' is missing; write just r, positions, velocities"),
+        (["scene", "empty"], "empty: 'positions' is missing; write r, positions, velocities"),
         (["scene", "digits.json"], "is no TOML file"),
         (["scene", "bytes"], "is no TOML file (it is not UTF-8); write r, positions, velocities"),
         (["scene", "folder"], "no file that ends in .toml"),

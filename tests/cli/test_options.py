@@ -89,6 +89,8 @@ def test_help_of_a_command_is_asked_for_in_two_ways(capsys: pytest.CaptureFixtur
     assert capsys.readouterr().out == text
     assert main(["help", "scen"]) == 2
     assert "'scen' is not a command" in capsys.readouterr().err
+    assert main(["page.toml", "-v"]) == 2
+    assert "is not a command; write one before it: prove page.toml" in capsys.readouterr().err
 
 
 def test_help_is_as_wide_as_the_terminal(

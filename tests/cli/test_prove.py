@@ -136,6 +136,20 @@ def test_some_rows_are_decided_and_written(
     assert "there is no row 'r10'; did you mean r1?" in capsys.readouterr().err
 
 
+def test_the_rows_of_a_chain_have_its_name(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    page = tmp_path / "page.toml"
+    rows = "".join(f'r{i} = "{i} < {i + 1}"\n' for i in range(9))
+    page.write_text(f'title = "t"\n[rows]\n{rows}chain = "2 < 3 < 4"\n', encoding="utf-8")
+    assert main(["prove", str(page), "--rows", "chain,r2"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[1] for line in lines[:-1]] == ["r2", "chain.1", "chain.2"]
+    assert main(["prove", str(page), "--rows", "cha"]) == 2
+    assert main(["prove", str(page), "--rows", "xyz"]) == 2
+    assert "write one of r0, r1, r2, r3, r4, r5, r6, r7, ...\n" in capsys.readouterr().err
+
+
 def test_what_is_proved_before_an_interruption_is_kept(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -50,6 +50,8 @@ def read(term: Term) -> str:
         (sqrt(a - b), "a−b"),
         (cos_pi(Fraction(5, 6)), "cos([56]π)"),
         (symbol("phi"), "{φ−}"),
+        (symbol("phi") ** 2, "{({φ−})2}"),
+        (symbol("eta") ** 2, "{η¯2}"),
         (symbol("delta_theta"), "δθ"),
     ],
 )

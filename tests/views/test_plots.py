@@ -161,7 +161,7 @@ def test_drawings_are_well_formed_and_take_their_colours_from_the_page(page: str
         len(figure.panels) for figure in figures(plotted(decide_everywhere(), DEPTH), TABLE)
     )
     collapses, map_panels = 2 * 2, 3
-    assert len(drawings) == plots + 2 + collapses + map_panels  # the letters, and the proof
+    assert len(drawings) == plots + 3 + collapses + map_panels  # letters, the proof, the curve
     for text in drawings:
         root = ET.fromstring(text)
         assert len(root.attrib["aria-label"]) > 60

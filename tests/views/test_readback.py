@@ -159,7 +159,10 @@ class Reader:
         found = [m for m in FORMULA.finditer(tex) if not m["space"]]
         assert not [m[0] for m in found if m["other"]]
         words_ = [m[0].strip() for m in found]
-        self.left = [w for w in words_ if not w.startswith(r"\allowbreak") and w != "\\"][::-1]
+        taller = (r"\Bigl", r"\Bigr", "\\")
+        self.left = [w for w in words_ if not w.startswith(r"\allowbreak") and w not in taller][
+            ::-1
+        ]
         self.values = values
 
     def next(self, *wanted: str) -> str:

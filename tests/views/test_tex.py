@@ -92,7 +92,7 @@ def test_the_short_article_has_the_theorem_and_what_is_false() -> None:
     everywhere = part(found[EVERYWHERE], PAPER, TOLD)
     theorem = everywhere[everywhere.index(r"\begin{theorem}") : everywhere.index(r"\end{theorem}")]
     assert r"collide infinitely often" in theorem
-    assert r"\overline{\eta} = \min(" in theorem
+    assert r"\overline{\eta} = \min\Bigl(" in theorem
     assert r"$0 < d$" in theorem
     brief, full = (part(found["step"], PAPER, full=full) for full in (False, True))
     assert "time-" in brief
@@ -132,6 +132,7 @@ def test_words() -> None:
 def test_a_letter_of_a_file_is_a_letter() -> None:
     assert safe_letter(r"\varphi^-", "") == r"\varphi^-"
     assert safe_letter("g_c_{5}", "") == "{g_c}_{5}"
+    assert safe_letter("m_outer_{5}", "") == r"m_{\mathrm{outer},5}"
     for text in (r"\input{/etc/passwd}", "}", r"x_{", "a_1_2_3", "$", ""):
         assert safe_letter(text, "x.1") == r"\mathit{x.1}"
 
@@ -143,7 +144,11 @@ def test_a_letter_of_a_file_is_a_letter() -> None:
         (as_term(-1) * x + 1 * y, "-x + y"),
         (x - (-y), "x + y"),
         (-(x - y) / 3, r"-\frac{x - y}{3}"),
-        ((x / y) ** 2, r"(\frac{x}{y})^{2}"),
+        ((x / y) ** 2, r"\Bigl(\frac{x}{y}\Bigr)^{2}"),
+        (((x + 1) * (x + 1 / y)) ** 2, r"\Bigl((x + 1)\, \Bigl(x + \frac{1}{y}\Bigr)\Bigr)^{2}"),
+        (sqrt((x + 1 / y) ** 2), r"\sqrt{(x + \frac{1}{y})^{2}}"),
+        (as_term(10) ** 10 * x, r"10^{10}\, x"),
+        ((as_term(1) / 2 - 1) ** 3, r"\Bigl(\frac{1}{2} - 1\Bigr)^{3}"),
         (-sqrt(x) * -sqrt(y), r"\sqrt{x}\, \sqrt{y}"),
         (2 * (as_term(3) * x), r"2 \cdot (3\, x)"),
         (x - (y - 1), "x - (y - 1)"),
@@ -154,6 +159,24 @@ def test_formulas(term: Term, tex: str) -> None:
     assert (
         Formulas({}, {}).term(term).replace(r"\mathit{x}", "x").replace(r"\mathit{y}", "y") == tex
     )
+
+
+def test_the_power_of_a_letter_with_an_exponent_has_parentheses() -> None:
+    letters = {"x": "r^{1/3}", "y": r"\delta_2"}
+    assert Formulas(letters, {}).term(x**3 * y**2) == r"(r^{1/3})^{3}\, {\delta_2}^{2}"
+
+
+def test_a_name_at_the_beginning_of_a_sentence_stays_as_it_is() -> None:
+    places = [
+        for_all("a", [0 <= x], {"x": 1}, says="x is at least 0"),
+        for_all("b", [0 <= y], {"y": 1}, says="the other one"),
+    ]
+    rows = [ask("r", -1 < x, places[0]), ask("s", -1 < y, places[1])]
+    text = prove(lemma("x and y", rows, [], places)).latex()
+    assert "\nx is at least 0.\\par\n" in text
+    assert "\nThe other one.\\par\n" in text
+    assert r"\section{x and y}" in text
+    assert r"\section{A lemma on x}" in prove(lemma("a lemma on x", rows, [], places)).latex()
 
 
 def value(term: Term, at: dict[str, Fraction]) -> Fraction:

@@ -254,6 +254,19 @@ def test_a_point_on_a_curve_is_asked_for() -> None:
         read(page + '[rows]\na = "x < 3"\n')
 
 
+def test_other_signs_of_print_are_read() -> None:
+    (row,) = read('title = "t"\n[constants]\nb = 2\n[rows]\na = "3⋅b ⩽ 7"\n').obligations
+    assert row.claim == (3 * symbol("b") <= 7)
+    (row,) = read('title = "t"\n[constants]\nb = 2\n[rows]\na = "b ⩾ 1"\n').obligations
+    assert row.claim == (as_term(1) <= symbol("b"))
+
+
+def test_givens_that_contradict_one_another_are_thought_of() -> None:
+    page = 'title = "t"\n[contexts.c]\nvariables = ["x"]\ngiven = ["x < 0", "x > 1"]\n'
+    with pytest.raises(InputError, match=r"x = 1 }; or mend the givens, if they contradict one"):
+        read(page + '[rows]\na = "x < 3"\n')
+
+
 INDUCTION = """
 title = "A sequence"
 
@@ -328,6 +341,17 @@ def test_an_induction() -> None:
         ('"1 + sqrt(2)"', '"sum(1/k, k, 0, 2)"', "divides by zero"),
         ('"1 + sqrt(2)"', '"sum(k 2, k, 1, 2)"', "'2' follows, and does not belong there"),
         ('"1 + sqrt(2)"', '"1 # 2"', "cannot read '# 2'"),
+        ('"1 + sqrt(2)"', '"2,50"', "',' follows, and does not belong there; write a point: 2.50"),
+        ('"y < d"', '"y =< d"', "'<' follows, where a number or a name is missing; write <="),
+        ('"y < d"', '"y => d"', "'>' follows, where a number or a name is missing; write >="),
+        ('"1 + sqrt(2)"', '"int(k^2, k, 0, 1)"', "'int' is no function; did you mean"),
+        ('"1 + sqrt(2)"', '"2,x"', "',' follows, and does not belong there"),
+        ('"1 + sqrt(2)"', "'\\frac{1}{2}'", "TeX is not read, write for example (a/b)*sqrt(x)"),
+        ('"1 + sqrt(2)"', '"\\frac{1}{2}"', "TeX is not read, write for example (a/b)*sqrt(x)"),
+        ('"1 + sqrt(2)"', '"4!"', "cannot read '!'; write prod(k, k, 1, 5) for 5!"),
+        ('"1 + sqrt(2)"', '"log10(2)"', "'log10' is no function; write log(x)/log(10)"),
+        ('"1 + sqrt(2)"', '"1"\nb = "2"', "a name stands there twice, choose another"),
+        ("[rows]", "[constants]\n[rows]", "a table stands there twice, write its lines together"),
         ('"y < d"', '"y < dd"', "line 23: rows.smaller: 'dd' is not defined here; did you mean d?"),
         ('"y < d"', '"y"', "line 23: rows.smaller: 'y' claims nothing; write for example y > 0"),
         ('"y < d"', '"0 < y > d"', "a chain has < and > in it"),

@@ -37,6 +37,9 @@ COMMANDS = {
     "completion": "print a script that completes commands and options in a shell",
 }
 
+#: How the names of files end that a command may be asked about.
+INPUTS = (".toml", ".json", ".smt2", ".fpcore")
+
 USAGE_ERROR = 2
 OWN_ERROR = 5
 INTERRUPTED = 130
@@ -98,6 +101,8 @@ def _dispatch(words: list[str]) -> int:
         print(f"verify {__version__}")
         return 0
     if name not in COMMANDS:
+        if name.endswith(INPUTS):
+            raise InputError(f"{shown(name)} is not a command; write one before it: prove {name}")
         raise InputError(f"{shown(name)} is not a command; write one of: {known}")
     command = import_module(f"verify.cli.{name}")
     parser = Parser(f"verify {name}", command.__doc__ or "")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from hashlib import sha256
 
@@ -17,7 +18,7 @@ from verify.cli.files import (
 from verify.cli.options import Options, Parser
 from verify.cli.steps import Steps
 from verify.cli.terminal import add_color, show
-from verify.language.statement import NEEDED, PRINTED, UNDECIDED, Statement
+from verify.language.statement import NEEDED, PRINTED, UNDECIDED, Obligation, Statement
 from verify.language.terms import Claim
 from verify.paper.source import PAPER
 from verify.prover.budget import WORK, WorkBudget
@@ -78,14 +79,20 @@ def _chosen(statement: Statement, names: str | None) -> Statement:
     if names is None:
         return statement
     wanted = {name.strip() for name in names.split(",")}
-    rows = tuple(row for row in statement.obligations if row.name in wanted)
-    unknown = sorted(wanted - {row.name for row in rows})
+    chosen = {row.name: wanted & _names_of(row) for row in statement.obligations}
+    rows = tuple(row for row in statement.obligations if chosen[row.name])
+    unknown = sorted(wanted.difference(*chosen.values()))
     if unknown:
         instead = nearest(unknown[0], [row.name for row in statement.obligations])
         raise InputError(f"--rows: there is no row {shown(unknown[0])}; {instead}")
     if all(row.role == PRINTED for row in rows):
         rows = tuple(row._replace(role=NEEDED) for row in rows)
     return statement._replace(obligations=rows)
+
+
+def _names_of(row: Obligation) -> set[str]:
+    """What a row is called: its name, and without the number that it has in a chain."""
+    return {row.name, re.sub(r"\.[0-9]+$", "", row.name)}
 
 
 def _write(directory: str, outcome: Outcome) -> None:

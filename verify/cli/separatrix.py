@@ -17,7 +17,7 @@ from verify.cli.options import Options, Parser, field
 from verify.cli.terminal import show
 from verify.language.errors import UnreadError
 from verify.spheres.limit_map import Parameters
-from verify.spheres.separatrix import Separatrix, decide_separatrix, staircase
+from verify.spheres.separatrix import DRAWN_DIGITS, Separatrix, decide_separatrix, staircase
 from verify.views.separatrix import (
     curves_document,
     curves_screen,
@@ -29,8 +29,8 @@ from verify.views.separatrix import (
 from verify.wire.inputs import InputError, integer, neg_cos, positive, rational, restitution, shown
 
 MAX_DIGITS, MAX_BUDGET, MAX_STEPS = 1000, 10**8, 50
-#: Of a picture: where the curve is decided, how many digits, and for each of several curves.
-CORNERS, DIGITS, FEW_CORNERS = 160, 4, 60
+#: At how many places each of several curves is decided for a picture.
+FEW_CORNERS = 60
 #: What only some of the three uses have.
 WITH_R = ("--r", "--neg-cos", "--ratio", "--at", "--digits", "--budget", "--steps", "--plot")
 DEFAULTS = {"neg_cos": "1", "ratio": "1", "digits": "12", "budget": "2000000", "steps": "5"}
@@ -97,8 +97,8 @@ def _point(options: Options) -> int:
     if options.plot is not None:
         from verify.views.plots.separatrix import strip_svg  # loaded only where it is used
 
-        drawn = found if at is None else decide_separatrix(parameters, None, DIGITS, budget)
-        strips = staircase(drawn, CORNERS, DIGITS, budget)
+        drawn = found if at is None else decide_separatrix(parameters, None, DRAWN_DIGITS, budget)
+        strips = staircase(drawn, budget)
         if not strips:
             raise InputError("--plot: no curve is known there; choose parameters that have one")
         write_file("--plot", options.plot, strip_svg(drawn, strips))
@@ -121,7 +121,7 @@ def _curves(options: Options) -> int:
     if options.plot is not None:
         from verify.views.plots.separatrix import curves_svg  # loaded only where it is used
 
-        strips = [staircase(one, FEW_CORNERS, DIGITS, budget) for one in found]
+        strips = [staircase(one, budget, FEW_CORNERS) for one in found]
         if not any(strips):
             raise InputError("--plot: no curve is known there; choose smaller values of --r")
         write_file("--plot", options.plot, curves_svg(list(zip(found, strips, strict=True))))

@@ -14,7 +14,7 @@ from verify.prover.ground import Ground
 from verify.prover.hint import Hint
 from verify.prover.outcome import Decision, Enclosure, Outcome
 from verify.prover.proof import Step
-from verify.prover.reasons import MAX_BITS, hardest, is_too_long
+from verify.prover.reasons import MAX_BITS, hardest, is_too_long, without_value
 from verify.prover.rows_in_contexts import RowsInContexts
 from verify.prover.session import Session
 from verify.prover.techniques import find
@@ -143,7 +143,7 @@ def _priced(row: Obligation, universal: Universal, price: Price) -> Decision:
 def _tried(row: Obligation, universal: Universal, price: Price) -> Decision:
     """The same for the first proof that is found."""
     undo, first = universal.mark(), len(universal.session.steps)
-    for table in (universal.reasons, universal.tried, universal.left):
+    for table in (universal.reasons, universal.tried, universal.left, universal.valueless):
         table.clear()
     try:
         found = _decide(row, universal.ground, universal)
@@ -169,6 +169,7 @@ def _reason(found: Decision, row: Obligation, universal: Universal) -> str:
     """Why a row is undecided: what was tried, and where it is open."""
     if isinstance(row.claim, Claim) and row.context in universal.contexts:
         spent = universal.budget.spent
+        universal.reasons |= dict.fromkeys(without_value(row.claim, universal.valueless))
         universal.budget.refill()
         try:
             where = hardest(universal.goal(row.claim, row.context), universal, spent)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from fractions import Fraction
 from math import log2
 
 from verify.language.fold import fold
-from verify.language.terms import OPERATIONS, Term, parts_of
+from verify.language.terms import OPERATIONS, Claim, Term, parts_of
+from verify.language.typeset import Typesetter
+from verify.prover.clearing import inner_first
 from verify.prover.goal import Goal
 from verify.prover.search.question import Question
 from verify.prover.universal import Universal
@@ -53,6 +55,25 @@ def _left(known: Universal) -> Iterator[str]:
 
 def _short(value: Fraction) -> str:
     return f"{float(value):.{DIGITS}g}"
+
+
+# --- terms without a value ------------------------------------------------------------------------
+
+#: What a root needs, and what others need.
+RADICAND = "a radicand must not be negative"
+NEEDS: Mapping[str, str] = {
+    "div": "a divisor must not be 0",
+    "log": "what a logarithm is of must be positive",
+}
+
+
+def without_value(claim: Claim, valueless: Collection[Term]) -> Iterator[str]:
+    """The innermost of these terms in a claim, and what it needs to have a value."""
+    for part in inner_first((claim.lhs, claim.rhs), lambda term: term.children):
+        if part in valueless:
+            text, need = Typesetter({}).term(part), NEEDS.get(part.op, RADICAND)
+            yield f"{text} was not seen to have a value everywhere: {need}"
+            return
 
 
 # --- numbers that are too long for the checker ---------------------------------------------------

@@ -14,6 +14,7 @@ from verify.language.statement import (
     Obligation,
 )
 from verify.language.terms import Claim, Term, as_term, substitute_claim
+from verify.language.typeset import Typesetter
 from verify.prover.goal import Goal
 from verify.prover.outcome import Decision
 from verify.prover.points import refuting_point
@@ -76,7 +77,7 @@ class RowsInContexts:
             return _undecided(f"the context {claim.context} is not open here")
         premises = self.known.premises(context, claim.at, row.context)
         if premises is None:
-            return _undecided(f"a given of {claim.context} was not shown at these values")
+            return _undecided(self._unshown(claim.context, "at these values", row.context))
         proof = Applying(premises)
         self.known.session.prove_row(row, proof)
         return Decision(PROVED, proof)
@@ -86,19 +87,34 @@ class RowsInContexts:
         context = self.known.contexts.get(claim.context)
         if context is None or context.parent != row.context:
             return _undecided(f"the context {claim.context} is not one inside that of the row")
-        if any(given.kind == "plain" for given in context.givens):
-            return _undecided(f"a given of {claim.context} is neither carried nor standing")
+        plain = next((given.name for given in context.givens if given.kind == "plain"), None)
+        if plain is not None:
+            return _undecided(f"its given {plain} is neither carried nor standing; make it carried")
         carried = context._replace(givens=tuple(g for g in context.givens if g.kind == "carried"))
         start = self.known.premises(carried, claim.start, row.context)
         following = (
             None if start is None else self.known.premises(carried, claim.next, context.name)
         )
         if start is None or following is None:
-            where = "at the start" if start is None else "at the next state"
-            return _undecided(f"a carried given of {claim.context} was not shown {where}")
+            first = start is None
+            where, place = (
+                ("at the start", row.context) if first else ("at the next state", context.name)
+            )
+            return _undecided(self._unshown(claim.context, where, place))
         proof = Induction(start, following)
         self.known.session.prove_row(row, proof)
         return Decision(PROVED, proof)
+
+    def _unshown(self, context: str, where: str, place: str | None) -> str:
+        """Which given was not shown, and the claim to ask before."""
+        given = self.known.failed
+        if given is None:
+            return f"the values for {context} were not seen to be defined {where}"
+        inside = "" if place is None else f" in {place}"
+        claim = Typesetter({}).claim(given.claim)
+        return (
+            f"its given {given.name} was not shown {where}; ask it as a row before{inside}: {claim}"
+        )
 
     def _refute(self, goal: Goal, context: Context) -> Witness | None:
         """Values for the variables of the context at which the claim is false."""

@@ -57,7 +57,8 @@ class Universal:
         self.left: dict[str, tuple[Fraction, Fraction]] = {}  # the part of a box that is open
         self.hints: dict[Claim, Hint] = {}  # where to look for the proof of a claim
         self.contexts: dict[str, Context] = {}
-        self.failed: Given | None = None  # that was not shown at some values
+        self.failed: Given | None = None  # at the values at which it was not shown
+        self.valueless: set[Term] = set()  # quotients, roots and logarithms not seen to have one
         self.depth = 0  # of lemmas that lemmas need
         self.rows: set[str] = set()  # that are proved, so that later ones may use them
         self.bounds: dict[str, Bounds] = {}
@@ -166,13 +167,15 @@ class Universal:
         self, context: Context, at: Mapping[str, Term], place: str | None
     ) -> tuple[str, ...] | None:
         """Facts of a place which say that the givens of a context hold at these values."""
+        self.failed = None
         if not self.clears(at.values(), place):
             return None
         values, names = with_constants(context, at), []
         for given in context.givens:
-            name = self.fact(substitute_claim(given.claim, values), place)
+            claim = substitute_claim(given.claim, values)
+            name = self.fact(claim, place)
             if name is None:
-                self.failed = given
+                self.failed = given._replace(claim=claim)
                 return None
             names.append(name)
         return tuple(names)
@@ -237,7 +240,9 @@ class Universal:
         if not self.clears(term.children, context):
             return False
         if not has_value(term, lambda claim: self.fact(claim, context) is not None):
+            self.valueless.add(term)
             return False
+        self.valueless.discard(term)
         self._clear.add((context, term))
         return True
 

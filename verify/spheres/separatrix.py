@@ -24,6 +24,8 @@ from verify.spheres.limit_map import (
 
 #: Digits beyond those that are shown, so that those agree at both ends.
 MORE_DIGITS = 2
+#: How many places of the curve a picture has, and their digits.
+CORNERS, DRAWN_DIGITS = 160, 4
 #: Values of q in a table that are tried for its step.
 SCALES = (Fraction(1, 2), Fraction(2, 5), Fraction(1, 2))
 
@@ -76,7 +78,7 @@ def decide_separatrix(
     return Separatrix(parameters, at, digits, exists, strips, fixed_points(parameters, bits), ends)
 
 
-def staircase(found: Separatrix, corners: int, digits: int, steps: int) -> tuple[CurveAt, ...]:
+def staircase(found: Separatrix, steps: int, corners: int = CORNERS) -> tuple[CurveAt, ...]:
     """Enclosures of f at so many places from 0 to phi_plus, and where it is 0; for a picture.
 
     Only those that were reached: between two of them all states below the right one collapse.
@@ -86,9 +88,9 @@ def staircase(found: Separatrix, corners: int, digits: int, steps: int) -> tuple
     curve = Curve(found.parameters, Allowance(steps))
     low, high = found.fixed[1]
     places = (low * Fraction(k, corners) for k in range(corners))
-    known = tuple(strip for q in places if (strip := curve.strip(q, digits)).reached)
-    last = curve.strip(high, digits)
-    return (*known, last, curve.strip(high * Fraction(23, 20), digits)) if known else ()
+    known = tuple(strip for q in places if (strip := curve.strip(q, DRAWN_DIGITS)).reached)
+    last = curve.strip(high, DRAWN_DIGITS)
+    return (*known, last, curve.strip(high * Fraction(23, 20), DRAWN_DIGITS)) if known else ()
 
 
 def table_of(parameters: Parameters) -> Iterator[Fraction]:

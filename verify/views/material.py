@@ -240,7 +240,8 @@ class Whole(Record):
 class Material(Record):
     """Everything that the report shows; the main job stands first of the folders.
 
-    ``letters`` have what each stands for, and its label; ``stories`` are of scenes, by name.
+    ``letters`` have what each stands for, and its label; ``stories`` are of scenes, by name;
+    ``separatrix`` has what is enclosed of one, and its places, where a folder is about one.
     """
 
     paper: Publication
@@ -254,6 +255,7 @@ class Material(Record):
     plotted: Plotted
     coq: CoqRecord
     whole: Whole
+    separatrix: tuple[Any, Sequence[Any]] | None = None
 
     @property
     def logs(self) -> dict[str, str]:

@@ -141,6 +141,8 @@ class MathML:
         ):
             own = _NEGATION
         text = self._term(term)
+        if power and term.op == "symbol" and "<msup>" in text and "′" not in text:
+            own = _NEGATION  # the power of a letter with an exponent is no higher exponent
         return text if own >= level else f"<mrow>{_fenced(text)}</mrow>"
 
 

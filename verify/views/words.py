@@ -5,6 +5,7 @@ Everything is taken from the outcome, fresh or read back; nothing is decided her
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 
@@ -106,7 +107,10 @@ def given(assumptions: Iterable[Assumption]) -> str:
     total = sum(kinds.values())
     if total == 0:
         return "no assumptions"
-    parts = ", ".join(f"{count} {kind}" for kind, count in kinds.items())
+    names = {
+        kind: f"{kind}s" if kind == DEFINITION and n > 1 else kind for kind, n in kinds.items()
+    }
+    parts = ", ".join(f"{count} {names[kind]}" for kind, count in kinds.items())
     return f"{total} {'assumption' if total == 1 else 'assumptions'} ({parts})"
 
 
@@ -172,6 +176,14 @@ def in_letters(title: str) -> str:
     for name, letter in TITLE_LETTERS.items():
         title = title.replace(name, letter)
     return title
+
+
+def begun(text: str, names: Iterable[str] = ()) -> str:
+    """The text with a capital, unless one of these names, or another letter, comes first."""
+    first = re.findall(r"\w*", text)[0]
+    if first in names or (len(first) == 1 and first not in "aA"):
+        return text
+    return text[:1].upper() + text[1:]
 
 
 def taken_on_trust(outcome: Outcome, paper: Publication) -> Iterator[str]:

@@ -214,7 +214,7 @@ def nearest(name: str, known: Iterable[str], otherwise: str = "") -> str:
     near = get_close_matches(name, names, 1)
     if near:
         return f"did you mean {near[0]}?"
-    some = ", ".join(names[:8])
+    some = ", ".join(names[:8]) + (", ..." if len(names) > 8 else "")
     return otherwise or (f"write one of {some}" if some else "there is none")
 
 

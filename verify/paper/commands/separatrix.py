@@ -36,8 +36,15 @@ from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.rules import Applying, Interval
 from verify.prover.session import Session
-from verify.spheres.limit_map import Parameters, Trap, beyond, find_trap, has_separatrix
-from verify.spheres.separatrix import Separatrix
+from verify.spheres.limit_map import (
+    CurveAt,
+    Parameters,
+    Trap,
+    beyond,
+    find_trap,
+    has_separatrix,
+)
+from verify.spheres.separatrix import Separatrix, staircase
 from verify.spheres.separatrix import decide_separatrix as enclose
 from verify.wire.judge import judged
 from verify.wire.write import write
@@ -198,6 +205,12 @@ def decide_value(point: PointParameters) -> Outcome:
         TooLongError: if its orbits are too long for the checker.
     """
     return judged(point_outcome(point))
+
+
+def stored_curve() -> tuple[Separatrix, tuple[CurveAt, ...]]:
+    """What is enclosed of the curve of the committed point, and the places for its picture."""
+    found = enclose(STORED[0], None, STORED_DIGITS, STORED_STEPS)
+    return found, staircase(found, STORED_STEPS)
 
 
 @cache

@@ -115,8 +115,13 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
         )
     odd = sorted((table.keys() - {*more, *OPTIONAL, *LABELS}) ^ {*KEYS})
     if odd:
-        kind = "is missing" if odd[0] in KEYS else "is not known"
-        raise InputError(f"{where}: {shown(odd[0])} {kind}; write just {', '.join(KEYS)}")
+        if odd[0] in KEYS:
+            raise InputError(f"{where}: {shown(odd[0])} is missing; write {', '.join(KEYS)}")
+        others = ", ".join([*OPTIONAL, *LABELS])
+        raise InputError(
+            f"{where}: {shown(odd[0])} is not known; a parameter stands below [parameters], and "
+            f"besides {', '.join(KEYS)} there may be {others}"
+        )
     return table
 
 

@@ -9,8 +9,10 @@ from verify.language.record import Record
 from verify.language.statement import PRINTED, REFUTED, Publication
 from verify.prover.outcome import Outcome
 from verify.views.graph import Graph, graph, levels
-from verify.views.words import fair
+from verify.views.words import fair, in_letters
 
+#: So many sentences are told of a formula when it is pointed at.
+TOLD = 5
 WIDTH, COLUMNS = 420, 4
 BOX, HEIGHT, STEP = 92, 40, 76
 
@@ -18,12 +20,13 @@ Edges = dict[str, set[str]]
 
 
 class Formula(Record):
-    """A formula of the paper: its label, number, rows, and the refuted printed ones."""
+    """A formula of the paper: its label, number, what it says, and the refuted printed rows."""
 
     label: str
     number: str
     rows: int
     refuted: Sequence[str]
+    says: Sequence[str]
 
 
 def edges_between_labels(found: Graph) -> Edges:
@@ -102,13 +105,17 @@ def proof_drawing(everywhere: Outcome, point: Outcome, paper: Publication) -> st
 
 
 def _formula(label: str, everywhere: Outcome, point: Outcome, paper: Publication) -> Formula:
-    rows = sum(row.label == label for row, _ in everywhere.rows)
+    rows = [in_letters(row.says) for row, _ in everywhere.rows if row.label == label]
+    trusted = [f"assumed: {one.name}" for one in everywhere.assumptions if one.label == label]
     refuted = [
-        row.name
+        row
         for row, found in point.rows
         if row.label == label and row.role == PRINTED and fair(point, row, found) == REFUTED
     ]
-    return Formula(label, paper.number(label), rows, refuted)
+    says = [*(f"✗ {in_letters(row.says)}" for row in refuted), *rows, *trusted]
+    more = [f"and {len(says) - TOLD} more"] if len(says) > TOLD else []
+    names = [row.name for row in refuted]
+    return Formula(label, paper.number(label), len(rows), names, [*says[:TOLD], *more])
 
 
 def _places(found: Mapping[str, int]) -> Iterator[tuple[str, tuple[float, float]]]:
@@ -140,10 +147,11 @@ def _box(formula: Formula, x: float, y: float) -> str:
     fill = "url(#proof-hatch)" if formula.refuted else "var(--paper)"
     sign = f"✗ {len(formula.refuted)} refuted" if formula.refuted else _count(formula.rows)
     rim = "refuted" if formula.refuted else "proved"
+    told = "\n".join([formula.label, *formula.says])
     middle = x + BOX / 2
     inner = 'fill="var(--paper)"' if formula.refuted else 'fill="none"'
     return (
-        f'<a href="#{target}"><title>{escape(formula.label)}</title>'
+        f'<a href="#{target}"><title>{escape(told)}</title>'
         f'<rect x="{x:.0f}" y="{y:.0f}" width="{BOX}" height="{HEIGHT}" rx="5" fill="{fill}" '
         f'stroke="var(--{rim})" stroke-width="1.6"/>'
         f'<rect x="{x + 5:.0f}" y="{y + 3:.0f}" width="{BOX - 10}" height="{HEIGHT - 6}" rx="3" '

@@ -30,7 +30,7 @@ from verify.views.material import Material
 from verify.views.mathml import MathML
 from verify.views.page import rows
 from verify.views.page.blueprint import proof_drawing
-from verify.views.plots import Pictures, collapses, figures, maps
+from verify.views.plots import Pictures, collapses, figures, maps, separatrix
 from verify.views.plots.collapse import animation, film
 from verify.views.plots.drawing import SCHEMES, standalone, svg
 from verify.views.plots.letters import letters_drawing
@@ -40,6 +40,7 @@ from verify.views.screen import causes
 from verify.views.setting import TEMPLATES, in_html, in_markdown
 from verify.views.words import (
     CONDITIONALLY_PROVED,
+    begun,
     believed,
     constants_of,
     counts,
@@ -134,6 +135,7 @@ def _parts(found: Mapping[str, Any]) -> Iterator[Part]:
         ("constants", "Constants", "numbers", True),
         ("scenes", "Scenes", "what_happens", found["scenes"]),
         ("maps", "Maps", "where_it_collapses", material.maps),
+        ("curve", "The separatrix", "the_separatrix", found["pictures"].curves),
         ("theorems", "The other theorems", "theorems", found["others"]),
         ("trust", "What has to be believed", "trust", True),
     ):
@@ -185,8 +187,9 @@ def joined(pages: Mapping[str, str], draw: bool) -> dict[str, str]:
 def _pictures(material: Material) -> Pictures:
     precision = material.measurements.get("bench", {}).get("precision")
     told = (
-        "Each box is a formula of the paper, by its printed number, and a link to its rows. Lines "
-        "lead down from what a formula rests on; a line that follows from others is left out. "
+        "Each box is a formula of the paper, by its printed number, and a link to its rows; what "
+        "these say is told when it is pointed at. Lines lead down from what a formula rests on; a "
+        "line that follows from others is left out. "
         "Where no line leads down from a box, Theorem 1 does without its rows in this certificate. "
         "Assumed: a sentence that is taken on trust. Hatched: printed steps with this label are "
         f"refuted at {place(material.main)}. All facts, "
@@ -200,6 +203,7 @@ def _pictures(material: Material) -> Pictures:
         Figure("letters", "A state just after a collision", state, ()),
         collapses(material.stories),
         maps(material.maps, material.strips),
+        [] if material.separatrix is None else [separatrix.figure(*material.separatrix)],
     )
 
 
@@ -228,8 +232,7 @@ def readme_picture(figure: Figure) -> str:
 
 def title(outcome: Outcome) -> str:
     """The title of a theorem as the start of a sentence."""
-    text = in_letters(outcome.statement.title)
-    return text[:1].upper() + text[1:]
+    return begun(in_letters(outcome.statement.title))
 
 
 def constant(outcome: Outcome, name: str) -> rows.Number | None:

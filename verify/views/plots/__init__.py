@@ -20,11 +20,12 @@ class Pictures(Record):
     letters: Figure
     collapses: Sequence[Figure]
     maps: Sequence[Figure]
+    curves: Sequence[Figure]
 
     @property
     def all(self) -> list[Figure]:
         """One after the other."""
-        return [*self.plots, self.proof, self.letters, *self.collapses, *self.maps]
+        return [*self.plots, self.proof, self.letters, *self.collapses, *self.maps, *self.curves]
 
 
 def figures(plotted: Plotted, precision: Mapping[str, Any] | None) -> list[Figure]:

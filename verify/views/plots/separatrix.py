@@ -13,14 +13,14 @@ from typing import Any
 
 from verify.prover.decimals import exact_number, short
 from verify.views.plots.drawing import standalone, svg
-from verify.views.plots.shapes import Areas, Curve, Panel, Point, Scale, Shape, Trace, Words
+from verify.views.plots.shapes import Areas, Curve, Figure, Panel, Point, Scale, Shape, Trace, Words
 
 #: What the spheres know of a separatrix, and of its curve at a place.
 Separatrix = Any
 CurveAt = Any
 
 COLLAPSES, ENDS, BETWEEN = "refuted-area", "proved-area", "ink"
-WIDTH, HEIGHT = 620, 460
+WIDTH, HEIGHT = 440, 360
 #: How far marks on an axis are apart, times a power of ten.
 STEPS = (Fraction(1), Fraction(1, 2), Fraction(1, 5))
 MARKS = 5
@@ -33,7 +33,7 @@ def phi_2(u: Fraction) -> float:
     return float(u * (2 - u) / 2)
 
 
-def strip_svg(found: Separatrix, strips: Sequence[CurveAt]) -> str:
+def strip_panel(found: Separatrix, strips: Sequence[CurveAt]) -> Panel:
     """The certified areas below and above the curve, the strip between them, and its points."""
     r, c, ratio = map(exact_number, found.parameters)
     title = f"r = {r}, -cos θ = {c}, ratio {ratio}"
@@ -41,21 +41,41 @@ def strip_svg(found: Separatrix, strips: Sequence[CurveAt]) -> str:
     right = max(strip.q for strip in strips)
     told = "below the curve the collisions go on for ever, above it they end"
     x, y = _scale("φ₁", right), _scale("φ₂ |W_c|²", Fraction(high) * Fraction(6, 5))
-    panel = Panel(title, x, y, lambda: _strip(found, strips, y.high), told, WIDTH, HEIGHT)
-    return standalone(svg("separatrix", [panel], f"The separatrix at {title}: {told}"))
+    return Panel(title, x, y, lambda: _strip(found, strips, y.high), told, WIDTH, HEIGHT)
+
+
+def strip_svg(found: Separatrix, strips: Sequence[CurveAt]) -> str:
+    """The same as a file."""
+    panel = strip_panel(found, strips)
+    return standalone(svg("separatrix", [panel], f"The separatrix at {panel.title}: {panel.told}"))
+
+
+def figure(found: Separatrix, strips: Sequence[CurveAt]) -> Figure:
+    """The same with a caption."""
+    (minus, plus), (q, (low, high)) = found.fixed, found.cycle[:2]
+    ends = low * (2 - low) / 2, high * (2 - high) / 2
+    saddle = f"φ₁ = {short(q, 8)} and φ₂|W_c|² = {short(ends, 8)}"
+    caption = (
+        f"{strip_panel(found, strips).title}. In every state of the hatched area the collisions "
+        "never end, in every state above it they end (both are proved); the curve lies in the thin "
+        f"steps between them. On the axis are φ⁻ = {short(minus, 8)}, where orbits below the curve "
+        f"go, and φ⁺ = {short(plus, 8)}, where the curve ends. Orbits on it go to the saddle, "
+        f"{saddle}."
+    )
+    return Figure("curve", "Where collisions never end", caption, (strip_panel(found, strips),))
 
 
 def _strip(found: Separatrix, strips: Sequence[CurveAt], top: float) -> Iterator[Shape]:
     cells = [(float(a.q), float(b.q), phi_2(b.low), phi_2(a.high)) for a, b in pairwise(strips)]
     below = [(left, right, 0.0, low) for left, right, low, _ in cells if low > 0]
     above = [(left, right, high, top) for left, right, _, high in cells]
-    yield Areas(above, ENDS, 0.0, "the collisions end (proved)")
-    yield Areas(below, COLLAPSES, 0.0, "they go on for ever (proved)")
+    yield Areas(above, ENDS, 0.0, "they end (proved)")
+    yield Areas(below, COLLAPSES, 0.0, "they never end (proved)")
     strip = [(left, right, low, high) for left, right, low, high in cells]
     yield Areas(strip, BETWEEN, 0.0, "the separatrix lies here")
     right = max(cell[1] for cell in cells)
     yield Words((0.55 * right, 0.8 * top), "the collisions end")
-    yield Words((0.06 * right, 0.1 * top), "Zhou-Kadanoff regime")
+    yield Words((0.06 * right, 0.14 * top), "they never end")
     for (low, high), name in zip(found.fixed, ("φ⁻", "φ⁺"), strict=False):
         at = float((low + high) / 2), 0.0
         yield Curve([at], "ink", 0)

@@ -30,6 +30,7 @@ from verify.views.tex.formulas import Formulas, safe_letter
 from verify.views.tex.sentences import name, tex_number, words
 from verify.views.words import (
     INSTEAD_WORDS,
+    begun,
     fair,
     given_by,
     groups,
@@ -112,7 +113,8 @@ class _Part:
     ) -> None:
         self.paper, self.full, self.number = paper, full, number
         self.outcome, self.statement = outcome, outcome.statement
-        self.formulas = Formulas(*_letters(outcome))
+        tex, plain = _letters(outcome)
+        self.formulas, self.names = Formulas(tex, plain), {*plain, *plain.values()}
         self.words = self._in_words(told)
         used = {fact for node in nodes(outcome).values() for fact in node.uses}
         needed = [(row, found) for row, found in outcome.rows if row.role == NEEDED]
@@ -125,7 +127,7 @@ class _Part:
 
     def lines(self) -> Iterator[str]:
         title = in_letters(self.statement.title)
-        yield rf"\section{{{words(title[:1].upper() + title[1:])}}}"
+        yield rf"\section{{{words(begun(title, self.names))}}}"
         if is_about(self.outcome, self.paper):
             yield rf"About {words(self.paper.authors)}, \emph{{{words(self.paper.title)}}}.\par"
         yield rf"Verdict: \textbf{{{headline(self.outcome)}}},"
@@ -222,7 +224,7 @@ class _Part:
         key = self._key(f"setting:{context.name}")
         yield rf"\begin{{setting}}[{name(context.name)}]\label{{{key}}}"
         if context.says:
-            yield rf"{words(context.says[:1].upper() + context.says[1:])}.\par"
+            yield rf"{words(begun(context.says, self.names))}.\par"
         letters = [f"${self.formulas.symbol(v.name)}$" for v in context.variables]
         inside = f", in {self._setting_of(context.parent)}" if context.parent else ""
         such = " such that" if context.givens else "."

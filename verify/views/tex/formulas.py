@@ -1,7 +1,7 @@
 """Terms and claims as LaTeX that breaks into lines.
 
-Lines break before relations and operators outside of braces: so parentheses are plain, and only
-what is short is a fraction with a bar or stands below a root.
+Lines break before relations and operators outside of braces: so parentheses have no braces, and
+only what is short is a fraction with a bar or stands below a root.
 """
 
 from __future__ import annotations
@@ -38,11 +38,12 @@ class Formulas:
     def claim(self, claim: Claim) -> str:
         """Two sides and their relation."""
         claim = simplified_claim(claim)
-        return f"{self._term(claim.lhs)} {_RELATIONS[claim.relation]} {self._term(claim.rhs)}"
+        sides = map(with_tall_parentheses, (self._term(claim.lhs), self._term(claim.rhs)))
+        return f" {_RELATIONS[claim.relation]} ".join(sides)
 
     def term(self, term: Term) -> str:
         """A term, simplified."""
-        return self._term(simplified(term))
+        return with_tall_parentheses(self._term(simplified(term)))
 
     def symbol(self, name: str) -> str:
         """The letter of a symbol."""
@@ -89,9 +90,14 @@ class Formulas:
         return f"{self._inside(above, _PRODUCT)} / {self._inside(below, _ATOM)}"
 
     def _base(self, term: Term) -> str:
-        if term.op in ("min", "max", "div", "pow", "rational", "root", *FUNCTIONS):
-            return f"({self._term(term)})"
-        return f"{{{self._term(term)}}}" if term.op == "symbol" else self._inside(term, _ATOM)
+        text = self._term(term)
+        if term.op in ("min", "max", "div", "pow", "root", *FUNCTIONS):
+            return f"({text})"
+        if term.op == "rational":
+            return text if text.isdigit() else f"({text})"
+        if term.op == "symbol":  # the power of r^{1/3} is no higher exponent
+            return f"({text})" if "^" in text else f"{{{text}}}"
+        return self._inside(term, _ATOM)
 
     def _function(self, op: str, parts: tuple[Term, ...]) -> str:
         if op == "sqrt":
@@ -126,6 +132,26 @@ class Formulas:
         return _PRODUCT if term.op == "mul" else _ATOM
 
 
+def with_tall_parentheses(tex: str) -> str:
+    """The formula, with parentheses that are as tall as the fractions between them."""
+    signs, depth = re.findall(r"\\[A-Za-z]+|\\.|.", tex), 0
+    opened: list[int] = []
+    for place, sign in enumerate(signs):
+        depth += (sign == "{") - (sign == "}")
+        if depth:
+            continue
+        if sign == "(":
+            opened.append(place)
+        elif sign == ")" and opened:
+            if signs[opened[-1]] == r"\Bigl(":
+                signs[place] = r"\Bigr)"
+            opened.pop()
+        elif sign == r"\frac":
+            for begin in opened:
+                signs[begin] = r"\Bigl("
+    return "".join(signs)
+
+
 def tex_rational(value: Fraction) -> str:
     """A fraction, or the decimal that it is where a fraction would be long."""
     sign = "-" if value < 0 else ""
@@ -153,6 +179,7 @@ def safe_letter(tex: str, plain: str) -> str:
         read_letter(tex)
     except ValueError:
         return rf"\mathit{{{math(plain)}}}"
+    tex = re.sub(r"_([A-Za-z]{2,})_\{([^{}]*)\}", r"_{\\mathrm{\1},\2}", tex)  # m_outer_{5}
     tex = re.sub(r"^([A-Za-z]_\w)(?=_)", r"{\1}", tex.replace("_{}", ""))
     if re.search(r"_(\w|\{[^{}]*\})_", tex):  # LaTeX refuses an index after an index
         return rf"\mathit{{{math(plain)}}}"

@@ -41,11 +41,21 @@ _NAME = rf"(?:[A-Za-z][A-Za-z0-9_]*:)*[{_LETTERS}][{_LETTERS}0-9_]*(?:\.[{_LETTE
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
     rf"|`(?P<quoted>[^`]+)`|(?P<name>{_NAME})|(?P<raised>[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
-    r"|(?P<sign><=|>=|==|!=|\*\*|[-+*/^()<>=,|√≤≥≠·×−]))"
+    r"|(?P<sign><=|>=|==|!=|\*\*|[-+*/^()<>=,|√≤≥⩽⩾≠·⋅×−]))"
 )
+#: What to write instead of a text that begins with a sign which no formula has.
+INSTEAD: Mapping[str, str] = {
+    **dict.fromkeys("\\{", "; TeX is not read, write for example (a/b)*sqrt(x) <= alpha"),
+    "!": "; write prod(k, k, 1, 5) for 5!",
+}
+#: Logarithms to another base, which are no functions here.
+OTHER_BASES: Mapping[str, int] = {"log10": 10, "lg": 10, "log_10": 10, "log2": 2, "log_2": 2}
 #: A name that needs no quotation marks.
 PLAIN = re.compile(r"(?:[A-Za-z]\w*:)*[A-Za-z]\w*(?:\.\w+)*", re.ASCII)
-_SAME = {"≤": "<=", "≥": ">=", "≠": "!=", "==": "=", "·": "*", "×": "*", "−": "-", "**": "^"}
+_SAME = dict(
+    pair.split()
+    for pair in ("≤ <=", "⩽ <=", "≥ >=", "⩾ >=", "≠ !=", "== =", "· *", "⋅ *", "× *", "− -", "** ^")
+)
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 RELATIONS = ("<", "<=", "=", ">=", ">", "!=")
 
@@ -231,7 +241,9 @@ class _Reader:
         while at < end:
             match = _TOKEN.match(self.text, at)
             if match is None:
-                raise self.error(f"cannot read {shown(self.text[at:].strip()[:12])}")
+                unread = self.text[at:].strip()
+                instead = INSTEAD.get(unread[0], "")
+                raise self.error(f"cannot read {shown(unread[:12])}{instead}")
             kind = match.lastgroup or ""
             word = match[kind]
             found.append((kind, _SAME.get(word, word) if kind == "sign" else word))
@@ -298,7 +310,10 @@ class _Reader:
         before = self.tokens[self.at - 1]
         if kind in ("name", "number", "quoted") or word == "(":
             return f"no sign stands between {before[1]} and {word}; write {before[1]}*{word}"
-        return f"{self.next_word()}, and does not belong there"
+        found = f"{self.next_word()}, and does not belong there"
+        if word == "," and before[0] == self.tokens[self.at + 1][0] == "number":
+            found += f"; write a point: {before[1]}.{self.tokens[self.at + 1][1]}"
+        return found
 
     def sum(self) -> Term:
         """Products with signs between them."""
@@ -399,7 +414,9 @@ class _Reader:
             self.moduli[start, self.at] = found
             return absolute(found)
         self.at -= 1
-        raise self.error(f"{self.next_word()}, where a number or a name is missing")
+        swapped = word in ("<", ">") and self.tokens[self.at - 1] == ("sign", "=")
+        instead = f"; write {word}=" if swapped else ""
+        raise self.error(f"{self.next_word()}, where a number or a name is missing{instead}")
 
     def _named(self, word: str) -> Term:
         if self.sign == "(" and (word in CALLED or word not in self.names.known):
@@ -413,22 +430,27 @@ class _Reader:
 
     def _function(self, word: str) -> Term:
         self.expect("(")
+        if word not in CALLED:
+            raise self.error(f"{shown(word)} is no function; {self._instead_of(word)}")
         if word in SUMS:
             return self._summed(word)
         arguments = [self.sum()]
         while self.take(","):
             arguments.append(self.sum())
         self.expect(")")
-        if word not in CALLED:
-            is_name = word in self.names.known or word in self.names.hidden or word in GREEK
-            instead = f"write {word}*(...)" if is_name else nearest(word, CALLED)
-            raise self.error(f"{shown(word)} is no function; {instead}")
         if word == "root":
             return self._root(arguments)
         if (len(arguments) > 1) != (word in MANY):
             wanted = "at least two terms" if word in MANY else "one term"
             raise self.error(f"{word} is of {wanted}, and {len(arguments)} stand there")
         return SUGAR[word](*arguments) if word in SUGAR else Term(word, *arguments)
+
+    def _instead_of(self, word: str) -> str:
+        """What to write for a name before a parenthesis that is no function's."""
+        if word in OTHER_BASES:
+            return f"write log(x)/log({OTHER_BASES[word]})"
+        is_name = word in self.names.known or word in self.names.hidden or word in GREEK
+        return f"write {word}*(...)" if is_name else nearest(word, CALLED)
 
     def _summed(self, word: str) -> Term:
         """The rest of ``sum(1/k^2, k, 1, 10)``: its term for each number, joined."""

@@ -64,6 +64,14 @@ ROW = (
 ASSUMPTION = ("sentence", "kind", "label")
 CITE = ("theorem", "statement_sha256")
 
+#: What to write in place of what is no TOML: where its reader says so, and elsewhere.
+NO_TOML: Mapping[str, str] = {
+    "Cannot overwrite a value": "a name stands there twice, choose another",
+    "Cannot declare": "a table stands there twice, write its lines together",
+    "Unescaped '\\'": "TeX is not read, write for example (a/b)*sqrt(x) <= alpha",
+}
+IN_QUOTES = "write formulas and Greek names in quotes"
+
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,99}", re.ASCII)
 
 
@@ -82,9 +90,8 @@ def read_page(path: str, content: bytes, cited: Sequence[Cite] = ()) -> Page:
         raise InputError(f"{path}: is not UTF-8; save it as UTF-8") from error
     except (ValueError, RecursionError) as error:
         why = " ".join(str(error).split())
-        raise InputError(
-            f"{path}: is no TOML file ({why}); write formulas and Greek names in quotes"
-        ) from error
+        instead = next((text for part, text in NO_TOML.items() if part in why), IN_QUOTES)
+        raise InputError(f"{path}: is no TOML file ({why}); {instead}") from error
     return _Reader(Places(path, text), cited).page(table)
 
 
@@ -436,7 +443,8 @@ class _Reader:
                 raise self.places.error(
                     keys,
                     "no point was found at which all givens hold; write one, such as "
-                    f"point = {{ {', '.join(f'{n} = 1' for n in names)} }}",
+                    f"point = {{ {', '.join(f'{n} = 1' for n in names)} }}; "
+                    "or mend the givens, if they contradict one another",
                 )
         self.floats |= {v: estimate(term, self.floats) for v, term in at.items()}
         constants = self._constants([*keys, "constants"], table.get("constants", {}), name)

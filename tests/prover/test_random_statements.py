@@ -53,6 +53,7 @@ FOUND: tuple[int, ...] = (
     21129,
     60676,
     406001,
+    710788,
 )
 #: Little work, so that many statements are decided in a minute.
 WORK, SECONDS = int(os.environ.get("STATEMENT_WORK", "200000")), 5

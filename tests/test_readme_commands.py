@@ -124,6 +124,7 @@ NOT_RUN = {
     "docs/howto/check.md": ".ci/coq runs the commands for Coq",
     "docs/howto/cite.md": "BibTeX",
     "docs/howto/dask.md": "it starts a cluster",
+    "docs/tutorials/page-of-constants.md": "it installs the package",
     "docs/tutorials/referee.md": "it installs the package",
 }
 PATH_OF_COMMANDS = ROOT / "docs/contributing/command.md"

@@ -39,6 +39,7 @@ from verify.wire.questions import decide
 from verify.wire.read import cites_of
 from verify.wire.text.letters import letter_of
 from verify.wire.text.points import estimate
+from verify.wire.text.read_page import NAME
 from verify.wire.text.read_page import read_page as read_text
 from verify.wire.text.roots import Isolated, isolated
 from verify.wire.text.write_page import page_text
@@ -268,7 +269,8 @@ def lemma(
     ``parameters`` are numbers at which it is stated, and come before the constants.
 
     Raises:
-        InputError: where a row or a context names what is not in the statement.
+        InputError: where a row or a context names what is not in the statement, or a name is none,
+            or stands for two things.
         TypeError: where something else stands among rows, constants, contexts or assumptions.
     """
     parts: list[tuple[str, type, tuple[object, ...]]] = [
@@ -285,6 +287,7 @@ def lemma(
                 raise TypeError(f"lemma: {item!r:.60} is none of the {what}; make it by {maker}")
     _are_there(rows, places, sentences, cited)
     given = {name: as_term(value) for name, value in (parameters or {}).items()}
+    _are_names(_names_in(rows, numbers, places, given))
     _are_defined(rows, numbers, places, given)
     return Statement(title, title, given, numbers, places, rows, sentences, cited)
 
@@ -422,6 +425,38 @@ def _are_there(
             )
 
 
+def _names_in(
+    rows: Iterable[Obligation],
+    constants: Iterable[Constant],
+    contexts: Iterable[Context],
+    parameters: Iterable[str],
+) -> Iterator[tuple[str, str]]:
+    """What has a name, and its name; each has to be another one."""
+    yield from (("parameter", name) for name in parameters)
+    yield from (("constant", one.name) for one in constants)
+    for context in contexts:
+        yield "context", context.name
+        yield from (("variable", one.name) for one in context.variables)
+        yield from (("given", one.name) for one in context.givens)
+        yield from (("constant", one.name) for one in context.constants)
+    yield from (("row", row.name) for row in rows)
+
+
+def _are_names(named: Iterable[tuple[str, str]]) -> None:
+    """Afterwards each name is one that files have, and stands for one thing."""
+    taken: dict[str, str] = {}
+    for what, name in named:
+        if not NAME.fullmatch(name):
+            raise InputError(
+                f"the {what} {shown(name)}: it is no name; write ASCII letters, digits, and _ . -"
+            )
+        if name in taken:
+            raise InputError(
+                f"{name} is the name of a {taken[name]} and of a {what}; choose another"
+            )
+        taken[name] = what
+
+
 def _are_defined(
     rows: Iterable[Obligation],
     constants: Iterable[Constant],
@@ -437,7 +472,8 @@ def _are_defined(
     def test(where: str, *terms: Term) -> None:
         for name in names_of(*terms):
             if name not in known and ":" not in name:
-                raise InputError(f"{where}: {name} is not defined; {nearest(name, sorted(known))}")
+                instead = nearest(name, sorted(known)) if known else "no constant or variable is"
+                raise InputError(f"{where}: {name} is not defined; {instead}")
 
     for one in (*constants, *inner):
         test(f"the constant {one.name}", one.term)

@@ -342,7 +342,10 @@ def with_claim(claim: Any) -> dict[str, Any]:
         (with_claim(["<", "x", ["pow", "x", "0"]]), "an exponent from 1"),
         (with_claim(["<", "x", "1/0"]), "no number"),
         (with_claim(["<", "x", "0.5"]), "no number"),
-        (changed(theorem="other", terms={"two": "2"}), "the name two twice"),
+        (
+            changed(theorem="other", terms={"two": "2"}),
+            "the name two twice: one name stands for two",
+        ),
     ],
 )
 def test_an_unusable_statement(

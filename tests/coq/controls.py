@@ -50,27 +50,29 @@ def sums(value: Any) -> Iterator[Any]:
 
 #: Of a long certificate only some places are changed, since Coq checks it again for each.
 BYTES = 1_000_000
+#: And of these, each of which takes it more than ten seconds.
+SLOW = {"bb84", "max-cut"}
 
 
-def spread(places: list[int], size: int) -> list[int]:
-    """Places of a certificate of so many bytes, from the first to the last in equal steps."""
-    most = max(2, BYTES // size)
+def spread(places: list[int], folder: Path) -> list[int]:
+    """Places of a certificate, from the first to the last in equal steps."""
+    size = (folder / "certificate.json").stat().st_size
+    most = 2 if folder.name in SLOW else max(2, BYTES // size)
     return places if len(places) <= most else places[:: len(places) // most + 1]
 
 
 def dropped(folder: Path) -> Iterator[tuple[str, tuple[bytes, bytes]]]:
     """The certificate of an example without an addend, a cut, a given, or with another digit."""
     first = json.loads((folder / "statement.json").read_bytes())
-    data = (folder / "certificate.json").read_bytes()
-    second = json.loads(data)
+    second = json.loads((folder / "certificate.json").read_bytes())
     for key, change in (("addends", "addend"), ("equations", "equation"), ("using", "using")):
         places = [i for i, item in enumerate(sums(second)) if item.get(key)]
-        for i in spread(places, len(data)):
+        for i in spread(places, folder):
             certificate = deepcopy(second)
             del [*sums(certificate)][i][key][-1]
             yield f"{folder.name}:{i}:without-{change}", packed(first, certificate)
     cuts = [i for i, item in enumerate(sums(second)) if item.get("rule") == "cuts"]
-    for i in spread(cuts, len(data)):
+    for i in spread(cuts, folder):
         certificate = deepcopy(second)
         proof = [*sums(certificate)][i]
         del proof["at"][0], proof["branches"][0]
@@ -110,6 +112,31 @@ ROOTS: list[tuple[str, Any]] = [
 ]  # fmt: skip
 
 
+def rising_within() -> Iterator[Pair]:
+    """Values of functions in proofs within proofs and of givens; of each a near miss, too."""
+    monotony = test_rule_monotony.monotony
+
+    def context(proof: Any = INTERVAL) -> Pair:
+        givens = {"less": "x < y", "most": "x <= y"}
+        return Pair().context("c", {"x": "1", "y": "2"}, givens, [proof, INTERVAL])
+
+    for given in ("less", "most"):
+        inner = monotony(monotony(given), "atan")
+        yield context().row("row", "exp(x) < exp(y)", monotony(inner), "c")
+        inner = monotony(monotony(monotony(given)), "exp")
+        yield context().row("row", "x < y", monotony(inner, "exp"), "c")
+    for under in ("exp", "sqrt"):
+        yield context(monotony(INTERVAL, under)).row("row", "0 < 1", INTERVAL)
+    for numbers in ({"x": "2", "y": "3"}, {"x": "3", "y": "2"}):
+        proofs = [monotony(INTERVAL, "exp"), INTERVAL]
+        applies = {"rule": "instance", "givens": proofs}
+        yield context().row("row", ["applies", "c", numbers], applies)
+        pair = context().row("one", "exp(x) < exp(y)", monotony("less"), "c")
+        instance = {"rule": "instance", "of": "one", "at": numbers, "givens": proofs}
+        a, b = numbers.values()
+        yield pair.row("row", f"exp({a}) < exp({b})", instance)
+
+
 def functions() -> dict[str, tuple[bytes, bytes]]:
     """Laws, ranges, roots and functions that rise: true ones, and near misses of them."""
     laws = [test_rule_law.statement(claim) for claim, _ in test_rule_law.CASES]
@@ -118,6 +145,7 @@ def functions() -> dict[str, tuple[bytes, bytes]]:
     two = ("two", "0 < 2", INTERVAL)
     roots = [Pair().lemma(*two).row("row", claim, proof) for claim, proof in ROOTS]
     rules = {"root": roots, "law": laws, "range": ranges, "monotony": rising}
+    rules["within"] = [*rising_within()]
     return {
         f"{rule}-{i}": one.files() for rule, found in rules.items() for i, one in enumerate(found)
     }

@@ -36,6 +36,16 @@ POINTS = (
     "  d s d_0 y -> Theorem1.collapse d (1 / 100) s (463 / 5000000000000)",
     "  (- cos (PI * (5 / 6))) (1 / 10) := Angle.three_balls.",
 )
+#: What it means that the program accepts the bytes of a certificate with a statement's digest.
+FILES = (
+    "From Verify Require Json DecodeStatement AcceptsFiles PinnedFiles.",
+    "Definition files : forall texts d c S,",
+    "  AcceptsFiles.accepts_beside (AcceptsFiles.by_digest texts) d c = AcceptsFiles.Accepts S ->",
+    "  exists s x, In s texts /\\ AcceptsFiles.digest_of s = d /\\ Json.Document s x /\\",
+    "  DecodeStatement.statement_of (AcceptsFiles.text_with (AcceptsFiles.by_digest texts)) x",
+    "    = Some S /\\ (Meaning.citations_true S -> Meaning.true_statement S)",
+    "  := AcceptsFiles.accepts_beside_sound.",
+)
 #: The scenes that disperse, with the balls that collide.
 DISPERSING = {"passing": "", "parting": "01 02 01 02"}
 #: The scenes that collapse: the balls that collide, then the one in the middle, the one that it met
@@ -134,6 +144,7 @@ def everything(folders: list[Path]) -> str:
         "  Meaning.citations_true S -> Meaning.true_statement S := Accepted.accepts_sound.",
         f"Definition theorem_1 : {conjunction('Pinned.')}",
         "  := Pinned.proved.",
+        *FILES,
         "From Verify Require Separatrix SeparatrixProof.",
         "Definition separatrix : Separatrix.separatrix_theorem := SeparatrixProof.separatrix.",
     ]
@@ -147,7 +158,7 @@ def everything(folders: list[Path]) -> str:
         lines.append(f"Definition true_{name} : Meaning.true_statement {name}.the_statement")
         lines.append(f"  := {proof}.")
     names = "".join(f", true_{name}" for name in own)
-    main = f"soundness, theorem_1, point, angle, {', '.join(map(compiled, scenes))}"
+    main = f"soundness, files, theorem_1, point, angle, {', '.join(map(compiled, scenes))}"
     main += ", Pinned.collapsing_scene, separatrix, discharged"
     lines.append(f"Definition everything := ({main}{names}).")
     return "\n".join([*lines, "Print Assumptions everything.", ""])

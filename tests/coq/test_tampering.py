@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.coq.decoding import PINNED, UNPROVED, VERDICTS
 from tests.coq.everything import everything, folders, printed
 from tests.coq.record import AnotherError, found, said_by_coq
 from tests.coq.sources import NOTATIONS, complaints, sentences, unexpected
@@ -18,6 +19,7 @@ from tests.coq.tampering import (
     FALSE,
     SENTENCES,
     SOURCES,
+    Definition,
     unknown,
 )
 from verify import check
@@ -74,10 +76,12 @@ def test_in_a_proof_and_in_a_section_other_sentences_are_allowed() -> None:
     assert unexpected('Definition a := "x. Axiom y : False.')
 
 
-@pytest.mark.parametrize("name", sorted(DEFINITIONS))
-def test_what_is_tampered_with_is_there_once(name: str) -> None:
-    way = DEFINITIONS[name]
-    assert (SOURCES / f"{way.file}.v").read_text().count(way.old) == 1
+@pytest.mark.parametrize(
+    "way", [*DEFINITIONS.values(), *PINNED.values(), *UNPROVED.values(), *VERDICTS.values()]
+)
+def test_what_is_tampered_with_is_there_once(way: Definition | tuple[Definition, str]) -> None:
+    file, old, new = way if isinstance(way, Definition) else way[0]
+    assert (SOURCES / f"{file}.v").read_text().count(old) == 1 or (old, new) == ("", "")
 
 
 def test_what_all_theorems_rest_on_is_committed() -> None:
@@ -102,8 +106,9 @@ def test_every_committed_certificate_is_asked_for() -> None:
         name = re.sub("[^A-Za-z0-9]", "_", str(folder.relative_to(ROOT / "certificates")))
         assert f" : Meaning.true_statement Checked_{name}.the_statement\n" in text
         assert text.count(f"true_Checked_{name},") + text.count(f"true_Checked_{name})") == 1
-    for name in ("Pinned.theorem_1", "Accepted.accepts_sound", "Print Assumptions everything."):
+    for name in ("Pinned.theorem_1", "Accepted.accepts_sound", "AcceptsFiles.accepts_beside_sound"):
         assert name in text
+    assert text.endswith("Print Assumptions everything.\n")
 
 
 def as_printed(folder: Path) -> str:

@@ -80,7 +80,7 @@ def test_the_page_that_pins_it_takes_no_notation_from_others() -> None:
 
 
 def test_everything_of_the_proof_is_compiled() -> None:
-    scripts = ("build", "build-theorem", "build-separatrix", "build-reader")
+    scripts = ("build", "build-theorem", "build-separatrix", "build-files", "build-reader")
     build = "".join((SOURCES / script).read_text() for script in scripts)
     compiled = {
         word for names in re.findall("for name in (.*); do", build) for word in names.split()

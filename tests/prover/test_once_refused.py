@@ -110,7 +110,7 @@ def test_equal_minima() -> None:
 
 
 def test_one_name_for_two_things() -> None:
-    with pytest.raises(InputError, match="the name x twice: one name stands for two things"):
+    with pytest.raises(InputError, match="x is the name of a variable and of a given"):
         decided(0 <= x, {"x": 0 <= x}, 0)
 
 

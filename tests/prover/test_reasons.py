@@ -45,6 +45,14 @@ def test_a_term_that_may_have_no_value_is_named(claim: Claim, says: str) -> None
     assert says in reason(claim, [x <= as_term(1), y <= as_term(1)])
 
 
+def test_a_number_without_a_value_is_told() -> None:
+    found = prove(lemma("title", [ask("row", sqrt(as_term(1) - 2) < 1)])).decisions["row"]
+    assert found.verdict == UNDECIDED
+    assert re.match(
+        "a side has no value at [0-9]+ bits; look for a divisor that is 0", found.reason
+    )
+
+
 def test_the_claim_that_an_induction_lacks_is_named() -> None:
     place = for_all("step", (), {"x": 0}, carried={"low": 0 <= x, "high": x <= 1})
     rows = [ask("always", always(place, {"x": 0}, {"x": x + 1}))]

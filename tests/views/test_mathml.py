@@ -63,6 +63,7 @@ def test_letters_of_constants() -> None:
     assert letter(r"|x_0|").startswith("<mo")
     assert "<mover>" in letter(r"\overline{\eta}")
     assert "<msqrt>" in letter(r"\sqrt{1-\zeta}")
+    assert letter("r^(1/3)") == letter("r^{1/3}")
     assert letter(r"\eta_c'").endswith("<mo>′</mo></msup>")
     for wrong in (r"\alpha & 1", r"\unknown", r"\overline", "x_", "{x", "x}", "x_}"):
         with pytest.raises(ValueError, match=r"letter|brace"):

@@ -132,6 +132,7 @@ def test_words() -> None:
 def test_a_letter_of_a_file_is_a_letter() -> None:
     assert safe_letter(r"\varphi^-", "") == r"\varphi^-"
     assert safe_letter("g_c_{5}", "") == "{g_c}_{5}"
+    assert safe_letter("r^(1/3)", "") == "r^{1/3}"
     assert safe_letter("m_outer_{5}", "") == r"m_{\mathrm{outer},5}"
     for text in (r"\input{/etc/passwd}", "}", r"x_{", "a_1_2_3", "$", ""):
         assert safe_letter(text, "x.1") == r"\mathit{x.1}"

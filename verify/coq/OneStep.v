@@ -21,7 +21,10 @@ Lemma the_conditions_are : map (fun a => read_claim Step.the_table (given_claim 
   (flat_map (givens_of S0) (rev (around S0 state_context))) = the_conditions.
 Proof. vm_compute. reflexivity. Qed.
 Definition same_shape (s t : shape) : {s = t} + {s <> t}.
-Proof. decide equality; apply Z.eq_dec || apply Pos.eq_dec || apply Nat.eq_dec. Defined.
+Proof.
+  decide equality; apply Z.eq_dec || apply Pos.eq_dec || apply Nat.eq_dec ||
+    (decide equality; apply Pos.eq_dec).
+Defined.
 Definition same_shown (g h : shown_claim) : {g = h} + {g <> h}.
 Proof. repeat decide equality; apply same_shape. Defined.
 Lemma condition v g : scope S0 state_context v ->

@@ -156,6 +156,14 @@ class Constants:
 
     # --- enclosures for people ------------------------------------------------------------------
 
+    @property
+    def no_value(self) -> str:
+        """What is said of a term that is not enclosed."""
+        return (
+            f"has no value at {self.max_bits} bits; "
+            "look for a divisor that is 0, or a root or logarithm of a negative number"
+        )
+
     def enclose(self, *terms: Term) -> Enclosure | None:
         """Decimal ends around values, outside those that the checker will compute."""
         reached, found = 0, []

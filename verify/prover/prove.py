@@ -106,10 +106,7 @@ def _defined(statement: Statement, ground: Ground) -> str:
         if is_too_long((constant.term,), ground.definitions):
             return f"{constant.name}: {TOO_LONG}"
         if not ground.define(constant):
-            return (
-                f"{constant.name} has no value at {ground.max_bits} bits; "
-                "look for a divisor that is 0, or a root or logarithm of a negative number"
-            )
+            return f"{constant.name} {ground.no_value}"
     return ""
 
 

@@ -63,7 +63,7 @@ class RowsInContexts:
             if proof is not None:
                 self.known.session.prove_row(row, proof, holds=verdict == PROVED)
                 return Decision(verdict, proof, sides)
-        return Decision(UNDECIDED)
+        return _undecided(f"a side {self.known.ground.no_value}" if sides is None else "")
 
     def _apply(self, row: Obligation, claim: Applies) -> Decision:
         """Show that the givens of another context hold at the values of a claim."""

@@ -151,12 +151,18 @@ def formula(inner: str) -> str:
     return f"<math><mrow>{inner}</mrow></math>"
 
 
+def in_braces(tex: str) -> str:
+    """The letter with an exponent that parentheses hold together, as in r^(1/3), in braces."""
+    return re.sub(r"\^\(([^()]*)\)", r"^{\1}", tex)
+
+
 def letter(tex: str) -> str:
     r"""The MathML of a letter such as ``\varphi^-``, ``\overline{\eta}`` or ``|x_0|``.
 
     Raises:
         ValueError: for other LaTeX.
     """
+    tex = in_braces(tex)
     tokens = _TOKEN.findall(tex)
     if "".join(tokens) != tex.replace(" ", ""):
         raise ValueError(f"{tex!r} is not a letter")

@@ -13,6 +13,7 @@ from fractions import Fraction
 from verify.language.simplify import simplified, simplified_claim
 from verify.language.terms import FUNCTIONS, Claim, Term
 from verify.language.typeset import FUNCTION_NAMES, Typesetter
+from verify.views.mathml import in_braces
 from verify.views.mathml import letter as read_letter
 from verify.views.tex.sentences import math
 
@@ -179,7 +180,9 @@ def safe_letter(tex: str, plain: str) -> str:
         read_letter(tex)
     except ValueError:
         return rf"\mathit{{{math(plain)}}}"
-    tex = re.sub(r"_([A-Za-z]{2,})_\{([^{}]*)\}", r"_{\\mathrm{\1},\2}", tex)  # m_outer_{5}
+    tex = re.sub(
+        r"_([A-Za-z]{2,})_\{([^{}]*)\}", r"_{\\mathrm{\1},\2}", in_braces(tex)
+    )  # m_outer_5
     tex = re.sub(r"^([A-Za-z]_\w)(?=_)", r"{\1}", tex.replace("_{}", ""))
     if re.search(r"_(\w|\{[^{}]*\})_", tex):  # LaTeX refuses an index after an index
         return rf"\mathit{{{math(plain)}}}"

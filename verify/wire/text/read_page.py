@@ -72,7 +72,8 @@ NO_TOML: Mapping[str, str] = {
 }
 IN_QUOTES = "write formulas and Greek names in quotes"
 
-_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,99}", re.ASCII)
+#: What is a name in files.
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,99}", re.ASCII)
 
 
 def read_page(path: str, content: bytes, cited: Sequence[Cite] = ()) -> Page:
@@ -249,7 +250,7 @@ class _Reader:
 
     def name(self, keys: Sequence[str], name: str) -> str:
         """A name that is new."""
-        if not _NAME.fullmatch(name):
+        if not NAME.fullmatch(name):
             raise self.places.error(
                 keys, f"{shown(name)} is no name; write ASCII letters, digits, and _ . - between"
             )

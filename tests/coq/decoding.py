@@ -1,0 +1,159 @@
+"""Ways to read files wrongly. `.ci/coq` sees each of them: a page, a proof, or a verdict changes.
+
+    python -m tests.coq.decoding DIRECTORY       # exit code 1 if one is not seen
+
+DIRECTORY has everything that `.ci/coq` has compiled, as in `tampering.py`.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from tests.check.support import answer
+from tests.coq.closing import ROOT
+from tests.coq.tampering import SOURCES, Definition, Way, coqc, run, tried, written
+from tests.lies.lies import LIES
+
+#: What a statement says then is not what PinnedFiles.v says that it does.
+PINNED = {
+    "operation": Definition("DecodeTerms", '("sin", NOf Sin)', '("sin", NOf Atan)'),
+    "operands": Definition("DecodeTerms", "Some f => Some (f a b)", "Some f => Some (f b a)"),
+    "first-root": Definition("Decode", "if (2 <=? n)%positive && (n <=? 99", "if (n <=? 99"),
+    "last-root": Definition("Decode", "(n <=? 99)%positive", "(n <=? 100)%positive"),
+    "leading-zero": Definition("Decode", 'negb (Byte.eqb b "0"%byte) && at', "at"),
+    "sign": Definition("Decode", "then Z.opp (Z.of_N n)", "then Z.of_N n"),
+    "relation": Definition("DecodeTerms", '("<=", AtMost)', '("<=", Less)'),
+    "scope": Definition(
+        "DecodeTerms", 'need (is_inside c d) "a name that', 'need (is_inside c root) "a name that'
+    ),
+    "name-twice": Definition(
+        "DecodeTerms", 'is "goal" s) && negb used', 'is "goal" s) && (used || negb used)'
+    ),
+    "kind": Definition("DecodeStatement", '("standing", Standing)', '("standing", Carried)'),
+    "verdict": Definition("DecodeStatement", '("refuted", Refuted)', '("refuted", Undecided)'),
+    "role": Definition("DecodeStatement", '("printed", false)', '("printed", true)'),
+    "next-state": Definition(
+        "DecodeStatement", "Always (nat_of d) start later,", "Always (nat_of d) later start,"
+    ),
+    "parent": Definition(
+        "DecodeStatement", "Context (nat_of parent) (map", "Context 0 (map"
+    ),
+    "assumption-twice": Definition("DecodeStatement", "no_text_twice assumptions", "true"),
+    "cited-refuted": Definition(
+        "DecodeStatement", "if negb (is_own prefix) && proved then", "if negb (is_own prefix) then"
+    ),
+    "cited-names": Definition("DecodeStatement", 'prefix ++ s ++ [":"%byte]', "prefix ++ s"),
+}  # fmt: skip
+#: These have no proof.
+UNPROVED = {
+    "accepted-always": Definition("AcceptsFiles", "if accepts larger C then", "if true then"),
+    "names-of-others": Definition("AcceptsFiles", "if names_its_own S then", "if true then"),
+    "other-file": Definition("AcceptsFiles", "match parsed s nothing", "match parsed c nothing"),
+    "other-digest": Definition(
+        "AcceptsFiles", "map (fun text => (digest_of text, text))",
+        "map (fun text => (text, text))",
+    ),
+    "other-text": Definition("Decode", "if same s t then Some x", "if same s s then Some x"),
+}  # fmt: skip
+#: These are proved, since they refuse more, or call refused what is malformed; each with a folder
+#: or a lie of which the program then says something else than the checker.
+VERDICTS = {
+    "rule": (
+        Definition("DecodeProof", '("range", alone Range)', '("range", alone Angles)'),
+        "examples/exponential",
+    ),
+    "digest": (
+        Definition("DecodeFiles", "need (same of_ hash)", "need (same of_ of_)"),
+        "a-digest-of-zeros",
+    ),
+    "row-twice": (
+        Definition(
+            "DecodeSteps", "let! _ := once s in\n          let! _ := need match state",
+            "let! _ := need match state",
+        ),
+        "a-row-proved-twice",
+    ),
+    "the-same": (Definition("DecodeFiles", "", ""), "examples/exponential"),
+}  # fmt: skip
+
+
+def order() -> list[str]:
+    """The files up to the theorem in the order in which they are compiled."""
+    found = re.search("for name in (.*); do", (SOURCES / "build-files").read_text())
+    assert found
+    return [*found[1].partition("AcceptsFiles")[0].split(), "AcceptsFiles"]
+
+
+def first_that_fails(way: Definition, directory: Path, names: list[str]) -> str:
+    """The first file that does not compile with a change, from where it is; or empty."""
+    text = (SOURCES / f"{way.file}.v").read_text()
+    if way.old and text.count(way.old) != 1:
+        raise ValueError(f"{way.old}: {text.count(way.old)} times in {way.file}.v")
+    for name in names[names.index(way.file) :]:
+        other = (SOURCES / f"{name}.v").read_text()
+        written(directory, name, text.replace(way.old, way.new) if name == way.file else other)
+        if coqc(directory, name).returncode:
+            return name
+    return ""
+
+
+def on_the_page(name: str, directory: Path) -> bool:
+    """Whether the page that pins statements does not compile, and all before it does."""
+    names = ["Decode", "DecodeTerms", "DecodeStatement", "PinnedFiles"]
+    return first_that_fails(PINNED[name], directory, names) == "PinnedFiles"
+
+
+def without_proof(name: str, directory: Path) -> bool:
+    """Whether the theorem about files has no proof then."""
+    return first_that_fails(UNPROVED[name], directory, order()) == "AcceptsFiles"
+
+
+def another_verdict(name: str, directory: Path) -> bool:
+    """Whether the program has another exit code than the checker."""
+    way, said_of = VERDICTS[name]
+    failed = first_that_fails(way, directory, order())
+    for file in ("FileNames", "Extract") if not failed else ():
+        written(directory, file, (SOURCES / f"{file}.v").read_text())
+        failed = failed or (file if coqc(directory, file).returncode else "")
+    if failed:
+        raise ValueError(f"{failed} does not compile")
+    (directory / "checker.mli").unlink(missing_ok=True)
+    (directory / "reader.ml").write_text((SOURCES / "reader.ml").read_text())
+    sources = ("-package", "unix", "-linkpkg", "checker.ml", "reader.ml", "-o", "other")
+    done = run(directory, "ocamlfind", "ocamlopt", "-w", "-a", *sources)
+    if done.returncode:
+        raise ValueError(f"it does not compile: {done.stdout}")
+    folder, files = ROOT / said_of, ("statement.json", "certificate.json")
+    if said_of in LIES:
+        folder = directory / "lie"
+        folder.mkdir()
+        for file, data in zip(files, LIES[said_of].files(), strict=True):
+            (folder / file).write_bytes(data)
+    first, second = ((folder / file).read_bytes() for file in files)
+    code, _ = answer((first, second))
+    return (run(directory, "./other", str(folder)).returncode == code) == (name == "the-same")
+
+
+def ways() -> list[Way]:
+    """Each with what says whether it is seen; and where there is nothing to see, that."""
+    found: list[Way] = [(name, another_verdict) for name in VERDICTS]
+    found += [(name, on_the_page) for name in PINNED]
+    return [*found, *((name, without_proof) for name in UNPROVED)]
+
+
+def main(source: Path) -> int:
+    """Try each of them on a copy."""
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        lines = [*filter(None, pool.map(lambda way: tried(source, way), ways()))]
+    for line in lines:
+        print(line)
+    print(f"{len(ways())} ways to read wrongly, {len(lines)} not seen")
+    return bool(lines)
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1]).resolve()))

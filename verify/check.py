@@ -260,6 +260,12 @@ class Kernel:
         self.abbreviations: dict[str, int] = {}  # and those that are
         self.work = MAX_WORK
 
+    def close(self) -> None:
+        """Afterwards nothing in it refers to itself in a circle: it is freed without a search."""
+        self.grounds.clear()
+        for context in (self.outermost, *self.contexts.values()):
+            context.around = ()
+
     def spend(self, bits: int, times: int = 1) -> None:
         """Count operations on numbers of so many bits; give up when it is too much."""
         self.work -= times * (2 + (bits >> 8) + (bits * bits >> 20))
@@ -2349,6 +2355,7 @@ def check(
         verdict, lines, summary(statement), digest, statement.cites, checking.rows(),
         statement.sentences, statement.printed(), limit - kernel.work,
     )  # fmt: skip
+    kernel.close()
     return refused(report, statement.title, checking.complaints)
 
 

@@ -69,7 +69,11 @@ def r_depth(made: WithFunctions) -> int:
     return made.random.choice((0, 0, 0, 1))
 
 
-@pytest.mark.parametrize("seed", range(FIRST, FIRST + ROUNDS))
+#: Seeds of statements whose proofs were refused, or took minutes.
+FOUND = (700866, 700921, 701197, 701302, 740189, 740718)
+
+
+@pytest.mark.parametrize("seed", [*range(FIRST, FIRST + ROUNDS), *FOUND])
 def test_a_random_statement_with_functions(seed: int) -> None:
     assert wrong(seed, WithFunctions)[0] == ""
 

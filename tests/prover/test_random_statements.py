@@ -53,10 +53,13 @@ FOUND: tuple[int, ...] = (
     21129,
     60676,
     406001,
+    710788,
 )
 #: Little work, so that many statements are decided in a minute.
 WORK, SECONDS = int(os.environ.get("STATEMENT_WORK", "200000")), 5
 POINTS = 24
+#: What is added to larger numbers may be lost.
+LARGE = CONTEXT.mpf(2) ** 1000
 
 Values = dict[str, mpmath.mpf]
 
@@ -181,7 +184,7 @@ def truth(claim: Claim, names: Values) -> bool | None:
     if a is None or b is None:
         return None
     size = max(abs(a), abs(b), 1)
-    if 0 < abs(a - b) <= TINY * size and claim.relation == "<":
+    if abs(a - b) <= TINY * size and (a != b or size > LARGE) and claim.relation == "<":
         return None
     return holds(claim.relation, a, b)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
 from itertools import pairwise
 
@@ -9,8 +10,19 @@ import pytest
 
 from verify.language.fold import replaced
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
-from verify.language.terms import Claim, Term, as_term, cos_pi, minimum, sqrt, symbol
-from verify.library import ask, for_all, lemma, prove
+from verify.language.terms import (
+    Claim,
+    Term,
+    as_term,
+    cos,
+    cos_pi,
+    exp,
+    log,
+    minimum,
+    sqrt,
+    symbol,
+)
+from verify.library import ask, constant, for_all, lemma, prove
 from verify.prover import techniques
 from verify.prover.bernstein import Tensor
 from verify.prover.clearing import TooLongError, has_value
@@ -198,3 +210,32 @@ def test_a_quadratic_form_is_proved_by_completing_squares(
     proved = {name for name, decision in found.decisions.items() if decision.verdict == PROVED}
     assert proved == {"form", "shifted"}
     assert {found.decisions[name].method for name in proved} == {"sum"}
+
+
+def test_squares_are_completed_only_with_constants_that_the_checker_can_clear() -> None:
+    """What shows that a constant has a value is an enclosure, and no fact."""
+    place, x, k = for_all("all", {}, {"x": 0}), symbol("x"), symbol("k")
+    rows = [ask("mean", k * x <= (k**2 + x**2) / 2, place)]
+    for value in (log(exp(as_term(2) / 3)), 1 / cos(as_term(4))):
+        found = prove(lemma("title", rows, [constant("k", value)], [place]), work=300_000)
+        assert found.decisions["mean"].verdict == PROVED
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        x**900 * exp(-x) <= 900**900,
+        x**999 <= exp(999 * x) * 999**999,
+        log(x**998 + 1) <= 998 * log(x + 1),
+        log((x**999) ** 999 + 1) >= 0,
+        0 <= log((x**999) ** 999),
+        1 <= sqrt(((x**99) ** 99) ** 99),
+        x**999 <= as_term(2) ** 999 + 1,
+    ],
+)
+def test_large_degrees_take_no_time(claim: Claim) -> None:
+    place = for_all("all", {"low": 1 <= x, "high": x <= 2}, {"x": 1})
+    before = time.process_time()
+    found = prove(lemma("title", [ask("row", claim, place)], (), [place]), work=1_000_000)
+    assert found.decisions["row"].verdict != REFUTED
+    assert time.process_time() - before < 8

@@ -24,6 +24,9 @@ from verify.prover.program import UndefinedError
 Ball = arb
 #: Of two: larger powers are not written down.
 LARGEST_EXPONENT = 1 << 18
+#: The checker encloses no exponential of a larger number, and one of less than the opposite by 0
+#: and the power of two with that exponent.
+MAX_EXPONENT = 1 << 16
 
 
 @contextmanager
@@ -110,6 +113,14 @@ def _root(x: arb, index: int) -> arb:
     return x if x.is_zero() else x.root(index)
 
 
+def _exp(x: arb) -> arb:
+    """What the checker sees of an exponential: nothing of a huge one, and 0 next to a tiny one."""
+    if not x <= MAX_EXPONENT - 1:
+        raise UndefinedError(f"the exponential of {x} is too large")
+    least = hull(arb(0), arb(2) ** -MAX_EXPONENT)
+    return x.exp() if x > 1 - MAX_EXPONENT else hull(least, x.exp())
+
+
 def _last_bit() -> arb:
     """What a cosine may be off by in an arithmetic that knows no exact ones."""
     return arb(0, 1) * arb(2) ** -ctx.prec
@@ -127,7 +138,7 @@ _OPERATIONS: dict[str, Callable[..., arb]] = {
     "cos": _cos,
     "cos_pi": _cos_pi,
     "sin": _sin,
-    "exp": _finite(arb.exp, "the exponential"),
+    "exp": _exp,
     "log": _finite(arb.log, "the logarithm"),
     "atan": arb.atan,
     **{

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
-from itertools import combinations, pairwise
+from itertools import accumulate, combinations, pairwise
 from math import comb, prod
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
@@ -190,15 +190,15 @@ class Tensor(Record):
 def _coefficients(polynomial: Sequence[fmpq], low: Fraction, high: Fraction) -> list[fmpq]:
     """Those of a polynomial in one variable on an interval.
 
-    On [0, 1] they are b_j = sum_k c_k binomial(j, k) / binomial(n, k) for sum_k c_k t^k.
+    On [0, 1] they are b_j = sum_k c_k binomial(j, k) / binomial(n, k) for sum_k c_k t^k, so that
+    c_k / binomial(n, k) is the k-th difference of the b_j at 0.
     """
     n = len(polynomial) - 1
     moved = fmpq_poly([*polynomial])(fmpq_poly([fmpq_of(low), fmpq_of(high - low)]))
-    scaled = [moved[k] / comb(n, k) for k in range(n + 1)]
-    return [
-        sum((value * comb(j, k) for k, value in enumerate(scaled[: j + 1])), fmpq(0))
-        for j in range(n + 1)
-    ]
+    found = [moved[n]]
+    for k in range(n - 1, -1, -1):
+        found = [*accumulate(found, initial=moved[k] / comb(n, k))]
+    return found
 
 
 class Forms:

@@ -25,6 +25,8 @@ Quotient = tuple[fmpq_mpoly, fmpq_mpoly]
 #: Products of two monomials that expanding in one ring may take. The checker expands too: it counts
 #: about a hundred units for each, and has six million for a file.
 MAX_PRODUCTS = 20_000
+#: Where the zero of a variable is moved, a power gets as many monomials, with long numbers.
+MAX_DEGREE = 5000
 #: A number of so many bits counts as one product more.
 BITS = 200
 
@@ -33,7 +35,7 @@ ROOTS = ("sqrt", "root")
 
 
 class TooLongError(ArithmeticError):
-    """Expanding terms takes more products than ``MAX_PRODUCTS``."""
+    """Expanding terms takes more products than ``MAX_PRODUCTS``, or leads to high degrees."""
 
 
 def inner_first(terms: Iterable[Term], inside: Callable[[Term], Iterable[Term]]) -> list[Term]:
@@ -190,6 +192,8 @@ class Clearing(Quotients):
 
     def power(self, p: Polynomial, exponent: int) -> Polynomial:
         """The power, counted."""
+        if int(p.total_degree()) * exponent > MAX_DEGREE:
+            raise TooLongError
         bits = max((c.height_bits() for c in p.coeffs()), default=0)
         self._count(comb(len(p) + exponent - 1, exponent) if len(p) > 1 else 1)
         self._count(bits * exponent // BITS)

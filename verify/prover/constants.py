@@ -43,8 +43,8 @@ DIGITS = 27
 RELIABLE_BITS = 128
 
 
-#: Short decimals near constants have this denominator.
-SHORT = 10**9
+#: Short decimals near constants have this denominator, and so many bits before the point.
+SHORT, SHORT_BITS = 10**9, 1000
 
 
 class Constants:
@@ -94,7 +94,11 @@ class Constants:
         return None
 
     def ball(self, term: Term, bits: int) -> Any:
-        """The ball of a term at this precision, or None where it may be undefined."""
+        """The ball of a term at this precision; None where it may be undefined, or too long."""
+        found = self._computed(term, bits)
+        return found if found is not None and balls.is_within_reach(found) else None
+
+    def _computed(self, term: Term, bits: int) -> Any:
         working = bits + GUARD_BITS
         run = self._balls.get(working)
         slot = self._program.known(term)
@@ -136,12 +140,15 @@ class Constants:
         return 0
 
     def short_bound(self, term: Term, *, up: bool) -> Term | None:
-        """The value, if it is rational; else a short decimal near it, above it or below."""
+        """The value, if it is rational; else a short decimal near it, above it or below.
+
+        None where there is none, also of a number that is too large.
+        """
         exact = self.exact(term)
         if exact is not None:
             return as_term(exact)
         ball = self.ball(term, self.start_bits)
-        if ball is None:
+        if ball is None or balls.magnitude_bits(ball) > SHORT_BITS:
             return None
         low, high = balls.ends(ball)
         near = -(-high * SHORT // 1) if up else low * SHORT // 1

@@ -251,7 +251,7 @@ def by_half_turns(
     values = {atom: value for atom, (_, value) in equations.items()}
     sides = [replaced(replaced(side, values), values) for side in (claim.lhs, claim.rhs)]
     simpler = Claim(claim.relation, *sides)
-    if not tight.cleared(*sides):
+    if not tight.cleared(claim.lhs, claim.rhs, *sides):
         return None
     session, proof = tight.session, prove(simpler)
     if proof is None:

@@ -47,7 +47,10 @@ def on_interval(goal: Goal) -> Sum | None:
     side = Side.of(bounds)
     if side is None or clearing.atoms != [symbol(name)]:
         return None
-    tensor = Tensor.of(clearing.difference(claim.rhs, claim.lhs), [side.ends])
+    difference = clearing.difference(claim.rhs, claim.lhs)
+    if difference.total_degree() >= MAX_SIZE:
+        return None
+    tensor = Tensor.of(difference, [side.ends])
     strict = claim.relation == "<"
     if _fails_at_an_end(tensor, side, strict=strict):
         return None  # no degree changes the values at the ends

@@ -9,16 +9,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from math import prod
 
 from flint import fmpq, fmpq_mpoly
 
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, names_of, symbol
-from verify.prover.clearing import Clearing, expanded
+from verify.prover.clearing import BITS, Clearing, TooLongError, expanded
 from verify.prover.goal import Bounds, Goal
 from verify.prover.numbers import fmpq_of, fraction_of
 from verify.prover.program import ExactArithmetic, Machine, Program
 from verify.prover.proof import Value
+
+#: Monomials, in scaled variables, of a polynomial that is looked at.
+MAX_MONOMIALS = 200_000
 
 
 class Factor(Record):
@@ -116,7 +120,16 @@ class Domain:
         return self.context.constant(fmpq_of(value))
 
     def scaled(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
-        """A polynomial in the atoms as one in the scaled variables."""
+        """A polynomial in the atoms as one in the scaled variables.
+
+        Raises:
+            TooLongError: if that has too many monomials, each with a number of as many bits as its
+                degree.
+        """
+        shifted = [i for i, scale in enumerate(self.scales) if scale.m]
+        length = sum(prod(int(powers[i]) + 1 for i in shifted) for powers in polynomial.monoms())
+        if length * (1 + int(polynomial.total_degree()) // BITS) > MAX_MONOMIALS:
+            raise TooLongError
         return polynomial.compose(*self._inward) if self.atoms else polynomial
 
     def reduced(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:

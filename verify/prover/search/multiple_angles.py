@@ -12,7 +12,7 @@ from functools import reduce
 from math import gcd
 
 from verify.language.fold import replaced
-from verify.language.terms import Claim, Term, as_term, equal, symbol
+from verify.language.terms import Claim, Term, as_term, equal
 from verify.prover.clearing import Clearing, atoms_of
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof
@@ -58,7 +58,7 @@ def _families(question: Question, op: str) -> Iterator[tuple[Term, list[tuple[in
     while left:
         first, family = left[0], [(Fraction(1), left[0])]
         for other in left[1:]:
-            ratio = _ratio(question, first.children[0], other.children[0])
+            ratio = _ratio(first.children[0], other.children[0])
             if ratio is not None and ratio > 0:
                 family.append((ratio, other))
         left = [atom for atom in left if all(atom != other for _, other in family)]
@@ -79,10 +79,9 @@ def _common(a: Fraction, b: Fraction) -> Fraction:
     )
 
 
-def _ratio(question: Question, a: Term, b: Term) -> Fraction | None:
-    """The number q with b = q a, if there is one."""
-    definitions = {symbol(name): term for name, term in question.goal.definitions.items()}
-    clearing = Clearing((a, b), definitions)
+def _ratio(a: Term, b: Term) -> Fraction | None:
+    """The number q with b = q a, if there is one: for the checker, names in angles are atoms."""
+    clearing = Clearing((a, b), {})
     (n, d), (m, e) = clearing.clear(a), clearing.clear(b)
     left, right = clearing.times(n, e), clearing.times(m, d)
     if not left.to_dict() or not right.to_dict():

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations, islice
-from math import isqrt
+from math import comb, isqrt
 
 from flint import fmpq_mpoly
 
@@ -39,6 +39,8 @@ DIGITS = 3
 MAX_COST = 20_000_000
 #: Products of three facts are tried where there are not more facts than this.
 FEW = 6
+#: Squares of sums of more monomials, before it is seen which of them can occur, are not tried.
+MAX_MONOMIALS = 2000
 #: Sums of more work for the checker are no proofs.
 MAX_UNITS = 5_500_000
 
@@ -57,7 +59,7 @@ def plain_squares(question: Question) -> Proof | None:
     if not any(side.op in ("min", "max") for side in sides) or not question.clears():
         return None
     domain = Domain(question.goal, {}, None, question.is_negative)
-    if not domain.is_plain or any(domain.atoms[i].op in ("min", "max") for i in domain.used):
+    if any(domain.atoms[i].op in ("min", "max") for i in domain.used) or not _is_short(domain):
         return None
     return by_squares(domain, [], question.budget, question.using)
 
@@ -103,10 +105,16 @@ def _squares(
     question: Question, goal: Goal, facts: dict[str, Claim], attempts: int = MANY_ATTEMPTS
 ) -> Proof | None:
     domain = Domain(goal, facts, None, question.is_negative)
-    if not domain.is_plain:
+    if not _is_short(domain):
         return None
     zeros = question.zeros(domain) if goal is question.goal else []
     return by_squares(domain, zeros, question.budget, question.using, attempts)
+
+
+def _is_short(domain: Domain) -> bool:
+    """Whether squares may be sought, of sums of not too many monomials."""
+    count, half = len(_connected(domain)), (int(domain.p.total_degree()) + 1) // 2
+    return domain.is_plain and comb(count + max(half, 0), count) <= MAX_MONOMIALS
 
 
 def by_squares(

@@ -15,9 +15,12 @@ from verify.prover.search.squares import Summand
 
 
 def by_completing_squares(question: Question) -> Proof | None:
-    """A proof where rhs - lhs is quadratic, and not negative whatever its variables are."""
+    """A proof where rhs - lhs is quadratic, and not negative whatever its variables are.
+
+    The definitions of constants take their places, so the checker has to be able to clear them.
+    """
     domain = Domain(question.goal, {}, None, question.is_negative)
-    if not domain.is_plain or domain.p.total_degree() != 2:
+    if not domain.is_plain or domain.p.total_degree() != 2 or not question.clears():
         return None
     question.budget.spend(len(domain.used) * len(domain.p))
     squares = completed(domain)

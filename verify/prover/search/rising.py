@@ -129,8 +129,11 @@ class Powers:
         if denominator != self.clearing.one:
             return None
         try:
-            difference = self.clearing.reduce(self.clearing.power(bound, power)) - radicand
+            whole = self.clearing.power(bound, power)
+            difference = self.clearing.reduce(whole) - radicand
         except TooLongError:
+            return None
+        if difference + radicand != whole and self._has_denominators():
             return None
         smaller: Value | None = ("root", root)
         if factor < 0:
@@ -143,6 +146,11 @@ class Powers:
         gap = product_of(str(1 / abs(factor)), "goal")
         addends = (self._addend(smaller, gap, power, k) for k in range(1, power + 1))
         return Sum((*addends, last), self.question.using)
+
+    def _has_denominators(self) -> bool:
+        """Whether a root may be one of a quotient: a polynomial is multiplied to reduce it."""
+        roots = (atom for atom in self.clearing.atoms if atom.op in ROOTS)
+        return any(self.clearing.clear(r.children[0])[1] != self.clearing.one for r in roots)
 
     def _addend(self, smaller: Value, gap: Value, power: int, k: int) -> Value:
         """One term of the difference of two powers."""

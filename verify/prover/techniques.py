@@ -44,6 +44,7 @@ from verify.prover.search.subterms import by_subterms
 from verify.prover.search.tree import by_tree
 from verify.prover.search.whole_powers import by_whole_powers
 from verify.prover.search.witnesses import is_false
+from verify.prover.search.written_out import by_definitions
 from verify.prover.signs import signs
 from verify.prover.universal import Universal
 
@@ -123,6 +124,7 @@ SEARCHES = (
     Technique("cosines", _near_cosines),
     Technique("a small tree", partial(by_tree, leaves=FEW_LEAVES)),
     Technique("cosines", _other_cosines),
+    Technique("definitions written out", by_definitions),
     Technique("growth", by_growth),
     LAWS,
     Technique("products of logarithms", by_products_of_logarithms),

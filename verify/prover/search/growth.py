@@ -184,7 +184,8 @@ class Growth:
 
     def _ground(self, claim: Claim) -> Proof | None:
         """A claim without the variable, perhaps one whose sides are equal, as exp 0 and 1 are."""
-        found = ExactRanges((), {}, BITS_AT_POINT).of((), claim.lhs, claim.rhs)
+        ranges = ExactRanges((), self.known.ground.definitions, BITS_AT_POINT)
+        found = ranges.of((), claim.lhs, claim.rhs)
         if found is not None:
             (_, low), (high, _) = found
             if low < high or (low == high and claim.relation == "<="):

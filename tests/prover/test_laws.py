@@ -104,3 +104,9 @@ def test_random_logarithms(seed: int) -> None:
     parts = [n * log(a), -m * log(b)] if n and m else [log(a)]
     total = reduce(add, parts) + log(high) - log(low)
     assert verdict(equal(whole, total), 0 < a, 0 < b, point={"a": 1, "b": 1}) == PROVED
+
+
+def test_an_exponential_inside_another_one_stays() -> None:
+    """The checker replaces no atom inside another one, so that this proof was refused."""
+    claim = exp(exp(Fraction(-2, 3)) + 3) <= exp(exp(Fraction(-2, 3))) * exp(3)
+    assert verdict(claim) == PROVED

@@ -40,8 +40,6 @@ MAX_BITS = 1 << 16  # of precision
 MAX_SIZE = 1 << 19  # bits of a numerator with its denominator
 MAX_DEGREE = 1 << 20  # of a name or another atom in a polynomial
 MAX_SHOWN = 1 << 12  # bits before or after the point, in messages
-MAX_KEPT = 8  # kernels that have read what is cited
-MAX_KEPT_NODES = 50_000  # terms in one of them
 MAX_REFUSED = 1000  # of steps, enclosures, and needed rows that are undecided
 MAX_TOLD = 4  # monomials, and factors of one, in messages
 MAX_WORK = 6_000_000  # about the number of microseconds
@@ -137,13 +135,6 @@ class Context:
         """Whether this is the other context, or lies in it."""
         return other.depth <= self.depth and self.around[other.depth] is other
 
-    def copy(self, parent: Context | None) -> Context:
-        """The same context inside another parent; what is added to one is not in the other."""
-        other = Context(self.name, parent)
-        vars(other).update(copies(self))
-        other.is_open = self.is_open
-        return other
-
 
 class Fact(NamedTuple):
     """A claim that is proved, or given, in a context."""
@@ -202,12 +193,6 @@ def need(condition: object, kind: type[Exception], message: str, *values: Any) -
     """Afterwards the condition holds. The values are put into the message about its failure."""
     if not condition:
         raise kind(message.format(*map(shown, values)))
-
-
-def copies(owner: Context | Kernel) -> dict[str, Any]:
-    """Copies of the tables, lists and sets of an object, by their names."""
-    found = vars(owner).items()
-    return {name: value.copy() for name, value in found if isinstance(value, dict | list | set)}
 
 
 def shown(value: Any) -> str:
@@ -275,22 +260,6 @@ class Kernel:
         self.abbreviations: dict[str, int] = {}  # and those that are
         self.work = MAX_WORK
 
-    def copy(self) -> Kernel:
-        """A kernel that knows the same; what is added to one is not in the other.
-
-        It may know nothing that refers to the kernel itself: no enclosures.
-        """
-        other = Kernel()
-        twins = {self.outermost: other.outermost}
-        vars(other.outermost).update(copies(self.outermost))
-        for context in self.contexts.values():
-            twins[context] = context.copy(twins[context.parent or self.outermost])
-        vars(other).update(copies(self))
-        other.homes = [twins[home] for home in self.homes]
-        other.contexts = {name: twins[context] for name, context in self.contexts.items()}
-        other.facts = {name: Fact(claim, twins[home]) for name, (claim, home) in self.facts.items()}
-        return other
-
     def close(self) -> None:
         """Afterwards nothing in it refers to itself in a circle: it is freed without a search."""
         self.grounds.clear()
@@ -300,9 +269,8 @@ class Kernel:
     def spend(self, bits: int, times: int = 1) -> None:
         """Count operations on numbers of so many bits; give up when it is too much."""
         self.work -= times * (2 + (bits >> 8) + (bits * bits >> 20))
-        if self.work < 0 or bits > MAX_SIZE:
-            need(self.work >= 0, Malformed, "found more work than the limit of {}", MAX_WORK)
-            need(bits <= MAX_SIZE, Malformed, "found a number of {} bits", bits)
+        need(self.work >= 0, Malformed, "found more work than the limit of {}", MAX_WORK)
+        need(bits <= MAX_SIZE, Malformed, "found a number of {} bits", bits)
 
     def node(self, op: str, subterms: Sequence[int], *rest: int) -> int:
         """The number of the term of an operation and its arguments."""
@@ -1385,14 +1353,6 @@ class Enclosing:
 
     def enclose(self, term: int) -> Interval:
         """An interval around the value of a term; refused where it may be undefined."""
-        if term not in self.known:
-            self.evaluate(term)
-        low, high = self.value(term)
-        self.kernel.spend(size(low) + size(high), 2)
-        return Interval(low, high)
-
-    def evaluate(self, term: int) -> None:
-        """Afterwards a term and all its parts have intervals."""
         kernel, base = self.kernel, self.base
 
         def is_leaf(part: int) -> bool:
@@ -1408,6 +1368,9 @@ class Enclosing:
             for low, high in xs:
                 kernel.spend(size(low) + size(high), 2)
             self.known[part] = self.outward(OPERATIONS[op](self, *xs, *rest))
+        low, high = self.value(term)
+        kernel.spend(size(low) + size(high), 2)
+        return Interval(low, high)
 
     def value(self, term: int) -> Interval:
         """The interval of a term that is evaluated already, or has no variables."""
@@ -1981,15 +1944,8 @@ class Reader:
 
     def read(self, document: dict[str, Any], prefix: str = "") -> Statement:
         """The statement; if it is cited, its contexts are open and its proved rows are facts."""
-        return self.read_own(document, prefix, self.cites(document["cites"], prefix))
-
-    def cites(self, items: list[dict[str, Any]], prefix: str = "") -> list[Cite]:
-        """Read the cited statements, and what they cite."""
-        return [found for item in items for found in self.cite(item, prefix)]
-
-    def read_own(self, document: dict[str, Any], prefix: str, cites: list[Cite]) -> Statement:
-        """The statement, after all that it cites was read."""
         kernel = self.kernel
+        cites = [found for cite in document["cites"] for found in self.cite(cite, prefix)]
         kernel.prefix = prefix
         assumptions = {item["name"]: item["sentence"] for item in document["assumptions"]}
         good = len(assumptions) == len(document["assumptions"])
@@ -2366,54 +2322,13 @@ def parsed(where: str, data: bytes, shape: Shape) -> Any:
     return value
 
 
-class Kept(NamedTuple):
-    """A kernel that has read what is cited, and nothing else; and with how much work."""
-
-    kernel: Kernel
-    cites: list[Cite]
-    statements: Mapping[str, bytes]
-    work: int
-
-
-class Library:
-    """What is cited is read once for all statements that cite the same."""
-
-    def __init__(self) -> None:
-        self.kept: dict[str, Kept] = {}
-
-    def open(
-        self, items: list[dict[str, Any]], kernel: Kernel, available: Mapping[str, bytes]
-    ) -> tuple[Kernel, list[Cite]]:
-        """A kernel that has read what is cited, where this one has read nothing.
-
-        It is a copy of one that has read the same bytes, and its work is counted as if it had.
-        """
-        citing, limit = json.dumps(items), kernel.work
-        found = self.kept.get(citing)
-        if found is None or any(available.get(d) != data for d, data in found.statements.items()):
-            cites = Reader(kernel, available).cites(items)
-            statements = {cite.digest: available[cite.digest] for cite in cites}
-            found = Kept(kernel, cites, statements, limit - kernel.work)
-            if len(kernel.nodes) > MAX_KEPT_NODES:
-                return kernel, cites
-            self.kept = dict([*self.kept.items()][1 - MAX_KEPT :]) | {citing: found}
-        other = found.kernel.copy()
-        other.work = limit - found.work
-        need(other.work >= 0, Malformed, "found more work than the limit of {}", MAX_WORK)
-        return other, found.cites
-
-
 def check(
-    first: bytes,
-    second: bytes,
-    available: Mapping[str, bytes],
-    work: int | None = None,
-    library: Library | None = None,
+    first: bytes, second: bytes, available: Mapping[str, bytes], work: int | None = None
 ) -> Report:
     """Whether the certificate in ``second`` proves the statement in ``first``, and a report.
 
     ``available`` has the bytes of statements that may be cited, by their digests; ``work`` is the
-    limit, if it is another one. With a library what is cited is read once for all its statements.
+    limit, if it is another one.
     """
     document = parsed("statement", first, STATEMENT)
     certificate = parsed("certificate", second, CERTIFICATE)
@@ -2422,9 +2337,8 @@ def check(
     kernel = Kernel()
     kernel.work = limit = MAX_WORK if work is None else work
     kernel.spend(0, (len(first) + len(second)) // 8)
-    kernel, cites = (library or Library()).open(document["cites"], kernel, available)
     reader = Reader(kernel, available)
-    statement = reader.read_own(document, "", cites)
+    statement = reader.read(document)
     needed = [row for row in statement.rows.values() if row.role == "needed"]
     need(needed, Malformed, "obligations: found no needed row, which proves nothing")
     kernel.shared |= certificate["terms"]
@@ -2461,16 +2375,10 @@ def summary(statement: Statement) -> str:
     return f"{statement.title}: {', '.join(counts)}"
 
 
-def examined(
-    first: bytes,
-    second: bytes,
-    available: Mapping[str, bytes],
-    work: int,
-    library: Library | None = None,
-) -> Report:
+def examined(first: bytes, second: bytes, available: Mapping[str, bytes], work: int) -> Report:
     """The same as `check`, with a report also about what is malformed."""
     try:
-        return check(first, second, available, work, library)
+        return check(first, second, available, work)
     except (Malformed, RecursionError) as error:
         return Report("MALFORMED", [], str(error), sha256(first).hexdigest())
 
@@ -2483,14 +2391,13 @@ def judged(folders: Sequence[Folder]) -> Iterable[tuple[Report, list[Report]]]:
     everything = [data for folder in folders for data in (folder.statement, *folder.cited)]
     available = {sha256(data).hexdigest(): data for data in everything}
     known: dict[tuple[bytes, bytes], Report] = {}
-    library = Library()
     for folder in folders:
         found: list[Report] = []
         room = MAX_WORK
         for pair in ((folder.statement, folder.certificate), *folder.proofs):
-            report = known.get(pair) or examined(*pair, available, room, library)
+            report = known.get(pair) or examined(*pair, available, room)
             if report.work > room:
-                report = examined(*pair, available, room, library)
+                report = examined(*pair, available, room)
             found.append(report)
             if report.verdict == "MALFORMED":
                 break

@@ -144,3 +144,10 @@ def test_the_sentences_in_coq_are_those_of_the_statements() -> None:
     assert all(len(sentences) == 1 for sentences in said.values())
     assert [*IN_COQ["step"]] == [item["name"] for item in by_theorem["step"]]
     assert [*IN_COQ["separatrix"]] == [item["name"] for item in by_theorem["separatrix"]]
+
+
+def test_the_theorem_about_files_is_the_one_on_the_page() -> None:
+    page = (ROOT / "docs/explanation/coq.md").read_text()
+    shown = re.findall(r"^Theorem accepts_beside_sound.*?\.$", page, re.DOTALL | re.MULTILINE)
+    assert len(shown) == 1
+    assert f"{shown[0]}\nProof." in (SOURCES / "AcceptsFiles.v").read_text()

@@ -23,9 +23,6 @@ from verify.wire.write import write
 #: Who judges what comes with the program: the checker has, before, and the digests are compared.
 SHIPPED = "the checker, before these files were shipped (their digests are compared)"
 
-#: What certificates of this process cite is read once.
-LIBRARY = check.Library()
-
 
 def accept(files: Mapping[str, bytes], verdict: str) -> None:
     """Afterwards the checker accepts a folder, with this verdict, and the certificates in `cited`.
@@ -157,7 +154,7 @@ def _work(cited: tuple[tuple[str, bytes], ...]) -> int:
 def _report(files: Mapping[str, bytes], work: int | None = None) -> check.Report:
     cited = {sha256(content).hexdigest(): content for _, content in _cited(files)}
     try:
-        return check.check(files["statement.json"], files["certificate.json"], cited, work, LIBRARY)
+        return check.check(files["statement.json"], files["certificate.json"], cited, work)
     except (check.Malformed, RecursionError) as error:
         raise UnreadError(_not_accepted(f"MALFORMED: {error}")) from error
 

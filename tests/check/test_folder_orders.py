@@ -1,9 +1,11 @@
-"""The order of folders changes no report: also beside lies, and at any limit of work."""
+"""The order of folders changes no report, also beside lies; and nothing of a check stays."""
 
 from __future__ import annotations
 
+import gc
 import json
 import random
+import weakref
 from collections.abc import Callable
 from hashlib import sha256
 from pathlib import Path
@@ -13,6 +15,7 @@ import pytest
 
 from tests.check.support import INTERVAL, Pair, total
 from tests.check.test_citations import cited
+from tests.citing import cited_in
 from tests.lies.lies import LIES
 from verify import check
 
@@ -80,16 +83,21 @@ def test_the_order_of_folders_changes_nothing(seed: int) -> None:
         assert [report for report, _ in found] == [report for _, report in expected]
 
 
-@pytest.mark.parametrize("seed", range(3))
-def test_the_limit_of_work_is_the_same(seed: int) -> None:
-    """Also if a statement that is cited is sometimes not at hand."""
-    rnd, library = random.Random(seed), check.Library()
-    for folder in drawn(rnd):
-        data = [folder.statement, *folder.cited]
-        available = {sha256(item).hexdigest(): item for item in data}
-        files = folder.statement, folder.certificate
-        work = check.examined(*files, available, check.MAX_WORK).work
-        for limit in (work, work - 1, rnd.randrange(work + 1), 2 * check.MAX_WORK):
-            some = {digest: item for digest, item in available.items() if rnd.random() < 0.9}
-            alone = check.examined(*files, some, max(limit, 0))
-            assert check.examined(*files, some, max(limit, 0), library) == alone
+def test_a_kernel_is_freed_without_looking_for_circles(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The command collects no garbage: in a folder of scenes nothing may pile up."""
+    folder = SCENES / "nearly-aligned"
+    files = [(folder / f"{name}.json").read_bytes() for name in ("statement", "certificate")]
+    seen: list[Any] = []
+
+    class Seen(check.Kernel):
+        def __init__(self) -> None:
+            super().__init__()
+            seen.extend(map(weakref.ref, (self, self.outermost)))
+
+    monkeypatch.setattr(check, "Kernel", Seen)
+    gc.disable()
+    try:
+        assert check.check(files[0], files[1], cited_in(folder)).verdict == "PROVED"
+        assert [item() for item in seen] == [None, None]
+    finally:
+        gc.enable()

@@ -104,3 +104,21 @@ def test_random_logarithms(seed: int) -> None:
     parts = [n * log(a), -m * log(b)] if n and m else [log(a)]
     total = reduce(add, parts) + log(high) - log(low)
     assert verdict(equal(whole, total), 0 < a, 0 < b, point={"a": 1, "b": 1}) == PROVED
+
+
+def test_an_exponential_inside_another_one_stays() -> None:
+    """The checker replaces no atom inside another one, so that this proof was refused."""
+    claim = exp(exp(Fraction(-2, 3)) + 3) <= exp(exp(Fraction(-2, 3))) * exp(3)
+    assert verdict(claim) == PROVED
+
+
+def test_the_range_of_a_function_is_a_fact_before_it_is_used() -> None:
+    """What equations make of it was written down before it was."""
+    place = for_all("all", [2 <= x, x <= Fraction(5, 2)], {"x": 2})
+    claims = {
+        "law": equal(log(exp(Fraction(1, 3)) * exp(exp(x))), Fraction(1, 3) + exp(x)),
+        "product": exp(x) * exp(-x) <= 1 + Fraction(1, 10**20),
+    }
+    rows = [ask(name, claim, place) for name, claim in claims.items()]
+    found = prove(lemma("title", rows, contexts=[place]), work=1_000_000)
+    assert {found.decisions[name].verdict for name in claims} == {PROVED}

@@ -184,7 +184,8 @@ def truth(claim: Claim, names: Values) -> bool | None:
     if a is None or b is None:
         return None
     size = max(abs(a), abs(b), 1)
-    if abs(a - b) <= TINY * size and (a != b or size > LARGE) and claim.relation == "<":
+    is_less = claim.relation == "<"
+    if abs(a - b) <= TINY * size and (size > LARGE or (is_less and a != b)):
         return None
     return holds(claim.relation, a, b)
 

@@ -42,7 +42,7 @@ def _rewrite(system: System, ideal: Ideal) -> None:
     """Afterwards inequalities without what the equations replace are known, too."""
     question = system.question
     for fact in system.facts:
-        if not isinstance(fact.value, str) or fact.value in system.enclosures:
+        if not isinstance(fact.value, str) or fact.value in system.enclosures | system.ranges:
             continue
         rest, taken = ideal.normal_form(fact.polynomial)
         if not taken or rest.is_constant() or len(rest) > MAX_TERMS:

@@ -14,7 +14,7 @@ from math import gcd, lcm
 from flint import fmpz
 
 from verify.language.fold import replaced
-from verify.language.terms import Claim, Term, as_term, equal, exp, log
+from verify.language.terms import Claim, Term, as_term, equal, exp, log, parts_of
 from verify.prover.clearing import Clearing, TooLongError, atoms_of
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, product_of
@@ -33,9 +33,14 @@ Powers = Mapping[Term, int]
 
 
 def by_laws(question: Question) -> Proof | None:
-    """A claim about parts of the exponentials and logarithms in the claim."""
+    """A claim about parts of the exponentials and logarithms in the claim.
+
+    Those inside other functions stay: with an equation the checker replaces none there.
+    """
     claim, laws = question.plain.claim, Laws(question)
-    chosen = laws.of(atoms_of((claim.lhs, claim.rhs), {}))
+    atoms = atoms_of((claim.lhs, claim.rhs), {})
+    inside = {*parts_of(*(child for atom in atoms for child in atom.children))}
+    chosen = laws.of([atom for atom in atoms if atom not in inside])
     simpler = Claim(claim.relation, *(replaced(s, chosen) for s in (claim.lhs, claim.rhs)))
     if simpler == claim or not question.known.clears((simpler.lhs, simpler.rhs), laws.place):
         return None

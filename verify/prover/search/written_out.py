@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from verify.language.fold import replaced
-from verify.language.terms import Claim, Term, as_term, equal, names_of, symbol
+from verify.language.terms import Claim, Term, as_term, equal, names_of, parts_of, symbol
 from verify.prover.clearing import Clearing, atoms_of, inner_first
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, product_of
@@ -29,9 +29,13 @@ def by_definitions(question: Question) -> Proof | None:
     claim, laws = question.plain.claim, Laws(question)
     terms = (claim.lhs, claim.rhs, *question.goal.definitions.values())
     atoms = inner_first(atoms_of(terms, {}), lambda term: term.children)
-    functions = [part for part in atoms if part.op in FUNCTIONS]
-    of_constants = [part for part in functions if not constants.isdisjoint(names_of(part))]
-    if not (constants and functions) or any(part.op not in RISING for part in of_constants):
+    of_constants = [
+        part for part in atoms if part.op in FUNCTIONS and not constants.isdisjoint(names_of(part))
+    ]
+    own = {part.op for part in parts_of(claim.lhs, claim.rhs)}
+    if not constants or own.isdisjoint(FUNCTIONS):
+        return None
+    if any(part.op not in RISING for part in of_constants):
         return None
     values = _written_out(question)
     outside = _with(claim, {part: replaced(part, values) for part in of_constants})

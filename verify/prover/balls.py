@@ -115,7 +115,7 @@ def _root(x: arb, index: int) -> arb:
 
 def _exp(x: arb) -> arb:
     """What the checker sees of an exponential: nothing of a huge one, and 0 next to a tiny one."""
-    if not x <= MAX_EXPONENT - 1:
+    if not (x <= MAX_EXPONENT - 1 or x == MAX_EXPONENT):
         raise UndefinedError(f"the exponential of {x} is too large")
     least = hull(arb(0), arb(2) ** -MAX_EXPONENT)
     return x.exp() if x > 1 - MAX_EXPONENT else hull(least, x.exp())

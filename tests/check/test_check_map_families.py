@@ -258,6 +258,15 @@ def test_which_coordinates_vary_and_which_scenes_are_on_a_line() -> None:
     assert not check_map.on_a_line(family(**turned, velocities=beside))
     assert not check_map.on_a_line(family(positions=[["0", "0"], ["2", "1"], ["-5/2", "1"]]))
     assert not check_map.on_a_line(check_map.Phi(*[F(1, 2)] * 3, *[(F(0), F(1))] * 3))
+    drifting = [["0", "3"], [["/", "-1", "x"], "3"], ["1", "3"]]
+    assert check_map.on_a_line(family(velocities=drifting))
+    assert not check_map.on_a_line(family(velocities=[*drifting[:2], ["1", "2"]]))
+
+
+def test_quotients_are_polynomials_if_the_divisor_is_a_number() -> None:
+    assert check_map.polynomial(("/", "x", F(3))) == {(1, 0): F(1, 3)}
+    assert check_map.polynomial(("/", F(1), "x")) is None
+    assert check_map.polynomial(("/", "x", F(0))) is None
 
 
 # --- what is malformed ----------------------------------------------------------------------------

@@ -1644,7 +1644,10 @@ def term_text(term: Term, axes: Sequence[str]) -> str:
     if not isinstance(term, tuple):
         return axes["xy".index(term)] if isinstance(term, str) else str(term)
     name, one, two = term
-    return f"({term_text(one, axes)} {name} {term_text(two, axes)})"
+    divisor = term_text(two, axes)
+    if name == "/" and "/" in divisor and not isinstance(two, tuple):
+        divisor = f"({divisor})"
+    return f"({term_text(one, axes)} {name} {divisor})"
 
 
 def hypotheses(plane: Plane) -> str:

@@ -73,6 +73,7 @@ velocities = [[0, 0], [-0.028, 0], ["0.014", "-0.002"]]
     assert run(capsys, written(tmp_path, text)) == run(capsys, SCENES / "nearly-aligned.toml")
     code, _, err = run(capsys, written(tmp_path, text.replace("0.02004", "0.019")))
     assert (code, "overlap by about 0.05" in err) == (2, True)
+    assert "at least 1, in diameters of 0.02\n" in err
 
 
 BAD = {
@@ -93,7 +94,11 @@ BAD = {
         "the vectors have 0 coordinates",
     ),
     "missing": ("r = 0.1\n", "'positions' is missing"),
-    "unknown": (GOOD + "mass = 2\n", "'mass' is not known"),
+    "unknown": (GOOD + "mass = 2\n", "'mass' is not known (do you mean masses?)"),
+    "unknown-e": (GOOD.replace("r =", "e ="), "'e' is not known (do you mean r?)"),
+    "unlike-any": (GOOD + "xyz = 2\n", "'xyz' is not known; a parameter"),
+    "comma": (GOOD.replace("0.03", "0,05"), "; write r = 0.05, with a decimal point"),
+    "angle": (GOOD.replace("-1.006", '"-1.5*cos(30°)"'), "write coordinates, not angles"),
     "diameter": (GOOD + 'diameter = "0"\n', "diameter: '0' is not positive"),
     "no-toml": ("r = = 1\n", "is no TOML file"),
     "large": (GOOD.replace("0.03", "1e-99999"), "the exponent of '1e-99999' is too large"),

@@ -172,3 +172,36 @@ def test_what_cannot_be_written_is_refused(
     error = capsys.readouterr().err
     assert words in error
     assert error.count("\n") == 1
+
+
+def _files(place: Path, folder: Path, *more: str) -> dict[str, bytes]:
+    """All files of the same map, made anew, except for its times."""
+    scenes = str(folder / "scenes.toml")
+    command = ["map", scenes, "--x", "r", "--y", "h", "--boxes", "400", "--middles"]
+    assert main(
+        [*command, "--csv", str(place / "map.csv"), "--out", str(place / "out"), *more]
+    ) in (
+        0,
+        3,
+    )
+    return _bytes_below(place)
+
+
+def _bytes_below(place: Path) -> dict[str, bytes]:
+    paths = (place / "map.csv", *(place / "out").iterdir())
+    return {path.name: path.read_bytes() for path in paths if path.name != "times.csv"}
+
+
+def test_two_processes_write_the_same_pictures(folder: Path, tmp_path: Path) -> None:
+    found = _files(tmp_path, folder, "--jobs", "2")
+    assert {"map.jsonl", "map.svg", "map.png", "map-time.svg", "map.csv"} <= found.keys()
+    assert found == _bytes_below(folder)
+
+
+def test_dask_writes_the_same_pictures(folder: Path, tmp_path: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=False, dashboard_address=None
+    ) as cluster:
+        found = _files(tmp_path, folder, "--dask", cluster.scheduler_address)
+    assert found == _bytes_below(folder)

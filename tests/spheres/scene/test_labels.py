@@ -77,3 +77,13 @@ def test_what_is_no_label(path: Path, line: str, capsys: pytest.CaptureFixture[s
     assert out == ""
     assert f"{line.partition(' ')[0]}: " in err
     assert err.count("\n") == 1
+
+
+def test_a_family_tells_its_diameter_as_a_decimal(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "family.toml"
+    family = LABELS + SCENE.replace('"0.01"', '"h"') + '[parameters]\nh = "0..0.01"\n'
+    path.write_text(family, encoding="utf-8")
+    assert main(["scene", str(path), "--at", "h=0.01"]) == 0
+    assert "lengths are in diameters, each 0.5 mm\n" in capsys.readouterr().out

@@ -13,6 +13,7 @@ A number is a text or a TOML number; either is read as it is written, and no flo
 
 from __future__ import annotations
 
+import re
 import tomllib
 from fractions import Fraction
 from typing import Any
@@ -86,7 +87,7 @@ def scene_from(where: str, table: dict[str, Any]) -> Scene:
             f"{where}: the vectors have {', '.join(map(str, sorted(lengths)))} coordinates; write "
             f"the same number for all, from 1 to {MAX_DIMENSION}"
         )
-    _apart(where, scene)
+    _apart(where, scene, unit)
     return scene
 
 
@@ -108,7 +109,9 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
     except (ValueError, RecursionError) as error:
         is_text = not isinstance(error, UnicodeDecodeError)
         why = " ".join(str(error).split()) if is_text else "it is not UTF-8"
-        raise InputError(f"{where}: is no TOML file ({why}); write {', '.join(KEYS)}") from error
+        comma = _decimal_comma(content) if is_text else None
+        meant = f"{comma}, with a decimal point" if comma else ", ".join(KEYS)
+        raise InputError(f"{where}: is no TOML file ({why}); write {meant}") from error
     if "parameters" in table and not more:
         raise InputError(
             f"{where}: is a family of scenes; add --sample N, or --at for one of them: --at NAME=A"
@@ -119,10 +122,26 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
             raise InputError(f"{where}: {shown(odd[0])} is missing; write {', '.join(KEYS)}")
         others = ", ".join([*OPTIONAL, *LABELS])
         raise InputError(
-            f"{where}: {shown(odd[0])} is not known; a parameter stands below [parameters], and "
-            f"besides {', '.join(KEYS)} there may be {others}"
+            f"{where}: {shown(odd[0])} is not known{_meant_key(odd[0], table)}; a parameter stands "
+            f"below [parameters], and besides {', '.join(KEYS)} there may be {others}"
         )
     return table
+
+
+def _meant_key(odd: str, table: dict[str, Any]) -> str:
+    """A question that names a key like this one, or else the only one that is missing."""
+    from difflib import get_close_matches  # loaded only where it is used
+
+    missing = [key for key in KEYS if key not in table]
+    like = get_close_matches(odd, [*KEYS, *OPTIONAL, *LABELS], 1)
+    meant = like or (missing if len(missing) == 1 else [])
+    return f" (do you mean {meant[0]}?)" if meant else ""
+
+
+def _decimal_comma(content: bytes) -> str | None:
+    """The first line of the form ``r = 0,05``, with a point; None if there is none."""
+    found = re.search(rb"^[ \t]*(\w+)[ \t]*=[ \t]*(-?\d+),(\d+)[ \t\r]*$", content, re.MULTILINE)
+    return None if found is None else b"%b = %b.%b".__mod__(found.groups()).decode()
 
 
 def _each(where: str, key: str, table: dict[str, Any]) -> tuple[Fraction, ...]:
@@ -162,8 +181,7 @@ def _labels(where: str, table: dict[str, Any], unit: Fraction | None) -> Labels:
     found = Labels(*texts)
     if not found.length_unit or unit is None:
         return found
-    length = table[DIAMETER] if DIAMETER in table else exact_number(unit)
-    return found._replace(length_unit=f"{length} {found.length_unit}")
+    return found._replace(length_unit=f"{exact_number(unit)} {found.length_unit}")
 
 
 def _diameter(where: str, table: dict[str, Any]) -> Fraction:
@@ -181,9 +199,18 @@ def _rows(
     if not isinstance(rows, list) or len(rows) != 3 or not all(isinstance(x, list) for x in rows):
         raise InputError(f"{where}: {key}: write three lists of numbers, one for each particle")
     return tuple(
-        tuple(number_in(f"{where}: {key} of particle {i}", value) / unit for value in row)
+        tuple(_coordinate(f"{where}: {key} of particle {i}", value) / unit for value in row)
         for i, row in enumerate(rows)
     )
+
+
+def _coordinate(where: str, value: Any) -> Fraction:
+    if isinstance(value, str) and re.search(r"[*()°]", value):
+        raise InputError(
+            f"{where}: {shown(value)} is not a number; write coordinates, not angles; terms such "
+            "as 2*h need a parameter below [parameters]"
+        )
+    return number_in(where, value)
 
 
 def number_in(where: str, value: Any) -> Fraction:
@@ -199,8 +226,10 @@ def number_in(where: str, value: Any) -> Fraction:
     raise InputError(f'{where}: {shown(str(value))} is not a number; write it like 0.03 or "3/100"')
 
 
-def _apart(where: str, scene: Scene) -> None:
+def _apart(where: str, scene: Scene, unit: Fraction) -> None:
     """Afterwards no two particles overlap."""
+    length = scene.labels.length_unit or exact_number(unit)
+    diameters = f", in diameters of {length}" if unit != 1 else ""
     given = coordinates(scene, Fraction)
     for i, j in PAIRS:
         gap, _, _ = given.pair(i, j)
@@ -210,7 +239,7 @@ def _apart(where: str, scene: Scene) -> None:
                 reach = scene.bodies.radii[i] + scene.bodies.radii[j]
             raise OverlapError(
                 f"{where}: the particles {i} and {j} overlap by about {_overlap(gap, reach)}: "
-                f"their distance has to be at least {exact_number(reach)}"
+                f"their distance has to be at least {exact_number(reach)}{diameters}"
             )
 
 

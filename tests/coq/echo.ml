@@ -34,7 +34,7 @@ let () =
       let b = Buffer.create 999 in
       let found = unhex (input_line stdin) in
       let digest () = text (hexadecimal (sha256 (bytes found))) in
-      print_string ((if String.length found < 1000 then digest () else "-") ^ " ");
+      print_string ((if String.length found < 250 then digest () else "-") ^ " ");
       (match document (bytes found) with
        | Some value -> written b value; print_string (hex (Buffer.contents b))
        | None -> print_char '-');

@@ -1,6 +1,7 @@
 """What `.ci/coq` has compiled, asked of Coq at once.
 
-    python -m tests.coq.everything DIRECTORY     # writes Everything.v and Printed.v there
+    python -m tests.coq.everything DIRECTORY --certificates    # a file each; prints it, its folder
+    python -m tests.coq.everything DIRECTORY                   # writes Everything.v and Printed.v
 
 Everything.v has a definition for each committed certificate, whose type says that its statement is
 true: a file that proves something else, or nothing, stops it there. Printed.v prints the statements
@@ -12,11 +13,14 @@ from __future__ import annotations
 import json
 import sys
 import tomllib
+from collections.abc import Iterator
 from fractions import Fraction
 from pathlib import Path
 
 from tests.coq.closing import ROOT, module, unread
+from verify import check
 from verify.paper.in_coq import IN_COQ
+from verify.wire.coq.export import export
 
 #: What Theorem1.v says and Pinned.v says once more, each of them proved.
 SENTENCES = (
@@ -124,6 +128,16 @@ def folders() -> list[Path]:
     return [folder for folder in found if folder not in unread()]
 
 
+def exports(directory: Path) -> Iterator[tuple[str, str]]:
+    """The file of each folder, without suffix, and the folder; afterwards all these files exist."""
+    for folder in folders():
+        file = directory / f"{module(folder)}.v"
+        if not file.exists():
+            (read,) = check.read_folders([str(folder)])
+            file.write_text(export(read).rpartition("Print Assumptions")[0])
+        yield file.stem, f"certificates/{folder.relative_to(ROOT)}"
+
+
 def everything(folders: list[Path]) -> str:
     """The theorems about what is committed, one with another, and what they assume."""
     own = {module(folder): folder for folder in folders}
@@ -180,5 +194,9 @@ def printed(folders: list[Path]) -> str:
 
 if __name__ == "__main__":
     directory = Path(sys.argv[1])
+    if sys.argv[2:] == ["--certificates"]:
+        for names in exports(directory):
+            print(*names)
+        sys.exit()
     (directory / "Everything.v").write_text(everything(folders()))
     (directory / "Printed.v").write_text(printed(folders()))

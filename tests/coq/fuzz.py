@@ -130,7 +130,7 @@ def disagreements(program: str, found: list[bytes]) -> list[bytes]:
             same = ([json.loads(text)] if text else None) == wanted(data)
         except UnicodeDecodeError:
             same = False
-        known = sha256(data).hexdigest() if len(data) < 1000 else "-"
+        known = sha256(data).hexdigest() if len(data) < 250 else "-"
         if not same or digest != known:
             other.append(data)
     return other

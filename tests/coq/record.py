@@ -3,10 +3,10 @@
     python -m tests.coq.record DIRECTORY             # compared with what `.ci/coq` has just found
     python -m tests.coq.record DIRECTORY --write     # written
 
-DIRECTORY has the file ``checked``, a line for each certificate with its folder and the seconds it
-took; ``printed``, in which Coq prints the statements that it has proved; ``counts``, how many
-controls and lies were refused and accepted; and ``version``. Each printed statement has to say what
-``statement.json`` says, whose digest is then recorded. Times are for the reader, not compared.
+DIRECTORY has the file ``checked``, a line for each certificate with its folder; ``printed``, in
+which Coq prints the statements that it has proved; ``counts``, how many controls and lies were
+refused and accepted; and ``version``. Each printed statement has to say what ``statement.json``
+says, whose digest is then recorded.
 """
 
 from __future__ import annotations
@@ -46,41 +46,31 @@ def said_by_coq(folder: Path, printed: str, available: dict[str, bytes]) -> None
         raise AnotherError(f"{folder.name}: Coq has proved another statement")
 
 
-def in_order(line: list[str]) -> str:
-    """Folders are recorded in the order of the files in them."""
-    return f"{line[0]}/"
-
-
 def found(directory: Path) -> dict[str, Any]:
     """What the run has checked.
 
     Raises:
         AnotherError: if that is not every committed certificate that Coq can read.
     """
-    lines = [line.split() for line in (directory / "checked").read_text().splitlines()]
-    seconds = {ROOT / folder: int(number) for folder, number in sorted(lines, key=in_order)}
-    if sorted(ROOT / folder for folder, _ in lines) != folders():
+    lines = (directory / "checked").read_text().splitlines()
+    if sorted(ROOT / line for line in lines) != folders():
         raise AnotherError("a committed certificate was not checked, or twice")
-    statements = [(folder / "statement.json").read_bytes() for folder in seconds]
+    # In the order of the files in them.
+    in_order = sorted(folders(), key=lambda folder: f"{folder}/")
+    statements = [(folder / "statement.json").read_bytes() for folder in in_order]
     available = {sha256(data).hexdigest(): data for data in statements}
     printed = (directory / "printed").read_text()
     certificates = []
-    for folder, digest in zip(seconds, available, strict=True):
+    for folder, digest in zip(in_order, available, strict=True):
         said_by_coq(folder, printed, available)
         certificate = sha256((folder / "certificate.json").read_bytes()).hexdigest()
         certificates.append({
             "folder": str(folder.relative_to(ROOT)), "statement_sha256": digest,
-            "certificate_sha256": certificate, "seconds": seconds[folder],
+            "certificate_sha256": certificate,
         })  # fmt: skip
     counts = dict(line.split(": ") for line in (directory / "counts").read_text().splitlines())
     version = (directory / "version").read_text().strip()
     return {"format": 1, "coq": version, "counts": counts, "certificates": certificates}
-
-
-def without_times(record: dict[str, Any]) -> dict[str, Any]:
-    """What is compared."""
-    items = [{**item, "seconds": 0} for item in record["certificates"]]
-    return {**record, "certificates": items}
 
 
 def main(directory: Path, *, write: bool) -> int:
@@ -94,7 +84,7 @@ def main(directory: Path, *, write: bool) -> int:
         RECORD.write_text(json.dumps(record, indent=1) + "\n")
         return 0
     committed = json.loads(RECORD.read_text())
-    if without_times(committed) == without_times(record):
+    if committed == record:
         return 0
     print(
         f"{RECORD.relative_to(ROOT)} is not what Coq has checked: .ci/coq --record", file=sys.stderr

@@ -20,6 +20,7 @@ ALLOWED = (
     r"Fixpoint \w.*", r"Inductive \w.*", r"Record \w.*", r"Lemma \w.*", r"Theorem \w.*",
     r"Ltac \w.*", r"Proof", r"Qed", r"Defined", r"Check .*",
     r"Print Assumptions \w+",
+    r'Set Default Proof Using "All"',  # each lemma of a section takes all its hypotheses
 )  # fmt: skip
 #: What it may be in a section besides: it does not reach beyond.
 LOCAL = (r"(Variables?|Hypothesis|Let) \w.*", r"Context \{\w+ : \w+\}")

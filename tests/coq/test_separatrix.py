@@ -1,6 +1,6 @@
 """The page with the separatrix theorem in Coq can be read alone, and the theorem is what it says.
 
-That it is proved is for Coq to say: `verify/coq/build-separatrix`.
+That it is proved is for Coq to say: `verify/coq/build`.
 """
 
 from __future__ import annotations

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.coq.closing import module
 from tests.coq.decoding import PINNED, UNPROVED, VERDICTS
 from tests.coq.everything import everything, folders, printed
 from tests.coq.record import AnotherError, found, said_by_coq
@@ -103,9 +104,11 @@ def test_every_committed_certificate_is_asked_for() -> None:
     text = everything(folders())
     assert len(folders()) > 30
     for folder in folders():
-        name = re.sub("[^A-Za-z0-9]", "_", str(folder.relative_to(ROOT / "certificates")))
-        assert f" : Meaning.true_statement Checked_{name}.the_statement\n" in text
-        assert text.count(f"true_Checked_{name},") + text.count(f"true_Checked_{name})") == 1
+        name = module(folder)
+        assert f" : Meaning.true_statement {name}.the_statement\n" in text
+        assert text.count(f"true_{name},") + text.count(f"true_{name})") == 1
+    names = {re.sub("[^A-Za-z0-9]", "_", str(path)) for path in folders()}
+    assert len({*map(module, folders())}) == len(names) == len(folders())
     for name in ("Pinned.theorem_1", "Accepted.accepts_sound", "AcceptsFiles.accepts_beside_sound"):
         assert name in text
     assert text.endswith("Print Assumptions everything.\n")
@@ -139,11 +142,14 @@ def test_another_statement_than_that_of_the_file_is_seen() -> None:
 
 
 def test_a_certificate_that_was_not_checked_is_missed(tmp_path: Path) -> None:
-    lines = [f"{folder.relative_to(ROOT)} 1\n" for folder in folders()]
+    lines = [f"{folder.relative_to(ROOT)}\n" for folder in folders()]
     for some in ([], lines[1:], lines[:-1], [*lines, lines[-1]]):
         (tmp_path / "checked").write_text("".join(some))
         with pytest.raises(AnotherError, match="was not checked"):
             found(tmp_path)
+    (tmp_path / "checked").write_text("".join(lines))
+    with pytest.raises(FileNotFoundError, match="printed"):
+        found(tmp_path)
 
 
 def test_without_coq_nothing_is_said_to_be_checked(tmp_path: Path) -> None:

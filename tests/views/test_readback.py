@@ -6,6 +6,7 @@ import random
 import re
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 import pytest
@@ -19,7 +20,6 @@ from verify.views.setting import prose
 from verify.views.tex.formulas import Formulas
 from verify.views.tex.sentences import _SIGNS, words
 
-OUTCOMES = committed()
 LETTERS = {tex: sign for sign, tex in _SIGNS.items() if tex.startswith("\\")} | {r"\prime": "′"}
 TOKEN = re.compile(r"\\[A-Za-z]+ ?|\\.|\$|[{}_^]|.", re.DOTALL)
 
@@ -35,7 +35,9 @@ def sentences(outcome: Outcome) -> Iterator[str]:
     yield from (row.says for row in statement.obligations)
 
 
-SENTENCES = sorted({text for outcome in OUTCOMES for text in sentences(outcome)})
+@cache
+def committed_sentences() -> list[str]:
+    return sorted({text for outcome in committed() for text in sentences(outcome)})
 
 
 def in_line(text: str) -> str:
@@ -95,8 +97,8 @@ def plain(text: str) -> str:
 
 
 def test_every_committed_sentence_is_read_back() -> None:
-    assert len(SENTENCES) > 1000
-    for text in SENTENCES:
+    assert len(committed_sentences()) > 1000
+    for text in committed_sentences():
         assert plain(from_tex(words(text))) == plain(in_line(text)), text
 
 
@@ -106,7 +108,7 @@ SQUARED = re.compile(r"([α-ωA-Za-z])_(?:\{([^{}]*)\}|([A-Za-z]))([²³])")
 def test_a_power_after_an_index_is_of_the_letter() -> None:
     """η_c² is the square of η_c: no index is squared, in LaTeX and on the page."""
     found = 0
-    for text in SENTENCES:
+    for text in committed_sentences():
         for base, braced, word, power in SQUARED.findall(text):
             index, number = braced or word, {"²": "2", "³": "3"}[power]
             said = f"{base}_{{{index}}}^{{{number}}}"
@@ -318,7 +320,7 @@ def assert_reads(claim: Claim, choose: random.Random) -> None:
 def test_every_committed_claim_is_read_back() -> None:
     choose, found = random.Random(3), 0
     with mp.workdps(120):
-        for outcome in OUTCOMES:
+        for outcome in committed():
             for row in outcome.statement.obligations[:: 1 if len(outcome.rows) < 250 else 4]:
                 if isinstance(row.claim, Claim):
                     assert_reads(row.claim, choose)

@@ -4,6 +4,7 @@ From Coq Require Import Reals Arith Lra Lia Psatz.
 From Verify Require Import Separatrix SeparatrixOrder SeparatrixMain SeparatrixTopology.
 From Verify Require Import SeparatrixCurve SeparatrixProjective.
 Open Scope R_scope.
+Set Default Proof Using "All".
 
 Section Convex.
 Variables r a : R.

@@ -4,6 +4,7 @@ From Coq Require Import Reals Arith Lra Lia Psatz.
 From Coq Require ClassicalDedekindReals.
 From Verify Require Import Separatrix SeparatrixOrder SeparatrixMain SeparatrixTopology.
 Open Scope R_scope.
+Set Default Proof Using "All".
 
 (* A null sequence of positive numbers below 1. *)
 Definition fine (n : nat) : R := RinvN (S n).

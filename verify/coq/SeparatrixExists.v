@@ -3,6 +3,7 @@
 From Coq Require Import Reals Arith Lra Lia Psatz.
 From Verify Require Import Separatrix SeparatrixOrder SeparatrixMain SeparatrixTopology.
 Open Scope R_scope.
+Set Default Proof Using "All".
 
 Section Exists.
 Variables r a s : R.

@@ -3,6 +3,7 @@
 From Coq Require Import Reals Arith Lra Lia Psatz.
 From Verify Require Import Separatrix SeparatrixOrder.
 Open Scope R_scope.
+Set Default Proof Using "All".
 
 (* --- limits ----------------------------------------------------------------------------------- *)
 

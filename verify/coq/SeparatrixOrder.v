@@ -4,6 +4,7 @@
 From Coq Require Import Reals Arith Lra Lia Psatz.
 From Verify Require Import Separatrix.
 Open Scope R_scope.
+Set Default Proof Using "All".
 
 Definition h (v : R) := v * (2 - v).
 (* h of the next u, times the square of p. *)

@@ -3,6 +3,7 @@
    in the state, the step is projective. *)
 From Coq Require Import Reals Arith Lra Lia Psatz.
 Open Scope R_scope.
+Set Default Proof Using "All".
 
 (* The inequality behind it, a Cauchy-Schwarz inequality reversed. *)
 Lemma reversed (a v w k l t s : R) : 0 < a -> 0 < v <= w -> w <= a -> 0 <= t <= s -> s <= w ->

@@ -3,6 +3,7 @@
 From Coq Require Import Reals Arith Lra Lia Psatz.
 From Verify Require Import Separatrix SeparatrixOrder SeparatrixMain.
 Open Scope R_scope.
+Set Default Proof Using "All".
 
 Definition tends (X : nat -> state) (x : state) :=
   Un_cv (fun n => q (X n)) (q x) /\ Un_cv (fun n => u (X n)) (u x).

@@ -5,6 +5,7 @@ From Verify Require Import Separatrix SeparatrixOrder SeparatrixMain SeparatrixT
 From Verify Require Import SeparatrixExists SeparatrixCurve SeparatrixCycle SeparatrixProjective.
 From Verify Require Import SeparatrixConvex.
 Open Scope R_scope.
+Set Default Proof Using "All".
 
 Section Unique.
 Variables r a s : R.

@@ -31,13 +31,16 @@ let shown s =
   Buffer.contents b
 
 exception Unusable of string
+(* A longer text is no document; its digest, which is slow, is not asked for. *)
+let most_bytes = 1 lsl 22
+let is_short s = String.length s <= most_bytes
 let is_file path = try (Unix.stat path).Unix.st_kind = Unix.S_REG with Unix.Unix_error _ -> false
 let is_folder path = try Sys.is_directory path with Sys_error _ -> false
 let read_file path =
   if not (is_file path) then raise (Unusable (path ^ " is no file"));
   try
     let input = open_in_bin path in
-    let text = really_input_string input (min (in_channel_length input) (1 lsl 22 + 1)) in
+    let text = really_input_string input (min (in_channel_length input) (most_bytes + 1)) in
     close_in input; text
   with Sys_error why -> raise (Unusable why) | End_of_file -> raise (Unusable (path ^ " has changed"))
 
@@ -92,18 +95,21 @@ let limited f x =
 (* Statements by their digests; and the digests of their texts. *)
 type library = { found : (char list * char list) list; digests : (string, char list) Hashtbl.t }
 let library texts =
-  let found = by_digest (List.map bytes texts) and digests = Hashtbl.create 9 in
+  let texts = List.filter is_short texts and digests = Hashtbl.create 9 in
+  let found = by_digest (List.map bytes texts) in
   List.iter2 (fun s (digest, _) -> Hashtbl.replace digests s digest) texts found;
   { found; digests }
 let summary available digest = Option.bind (text_with available.found digest) summary_of
 
 let check available pair =
-  let digest = Hashtbl.find available.digests pair.statement_text in
+  let long = not (is_short pair.statement_text) in
+  let digest = if long then [] else Hashtbl.find available.digests pair.statement_text in
   let hash = text digest in
   let found () =
     accepts_beside available.found digest (bytes pair.certificate_text), summary available digest in
   let report verdict_ why names = { verdict_; why; hash; names } in
   let refused why names = report Refused_ why (Option.value names ~default:nothing_named) in
+  if long then report Malformed_ (Printf.sprintf "more than %d bytes" most_bytes) nothing_named else
   match limited found () with
   | Accepts _, Some names -> report Proved_ "" names
   | Refuses (Some (AtStep n)), names ->

@@ -217,10 +217,10 @@ class Story(Record):
 
 
 class CoqRecord(Record):
-    """The version of Coq, and for each folder the seconds it took; None if it was not checked."""
+    """The version of Coq, and for each folder whether Coq has checked it."""
 
     version: str
-    seconds: Mapping[str, int | None]
+    checked: Mapping[str, bool]
 
 
 class Whole(Record):

@@ -134,20 +134,14 @@ def packaged_certificate(digest: str) -> bytes:
 
 
 class Checked(Record):
-    """The version of Coq, and for each pair of statement and certificate the seconds it took."""
+    """The version of Coq, and the digests of each statement that it has checked, with its proof."""
 
     version: str
-    seconds: dict[tuple[str, str], int]
+    pairs: frozenset[tuple[str, str]]
 
-    def of(self, pairs: Iterable[Mapping[str, str]]) -> list[int | None]:
-        """For each pair the seconds, or none if Coq has not checked these very files.
-
-        A pair is given by the digests of its files.
-        """
-        return [
-            self.seconds.get((digests["statement.json"], digests["certificate.json"]))
-            for digests in pairs
-        ]
+    def has(self, digests: Mapping[str, str]) -> bool:
+        """Whether Coq has checked these very files, given by their digests."""
+        return (digests["statement.json"], digests["certificate.json"]) in self.pairs
 
 
 def checked() -> Checked:
@@ -156,10 +150,7 @@ def checked() -> Checked:
 
     with open(os.path.join(PACKAGED, "coq.json"), encoding="utf-8") as file:
         record = json.load(file)
-    return Checked(
-        record["coq"],
-        {
-            (item["statement_sha256"], item["certificate_sha256"]): item["seconds"]
-            for item in record["certificates"]
-        },
+    pairs = (
+        (item["statement_sha256"], item["certificate_sha256"]) for item in record["certificates"]
     )
+    return Checked(record["coq"], frozenset(pairs))

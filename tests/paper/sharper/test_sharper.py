@@ -15,6 +15,7 @@ from verify import check
 from verify.language.statement import NEEDED, PROVED, Applies, Cite, Context, Obligation, Statement
 from verify.language.terms import Claim, Term, as_term, sqrt
 from verify.paper.commands.sharper import decide_sharper
+from verify.paper.dynamics.carried import START
 from verify.paper.sharper import numbers, state
 from verify.paper.sharper.sharper import sharper
 from verify.prover import balls
@@ -309,7 +310,7 @@ def test_a_statement_cites_the_theorem() -> None:
 def verdict_of_scene(values: dict[str, Term]) -> str:
     """Whether the checker accepts that the theorem applies to these values."""
     theorem = write(decide_sharper())
-    applies = Applies(f"sharper:{numbers.CONTEXT}", values)
+    applies = Applies(f"sharper:{START}", values)
     row = Obligation("collapse", "", "", NEEDED, "the particles collapse", applies)
     cite = Cite("sharper", "sharper", theorem["statement.json"])
     statement = Statement("scene", "Three particles", {}, (), (), (row,), (), (cite,))

@@ -182,7 +182,7 @@ def claims_in(*contexts: str) -> dict[str, Claim]:
 @pytest.mark.parametrize("dimension", [2, 3, 4])
 def test_no_claim_is_violated_at_random_states(dimension: int) -> None:
     contexts = [c for c in step().statement.contexts if c.name == state.CONTEXT]
-    names = [*numbers.POINT, *state.following(), "t", "s"]
+    names = [*numbers.POINT, *state.carried.following, "t", "s"]
     claims = claims_in("parameters", state.CONTEXT, "before", "meanwhile")
     with balls.precision(BITS):
         draw, seen = Random(dimension, dimension), 0
@@ -201,13 +201,13 @@ def test_no_claim_is_violated_at_random_states(dimension: int) -> None:
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_orbits_from_the_initial_set_satisfy_all_conditions(dimension: int) -> None:
     contexts = [c for c in step().statement.contexts if c.name == state.CONTEXT]
-    names = [*numbers.POINT, *state.following()]
-    conditions = state.conditions()
+    names = [*numbers.POINT, *state.carried.following]
+    conditions = state.carried.conditions
     with balls.precision(4 * BITS):
         draw = Random(7, dimension)
         starting = checker([], claims_in(initial.CONTEXT), [*names, *initial.point])
         violated = checker(contexts, conditions, names)
-        following = state.following()
+        following = state.carried.following
         for _ in range(5):
             values = draw.start()
             assert values is not None

@@ -154,9 +154,8 @@ def plotted(everywhere: Outcome, depth: int) -> Plotted:
 
 
 def _checked_in_coq(folders: Iterable[CertifiedOutcome]) -> CoqRecord:
-    record, names = checked(), [folder.name for folder in folders]
-    seconds = record.of(folder.digests for folder in folders)
-    return CoqRecord(record.version, dict(zip(names, seconds, strict=True)))
+    record = checked()
+    return CoqRecord(record.version, {one.name: record.has(one.digests) for one in folders})
 
 
 def folder_names(directory: str) -> list[str]:

@@ -8,7 +8,6 @@ from fractions import Fraction
 from verify.language.argument import (
     ByRoot,
     Defined,
-    Factor,
     Item,
     Line,
     identity,
@@ -19,7 +18,8 @@ from verify.language.argument import (
     square,
     times,
 )
-from verify.language.terms import Term, equal, sqrt, substitute_claim
+from verify.language.terms import equal, sqrt, substitute_claim
+from verify.paper.dynamics.carried import start
 from verify.paper.dynamics.laws import (
     ANGLE,
     COMPONENTS,
@@ -61,18 +61,17 @@ from verify.paper.outside.numbers import (
     gain,
     half,
     ratio,
-    start,
     turning,
     w_0,
     w_1,
 )
 from verify.paper.outside.state import (
+    FOLLOWING,
     Q,
     Q_next,
     U,
     U_next,
-    at_next,
-    following,
+    carried,
     g,
     here,
     load,
@@ -111,18 +110,6 @@ def lines() -> Iterator[Item]:
     yield from _others()
 
 
-def next_condition(
-    name: str,
-    says: str,
-    *addends: Factor,
-    using: str = "",
-    equations: tuple[tuple[str, Term], ...] = (),
-) -> Line:
-    """A condition at the next state."""
-    return Line(f"next-{name}", at_next(name), proof(*addends, using=using, equations=equations),
-                says=says)  # fmt: skip
-
-
 def _angle() -> Iterator[Item]:
     """The turn of the angle until the next collision."""
     yield at_the_contact("impact-pair", "cs-impact")
@@ -151,7 +138,7 @@ def _angle() -> Iterator[Item]:
 
 
 def _next_angle() -> Iterator[Item]:
-    yield Line("next-angle", at_next("angle"),
+    yield Line("next-angle", carried.at_next("angle"),
                scaled(times("D-positive", "goal"), "turn-room", times("D-one", "angle-room"),
                       equations=(("turn", -ONE),)),
                says="-cos θ' stays below C₊ less the sum of all later changes")  # fmt: skip
@@ -182,7 +169,7 @@ def _map() -> Iterator[Item]:
         Line("next-closing",  0 < closing, proof("approaches-again", using="time-is root-is")),
         Line("closing-positive", 0 < D * y_next,
              proof("next-closing", equations=(("closing-law", ONE),))),
-        Line("next-Cnd1",     at_next("Cnd1"),
+        Line("next-Cnd1",     carried.at_next("Cnd1"),
              scaled(times("goal", "D-positive"), "closing-positive"), says="η_c' < 0"),
         Defined("pace"),
         Line("pace-law",      equal(pace, half * G * C_p * (1 - U) - Q - rho * U),
@@ -249,17 +236,17 @@ def _next_speeds() -> Iterator[Item]:
     most, least = "stays below the bound less", "stays above the bound and"
     rest = "the sum of all later changes"
     yield from (
-        next_condition("high-c", "w_s stays above the bound of |W_c'|", "high-s", SLOWER),
-        next_condition("high-s", "w_c stays above the bound of |W_s'|", "high-c", SLOWER),
-        next_condition("A-upper", f"|W_c'| {most} {rest}", "struck-most",
-                       times("half-short", plus("next-high-c", "high-s", hit))),
-        next_condition("B-upper", f"|W_s'| {most} {rest}", "A-upper", energy,
-                       times(SLOWER, plus("high-c", "next-high-s")),
-                       using="law-norm-s impact-speed"),
-        next_condition("A-lower", f"|W_c'| {least} {rest}", "struck-least",
-                       times("half-short", plus("struck-room", "v_s-positive", LATER))),
-        next_condition("B-lower", f"|W_s'| {least} {rest}", "left-least",
-                       times("impact-short", plus("left-room", "v_c-positive", LATER))),
+        carried.line("high-c", "w_s stays above the bound of |W_c'|", "high-s", SLOWER),
+        carried.line("high-s", "w_c stays above the bound of |W_s'|", "high-c", SLOWER),
+        carried.line("A-upper", f"|W_c'| {most} {rest}", "struck-most",
+                     times("half-short", plus("next-high-c", "high-s", hit))),
+        carried.line("B-upper", f"|W_s'| {most} {rest}", "A-upper", energy,
+                     times(SLOWER, plus("high-c", "next-high-s")),
+                     using="law-norm-s impact-speed"),
+        carried.line("A-lower", f"|W_c'| {least} {rest}", "struck-least",
+                     times("half-short", plus("struck-room", "v_s-positive", LATER))),
+        carried.line("B-lower", f"|W_s'| {least} {rest}", "left-least",
+                     times("impact-short", plus("left-room", "v_c-positive", LATER))),
         Line("next-A-above", v_s**2 <= A_next,
              proof("next-A-lower", times(LATER, plus(times(2, "v_s-positive"), LATER)))),
     )  # fmt: skip
@@ -273,7 +260,7 @@ def _next_point() -> Iterator[Item]:
     both = ("closing-law", D * y_next + closing)
     radicand = 1 - load / pace / pace
     pulled = times(square(v_s), "tau-positive")
-    root = substitute_claim(0 < root_of(frame), following())
+    root = substitute_claim(0 < root_of(frame), FOLLOWING)
     yield from (
         Line("spread-positive", 0 < spread,
              proof(times(2, "recedes", "tau-positive"),
@@ -293,12 +280,12 @@ def _next_point() -> Iterator[Item]:
         Defined("Q_next"),
         Line("Q-next-law",    equal(Q_next * pace, r * (1 - U)), identity("Q_next"), LABEL,
              "Q' = r(1-U)/P"),
-        Line("next-Q-least",  at_next("Q-least"),
+        Line("next-Q-least",  carried.at_next("Q-least"),
              scaled(times("goal", "pace-positive"), times("r-positive", "U-one"),
                     equations=(("Q-next-law", ONE),)), says="0 ≤ Q'"),
-        next_condition("recedes", "η_s' > 0: the pair that just met separates",
-                       times("r-positive", "impact-positive"), using="law-eta-s"),
-        Line("next-q-bound",  at_next("q-bound"),
+        carried.line("recedes", "η_s' > 0: the pair that just met separates",
+                     times("r-positive", "impact-positive"), using="law-eta-s"),
+        Line("next-q-bound",  carried.at_next("q-bound"),
              scaled(times("goal", "pace-positive"), times("r-positive", "order"),
                     times("r-positive", "d-positive", "Cnd1", "S-positive", "pace-positive"),
                     times("r-positive", "U-one", "next-Cnd1", "D-one"),
@@ -309,34 +296,34 @@ def _next_point() -> Iterator[Item]:
         Defined("U_next"),
         Line("U-next-law",    equal(U_next * (2 - U_next) * pace**2, load), identity("U_next"),
              LABEL, "1-(1-U')² = ρU(2Q+ρU)/P²"),
-        Line("next-U-one",    at_next("U-one"), proof("map-root", using="U_next"), says="U' < 1"),
-        Line("next-U-least",  at_next("U-least"),
+        carried.line("U-one", "U' < 1", "map-root", using="U_next"),
+        Line("next-U-least",  carried.at_next("U-least"),
              scaled(times("goal", plus("goal", 2), power("pace-positive", 2)), "load-least",
                     equations=(("U-next-law", ONE),)), says="0 ≤ U'"),
-        Line("next-u-bound",  at_next("u-bound"),
+        Line("next-u-bound",  carried.at_next("u-bound"),
              scaled(times("goal", power("pace-positive", 2)), times("load-least", faster),
                     times(power("pace-positive", 2), "spread-least"), using="d_next",
                     equations=(("U-next-law", -((D * y_next) ** 2)),
                                ("D-square", pace**2 * v_s**2))),
              says="u' ≥ U'"),
-        Line("next-Cnd3",     at_next("Cnd3"),
+        Line("next-Cnd3",     carried.at_next("Cnd3"),
              proof("next-meets", using="d_next", equations=(("D-square", -A_next), both)),
              says="ζ' < 1"),
         Line("next-root",     root, ByRoot()),
-        Line("next-root-sum", at_next("root-sum"), proof(1, "next-root")),
+        Line("next-root-sum", carried.at_next("root-sum"), proof(1, "next-root")),
     )  # fmt: skip
 
 
 def _others() -> Iterator[Item]:
     yield Line("kept-positive", 0 < kept, proof("recedes", using="kept"))
-    yield next_condition("Cnd2", "|η_c'| ≤ Λ^{n+1} η₀",
-                         times(HALF, "impact-positive", "C_next-one"), times(HALF, "impact-bound"),
-                         "kept-positive", "gained-positive", times("ratio-positive", "Cnd2"),
-                         using="normal-parts")  # fmt: skip
-    yield next_condition("g-bound", "Λ^{n+1} η₀ ≤ η₀", "g-bound",
-                         times("g-positive", "decay-positive"))  # fmt: skip
+    yield carried.line("Cnd2", "|η_c'| ≤ Λ^{n+1} η₀",
+                       times(HALF, "impact-positive", "C_next-one"), times(HALF, "impact-bound"),
+                       "kept-positive", "gained-positive", times("ratio-positive", "Cnd2"),
+                       using="normal-parts")  # fmt: skip
+    yield carried.line("g-bound", "Λ^{n+1} η₀ ≤ η₀", "g-bound",
+                       times("g-positive", "decay-positive"))  # fmt: skip
     for name, other in (("v_c-least", "v_s-least"), ("v_s-least", "v_c-least")):
-        yield Line(f"next-{name}", at_next(name), proof(other))
+        yield Line(f"next-{name}", carried.at_next(name), proof(other))
     for name in ("root-law", "time-law"):
-        yield Line(f"next-{name}", at_next(name), identity())
-    yield Line("next-w-sum", at_next("w-sum"), identity("", (("w-sum", ONE),)))
+        yield Line(f"next-{name}", carried.at_next(name), identity())
+    yield Line("next-w-sum", carried.at_next("w-sum"), identity("", (("w-sum", ONE),)))

@@ -18,9 +18,10 @@ from verify.language.argument import (
 )
 from verify.language.terms import as_term
 from verify.paper.dynamics import laws
+from verify.paper.dynamics.carried import start
 from verify.paper.dynamics.laws import DISTANCE, TIME, absolute
 from verify.paper.dynamics.state import A, B, S, a, d, tau, y, zeta
-from verify.paper.outside.numbers import G_POSITIVE, G, start, step, v
+from verify.paper.outside.numbers import G_POSITIVE, G, step, v
 from verify.paper.outside.state import U, g, rho, v_c, v_s, w_c, w_s
 from verify.paper.sandwich.comparison import LABEL
 

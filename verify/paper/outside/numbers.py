@@ -13,12 +13,11 @@ from fractions import Fraction
 
 from verify.language.argument import plus, times
 from verify.language.record import Record
-from verify.language.statement import Constant, Context, Given, Variable
-from verify.language.terms import Claim, Term, as_term, symbol
+from verify.language.statement import Context
+from verify.language.terms import Claim, Term, symbol
 from verify.language.vectors import Frame
+from verify.paper.dynamics.carried import Sum, start, starting
 from verify.paper.dynamics.state import (
-    LETTERS,
-    NAMES,
     inequalities,
     r,
     root_of,
@@ -27,7 +26,6 @@ from verify.paper.dynamics.state import (
 )
 from verify.paper.outside.floor import Step, step_of
 
-CONTEXT = "start"
 #: The pairs of vectors for which Cauchy-Schwarz is used.
 PAIRS = ("cs-s", "cs-c", "cs-a", "cs-impact", "cs-angle")
 
@@ -44,7 +42,6 @@ _NUMBERS = {
     "U_0": ("U₀", "U_0"),
 }
 G, v, v_0, v_1, w_0, w_1, C_p, Q_0, U_0 = map(symbol, list(_NUMBERS)[1:])
-start = Frame(*(symbol(f"{name}_start") for name in NAMES))
 
 half = (1 + r) / 2
 #: The speeds of approach fall by this factor at least, and the next time is at most `step` y.
@@ -54,7 +51,7 @@ step = G / v / v
 #: The sums over all later collisions, as constants of the context: of what a speed gains or loses,
 #: and of the changes of the angle, for each unit of the closing speed now.
 gain, turning = map(symbol, ("gain", "turning"))
-SUMS: Mapping[str, tuple[Term, Term]] = {
+SUMS: Mapping[str, Sum] = {
     "gain": (G, 1 - ratio),
     "turning": ((w_0 + w_1 + 2 * start.y) * step, 1 - ratio),
 }
@@ -169,23 +166,8 @@ GIVENS = {**ROOM, **ENTRY, **STATE}
 
 def context() -> Context:
     """The numbers and the state, with the sums over all later collisions."""
-    names = {f"{name}_start": _at_start(*LETTERS[name]) for name in NAMES}
     letters = {"gain": "G_V", "turning": "G_C"}
-    return Context(
-        CONTEXT,
-        tuple(Variable(name, *letter) for name, letter in (_NUMBERS | names).items()),
-        tuple(Given(name, claim) for name, claim in GIVENS.items()),
-        {name: as_term(Fraction(POINT[name])) for name in (*_NUMBERS, *names)},
-        says="a state just after a collision, with numbers that satisfy the inequalities",
-        constants=tuple(
-            Constant(name, letters[name], letters[name], "", over / under)
-            for name, (over, under) in SUMS.items()
-        ),
-    )
-
-
-def _at_start(letter: str, tex: str) -> tuple[str, str]:
-    return f"({letter})₀", f"({tex})_0"
+    return starting(_NUMBERS, GIVENS, POINT, SUMS, letters)
 
 
 HALF = times(Fraction(1, 2), plus(1, "r-positive"))

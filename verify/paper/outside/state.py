@@ -6,20 +6,19 @@ and bounds of the speeds of c and s from both sides.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from verify.language.argument import (
-    Defined,
     Item,
     Line,
-    Value,
     identity,
     plus,
     proof,
     times,
 )
-from verify.language.statement import Constant, Context, Given, Variable
-from verify.language.terms import Claim, Term, equal, sqrt, substitute, substitute_claim, symbol
+from verify.language.statement import Context, Given, Variable
+from verify.language.terms import Claim, Term, equal, substitute, symbol
+from verify.paper.dynamics.carried import START, Carried, followed, start, summed
 from verify.paper.dynamics.state import (
     CONTEXT,
     LETTERS,
@@ -28,7 +27,6 @@ from verify.paper.dynamics.state import (
     B,
     C,
     after_the_collision,
-    collision_map,
     d,
     eta_s,
     frame,
@@ -39,7 +37,6 @@ from verify.paper.dynamics.state import (
     y,
     zeta_of,
 )
-from verify.paper.outside import numbers
 from verify.paper.outside.numbers import (
     G_POSITIVE,
     HALF,
@@ -52,7 +49,6 @@ from verify.paper.outside.numbers import (
     gain,
     model,
     ratio,
-    start,
     turning,
     v,
     v_0,
@@ -62,7 +58,7 @@ from verify.paper.outside.numbers import (
 )
 from verify.paper.sandwich.comparison import LABEL
 
-CAUCHY_SCHWARZ, GOES_ON = "cauchy-schwarz", "goes-on"
+GOES_ON = "goes-on"
 
 _GHOSTS = {
     "time_here": ("τ", r"\tau"),
@@ -80,57 +76,48 @@ here = model(Q, U, w_c, v_s)
 rho, pace, load, Q_next, U_next = map(symbol, ("rho", "pace", "load", "Q_next", "U_next"))
 
 
-def conditions() -> dict[str, Claim]:
-    """What is carried from state to state."""
-    return {
-        "Cnd1": 0 < y,
-        "Cnd2": y <= g,
-        "g-bound": g <= start.y,
-        "d-positive": 0 < d,
-        "d-sum-positive": 0 < 1 + d,
-        "recedes": 0 < eta_s,
-        "Cnd3": 0 < 1 - zeta_of(frame),
-        "root-sum": 0 < 1 + root_of(frame),
-        "root-law": equal(root_here, root_of(frame)),
-        "time-law": equal(time_here, time_of(frame)),
-        "Q-least": 0 <= Q,
-        "U-least": 0 <= U,
-        "U-one": 0 < 1 - U,
-        "q-bound": Q * y <= eta_s,
-        "v_c-least": v <= v_c,
-        "v_s-least": v <= v_s,
-        "w-sum": equal(w_c + w_s, w_0 + w_1),
-        "u-bound": U * (2 - U) * (1 + d) ** 2 * y**2 <= d * (2 + d) * v_c**2,
-        "high-c": 0 < w_c - gain * g,
-        "high-s": 0 < w_s - gain * g,
-        "A-upper": A <= (w_c - gain * g) ** 2,
-        "B-upper": B <= (w_s - gain * g) ** 2,
-        "A-lower": (v_c + gain * g) ** 2 <= A,
-        "B-lower": (v_s + gain * g) ** 2 <= B,
-        "angle": C <= C_p - turning * g,
-    }
-
-
-def following() -> dict[str, Term]:
-    """The next state."""
-    after = after_the_collision()
-    return after | {
-        "time_here": substitute(time_of(frame), after),
-        "root_here": substitute(root_of(frame), after),
-        "g": ratio * g,
-        "Q": Q_next,
-        "U": U_next,
-        "v_c": v_s,
-        "v_s": v_c,
-        "w_c": w_s,
-        "w_s": w_c,
-    }
-
-
-def at_next(name: str) -> Claim:
-    """A condition at the next state."""
-    return substitute_claim(conditions()[name], following())
-
+#: What is carried from state to state.
+CONDITIONS: Mapping[str, Claim] = {
+    "Cnd1": 0 < y,
+    "Cnd2": y <= g,
+    "g-bound": g <= start.y,
+    "d-positive": 0 < d,
+    "d-sum-positive": 0 < 1 + d,
+    "recedes": 0 < eta_s,
+    "Cnd3": 0 < 1 - zeta_of(frame),
+    "root-sum": 0 < 1 + root_of(frame),
+    "root-law": equal(root_here, root_of(frame)),
+    "time-law": equal(time_here, time_of(frame)),
+    "Q-least": 0 <= Q,
+    "U-least": 0 <= U,
+    "U-one": 0 < 1 - U,
+    "q-bound": Q * y <= eta_s,
+    "v_c-least": v <= v_c,
+    "v_s-least": v <= v_s,
+    "w-sum": equal(w_c + w_s, w_0 + w_1),
+    "u-bound": U * (2 - U) * (1 + d) ** 2 * y**2 <= d * (2 + d) * v_c**2,
+    "high-c": 0 < w_c - gain * g,
+    "high-s": 0 < w_s - gain * g,
+    "A-upper": A <= (w_c - gain * g) ** 2,
+    "B-upper": B <= (w_s - gain * g) ** 2,
+    "A-lower": (v_c + gain * g) ** 2 <= A,
+    "B-lower": (v_s + gain * g) ** 2 <= B,
+    "angle": C <= C_p - turning * g,
+}
+_after = after_the_collision()
+#: The next state.
+FOLLOWING: Mapping[str, Term] = _after | {
+    "time_here": substitute(time_of(frame), _after),
+    "root_here": substitute(root_of(frame), _after),
+    "g": ratio * g,
+    "Q": Q_next,
+    "U": U_next,
+    "v_c": v_s,
+    "v_s": v_c,
+    "w_c": w_s,
+    "w_s": w_c,
+}
+carried = Carried(CONDITIONS, FOLLOWING)
 
 #: Where the recursion starts.
 beginning: dict[str, Term] = start._asdict() | {
@@ -146,40 +133,21 @@ beginning: dict[str, Term] = start._asdict() | {
 }
 
 
-def standing() -> Iterator[Given]:
-    """What is assumed of every state: that it is one of vectors, and that the run goes on."""
-    for name, claim in inequalities(frame, time_of(frame), PAIRS).items():
-        yield Given(name, claim, "standing", CAUCHY_SCHWARZ)
-    later = again(frame, time_here, root_here)
-    yield Given("approaches-again", later.approaches, "standing", GOES_ON)
-    yield Given("meets-again", later.meets, "standing", GOES_ON)
-
-
 def context() -> Context:
     """The states that satisfy the conditions, and have two collisions more in turn."""
-    carried = (Given(name, claim, "carried") for name, claim in conditions().items())
-    more = {
-        "rho": ("ρ", r"\rho", (v_s / w_c) ** 2),
-        "pace": ("P", "P", here.P),
-        "load": ("L", "L", here.load),
-        "Q_next": ("Q'", "Q'", r * (1 - U) / pace),
-        "U_next": ("U'", "U'", 1 - sqrt(1 - load / pace / pace)),
-    }
+    standing = inequalities(frame, time_of(frame), PAIRS)
+    later = again(frame, time_here, root_here)
+    goes_on = {"approaches-again": later.approaches, "meets-again": later.meets}
+    more = (Given(name, claim, "standing", GOES_ON) for name, claim in goes_on.items())
     letters = LETTERS | _GHOSTS
     return Context(
         CONTEXT,
         tuple(Variable(name, *letters[name]) for name in (*NAMES, *_GHOSTS)),
-        (*carried, *standing()),
+        (*carried.givens(standing), *more),
         beginning,
-        numbers.CONTEXT,
+        START,
         "a state just after a collision that satisfies the conditions, with two collisions more",
-        (
-            *collision_map(time_of(frame)),
-            *(
-                Constant(name, letter, tex, LABEL, term)
-                for name, (letter, tex, term) in more.items()
-            ),
-        ),
+        followed(LABEL, (v_s / w_c) ** 2, here.P, here.load, r, U),
     )
 
 
@@ -207,14 +175,14 @@ def begins(name: str) -> str:
 
 def lines() -> Iterator[Item]:
     """What follows from the numbers, and that the conditions hold at the start."""
-    claims = {name: substitute_claim(c, beginning) for name, c in conditions().items()}
+    claims = carried.at(beginning)
     yield from (
         Line("r-below-one",    0 < 1 - r,
              proof(times(2, "decay-positive"), times(2, HALF, "reach")),
              says="the inequalities imply r < 1"),
         Line("ratio-positive", 0 < ratio, proof(times(HALF, G_POSITIVE))),
     )  # fmt: skip
-    yield from _sum("gain", G_POSITIVE)
+    yield from summed("gain", SUMS, G_POSITIVE)
     for name, given in {
         "A-upper": "start-A-most",
         "B-upper": "start-B-most",
@@ -228,8 +196,8 @@ def lines() -> Iterator[Item]:
     for i in (0, 1):
         name = ("high-c", "high-s")[i]
         yield Line(f"w_{i}-positive", 0 < (w_0, w_1)[i], proof(f"start-{name}", gone))
-    yield from _sum("turning", times(plus("w_0-positive", "w_1-positive", times(2, "start-y")),
-                                     G_POSITIVE))  # fmt: skip
+    speeds = plus("w_0-positive", "w_1-positive", times(2, "start-y"))
+    yield from summed("turning", SUMS, times(speeds, G_POSITIVE))
     yield Line("start-angle", claims["angle"], proof("start-C", using="turning"))
     yield Line("angle-start", 0 <= C_p - turning * start.y, proof("start-C-room", using="turning"))
     for name in ("root-law", "time-law"):
@@ -239,14 +207,7 @@ def lines() -> Iterator[Item]:
     yield Line("start-w-sum", claims["w-sum"], identity())
 
 
-def _sum(name: str, positive: Value) -> Iterator[Item]:
-    over, under = SUMS[name]
-    yield Defined(name)
-    yield Line(f"{name}-sum", equal(symbol(name) * under, over), identity(name))
-    yield Line(f"{name}-positive", 0 < symbol(name), proof(positive, using=name))
-
-
 def opening() -> tuple[str, ...]:
     """Why the givens of a state hold at the start."""
     standing = (*PAIRS, "approaches-again", "meets-again")
-    return (*map(begins, conditions()), *(f"start-{name}" for name in standing))
+    return (*map(begins, CONDITIONS), *(f"start-{name}" for name in standing))

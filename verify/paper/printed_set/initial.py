@@ -19,6 +19,7 @@ from verify.language.argument import (
 )
 from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Claim, minimum, substitute_claim
+from verify.paper.dynamics.carried import start
 from verify.paper.dynamics.model import aligned
 from verify.paper.dynamics.state import LETTERS
 from verify.paper.everywhere import chart
@@ -27,7 +28,6 @@ from verify.paper.preliminaries import phi_minus
 from verify.paper.printed_set import numbers
 from verify.paper.printed_set.numbers import ETA, SLACK, Theta, V, k, of
 from verify.paper.sharper import numbers as sharper
-from verify.paper.sharper.numbers import start
 from verify.paper.step.initial import DATA
 
 CONTEXT = "initial"

@@ -8,11 +8,11 @@ from verify.language.argument import Item, Line
 from verify.language.statement import NEEDED, Applies, Cite, Obligation, Statement
 from verify.language.terms import symbol
 from verify.paper.assumptions import STEP_ASSUMPTIONS
+from verify.paper.dynamics.carried import START
 from verify.paper.everywhere import chart
 from verify.paper.groups import PRINTED
 from verify.paper.parameters import THEOREM
 from verify.paper.printed_set import initial, numbers
-from verify.paper.sharper import numbers as sharper
 from verify.paper.sharper.sharper import ASSUMPTIONS as CITED
 from verify.paper.sharper.sharper import NAME as SHARPER
 
@@ -41,7 +41,7 @@ def rows() -> Iterator[Obligation]:
     uses = tuple(assumption.name for assumption in ASSUMPTIONS)
     yield Obligation(COLLAPSE, PRINTED, THEOREM, NEEDED,
         "the sharper theorem applies to each state of the set: the particles collapse",
-        Applies(f"{SHARPER}:{sharper.CONTEXT}", at), uses, context=initial.CONTEXT)  # fmt: skip
+        Applies(f"{SHARPER}:{START}", at), uses, context=initial.CONTEXT)  # fmt: skip
 
 
 def _said(items: Iterable[Item], context: str) -> Iterator[Obligation]:

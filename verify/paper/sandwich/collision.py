@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from verify.language.argument import (
     ByRoot,
-    Factor,
     Item,
     Line,
     identity,
@@ -16,7 +15,8 @@ from verify.language.argument import (
     scaled,
     times,
 )
-from verify.language.terms import Term, as_term, substitute_claim
+from verify.language.terms import as_term, substitute_claim
+from verify.paper.dynamics.carried import start
 from verify.paper.dynamics.laws import (
     ANGLE,
     COMPONENTS,
@@ -59,17 +59,16 @@ from verify.paper.sandwich.numbers import (
     gain,
     half,
     ratio,
-    start,
     turning,
     w_0,
     w_1,
 )
 from verify.paper.sandwich.orbit import PUSH
 from verify.paper.sandwich.state import (
+    FOLLOWING,
     U,
-    at_next,
+    carried,
     clock,
-    following,
     g,
     load,
     pace,
@@ -93,18 +92,6 @@ def lines() -> Iterator[Item]:
     yield from _ratio()
     yield from _next_u()
     yield from _others()
-
-
-def next_condition(
-    name: str,
-    says: str,
-    *addends: Factor,
-    using: str = "",
-    equations: tuple[tuple[str, Term], ...] = (),
-) -> Line:
-    """A condition at the next state."""
-    return Line(f"next-{name}", at_next(name), proof(*addends, using=using, equations=equations),
-                says=says)  # fmt: skip
 
 
 SUM = plus("w_0-positive", "w_1-positive", "start-y")
@@ -148,9 +135,9 @@ def _angle() -> Iterator[Item]:
     )  # fmt: skip
     slower = times("turning-positive", "decay-positive", "Cnd2")
     for side in ("upper", "lower"):
-        yield next_condition(f"angle-{side}",
-                             "|(-cos θ) - C₀| stays below Θ less the sum of all later changes",
-                             f"angle-step-{side}", f"angle-{side}", "turned", slower)  # fmt: skip
+        yield carried.line(f"angle-{side}",
+                           "|(-cos θ) - C₀| stays below Θ less the sum of all later changes",
+                           f"angle-step-{side}", f"angle-{side}", "turned", slower)  # fmt: skip
     later = times("turning-positive", "ratio-positive", "g-positive")
     yield from (
         Line("C_next-least", C_0 - Theta <= C_next, proof("next-angle-lower", later)),
@@ -190,12 +177,12 @@ def _speeds() -> Iterator[Item]:
         Line("struck-room", high + half * impact <= struck,
              proof(times(HALF, "impact-bound"), times(HALF, G_POSITIVE, "Cnd2"),
                    equations=(("gain-sum", g),))),
-        next_condition("high-c", "w_s stays above the bound of |W_c'|", "high-s", slower),
-        next_condition("high-s", "w_c stays above the bound of |W_s'|", "high-c"),
-        next_condition("A-upper", "|W_c'| stays below w_s less the sum of all later changes",
+        carried.line("high-c", "w_s stays above the bound of |W_c'|", "high-s", slower),
+        carried.line("high-s", "w_c stays above the bound of |W_s'|", "high-c"),
+        carried.line("A-upper", "|W_c'| stays below w_s less the sum of all later changes",
              "struck-most",
              times("struck-room", plus("struck-room", times(2, plus("high-s", hit))))),
-        next_condition("B-upper", "|W_s'| stays below w_c less the sum of all later changes",
+        carried.line("B-upper", "|W_s'| stays below w_c less the sum of all later changes",
              "A-upper", energy, using="law-norm-s impact-speed"),
         Line("next-A-below", A_next <= w_s**2,
              proof("next-A-upper", times(later, plus("next-high-c", "w_s-positive")))),
@@ -220,16 +207,16 @@ def _ratio() -> Iterator[Item]:
                    slow, pushed,
                    using="normal-parts pace-law"), GROWTH,
              "√(1-ζ)/(1-U) ≤ (η_c'/η_c)/P: the step keeps the order"),
-        next_condition("Cnd1", "η_c' < 0", "next-pace", times("pace-positive", "Cnd1")),
-        next_condition("Cnd2", "|η_c'| ≤ Λ^{n+1} η₀",
+        carried.line("Cnd1", "η_c' < 0", "next-pace", times("pace-positive", "Cnd1")),
+        carried.line("Cnd2", "|η_c'| ≤ Λ^{n+1} η₀",
              times(HALF, "impact-positive", "C_next-one"), times(HALF, "impact-bound"),
              "kept-positive", "gained-positive", times("ratio-positive", "Cnd2"),
              using="normal-parts"),
-        next_condition("g-bound", "Λ^{n+1} η₀ ≤ η₀", "g-bound",
+        carried.line("g-bound", "Λ^{n+1} η₀ ≤ η₀", "g-bound",
              times("g-positive", "decay-positive")),
-        next_condition("recedes", "η_s' > 0: the pair that just met separates",
+        carried.line("recedes", "η_s' > 0: the pair that just met separates",
              times("r-positive", "impact-positive"), using="law-eta-s"),
-        Line("next-q-bound", at_next("q-bound"),
+        Line("next-q-bound", carried.at_next("q-bound"),
              scaled(times("goal", "pace-positive"),
                     times("r-positive", "d-sum-positive", "order"),
                     times("r-positive", "reach-here", "U-one", "next-Cnd1"),
@@ -243,7 +230,7 @@ def _next_u() -> Iterator[Item]:
     faster = times("next-pace", plus("next-pace", times(2, "pace-positive", "Cnd1")))
     further = times("next-d-positive", plus(2, "next-d-positive"))
     bent = times(power("next-d-sum-positive", 2), power("next-Cnd1", 2))
-    root = substitute_claim(0 < root_of(frame), following())
+    root = substitute_claim(0 < root_of(frame), FOLLOWING)
     pulled = times("B-below", power(times("w_s-positive", "tau-positive"), 2))
     yield from (
         Line("spread", w_s**2 * (D**2 - 1) <= load * y**2,
@@ -252,17 +239,17 @@ def _next_u() -> Iterator[Item]:
                    equations=(("D-square", -(w_s**2)),), using="load-law")),
         Line("next-spread", w_s**2 * (d_next * (2 + d_next)) <= load * y**2,
              proof("spread", using="d_next")),
-        Line("next-u-bound", at_next("u-bound"),
+        Line("next-u-bound", carried.at_next("u-bound"),
              scaled(times("goal", power("pace-positive", 2)),
                     times("next-spread", power("pace-positive", 2)), times("load-positive", faster),
                     times("load-positive", further, power("next-Cnd1", 2)),
                     equations=(("U-next-law", (1 + d_next) ** 2 * y_next**2),)),
              says="u' ≤ U'"),
-        Line("next-Cnd3", at_next("Cnd3"),
+        Line("next-Cnd3", carried.at_next("Cnd3"),
              proof("next-u-bound", times(further, "next-A-below"),
                    times(power("U-next-one", 2), bent)), says="ζ' < 1"),
         Line("next-root", root, ByRoot()),
-        Line("next-root-sum", at_next("root-sum"), proof(1, "next-root")),
+        Line("next-root-sum", carried.at_next("root-sum"), proof(1, "next-root")),
     )  # fmt: skip
 
 
@@ -270,10 +257,10 @@ def _others() -> Iterator[Item]:
     for name in ("w_c-positive", "w_c-least"):
         other = name.replace("w_c", "w_s")
         for one, source in ((name, other), (other, name)):
-            yield Line(f"next-{one}", at_next(one), proof(source))
-    yield Line("next-w-sum", at_next("w-sum"), identity("", (("w-sum", as_term(1)),)))
+            yield Line(f"next-{one}", carried.at_next(one), proof(source))
+    yield Line("next-w-sum", carried.at_next("w-sum"), identity("", (("w-sum", as_term(1)),)))
     v2 = power("w_b-positive", 2)
-    yield Line("next-clock-bound", at_next("clock-bound"),
+    yield Line("next-clock-bound", carried.at_next("clock-bound"),
                scaled(times("goal", v2), times("clock-bound", v2), "time",
                       times("duration-positive", "decay-positive", "Cnd2", v2),
                       equations=(("duration-sum", y),)),

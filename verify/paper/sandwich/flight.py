@@ -25,6 +25,7 @@ from verify.language.terms import as_term, equal
 from verify.language.vectors import add, omega_c, omega_s, scale
 from verify.paper.dynamics import laws
 from verify.paper.dynamics.apart import colliding, contexts, opened, spectator, t
+from verify.paper.dynamics.carried import start
 from verify.paper.dynamics.laws import DISTANCE, TIME, absolute
 from verify.paper.dynamics.state import (
     A,
@@ -46,7 +47,7 @@ from verify.paper.dynamics.state import (
 )
 from verify.paper.parameters import THEOREM
 from verify.paper.sandwich.comparison import LABEL
-from verify.paper.sandwich.numbers import G_POSITIVE, HALF, G, U_b, start, step, w_b
+from verify.paper.sandwich.numbers import G_POSITIVE, HALF, G, U_b, step, w_b
 from verify.paper.sandwich.state import Q, U, g, rho, w_c, w_s
 
 GROWN = times("gain-positive", "g-positive")

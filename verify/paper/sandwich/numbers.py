@@ -12,13 +12,11 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from verify.language.argument import plus, times
-from verify.language.statement import Constant, Context, Given, Variable
-from verify.language.terms import Claim, Term, as_term, symbol
-from verify.language.vectors import Frame
-from verify.paper.dynamics.state import LETTERS, NAMES, r
+from verify.language.statement import Context
+from verify.language.terms import Claim, symbol
+from verify.paper.dynamics.carried import Sum, start, starting
+from verify.paper.dynamics.state import r
 from verify.paper.sandwich.comparison import Model
-
-CONTEXT = "start"
 
 _NUMBERS = {
     "r": ("r", "r"),
@@ -33,7 +31,6 @@ _NUMBERS = {
     "U_0": ("U₀", "U_0"),
 }
 G, w_b, w_0, w_1, U_b, C_0, Theta, Q_0, U_0 = map(symbol, list(_NUMBERS)[1:])
-start = Frame(*(symbol(f"{name}_start") for name in NAMES))
 
 half = (1 + r) / 2
 #: The speeds of approach fall by this factor at least.
@@ -44,7 +41,7 @@ step = G * U_b / w_b / w_b
 #: The sums over all later collisions, as constants of the context: of what a speed gains if it is
 #: that of s now, of the times, and of the changes of the angle.
 gain, duration, turning = map(symbol, ("gain", "duration", "turning"))
-SUMS: Mapping[str, tuple[Term, Term]] = {
+SUMS: Mapping[str, Sum] = {
     "gain": (half * G, 1 - ratio**2),
     "duration": (step, 1 - ratio),
     "turning": ((w_0 + w_1 + start.y) * step, 1 - ratio),
@@ -121,23 +118,8 @@ POINT: Mapping[str, str] = {
 
 def context() -> Context:
     """The numbers and the state, with the sums over all later collisions."""
-    names = {f"{name}_start": _at_start(*LETTERS[name]) for name in NAMES}
     letters = {"gain": "G_V", "duration": "G_T", "turning": "G_C"}
-    return Context(
-        CONTEXT,
-        tuple(Variable(name, *letter) for name, letter in (_NUMBERS | names).items()),
-        tuple(Given(name, claim) for name, claim in GIVENS.items()),
-        {name: as_term(Fraction(POINT[name])) for name in (*_NUMBERS, *names)},
-        says="a state just after a collision, with numbers that satisfy the inequalities",
-        constants=tuple(
-            Constant(name, letters[name], letters[name], "", over / under)
-            for name, (over, under) in SUMS.items()
-        ),
-    )
-
-
-def _at_start(letter: str, tex: str) -> tuple[str, str]:
-    return f"({letter})₀", f"({tex})_0"
+    return starting(_NUMBERS, GIVENS, POINT, SUMS, letters)
 
 
 HALF = times(Fraction(1, 2), plus(1, "r-positive"))

@@ -24,7 +24,7 @@ from verify.paper.sandwich.state import (
     Q_next,
     U,
     U_next,
-    at_next,
+    carried,
     load,
     pace,
     rho,
@@ -63,7 +63,7 @@ def lines() -> Iterator[Item]:
         Line("U-next-law", equal(U_next * (2 - U_next) * pace**2, load),
              identity("U_next"), LABEL, "1-(1-U')² = ρU(2Q+ρU)/P²"),
         Line("U-next-one", 0 < 1 - U_next, proof("map-root", using="U_next")),
-        Line("next-U-bound", at_next("U-bound"),
+        Line("next-U-bound", carried.at_next("U-bound"),
              scaled(times("goal", both), "meets-here", equations=(("U-next-law", as_term(-1)),)),
              says="U' ≤ U*"),
     )  # fmt: skip

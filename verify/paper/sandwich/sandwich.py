@@ -8,10 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 
-from verify.language.argument import Argument, ByInduction, Chapter, Line, Opened, argue
-from verify.language.statement import Always, Assumption
+from verify.language.argument import Argument, Chapter, Opened, argue
+from verify.language.statement import Assumption
 from verify.paper.assumptions import BOUNDED_MONOTONE, GLUE_NEXT, HARD_SPHERES
 from verify.paper.dynamics import model
+from verify.paper.dynamics.carried import START
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
 from verify.paper.sandwich import collision, comparison, exact, flight, numbers, orbit, state
@@ -75,20 +76,13 @@ def _chapters() -> Iterator[Chapter]:
     yield from comparison.chapters()
     yield Chapter(None, (Opened(numbers.context()), *model.spaces()))
     yield from model.chapters(state.PAIRS)
-    yield Chapter(numbers.CONTEXT, (*state.lines(), Opened(state.context(), state.opening())))
+    yield Chapter(START, (*state.lines(), Opened(state.context(), state.opening())))
     yield Chapter(
         CONTEXT,
         (*flight.sizes(), *orbit.lines(), *flight.lines(), *collision.lines(),
          *collision.conclusion()),
     )  # fmt: skip
     yield from flight.apart()
-    yield Chapter(numbers.CONTEXT, (_always(),))
-
-
-def _always() -> Line:
-    names = tuple(state.conditions())
-    return Line("always", Always(CONTEXT, state.beginning, state.following()),
-                ByInduction(tuple(map(state.begins, names)),
-                            tuple(f"next-{name}" for name in names)), THEOREM,
-                "by induction on n all conditions hold after the n-th collision, for every n",
-                tuple(assumption.name for assumption in ASSUMPTIONS))  # fmt: skip
+    premises = map(state.begins, state.CONDITIONS)
+    always = state.carried.always(state.beginning, premises, ASSUMPTIONS)
+    yield Chapter(START, (always,))

@@ -7,15 +7,13 @@ components.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from verify.language.argument import (
     ByInstance,
     ByRoot,
-    Defined,
     Item,
     Line,
-    Value,
     identity,
     plus,
     power,
@@ -23,8 +21,9 @@ from verify.language.argument import (
     scaled,
     times,
 )
-from verify.language.statement import Constant, Context, Given, Variable
-from verify.language.terms import Claim, Term, as_term, equal, sqrt, substitute_claim, symbol
+from verify.language.statement import Context, Given, Variable
+from verify.language.terms import Claim, Term, as_term, equal, substitute_claim, symbol
+from verify.paper.dynamics.carried import START, Carried, followed, start, summed
 from verify.paper.dynamics.model import PLANE, aligned
 from verify.paper.dynamics.state import (
     CONTEXT,
@@ -34,7 +33,6 @@ from verify.paper.dynamics.state import (
     B,
     C,
     after_the_collision,
-    collision_map,
     d,
     eta_s,
     frame,
@@ -46,7 +44,6 @@ from verify.paper.dynamics.state import (
     y,
     zeta_of,
 )
-from verify.paper.sandwich import numbers
 from verify.paper.sandwich.comparison import LABEL as COMPARISON
 from verify.paper.sandwich.numbers import (
     C_0,
@@ -61,14 +58,13 @@ from verify.paper.sandwich.numbers import (
     gain,
     model,
     ratio,
-    start,
     turning,
     w_0,
     w_1,
     w_b,
 )
 
-CAUCHY_SCHWARZ, GOES_ON = "cauchy-schwarz", "comparison"
+GOES_ON = "comparison"
 #: The pairs of vectors for which Cauchy-Schwarz is used.
 PAIRS = ("cs-omega", "cs-s", "cs-c", "cs-a", "cs-b", "cs-w", "cs-impact", "cs-angle")
 
@@ -85,51 +81,42 @@ here = model.step(Q, U, w_c, w_s)
 rho, pace, load, Q_next, U_next = map(symbol, ("rho", "pace", "load", "Q_next", "U_next"))
 
 
-def conditions() -> dict[str, Claim]:
-    """What is carried from state to state."""
-    return {
-        "Cnd1": 0 < y,
-        "Cnd2": y <= g,
-        "g-bound": g <= start.y,
-        "d-positive": 0 < d,
-        "d-sum-positive": 0 < 1 + d,
-        "recedes": 0 < eta_s,
-        "Cnd3": 0 < 1 - zeta_of(frame),
-        "root-sum": 0 < 1 + root_of(frame),
-        "q-bound": eta_s <= Q * y,
-        "w_c-positive": 0 < w_c,
-        "w_s-positive": 0 < w_s,
-        "w_c-least": w_b <= w_c,
-        "w_s-least": w_b <= w_s,
-        "w-sum": equal(w_c + w_s, w_0 + w_1),
-        "u-bound": d * (2 + d) * w_c**2 <= U * (2 - U) * (1 + d) ** 2 * y**2,
-        "U-bound": U <= U_b,
-        "high-c": 0 < w_c - ratio * gain * g,
-        "high-s": 0 < w_s - gain * g,
-        "A-upper": A <= (w_c - ratio * gain * g) ** 2,
-        "B-upper": B <= (w_s - gain * g) ** 2,
-        "angle-upper": C - C_0 <= Theta - turning * g,
-        "angle-lower": C_0 - C <= Theta - turning * g,
-        "clock-bound": clock <= duration * (start.y - g),
-    }
-
-
-def following() -> dict[str, Term]:
-    """The next state."""
-    return after_the_collision() | {
-        "g": ratio * g,
-        "clock": clock + tau,
-        "Q": Q_next,
-        "U": U_next,
-        "w_c": w_s,
-        "w_s": w_c,
-    }
-
-
-def at_next(name: str) -> Claim:
-    """A condition at the next state."""
-    return substitute_claim(conditions()[name], following())
-
+#: What is carried from state to state.
+CONDITIONS: Mapping[str, Claim] = {
+    "Cnd1": 0 < y,
+    "Cnd2": y <= g,
+    "g-bound": g <= start.y,
+    "d-positive": 0 < d,
+    "d-sum-positive": 0 < 1 + d,
+    "recedes": 0 < eta_s,
+    "Cnd3": 0 < 1 - zeta_of(frame),
+    "root-sum": 0 < 1 + root_of(frame),
+    "q-bound": eta_s <= Q * y,
+    "w_c-positive": 0 < w_c,
+    "w_s-positive": 0 < w_s,
+    "w_c-least": w_b <= w_c,
+    "w_s-least": w_b <= w_s,
+    "w-sum": equal(w_c + w_s, w_0 + w_1),
+    "u-bound": d * (2 + d) * w_c**2 <= U * (2 - U) * (1 + d) ** 2 * y**2,
+    "U-bound": U <= U_b,
+    "high-c": 0 < w_c - ratio * gain * g,
+    "high-s": 0 < w_s - gain * g,
+    "A-upper": A <= (w_c - ratio * gain * g) ** 2,
+    "B-upper": B <= (w_s - gain * g) ** 2,
+    "angle-upper": C - C_0 <= Theta - turning * g,
+    "angle-lower": C_0 - C <= Theta - turning * g,
+    "clock-bound": clock <= duration * (start.y - g),
+}
+#: The next state.
+FOLLOWING: Mapping[str, Term] = after_the_collision() | {
+    "g": ratio * g,
+    "clock": clock + tau,
+    "Q": Q_next,
+    "U": U_next,
+    "w_c": w_s,
+    "w_s": w_c,
+}
+carried = Carried(CONDITIONS, FOLLOWING)
 
 _ghosts: dict[str, Term] = {
     "g": start.y,
@@ -147,39 +134,20 @@ point_frame = aligned(start.y, start.eta_s, C_0, start.A, start.B, start.d)
 point: dict[str, Term] = point_frame._asdict() | _ghosts
 
 
-def standing() -> Iterator[Given]:
-    """What is assumed of every state: that it is one of vectors, and that the map goes on."""
-    for name, claim in inequalities(frame, time_of(frame), PAIRS).items():
-        yield Given(name, claim, "standing", CAUCHY_SCHWARZ)
-    yield Given("approaches", here.approaches, "standing", GOES_ON)
-    yield Given("meets", here.meets, "standing", GOES_ON)
-
-
 def context() -> Context:
     """The states that satisfy the conditions."""
-    carried = (Given(name, claim, "carried") for name, claim in conditions().items())
-    more = {
-        "rho": ("ρ", r"\rho", model.rho(w_c, w_s)),
-        "pace": ("P", "P", here.P),
-        "load": ("L", "L", here.load),
-        "Q_next": ("Q'", "Q'", model.share * (1 - U) / pace),
-        "U_next": ("U'", "U'", 1 - sqrt(1 - load / pace / pace)),
-    }
+    standing = inequalities(frame, time_of(frame), PAIRS)
+    goes_on = {"approaches": here.approaches, "meets": here.meets}
+    more = (Given(name, claim, "standing", GOES_ON) for name, claim in goes_on.items())
     letters = LETTERS | _GHOSTS
     return Context(
         CONTEXT,
         tuple(Variable(name, *letters[name]) for name in (*NAMES, *_GHOSTS)),
-        (*carried, *standing()),
+        (*carried.givens(standing), *more),
         point,
-        numbers.CONTEXT,
+        START,
         "a state just after a collision that satisfies the conditions",
-        (
-            *collision_map(time_of(frame)),
-            *(
-                Constant(name, letter, tex, COMPARISON, term)
-                for name, (letter, tex, term) in more.items()
-            ),
-        ),
+        followed(COMPARISON, model.rho(w_c, w_s), here.P, here.load, model.share, U),
     )
 
 
@@ -210,7 +178,7 @@ def at_point(name: str) -> str:
 
 def lines() -> Iterator[Item]:
     """What follows from the numbers, and that the conditions hold at the start."""
-    claims = {name: substitute_claim(c, beginning) for name, c in conditions().items()}
+    claims = carried.at(beginning)
     yield from (
         Line("r-below-one",    0 < 1 - r,
              proof(times(2, "decay-positive"), times(2, HALF, "reach")),
@@ -218,7 +186,7 @@ def lines() -> Iterator[Item]:
         Line("ratio-positive", 0 < ratio, proof(times(HALF, G_POSITIVE))),
         Line("start-d-sum-positive", 0 < 1 + start.d, proof(1, "start-d")),
     )  # fmt: skip
-    yield from _sum("gain", times(HALF, G_POSITIVE))
+    yield from summed("gain", SUMS, times(HALF, G_POSITIVE))
     for name, given in {
         "A-upper": "start-A-most",
         "B-upper": "start-B-most",
@@ -227,9 +195,9 @@ def lines() -> Iterator[Item]:
     }.items():
         yield Line(f"start-{name}", claims[name], proof(given, using="gain"))
     yield from _signs()
-    yield from _sum("duration", times(G_POSITIVE, "U_b-positive"))
+    yield from summed("duration", SUMS, times(G_POSITIVE, "U_b-positive"))
     speeds = plus("w_0-positive", "w_1-positive", "start-y")
-    yield from _sum("turning", times(speeds, G_POSITIVE, "U_b-positive"))
+    yield from summed("turning", SUMS, times(speeds, G_POSITIVE, "U_b-positive"))
     for side in ("upper", "lower"):
         yield Line(f"start-angle-{side}", claims[f"angle-{side}"],
                    proof(f"start-C-{side}", using="turning"))  # fmt: skip
@@ -238,13 +206,6 @@ def lines() -> Iterator[Item]:
     yield Line("start-w-sum", claims["w-sum"], identity())
     yield from _root(claims)
     yield from _at_the_point()
-
-
-def _sum(name: str, positive: Value) -> Iterator[Item]:
-    over, under = SUMS[name]
-    yield Defined(name)
-    yield Line(f"{name}-sum", equal(symbol(name) * under, over), identity(name))
-    yield Line(f"{name}-positive", 0 < symbol(name), proof(positive, using=name))
 
 
 def _signs() -> Iterator[Item]:
@@ -274,7 +235,7 @@ def _root(claims: dict[str, Claim]) -> Iterator[Item]:
 
 def _at_the_point() -> Iterator[Item]:
     """The angle and the speeds leave room for vectors."""
-    claims = {name: substitute_claim(c, point) for name, c in conditions().items()}
+    claims = carried.at(point)
     yield Line("Theta-room", 0 <= Theta - turning * start.y,
                scaled(times(2, "goal"), "start-angle-upper", "start-angle-lower"))  # fmt: skip
     for side in ("upper", "lower"):
@@ -299,4 +260,4 @@ def _vectors() -> Iterator[Item]:
 def opening() -> tuple[str, ...]:
     """Why the givens of a state hold at the point."""
     vectors = (f"at-{name}" for name in PAIRS)
-    return (*map(at_point, conditions()), *vectors, "start-approaches", "start-meets")
+    return (*map(at_point, CONDITIONS), *vectors, "start-approaches", "start-meets")

@@ -21,6 +21,7 @@ from verify.language.argument import (
     times,
 )
 from verify.language.terms import equal, symbol
+from verify.paper.dynamics.carried import start
 from verify.paper.dynamics.state import r
 from verify.paper.sharper.numbers import (
     C_0,
@@ -38,7 +39,6 @@ from verify.paper.sharper.numbers import (
     m,
     ratio,
     root,
-    start,
     total,
 )
 

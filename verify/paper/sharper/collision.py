@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.argument import Factor, Item, Line, plus, power, proof, scaled, square, times
-from verify.language.terms import Term, as_term
+from verify.language.argument import Item, Line, plus, power, proof, scaled, square, times
+from verify.language.terms import as_term
 from verify.paper.dynamics.laws import (
     ANGLE,
     COMPONENTS,
@@ -23,7 +23,7 @@ from verify.paper.dynamics.laws import (
 from verify.paper.dynamics.state import A_next, C, C_next, y
 from verify.paper.sharper.bounds import HALF, REACH
 from verify.paper.sharper.numbers import C_0, T, Theta, V, k, reach, root
-from verify.paper.sharper.state import at_next, conditions, g, speed, speed_next
+from verify.paper.sharper.state import carried, g, speed, speed_next
 
 #: How far -cos theta can turn until the next collision.
 change = 2 * T * V * y + (k + T**2 * V**2) * y**2 + T * V * k * y**3
@@ -45,18 +45,6 @@ def lines() -> Iterator[Item]:
     yield from _angle()
     yield from _impact()
     yield from _speeds()
-
-
-def next_condition(
-    name: str,
-    says: str,
-    *addends: Factor,
-    using: str = "",
-    equations: tuple[tuple[str, Term], ...] = (),
-) -> Line:
-    """A condition at the next state."""
-    claim = at_next(conditions()[name])
-    return Line(f"next-{name}", claim, proof(*addends, using=using, equations=equations), says=says)
 
 
 def _turning() -> Iterator[Item]:
@@ -95,9 +83,9 @@ def _turning() -> Iterator[Item]:
 
 def _angle() -> Iterator[Item]:
     for side in ("upper", "lower"):
-        yield next_condition(f"angle-{side}",
-                             "|(-cos θ) - C₀| stays below Θ less the sum of all later changes",
-                             f"angle-step-{side}", f"angle-{side}", *TURNED, equations=SUMMED,
+        yield carried.line(f"angle-{side}",
+                           "|(-cos θ) - C₀| stays below Θ less the sum of all later changes",
+                           f"angle-step-{side}", f"angle-{side}", *TURNED, equations=SUMMED,
         )  # fmt: skip
     later = plus(
         *(
@@ -139,9 +127,9 @@ def _speeds() -> Iterator[Item]:
                    equations=(("gain-sum", g),))),
         Line("speed-grows", speed <= speed_next,
              proof(times("gain-positive", "decay-positive", "g-positive"))),
-        next_condition("A-upper", "|W_c'| stays below V less the sum of all later changes",
+        carried.line("A-upper", "|W_c'| stays below V less the sum of all later changes",
              "norm-c", times("speed-hit", struck)),
-        next_condition("B-upper", "|W_s'| stays below V less the sum of all later changes",
+        carried.line("B-upper", "|W_s'| stays below V less the sum of all later changes",
              "A-upper", times("r-below-one", plus(1, "r-positive"), power("impact-positive", 2)),
              times("speed-grows", plus("speed-grows", times(2, "speed-positive"))),
              using="law-norm-s impact-speed"),

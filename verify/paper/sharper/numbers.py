@@ -10,14 +10,11 @@ decide it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from fractions import Fraction
 
-from verify.language.statement import Constant, Context, Given, Variable
-from verify.language.terms import Claim, Term, as_term, symbol
-from verify.language.vectors import Frame
-from verify.paper.dynamics.state import LETTERS, NAMES, r
-
-CONTEXT = "start"
+from verify.language.statement import Context
+from verify.language.terms import Claim, Term, symbol
+from verify.paper.dynamics.carried import Sum, start, starting
+from verify.paper.dynamics.state import r
 
 _NUMBERS = {
     "r": ("r", "r"),
@@ -34,7 +31,6 @@ _NUMBERS = {
     "Theta": ("Θ", r"\Theta"),
 }
 m, p, X, Y, k, V, T, V_0, eta_0, C_0, Theta = map(symbol, list(_NUMBERS)[1:])
-start = Frame(*(symbol(f"{name}_start") for name in NAMES))
 
 half = (1 + r) / 2
 #: Bounds of -eta_c'/(-eta_c): the speeds of approach fall by the factor `ratio` at least.
@@ -50,7 +46,7 @@ jump = half * reach
 gain, turn_1, turn_2, turn_3, duration = map(
     symbol, ("gain", "turn_1", "turn_2", "turn_3", "duration")
 )
-SUMS: Mapping[str, tuple[Term, Term]] = {
+SUMS: Mapping[str, Sum] = {
     "gain": (jump, 1 - ratio),
     "turn_1": (2 * T * V, 1 - ratio),
     "turn_2": (k + T**2 * V**2, 1 - ratio**2),
@@ -132,20 +128,5 @@ POINT: Mapping[str, str] = {
 
 def context() -> Context:
     """The numbers and the state, with the sums over all later collisions."""
-    names = {f"{name}_start": _at_start(*LETTERS[name]) for name in NAMES}
     letters = {"gain": "G_V", "turn_1": "G_1", "turn_2": "G_2", "turn_3": "G_3", "duration": "G_T"}
-    return Context(
-        CONTEXT,
-        tuple(Variable(name, *letter) for name, letter in (_NUMBERS | names).items()),
-        tuple(Given(name, claim) for name, claim in GIVENS.items()),
-        {name: as_term(Fraction(POINT[name])) for name in (*_NUMBERS, *names)},
-        says="a state just after a collision, with numbers that satisfy the inequalities",
-        constants=tuple(
-            Constant(name, letters[name], letters[name], "", over / under)
-            for name, (over, under) in SUMS.items()
-        ),
-    )
-
-
-def _at_start(letter: str, tex: str) -> tuple[str, str]:
-    return f"({letter})₀", f"({tex})_0"
+    return starting(_NUMBERS, GIVENS, POINT, SUMS, letters)

@@ -13,7 +13,7 @@ from verify.paper.dynamics.laws import GAINED_UPPER, parts
 from verify.paper.dynamics.state import C, C_next, kept, y, y_next
 from verify.paper.parameters import THEOREM
 from verify.paper.sharper.bounds import HALF, REACH
-from verify.paper.sharper.collision import SUMMED, TURNED, next_condition
+from verify.paper.sharper.collision import SUMMED, TURNED
 from verify.paper.sharper.numbers import (
     C_0,
     Theta,
@@ -27,7 +27,7 @@ from verify.paper.sharper.numbers import (
     reach,
     total,
 )
-from verify.paper.sharper.state import clock, following, g, root_lines, zeta_small
+from verify.paper.sharper.state import FOLLOWING, carried, clock, g, root_lines, zeta_small
 
 GROWTH = "EQUATSS4.1Lien_x_n_&_y_n_"
 
@@ -64,31 +64,31 @@ def _sizes() -> Iterator[Item]:
     survives = times("least-ratio-positive", "Cnd1")
     longer = times("k-positive", "y-lower-bound", plus("next-Cnd1", survives))
     yield from (
-        next_condition("Cnd1",    "η_c' < 0", "y-lower-bound", survives),
-        next_condition("Cnd2",    "|η_c'| ≤ (p+Y)^{n+1} η₀", "y-upper-bound",
+        carried.line("Cnd1",    "η_c' < 0", "y-lower-bound", survives),
+        carried.line("Cnd2",    "|η_c'| ≤ (p+Y)^{n+1} η₀", "y-upper-bound",
              times("growth-positive", "Cnd2")),
-        next_condition("g-bound", "(p+Y)^{n+1} η₀ ≤ η₀", "g-bound",
+        carried.line("g-bound", "(p+Y)^{n+1} η₀ ≤ η₀", "g-bound",
              times("g-positive", "decay-positive")),
-        next_condition("d-small", "d' ≤ κη_c'²", "distance-slope", longer, using="d_next"),
+        carried.line("d-small", "d' ≤ κη_c'²", "distance-slope", longer, using="d_next"),
     )  # fmt: skip
 
 
 def _others() -> Iterator[Item]:
     yield from (
-        next_condition("recedes",     "η_s' > 0: the pair that just met separates",
+        carried.line("recedes",     "η_s' > 0: the pair that just met separates",
              times("r-positive", "impact-positive"), using="law-eta-s"),
-        next_condition("ratio-upper", "η_s'/(-η_c') ≤ m + X", times("r-positive", "impact-bound"),
+        carried.line("ratio-upper", "η_s'/(-η_c') ≤ m + X", times("r-positive", "impact-bound"),
              times("Cnd1", "x-upper-room"), times("ratio-positive", "y-lower-bound"),
              using="law-eta-s"),
-        next_condition("ratio-lower", "η_s'/(-η_c') ≥ m - X", times("r-positive", "impact-least"),
+        carried.line("ratio-lower", "η_s'/(-η_c') ≥ m - X", times("r-positive", "impact-least"),
              times("Cnd1", "x-lower-room"), times("ratio-room", "y-upper-bound"),
              using="law-eta-s"),
     )  # fmt: skip
-    yield from root_lines("next-", following(), zeta_small("next-", "next-A-below"))
-    yield next_condition("clock-bound",
-                         "the time of the next collision is at most T(η₀ - (p+Y)^{n+1}η₀)/(1-p-Y)",
-                         "clock-bound", "time", times("T-positive", "Cnd2"),
-                         equations=(("duration-sum", g),))  # fmt: skip
+    yield from root_lines("next-", FOLLOWING, zeta_small("next-", "next-A-below"))
+    yield carried.line("clock-bound",
+                       "the time of the next collision is at most T(η₀ - (p+Y)^{n+1}η₀)/(1-p-Y)",
+                       "clock-bound", "time", times("T-positive", "Cnd2"),
+                       equations=(("duration-sum", g),))  # fmt: skip
 
 
 USES = ("bounded-monotone",)

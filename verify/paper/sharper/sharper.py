@@ -8,10 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 
-from verify.language.argument import Argument, ByInduction, Chapter, Line, Opened, argue
-from verify.language.statement import Always, Assumption
+from verify.language.argument import Argument, Chapter, Opened, argue
+from verify.language.statement import Assumption
 from verify.paper.assumptions import BOUNDED_MONOTONE, FINITE_LENGTH, GLUE_NEXT, HARD_SPHERES
 from verify.paper.dynamics import model
+from verify.paper.dynamics.carried import START
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
 from verify.paper.sharper import bounds, collision, flight, numbers, recursion, state
@@ -61,19 +62,12 @@ def _chapters() -> Iterator[Chapter]:
     yield Chapter(None, spaces)
     yield from model.chapters(state.PAIRS)
     yield Chapter(
-        numbers.CONTEXT, (*bounds.lines(), *state.lines(), Opened(state.context(), state.opening()))
+        START, (*bounds.lines(), *state.lines(), Opened(state.context(), state.opening()))
     )
     yield Chapter(
         CONTEXT, (*flight.lines(), *collision.lines(), *recursion.lines(), *recursion.conclusion())
     )
     yield from flight.apart()
-    yield Chapter(numbers.CONTEXT, (_always(),))
-
-
-def _always() -> Line:
-    conditions = state.conditions()
-    return Line("always", Always(CONTEXT, state.beginning, state.following()),
-                ByInduction(tuple(f"start-{name}" for name in conditions),
-                            tuple(f"next-{name}" for name in conditions)), THEOREM,
-                "by induction on n all conditions hold after the n-th collision, for every n",
-                tuple(assumption.name for assumption in ASSUMPTIONS))  # fmt: skip
+    premises = (f"start-{name}" for name in state.CONDITIONS)
+    always = state.carried.always(state.beginning, premises, ASSUMPTIONS)
+    yield Chapter(START, (always,))

@@ -19,8 +19,9 @@ from verify.language.argument import (
     square,
     times,
 )
-from verify.language.statement import Context, Given, Variable
+from verify.language.statement import Context, Variable
 from verify.language.terms import Claim, Term, as_term, substitute_claim, symbol
+from verify.paper.dynamics.carried import START, Carried, start
 from verify.paper.dynamics.model import PLANE, aligned
 from verify.paper.dynamics.state import (
     CONTEXT,
@@ -41,7 +42,6 @@ from verify.paper.dynamics.state import (
     y,
     zeta_of,
 )
-from verify.paper.sharper import numbers
 from verify.paper.sharper.numbers import (
     C_0,
     V_0,
@@ -54,11 +54,9 @@ from verify.paper.sharper.numbers import (
     k,
     m,
     ratio,
-    start,
     total,
 )
 
-CAUCHY_SCHWARZ = "cauchy-schwarz"
 #: The pairs of vectors for which Cauchy-Schwarz is used.
 PAIRS = ("cs-omega", "cs-s", "cs-c", "cs-a", "cs-b", "cs-w", "cs-apart", "cs-impact")
 
@@ -68,37 +66,28 @@ speed = V - gain * g
 speed_next = V - gain * (ratio * g)
 
 
-def conditions() -> dict[str, Claim]:
-    """What is carried from state to state."""
-    return {
-        "Cnd1": 0 < y,
-        "Cnd2": y <= g,
-        "g-bound": g <= eta_0,
-        "d-positive": 0 < d,
-        "d-small": d <= k * y**2,
-        "d-sum-positive": 0 < 1 + d,
-        "recedes": 0 < eta_s,
-        "ratio-upper": eta_s <= (m + X) * y,
-        "ratio-lower": (m - X) * y <= eta_s,
-        "Cnd3": 0 < 1 - zeta_of(frame),
-        "root-sum": 0 < 1 + root_of(frame),
-        "A-upper": A <= speed**2,
-        "B-upper": B <= speed**2,
-        "angle-upper": C - C_0 <= Theta - total(g),
-        "angle-lower": C_0 - C <= Theta - total(g),
-        "clock-bound": clock <= duration * (eta_0 - g),
-    }
-
-
-def following() -> dict[str, Term]:
-    """The next state."""
-    return after_the_collision() | {"g": ratio * g, "clock": clock + tau}
-
-
-def at_next(claim: Claim) -> Claim:
-    """A claim about the state, said of the next one."""
-    return substitute_claim(claim, following())
-
+#: What is carried from state to state.
+CONDITIONS: Mapping[str, Claim] = {
+    "Cnd1": 0 < y,
+    "Cnd2": y <= g,
+    "g-bound": g <= eta_0,
+    "d-positive": 0 < d,
+    "d-small": d <= k * y**2,
+    "d-sum-positive": 0 < 1 + d,
+    "recedes": 0 < eta_s,
+    "ratio-upper": eta_s <= (m + X) * y,
+    "ratio-lower": (m - X) * y <= eta_s,
+    "Cnd3": 0 < 1 - zeta_of(frame),
+    "root-sum": 0 < 1 + root_of(frame),
+    "A-upper": A <= speed**2,
+    "B-upper": B <= speed**2,
+    "angle-upper": C - C_0 <= Theta - total(g),
+    "angle-lower": C_0 - C <= Theta - total(g),
+    "clock-bound": clock <= duration * (eta_0 - g),
+}
+#: The next state.
+FOLLOWING: Mapping[str, Term] = after_the_collision() | {"g": ratio * g, "clock": clock + tau}
+carried = Carried(CONDITIONS, FOLLOWING)
 
 #: Where the recursion starts.
 beginning: dict[str, Term] = start._asdict() | {"g": eta_0, "clock": as_term(0)}
@@ -110,18 +99,14 @@ point: dict[str, Term] = point_frame._asdict() | {"g": eta_0, "clock": as_term(0
 
 def context() -> Context:
     """The states that satisfy the conditions."""
-    carried = (Given(name, claim, "carried") for name, claim in conditions().items())
-    standing = (
-        Given(name, claim, "standing", CAUCHY_SCHWARZ)
-        for name, claim in inequalities(frame, time_of(frame), PAIRS).items()
-    )
+    standing = inequalities(frame, time_of(frame), PAIRS)
     letters = {**LETTERS, "g": ("(p+Y)ⁿη₀", r"(p+Y)^n\eta_0"), "clock": ("t_n", "t_n")}
     return Context(
         CONTEXT,
         tuple(Variable(name, *letters[name]) for name in (*NAMES, "g", "clock")),
-        (*carried, *standing),
+        tuple(carried.givens(standing)),
         point,
-        numbers.CONTEXT,
+        START,
         "a state just after a collision that satisfies the conditions",
         collision_map(time_of(frame)),
     )
@@ -145,7 +130,7 @@ def root_lines(prefix: str, values: Mapping[str, Term], reason: Value) -> Iterat
     """Zeta < 1 for these values, and so there is a root; given why zeta <= 2 k V^2."""
     names = "start-" if prefix == "at-" else prefix
     room = times(power(f"{names}d-sum-positive", 2), power(f"{names}Cnd1", 2), "zeta-room")
-    claims = {name: substitute_claim(c, values) for name, c in conditions().items()}
+    claims = carried.at(values)
     root = substitute_claim(0 < root_of(frame), values)
     yield Line(f"{prefix}Cnd3", claims["Cnd3"], proof(reason, room), says="ζ < 1")
     yield Line(f"{prefix}root", root, ByRoot())
@@ -154,7 +139,7 @@ def root_lines(prefix: str, values: Mapping[str, Term], reason: Value) -> Iterat
 
 def lines() -> Iterator[Item]:
     """First at the start, then at the point."""
-    claims = {name: substitute_claim(c, beginning) for name, c in conditions().items()}
+    claims = carried.at(beginning)
     faster = times("speed-least", plus("speed-least", times(2, "V_0-positive")))
     more = times("V-above", plus("V-above", times(2, "V_0-positive")))
     says = "the condition holds for n = 0"
@@ -176,7 +161,7 @@ def lines() -> Iterator[Item]:
 
 
 def _at_the_point(faster: Value) -> Iterator[Item]:
-    claims = {name: substitute_claim(c, point) for name, c in conditions().items()}
+    claims = carried.at(point)
     for name in ("A-upper", "B-upper"):
         yield Line(f"at-{name}", claims[name], proof(faster))
     for name in ("angle-upper", "angle-lower"):
@@ -204,5 +189,5 @@ def _vectors() -> Iterator[Item]:
 
 def opening() -> tuple[str, ...]:
     """Why the givens of a state hold at the point."""
-    carried = (f"at-{n}" if n in OWN else f"start-{n}" for n in conditions())
-    return (*carried, *(f"at-{name}" for name in PAIRS))
+    conditions = (f"at-{n}" if n in OWN else f"start-{n}" for n in CONDITIONS)
+    return (*conditions, *(f"at-{name}" for name in PAIRS))

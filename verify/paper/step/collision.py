@@ -23,7 +23,7 @@ from verify.paper.dynamics.state import A, A_next, B, B_next, C, C_next, D, d, e
 from verify.paper.step.flight import SHIFT, below_speed
 from verify.paper.step.numbers import c as limit
 from verify.paper.step.numbers import eighth, speed
-from verify.paper.step.state import at_next, conditions
+from verify.paper.step.state import carried
 
 
 def lines() -> Iterator[Item]:
@@ -140,5 +140,4 @@ def _norms() -> Iterator[Item]:
 
 def next_condition(name: str, label: str, says: str, *addends: Factor, using: str = "") -> Line:
     """A condition of the recursion at the next state."""
-    return Line(f"next-{name}", at_next(conditions()[name]), proof(*addends, using=using),
-                label, says)  # fmt: skip
+    return carried.line(name, says, *addends, label=label, using=using)

@@ -21,6 +21,7 @@ from verify.language.argument import (
 from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Claim, as_term, minimum, substitute_claim, symbol
 from verify.language.vectors import Frame
+from verify.paper.dynamics.carried import CAUCHY_SCHWARZ
 from verify.paper.dynamics.model import PLANE, aligned
 from verify.paper.dynamics.state import inequalities, tau_of
 from verify.paper.step import numbers, state
@@ -92,7 +93,7 @@ def premise(condition: str) -> str:
 
 
 def _at_start(condition: str, *addends: Factor) -> Line:
-    claim = substitute_claim(state.conditions()[condition], start)
+    claim = substitute_claim(state.carried.conditions[condition], start)
     says = "the condition holds for n = 0"
     return Line(f"start-{condition}", claim, proof(*addends), _LABELS.get(condition, DATA), says)
 
@@ -222,9 +223,9 @@ def _vectors_exist() -> Iterator[Item]:
     reason_c = proof("set-eta_c", times(Fraction(3, 4), eta2), norm)
     reason_s = proof("set-eta_s", less, more, norm)
     angle = proof(times("angle-real", plus(1, "angle-obtuse")))
-    yield Line("at-angle", p.C**2 <= 1, angle, DATA, says, (state.CAUCHY_SCHWARZ,))
-    yield Line("room-c", p.y**2 < p.A, reason_c, DATA, says, (state.CAUCHY_SCHWARZ,))
-    yield Line("room-s", p.eta_s**2 < p.B, reason_s, DATA, says, (state.CAUCHY_SCHWARZ,))
+    yield Line("at-angle", p.C**2 <= 1, angle, DATA, says, (CAUCHY_SCHWARZ,))
+    yield Line("room-c", p.y**2 < p.A, reason_c, DATA, says, (CAUCHY_SCHWARZ,))
+    yield Line("room-s", p.eta_s**2 < p.B, reason_s, DATA, says, (CAUCHY_SCHWARZ,))
     yield Line("at-room-c", p.y**2 <= p.A, reason_c)
     yield Line("at-room-s", p.eta_s**2 <= p.B, reason_s)
 
@@ -232,7 +233,7 @@ def _vectors_exist() -> Iterator[Item]:
 def instances() -> Iterator[Item]:
     """The conditions of the recursion, and Cauchy-Schwarz, at the point."""
     premises = tuple(f"at-{name}" for name in GIVENS)
-    for name, claim in state.conditions().items():
+    for name, claim in state.carried.conditions.items():
         fact = premise(name)
         if fact not in GIVENS:
             at_point = substitute_claim(claim, state_point)
@@ -248,5 +249,5 @@ def instances() -> Iterator[Item]:
 
 def opening() -> tuple[str, ...]:
     """Why the givens of a state hold at the point."""
-    carried = tuple(f"at-{premise(name)}" for name in state.conditions())
+    carried = tuple(f"at-{premise(name)}" for name in state.carried.conditions)
     return carried + tuple(f"at-{name}" for name in state.PAIRS)

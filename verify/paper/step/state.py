@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from verify.language.statement import Context, Given, Variable
-from verify.language.terms import Claim, Term, substitute_claim, symbol
+from verify.language.statement import Context, Variable
+from verify.language.terms import Claim, Term, symbol
+from verify.paper.dynamics.carried import Carried
 from verify.paper.dynamics.state import (
     CONTEXT,
     LETTERS,
@@ -41,8 +42,6 @@ from verify.paper.step.numbers import (
     zeta_bar,
 )
 
-CAUCHY_SCHWARZ = "cauchy-schwarz"
-
 g, clock = symbol("g"), symbol("clock")
 
 #: The sum over all later collisions of what one of them changes, per unit of g.
@@ -55,7 +54,7 @@ time_sum = 2 / (V_0 * (1 - C_eta)) * zeta_bar
 PAIRS = ("cs-omega", "cs-s", "cs-c", "cs-a", "cs-b", "cs-w", "cs-outer", "cs-impact", "cs-angle")
 
 
-def conditions() -> dict[str, Claim]:
+def _conditions() -> dict[str, Claim]:
     """What is carried from state to state; g stands for C_eta^n eta_{c,0}, clock for the time."""
     spread = (1 - h_4 / 2) * delta_x * y
     room = drift - d - beta * g
@@ -85,16 +84,8 @@ def conditions() -> dict[str, Claim]:
     }
 
 
-def following() -> dict[str, Term]:
-    """The next state: the particles have exchanged their roles."""
-    return after_the_collision() | {"g": C_eta * g, "clock": clock + tau}
-
-
-def at_next(claim: Claim) -> Claim:
-    """A claim about the state, said of the next one."""
-    return substitute_claim(claim, following())
-
-
+#: What is carried from state to state, and the next state.
+carried = Carried(_conditions(), after_the_collision() | {"g": C_eta * g, "clock": clock + tau})
 _LETTERS = LETTERS | {"g": ("C_ηⁿ|η_{c,0}|", r"C_\eta^n|\eta_{c,0}|"), "clock": ("t_n", "t_n")}
 
 
@@ -105,15 +96,11 @@ def variables() -> tuple[Variable, ...]:
 
 def context(parent: str, point: Mapping[str, Term]) -> Context:
     """The states that satisfy the conditions of the recursion."""
-    carried = (Given(name, claim, "carried") for name, claim in conditions().items())
-    standing = (
-        Given(name, claim, "standing", CAUCHY_SCHWARZ)
-        for name, claim in inequalities(frame, tau_of(frame), PAIRS).items()
-    )
+    standing = inequalities(frame, tau_of(frame), PAIRS)
     return Context(
         CONTEXT,
         variables(),
-        (*carried, *standing),
+        tuple(carried.givens(standing)),
         point,
         parent,
         "a state just after a collision that satisfies the conditions of the recursion",

@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 
-from verify.language.argument import Argument, ByInduction, Chapter, Item, Line, Opened, argue
-from verify.language.statement import Always
+from verify.language.argument import Argument, Chapter, Item, Opened, argue
 from verify.paper.assumptions import STEP_ASSUMPTIONS
 from verify.paper.dynamics import model
 from verify.paper.dynamics.state import CONTEXT
-from verify.paper.parameters import THEOREM
 from verify.paper.step import collision, flight, initial, numbers, recursion, state
 
 TITLE = (
@@ -42,13 +40,6 @@ def chapters() -> Iterator[Chapter]:
         CONTEXT, (*flight.lines(), *collision.lines(), *recursion.lines(), *recursion.conclusion())
     )
     yield from flight.apart()
-    yield Chapter(initial.CONTEXT, (_always(),))
-
-
-def _always() -> Line:
-    conditions = state.conditions()
-    return Line("always", Always(CONTEXT, initial.start, state.following()),
-                ByInduction(tuple(initial.premise(name) for name in conditions),
-                            tuple(f"next-{name}" for name in conditions)), THEOREM,
-                "by induction on n all conditions hold after the n-th collision, for every n",
-                tuple(assumption.name for assumption in STEP_ASSUMPTIONS))  # fmt: skip
+    premises = map(initial.premise, state.carried.conditions)
+    always = state.carried.always(initial.start, premises, STEP_ASSUMPTIONS)
+    yield Chapter(initial.CONTEXT, (always,))

@@ -313,15 +313,15 @@ def _content(material: Material) -> dict[str, Any]:
 
 def checked_in_coq(material: Material) -> str:
     """All, or how many and which not: a file that has changed since is not counted."""
-    times = [second for second in material.coq.seconds.values() if second is not None]
-    missing = [name for name, second in material.coq.seconds.items() if second is None]
-    number = f"{len(times)} of {len(material.coq.seconds)}" if missing else f"all {len(times)}"
+    checked = material.coq.checked
+    missing = [name for name, is_checked in checked.items() if not is_checked]
+    number = f"{sum(checked.values())} of {len(checked)}" if missing else f"all {len(checked)}"
     but = (
         f"; not {', '.join(missing)}, which it cannot read or which may have changed since"
         if missing
         else ""
     )
-    return f"accepted {number} certificates, with Coq {material.coq.version} in {sum(times)} s{but}"
+    return f"accepted {number} certificates, with Coq {material.coq.version}{but}"
 
 
 # --- the style sheet, and the font that the page brings along -------------------------------------

@@ -141,7 +141,10 @@ def _meant_key(odd: str, table: dict[str, Any]) -> str:
 def _decimal_comma(content: bytes) -> str | None:
     """The first line of the form ``r = 0,05``, with a point; None if there is none."""
     found = re.search(rb"^[ \t]*(\w+)[ \t]*=[ \t]*(-?\d+),(\d+)[ \t\r]*$", content, re.MULTILINE)
-    return None if found is None else b"%b = %b.%b".__mod__(found.groups()).decode()
+    if found is None:
+        return None
+    name, whole, digits = (part.decode() for part in found.groups())
+    return f"{name} = {whole}.{digits}"
 
 
 def _each(where: str, key: str, table: dict[str, Any]) -> tuple[Fraction, ...]:

@@ -136,6 +136,22 @@ def test_some_rows_are_decided_and_written(
     assert "there is no row 'r10'; did you mean r1?" in capsys.readouterr().err
 
 
+def test_a_certificate_of_more_rows_is_kept(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, out = written(tmp_path, with_rows(["<=", "0", "x"], ["<=", "0", "2"])), tmp_path / "out"
+    for words in (["--rows", "r0"], ["--rows", "r1"], [], ["--rows", "r0,r1"]):
+        assert main(["prove", path, *words, "--out", str(out)]) == 0
+    whole = (out / "certificate.json").read_bytes()
+    capsys.readouterr()
+    assert main(["prove", path, "--rows", "r1", "--out", str(out)]) == 2
+    assert "has a certificate of more rows ('r0'); leave --rows out" in capsys.readouterr().err
+    assert (out / "certificate.json").read_bytes() == whole
+    (out / "statement.json").write_text('{"theorem": "x"}')
+    assert main(["prove", path, "--rows", "r1", "--out", str(out)]) == 2
+    assert "is no statement; name a new folder" in capsys.readouterr().err
+
+
 def test_the_rows_of_a_chain_have_its_name(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

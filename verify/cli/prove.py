@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import sys
@@ -50,6 +51,8 @@ def run(options: Options) -> int:
     test_folder("--out", options.out, "statement.json", "certificate.json", "report.md")
     page = read_page_of(options.STATEMENT, content, cited)
     statement = _chosen(page.statement, options.rows)
+    if options.rows is not None and options.out is not None:
+        _keep_more(options.out, statement)
     steps = Steps(len(statement.obligations))
     budget = WorkBudget(work, _seconds(options.time), steps, catches=True)
     try:
@@ -88,6 +91,30 @@ def _chosen(statement: Statement, names: str | None) -> Statement:
     if all(row.role == PRINTED for row in rows):
         rows = tuple(row._replace(role=NEEDED) for row in rows)
     return statement._replace(obligations=rows)
+
+
+def _keep_more(directory: str, statement: Statement) -> None:
+    """Afterwards there is no certificate of this theorem that has all these rows and others.
+
+    Raises:
+        InputError: if there is, or if what lies there cannot be read.
+    """
+    path = os.path.join(directory, "statement.json")
+    if not os.path.exists(path):
+        return
+    try:
+        there = json.loads(read_bytes("--out", path))
+        names = [row["name"] for row in there["obligations"]]
+        theorem = there["theorem"]
+    except (ValueError, KeyError, TypeError, RecursionError) as error:
+        raise InputError(f"--out: {shown(path)} is no statement; name a new folder") from error
+    chosen = {row.name for row in statement.obligations}
+    others = [name for name in names if name not in chosen]
+    if theorem == statement.theorem and others and chosen <= {*names}:
+        raise InputError(
+            f"--out: {shown(directory)} has a certificate of more rows ({shown(str(others[0]))}); "
+            "leave --rows out, or name another folder"
+        )
 
 
 def _names_of(row: Obligation) -> set[str]:

@@ -187,7 +187,7 @@ def printed(folders: list[Path]) -> str:
         "Import ListNotations.",
         "Open Scope positive_scope.",
         "Set Printing Width 100000000. Set Printing Depth 100000000. Unset Printing Records.",
-        *(f"Print {name}.{part}." for name in names for part in PARTS),
+        *(f"Print Verify.{name}.{part}." for name in names for part in PARTS),
     ]
     return "\n".join([*lines, ""])
 

@@ -7,6 +7,7 @@ import json
 import subprocess
 import sys
 from collections import Counter
+from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -16,7 +17,9 @@ import jsonschema
 import pytest
 
 from verify import check
-from verify.cli import main
+from verify.cli import main, scene_folder
+from verify.cli.scene_folder import decide_file
+from verify.cli.unfinished import NAME
 
 ROOT = Path(__file__).resolve().parents[2]
 SCENES = ROOT / "certificates" / "scenes"
@@ -245,6 +248,89 @@ def test_a_folder_is_decided_anew(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert result.read_text() == honest
     (made / "passing.toml").write_text(GOOD)
     assert "passing.toml: collapses" in run(capsys, made, "--out", out)[1]
+
+
+def all_bytes(folder: Path) -> dict[str, bytes]:
+    return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
+
+
+class Interrupted:
+    """Decides so many scenes, and is interrupted then."""
+
+    def __init__(self, count: int) -> None:
+        self.names, self._count = list[str](), count
+
+    def __call__(self, *words: Any) -> dict[str, Any]:
+        if len(self.names) == self._count:
+            raise KeyboardInterrupt
+        self.names.append(words[-1])
+        return decide_file(*words)
+
+
+def go_on(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    *more: object,
+    between: Callable[[Path, Path], object] = lambda _, __: None,
+) -> list[str]:
+    """What a run decides after one that ended after two of four scenes; its files are right."""
+    made, out, table = folder(tmp_path), tmp_path / "out", tmp_path / "t.csv"
+    (made / "bad.toml").write_text(BAD["overlap"][0])
+    words = (made, "--csv", table)
+    monkeypatch.setattr(scene_folder, "decide_file", Interrupted(3))
+    assert run(capsys, *words, "--out", out)[0] == 130
+    assert not table.exists()
+    assert {path.name for path in out.iterdir()} == {"nearly-aligned", "passing", NAME}
+    between(made, out)
+    monkeypatch.setattr(scene_folder, "decide_file", again := Interrupted(9))
+    found = run(capsys, *words, "--out", out, *more)
+    monkeypatch.undo()
+    rows, files = table.read_text(), all_bytes(out)
+    assert found[:2] == run(capsys, *words, "--out", tmp_path / "whole", *more)[:2]
+    assert (rows, files) == (table.read_text(), all_bytes(tmp_path / "whole"))
+    return again.names
+
+
+def test_an_interrupted_folder_goes_on(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert go_on(tmp_path, capsys, monkeypatch) == ["bad.toml", "tie.toml"]
+
+
+def test_an_interrupted_folder_goes_on_in_json(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert go_on(tmp_path, capsys, monkeypatch, "--json") == ["bad.toml", "tie.toml"]
+
+
+def test_other_limits_begin_anew(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert len(go_on(tmp_path, capsys, monkeypatch, "--digits", 9)) == 4
+
+
+CHANGES: dict[str, Callable[[Path, Path], object]] = {
+    "another scene": lambda made, _: (made / "passing.toml").write_text(GOOD),
+    "another result": lambda _, out: (out / "passing" / "scene.json").write_text("{}"),
+    "a certificate that is gone": lambda _, out: (out / "passing" / "certificate.json").unlink(),
+    "another one cited": lambda _, out: [p.write_text("{}") for p in out.glob("passing/cited/*")],
+    "half a line": lambda _, out: (out / NAME).write_bytes((out / NAME).read_bytes()[:-9]),
+    "no line": lambda _, out: (out / NAME).write_text("[]\n{}\n7\nx"),
+}
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_what_is_not_whole_is_decided_anew(
+    change: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    again = go_on(tmp_path, capsys, monkeypatch, between=CHANGES[change])
+    kept = [] if change == "no line" else ["nearly-aligned.toml"]
+    every = ["bad.toml", "nearly-aligned.toml", "passing.toml", "tie.toml"]
+    assert again == [name for name in every if name not in kept]
 
 
 def test_the_drawing_is_whole(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable
+import sys
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
-from typing import Any
+from hashlib import sha256
 
 from verify.cli.files import print_document, read_bytes, write_file, write_folder
 from verify.cli.options import Options
 from verify.cli.scene_certificate import write_scene
 from verify.cli.steps import in_order, watched
 from verify.cli.terminal import show
+from verify.cli.unfinished import Result, Unfinished
 from verify.language.errors import OwnError
 from verify.spheres.scene.decide import Budget, decide_scene
 from verify.spheres.scene.scene_files import read_scene
@@ -27,8 +29,6 @@ ORDER = (5, 2, 3, 0)
 #: The file beside a certificate that says what was found.
 RESULT = "scene.json"
 
-Result = dict[str, Any]
-
 
 def run_folder(options: Options, limits: Budget, jobs: int) -> int:
     """Print one line for each scene; the exit code is that of the worst."""
@@ -40,8 +40,9 @@ def run_folder(options: Options, limits: Budget, jobs: int) -> int:
         raise InputError(f"scene: {shown(options.scene)} has no file that ends in .toml")
     wants_document = options.json or options.out is not None
     work = partial(decide_file, options.scene, options.out, limits, wants_document)
+    unfinished = Unfinished(options.scene, options.out, limits)
     results: list[Result] = []
-    for result in watched(in_order(work, names, jobs), len(names), apart=True):
+    for result in watched(_results(names, work, jobs, unfinished), len(names), apart=True):
         results.append(result)
         if not (options.json or options.csv):
             show([f"{result['file']}: {' '.join(result['lines'])}"], options, records=True)
@@ -53,7 +54,27 @@ def run_folder(options: Options, limits: Budget, jobs: int) -> int:
     if options.json:
         found = [{"file": result["file"], **result["document"]} for result in results]
         print_document({"format": FORMAT, "command": "scene", "scenes": found})
+    unfinished.end()
     return worst(int(result["code"]) for result in results)
+
+
+def _results(
+    names: Sequence[str], work: Callable[[str], Result], jobs: int, unfinished: Unfinished
+) -> Iterator[Result]:
+    """What is found about each file, in order; what an interrupted run has found is kept."""
+    kept = unfinished.kept
+    if kept:
+        print(
+            f"verify: {len(kept)} scenes are kept from a run that was interrupted", file=sys.stderr
+        )
+    new = in_order(work, [name for name in names if name not in kept], jobs)
+    for name in names:
+        if name in kept:
+            yield kept[name]
+        else:
+            result = next(new)
+            unfinished.add(result)
+            yield result
 
 
 def decide_file(
@@ -78,7 +99,8 @@ def _decide(
     folder: str, out: str | None, limits: Budget, wants_document: bool, name: str
 ) -> Result:
     path = os.path.join(folder, name)
-    found = decide_scene(read_scene(path, read_bytes("scene", path)), limits)
+    content = read_bytes("scene", path)
+    found = decide_scene(read_scene(path, content), limits)
     known = told(found)
     if not wants_document:
         return _without_document(name, known, judge_of(False))
@@ -90,7 +112,7 @@ def _decide(
     if missing:
         result = _result(name, known, missing)
         write_folder("--out", place, _beside(result))
-    return result
+    return result | {"scene": sha256(content).hexdigest()}
 
 
 def _result(name: str, known: Told, missing: str | None) -> Result:

@@ -114,6 +114,7 @@ def test_irrational_times_are_compared_exactly() -> None:
     assert found.event is not None
     low, high = balls.ends(balls.as_ball(found.event.time))
     assert (3 - low) ** 2 > Fraction(3, 4) > (3 - high) ** 2
+    assert ", at the time 2.1339745…;" in [*scene_lines(found)][-1]
     places[2] = (-3 - Fraction(1, 10**60), "1/2")
     assert decide_scene(scene("0.03", places, speeds)).collisions > 0
     other = [REST, (3, "1/2"), ("1/2", -3)]

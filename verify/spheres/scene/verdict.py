@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.prover.decimals import exact_number, outward
+from verify.prover.decimals import outward, short, told_number
 from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, Start, start_with
 from verify.spheres.flow.follow import name_of
 from verify.spheres.flow.law import Number
@@ -190,7 +190,7 @@ def scene_lines(found: Fate) -> Iterator[str]:
         )
     else:
         when = event_ends(found)
-        at = "" if when is None else f", at the time {both(when)}{unit}"
+        at = "" if when is None else f", at the time {_event_time(when)}{unit}"
         certain = f"certain: {count} collision{'' if count == 1 else 's'}"
         yield f"undecided: {found.reason}{at}; {certain}"
     if labels.length_unit:
@@ -199,10 +199,10 @@ def scene_lines(found: Fate) -> Iterator[str]:
         yield f"lengths are in diameters, each {unit}" if in_diameters else f"lengths are in {unit}"
 
 
-def both(ends: tuple[Fraction, Fraction]) -> str:
-    """A number that is known exactly as it is, and else between what it lies."""
+def _event_time(ends: tuple[Fraction, Fraction]) -> str:
+    """A number with those of its digits that are certain, a few of them."""
     low, high = ends
-    return exact_number(low) if low == high else "in [{}, {}]".format(*shown_ends(ends))
+    return told_number(low) if low == high else short(ends)
 
 
 def shown_ends(ends: tuple[Fraction, Fraction]) -> list[str]:

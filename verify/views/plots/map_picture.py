@@ -30,6 +30,8 @@ COLOURS = {"c": "#f7bb70", "d": "#2e6bb6", "u": "#111111", "f": "#8fb3dd"}
 #: The sides of the map and of the law beside it, in points.
 SIDE, LAW = 400, 260
 LEFT, TOP = 64, 40
+#: A vertical axis has its title so far above it, beside its last mark.
+TITLE = 10
 #: A picture of dots has 2^FINEST of them on a side.
 FINEST = 10
 
@@ -84,7 +86,7 @@ def _areas(progress: Progress, *, boxes: bool) -> Iterator[str]:
             yield _text(LEFT - 8, up + 4, exact_number(y_0 + share * (y_1 - y_0), 6), "end")
         yield f'<path d="{ticks}" stroke="#1c2128" fill="none"/>'
     yield _text(LEFT + SIDE // 2, low + 36, x_name, "middle")
-    yield _text(LEFT - 6, TOP - 6, y_name, "start")
+    yield _text(LEFT, TOP - TITLE, y_name, "start")
 
 
 def _box(progress: Progress, key: str) -> str:
@@ -138,7 +140,7 @@ def _law(law: Law) -> Iterator[str]:
 
     yield f'<rect x="{left}" y="{TOP}" width="{LAW}" height="{LAW}" fill="none" stroke="#8a929c"/>'
     for power in range(x_0, x_1 + 1):
-        yield _text(left + (power - x_0) * scale, low + 16, f"{10.0**power:g}", "middle")
+        yield _text(left + (power - x_0) * scale, low + 18, f"{10.0**power:g}", "middle")
     for power in range(y_0, y_1 + 1):
         height = low - (power - y_0) * scale + 4
         yield _text(left - 6, height, f"{10.0 ** (power + 2):g} %", "end")
@@ -149,7 +151,7 @@ def _law(law: Law) -> Iterator[str]:
     dots = " ".join(place(x, y) for x, y in points)
     yield f'<polyline points="{dots}" stroke="{COLOURS["d"]}" stroke-width="1.5" fill="none"/>'
     yield _text(left + LAW // 2, low + 36, "boxes looked at", "middle")
-    yield _text(left - 6, TOP - 6, "undecided share; dashes: slope -1", "start")
+    yield _text(left, TOP - TITLE, "undecided share; dashes: slope -1", "start")
 
 
 def png_map(progress: Progress) -> bytes:

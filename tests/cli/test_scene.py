@@ -91,7 +91,14 @@ BAD = {
     "infinite": (GOOD.replace("-1.006", "inf"), "'inf' is not an exact number"),
     "a-truth": (GOOD.replace("-1.006", "true"), "'True' is not a number"),
     "two-particles": (GOOD.replace(', ["501/500", 0]', ""), "positions: write three lists"),
-    "dimensions": (GOOD.replace("8e-2", "8e-2, 1"), "the vectors have 2, 3 coordinates"),
+    "dimensions": (
+        GOOD.replace("8e-2", "8e-2, 1").replace('"-0.1"', "0, 0, 0"),
+        "coordinates: the position of particle 2 has 3, the velocity of particle 2 has 4; write 2 ",
+    ),
+    "two-dimensions": (
+        "r = 0.1\npositions = [[0], [2], [4]]\nvelocities = [[0, 0], [2, 0], [4, 0]]\n",
+        "the position of particle 2 has 1, the velocity of particle 0 has 2, the velocity",
+    ),
     "no-dimension": (
         "r = 0.1\npositions = [[], [], []]\nvelocities = [[], [], []]\n",
         "the vectors have 0 coordinates",
@@ -101,6 +108,22 @@ BAD = {
     "unknown-e": (GOOD.replace("r =", "e ="), "'e' is not known (do you mean r?)"),
     "unlike-any": (GOOD + "xyz = 2\n", "'xyz' is not known; a parameter"),
     "comma": (GOOD.replace("0.03", "0,05"), "; write r = 0.05, with a decimal point"),
+    "percent": (GOOD.replace("0.03", "5%"), "; write r = 0.05"),
+    "percent-text": (
+        GOOD.replace("0.03", '"2.5 %"'),
+        "'2.5 %' is not an exact number; write 0.025",
+    ),
+    "unit": (
+        GOOD.replace("-1.006", '"2 cm"'),
+        "positions of particle 2: '2 cm' has a unit; write 2, with length_unit = \"cm\"",
+    ),
+    "speed": (
+        GOOD.replace("-1.4", '"-1.4 m/s"'),
+        'write -1.4, with length_unit = "m" and time_unit = "s"',
+    ),
+    "diameter-unit": (GOOD + 'diameter = "2mm"\n', 'write 2, with length_unit = "mm"'),
+    "radii-unit": (GOOD + 'radii = ["1 m", 1, 1]\n', 'write 1, with length_unit = "m"'),
+    "mass-unit": (GOOD + 'masses = ["1 kg", 1, 1]\n', "'1 kg' is not an exact number"),
     "angle": (GOOD.replace("-1.006", '"-1.5*cos(30°)"'), "write coordinates, not angles"),
     "diameter": (GOOD + 'diameter = "0"\n', "diameter: '0' is not positive"),
     "no-toml": ("r = = 1\n", "is no TOML file"),

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 from verify.language.terms import Term, as_term, cos, cos_pi
+from verify.prover.decimals import decimal_text, round_decimal
 
 #: Longer texts are refused before any arithmetic.
 MAX_LENGTH = 4000
@@ -85,9 +86,17 @@ def rational(option: str, text: str) -> Fraction:
 _TYPED = str.maketrans({",": ".", "−": "-", "–": "-", "\N{ZERO WIDTH NO-BREAK SPACE}": None})
 
 
+def hundredth(percent: str) -> str:
+    """The number that is so many percent, for a decimal with a few digits."""
+    return decimal_text(*round_decimal(Fraction(percent) / 100, 40, up=False))
+
+
 def _meant(text: str) -> str:
     """The number that was probably meant, or how numbers are written."""
     mended = text.translate(_TYPED).strip()
+    percent = re.fullmatch(r"([0-9]{1,9}(?:\.[0-9]{1,9})?) ?%", mended)
+    if percent:
+        return hundredth(percent[1])
     is_one = re.fullmatch(rf"(?=.*[0-9])(?:{_RATIONAL}|{_DECIMAL})", mended)
     return mended if is_one else "it like 0.03, 3/100 or 3e-2"
 

@@ -15,13 +15,15 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
 from verify.prover import balls
 from verify.prover.decimals import exact_number
 from verify.spheres.scene.scene import HALF, PAIRS, Bodies, Labels, Scene, coordinates
-from verify.wire.inputs import InputError, rational, regular_file, shown
+from verify.wire.inputs import InputError, hundredth, rational, regular_file, shown
 
 KEYS = ("r", "positions", "velocities")
 #: The diameter of the particles in the file's own unit of length; 1 without it.
@@ -33,6 +35,8 @@ OPTIONAL = (DIAMETER, MASSES, RADII)
 #: Texts that are told with a scene.
 LABELS = Labels._fields
 MAX_LABEL = 80
+#: A number with a unit of length, or of speed: ``2 cm``, ``0.5 m/s``.
+_QUANTITY = r"([+-]?[0-9]+(?:\.[0-9]+|/[0-9]+)?) ?((?!e[0-9]|pi|deg|rad)[a-zµμ]+)(?:/([a-z]+))?"
 MAX_DIMENSION = 20
 MAX_BYTES = 1 << 20
 
@@ -80,13 +84,8 @@ def scene_from(where: str, table: dict[str, Any]) -> Scene:
         unit, radii = 2 * radii[0], ()
     positions, velocities = (_rows(where, key, table, unit) for key in KEYS[1:])
     labels = _labels(where, table, None if radii else unit)
+    _same_dimension(where, {"position": positions, "velocity": velocities})
     scene = Scene(r, positions, velocities, labels, _bodies(masses, radii))
-    lengths = {len(row) for row in (*scene.positions, *scene.velocities)}
-    if len(lengths) > 1 or not 1 <= scene.dimension <= MAX_DIMENSION:
-        raise InputError(
-            f"{where}: the vectors have {', '.join(map(str, sorted(lengths)))} coordinates; write "
-            f"the same number for all, from 1 to {MAX_DIMENSION}"
-        )
     _apart(where, scene, unit)
     return scene
 
@@ -109,8 +108,7 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
     except (ValueError, RecursionError) as error:
         is_text = not isinstance(error, UnicodeDecodeError)
         why = " ".join(str(error).split()) if is_text else "it is not UTF-8"
-        comma = _decimal_comma(content) if is_text else None
-        meant = f"{comma}, with a decimal point" if comma else ", ".join(KEYS)
+        meant = (_meant_line(content) if is_text else None) or ", ".join(KEYS)
         raise InputError(f"{where}: is no TOML file ({why}); write {meant}") from error
     if "parameters" in table and not more:
         raise InputError(
@@ -138,13 +136,19 @@ def _meant_key(odd: str, table: dict[str, Any]) -> str:
     return f" (do you mean {meant[0]}?)" if meant else ""
 
 
-def _decimal_comma(content: bytes) -> str | None:
-    """The first line of the form ``r = 0,05``, with a point; None if there is none."""
-    found = re.search(rb"^[ \t]*(\w+)[ \t]*=[ \t]*(-?\d+),(\d+)[ \t\r]*$", content, re.MULTILINE)
-    if found is None:
-        return None
-    name, whole, digits = (part.decode() for part in found.groups())
-    return f"{name} = {whole}.{digits}"
+def _meant_line(content: bytes) -> str | None:
+    """The first line of the form ``r = 0,05`` or ``r = 5%``, as it was meant; None without one."""
+    comma, percent = (
+        re.search(rb"^[ \t]*(\w+)[ \t]*=[ \t]*" + number + rb"[ \t\r]*$", content, re.MULTILINE)
+        for number in (rb"(-?\d+),(\d+)", rb"(\d{1,9}(?:\.\d{1,9})?)[ \t]*%")
+    )
+    if comma is not None:
+        name, whole, digits = (part.decode() for part in comma.groups())
+        return f"{name} = {whole}.{digits}, with a decimal point"
+    if percent is not None:
+        name, number = (part.decode() for part in percent.groups())
+        return f"{name} = {hundredth(number)}"
+    return None
 
 
 def _each(where: str, key: str, table: dict[str, Any]) -> tuple[Fraction, ...]:
@@ -155,7 +159,8 @@ def _each(where: str, key: str, table: dict[str, Any]) -> tuple[Fraction, ...]:
     if not isinstance(given, list) or len(given) != 3:
         raise InputError(f'{where}: {key}: write one for each particle, like ["1", "2", "1"]')
     found = tuple(
-        number_in(f"{where}: {key} of particle {i}", value) for i, value in enumerate(given)
+        (number_in if key == MASSES else _with_unit)(f"{where}: {key} of particle {i}", value)
+        for i, value in enumerate(given)
     )
     for i, value in enumerate(found):
         if value <= 0:
@@ -189,7 +194,7 @@ def _labels(where: str, table: dict[str, Any], unit: Fraction | None) -> Labels:
 
 def _diameter(where: str, table: dict[str, Any]) -> Fraction:
     given = table.get(DIAMETER, 1)
-    unit = number_in(f"{where}: {DIAMETER}", given)
+    unit = _with_unit(f"{where}: {DIAMETER}", given)
     if unit <= 0:
         raise InputError(f"{where}: {DIAMETER}: {shown(str(given))} is not positive; write 0.02")
     return unit
@@ -213,7 +218,17 @@ def _coordinate(where: str, value: Any) -> Fraction:
             f"{where}: {shown(value)} is not a number; write coordinates, not angles; terms such "
             "as 2*h need a parameter below [parameters]"
         )
-    return number_in(where, value)
+    return _with_unit(where, value)
+
+
+def _with_unit(where: str, value: Any) -> Fraction:
+    """A number without its unit, which is said once for all numbers of the file."""
+    found = re.fullmatch(_QUANTITY, value) if isinstance(value, str) else None
+    if found is None:
+        return number_in(where, value)
+    units = zip(("length_unit", "time_unit"), found.groups()[1:], strict=True)
+    named = " and ".join(f'{key} = "{unit}"' for key, unit in units if unit)
+    raise InputError(f"{where}: {shown(value)} has a unit; write {found[1]}, with {named}")
 
 
 def number_in(where: str, value: Any) -> Fraction:
@@ -227,6 +242,29 @@ def number_in(where: str, value: Any) -> Fraction:
     if type(value) is int:
         return rational(where, str(value))
     raise InputError(f'{where}: {shown(str(value))} is not a number; write it like 0.03 or "3/100"')
+
+
+def _same_dimension(where: str, vectors: Mapping[str, Sequence[Sequence[Fraction]]]) -> None:
+    """Afterwards all vectors have the same number of coordinates, not too many, and at least one.
+
+    Those that have another number than most are named.
+    """
+    found = {
+        f"the {key} of particle {i}": len(row)
+        for key, rows in vectors.items()
+        for i, row in enumerate(rows)
+    }
+    ((usual, times),) = Counter(found.values()).most_common(1)
+    others = {name: length for name, length in found.items() if length != usual}
+    if others:
+        is_clear = times > len(others)
+        told = (f"{name} has {n}" for name, n in (others if is_clear else found).items())
+        advice = f"{usual} for each, like most have" if is_clear else "the same number for all"
+        raise InputError(f"{where}: numbers of coordinates: {', '.join(told)}; write {advice}")
+    if not 1 <= usual <= MAX_DIMENSION:
+        raise InputError(
+            f"{where}: the vectors have {usual} coordinates; write 1 to {MAX_DIMENSION} for each"
+        )
 
 
 def _apart(where: str, scene: Scene, unit: Fraction) -> None:

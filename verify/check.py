@@ -2336,9 +2336,19 @@ def check(
     need(found == digest, Malformed, "statement_sha256: found {}, expected {}", found, digest)
     kernel = Kernel()
     kernel.work = limit = MAX_WORK if work is None else work
-    kernel.spend(0, (len(first) + len(second)) // 8)
-    reader = Reader(kernel, available)
-    statement = reader.read(document)
+    try:
+        kernel.spend(0, (len(first) + len(second)) // 8)
+        reader = Reader(kernel, available)
+        return checked(reader, reader.read(document), certificate, digest, limit)
+    finally:
+        kernel.close()
+
+
+def checked(
+    reader: Reader, statement: Statement, certificate: dict[str, Any], digest: str, limit: int
+) -> Report:
+    """The report about a statement that has just been read, and its certificate."""
+    kernel = reader.kernel
     needed = [row for row in statement.rows.values() if row.role == "needed"]
     need(needed, Malformed, "obligations: found no needed row, which proves nothing")
     kernel.shared |= certificate["terms"]
@@ -2355,7 +2365,6 @@ def check(
         verdict, lines, summary(statement), digest, statement.cites, checking.rows(),
         statement.sentences, statement.printed(), limit - kernel.work,
     )  # fmt: skip
-    kernel.close()
     return refused(report, statement.title, checking.complaints)
 
 

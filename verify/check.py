@@ -269,7 +269,7 @@ class Kernel:
     def spend(self, bits: int, times: int = 1) -> None:
         """Count operations on numbers of so many bits; give up when it is too much."""
         self.work -= times * (2 + (bits >> 8) + (bits * bits >> 20))
-        need(self.work >= 0, Malformed, "found more work than the limit of {}", MAX_WORK)
+        need(self.work >= 0, Malformed, "found more work than the limit")
         need(bits <= MAX_SIZE, Malformed, "found a number of {} bits", bits)
 
     def node(self, op: str, subterms: Sequence[int], *rest: int) -> int:

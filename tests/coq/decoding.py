@@ -15,7 +15,17 @@ from pathlib import Path
 
 from tests.check.support import answer
 from tests.coq.closing import ROOT
-from tests.coq.tampering import SOURCES, Definition, Way, coqc, run, tried, written
+from tests.coq.tampering import (
+    SOURCES,
+    Definition,
+    Way,
+    changed,
+    coqc,
+    first_that_fails,
+    run,
+    tried,
+    written,
+)
 from tests.lies.lies import LIES
 
 #: What a statement says then is not what PinnedFiles.v says that it does.
@@ -87,39 +97,30 @@ def order() -> list[str]:
     return names[names.index("Words") : names.index("AcceptsFiles") + 1]
 
 
-def first_that_fails(way: Definition, directory: Path, names: list[str]) -> str:
-    """The first file that does not compile with a change, from where it is; or empty."""
-    text = (SOURCES / f"{way.file}.v").read_text()
-    if way.old and text.count(way.old) != 1:
-        raise ValueError(f"{way.old}: {text.count(way.old)} times in {way.file}.v")
-    for name in names[names.index(way.file) :]:
-        other = (SOURCES / f"{name}.v").read_text()
-        written(directory, name, text.replace(way.old, way.new) if name == way.file else other)
-        if coqc(directory, name).returncode:
-            return name
-    return ""
+def following(way: Definition, names: list[str]) -> dict[str, str]:
+    """The text of each file from a changed one on."""
+    after = names[names.index(way.file) + 1 :]
+    return {way.file: changed(way)} | {name: (SOURCES / f"{name}.v").read_text() for name in after}
 
 
 def on_the_page(name: str, directory: Path) -> bool:
     """Whether the page that pins statements does not compile, and all before it does."""
     names = ["Decode", "DecodeTerms", "DecodeStatement", "PinnedFiles"]
-    return first_that_fails(PINNED[name], directory, names) == "PinnedFiles"
+    return first_that_fails(directory, following(PINNED[name], names)) == "PinnedFiles"
 
 
 def without_proof(name: str, directory: Path) -> bool:
     """Whether the theorem about files has no proof then."""
-    return first_that_fails(UNPROVED[name], directory, order()) == "AcceptsFiles"
+    return first_that_fails(directory, following(UNPROVED[name], order())) == "AcceptsFiles"
 
 
 def another_verdict(name: str, directory: Path) -> bool:
     """Whether the program has another exit code than the checker."""
     way, said_of = VERDICTS[name]
-    failed = first_that_fails(way, directory, order())
-    for file in ("FileNames", "Extract") if not failed else ():
-        written(directory, file, (SOURCES / f"{file}.v").read_text())
-        failed = failed or (file if coqc(directory, file).returncode else "")
-    if failed:
-        raise ValueError(f"{failed} does not compile")
+    for file, text in following(way, [*order(), "FileNames", "Extract"]).items():
+        written(directory, file, text)
+        if coqc(directory, file).returncode:
+            raise ValueError(f"{file} does not compile")
     (directory / "checker.mli").unlink(missing_ok=True)
     (directory / "reader.ml").write_text((SOURCES / "reader.ml").read_text())
     sources = ("-package", "unix", "-linkpkg", "checker.ml", "reader.ml", "-o", "other")

@@ -193,7 +193,7 @@ def test_a_formula_is_told_with_what_is_false_and_what_is_true(
     assert (code, err) == (0, "")
     assert text.startswith("(4.47), EQUATSS4.1Recurrence_Cnd4, at r = 0.03, ")
     assert "printed: 4 of 20 rows refuted; needed: 20 of 20 rows proved" in text
-    assert "printed, and false, breaks the argument: zeta-term-2: " in text
+    assert "printed, and refuted (breaks the argument): zeta-term-2: " in text
     assert "3.2663168… ≤ 0.027768616…" in text
     assert "proved in its place: repaired.zeta-term-2: " in text
     assert "used by: " in text

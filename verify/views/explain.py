@@ -194,7 +194,7 @@ def _value(value: Any, typesetter: Typesetter) -> str:
 
 #: What rows of the paper are called by the verdict on them, where it is worth a line each.
 KINDS = {
-    REFUTED: "printed, and false",
+    REFUTED: "printed, and refuted",
     OTHERWISE: "printed and true, but not by the printed argument",
     REMARK: "false, but the text does not claim it",
     UNDECIDED: "printed, and undecided",
@@ -234,7 +234,7 @@ def _verdict(outcome: Outcome, rows: list[Row]) -> str:
 
 
 def _false(outcome: Outcome, row: Obligation, found: Decision, title: str) -> Iterator[str]:
-    severity = f", {row.severity}" if fair(outcome, row, found) == REFUTED and row.severity else ""
+    severity = f" ({row.severity})" if fair(outcome, row, found) == REFUTED and row.severity else ""
     yield f"  {title}{severity}: {short_name(row)}: {row.says}"
     yield f"    {letters(outcome).claim(row.claim)}"
     yield from _numbers(row, found)

@@ -57,11 +57,11 @@ def register(name: str, code: int, word: str, files: Callable[[], Files]) -> Non
     LIES[name] = Lie(files, code, word)
 
 
-# --- an honest pair, in which all rules occur -----------------------------------------------------
+# --- an honest pair, in which most rules occur ----------------------------------------------------
 
 
 def honest() -> Pair:
-    """All rules, contexts inside one another, a refuted printed row, an undecided printed row."""
+    """Most rules, contexts inside one another, a refuted printed row, an undecided printed row."""
     pair = Pair().assume("law")
     pair.statement["terms"]["half"] = ["mul", "q", "x"]
     pair.parameter("q", "1/2").constant("m", "min(sqrt(2) - 1, 3)", INTERVAL)

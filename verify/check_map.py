@@ -366,7 +366,7 @@ MODELS = Arithmetic(
     root_of_share_model,
     above_model,
     flat(UNIT),
-    5,
+    10,
 )
 
 # --- states and their collisions -----------------------------------------------------------------

@@ -80,7 +80,7 @@ def spent(kind: check_map.Arithmetic, bits: int, sixes: int) -> int:
 def test_a_box_costs_three_steps_and_long_numbers_cost_more(bits: int, sixes: int) -> None:
     step = (1 + sixes) * (1 + bits // 256)
     assert spent(check_map.INTERVALS, bits, sixes) == 3 + step
-    assert spent(check_map.MODELS, bits, sixes) == 5 * (3 + step)
+    assert spent(check_map.MODELS, bits, sixes) == 10 * (3 + step)
     with pytest.raises(RefusedError, match="too large to go on"):
         spent(check_map.INTERVALS, 16 * 96 + 1, 0)
 

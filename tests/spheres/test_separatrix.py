@@ -47,12 +47,12 @@ def goes_on(parameters: Parameters, q: Fraction, u: mpf, most: int = 4000) -> bo
     return None
 
 
-def bisected(parameters: Parameters, q: Fraction, most: int = 4000) -> tuple[mpf, mpf]:
+def bisected(parameters: Parameters, q: Fraction) -> tuple[mpf, mpf]:
     """f(q) by halving, without any care for rounding but 60 digits."""
     low, high = mpf(0), mpf(1)
     for _ in range(2000):
         middle = (low + high) / 2 if low else high / 4
-        does = goes_on(parameters, q, middle, most)
+        does = goes_on(parameters, q, middle)
         if does is None or (low and high - low < low * mpf(10) ** -35):
             break
         low, high = (middle, high) if does else (low, middle)

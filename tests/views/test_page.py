@@ -10,6 +10,7 @@ from collections import Counter
 from fractions import Fraction
 from html.parser import HTMLParser
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -284,6 +285,16 @@ def copy(built: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(built, tmp_path / "certificates"))
 
 
+@pytest.fixture
+def made_before(built: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The command makes the report that was built for all tests, which takes no time."""
+    names = ["index.md", "constants.tex", *pages_of(built), "pages/style.css"]
+    made = {name: (built / name).read_bytes() for name in names}
+    monkeypatch.setattr("verify.views.page.build.files", lambda *_, **__: made)
+    empty = SimpleNamespace(measurements={})
+    monkeypatch.setattr("verify.paper.commands.report.read_material", lambda *_: empty)
+
+
 def test_compare_accepts_and_writes_nothing(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
     before = {path: path.read_bytes() for path in copy.rglob("*") if path.is_file()}
     code, out, err = run(capsys, "--compare", "--directory", str(copy))
@@ -292,6 +303,7 @@ def test_compare_accepts_and_writes_nothing(copy: Path, capsys: pytest.CaptureFi
     assert before == {path: path.read_bytes() for path in copy.rglob("*") if path.is_file()}
 
 
+@pytest.mark.usefixtures("made_before")
 def test_compare_sees_one_digit(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for name in ("pages/constants.html", "index.md", "constants.tex"):
         text = (copy / name).read_text(encoding="utf-8")
@@ -302,6 +314,7 @@ def test_compare_sees_one_digit(copy: Path, capsys: pytest.CaptureFixture[str]) 
     assert out.count("DIFFERS") == 3
 
 
+@pytest.mark.usefixtures("made_before")
 def test_compare_sees_a_caption_but_no_path(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
     page = copy / "pages/margins.html"
     text = page.read_text(encoding="utf-8")
@@ -380,6 +393,7 @@ def test_absent_measurements_and_spectrum_are_no_error(built: Path, tmp_path: Pa
     assert all(read(pages[name].decode()).open == [] for name in pages if name.endswith(".html"))
 
 
+@pytest.mark.usefixtures("made_before")
 def test_a_page_that_is_no_longer_made(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
     old = copy / "pages" / "old.html"
     old.write_text("", encoding="utf-8")

@@ -44,6 +44,8 @@ def main() -> int:
         if "--compare" not in sys.argv:
             path.parent.mkdir(exist_ok=True)
             path.write_bytes(new)
+    if differing and "--compare" not in sys.argv:
+        print("Some certificates cite others: run `verify certify` again, and then this.")
     return 1 if differing and "--compare" in sys.argv else 0
 
 

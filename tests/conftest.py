@@ -38,6 +38,17 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         items[:] = [item for item in items if not item.get_closest_marker("slow")]
 
 
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Where tests fail, and the program has changed since its certificates were made, say so."""
+    from verify.paper.commands import index
+
+    if terminalreporter.stats.get("failed") and index.lines() is None:
+        terminalreporter.write_line(
+            "verify/data was made by another version of the program, which may be why tests fail: "
+            "run `verify certify` and `python -m tests.bring` until nothing is written"
+        )
+
+
 @pytest.fixture(autouse=True)
 def whole_lines(monkeypatch: pytest.MonkeyPatch) -> None:
     """Lines are not broken: tests of the terminal say themselves how wide it is."""

@@ -201,6 +201,7 @@ RUNS = {
     "the sandwich theorem": ("sandwich", "`check.py`"),
     "its other half, outside the set": ("outside", "`check.py`"),
     "the printed set": ("printed-set", "`check.py`"),
+    "the printed sign, which makes the theorem false": ("printed-sign", "`check.py`"),
 }
 
 

@@ -142,9 +142,9 @@ def believed(outcome: Outcome, paper: Publication) -> str:
     proved = [one.name for one, found in known.items() if found and one.kind != DEFINITION]
     others = [one for one, found in known.items() if not found or one.kind == DEFINITION]
     names = [f"{one.name} ({one.kind})" if one.kind == DEFINITION else one.name for one in others]
-    share = f"Coq has proved {len(proved) or 'none'} of the {len(known)} sentences"
-    list_ = f": {', '.join(proved)}" if proved else ""
-    return f"Believed: nothing but {', '.join(names) or 'the judge'}; {share}{list_}."
+    count = f"{len(known)} sentence{'s' * (len(known) != 1)}"
+    list_ = ", ".join(proved) or "none"
+    return f"Rests on {count}. Believed: {', '.join(names) or 'none'}. Proved in Coq: {list_}."
 
 
 def _cited(cites: Iterable[Cite]) -> Iterator[tuple[str, Assumption]]:

@@ -21,8 +21,8 @@ CAUSES = (
         "refuted here is what the text concludes from the hypothesis. That the point does not "
         "satisfy the hypothesis as printed is a remark (`angle-as-printed`)."),
     Cause(("printed.r_stabi-gives-fixed-points",),
-        "The two fixed points come from the condition on the angle, read with >; r < r_stabi does "
-        "not give them."),
+        "The two fixed points come from the condition on the angle, read with >; r < r_stabi, "
+        "which the text names, does not give them."),
     Cause(("printed.phi-minus-called-unstable",), "'Unstable' is printed for 'stable'."),
     Cause(("printed.set-interior",),
         "ω_{c,0}·ω_{s,0} = cos θ₀ is an equation, so this set has no interior, not even among the "
@@ -51,12 +51,12 @@ CAUSES = (
         "- is printed for + in front of the last term (and = for ≤); the line below has +."),
     Cause(("printed.angle-absorbed", "printed.y-term-3", "printed.final-angle"),
         "The entry V₀/(33 V₁^{1/2}) |Δθ| of η̄ has no factor 1-C_η, and the printed bounds let the "
-        "angle drift by 14 (V₁^{1/2}/V₀) η̄/(1-C_η). It depends on the parameters which of three "
-        "steps fail: at r = 3/100 `angle-absorbed` and `y-term-3` for δ_θ = 1/10, `angle-absorbed` "
-        "and `final-angle` for δ_θ = 1/1000. The step `final-angle` is what the theorem claims of "
-        "the final angle; where it fails, it breaks the argument, and so does `angle-absorbed`, "
-        "which is harmless elsewhere. In y_n the step `y-term-3` has the factor (1+r)/2, with "
-        "which it holds (`y-term-3-factor`)."),
+        "angle drift by 14 (V₁^{1/2}/V₀) η̄/(1-C_η). It depends on the parameters which step "
+        "fails: at r = 3/100 `y-term-3` for δ_θ = 1/10, and `final-angle` for δ_θ = 1/1000. The "
+        "step `final-angle` is what the theorem claims of the final angle; where it fails, it "
+        "breaks the argument. In y_n the step `y-term-3` has the factor (1+r)/2, with which it "
+        "holds (`y-term-3-factor`). That the whole drift is at most |Δθ| (`angle-absorbed`) fails "
+        "for both, but no sentence of the text claims it: a remark."),
     Cause(("printed.x-term-1-d",),
         "d_n/δ₂ ≤ h₄δ_x/2 fails at r = 1/1000000 with -cos θ₀ = 1/20, for one. The display has the "
         "factor r in front of it, which the text drops; with it the step holds for all parameters "

@@ -38,7 +38,7 @@ from verify.paper.preliminaries import (
     phi_minus,
     phi_plus,
 )
-from verify.paper.rows import HARMLESS, REMARK, SLIP, misprint, needed
+from verify.paper.rows import OTHERWISE, REMARK, SLIP, misprint, needed
 
 RESTITUTION = "EQUATSS4.1ThExiCondi_r_1_"
 ANGLE = "EQUATSS4.1ThExiCondiTheta"
@@ -102,8 +102,8 @@ def _fixed_points(k: ConstantSet) -> Iterator[Obligation]:
         # At r = 1/20 < r_stabi and c = 1/2, which satisfy the printed hypotheses, it has none:
         # alpha_0^2 = (21/80)^2 is below 4r = 1/5.
         *k.misprint("r_stabi-gives-fixed-points", RESTITUTION, "r < r_stabi ensures the two fixed "
-            "points: at r = 1/20, -cos θ₀ = 1/2 (harmless: the condition on the angle, with >, "
-            "ensures them)", as_term(Fraction(1, 5)) < as_term(Fraction(21, 80)) ** 2, HARMLESS,
+            "points: at r = 1/20, -cos θ₀ = 1/2 (with >, they exist: the condition on the angle "
+            "ensures them)", as_term(Fraction(1, 5)) < as_term(Fraction(21, 80)) ** 2, OTHERWISE,
             "fixed-points-exist"),
         k.row("fixed-points-exist",               RESTITUTION,
             "F₁ has two fixed points: α₀² > 4r (from the angle, not from r < r_stabi)",

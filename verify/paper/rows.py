@@ -125,7 +125,6 @@ def graded(row: Obligation, verdicts: Mapping[str, str]) -> Obligation:
 #: For each step of the printed proof of Theorem 1 that may be false, the printed rows that do its
 #: work if they hold: what the text concludes from the step, with nothing else than its constants.
 INSTEAD: Mapping[str, tuple[str, ...]] = {
-    "printed.r_stabi-gives-fixed-points": ("printed.fixed-points-exist",),
     "printed.set-interior": (),
     "printed.norm-law-as-printed": (
         "printed.norm-factor-2",
@@ -137,7 +136,6 @@ INSTEAD: Mapping[str, tuple[str, ...]] = {
     "printed.zeta-remainders": ("printed.zeta-total",),
     "printed.zeta-total": (),
     "printed.x-term-1-d": ("printed.x-term-1-factor",),
-    "printed.angle-absorbed": ("printed.obtuse", "printed.y-term-3-factor", "printed.final-angle"),
     "printed.y-term-3": ("printed.y-term-3-factor",),
     "printed.final-angle": (),
 }

@@ -203,6 +203,11 @@ SENTENCES = (
     "Notation theorem_1 := True.", "Section A. Notation theorem_1 := True. End A.",
     'Section A. Notation "x <= y" := True. End A.', "Module Meaning := Fake.", "Opaque plus.",
     "Open Scope type_scope.",
+    'Fixpoint f (n : nat) : nat := n where "x <= y" := (f x) : R_scope.',
+    'Inductive f (x y : R) : Prop := F where"x <= y" := (f x y).',
+    "Record x := X { f :> bool }.", "Inductive x := X (f :> bool).",
+    "Lemma x : True. Proof. refine ?[a]. [a]: { Axiom y : False. trivial. } Qed.",
+    "Lemma x : True. Proof. refine ?[a']. [ a' ]:{ Axiom y : False. trivial. } Qed.",
 )  # fmt: skip
 
 

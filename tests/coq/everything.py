@@ -159,8 +159,9 @@ def everything(folders: list[Path]) -> str:
         f"Definition theorem_1 : {conjunction('Pinned.')}",
         "  := Pinned.proved.",
         *FILES,
-        "From Verify Require Separatrix SeparatrixProof.",
-        "Definition separatrix : Separatrix.separatrix_theorem := SeparatrixProof.separatrix.",
+        "From Verify Require PinnedSeparatrix SeparatrixProof.",
+        "Definition separatrix : PinnedSeparatrix.separatrix_theorem",
+        "  := SeparatrixProof.separatrix.",
     ]
     theorems = discharging()
     files = dict.fromkeys(["Sentences", *(name.split(".")[0] for name in theorems)])

@@ -98,7 +98,16 @@ def test_the_files_are_short_say_what_they_prove_and_name_what_they_need() -> No
             sections[name] = path.name
 
 
-PINS = "".join((SOURCES / f"{name}.v").read_text() for name in ("Sentences", "SeparatrixProof"))
+def test_no_name_hides_one_of_coq_on_a_page_that_imports_ours() -> None:
+    """A name that is imported last hides others: a `Cauchy_crit` of ours would be another one."""
+    pages = [path for path in SOURCES.glob("*.v") if "Pinned" in path.stem]
+    for path in [*pages, SOURCES / "Sentences.v"]:
+        found = re.findall(r"^From (\w+) Require Import", path.read_text(), re.MULTILINE)
+        assert found == sorted(found, reverse=True), path
+
+
+PAGES = ("Sentences", "SeparatrixProof", "PinnedSeparatrix")
+PINS = "".join((SOURCES / f"{name}.v").read_text() for name in PAGES)
 
 
 def pinned(name: str) -> bool:

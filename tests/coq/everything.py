@@ -179,9 +179,8 @@ def everything(folders: list[Path]) -> str:
     return "\n".join([*lines, "Print Assumptions everything.", ""])
 
 
-def printed(folders: list[Path]) -> str:
-    """Coq prints the data of each statement, in the notation in which they were written."""
-    names = [module(folder) for folder in folders]
+def printed(names: list[str]) -> str:
+    """Coq prints the data of the statement in each file, in the notation of the file."""
     lines = [
         "From Coq Require Import ZArith List.",
         f"From Verify Require Import Meaning. From Verify Require {' '.join(names)}.",
@@ -200,4 +199,4 @@ if __name__ == "__main__":
             print(*names)
         sys.exit()
     (directory / "Everything.v").write_text(everything(folders()))
-    (directory / "Printed.v").write_text(printed(folders()))
+    (directory / "Printed.v").write_text(printed([*map(module, folders()), "Sharper"]))

@@ -402,14 +402,19 @@ def nothing(name: str, directory: Path) -> bool:
 
 def another_statement(name: str, directory: Path) -> bool:
     """Whether a proof of another statement than that of the folder is seen."""
-    if name != "the-same":
-        source = (directory / f"{module(ROOT / 'examples/root')}.v").read_text()
-        written(directory, module(ONE), source)
-        coqc(directory, module(ONE))
-    written(directory, "Printed", printed([ONE]))
+    own = module(ONE)
+    if name == "another-statement":
+        written(directory, own, (directory / f"{module(ROOT / 'examples/root')}.v").read_text())
+    elif name == "another-word":
+        text = (directory / f"{own}.v").read_text()
+        head = "Open Scope positive_scope.\n"
+        written(directory, own, text.replace(head, f"{head}Definition AtMost := Less.\n"))
+    if name != "the-same" and coqc(directory, own).returncode:
+        raise ValueError("it does not compile")
+    written(directory, "Printed", printed([own]))
     try:
         said_by_coq(ONE, coqc(directory, "Printed").stdout, {})
-    except AnotherError:
+    except (AnotherError, KeyError):
         return name != "the-same"
     return name == "the-same"
 
@@ -434,7 +439,8 @@ def ways() -> list[Way]:
     found += [(name, assumption) for name in ASSUMPTIONS]
     found += [(name, nothing) for name in NOTHING]
     found += [(name, another_scene) for name in SCENES]
-    found += [("another-statement", another_statement), ("the-same", another_statement)]
+    statements = ("another-statement", "another-word", "the-same")
+    found += [(name, another_statement) for name in statements]
     found += [(name, the_same_definition) for name in ("Theorem1", "Meaning", "Separatrix")]
     return [*found, ("nothing-wrong", no_assumption)]
 

@@ -127,7 +127,7 @@ def as_printed(folder: Path) -> str:
     """What Coq would print of an exported file."""
     (data,) = check.read_folders([str(folder)])
     parts = re.findall(r"^Definition (the_\w+) : (.*?) :=(.*?)\.$", export(data), re.S | re.M)
-    name = re.search(r"Print Verify\.(\w+)\.the_nodes", printed([folder]))
+    name = re.search(r"Print Verify\.(\w+)\.the_nodes", printed([module(folder)]))
     assert name
     lines = [
         f"{name[1]}.{part} = {' '.join(text.split())}\n     : {kind}\n"

@@ -43,6 +43,20 @@ def test_no_files_for_coq_are_a_complaint(tmp_path: Path) -> None:
     assert complaints(tmp_path)
 
 
+@pytest.mark.parametrize(
+    "line",
+    ["-arg -l -arg evil", "-arg -type-in-type", "-arg -ri -arg Evil", "-Q .. Verify", "../Evil.v",
+     "-arg -q -arg -impredicative-set", "-arg -w"],
+)  # fmt: skip
+def test_another_option_is_seen(line: str, tmp_path: Path) -> None:
+    for name in ("Sequences.v", "_CoqProject"):
+        (tmp_path / name).write_text((SOURCES / name).read_text())
+    assert complaints(tmp_path) == []
+    with (tmp_path / "_CoqProject").open("a") as file:
+        file.write(f"{line}\n")
+    assert len(complaints(tmp_path)) == 1
+
+
 @pytest.mark.parametrize("text", SENTENCES)
 def test_another_sentence_is_seen(text: str) -> None:
     page = (SOURCES / "Sequences.v").read_text()

@@ -66,13 +66,13 @@ def main(directory: Path) -> None:
         assert len(cited) <= 2, folder  # a third one would have to be exported beside two
         own, modules = module(folder), [module(cited[0])]
         proofs = [f"{modules[0]}.proved"]
-        lines.append(f"Require {own} {modules[0]}.")
+        lines.append(f"From Verify Require {own} {modules[0]}.")
         for other in cited[1:]:
             name = f"{module(other)}_beside_{module(cited[0])}"
             if name not in made:
                 text = export(beside(other, cited[0])).rpartition("Print Assumptions")[0]
                 (directory / f"{name}.v").write_text(text)
-                lines.append(f"Require {name}.")
+                lines.append(f"From Verify Require {name}.")
                 lines += closed(f"closed_{name}", name, modules[:1], proofs[:1])
                 made.add(name)
                 print(name)

@@ -159,8 +159,9 @@ def everything(folders: list[Path]) -> str:
         f"Definition theorem_1 : {conjunction('Pinned.')}",
         "  := Pinned.proved.",
         *FILES,
-        "From Verify Require Separatrix SeparatrixProof.",
-        "Definition separatrix : Separatrix.separatrix_theorem := SeparatrixProof.separatrix.",
+        "From Verify Require PinnedSeparatrix SeparatrixProof.",
+        "Definition separatrix : PinnedSeparatrix.separatrix_theorem",
+        "  := SeparatrixProof.separatrix.",
     ]
     theorems = discharging()
     files = dict.fromkeys(["Sentences", *(name.split(".")[0] for name in theorems)])
@@ -178,9 +179,8 @@ def everything(folders: list[Path]) -> str:
     return "\n".join([*lines, "Print Assumptions everything.", ""])
 
 
-def printed(folders: list[Path]) -> str:
-    """Coq prints the data of each statement, in the notation in which they were written."""
-    names = [module(folder) for folder in folders]
+def printed(names: list[str]) -> str:
+    """Coq prints the data of the statement in each file, in the notation of the file."""
     lines = [
         "From Coq Require Import ZArith List.",
         f"From Verify Require Import Meaning. From Verify Require {' '.join(names)}.",
@@ -199,4 +199,4 @@ if __name__ == "__main__":
             print(*names)
         sys.exit()
     (directory / "Everything.v").write_text(everything(folders()))
-    (directory / "Printed.v").write_text(printed(folders()))
+    (directory / "Printed.v").write_text(printed([*map(module, folders()), "Sharper"]))

@@ -83,7 +83,8 @@ def as_exported(printed: str, module: str) -> str:
         rf"^{module}\.(the_\w+) = (.*?)\n {{5}}: (.*?)$", printed, re.DOTALL | re.MULTILINE
     )
     lines = [f"Definition {name} : {kind} :=\n{value}.\n" for name, value, kind in parts]
-    return "".join(lines).replace(f"{module}.", "")
+    # A word of the language keeps the module before it: there it would mean something else.
+    return re.sub(rf"\b{module}\.(?=the_(nodes|contexts|rows|citations)\b)", "", "".join(lines))
 
 
 def number(text: str | list[str]) -> int:

@@ -30,20 +30,27 @@ class AnotherError(ValueError):
     """Coq has not checked what is committed."""
 
 
-def said_by_coq(folder: Path, printed: str, available: dict[str, bytes]) -> None:
-    """Nothing, if the statement that Coq prints is the one in the folder.
+def said_by_coq(
+    folder: Path, printed: str, available: dict[str, bytes], after: Path | None = None
+) -> None:
+    """Nothing, if the statement that Coq prints is the one in the folder; or that, after another.
 
     Raises:
         AnotherError: if it is another one.
     """
     intern = Interner()
-    text = as_exported(printed, module(folder))
+    name = "Sharper" if after else module(folder)
+    text = as_exported(printed, name)
     if not text:
         raise AnotherError(f"{folder.name}: Coq has printed no statement")
     exported = Exported(text, intern)
-    written = Written(json.loads((folder / "statement.json").read_bytes()), available, intern)
+    document = json.loads((folder / "statement.json").read_bytes())
+    if after:
+        digest = sha256((after / "statement.json").read_bytes()).hexdigest()
+        document["cites"] = [{"name": "beside", "statement_sha256": digest}]
+    written = Written(document, available, intern)
     if (exported.said, [*map(int, exported.own)]) != (written.said, written.own):
-        raise AnotherError(f"{folder.name}: Coq has proved another statement")
+        raise AnotherError(f"{name}: Coq has proved another statement")
 
 
 def found(directory: Path) -> dict[str, Any]:
@@ -68,6 +75,8 @@ def found(directory: Path) -> dict[str, Any]:
             "folder": str(folder.relative_to(ROOT)), "statement_sha256": digest,
             "certificate_sha256": certificate,
         })  # fmt: skip
+    # The theorem on scenes uses the sharper one with the numbers that it has after the flow.
+    said_by_coq(CERTIFICATES / "sharper", printed, available, CERTIFICATES / "flow")
     counts = dict(line.split(": ") for line in (directory / "counts").read_text().splitlines())
     version = (directory / "version").read_text().strip()
     return {"format": 1, "coq": version, "counts": counts, "certificates": certificates}

@@ -32,6 +32,12 @@ EXTRACTING = (
     r'Extract Constant xorb => "fun \(a : bool\) b -> a <> b"',
     r"Extract Constant ClassicalDedekindReals\.sig_forall_dec => \"fun _ -> assert false\"",
 )  # fmt: skip
+#: How the files are compiled: no option may load another file, or change what Coq checks.
+OPTIONS = r"-R \. Verify|-arg -q|-arg -w -arg -unused-intro-pattern|\w+\.v|# .*|"
+#: What an allowed sentence may have inside that is not: a notation, and a coercion.
+HIDDEN = r'\bwhere ?"|:>'
+#: A step of a proof. One that opens braces for a goal is none, since a command may follow in them.
+STEP = r"(?!(\[[^]]*\]|\w+) ?: ?\{)([0-9]+: )?[a-z\[(]|[{}]$|[*+-]+$"
 
 
 def without_comments(text: str) -> str:
@@ -63,12 +69,13 @@ def unexpected(text: str, name: str = "") -> list[str]:
         elif depth and re.fullmatch(r"End [A-Z]\w*", sentence):
             depth -= 1
         elif proving and sentence not in ("Qed", "Defined"):
-            if not re.match(r"([0-9]+: )?[a-z\[(]|[{}]$|[*+-]+$", sentence):
+            if not re.match(STEP, sentence):
                 found.append(sentence)
         else:
             allowed = ALLOWED + LOCAL * (depth > 0) + EXTRACTING * (name == "Extract")
             known = f"{name}: {sentence}" in NOTATIONS
-            if not known and not any(re.fullmatch(pattern, sentence) for pattern in allowed):
+            plain = any(re.fullmatch(pattern, sentence) for pattern in allowed)
+            if not known and (not plain or re.search(HIDDEN, sentence)):
                 found.append(sentence)
             proving = sentence == "Proof"
     return found
@@ -79,11 +86,16 @@ def complaints(directory: Path) -> list[str]:
     files = sorted(directory.glob("*.v"))
     if not files:
         return [f"{directory}: there are no files for Coq"]
-    return [
-        f"{path.name}: this is not allowed here: {sentence[:200]}"
-        for path in files
-        for sentence in unexpected(path.read_text(), path.stem)
+    found = [
+        (path, sentence) for path in files for sentence in unexpected(path.read_text(), path.stem)
     ]
+    project = directory / "_CoqProject"
+    found += [
+        (project, line)
+        for line in project.read_text().splitlines()
+        if not re.fullmatch(OPTIONS, line)
+    ]
+    return [f"{path.name}: this is not allowed here: {text[:200]}" for path, text in found]
 
 
 if __name__ == "__main__":

@@ -39,7 +39,7 @@ class Definition(NamedTuple):
     new: str
 
 
-#: In Theorem1.v, seen by Pinned.v; and in Meaning.v, seen by PinnedMeaning.v.
+#: In Theorem1.v, seen by Pinned.v; and in Meaning.v and Separatrix.v, each seen by its own page.
 DEFINITIONS = {
     "time-bound": Definition("Theorem1", "T <= by_time", "T <= - by_time"),
     "vacuous-admissible": Definition("Theorem1", "restitution : 0 <", "restitution : 1 <"),
@@ -107,7 +107,36 @@ DEFINITIONS = {
     "sine": Definition("Meaning", "Sin => sin x", "Sin => cos x"),
     "logarithm": Definition("Meaning", "Log => 0 < x", "Log => 0 <= x"),
     "divisor": Definition("Meaning", " /\\ value v b <> 0", ""),
+    "least-of-two": Definition(
+        "Meaning", "fold_right (fun x => Min (tree_at x)) (tree_at a) l",
+        "match l with [b; c] => Min (tree_at b) (Min (tree_at c) (tree_at a)) | _ => tree_at a end",
+    ),
+    "separatrix-map": Definition("Separatrix", "- q x - rho * u x.", "- q x - u x."),
+    "separatrix-next": Definition("Separatrix", "rho * u x) < p rho", "rho * u x) <= p rho"),
+    "separatrix-regime": Definition("Separatrix", "x n)) phi_minus.", "x n)) phi_plus."),
+    "separatrix-below": Definition(
+        "Separatrix", "u x < f (q x) -> regime r a rho x",
+        "u x < f (q x) -> unending r a rho x",
+    ),
+    "separatrix-cycle": Definition("Separatrix", "rho x <-> x = c)", "rho c \\/ x = c)"),
+    "separatrix-if": Definition("Separatrix", "x) <-> s + s ^ 2 < a", "x) -> s + s ^ 2 < a"),
     "another-kind": Definition("Meaning", "Carried | Standing.", "Carried | Standing | Hidden."),
+}  # fmt: skip
+
+#: What the page of sentences pins, with the end of its part of the file, and the theorem there.
+SPELLED = {
+    "fewer-scenes": (
+        Definition("FromNumbers", "0 < y <= eta_bar;", "0 < y <= eta_bar / 2;"),
+        "\nDefinition numbers_context", "initial_by_numbers",
+    ),
+    "another-distance": (
+        Definition("AnyStep", "scaled (1 + d m) q /", "scaled (2 + d m) q /"),
+        "\n(* --- the step", "has_numbers",
+    ),
+    "another-product": (
+        Definition("AnyStep", "dot dimension p q = - C m", "dot dimension p q = C m"),
+        "\n(* --- the step", "has_numbers",
+    ),
 }  # fmt: skip
 
 #: In the file of a scene that collapses, where each changed number and each other order is refused.
@@ -203,6 +232,11 @@ SENTENCES = (
     "Notation theorem_1 := True.", "Section A. Notation theorem_1 := True. End A.",
     'Section A. Notation "x <= y" := True. End A.', "Module Meaning := Fake.", "Opaque plus.",
     "Open Scope type_scope.",
+    'Fixpoint f (n : nat) : nat := n where "x <= y" := (f x) : R_scope.',
+    'Inductive f (x y : R) : Prop := F where"x <= y" := (f x y).',
+    "Record x := X { f :> bool }.", "Inductive x := X (f :> bool).",
+    "Lemma x : True. Proof. refine ?[a]. [a]: { Axiom y : False. trivial. } Qed.",
+    "Lemma x : True. Proof. refine ?[a']. [ a' ]:{ Axiom y : False. trivial. } Qed.",
 )  # fmt: skip
 
 
@@ -233,7 +267,7 @@ def in_one(parts: dict[str, str]) -> str:
         names = match[2].split()
         others = [name for name in names if name not in parts]
         here = [name for name in names if name in parts]
-        lines = f"From Verify Require {match[1]}{' '.join(others)}." if others else ""
+        lines = f"From Verify Require {match[1] or ''}{' '.join(others)}." if others else ""
         return lines + (f" Import {' '.join(here)}." if match[1] and here else "")
 
     sentence = re.compile(r"From Verify Require (Import )?([\w\s]+)\.")
@@ -286,6 +320,25 @@ def definition(name: str, directory: Path) -> bool:
 def the_same_definition(name: str, directory: Path) -> bool:
     """Whether a page is content with the file that it pins."""
     return pinned(name, (SOURCES / f"{name}.v").read_text(), directory)
+
+
+def spelled(name: str, directory: Path) -> bool:
+    """Whether the page of sentences sees another definition, and is content with the same."""
+    way, end, theorem = SPELLED[name]
+    page = (SOURCES / "Sentences.v").read_text()
+    head = page[page.index("From Verify Require Import") : page.index("(* --- hard-spheres")]
+    head = re.sub(r"^From Verify Require (?!Import).*\n", "", head, flags=re.MULTILINE)
+    proof = re.search(rf"^Definition {theorem} .*?^Qed\.$", page, re.DOTALL | re.MULTILINE)
+    assert proof
+    last = f"From Verify Require {way.file}.\n{head}{proof[0]}\n"
+    texts = ((SOURCES / f"{way.file}.v").read_text(), changed(way))
+    same, other = (
+        first_that_fails(directory, {way.file: text[: text.index(end)], "Sentences": last})
+        for text in texts
+    )
+    if same:
+        raise ValueError(f"{same} does not compile")
+    return other == "Sentences"
 
 
 def unknown(output: str) -> list[str]:
@@ -349,14 +402,19 @@ def nothing(name: str, directory: Path) -> bool:
 
 def another_statement(name: str, directory: Path) -> bool:
     """Whether a proof of another statement than that of the folder is seen."""
-    if name != "the-same":
-        source = (directory / f"{module(ROOT / 'examples/root')}.v").read_text()
-        written(directory, module(ONE), source)
-        coqc(directory, module(ONE))
-    written(directory, "Printed", printed([ONE]))
+    own = module(ONE)
+    if name == "another-statement":
+        written(directory, own, (directory / f"{module(ROOT / 'examples/root')}.v").read_text())
+    elif name == "another-word":
+        text = (directory / f"{own}.v").read_text()
+        head = "Open Scope positive_scope.\n"
+        written(directory, own, text.replace(head, f"{head}Definition AtMost := Less.\n"))
+    if name != "the-same" and coqc(directory, own).returncode:
+        raise ValueError("it does not compile")
+    written(directory, "Printed", printed([own]))
     try:
         said_by_coq(ONE, coqc(directory, "Printed").stdout, {})
-    except AnotherError:
+    except (AnotherError, KeyError):
         return name != "the-same"
     return name == "the-same"
 
@@ -377,11 +435,13 @@ Way = tuple[str, Callable[[str, Path], bool]]
 def ways() -> list[Way]:
     """Each with what says whether it is seen; and where there is nothing to see, that."""
     found: list[Way] = [(name, definition) for name in DEFINITIONS]
+    found += [(name, spelled) for name in SPELLED]
     found += [(name, assumption) for name in ASSUMPTIONS]
     found += [(name, nothing) for name in NOTHING]
     found += [(name, another_scene) for name in SCENES]
-    found += [("another-statement", another_statement), ("the-same", another_statement)]
-    found += [(name, the_same_definition) for name in ("Theorem1", "Meaning")]
+    statements = ("another-statement", "another-word", "the-same")
+    found += [(name, another_statement) for name in statements]
+    found += [(name, the_same_definition) for name in ("Theorem1", "Meaning", "Separatrix")]
     return [*found, ("nothing-wrong", no_assumption)]
 
 

@@ -20,6 +20,7 @@ from tests.coq.tampering import (
     FALSE,
     SENTENCES,
     SOURCES,
+    SPELLED,
     Definition,
     unknown,
 )
@@ -40,6 +41,20 @@ def test_the_files_for_coq_have_only_sentences_on_the_list() -> None:
 
 def test_no_files_for_coq_are_a_complaint(tmp_path: Path) -> None:
     assert complaints(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["-arg -l -arg evil", "-arg -type-in-type", "-arg -ri -arg Evil", "-Q .. Verify", "../Evil.v",
+     "-arg -q -arg -impredicative-set", "-arg -w"],
+)  # fmt: skip
+def test_another_option_is_seen(line: str, tmp_path: Path) -> None:
+    for name in ("Sequences.v", "_CoqProject"):
+        (tmp_path / name).write_text((SOURCES / name).read_text())
+    assert complaints(tmp_path) == []
+    with (tmp_path / "_CoqProject").open("a") as file:
+        file.write(f"{line}\n")
+    assert len(complaints(tmp_path)) == 1
 
 
 @pytest.mark.parametrize("text", SENTENCES)
@@ -77,9 +92,10 @@ def test_in_a_proof_and_in_a_section_other_sentences_are_allowed() -> None:
     assert unexpected('Definition a := "x. Axiom y : False.')
 
 
-@pytest.mark.parametrize(
-    "way", [*DEFINITIONS.values(), *PINNED.values(), *UNPROVED.values(), *VERDICTS.values()]
-)
+PLACES = [DEFINITIONS, SPELLED, PINNED, UNPROVED, VERDICTS]
+
+
+@pytest.mark.parametrize("way", [way for ways in PLACES for way in ways.values()])
 def test_what_is_tampered_with_is_there_once(way: Definition | tuple[Definition, str]) -> None:
     file, old, new = way if isinstance(way, Definition) else way[0]
     assert (SOURCES / f"{file}.v").read_text().count(old) == 1 or (old, new) == ("", "")
@@ -87,8 +103,15 @@ def test_what_is_tampered_with_is_there_once(way: Definition | tuple[Definition,
 
 def test_what_all_theorems_rest_on_is_committed() -> None:
     text = ASSUMED.read_text()
-    named = [*re.findall(r"^([\w.]+)$|^([\w.]+) : ", text, re.MULTILINE)]
-    assert len(named) == 4
+    printed = re.findall(r"^(\w+\.\w+)(?: : |$)", text, re.MULTILINE)
+    checked = re.findall(r"^    (\S+)$", text, re.MULTILINE)
+    assert sorted(printed) == sorted(name.split(".", 2)[2] for name in checked)
+    assert sorted(checked) == [
+        "Coq.Logic.Classical_Prop.classic",
+        "Coq.Logic.FunctionalExtensionality.functional_extensionality_dep",
+        "Coq.Reals.ClassicalDedekindReals.sig_forall_dec",
+        "Coq.Reals.ClassicalDedekindReals.sig_not_dec",
+    ]
     assert re.findall(r"^\* (.*)$", text, re.MULTILINE) == [
         "Theory: Set is predicative", "Axioms:",
         "Constants/Inductives relying on type-in-type: <none>",
@@ -118,7 +141,7 @@ def as_printed(folder: Path) -> str:
     """What Coq would print of an exported file."""
     (data,) = check.read_folders([str(folder)])
     parts = re.findall(r"^Definition (the_\w+) : (.*?) :=(.*?)\.$", export(data), re.S | re.M)
-    name = re.search(r"Print Verify\.(\w+)\.the_nodes", printed([folder]))
+    name = re.search(r"Print Verify\.(\w+)\.the_nodes", printed([module(folder)]))
     assert name
     lines = [
         f"{name[1]}.{part} = {' '.join(text.split())}\n     : {kind}\n"

@@ -6,16 +6,12 @@ Open Scope R_scope.
 
 Section Accepted.
 Variable S : statement.
-Hypothesis in_order : ordered (numbered S) = true.
-Hypothesis parents_first : descending S = true.
 Variable T : PM.t node.
-Hypothesis is_table : forall i, PM.find i T = PM.find i (table (numbered S)).
 Variable K : PM.t positive.
 Variable H : PM.t nat.
-Hypothesis good_homes : at_home S H = true.
-Hypothesis givens_home : forall c a, In a (givens_of S c) ->
-  In (home_in H (lhs (given_claim a))) (around S c) /\
-  In (home_in H (rhs (given_claim a))) (around S c).
+Hypothesis ready : prepared S T H.
+Let found := found S T H ready.
+Let parents_first := parents_first S T H ready.
 Variable grounds : list (positive * memory).
 Hypothesis good_grounds : all_remembered S grounds.
 Notation prove F := (prove S T K H F grounds).
@@ -47,12 +43,12 @@ Proof.
     apply (pushed_in _ _ _ _ _ _ E) in I. destruct I as [[-> ->]|(l' & E' & I)]; [|eapply B; eauto].
     split_and Z0. destruct (G v V) as (_ & W & R). split; trivial. unfold stands in R.
     apply same_relation_sound in A0. rewrite A0 in R.
-    destruct (is_zero_sound S in_order T is_table v _ Z0) as [X _]. now rewrite X in R.
+    destruct (is_zero_sound S T H ready v _ Z0) as [X _]. now rewrite X in R.
   - destruct (is_zero T (lhs g) && _) eqn:Z0; [|apply C]. intros t l d E I v V.
     apply (pushed_in _ _ _ _ _ _ E) in I. destruct I as [[-> ->]|(l' & E' & I)]; [|eapply C; eauto].
     split_and Z0. destruct (G v V) as (_ & W & R). split; trivial. unfold stands in R.
     apply same_relation_sound in A0. rewrite A0 in R.
-    destruct (is_zero_sound S in_order T is_table v _ Z0) as [X _]. now rewrite X in R.
+    destruct (is_zero_sound S T H ready v _ Z0) as [X _]. now rewrite X in R.
   - exact D.
 Qed.
 Lemma with_value_valid c i F : valid F -> (forall v, scope S c v -> defined_at S v i) ->
@@ -78,9 +74,9 @@ Lemma holds_after_sound F c d at_ l premises v : valid F ->
   satisfies S (after S v at_) l.
 Proof.
   intros V E I. unfold holds_after in E. apply satisfied_here in I.
-  pose proof E as E'. apply (givens_hold_defined S in_order parents_first T is_table K H F V v _ I) in E'.
+  pose proof E as E'. apply (givens_hold_defined S T K H ready F V v _ I) in E'.
   destruct E' as (A & B & C). repeat split; trivial.
-  exact (givens_hold_sound S in_order parents_first T is_table K H good_homes F v _ I _ d at_
+  exact (givens_hold_sound S T K H ready F v _ I _ d at_
     A B C l premises (all_prove F V premises) E).
 Qed.
 Lemma applies_sound F c d at_ premises : valid F ->
@@ -88,7 +84,7 @@ Lemma applies_sound F c d at_ premises : valid F ->
 Proof.
   unfold applies. intros V E v I. split_and E.
   destruct (holds_after_sound _ _ _ _ _ _ v V A I) as (P & O & D & G). split; trivial.
-  apply (scope_after S in_order parents_first T is_table H good_homes givens_home); trivial.
+  apply (scope_after S T H ready); trivial.
   apply is_inside_sound in E. eapply scope_within; eauto.
 Qed.
 Lemma kinds v l : satisfies S v (filter is_carried l) ->
@@ -112,11 +108,11 @@ Proof.
     satisfies S (Meaning.state S v start next k) (standing S d)) ->
     scope S d (Meaning.state S v start next n)).
   { induction n as [|n IH]; intros Q; cbn [Meaning.state].
-    - apply (scope_after S in_order parents_first T is_table H good_homes givens_home); trivial.
+    - apply (scope_after S T H ready); trivial.
       apply kinds; trivial. apply (Q 0%nat). lia.
     - assert (J : scope S d (Meaning.state S v start next n)) by (apply IH; intros; apply Q; lia).
       destruct (holds_after_sound _ _ _ _ _ _ _ V A J) as (_ & O' & _ & G').
-      apply (scope_after S in_order parents_first T is_table H good_homes givens_home); trivial.
+      apply (scope_after S T H ready); trivial.
       + intros k X. apply J. rewrite (around_step S parents_first d P). now right.
       + apply kinds; trivial. apply (Q (Datatypes.S n)). lia. }
   intros n Q. specialize (W n Q). split; trivial.
@@ -145,23 +141,23 @@ Proof.
   destruct (holds_after_sound _ _ _ _ _ _ v V A0 I) as (P & O & D & G).
   destruct (substituted _ _ _ _ _) as [h|] eqn:X; try discriminate.
   exists (after S v at_). split.
-  - apply (scope_after S in_order parents_first T is_table H good_homes givens_home); trivial.
+  - apply (scope_after S T H ready); trivial.
   - pose proof (prove_fact _ _ _ _ V A v I) as N0. apply negated_sound in N0.
     unfold fails, holds in *.
-    destruct (substituted_sound S in_order parents_first T is_table K H good_homes v c at_ P O D
+    destruct (substituted_sound S T K H ready v c at_ P O D
       _ _ X) as [Y1 Y2].
     pose proof X as X'. unfold substituted in X'. bind X' a Ha. bind X' b Hb. injection X' as <-.
-    apply (new_term_sound S in_order parents_first H good_homes T is_table c at_ v O P) in Ha, Hb;
-      try (apply (phi_sound S in_order parents_first T is_table K H good_homes v c at_ P O D)).
+    apply (new_term_sound S H T ready c at_ v O P) in Ha, Hb;
+      try (apply (phi_sound S T K H ready v c at_ P O D)).
     destruct Ha as [_ Ha], Hb as [_ Hb]. cbn [lhs rhs] in N0. rewrite Ha, Hb, Y1. tauto.
 Qed.
 Lemma define_sound F c t d : valid F -> define S T K H grounds F (at_context c) t d = true ->
   forall v, scope S c v -> defined_at S v t.
 Proof.
   unfold define. intros V E v I. apply satisfied_here in I. destruct d as [|bits bounds].
-  - apply (clears_sound S in_order parents_first T is_table K F V v _ I) in E. now inversion E.
+  - apply (clears_sound S T K H ready F V v _ I) in E. now inversion E.
   - destruct (enclosing _ _ _ _ _ _ _ _) as [m|] eqn:X; try discriminate.
-    apply (enclosing_sound S in_order parents_first T is_table H F V v _ I) in X;
+    apply (enclosing_sound S T H ready F V v _ I) in X;
       [|now apply ground_sound].
     destruct (enclose _ _ _ _ _) as [[x m1]|] eqn:Y; try discriminate.
     eapply enclose_sound in Y; eauto. apply Y.
@@ -179,7 +175,7 @@ Proof.
   - bind E h X. destruct (_ && _) eqn:Y; try discriminate. split_and Y.
     assert (G : fact S c (given_claim a)).
     { intros w W. pose proof (satisfied_here _ _ W) as W'.
-      apply (clears_sound S in_order parents_first T is_table K F V w _ W') in A.
+      apply (clears_sound S T K H ready F V w _ W') in A.
       inversion_clear A as [|? ? D1 A1]. inversion_clear A1 as [|? ? D2 _].
       repeat split; trivial. specialize (W c (around_self S parents_first c)).
       unfold satisfies in W. rewrite Forall_forall in W. apply W, In_. now left. }
@@ -187,7 +183,7 @@ Proof.
     destruct E as (E1 & E2 & E3). split; [|split]; trivial.
     + intros w W. constructor; auto.
     + constructor; trivial. pose proof (prove_fact _ _ _ _ V Y v I) as (_ & _ & St).
-      exact (proj2 (proj1 (substituted_sound S in_order parents_first T is_table K H good_homes
+      exact (proj2 (proj1 (substituted_sound S T K H ready
         v c at_ P O D _ _ X)) St).
 Qed.
 
@@ -235,24 +231,24 @@ Proof.
   - destruct (_ && _) eqn:Y in E; try discriminate. bind E F X. injection E as <-. split_and Y.
     apply negb_true_iff, Nat.eqb_neq in A2.
     destruct (is_open_here _ _ Q Y) as [v W].
-    apply (clears_sound S in_order parents_first T is_table K _ V v _ (satisfied_here _ _ W)) in A.
+    apply (clears_sound S T K H ready _ V v _ (satisfied_here _ _ W)) in A.
     rewrite Forall_map in A. assert (P : (0 < c)%nat) by lia.
     apply (open_givens_sound c (point_of S c) v P A0 W A _ _ _ _ V (incl_refl _)) in X.
     destruct X as (X1 & X2 & X3). split; trivial. cbn [opened]. intros d [<-|J]; [|now apply C].
     split; trivial. exists (after S v (point_of S c)).
-    apply (scope_after S in_order parents_first T is_table H good_homes givens_home); trivial.
+    apply (scope_after S T H ready); trivial.
   - destruct (_ && _) eqn:Y in E; try discriminate. injection E as <-. split_and Y.
     apply prove_fact in A; trivial. split; trivial. now apply install_valid.
   - destruct (PM.find i T) as [[]|] eqn:N0; try discriminate.
     destruct (_ && _) eqn:Y in E; try discriminate. injection E as <-. split_and Y.
     pose proof (define_sound _ _ _ _ V A) as G.
     assert (G' : forall v, scope S c v -> defined_at S v i).
-    { intros v W. rewrite (defined_is S in_order T is_table v _ _ N0). cbn [subterms proviso In].
+    { intros v W. rewrite (defined_is S T found v _ _ N0). cbn [subterms proviso In].
       split; trivial. intros a [<-|[]]. now apply G. }
     split; trivial.
     + cbn [known]. apply install_valid; [now apply with_value_valid|]. intros v W.
       split; [now apply G'|]. split; [now apply G|]. unfold stands. cbn [relation_of lhs rhs related].
-      now rewrite (value_is S in_order T is_table v _ _ N0).
+      now rewrite (value_is S T found v _ _ N0).
     + cbn [done_constants]. intros j J. apply added_to in J. destruct J as [->|J]; eauto.
   - bind E r M0. destruct (_ && _) eqn:Y in E; try discriminate. bind E F X. injection E as <-.
     split_and Y. apply obligation_sound in X; trivial; [|eapply is_open_here; eauto].
@@ -271,7 +267,7 @@ Qed.
 Hypothesis citations : citations_true S.
 Lemma constant_node i : PM.find i T = nth_error (nodes S) (pred (Pos.to_nat i)).
 Proof.
-  rewrite is_table. unfold numbered. rewrite nth_listed by lia. f_equal.
+  rewrite (is_table S T found). unfold numbered. rewrite nth_listed by lia. f_equal.
   change (Pos.to_nat 1) with 1%nat. lia.
 Qed.
 Lemma constant_defined_node i : constant_defined S i ->
@@ -284,13 +280,13 @@ Lemma initial_true : true_so_far (initial S T).
 Proof.
   destruct citations as (A & B & C). split; cbn [known opened done_rows done_constants initial].
   - assert (V : valid (citing T (cited S) no_facts)).
-    { clear - B in_order is_table. induction B as [|[n [c g]] l G B IH]; cbn [citing fold_right fst snd].
+    { clear - B ready. induction B as [|[n [c g]] l G B IH]; cbn [citing fold_right fst snd].
       - apply no_facts_valid.
       - now apply install_valid. }
     revert V. generalize (citing T (cited S) no_facts). intros F V.
     induction A as [|i l G A IH]; cbn [fold_right]; trivial. apply with_value_valid; trivial.
     apply constant_defined_node in G. destruct G as (c & a & E & G). unfold defining_context.
-    rewrite E. intros v W. rewrite (defined_is S in_order T is_table v _ _ E).
+    rewrite E. intros v W. rewrite (defined_is S T found v _ _ E).
     cbn [subterms proviso In]. split; trivial. intros b [<-|[]]. now apply G.
   - intros c I. apply filter_In in I. destruct I as [I N0]. apply in_seq in I.
     destruct (C c ltac:(lia)) as [J|J]; trivial. apply negb_true_iff in N0.
@@ -301,23 +297,19 @@ Proof.
 Qed.
 End Accepted.
 
-Lemma ground_terms_sound S T l : ordered (numbered S) = true ->
-  (forall i, PM.find i T = PM.find i (table (numbered S))) -> all_remembered S (ground_terms T l).
+Lemma ground_terms_sound S T H l : prepared S T H -> all_remembered S (ground_terms T l).
 Proof.
-  intros O Q v. unfold ground_terms. apply Forall_map, Forall_forall. intros [bits ids] _. cbn [fst snd].
+  intros ready v. unfold ground_terms. apply Forall_map, Forall_forall. intros [bits ids] _. cbn [fst snd].
   assert (Z0 : remembered S v (PM.empty enclosure)) by (intros i x X; now rewrite PM.gempty in X).
   destruct (each _ _ ids) as [[xs m]|] eqn:E; trivial.
   apply (each_sound (remembered S v) (right S v)) in E; trivial; [tauto|].
   intros; eapply enclose_sound; eauto.
 Qed.
-Lemma well_formed_givens S H :
-  forallb (fun c => forallb (fun a => in_scope S H c (given_claim a)) (givens_of S c))
-    (seq 1 (length (contexts S))) = true ->
-  forall c a, In a (givens_of S c) ->
-    In (home_in H (lhs (given_claim a))) (around S c) /\
-    In (home_in H (rhs (given_claim a))) (around S c).
+Lemma well_formed_prepared S H : well_formed S H = true -> prepared S (table (numbered S)) H.
 Proof.
-  intros W c a I. assert (B : In c (seq 1 (length (contexts S)))).
+  unfold well_formed. intros W. apply andb_prop in W. destruct W as [P W].
+  apply andb_prop in P. destruct P as [P homes]. apply andb_prop in P. destruct P as [order parents].
+  split; trivial; [now split|]. intros c a I. assert (B : In c (seq 1 (length (contexts S)))).
   { apply in_seq. unfold givens_of, context_at in I. destruct c as [|k]; [destruct I|].
     destruct (nth_error (contexts S) k) eqn:E; [|destruct I].
     assert (k < length (contexts S))%nat by (apply nth_error_Some; congruence). lia. }
@@ -329,18 +321,15 @@ Qed.
 (* The theorem about the checker. *)
 Theorem accepts_sound S C : accepts S C = true -> citations_true S -> true_statement S.
 Proof.
-  unfold accepts, well_formed. intros E cites.
+  unfold accepts. intros E cites.
   apply andb_prop in E. destruct E as [E _]. apply andb_prop in E. destruct E as [W E].
-  apply andb_prop in W. destruct W as [W givens_home]. apply andb_prop in W.
-  destruct W as [W good_homes]. apply andb_prop in W. destruct W as [in_order parents_first].
-  pose proof (well_formed_givens _ _ givens_home) as home_of_givens. clear givens_home.
+  apply well_formed_prepared in W.
   set (T := table (numbered S)) in *. set (K := keys (numbered S)) in *.
   set (H := homes S) in *. set (grounds := ground_terms T (shared C)) in *.
-  assert (is_table : forall i, PM.find i T = PM.find i (table (numbered S))) by reflexivity.
-  assert (G : all_remembered S grounds) by (apply ground_terms_sound; trivial).
+  assert (G : all_remembered S grounds) by exact (ground_terms_sound S T H _ W).
   destruct (run _ _ _ _ _ _ _ _) as [s|] eqn:R; try discriminate.
-  apply (run_sound S in_order parents_first T is_table K H good_homes home_of_givens grounds G) in R;
-    [|now apply initial_true].
+  apply (run_sound S T K H W grounds G) in R;
+    [|now apply (initial_true S T H W)].
   destruct R as [_ Cs Ds Rs]. unfold finished in E. apply andb_prop in E. destruct E as [E Needed].
   apply andb_prop in E. destruct E as [E Rows]. apply andb_prop in E. destruct E as [Open Defined].
   rewrite forallb_forall in *. unfold true_statement.
@@ -349,7 +338,7 @@ Proof.
     assert (M : PM.find i (done_constants s) <> None).
     { apply PM.mem_2 in Defined. destruct Defined as [u M]. apply PM.find_1 in M. congruence. }
     destruct (Ds i M) as (c & a & X & Y). unfold constant_defined.
-    rewrite (constant_node S T is_table) in X. now rewrite X.
+    rewrite (constant_node S T H W) in X. now rewrite X.
   - intros c I. specialize (Open c I). apply existsb_exists in Open. destruct Open as (d & J & X).
     apply Nat.eqb_eq in X. subst d. now apply Cs.
   - intros r I. destruct (in_listed _ _ I 1%positive) as [k J]. specialize (Rows _ J).
@@ -365,19 +354,18 @@ Theorem enclosures_sound S C : accepts S C = true -> forall v,
   Forall (fun e => defined_at S v (enclosed e) /\ Q2R (low e) <= value_at S v (enclosed e) <= Q2R (high e))
     (enclosures C).
 Proof.
-  unfold accepts, well_formed. intros E v. apply andb_prop in E. destruct E as [E R].
-  apply andb_prop in E. destruct E as [W _]. apply andb_prop in W. destruct W as [W _].
-  apply andb_prop in W. destruct W as [W _]. apply andb_prop in W. destruct W as [in_order _].
+  unfold accepts. intros E v. apply andb_prop in E. destruct E as [E R].
+  apply andb_prop in E. destruct E as [W _]. apply well_formed_prepared in W.
   apply Forall_forall. intros e I. rewrite forallb_forall in R. specialize (R e I).
   apply at_some_precision_sound in R. destruct R as [bits R]. unfold right_ends_at in R.
   destruct (enclose _ _ _ _ _) as [[x m]|] eqn:X; try discriminate.
   apply andb_prop in R. destruct R as [L U].
-  eapply (enclose_sound S in_order _ (fun i => eq_refl) v) in X.
+  eapply (enclose_sound S _ _ W v) in X.
   - destruct X as [_ [D X]]. split; trivial.
     split; [eapply (decide_sound _ AtMost (Exact (low e))) in L |
             eapply (decide_sound _ AtMost x (Exact (high e))) in U]; eauto; try reflexivity;
       try exact L; try exact U.
-  - apply ground_sound. apply ground_terms_sound; trivial.
+  - apply ground_sound, (ground_terms_sound _ _ _ _ W).
 Qed.
 (* A statement that cites nothing needs nothing. *)
 Definition cites_nothing (S : statement) : bool :=

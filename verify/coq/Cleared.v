@@ -5,18 +5,23 @@ From Verify Require Import Meaning Roots Polynomials Terms Substitution Clearing
 Import ListNotations.
 Open Scope R_scope.
 
+(* What is taken as usable is true for the values v: signs, and that constants are defined. *)
+Record right_at (S : statement) (v : valuation) (knows : bool -> positive -> bool)
+    (is_defined : positive -> bool) : Prop := {
+  signs_right : forall b t, knows b t = true ->
+    0 <= value_at S v t /\ (b = true -> 0 < value_at S v t);
+  constants_right : forall i, is_defined i = true -> defined_at S v i
+}.
+
 Section Cleared.
 Variable S : statement.
-Hypothesis in_order : ordered (numbered S) = true.
 Variable T : PM.t node.
-Hypothesis is_table : forall i, PM.find i T = PM.find i (table (numbered S)).
+Hypothesis ready : tabled S T.
 Variable K : PM.t positive.
 Variable v : valuation.
 Variable knows : bool -> positive -> bool.
-Hypothesis knows_sound : forall b t, knows b t = true ->
-  0 <= value_at S v t /\ (b = true -> 0 < value_at S v t).
 Variable is_defined : positive -> bool.
-Hypothesis is_defined_sound : forall i, is_defined i = true -> defined_at S v i.
+Hypothesis right_here : right_at S v knows is_defined.
 Variable replaced : PM.t positive.
 Hypothesis replaced_sound : forall i j, PM.find i replaced = Some j ->
   defined_at S v i /\ value_at S v i = value_at S v j.
@@ -38,11 +43,10 @@ Proof.
   intros [A B] Q. split; trivial. cbn [cleared remember]. intros j y E.
   apply find_add in E. destruct E as [[-> ->]|E]; auto.
 Qed.
-Lemma table_value i n : PM.find i T = Some n -> val i = node_value v val i n.
-Proof. rewrite is_table. now apply value_node. Qed.
-Lemma table_defined i n : PM.find i T = Some n ->
-  (defined_at S v i <-> (forall a, In a (subterms n) -> defined_at S v a) /\ proviso val n).
-Proof. rewrite is_table. now apply defined_node. Qed.
+Let table_value := value_is S T ready v.
+Let table_defined := defined_is S T ready v.
+Let knows_sound := signs_right _ _ _ _ right_here.
+Let is_defined_sound := constants_right _ _ _ _ right_here.
 Lemma rational_sound i q : is_rational T i = Some q -> val i = Q2R q /\ defined_at S v i.
 Proof.
   unfold is_rational. destruct (PM.find i T) as [[]|] eqn:E; try discriminate. injection 1 as <-.

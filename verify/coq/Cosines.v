@@ -114,36 +114,26 @@ End Rules.
 
 Section SoundCosines.
 Variable S : statement.
-Hypothesis in_order : ordered (numbered S) = true.
 Variable T : PM.t node.
-Hypothesis is_table : forall i, PM.find i T = PM.find i (table (numbered S)).
+Hypothesis ready : tabled S T.
 Variable K : PM.t positive.
 Variable v : valuation.
 Variable knows : bool -> positive -> bool.
-Hypothesis knows_sound : forall b t, knows b t = true ->
-  0 <= value_at S v t /\ (b = true -> 0 < value_at S v t).
 Variable is_defined : positive -> bool.
-Hypothesis is_defined_sound : forall i, is_defined i = true -> defined_at S v i.
+Hypothesis right_here : right_at S v knows is_defined.
 Notation val := (value_at S v).
 Notation def := (defined_at S v).
 
-Lemma value_here i n : PM.find i T = Some n -> val i = node_value v val i n.
-Proof. rewrite is_table. now apply value_node. Qed.
-Lemma defined_here i n : PM.find i T = Some n ->
-  (def i <-> (forall a, In a (subterms n) -> def a) /\ proviso val n).
-Proof. rewrite is_table. now apply defined_node. Qed.
-Lemma number_here i q : is_rational T i = Some q -> val i = Q2R q /\ def i.
-Proof.
-  unfold is_rational. destruct (PM.find i T) as [[]|] eqn:E; try discriminate. injection 1 as <-.
-  rewrite (value_here _ _ E), (defined_here _ _ E). cbn. repeat split; tauto.
-Qed.
+Let value_here := value_is S T ready v.
+Let defined_here := defined_is S T ready v.
+Let number_here := rational_sound S T ready v.
+Let knows_sound := signs_right _ _ _ _ right_here.
 Lemma each_cleared l xs m :
   each (clear T K knows is_defined (PM.empty positive) levels) nothing_cleared l = Some (xs, m) ->
   sound S v m /\ Forall2 (is_quotient S v) l xs.
 Proof.
   intros E. apply (each_sound (sound S v) (is_quotient S v)) in E; trivial; [|apply nothing_sound].
-  intros s i x s1 _ Q C. eapply (clear_sound S in_order T is_table K v knows knows_sound is_defined
-    is_defined_sound (PM.empty positive)); eauto.
+  intros s i x s1 _ Q C. eapply (clear_sound S T ready K v knows is_defined right_here (PM.empty positive)); eauto.
   intros a b X. now rewrite PM.gempty in X.
 Qed.
 

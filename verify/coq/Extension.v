@@ -1,7 +1,16 @@
-(* A scope with more variables: the givens of a context say nothing of variables of inner ones. *)
+(* What the theorems on balls read off a statement: its induction, the givens in scope, and what holds
+   in a scope with more variables, since the givens of a context say nothing of those of inner ones. *)
 From Coq Require Import Reals ZArith List Bool Arith Lia FMapPositive.
-From Verify Require Import Meaning Terms Checker Accepted.
+From Verify Require Import Meaning Terms Checker Accepted Readable.
 Import ListNotations.
+Open Scope R_scope.
+
+(* The contexts of the induction, and what is put for variables at the start and afterwards. *)
+Definition induction_of (S : statement) : nat * nat * substitution * substitution :=
+  match find (fun r => match row_sentence r with Always _ _ _ => true | _ => false end) (rows S) with
+  | Some (Row _ c _ _ (Always d start next)) => (c, d, start, next)
+  | _ => (0%nat, 0%nat, [], [])
+  end.
 
 (* New values for the variables in a list. *)
 Definition extended (v : valuation) (keys : list positive) (w : valuation) : valuation :=
@@ -11,19 +20,9 @@ Section Extension.
 Variable S : statement.
 Hypothesis well : well_formed S (homes S) = true.
 
-Lemma well_parts : ordered (numbered S) = true /\ descending S = true /\
-  at_home S (homes S) = true /\
-  forall c a, In a (givens_of S c) ->
-    In (home_in (homes S) (lhs (given_claim a))) (around S c) /\
-    In (home_in (homes S) (rhs (given_claim a))) (around S c).
-Proof.
-  pose proof well as W. unfold well_formed in W. apply andb_prop in W. destruct W as [W G].
-  apply andb_prop in W. destruct W as [W A]. apply andb_prop in W. destruct W as [O D].
-  repeat split; trivial; now apply (well_formed_givens S (homes S) G).
-Qed.
 Lemma scope_agrees c v w : agree S c v w -> scope S c v -> scope S c w.
 Proof.
-  destruct well_parts as (O & D & A & G). intros E P k K. specialize (P k K). unfold satisfies in *.
+  destruct (well_formed_prepared S _ well) as [[O _] D A G]. intros E P k K. specialize (P k K). unfold satisfies in *.
   rewrite Forall_forall in *. intros a I. specialize (P a I).
   destruct (G k a I) as [L R].
   assert (Q : forall i, In (home_in (homes S) i) (around S k) -> value_at S v i = value_at S w i).
@@ -38,12 +37,60 @@ Lemma scope_extended T c v keys w : table (numbered S) = T -> (0 < c)%nat ->
   belong T c keys = true -> scope S (parent_of S c) v ->
   satisfies S (extended v keys w) (givens_of S c) -> scope S c (extended v keys w).
 Proof.
-  intros <- P B V G. destruct well_parts as (_ & D & _ & _). intros k K.
+  intros <- P B V G. destruct (well_formed_prepared S _ well) as [_ D _ _]. intros k K.
   rewrite (around_step S D c P) in K. destruct K as [<-|K]; trivial. revert k K.
   apply (scope_agrees _ v); trivial. intros x d X I. unfold extended.
   destruct (existsb (Pos.eqb x) keys) eqn:E; trivial. apply existsb_exists in E.
   destruct E as (y & Y & E). apply Pos.eqb_eq in E. subst y. unfold belong in B.
   rewrite forallb_forall in B. specialize (B x Y). rewrite X in B. apply Nat.eqb_eq in B. subst d.
   apply (around_at_most S D) in I. pose proof (parent_below S D c P). lia.
+Qed.
+
+(* --- givens in ordinary notation -------------------------------------------------------------- *)
+
+Definition same_shape (s t : shape) : {s = t} + {s <> t}.
+Proof.
+  decide equality; apply Z.eq_dec || apply Pos.eq_dec || apply Nat.eq_dec ||
+    (decide equality; apply Pos.eq_dec).
+Defined.
+Definition same_shown (g h : shown_claim) : {g = h} + {g <> h}.
+Proof. repeat decide equality; apply same_shape. Defined.
+
+Variable T : PM.t node.
+Hypothesis T_is : table (numbered S) = T.
+Variable l : values.
+Hypothesis right : right_values S l.
+(* The givens in scope, the outermost first. *)
+Definition conditions_of (c : nat) : list shown_claim :=
+  map (fun a => read_claim T (given_claim a)) (flat_map (givens_of S) (rev (around S c))).
+Lemma condition_shown c v g found : conditions_of c = found -> scope S c v ->
+  (if in_dec same_shown g found then true else false) = true -> shown S l v g.
+Proof.
+  intros <- I G. destruct (in_dec _ _ _) as [J|]; [clear G | discriminate].
+  apply (scope_shown S (in_order S _ (Terms.found S _ _ (well_formed_prepared S _ well))) T T_is _ _ _
+    right) in I.
+  rewrite Forall_forall in I. exact (I g J).
+Qed.
+
+(* Within a flight: an inner context has a time as its variable, and two givens. *)
+Definition at_time (w : valuation) (key : positive) (t : R) : valuation :=
+  extended w [key] (fun _ => t).
+Lemma at_a_time w c key t relation number : (0 < c)%nat -> scope S (parent_of S c) w ->
+  map (fun a => read_claim T (given_claim a)) (givens_of S c) =
+    [(AtMost, Whole 0, Named key); (relation, Named key, Abbreviated number)] ->
+  belong T c [key] = true ->
+  related AtMost 0 t -> related relation t (look_up S l number (at_time w key t)) ->
+  scope S c (at_time w key t).
+Proof.
+  intros P Parent G K L U. apply (scope_extended T c w [key] _ T_is P K Parent).
+  fold (at_time w key t). unfold satisfies. assert (Q : at_time w key t key = t).
+  { unfold at_time, extended. cbn [existsb]. now rewrite Pos.eqb_refl. }
+  assert (F : Forall (shown S l (at_time w key t))
+    (map (fun a => read_claim T (given_claim a)) (givens_of S c))).
+  { rewrite G. apply Forall_cons; [|apply Forall_cons; [|apply Forall_nil]];
+      unfold shown; cbn [fst snd show]; now rewrite Q. }
+  rewrite Forall_map in F. revert F. apply Forall_impl. intros g.
+  apply (read_claim_right S (in_order S _ (Terms.found S _ _ (well_formed_prepared S _ well))) T T_is
+    _ _ _ right).
 Qed.
 End Extension.

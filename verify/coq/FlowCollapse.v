@@ -23,18 +23,15 @@ Record unit_numbers (v lam rho eps sig C b reach closing parting cosine turning 
   unit_7 : parting = rho * v; unit_8 : cosine = C / reach; unit_9 : turning = b / reach;
   unit_10 : distance = eps * v ^ 2 / (1 + reach)
 }.
-Definition unit_givens := Eval vm_compute in flow_givens 8.
-Lemma unit_certified w : scope SF 8 w -> unit_numbers
+Definition unit_givens := Eval vm_compute in flow_givens Flow.context_unit.
+Lemma unit_certified w : scope SF Flow.context_unit w -> unit_numbers
   (w Flow.number_of_unit_v) (w Flow.number_of_unit_lam) (w Flow.number_of_unit_rho)
   (w Flow.number_of_unit_eps) (w Flow.number_of_unit_sig) (w Flow.number_of_unit_C)
   (w Flow.number_of_unit_b) (w Flow.number_of_unit_reach) (w Flow.number_of_unit_closing)
   (w Flow.number_of_unit_parting) (w Flow.number_of_unit_cosine) (w Flow.number_of_unit_turning)
   (w Flow.number_of_unit_distance).
 Proof.
-  intros S. pose proof (flow_given 8 w S (or_introl eq_refl)) as F.
-  assert (E : flow_givens 8 = unit_givens) by (vm_compute; reflexivity).
-  rewrite E in F. unfold unit_givens in F.
-  repeat (apply Forall_cons_iff in F; let X := fresh in destruct F as [X F]).
+  intros S. givens_of_flow w S Flow.context_unit unit_givens.
   split; assumption.
 Qed.
 Theorem unit_state n x o s c v lam rho eps sig A B C a b w reach closing parting cosine turning far :
@@ -67,8 +64,8 @@ Record recentred (v lam rho eps sig A B C a b w
   recentre_5 : A_next = A + B - 2 * w; recentre_6 : C_next = - C - 1 - sig * v ^ 2;
   recentre_7 : a_next = rho * v - a; recentre_8 : b_next = rho * v - b; recentre_9 : w_next = B - w
 }.
-Definition recentre_givens := Eval vm_compute in flow_givens 4.
-Lemma recentre_certified w : scope SF 4 w -> recentred
+Definition recentre_givens := Eval vm_compute in flow_givens Flow.context_recentre.
+Lemma recentre_certified w : scope SF Flow.context_recentre w -> recentred
   (w Flow.number_of_recentre_v) (w Flow.number_of_recentre_lam) (w Flow.number_of_recentre_rho)
   (w Flow.number_of_recentre_eps) (w Flow.number_of_recentre_sig) (w Flow.number_of_recentre_A)
   (w Flow.number_of_recentre_B) (w Flow.number_of_recentre_C) (w Flow.number_of_recentre_a)
@@ -78,10 +75,7 @@ Lemma recentre_certified w : scope SF 4 w -> recentred
   (w Flow.number_of_recentre_C_next) (w Flow.number_of_recentre_a_next)
   (w Flow.number_of_recentre_b_next) (w Flow.number_of_recentre_w_next).
 Proof.
-  intros S. pose proof (flow_given 4 w S (or_introl eq_refl)) as F.
-  assert (E : flow_givens 4 = recentre_givens) by (vm_compute; reflexivity).
-  rewrite E in F. unfold recentre_givens in F.
-  repeat (apply Forall_cons_iff in F; let X := fresh in destruct F as [X F]).
+  intros S. givens_of_flow w S Flow.context_recentre recentre_givens.
   split; assumption.
 Qed.
 Theorem seen_from_s n x o s c v lam rho eps sig A B C a b w lam' rho' eps' sig' A' C' a' b' w' :

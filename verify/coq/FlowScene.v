@@ -24,8 +24,13 @@ Proof.
   intros B L A. apply (scope_same SF S1 (size SF S1) B); [now apply PeanoNat.Nat.leb_le|].
   apply A. intros k [<-|[]]. apply Forall_nil.
 Qed.
-Definition collision_givens := Eval vm_compute in flow_givens 1.
-Lemma collision_certified w : scope SF 1 w -> flow_collision
+Ltac givens_of_flow w S c found :=
+  let F := fresh in pose proof (flow_given c w S (or_introl eq_refl)) as F;
+  let E := fresh in assert (E : flow_givens c = found) by (vm_compute; reflexivity);
+  rewrite E in F; clear E; unfold found in F;
+  repeat (apply Forall_cons_iff in F; let X := fresh in destruct F as [X F]).
+Definition collision_givens := Eval vm_compute in flow_givens Flow.context_collision.
+Lemma collision_certified w : scope SF Flow.context_collision w -> flow_collision
   (w Flow.number_of_r) (w Flow.number_of_v_) (w Flow.number_of_lam) (w Flow.number_of_rho)
   (w Flow.number_of_eps) (w Flow.number_of_sig) (w Flow.number_of_A) (w Flow.number_of_B)
   (w Flow.number_of_C) (w Flow.number_of_a) (w Flow.number_of_b) (w Flow.number_of_w)
@@ -34,32 +39,23 @@ Lemma collision_certified w : scope SF 1 w -> flow_collision
   (w Flow.number_of_A_next) (w Flow.number_of_B_next) (w Flow.number_of_a_next)
   (w Flow.number_of_b_next) (w Flow.number_of_w_next) (w Flow.number_of_eps_next).
 Proof.
-  intros S. pose proof (flow_given 1 w S (or_introl eq_refl)) as F.
-  assert (E : flow_givens 1 = collision_givens) by (vm_compute; reflexivity).
-  rewrite E in F. unfold collision_givens in F.
-  repeat (apply Forall_cons_iff in F; let X := fresh in destruct F as [X F]).
+  intros S. givens_of_flow w S Flow.context_collision collision_givens.
   split; assumption.
 Qed.
 
-Definition parting_givens := Eval vm_compute in flow_givens 9.
-Definition passing_givens := Eval vm_compute in flow_givens 11.
+Definition parting_givens := Eval vm_compute in flow_givens Flow.context_parting.
+Definition passing_givens := Eval vm_compute in flow_givens Flow.context_passing.
 
 (* A pair at the rate p, with the square m of its speed and g that of its distance, less 1. *)
 Definition pair_ends (m g p : R) : Prop := 0 <= p \/ (0 < m /\ p ^ 2 < m * g).
-Lemma parting_certified w : scope SF 9 w -> forall m g, pair_ends m g (w Flow.number_of_parting_p).
+Lemma parting_certified w : scope SF Flow.context_parting w -> forall m g, pair_ends m g (w Flow.number_of_parting_p).
 Proof.
-  intros S m g. pose proof (flow_given 9 w S (or_introl eq_refl)) as F.
-  assert (E : flow_givens 9 = parting_givens) by (vm_compute; reflexivity).
-  rewrite E in F. unfold parting_givens in F.
-  repeat (apply Forall_cons_iff in F; let X := fresh in destruct F as [X F]). left. assumption.
+  intros S m g. givens_of_flow w S Flow.context_parting parting_givens. left. assumption.
 Qed.
-Lemma passing_certified w : scope SF 11 w -> pair_ends (w Flow.number_of_passing_m)
+Lemma passing_certified w : scope SF Flow.context_passing w -> pair_ends (w Flow.number_of_passing_m)
   (w Flow.number_of_passing_g) (w Flow.number_of_passing_p).
 Proof.
-  intros S. pose proof (flow_given 11 w S (or_introl eq_refl)) as F.
-  assert (E : flow_givens 11 = passing_givens) by (vm_compute; reflexivity).
-  rewrite E in F. unfold passing_givens in F.
-  repeat (apply Forall_cons_iff in F; let X := fresh in destruct F as [X F]). right. split; assumption.
+  intros S. givens_of_flow w S Flow.context_passing passing_givens. right. split; assumption.
 Qed.
 Lemma pair_never_meets d x i j : 1 <= square d x i j ->
   pair_ends (dot d (relative x i j) (relative x i j)) (square d x i j - 1) (rate d x i j) ->

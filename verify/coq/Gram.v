@@ -12,11 +12,7 @@ Notation S0 := Step.the_statement.
 Notation shown_here := (shown S0 Step.all_values).
 
 (* The induction of the certificate, and its contexts. *)
-Definition the_induction := Eval vm_compute in
-  match find (fun r => match row_sentence r with Always _ _ _ => true | _ => false end) (rows S0) with
-  | Some (Row _ c _ _ (Always d start next)) => (c, d, start, next)
-  | _ => (0%nat, 0%nat, [], [])
-  end.
+Definition the_induction := Eval vm_compute in induction_of S0.
 Definition start_context := Eval vm_compute in fst (fst (fst the_induction)).
 Definition state_context := Eval vm_compute in snd (fst (fst the_induction)).
 Definition start := Eval vm_compute in snd (fst the_induction).

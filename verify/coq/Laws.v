@@ -140,28 +140,24 @@ End LawRules.
 
 Section SoundLaws.
 Variable S : statement.
-Hypothesis in_order : ordered (numbered S) = true.
 Variable T : PM.t node.
-Hypothesis is_table : forall i, PM.find i T = PM.find i (table (numbered S)).
+Hypothesis ready : tabled S T.
 Variable K : PM.t positive.
 Variable v : valuation.
 Variable knows : bool -> positive -> bool.
-Hypothesis knows_sound : forall b t, knows b t = true ->
-  0 <= value_at S v t /\ (b = true -> 0 < value_at S v t).
 Variable is_defined : positive -> bool.
-Hypothesis is_defined_sound : forall i, is_defined i = true -> defined_at S v i.
+Hypothesis right_here : right_at S v knows is_defined.
 Notation val := (value_at S v).
 Notation def := (defined_at S v).
-Let value_of := value_here S in_order T is_table v.
-Let defined_of := defined_here S in_order T is_table v.
-Let cleared_of := each_cleared S in_order T is_table K v knows knows_sound is_defined
-  is_defined_sound.
+Let value_of := value_is S T ready v.
+Let defined_of := defined_is S T ready v.
+Let cleared_of := each_cleared S T ready K v knows is_defined right_here.
 Notation poly := (at_values val).
 
 Lemma is_number_sound i q : is_number T i q = true -> val i = Q2R q.
 Proof.
   unfold is_number. destruct (is_rational T i) as [r|] eqn:E; try discriminate. intros Q.
-  apply (number_here S in_order T is_table v) in E. destruct E as [-> _].
+  apply (rational_sound S T ready v) in E. destruct E as [-> _].
   now apply Qeq_eqR, Qeq_bool_eq.
 Qed.
 Lemma argument_sound f i a : argument T f i = Some a ->
@@ -189,7 +185,7 @@ Proof.
   unfold is_circular. intros C. apply orb_prop in C. destruct C as [C|C].
   - apply is_of_sound in C. destruct C as [x ->]. cbn [applied]. pose proof (SIN_bound x). lra.
   - destruct (cosine_of T i) as [[k a]|] eqn:E; try discriminate.
-    apply (cosine_of_sound S in_order T is_table v) in E. destruct E as [-> _].
+    apply (cosine_of_sound S T ready v) in E. destruct E as [-> _].
     pose proof (COS_bound (turn k * val a)). lra.
 Qed.
 Lemma is_quarter_sound i : is_quarter T i = true -> val i = PI / 2.

@@ -14,27 +14,11 @@ Ltac row_of w is_row inside :=
   refine (row_in_scope S0 Step.the_order Step.the_table Step.the_table_is Step.the_rows_hold
     Step.all_values _ _ _ w Step.all_right is_row _); exact inside.
 
-(* All givens in scope. *)
-Definition the_conditions := Eval vm_compute in map (fun a => read_claim Step.the_table (given_claim a))
-  (flat_map (givens_of S0) (rev (around S0 state_context))).
-Lemma the_conditions_are : map (fun a => read_claim Step.the_table (given_claim a))
-  (flat_map (givens_of S0) (rev (around S0 state_context))) = the_conditions.
+Definition the_conditions := Eval vm_compute in conditions_of S0 Step.the_table state_context.
+Lemma the_conditions_are : conditions_of S0 Step.the_table state_context = the_conditions.
 Proof. vm_compute. reflexivity. Qed.
-Definition same_shape (s t : shape) : {s = t} + {s <> t}.
-Proof.
-  decide equality; apply Z.eq_dec || apply Pos.eq_dec || apply Nat.eq_dec ||
-    (decide equality; apply Pos.eq_dec).
-Defined.
-Definition same_shown (g h : shown_claim) : {g = h} + {g <> h}.
-Proof. repeat decide equality; apply same_shape. Defined.
-Lemma condition v g : scope S0 state_context v ->
-  (if in_dec same_shown g the_conditions then true else false) = true -> shown_here v g.
-Proof.
-  intros I G. destruct (in_dec _ _ _) as [J|]; [clear G | discriminate].
-  rewrite <- the_conditions_are in J.
-  apply (scope_shown S0 Step.the_order Step.the_table Step.the_table_is _ _ _ Step.all_right) in I.
-  rewrite Forall_forall in I. exact (I g J).
-Qed.
+Definition condition v g : scope S0 state_context v -> _ -> shown_here v g :=
+  condition_shown S0 well Step.the_table Step.the_table_is _ Step.all_right _ v g _ the_conditions_are.
 Ltac is_condition g inside := refine (condition _ g inside _); vm_compute; reflexivity.
 
 Section OneStep.
@@ -135,41 +119,22 @@ Proof.
   apply Rabs_le. lra.
 Qed.
 
-(* Within the flight: an inner context has a time as its variable, and two givens. *)
-Definition at_time (key : positive) (t : R) : valuation := extended w [key] (fun _ => t).
-Lemma at_a_time c key t relation flight_number : (0 < c)%nat -> parent_of S0 c = state_context ->
-  map (fun a => read_claim Step.the_table (given_claim a)) (givens_of S0 c) =
-    [(AtMost, Whole 0, Named key); (relation, Named key, Abbreviated flight_number)] ->
-  belong Step.the_table c [key] = true ->
-  related AtMost 0 t -> related relation t (look_up S0 Step.all_values flight_number (at_time key t)) ->
-  scope S0 c (at_time key t).
+Lemma before t : 0 <= t < flight -> scope S0 Step.context_before (at_time w Step.number_of_s t).
 Proof.
-  intros P Parent G K L U.
-  apply (scope_extended S0 well Step.the_table c w [key] _ Step.the_table_is P K).
-  - now rewrite Parent.
-  - fold (at_time key t). unfold satisfies. assert (Q : at_time key t key = t).
-    { unfold at_time, extended. cbn [existsb]. now rewrite Pos.eqb_refl. }
-    assert (F : Forall (shown_here (at_time key t))
-      (map (fun a => read_claim Step.the_table (given_claim a)) (givens_of S0 c))).
-    { rewrite G. apply Forall_cons; [|apply Forall_cons; [|apply Forall_nil]];
-        unfold shown; cbn [fst snd show]; now rewrite Q. }
-    rewrite Forall_map in F. revert F. apply Forall_impl. intros g.
-    apply (read_claim_right S0 Step.the_order Step.the_table Step.the_table_is _ _ _ Step.all_right).
+  intros T. eapply (at_a_time S0 well Step.the_table Step.the_table_is _ Step.all_right);
+    try (vm_compute; reflexivity); try apply T; [apply Nat.lt_0_succ | exact inside].
 Qed.
-Lemma before t : 0 <= t < flight -> scope S0 6 (at_time Step.number_of_s t).
+Lemma meanwhile t : 0 <= t <= flight -> scope S0 Step.context_meanwhile (at_time w Step.number_of_t t).
 Proof.
-  intros T. eapply at_a_time; try (vm_compute; reflexivity); try apply T. lia.
-Qed.
-Lemma meanwhile t : 0 <= t <= flight -> scope S0 7 (at_time Step.number_of_t t).
-Proof.
-  intros T. eapply at_a_time; try (vm_compute; reflexivity); try apply T. lia.
+  intros T. eapply (at_a_time S0 well Step.the_table Step.the_table_is _ Step.all_right);
+    try (vm_compute; reflexivity); try apply T; [apply Nat.lt_0_succ | exact inside].
 Qed.
 Lemma colliding_apart t : 0 <= t < flight ->
   1 < (1 + d) * (1 + d) + (1 + d) * t * - y + t * (1 + d) * - y + t * t * A.
-Proof. intros T. row_of (at_time Step.number_of_s t) Step.row_of_colliding_pair_apart_is (before t T). Qed.
+Proof. intros T. row_of (at_time w Step.number_of_s t) Step.row_of_colliding_pair_apart_is (before t T). Qed.
 Lemma spectator_apart t : 0 <= t <= flight ->
   1 + 2 * t * eta_s <= 1 + t * eta_s + t * eta_s + t * t * B.
-Proof. intros T. row_of (at_time Step.number_of_t t) Step.row_of_spectator_apart_is (meanwhile t T). Qed.
+Proof. intros T. row_of (at_time w Step.number_of_t t) Step.row_of_spectator_apart_is (meanwhile t T). Qed.
 Lemma outer_apart t : 0 <= t <= flight ->
   1 < 1 - 2 * (1 + d) * - C + (1 + d) ^ 2 + 2 * t * (eta_s - a - (1 + d) * b + (1 + d) * - y)
     + t ^ 2 * (A + B - 2 * n).
@@ -179,7 +144,7 @@ Proof.
     + t * (-1) * (-1) * eta_s + t * (-1) * (t * (-1)) * B + t * (-1) * (1 + d) * b + t * (-1) * t * n
     + (1 + d) * (-1) * (- C) + (1 + d) * (t * (-1)) * b + (1 + d) * (1 + d) + (1 + d) * t * (- y)
     + t * (-1) * a + t * (t * (-1)) * n + t * (1 + d) * (- y) + t * t * A)
-    by row_of (at_time Step.number_of_t t) Step.row_of_outer_pair_apart_is (meanwhile t T).
+    by row_of (at_time w Step.number_of_t t) Step.row_of_outer_pair_apart_is (meanwhile t T).
   apply (Rlt_le_trans _ _ _ Q), Req_le. ring.
 Qed.
 

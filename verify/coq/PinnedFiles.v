@@ -1,7 +1,9 @@
 (* What the words of a statement.json mean, by examples that Coq computes: each operation, relation,
-   kind and verdict; which names are in scope; and a whole statement that cites another. *)
-From Coq Require Import Bool String List ZArith QArith Strings.Byte FMapPositive.
+   kind and verdict; which names are in scope; and a whole statement that cites another. Coq's
+   libraries are imported last: no name of ours hides one of theirs. *)
 From Verify Require Import Json ReadJson Meaning Terms Decode DecodeTerms DecodeStatement.
+From Verify Require JsonRead.
+From Coq Require Import Bool String ZArith QArith Strings.Byte FMapPositive List.
 Import ListNotations.
 Open Scope positive_scope.
 
@@ -14,8 +16,10 @@ Definition read {A} (f : json -> M A) (w : string) (k : kernel) : option (A * ke
   | Some x => match f x k with Ok found k => Some (found, k) | Bad _ _ => None end
   | None => None
   end.
+(* What a document is, is what is read. *)
+Check (JsonRead.document_reads : forall s v, document s = Some v <-> Document s v).
 Definition absent {A} (x : option A) : bool := match x with None => true | Some _ => false end.
-Definition named (w : string) : positive := fact (bytes w).
+Definition named (w : string) : positive := DecodeTerms.fact (bytes w).
 
 (* --- terms and claims --------------------------------------------------------------------------- *)
 

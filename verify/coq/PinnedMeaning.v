@@ -82,8 +82,10 @@ Check (fun a b => eq_refl : tree (M.NDiv a b) = M.Div (at_ a) (at_ b)).
 Check (fun a => eq_refl : tree (M.NNeg a) = M.Neg (at_ a)).
 Check (fun a n => eq_refl : tree (M.NPow a n) = M.Pow (at_ a) n).
 Check (fun a => eq_refl : tree (M.NSqrt a) = M.Sqrt (at_ a)).
-Check (fun a b c => eq_refl : tree (M.NMin a [b; c]) = M.Min (at_ b) (M.Min (at_ c) (at_ a))).
-Check (fun a b c => eq_refl : tree (M.NMax a [b; c]) = M.Max (at_ b) (M.Max (at_ c) (at_ a))).
+Check (fun a => eq_refl : tree (M.NMin a []) = at_ a).
+Check (fun a b l => eq_refl : tree (M.NMin a (b :: l)) = M.Min (at_ b) (tree (M.NMin a l))).
+Check (fun a => eq_refl : tree (M.NMax a []) = at_ a).
+Check (fun a b l => eq_refl : tree (M.NMax a (b :: l)) = M.Max (at_ b) (tree (M.NMax a l))).
 Check (fun a => eq_refl : tree (M.NCos a) = M.Cos (at_ a)).
 Check (fun a => eq_refl : tree (M.NCosPi a) = M.CosPi (at_ a)).
 Check (eq_refl : tree M.NPi = M.Pi).
@@ -125,7 +127,7 @@ Check (fun k c => eq_refl : M.upwards S (Datatypes.S k) (Datatypes.S c) =
   Datatypes.S c :: M.upwards S k (M.parent_of S (Datatypes.S c))).
 Check (fun p x g q => eq_refl : (M.parent (M.Context p x g q), M.variables (M.Context p x g q),
   M.givens (M.Context p x g q), M.point (M.Context p x g q)) = (p, x, g, q)).
-Check (fun n g t => eq_refl : M.given_claim (M.Given n g t) = g).
+Check (fun n g t => eq_refl : (M.given_claim (M.Given n g t), M.given_kind (M.Given n g t)) = (g, t)).
 Check (fun c => eq_refl : scope c v = (forall k, In k (M.upwards S c c) ->
   Forall (fun a => M.stands S v (M.given_claim a)) (M.givens_of S k))).
 Check (fun c g => eq_refl : M.fact S c g = (forall w, scope c w -> M.holds S w g)).

@@ -19,13 +19,15 @@ Proof. destruct r, s; try discriminate; reflexivity. Qed.
 
 Section Places.
 Variable S : statement.
-Hypothesis in_order : ordered (numbered S) = true.
-Hypothesis parents_first : descending S = true.
 Variable T : PM.t node.
-Hypothesis is_table : forall i, PM.find i T = PM.find i (table (numbered S)).
 Variable K : PM.t positive.
 Variable H : PM.t nat.
-Hypothesis good_homes : at_home S H = true.
+Hypothesis ready : prepared S T H.
+Let found := found S T H ready.
+Let in_order := in_order S T found.
+Let is_table := is_table S T found.
+Let parents_first := parents_first S T H ready.
+Let good_homes := good_homes S T H ready.
 Notation home := (home_in H).
 
 (* The values satisfy the givens in scope, and the hypotheses of the branches around hold. *)
@@ -44,15 +46,11 @@ Definition remembered (v : valuation) (m : memory) : Prop :=
 Definition all_remembered (grounds : list (positive * memory)) : Prop :=
   forall v, Forall (fun x => remembered v (snd x)) grounds.
 
-(* The givens of a context are claims over names in scope there. *)
-Hypothesis givens_home : forall c a, In a (givens_of S c) ->
-  In (home (lhs (given_claim a))) (around S c) /\ In (home (rhs (given_claim a))) (around S c).
-
 (* What is put for the variables of a context leaves the givens around it true. *)
 Lemma given_same v w c a : In a (givens_of S c) -> agree S c v w ->
   stands S v (given_claim a) -> stands S w (given_claim a).
 Proof.
-  intros I A. destruct (givens_home _ _ I) as [L R]. unfold stands.
+  intros I A. destruct (givens_home S T H ready _ _ I) as [L R]. unfold stands.
   destruct (home_value S in_order parents_first H good_homes v w _
     (agree_within S parents_first _ _ _ _ L A)) as [-> _].
   destruct (home_value S in_order parents_first H good_homes v w _
@@ -73,11 +71,8 @@ Proof.
   apply (around_at_most S parents_first) in D, I. lia.
 Qed.
 
-Lemma value_is v i n : PM.find i T = Some n -> value_at S v i = node_value v (value_at S v) i n.
-Proof. rewrite is_table. now apply value_node. Qed.
-Lemma defined_is v i n : PM.find i T = Some n ->
-  (defined_at S v i <-> (forall a, In a (subterms n) -> defined_at S v a) /\ proviso (value_at S v) n).
-Proof. rewrite is_table. now apply defined_node. Qed.
+Let value_is := value_is S T found.
+Let defined_is := defined_is S T found.
 Lemma is_zero_sound v i : is_zero T i = true -> value_at S v i = 0 /\ defined_at S v i.
 Proof.
   unfold is_zero. destruct (PM.find i T) as [n|] eqn:E; try discriminate.
@@ -88,8 +83,7 @@ Qed.
 Lemma phi_sound v c at_ : (0 < c)%nat -> of_context T c at_ = true -> all_defined S v at_ ->
   all_replaced S at_ v (phi_of S T K H c at_).
 Proof.
-  intros C O D. unfold phi_of. apply (new_terms_sound S in_order parents_first H good_homes
-    T is_table K c at_ v O D C).
+  intros C O D. unfold phi_of. apply (new_terms_sound S H T ready K c at_ v O D C).
   - intros i n I. now apply listed_find.
   - intros i j X. now rewrite PM.gempty in X.
 Qed.
@@ -106,8 +100,7 @@ Lemma substituted_sound g h : substituted S H c (phi_of S T K H c at_) g = Some 
   (holds S (after S v at_) g <-> holds S v h).
 Proof.
   unfold substituted. intros E. bind E a A. bind E b B. injection E as <-.
-  apply (new_term_sound S in_order parents_first H good_homes T is_table c at_ v own not_root)
-    in A, B; try now apply phi_sound.
+  apply (new_term_sound S H T ready c at_ v own not_root) in A, B; try now apply phi_sound.
   destruct A as [A1 A2], B as [B1 B2]. unfold holds, stands. cbn [lhs rhs relation_of].
   rewrite A1, B1, A2, B2. tauto.
 Qed.
@@ -169,7 +162,8 @@ Proof.
   unfold has_value. destruct (PM.find i (having_values F)) as [c|] eqn:E; try discriminate.
   intros I. eapply (proj2 (proj2 (proj2 valid_facts))); eauto. now apply inside_scope.
 Qed.
-Definition sound_clearing (s : clearing) : Prop := sound S v s.
+Lemma usable_right : right_at S v (knows S T F p) (has_value S F p).
+Proof. split; [exact knows_sign | exact has_value_sound]. Qed.
 Lemma none_replaced i j : PM.find i (PM.empty positive) = Some j ->
   defined_at S v i /\ value_at S v i = value_at S v j.
 Proof. now rewrite PM.gempty. Qed.
@@ -179,8 +173,7 @@ Proof.
   apply (each_sound (sound S v) (is_quotient S v)) in E.
   - destruct E as [_ E]. induction E as [|a x l xs A _ IH]; constructor; trivial. apply A.
   - intros s0 i x s1 _ Q C. eapply clear_sound in C; eauto.
-    + exact knows_sign.
-    + exact has_value_sound.
+    + exact usable_right.
     + exact none_replaced.
   - apply nothing_sound.
 Qed.

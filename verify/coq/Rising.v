@@ -61,15 +61,14 @@ Qed.
 
 Section SoundRising.
 Variable S : statement.
-Hypothesis in_order : ordered (numbered S) = true.
 Variable T : PM.t node.
-Hypothesis is_table : forall i, PM.find i T = PM.find i (table (numbered S)).
+Hypothesis ready : tabled S T.
 Variable K : PM.t positive.
 Variable v : valuation.
 Notation val := (value_at S v).
 Notation def := (defined_at S v).
-Let value_of := value_here S in_order T is_table v.
-Let defined_of := defined_here S in_order T is_table v.
+Let value_of := value_is S T ready v.
+Let defined_of := defined_is S T ready v.
 
 Lemma rising_node f c i : PM.find i T = Some (applied_node f c) ->
   val i = applies f (val c) /\ (def i -> domain f (val c)).

@@ -1,12 +1,15 @@
 (* What the certificates take on trust, sentence by sentence, with what Coq proves instead: this file
    fails to compile if one of these theorems comes to say anything else. The list of sentences and
    names is verify/paper/in_coq.py. Sentences of general mathematics are about all vectors, sequences
-   and functions; the numbered sentences are about the rows of one certificate, that of the step or that of the sharper theorem. *)
-From Coq Require Import Reals.
+   and functions; the numbered sentences are about the rows of one certificate, that of the step or
+   that of the sharper theorem. Coq's libraries are imported last: no name of ours hides one of theirs. *)
 From Verify Require Import Theorem1.
+From Coq Require Import Reals List.
+Import ListNotations.
 From Verify Require Vectors Sequences Ending Steady OneStep Trajectory OneScene Interior InTurn Gram.
 From Verify Require Meaning Step Collapse FromNumbers Runs Sharper AnyStep SharperStep SharperCollapse.
 Open Scope R_scope.
+Definition B1 : ball := Theorem1.B1.
 
 (* --- hard-spheres: a definition, and what it says --------------------------------------------- *)
 
@@ -68,6 +71,25 @@ Check (Ending.positions_converge_to_ending : forall d r restitutes scenes time T
 Definition a_state (w : Meaning.valuation) : Prop :=
   Meaning.scope Step.the_statement Gram.state_context w.
 Definition distinct (i j : ball) : Prop := i <> B0 /\ j <> B0 /\ i <> j.
+(* Of the direction and the relative velocity of i and of j, seen from ball 0, the numbers are the inner
+   products, and 1 + d is the distance of j. *)
+Definition has_numbers (m : AnyStep.numbers) d (x : scene) (i j : ball) : Prop :=
+  exists q, (to x B0 j = fun k => (1 + AnyStep.d m) * q k) /\
+    let p := to x B0 i in let s := relative x B0 i in let c := relative x B0 j in
+    dot d p p = 1 /\ dot d q q = 1 /\ dot d p q = - AnyStep.C m /\
+    dot d p s = AnyStep.eta_s m /\ dot d q c = - AnyStep.y m /\
+    dot d p c = AnyStep.a m /\ dot d q s = AnyStep.b m /\
+    dot d s s = AnyStep.B m /\ dot d c c = AnyStep.A m /\ dot d s c = AnyStep.w m.
+Theorem same_numbers m d x i j : AnyStep.has m d x i j <-> has_numbers m d x i j.
+Proof.
+  split; intros (q & E & F); exists q; (split; [exact E|]).
+  - destruct F. repeat (split; [assumption|]). assumption.
+  - destruct F as (? & ? & ? & ? & ? & ? & ? & ? & ? & ?). split; assumption.
+Qed.
+Check (fun w => eq_refl : Gram.shows w = AnyStep.has (AnyStep.Numbers
+  (w Step.number_of_y) (w Step.number_of_eta_s) (w Step.number_of_C) (w Step.number_of_a)
+  (w Step.number_of_b) (w Step.number_of_A) (w Step.number_of_B) (w Step.number_of_w)
+  (w Step.number_of_d))).
 (* glue-next: the next collision, and the state after it. *)
 Check (OneStep.meets : forall w, a_state w -> forall d x i j, distinct i j ->
   Gram.shows w d x i j -> first_to_meet d x B0 j (OneStep.flight w)).
@@ -88,12 +110,30 @@ Check (Trajectory.finite_time : forall v, a_start v -> forall d x, begins_with v
 (* glue-angle: the angle converges, to that of the places to which the balls come. *)
 Check (Trajectory.angle_converges : forall v, a_start v -> forall d x, begins_with v d x ->
   exists l, Un_cv (Trajectory.cosine v) l /\ Rabs (l - v Step.number_of_c) <= OneStep.drift v).
-Check (Ending.in_turn_collapses : forall d r restitutes scenes time T, time O = 0 ->
-  forall in_turn converges, collapses d r (scenes O) scenes time T (InTurn.course scenes time)
+Check (Ending.in_turn_collapses : forall d r restitutes scenes time T, time 0%nat = 0 ->
+  forall in_turn converges, collapses d r (scenes 0%nat) scenes time T (InTurn.course scenes time)
     (Ending.ending d r restitutes scenes time T in_turn converges)).
 
 (* glue-interior: there is a scene that satisfies all inequalities strictly, and scenes near one into
    which it flies are in the set. *)
+Definition strictly_inside r c V_0 delta_theta d s : Prop :=
+  let V_1 := V_1 r c V_0 in
+  let gap := distance d s B0 B2 - 1 in
+  let y := - rate d s B0 B2 / distance d s B0 B2 in
+  0 < gap /\ gap < d_const r c V_0 delta_theta /\ gap < d_slope r c V_0 * (y * y) /\
+  0 < rate d s B0 B1 /\ 0 < y /\ y < eta_bar r c V_0 delta_theta /\
+  Rabs (rate d s B0 B1 - phi_minus r c * y) < x_0 r c V_0 * y /\
+  V_0 + (V_1 - V_0) / 3 < dot d (relative s B0 B1) (relative s B0 B1) /\
+  dot d (relative s B0 B1) (relative s B0 B1) < V_1 - (V_1 - V_0) / 3 /\
+  V_0 + (V_1 - V_0) / 3 < dot d (relative s B0 B2) (relative s B0 B2) /\
+  dot d (relative s B0 B2) (relative s B0 B2) < V_1 - (V_1 - V_0) / 3 /\
+  Rabs (minus_cosine d s - c) < Delta_theta r c V_0 delta_theta / 4.
+Theorem same_inside r c V_0 delta_theta d s :
+  Interior.inside r c V_0 delta_theta d s <-> strictly_inside r c V_0 delta_theta d s.
+Proof.
+  split; [intros []; repeat (split; [assumption|]); assumption|].
+  intros (? & ? & ? & ? & ? & ? & ? & ? & ? & ? & ? & ?). split; assumption.
+Qed.
 Check (OneScene.numbers_of_point_are : forall r c V_0 delta_theta, admissible r c V_0 delta_theta ->
   forall d, (2 <= d)%nat -> OneScene.numbers_of_point r c V_0 delta_theta d).
 Check (Interior.set_near : forall r c V_0 delta_theta, admissible r c V_0 delta_theta ->
@@ -102,24 +142,40 @@ Check (Interior.set_near : forall r c V_0 delta_theta, admissible r c V_0 delta_
 
 (* --- what is said of a point run, and of a scene that disperses --------------------------------- *)
 
+(* The initial scenes of a point run, for numbers in place of the constants. *)
+Definition initial_by_numbers (phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c : R)
+    (d : nat) (s : scene) (d_0 y : R) : Prop :=
+  distance d s B0 B2 = 1 + d_0 /\ rate d s B0 B2 = - y * (1 + d_0) /\
+  distance d s B0 B1 = 1 /\ 0 < rate d s B0 B1 /\
+  0 < y <= eta_bar /\ Rabs (rate d s B0 B1 - phi_minus * y) <= x_0 * y /\
+  0 < d_0 <= Rmin d_const (d_slope * y ^ 2) /\
+  V_0 + (V_1 - V_0) / 3 <= dot d (relative s B0 B1) (relative s B0 B1) <= V_1 - (V_1 - V_0) / 3 /\
+  V_0 + (V_1 - V_0) / 3 <= dot d (relative s B0 B2) (relative s B0 B2) <= V_1 - (V_1 - V_0) / 3 /\
+  Rabs (minus_cosine d s - c) <= Delta_theta / 4.
+Theorem same_initial_with a b c d e f g h i n s d_0 y :
+  FromNumbers.initial_with a b c d e f g h i n s d_0 y <-> initial_by_numbers a b c d e f g h i n s d_0 y.
+Proof.
+  split; [intros []; repeat (split; [assumption|]); assumption|].
+  intros (? & ? & ? & ? & ? & ? & ? & ? & ? & ?). split; assumption.
+Qed.
 Check (Collapse.scene_with_constants : forall r c V_0 delta_theta d s d_0 y,
   FromNumbers.initial_with (phi_minus r c) (x_0 r c V_0) (eta_bar r c V_0 delta_theta)
     (d_const r c V_0 delta_theta) (d_slope r c V_0) V_0 (V_1 r c V_0)
     (Delta_theta r c V_0 delta_theta) c d s d_0 y <-> initial r c V_0 delta_theta d s d_0 y).
-Check (fun d r s z => eq_refl : Runs.run d r s nil z = (z = s)).
-Check (fun d r s i j t rest z => eq_refl : Runs.run d r s (cons (i, j, t) rest) z =
+Check (fun d r s z => eq_refl : Runs.run d r s [] z = (z = s)).
+Check (fun d r s i j t rest z => eq_refl : Runs.run d r s ((i, j, t) :: rest) z =
   (i <> j /\ first_to_meet d s i j t /\ Runs.run d r (collided d r i j (later t s)) rest z)).
-Check (fun d r s t => eq_refl : Runs.motion d r s nil t = later t s).
-Check (fun d r s i j u rest t => eq_refl : Runs.motion d r s (cons (i, j, u) rest) t =
+Check (fun d r s t => eq_refl : Runs.motion d r s [] t = later t s).
+Check (fun d r s i j u rest t => eq_refl : Runs.motion d r s ((i, j, u) :: rest) t =
   if Rlt_dec t u then later t s else Runs.motion d r (collided d r i j (later u s)) rest (t - u)).
 Check (fun d r s l => eq_refl : Runs.disperses d r s l =
   ((exists z, Runs.run d r s l z /\ forall t, 0 < t -> nobody_collides d (later t z)) /\
    forall T, trajectory d r s T (Runs.motion d r s l))).
 Check (fun o s c x => eq_refl : Runs.renamed o s c x =
-  let role i := match i with B0 => o | B1 => s | B2 => c end in
+  let role i := match i with B0 => o | Theorem1.B1 => s | B2 => c end in
   Scene (fun i => position x (role i)) (fun i => velocity x (role i))).
-Check (fun i j t l => eq_refl : Runs.lasts (cons (i, j, t) l) = t + Runs.lasts l).
-Check (eq_refl : Runs.lasts nil = 0).
+Check (fun i j t l => eq_refl : Runs.lasts ((i, j, t) :: l) = t + Runs.lasts l).
+Check (eq_refl : Runs.lasts [] = 0).
 Check (fun d r s l o i c earliest latest least most => eq_refl :
   Runs.collapses_after d r s l o i c earliest latest least most =
   exists z scenes time T Z at_T whole, Runs.run d r s l z /\

@@ -57,15 +57,6 @@ Proof.
     intros ->. apply (cycle_fixed r a s R1 A1 S1 SR HIGH); [split; [apply C|exact UC]|apply C].
 Qed.
 
-(* --- what the certificate of the separatrix takes on trust ------------------------------------- *)
-
-(* limit-map and unending are definitions; the numbered sentences prove this theorem. *)
-Check (fun a rho x => eq_refl : p a rho x = a * (1 - u x) - q x - rho * u x).
-Check (fun a rho x => eq_refl : goes_on a rho x = (0 < p a rho x /\
-  rho * u x * (2 * q x + rho * u x) < p a rho x ^ 2)).
-Check (fun r a rho x => eq_refl : next r a rho x = State (r * (1 - u x) / p a rho x)
-  (1 - sqrt (1 - rho * u x * (2 * q x + rho * u x) / p a rho x ^ 2))).
-Check (fun r a rho x => eq_refl : unending r a rho x = (region x /\
-  forall n, goes_on a (ratio rho n) (orbit r a rho x n))).
+(* PinnedSeparatrix.v says it once more, with the definitions that the certificate takes on trust. *)
 Check (separatrix : separatrix_theorem).
 Print Assumptions separatrix.

@@ -12,11 +12,7 @@ Notation SS := Sharper.the_statement.
 Notation shown_here := (shown SS Sharper.all_values).
 
 (* The induction of the certificate, and its contexts. *)
-Definition the_induction := Eval vm_compute in
-  match find (fun r => match row_sentence r with Always _ _ _ => true | _ => false end) (rows SS) with
-  | Some (Row _ c _ _ (Always d start next)) => (c, d, start, next)
-  | _ => (0%nat, 0%nat, [], [])
-  end.
+Definition the_induction := Eval vm_compute in induction_of SS.
 Definition start_context := Eval vm_compute in fst (fst (fst the_induction)).
 Definition state_context := Eval vm_compute in snd (fst (fst the_induction)).
 Definition start := Eval vm_compute in snd (fst the_induction).
@@ -83,21 +79,12 @@ Qed.
 Ltac row_of w is_row inside :=
   refine (row_in_scope SS Sharper.the_order Sharper.the_table Sharper.the_table_is
     (Sharper.the_rows_hold citations) Sharper.all_values _ _ _ w Sharper.all_right is_row _); exact inside.
-Definition conditions_of (c : nat) : list shown_claim :=
-  map (fun a => read_claim Sharper.the_table (given_claim a))
-    (flat_map (givens_of SS) (rev (around SS c))).
-Definition the_conditions := Eval vm_compute in conditions_of state_context.
-Lemma the_conditions_are : conditions_of state_context = the_conditions.
+Definition the_conditions := Eval vm_compute in conditions_of SS Sharper.the_table state_context.
+Lemma the_conditions_are : conditions_of SS Sharper.the_table state_context = the_conditions.
 Proof. vm_compute. reflexivity. Qed.
-Lemma condition v g : scope SS state_context v ->
-  (if in_dec OneStep.same_shown g the_conditions then true else false) = true -> shown_here v g.
-Proof.
-  intros I G. destruct (in_dec _ _ _) as [J|]; [clear G | discriminate].
-  rewrite <- the_conditions_are in J.
-  apply (scope_shown SS Sharper.the_order Sharper.the_table Sharper.the_table_is _ _ _
-    Sharper.all_right) in I.
-  rewrite Forall_forall in I. exact (I g J).
-Qed.
+Definition condition v g : scope SS state_context v -> _ -> shown_here v g :=
+  condition_shown SS well Sharper.the_table Sharper.the_table_is _ Sharper.all_right _ v g _
+    the_conditions_are.
 
 Section SharperStep.
 Variable v : valuation.
@@ -118,35 +105,15 @@ Proof.
   unfold new, after. now rewrite E.
 Qed.
 
-(* Within the flight: an inner context has a time as its variable, and two givens. *)
-Definition at_time (key : positive) (t : R) : valuation := extended v [key] (fun _ => t).
-Lemma at_a_time c key t relation flight_number : (0 < c)%nat -> parent_of SS c = state_context ->
-  map (fun a => read_claim Sharper.the_table (given_claim a)) (givens_of SS c) =
-    [(AtMost, Whole 0, Named key); (relation, Named key, Abbreviated flight_number)] ->
-  belong Sharper.the_table c [key] = true ->
-  related AtMost 0 t -> related relation t (look_up SS Sharper.all_values flight_number (at_time key t)) ->
-  scope SS c (at_time key t).
+Lemma before t : 0 <= t < flight -> scope SS Sharper.context_before (at_time v Sharper.number_of_s t).
 Proof.
-  intros P Parent G K L U.
-  apply (scope_extended SS well Sharper.the_table c v [key] _ Sharper.the_table_is P K).
-  - now rewrite Parent.
-  - fold (at_time key t). unfold satisfies. assert (Q : at_time key t key = t).
-    { unfold at_time, extended. cbn [existsb]. now rewrite Pos.eqb_refl. }
-    assert (F : Forall (shown_here (at_time key t))
-      (map (fun a => read_claim Sharper.the_table (given_claim a)) (givens_of SS c))).
-    { rewrite G. apply Forall_cons; [|apply Forall_cons; [|apply Forall_nil]];
-        unfold shown; cbn [fst snd show]; now rewrite Q. }
-    rewrite Forall_map in F. revert F. apply Forall_impl. intros g.
-    apply (read_claim_right SS Sharper.the_order Sharper.the_table Sharper.the_table_is _ _ _
-      Sharper.all_right).
+  intros T. eapply (at_a_time SS well Sharper.the_table Sharper.the_table_is _ Sharper.all_right);
+    try (vm_compute; reflexivity); try apply T; [apply Nat.lt_0_succ | exact inside].
 Qed.
-Lemma before t : 0 <= t < flight -> scope SS 17 (at_time Sharper.number_of_s t).
+Lemma meanwhile t : 0 <= t <= flight -> scope SS Sharper.context_meanwhile (at_time v Sharper.number_of_t t).
 Proof.
-  intros T. eapply at_a_time; try (vm_compute; reflexivity); try apply T. lia.
-Qed.
-Lemma meanwhile t : 0 <= t <= flight -> scope SS 18 (at_time Sharper.number_of_t t).
-Proof.
-  intros T. eapply at_a_time; try (vm_compute; reflexivity); try apply T. lia.
+  intros T. eapply (at_a_time SS well Sharper.the_table Sharper.the_table_is _ Sharper.all_right);
+    try (vm_compute; reflexivity); try apply T; [apply Nat.lt_0_succ | exact inside].
 Qed.
 
 Theorem sharper_step : step_certified (numbers_of v) flight.
@@ -165,9 +132,9 @@ Proof.
       by row_of v Sharper.row_of_impact_positive_is inside.
     change (Sharper.kappa vy vA vd < 0). lra.
   - intros t T.
-    row_of (at_time Sharper.number_of_s t) Sharper.row_of_colliding_pair_apart_is (before t T).
+    row_of (at_time v Sharper.number_of_s t) Sharper.row_of_colliding_pair_apart_is (before t T).
   - intros t T.
-    row_of (at_time Sharper.number_of_t t) Sharper.row_of_spectator_apart_is (meanwhile t T).
+    row_of (at_time v Sharper.number_of_t t) Sharper.row_of_spectator_apart_is (meanwhile t T).
   - intros t T. cbn [y eta_s C a b A B w d numbers_of].
     assert (Q : 1 < (-1) * (-1) + (-1) * (t * (-1)) * vs
       + (-1) * (1 + vd) * (- v Sharper.number_of_C)
@@ -177,7 +144,7 @@ Proof.
       + (1 + vd) * (1 + vd) + (1 + vd) * t * (- vy)
       + t * (-1) * v Sharper.number_of_a + t * (t * (-1)) * v Sharper.number_of_w
       + t * (1 + vd) * (- vy) + t * t * vA)
-      by row_of (at_time Sharper.number_of_t t) Sharper.row_of_outer_pair_apart_is (meanwhile t T).
+      by row_of (at_time v Sharper.number_of_t t) Sharper.row_of_outer_pair_apart_is (meanwhile t T).
     apply (Rlt_le_trans _ _ _ Q), Req_le. ring.
 Qed.
 Ltac in_new x := rewrite (new_value x _ eq_refl).

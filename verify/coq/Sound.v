@@ -8,32 +8,26 @@ Open Scope R_scope.
 
 Section Sound.
 Variable S : statement.
-Hypothesis in_order : ordered (numbered S) = true.
-Hypothesis parents_first : descending S = true.
 Variable T : PM.t node.
-Hypothesis is_table : forall i, PM.find i T = PM.find i (table (numbered S)).
 Variable K : PM.t positive.
 Variable H : PM.t nat.
-Hypothesis good_homes : at_home S H = true.
-Hypothesis givens_home : forall c a, In a (givens_of S c) ->
-  In (home_in H (lhs (given_claim a))) (around S c) /\
-  In (home_in H (rhs (given_claim a))) (around S c).
+Hypothesis ready : prepared S T H.
+Let found := found S T H ready.
 Variable F : facts.
 Hypothesis valid_facts : valid S F.
 Variable grounds : list (positive * memory).
 Hypothesis good_grounds : all_remembered S grounds.
-Let value_is := value_is S in_order T is_table.
-Let defined_is := defined_is S in_order T is_table.
-Let is_zero_sound := is_zero_sound S in_order T is_table.
-Let scope_after := scope_after S in_order parents_first T is_table H good_homes givens_home.
-Let substituted_sound := substituted_sound S in_order parents_first T is_table K H good_homes.
-Let inside_scope := inside_scope S parents_first.
-Let fact_at_sound := fact_at_sound S parents_first F valid_facts.
-Let knows_sound := knows_sound S in_order parents_first T is_table F valid_facts.
-Let knows_sign := knows_sign S in_order parents_first T is_table F valid_facts.
-Let has_value_sound := has_value_sound S parents_first F valid_facts.
+Let value_is := value_is S T found.
+Let defined_is := defined_is S T found.
+Let is_zero_sound := is_zero_sound S T H ready.
+Let scope_after := scope_after S T H ready.
+Let substituted_sound := substituted_sound S T K H ready.
+Let inside_scope := inside_scope S T H ready.
+Let fact_at_sound := fact_at_sound S T H ready F valid_facts.
+Let knows_sound := knows_sound S T H ready F valid_facts.
+Let usable_right := usable_right S T H ready F valid_facts.
 Let none_replaced := none_replaced S.
-Let clears_sound := clears_sound S in_order parents_first T is_table K F valid_facts.
+Let clears_sound := clears_sound S T K H ready F valid_facts.
 
 Section AtPlace.
 Variable v : valuation.
@@ -41,7 +35,7 @@ Variable p : place.
 Hypothesis here : satisfied S v p.
 Let branch_satisfied := branch_satisfied S v p here.
 Let pieces_cover := pieces_cover S v.
-Let good_points_sound := good_points_sound S in_order T is_table v.
+Let good_points_sound := good_points_sound S T H ready v.
 Let least_le := least_le S v.
 Let greatest_ge := greatest_ge S v.
 Let least_in := least_in S v.
@@ -183,24 +177,24 @@ Proof.
 Qed.
 Lemma angles_right g : angles T K (knows S T F p) (has_value S F p) g = true -> holds S v g.
 Proof.
-  exact (angles_sound S in_order T is_table K v (knows S T F p) (knows_sign v p here)
-    (has_value S F p) (has_value_sound v p here) g).
+  exact (angles_sound S T found K v (knows S T F p) (has_value S F p)
+    (usable_right v p here) g).
 Qed.
 Lemma cosine_right g : cosine T K (knows S T F p) (has_value S F p) g = true -> holds S v g.
 Proof.
-  exact (cosine_sound S in_order T is_table K v (knows S T F p) (knows_sign v p here)
-    (has_value S F p) (has_value_sound v p here) g).
+  exact (cosine_sound S T found K v (knows S T F p) (has_value S F p)
+    (usable_right v p here) g).
 Qed.
 
 Lemma range_right g : range T K (knows S T F p) (has_value S F p) g = true -> holds S v g.
 Proof.
-  exact (range_sound S in_order T is_table K v (knows S T F p) (knows_sign v p here)
-    (has_value S F p) (has_value_sound v p here) g).
+  exact (range_sound S T found K v (knows S T F p) (has_value S F p)
+    (usable_right v p here) g).
 Qed.
 Lemma law_right g : law T K (knows S T F p) (has_value S F p) g = true -> holds S v g.
 Proof.
-  exact (law_sound S in_order T is_table K v (knows S T F p) (knows_sign v p here)
-    (has_value S F p) (has_value_sound v p here) g).
+  exact (law_sound S T found K v (knows S T F p) (has_value S F p)
+    (usable_right v p here) g).
 Qed.
 Lemma monotony_sound g under premise : proves premise ->
   monotony S T K F prove p g under premise = true -> holds S v g.
@@ -208,7 +202,7 @@ Proof.
   unfold monotony. intros P E. split_and E. apply (clears_sound v p here) in E.
   inversion_clear E as [|? ? L E']. inversion_clear E' as [|? ? R _].
   destruct (below T K under g) as [h|] eqn:B; try discriminate.
-  apply (below_sound S in_order T is_table K v under g h B L R). exact (P _ _ A v here).
+  apply (below_sound S T found K v under g h B L R). exact (P _ _ A v here).
 Qed.
 
 (* --- sum --- *)
@@ -229,10 +223,10 @@ Section Replaced.
 Variable m : PM.t positive.
 Hypothesis replaced : forall i j, PM.find i m = Some j ->
   defined_at S v i /\ value_at S v i = value_at S v j.
-Let clear_here := clear_sound S in_order T is_table K v (knows S T F p) (knows_sign v p here)
-  (has_value S F p) (has_value_sound v p here) m replaced.
-Let difference_here := difference_sound S in_order T is_table K v (knows S T F p)
-  (knows_sign v p here) (has_value S F p) (has_value_sound v p here) m replaced.
+Let clear_here := clear_sound S T found K v (knows S T F p) (has_value S F p)
+    (usable_right v p here) m replaced.
+Let difference_here := difference_sound S T found K v (knows S T F p) (has_value S F p)
+    (usable_right v p here) m replaced.
 Notation poly := (at_values (value_at S v)).
 Lemma zeros_sound l : forall s z s1, sound S v s -> zeros S T K F p m s l = Some (z, s1) ->
   sound S v s1 /\ poly z = 0.
@@ -256,8 +250,8 @@ Proof.
   unfold sum. intros E. destruct (replacing _ _ _ _ _ _) as [m|] eqn:M; try discriminate.
   pose proof (replacing_sound _ _ _ (none_replaced v) M) as R. clear M.
   destruct (difference _ _ _ _ _ _ _ _) as [[goal s1]|] eqn:G; try discriminate.
-  apply (difference_sound S in_order T is_table K v (knows S T F p) (knows_sign v p here)
-    (has_value S F p) (has_value_sound v p here) m R) in G; [|apply nothing_sound].
+  apply (difference_sound S T found K v (knows S T F p) (has_value S F p)
+    (usable_right v p here) m R) in G; [|apply nothing_sound].
   destruct G as (Q1 & Dl & Dr & k & Pos & V).
   destruct (zeros _ _ _ _ _ _ _ _) as [[z s2]|] eqn:Zs; try discriminate.
   apply (zeros_sound m R) in Zs; trivial. destruct Zs as [Q2 Zs].
@@ -270,8 +264,8 @@ Proof.
     end = false).
   { intros strict Sg. clear E.
     destruct (addend_value _ _ _ _ _ _ _ _ _) as [[[q st] s3]|] eqn:A; trivial.
-    apply (addend_value_sound S in_order T is_table K v (knows S T F p) (knows_sign v p here)
-      (has_value S F p) (has_value_sound v p here) m R (fact_at S F p)
+    apply (addend_value_sound S T found K v (knows S T F p) (has_value S F p)
+    (usable_right v p here) m R (fact_at S F p)
       (fact_at_sound v p here) _ Sg) in A; trivial.
     destruct A as [Q3 [A B]]. cbn [fst snd] in *.
     destruct st; [|apply andb_false_r]. rewrite andb_true_r. specialize (B eq_refl).
@@ -360,8 +354,7 @@ Proof.
   induction q using proof_induction; intros p g E v here; rewrite prove_step in E.
   - destruct (fact_at S F p f) as [h|] eqn:X; try discriminate.
     apply same_claim_sound in E. subst h. exact (fact_at_sound v p here _ _ X).
-  - exact (interval_sound S in_order parents_first T is_table H F valid_facts grounds good_grounds
-      v p here _ _ _ E).
+  - exact (interval_sound S T H ready F valid_facts grounds good_grounds v p here _ _ _ E).
   - exact (cuts_sound v p here prove _ _ _ _ H0 E).
   - exact (cases_sound v p here prove _ _ _ H0 E).
   - exact (entry_sound v p here _ _ _ E).

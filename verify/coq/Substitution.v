@@ -115,12 +115,13 @@ End Mapped.
 
 Section Substitution.
 Variable S : statement.
-Hypothesis in_order : ordered (numbered S) = true.
-Hypothesis parents_first : descending S = true.
 Variable H : PM.t nat.
-Hypothesis good_homes : at_home S H = true.
 Variable T : PM.t node.
-Hypothesis is_table : forall i, PM.find i T = PM.find i (table (numbered S)).
+Hypothesis ready : prepared S T H.
+Let parents_first := parents_first S T H ready.
+Let good_homes := good_homes S T H ready.
+Let in_order := in_order S T (found S T H ready).
+Let is_table := is_table S T (found S T H ready).
 Variable K : PM.t positive.
 Notation home := (home_in H).
 
@@ -189,7 +190,7 @@ Proof.
   { intros m X F _. apply find_node_sound in F. rewrite is_table in F.
     destruct (mapped_sound (new_term phi) n m X) as [A B].
     assert (C : Forall2 replaces (subterms n) (subterms m)).
-    { clear - A Q own values_defined not_root in_order parents_first good_homes is_table.
+    { clear - A Q own values_defined not_root ready parents_first good_homes in_order is_table.
       induction A; constructor; trivial. eapply new_term_sound; eauto. }
     destruct (B (value_at S v) (value_at S w) v w i j) as [V P].
     { clear - C. induction C as [|a b l s [V _] C IH]; constructor; trivial. }

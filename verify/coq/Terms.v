@@ -359,3 +359,29 @@ Qed.
 Lemma agree_sym c v w : agree c v w -> agree c w v.
 Proof. intros A x d X D. symmetry. eapply A; eauto. Qed.
 End Table.
+
+(* A term is looked up last when two values are compared: it may be as large as a certificate. *)
+Strategy 1000 [term_at].
+
+(* --- what all rules use of a statement -------------------------------------------------------- *)
+
+(* T has its nodes by their numbers; and H has the homes of its terms, so that the givens of a context
+   are claims over names in scope there. The checker looks once whether this is so. *)
+Record tabled (S : statement) (T : PM.t node) : Prop := {
+  in_order : ordered (numbered S) = true;
+  is_table : forall i, PM.find i T = PM.find i (table (numbered S))
+}.
+Record prepared (S : statement) (T : PM.t node) (H : PM.t nat) : Prop := {
+  found : tabled S T;
+  parents_first : descending S = true;
+  good_homes : at_home S H = true;
+  givens_home : forall c a, In a (givens_of S c) ->
+    In (home_in H (lhs (given_claim a))) (around S c) /\
+    In (home_in H (rhs (given_claim a))) (around S c)
+}.
+Lemma value_is S T (Q : tabled S T) v i n : PM.find i T = Some n ->
+  value_at S v i = node_value v (value_at S v) i n.
+Proof. rewrite (is_table S T Q). apply value_node, Q. Qed.
+Lemma defined_is S T (Q : tabled S T) v i n : PM.find i T = Some n ->
+  (defined_at S v i <-> (forall a, In a (subterms n) -> defined_at S v a) /\ proviso (value_at S v) n).
+Proof. rewrite (is_table S T Q). apply defined_node, Q. Qed.

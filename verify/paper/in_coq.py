@@ -1,7 +1,7 @@
 """Which of the sentences that statements take on trust Coq proves, and by which theorems.
 
-Those theorems are pinned in `verify/coq/Sentences.v`, the ones about the separatrix at the end of
-`verify/coq/SeparatrixProof.v`; `.ci/coq` asks for all of them. A sentence that is a definition is
+Those theorems are pinned in `verify/coq/Sentences.v`, the ones about the separatrix in
+`verify/coq/PinnedSeparatrix.v`; `.ci/coq` asks for all of them. A sentence that is a definition is
 defined in Coq by what stands here.
 """
 

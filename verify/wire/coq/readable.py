@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable
+from itertools import count
 
 from verify import check
 from verify.wire.coq.proofs import Proofs
@@ -40,6 +41,7 @@ def readable(reading: Reading, form: Readable, names: Collection[str] = ()) -> l
     found = enumerate(reading.statement.rows.values(), 1)
     rows = [form.row(i, row) for i, row in found if not names or row.name in names]
     constants += [form.end(), *map(form.variable, form.variables)]
+    constants += map(form.context, reading.kernel.contexts, count(1))
     if not reading.cites:
         return [HEAD.replace("PROVED", "proved"), *constants, *rows]
     given = "Section Citing.\nHypothesis the_citations_hold : citations_true the_statement."
@@ -73,6 +75,10 @@ class Readable:
         """The number of a variable."""
         name = self.notation.bound([term])
         return f"Definition number_of_{name} := {self.numbers.term(term)}%positive."
+
+    def context(self, name: str, number: int) -> str:
+        """The number of a context."""
+        return f"Definition context_{self.notation.name(name)} := {number}%nat."
 
     def constant(self, i: int, term: int) -> str:
         """The definition of a constant, and that it is the one of the statement."""
@@ -175,7 +181,7 @@ class Notation:
         if name not in self.given:
             found = re.sub("[^A-Za-z0-9_]", "_", name)
             while found in self.used or re.match(
-                r"(the|row|shape|values|right|number|all)_", found
+                r"(the|row|shape|values|right|number|context|all)_", found
             ):
                 found = f"{found}_" if found in self.used else f"its_{found}"
             self.used.add(found)

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import lru_cache
-from hashlib import sha256
 
 from verify import check
 from verify.language.errors import OwnError, UnreadError
@@ -152,7 +151,8 @@ def _work(cited: tuple[tuple[str, bytes], ...]) -> int:
 
 
 def _report(files: Mapping[str, bytes], work: int | None = None) -> check.Report:
-    cited = {sha256(content).hexdigest(): content for _, content in _cited(files)}
+    named = {name.removeprefix("cited/").removesuffix(".json"): x for name, x in _cited(files)}
+    cited = {name: content for name, content in named.items() if "." not in name}
     try:
         return check.check(files["statement.json"], files["certificate.json"], cited, work)
     except (check.Malformed, RecursionError) as error:

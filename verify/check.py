@@ -202,7 +202,8 @@ def size(value: int | Fraction) -> int:
     """The bits of a number."""
     if type(value) is int:
         return value.bit_length() + 1
-    return value.numerator.bit_length() + value.denominator.bit_length()
+    n, d = value.as_integer_ratio()
+    return n.bit_length() + d.bit_length()
 
 
 def whole(value: int | Fraction) -> int | Fraction:
@@ -277,8 +278,9 @@ class Kernel:
     def spend(self, bits: int, times: int = 1) -> None:
         """Count operations on numbers of so many bits; give up when it is too much."""
         self.work -= times * (2 + (bits >> 8) + (bits * bits >> 20))
-        need(self.work >= 0, Malformed, "found more work than the limit")
-        need(bits <= MAX_SIZE, Malformed, "found a number of {} bits", bits)
+        if self.work < 0 or bits > MAX_SIZE:
+            need(self.work >= 0, Malformed, "found more work than the limit")
+            need(False, Malformed, "found a number of {} bits", bits)
 
     def node(self, op: str, subterms: Sequence[int], *rest: int) -> int:
         """The number of the term of an operation and its arguments."""
@@ -1385,19 +1387,19 @@ class Enclosing:
 
     def outward(self, x: Interval) -> Interval:
         """x, or an interval around it with shorter ends."""
-        return Interval(self.shorter(x.low), -self.shorter(-x.high))
+        return Interval(self.shorter(x.low, 1), self.shorter(x.high, -1))
 
-    def shorter(self, end: Fraction) -> Fraction:
-        """The number, or one with a shorter numerator and denominator that is a little smaller."""
-        n, d = end.numerator, end.denominator
+    def shorter(self, end: Fraction, sign: int) -> Fraction:
+        """The number, or a shorter one that is a little smaller (greater, if the sign is -1)."""
         length = size(end)
         self.kernel.spend(length)
         if length <= 2 * self.bits:
             return end
+        n, d = sign * end.numerator, end.denominator
         shift = self.bits - n.bit_length() + d.bit_length()
         if shift < 0:
-            return Fraction((n // (d << -shift)) << -shift)
-        return Fraction((n << shift) // d, 1 << shift)
+            return Fraction(sign * (n // (d << -shift) << -shift))
+        return Fraction(sign * ((n << shift) // d), 1 << shift)
 
     def add(self, x: Interval, y: Interval) -> Interval:
         """Sums rise with both terms."""
@@ -1671,6 +1673,11 @@ def anything(_: str, __: Any) -> None:
     """Any value, which is looked at later."""
 
 
+def any_text(where: str, value: Any) -> None:
+    """A text."""
+    need(isinstance(value, str), Malformed, "{}: found {}, expected a text", where, value)
+
+
 def text(pattern: str, expected: str) -> Shape:
     """A text that matches a pattern."""
 
@@ -1749,7 +1756,6 @@ def record(**shapes: Shape) -> Shape:
     return check_record
 
 
-any_text = text("(?s).*", "a text")
 name = text(NAME, "a name")
 long_name = f"({NAME}:){{0,{MAX_NAME // 2}}}{NAME}"
 reference = text(f"{HYPOTHESIS}|{long_name}", "the name of a fact")
@@ -2329,9 +2335,10 @@ def parsed(where: str, data: bytes, shape: Shape) -> Any:
     """The document in a JSON file, where natural numbers below 10^9 are the only numbers."""
 
     def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        keys = [key for key, _ in pairs]
-        need(len({*keys}) == len(keys), Malformed, "{}: found a key twice in {}", where, keys)
-        return dict(pairs)
+        found = dict(pairs)
+        good = len(found) == len(pairs)
+        need(good, Malformed, "{}: found a key twice in {}", where, [*found])
+        return found
 
     def natural(text: str) -> int:
         good = re.fullmatch("0|[1-9][0-9]{0,8}", text)

@@ -1748,8 +1748,9 @@ def record(**shapes: Shape) -> Shape:
 
     def check_record(where: str, value: Any) -> None:
         need(isinstance(value, dict), Malformed, "{}: found {}, expected an object", where, value)
-        odd = sorted(value.keys() ^ shapes.keys())
-        need(not odd, Malformed, "{}: found too many or too few keys: {}", where, odd)
+        if value.keys() != shapes.keys():
+            odd = sorted(value.keys() ^ shapes.keys())
+            need(False, Malformed, "{}: found too many or too few keys: {}", where, odd)
         for key, shape in shapes.items():
             shape(f"{where}.{key}", value[key])
 
@@ -2351,11 +2352,13 @@ def parsed(where: str, data: bytes, shape: Shape) -> Any:
         value = json.loads(data.decode(), object_pairs_hook=unique, **hooks)
     except (ValueError, RecursionError) as error:
         raise Malformed(f"{where}: {error}") from error
-    level = [value] if isinstance(value, dict | list) else []
-    for _ in range(MAX_NESTING):
+    level, depth = [value] if isinstance(value, dict | list) else [], 0
+    while level:
+        depth += 1
+        good = depth <= MAX_NESTING
+        need(good, Malformed, "{}: found more than {} nested brackets", where, MAX_NESTING)
         lists = [item.values() if isinstance(item, dict) else item for item in level]
         level = [item for inner in lists for item in inner if isinstance(item, dict | list)]
-    need(not level, Malformed, "{}: found more than {} nested brackets", where, MAX_NESTING)
     shape(where, value)
     return value
 

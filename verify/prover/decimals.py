@@ -42,9 +42,10 @@ def round_decimal(value: Fraction, digits: int, up: bool) -> tuple[int, int]:
     else:
         denominator *= _power(exponent)
     mantissa = -(-numerator // denominator) if up else numerator // denominator
-    while mantissa and mantissa % 10 == 0:
-        mantissa //= 10
-        exponent += 1
+    for zeros in (16, 4, 1):
+        while mantissa and mantissa % _power(zeros) == 0:
+            mantissa //= _power(zeros)
+            exponent += zeros
     return mantissa, exponent
 
 

@@ -70,13 +70,13 @@ def write_all(option: str, directory: str, contents: Mapping[str, bytes]) -> Non
 
 
 def write_file(option: str, path: str, text: str) -> None:
-    """Write one file as a whole.
+    """Write one file as a whole; what is no letter, as in some names of files, with a backslash.
 
     Raises:
         InputError: if it cannot be written, naming the option.
     """
     folder, name = os.path.split(path)
-    write_all(option, folder or os.curdir, {name: text.encode()})
+    write_all(option, folder or os.curdir, {name: text.encode(errors="backslashreplace")})
 
 
 def write_folder(option: str, directory: str, contents: Mapping[str, bytes]) -> None:

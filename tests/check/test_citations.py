@@ -318,14 +318,17 @@ def test_beginnings_are_read_once_and_only_so_many_are_kept(
         read += where == "cited statement"
         return honest(where, *rest)
 
+    last(citing(other), beside=(other,))
+    ((kernel, _, _),) = [*check.BEGINNINGS.values()][-1:]
+    monkeypatch.setattr(check, "MAX_KEPT", 3 * len(kernel.nodes))
     monkeypatch.setattr(check, "parsed", counted)
     check.BEGINNINGS.clear()
-    for i in range(2 * check.MAX_BEGINNINGS):
+    for i in range(12):
         pair = Pair("MAIN").cite(f"c{i}", other)
         pair.row("row", ["<", "1", f"c{i}:root"], total("goal", f"c{i}:big"))
         for _ in range(2):
             assert last(pair, beside=(other,))[0] == 3
-        assert (read, len(check.BEGINNINGS)) == (i + 1, i % check.MAX_BEGINNINGS + 1)
+        assert (read, len(check.BEGINNINGS)) == (i + 1, i % 4 + 1)
 
 
 # --- certificates that lie beside what is cited --------------------------------------------------

@@ -40,6 +40,7 @@ MAX_BITS = 1 << 16  # of precision
 MAX_SIZE = 1 << 19  # bits of a numerator with its denominator
 MAX_DEGREE = 1 << 20  # of a name or another atom in a polynomial
 MAX_SHOWN = 1 << 12  # bits before or after the point, in messages
+MAX_KEPT = 1 << 16  # terms of what is cited, from one folder to the next
 MAX_REFUSED = 1000  # of steps, enclosures, and needed rows that are undecided
 MAX_TOLD = 4  # monomials, and factors of one, in messages
 MAX_WORK = 6_000_000  # about the number of microseconds
@@ -109,31 +110,24 @@ class Given(NamedTuple):
 
 
 class Context:
-    """Variables with what is given about them, inside another context.
+    """Variables with what is given about them, inside another context; fixed once it is read.
 
-    ``point`` has a term over the parent's names for each variable. ``positive`` and
-    ``nonnegative`` are the terms t for which 0 < t or 0 <= t is a fact of this very context,
-    ``cleared`` and ``radicands`` what was cleared in it outside of branches, as in `Clearing`.
-    ``around`` are the contexts in which it lies, by depth, and itself.
+    ``point`` has a term over the parent's names for each variable. ``outside`` are the contexts
+    in which it lies, by depth.
     """
 
     def __init__(self, name: str, parent: Context | None) -> None:
         self.name, self.parent = name, parent
         self.depth: int = 0 if parent is None else parent.depth + 1
         need(self.depth <= MAX_NESTING, Malformed, "found more than {} contexts", MAX_NESTING)
-        self.around: tuple[Context, ...] = (self,) if parent is None else (*parent.around, self)
+        self.outside: tuple[Context, ...] = () if parent is None else (*parent.outside, parent)
         self.variables: dict[str, int] = {}
         self.givens: list[Given] = []
         self.point: dict[int, int] = {}
-        self.positive: set[int] = set()
-        self.nonnegative: set[int] = set()
-        self.cleared: dict[int, Quotient] = {}
-        self.radicands: dict[int, Quotient] = {}
-        self.is_open = parent is None
 
     def is_inside(self, other: Context) -> bool:
         """Whether this is the other context, or lies in it."""
-        return other.depth <= self.depth and self.around[other.depth] is other
+        return self is other or (other.depth < self.depth and self.outside[other.depth] is other)
 
 
 class Fact(NamedTuple):
@@ -157,6 +151,7 @@ class Place(NamedTuple):
 Monomial = tuple[tuple[int, int], ...]  # sorted pairs of an atom and its exponent
 Polynomial = dict[Monomial, int | Fraction]
 Quotient = tuple[Polynomial, Polynomial]
+Cleared = tuple[dict[int, Quotient], dict[int, Quotient]]  # terms, and radicands of roots
 Proof = dict[str, Any]
 
 ONE: Polynomial = {(): 1}
@@ -207,7 +202,8 @@ def size(value: int | Fraction) -> int:
     """The bits of a number."""
     if type(value) is int:
         return value.bit_length() + 1
-    return value.numerator.bit_length() + value.denominator.bit_length()
+    n, d = value.as_integer_ratio()
+    return n.bit_length() + d.bit_length()
 
 
 def whole(value: int | Fraction) -> int | Fraction:
@@ -235,7 +231,8 @@ class Kernel:
 
     Each distinct term is stored once and is its number in ``nodes``, above those of its subterms;
     the number of a defined name is above that of its definition. ``homes`` has the innermost
-    context of the names in a term.
+    context of the names in a term. ``signs`` has <, t and a context if 0 < t is a fact of this very
+    context, and the same for <=; ``cleared`` is what was cleared in a context outside of branches.
     """
 
     def __init__(self) -> None:
@@ -245,6 +242,9 @@ class Kernel:
         self.homes: list[Context] = []
         self.outermost = Context("", None)
         self.contexts: dict[str, Context] = {}
+        self.opened: set[Context] = {self.outermost}
+        self.signs: set[tuple[str, int, Context]] = set()
+        self.cleared: dict[Context, Cleared] = {}
         self.numbers: dict[int, int | Fraction] = {}  # the values of terms that are numbers
         self.names: dict[str, int] = {}  # variables and constants
         self.labels: dict[int, str] = {}  # their names
@@ -263,14 +263,24 @@ class Kernel:
     def close(self) -> None:
         """Afterwards nothing in it refers to itself in a circle: it is freed without a search."""
         self.grounds.clear()
-        for context in (self.outermost, *self.contexts.values()):
-            context.around = ()
+
+    def begin(self, other: Kernel, work: int) -> None:
+        """Afterwards a new kernel is as the other one, in tables of its own; that was so much work.
+
+        What is in the tables of the other one does not change: nothing is proved there.
+        """
+        left = self.work - work
+        for name, value in vars(other).items():
+            setattr(self, name, value.copy() if isinstance(value, dict | list | set) else value)
+        self.work = left
+        self.spend(0, 0)
 
     def spend(self, bits: int, times: int = 1) -> None:
         """Count operations on numbers of so many bits; give up when it is too much."""
         self.work -= times * (2 + (bits >> 8) + (bits * bits >> 20))
-        need(self.work >= 0, Malformed, "found more work than the limit")
-        need(bits <= MAX_SIZE, Malformed, "found a number of {} bits", bits)
+        if self.work < 0 or bits > MAX_SIZE:
+            need(self.work >= 0, Malformed, "found more work than the limit")
+            need(False, Malformed, "found a number of {} bits", bits)
 
     def node(self, op: str, subterms: Sequence[int], *rest: int) -> int:
         """The number of the term of an operation and its arguments."""
@@ -333,9 +343,7 @@ class Kernel:
         """Make a fact of a claim: only for rules, givens and cited theorems."""
         self.facts[name] = Fact(claim, context)
         if self.nodes[claim.lhs] == Node("rational", (), (0, 1)):
-            tables = {"<": [context.positive], "<=": [context.nonnegative]}
-            for table in tables.get(claim.relation, []):
-                table.add(claim.rhs)
+            self.signs.add((claim.relation, claim.rhs, context))
 
     def fact(self, name: str, place: Place) -> Claim:
         """The usable fact of this name; ``@k`` is the k-th hypothesis of the branches around."""
@@ -357,10 +365,8 @@ class Kernel:
             zero = self.nodes[claim.lhs] == Node("rational", (), (0, 1))
             if zero and claim.relation == relation and claim.rhs == term:
                 return True
-        around = place.context.around
-        if relation == "<":
-            return any(term in context.positive for context in around)
-        return any(term in context.nonnegative for context in around)
+        around = (*place.context.outside, place.context)
+        return any((relation, term, context) in self.signs for context in around)
 
     def below(self, terms: Iterable[int], is_leaf: Callable[[int], bool]) -> list[int]:
         """The terms, their subterms and definitions down to leaves, which are left out, ascending.
@@ -785,7 +791,7 @@ class Kernel:
         self, place: Place, context: Context, at: Mapping[int, int], premises: list[Any]
     ) -> None:
         """Afterwards the values are defined here, and all givens of the context hold for them."""
-        good = context.parent in place.context.around
+        good = context.parent is not None and place.context.is_inside(context.parent)
         need(good, Refused, "found a place outside the parent of {}", context.name)
         clearing = Clearing(self, place, ())
         for term in at.values():
@@ -857,7 +863,7 @@ class Kernel:
             inside = Clearing(self, Place(context), ())
             inside.clear(given.claim.lhs), inside.clear(given.claim.rhs)
             self.install(given.name, given.claim, context)
-        context.is_open = True
+        self.opened.add(context)
 
     def enclosing(self, place: Place, proof: Proof) -> Enclosing:
         """Enclosures at the precision of a proof, with bounds on names from usable facts."""
@@ -1023,8 +1029,9 @@ class Clearing:
             need(atom not in self.replaced, Refused, "using: found {} for an atom again", name)
             self.replaced[atom] = term
         alone = not using and not place.hypotheses  # what clears here will do so later, too
-        self.cleared: dict[int, Quotient] = place.context.cleared if alone else {}
-        self.radicands: dict[int, Quotient] = place.context.radicands if alone else {}
+        new: Cleared = {}, {}
+        known = kernel.cleared.setdefault(place.context, new) if alone else new
+        self.cleared, self.radicands = known
         self.busy: set[int] = set()
         self.goal: tuple[Polynomial, bool] = {}, False
 
@@ -1380,19 +1387,19 @@ class Enclosing:
 
     def outward(self, x: Interval) -> Interval:
         """x, or an interval around it with shorter ends."""
-        return Interval(self.shorter(x.low), -self.shorter(-x.high))
+        return Interval(self.shorter(x.low, 1), self.shorter(x.high, -1))
 
-    def shorter(self, end: Fraction) -> Fraction:
-        """The number, or one with a shorter numerator and denominator that is a little smaller."""
-        n, d = end.numerator, end.denominator
+    def shorter(self, end: Fraction, sign: int) -> Fraction:
+        """The number, or a shorter one that is a little smaller (greater, if the sign is -1)."""
         length = size(end)
         self.kernel.spend(length)
         if length <= 2 * self.bits:
             return end
+        n, d = sign * end.numerator, end.denominator
         shift = self.bits - n.bit_length() + d.bit_length()
         if shift < 0:
-            return Fraction((n // (d << -shift)) << -shift)
-        return Fraction((n << shift) // d, 1 << shift)
+            return Fraction(sign * (n // (d << -shift) << -shift))
+        return Fraction(sign * ((n << shift) // d), 1 << shift)
 
     def add(self, x: Interval, y: Interval) -> Interval:
         """Sums rise with both terms."""
@@ -1666,6 +1673,11 @@ def anything(_: str, __: Any) -> None:
     """Any value, which is looked at later."""
 
 
+def any_text(where: str, value: Any) -> None:
+    """A text."""
+    need(isinstance(value, str), Malformed, "{}: found {}, expected a text", where, value)
+
+
 def text(pattern: str, expected: str) -> Shape:
     """A text that matches a pattern."""
 
@@ -1736,15 +1748,15 @@ def record(**shapes: Shape) -> Shape:
 
     def check_record(where: str, value: Any) -> None:
         need(isinstance(value, dict), Malformed, "{}: found {}, expected an object", where, value)
-        odd = sorted(value.keys() ^ shapes.keys())
-        need(not odd, Malformed, "{}: found too many or too few keys: {}", where, odd)
+        if value.keys() != shapes.keys():
+            odd = sorted(value.keys() ^ shapes.keys())
+            need(False, Malformed, "{}: found too many or too few keys: {}", where, odd)
         for key, shape in shapes.items():
             shape(f"{where}.{key}", value[key])
 
     return check_record
 
 
-any_text = text("(?s).*", "a text")
 name = text(NAME, "a name")
 long_name = f"({NAME}:){{0,{MAX_NAME // 2}}}{NAME}"
 reference = text(f"{HYPOTHESIS}|{long_name}", "the name of a fact")
@@ -1935,6 +1947,11 @@ class Statement(NamedTuple):
         return frozenset(used["printed"] - used["needed"])
 
 
+NOT_AT_HAND = "cites: found {}, whose statement is not at hand"
+#: What is cited, with the kernel into which it was read, the work, and all citations.
+BEGINNINGS: dict[Any, tuple[Kernel, int, list[Cite]]] = {}
+
+
 class Reader:
     """Reads a statement, and those that it cites, into a kernel."""
 
@@ -1945,7 +1962,7 @@ class Reader:
     def read(self, document: dict[str, Any], prefix: str = "") -> Statement:
         """The statement; if it is cited, its contexts are open and its proved rows are facts."""
         kernel = self.kernel
-        cites = [found for cite in document["cites"] for found in self.cite(cite, prefix)]
+        cites = self.cites(document["cites"], prefix)
         kernel.prefix = prefix
         assumptions = {item["name"]: item["sentence"] for item in document["assumptions"]}
         good = len(assumptions) == len(document["assumptions"])
@@ -1976,17 +1993,37 @@ class Reader:
         standing = {given["assumption"] for given in givens if given["assumption"] is not None}
         return Statement(document["title"], constants, rows, assumptions, standing, cites)
 
+    def cites(self, items: list[dict[str, Any]], prefix: str) -> list[Cite]:
+        """Read what is cited; of a statement that is not cited itself, this is the beginning.
+
+        Statements that begin alike share it: what is cited is named by its digest.
+        """
+        if prefix:
+            return [found for item in items for found in self.cite(item, prefix)]
+        asked = tuple(tuple(sorted(item.items())) for item in items)
+        if asked not in BEGINNINGS:
+            if sum(len(kept.nodes) for kept, _, _ in BEGINNINGS.values()) > MAX_KEPT:
+                BEGINNINGS.clear()
+            other = Reader(Kernel(), self.available)
+            found = [found for item in items for found in other.cite(item, "")]
+            BEGINNINGS[asked] = other.kernel, MAX_WORK - other.kernel.work, found
+        kernel, work, found = BEGINNINGS[asked]
+        for cite in found:
+            need(cite.digest in self.available, Malformed, NOT_AT_HAND, cite.digest)
+        self.kernel.begin(kernel, work)
+        return found
+
     def cite(self, cite: dict[str, Any], prefix: str) -> list[Cite]:
         """Read a cited statement, whose names get its name and a colon before them.
 
         What is returned is the citation, and those in the cited statement.
         """
         digest, full = cite["statement_sha256"], prefix + cite["name"]
-        message = "cites: found {}, whose statement is not at hand"
-        need(digest in self.available, Malformed, message, digest)
+        data = self.available.get(digest, b"")
+        need(sha256(data).hexdigest() == digest, Malformed, NOT_AT_HAND, digest)
         self.kernel.introduce(full)
-        self.kernel.spend(0, 100 + len(self.available[digest]) // 3)
-        document = parsed("cited statement", self.available[digest], STATEMENT)
+        self.kernel.spend(0, 100 + len(data) // 3)
+        document = parsed("cited statement", data, STATEMENT)
         good = document["theorem"] == cite["theorem"]
         need(good, Malformed, "cites: found {} under another title", cite["theorem"])
         inner = self.read(document, f"{full}:")
@@ -2026,7 +2063,7 @@ class Reader:
             context.givens.append(Given(prefix + given["name"], claim, given["kind"]))
         context.point = kernel.values("point", item["point"], context, Place(parent))
         if prefix:
-            context.is_open = True
+            kernel.opened.add(context)
             for given in context.givens:
                 kernel.install(given.name, given.claim, context)
         self.constants(item["constants"], context, prefix)
@@ -2121,7 +2158,8 @@ class Checking:
         """The context, which must be open."""
         good = context.name not in self.kernel.refused
         need(good, Refused, "found {}, which could not be opened", context.name)
-        need(context.is_open, Malformed, "found {}, which is not open so far", context.name)
+        is_open = context in self.kernel.opened
+        need(is_open, Malformed, "found {}, which is not open so far", context.name)
         return Place(context)
 
     def once(self, item: str) -> None:
@@ -2298,9 +2336,10 @@ def parsed(where: str, data: bytes, shape: Shape) -> Any:
     """The document in a JSON file, where natural numbers below 10^9 are the only numbers."""
 
     def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        keys = [key for key, _ in pairs]
-        need(len({*keys}) == len(keys), Malformed, "{}: found a key twice in {}", where, keys)
-        return dict(pairs)
+        found = dict(pairs)
+        good = len(found) == len(pairs)
+        need(good, Malformed, "{}: found a key twice in {}", where, [*found])
+        return found
 
     def natural(text: str) -> int:
         good = re.fullmatch("0|[1-9][0-9]{0,8}", text)
@@ -2313,11 +2352,13 @@ def parsed(where: str, data: bytes, shape: Shape) -> Any:
         value = json.loads(data.decode(), object_pairs_hook=unique, **hooks)
     except (ValueError, RecursionError) as error:
         raise Malformed(f"{where}: {error}") from error
-    level = [value] if isinstance(value, dict | list) else []
-    for _ in range(MAX_NESTING):
+    level, depth = [value] if isinstance(value, dict | list) else [], 0
+    while level:
+        depth += 1
+        good = depth <= MAX_NESTING
+        need(good, Malformed, "{}: found more than {} nested brackets", where, MAX_NESTING)
         lists = [item.values() if isinstance(item, dict) else item for item in level]
         level = [item for inner in lists for item in inner if isinstance(item, dict | list)]
-    need(not level, Malformed, "{}: found more than {} nested brackets", where, MAX_NESTING)
     shape(where, value)
     return value
 

@@ -256,6 +256,81 @@ def test_that_a_cited_theorem_applies_is_no_fact() -> None:
     assert "found c:applies, which is no fact so far" in "\n".join(answer(other, pair)[1])
 
 
+# --- what is cited is read once ------------------------------------------------------------------
+
+
+def test_statements_that_cite_the_same_share_what_was_read_and_nothing_else() -> None:
+    """What one of them proves in a cited context is no fact, and no known sign, for the others."""
+    other, more = cited(), ["<", "0", ["add", "c:v", "1"]]
+    first = citing(other)
+    first.lemma("more", more, total("goal", "c:v-low", "1"), "c:free")
+    first.lemma("root", ["<=", "0", ["div", "1", "c:root"]], INTERVAL)
+    assert last(first, beside=(other,))[0] == 3
+    divided = ["<", "0", ["div", "1", ["add", "c:v", "1"]]]
+    for pair, says in (
+        (citing(other).lemma("x", more, total("goal", "more"), "c:free"), "more, which is no fact"),
+        (citing(other).lemma("x", divided, total("goal", "1"), "c:free"), "found a division by"),
+        (citing(other).lemma("more", more, total("goal", "c:v-low", "2"), "c:free"), "not 0"),
+    ):
+        code, lines = answer(pair, cited=(other,))
+        assert (code in (1, 4), says in "\n".join(lines)) == (True, True)
+    first.lemma("x", divided, total("goal", "1"), "c:free")  # where the sign is a fact
+    assert last(first, beside=(other,))[0] == 3
+
+
+def test_what_was_read_before_counts_as_work_and_has_to_be_at_hand() -> None:
+    other = cited()
+    pair = Pair("OUTER").cite("s", citing(other)).row("row", "0 <= 1", INTERVAL)
+    files, inner = pair.files(), citing(other).files()[0]
+    everything = {sha256(data).hexdigest(): data for data in (inner, other.files()[0])}
+    check.BEGINNINGS.clear()
+    new = check.check(*files, everything)
+    assert check.check(*files, everything) == new
+    assert check.check(*files, everything, new.work).work == new.work
+    with pytest.raises(check.Malformed, match="more work"):
+        check.check(*files, everything, new.work - 1)
+    for left_out in everything:
+        some = {name: data for name, data in everything.items() if name != left_out}
+        for _ in range(2):
+            with pytest.raises(check.Malformed, match=f"{left_out}, whose statement is not at"):
+                check.check(*files, some)
+            check.BEGINNINGS.clear()
+
+
+def test_a_statement_under_another_digest_is_not_at_hand() -> None:
+    other, changed = cited(), cited()
+    changed.statement["title"] = "another"
+    check.BEGINNINGS.clear()
+    with pytest.raises(check.Malformed, match="not at hand"):
+        check.check(*citing(other).files(), {digest(other): changed.files()[0]})
+    assert (
+        check.check(*citing(other).files(), {digest(other): other.files()[0]}).verdict == "PROVED"
+    )
+
+
+def test_beginnings_are_read_once_and_only_so_many_are_kept(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    other, read, honest = cited(), 0, check.parsed
+
+    def counted(where: str, *rest: Any) -> Any:
+        nonlocal read
+        read += where == "cited statement"
+        return honest(where, *rest)
+
+    last(citing(other), beside=(other,))
+    ((kernel, _, _),) = [*check.BEGINNINGS.values()][-1:]
+    monkeypatch.setattr(check, "MAX_KEPT", 3 * len(kernel.nodes))
+    monkeypatch.setattr(check, "parsed", counted)
+    check.BEGINNINGS.clear()
+    for i in range(12):
+        pair = Pair("MAIN").cite(f"c{i}", other)
+        pair.row("row", ["<", "1", f"c{i}:root"], total("goal", f"c{i}:big"))
+        for _ in range(2):
+            assert last(pair, beside=(other,))[0] == 3
+        assert (read, len(check.BEGINNINGS)) == (i + 1, i % 4 + 1)
+
+
 # --- certificates that lie beside what is cited --------------------------------------------------
 
 

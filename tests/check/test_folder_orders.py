@@ -91,7 +91,8 @@ def test_a_kernel_is_freed_without_looking_for_circles(
 ) -> None:
     """The command collects no garbage: in a folder of scenes nothing may pile up.
 
-    Also where it ends early, at a step or at a citation: here by the limit of work.
+    Also where it ends early, at a step or at a citation: here by the limit of work. What is cited
+    is kept for the next folder, until it is dropped.
     """
     folder = SCENES / "nearly-aligned"
     files = [(folder / f"{name}.json").read_bytes() for name in ("statement", "certificate")]
@@ -105,7 +106,9 @@ def test_a_kernel_is_freed_without_looking_for_circles(
     monkeypatch.setattr(check, "Kernel", Seen)
     gc.disable()
     try:
+        check.BEGINNINGS.clear()
         assert check.examined(files[0], files[1], cited_in(folder), work).verdict == verdict
+        check.BEGINNINGS.clear()
         assert {item() for item in seen} == {None}
     finally:
         gc.enable()

@@ -291,7 +291,7 @@ def test_ends_are_counted_where_they_are_used(ledger: Ledger) -> None:
 @pytest.mark.parametrize("bits", [2, 64])
 def test_roundings_and_roots(ledger: Ledger, bits: int) -> None:
     scope = check.Enclosing(ledger, bits, None)
-    scope.shorter(F(-1023, 16))
+    scope.shorter(F(-1023, 16), 1)
     assert ledger.bill() == [(10 + 5, 1)]
     scope.sqrt(check.Interval(F(3), F(5, 4)))
     assert ledger.bill() == [(2 + 2 * bits, 1), (5 + 2 * bits, 1)]

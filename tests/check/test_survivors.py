@@ -205,7 +205,8 @@ def test_ends_are_shortened_just_beyond_the_limit(bits: int) -> None:
     for n in range(-300, 301, 7):
         for d in range(1, 40):
             end = F(n, d)
-            found = scope.shorter(end)
+            found = scope.shorter(end, 1)
+            assert scope.shorter(-end, -1) == -found
             size = check.size(end)
             assert found <= end
             assert end - found <= abs(end) / 2 ** (bits - 1)

@@ -201,6 +201,8 @@ def test_a_folder_stands_for_the_certificates_below_it(
 ) -> None:
     for name in ("inner/mean", "inner/deeper/witness"):
         shutil.copytree(EXAMPLES / name.split("/")[-1], tmp_path / name)
+    (tmp_path / "inner/.verify-0-new").mkdir()  # as a run leaves it that was killed
+    (tmp_path / "inner/.verify-0-new/statement.json").touch()
     code, out, err = run(capsys, tmp_path, "--json")
     folders = [found["path"] for found in json.loads(out)["folders"]]
     assert (code, err) == (0, "")

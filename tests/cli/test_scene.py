@@ -333,6 +333,13 @@ def test_other_limits_begin_anew(
     assert len(go_on(tmp_path, capsys, monkeypatch, "--digits", 9)) == 4
 
 
+NO_FILE = {key: ["x"] for key in ("file", "code", "lines", "document", "row")}
+
+
+def line_of(result: object) -> str:
+    return json.dumps({"scene": "", "limits": [], "written": "", "result": result})
+
+
 CHANGES: dict[str, Callable[[Path, Path], object]] = {
     "another scene": lambda made, _: (made / "passing.toml").write_text(GOOD),
     "another result": lambda _, out: (out / "passing" / "scene.json").write_text("{}"),
@@ -340,6 +347,7 @@ CHANGES: dict[str, Callable[[Path, Path], object]] = {
     "another one cited": lambda _, out: [p.write_text("{}") for p in out.glob("passing/cited/*")],
     "half a line": lambda _, out: (out / NAME).write_bytes((out / NAME).read_bytes()[:-9]),
     "no line": lambda _, out: (out / NAME).write_text("[]\n{}\n7\nx"),
+    "no file": lambda _, out: (out / NAME).write_text(f"{line_of('x')}\n{line_of(NO_FILE)}\n"),
 }
 
 
@@ -351,9 +359,29 @@ def test_what_is_not_whole_is_decided_anew(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     again = go_on(tmp_path, capsys, monkeypatch, between=CHANGES[change])
-    kept = [] if change == "no line" else ["nearly-aligned.toml"]
+    kept = [] if change in ("no line", "no file") else ["nearly-aligned.toml"]
     every = ["bad.toml", "nearly-aligned.toml", "passing.toml", "tie.toml"]
     assert again == [name for name in every if name not in kept]
+
+
+def test_a_name_that_is_no_text(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is shown with a backslash in all files, and kept as well."""
+    made, out, table = tmp_path / "made", tmp_path / "out", tmp_path / "t.csv"
+    made.mkdir()
+    for name in ("a\udcff.toml", "b.toml"):
+        (made / name).write_text(GOOD)
+    monkeypatch.setattr(scene_folder, "decide_file", Interrupted(1))
+    assert run(capsys, made, "--out", out)[0] == 130
+    monkeypatch.setattr(scene_folder, "decide_file", again := Interrupted(9))
+    assert run(capsys, made, "--out", out, "--csv", table)[0] == 0
+    assert again.names == ["b.toml"]
+    assert [line.partition(",")[0] for line in table.read_text().splitlines()] == [
+        "file", "a\\udcff.toml", "b.toml",
+    ]  # fmt: skip
+    (found,) = (path for path in out.glob("a*/scene.json"))
+    assert json.loads(found.read_text())["file"] == "a\udcff.toml"
 
 
 def test_the_drawing_is_whole(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

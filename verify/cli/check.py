@@ -160,13 +160,16 @@ def folders_at(paths: Sequence[str]) -> list[check.Folder]:
 
 
 def _below(path: str) -> list[str]:
-    """The folders below a folder with a file of a certificate, or the path itself."""
+    """The folders below a folder with a file of a certificate, or the path itself.
+
+    Hidden ones are left out: a run that was killed may have left one that is not whole.
+    """
     found = []
     for folder, inner, files in os.walk(path):
         if set(NAMES) & {*files, *inner}:
             found.append(folder)
             inner.clear()  # what it cites lies there
-        inner.sort()
+        inner[:] = sorted(name for name in inner if not name.startswith("."))
     return found or [path]
 
 

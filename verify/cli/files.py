@@ -70,13 +70,13 @@ def write_all(option: str, directory: str, contents: Mapping[str, bytes]) -> Non
 
 
 def write_file(option: str, path: str, text: str) -> None:
-    """Write one file as a whole.
+    """Write one file as a whole; what is no letter, as in some names of files, with a backslash.
 
     Raises:
         InputError: if it cannot be written, naming the option.
     """
     folder, name = os.path.split(path)
-    write_all(option, folder or os.curdir, {name: text.encode()})
+    write_all(option, folder or os.curdir, {name: text.encode(errors="backslashreplace")})
 
 
 def write_folder(option: str, directory: str, contents: Mapping[str, bytes]) -> None:
@@ -185,20 +185,20 @@ class _Whole(_Writing):
 
     def finish(self) -> None:
         """Put the folder into its place; what was there is gone."""
-        theorem = _theorem(os.path.join(self._fresh, "statement.json"))
         with _alone(os.path.dirname(self._target)):
-            self._look(theorem)
+            self._look(os.path.join(self._fresh, "statement.json"))
             with suppress(FileNotFoundError):
                 os.rename(self._target, self._aside)
             os.rename(self._fresh, self._target)
 
-    def _look(self, theorem: str | None) -> None:
-        """Afterwards what is at the place may be replaced, by a certificate of this theorem."""
+    def _look(self, statement: str | None) -> None:
+        """Afterwards what is at the place may be replaced, by a certificate of this statement."""
         with suppress(FileNotFoundError):
             others = [name for name in _names_in(self._target) if not OURS.fullmatch(name)]
             if others:
                 raise self._refused(f"has other files ({shown(others[0])}); name a new folder")
             found = _theorem(os.path.join(self._target, "statement.json"))
+            theorem = None if statement is None else _theorem(statement)
             if None not in (theorem, found) and theorem != found:
                 raise self._refused(
                     f"has a certificate of {shown(str(found))}; name another folder, or remove it"

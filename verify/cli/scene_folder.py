@@ -135,7 +135,7 @@ def _without_document(name: str, known: Told, judge: str) -> Result:
 def _beside(result: Result) -> dict[str, bytes]:
     kept = {name: value for name, value in result.items() if name != "row"}
     text = json.dumps(kept, ensure_ascii=False, indent=1) + "\n"
-    return {RESULT: text.encode()}
+    return {RESULT: text.encode(errors="backslashreplace")}  # which is JSON, too
 
 
 def worst(codes: Iterable[int]) -> int:

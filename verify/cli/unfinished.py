@@ -77,7 +77,7 @@ class Unfinished:
         kept = {key: value for key, value in result.items() if key != "scene"}
         written = self._written(result["file"])
         done = Done(result["scene"], self._limits, written, kept)
-        with suppress(OSError), open(os.path.join(self._out, NAME), "a", encoding="utf-8") as file:
+        with suppress(OSError), open(os.path.join(self._out, NAME), "a", encoding="ascii") as file:
             file.write(_line(done))
 
     def end(self) -> None:
@@ -93,14 +93,15 @@ def _digest(path: str) -> str:
 
 
 def _line(done: Done) -> str:
-    return json.dumps(done._asdict(), ensure_ascii=False) + "\n"
+    return json.dumps(done._asdict()) + "\n"
 
 
 def _lines(path: str) -> Iterator[Done]:
     """The lines of the file; one that is not whole, as the last one may be, is left out."""
-    with open(path, encoding="utf-8", errors="replace") as file:
+    with open(path, encoding="ascii", errors="replace") as file:
         for line in file:
-            with suppress(ValueError, TypeError, KeyError):
+            with suppress(ValueError, TypeError, AttributeError):
                 done = Done(**json.loads(line))
-                if {"file", "code", "lines", "document", "row"} <= done.result.keys():
+                whole = {"file", "code", "lines", "document", "row"} <= done.result.keys()
+                if whole and isinstance(done.result["file"], str):
                     yield done

@@ -42,9 +42,10 @@ def round_decimal(value: Fraction, digits: int, up: bool) -> tuple[int, int]:
     else:
         denominator *= _power(exponent)
     mantissa = -(-numerator // denominator) if up else numerator // denominator
-    while mantissa and mantissa % 10 == 0:
-        mantissa //= 10
-        exponent += 1
+    for zeros in (16, 4, 1):
+        while mantissa and mantissa % _power(zeros) == 0:
+            mantissa //= _power(zeros)
+            exponent += zeros
     return mantissa, exponent
 
 
@@ -55,9 +56,9 @@ def enclosing_decimals(low: int, high: int, divisor: int, digits: int) -> tuple[
     """
     size = max(abs(low), abs(high)).bit_length() - divisor.bit_length()
     places = digits - 1 - size * 30103 // 100000
-    up, down = _power(max(places, 0)), divisor * _power(max(-places, 0))
-    scale = Fraction(_power(max(-places, 0)), up)
-    return low * up // down * scale, -(-high * up // down) * scale
+    up, unit = _power(max(places, 0)), _power(max(-places, 0))
+    down = divisor * unit
+    return Fraction(low * up // down * unit, up), Fraction(-(-high * up // down) * unit, up)
 
 
 _POWERS: dict[int, int] = {}

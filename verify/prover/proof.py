@@ -70,6 +70,24 @@ def shapes(proofs: Any) -> Mapping[str, Shape]:
     return {field: _shape(hints[field]) for field in proofs._fields}
 
 
+def leaf_names(proof: Proof) -> frozenset[str]:
+    """The names of the leaves that proofs by the same rule may have."""
+    return _leaf_names_of(type(proof))
+
+
+@cache
+def _leaf_names_of(proofs: Any) -> frozenset[str]:
+    return frozenset(name for shape in shapes(proofs).values() for name in _leaf_names(shape))
+
+
+def _leaf_names(shape: Shape) -> Iterator[str]:
+    if shape.form == "leaf":
+        yield shape.of[0]
+    elif shape.form != "choice":
+        for inner in shape.of:
+            yield from _leaf_names(inner)
+
+
 def _shape(hint: Any) -> Shape:
     if hint in _NAMED:
         return Shape("leaf", (_NAMED[hint],))

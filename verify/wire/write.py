@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
-from functools import partial
+from functools import lru_cache, partial
 from hashlib import sha256
 from typing import Any
 
@@ -32,6 +32,7 @@ from verify.prover.proof import (
     OpenStep,
     Proof,
     Step,
+    leaf_names,
     leaves,
     mapped,
 )
@@ -82,7 +83,7 @@ def _unused(prefix: str, statement: Statement) -> str:
 def _cited(cites: Iterable[Cite]) -> Iterator[tuple[str, bytes]]:
     """The files of citations, and of the citations in them."""
     for cite in cites:
-        name = f"cited/{digest(cite.content)}"
+        name = f"cited/{_cite_digest(cite.content)}"
         yield f"{name}.json", cite.content
         if cite.certificate:
             yield f"{name}.certificate.json", cite.certificate
@@ -92,6 +93,10 @@ def _cited(cites: Iterable[Cite]) -> Iterator[tuple[str, bytes]]:
 def digest(content: bytes) -> str:
     """The digest by which a statement is cited and a certificate tied to its statement."""
     return sha256(content).hexdigest()
+
+
+#: The same of what is cited, which many cite.
+_cite_digest = lru_cache(maxsize=16)(digest)
 
 
 # --- the statement -------------------------------------------------------------------------------
@@ -137,7 +142,7 @@ def _statement(outcome: Outcome, writer: TermWriter) -> dict[str, Any]:
             {
                 "name": cite.name,
                 "theorem": cite.theorem,
-                "statement_sha256": digest(cite.content),
+                "statement_sha256": _cite_digest(cite.content),
             }
             for cite in statement.cites
         ],
@@ -236,8 +241,13 @@ def _step_terms(step: Step) -> Iterator[Term]:
         yield from _proof_terms(proof)
 
 
+#: The leaves of proofs in which there may be terms.
+_WITH_TERMS = {"proof", "premise", "claim", "term", "value"}
+
+
 def _proof_terms(proof: Any) -> Iterator[Term]:
-    for leaf, item in () if isinstance(proof, str) else leaves(proof):
+    bare = isinstance(proof, str) or _WITH_TERMS.isdisjoint(leaf_names(proof))
+    for leaf, item in () if bare else leaves(proof):
         if leaf in ("proof", "premise"):
             yield from _proof_terms(item)
         elif leaf == "claim":

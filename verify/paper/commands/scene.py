@@ -7,7 +7,7 @@ show the inequalities.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
 
@@ -20,13 +20,13 @@ from verify.language.statement import (
     Statement,
 )
 from verify.language.terms import Claim, Term
-from verify.paper.commands.classification import decide_classification
-from verify.paper.commands.sandwich import decide_sandwich
-from verify.paper.commands.sharper import decide_sharper
+from verify.paper.commands.classification import claimed_classification
 from verify.paper.line import line
 from verify.paper.sandwich.comparison import stair
 from verify.paper.sandwich.numbers import context as sandwich_context
+from verify.paper.sandwich.sandwich import sandwich
 from verify.paper.sharper.numbers import context as start_context
+from verify.paper.sharper.sharper import sharper
 from verify.prover import balls
 from verify.prover.arguments import write_down
 from verify.prover.decimals import enclosing_decimals, round_decimal
@@ -183,19 +183,15 @@ def statement_of(telling: Telling, found: Fate) -> Statement:
 
 def cites(found: Fate) -> list[Cite]:
     """The statements whose theorems are applied."""
-    makers = {
-        FLOW: decide_flow,
-        CLASSIFICATION: decide_classification,
-        SHARPER: decide_sharper,
-        SANDWICH: decide_sandwich,
-        LINE: decide_line,
-    }
-    return [_cite(name, makers[name]) for name in theorems(found)]
+    return [_cite(name) for name in theorems(found)]
 
 
 @cache
-def _cite(name: str, make: Callable[[], Outcome]) -> Cite:
-    outcome = make()
+def _cite(name: str) -> Cite:
+    """What is claimed in a theorem, with its proof; whoever writes the scene has both checked."""
+    arguments = {FLOW: flow, SHARPER: sharper, SANDWICH: sandwich, LINE: line}
+    is_argument = name != CLASSIFICATION
+    outcome = write_down(arguments[name]()) if is_argument else claimed_classification()
     files, trusted = write(outcome), outcome.assumptions
     content, certificate = files["statement.json"], files["certificate.json"]
     return Cite(name, outcome.statement.theorem, content, (), trusted, certificate)

@@ -123,8 +123,9 @@ Proof. {proof} Qed."""
 
     def scope(self, context: check.Context) -> tuple[list[int], list[str]]:
         """The variables and the givens in scope, the outermost first."""
-        variables = [x for c in context.around for x in c.variables.values()]
-        return variables, [self.notation.claim(a.claim) for c in context.around for a in c.givens]
+        around = (*context.outside, context)
+        variables = [x for c in around for x in c.variables.values()]
+        return variables, [self.notation.claim(a.claim) for c in around for a in c.givens]
 
     def proved(self, context: check.Context, claim: str, fact: str) -> tuple[str, str]:
         """For all values that satisfy the givens."""

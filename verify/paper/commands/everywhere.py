@@ -8,14 +8,7 @@ from functools import cache
 
 from verify.language.argument import Chapter, Line, Opened, ToBeFound
 from verify.language.statement import REFUTED, UNDECIDED, Constant, Obligation, Statement
-from verify.language.terms import (
-    Claim,
-    as_term,
-    names_of,
-    substitute,
-    substitute_claim,
-    symbol,
-)
+from verify.language.terms import Claim, as_term, names_of, substitute, substitute_claim, symbol
 from verify.paper.commands.citing import applying
 from verify.paper.commands.step import decide_step
 from verify.paper.everywhere import angle_display, hints

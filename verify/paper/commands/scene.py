@@ -11,14 +11,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cache
 
-from verify.language.statement import (
-    PROVED,
-    Applies,
-    Cite,
-    Context,
-    Obligation,
-    Statement,
-)
+from verify.language.statement import PROVED, Applies, Cite, Context, Obligation, Statement
 from verify.language.terms import Claim, Term
 from verify.paper.commands.classification import decide_classification
 from verify.paper.commands.sandwich import decide_sandwich
@@ -39,12 +32,7 @@ from verify.spheres.flow.follow import COLLIDE, DRIFT
 from verify.spheres.flow.theorem import NAME as FLOW
 from verify.spheres.flow.theorem import flow
 from verify.spheres.scene.assumptions import ASSUMPTIONS
-from verify.spheres.scene.decide import (
-    COLLAPSES,
-    DISPERSES,
-    FINITE,
-    Fate,
-)
+from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Fate
 from verify.spheres.scene.telling import (
     CLASSIFICATION,
     LINE_START,

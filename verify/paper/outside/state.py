@@ -8,14 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from verify.language.argument import (
-    Item,
-    Line,
-    identity,
-    plus,
-    proof,
-    times,
-)
+from verify.language.argument import Item, Line, identity, plus, proof, times
 from verify.language.statement import Context, Given, Variable
 from verify.language.terms import Claim, Term, equal, substitute, symbol
 from verify.paper.dynamics.carried import START, Carried, followed, start, summed

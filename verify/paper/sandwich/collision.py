@@ -4,17 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.argument import (
-    ByRoot,
-    Item,
-    Line,
-    identity,
-    plus,
-    power,
-    proof,
-    scaled,
-    times,
-)
+from verify.language.argument import ByRoot, Item, Line, identity, plus, power, proof, scaled, times
 from verify.language.terms import as_term, substitute_claim
 from verify.paper.dynamics.carried import start
 from verify.paper.dynamics.laws import (
@@ -64,16 +54,7 @@ from verify.paper.sandwich.numbers import (
     w_1,
 )
 from verify.paper.sandwich.orbit import PUSH
-from verify.paper.sandwich.state import (
-    FOLLOWING,
-    U,
-    carried,
-    clock,
-    g,
-    load,
-    pace,
-    w_s,
-)
+from verify.paper.sandwich.state import FOLLOWING, U, carried, clock, g, load, pace, w_s
 
 _end = frame.dot(end, end)
 GROWTH = "EQUATSS4.1Lien_x_n_&_y_n_"

@@ -19,16 +19,7 @@ from verify.language.argument import (
 from verify.language.terms import as_term, equal, sqrt
 from verify.paper.sandwich.comparison import LABEL
 from verify.paper.sandwich.numbers import G_POSITIVE, U_b, model
-from verify.paper.sandwich.state import (
-    Q,
-    Q_next,
-    U,
-    U_next,
-    carried,
-    load,
-    pace,
-    rho,
-)
+from verify.paper.sandwich.state import Q, Q_next, U, U_next, carried, load, pace, rho
 
 PUSH = times("rho-positive", "U-positive")
 

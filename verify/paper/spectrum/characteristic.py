@@ -7,14 +7,7 @@ from collections.abc import Iterator
 from verify.language.statement import Obligation
 from verify.language.terms import Term, as_term, equal, substitute, symbol
 from verify.paper.spectrum.collision_matrices import COLUMN, ROW
-from verify.paper.spectrum.matrices import (
-    Matrix,
-    Vector,
-    determinant,
-    form,
-    identity_minus,
-    vector,
-)
+from verify.paper.spectrum.matrices import Matrix, Vector, determinant, form, identity_minus, vector
 from verify.paper.spectrum.printed import Q_LABEL, THEOREM, Printed, r, root_3
 from verify.paper.spectrum.section import Section
 

@@ -45,7 +45,7 @@ def violated(numbers: dict[str, Fraction], z: check_map.Sight) -> set[str]:
     values["T"] = 2 * numbers["k"] / (1 + root_above(square) - Fraction(2, ABOVE))
     values["V_0"] = max(root_above(max(at["A"], at["B"])), values["eta_0"])
     program = Program((*NUMBERS, *OTHERS))
-    parts = (over / under for over, under in (SUMS[f"turn_{i}"] for i in (1, 2, 3)))
+    parts = (SUMS[f"turn_{i}"].term for i in (1, 2, 3))
     program.define("Theta", total(eta_0, *parts))
     for claim in ROOM.values():
         program.add(claim.lhs), program.add(claim.rhs)

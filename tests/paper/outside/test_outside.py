@@ -68,7 +68,7 @@ def test_glue_names_facts_that_are_there() -> None:
 def test_the_point_is_inside() -> None:
     """No given is sharp at the point but that v is the smaller speed."""
     with balls.precision(BITS):
-        point = {name: balls.exact(Fraction(text)) for name, text in numbers.POINT.items()}
+        point = {name: balls.exact(term.value) for name, term in numbers.context().point.items()}
         at = {name: arb(x) for name, x in point.items()}
         for name, claim in numbers.GIVENS.items():
             strict = Claim("<", claim.lhs, claim.rhs)

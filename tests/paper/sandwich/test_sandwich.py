@@ -61,7 +61,7 @@ def test_glue_names_facts_that_are_there() -> None:
 
 def test_the_point_is_inside() -> None:
     """No given is sharp at the point but that w is the smaller speed."""
-    point = {name: balls.exact(Fraction(text)) for name, text in numbers.POINT.items()}
+    point = {name: balls.exact(term.value) for name, term in numbers.context().point.items()}
     sharp = {"w_0-least", "w_1-least"}
     for name, claim in numbers.GIVENS.items():
         assert holds(Claim("<", claim.lhs, claim.rhs), point) or name in sharp, name

@@ -60,7 +60,7 @@ def test_glue_names_rows_that_are_there() -> None:
 
 def test_the_point_is_inside() -> None:
     """No given is sharp at the point: the theorem is about a set with an interior."""
-    point = {name: Fraction(text) for name, text in numbers.POINT.items()}
+    point = {name: term.value for name, term in numbers.context().point.items()}
     for name, claim in numbers.GIVENS.items():
         assert value(claim.lhs, point) < value(claim.rhs, point), name
 
@@ -298,9 +298,7 @@ def test_a_follower_that_contradicts_would_be_seen(dimension: int) -> None:
 
 def test_a_statement_cites_the_theorem() -> None:
     """Values of all variables, and each given decided by enclosures: a scene shows no more."""
-    values: dict[str, Term] = {
-        name: as_term(Fraction(text)) for name, text in numbers.POINT.items()
-    }
+    values: dict[str, Term] = dict(numbers.context().point)
     values |= {"C_start": sqrt(as_term(Fraction(90249999, 10**8))), "B_start": sqrt(2) / 3}
     assert verdict_of_scene(values) == "PROVED"
     values["B_start"] = sqrt(2)

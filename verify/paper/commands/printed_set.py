@@ -14,6 +14,7 @@ from verify.paper.everywhere import chart, hints
 from verify.paper.groups import PRINTED
 from verify.paper.printed_set import initial, numbers, printed_set, sign
 from verify.paper.sharper import numbers as sharper
+from verify.paper.step.initial import CONTEXT
 from verify.prover.arguments import Writing
 from verify.prover.ground import Ground
 from verify.prover.outcome import Outcome
@@ -41,7 +42,7 @@ def decide_printed_set() -> Outcome:
     work.lines(numbers.conclusions())
     work.lines(initial.inside())
     work.writing.chapter(Chapter(None, (Opened(initial.context(), _at_the_point()),)))
-    work.writing.chapter(Chapter(initial.CONTEXT, tuple(initial.lines())))
+    work.writing.chapter(Chapter(CONTEXT, tuple(initial.lines())))
     givens = (*(f"room-{name}" for name in sharper.ROOM), *map(initial.premise, sharper.ENTRY))
     work.writing.decide(work.writing.rows[printed_set.COLLAPSE], Applying(givens))
     return work.outcome()

@@ -16,6 +16,7 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from verify.language.argument import (
+    ByInstance,
     Chapter,
     Item,
     Line,
@@ -152,6 +153,15 @@ def _squares() -> dict[str, tuple[Value, ...]]:
             times(power(t2, 2), room_c, room_s),
         ),
     }
+
+
+def at_the_point(
+    p: Frame, time: Term, names: Iterable[str], givens: tuple[str, str, str]
+) -> Iterator[Item]:
+    """The inequalities at such velocities; ``givens`` has why the three of this context hold."""
+    values = dict(zip(NAMES, (p.y, p.eta_s, p.C, p.A, p.B, p.d, time), strict=True))
+    for name, claim in inequalities(p, time, names).items():
+        yield Line(f"at-{name}", claim, ByInstance(f"{PLANE}-{name}", values, givens))
 
 
 def spaces() -> tuple[Opened, ...]:

@@ -18,7 +18,7 @@ from verify.language.argument import (
     square,
     times,
 )
-from verify.language.terms import equal, sqrt, substitute_claim
+from verify.language.terms import equal, sqrt
 from verify.paper.dynamics.carried import start
 from verify.paper.dynamics.laws import (
     ANGLE,
@@ -47,7 +47,6 @@ from verify.paper.dynamics.state import (
     frame,
     kept,
     r,
-    root_of,
     tau,
     y,
     y_next,
@@ -66,7 +65,6 @@ from verify.paper.outside.numbers import (
     w_1,
 )
 from verify.paper.outside.state import (
-    FOLLOWING,
     Q,
     Q_next,
     U,
@@ -260,7 +258,6 @@ def _next_point() -> Iterator[Item]:
     both = ("closing-law", D * y_next + closing)
     radicand = 1 - load / pace / pace
     pulled = times(square(v_s), "tau-positive")
-    root = substitute_claim(0 < root_of(frame), FOLLOWING)
     yield from (
         Line("spread-positive", 0 < spread,
              proof(times(2, "recedes", "tau-positive"),
@@ -309,9 +306,8 @@ def _next_point() -> Iterator[Item]:
         Line("next-Cnd3",     carried.at_next("Cnd3"),
              proof("next-meets", using="d_next", equations=(("D-square", -A_next), both)),
              says="ζ' < 1"),
-        Line("next-root",     root, ByRoot()),
-        Line("next-root-sum", carried.at_next("root-sum"), proof(1, "next-root")),
     )  # fmt: skip
+    yield from carried.root("next-", carried.following)
 
 
 def _others() -> Iterator[Item]:

@@ -23,17 +23,18 @@ from verify.paper.outside.floor import Step, step_of
 #: The pairs of vectors for which Cauchy-Schwarz is used.
 PAIRS = ("cs-s", "cs-c", "cs-a", "cs-impact", "cs-angle")
 
+#: In Unicode, in LaTeX, and at a point that satisfies everything strictly.
 _NUMBERS = {
-    "r": ("r", "r"),
-    "G": ("Γ", r"\Gamma"),
-    "v": ("v", "v"),
-    "v_0": ("v₀", "v_0"),
-    "v_1": ("v₁", "v_1"),
-    "w_0": ("w₀", "w_0"),
-    "w_1": ("w₁", "w_1"),
-    "C_p": ("C₊", "C_+"),
-    "Q_0": ("Q₀", "Q_0"),
-    "U_0": ("U₀", "U_0"),
+    "r": ("r", "r", "3/100"),
+    "G": ("Γ", r"\Gamma", "1001/1000"),
+    "v": ("v", "v", "19/20"),
+    "v_0": ("v₀", "v_0", "19/20"),
+    "v_1": ("v₁", "v_1", "19/20"),
+    "w_0": ("w₀", "w_0", "21/20"),
+    "w_1": ("w₁", "w_1", "21/20"),
+    "C_p": ("C₊", "C_+", "1"),
+    "Q_0": ("Q₀", "Q_0", "1/20"),
+    "U_0": ("U₀", "U_0", "1/200"),
 }
 G, v, v_0, v_1, w_0, w_1, C_p, Q_0, U_0 = map(symbol, list(_NUMBERS)[1:])
 
@@ -46,10 +47,10 @@ step = G / v / v
 #: and of the changes of the angle, for each unit of the closing speed now.
 gain, turning = map(symbol, ("gain", "turning"))
 SUMS: Mapping[str, Sum] = {
-    "gain": (G, 1 - ratio),
-    "turning": ((w_0 + w_1 + 2 * start.y) * step, 1 - ratio),
+    "gain": Sum("G_V", G, 1 - ratio),
+    "turning": Sum("G_C", (w_0 + w_1 + 2 * start.y) * step, 1 - ratio),
 }
-_gain, _turn = (over / under for over, under in SUMS.values())
+_gain, _turn = (found.term for found in SUMS.values())
 
 
 def model(Q: Term, U: Term, w_c: Term, v_s: Term) -> Step:
@@ -131,28 +132,8 @@ STATE: Mapping[str, Claim] = {
     "start-meets-again": _again.meets,
 }
 
-#: A state with r = 3/100 that satisfies everything strictly.
-POINT: Mapping[str, str] = {
-    "r": "3/100",
-    "G": "1001/1000",
-    "v": "19/20",
-    "v_0": "19/20",
-    "v_1": "19/20",
-    "w_0": "21/20",
-    "w_1": "21/20",
-    "C_p": "1",
-    "Q_0": "1/20",
-    "U_0": "1/200",
-    "y_start": "1/100",
-    "eta_s_start": "1/1250",
-    "C_start": "19/20",
-    "a_start": "19/2000",
-    "b_start": "-19/25000",
-    "A_start": "1",
-    "B_start": "1",
-    "w_start": "0",
-    "d_start": "1/1000000",
-}
+#: The state there, its inner products in the order of `NAMES`.
+_STATE = "1/100 1/1250 19/20 19/2000 -19/25000 1 1 0 1/1000000"
 
 
 GIVENS = {**ROOM, **ENTRY, **STATE}
@@ -160,8 +141,7 @@ GIVENS = {**ROOM, **ENTRY, **STATE}
 
 def context() -> Context:
     """The numbers and the state, with the sums over all later collisions."""
-    letters = {"gain": "G_V", "turning": "G_C"}
-    return starting(_NUMBERS, GIVENS, POINT, SUMS, letters)
+    return starting(_NUMBERS, _STATE, GIVENS, SUMS)
 
 
 HALF = times(Fraction(1, 2), plus(1, "r-positive"))

@@ -69,7 +69,6 @@ def _chapters() -> Iterator[Chapter]:
     yield Chapter(START, (*state.lines(), Opened(state.context(), state.opening())))
     yield Chapter(CONTEXT, (*flight.sizes(), *flight.lines(), *collision.lines()))
     premises = map(state.begins, state.CONDITIONS)
-    always = state.carried.always(
-        state.beginning, premises, ASSUMPTIONS, " for which two more follow in turn"
-    )
+    where = " for which two more follow in turn"
+    always = state.carried.always(premises, ASSUMPTIONS, where)
     yield Chapter(START, (always,))

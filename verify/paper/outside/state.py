@@ -9,13 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from verify.language.argument import Item, Line, identity, plus, proof, times
-from verify.language.statement import Context, Given, Variable
-from verify.language.terms import Claim, Term, equal, substitute, symbol
-from verify.paper.dynamics.carried import START, Carried, followed, start, summed
+from verify.language.statement import Context, Given
+from verify.language.terms import Claim, equal, substitute, symbol
+from verify.paper.dynamics.carried import Carried, Ghost, followed, start, summed
 from verify.paper.dynamics.state import (
-    CONTEXT,
-    LETTERS,
-    NAMES,
     A,
     B,
     C,
@@ -53,18 +50,9 @@ from verify.paper.sandwich.comparison import LABEL
 
 GOES_ON = "goes-on"
 
-_GHOSTS = {
-    "time_here": ("τ", r"\tau"),
-    "root_here": ("√(1-ζ)", r"\sqrt{1-\zeta}"),
-    "g": ("Λⁿη₀", r"\Lambda^n\eta_0"),
-    "Q": ("Q", "Q"),
-    "U": ("U", "U"),
-    "v_c": ("v_c", "v_c"),
-    "v_s": ("v_s", "v_s"),
-    "w_c": ("w_c", "w_c"),
-    "w_s": ("w_s", "w_s"),
-}
-time_here, root_here, g, Q, U, v_c, v_s, w_c, w_s = map(symbol, _GHOSTS)
+time_here, root_here, g, Q, U, v_c, v_s, w_c, w_s = map(
+    symbol, ("time_here", "root_here", "g", "Q", "U", "v_c", "v_s", "w_c", "w_s")
+)
 here = model(Q, U, w_c, v_s)
 rho, pace, load, Q_next, U_next = map(symbol, ("rho", "pace", "load", "Q_next", "U_next"))
 
@@ -98,49 +86,31 @@ CONDITIONS: Mapping[str, Claim] = {
     "angle": C <= C_p - turning * g,
 }
 _after = after_the_collision()
-#: The next state.
-FOLLOWING: Mapping[str, Term] = _after | {
-    "time_here": substitute(time_of(frame), _after),
-    "root_here": substitute(root_of(frame), _after),
-    "g": ratio * g,
-    "Q": Q_next,
-    "U": U_next,
-    "v_c": v_s,
-    "v_s": v_c,
-    "w_c": w_s,
-    "w_s": w_c,
+#: What goes along: in Unicode, in LaTeX, at the start, and at the next state.
+GHOSTS: Mapping[str, Ghost] = {
+    "time_here": ("τ", r"\tau", time_of(start), substitute(time_of(frame), _after)),
+    "root_here": ("√(1-ζ)", r"\sqrt{1-\zeta}", root_of(start), substitute(root_of(frame), _after)),
+    "g": ("Λⁿη₀", r"\Lambda^n\eta_0", start.y, ratio * g),
+    "Q": ("Q", "Q", Q_0, Q_next),
+    "U": ("U", "U", U_0, U_next),
+    "v_c": ("v_c", "v_c", v_0, v_s),
+    "v_s": ("v_s", "v_s", v_1, v_c),
+    "w_c": ("w_c", "w_c", w_0, w_s),
+    "w_s": ("w_s", "w_s", w_1, w_c),
 }
-carried = Carried(CONDITIONS, FOLLOWING)
-
-#: Where the recursion starts.
-beginning: dict[str, Term] = start._asdict() | {
-    "time_here": time_of(start),
-    "root_here": root_of(start),
-    "g": start.y,
-    "Q": Q_0,
-    "U": U_0,
-    "v_c": v_0,
-    "v_s": v_1,
-    "w_c": w_0,
-    "w_s": w_1,
-}
+carried = Carried(CONDITIONS, GHOSTS)
 
 
 def context() -> Context:
     """The states that satisfy the conditions, and have two collisions more in turn."""
-    standing = inequalities(frame, time_of(frame), PAIRS)
     later = again(frame, time_here, root_here)
     goes_on = {"approaches-again": later.approaches, "meets-again": later.meets}
-    more = (Given(name, claim, "standing", GOES_ON) for name, claim in goes_on.items())
-    letters = LETTERS | _GHOSTS
-    return Context(
-        CONTEXT,
-        tuple(Variable(name, *letters[name]) for name in (*NAMES, *_GHOSTS)),
-        (*carried.givens(standing), *more),
-        beginning,
-        START,
-        "a state just after a collision that satisfies the conditions, with two collisions more",
+    return carried.context(
+        inequalities(frame, time_of(frame), PAIRS),
+        carried.begun(),
         followed(LABEL, (v_s / w_c) ** 2, here.P, here.load, r, U),
+        says=", with two collisions more",
+        goes_on=(Given(name, claim, "standing", GOES_ON) for name, claim in goes_on.items()),
     )
 
 
@@ -168,7 +138,7 @@ def begins(name: str) -> str:
 
 def lines() -> Iterator[Item]:
     """What follows from the numbers, and that the conditions hold at the start."""
-    claims = carried.at(beginning)
+    claims = carried.at(carried.begun())
     yield from (
         Line("r-below-one",    0 < 1 - r,
              proof(times(2, "decay-positive"), times(2, HALF, "reach")),

@@ -71,8 +71,7 @@ turn_1, turn_2, turn_3 = map(symbol, TURNS)
 
 def turn(name: str) -> Term:
     """The factor of a power of -eta_c in what the angle turns."""
-    over, under = sharper.SUMS[name]
-    return substitute(over / under, MEANING)
+    return substitute(sharper.SUMS[name].term, MEANING)
 
 
 #: What the angle turns for each power of -eta_c; these are known later.

@@ -15,6 +15,7 @@ from verify.paper.parameters import THEOREM
 from verify.paper.printed_set import initial, numbers
 from verify.paper.sharper.sharper import ASSUMPTIONS as CITED
 from verify.paper.sharper.sharper import NAME as SHARPER
+from verify.paper.step.initial import CONTEXT
 
 NAME = f"{THEOREM}, the set as printed"
 TITLE = (
@@ -41,7 +42,7 @@ def rows() -> Iterator[Obligation]:
     uses = tuple(assumption.name for assumption in ASSUMPTIONS)
     yield Obligation(COLLAPSE, PRINTED, THEOREM, NEEDED,
         "the sharper theorem applies to each state of the set: the particles collapse",
-        Applies(f"{SHARPER}:{START}", at), uses, context=initial.CONTEXT)  # fmt: skip
+        Applies(f"{SHARPER}:{START}", at), uses, context=CONTEXT)  # fmt: skip
 
 
 def _said(items: Iterable[Item], context: str) -> Iterator[Obligation]:

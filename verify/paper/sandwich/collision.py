@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.argument import ByRoot, Item, Line, identity, plus, power, proof, scaled, times
-from verify.language.terms import as_term, substitute_claim
+from verify.language.argument import Item, Line, identity, plus, power, proof, scaled, times
+from verify.language.terms import as_term
 from verify.paper.dynamics.carried import start
 from verify.paper.dynamics.laws import (
     ANGLE,
@@ -33,7 +33,6 @@ from verify.paper.dynamics.state import (
     end,
     frame,
     kept,
-    root_of,
     tau,
     y,
     y_next,
@@ -54,7 +53,7 @@ from verify.paper.sandwich.numbers import (
     w_1,
 )
 from verify.paper.sandwich.orbit import PUSH
-from verify.paper.sandwich.state import FOLLOWING, U, carried, clock, g, load, pace, w_s
+from verify.paper.sandwich.state import U, carried, clock, g, load, pace, w_s
 
 _end = frame.dot(end, end)
 GROWTH = "EQUATSS4.1Lien_x_n_&_y_n_"
@@ -211,7 +210,6 @@ def _next_u() -> Iterator[Item]:
     faster = times("next-pace", plus("next-pace", times(2, "pace-positive", "Cnd1")))
     further = times("next-d-positive", plus(2, "next-d-positive"))
     bent = times(power("next-d-sum-positive", 2), power("next-Cnd1", 2))
-    root = substitute_claim(0 < root_of(frame), FOLLOWING)
     pulled = times("B-below", power(times("w_s-positive", "tau-positive"), 2))
     yield from (
         Line("spread", w_s**2 * (D**2 - 1) <= load * y**2,
@@ -229,9 +227,8 @@ def _next_u() -> Iterator[Item]:
         Line("next-Cnd3", carried.at_next("Cnd3"),
              proof("next-u-bound", times(further, "next-A-below"),
                    times(power("U-next-one", 2), bent)), says="ζ' < 1"),
-        Line("next-root", root, ByRoot()),
-        Line("next-root-sum", carried.at_next("root-sum"), proof(1, "next-root")),
     )  # fmt: skip
+    yield from carried.root("next-", carried.following)
 
 
 def _others() -> Iterator[Item]:

@@ -18,17 +18,18 @@ from verify.paper.dynamics.carried import Sum, start, starting
 from verify.paper.dynamics.state import r
 from verify.paper.sandwich.comparison import Model
 
+#: In Unicode, in LaTeX, and at a point that satisfies everything strictly.
 _NUMBERS = {
-    "r": ("r", "r"),
-    "G": ("Γ", r"\Gamma"),
-    "w_b": ("w", "w"),
-    "w_0": ("w₀", "w_0"),
-    "w_1": ("w₁", "w_1"),
-    "U_b": ("U*", "U_*"),
-    "C_0": ("C₀", "C_0"),
-    "Theta": ("Θ", r"\Theta"),
-    "Q_0": ("Q₀", "Q_0"),
-    "U_0": ("U₀", "U_0"),
+    "r": ("r", "r", "3/100"),
+    "G": ("Γ", r"\Gamma", "1001/1000"),
+    "w_b": ("w", "w", "11/10"),
+    "w_0": ("w₀", "w_0", "11/10"),
+    "w_1": ("w₁", "w_1", "11/10"),
+    "U_b": ("U*", "U_*", "1/10"),
+    "C_0": ("C₀", "C_0", "19/20"),
+    "Theta": ("Θ", r"\Theta", "1/50"),
+    "Q_0": ("Q₀", "Q_0", "1/10"),
+    "U_0": ("U₀", "U_0", "1/50"),
 }
 G, w_b, w_0, w_1, U_b, C_0, Theta, Q_0, U_0 = map(symbol, list(_NUMBERS)[1:])
 
@@ -42,11 +43,11 @@ step = G * U_b / w_b / w_b
 #: that of s now, of the times, and of the changes of the angle.
 gain, duration, turning = map(symbol, ("gain", "duration", "turning"))
 SUMS: Mapping[str, Sum] = {
-    "gain": (half * G, 1 - ratio**2),
-    "duration": (step, 1 - ratio),
-    "turning": ((w_0 + w_1 + start.y) * step, 1 - ratio),
+    "gain": Sum("G_V", half * G, 1 - ratio**2),
+    "duration": Sum("G_T", step, 1 - ratio),
+    "turning": Sum("G_C", (w_0 + w_1 + start.y) * step, 1 - ratio),
 }
-_gain, _, _turn = (over / under for over, under in SUMS.values())
+_gain, _, _turn = (found.term for found in SUMS.values())
 
 #: The map of two numbers that the dynamics stays below, at the start.
 model = Model(r, G, U_b, C_0 - Theta)
@@ -92,36 +93,14 @@ ENTRY: Mapping[str, Claim] = {
 
 GIVENS = {**ROOM, **ENTRY}
 
-#: A state with r = 3/100 that satisfies everything strictly.
-POINT: Mapping[str, str] = {
-    "r": "3/100",
-    "G": "1001/1000",
-    "w_b": "11/10",
-    "w_0": "11/10",
-    "w_1": "11/10",
-    "U_b": "1/10",
-    "C_0": "19/20",
-    "Theta": "1/50",
-    "Q_0": "1/10",
-    "U_0": "1/50",
-    "y_start": "1/100",
-    "eta_s_start": "1/1250",
-    "C_start": "19/20",
-    "a_start": "19/2000",
-    "b_start": "-19/25000",
-    "A_start": "1",
-    "B_start": "1",
-    "w_start": "0",
-    "d_start": "1/1000000",
-}
+#: The state there, its inner products in the order of `NAMES`.
+_STATE = "1/100 1/1250 19/20 19/2000 -19/25000 1 1 0 1/1000000"
 
 
 def context() -> Context:
     """The numbers and the state, with the sums over all later collisions."""
-    letters = {"gain": "G_V", "duration": "G_T", "turning": "G_C"}
-    return starting(_NUMBERS, GIVENS, POINT, SUMS, letters)
+    return starting(_NUMBERS, _STATE, GIVENS, SUMS)
 
 
 HALF = times(Fraction(1, 2), plus(1, "r-positive"))
 G_POSITIVE = plus(1, "reach")
-STEP = times(G_POSITIVE, "U_b-positive")

@@ -84,5 +84,5 @@ def _chapters() -> Iterator[Chapter]:
     )  # fmt: skip
     yield from flight.apart()
     premises = map(state.begins, state.CONDITIONS)
-    always = state.carried.always(state.beginning, premises, ASSUMPTIONS)
+    always = state.carried.always(premises, ASSUMPTIONS)
     yield Chapter(START, (always,))

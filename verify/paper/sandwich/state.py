@@ -9,30 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from verify.language.argument import (
-    ByInstance,
-    ByRoot,
-    Item,
-    Line,
-    identity,
-    plus,
-    power,
-    proof,
-    scaled,
-    times,
-)
-from verify.language.statement import Context, Given, Variable
-from verify.language.terms import Claim, Term, as_term, equal, substitute_claim, symbol
-from verify.paper.dynamics.carried import START, Carried, followed, start, summed
-from verify.paper.dynamics.model import PLANE, aligned
+from verify.language.argument import Item, Line, identity, plus, power, proof, scaled, times
+from verify.language.statement import Context, Given
+from verify.language.terms import Claim, as_term, equal, symbol
+from verify.paper.dynamics.carried import Carried, Ghost, followed, start, summed
+from verify.paper.dynamics.model import aligned, at_the_point
 from verify.paper.dynamics.state import (
-    CONTEXT,
-    LETTERS,
-    NAMES,
     A,
     B,
     C,
-    after_the_collision,
     d,
     eta_s,
     frame,
@@ -68,15 +53,7 @@ GOES_ON = "comparison"
 #: The pairs of vectors for which Cauchy-Schwarz is used.
 PAIRS = ("cs-omega", "cs-s", "cs-c", "cs-a", "cs-b", "cs-w", "cs-impact", "cs-angle")
 
-_GHOSTS = {
-    "g": ("Λⁿη₀", r"\Lambda^n\eta_0"),
-    "clock": ("t_n", "t_n"),
-    "Q": ("Q", "Q"),
-    "U": ("U", "U"),
-    "w_c": ("w_c", "w_c"),
-    "w_s": ("w_s", "w_s"),
-}
-g, clock, Q, U, w_c, w_s = map(symbol, _GHOSTS)
+g, clock, Q, U, w_c, w_s = map(symbol, ("g", "clock", "Q", "U", "w_c", "w_s"))
 here = model.step(Q, U, w_c, w_s)
 rho, pace, load, Q_next, U_next = map(symbol, ("rho", "pace", "load", "Q_next", "U_next"))
 
@@ -107,47 +84,32 @@ CONDITIONS: Mapping[str, Claim] = {
     "angle-lower": C_0 - C <= Theta - turning * g,
     "clock-bound": clock <= duration * (start.y - g),
 }
-#: The next state.
-FOLLOWING: Mapping[str, Term] = after_the_collision() | {
-    "g": ratio * g,
-    "clock": clock + tau,
-    "Q": Q_next,
-    "U": U_next,
-    "w_c": w_s,
-    "w_s": w_c,
+#: What goes along: in Unicode, in LaTeX, at the start, and at the next state.
+GHOSTS: Mapping[str, Ghost] = {
+    "g": ("Λⁿη₀", r"\Lambda^n\eta_0", start.y, ratio * g),
+    "clock": ("t_n", "t_n", as_term(0), clock + tau),
+    "Q": ("Q", "Q", Q_0, Q_next),
+    "U": ("U", "U", U_0, U_next),
+    "w_c": ("w_c", "w_c", w_0, w_s),
+    "w_s": ("w_s", "w_s", w_1, w_c),
 }
-carried = Carried(CONDITIONS, FOLLOWING)
-
-_ghosts: dict[str, Term] = {
-    "g": start.y,
-    "clock": as_term(0),
-    "Q": Q_0,
-    "U": U_0,
-    "w_c": w_0,
-    "w_s": w_1,
-}
+carried = Carried(CONDITIONS, GHOSTS)
 #: Where the recursion starts.
-beginning: dict[str, Term] = start._asdict() | _ghosts
+beginning = carried.begun()
 
 #: Velocities for which Cauchy-Schwarz is seen to hold: normal but for orthogonal parts.
 point_frame = aligned(start.y, start.eta_s, C_0, start.A, start.B, start.d)
-point: dict[str, Term] = point_frame._asdict() | _ghosts
+point = carried.begun(point_frame)
 
 
 def context() -> Context:
-    """The states that satisfy the conditions."""
-    standing = inequalities(frame, time_of(frame), PAIRS)
+    """The states that satisfy the conditions, and from which the map goes on."""
     goes_on = {"approaches": here.approaches, "meets": here.meets}
-    more = (Given(name, claim, "standing", GOES_ON) for name, claim in goes_on.items())
-    letters = LETTERS | _GHOSTS
-    return Context(
-        CONTEXT,
-        tuple(Variable(name, *letters[name]) for name in (*NAMES, *_GHOSTS)),
-        (*carried.givens(standing), *more),
+    return carried.context(
+        inequalities(frame, time_of(frame), PAIRS),
         point,
-        START,
-        "a state just after a collision that satisfies the conditions",
         followed(COMPARISON, model.rho(w_c, w_s), here.P, here.load, model.share, U),
+        goes_on=(Given(name, claim, "standing", GOES_ON) for name, claim in goes_on.items()),
     )
 
 
@@ -222,15 +184,11 @@ def _signs() -> Iterator[Item]:
 
 
 def _root(claims: dict[str, Claim]) -> Iterator[Item]:
-    root = substitute_claim(0 < root_of(frame), beginning)
-    yield from (
-        Line("start-Cnd3",    claims["Cnd3"],
-             proof("start-u", times("start-d", plus(2, "start-d"), "start-A-below"),
-                   times(power(plus("U_0-bound", "U-room"), 2),
-                         power("start-d-sum-positive", 2), power("start-y", 2)))),
-        Line("start-root",     root, ByRoot()),
-        Line("start-root-sum", claims["root-sum"], proof(1, "start-root")),
-    )  # fmt: skip
+    yield Line("start-Cnd3", claims["Cnd3"],
+               proof("start-u", times("start-d", plus(2, "start-d"), "start-A-below"),
+                     times(power(plus("U_0-bound", "U-room"), 2),
+                           power("start-d-sum-positive", 2), power("start-y", 2))))  # fmt: skip
+    yield from carried.root("start-", beginning)
 
 
 def _at_the_point() -> Iterator[Item]:
@@ -244,17 +202,8 @@ def _at_the_point() -> Iterator[Item]:
     yield Line("Theta-positive", 0 < Theta, theta)
     angle = proof(times("angle-real", plus(1, "obtuse", "Theta-positive")))
     yield Line("at-angle", C_0**2 <= 1, angle)
-    yield from _vectors()
-
-
-def _vectors() -> Iterator[Item]:
-    """Cauchy-Schwarz at the point."""
-    p, time = point_frame, time_of(point_frame)
-    values = {"u_y": p.y, "u_s": p.eta_s, "u_C": p.C, "u_A": p.A, "u_B": p.B, "u_d": p.d}
-    values["u_t"] = time
     givens = ("at-angle", "start-cs-c", "start-cs-s")
-    for name, claim in inequalities(p, time, PAIRS).items():
-        yield Line(f"at-{name}", claim, ByInstance(f"{PLANE}-{name}", values, givens))
+    yield from at_the_point(point_frame, time_of(point_frame), PAIRS, givens)
 
 
 def opening() -> tuple[str, ...]:

@@ -8,20 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from verify.language.argument import (
-    Defined,
-    Item,
-    Line,
-    identity,
-    plus,
-    power,
-    proof,
-    scaled,
-    square,
-    times,
-)
-from verify.language.terms import equal, symbol
-from verify.paper.dynamics.carried import start
+from verify.language.argument import Item, Line, plus, power, proof, scaled, square, times
+from verify.paper.dynamics.carried import start, summed
 from verify.paper.dynamics.state import r
 from verify.paper.sharper.numbers import (
     C_0,
@@ -89,11 +77,8 @@ def _sums() -> Iterator[Item]:
         "turn_3": times("T-positive", "V-positive", "k-positive"),
         "duration": "T-positive",
     }
-    for name, (over, under) in SUMS.items():
-        found = symbol(name)
-        yield Defined(name)
-        yield Line(f"{name}-sum", equal(found * under, over), identity(name))
-        yield Line(f"{name}-positive", 0 < found, proof(signs[name], using=name))
+    for name, sign in signs.items():
+        yield from summed(name, SUMS, sign)
     yield Line("speed-least", V_0 <= V - gain * eta_0, proof("speed-room", using="gain"))
     using = "turn_1 turn_2 turn_3"
     for side, change in (("upper", start.C - C_0), ("lower", C_0 - start.C)):

@@ -27,7 +27,7 @@ from verify.paper.sharper.numbers import (
     reach,
     total,
 )
-from verify.paper.sharper.state import FOLLOWING, carried, clock, g, root_lines, zeta_small
+from verify.paper.sharper.state import carried, clock, g, root_lines, zeta_small
 
 GROWTH = "EQUATSS4.1Lien_x_n_&_y_n_"
 
@@ -84,7 +84,7 @@ def _others() -> Iterator[Item]:
              times("Cnd1", "x-lower-room"), times("ratio-room", "y-upper-bound"),
              using="law-eta-s"),
     )  # fmt: skip
-    yield from root_lines("next-", FOLLOWING, zeta_small("next-", "next-A-below"))
+    yield from root_lines("next-", carried.following, zeta_small("next-", "next-A-below"))
     yield carried.line("clock-bound",
                        "the time of the next collision is at most T(η₀ - (p+Y)^{n+1}η₀)/(1-p-Y)",
                        "clock-bound", "time", times("T-positive", "Cnd2"),

@@ -69,5 +69,5 @@ def _chapters() -> Iterator[Chapter]:
     )
     yield from flight.apart()
     premises = (f"start-{name}" for name in state.CONDITIONS)
-    always = state.carried.always(state.beginning, premises, ASSUMPTIONS)
+    always = state.carried.always(premises, ASSUMPTIONS)
     yield Chapter(START, (always,))

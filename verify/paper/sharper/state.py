@@ -7,30 +7,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from verify.language.argument import (
-    ByInstance,
-    ByRoot,
-    Item,
-    Line,
-    Value,
-    plus,
-    power,
-    proof,
-    square,
-    times,
-)
-from verify.language.statement import Context, Variable
-from verify.language.terms import Claim, Term, as_term, substitute_claim, symbol
-from verify.paper.dynamics.carried import START, Carried, start
-from verify.paper.dynamics.model import PLANE, aligned
+from verify.language.argument import Item, Line, Value, plus, power, proof, square, times
+from verify.language.statement import Context
+from verify.language.terms import Claim, Term, as_term, symbol
+from verify.paper.dynamics.carried import Carried, Ghost, start
+from verify.paper.dynamics.model import aligned, at_the_point
 from verify.paper.dynamics.state import (
-    CONTEXT,
-    LETTERS,
-    NAMES,
     A,
     B,
     C,
-    after_the_collision,
     collision_map,
     d,
     eta_s,
@@ -85,31 +70,24 @@ CONDITIONS: Mapping[str, Claim] = {
     "angle-lower": C_0 - C <= Theta - total(g),
     "clock-bound": clock <= duration * (eta_0 - g),
 }
-#: The next state.
-FOLLOWING: Mapping[str, Term] = after_the_collision() | {"g": ratio * g, "clock": clock + tau}
-carried = Carried(CONDITIONS, FOLLOWING)
-
+#: What goes along: in Unicode, in LaTeX, at the start, and at the next state.
+GHOSTS: Mapping[str, Ghost] = {
+    "g": ("(p+Y)ⁿη₀", r"(p+Y)^n\eta_0", eta_0, ratio * g),
+    "clock": ("t_n", "t_n", as_term(0), clock + tau),
+}
+carried = Carried(CONDITIONS, GHOSTS)
 #: Where the recursion starts.
-beginning: dict[str, Term] = start._asdict() | {"g": eta_0, "clock": as_term(0)}
+beginning = carried.begun()
 
 #: Velocities for which Cauchy-Schwarz is seen to hold: normal but for orthogonal parts.
 point_frame = aligned(start.y, start.eta_s, C_0, V_0**2, V_0**2, start.d)
-point: dict[str, Term] = point_frame._asdict() | {"g": eta_0, "clock": as_term(0)}
+point = carried.begun(point_frame)
 
 
 def context() -> Context:
     """The states that satisfy the conditions."""
     standing = inequalities(frame, time_of(frame), PAIRS)
-    letters = {**LETTERS, "g": ("(p+Y)ⁿη₀", r"(p+Y)^n\eta_0"), "clock": ("t_n", "t_n")}
-    return Context(
-        CONTEXT,
-        tuple(Variable(name, *letters[name]) for name in (*NAMES, "g", "clock")),
-        tuple(carried.givens(standing)),
-        point,
-        START,
-        "a state just after a collision that satisfies the conditions",
-        collision_map(time_of(frame)),
-    )
+    return carried.context(standing, point, collision_map(time_of(frame)))
 
 
 #: Conditions that the point has under names of its own; of the others it says what the start says.
@@ -126,15 +104,13 @@ def zeta_small(prefix: str, bound: str) -> Value:
     )
 
 
-def root_lines(prefix: str, values: Mapping[str, Term], reason: Value) -> Iterator[Line]:
+def root_lines(prefix: str, values: Mapping[str, Term], reason: Value) -> Iterator[Item]:
     """Zeta < 1 for these values, and so there is a root; given why zeta <= 2 k V^2."""
     names = "start-" if prefix == "at-" else prefix
     room = times(power(f"{names}d-sum-positive", 2), power(f"{names}Cnd1", 2), "zeta-room")
-    claims = carried.at(values)
-    root = substitute_claim(0 < root_of(frame), values)
-    yield Line(f"{prefix}Cnd3", claims["Cnd3"], proof(reason, room), says="ζ < 1")
-    yield Line(f"{prefix}root", root, ByRoot())
-    yield Line(f"{prefix}root-sum", claims["root-sum"], proof(1, f"{prefix}root"))
+    claim = carried.at(values)["Cnd3"]
+    yield Line(f"{prefix}Cnd3", claim, proof(reason, room), says="ζ < 1")
+    yield from carried.root(prefix, values)
 
 
 def lines() -> Iterator[Item]:
@@ -179,12 +155,7 @@ def _vectors() -> Iterator[Item]:
     yield Line("at-angle", C_0**2 <= 1, angle)
     yield Line("at-room-c", p.y**2 <= p.A, proof(slower, smaller))
     yield Line("at-room-s", p.eta_s**2 <= p.B, proof(slower, smaller, along))
-    time = time_of(p)
-    values = {"u_y": p.y, "u_s": p.eta_s, "u_C": p.C, "u_A": p.A, "u_B": p.B, "u_d": p.d}
-    values["u_t"] = time
-    givens = ("at-angle", "at-room-c", "at-room-s")
-    for name, claim in inequalities(p, time, PAIRS).items():
-        yield Line(f"at-{name}", claim, ByInstance(f"{PLANE}-{name}", values, givens))
+    yield from at_the_point(p, time_of(p), PAIRS, ("at-angle", "at-room-c", "at-room-s"))
 
 
 def opening() -> tuple[str, ...]:

@@ -41,5 +41,5 @@ def chapters() -> Iterator[Chapter]:
     )
     yield from flight.apart()
     premises = map(initial.premise, state.carried.conditions)
-    always = state.carried.always(initial.start, premises, STEP_ASSUMPTIONS)
+    always = state.carried.always(premises, STEP_ASSUMPTIONS)
     yield Chapter(initial.CONTEXT, (always,))

@@ -21,50 +21,17 @@ from verify.language.argument import (
     scaled,
     times,
 )
-from verify.language.record import Record
 from verify.language.statement import Context
-from verify.language.terms import Claim, Term, sqrt
+from verify.language.terms import sqrt
 from verify.paper.letters import Letters
-from verify.paper.sandwich.comparison import LABEL
-
-
-class Step(Record):
-    """One step of the map: rho U, the factor P of the speeds, and 1 - (1-U')^2 times P^2."""
-
-    push: Term
-    P: Term
-    load: Term
-    next_q: Term
-
-    @property
-    def approaches(self) -> Claim:
-        """That the speeds stay positive."""
-        return 0 < self.P
-
-    @property
-    def meets(self) -> Claim:
-        """That the next U is below 1."""
-        return self.load < self.P**2
-
-    @property
-    def next_u(self) -> Term:
-        """The next U."""
-        return 1 - sqrt(1 - self.load / self.P / self.P)
-
-
-def step_of(alpha: Term, rho: Term, R: Term, Q: Term, U: Term) -> Step:
-    """One step from (Q, U)."""
-    push = rho * U
-    P = alpha * (1 - U) - Q - push
-    return Step(push, P, push * (2 * Q + push), R * (1 - U) / P)
-
+from verify.paper.sandwich.comparison import LABEL, step
 
 n = Letters(
     "floor", alpha="α", rho="ρ", R="R", Q_n="Q_n", U_n="U_n", Q_next="Q_{n+1}", U_next="U_{n+1}",
     Q="Q", U="U",
 )  # fmt: skip
-below = step_of(n.alpha, n.rho, n.R, n.Q_n, n.U_n)
-above = step_of(n.alpha, n.rho, n.R, n.Q, n.U)
+below = step(n.alpha, n.rho, n.R, n.Q_n, n.U_n)
+above = step(n.alpha, n.rho, n.R, n.Q, n.U)
 
 
 def context() -> Context:
@@ -113,7 +80,6 @@ def _above() -> Iterator[Item]:
         times("floor-over-U", plus(Q_least, times("floor-rho", U_least))),
     )
     small = times("floor-U_next", plus(1, "floor-U_next-room"), slower)
-    root = sqrt(1 - above.load / above.P / above.P)
     yield from (
         Line("over-pace",       above.P <= below.P, proof("floor-over-Q", lower)),
         Line("over-goes",       below.approaches, proof("over-pace", "floor-approaches"),
@@ -125,8 +91,8 @@ def _above() -> Iterator[Item]:
              scaled(times("goal", "over-goes"),
                     times("floor-rises-Q", "floor-approaches"), times("floor-R", order)),
              LABEL, "Q_{n+1} ≤ Q'"),
-        Line("over-radicand",   0 < 1 - above.load / above.P / above.P, proof("floor-meets")),
-        Line("over-root",       0 < root, ByRoot()),
+        Line("over-radicand",   0 < above.radicand, proof("floor-meets")),
+        Line("over-root",       0 < sqrt(above.radicand), ByRoot()),
         Line("over-U-rises",    n.U_next <= above.next_u,
              scaled(times("goal", plus("over-root", "floor-U_next-room"),
                           power("floor-approaches", 2)),

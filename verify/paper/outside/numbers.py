@@ -18,7 +18,8 @@ from verify.language.terms import Claim, Term, symbol
 from verify.language.vectors import Frame
 from verify.paper.dynamics.carried import Sum, start, starting
 from verify.paper.dynamics.state import inequalities, r, root_of, time_of, zeta_of
-from verify.paper.outside.floor import Step, step_of
+from verify.paper.sandwich.comparison import Step
+from verify.paper.sandwich.comparison import step as step_of
 
 #: The pairs of vectors for which Cauchy-Schwarz is used.
 PAIRS = ("cs-s", "cs-c", "cs-a", "cs-impact", "cs-angle")

@@ -35,7 +35,6 @@ class Step(Record):
     push: Term
     P: Term
     load: Term
-    U_b: Term
     next_q: Term
 
     @property
@@ -45,13 +44,29 @@ class Step(Record):
 
     @property
     def meets(self) -> Claim:
+        """That the next U is below 1."""
+        return self.load < self.P**2
+
+    def meets_below(self, U_b: Term) -> Claim:
         """That the next U is at most U_b."""
-        return self.load <= self.U_b * (2 - self.U_b) * self.P**2
+        return self.load <= U_b * (2 - U_b) * self.P**2
+
+    @property
+    def radicand(self) -> Term:
+        """The square of 1 - U' for the next U."""
+        return 1 - self.load / self.P / self.P
 
     @property
     def next_u(self) -> Term:
         """The next U."""
-        return 1 - sqrt(1 - self.load / self.P / self.P)
+        return 1 - sqrt(self.radicand)
+
+
+def step(alpha: Term, rho: Term, R: Term, Q: Term, U: Term) -> Step:
+    """One step from (Q, U)."""
+    push = rho * U
+    P = alpha * (1 - U) - Q - push
+    return Step(push, P, push * (2 * Q + push), R * (1 - U) / P)
 
 
 class Model(Record):
@@ -81,14 +96,7 @@ class Model(Record):
 
     def step(self, Q: Term, U: Term, w_c: Term, w_s: Term) -> Step:
         """One step from (Q, U), where the particle c is next."""
-        return step(self.alpha, self.rho(w_c, w_s), self.share, self.U_b, Q, U)
-
-
-def step(alpha: Term, rho: Term, R: Term, U_b: Term, Q: Term, U: Term) -> Step:
-    """One step from (Q, U)."""
-    push = rho * U
-    P = alpha * (1 - U) - Q - push
-    return Step(push, P, push * (2 * Q + push), U_b, R * (1 - U) / P)
+        return step(self.alpha, self.rho(w_c, w_s), self.share, Q, U)
 
 
 n = Letters(
@@ -120,8 +128,8 @@ def stair() -> Context:
     )
 
 
-above = step(n.alpha, n.rho, n.R, n.U_b, n.Q, n.U)
-below = step(n.alpha, n.rho, n.R, n.U_b, x.Q, x.U)
+above = step(n.alpha, n.rho, n.R, n.Q, n.U)
+below = step(n.alpha, n.rho, n.R, x.Q, x.U)
 
 
 def orbit() -> Context:
@@ -160,22 +168,21 @@ def _below() -> Iterator[Item]:
     higher = times("orbit-pace", plus("orbit-approaches", "stair-approaches"))
     small = times("stair-U_next", plus(1, "stair-U_next-most", "stair-U_b"), higher)
     room = times("stair-U_next-most", plus(times(2, "stair-U_b"), "stair-U_next-most"))
-    root = sqrt(1 - below.load / below.P / below.P)
     yield from (
         Line("orbit-pace",       above.P <= below.P, proof("orbit-Q", lower)),
         Line("orbit-approaches", below.approaches, proof("orbit-pace", "stair-approaches"),
              LABEL, "the map goes on from a point below a step: P > 0"),
         Line("orbit-load",       below.load <= n.U_next * (2 - n.U_next) * below.P**2,
              proof("stair-falls-U", falls, small)),
-        Line("orbit-meets",      below.meets,
+        Line("orbit-meets",      below.meets_below(n.U_b),
              proof("orbit-load", times(room, power("orbit-approaches", 2))),
              LABEL, "and the next U is at most U*"),
         Line("orbit-Q-falls",    below.next_q <= n.Q_next,
              scaled(times("goal", "stair-approaches"), times("stair-falls-Q", "orbit-approaches"),
                     times("stair-R", order)), LABEL, "Q' ≤ Q_{n+1}"),
-        Line("orbit-radicand",   0 < 1 - below.load / below.P / below.P,
+        Line("orbit-radicand",   0 < below.radicand,
              proof("orbit-meets", times(power("stair-U_b", 2), power("orbit-approaches", 2)))),
-        Line("orbit-root",       0 < root, ByRoot()),
+        Line("orbit-root",       0 < sqrt(below.radicand), ByRoot()),
         Line("orbit-U-falls",    below.next_u <= n.U_next,
              scaled(times("goal", plus("goal", times(2, "orbit-root")),
                           power("orbit-approaches", 2)), "orbit-load"),

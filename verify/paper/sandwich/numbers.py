@@ -88,7 +88,7 @@ ENTRY: Mapping[str, Claim] = {
     "start-C-upper": start.C - C_0 + _turn * start.y <= Theta,
     "start-C-lower": C_0 - start.C + _turn * start.y <= Theta,
     "start-approaches": first.approaches,
-    "start-meets": first.meets,
+    "start-meets": first.meets_below(U_b),
 }
 
 GIVENS = {**ROOM, **ENTRY}

@@ -104,7 +104,7 @@ point = carried.begun(point_frame)
 
 def context() -> Context:
     """The states that satisfy the conditions, and from which the map goes on."""
-    goes_on = {"approaches": here.approaches, "meets": here.meets}
+    goes_on = {"approaches": here.approaches, "meets": here.meets_below(U_b)}
     return carried.context(
         inequalities(frame, time_of(frame), PAIRS),
         point,

@@ -11,8 +11,9 @@ from flint import arb
 from tests.paper.sandwich.states import Random, Values, start_of
 from tests.paper.sharper.particles import Particles
 from verify.language.terms import Claim, Term
-from verify.paper.outside.floor import context, step_of
+from verify.paper.outside.floor import context
 from verify.paper.outside.numbers import GIVENS
+from verify.paper.sandwich.comparison import step
 from verify.prover import balls
 from verify.spheres.flow.collapse import Start
 from verify.spheres.flow.sandwich import above, below
@@ -61,7 +62,7 @@ def step_at(at: Values, n: int, here: Point) -> tuple[arb, arb, arb]:
     v_s, w_c = (at["v_0"], at["w_1"]) if n % 2 else (at["v_1"], at["w_0"])
     Q, U = map(balls.exact, here)
     names = {"a": (1 + at["r"]) / 2 * at["G"] * at["C_p"], "rho": (v_s / w_c) ** 2, "R": at["r"]}
-    terms = step_of(*(Term("symbol", x) for x in ("a", "rho", "R", "Q", "U")))
+    terms = step(*(Term("symbol", x) for x in ("a", "rho", "R", "Q", "U")))
     known = {**names, "Q": Q, "U": U}
     return value(terms.P, known), value(terms.load, known), at["r"] * (1 - U)
 

@@ -22,36 +22,31 @@ from verify.language.terms import equal, sqrt
 from verify.paper.dynamics.carried import start
 from verify.paper.dynamics.laws import (
     ANGLE,
+    C_NEXT_ONE,
     COMPONENTS,
     IMPACT_POSITIVE,
     NORMS,
-    SPIN_SQUARE,
     TURN,
-    absolute,
-    at_the_contact,
     impact,
     laws,
     parts,
     spin,
+    spinning,
     turn,
 )
 from verify.paper.dynamics.state import (
     A_next,
     B,
     B_next,
-    C_next,
     D,
     S,
-    end,
     eta_s,
-    frame,
-    kept,
     r,
     tau,
     y,
     y_next,
 )
-from verify.paper.outside.flight import GROWN, ONE
+from verify.paper.outside.flight import ONE
 from verify.paper.outside.numbers import (
     G_POSITIVE,
     HALF,
@@ -81,10 +76,10 @@ from verify.paper.outside.state import (
     v_s,
     w_s,
 )
+from verify.paper.sandwich.collision import GROWTH, IMPACT_BOUND, KEPT_POSITIVE, slower, struck
 from verify.paper.sandwich.comparison import LABEL
+from verify.paper.sandwich.flight import GROWN
 
-GROWTH = "EQUATSS4.1Lien_x_n_&_y_n_"
-_end = frame.dot(end, end)
 #: How far -cos theta can turn until the next collision.
 change = (w_0 + w_1 + 2 * start.y) * tau
 #: (1+d')(-eta_c') and (1+d')^2 - 1, without quotients.
@@ -110,10 +105,7 @@ def lines() -> Iterator[Item]:
 
 def _angle() -> Iterator[Item]:
     """The turn of the angle until the next collision."""
-    yield at_the_contact("impact-pair", "cs-impact")
-    yield at_the_contact("angle-pair", "cs-angle")
-    yield SPIN_SQUARE
-    yield from absolute("spin", spin, (w_s, "w_s-positive"), ("spin-square", "B-below"))
+    yield from spinning((w_s, "w_s-positive"))
     speeds = plus("w_0-positive", "w_1-positive", times(2, "start-y"))
     later = times("turning-positive", plus("g-bound", times("decay-positive", "g-positive")))
     room = plus("C-room", times("turning-positive", "g-positive"))
@@ -140,10 +132,7 @@ def _next_angle() -> Iterator[Item]:
                scaled(times("D-positive", "goal"), "turn-room", times("D-one", "angle-room"),
                       equations=(("turn", -ONE),)),
                says="-cos θ' stays below C₊ less the sum of all later changes")  # fmt: skip
-    yield Line("C_next-one", C_next <= 1,
-               scaled(times("goal", plus("goal", 2), power("D-positive", 2)), "angle-pair",
-                      equations=(("turn", -(D * C_next + turn)), ("contact", -_end),
-                                 ("D-square", ONE))))  # fmt: skip
+    yield C_NEXT_ONE
 
 
 def _map() -> Iterator[Item]:
@@ -152,9 +141,7 @@ def _map() -> Iterator[Item]:
     yield IMPACT_POSITIVE
     yield from parts()
     yield from (
-        Line("impact-bound",  impact <= G * y,
-             proof(times("d-sum-positive", "Cnd1", "S-one"), times("Cnd1", "reach-here")),
-             COMPONENTS, "|W_c·ω_s'| ≤ Γ(-η_c)"),
+        IMPACT_BOUND,
         Line("impact-most",   impact <= G * y * (1 - U),
              proof(times("d-sum-positive", "Cnd1", "S-most"),
                    times("Cnd1", "reach-here", "U-one")), COMPONENTS,
@@ -196,18 +183,14 @@ def _map() -> Iterator[Item]:
 
 def _speeds() -> Iterator[Item]:
     """What the collision does to the speeds."""
-    high, low_s, low_c = w_s - gain * g, v_s + gain * g, v_c + gain * g
+    low_s, low_c = v_s + gain * g, v_c + gain * g
     hit = times(HALF, "impact-positive")
     yield from (
         Line("impact-short",  impact <= gain * (1 - ratio) * g,
              proof("impact-bound", times(G_POSITIVE, "Cnd2"), equations=(("gain-sum", g),))),
         Line("half-short",    half * impact <= gain * (1 - ratio) * g,
              proof("impact-short", times(Fraction(1, 2), "r-below-one", "impact-positive"))),
-        Line("spin-high",     spin <= high,
-             scaled(times("goal", plus("goal", times(2, "high-s"))), "spin-square", "B-upper")),
-        Line("struck-most",   A_next <= (high + half * impact) ** 2,
-             proof(times(2, hit, "spin-high"), "B-upper", using="law-norm-c impact-speed"),
-             NORMS, "|W_c'| ≤ |W_s| + (1+r)/2 |W_c·ω_s'|, with a bound for |W_s|"),
+        *struck(),
         Line("struck-room",   0 < low_s - half * impact,
              proof("half-short", "v_s-positive", LATER)),
         Line("struck-least",  (low_s - half * impact) ** 2 <= A_next,
@@ -311,13 +294,8 @@ def _next_point() -> Iterator[Item]:
 
 
 def _others() -> Iterator[Item]:
-    yield Line("kept-positive", 0 < kept, proof("recedes", using="kept"))
-    yield carried.line("Cnd2", "|η_c'| ≤ Λ^{n+1} η₀",
-                       times(HALF, "impact-positive", "C_next-one"), times(HALF, "impact-bound"),
-                       "kept-positive", "gained-positive", times("ratio-positive", "Cnd2"),
-                       using="normal-parts")  # fmt: skip
-    yield carried.line("g-bound", "Λ^{n+1} η₀ ≤ η₀", "g-bound",
-                       times("g-positive", "decay-positive"))  # fmt: skip
+    yield KEPT_POSITIVE
+    yield from slower(carried)
     for name, other in (("v_c-least", "v_s-least"), ("v_s-least", "v_c-least")):
         yield Line(f"next-{name}", carried.at_next(name), proof(other))
     for name in ("root-law", "time-law"):

@@ -22,19 +22,16 @@ from verify.paper.dynamics.carried import start
 from verify.paper.dynamics.laws import DISTANCE, TIME, absolute
 from verify.paper.dynamics.state import A, B, S, a, d, tau, y, zeta
 from verify.paper.outside.numbers import G_POSITIVE, G, step, v
-from verify.paper.outside.state import U, g, rho, v_c, v_s, w_c, w_s
+from verify.paper.outside.state import U, rho, v_c, v_s, w_c, w_s
 from verify.paper.sandwich.comparison import LABEL
+from verify.paper.sandwich.flight import GROWN, slow
 
 ONE = as_term(1)
-GROWN = times("gain-positive", "g-positive")
 
 
 def sizes() -> Iterator[Item]:
     """What the conditions say of a state."""
-    yield Line("g-positive", 0 < g, proof("Cnd2", "Cnd1"))
-    yield Line("y-most", y <= start.y, proof("Cnd2", "g-bound"))
-    yield Line("A-positive", 0 < A, proof("cs-c", power("Cnd1", 2)))
-    yield Line("B-positive", 0 < B, proof("cs-s", power("recedes", 2)))
+    yield from slow()
     for i, size, most, least in (("c", A, w_c, v_c), ("s", B, w_s, v_s)):
         name = {"c": "A", "s": "B"}[i]
         yield Line(f"v_{i}-positive", 0 < least, proof(f"v_{i}-least", "v-positive"))

@@ -15,7 +15,7 @@ from verify.paper.dynamics import model
 from verify.paper.dynamics.carried import START
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
-from verify.paper.sandwich import collision, comparison, exact, flight, numbers, orbit, state
+from verify.paper.sandwich import collision, comparison, exact, flight, numbers, state
 
 ASSUMPTIONS = (
     HARD_SPHERES,
@@ -79,7 +79,7 @@ def _chapters() -> Iterator[Chapter]:
     yield Chapter(START, (*state.lines(), Opened(state.context(), state.opening())))
     yield Chapter(
         CONTEXT,
-        (*flight.sizes(), *orbit.lines(), *flight.lines(), *collision.lines(),
+        (*flight.sizes(), *flight.orbit(), *flight.lines(), *collision.lines(),
          *collision.conclusion()),
     )  # fmt: skip
     yield from flight.apart()

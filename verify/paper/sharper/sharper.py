@@ -15,7 +15,7 @@ from verify.paper.dynamics import model
 from verify.paper.dynamics.carried import START
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
-from verify.paper.sharper import bounds, collision, flight, numbers, recursion, state
+from verify.paper.sharper import bounds, collision, flight, numbers, state
 
 ASSUMPTIONS = (
     HARD_SPHERES,
@@ -65,7 +65,8 @@ def _chapters() -> Iterator[Chapter]:
         START, (*bounds.lines(), *state.lines(), Opened(state.context(), state.opening()))
     )
     yield Chapter(
-        CONTEXT, (*flight.lines(), *collision.lines(), *recursion.lines(), *recursion.conclusion())
+        CONTEXT,
+        (*flight.lines(), *collision.lines(), *collision.conditions(), *collision.conclusion()),
     )
     yield from flight.apart()
     premises = (f"start-{name}" for name in state.CONDITIONS)

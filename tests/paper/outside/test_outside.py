@@ -23,7 +23,7 @@ from tests.paper.sandwich.states import Random, values_of
 from tests.paper.sandwich.states import fails as fails_inside
 from verify.language.statement import PROVED
 from verify.language.terms import Claim
-from verify.paper.commands.sandwich import decide_outside
+from verify.paper.commands.collapse import decide_outside
 from verify.paper.outside import floor, numbers, state
 from verify.paper.outside.outside import outside
 from verify.prover import balls

@@ -14,7 +14,7 @@ from tests.paper.sandwich.states import Applied, Random, Values, fails, holds
 from tests.paper.sharper.particles import dot
 from verify.language.statement import PROVED
 from verify.language.terms import Claim
-from verify.paper.commands.sandwich import decide_sandwich
+from verify.paper.commands.collapse import decide_sandwich
 from verify.paper.sandwich import comparison, numbers, state
 from verify.paper.sandwich.sandwich import sandwich
 from verify.prover import balls

@@ -14,7 +14,7 @@ from tests.paper.sharper.states import Numbers, Random
 from verify import check
 from verify.language.statement import NEEDED, PROVED, Applies, Cite, Context, Obligation, Statement
 from verify.language.terms import Claim, Term, as_term, sqrt
-from verify.paper.commands.sharper import decide_sharper
+from verify.paper.commands.collapse import decide_sharper
 from verify.paper.dynamics.carried import START
 from verify.paper.sharper import numbers, state
 from verify.paper.sharper.sharper import sharper

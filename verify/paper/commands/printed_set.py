@@ -8,8 +8,8 @@ from verify.language.argument import Chapter, Opened
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import symbol
 from verify.paper.commands.classification import decide_classification
+from verify.paper.commands.collapse import decide_sharper
 from verify.paper.commands.everywhere import Everywhere
-from verify.paper.commands.sharper import decide_sharper
 from verify.paper.everywhere import chart, hints
 from verify.paper.groups import PRINTED
 from verify.paper.printed_set import numbers, printed_set, sign

@@ -34,18 +34,7 @@ from verify.paper.dynamics.laws import (
     spinning,
     turn,
 )
-from verify.paper.dynamics.state import (
-    A_next,
-    B,
-    B_next,
-    D,
-    S,
-    eta_s,
-    r,
-    tau,
-    y,
-    y_next,
-)
+from verify.paper.dynamics.state import A_next, B, B_next, D, S, eta_s, r, tau, y, y_next
 from verify.paper.outside.flight import ONE
 from verify.paper.outside.numbers import (
     G_POSITIVE,

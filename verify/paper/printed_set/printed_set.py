@@ -116,6 +116,4 @@ def statement(sharper: bytes, certificate: bytes) -> Statement:
     space = chart.context(numbers.k)
     space = space._replace(constants=(*space.constants, *numbers.CONSTANTS, *numbers.TURNED))
     cite = Cite(SHARPER, SHARPER, sharper, (), CITED, certificate)
-    return Statement(
-        NAME, TITLE, {}, (), (space, context()), tuple(rows()), ASSUMPTIONS, (cite,)
-    )
+    return Statement(NAME, TITLE, {}, (), (space, context()), tuple(rows()), ASSUMPTIONS, (cite,))

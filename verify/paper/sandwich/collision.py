@@ -21,18 +21,7 @@ from verify.paper.dynamics.laws import (
     spin,
     spinning,
 )
-from verify.paper.dynamics.state import (
-    A_next,
-    C,
-    C_next,
-    D,
-    S,
-    d_next,
-    kept,
-    tau,
-    y,
-    y_next,
-)
+from verify.paper.dynamics.state import A_next, C, C_next, D, S, d_next, kept, tau, y, y_next
 from verify.paper.parameters import THEOREM
 from verify.paper.sandwich.flight import PUSH
 from verify.paper.sandwich.numbers import (

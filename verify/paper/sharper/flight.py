@@ -26,19 +26,7 @@ from verify.language.vectors import add, omega_c, omega_s, scale
 from verify.paper.dynamics import laws
 from verify.paper.dynamics.apart import colliding, contexts, opened, spectator, t
 from verify.paper.dynamics.laws import DISTANCE, TIME
-from verify.paper.dynamics.state import (
-    CONTEXT,
-    A,
-    B,
-    D,
-    S,
-    d,
-    difference,
-    frame,
-    tau,
-    y,
-    zeta,
-)
+from verify.paper.dynamics.state import CONTEXT, A, B, D, S, d, difference, frame, tau, y, zeta
 from verify.paper.parameters import THEOREM
 from verify.paper.sharper.numbers import V_0, T, V, eta_0, k, least_ratio, reach, root
 from verify.paper.sharper.state import g, speed, zeta_small

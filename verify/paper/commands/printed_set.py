@@ -41,15 +41,12 @@ def decide_printed_set() -> Outcome:
         work.constant(constant, constant.name)
     work.lines(numbers.conclusions())
     work.lines(printed_set.inside())
-    work.writing.chapter(Chapter(None, (Opened(printed_set.context(), _at_the_point()),)))
+    point = tuple(f"at-{name}" for name in printed_set.GIVENS)
+    work.writing.chapter(Chapter(None, (Opened(printed_set.context(), point),)))
     work.writing.chapter(Chapter(CONTEXT, tuple(printed_set.lines())))
     givens = (*(f"room-{name}" for name in sharper.ROOM), *map(printed_set.premise, sharper.ENTRY))
     work.writing.decide(work.writing.rows[printed_set.COLLAPSE], Applying(givens))
     return work.outcome()
-
-
-def _at_the_point() -> tuple[str, ...]:
-    return tuple(f"at-{name}" for name in printed_set.GIVENS)
 
 
 @cache

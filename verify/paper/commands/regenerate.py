@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any
 
 from verify.language.statement import PROVED, Statement
 from verify.language.terms import Term
@@ -40,7 +39,9 @@ def is_right_statement(content: bytes) -> bool:
     try:
         document = json.loads(content)
         theorem = str(document["theorem"])
-        parameters, collisions = _parameters(document), _collisions(document)
+        parameters = TermReader().table(document["parameters"])
+        rows = document["obligations"]
+        collisions = sum(row["name"].startswith("collision.") for row in rows)
     except (KeyError, TypeError, ValueError, AttributeError, IndexError, RecursionError):
         return False
     return any(
@@ -67,15 +68,6 @@ def _written(outcome: Outcome) -> bytes | None:
         return write(outcome)["statement.json"]
     except ValueError:
         return None
-
-
-def _parameters(document: Any) -> dict[str, Term]:
-    return TermReader().table(document["parameters"])
-
-
-def _collisions(document: Any) -> int:
-    """How many rows are about collisions of a scene."""
-    return sum(row["name"].startswith("collision.") for row in document["obligations"])
 
 
 def _outcomes(theorem: str, parameters: Mapping[str, Term], collisions: int) -> Iterator[Outcome]:

@@ -84,7 +84,11 @@ def lines() -> Iterator[Item]:
     yield from _angle()
     yield from laws()
     yield TURN
-    yield from _next_angle()
+    yield Line("next-angle", carried.at_next("angle"),
+               scaled(times("D-positive", "goal"), "turn-room", times("D-one", "angle-room"),
+                      equations=(("turn", -ONE),)),
+               says="-cos θ' stays below C₊ less the sum of all later changes")  # fmt: skip
+    yield C_NEXT_ONE
     yield from _map()
     yield from _speeds()
     yield from _next_speeds()
@@ -114,14 +118,6 @@ def _angle() -> Iterator[Item]:
              proof("turn-room", times("turning-positive", "ratio-positive", "g-positive"))),
         Line("C_p-least",  0 <= C_p, proof("angle-start", times("turning-positive", "start-y"))),
     )  # fmt: skip
-
-
-def _next_angle() -> Iterator[Item]:
-    yield Line("next-angle", carried.at_next("angle"),
-               scaled(times("D-positive", "goal"), "turn-room", times("D-one", "angle-room"),
-                      equations=(("turn", -ONE),)),
-               says="-cos θ' stays below C₊ less the sum of all later changes")  # fmt: skip
-    yield C_NEXT_ONE
 
 
 def _map() -> Iterator[Item]:

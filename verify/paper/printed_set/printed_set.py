@@ -5,9 +5,9 @@ It is a statement about all parameters: the sharper theorem applies to each stat
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
-from verify.language.argument import Item, Line, ToBeFound, plus, proof, times
+from verify.language.argument import Item, Line, ToBeFound, plus, proof, row_of, times
 from verify.language.statement import NEEDED, Applies, Cite, Context, Obligation, Statement
 from verify.language.terms import symbol
 from verify.paper.assumptions import STEP_ASSUMPTIONS
@@ -96,19 +96,14 @@ ASSUMPTIONS = tuple(
 
 def rows() -> Iterator[Obligation]:
     """What is claimed of the numbers, of a point of the set, and of each state."""
-    yield from _said((*numbers.room(), *numbers.conclusions(), *inside()), chart.CONTEXT)
+    for line in (*numbers.room(), *numbers.conclusions(), *inside()):
+        if line.says:
+            yield row_of(line, PRINTED, chart.CONTEXT)
     at = dict(numbers.MEANING) | {name: symbol(name) for name in point}
     uses = tuple(assumption.name for assumption in ASSUMPTIONS)
     yield Obligation(COLLAPSE, PRINTED, THEOREM, NEEDED,
         "the sharper theorem applies to each state of the set: the particles collapse",
         Applies(f"{SHARPER}:{START}", at), uses, context=CONTEXT)  # fmt: skip
-
-
-def _said(items: Iterable[Item], context: str) -> Iterator[Obligation]:
-    for item in items:
-        if isinstance(item, Line) and item.says:
-            yield Obligation(item.name, PRINTED, item.label, NEEDED, item.says, item.claim,
-                             item.uses, context=context)  # fmt: skip
 
 
 def statement(sharper: bytes, certificate: bytes) -> Statement:

@@ -166,7 +166,11 @@ def lines() -> Iterator[Item]:
     for name in ("Cnd2", "g-bound", "clock-bound"):
         yield Line(f"start-{name}", claims[name], proof())
     yield Line("start-w-sum", claims["w-sum"], identity())
-    yield from _root(claims)
+    yield Line("start-Cnd3", claims["Cnd3"],
+               proof("start-u", times("start-d", plus(2, "start-d"), "start-A-below"),
+                     times(power(plus("U_0-bound", "U-room"), 2),
+                           power("start-d-sum-positive", 2), power("start-y", 2))))  # fmt: skip
+    yield from carried.root("start-", beginning)
     yield from _at_the_point()
 
 
@@ -181,14 +185,6 @@ def _signs() -> Iterator[Item]:
         Line("start-A-below",    start.A <= w_0**2,
              proof("start-A-upper", times(gone, plus("start-high-c", "w_0-positive")))),
     )  # fmt: skip
-
-
-def _root(claims: dict[str, Claim]) -> Iterator[Item]:
-    yield Line("start-Cnd3", claims["Cnd3"],
-               proof("start-u", times("start-d", plus(2, "start-d"), "start-A-below"),
-                     times(power(plus("U_0-bound", "U-room"), 2),
-                           power("start-d-sum-positive", 2), power("start-y", 2))))  # fmt: skip
-    yield from carried.root("start-", beginning)
 
 
 def _at_the_point() -> Iterator[Item]:

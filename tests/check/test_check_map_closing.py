@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from verify import check_map
-from verify.paper.sharper.numbers import ROOM, SUMS, T, V, eta_0, k, total
+from verify.paper.sharper.state import ROOM, SUMS, T, V, eta_0, k, total
 from verify.prover.program import ExactArithmetic, Machine, Program
 from verify.spheres.map.boxes import verdicts
 from verify.spheres.map.closing import NUMBERS, OTHERS

@@ -13,13 +13,8 @@ from verify.language.errors import OwnError
 from verify.language.statement import Constant
 from verify.language.terms import Term, minimum, substitute, substitute_claim, symbol
 from verify.paper import preliminaries, printed_definitions, theorem1
-from verify.paper.groups import PRINTED
-from verify.paper.printed_definitions import (
-    DEFINITIONS,
-    AsPrinted,
-    check_definitions,
-    complaints,
-)
+from verify.paper.parameters import PRINTED
+from verify.paper.printed_definitions import DEFINITIONS, AsPrinted, check_definitions, complaints
 from verify.paper.theorem1 import theorem
 
 OPERATIONS: Mapping[str, Callable[..., Any]] = {

@@ -20,9 +20,8 @@ from fractions import Fraction
 
 from verify.language.statement import Obligation
 from verify.language.terms import Claim, as_term, sqrt
-from verify.paper.groups import HYPOTHESES
 from verify.paper.initial_data import ConstantSet
-from verify.paper.parameters import THEOREM, V_0, c, delta_theta, r
+from verify.paper.parameters import HYPOTHESES, THEOREM, V_0, c, delta_theta, r
 from verify.paper.preliminaries import (
     C_eta,
     alpha_0,

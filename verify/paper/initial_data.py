@@ -14,8 +14,7 @@ from collections.abc import Iterable, Iterator
 
 from verify.language.statement import Choice, Constant, Obligation
 from verify.language.terms import Claim, Term, as_term, maximum, minimum, sqrt, symbol
-from verify.paper.groups import PRINTED, REPAIRED
-from verify.paper.parameters import V_0, c, delta_theta
+from verify.paper.parameters import PRINTED, REPAIRED, V_0, c, delta_theta
 from verify.paper.preliminaries import (
     V_1,
     C_eta,

@@ -12,7 +12,7 @@ from tests.paper.sandwich.states import Random, Values, start_of
 from tests.paper.sharper.particles import Particles
 from verify.language.terms import Claim, Term
 from verify.paper.outside.floor import context
-from verify.paper.outside.numbers import GIVENS
+from verify.paper.outside.state import GIVENS
 from verify.paper.sandwich.comparison import step
 from verify.prover import balls
 from verify.spheres.flow.collapse import Start

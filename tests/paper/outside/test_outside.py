@@ -24,7 +24,7 @@ from tests.paper.sandwich.states import fails as fails_inside
 from verify.language.statement import PROVED
 from verify.language.terms import Claim
 from verify.paper.commands.collapse import decide_outside
-from verify.paper.outside import floor, numbers, state
+from verify.paper.outside import floor, state
 from verify.paper.outside.outside import outside
 from verify.prover import balls
 from verify.prover.proof import LemmaStep
@@ -68,30 +68,32 @@ def test_glue_names_facts_that_are_there() -> None:
 def test_the_point_is_inside() -> None:
     """No given is sharp at the point but that v is the smaller speed."""
     with balls.precision(BITS):
-        point = {name: balls.exact(term.value) for name, term in numbers.context().point.items()}
+        point = {
+            name: balls.exact(term.value) for name, term in state.start_context().point.items()
+        }
         at = {name: arb(x) for name, x in point.items()}
-        for name, claim in numbers.GIVENS.items():
+        for name, claim in state.GIVENS.items():
             strict = Claim("<", claim.lhs, claim.rhs)
             assert holds(strict, at) or name in ("v_0-least", "v_1-least"), name
 
 
-GIVENS = [*numbers.GIVENS, *(given.name for given in floor.context().givens)]
+GIVENS = [*state.GIVENS, *(given.name for given in floor.context().givens)]
 
 
-@pytest.mark.parametrize("name", [*GIVENS, *numbers.PAIRS, "approaches-again", "meets-again"])
+@pytest.mark.parametrize("name", [*GIVENS, *state.PAIRS, "approaches-again", "meets-again"])
 def test_each_given_is_used(name: str) -> None:
     assert answer(without(decide_outside(), name)) in {"REFUSED", "MALFORMED"}
 
 
-@pytest.mark.parametrize("name", [*numbers.GIVENS])
+@pytest.mark.parametrize("name", [*state.GIVENS])
 def test_a_weaker_given_is_refused(name: str) -> None:
-    claim = numbers.GIVENS[name]
+    claim = state.GIVENS[name]
     weaker = Claim(claim.relation, claim.lhs, claim.rhs + Fraction(1, 10**6))
     assert answer(changed(decide_outside(), name, weaker)) == "REFUSED"
 
 
 #: The theorem as it might be miswritten: a factor, a sign, an index.
-n, f = numbers, floor
+n, f = state, floor
 MUTANTS: dict[str, tuple[str, Claim]] = {
     "the-other-speed": (
         "start-u",

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Cite
 from verify.language.terms import Claim, sqrt
 from verify.paper.assumptions import STEP_ASSUMPTIONS
-from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
+from verify.paper.parameters import HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.preliminaries import alpha_0, discriminant, phi_minus
 from verify.paper.step import numbers
 from verify.paper.step.numbers import STEP

@@ -14,8 +14,8 @@ from verify.paper.commands.step import decide_step
 from verify.paper.everywhere import angle_display, hints
 from verify.paper.everywhere import chart as paper
 from verify.paper.everywhere.everywhere import printed_statement, statement
-from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
+from verify.paper.parameters import PRINTED, REPAIRED
 from verify.paper.recursion import angle_state
 from verify.paper.rows import graded
 from verify.paper.step import numbers

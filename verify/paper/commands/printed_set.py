@@ -11,9 +11,9 @@ from verify.paper.commands.classification import decide_classification
 from verify.paper.commands.collapse import decide_sharper
 from verify.paper.commands.everywhere import Everywhere
 from verify.paper.everywhere import chart, hints
-from verify.paper.groups import PRINTED
+from verify.paper.parameters import PRINTED
 from verify.paper.printed_set import numbers, printed_set, sign
-from verify.paper.sharper import numbers as sharper
+from verify.paper.sharper import state as sharper
 from verify.paper.step.initial import CONTEXT
 from verify.prover.arguments import Writing
 from verify.prover.ground import Ground

@@ -13,8 +13,7 @@ from verify.language.statement import PROVED, Statement
 from verify.language.terms import Term
 from verify.paper.commands import box, everywhere, scene, separatrix, spectrum, step, theorem1
 from verify.paper.commands.certificates import THEOREMS
-from verify.paper.groups import REPAIRED
-from verify.paper.parameters import THEOREM
+from verify.paper.parameters import REPAIRED, THEOREM
 from verify.prover.outcome import Outcome
 from verify.wire.inputs import are_allowed
 from verify.wire.term_json import TermReader

@@ -23,8 +23,7 @@ from verify.paper.commands.thresholds import all_shares, bands, decide_threshold
 from verify.paper.commands.whole import whole
 from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
 from verify.paper.glossary import LETTERS
-from verify.paper.groups import PRINTED, REPAIRED
-from verify.paper.parameters import THEOREM
+from verify.paper.parameters import PRINTED, REPAIRED, THEOREM
 from verify.paper.separatrix.theorem import NAME as SEPARATRIX
 from verify.paper.source import PAPER
 from verify.prover.outcome import Outcome

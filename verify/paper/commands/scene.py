@@ -17,8 +17,8 @@ from verify.paper.commands.classification import decide_classification
 from verify.paper.commands.collapse import decide_sandwich, decide_sharper
 from verify.paper.line import line
 from verify.paper.sandwich.comparison import stair
-from verify.paper.sandwich.numbers import context as sandwich_context
-from verify.paper.sharper.numbers import context as start_context
+from verify.paper.sandwich.state import start_context as sandwich_start
+from verify.paper.sharper.state import start_context as sharper_start
 from verify.prover import balls
 from verify.prover.arguments import write_down
 from verify.prover.decimals import enclosing_decimals, round_decimal
@@ -83,8 +83,8 @@ def decide_line() -> Outcome:
 def cited_contexts() -> dict[str, Context]:
     """The contexts that a scene applies, by the names by which it cites them."""
     found = {f"{FLOW}:{context.name}": context for context in flow().statement.contexts}
-    found |= {START: start_context(), LINE_START: line().statement.contexts[0]}
-    return found | {SANDWICH_START: sandwich_context(), STAIR: stair()}
+    found |= {START: sharper_start(), LINE_START: line().statement.contexts[0]}
+    return found | {SANDWICH_START: sandwich_start(), STAIR: stair()}
 
 
 def tell(found: Fate) -> Telling:

@@ -37,8 +37,7 @@ from verify.language.statement import (
 from verify.language.terms import Term, as_term, substitute, symbol
 from verify.paper.everywhere import chart
 from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
-from verify.paper.groups import HYPOTHESES
-from verify.paper.parameters import THEOREM, V_0, c, delta_theta, r
+from verify.paper.parameters import HYPOTHESES, THEOREM, V_0, c, delta_theta, r
 from verify.paper.theorem1 import theorem
 
 CONTEXT = "box"

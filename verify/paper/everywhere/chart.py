@@ -25,9 +25,8 @@ from verify.language.argument import (
 )
 from verify.language.statement import Constant, Context, Given, Variable
 from verify.language.terms import Claim, Term, as_term, equal, sqrt, symbol
-from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.initial_data import ConstantSet
-from verify.paper.parameters import THEOREM, V_0, c, r
+from verify.paper.parameters import HYPOTHESES, REPAIRED, THEOREM, V_0, c, r
 from verify.paper.preliminaries import (
     CONSTANTS,
     V_1,

@@ -31,9 +31,8 @@ from verify.language.statement import PROVED, REFUTED, Given, Statement
 from verify.language.terms import Claim, maximum, minimum
 from verify.paper.everywhere import chart
 from verify.paper.everywhere.chart import p, u
-from verify.paper.groups import PRINTED
 from verify.paper.initial_data import ETA, X_0, ConstantSet
-from verify.paper.parameters import THEOREM, V_0, delta_theta
+from verify.paper.parameters import PRINTED, THEOREM, V_0, delta_theta
 from verify.paper.preliminaries import C_eta, delta_2, h_4
 from verify.paper.theorem1 import theorem
 

@@ -36,33 +36,31 @@ from verify.paper.dynamics.laws import (
 )
 from verify.paper.dynamics.state import A_next, B, B_next, D, S, eta_s, r, tau, y, y_next
 from verify.paper.outside.flight import ONE
-from verify.paper.outside.numbers import (
+from verify.paper.outside.state import (
     G_POSITIVE,
     HALF,
     C_p,
     G,
-    gain,
-    half,
-    ratio,
-    turning,
-    w_0,
-    w_1,
-)
-from verify.paper.outside.state import (
     Q,
     Q_next,
     U,
     U_next,
     carried,
     g,
+    gain,
+    half,
     here,
     load,
     pace,
+    ratio,
     rho,
     root_here,
     time_here,
+    turning,
     v_c,
     v_s,
+    w_0,
+    w_1,
     w_s,
 )
 from verify.paper.sandwich.collision import GROWTH, IMPACT_BOUND, KEPT_POSITIVE, slower, struck

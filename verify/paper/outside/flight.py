@@ -21,8 +21,7 @@ from verify.paper.dynamics import laws
 from verify.paper.dynamics.carried import start
 from verify.paper.dynamics.laws import DISTANCE, TIME, absolute
 from verify.paper.dynamics.state import A, B, S, a, d, tau, y, zeta
-from verify.paper.outside.numbers import G_POSITIVE, G, step, v
-from verify.paper.outside.state import U, rho, v_c, v_s, w_c, w_s
+from verify.paper.outside.state import G_POSITIVE, G, U, rho, step, v, v_c, v_s, w_c, w_s
 from verify.paper.sandwich.comparison import LABEL
 from verify.paper.sandwich.flight import GROWN, slow
 

@@ -14,7 +14,7 @@ from verify.paper.assumptions import HARD_SPHERES
 from verify.paper.dynamics import model
 from verify.paper.dynamics.carried import START
 from verify.paper.dynamics.state import CONTEXT
-from verify.paper.outside import collision, flight, floor, numbers, state
+from verify.paper.outside import collision, flight, floor, state
 from verify.paper.parameters import THEOREM
 
 ASSUMPTIONS = (
@@ -64,7 +64,7 @@ def outside() -> Argument:
 
 def _chapters() -> Iterator[Chapter]:
     yield from floor.chapters()
-    yield Chapter(None, (Opened(numbers.context()), Opened(model.impact())))
+    yield Chapter(None, (Opened(state.start_context()), Opened(model.impact())))
     yield from model.chapters(())
     yield Chapter(START, (*state.lines(), Opened(state.context(), state.opening())))
     yield Chapter(CONTEXT, (*flight.sizes(), *flight.lines(), *collision.lines()))

@@ -24,11 +24,10 @@ from verify.language.argument import (
 from verify.language.statement import Constant
 from verify.language.terms import Claim, Term, as_term, equal, substitute, substitute_claim, symbol
 from verify.paper.everywhere.chart import HALF, PLUS_R, hypothesis, v
-from verify.paper.groups import PRINTED
 from verify.paper.initial_data import X_0, ConstantSet
-from verify.paper.parameters import THEOREM, V_0, c, delta_theta, r
+from verify.paper.parameters import PRINTED, THEOREM, V_0, c, delta_theta, r
 from verify.paper.preliminaries import alpha_0, delta_2, h_5, phi_minus, phi_plus
-from verify.paper.sharper import numbers as sharper
+from verify.paper.sharper import state as sharper
 
 k = ConstantSet(PRINTED)
 X, ratio, least, T, Theta = map(symbol, ("x_most", "ratio", "least_ratio", "T", "Theta"))

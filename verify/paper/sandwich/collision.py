@@ -24,21 +24,27 @@ from verify.paper.dynamics.laws import (
 from verify.paper.dynamics.state import A_next, C, C_next, D, S, d_next, kept, tau, y, y_next
 from verify.paper.parameters import THEOREM
 from verify.paper.sandwich.flight import PUSH
-from verify.paper.sandwich.numbers import (
+from verify.paper.sandwich.state import (
     C_0,
     G_POSITIVE,
     HALF,
     G,
     Theta,
+    U,
+    carried,
+    clock,
     duration,
+    g,
     gain,
     half,
+    load,
+    pace,
     ratio,
     turning,
     w_0,
     w_1,
+    w_s,
 )
-from verify.paper.sandwich.state import U, carried, clock, g, load, pace, w_s
 
 GROWTH = "EQUATSS4.1Lien_x_n_&_y_n_"
 #: How far -cos theta can turning until the next collision.

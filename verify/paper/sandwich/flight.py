@@ -46,8 +46,26 @@ from verify.paper.dynamics.state import (
 )
 from verify.paper.parameters import THEOREM
 from verify.paper.sandwich.comparison import LABEL
-from verify.paper.sandwich.numbers import G_POSITIVE, HALF, G, U_b, model, step, w_b
-from verify.paper.sandwich.state import Q, Q_next, U, U_next, carried, g, load, pace, rho, w_c, w_s
+from verify.paper.sandwich.state import (
+    G_POSITIVE,
+    HALF,
+    G,
+    Q,
+    Q_next,
+    U,
+    U_b,
+    U_next,
+    carried,
+    g,
+    load,
+    model,
+    pace,
+    rho,
+    step,
+    w_b,
+    w_c,
+    w_s,
+)
 
 PUSH = times("rho-positive", "U-positive")
 GROWN = times("gain-positive", "g-positive")

@@ -11,7 +11,7 @@ from fractions import Fraction
 from verify.language.argument import Item, Line, plus, power, proof, scaled, square, times
 from verify.paper.dynamics.carried import start, summed
 from verify.paper.dynamics.state import r
-from verify.paper.sharper.numbers import (
+from verify.paper.sharper.state import (
     C_0,
     SUMS,
     V_0,

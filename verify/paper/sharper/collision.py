@@ -29,23 +29,29 @@ from verify.paper.dynamics.laws import (
 from verify.paper.dynamics.state import A_next, C, C_next, kept, y, y_next
 from verify.paper.parameters import THEOREM
 from verify.paper.sharper.bounds import HALF, REACH
-from verify.paper.sharper.numbers import (
+from verify.paper.sharper.state import (
     C_0,
     T,
     Theta,
     V,
     X,
+    carried,
+    clock,
     duration,
     eta_0,
+    g,
     k,
     least_ratio,
     m,
     ratio,
     reach,
     root,
+    root_lines,
+    speed,
+    speed_next,
     total,
+    zeta_small,
 )
-from verify.paper.sharper.state import carried, clock, g, root_lines, speed, speed_next, zeta_small
 
 #: How far -cos theta can turn until the next collision.
 change = 2 * T * V * y + (k + T**2 * V**2) * y**2 + T * V * k * y**3

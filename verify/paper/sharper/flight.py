@@ -28,8 +28,19 @@ from verify.paper.dynamics.apart import colliding, contexts, opened, spectator, 
 from verify.paper.dynamics.laws import DISTANCE, TIME
 from verify.paper.dynamics.state import CONTEXT, A, B, D, S, d, difference, frame, tau, y, zeta
 from verify.paper.parameters import THEOREM
-from verify.paper.sharper.numbers import V_0, T, V, eta_0, k, least_ratio, reach, root
-from verify.paper.sharper.state import g, speed, zeta_small
+from verify.paper.sharper.state import (
+    V_0,
+    T,
+    V,
+    eta_0,
+    g,
+    k,
+    least_ratio,
+    reach,
+    root,
+    speed,
+    zeta_small,
+)
 
 SLOWER = times("gain-positive", "g-positive")
 

@@ -15,7 +15,7 @@ from verify.paper.dynamics import model
 from verify.paper.dynamics.carried import START
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
-from verify.paper.sharper import bounds, collision, flight, numbers, state
+from verify.paper.sharper import bounds, collision, flight, state
 
 ASSUMPTIONS = (
     HARD_SPHERES,
@@ -58,7 +58,7 @@ def sharper() -> Argument:
 
 
 def _chapters() -> Iterator[Chapter]:
-    spaces = (Opened(numbers.context()), *model.spaces())
+    spaces = (Opened(state.start_context()), *model.spaces())
     yield Chapter(None, spaces)
     yield from model.chapters(state.PAIRS)
     yield Chapter(

@@ -19,10 +19,12 @@ from fractions import Fraction
 
 from verify.language.statement import Obligation
 from verify.language.terms import Claim, Term, as_term, maximum, minimum, sqrt
-from verify.paper.initial_data import D_0, ETA, ZETA, ConstantSet
-from verify.paper.parameters import THEOREM, V_0, c, delta_theta, r
-from verify.paper.preliminaries import (
+from verify.paper.initial_data import (
+    D_0,
+    ETA,
+    ZETA,
     C_eta,
+    ConstantSet,
     alpha_0,
     delta_2,
     delta_3,
@@ -33,6 +35,7 @@ from verify.paper.preliminaries import (
     h_5,
     phi_minus,
 )
+from verify.paper.parameters import THEOREM, V_0, c, delta_theta, r
 from verify.paper.rows import BREAKS, HARMLESS, OTHERWISE, REMARK, SLIP
 
 CND1 = "EQUATSS4.1Recurrence_Cnd1"
@@ -159,7 +162,7 @@ def _y_0(k: ConstantSet) -> Iterator[Obligation]:
     )  # fmt: skip
 
 
-# --- the recursion  -------------------------------------------------------------------------------
+# --- the recursion --------------------------------------------------------------------------------
 
 
 TAU = "EQUATSS4.1_Controle_Tau_n"

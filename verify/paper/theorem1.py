@@ -9,9 +9,8 @@ from verify.language.statement import Assumption, Change, Choice, Constant, Obli
 from verify.paper import initial_data, recursion
 from verify.paper.assumptions import ASSUMPTIONS
 from verify.paper.hypotheses import hypotheses, observations
-from verify.paper.initial_data import ConstantSet
+from verify.paper.initial_data import CONSTANTS, ConstantSet
 from verify.paper.parameters import HYPOTHESES, PARAMETERS, PRINTED, REPAIRED, THEOREM
-from verify.paper.preliminaries import CONSTANTS
 from verify.paper.printed_definitions import check_definitions
 from verify.paper.rows import Cause, Remark
 

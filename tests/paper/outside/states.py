@@ -11,9 +11,8 @@ from flint import arb
 from tests.paper.sandwich.states import Random, Values, start_of
 from tests.paper.sharper.particles import Particles
 from verify.language.terms import Claim, Term
-from verify.paper.outside.floor import context
 from verify.paper.outside.state import GIVENS
-from verify.paper.sandwich.comparison import step
+from verify.paper.sandwich.comparison import floor, step
 from verify.prover import balls
 from verify.spheres.flow.collapse import Start
 from verify.spheres.flow.sandwich import above, below
@@ -76,7 +75,7 @@ def ends(at: Values, n: int, here: Point) -> bool:
 def fails(at: Values, points: tuple[Point, ...]) -> list[str]:
     """The hypotheses that are not certain."""
     found = [name for name, claim in GIVENS.items() if not holds(claim, at)]
-    steps = [given for given in context().givens if "rises" in given.name or "next" in given.name]
+    steps = [given for given in floor().givens if "rises" in given.name or "next" in given.name]
     for n, (here, following) in enumerate(pairwise(points)):
         v_s, w_c = (at["v_0"], at["w_1"]) if n % 2 else (at["v_1"], at["w_0"])
         named = dict(zip(("Q_n", "U_n", "Q_next", "U_next"), (*here, *following), strict=True))

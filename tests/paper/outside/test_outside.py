@@ -24,8 +24,9 @@ from tests.paper.sandwich.states import fails as fails_inside
 from verify.language.statement import PROVED
 from verify.language.terms import Claim
 from verify.paper.commands.collapse import decide_outside
-from verify.paper.outside import floor, state
+from verify.paper.outside import state
 from verify.paper.outside.outside import outside
+from verify.paper.sandwich import comparison
 from verify.prover import balls
 from verify.prover.proof import LemmaStep
 from verify.spheres.flow.collapse import Start, start_of
@@ -77,7 +78,7 @@ def test_the_point_is_inside() -> None:
             assert holds(strict, at) or name in ("v_0-least", "v_1-least"), name
 
 
-GIVENS = [*state.GIVENS, *(given.name for given in floor.context().givens)]
+GIVENS = [*state.GIVENS, *(given.name for given in comparison.floor().givens)]
 
 
 @pytest.mark.parametrize("name", [*GIVENS, *state.PAIRS, "approaches-again", "meets-again"])
@@ -93,7 +94,7 @@ def test_a_weaker_given_is_refused(name: str) -> None:
 
 
 #: The theorem as it might be miswritten: a factor, a sign, an index.
-n, f = state, floor
+n, f = state, comparison.f
 MUTANTS: dict[str, tuple[str, Claim]] = {
     "the-other-speed": (
         "start-u",
@@ -103,16 +104,16 @@ MUTANTS: dict[str, tuple[str, Claim]] = {
     "no-later-loss": ("start-B-least", n.v_1**2 <= n.start.B),
     "no-turning": ("start-C", n.start.C <= n.C_p),
     "reach-forgotten": ("start-reach", n.start.y**2 <= n.v**2 * (n.G**2 - 1)),
-    "share-forgotten": ("floor-rises-Q", f.n.Q_next <= f.n.R * (1 - f.n.U_n)),
+    "share-forgotten": ("floor-rises-Q", f.Q_next <= f.R * (1 - f.U_n)),
     "power-of-P": (
         "floor-rises-U",
-        f.n.U_next * (2 - f.n.U_next) * f.below.P <= f.below.load,
+        f.U_next * (2 - f.U_next) * comparison.floor_step.P <= comparison.floor_step.load,
     ),
     "twice-the-load": (
         "floor-rises-U",
-        f.n.U_next * (2 - f.n.U_next) * f.below.P**2 <= 2 * f.below.load,
+        f.U_next * (2 - f.U_next) * comparison.floor_step.P**2 <= 2 * comparison.floor_step.load,
     ),
-    "grazing": ("floor-meets", f.above.load <= f.above.P**2),
+    "grazing": ("floor-meets", comparison.over_step.load <= comparison.over_step.P**2),
     "once-only": ("meets-again", 0 <= state.y),
 }
 

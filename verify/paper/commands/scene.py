@@ -270,7 +270,7 @@ def _sides(row: Obligation, run: Run, bits: int) -> Enclosure | None:
     return Enclosure(bits, (_ends(run, row.claim.lhs, bits), _ends(run, row.claim.rhs, bits)))
 
 
-# --- all statements of a scene, from its parameters alone  ----------------------------------------
+# --- all statements of a scene, from its parameters alone -----------------------------------------
 
 
 #: No more bits are needed for these than without digits.

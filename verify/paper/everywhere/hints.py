@@ -26,9 +26,8 @@ from verify.paper.everywhere.chart import (
     hypothesis,
     p,
 )
-from verify.paper.initial_data import ConstantSet
+from verify.paper.initial_data import ConstantSet, h_4
 from verify.paper.parameters import REPAIRED, V_0
-from verify.paper.preliminaries import h_4
 
 
 def row(name: str) -> str:

@@ -31,9 +31,8 @@ from verify.language.statement import PROVED, REFUTED, Given, Statement
 from verify.language.terms import Claim, maximum, minimum
 from verify.paper.everywhere import chart
 from verify.paper.everywhere.chart import p, u
-from verify.paper.initial_data import ETA, X_0, ConstantSet
+from verify.paper.initial_data import ETA, X_0, C_eta, ConstantSet, delta_2, h_4
 from verify.paper.parameters import PRINTED, THEOREM, V_0, delta_theta
-from verify.paper.preliminaries import C_eta, delta_2, h_4
 from verify.paper.theorem1 import theorem
 
 LEAST_V_0, GREATEST_V_0 = Fraction(1, 16), Fraction(10**6)

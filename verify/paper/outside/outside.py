@@ -14,8 +14,9 @@ from verify.paper.assumptions import HARD_SPHERES
 from verify.paper.dynamics import model
 from verify.paper.dynamics.carried import START
 from verify.paper.dynamics.state import CONTEXT
-from verify.paper.outside import collision, flight, floor, state
+from verify.paper.outside import collision, flight, state
 from verify.paper.parameters import THEOREM
+from verify.paper.sandwich import comparison
 
 ASSUMPTIONS = (
     HARD_SPHERES,
@@ -63,7 +64,7 @@ def outside() -> Argument:
 
 
 def _chapters() -> Iterator[Chapter]:
-    yield from floor.chapters()
+    yield from comparison.floor_chapters()
     yield Chapter(None, (Opened(state.start_context()), Opened(model.impact())))
     yield from model.chapters(())
     yield Chapter(START, (*state.lines(), Opened(state.context(), state.opening())))

@@ -24,9 +24,8 @@ from verify.language.argument import (
 from verify.language.statement import Constant
 from verify.language.terms import Claim, Term, as_term, equal, substitute, substitute_claim, symbol
 from verify.paper.everywhere.chart import HALF, PLUS_R, hypothesis, v
-from verify.paper.initial_data import X_0, ConstantSet
+from verify.paper.initial_data import X_0, ConstantSet, alpha_0, delta_2, h_5, phi_minus, phi_plus
 from verify.paper.parameters import PRINTED, THEOREM, V_0, c, delta_theta, r
-from verify.paper.preliminaries import alpha_0, delta_2, h_5, phi_minus, phi_plus
 from verify.paper.sharper import state as sharper
 
 k = ConstantSet(PRINTED)

@@ -13,8 +13,8 @@ from verify.language.terms import symbol
 from verify.paper.assumptions import STEP_ASSUMPTIONS
 from verify.paper.dynamics.carried import START, start
 from verify.paper.everywhere import chart
+from verify.paper.initial_data import phi_minus
 from verify.paper.parameters import PRINTED, THEOREM, V_0, c
-from verify.paper.preliminaries import phi_minus
 from verify.paper.printed_set import numbers
 from verify.paper.printed_set.numbers import SLACK, Theta, V, k, of
 from verify.paper.sharper import state as sharper

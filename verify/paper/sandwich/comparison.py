@@ -1,8 +1,9 @@
 """The map of two numbers (Q, U) that bounds the dynamics, and what orders its orbits.
 
 With alpha, rho and R it is P = alpha (1-U) - Q - rho U, Q' = R (1-U)/P, and 1 - (1-U')^2 = rho U
-(2 Q + rho U)/P^2. It goes on from (Q, U) if P > 0 and U' <= U_b. Stairs are numbers that satisfy
-the same with inequalities; the orbit stays below them.
+(2 Q + rho U)/P^2. The map that the dynamics stays below goes on from (Q, U) if P > 0 and U' <= U_b,
+the one that it stays above if P > 0 and U' < 1. Stairs are numbers that satisfy the same with
+inequalities, rounded up, and the orbit stays below them; it stays above floors, rounded down.
 """
 
 from __future__ import annotations
@@ -192,4 +193,82 @@ def _below() -> Iterator[Item]:
              scaled(times("goal", plus("goal", 2), power("orbit-approaches", 2)),
                     times("stair-rho", "orbit-U-least",
                           plus(times(2, "orbit-Q-least"), times("stair-rho", "orbit-U-least"))))),
+    )  # fmt: skip
+
+
+# --- floors ---------------------------------------------------------------------------------------
+
+
+f = Letters(
+    "floor", alpha="α", rho="ρ", R="R", Q_n="Q_n", U_n="U_n", Q_next="Q_{n+1}", U_next="U_{n+1}",
+    Q="Q", U="U",
+)  # fmt: skip
+floor_step = step(f.alpha, f.rho, f.R, f.Q_n, f.U_n)
+over_step = step(f.alpha, f.rho, f.R, f.Q, f.U)
+
+
+def floor() -> Context:
+    """Numbers from which one step of the map is bounded from below, and a point above them."""
+    return f.opened(
+        "a step of a floor: numbers Q_{n+1}, U_{n+1} below where the map leads from Q_n, U_n; and "
+        "a point (Q, U) above, from which the map goes on",
+        "1/2 1 3/100 1/10 1/10 1/50 1/50 1/10 1/10",
+        {
+            "alpha": 0 <= f.alpha,
+            "rho": 0 <= f.rho,
+            "R": 0 <= f.R,
+            "Q": 0 <= f.Q_n,
+            "U": 0 <= f.U_n,
+            "U_next": 0 <= f.U_next,
+            "U_next-room": f.U_next <= 1,
+            "rises-Q": f.Q_next * floor_step.P <= f.R * (1 - f.U_n),
+            "rises-U": f.U_next * (2 - f.U_next) * floor_step.P**2 <= floor_step.load,
+            "over-Q": f.Q_n <= f.Q,
+            "over-U": f.U_n <= f.U,
+            "room": 0 < 1 - f.U,
+            "approaches": over_step.approaches,
+            "meets": over_step.meets,
+        },
+    )
+
+
+def floor_chapters() -> Iterator[Chapter]:
+    """What lies above a step of a floor stays above the next one, or stops."""
+    yield Chapter(None, (Opened(floor()),))
+    yield Chapter(f.context, tuple(_above()))
+
+
+def _above() -> Iterator[Item]:
+    lower = times(plus("floor-alpha", "floor-rho"), "floor-over-U")
+    least = plus("floor-approaches", "over-pace")
+    U_least, Q_least = plus("floor-U", "floor-over-U"), plus("floor-Q", "floor-over-Q")
+    heavier = times(
+        "floor-rho",
+        plus(times(2, "floor-over-U", Q_least), times(2, "floor-U", "floor-over-Q"),
+             times("floor-rho", "floor-over-U", plus("floor-U", U_least))),
+    )  # fmt: skip
+    slower = times("over-pace", plus("floor-approaches", least))
+    order = plus(
+        times("floor-room", plus("floor-over-Q", times("floor-rho", "floor-over-U"))),
+        times("floor-over-U", plus(Q_least, times("floor-rho", U_least))),
+    )
+    small = times("floor-U_next", plus(1, "floor-U_next-room"), slower)
+    yield from (
+        Line("over-pace",       over_step.P <= floor_step.P, proof("floor-over-Q", lower)),
+        Line("over-goes",       floor_step.approaches, proof("over-pace", "floor-approaches"),
+             LABEL, "where the map goes on from a point above a floor, P > 0 on the floor"),
+        Line("over-load",       floor_step.load <= over_step.load, proof(heavier)),
+        Line("over-met",        floor_step.meets, proof("over-load", "floor-meets", slower),
+             LABEL, "and ρU(2Q+ρU) < P² there: so where the floor ends, so does every orbit above"),
+        Line("over-Q-rises",    f.Q_next <= over_step.next_q,
+             scaled(times("goal", "over-goes"),
+                    times("floor-rises-Q", "floor-approaches"), times("floor-R", order)),
+             LABEL, "Q_{n+1} ≤ Q'"),
+        Line("over-radicand",   0 < over_step.radicand, proof("floor-meets")),
+        Line("over-root",       0 < sqrt(over_step.radicand), ByRoot()),
+        Line("over-U-rises",    f.U_next <= over_step.next_u,
+             scaled(times("goal", plus("over-root", "floor-U_next-room"),
+                          power("floor-approaches", 2)),
+                    "floor-rises-U", "over-load", small),
+             LABEL, "U_{n+1} ≤ U': it is above the next step"),
     )  # fmt: skip

@@ -165,7 +165,7 @@ def _speeds() -> Iterator[Item]:
     )  # fmt: skip
 
 
-# --- the other conditions  ------------------------------------------------------------------------
+# --- the other conditions -------------------------------------------------------------------------
 
 
 GROWTH = "EQUATSS4.1Lien_x_n_&_y_n_"

@@ -130,7 +130,7 @@ def start_context() -> Context:
     return starting(_NUMBERS, _STATE, GIVENS, SUMS)
 
 
-# --- what is carried  -----------------------------------------------------------------------------
+# --- what is carried ------------------------------------------------------------------------------
 
 
 #: The pairs of vectors for which Cauchy-Schwarz is used.

@@ -185,7 +185,7 @@ def next_condition(name: str, label: str, says: str, *addends: Factor, using: st
     return carried.line(name, says, *addends, label=label, using=using)
 
 
-# --- the other conditions  ------------------------------------------------------------------------
+# --- the other conditions -------------------------------------------------------------------------
 
 
 LINK = "EQUATSS4.1Lien_x_n_&_y_n_"

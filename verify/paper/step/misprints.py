@@ -30,9 +30,8 @@ from verify.language.argument import (
 from verify.language.record import Record
 from verify.language.statement import Constant, Context, Given, Obligation, Variable
 from verify.language.terms import Claim, Term, as_term, equal, maximum, sqrt, symbol
-from verify.paper.initial_data import ConstantSet
+from verify.paper.initial_data import C_eta, ConstantSet, alpha_0, delta_2, h_4, h_5, phi_minus
 from verify.paper.parameters import PRINTED, REPAIRED, V_0, c, r
-from verify.paper.preliminaries import C_eta, alpha_0, delta_2, h_4, h_5, phi_minus
 from verify.paper.rows import BREAKS, HARMLESS, SLIP, misprint
 from verify.paper.theorem1 import theorem
 

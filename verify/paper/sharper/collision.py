@@ -28,9 +28,10 @@ from verify.paper.dynamics.laws import (
 )
 from verify.paper.dynamics.state import A_next, C, C_next, kept, y, y_next
 from verify.paper.parameters import THEOREM
-from verify.paper.sharper.bounds import HALF, REACH
 from verify.paper.sharper.state import (
     C_0,
+    HALF,
+    REACH,
     T,
     Theta,
     V,

@@ -15,7 +15,7 @@ from verify.paper.dynamics import model
 from verify.paper.dynamics.carried import START
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
-from verify.paper.sharper import bounds, collision, flight, state
+from verify.paper.sharper import collision, flight, state
 
 ASSUMPTIONS = (
     HARD_SPHERES,
@@ -62,7 +62,7 @@ def _chapters() -> Iterator[Chapter]:
     yield Chapter(None, spaces)
     yield from model.chapters(state.PAIRS)
     yield Chapter(
-        START, (*bounds.lines(), *state.lines(), Opened(state.context(), state.opening()))
+        START, (*state.consequences(), *state.lines(), Opened(state.context(), state.opening()))
     )
     yield Chapter(
         CONTEXT,

@@ -174,21 +174,11 @@ COSINE = "EQUATSS4.1EvoluCosinAngle"
 
 def rows(k: ConstantSet) -> Iterator[Obligation]:
     """Yield the rows of the recursion, in the paper's order."""
-    for paragraph in (
-        _distance_and_time,
-        _norms,
-        _eta,
-        _zeta_first_terms,
-        _zeta_remainders,
-        _zeta,
-        _no_outer_collision,
-        _angle_step,
-        _angle_sum,
-        _x_term_1,
-        _sums_alone,
-        _x,
-        _y,
-    ):
+    paragraphs = (
+        _distance_and_time, _norms, _eta, _zeta_first_terms, _zeta_remainders, _zeta,
+        _no_outer_collision, _angle_step, _angle_sum, _x_term_1, _sums_alone, _x, _y,
+    )  # fmt: skip
+    for paragraph in paragraphs:
         yield from paragraph(k)
 
 

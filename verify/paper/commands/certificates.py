@@ -53,22 +53,13 @@ POINTS = (
     StoredPoint("theorem1-r-3-100", "3/100", as_term(1), "the main job"),
     StoredPoint("theorem1-r-1-1000", "1/1000", as_term(1), "strong dissipation"),
     StoredPoint("theorem1-r-near-stabi", "0.055728", as_term(1), "r next to 9 - 4√5 = 0.05572809…"),
-    StoredPoint(
-        "theorem1-angle-near-threshold",
-        "1/64",
-        as_term(Fraction("0.615384616")),
-        "-cos θ₀ next to its threshold 8/13 = 0.61538461538…",
-    ),
-    StoredPoint(
-        "theorem1-r-1e-6-wide", "1/1000000", as_term(Fraction(1, 20)), "nearly a right angle"
-    ),
-    StoredPoint(
-        "theorem1-theta-5pi-6",
-        "1/100",
-        -cos_pi(Fraction(5, 6)),
-        "an angle whose cosine is irrational",
-    ),
-)
+    StoredPoint("theorem1-angle-near-threshold", "1/64", as_term(Fraction("0.615384616")),
+                "-cos θ₀ next to its threshold 8/13 = 0.61538461538…"),
+    StoredPoint("theorem1-r-1e-6-wide", "1/1000000", as_term(Fraction(1, 20)),
+                "nearly a right angle"),
+    StoredPoint("theorem1-theta-5pi-6", "1/100", -cos_pi(Fraction(5, 6)),
+                "an angle whose cosine is irrational"),
+)  # fmt: skip
 
 
 class Theorem(Record):

@@ -130,13 +130,8 @@ def time(positive: Value) -> Iterator[Item]:
 
 
 #: For a time without a quotient by |W_c|^2.
-TIME_ROOT = Line(
-    "time-root",
-    equal(tau * (1 + d) * y * (1 + S), d * (2 + d)),
-    identity("tau S"),
-    TIME,
-    "τ = d(2+d)/((1+d)(-η_c)(1+√(1-ζ)))",
-)
+TIME_ROOT = Line("time-root", equal(tau * (1 + d) * y * (1 + S), d * (2 + d)), identity("tau S"),
+                 TIME, "τ = d(2+d)/((1+d)(-η_c)(1+√(1-ζ)))")  # fmt: skip
 
 
 def distance() -> Iterator[Item]:
@@ -178,13 +173,9 @@ turn = (1 + d) * C - tau * a - (1 + d) * tau * b - tau**2 * w
 #: The cosine without a quotient.
 TURN = Line("turn", equal(D * C_next, turn), identity("law-angle"))
 SPIN_SQUARE = Line("spin-square", spin**2 <= B, proof("impact-pair", equations=(("contact", -B),)))
-IMPACT_POSITIVE = Line(
-    "impact-positive",
-    0 < impact,
-    proof(times("d-sum-positive", "Cnd1", "S-positive")),
-    COMPONENTS,
-    "W_c·ω_s' < 0: at the contact the pair approaches",
-)
+IMPACT_POSITIVE = Line("impact-positive", 0 < impact,
+                       proof(times("d-sum-positive", "Cnd1", "S-positive")), COMPONENTS,
+                       "W_c·ω_s' < 0: at the contact the pair approaches")  # fmt: skip
 
 
 def at_the_contact(name: str, pair: str, using: str = "tau") -> Line:
@@ -194,19 +185,10 @@ def at_the_contact(name: str, pair: str, using: str = "tau") -> Line:
 
 
 #: With the inequality `angle-pair`.
-C_NEXT_ONE = Line(
-    "C_next-one",
-    C_next <= 1,
-    scaled(
-        times("goal", plus("goal", 2), power("D-positive", 2)),
-        "angle-pair",
-        equations=(
-            ("turn", -(D * C_next + turn)),
-            ("contact", -dot(end, end)),
-            ("D-square", as_term(1)),
-        ),
-    ),
-)
+C_NEXT_ONE = Line("C_next-one", C_next <= 1,
+                  scaled(times("goal", plus("goal", 2), power("D-positive", 2)), "angle-pair",
+                         equations=(("turn", -(D * C_next + turn)), ("contact", -dot(end, end)),
+                                    ("D-square", as_term(1)))))  # fmt: skip
 
 
 def spinning(bound: tuple[Term, Factor]) -> Iterator[Item]:
@@ -271,8 +253,6 @@ def parts() -> Iterator[Item]:
 
 
 #: What is gained, without a quotient.
-GAINED_UPPER = Line(
-    "gained-upper",
-    gained <= tau * B,
-    proof(times("tau-positive", "B-positive", "D-one"), using="gained"),
-)
+GAINED_UPPER = Line("gained-upper", gained <= tau * B,
+                    proof(times("tau-positive", "B-positive", "D-one"),
+                          using="gained"))  # fmt: skip

@@ -97,15 +97,9 @@ def _stability() -> Obligation:
 
 def _applied() -> Obligation:
     at = {"r": r, "c": c, "V_0": V_0, "delta_theta": delta_theta}
-    return Obligation(
-        APPLIED,
-        HYPOTHESES,
-        THEOREM,
-        NEEDED,
-        f"the hypotheses hold, and so does all of '{EVERYWHERE}', at all points of the box",
-        Applies(f"{CITED}:{chart.CONTEXT}", at),
-        context=CONTEXT,
-    )
+    says = f"the hypotheses hold, and so does all of '{EVERYWHERE}', at all points of the box"
+    theorem_there = Applies(f"{CITED}:{chart.CONTEXT}", at)
+    return Obligation(APPLIED, HYPOTHESES, THEOREM, NEEDED, says, theorem_there, context=CONTEXT)
 
 
 EIGHTH = Fraction(1, 8)

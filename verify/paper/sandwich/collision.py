@@ -113,13 +113,9 @@ def _angle() -> Iterator[Item]:
     )  # fmt: skip
 
 
-IMPACT_BOUND = Line(
-    "impact-bound",
-    impact <= G * y,
-    proof(times("d-sum-positive", "Cnd1", "S-one"), times("Cnd1", "reach-here")),
-    COMPONENTS,
-    "|W_c·ω_s'| ≤ Γ(-η_c)",
-)
+IMPACT_BOUND = Line("impact-bound", impact <= G * y,
+                    proof(times("d-sum-positive", "Cnd1", "S-one"), times("Cnd1", "reach-here")),
+                    COMPONENTS, "|W_c·ω_s'| ≤ Γ(-η_c)")  # fmt: skip
 
 
 def _impact() -> Iterator[Item]:

@@ -17,49 +17,22 @@ CHARACTERISTIC = "EQUATSS3.5Alim_PolynCarac"
 lam = symbol("lambda")
 
 _FIRST = vector(lam + (12 * r**2 + 72 * r - 4) / 64, 0, -lam + (-12 * r + 4) / 16, 0)
-_SECOND = (
-    root_3 * (-4 * r**2 - 24 * r - 20) / 64,
-    lam - 1,
-    root_3 * (4 * r + 4) / 16,
-)
-_THIRD = (
-    (r**3 - 17 * r**2 - 13 * r + 5) / 64,
-    -(root_3 * (r + 1) / 8),
-    lam + (-(r**2) + 16 * r + 1) / 16,
-)
-_FOURTH = (
-    root_3 * (16 * r**2 - 16) / 64,
-    as_term(0),
-    -(root_3 * lam) + root_3 * (-16 * r) / 16,
-)
+_SECOND = root_3 * (-4 * r**2 - 24 * r - 20) / 64, lam - 1, root_3 * (4 * r + 4) / 16
+_THIRD = ((r**3 - 17 * r**2 - 13 * r + 5) / 64, -(root_3 * (r + 1) / 8),
+          lam + (-(r**2) + 16 * r + 1) / 16)  # fmt: skip
+_FOURTH = (root_3 * (16 * r**2 - 16) / 64, as_term(0),
+           -(root_3 * lam) + root_3 * (-16 * r) / 16)  # fmt: skip
 
 #: The four matrices whose determinants the appendix displays.
 DETERMINANTS: tuple[Matrix, ...] = (
-    (
-        _FIRST,
-        vector(*_SECOND, lam - 1),
-        vector(*_THIRD, root_3 * (r + 1) / 8),
-        vector(
-            root_3 * (r**3 - r**2 - 13 * r - 11) / 64,
-            -((3 * r + 3) / 8),
-            -(root_3 * (r**2 - 1) / 16),
-            lam + (-5 + 3 * r) / 8,
-        ),
-    ),
-    (
-        _FIRST,
-        vector(*_SECOND, lam - 1),
-        vector(*_THIRD, root_3 * (r + 1) / 8),
-        vector(*_FOURTH, lam - 1),
-    ),
-    (
-        _FIRST,
-        vector(*_SECOND, 2 * (lam - 1)),
-        vector(*_THIRD, 0),
-        vector(*_FOURTH, lam - 1),
-    ),
+    (_FIRST, vector(*_SECOND, lam - 1), vector(*_THIRD, root_3 * (r + 1) / 8),
+     vector(root_3 * (r**3 - r**2 - 13 * r - 11) / 64, -((3 * r + 3) / 8),
+            -(root_3 * (r**2 - 1) / 16), lam + (-5 + 3 * r) / 8)),
+    (_FIRST, vector(*_SECOND, lam - 1), vector(*_THIRD, root_3 * (r + 1) / 8),
+     vector(*_FOURTH, lam - 1)),
+    (_FIRST, vector(*_SECOND, 2 * (lam - 1)), vector(*_THIRD, 0), vector(*_FOURTH, lam - 1)),
     (_FIRST, vector(*_SECOND, 2), vector(*_THIRD, 0), vector(*_FOURTH, 1)),
-)
+)  # fmt: skip
 
 _section = Section("characteristic polynomial")
 needed, printed = _section.needed, _section.printed

@@ -130,13 +130,8 @@ def _angle() -> Iterator[Item]:
 def _norms() -> Iterator[Item]:
     yield at_the_contact("impact-pair", "cs-impact")
     yield SPIN_SQUARE
-    yield from below_speed(
-        "spin",
-        spin,
-        ("spin-square", "B-below"),
-        "EQUATSS4.1Recurrence_Cnd6",
-        "|W_s·ω_s'| ≤ V₁^{1/2}",
-    )
+    yield from below_speed("spin", spin, ("spin-square", "B-below"),
+                           "EQUATSS4.1Recurrence_Cnd6", "|W_s·ω_s'| ≤ V₁^{1/2}")  # fmt: skip
     yield from (
         IMPACT_POSITIVE,
         Line("impact-bound", impact <= 2 * y,

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from verify.language.terms import Term
-    from verify.paper.commands.index import Place
+    from verify.paper.commands.place import Place
     from verify.prover.outcome import Outcome
 
 #: What the prover calls the lemmas that it finds: they stand nowhere in the paper's room.

@@ -10,36 +10,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from verify.language.record import Record
-from verify.language.statement import (
-    BREAKS,
-    HARMLESS,
-    NEEDED,
-    OTHERWISE,
-    PRINTED,
-    PROVED,
-    REMARK,
-    SEVERITIES,
-    SLIP,
-    Always,
-    Applies,
-    Obligation,
-)
+from verify.language.statement import BREAKS as BREAKS
+from verify.language.statement import HARMLESS as HARMLESS
+from verify.language.statement import NEEDED, PRINTED, PROVED, Always, Applies, Obligation
+from verify.language.statement import OTHERWISE as OTHERWISE
+from verify.language.statement import REMARK as REMARK
+from verify.language.statement import SEVERITIES as SEVERITIES
+from verify.language.statement import SLIP as SLIP
 from verify.language.terms import Claim
-
-__all__ = [
-    "BREAKS",
-    "HARMLESS",
-    "OTHERWISE",
-    "REMARK",
-    "SEVERITIES",
-    "SLIP",
-    "Cause",
-    "Remark",
-    "graded",
-    "misprint",
-    "needed",
-    "printed",
-]
 
 
 class Cause(Record):

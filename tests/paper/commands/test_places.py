@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from verify.paper.commands import everywhere, index, spectrum, step
-from verify.paper.commands.index import ROOT, near, written
+from verify.paper.commands.index import near, written
+from verify.paper.commands.place import ROOT
 from verify.paper.commands.places import places
 from verify.paper.theorem1 import theorem
 

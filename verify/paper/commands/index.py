@@ -13,33 +13,8 @@ from difflib import get_close_matches
 from functools import cache
 from hashlib import sha256
 
-from verify.language.record import Record
+from verify.paper.commands.place import ROOT, Place
 from verify.wire.packaged import PACKAGED
-
-#: The folder in which `verify` is.
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(__file__))))
-
-
-class Place(Record):
-    """A name of the paper's room, what it says there, and where it is written."""
-
-    name: str
-    label: str
-    says: str
-    path: str
-    line: int
-
-    @property
-    def part(self) -> str:
-        """The folder inside `verify/paper/`, or '' for Theorem 1 at a point."""
-        between = self.path.split("/")[2:-1]
-        return between[0] if between else ""
-
-    @property
-    def short(self) -> str:
-        """The name without its group."""
-        return self.name.partition(".")[2]
-
 
 #: A line with the digest of the sources, then one for each place.
 INDEX = os.path.join(PACKAGED, "places.txt")

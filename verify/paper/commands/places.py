@@ -21,7 +21,7 @@ from typing import Any
 from verify import paper
 from verify.language.argument import Chapter, Line, Opened
 from verify.language.statement import Context, Obligation
-from verify.paper.commands.index import ROOT, Place
+from verify.paper.commands.place import ROOT, Place
 from verify.paper.initial_data import ConstantSet
 from verify.paper.letters import Refuted
 from verify.paper.parameters import PRINTED, REPAIRED

@@ -42,7 +42,6 @@ NORMAL = "PROPOSS3.4CLineConveNorma"
 NEARLY = "PROPOSS3.4CLineConveTangt"
 FIRST = "EQUATSS2.2Eta_1PrimeVers1"
 TIME = "EQUATSS2.2TempsColliTauV3"
-SPEEDS = "EQUATSS2.2ViteRPostCVers2"
 
 n = Letters(
     "map", r="r", d="d", y="|η₂|", eta="η₁", cos="ω₁·ω₂", a="ω₁·W₂", b="ω₂·W₁", A="|W₂|²",

@@ -1,0 +1,31 @@
+"""A name of the paper's room, and where it is written."""
+
+from __future__ import annotations
+
+import os
+
+from verify.language.record import Record
+
+#: The folder in which `verify` is.
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(__file__))))
+
+
+class Place(Record):
+    """A name of the paper's room, what it says there, and where it is written."""
+
+    name: str
+    label: str
+    says: str
+    path: str
+    line: int
+
+    @property
+    def part(self) -> str:
+        """The folder inside `verify/paper/`, or '' for Theorem 1 at a point."""
+        between = self.path.split("/")[2:-1]
+        return between[0] if between else ""
+
+    @property
+    def short(self) -> str:
+        """The name without its group."""
+        return self.name.partition(".")[2]

@@ -128,6 +128,7 @@ def _impact() -> Iterator[Item]:
     )  # fmt: skip
 
 
+#: The bound of |W_s| less the sum of all later changes.
 high = w_s - gain * g
 
 

@@ -81,7 +81,7 @@ def sizes() -> Iterator[Item]:
     yield from _root()
 
 
-def orbit() -> Iterator[Item]:
+def next_point() -> Iterator[Item]:
     """P, Q' and U', and where they lie."""
     radicand = 1 - load / pace / pace
     both = times(plus("U-room", "U-next-one"), power("pace-positive", 2))

@@ -79,7 +79,7 @@ def _chapters() -> Iterator[Chapter]:
     yield Chapter(START, (*state.lines(), Opened(state.context(), state.opening())))
     yield Chapter(
         CONTEXT,
-        (*flight.sizes(), *flight.orbit(), *flight.lines(), *collision.lines(),
+        (*flight.sizes(), *flight.next_point(), *flight.lines(), *collision.lines(),
          *collision.conclusion()),
     )  # fmt: skip
     yield from flight.apart()

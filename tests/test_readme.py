@@ -16,8 +16,8 @@ from verify.language.statement import PROVED, REFUTED
 from verify.language.typeset import Typesetter
 from verify.paper.commands import everywhere
 from verify.paper.commands.theorem1 import decide_point
-from verify.paper.groups import REPAIRED
 from verify.paper.initial_data import ConstantSet
+from verify.paper.parameters import REPAIRED
 from verify.paper.rows import BREAKS
 from verify.paper.theorem1 import theorem
 from verify.prover.ground import DEFAULT_MAX_PRECISION, DEFAULT_PRECISION

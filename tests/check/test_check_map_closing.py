@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from verify import check_map
-from verify.paper.sharper.numbers import ROOM, SUMS, T, V, eta_0, k, total
+from verify.paper.sharper.state import ROOM, SUMS, T, V, eta_0, k, total
 from verify.prover.program import ExactArithmetic, Machine, Program
 from verify.spheres.map.boxes import verdicts
 from verify.spheres.map.closing import NUMBERS, OTHERS
@@ -45,7 +45,7 @@ def violated(numbers: dict[str, Fraction], z: check_map.Sight) -> set[str]:
     values["T"] = 2 * numbers["k"] / (1 + root_above(square) - Fraction(2, ABOVE))
     values["V_0"] = max(root_above(max(at["A"], at["B"])), values["eta_0"])
     program = Program((*NUMBERS, *OTHERS))
-    parts = (over / under for over, under in (SUMS[f"turn_{i}"] for i in (1, 2, 3)))
+    parts = (SUMS[f"turn_{i}"].term for i in (1, 2, 3))
     program.define("Theta", total(eta_0, *parts))
     for claim in ROOM.values():
         program.add(claim.lhs), program.add(claim.rhs)

@@ -12,14 +12,9 @@ from verify.cli import main
 from verify.language.errors import OwnError
 from verify.language.statement import Constant
 from verify.language.terms import Term, minimum, substitute, substitute_claim, symbol
-from verify.paper import preliminaries, printed_definitions, theorem1
-from verify.paper.groups import PRINTED
-from verify.paper.printed_definitions import (
-    DEFINITIONS,
-    AsPrinted,
-    check_definitions,
-    complaints,
-)
+from verify.paper import initial_data, printed_definitions, theorem1
+from verify.paper.parameters import PRINTED
+from verify.paper.printed_definitions import DEFINITIONS, AsPrinted, check_definitions, complaints
 from verify.paper.theorem1 import theorem
 
 OPERATIONS: Mapping[str, Callable[..., Any]] = {
@@ -110,10 +105,10 @@ def test_theorem1_says_nothing_of_theorem_1_with_another_definition(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     altered = tuple(
-        constant._replace(term=1 - preliminaries.delta_3 / 2)
+        constant._replace(term=1 - initial_data.delta_3 / 2)
         if constant.name == "C_eta"
         else constant
-        for constant in preliminaries.CONSTANTS
+        for constant in initial_data.CONSTANTS
     )
     monkeypatch.setattr(theorem1, "CONSTANTS", altered)
     theorem.cache_clear()

@@ -25,9 +25,10 @@ from verify.language.statement import (
     Obligation,
 )
 from verify.language.terms import as_term, cos_pi, symbol
-from verify.paper import groups, initial_data
+from verify.paper import initial_data
 from verify.paper.assumptions import KINDS
 from verify.paper.commands.theorem1 import decide_point
+from verify.paper.parameters import GROUPS, REPAIRED
 from verify.paper.recursion import _angle_display
 from verify.paper.rows import INSTEAD, SEVERITIES, SLIP, graded, misprint, needed, printed
 from verify.paper.step.numbers import COLLAPSE
@@ -81,7 +82,7 @@ def test_the_group_is_a_field_and_names_are_unique() -> None:
     names = [row.name for row in all_rows()]
     assert len(names) == len(set(names))
     for group, part in theorem().parts.items():
-        assert group in groups.GROUPS
+        assert group in GROUPS
         assert {row.group for row in part.obligations} == {group}
 
 
@@ -116,8 +117,8 @@ def test_functions_of_the_paper_are_short() -> None:
 
 @pytest.mark.parametrize("point", POINTS)
 def test_the_repaired_set_is_proved(point: str) -> None:
-    found = at(point).of_group(groups.REPAIRED)
-    rows = theorem().parts[groups.REPAIRED].obligations
+    found = at(point).of_group(REPAIRED)
+    rows = theorem().parts[REPAIRED].obligations
     assert [row.name for row, _ in found] == [*(row.name for row in rows), COLLAPSE]
     assert {decision.verdict for _, decision in found} == {PROVED}
     assert at(point).verdict == PROVED
@@ -153,7 +154,7 @@ def test_the_severity_of_each_false_step_is_computed() -> None:
     """What does its work is rows of the printed set: with the paper's own constants."""
     steps = {row.name for row in all_rows() if row.severity in (BREAKS, HARMLESS)}
     assert set(INSTEAD) == steps
-    known = {row.name for row in theorem().parts[groups.PRINTED].obligations}
+    known = {row.name for row in theorem().parts[PRINTED].obligations}
     assert {name for names in INSTEAD.values() for name in names} <= known
 
 
@@ -304,7 +305,7 @@ def assert_display_fails(s: dict[str, Any], tau: Any) -> None:
 
 def test_angle_sign_is_the_display_at_that_state() -> None:
     outcome = at("3/100")
-    claim = _angle_display(initial_data.ConstantSet(groups.PRINTED))
+    claim = _angle_display(initial_data.ConstantSet(PRINTED))
     row = next(row for row, _ in outcome.rows if row.name == "printed.angle-sign")
     assert row.claim == claim
     sides = outcome.decisions[row.name].sides

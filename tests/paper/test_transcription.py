@@ -17,7 +17,7 @@ from tests.measure.test_second_opinion import random_points
 from tests.paper import transcription
 from tests.points import parameters
 from verify.paper.commands.theorem1 import decide_point
-from verify.paper.groups import HYPOTHESES, PRINTED
+from verify.paper.parameters import HYPOTHESES, PRINTED
 from verify.paper.theorem1 import theorem
 from verify.prover.outcome import Outcome
 

@@ -25,7 +25,7 @@ from verify.paper.commands.covers import (
     stability,
     threshold_boxes,
 )
-from verify.paper.groups import PRINTED, REPAIRED
+from verify.paper.parameters import PRINTED, REPAIRED
 from verify.prover import balls
 from verify.prover.cover import Field, Values, parts, refined
 from verify.prover.ground import Ground

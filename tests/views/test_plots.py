@@ -17,7 +17,7 @@ from verify.paper.commands.everywhere import decide_everywhere, decide_printed_e
 from verify.paper.commands.report import plotted
 from verify.paper.commands.thresholds import bands, certified, decide_thresholds
 from verify.paper.everywhere.thresholds import STRIPS
-from verify.paper.groups import PRINTED, REPAIRED
+from verify.paper.parameters import PRINTED, REPAIRED
 from verify.paper.spectrum.complex_pair import imaginary_square, r_of_m, real_part
 from verify.paper.spectrum.printed import Printed
 from verify.prover.outcome import Decision

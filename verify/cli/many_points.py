@@ -14,7 +14,7 @@ from verify.cli.terminal import show
 from verify.cli.theorem1_point import DEFAULTS, POINT_OPTIONS, read_parameters
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import REFUTED, UNDECIDED
-from verify.paper.groups import PRINTED
+from verify.paper.parameters import PRINTED
 from verify.paper.rows import INSTEAD
 from verify.paper.source import PAPER
 from verify.prover.decimals import exact_number

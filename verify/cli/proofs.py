@@ -29,7 +29,8 @@ def statements() -> Mapping[str, Callable[[], Outcome]]:
         everywhere,  # load flint
     )
 
-    return {**certificates.THEOREMS, AS_PRINTED: everywhere.decide_printed_everywhere}
+    decided = {theorem.folder: theorem.decide for theorem in certificates.THEOREMS}
+    return {**decided, AS_PRINTED: everywhere.decide_printed_everywhere}
 
 
 def names_with(where: str, word: str) -> dict[str, bool]:

@@ -10,7 +10,7 @@ from verify.cli.terminal import add_color, show
 from verify.cli.theorem1_point import DEFAULTS, read_parameters
 from verify.paper.commands.citing import as_printed
 from verify.paper.commands.theorem1 import decide_point
-from verify.paper.groups import SELECTIONS
+from verify.paper.parameters import SELECTIONS
 from verify.paper.source import PAPER
 from verify.views.screen import screen
 from verify.wire.inputs import InputError, integer

@@ -194,7 +194,7 @@ def argue(
         item.context for chapter in chapters for item in chapter.items if isinstance(item, Opened)
     )
     rows = tuple(
-        _obligation(item, theorem, chapter.context)
+        row_of(item, theorem, chapter.context)
         for chapter in chapters
         for item in chapter.items
         if isinstance(item, Line) and item.says
@@ -202,7 +202,8 @@ def argue(
     return Argument(Statement(theorem, title, {}, (), contexts, rows, assumptions), chapters)
 
 
-def _obligation(line: Line, group: str, context: str | None) -> Obligation:
+def row_of(line: Line, group: str, context: str | None) -> Obligation:
+    """The obligation that a line is, if it says something."""
     return Obligation(
         line.name, group, line.label, NEEDED, line.says, line.claim, line.uses, context=context
     )

@@ -23,7 +23,7 @@ from verify.measure.bench import definitions_program
 from verify.measure.engines import CheckerEngine, load
 from verify.paper.commands import eigenvalues
 from verify.paper.commands.theorem1 import decide_point
-from verify.paper.groups import HYPOTHESES
+from verify.paper.parameters import HYPOTHESES
 from verify.prover import balls
 from verify.prover.budget import WorkBudget
 from verify.prover.constants import MAX_BITS

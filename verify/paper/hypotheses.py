@@ -20,11 +20,9 @@ from fractions import Fraction
 
 from verify.language.statement import Obligation
 from verify.language.terms import Claim, as_term, sqrt
-from verify.paper.groups import HYPOTHESES
-from verify.paper.initial_data import ConstantSet
-from verify.paper.parameters import THEOREM, V_0, c, delta_theta, r
-from verify.paper.preliminaries import (
+from verify.paper.initial_data import (
     C_eta,
+    ConstantSet,
     alpha_0,
     delta_1,
     delta_2,
@@ -38,6 +36,7 @@ from verify.paper.preliminaries import (
     phi_minus,
     phi_plus,
 )
+from verify.paper.parameters import HYPOTHESES, THEOREM, V_0, c, delta_theta, r
 from verify.paper.rows import OTHERWISE, REMARK, SLIP, misprint, needed
 
 RESTITUTION = "EQUATSS4.1ThExiCondi_r_1_"

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
+from itertools import chain
 
-from verify.language.argument import Chapter, Item, Line, Opened
+from verify.language.argument import Argument, Chapter, Item, Line, Opened, argue
 from verify.language.record import Record
-from verify.language.statement import Context, Given, Obligation, Variable
+from verify.language.statement import Assumption, Context, Given, Obligation, Variable
 from verify.language.terms import Claim, Number, Term, as_term, symbol
 from verify.language.vectors import Combination, add, scale
 from verify.paper.rows import misprint
@@ -133,12 +134,21 @@ def refuted(
     return Refuted(row, letters.point(at))
 
 
-def headings_of(sections: Mapping[str, Callable[[], Iterable[Chapter]]]) -> dict[str, str]:
-    """The heading of each line, for the chapters that stand under each heading."""
-    return {
+def sectioned(
+    name: str,
+    title: str,
+    sections: Mapping[str, Callable[[], Iterable[Chapter]]],
+    assumptions: tuple[Assumption, ...],
+) -> Argument:
+    """The statement whose chapters stand under headings; its rows have these for their groups."""
+    chapters = {heading: tuple(section()) for heading, section in sections.items()}
+    written = argue(name, title, chain(*chapters.values()), assumptions)
+    headings = {
         item.name: heading
-        for heading, chapters in sections.items()
-        for chapter in chapters()
+        for heading, own in chapters.items()
+        for chapter in own
         for item in chapter.items
         if isinstance(item, Line)
     }
+    rows = (row._replace(group=headings[row.name]) for row in written.statement.obligations)
+    return written._replace(statement=written.statement._replace(obligations=tuple(rows)))

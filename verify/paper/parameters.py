@@ -1,4 +1,4 @@
-"""The parameters of the theorem `THEORSS4.1ExistenCollapse`.
+"""The parameters of the theorem `THEORSS4.1ExistenCollapse`, and the groups of its rows.
 
 ``r`` is the restitution coefficient, ``c`` is -cos(theta_0), ``delta_theta`` the allowed deviation
 of the final angle (in -cos), ``V_0`` the lower bound on the squared relative speeds.
@@ -6,6 +6,9 @@ of the final angle (in -cos), ``V_0`` the lower bound on the squared relative sp
 
 from __future__ import annotations
 
+from verify.language.statement import HYPOTHESES as HYPOTHESES
+from verify.language.statement import PRINTED as PRINTED
+from verify.language.statement import REPAIRED as REPAIRED
 from verify.language.terms import symbol
 
 THEOREM = "THEORSS4.1ExistenCollapse"
@@ -15,3 +18,12 @@ r = symbol("r")
 c = symbol("c")
 V_0 = symbol("V_0")
 delta_theta = symbol("delta_theta")
+
+GROUPS = (HYPOTHESES, PRINTED, REPAIRED)
+
+#: The sets of constants that each value of ``--constants`` asks for.
+SELECTIONS = {
+    "printed": (PRINTED,),
+    "repaired": (REPAIRED,),
+    "all": (PRINTED, REPAIRED),
+}

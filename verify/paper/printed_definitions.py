@@ -18,12 +18,10 @@ from verify.language.fold import RATIONAL, MissingOperationError, fold
 from verify.language.record import Record
 from verify.language.statement import Constant
 from verify.language.terms import Claim, Term, equal, minimum, sqrt, substitute, substitute_claim
-from verify.paper.groups import PRINTED
-from verify.paper.initial_data import ConstantSet
-from verify.paper.parameters import THEOREM, V_0, c, delta_theta, r
-from verify.paper.preliminaries import (
+from verify.paper.initial_data import (
     V_1,
     C_eta,
+    ConstantSet,
     alpha_0,
     delta_1,
     delta_2,
@@ -35,6 +33,7 @@ from verify.paper.preliminaries import (
     phi_minus,
     phi_plus,
 )
+from verify.paper.parameters import PRINTED, THEOREM, V_0, c, delta_theta, r
 
 
 class AsPrinted(Record):

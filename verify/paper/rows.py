@@ -8,38 +8,17 @@ wording; whether a step that is false breaks the argument follows from the verdi
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import partial
 
 from verify.language.record import Record
-from verify.language.statement import (
-    BREAKS,
-    HARMLESS,
-    NEEDED,
-    OTHERWISE,
-    PRINTED,
-    PROVED,
-    REMARK,
-    SEVERITIES,
-    SLIP,
-    Always,
-    Applies,
-    Obligation,
-)
+from verify.language.statement import BREAKS as BREAKS
+from verify.language.statement import HARMLESS as HARMLESS
+from verify.language.statement import NEEDED, PRINTED, PROVED, Always, Applies, Obligation
+from verify.language.statement import OTHERWISE as OTHERWISE
+from verify.language.statement import REMARK as REMARK
+from verify.language.statement import SEVERITIES as SEVERITIES
+from verify.language.statement import SLIP as SLIP
 from verify.language.terms import Claim
-
-__all__ = [
-    "BREAKS",
-    "HARMLESS",
-    "OTHERWISE",
-    "REMARK",
-    "SEVERITIES",
-    "SLIP",
-    "Cause",
-    "Remark",
-    "graded",
-    "misprint",
-    "needed",
-    "printed",
-]
 
 
 class Cause(Record):
@@ -56,7 +35,8 @@ class Remark(Record):
     text: str
 
 
-def needed(
+def _row(
+    role: str,
     name: str,
     label: str,
     says: str,
@@ -66,22 +46,13 @@ def needed(
     group: str,
     context: str | None = None,
 ) -> Obligation:
-    """A row that has to hold: a premise of the step, or the paper's own way to what that proves."""
-    return Obligation(name, group, label, NEEDED, says, claim, tuple(uses), context=context)
+    return Obligation(name, group, label, role, says, claim, tuple(uses), context=context)
 
 
-def printed(
-    name: str,
-    label: str,
-    says: str,
-    claim: Claim | Applies | Always,
-    uses: Iterable[str] = (),
-    *,
-    group: str,
-    context: str | None = None,
-) -> Obligation:
-    """A row of the paper against which nothing is known."""
-    return Obligation(name, group, label, PRINTED, says, claim, tuple(uses), context=context)
+#: A row that has to hold: a premise of the step, or the paper's own way to what that proves.
+needed = partial(_row, NEEDED)
+#: A row of the paper against which nothing is known.
+printed = partial(_row, PRINTED)
 
 
 def misprint(

@@ -6,13 +6,11 @@ from functools import cache
 
 from verify.language.record import Record
 from verify.language.statement import Assumption, Change, Choice, Constant, Obligation
-from verify.paper import initial_data, initialization, recursion
+from verify.paper import initial_data, recursion
 from verify.paper.assumptions import ASSUMPTIONS
-from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.hypotheses import hypotheses, observations
-from verify.paper.initial_data import ConstantSet
-from verify.paper.parameters import PARAMETERS, THEOREM
-from verify.paper.preliminaries import CONSTANTS
+from verify.paper.initial_data import CONSTANTS, ConstantSet
+from verify.paper.parameters import HYPOTHESES, PARAMETERS, PRINTED, REPAIRED, THEOREM
 from verify.paper.printed_definitions import check_definitions
 from verify.paper.rows import Cause, Remark
 
@@ -71,7 +69,7 @@ def theorem() -> Theorem:
     Raises:
         OwnError: if a constant is not defined as in the paper.
     """
-    first = (observations, initial_data.rows, initialization.rows)
+    first = (observations, initial_data.rows, recursion.initialization)
     sections = (*first, recursion.rows, recursion.conclusion)
     parts = {HYPOTHESES: Part(HYPOTHESES, (), tuple(hypotheses()))}
     for group in (PRINTED, REPAIRED):

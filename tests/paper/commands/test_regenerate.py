@@ -11,8 +11,10 @@ import pytest
 
 from tests.check.support import INTERVAL, Pair
 from tests.points import parameters
+from tests.readme_commands import ROOT
 from verify.cli import main
 from verify.paper.commands import spectrum, step
+from verify.paper.commands.certificates import THEOREMS
 from verify.paper.commands.regenerate import is_right_statement
 from verify.paper.commands.theorem1 import decide_point
 from verify.wire.write import encode, write
@@ -109,3 +111,10 @@ def test_check_statement_of_a_scene_with_a_root_among_its_parameters(
         (tmp_path / name).write_bytes(data)
     assert main(["check", "--statement", str(tmp_path)]) == 4
     assert "STATEMENT: it is not the one that the program makes" in capsys.readouterr().out
+
+
+def test_a_theorem_has_the_name_in_its_folder() -> None:
+    """By its name a statement is compared with what the program makes."""
+    for theorem in THEOREMS:
+        path = Path(ROOT, "certificates", theorem.folder, "statement.json")
+        assert json.loads(path.read_bytes())["theorem"] == theorem.name

@@ -18,8 +18,7 @@ from tests.spheres.scene.random_scenes import random_scene
 from tests.spheres.scene.scenes import CASES, aligned, at_angle
 from verify import check
 from verify.paper.commands.regenerate import is_right_statement
-from verify.paper.commands.scene import scene_outcome
-from verify.paper.commands.scene_statements import read_back
+from verify.paper.commands.scene import read_back, scene_outcome
 from verify.spheres.scene.decide import UNDECIDED, Budget, decide_scene
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.scene_files import read_scene

@@ -23,7 +23,7 @@ from verify.language.statement import (
 from verify.language.terms import Claim, Term, as_term, cos, cos_pi
 from verify.paper.commands import theorem1
 from verify.paper.commands.theorem1 import decide_point
-from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED, SELECTIONS
+from verify.paper.parameters import HYPOTHESES, PRINTED, REPAIRED, SELECTIONS
 from verify.paper.theorem1 import Theorem, theorem
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome

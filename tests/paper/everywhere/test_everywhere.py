@@ -16,7 +16,7 @@ from verify.paper.commands import everywhere, step
 from verify.paper.commands.everywhere import decide_everywhere
 from verify.paper.everywhere.chart import CONTEXT, constants
 from verify.paper.everywhere.everywhere import statement
-from verify.paper.groups import REPAIRED
+from verify.paper.parameters import REPAIRED
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.balls import BallArithmetic

@@ -14,7 +14,7 @@ from verify.language.terms import Claim, Term
 from verify.paper.commands.thresholds import decide_thresholds, gap, shares
 from verify.paper.everywhere import thresholds as paper
 from verify.paper.everywhere.chart import CONTEXT
-from verify.paper.groups import PRINTED
+from verify.paper.parameters import PRINTED
 from verify.paper.theorem1 import theorem
 from verify.prover import balls
 from verify.prover.balls import BallArithmetic

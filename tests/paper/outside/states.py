@@ -11,8 +11,8 @@ from flint import arb
 from tests.paper.sandwich.states import Random, Values, start_of
 from tests.paper.sharper.particles import Particles
 from verify.language.terms import Claim, Term
-from verify.paper.outside.floor import context, step_of
-from verify.paper.outside.numbers import GIVENS
+from verify.paper.outside.state import GIVENS
+from verify.paper.sandwich.comparison import floor, step
 from verify.prover import balls
 from verify.spheres.flow.collapse import Start
 from verify.spheres.flow.sandwich import above, below
@@ -61,7 +61,7 @@ def step_at(at: Values, n: int, here: Point) -> tuple[arb, arb, arb]:
     v_s, w_c = (at["v_0"], at["w_1"]) if n % 2 else (at["v_1"], at["w_0"])
     Q, U = map(balls.exact, here)
     names = {"a": (1 + at["r"]) / 2 * at["G"] * at["C_p"], "rho": (v_s / w_c) ** 2, "R": at["r"]}
-    terms = step_of(*(Term("symbol", x) for x in ("a", "rho", "R", "Q", "U")))
+    terms = step(*(Term("symbol", x) for x in ("a", "rho", "R", "Q", "U")))
     known = {**names, "Q": Q, "U": U}
     return value(terms.P, known), value(terms.load, known), at["r"] * (1 - U)
 
@@ -75,7 +75,7 @@ def ends(at: Values, n: int, here: Point) -> bool:
 def fails(at: Values, points: tuple[Point, ...]) -> list[str]:
     """The hypotheses that are not certain."""
     found = [name for name, claim in GIVENS.items() if not holds(claim, at)]
-    steps = [given for given in context().givens if "rises" in given.name or "next" in given.name]
+    steps = [given for given in floor().givens if "rises" in given.name or "next" in given.name]
     for n, (here, following) in enumerate(pairwise(points)):
         v_s, w_c = (at["v_0"], at["w_1"]) if n % 2 else (at["v_1"], at["w_0"])
         named = dict(zip(("Q_n", "U_n", "Q_next", "U_next"), (*here, *following), strict=True))

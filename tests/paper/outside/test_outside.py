@@ -23,9 +23,10 @@ from tests.paper.sandwich.states import Random, values_of
 from tests.paper.sandwich.states import fails as fails_inside
 from verify.language.statement import PROVED
 from verify.language.terms import Claim
-from verify.paper.commands.sandwich import decide_outside
-from verify.paper.outside import floor, numbers, state
+from verify.paper.commands.collapse import decide_outside
+from verify.paper.outside import state
 from verify.paper.outside.outside import outside
+from verify.paper.sandwich import comparison
 from verify.prover import balls
 from verify.prover.proof import LemmaStep
 from verify.spheres.flow.collapse import Start, start_of
@@ -68,30 +69,32 @@ def test_glue_names_facts_that_are_there() -> None:
 def test_the_point_is_inside() -> None:
     """No given is sharp at the point but that v is the smaller speed."""
     with balls.precision(BITS):
-        point = {name: balls.exact(Fraction(text)) for name, text in numbers.POINT.items()}
+        point = {
+            name: balls.exact(term.value) for name, term in state.start_context().point.items()
+        }
         at = {name: arb(x) for name, x in point.items()}
-        for name, claim in numbers.GIVENS.items():
+        for name, claim in state.GIVENS.items():
             strict = Claim("<", claim.lhs, claim.rhs)
             assert holds(strict, at) or name in ("v_0-least", "v_1-least"), name
 
 
-GIVENS = [*numbers.GIVENS, *(given.name for given in floor.context().givens)]
+GIVENS = [*state.GIVENS, *(given.name for given in comparison.floor().givens)]
 
 
-@pytest.mark.parametrize("name", [*GIVENS, *numbers.PAIRS, "approaches-again", "meets-again"])
+@pytest.mark.parametrize("name", [*GIVENS, *state.PAIRS, "approaches-again", "meets-again"])
 def test_each_given_is_used(name: str) -> None:
     assert answer(without(decide_outside(), name)) in {"REFUSED", "MALFORMED"}
 
 
-@pytest.mark.parametrize("name", [*numbers.GIVENS])
+@pytest.mark.parametrize("name", [*state.GIVENS])
 def test_a_weaker_given_is_refused(name: str) -> None:
-    claim = numbers.GIVENS[name]
+    claim = state.GIVENS[name]
     weaker = Claim(claim.relation, claim.lhs, claim.rhs + Fraction(1, 10**6))
     assert answer(changed(decide_outside(), name, weaker)) == "REFUSED"
 
 
 #: The theorem as it might be miswritten: a factor, a sign, an index.
-n, f = numbers, floor
+n, f = state, comparison.f
 MUTANTS: dict[str, tuple[str, Claim]] = {
     "the-other-speed": (
         "start-u",
@@ -101,16 +104,16 @@ MUTANTS: dict[str, tuple[str, Claim]] = {
     "no-later-loss": ("start-B-least", n.v_1**2 <= n.start.B),
     "no-turning": ("start-C", n.start.C <= n.C_p),
     "reach-forgotten": ("start-reach", n.start.y**2 <= n.v**2 * (n.G**2 - 1)),
-    "share-forgotten": ("floor-rises-Q", f.n.Q_next <= f.n.R * (1 - f.n.U_n)),
+    "share-forgotten": ("floor-rises-Q", f.Q_next <= f.R * (1 - f.U_n)),
     "power-of-P": (
         "floor-rises-U",
-        f.n.U_next * (2 - f.n.U_next) * f.below.P <= f.below.load,
+        f.U_next * (2 - f.U_next) * comparison.floor_step.P <= comparison.floor_step.load,
     ),
     "twice-the-load": (
         "floor-rises-U",
-        f.n.U_next * (2 - f.n.U_next) * f.below.P**2 <= 2 * f.below.load,
+        f.U_next * (2 - f.U_next) * comparison.floor_step.P**2 <= 2 * comparison.floor_step.load,
     ),
-    "grazing": ("floor-meets", f.above.load <= f.above.P**2),
+    "grazing": ("floor-meets", comparison.over_step.load <= comparison.over_step.P**2),
     "once-only": ("meets-again", 0 <= state.y),
 }
 

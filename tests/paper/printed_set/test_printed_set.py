@@ -19,7 +19,8 @@ from verify.language.terms import Claim, as_term
 from verify.paper.commands.citing import as_printed
 from verify.paper.commands.printed_set import decide_printed_set, decide_printed_sign
 from verify.paper.commands.theorem1 import decide_point
-from verify.paper.printed_set import initial, numbers, sign
+from verify.paper.printed_set import numbers, sign
+from verify.paper.step.initial import CONTEXT
 from verify.prover.outcome import Outcome
 from verify.wire.judge import report_on
 from verify.wire.packaged import PACKAGED_FILES, PRINTED_SET, PRINTED_SIGN, packaged_files
@@ -39,7 +40,7 @@ def test_both_statements_are_proved() -> None:
 def test_the_set_is_the_printed_one() -> None:
     statement = decide_printed_set().statement
     (row,) = (row for row in statement.obligations if row.name == "collapse")
-    assert row.context == initial.CONTEXT
+    assert row.context == CONTEXT
     names = {constant.name for context in statement.contexts for constant in context.constants}
     assert not any(name.startswith("repaired") for name in names)
     assert [given.name for given in statement.contexts[0].givens] == [

@@ -13,7 +13,7 @@ from tests.paper.sharper.particles import Particles, Vector, combine, dot
 from verify.language.statement import Context
 from verify.language.terms import Claim, Term
 from verify.paper.sandwich.comparison import stair
-from verify.paper.sandwich.numbers import GIVENS
+from verify.paper.sandwich.state import GIVENS
 from verify.prover import balls
 from verify.spheres.flow.collapse import Start
 from verify.spheres.flow.sandwich import Stair, numbers_of, search

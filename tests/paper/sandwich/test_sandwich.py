@@ -14,8 +14,8 @@ from tests.paper.sandwich.states import Applied, Random, Values, fails, holds
 from tests.paper.sharper.particles import dot
 from verify.language.statement import PROVED
 from verify.language.terms import Claim
-from verify.paper.commands.sandwich import decide_sandwich
-from verify.paper.sandwich import comparison, numbers, state
+from verify.paper.commands.collapse import decide_sandwich
+from verify.paper.sandwich import comparison, state
 from verify.paper.sandwich.sandwich import sandwich
 from verify.prover import balls
 from verify.prover.proof import LemmaStep
@@ -61,9 +61,9 @@ def test_glue_names_facts_that_are_there() -> None:
 
 def test_the_point_is_inside() -> None:
     """No given is sharp at the point but that w is the smaller speed."""
-    point = {name: balls.exact(Fraction(text)) for name, text in numbers.POINT.items()}
+    point = {name: balls.exact(term.value) for name, term in state.start_context().point.items()}
     sharp = {"w_0-least", "w_1-least"}
-    for name, claim in numbers.GIVENS.items():
+    for name, claim in state.GIVENS.items():
         assert holds(Claim("<", claim.lhs, claim.rhs), point) or name in sharp, name
 
 
@@ -73,20 +73,20 @@ def test_the_point_is_inside() -> None:
 STAIR = [given.name for given in (*comparison.stair().givens, *comparison.orbit().givens)]
 
 
-@pytest.mark.parametrize("name", [*numbers.GIVENS, *state.PAIRS, *STAIR, "approaches", "meets"])
+@pytest.mark.parametrize("name", [*state.GIVENS, *state.PAIRS, *STAIR, "approaches", "meets"])
 def test_each_given_is_used(name: str) -> None:
     assert answer(without(decide_sandwich(), name)) in {"REFUSED", "MALFORMED"}
 
 
-@pytest.mark.parametrize("name", [*numbers.GIVENS])
+@pytest.mark.parametrize("name", [*state.GIVENS])
 def test_a_weaker_given_is_refused(name: str) -> None:
-    claim = numbers.GIVENS[name]
+    claim = state.GIVENS[name]
     weaker = Claim(claim.relation, claim.lhs, claim.rhs + Fraction(1, 10**6))
     assert answer(changed(decide_sandwich(), name, weaker)) == "REFUSED"
 
 
 #: The theorem as it might be miswritten: a factor, a sign, an index.
-n, m = numbers, comparison
+n, m = state, comparison
 MUTANTS: dict[str, tuple[str, Claim]] = {
     "the-other-speed": (
         "start-u",

@@ -14,9 +14,9 @@ from tests.paper.sharper.states import Numbers, Random
 from verify import check
 from verify.language.statement import NEEDED, PROVED, Applies, Cite, Context, Obligation, Statement
 from verify.language.terms import Claim, Term, as_term, sqrt
-from verify.paper.commands.sharper import decide_sharper
+from verify.paper.commands.collapse import decide_sharper
 from verify.paper.dynamics.carried import START
-from verify.paper.sharper import numbers, state
+from verify.paper.sharper import state
 from verify.paper.sharper.sharper import sharper
 from verify.prover import balls
 from verify.prover.outcome import Decision, Outcome
@@ -60,15 +60,15 @@ def test_glue_names_rows_that_are_there() -> None:
 
 def test_the_point_is_inside() -> None:
     """No given is sharp at the point: the theorem is about a set with an interior."""
-    point = {name: Fraction(text) for name, text in numbers.POINT.items()}
-    for name, claim in numbers.GIVENS.items():
+    point = {name: term.value for name, term in state.start_context().point.items()}
+    for name, claim in state.GIVENS.items():
         assert value(claim.lhs, point) < value(claim.rhs, point), name
 
 
 # --- what is refused -----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", numbers.GIVENS)
+@pytest.mark.parametrize("name", state.GIVENS)
 def test_each_inequality_and_entry_condition_is_used(name: str) -> None:
     assert answer(without(decide_sharper(), name)) in {"REFUSED", "MALFORMED"}
 
@@ -83,13 +83,13 @@ def weaker(claim: Claim) -> Claim:
     return Claim(claim.relation, claim.lhs, claim.rhs + Fraction(1, 10**6))
 
 
-@pytest.mark.parametrize("name", [*numbers.GIVENS][::3])
+@pytest.mark.parametrize("name", [*state.GIVENS][::3])
 def test_a_weaker_given_is_refused(name: str) -> None:
-    assert answer(changed(decide_sharper(), name, weaker(numbers.GIVENS[name]))) == "REFUSED"
+    assert answer(changed(decide_sharper(), name, weaker(state.GIVENS[name]))) == "REFUSED"
 
 
 #: The theorem as it might be miswritten: a sign, a factor, a power, an end.
-n = numbers
+n = state
 MUTANTS: dict[str, tuple[str, Claim]] = {
     "half-forgotten": ("y-upper-room", n.reach**2 * (n.C_0 + n.Theta) * n.r <= n.ratio * n.reach),
     "reach-once": (
@@ -217,7 +217,7 @@ def value(term: Term, at: Numbers) -> Fraction:
 def room_for_the_angle(at: Numbers) -> Fraction:
     """How far -cos theta may be from C_0 at the start."""
     at_start = {**at, "C_start": at["C_0"]}
-    claim = numbers.GIVENS["start-C-upper"]
+    claim = state.GIVENS["start-C-upper"]
     return value(claim.rhs, at_start) - value(claim.lhs, at_start)
 
 
@@ -257,7 +257,7 @@ def draws(dimension: int) -> tuple[Random, tuple[Numbers, ...]]:
     draw, found = Random(dimension, dimension), []
     while len(found) < 12:
         at = draw.numbers()
-        if at is not None and all(holds(claim, at) for claim in numbers.ROOM.values()):
+        if at is not None and all(holds(claim, at) for claim in state.ROOM.values()):
             found.append(at)
     return draw, tuple(found)
 
@@ -298,9 +298,7 @@ def test_a_follower_that_contradicts_would_be_seen(dimension: int) -> None:
 
 def test_a_statement_cites_the_theorem() -> None:
     """Values of all variables, and each given decided by enclosures: a scene shows no more."""
-    values: dict[str, Term] = {
-        name: as_term(Fraction(text)) for name, text in numbers.POINT.items()
-    }
+    values: dict[str, Term] = dict(state.start_context().point)
     values |= {"C_start": sqrt(as_term(Fraction(90249999, 10**8))), "B_start": sqrt(2) / 3}
     assert verdict_of_scene(values) == "PROVED"
     values["B_start"] = sqrt(2)
@@ -314,7 +312,7 @@ def verdict_of_scene(values: dict[str, Term]) -> str:
     row = Obligation("collapse", "", "", NEEDED, "the particles collapse", applies)
     cite = Cite("sharper", "sharper", theorem["statement.json"])
     statement = Statement("scene", "Three particles", {}, (), (), (row,), (), (cite,))
-    proof = Applying(tuple(Interval(64) for _ in numbers.GIVENS))
+    proof = Applying(tuple(Interval(64) for _ in state.GIVENS))
     decisions = {row.name: Decision(PROVED, proof)}
     files = write(Outcome(statement, decisions, (ObligationStep(row.name, proof),), {}))
     cited = {name[6:-5]: data for name, data in files.items() if name.startswith("cited/")}

@@ -11,7 +11,8 @@ from flint import arb
 
 from verify.language.statement import Context
 from verify.language.terms import Claim
-from verify.paper.step import initial, numbers, state
+from verify.paper.dynamics.state import NAMES
+from verify.paper.step import numbers, state
 from verify.prover import balls
 from verify.prover.balls import BallArithmetic
 from verify.prover.program import Machine, Program
@@ -87,7 +88,7 @@ class Random:
         }
         found = self.with_vectors(v)
         if found is not None:
-            found |= {f"{name}_start": found[name] for name in initial.NAMES}
+            found |= {f"{name}_start": found[name] for name in NAMES}
         return found
 
     def with_vectors(self, v: Values) -> Values | None:

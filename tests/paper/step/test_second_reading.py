@@ -21,9 +21,9 @@ from verify.language.statement import Constant
 from verify.language.terms import Claim, as_term
 from verify.paper.commands.theorem1 import decide_point
 from verify.paper.dynamics import model
+from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import PARAMETERS
 from verify.paper.step import numbers as numbers_of_the_step
-from verify.paper.step import state
 from verify.paper.step.step import step
 from verify.prover.program import ExactArithmetic, Machine, Program
 
@@ -239,7 +239,7 @@ def machine() -> Machine:
 
 def collision_map() -> tuple[Constant, ...]:
     """The constants of the context of a state."""
-    return next(c.constants for c in step().statement.contexts if c.name == state.CONTEXT)
+    return next(c.constants for c in step().statement.contexts if c.name == CONTEXT)
 
 
 class Values:
@@ -352,7 +352,7 @@ def test_every_line_of_the_second_reading_is_accounted_for() -> None:
 
 
 def test_every_row_of_a_state_is_accounted_for() -> None:
-    contexts = {state.CONTEXT, "before", "meanwhile"}
+    contexts = {CONTEXT, "before", "meanwhile"}
     listed = {name for names in ONLY_FIRST.values() for name in names.split()}
     matched = {row for match in MATCHES for row in match.rows} - {"Cnd5-upper"}
     here = {row.name for row in step().statement.obligations if row.context in contexts}

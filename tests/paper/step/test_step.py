@@ -22,6 +22,7 @@ from verify.language.terms import Claim, as_term
 from verify.paper.commands.everywhere import decide_everywhere
 from verify.paper.commands.step import decide_step
 from verify.paper.commands.theorem1 import decide_point
+from verify.paper.dynamics.state import CONTEXT
 from verify.paper.step import initial, numbers, state
 from verify.paper.step.step import step
 from verify.prover import balls
@@ -181,9 +182,9 @@ def claims_in(*contexts: str) -> dict[str, Claim]:
 
 @pytest.mark.parametrize("dimension", [2, 3, 4])
 def test_no_claim_is_violated_at_random_states(dimension: int) -> None:
-    contexts = [c for c in step().statement.contexts if c.name == state.CONTEXT]
+    contexts = [c for c in step().statement.contexts if c.name == CONTEXT]
     names = [*numbers.POINT, *state.carried.following, "t", "s"]
-    claims = claims_in("parameters", state.CONTEXT, "before", "meanwhile")
+    claims = claims_in("parameters", CONTEXT, "before", "meanwhile")
     with balls.precision(BITS):
         draw, seen = Random(dimension, dimension), 0
         violated = checker(contexts, claims, names)
@@ -200,7 +201,7 @@ def test_no_claim_is_violated_at_random_states(dimension: int) -> None:
 
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_orbits_from_the_initial_set_satisfy_all_conditions(dimension: int) -> None:
-    contexts = [c for c in step().statement.contexts if c.name == state.CONTEXT]
+    contexts = [c for c in step().statement.contexts if c.name == CONTEXT]
     names = [*numbers.POINT, *state.carried.following]
     conditions = state.carried.conditions
     with balls.precision(4 * BITS):

@@ -5,10 +5,9 @@ They rest on two definitions, four assumptions of mathematics, and glue.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import cache
 
-from verify.language.argument import Argument, Chapter, argue
+from verify.language.argument import Argument
 from verify.language.statement import Assumption, Obligation
 from verify.paper.classification import (
     collision,
@@ -21,7 +20,7 @@ from verify.paper.classification import (
     second,
     triangle,
 )
-from verify.paper.letters import headings_of
+from verify.paper.letters import sectioned
 
 COLLAPSE = "DEFINSS3.1Collapse_Inelas"
 TRIANGLE = "DEFINSS3.5CollapseTriangu"
@@ -217,18 +216,12 @@ CONCLUDES = {
 @cache
 def classification() -> Argument:
     """The statement with its argument, built once per process."""
-    written = argue(NAME, TITLE, _chapters(), ASSUMPTIONS)
-    headings = headings_of(SECTIONS)
-    rows = tuple(_placed(row, headings[row.name]) for row in written.statement.obligations)
+    written = sectioned(NAME, TITLE, SECTIONS, ASSUMPTIONS)
+    rows = tuple(_concluding(row) for row in written.statement.obligations)
     rows = (*rows, image.stated_row(CONE))
     return written._replace(statement=written.statement._replace(obligations=rows))
 
 
-def _chapters() -> Iterator[Chapter]:
-    for section in SECTIONS.values():
-        yield from section()
-
-
-def _placed(row: Obligation, heading: str) -> Obligation:
+def _concluding(row: Obligation) -> Obligation:
     more = (name for name in CONCLUDES.get(row.name, ()) if name not in row.uses)
-    return row._replace(group=heading, uses=(*row.uses, *more))
+    return row._replace(uses=(*row.uses, *more))

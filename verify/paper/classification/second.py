@@ -10,17 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.argument import (
-    Chapter,
-    Item,
-    Line,
-    Opened,
-    plus,
-    power,
-    proof,
-    scaled,
-    times,
-)
+from verify.language.argument import Chapter, Item, Line, Opened, plus, power, proof, scaled, times
 from verify.language.terms import as_term
 from verify.paper.classification.run import E, half, next_, tau, u_next, v
 from verify.paper.letters import Letters

@@ -11,18 +11,19 @@ from verify.language.record import Record
 from verify.language.terms import Term, as_term, cos_pi
 from verify.paper.commands import (
     classification,
+    collapse,
     elsewhere,
     everywhere,
     printed_set,
-    sandwich,
     scene,
     separatrix,
-    sharper,
     spectrum,
     step,
     theorem1,
     thresholds,
 )
+from verify.paper.parameters import THEOREM
+from verify.paper.step.numbers import STEP
 from verify.prover.outcome import Outcome
 from verify.spheres.scene.decide import UNDECIDED, decide_scene
 from verify.spheres.scene.scene_files import read_scene, scene_bytes
@@ -52,43 +53,41 @@ POINTS = (
     StoredPoint("theorem1-r-3-100", "3/100", as_term(1), "the main job"),
     StoredPoint("theorem1-r-1-1000", "1/1000", as_term(1), "strong dissipation"),
     StoredPoint("theorem1-r-near-stabi", "0.055728", as_term(1), "r next to 9 - 4√5 = 0.05572809…"),
-    StoredPoint(
-        "theorem1-angle-near-threshold",
-        "1/64",
-        as_term(Fraction("0.615384616")),
-        "-cos θ₀ next to its threshold 8/13 = 0.61538461538…",
-    ),
-    StoredPoint(
-        "theorem1-r-1e-6-wide", "1/1000000", as_term(Fraction(1, 20)), "nearly a right angle"
-    ),
-    StoredPoint(
-        "theorem1-theta-5pi-6",
-        "1/100",
-        -cos_pi(Fraction(5, 6)),
-        "an angle whose cosine is irrational",
-    ),
+    StoredPoint("theorem1-angle-near-threshold", "1/64", as_term(Fraction("0.615384616")),
+                "-cos θ₀ next to its threshold 8/13 = 0.61538461538…"),
+    StoredPoint("theorem1-r-1e-6-wide", "1/1000000", as_term(Fraction(1, 20)),
+                "nearly a right angle"),
+    StoredPoint("theorem1-theta-5pi-6", "1/100", -cos_pi(Fraction(5, 6)),
+                "an angle whose cosine is irrational"),
+)  # fmt: skip
+
+
+class Theorem(Record):
+    """What is proved for all values: its folder, its name, and what decides it."""
+
+    folder: str
+    name: str
+    decide: Callable[[], Outcome]
+
+
+THEOREMS = (
+    Theorem("step", STEP, step.decide_step),
+    Theorem("step-printed", "step-printed", step.decide_step_printed),
+    Theorem("theorem1-all", f"{THEOREM} for all parameters", everywhere.decide_everywhere),
+    Theorem("printed-set", f"{THEOREM}, the set as printed", printed_set.decide_printed_set),
+    Theorem("printed-sign", f"{THEOREM}, the sign as printed", printed_set.decide_printed_sign),
+    Theorem("thresholds", f"{THEOREM} as printed, where it depends", thresholds.decide_thresholds),
+    Theorem("spectrum", "THEORSS3.5SpectMatricVitLm", spectrum.decide_spectrum),
+    Theorem("classification", "classification", classification.decide_classification),
+    Theorem("elsewhere", "elsewhere", elsewhere.decide_elsewhere),
+    Theorem("sharper", "sharper", collapse.decide_sharper),
+    Theorem("sandwich", "sandwich", collapse.decide_sandwich),
+    Theorem("outside", "outside", collapse.decide_outside),
+    Theorem("flow", "flow", scene.decide_flow),
+    Theorem("line", "line", scene.decide_line),
+    Theorem("separatrix", "separatrix", separatrix.decide_separatrix),
+    Theorem("separatrix-r-3-100", separatrix.POINT, separatrix.decide_stored),
 )
-
-
-#: What is proved for all values: the folder of each, and what decides it.
-THEOREMS: dict[str, Callable[[], Outcome]] = {
-    "step": step.decide_step,
-    "step-printed": step.decide_step_printed,
-    "theorem1-all": everywhere.decide_everywhere,
-    "printed-set": printed_set.decide_printed_set,
-    "printed-sign": printed_set.decide_printed_sign,
-    "thresholds": thresholds.decide_thresholds,
-    "spectrum": spectrum.decide_spectrum,
-    "classification": classification.decide_classification,
-    "elsewhere": elsewhere.decide_elsewhere,
-    "sharper": sharper.decide_sharper,
-    "sandwich": sandwich.decide_sandwich,
-    "outside": sandwich.decide_outside,
-    "flow": scene.decide_flow,
-    "line": scene.decide_line,
-    "separatrix": separatrix.decide_separatrix,
-    "separatrix-r-3-100": separatrix.decide_stored,
-}
 
 
 def scene_paths(directory: str) -> list[str]:
@@ -105,8 +104,8 @@ def all_folders(directory: str = "certificates") -> Iterator[tuple[str, Outcome]
     """Every folder with its outcome, decided anew; the scenes are the files in its `scenes`."""
     for point in POINTS:
         yield point.folder, theorem1.decide_point(point.parameters)
-    for folder, decide in THEOREMS.items():
-        yield folder, decide()
+    for theorem in THEOREMS:
+        yield theorem.folder, theorem.decide()
     for path in scene_paths(directory):
         found = decide_scene(read_scene(path, scene_bytes(path)))
         if found.verdict != UNDECIDED:

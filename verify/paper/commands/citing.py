@@ -12,8 +12,8 @@ from collections.abc import Mapping
 from verify.language.statement import NEEDED, PROVED, REFUTED, UNDECIDED, Cite
 from verify.language.terms import Claim, sqrt
 from verify.paper.assumptions import STEP_ASSUMPTIONS
-from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
-from verify.paper.preliminaries import alpha_0, discriminant, phi_minus
+from verify.paper.initial_data import alpha_0, discriminant, phi_minus
+from verify.paper.parameters import HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.step import numbers
 from verify.paper.step.numbers import STEP
 from verify.prover.outcome import Decision, Judgement, Outcome, conjunction, names_in

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from functools import cache
 
-from verify.language.statement import REFUTED, Context
+from verify.language.statement import REFUTED
+from verify.language.terms import Claim
 from verify.paper.elsewhere.elsewhere import elsewhere, refutations
 from verify.prover.arguments import NUMBER_BITS, POINT_BITS, Writing
 from verify.prover.outcome import Decision, Outcome
@@ -23,7 +24,8 @@ def decide_elsewhere() -> Outcome:
     contexts = {context.name: context for context in argument.statement.contexts}
     for found in refutations():
         row = writing.rows[found.row.name]
-        premises = _premises(contexts[str(row.context)])
+        givens = contexts[str(row.context)].givens
+        premises = tuple(premise(given.claim, POINT_BITS) for given in givens)
         proof = Witness(found.at, premises, Interval(NUMBER_BITS))
         writing.session.prove_row(row, proof, holds=False)
         writing.decisions[row.name] = Decision(REFUTED, proof)
@@ -31,8 +33,6 @@ def decide_elsewhere() -> Outcome:
     return judged(Outcome(argument.statement, writing.decisions, steps, {}))
 
 
-def _premises(context: Context) -> tuple[Premise, ...]:
-    """Equations hold identically, between rational numbers; enclosures show the rest."""
-    return tuple(
-        Sum() if given.claim.relation == "=" else Interval(POINT_BITS) for given in context.givens
-    )
+def premise(claim: Claim, bits: int) -> Premise:
+    """Why a given holds at a point: equations identically, between rational numbers."""
+    return Sum() if claim.relation == "=" else Interval(bits)

@@ -8,21 +8,14 @@ from functools import cache
 
 from verify.language.argument import Chapter, Line, Opened, ToBeFound
 from verify.language.statement import REFUTED, UNDECIDED, Constant, Obligation, Statement
-from verify.language.terms import (
-    Claim,
-    as_term,
-    names_of,
-    substitute,
-    substitute_claim,
-    symbol,
-)
+from verify.language.terms import Claim, as_term, names_of, substitute, substitute_claim, symbol
 from verify.paper.commands.citing import applying
 from verify.paper.commands.step import decide_step
 from verify.paper.everywhere import angle_display, hints
 from verify.paper.everywhere import chart as paper
 from verify.paper.everywhere.everywhere import printed_statement, statement
-from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
+from verify.paper.parameters import PRINTED, REPAIRED
 from verify.paper.recursion import angle_state
 from verify.paper.rows import graded
 from verify.paper.step import numbers

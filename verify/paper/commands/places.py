@@ -22,9 +22,9 @@ from verify import paper
 from verify.language.argument import Chapter, Line, Opened
 from verify.language.statement import Context, Obligation
 from verify.paper.commands.place import ROOT, Place
-from verify.paper.groups import PRINTED, REPAIRED
 from verify.paper.initial_data import ConstantSet
 from verify.paper.letters import Refuted
+from verify.paper.parameters import PRINTED, REPAIRED
 from verify.paper.spectrum.printed import Printed
 from verify.spheres import flow, scene
 
@@ -69,7 +69,7 @@ def _written_in(module: ModuleType) -> Iterator[Place]:
             for arguments in _arguments(function):
                 if inspect.isgeneratorfunction(function):
                     yield from _yielded(function(*arguments))
-                elif function.__name__ == "context":
+                elif inspect.signature(function).return_annotation == "Context":
                     yield from _known(function(*arguments), *_start(function))
 
 

@@ -8,12 +8,13 @@ from verify.language.argument import Chapter, Opened
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import symbol
 from verify.paper.commands.classification import decide_classification
+from verify.paper.commands.collapse import decide_sharper
 from verify.paper.commands.everywhere import Everywhere
-from verify.paper.commands.sharper import decide_sharper
 from verify.paper.everywhere import chart, hints
-from verify.paper.groups import PRINTED
-from verify.paper.printed_set import initial, numbers, printed_set, sign
-from verify.paper.sharper import numbers as sharper
+from verify.paper.parameters import PRINTED
+from verify.paper.printed_set import numbers, printed_set, sign
+from verify.paper.sharper import state as sharper
+from verify.paper.step.initial import CONTEXT
 from verify.prover.arguments import Writing
 from verify.prover.ground import Ground
 from verify.prover.outcome import Outcome
@@ -39,16 +40,13 @@ def decide_printed_set() -> Outcome:
     for constant in numbers.TURNED:
         work.constant(constant, constant.name)
     work.lines(numbers.conclusions())
-    work.lines(initial.inside())
-    work.writing.chapter(Chapter(None, (Opened(initial.context(), _at_the_point()),)))
-    work.writing.chapter(Chapter(initial.CONTEXT, tuple(initial.lines())))
-    givens = (*(f"room-{name}" for name in sharper.ROOM), *map(initial.premise, sharper.ENTRY))
+    work.lines(printed_set.inside())
+    point = tuple(f"at-{name}" for name in printed_set.GIVENS)
+    work.writing.chapter(Chapter(None, (Opened(printed_set.context(), point),)))
+    work.writing.chapter(Chapter(CONTEXT, tuple(printed_set.lines())))
+    givens = (*(f"room-{name}" for name in sharper.ROOM), *map(printed_set.premise, sharper.ENTRY))
     work.writing.decide(work.writing.rows[printed_set.COLLAPSE], Applying(givens))
     return work.outcome()
-
-
-def _at_the_point() -> tuple[str, ...]:
-    return tuple(f"at-{name}" for name in initial.GIVENS)
 
 
 @cache

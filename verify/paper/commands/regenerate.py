@@ -8,29 +8,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any
 
 from verify.language.statement import PROVED, Statement
 from verify.language.terms import Term
-from verify.paper.commands import (
-    box,
-    classification,
-    elsewhere,
-    everywhere,
-    printed_set,
-    sandwich,
-    scene,
-    scene_statements,
-    separatrix,
-    sharper,
-    spectrum,
-    step,
-    theorem1,
-    thresholds,
-)
-from verify.paper.groups import REPAIRED
-from verify.paper.parameters import THEOREM
-from verify.paper.separatrix.theorem import NAME
+from verify.paper.commands import box, everywhere, scene, separatrix, spectrum, step, theorem1
+from verify.paper.commands.certificates import THEOREMS
+from verify.paper.parameters import REPAIRED, THEOREM
 from verify.prover.outcome import Outcome
 from verify.wire.inputs import are_allowed
 from verify.wire.term_json import TermReader
@@ -39,25 +22,7 @@ from verify.wire.write import write
 #: The sets of constants with which Theorem 1 is proved; the printed set alone proves nothing.
 SELECTIONS = ("all", REPAIRED)
 
-#: What decides a theorem without parameters, by its name.
-WITHOUT_PARAMETERS: dict[str, Callable[[], Outcome]] = {
-    "elsewhere": elsewhere.decide_elsewhere,
-    "THEORSS3.5SpectMatricVitLm": spectrum.decide_spectrum,
-    "step": step.decide_step,
-    f"{THEOREM} for all parameters": everywhere.decide_everywhere,
-    f"{THEOREM} as printed, where it depends": thresholds.decide_thresholds,
-    "classification": classification.decide_classification,
-    "sharper": sharper.decide_sharper,
-    "sandwich": sandwich.decide_sandwich,
-    "outside": sandwich.decide_outside,
-    "flow": scene.decide_flow,
-    "line": scene.decide_line,
-    NAME: separatrix.decide_separatrix,
-    f"{THEOREM}, the set as printed": printed_set.decide_printed_set,
-    f"{THEOREM}, the sign as printed": printed_set.decide_printed_sign,
-}
-
-#: What states those of them that take long to decide.
+#: What states the theorems without parameters that take long to decide.
 ONLY_STATED: dict[str, Callable[[], Statement]] = {
     f"{THEOREM} for all parameters": everywhere.state_everywhere,
     "THEORSS3.5SpectMatricVitLm": spectrum.state_spectrum,
@@ -73,7 +38,9 @@ def is_right_statement(content: bytes) -> bool:
     try:
         document = json.loads(content)
         theorem = str(document["theorem"])
-        parameters, collisions = _parameters(document), _collisions(document)
+        parameters = TermReader().table(document["parameters"])
+        rows = document["obligations"]
+        collisions = sum(row["name"].startswith("collision.") for row in rows)
     except (KeyError, TypeError, ValueError, AttributeError, IndexError, RecursionError):
         return False
     return any(
@@ -102,22 +69,12 @@ def _written(outcome: Outcome) -> bytes | None:
         return None
 
 
-def _parameters(document: Any) -> dict[str, Term]:
-    return TermReader().table(document["parameters"])
-
-
-def _collisions(document: Any) -> int:
-    """How many rows are about collisions of a scene."""
-    return sum(row["name"].startswith("collision.") for row in document["obligations"])
-
-
 def _outcomes(theorem: str, parameters: Mapping[str, Term], collisions: int) -> Iterator[Outcome]:
     """The outcomes that the program makes for a theorem of this name and these parameters."""
     if not parameters:
-        if theorem in WITHOUT_PARAMETERS:
-            yield WITHOUT_PARAMETERS[theorem]()
-    elif (found := scene_statements.read_back(parameters)) is not None:
-        yield from scene_statements.statements_of(found, collisions)
+        yield from (one.decide() for one in THEOREMS if one.name == theorem)
+    elif (found := scene.read_back(parameters)) is not None:
+        yield from scene.statements_of(found, collisions)
     elif (point := separatrix.read_point(parameters)) is not None:
         yield from separatrix.outcomes_at(point)
     elif box.are_ends(parameters):

@@ -24,7 +24,7 @@ from verify.language.statement import (
 from verify.language.terms import Claim, as_term
 from verify.paper.commands.citing import applies
 from verify.paper.commands.theorem1 import decide_point
-from verify.paper.groups import GROUPS, HYPOTHESES, PRINTED, REPAIRED
+from verify.paper.parameters import GROUPS, HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.step.numbers import COLLAPSE
 from verify.paper.theorem1 import theorem
 from verify.prover import balls

@@ -7,26 +7,19 @@ show the inequalities.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import cache
 
-from verify.language.statement import (
-    PROVED,
-    Applies,
-    Cite,
-    Context,
-    Obligation,
-    Statement,
-)
+from verify.language.statement import PROVED, Applies, Cite, Context, Obligation, Statement
 from verify.language.terms import Claim, Term
 from verify.paper.commands.classification import claimed_classification
 from verify.paper.line import line
 from verify.paper.sandwich.comparison import stair
-from verify.paper.sandwich.numbers import context as sandwich_context
 from verify.paper.sandwich.sandwich import sandwich
-from verify.paper.sharper.numbers import context as start_context
+from verify.paper.sandwich.state import start_context as sandwich_start
 from verify.paper.sharper.sharper import sharper
+from verify.paper.sharper.state import start_context as sharper_start
 from verify.prover import balls
 from verify.prover.arguments import write_down
 from verify.prover.decimals import enclosing_decimals, round_decimal
@@ -43,8 +36,15 @@ from verify.spheres.scene.decide import (
     COLLAPSES,
     DISPERSES,
     FINITE,
+    MAX_COLLISIONS,
+    MAX_DIGITS,
+    UNDECIDED,
+    Budget,
     Fate,
+    decide_scene,
 )
+from verify.spheres.scene.scene import Scene
+from verify.spheres.scene.scene_files import is_in_range
 from verify.spheres.scene.telling import (
     CLASSIFICATION,
     LINE_START,
@@ -84,8 +84,8 @@ def decide_line() -> Outcome:
 def cited_contexts() -> dict[str, Context]:
     """The contexts that a scene applies, by the names by which it cites them."""
     found = {f"{FLOW}:{context.name}": context for context in flow().statement.contexts}
-    found |= {START: start_context(), LINE_START: line().statement.contexts[0]}
-    return found | {SANDWICH_START: sandwich_context(), STAIR: stair()}
+    found |= {START: sharper_start(), LINE_START: line().statement.contexts[0]}
+    return found | {SANDWICH_START: sandwich_start(), STAIR: stair()}
 
 
 def tell(found: Fate) -> Telling:
@@ -265,3 +265,64 @@ def _sides(row: Obligation, run: Run, bits: int) -> Enclosure | None:
     if not isinstance(row.claim, Claim):
         return None
     return Enclosure(bits, (_ends(run, row.claim.lhs, bits), _ends(run, row.claim.rhs, bits)))
+
+
+# --- all statements of a scene, from its parameters alone -----------------------------------------
+
+
+#: No more bits are needed for these than without digits.
+FEW_DIGITS = 16
+
+
+def read_back(parameters: Mapping[str, Term]) -> Scene | None:
+    """The scene whose parameters these are; None if they are those of no scene that is accepted."""
+    count = sum(name.startswith("x.0.") for name in parameters)
+    rows = {
+        letter: [[f"{letter}.{i}.{k}" for k in range(1, count + 1)] for i in range(3)]
+        for letter in ("x", "v")
+    }
+    names = {"r", *(name for table in rows.values() for row in table for name in row)}
+    numbers = all(term.op == "rational" for term in parameters.values())
+    if count < 1 or {*parameters} != names or not numbers:
+        return None
+    positions, velocities = (
+        tuple(tuple(parameters[name].value for name in row) for row in rows[letter])
+        for letter in ("x", "v")
+    )
+    scene = Scene(parameters["r"].value, positions, velocities)
+    return scene if is_in_range(scene) else None
+
+
+def statements_of(scene: Scene, collisions: int) -> Iterator[Outcome]:
+    """What the program makes of a scene with so many rows about collisions.
+
+    It depends on the number of digits, and of collisions, that were asked for.
+    """
+    for limits in _budgets(collisions):
+        found = decide_scene(scene, limits)
+        told = 0 if is_settled_at_start(found) else len(found.flow.collisions)
+        if found.verdict != UNDECIDED and told == collisions:
+            yield _evaluable(found)
+
+
+def _budgets(collisions: int) -> Iterator[Budget]:
+    """What may have been asked for.
+
+    Whoever asks for digits is told of a collapse what shows it after the last collision that was
+    followed; so it does not matter how many digits these were, but for the bits that they need.
+    """
+    yield Budget(max(MAX_COLLISIONS, collisions + 1))
+    yield Budget(collisions)
+    yield Budget(collisions, FEW_DIGITS)
+    yield Budget(collisions, MAX_DIGITS)
+
+
+def _evaluable(found: Fate) -> Outcome:
+    """The outcome with the fewest bits that suffice to evaluate its numbers."""
+    *few, last = precisions(found)
+    for bits in few:
+        try:
+            return scene_outcome(found, bits)
+        except UndefinedError:
+            continue
+    return scene_outcome(found, last)

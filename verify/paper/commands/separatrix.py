@@ -36,14 +36,7 @@ from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
 from verify.prover.rules import Applying, Interval
 from verify.prover.session import Session
-from verify.spheres.limit_map import (
-    CurveAt,
-    Parameters,
-    Trap,
-    beyond,
-    find_trap,
-    has_separatrix,
-)
+from verify.spheres.limit_map import CurveAt, Parameters, Trap, beyond, find_trap, has_separatrix
 from verify.spheres.separatrix import Separatrix, staircase
 from verify.spheres.separatrix import decide_separatrix as enclose
 from verify.wire.judge import judged

@@ -11,14 +11,14 @@ from functools import cache
 
 from verify.language.argument import Chapter
 from verify.language.statement import REFUTED, Constant, Statement
-from verify.language.terms import Claim, Term, as_term
+from verify.language.terms import Term, as_term
+from verify.paper.commands.elsewhere import premise
 from verify.paper.step import misprints
 from verify.paper.step.step import step
 from verify.prover.arguments import Writing, write_down
 from verify.prover.ground import Ground
 from verify.prover.outcome import Decision, Outcome
-from verify.prover.proof import Premise
-from verify.prover.rules import Interval, Sum, Witness
+from verify.prover.rules import Interval, Witness
 from verify.wire.judge import judged
 
 
@@ -49,7 +49,7 @@ def decide_step_printed() -> Outcome:
         ground.define(constant)
     for name, claim in misprints.signs().items():
         session.lemma(claim, Interval(BITS), name=name)
-    premises = tuple(map(_premise, misprints.conditions().values()))
+    premises = tuple(premise(claim, BITS) for claim in misprints.conditions().values())
     session.open(statement.contexts[0], premises)
     writing.chapter(Chapter(misprints.CONTEXT, tuple(misprints.lines())))
     for row in misprints.printed():
@@ -68,11 +68,6 @@ def _statement(point: Mapping[str, Term]) -> Statement:
     return Statement(
         misprints.NAME, misprints.TITLE, PARAMETERS, misprints.constants(), contexts, rows, ()
     )
-
-
-def _premise(claim: Claim) -> Premise:
-    """Equations hold identically, between rational numbers; enclosures show the rest."""
-    return Sum() if claim.relation == "=" else Interval(BITS)
 
 
 # --- states ---------------------------------------------------------------------------------------

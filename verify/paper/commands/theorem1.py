@@ -18,7 +18,7 @@ from verify.language.statement import (
 from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
 from verify.paper.commands.citing import with_step
-from verify.paper.groups import HYPOTHESES, PRINTED, SELECTIONS
+from verify.paper.parameters import HYPOTHESES, PRINTED, SELECTIONS
 from verify.paper.rows import graded
 from verify.paper.theorem1 import theorem
 from verify.prover import balls

@@ -14,7 +14,7 @@ from itertools import pairwise
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.paper.commands.everywhere import Everywhere
 from verify.paper.everywhere import thresholds as paper
-from verify.paper.groups import PRINTED
+from verify.paper.parameters import PRINTED
 from verify.prover.outcome import Ends, Outcome
 
 #: How many parts 0 < u < 1 is cut into to enclose areas, and how often ends are halved there.

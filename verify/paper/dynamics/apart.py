@@ -73,10 +73,6 @@ def colliding() -> Iterator[Item]:
 def spectator() -> Line:
     """Up to the collision, of the pair that just met."""
     place = away(t)
-    return Line(
-        "spectator-apart",
-        1 + 2 * t * frame.eta_s <= dot(place, place),
-        proof(times("t-lower", "t-lower", "B-positive")),
-        THEOREM,
-        "the pair 0-s that just met recedes: it does not meet again",
-    )
+    return Line("spectator-apart", 1 + 2 * t * frame.eta_s <= dot(place, place),
+                proof(times("t-lower", "t-lower", "B-positive")), THEOREM,
+                "the pair 0-s that just met recedes: it does not meet again")  # fmt: skip

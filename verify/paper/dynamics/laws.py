@@ -17,6 +17,7 @@ from verify.language.argument import (
     Value,
     identity,
     plus,
+    power,
     proof,
     scaled,
     square,
@@ -79,6 +80,16 @@ def absolute(
         yield Line(f"{name}-{suffix}", side <= bound[0], scaled(goal, *facts), label, says)
 
 
+def components(c: tuple[Term, Factor], s: tuple[Term, Factor], both: Factor) -> Iterator[Item]:
+    """Bounds of the other inner products, where c and s bound the speeds; ``both``: 0 < c s."""
+    facts = (times("A-below", "B-positive"), times(square(c[0]), "B-below"))
+    yield from absolute("a", a, c, ("cs-a", "A-below"))
+    yield from absolute("b", b, s, ("cs-b", "B-below"))
+    product = c[0] ** 2 if c == s else c[0] * s[0]
+    yield from absolute("w", w, (product, both), ("cs-w", *facts))
+    yield Line("C-one", C <= 1, scaled(times("goal", plus("goal", 2)), "cs-omega"))
+
+
 def root() -> Iterator[Item]:
     """The root that the time of the contact needs."""
     yield from (
@@ -116,6 +127,11 @@ def time(positive: Value) -> Iterator[Item]:
         Line("contact", equal(dot(omega_next, omega_next), 1), identity("tau"), TIME,
              "after the time τ particle c is in contact: |ω_s'| = 1"),
     )  # fmt: skip
+
+
+#: For a time without a quotient by |W_c|^2.
+TIME_ROOT = Line("time-root", equal(tau * (1 + d) * y * (1 + S), d * (2 + d)), identity("tau S"),
+                 TIME, "τ = d(2+d)/((1+d)(-η_c)(1+√(1-ζ)))")  # fmt: skip
 
 
 def distance() -> Iterator[Item]:
@@ -157,19 +173,30 @@ turn = (1 + d) * C - tau * a - (1 + d) * tau * b - tau**2 * w
 #: The cosine without a quotient.
 TURN = Line("turn", equal(D * C_next, turn), identity("law-angle"))
 SPIN_SQUARE = Line("spin-square", spin**2 <= B, proof("impact-pair", equations=(("contact", -B),)))
-IMPACT_POSITIVE = Line(
-    "impact-positive",
-    0 < impact,
-    proof(times("d-sum-positive", "Cnd1", "S-positive")),
-    COMPONENTS,
-    "W_c·ω_s' < 0: at the contact the pair approaches",
-)
+IMPACT_POSITIVE = Line("impact-positive", 0 < impact,
+                       proof(times("d-sum-positive", "Cnd1", "S-positive")), COMPONENTS,
+                       "W_c·ω_s' < 0: at the contact the pair approaches")  # fmt: skip
 
 
 def at_the_contact(name: str, pair: str, using: str = "tau") -> Line:
     """A Cauchy-Schwarz inequality that uses the time to the collision, under the name of that."""
     claim = inequalities(frame, tau, (pair,))[pair]
     return Line(name, claim, proof(pair, using=using))
+
+
+#: With the inequality `angle-pair`.
+C_NEXT_ONE = Line("C_next-one", C_next <= 1,
+                  scaled(times("goal", plus("goal", 2), power("D-positive", 2)), "angle-pair",
+                         equations=(("turn", -(D * C_next + turn)), ("contact", -dot(end, end)),
+                                    ("D-square", as_term(1)))))  # fmt: skip
+
+
+def spinning(bound: tuple[Term, Factor]) -> Iterator[Item]:
+    """At the contact: the pairs of vectors, and W_s along omega_s'; ``bound`` is that of |W_s|."""
+    yield at_the_contact("impact-pair", "cs-impact")
+    yield at_the_contact("angle-pair", "cs-angle")
+    yield SPIN_SQUARE
+    yield from absolute("spin", spin, bound, ("spin-square", "B-below"))
 
 
 def laws() -> Iterator[Item]:
@@ -226,8 +253,6 @@ def parts() -> Iterator[Item]:
 
 
 #: What is gained, without a quotient.
-GAINED_UPPER = Line(
-    "gained-upper",
-    gained <= tau * B,
-    proof(times("tau-positive", "B-positive", "D-one"), using="gained"),
-)
+GAINED_UPPER = Line("gained-upper", gained <= tau * B,
+                    proof(times("tau-positive", "B-positive", "D-one"),
+                          using="gained"))  # fmt: skip

@@ -16,6 +16,7 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from verify.language.argument import (
+    ByInstance,
     Chapter,
     Item,
     Line,
@@ -63,32 +64,18 @@ def impact() -> Context:
 def _impact_lines() -> Iterator[Item]:
     """After it v_0' = v_0 + J omega and v_c' = v_c - J omega with J = (1+r)/2 kappa."""
     new_0, new_c = e_0 + jump * e_omega, e_c - jump * e_omega
+    before, after = s_0 + s_c, s_0 + 2 * jump * n_0 + jump**2 + (s_c - 2 * jump * n_c + jump**2)
     for name, claim, says in (
         ("momentum", equal(new_0 + new_c, e_0 + e_c), "v_0' + v_c' = v_0 + v_c"),
-        (
-            "restitution",
-            equal((n_c - jump) - (n_0 + jump), -(r * kappa)),
-            "(v_c' - v_0')·ω = -r (v_c - v_0)·ω",
-        ),
-        (
-            "velocity-s",
-            equal(new_c - new_0, (e_c - e_0) - (1 + r) * kappa * e_omega),
-            "W_s' = W_c - (1+r)(W_c·ω) ω",
-        ),
-        (
-            "velocity-c",
-            equal(e_s - new_0, (e_s - e_0) - (1 + r) / 2 * kappa * e_omega),
-            "W_c' = W_s - (1+r)/2 (W_c·ω) ω",
-        ),
-        (
-            "energy",
-            equal(
-                (s_0 + 2 * jump * n_0 + jump**2) + (s_c - 2 * jump * n_c + jump**2),
-                s_0 + s_c - (1 - r**2) / 2 * kappa**2,
-            ),
-            "|v_0'|² + |v_c'|² = |v_0|² + |v_c|² - (1-r²)/2 ((v_c - v_0)·ω)²",
-        ),
-    ):
+        ("restitution", equal((n_c - jump) - (n_0 + jump), -(r * kappa)),
+         "(v_c' - v_0')·ω = -r (v_c - v_0)·ω"),
+        ("velocity-s", equal(new_c - new_0, (e_c - e_0) - (1 + r) * kappa * e_omega),
+         "W_s' = W_c - (1+r)(W_c·ω) ω"),
+        ("velocity-c", equal(e_s - new_0, (e_s - e_0) - (1 + r) / 2 * kappa * e_omega),
+         "W_c' = W_s - (1+r)/2 (W_c·ω) ω"),
+        ("energy", equal(after, before - (1 - r**2) / 2 * kappa**2),
+         "|v_0'|² + |v_c'|² = |v_0|² + |v_c|² - (1-r²)/2 ((v_c - v_0)·ω)²"),
+    ):  # fmt: skip
         yield Line(f"impact-{name}", claim, identity(), LAW, says)
 
 
@@ -131,16 +118,9 @@ def _squares() -> dict[str, tuple[Value, ...]]:
         "cs-c": (room_c,),
         "cs-a": (room_c, times(y2, angle)),
         "cs-b": (room_s, times(s2, angle)),
-        "cs-w": (
-            times(room_s, plus(room_c, y2)),
-            times(s2, room_c),
-            times(s2, y2, angle),
-        ),
+        "cs-w": (times(room_s, plus(room_c, y2)), times(s2, room_c), times(s2, y2, angle)),
         "cs-outer": (room_c, room_s, times(s2, angle)),
-        "cs-apart": (
-            times(square(y + (1 + d) * eta_s), angle),
-            times(apart, plus(room_c, room_s)),
-        ),
+        "cs-apart": (times(square(y + (1 + d) * eta_s), angle), times(apart, plus(room_c, room_s))),
         "cs-impact": (
             times(room_s, path),
             times(s2, plus(times(height, angle), times(t2, room_c))),
@@ -152,6 +132,15 @@ def _squares() -> dict[str, tuple[Value, ...]]:
             times(power(t2, 2), room_c, room_s),
         ),
     }
+
+
+def at_the_point(
+    p: Frame, time: Term, names: Iterable[str], givens: tuple[str, str, str]
+) -> Iterator[Item]:
+    """The inequalities at such velocities; ``givens`` has why the three of this context hold."""
+    values = dict(zip(NAMES, (p.y, p.eta_s, p.C, p.A, p.B, p.d, time), strict=True))
+    for name, claim in inequalities(p, time, names).items():
+        yield Line(f"at-{name}", claim, ByInstance(f"{PLANE}-{name}", values, givens))
 
 
 def spaces() -> tuple[Opened, ...]:

@@ -45,24 +45,10 @@ tau, spread, grown = n.d / n.y, 1 + n.d, 1 + SHRUNK * n.d
 
 #: The numbers of the mapping on the line.
 VALUES = mapping.n.at(
-    r=r,
-    d=n.d,
-    y=n.y,
-    eta=dot(omega_1, W_1),
-    cos=dot(omega_1, omega_2),
-    a=dot(omega_1, W_2),
-    b=dot(omega_2, W_1),
-    A=dot(W_2, W_2),
-    B=dot(W_1, W_1),
-    w=dot(W_1, W_2),
-    S=1 / spread,
-    tau=tau,
-    D=grown,
-    p_1=0,
-    p_2=0,
-    q_1=0,
-    q_2=0,
-)
+    r=r, d=n.d, y=n.y, eta=dot(omega_1, W_1), cos=dot(omega_1, omega_2), a=dot(omega_1, W_2),
+    b=dot(omega_2, W_1), A=dot(W_2, W_2), B=dot(W_1, W_1), w=dot(W_1, W_2), S=1 / spread, tau=tau,
+    D=grown, p_1=0, p_2=0, q_1=0, q_2=0,
+)  # fmt: skip
 
 
 def chapters() -> Iterator[Chapter]:

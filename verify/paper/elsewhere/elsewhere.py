@@ -5,13 +5,12 @@ The sentences on which its rows rest lead from them to the propositions of the t
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import cache
 
-from verify.language.argument import Argument, Chapter, argue
+from verify.language.argument import Argument
 from verify.language.statement import NEEDED, Assumption, Obligation
 from verify.paper.elsewhere import aligned, estimates, generic, mapping, nearly, pair, quoted, sums
-from verify.paper.letters import Refuted, headings_of
+from verify.paper.letters import Refuted, sectioned
 
 MATHEMATICS, GLUE = "general mathematics", "numbered glue"
 
@@ -91,14 +90,14 @@ MISPRINTS = {
 @cache
 def elsewhere() -> Argument:
     """The statement with its argument, built once per process."""
-    written = argue(NAME, TITLE, _chapters(), ASSUMPTIONS)
-    headings = headings_of(SECTIONS)
-    headings |= {
-        found.row.name: heading for heading, section in MISPRINTS.items() for found in section()
-    }
-    rows = (*written.statement.obligations, *(found.row for found in refutations()))
-    placed = tuple(_placed(row, headings) for row in rows)
-    return written._replace(statement=written.statement._replace(obligations=placed))
+    written = sectioned(NAME, TITLE, SECTIONS, ASSUMPTIONS)
+    false = (
+        found.row._replace(group=heading)
+        for heading, section in MISPRINTS.items()
+        for found in section()
+    )
+    rows = tuple(_concluding(row) for row in (*written.statement.obligations, *false))
+    return written._replace(statement=written.statement._replace(obligations=rows))
 
 
 def refutations() -> tuple[Refuted, ...]:
@@ -106,13 +105,8 @@ def refutations() -> tuple[Refuted, ...]:
     return tuple(found for section in MISPRINTS.values() for found in section())
 
 
-def _chapters() -> Iterator[Chapter]:
-    for section in SECTIONS.values():
-        yield from section()
-
-
-def _placed(row: Obligation, headings: dict[str, str]) -> Obligation:
+def _concluding(row: Obligation) -> Obligation:
     uses = ["cauchy-schwarz"] if row.context in VECTORS and row.role == NEEDED else []
     if row.name in CONCLUDES:
         uses.append(CONCLUDES[row.name])
-    return row._replace(group=headings[row.name], uses=tuple(uses))
+    return row._replace(uses=tuple(uses))

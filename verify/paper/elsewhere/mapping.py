@@ -27,7 +27,7 @@ from verify.language.argument import (
     times,
 )
 from verify.language.statement import Constant
-from verify.language.terms import Claim, Term, as_term, equal, symbol
+from verify.language.terms import Claim, as_term, equal, symbol
 from verify.language.vectors import Combination, add, basis_vector, scale
 from verify.paper.letters import Letters, Refuted, Space, minus, refuted
 from verify.paper.rows import REMARK, SLIP
@@ -42,7 +42,6 @@ NORMAL = "PROPOSS3.4CLineConveNorma"
 NEARLY = "PROPOSS3.4CLineConveTangt"
 FIRST = "EQUATSS2.2Eta_1PrimeVers1"
 TIME = "EQUATSS2.2TempsColliTauV3"
-SPEEDS = "EQUATSS2.2ViteRPostCVers2"
 
 n = Letters(
     "map", r="r", d="d", y="|η₂|", eta="η₁", cos="ω₁·ω₂", a="ω₁·W₂", b="ω₂·W₁", A="|W₂|²",
@@ -165,10 +164,6 @@ def rest_1() -> Combination:
     return add(minus(W_1, scale(grown, new_1)), scale(half * kappa, bracket))
 
 
-def _without_direction() -> Term:
-    return n.q_1 - grown + half * kappa * dot(p, bracket)
-
-
 def misprints() -> Iterator[Refuted]:
     """What is false here, each with a point at which it is."""
     yield from (
@@ -179,7 +174,8 @@ def misprints() -> Iterator[Refuted]:
                      "the mapping",
                 severity=REMARK, corrected_by="far-component"),
         refuted(n, "tangential-scalar",
-                equal(dot(p, projected(speed_1, new_1)), _without_direction()),
+                equal(dot(p, projected(speed_1, new_1)),
+                      n.q_1 - grown + half * kappa * dot(p, bracket)),
                 "1/20 1 1 1/8 -1 1 -1/8 1 1/64 1/8 1/2 1 9/8 0 0 0 0", label=NEARLY,
                 says="W_{1,n+1}⊥ = W_{1,n} - (η_{1,n}+τ_n|W_{1,n}|²)/(1+d_{n+1}) + …, twice: a "
                      "number is taken from a vector, ω_{1,n+1} is missing (read along p, as if "

@@ -29,10 +29,8 @@ from verify.language.argument import (
 from verify.language.statement import Constant, Context, Given, Variable
 from verify.language.terms import Claim, as_term, equal, maximum, sqrt, symbol
 from verify.paper.everywhere.chart import HALF, hypothesis
-from verify.paper.groups import PRINTED
-from verify.paper.initial_data import ConstantSet
-from verify.paper.parameters import V_0
-from verify.paper.preliminaries import phi_minus
+from verify.paper.initial_data import ConstantSet, phi_minus
+from verify.paper.parameters import PRINTED, V_0
 from verify.paper.recursion import (
     COSINE,
     angle_claim,

@@ -37,8 +37,7 @@ from verify.language.statement import (
 from verify.language.terms import Term, as_term, substitute, symbol
 from verify.paper.everywhere import chart
 from verify.paper.everywhere.everywhere import NAME as EVERYWHERE
-from verify.paper.groups import HYPOTHESES
-from verify.paper.parameters import THEOREM, V_0, c, delta_theta, r
+from verify.paper.parameters import HYPOTHESES, THEOREM, V_0, c, delta_theta, r
 from verify.paper.theorem1 import theorem
 
 CONTEXT = "box"
@@ -98,15 +97,9 @@ def _stability() -> Obligation:
 
 def _applied() -> Obligation:
     at = {"r": r, "c": c, "V_0": V_0, "delta_theta": delta_theta}
-    return Obligation(
-        APPLIED,
-        HYPOTHESES,
-        THEOREM,
-        NEEDED,
-        f"the hypotheses hold, and so does all of '{EVERYWHERE}', at all points of the box",
-        Applies(f"{CITED}:{chart.CONTEXT}", at),
-        context=CONTEXT,
-    )
+    says = f"the hypotheses hold, and so does all of '{EVERYWHERE}', at all points of the box"
+    theorem_there = Applies(f"{CITED}:{chart.CONTEXT}", at)
+    return Obligation(APPLIED, HYPOTHESES, THEOREM, NEEDED, says, theorem_there, context=CONTEXT)
 
 
 EIGHTH = Fraction(1, 8)

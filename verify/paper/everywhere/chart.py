@@ -25,12 +25,10 @@ from verify.language.argument import (
 )
 from verify.language.statement import Constant, Context, Given, Variable
 from verify.language.terms import Claim, Term, as_term, equal, sqrt, symbol
-from verify.paper.groups import HYPOTHESES, REPAIRED
-from verify.paper.initial_data import ConstantSet
-from verify.paper.parameters import THEOREM, V_0, c, r
-from verify.paper.preliminaries import (
+from verify.paper.initial_data import (
     CONSTANTS,
     V_1,
+    ConstantSet,
     alpha_0,
     discriminant,
     gap,
@@ -39,6 +37,7 @@ from verify.paper.preliminaries import (
     phi_minus,
     phi_plus,
 )
+from verify.paper.parameters import HYPOTHESES, REPAIRED, THEOREM, V_0, c, r
 from verify.paper.theorem1 import theorem
 
 CONTEXT = "everywhere"

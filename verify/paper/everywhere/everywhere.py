@@ -14,9 +14,8 @@ from verify.language.terms import Term, as_term, minimum, substitute
 from verify.paper.assumptions import STEP_ASSUMPTIONS
 from verify.paper.everywhere import angle_display
 from verify.paper.everywhere.chart import CONTEXT, DERIVED, constants, context, hypothesis
-from verify.paper.groups import HYPOTHESES, PRINTED, REPAIRED
 from verify.paper.initial_data import WRITTEN, ConstantSet
-from verify.paper.parameters import THEOREM
+from verify.paper.parameters import HYPOTHESES, PRINTED, REPAIRED, THEOREM
 from verify.paper.rows import needed
 from verify.paper.step.numbers import STEP, collapse
 from verify.paper.theorem1 import theorem

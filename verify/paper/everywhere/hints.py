@@ -26,10 +26,8 @@ from verify.paper.everywhere.chart import (
     hypothesis,
     p,
 )
-from verify.paper.groups import REPAIRED
-from verify.paper.initial_data import ConstantSet
-from verify.paper.parameters import V_0
-from verify.paper.preliminaries import h_4
+from verify.paper.initial_data import ConstantSet, h_4
+from verify.paper.parameters import REPAIRED, V_0
 
 
 def row(name: str) -> str:

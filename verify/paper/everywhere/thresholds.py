@@ -22,18 +22,17 @@ from verify.language.argument import (
     ToBeFound,
     plus,
     proof,
+    row_of,
     scaled,
     times,
 )
 from verify.language.record import Record
-from verify.language.statement import NEEDED, PROVED, REFUTED, Given, Obligation, Statement
+from verify.language.statement import PROVED, REFUTED, Given, Statement
 from verify.language.terms import Claim, maximum, minimum
 from verify.paper.everywhere import chart
 from verify.paper.everywhere.chart import p, u
-from verify.paper.groups import PRINTED
-from verify.paper.initial_data import ETA, X_0, ConstantSet
-from verify.paper.parameters import THEOREM, V_0, delta_theta
-from verify.paper.preliminaries import C_eta, delta_2, h_4
+from verify.paper.initial_data import ETA, X_0, C_eta, ConstantSet, delta_2, h_4
+from verify.paper.parameters import PRINTED, THEOREM, V_0, delta_theta
 from verify.paper.theorem1 import theorem
 
 LEAST_V_0, GREATEST_V_0 = Fraction(1, 16), Fraction(10**6)
@@ -173,16 +172,8 @@ def statement() -> Statement:
     own = chart.context(k)
     more = (Given("V_0-least", LEAST_V_0 <= V_0), Given("V_0-greatest", V_0 <= GREATEST_V_0))
     context = own._replace(givens=(*own.givens, *more), says=f"{own.says}, and 1/16 ≤ V₀ ≤ 10⁶")
-    rows = tuple(_obligation(line) for line in lines() if line.says)
+    rows = tuple(row_of(line, PRINTED, chart.CONTEXT) for line in lines() if line.says)
     return Statement(NAME, TITLE, {}, (), (context,), rows, ())
-
-
-def _obligation(line: Line) -> Obligation:
-    if not isinstance(line.claim, Claim):
-        raise TypeError(f"{line.name} compares no numbers")
-    return Obligation(
-        line.name, PRINTED, line.label, NEEDED, line.says, line.claim, context=chart.CONTEXT
-    )
 
 
 def lines() -> Iterator[Line]:

@@ -1,4 +1,8 @@
-"""The collision: the angle, the speeds, and the map of two numbers at the next state."""
+"""The flight to the next collision, and the collision, for the half outside the set.
+
+First sizes of a state, the time, and how far the other particle is then; then the angle, the
+speeds, and the map of two numbers at the next state.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +14,7 @@ from verify.language.argument import (
     Defined,
     Item,
     Line,
+    Value,
     identity,
     plus,
     power,
@@ -18,75 +23,158 @@ from verify.language.argument import (
     square,
     times,
 )
-from verify.language.terms import equal, sqrt, substitute_claim
+from verify.language.terms import as_term, equal, sqrt
+from verify.paper.dynamics import laws
 from verify.paper.dynamics.carried import start
 from verify.paper.dynamics.laws import (
     ANGLE,
+    C_NEXT_ONE,
     COMPONENTS,
+    DISTANCE,
     IMPACT_POSITIVE,
     NORMS,
-    SPIN_SQUARE,
+    TIME,
     TURN,
     absolute,
-    at_the_contact,
     impact,
-    laws,
     parts,
     spin,
+    spinning,
     turn,
 )
 from verify.paper.dynamics.state import (
+    A,
     A_next,
     B,
     B_next,
-    C_next,
     D,
     S,
-    end,
+    a,
+    d,
     eta_s,
-    frame,
-    kept,
     r,
-    root_of,
     tau,
     y,
     y_next,
+    zeta,
 )
-from verify.paper.outside.flight import GROWN, ONE
-from verify.paper.outside.numbers import (
+from verify.paper.outside.state import (
     G_POSITIVE,
     HALF,
     C_p,
     G,
-    gain,
-    half,
-    ratio,
-    turning,
-    w_0,
-    w_1,
-)
-from verify.paper.outside.state import (
-    FOLLOWING,
     Q,
     Q_next,
     U,
     U_next,
     carried,
     g,
+    gain,
+    half,
     here,
     load,
     pace,
+    ratio,
     rho,
     root_here,
+    step,
     time_here,
+    turning,
+    v,
     v_c,
     v_s,
+    w_0,
+    w_1,
+    w_c,
     w_s,
 )
+from verify.paper.sandwich.collision import GROWTH, IMPACT_BOUND, KEPT_POSITIVE, slower, struck
 from verify.paper.sandwich.comparison import LABEL
+from verify.paper.sandwich.flight import GROWN, slow
 
-GROWTH = "EQUATSS4.1Lien_x_n_&_y_n_"
-_end = frame.dot(end, end)
+ONE = as_term(1)
+
+
+def sizes() -> Iterator[Item]:
+    """What the conditions say of a state."""
+    yield from slow()
+    for i, size, most, least in (("c", A, w_c, v_c), ("s", B, w_s, v_s)):
+        name = {"c": "A", "s": "B"}[i]
+        yield Line(f"v_{i}-positive", 0 < least, proof(f"v_{i}-least", "v-positive"))
+        yield Line(f"w_{i}-positive", 0 < most, proof(f"high-{i}", GROWN))
+        yield Line(f"{name}-below", size <= most**2,
+                   proof(f"{name}-upper", times(GROWN, plus(f"high-{i}", f"w_{i}-positive"))),
+                   says=f"|W_{i}| ≤ w_{i}")  # fmt: skip
+        yield Line(f"{name}-above", least**2 <= size,
+                   proof(f"{name}-lower", times(GROWN, plus(times(2, f"v_{i}-positive"), GROWN))),
+                   says=f"|W_{i}| ≥ v_{i}")  # fmt: skip
+    yield from absolute("a", a, (w_c, "w_c-positive"), ("cs-a", "A-below"))
+    yield from laws.root()
+    yield from laws.between_zero_and_one()
+    yield from _root()
+
+
+def _root() -> Iterator[Item]:
+    bent = times(power("d-sum-positive", 2), power("Cnd1", 2))
+    closer = times("d-positive", plus(2, "d-positive"))
+    yield from (
+        Line("zeta-least", U * (2 - U) <= zeta,
+             scaled(times("goal", bent), "u-bound", times(closer, "A-above"),
+                    equations=(("zeta-product", -ONE),))),
+        Line("S-most",     S <= 1 - U,
+             scaled(times("goal", plus("goal", times(2, "U-one"))), "zeta-least",
+                    using="S-square"), LABEL, "u = 1 - √(1-ζ) ≥ U"),
+        Line("far-least",  0 < v**2 - start.y**2,
+             scaled(times("goal", power(G_POSITIVE, 2)), "start-reach", power("v-positive", 2))),
+        Line("reach-here", 1 + d <= G, scaled(*_reach(bent, closer),
+                                              equations=(("zeta-product", -ONE),)), TIME,
+             "1 + d ≤ Γ"),
+    )  # fmt: skip
+
+
+def _reach(bent: Value, closer: Value) -> Iterator[Value]:
+    """(1+d)^2 (v^2 - y_0^2) < v^2, since zeta < 1; and G is that far at least."""
+    longer = times("goal", plus("goal", times(2, G_POSITIVE)))
+    faster = times("v_c-least", plus("v_c-least", times(2, "v-positive")))
+    yield times("far-least", longer)
+    yield "start-reach"
+    yield times("zeta-one", bent)
+    yield times(closer, plus("A-above", faster))
+    yield times(power("d-sum-positive", 2), "y-most", plus("start-y", "Cnd1"))
+
+
+def flight() -> Iterator[Item]:
+    """Everything about the time tau between the two collisions, and d_next."""
+    yield from laws.time(times("d-positive", plus(2, "d-positive")))
+    faster = times("v_c-least", plus("v_c-least", times(2, "v-positive")))
+    short = plus("A-above", faster)
+    yield from (
+        Line("time",        tau <= step * y,
+             proof(times("tau-positive", short), times("reach-here", "Cnd1"),
+                   times("d-sum-positive", "Cnd1", "S-positive"),
+                   equations=(("tau-product", -ONE),)), TIME, "τ ≤ Γ(-η_c)/v²"),
+        Line("swift-least", U * y <= w_c**2 * tau,
+             proof(times("tau-positive", "A-below"), times("d-positive", "Cnd1", "S-one"),
+                   times("Cnd1", "S-most"), equations=(("tau-product", ONE),)), TIME,
+             "w_c² τ ≥ U(-η_c)"),
+        Defined("rho"),
+        Line("rho-positive", 0 < rho, proof(power("v_s-positive", 2), using="rho")),
+        Line("pull-least",  rho * U * y <= v_s**2 * tau,
+             proof(times(square(v_s), "swift-least"), using="rho"), LABEL, "v_s² τ ≥ ρU(-η_c)"),
+        Line("push-least",  rho * U * y <= B * tau,
+             proof("pull-least", times("tau-positive", "B-above")), says="|W_s|² τ ≥ ρU(-η_c)"),
+        Line("inward",      d <= tau * y,
+             scaled(times("goal", plus("goal", 2)), times(power("tau-positive", 2), "cs-c"),
+                    equations=(("contact", -ONE),)), DISTANCE, "d ≤ τ(-η_c)"),
+    )  # fmt: skip
+    yield from laws.distance()
+    yield laws.NEXT_D_POSITIVE
+    yield laws.NEXT_D_SUM_POSITIVE
+
+
+# --- the collision  -------------------------------------------------------------------------------
+
+
 #: How far -cos theta can turn until the next collision.
 change = (w_0 + w_1 + 2 * start.y) * tau
 #: (1+d')(-eta_c') and (1+d')^2 - 1, without quotients.
@@ -100,9 +188,13 @@ SLOWER = times("gain-positive", "decay-positive", "g-positive")
 def lines() -> Iterator[Item]:
     """The laws, then the map, then all conditions at the next state."""
     yield from _angle()
-    yield from laws()
+    yield from laws.laws()
     yield TURN
-    yield from _next_angle()
+    yield Line("next-angle", carried.at_next("angle"),
+               scaled(times("D-positive", "goal"), "turn-room", times("D-one", "angle-room"),
+                      equations=(("turn", -ONE),)),
+               says="-cos θ' stays below C₊ less the sum of all later changes")  # fmt: skip
+    yield C_NEXT_ONE
     yield from _map()
     yield from _speeds()
     yield from _next_speeds()
@@ -112,10 +204,7 @@ def lines() -> Iterator[Item]:
 
 def _angle() -> Iterator[Item]:
     """The turn of the angle until the next collision."""
-    yield at_the_contact("impact-pair", "cs-impact")
-    yield at_the_contact("angle-pair", "cs-angle")
-    yield SPIN_SQUARE
-    yield from absolute("spin", spin, (w_s, "w_s-positive"), ("spin-square", "B-below"))
+    yield from spinning((w_s, "w_s-positive"))
     speeds = plus("w_0-positive", "w_1-positive", times(2, "start-y"))
     later = times("turning-positive", plus("g-bound", times("decay-positive", "g-positive")))
     room = plus("C-room", times("turning-positive", "g-positive"))
@@ -137,26 +226,13 @@ def _angle() -> Iterator[Item]:
     )  # fmt: skip
 
 
-def _next_angle() -> Iterator[Item]:
-    yield Line("next-angle", carried.at_next("angle"),
-               scaled(times("D-positive", "goal"), "turn-room", times("D-one", "angle-room"),
-                      equations=(("turn", -ONE),)),
-               says="-cos θ' stays below C₊ less the sum of all later changes")  # fmt: skip
-    yield Line("C_next-one", C_next <= 1,
-               scaled(times("goal", plus("goal", 2), power("D-positive", 2)), "angle-pair",
-                      equations=(("turn", -(D * C_next + turn)), ("contact", -_end),
-                                 ("D-square", ONE))))  # fmt: skip
-
-
 def _map() -> Iterator[Item]:
     """(1+d')(-eta_c') is at most P(-eta_c), so that P > 0 where the run goes on."""
     strong = times("half-C", "reach-here", "Cnd1", "S-positive")
     yield IMPACT_POSITIVE
     yield from parts()
     yield from (
-        Line("impact-bound",  impact <= G * y,
-             proof(times("d-sum-positive", "Cnd1", "S-one"), times("Cnd1", "reach-here")),
-             COMPONENTS, "|W_c·ω_s'| ≤ Γ(-η_c)"),
+        IMPACT_BOUND,
         Line("impact-most",   impact <= G * y * (1 - U),
              proof(times("d-sum-positive", "Cnd1", "S-most"),
                    times("Cnd1", "reach-here", "U-one")), COMPONENTS,
@@ -198,18 +274,14 @@ def _map() -> Iterator[Item]:
 
 def _speeds() -> Iterator[Item]:
     """What the collision does to the speeds."""
-    high, low_s, low_c = w_s - gain * g, v_s + gain * g, v_c + gain * g
+    low_s, low_c = v_s + gain * g, v_c + gain * g
     hit = times(HALF, "impact-positive")
     yield from (
         Line("impact-short",  impact <= gain * (1 - ratio) * g,
              proof("impact-bound", times(G_POSITIVE, "Cnd2"), equations=(("gain-sum", g),))),
         Line("half-short",    half * impact <= gain * (1 - ratio) * g,
              proof("impact-short", times(Fraction(1, 2), "r-below-one", "impact-positive"))),
-        Line("spin-high",     spin <= high,
-             scaled(times("goal", plus("goal", times(2, "high-s"))), "spin-square", "B-upper")),
-        Line("struck-most",   A_next <= (high + half * impact) ** 2,
-             proof(times(2, hit, "spin-high"), "B-upper", using="law-norm-c impact-speed"),
-             NORMS, "|W_c'| ≤ |W_s| + (1+r)/2 |W_c·ω_s'|, with a bound for |W_s|"),
+        *struck(),
         Line("struck-room",   0 < low_s - half * impact,
              proof("half-short", "v_s-positive", LATER)),
         Line("struck-least",  (low_s - half * impact) ** 2 <= A_next,
@@ -260,7 +332,6 @@ def _next_point() -> Iterator[Item]:
     both = ("closing-law", D * y_next + closing)
     radicand = 1 - load / pace / pace
     pulled = times(square(v_s), "tau-positive")
-    root = substitute_claim(0 < root_of(frame), FOLLOWING)
     yield from (
         Line("spread-positive", 0 < spread,
              proof(times(2, "recedes", "tau-positive"),
@@ -309,19 +380,13 @@ def _next_point() -> Iterator[Item]:
         Line("next-Cnd3",     carried.at_next("Cnd3"),
              proof("next-meets", using="d_next", equations=(("D-square", -A_next), both)),
              says="ζ' < 1"),
-        Line("next-root",     root, ByRoot()),
-        Line("next-root-sum", carried.at_next("root-sum"), proof(1, "next-root")),
     )  # fmt: skip
+    yield from carried.root("next-", carried.following)
 
 
 def _others() -> Iterator[Item]:
-    yield Line("kept-positive", 0 < kept, proof("recedes", using="kept"))
-    yield carried.line("Cnd2", "|η_c'| ≤ Λ^{n+1} η₀",
-                       times(HALF, "impact-positive", "C_next-one"), times(HALF, "impact-bound"),
-                       "kept-positive", "gained-positive", times("ratio-positive", "Cnd2"),
-                       using="normal-parts")  # fmt: skip
-    yield carried.line("g-bound", "Λ^{n+1} η₀ ≤ η₀", "g-bound",
-                       times("g-positive", "decay-positive"))  # fmt: skip
+    yield KEPT_POSITIVE
+    yield from slower(carried)
     for name, other in (("v_c-least", "v_s-least"), ("v_s-least", "v_c-least")):
         yield Line(f"next-{name}", carried.at_next(name), proof(other))
     for name in ("root-law", "time-law"):

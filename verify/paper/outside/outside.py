@@ -14,8 +14,9 @@ from verify.paper.assumptions import HARD_SPHERES
 from verify.paper.dynamics import model
 from verify.paper.dynamics.carried import START
 from verify.paper.dynamics.state import CONTEXT
-from verify.paper.outside import collision, flight, floor, numbers, state
+from verify.paper.outside import collision, state
 from verify.paper.parameters import THEOREM
+from verify.paper.sandwich import comparison
 
 ASSUMPTIONS = (
     HARD_SPHERES,
@@ -63,13 +64,12 @@ def outside() -> Argument:
 
 
 def _chapters() -> Iterator[Chapter]:
-    yield from floor.chapters()
-    yield Chapter(None, (Opened(numbers.context()), Opened(model.impact())))
+    yield from comparison.floor_chapters()
+    yield Chapter(None, (Opened(state.start_context()), Opened(model.impact())))
     yield from model.chapters(())
     yield Chapter(START, (*state.lines(), Opened(state.context(), state.opening())))
-    yield Chapter(CONTEXT, (*flight.sizes(), *flight.lines(), *collision.lines()))
+    yield Chapter(CONTEXT, (*collision.sizes(), *collision.flight(), *collision.lines()))
     premises = map(state.begins, state.CONDITIONS)
-    always = state.carried.always(
-        state.beginning, premises, ASSUMPTIONS, " for which two more follow in turn"
-    )
+    where = " for which two more follow in turn"
+    always = state.carried.always(premises, ASSUMPTIONS, where)
     yield Chapter(START, (always,))

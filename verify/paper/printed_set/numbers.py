@@ -24,11 +24,9 @@ from verify.language.argument import (
 from verify.language.statement import Constant
 from verify.language.terms import Claim, Term, as_term, equal, substitute, substitute_claim, symbol
 from verify.paper.everywhere.chart import HALF, PLUS_R, hypothesis, v
-from verify.paper.groups import PRINTED
-from verify.paper.initial_data import X_0, ConstantSet
-from verify.paper.parameters import THEOREM, V_0, c, delta_theta, r
-from verify.paper.preliminaries import alpha_0, delta_2, h_5, phi_minus, phi_plus
-from verify.paper.sharper import numbers as sharper
+from verify.paper.initial_data import X_0, ConstantSet, alpha_0, delta_2, h_5, phi_minus, phi_plus
+from verify.paper.parameters import PRINTED, THEOREM, V_0, c, delta_theta, r
+from verify.paper.sharper import state as sharper
 
 k = ConstantSet(PRINTED)
 X, ratio, least, T, Theta = map(symbol, ("x_most", "ratio", "least_ratio", "T", "Theta"))
@@ -71,8 +69,7 @@ turn_1, turn_2, turn_3 = map(symbol, TURNS)
 
 def turn(name: str) -> Term:
     """The factor of a power of -eta_c in what the angle turns."""
-    over, under = sharper.SUMS[name]
-    return substitute(over / under, MEANING)
+    return substitute(sharper.SUMS[name].term, MEANING)
 
 
 #: What the angle turns for each power of -eta_c; these are known later.

@@ -4,78 +4,48 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from verify.language.argument import (
-    ByRoot,
-    Item,
-    Line,
-    identity,
-    plus,
-    power,
-    proof,
-    scaled,
-    times,
-)
-from verify.language.terms import as_term, substitute_claim
-from verify.paper.dynamics.carried import start
+from verify.language.argument import Item, Line, identity, plus, power, proof, scaled, times
+from verify.language.terms import as_term
+from verify.paper.dynamics.carried import Carried, start
 from verify.paper.dynamics.laws import (
     ANGLE,
+    C_NEXT_ONE,
     COMPONENTS,
     GAINED_UPPER,
     IMPACT_POSITIVE,
     NORMS,
-    SPIN_SQUARE,
     TURN,
-    absolute,
-    at_the_contact,
     impact,
     laws,
     parts,
     spin,
-    turn,
+    spinning,
 )
-from verify.paper.dynamics.state import (
-    A_next,
-    C,
-    C_next,
-    D,
-    S,
-    d_next,
-    end,
-    frame,
-    kept,
-    root_of,
-    tau,
-    y,
-    y_next,
-)
+from verify.paper.dynamics.state import A_next, C, C_next, D, S, d_next, kept, tau, y, y_next
 from verify.paper.parameters import THEOREM
-from verify.paper.sandwich.numbers import (
+from verify.paper.sandwich.flight import PUSH
+from verify.paper.sandwich.state import (
     C_0,
     G_POSITIVE,
     HALF,
     G,
     Theta,
+    U,
+    carried,
+    clock,
     duration,
+    g,
     gain,
     half,
+    load,
+    pace,
     ratio,
     turning,
     w_0,
     w_1,
-)
-from verify.paper.sandwich.orbit import PUSH
-from verify.paper.sandwich.state import (
-    FOLLOWING,
-    U,
-    carried,
-    clock,
-    g,
-    load,
-    pace,
     w_s,
 )
 
-_end = frame.dot(end, end)
 GROWTH = "EQUATSS4.1Lien_x_n_&_y_n_"
 #: How far -cos theta can turning until the next collision.
 change = (w_0 + w_1 + start.y) * tau
@@ -112,10 +82,7 @@ def _turning() -> Iterator[Item]:
 
 
 def _angle() -> Iterator[Item]:
-    yield at_the_contact("impact-pair", "cs-impact")
-    yield at_the_contact("angle-pair", "cs-angle")
-    yield SPIN_SQUARE
-    yield from absolute("spin", spin, (w_s, "w_s-positive"), ("spin-square", "B-below"))
+    yield from spinning((w_s, "w_s-positive"))
     wide = times("D-one", "tau-positive", SUM)
     further = times("tau-positive", "y-most")
     sums = ("w-sum", -tau)
@@ -142,42 +109,54 @@ def _angle() -> Iterator[Item]:
     yield from (
         Line("C_next-least", C_0 - Theta <= C_next, proof("next-angle-lower", later)),
         Line("C_next-positive", 0 < C_next, proof("C_next-least", "obtuse")),
-        Line("C_next-one", C_next <= 1,
-             scaled(times("goal", plus("goal", 2), power("D-positive", 2)), "angle-pair",
-                    equations=(("turn", -(D * C_next + turn)), ("contact", -_end),
-                               ("D-square", as_term(1))))),
+        C_NEXT_ONE,
     )  # fmt: skip
+
+
+IMPACT_BOUND = Line("impact-bound", impact <= G * y,
+                    proof(times("d-sum-positive", "Cnd1", "S-one"), times("Cnd1", "reach-here")),
+                    COMPONENTS, "|W_c·ω_s'| ≤ Γ(-η_c)")  # fmt: skip
 
 
 def _impact() -> Iterator[Item]:
     yield from (
         IMPACT_POSITIVE,
-        Line("impact-bound", impact <= G * y,
-             proof(times("d-sum-positive", "Cnd1", "S-one"), times("Cnd1", "reach-here")),
-             COMPONENTS, "|W_c·ω_s'| ≤ Γ(-η_c)"),
+        IMPACT_BOUND,
         Line("impact-least", (1 - U) * y <= impact,
              proof(times("Cnd1", "S-least"), times("d-positive", "Cnd1", "S-positive")),
              COMPONENTS, "|W_c·ω_s'| ≥ (1-U)(-η_c)"),
     )  # fmt: skip
 
 
-def _speeds() -> Iterator[Item]:
-    """Each bound leaves room for the sum of all later changes."""
-    high, struck = w_s - gain * g, w_s - ratio * gain * (ratio * g)
+#: The bound of |W_s| less the sum of all later changes.
+high = w_s - gain * g
+
+
+def struck() -> Iterator[Item]:
+    """The most that the collision makes of the speed of the particle that is struck."""
     hit = times(HALF, "impact-positive")
-    later = times(power("ratio-positive", 2), "gain-positive", "g-positive")
-    energy = times("r-below-one", plus(1, "r-positive"), power("impact-positive", 2))
-    slower = times("gain-positive", "g-positive", "decay-2-positive")
     yield from (
         Line("spin-high",   spin <= high,
              scaled(times("goal", plus("goal", times(2, "high-s"))), "spin-square", "B-upper")),
         Line("struck-most", A_next <= (high + half * impact) ** 2,
              proof(times(2, hit, "spin-high"), "B-upper", using="law-norm-c impact-speed"),
              NORMS, "|W_c'| ≤ |W_s| + (1+r)/2 |W_c·ω_s'|, with a bound for |W_s|"),
-        Line("struck-room", high + half * impact <= struck,
+    )  # fmt: skip
+
+
+def _speeds() -> Iterator[Item]:
+    """Each bound leaves room for the sum of all later changes."""
+    most = w_s - ratio * gain * (ratio * g)
+    hit = times(HALF, "impact-positive")
+    later = times(power("ratio-positive", 2), "gain-positive", "g-positive")
+    energy = times("r-below-one", plus(1, "r-positive"), power("impact-positive", 2))
+    falls = times("gain-positive", "g-positive", "decay-2-positive")
+    yield from (
+        *struck(),
+        Line("struck-room", high + half * impact <= most,
              proof(times(HALF, "impact-bound"), times(HALF, G_POSITIVE, "Cnd2"),
                    equations=(("gain-sum", g),))),
-        carried.line("high-c", "w_s stays above the bound of |W_c'|", "high-s", slower),
+        carried.line("high-c", "w_s stays above the bound of |W_c'|", "high-s", falls),
         carried.line("high-s", "w_c stays above the bound of |W_s'|", "high-c"),
         carried.line("A-upper", "|W_c'| stays below w_s less the sum of all later changes",
              "struck-most",
@@ -189,6 +168,20 @@ def _speeds() -> Iterator[Item]:
     )  # fmt: skip
 
 
+def slower(of: Carried) -> Iterator[Item]:
+    """The speed of approach falls by the factor Λ at least."""
+    yield from (
+        of.line("Cnd2", "|η_c'| ≤ Λ^{n+1} η₀",
+             times(HALF, "impact-positive", "C_next-one"), times(HALF, "impact-bound"),
+             "kept-positive", "gained-positive", times("ratio-positive", "Cnd2"),
+             using="normal-parts"),
+        of.line("g-bound", "Λ^{n+1} η₀ ≤ η₀", "g-bound", times("g-positive", "decay-positive")),
+    )  # fmt: skip
+
+
+KEPT_POSITIVE = Line("kept-positive", 0 < kept, proof("recedes", using="kept"))
+
+
 def _ratio() -> Iterator[Item]:
     yield from parts()
     lost = plus("kept-upper", "gained-upper", "pull-most")
@@ -197,7 +190,7 @@ def _ratio() -> Iterator[Item]:
     turned = plus(times("d-positive", "C_next-positive"), "C_next-least")
     yield from (
         GAINED_UPPER,
-        Line("kept-positive", 0 < kept, proof("recedes", using="kept")),
+        KEPT_POSITIVE,
         Line("next-pace", pace * y <= y_next,
              proof(times(HALF, "impact-least", "C_next-positive"),
                    times(HALF, "U-one", "Cnd1", "C_next-least"), lost, "q-bound",
@@ -208,12 +201,7 @@ def _ratio() -> Iterator[Item]:
                    using="normal-parts pace-law"), GROWTH,
              "√(1-ζ)/(1-U) ≤ (η_c'/η_c)/P: the step keeps the order"),
         carried.line("Cnd1", "η_c' < 0", "next-pace", times("pace-positive", "Cnd1")),
-        carried.line("Cnd2", "|η_c'| ≤ Λ^{n+1} η₀",
-             times(HALF, "impact-positive", "C_next-one"), times(HALF, "impact-bound"),
-             "kept-positive", "gained-positive", times("ratio-positive", "Cnd2"),
-             using="normal-parts"),
-        carried.line("g-bound", "Λ^{n+1} η₀ ≤ η₀", "g-bound",
-             times("g-positive", "decay-positive")),
+        *slower(carried),
         carried.line("recedes", "η_s' > 0: the pair that just met separates",
              times("r-positive", "impact-positive"), using="law-eta-s"),
         Line("next-q-bound", carried.at_next("q-bound"),
@@ -230,7 +218,6 @@ def _next_u() -> Iterator[Item]:
     faster = times("next-pace", plus("next-pace", times(2, "pace-positive", "Cnd1")))
     further = times("next-d-positive", plus(2, "next-d-positive"))
     bent = times(power("next-d-sum-positive", 2), power("next-Cnd1", 2))
-    root = substitute_claim(0 < root_of(frame), FOLLOWING)
     pulled = times("B-below", power(times("w_s-positive", "tau-positive"), 2))
     yield from (
         Line("spread", w_s**2 * (D**2 - 1) <= load * y**2,
@@ -248,9 +235,8 @@ def _next_u() -> Iterator[Item]:
         Line("next-Cnd3", carried.at_next("Cnd3"),
              proof("next-u-bound", times(further, "next-A-below"),
                    times(power("U-next-one", 2), bent)), says="ζ' < 1"),
-        Line("next-root", root, ByRoot()),
-        Line("next-root-sum", carried.at_next("root-sum"), proof(1, "next-root")),
     )  # fmt: skip
+    yield from carried.root("next-", carried.following)
 
 
 def _others() -> Iterator[Item]:

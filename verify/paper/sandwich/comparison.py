@@ -1,8 +1,9 @@
 """The map of two numbers (Q, U) that bounds the dynamics, and what orders its orbits.
 
 With alpha, rho and R it is P = alpha (1-U) - Q - rho U, Q' = R (1-U)/P, and 1 - (1-U')^2 = rho U
-(2 Q + rho U)/P^2. It goes on from (Q, U) if P > 0 and U' <= U_b. Stairs are numbers that satisfy
-the same with inequalities; the orbit stays below them.
+(2 Q + rho U)/P^2. The map that the dynamics stays below goes on from (Q, U) if P > 0 and U' <= U_b,
+the one that it stays above if P > 0 and U' < 1. Stairs are numbers that satisfy the same with
+inequalities, rounded up, and the orbit stays below them; it stays above floors, rounded down.
 """
 
 from __future__ import annotations
@@ -35,7 +36,6 @@ class Step(Record):
     push: Term
     P: Term
     load: Term
-    U_b: Term
     next_q: Term
 
     @property
@@ -45,13 +45,29 @@ class Step(Record):
 
     @property
     def meets(self) -> Claim:
+        """That the next U is below 1."""
+        return self.load < self.P**2
+
+    def meets_below(self, U_b: Term) -> Claim:
         """That the next U is at most U_b."""
-        return self.load <= self.U_b * (2 - self.U_b) * self.P**2
+        return self.load <= U_b * (2 - U_b) * self.P**2
+
+    @property
+    def radicand(self) -> Term:
+        """The square of 1 - U' for the next U."""
+        return 1 - self.load / self.P / self.P
 
     @property
     def next_u(self) -> Term:
         """The next U."""
-        return 1 - sqrt(1 - self.load / self.P / self.P)
+        return 1 - sqrt(self.radicand)
+
+
+def step(alpha: Term, rho: Term, R: Term, Q: Term, U: Term) -> Step:
+    """One step from (Q, U)."""
+    push = rho * U
+    P = alpha * (1 - U) - Q - push
+    return Step(push, P, push * (2 * Q + push), R * (1 - U) / P)
 
 
 class Model(Record):
@@ -81,14 +97,7 @@ class Model(Record):
 
     def step(self, Q: Term, U: Term, w_c: Term, w_s: Term) -> Step:
         """One step from (Q, U), where the particle c is next."""
-        return step(self.alpha, self.rho(w_c, w_s), self.share, self.U_b, Q, U)
-
-
-def step(alpha: Term, rho: Term, R: Term, U_b: Term, Q: Term, U: Term) -> Step:
-    """One step from (Q, U)."""
-    push = rho * U
-    P = alpha * (1 - U) - Q - push
-    return Step(push, P, push * (2 * Q + push), U_b, R * (1 - U) / P)
+        return step(self.alpha, self.rho(w_c, w_s), self.share, Q, U)
 
 
 n = Letters(
@@ -120,8 +129,8 @@ def stair() -> Context:
     )
 
 
-above = step(n.alpha, n.rho, n.R, n.U_b, n.Q, n.U)
-below = step(n.alpha, n.rho, n.R, n.U_b, x.Q, x.U)
+above = step(n.alpha, n.rho, n.R, n.Q, n.U)
+below = step(n.alpha, n.rho, n.R, x.Q, x.U)
 
 
 def orbit() -> Context:
@@ -160,22 +169,21 @@ def _below() -> Iterator[Item]:
     higher = times("orbit-pace", plus("orbit-approaches", "stair-approaches"))
     small = times("stair-U_next", plus(1, "stair-U_next-most", "stair-U_b"), higher)
     room = times("stair-U_next-most", plus(times(2, "stair-U_b"), "stair-U_next-most"))
-    root = sqrt(1 - below.load / below.P / below.P)
     yield from (
         Line("orbit-pace",       above.P <= below.P, proof("orbit-Q", lower)),
         Line("orbit-approaches", below.approaches, proof("orbit-pace", "stair-approaches"),
              LABEL, "the map goes on from a point below a step: P > 0"),
         Line("orbit-load",       below.load <= n.U_next * (2 - n.U_next) * below.P**2,
              proof("stair-falls-U", falls, small)),
-        Line("orbit-meets",      below.meets,
+        Line("orbit-meets",      below.meets_below(n.U_b),
              proof("orbit-load", times(room, power("orbit-approaches", 2))),
              LABEL, "and the next U is at most U*"),
         Line("orbit-Q-falls",    below.next_q <= n.Q_next,
              scaled(times("goal", "stair-approaches"), times("stair-falls-Q", "orbit-approaches"),
                     times("stair-R", order)), LABEL, "Q' ≤ Q_{n+1}"),
-        Line("orbit-radicand",   0 < 1 - below.load / below.P / below.P,
+        Line("orbit-radicand",   0 < below.radicand,
              proof("orbit-meets", times(power("stair-U_b", 2), power("orbit-approaches", 2)))),
-        Line("orbit-root",       0 < root, ByRoot()),
+        Line("orbit-root",       0 < sqrt(below.radicand), ByRoot()),
         Line("orbit-U-falls",    below.next_u <= n.U_next,
              scaled(times("goal", plus("goal", times(2, "orbit-root")),
                           power("orbit-approaches", 2)), "orbit-load"),
@@ -185,4 +193,82 @@ def _below() -> Iterator[Item]:
              scaled(times("goal", plus("goal", 2), power("orbit-approaches", 2)),
                     times("stair-rho", "orbit-U-least",
                           plus(times(2, "orbit-Q-least"), times("stair-rho", "orbit-U-least"))))),
+    )  # fmt: skip
+
+
+# --- floors ---------------------------------------------------------------------------------------
+
+
+f = Letters(
+    "floor", alpha="α", rho="ρ", R="R", Q_n="Q_n", U_n="U_n", Q_next="Q_{n+1}", U_next="U_{n+1}",
+    Q="Q", U="U",
+)  # fmt: skip
+floor_step = step(f.alpha, f.rho, f.R, f.Q_n, f.U_n)
+over_step = step(f.alpha, f.rho, f.R, f.Q, f.U)
+
+
+def floor() -> Context:
+    """Numbers from which one step of the map is bounded from below, and a point above them."""
+    return f.opened(
+        "a step of a floor: numbers Q_{n+1}, U_{n+1} below where the map leads from Q_n, U_n; and "
+        "a point (Q, U) above, from which the map goes on",
+        "1/2 1 3/100 1/10 1/10 1/50 1/50 1/10 1/10",
+        {
+            "alpha": 0 <= f.alpha,
+            "rho": 0 <= f.rho,
+            "R": 0 <= f.R,
+            "Q": 0 <= f.Q_n,
+            "U": 0 <= f.U_n,
+            "U_next": 0 <= f.U_next,
+            "U_next-room": f.U_next <= 1,
+            "rises-Q": f.Q_next * floor_step.P <= f.R * (1 - f.U_n),
+            "rises-U": f.U_next * (2 - f.U_next) * floor_step.P**2 <= floor_step.load,
+            "over-Q": f.Q_n <= f.Q,
+            "over-U": f.U_n <= f.U,
+            "room": 0 < 1 - f.U,
+            "approaches": over_step.approaches,
+            "meets": over_step.meets,
+        },
+    )
+
+
+def floor_chapters() -> Iterator[Chapter]:
+    """What lies above a step of a floor stays above the next one, or stops."""
+    yield Chapter(None, (Opened(floor()),))
+    yield Chapter(f.context, tuple(_above()))
+
+
+def _above() -> Iterator[Item]:
+    lower = times(plus("floor-alpha", "floor-rho"), "floor-over-U")
+    least = plus("floor-approaches", "over-pace")
+    U_least, Q_least = plus("floor-U", "floor-over-U"), plus("floor-Q", "floor-over-Q")
+    heavier = times(
+        "floor-rho",
+        plus(times(2, "floor-over-U", Q_least), times(2, "floor-U", "floor-over-Q"),
+             times("floor-rho", "floor-over-U", plus("floor-U", U_least))),
+    )  # fmt: skip
+    slower = times("over-pace", plus("floor-approaches", least))
+    order = plus(
+        times("floor-room", plus("floor-over-Q", times("floor-rho", "floor-over-U"))),
+        times("floor-over-U", plus(Q_least, times("floor-rho", U_least))),
+    )
+    small = times("floor-U_next", plus(1, "floor-U_next-room"), slower)
+    yield from (
+        Line("over-pace",       over_step.P <= floor_step.P, proof("floor-over-Q", lower)),
+        Line("over-goes",       floor_step.approaches, proof("over-pace", "floor-approaches"),
+             LABEL, "where the map goes on from a point above a floor, P > 0 on the floor"),
+        Line("over-load",       floor_step.load <= over_step.load, proof(heavier)),
+        Line("over-met",        floor_step.meets, proof("over-load", "floor-meets", slower),
+             LABEL, "and ρU(2Q+ρU) < P² there: so where the floor ends, so does every orbit above"),
+        Line("over-Q-rises",    f.Q_next <= over_step.next_q,
+             scaled(times("goal", "over-goes"),
+                    times("floor-rises-Q", "floor-approaches"), times("floor-R", order)),
+             LABEL, "Q_{n+1} ≤ Q'"),
+        Line("over-radicand",   0 < over_step.radicand, proof("floor-meets")),
+        Line("over-root",       0 < sqrt(over_step.radicand), ByRoot()),
+        Line("over-U-rises",    f.U_next <= over_step.next_u,
+             scaled(times("goal", plus("over-root", "floor-U_next-room"),
+                          power("floor-approaches", 2)),
+                    "floor-rises-U", "over-load", small),
+             LABEL, "U_{n+1} ≤ U': it is above the next step"),
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""From one collision to the next: sizes, the time between them, and the next distance.
+"""From one collision to the next: sizes, the map, the time between them, and the next distance.
 
 Until the collision, and at its instant, no other pair of particles is in contact.
 """
@@ -9,7 +9,9 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from verify.language.argument import (
+    ByRoot,
     Chapter,
+    Defined,
     Item,
     Line,
     Value,
@@ -21,45 +23,98 @@ from verify.language.argument import (
     square,
     times,
 )
-from verify.language.terms import as_term, equal
+from verify.language.terms import as_term, equal, sqrt
 from verify.language.vectors import add, omega_c, omega_s, scale
 from verify.paper.dynamics import laws
 from verify.paper.dynamics.apart import colliding, contexts, opened, spectator, t
 from verify.paper.dynamics.carried import start
-from verify.paper.dynamics.laws import DISTANCE, TIME, absolute
+from verify.paper.dynamics.laws import DISTANCE, TIME
 from verify.paper.dynamics.state import (
     A,
     B,
     C,
     D,
     S,
-    a,
     away,
-    b,
     contact,
     d,
     difference,
     frame,
     tau,
-    w,
     y,
     zeta,
 )
 from verify.paper.parameters import THEOREM
 from verify.paper.sandwich.comparison import LABEL
-from verify.paper.sandwich.numbers import G_POSITIVE, HALF, G, U_b, step, w_b
-from verify.paper.sandwich.state import Q, U, g, rho, w_c, w_s
+from verify.paper.sandwich.state import (
+    G_POSITIVE,
+    HALF,
+    G,
+    Q,
+    Q_next,
+    U,
+    U_b,
+    U_next,
+    carried,
+    g,
+    load,
+    model,
+    pace,
+    rho,
+    step,
+    w_b,
+    w_c,
+    w_s,
+)
 
+PUSH = times("rho-positive", "U-positive")
 GROWN = times("gain-positive", "g-positive")
 
 
 def sizes() -> Iterator[Item]:
     """What the conditions say of a state."""
     yield from _sizes()
-    yield from _components()
+    speeds = (w_c, "w_c-positive"), (w_s, "w_s-positive")
+    yield from laws.components(*speeds, times("w_c-positive", "w_s-positive"))
     yield from laws.root()
     yield from laws.between_zero_and_one()
     yield from _root()
+
+
+def next_point() -> Iterator[Item]:
+    """P, Q' and U', and where they lie."""
+    radicand = 1 - load / pace / pace
+    both = times(plus("U-room", "U-next-one"), power("pace-positive", 2))
+    yield from (
+        Line("Q-positive", 0 < Q, scaled(times("goal", "Cnd1"), "q-bound", "recedes")),
+        Defined("rho"),
+        Line("rho-positive", 0 < rho,
+             proof(times(G_POSITIVE, power("w_s-positive", 2)), using="rho")),
+        Defined("pace"),
+        Line("pace-positive", 0 < pace, proof("approaches", using="pace")),
+        Line("pace-law", equal(pace, model.alpha * (1 - U) - Q - rho * U), identity("pace rho"),
+             LABEL, "P = α(1-U) - Q - ρU"),
+        Defined("load"),
+        Line("load-law", equal(load, rho * U * (2 * Q + rho * U)), identity("load rho"),
+             LABEL, "P²(1-(1-U')²) = ρU(2Q+ρU)"),
+        Line("load-positive", 0 < load,
+             proof(times(PUSH, plus(times(2, "Q-positive"), PUSH)),
+                   using="load-law")),
+        Defined("Q_next"),
+        Line("Q-next-law", equal(Q_next * pace, model.share * (1 - U)), identity("Q_next"),
+             LABEL, "Q' = R(1-U)/P"),
+        Line("meets-here", load <= U_b * (2 - U_b) * pace**2, proof("meets", using="load pace")),
+        Line("radicand", 0 < radicand,
+             proof("meets-here", times(power("U-room", 2), power("pace-positive", 2)))),
+        Line("map-root", 0 < sqrt(radicand), ByRoot()),
+        Defined("U_next"),
+        Line("U-next-law", equal(U_next * (2 - U_next) * pace**2, load),
+             identity("U_next"), LABEL, "1-(1-U')² = ρU(2Q+ρU)/P²"),
+        Line("U-next-one", 0 < 1 - U_next, proof("map-root", using="U_next")),
+        Line("next-U-bound", carried.at_next("U-bound"),
+             scaled(times("goal", both), "meets-here", equations=(("U-next-law", as_term(-1)),)),
+             says="U' ≤ U*"),
+    )  # fmt: skip
 
 
 def lines() -> Iterator[Item]:
@@ -70,11 +125,16 @@ def lines() -> Iterator[Item]:
     yield from _distance()
 
 
-def _sizes() -> Iterator[Item]:
+def slow() -> Iterator[Item]:
+    """Signs, and that the speed of approach is at most that at the start."""
     yield Line("g-positive", 0 < g, proof("Cnd2", "Cnd1"))
     yield Line("y-most", y <= start.y, proof("Cnd2", "g-bound"))
     yield Line("A-positive", 0 < A, proof("cs-c", power("Cnd1", 2)))
     yield Line("B-positive", 0 < B, proof("cs-s", power("recedes", 2)))
+
+
+def _sizes() -> Iterator[Item]:
+    yield from slow()
     for name, i, size, speed, gone in (
         ("A", "c", A, w_c, times("ratio-positive", GROWN)),
         ("B", "s", B, w_s, GROWN),
@@ -82,15 +142,6 @@ def _sizes() -> Iterator[Item]:
         yield Line(f"{name}-below", size <= speed**2,
                    proof(f"{name}-upper", times(gone, plus(f"high-{i}", f"w_{i}-positive"))),
                    says=f"|W_{i}| ≤ w_{i}")  # fmt: skip
-
-
-def _components() -> Iterator[Item]:
-    yield from absolute("a", a, (w_c, "w_c-positive"), ("cs-a", "A-below"))
-    yield from absolute("b", b, (w_s, "w_s-positive"), ("cs-b", "B-below"))
-    facts = (times("A-below", "B-positive"), times(square(w_c), "B-below"))
-    both = times("w_c-positive", "w_s-positive")
-    yield from absolute("w", w, (w_c * w_s, both), ("cs-w", *facts))
-    yield Line("C-one", C <= 1, scaled(times("goal", plus("goal", 2)), "cs-omega"))
 
 
 def _root() -> Iterator[Item]:
@@ -137,8 +188,7 @@ def _time() -> Iterator[Item]:
                    plus(1, "S-positive"))  # fmt: skip
     faster = times("w_c-least", plus("w_c-least", times(2, "w_b-positive")))
     yield from (
-        Line("time-root", equal(tau * (1 + d) * y * (1 + S), d * (2 + d)), identity("tau S"),
-             TIME, "τ = d(2+d)/((1+d)(-η_c)(1+√(1-ζ)))"),
+        laws.TIME_ROOT,
         Line("swift",     w_c**2 * tau <= G * U * y,
              scaled(times("goal", "d-sum-positive", "Cnd1", plus(1, "S-positive")), "u-bound",
                     longer, times(bent, "S-least"),

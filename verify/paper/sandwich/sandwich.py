@@ -15,7 +15,7 @@ from verify.paper.dynamics import model
 from verify.paper.dynamics.carried import START
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
-from verify.paper.sandwich import collision, comparison, exact, flight, numbers, orbit, state
+from verify.paper.sandwich import collision, comparison, exact, flight, state
 
 ASSUMPTIONS = (
     HARD_SPHERES,
@@ -74,15 +74,15 @@ def sandwich() -> Argument:
 def _chapters() -> Iterator[Chapter]:
     yield from exact.chapters()
     yield from comparison.chapters()
-    yield Chapter(None, (Opened(numbers.context()), *model.spaces()))
+    yield Chapter(None, (Opened(state.start_context()), *model.spaces()))
     yield from model.chapters(state.PAIRS)
     yield Chapter(START, (*state.lines(), Opened(state.context(), state.opening())))
     yield Chapter(
         CONTEXT,
-        (*flight.sizes(), *orbit.lines(), *flight.lines(), *collision.lines(),
+        (*flight.sizes(), *flight.next_point(), *flight.lines(), *collision.lines(),
          *collision.conclusion()),
     )  # fmt: skip
     yield from flight.apart()
     premises = map(state.begins, state.CONDITIONS)
-    always = state.carried.always(state.beginning, premises, ASSUMPTIONS)
+    always = state.carried.always(premises, ASSUMPTIONS)
     yield Chapter(START, (always,))

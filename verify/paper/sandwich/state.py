@@ -1,6 +1,12 @@
-"""What is carried from collision to collision, and that it holds at the start.
+"""A state just after a collision with some numbers, and what the sandwich theorem asks of them.
 
-With the numbers of a state go g = ratio^n y_0, the clock, the point (Q, U) of the map that bounds
+G bounds the distances 1 + d from particle 0, w_0 and w_1 the relative speeds of the particle that
+will collide next and of the other, at all times; w is at most both of them. zeta with w_i in the
+place of the speed is at most U (2-U), with U_0 for U now and never more than U_b; -cos theta stays
+within Theta of C_0, and Q_0 bounds eta_s/(-eta_c) now. All but the state may be rational numbers.
+
+Then what is carried from collision to collision, and that it holds at the start: with the numbers
+of a state go g = ratio^n y_0, the clock, the point (Q, U) of the map that bounds
 q and u, and bounds of the speeds of c and s. They hold for some vectors with the same normal
 components.
 """
@@ -8,31 +14,17 @@ components.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from fractions import Fraction
 
-from verify.language.argument import (
-    ByInstance,
-    ByRoot,
-    Item,
-    Line,
-    identity,
-    plus,
-    power,
-    proof,
-    scaled,
-    times,
-)
-from verify.language.statement import Context, Given, Variable
-from verify.language.terms import Claim, Term, as_term, equal, substitute_claim, symbol
-from verify.paper.dynamics.carried import START, Carried, followed, start, summed
-from verify.paper.dynamics.model import PLANE, aligned
+from verify.language.argument import Item, Line, identity, plus, power, proof, scaled, times
+from verify.language.statement import Context, Given
+from verify.language.terms import Claim, as_term, equal, symbol
+from verify.paper.dynamics.carried import Carried, Ghost, Sum, followed, start, starting, summed
+from verify.paper.dynamics.model import aligned, at_the_point
 from verify.paper.dynamics.state import (
-    CONTEXT,
-    LETTERS,
-    NAMES,
     A,
     B,
     C,
-    after_the_collision,
     d,
     eta_s,
     frame,
@@ -45,38 +37,104 @@ from verify.paper.dynamics.state import (
     zeta_of,
 )
 from verify.paper.sandwich.comparison import LABEL as COMPARISON
-from verify.paper.sandwich.numbers import (
-    C_0,
-    G_POSITIVE,
-    HALF,
-    Q_0,
-    SUMS,
-    U_0,
-    Theta,
-    U_b,
-    duration,
-    gain,
-    model,
-    ratio,
-    turning,
-    w_0,
-    w_1,
-    w_b,
-)
+from verify.paper.sandwich.comparison import Model
+
+#: In Unicode, in LaTeX, and at a point that satisfies everything strictly.
+_NUMBERS = {
+    "r": ("r", "r", "3/100"),
+    "G": ("Γ", r"\Gamma", "1001/1000"),
+    "w_b": ("w", "w", "11/10"),
+    "w_0": ("w₀", "w_0", "11/10"),
+    "w_1": ("w₁", "w_1", "11/10"),
+    "U_b": ("U*", "U_*", "1/10"),
+    "C_0": ("C₀", "C_0", "19/20"),
+    "Theta": ("Θ", r"\Theta", "1/50"),
+    "Q_0": ("Q₀", "Q_0", "1/10"),
+    "U_0": ("U₀", "U_0", "1/50"),
+}
+G, w_b, w_0, w_1, U_b, C_0, Theta, Q_0, U_0 = map(symbol, list(_NUMBERS)[1:])
+
+half = (1 + r) / 2
+#: The speeds of approach fall by this factor at least.
+ratio = half * G
+#: The time to the next collision is at most `step` y.
+step = G * U_b / w_b / w_b
+
+#: The sums over all later collisions, as constants of the context: of what a speed gains if it is
+#: that of s now, of the times, and of the changes of the angle.
+gain, duration, turning = map(symbol, ("gain", "duration", "turning"))
+SUMS: Mapping[str, Sum] = {
+    "gain": Sum("G_V", half * G, 1 - ratio**2),
+    "duration": Sum("G_T", step, 1 - ratio),
+    "turning": Sum("G_C", (w_0 + w_1 + start.y) * step, 1 - ratio),
+}
+_gain, _, _turn = (found.term for found in SUMS.values())
+
+#: The map of two numbers that the dynamics stays below, at the start.
+model = Model(r, G, U_b, C_0 - Theta)
+first = model.step(Q_0, U_0, w_0, w_1)
+
+#: What is asked of the numbers alone.
+ROOM: Mapping[str, Claim] = {
+    "r-positive": 0 < r,
+    "reach": 1 <= G,
+    "decay-positive": 0 < 1 - ratio,
+    "decay-2-positive": 0 < 1 - ratio**2,
+    "w_b-positive": 0 < w_b,
+    "w_0-least": w_b <= w_0,
+    "w_1-least": w_b <= w_1,
+    "w_0-positive": 0 < w_0,
+    "w_1-positive": 0 < w_1,
+    "U-room": 0 < 1 - U_b,
+    "obtuse": Theta < C_0,
+    "angle-real": C_0 <= 1,
+    "U_0-bound": U_0 <= U_b,
+}
+
+#: What is asked of the state, and that the map goes on once.
+ENTRY: Mapping[str, Claim] = {
+    "start-y": 0 < start.y,
+    "start-recedes": 0 < start.eta_s,
+    "start-q": start.eta_s <= Q_0 * start.y,
+    "start-d": 0 < start.d,
+    "start-cs-c": start.y**2 <= start.A,
+    "start-cs-s": start.eta_s**2 <= start.B,
+    "start-u": start.d * (2 + start.d) * w_0**2
+    <= U_0 * (2 - U_0) * (1 + start.d) ** 2 * start.y**2,
+    "start-reach": U_b * (2 - U_b) * start.y**2 * G**2 <= w_b**2 * (G**2 - 1),
+    "start-room-0": 0 < w_0 - ratio * _gain * start.y,
+    "start-room-1": 0 < w_1 - _gain * start.y,
+    "start-A-most": start.A <= (w_0 - ratio * _gain * start.y) ** 2,
+    "start-B-most": start.B <= (w_1 - _gain * start.y) ** 2,
+    "start-C-upper": start.C - C_0 + _turn * start.y <= Theta,
+    "start-C-lower": C_0 - start.C + _turn * start.y <= Theta,
+    "start-approaches": first.approaches,
+    "start-meets": first.meets_below(U_b),
+}
+
+GIVENS = {**ROOM, **ENTRY}
+
+#: The state there, its inner products in the order of `NAMES`.
+_STATE = "1/100 1/1250 19/20 19/2000 -19/25000 1 1 0 1/1000000"
+
+
+def start_context() -> Context:
+    """The numbers and the state, with the sums over all later collisions."""
+    return starting(_NUMBERS, _STATE, GIVENS, SUMS)
+
+
+HALF = times(Fraction(1, 2), plus(1, "r-positive"))
+G_POSITIVE = plus(1, "reach")
+
+
+# --- what is carried ------------------------------------------------------------------------------
+
 
 GOES_ON = "comparison"
 #: The pairs of vectors for which Cauchy-Schwarz is used.
 PAIRS = ("cs-omega", "cs-s", "cs-c", "cs-a", "cs-b", "cs-w", "cs-impact", "cs-angle")
 
-_GHOSTS = {
-    "g": ("Λⁿη₀", r"\Lambda^n\eta_0"),
-    "clock": ("t_n", "t_n"),
-    "Q": ("Q", "Q"),
-    "U": ("U", "U"),
-    "w_c": ("w_c", "w_c"),
-    "w_s": ("w_s", "w_s"),
-}
-g, clock, Q, U, w_c, w_s = map(symbol, _GHOSTS)
+g, clock, Q, U, w_c, w_s = map(symbol, ("g", "clock", "Q", "U", "w_c", "w_s"))
 here = model.step(Q, U, w_c, w_s)
 rho, pace, load, Q_next, U_next = map(symbol, ("rho", "pace", "load", "Q_next", "U_next"))
 
@@ -107,47 +165,32 @@ CONDITIONS: Mapping[str, Claim] = {
     "angle-lower": C_0 - C <= Theta - turning * g,
     "clock-bound": clock <= duration * (start.y - g),
 }
-#: The next state.
-FOLLOWING: Mapping[str, Term] = after_the_collision() | {
-    "g": ratio * g,
-    "clock": clock + tau,
-    "Q": Q_next,
-    "U": U_next,
-    "w_c": w_s,
-    "w_s": w_c,
+#: What goes along: in Unicode, in LaTeX, at the start, and at the next state.
+GHOSTS: Mapping[str, Ghost] = {
+    "g": ("Λⁿη₀", r"\Lambda^n\eta_0", start.y, ratio * g),
+    "clock": ("t_n", "t_n", as_term(0), clock + tau),
+    "Q": ("Q", "Q", Q_0, Q_next),
+    "U": ("U", "U", U_0, U_next),
+    "w_c": ("w_c", "w_c", w_0, w_s),
+    "w_s": ("w_s", "w_s", w_1, w_c),
 }
-carried = Carried(CONDITIONS, FOLLOWING)
-
-_ghosts: dict[str, Term] = {
-    "g": start.y,
-    "clock": as_term(0),
-    "Q": Q_0,
-    "U": U_0,
-    "w_c": w_0,
-    "w_s": w_1,
-}
+carried = Carried(CONDITIONS, GHOSTS)
 #: Where the recursion starts.
-beginning: dict[str, Term] = start._asdict() | _ghosts
+beginning = carried.begun()
 
 #: Velocities for which Cauchy-Schwarz is seen to hold: normal but for orthogonal parts.
 point_frame = aligned(start.y, start.eta_s, C_0, start.A, start.B, start.d)
-point: dict[str, Term] = point_frame._asdict() | _ghosts
+point = carried.begun(point_frame)
 
 
 def context() -> Context:
-    """The states that satisfy the conditions."""
-    standing = inequalities(frame, time_of(frame), PAIRS)
-    goes_on = {"approaches": here.approaches, "meets": here.meets}
-    more = (Given(name, claim, "standing", GOES_ON) for name, claim in goes_on.items())
-    letters = LETTERS | _GHOSTS
-    return Context(
-        CONTEXT,
-        tuple(Variable(name, *letters[name]) for name in (*NAMES, *_GHOSTS)),
-        (*carried.givens(standing), *more),
+    """The states that satisfy the conditions, and from which the map goes on."""
+    goes_on = {"approaches": here.approaches, "meets": here.meets_below(U_b)}
+    return carried.context(
+        inequalities(frame, time_of(frame), PAIRS),
         point,
-        START,
-        "a state just after a collision that satisfies the conditions",
         followed(COMPARISON, model.rho(w_c, w_s), here.P, here.load, model.share, U),
+        goes_on=(Given(name, claim, "standing", GOES_ON) for name, claim in goes_on.items()),
     )
 
 
@@ -204,7 +247,11 @@ def lines() -> Iterator[Item]:
     for name in ("Cnd2", "g-bound", "clock-bound"):
         yield Line(f"start-{name}", claims[name], proof())
     yield Line("start-w-sum", claims["w-sum"], identity())
-    yield from _root(claims)
+    yield Line("start-Cnd3", claims["Cnd3"],
+               proof("start-u", times("start-d", plus(2, "start-d"), "start-A-below"),
+                     times(power(plus("U_0-bound", "U-room"), 2),
+                           power("start-d-sum-positive", 2), power("start-y", 2))))  # fmt: skip
+    yield from carried.root("start-", beginning)
     yield from _at_the_point()
 
 
@@ -221,18 +268,6 @@ def _signs() -> Iterator[Item]:
     )  # fmt: skip
 
 
-def _root(claims: dict[str, Claim]) -> Iterator[Item]:
-    root = substitute_claim(0 < root_of(frame), beginning)
-    yield from (
-        Line("start-Cnd3",    claims["Cnd3"],
-             proof("start-u", times("start-d", plus(2, "start-d"), "start-A-below"),
-                   times(power(plus("U_0-bound", "U-room"), 2),
-                         power("start-d-sum-positive", 2), power("start-y", 2)))),
-        Line("start-root",     root, ByRoot()),
-        Line("start-root-sum", claims["root-sum"], proof(1, "start-root")),
-    )  # fmt: skip
-
-
 def _at_the_point() -> Iterator[Item]:
     """The angle and the speeds leave room for vectors."""
     claims = carried.at(point)
@@ -244,17 +279,8 @@ def _at_the_point() -> Iterator[Item]:
     yield Line("Theta-positive", 0 < Theta, theta)
     angle = proof(times("angle-real", plus(1, "obtuse", "Theta-positive")))
     yield Line("at-angle", C_0**2 <= 1, angle)
-    yield from _vectors()
-
-
-def _vectors() -> Iterator[Item]:
-    """Cauchy-Schwarz at the point."""
-    p, time = point_frame, time_of(point_frame)
-    values = {"u_y": p.y, "u_s": p.eta_s, "u_C": p.C, "u_A": p.A, "u_B": p.B, "u_d": p.d}
-    values["u_t"] = time
     givens = ("at-angle", "start-cs-c", "start-cs-s")
-    for name, claim in inequalities(p, time, PAIRS).items():
-        yield Line(f"at-{name}", claim, ByInstance(f"{PLANE}-{name}", values, givens))
+    yield from at_the_point(point_frame, time_of(point_frame), PAIRS, givens)
 
 
 def opening() -> tuple[str, ...]:

@@ -19,15 +19,7 @@ from verify.language.argument import (
 from verify.language.statement import Constant, Context, Given
 from verify.language.terms import Claim, Term, as_term, substitute_claim
 from verify.paper.letters import Letters
-from verify.paper.separatrix.model import (
-    LABEL,
-    LIMIT_MAP,
-    Names,
-    State,
-    constants_of,
-    image,
-    state,
-)
+from verify.paper.separatrix.model import LABEL, LIMIT_MAP, Names, State, constants_of, image, state
 
 up = Letters("up", r="r", a="a", rho="ρ", Q="Q", U="U", X="X", V="V")
 below = Letters("below", q="q", u="u")

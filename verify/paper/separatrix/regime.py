@@ -25,15 +25,7 @@ from verify.language.argument import (
 from verify.language.statement import Always, Context, Given
 from verify.language.terms import Claim, as_term, equal, substitute_claim
 from verify.paper.letters import Letters
-from verify.paper.separatrix.model import (
-    LABEL,
-    LIMIT_MAP,
-    UNENDING,
-    Names,
-    State,
-    image,
-    state,
-)
+from verify.paper.separatrix.model import LABEL, LIMIT_MAP, UNENDING, Names, State, image, state
 from verify.paper.separatrix.order import outermost, under
 
 REGIME = "glue-regime"

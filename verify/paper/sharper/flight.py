@@ -14,7 +14,6 @@ from verify.language.argument import (
     Item,
     Line,
     Value,
-    identity,
     plus,
     power,
     proof,
@@ -22,31 +21,26 @@ from verify.language.argument import (
     square,
     times,
 )
-from verify.language.terms import as_term, equal, sqrt
+from verify.language.terms import as_term, sqrt
 from verify.language.vectors import add, omega_c, omega_s, scale
 from verify.paper.dynamics import laws
 from verify.paper.dynamics.apart import colliding, contexts, opened, spectator, t
-from verify.paper.dynamics.laws import DISTANCE, TIME, absolute
-from verify.paper.dynamics.state import (
-    CONTEXT,
-    A,
-    B,
-    C,
-    D,
-    S,
-    a,
-    b,
-    d,
-    difference,
-    frame,
-    tau,
-    w,
-    y,
-    zeta,
-)
+from verify.paper.dynamics.laws import DISTANCE, TIME
+from verify.paper.dynamics.state import CONTEXT, A, B, D, S, d, difference, frame, tau, y, zeta
 from verify.paper.parameters import THEOREM
-from verify.paper.sharper.numbers import V_0, T, V, eta_0, k, least_ratio, reach, root
-from verify.paper.sharper.state import g, speed, zeta_small
+from verify.paper.sharper.state import (
+    V_0,
+    T,
+    V,
+    eta_0,
+    g,
+    k,
+    least_ratio,
+    reach,
+    root,
+    speed,
+    zeta_small,
+)
 
 SLOWER = times("gain-positive", "g-positive")
 
@@ -54,7 +48,8 @@ SLOWER = times("gain-positive", "g-positive")
 def lines() -> Iterator[Item]:
     """Everything about the time tau between the two collisions, and d_next."""
     yield from _sizes()
-    yield from _components()
+    bound = (V, "V-positive")
+    yield from laws.components(bound, bound, power("V-positive", 2))
     yield from laws.root()
     yield from laws.between_zero_and_one()
     yield from _root()
@@ -83,15 +78,6 @@ def _crude() -> Value:
     return times("k-positive", "y-bound", plus("eta_0-positive", "Cnd1"))
 
 
-def _components() -> Iterator[Item]:
-    bound = (V, "V-positive")
-    yield from absolute("a", a, bound, ("cs-a", "A-below"))
-    yield from absolute("b", b, bound, ("cs-b", "B-below"))
-    facts = (times("A-below", "B-positive"), times(square(V), "B-below"))
-    yield from absolute("w", w, (V**2, power("V-positive", 2)), ("cs-w", *facts))
-    yield Line("C-one", C <= 1, scaled(times("goal", plus("goal", 2)), "cs-omega"))
-
-
 def _root() -> Iterator[Item]:
     yield from (
         Line("zeta-bound", zeta <= 2 * k * V**2,
@@ -105,8 +91,7 @@ def _root() -> Iterator[Item]:
 def _time() -> Iterator[Item]:
     d_sum, y2 = "d-sum-positive", power("Cnd1", 2)
     yield from (
-        Line("time-root",  equal(tau * (1 + d) * y * (1 + S), d * (2 + d)), identity("tau S"),
-             TIME, "τ = d(2+d)/((1+d)(-η_c)(1+√(1-ζ)))"),
+        laws.TIME_ROOT,
         Line("time",       tau <= T * y,
              scaled(times("goal", d_sum, "Cnd1", plus(1, "S-positive")),
                     times("T-positive", y2, d_sum, "S-least"), times(y2, d_sum, "time-room"),

@@ -15,7 +15,7 @@ from verify.paper.dynamics import model
 from verify.paper.dynamics.carried import START
 from verify.paper.dynamics.state import CONTEXT
 from verify.paper.parameters import THEOREM
-from verify.paper.sharper import bounds, collision, flight, numbers, recursion, state
+from verify.paper.sharper import collision, flight, state
 
 ASSUMPTIONS = (
     HARD_SPHERES,
@@ -58,16 +58,17 @@ def sharper() -> Argument:
 
 
 def _chapters() -> Iterator[Chapter]:
-    spaces = (Opened(numbers.context()), *model.spaces())
+    spaces = (Opened(state.start_context()), *model.spaces())
     yield Chapter(None, spaces)
     yield from model.chapters(state.PAIRS)
     yield Chapter(
-        START, (*bounds.lines(), *state.lines(), Opened(state.context(), state.opening()))
+        START, (*state.consequences(), *state.lines(), Opened(state.context(), state.opening()))
     )
     yield Chapter(
-        CONTEXT, (*flight.lines(), *collision.lines(), *recursion.lines(), *recursion.conclusion())
+        CONTEXT,
+        (*flight.lines(), *collision.lines(), *collision.conditions(), *collision.conclusion()),
     )
     yield from flight.apart()
     premises = (f"start-{name}" for name in state.CONDITIONS)
-    always = state.carried.always(state.beginning, premises, ASSUMPTIONS)
+    always = state.carried.always(premises, ASSUMPTIONS)
     yield Chapter(START, (always,))

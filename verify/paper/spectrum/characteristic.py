@@ -7,14 +7,7 @@ from collections.abc import Iterator
 from verify.language.statement import Obligation
 from verify.language.terms import Term, as_term, equal, substitute, symbol
 from verify.paper.spectrum.collision_matrices import COLUMN, ROW
-from verify.paper.spectrum.matrices import (
-    Matrix,
-    Vector,
-    determinant,
-    form,
-    identity_minus,
-    vector,
-)
+from verify.paper.spectrum.matrices import Matrix, Vector, determinant, form, identity_minus, vector
 from verify.paper.spectrum.printed import Q_LABEL, THEOREM, Printed, r, root_3
 from verify.paper.spectrum.section import Section
 
@@ -24,49 +17,22 @@ CHARACTERISTIC = "EQUATSS3.5Alim_PolynCarac"
 lam = symbol("lambda")
 
 _FIRST = vector(lam + (12 * r**2 + 72 * r - 4) / 64, 0, -lam + (-12 * r + 4) / 16, 0)
-_SECOND = (
-    root_3 * (-4 * r**2 - 24 * r - 20) / 64,
-    lam - 1,
-    root_3 * (4 * r + 4) / 16,
-)
-_THIRD = (
-    (r**3 - 17 * r**2 - 13 * r + 5) / 64,
-    -(root_3 * (r + 1) / 8),
-    lam + (-(r**2) + 16 * r + 1) / 16,
-)
-_FOURTH = (
-    root_3 * (16 * r**2 - 16) / 64,
-    as_term(0),
-    -(root_3 * lam) + root_3 * (-16 * r) / 16,
-)
+_SECOND = root_3 * (-4 * r**2 - 24 * r - 20) / 64, lam - 1, root_3 * (4 * r + 4) / 16
+_THIRD = ((r**3 - 17 * r**2 - 13 * r + 5) / 64, -(root_3 * (r + 1) / 8),
+          lam + (-(r**2) + 16 * r + 1) / 16)  # fmt: skip
+_FOURTH = (root_3 * (16 * r**2 - 16) / 64, as_term(0),
+           -(root_3 * lam) + root_3 * (-16 * r) / 16)  # fmt: skip
 
 #: The four matrices whose determinants the appendix displays.
 DETERMINANTS: tuple[Matrix, ...] = (
-    (
-        _FIRST,
-        vector(*_SECOND, lam - 1),
-        vector(*_THIRD, root_3 * (r + 1) / 8),
-        vector(
-            root_3 * (r**3 - r**2 - 13 * r - 11) / 64,
-            -((3 * r + 3) / 8),
-            -(root_3 * (r**2 - 1) / 16),
-            lam + (-5 + 3 * r) / 8,
-        ),
-    ),
-    (
-        _FIRST,
-        vector(*_SECOND, lam - 1),
-        vector(*_THIRD, root_3 * (r + 1) / 8),
-        vector(*_FOURTH, lam - 1),
-    ),
-    (
-        _FIRST,
-        vector(*_SECOND, 2 * (lam - 1)),
-        vector(*_THIRD, 0),
-        vector(*_FOURTH, lam - 1),
-    ),
+    (_FIRST, vector(*_SECOND, lam - 1), vector(*_THIRD, root_3 * (r + 1) / 8),
+     vector(root_3 * (r**3 - r**2 - 13 * r - 11) / 64, -((3 * r + 3) / 8),
+            -(root_3 * (r**2 - 1) / 16), lam + (-5 + 3 * r) / 8)),
+    (_FIRST, vector(*_SECOND, lam - 1), vector(*_THIRD, root_3 * (r + 1) / 8),
+     vector(*_FOURTH, lam - 1)),
+    (_FIRST, vector(*_SECOND, 2 * (lam - 1)), vector(*_THIRD, 0), vector(*_FOURTH, lam - 1)),
     (_FIRST, vector(*_SECOND, 2), vector(*_THIRD, 0), vector(*_FOURTH, 1)),
-)
+)  # fmt: skip
 
 _section = Section("characteristic polynomial")
 needed, printed = _section.needed, _section.printed
@@ -85,13 +51,17 @@ def rows(paper: Printed) -> Iterator[Obligation]:
 
 
 def _appendix(paper: Printed) -> Iterator[Obligation]:
-    start = identity_minus(lam, paper.matrix)
+    row_1, row_2, row_3, row_4 = identity_minus(lam, paper.matrix)
     first, second, third, fourth = DETERMINANTS
+    combined = (_sum(row_1, row_3, as_term(-1)), _sum(row_2, row_4, as_term(1)), row_3, row_4)
+    reduced = (*first[:3], _sum(first[3], first[2], -root_3))
+    added = tuple((a, b, c, d + b) for a, b, c, d in second)
+    factored = tuple((a, b, c, (lam - 1) * d) for a, b, c, d in fourth)
     steps = (
-        ("L₁-L₃ and L₂+L₄ give the first displayed determinant", _rows_combined(start), first),
-        ("L₄-√3 L₃ gives the second one", _last_row_reduced(first), second),
-        ("C₄+C₂ gives the third one", _columns_added(second), third),
-        ("λ-1 is taken out of the fourth column", _last_column(fourth, lam - 1), third),
+        ("L₁-L₃ and L₂+L₄ give the first displayed determinant", combined, first),
+        ("L₄-√3 L₃ gives the second one", reduced, second),
+        ("C₄+C₂ gives the third one", added, third),
+        ("λ-1 is taken out of the fourth column", factored, third),
     )
     for number, (says, computed, displayed) in enumerate(steps, 1):
         yield printed(f"appendix-step-{number}", APPENDIX, f"{says}: u A v = u B v for all u, v",
@@ -103,23 +73,6 @@ def _appendix(paper: Printed) -> Iterator[Obligation]:
             equal(determinant(matrix), value))  # fmt: skip
     yield printed("appendix-determinant-4", APPENDIX, "the last displayed determinant is Q(λ)",
         equal(determinant(fourth), paper.q(lam)))  # fmt: skip
-
-
-def _rows_combined(matrix: Matrix) -> Matrix:
-    first, second, third, fourth = matrix
-    return (_sum(first, third, as_term(-1)), _sum(second, fourth, as_term(1)), third, fourth)
-
-
-def _last_row_reduced(matrix: Matrix) -> Matrix:
-    return (*matrix[:3], _sum(matrix[3], matrix[2], -root_3))
-
-
-def _columns_added(matrix: Matrix) -> Matrix:
-    return tuple((a, b, c, d + b) for a, b, c, d in matrix)
-
-
-def _last_column(matrix: Matrix, factor: Term) -> Matrix:
-    return tuple((a, b, c, factor * d) for a, b, c, d in matrix)
 
 
 def _sum(row: Vector, other: Vector, factor: Term) -> Vector:

@@ -18,14 +18,7 @@ from verify.language.terms import as_term, equal, substitute, symbol
 from verify.paper.rows import SLIP
 from verify.paper.spectrum.characteristic import lam
 from verify.paper.spectrum.collision_matrices import EIGENSPACE, ROW, flipped
-from verify.paper.spectrum.matrices import (
-    Vector,
-    apply,
-    determinant,
-    dot,
-    identity_minus,
-    vector,
-)
+from verify.paper.spectrum.matrices import Vector, apply, determinant, dot, identity_minus, vector
 from verify.paper.spectrum.printed import THEOREM, Printed, h, r, root_3
 from verify.paper.spectrum.real_root import DISCRIMINANT, REAL_ROOT
 from verify.paper.spectrum.section import Section, symbols

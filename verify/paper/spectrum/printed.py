@@ -18,31 +18,15 @@ h = (1 + r) / 4
 
 #: `EQUATSS3.5MatrixAlim_ResF`.
 MATRIX: Matrix = (
-    vector(
-        (-(r**3) + 5 * r**2 - 59 * r - 1) / 64,
-        root_3 * (r + 1) / 8,
-        (r**2 - 4 * r - 5) / 16,
-        -(root_3 * (r + 1) / 8),
-    ),
-    vector(
-        root_3 * (r**3 + 3 * r**2 + 11 * r + 9) / 64,
-        (5 - 3 * r) / 8,
-        -(root_3 * (r**2 + 4 * r + 3) / 16),
-        (3 * r + 3) / 8,
-    ),
-    vector(
-        (-(r**3) + 17 * r**2 + 13 * r - 5) / 64,
-        root_3 * (r + 1) / 8,
-        (r**2 - 16 * r - 1) / 16,
-        -(root_3 * (r + 1) / 8),
-    ),
-    vector(
-        root_3 * (-(r**3) + r**2 + 13 * r + 11) / 64,
-        (3 * r + 3) / 8,
-        root_3 * (r**2 - 1) / 16,
-        (5 - 3 * r) / 8,
-    ),
-)
+    vector((-(r**3) + 5 * r**2 - 59 * r - 1) / 64, root_3 * (r + 1) / 8,
+           (r**2 - 4 * r - 5) / 16, -(root_3 * (r + 1) / 8)),
+    vector(root_3 * (r**3 + 3 * r**2 + 11 * r + 9) / 64, (5 - 3 * r) / 8,
+           -(root_3 * (r**2 + 4 * r + 3) / 16), (3 * r + 3) / 8),
+    vector((-(r**3) + 17 * r**2 + 13 * r - 5) / 64, root_3 * (r + 1) / 8,
+           (r**2 - 16 * r - 1) / 16, -(root_3 * (r + 1) / 8)),
+    vector(root_3 * (-(r**3) + r**2 + 13 * r + 11) / 64, (3 * r + 3) / 8,
+           root_3 * (r**2 - 1) / 16, (5 - 3 * r) / 8),
+)  # fmt: skip
 
 #: The coefficients of `EQUATSS3.5Alim_DetaiPCarQ`, from the constant one to the leading one.
 COEFFICIENTS: Vector = vector(

@@ -100,39 +100,23 @@ APPROACH = "approach"
 SCOPES = {
     scope.name: scope
     for scope in (
-        Scope(
-            NUMBERS,
-            "r, m, n, s, k, v are any numbers in ]0,1[; a, b, c, d, α are positive; all other "
-            "letters are any real numbers",
-            {},
-        ),
+        Scope(NUMBERS, "r, m, n, s, k, v are any numbers in ]0,1[; a, b, c, d, α are positive; all "
+              "other letters are any real numbers", {}),
         Scope(ANY, "r, s, c and ε are any real numbers", {"r": REAL, "s": REAL, "c": REAL}),
-        Scope(
-            CONE,
-            "r is in ]0,1[, x negative, a, b and g are positive, y and t any real numbers",
-            {"x": NEGATIVE, "g": POSITIVE},
-        ),
+        Scope(CONE, "r is in ]0,1[, x negative, a, b and g are positive, y and t any real numbers",
+              {"x": NEGATIVE, "g": POSITIVE}),
         Scope(SMALL, "r is in ]0,1/3[", {"r": (0, Fraction(1, 3))}),
         Scope(LARGE, "r is in ]1/3,1[", {"r": (Fraction(1, 3), 1)}),
         Scope(SHIFTED, "s, which stands for r+1, is in ]1,2[", {"s": (1, 2)}),
-        Scope(
-            LINE,
-            "m is in ]0,1[; k, the place in a line of starting points, is any real number",
-            {"k": REAL},
-        ),
-        Scope(
-            LINEAR,
-            "s is in ]0,1[, k in ]0,1/2[, y positive",
-            {"k": (0, Fraction(1, 2)), "y": POSITIVE},
-        ),
+        Scope(LINE, "m is in ]0,1[; k, the place in a line of starting points, is any real number",
+              {"k": REAL}),
+        Scope(LINEAR, "s is in ]0,1[, k in ]0,1/2[, y positive",
+              {"k": (0, Fraction(1, 2)), "y": POSITIVE}),
         Scope(SMALLER, "p and v are in ]0,1[", {"p": UNIT}),
-        Scope(
-            APPROACH,
-            "r is in ]0,1[, g negative, p, q and the cosine are any real numbers",
-            {"g": NEGATIVE},
-        ),
+        Scope(APPROACH, "r is in ]0,1[, g negative, p, q and the cosine are any real numbers",
+              {"g": NEGATIVE}),
     )
-}
+}  # fmt: skip
 
 
 def _givens(variable: str, interval: Extent) -> list[Given]:

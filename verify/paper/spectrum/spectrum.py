@@ -8,14 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from verify.language.statement import (
-    Applies,
-    Assumption,
-    Cite,
-    Context,
-    Obligation,
-    Statement,
-)
+from verify.language.statement import Applies, Assumption, Cite, Context, Obligation, Statement
 from verify.language.terms import Claim, names_of
 from verify.paper.spectrum import (
     characteristic,

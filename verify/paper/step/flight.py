@@ -12,7 +12,6 @@ from fractions import Fraction
 from verify.language.argument import (
     ByInterval,
     ByRoot,
-    BySum,
     Chapter,
     Item,
     Line,
@@ -252,12 +251,6 @@ def apart() -> Iterator[Chapter]:
 
 def _outer_pair() -> Line:
     outer: Combination = add(add(scale(1 + d, omega_c), scale(-1, omega_s)), scale(t, difference))
-    return Line("outer-pair-apart", 1 < dot(outer, outer), _outer_reason(),
-                "EQUATSS4.1Recurrence_CndT",
-                "the outer pair s-c is apart for all times from 0 to τ, both included")  # fmt: skip
-
-
-def _outer_reason() -> BySum:
     v0, speed = "V_0-positive", "speed-positive"
     together = plus(
         times(2, "C-positive", "d-sum-positive"),
@@ -267,7 +260,7 @@ def _outer_reason() -> BySum:
         times(2, "t-lower", plus("y-upper", "a-upper", "b-upper", "recedes")),
         times(6, "t-upper", speed),
     )
-    return scaled(
+    reason = scaled(
         times(v0, "goal"),
         times(v0, together),
         times(6, speed, "time-crude"),
@@ -275,3 +268,5 @@ def _outer_reason() -> BySum:
         times(Fraction(12, 7), "time-short"),
         times(Fraction(12, 7), v0, "root-two-upper"),
     )
+    return Line("outer-pair-apart", 1 < dot(outer, outer), reason, "EQUATSS4.1Recurrence_CndT",
+                "the outer pair s-c is apart for all times from 0 to τ, both included")  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from verify.language.argument import (
@@ -13,17 +13,19 @@ from verify.language.argument import (
     Factor,
     Item,
     Line,
+    Reason,
     plus,
     power,
     proof,
     times,
 )
+from verify.language.record import Record
 from verify.language.statement import Context, Given, Variable
-from verify.language.terms import Claim, as_term, minimum, substitute_claim, symbol
+from verify.language.terms import Claim, Term, minimum, substitute_claim
 from verify.language.vectors import Frame
-from verify.paper.dynamics.carried import CAUCHY_SCHWARZ
-from verify.paper.dynamics.model import PLANE, aligned
-from verify.paper.dynamics.state import inequalities, tau_of
+from verify.paper.dynamics.carried import CAUCHY_SCHWARZ, start
+from verify.paper.dynamics.model import aligned, at_the_point
+from verify.paper.dynamics.state import LETTERS, tau_of
 from verify.paper.step import numbers, state
 from verify.paper.step.flight import SHIFT
 from verify.paper.step.numbers import (
@@ -36,55 +38,108 @@ from verify.paper.step.numbers import (
     d_slope,
     eta_bar,
     phi_minus,
-    third,
     x_0,
 )
 
 CONTEXT = "initial"
 DATA = "EQUATSS4.1DescrDoIniColla"
 HALF = Fraction(1, 2)
-NAMES = ("y", "eta_s", "C", "a", "b", "A", "B", "w", "d")
 
-frame = Frame(*(symbol(f"{name}_start") for name in NAMES))
-y, eta_s, C, a, b, A, B, w, d = frame
-start = frame._asdict() | {"g": y, "clock": as_term(0)}
 
-#: A point of the set, over the numbers of the theorem: inside it, none of the givens is sharp.
-_y = eta_bar / 2
-_least = minimum(d_const, d_slope * _y**2)
-point_frame = aligned(_y, phi_minus * _y, c, (V_0 + V_1) / 2, (V_0 + V_1) / 2, _least / 2)
-point = {f"{name}_start": value for name, value in point_frame._asdict().items()}
-state_point = point_frame._asdict() | {"g": _y, "clock": as_term(0)}
+class InitialSet(Record):
+    """The set for some constants, with the angle free in an interval and d > 0."""
 
-GIVENS = {
-    "start-Cnd1": 0 < y,
-    "start-eta_bar": y <= eta_bar,
-    "start-recedes": 0 < eta_s,
-    "start-x-upper": eta_s - phi_minus * y <= x_0 * y,
-    "start-x-lower": -(x_0 * y) <= eta_s - phi_minus * y,
-    "start-d-positive": 0 < d,
-    "start-d-const": d <= d_const,
-    "start-d-slope": d <= d_slope * y**2,
-    "start-A-above": V_0 + third <= A,
-    "start-A-below": A <= V_1 - third,
-    "start-B-above": V_0 + third <= B,
-    "start-B-below": B <= V_1 - third,
-    "start-C-upper": C - c <= Delta_theta / 4,
-    "start-C-lower": c - C <= Delta_theta / 4,
-}
+    phi_minus: Term
+    c: Term
+    V_0: Term
+    V_1: Term
+    eta_bar: Term
+    x_0: Term
+    d_const: Term
+    d_slope: Term
+    slack: Term
+
+    @property
+    def givens(self) -> dict[str, Claim]:
+        """The inequalities of the set."""
+        s, third = start, (self.V_1 - self.V_0) / 3
+        return {
+            "start-Cnd1": 0 < s.y,
+            "start-eta_bar": s.y <= self.eta_bar,
+            "start-recedes": 0 < s.eta_s,
+            "start-x-upper": s.eta_s - self.phi_minus * s.y <= self.x_0 * s.y,
+            "start-x-lower": -(self.x_0 * s.y) <= s.eta_s - self.phi_minus * s.y,
+            "start-d-positive": 0 < s.d,
+            "start-d-const": s.d <= self.d_const,
+            "start-d-slope": s.d <= self.d_slope * s.y**2,
+            "start-A-above": self.V_0 + third <= s.A,
+            "start-A-below": s.A <= self.V_1 - third,
+            "start-B-above": self.V_0 + third <= s.B,
+            "start-B-below": s.B <= self.V_1 - third,
+            "start-C-upper": s.C - self.c <= self.slack,
+            "start-C-lower": self.c - s.C <= self.slack,
+        }
+
+    @property
+    def least(self) -> Term:
+        """The bound of d at the point."""
+        return minimum(self.d_const, self.d_slope * (self.eta_bar / 2) ** 2)
+
+    @property
+    def frame(self) -> Frame:
+        """A point inside the set, at which none of the givens is sharp."""
+        y, speed = self.eta_bar / 2, (self.V_0 + self.V_1) / 2
+        return aligned(y, self.phi_minus * y, self.c, speed, speed, self.least / 2)
+
+    @property
+    def point(self) -> dict[str, Term]:
+        """The same, by the names of the set's variables."""
+        return {f"{name}_start": value for name, value in self.frame._asdict().items()}
+
+    def context(self, parent: str, says: str) -> Context:
+        """The set, for given parameters."""
+        variables = tuple(
+            Variable(f"{name}_start", f"{letter} at n = 0", f"({tex})_0")
+            for name, (letter, tex) in LETTERS.items()
+        )
+        givens = tuple(Given(name, claim) for name, claim in self.givens.items())
+        return Context(CONTEXT, variables, givens, self.point, parent, says)
+
+    def inside(self, prefix: str, reasons: Mapping[str, Reason]) -> Iterator[Line]:
+        """The givens at the point, none of them sharp: the set has an interior.
+
+        The names of the facts about its constants begin with ``prefix``.
+        """
+        const, eta2 = f"{prefix}d_const-positive", power(f"{prefix}eta_bar-positive", 2)
+        quarter, eighth = (times(Fraction(1, n), f"{prefix}d_slope-positive", eta2) for n in (4, 8))
+        branches = proof(const), proof(quarter)
+        yield Line("at-least", 0 < self.least, ByLeast(branches))
+        for number, entry in enumerate(self.least.children, 1):
+            yield Line(f"at-least-{number}", self.least <= entry, ByEntry())
+        known = {
+            "start-d-positive": proof(times(HALF, "at-least")),
+            "start-d-const": proof(times(HALF, "at-least-1"), times(HALF, const)),
+            "start-d-slope": proof(times(HALF, "at-least-2"), eighth),
+        }
+        for name, given in self.givens.items():
+            reason, claim = {**reasons, **known}[name], substitute_claim(given, self.point)
+            if claim.relation == "<=":
+                strict, says = Claim("<", claim.lhs, claim.rhs), "inside the set, not at its edge"
+                yield Line(f"inside-{name}", strict, reason, DATA, says)
+            yield Line(f"at-{name}", claim, reason)
+
+
+SET = InitialSet(phi_minus, c, V_0, V_1, eta_bar, x_0, d_const, d_slope, Delta_theta / 4)
+GIVENS = SET.givens
+point_frame, point = SET.frame, SET.point
+state_point = state.carried.begun(point_frame) | {"g": point_frame.y}
 #: Conditions of the recursion that are givens of the initial set under another name.
 SAME = {"g-bound": "start-eta_bar"}
 
 
 def context() -> Context:
-    """The initial data, with the angle free in an interval and d > 0."""
-    letters = {v.name: v for v in state.variables()}
-    variables = tuple(
-        Variable(f"{n}_start", f"{letters[n].letter} at n = 0", f"({letters[n].tex})_0")
-        for n in NAMES
-    )
-    givens = tuple(Given(name, claim) for name, claim in GIVENS.items())
-    return Context(CONTEXT, variables, givens, point, numbers.CONTEXT, "the initial data")
+    """The initial data of the step."""
+    return SET.context(numbers.CONTEXT, "the initial data")
 
 
 def premise(condition: str) -> str:
@@ -93,7 +148,7 @@ def premise(condition: str) -> str:
 
 
 def _at_start(condition: str, *addends: Factor) -> Line:
-    claim = substitute_claim(state.carried.conditions[condition], start)
+    claim = state.carried.at(state.carried.begun())[condition]
     says = "the condition holds for n = 0"
     return Line(f"start-{condition}", claim, proof(*addends), _LABELS.get(condition, DATA), says)
 
@@ -121,7 +176,7 @@ def lines() -> Iterator[Item]:
         _at_start("d-sum-positive", 1, "start-d-positive"),
         _at_start("d-share", "start-d-const", "d_const-share"),
         _at_start("d-small", "start-d-const", "d_const-small"),
-        Line("start-A-one", A <= V_1,
+        Line("start-A-one", start.A <= V_1,
              proof("start-A-below", times(Fraction(1, 3), "V_1-above-V_0"))),
         _at_start("A-positive", "start-A-above", "V_0-positive",
              times(Fraction(1, 3), "V_1-above-V_0")),
@@ -154,7 +209,7 @@ def _zeta() -> Iterator[Item]:
 
 def _angle() -> Iterator[Item]:
     slope = times("d_slope-positive", "start-eta_bar", plus("eta_bar-positive", "start-Cnd1"))
-    yield Line("start-d_bar", d <= d_bar,
+    yield Line("start-d_bar", start.d <= d_bar,
                ByLeast((proof("start-d-const"), proof("start-d-slope", slope)), "d_bar-least"),
                DATA, "d₀ ≤ d̄")  # fmt: skip
     for side in ("upper", "lower"):
@@ -167,38 +222,21 @@ def _angle() -> Iterator[Item]:
 
 
 def inside_the_set() -> Iterator[Item]:
-    """The givens at the point, none of them sharp: the set has an interior."""
-    yield from _least_entries()
-    for name, reason in _point_reasons().items():
-        claim = substitute_claim(GIVENS[name], point)
-        if claim.relation == "<=":
-            strict = Claim("<", claim.lhs, claim.rhs)
-            yield Line(f"inside-{name}", strict, reason, DATA, "inside the set, not at its edge")
-        yield Line(f"at-{name}", claim, reason)
+    """The set has an interior, and there are vectors with the numbers of its point."""
+    yield from SET.inside("", _point_reasons())
     yield from _vectors_exist()
-
-
-def _least_entries() -> Iterator[Item]:
-    slope = times(Fraction(1, 4), "d_slope-positive", power("eta_bar-positive", 2))
-    yield Line("at-least", 0 < _least, ByLeast((proof("d_const-positive"), proof(slope))))
-    for number, entry in enumerate(_least.children, 1):
-        yield Line(f"at-least-{number}", _least <= entry, ByEntry())
 
 
 def _point_reasons() -> dict[str, BySum]:
     spread = proof(times(HALF, "x_0-positive", "eta_bar-positive"))
     norm = proof(times(Fraction(1, 6), "V_1-above-V_0"))
     angle = proof(times(Fraction(1, 4), "Delta_theta-positive"))
-    slope = times(Fraction(1, 8), "d_slope-positive", power("eta_bar-positive", 2))
     return {
         "start-Cnd1": proof(times(HALF, "eta_bar-positive")),
         "start-eta_bar": proof(times(HALF, "eta_bar-positive")),
         "start-recedes": proof(times(HALF, "phi-positive", "eta_bar-positive")),
         "start-x-upper": spread,
         "start-x-lower": spread,
-        "start-d-positive": proof(times(HALF, "at-least")),
-        "start-d-const": proof(times(HALF, "at-least-1"), times(HALF, "d_const-positive")),
-        "start-d-slope": proof(times(HALF, "at-least-2"), slope),
         "start-A-above": norm,
         "start-A-below": norm,
         "start-B-above": norm,
@@ -238,13 +276,8 @@ def instances() -> Iterator[Item]:
         if fact not in GIVENS:
             at_point = substitute_claim(claim, state_point)
             yield Line(f"at-{fact}", at_point, ByInstance(fact, point, premises))
-    time = tau_of(point_frame)
-    p = point_frame
-    values = {"u_y": p.y, "u_s": p.eta_s, "u_C": p.C, "u_A": p.A, "u_B": p.B, "u_d": p.d}
-    values["u_t"] = time
-    for name, claim in inequalities(point_frame, time, state.PAIRS).items():
-        reason = ByInstance(f"{PLANE}-{name}", values, ("at-angle", "at-room-c", "at-room-s"))
-        yield Line(f"at-{name}", claim, reason)
+    givens = ("at-angle", "at-room-c", "at-room-s")
+    yield from at_the_point(point_frame, tau_of(point_frame), state.PAIRS, givens)
 
 
 def opening() -> tuple[str, ...]:

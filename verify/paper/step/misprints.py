@@ -22,17 +22,16 @@ from verify.language.argument import (
     plus,
     power,
     proof,
+    row_of,
     scaled,
     square,
     times,
 )
 from verify.language.record import Record
-from verify.language.statement import NEEDED, Constant, Context, Given, Obligation, Variable
+from verify.language.statement import Constant, Context, Given, Obligation, Variable
 from verify.language.terms import Claim, Term, as_term, equal, maximum, sqrt, symbol
-from verify.paper.groups import PRINTED, REPAIRED
-from verify.paper.initial_data import ConstantSet
-from verify.paper.parameters import V_0, c, r
-from verify.paper.preliminaries import C_eta, alpha_0, delta_2, h_4, h_5, phi_minus
+from verify.paper.initial_data import C_eta, ConstantSet, alpha_0, delta_2, h_4, h_5, phi_minus
+from verify.paper.parameters import PRINTED, REPAIRED, V_0, c, r
 from verify.paper.rows import BREAKS, HARMLESS, SLIP, misprint
 from verify.paper.theorem1 import theorem
 
@@ -406,5 +405,4 @@ def needed() -> Iterator[Obligation]:
     """The right formulas that are proved here."""
     for item in lines():
         if isinstance(item, Line) and item.says:
-            yield Obligation(item.name, RIGHT, item.label,
-                             NEEDED, item.says, item.claim, context=CONTEXT)  # fmt: skip
+            yield row_of(item, RIGHT, CONTEXT)

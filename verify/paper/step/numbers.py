@@ -21,9 +21,8 @@ from verify.language.terms import (
     substitute_claim,
     symbol,
 )
-from verify.paper.groups import HYPOTHESES, REPAIRED
 from verify.paper.initial_data import ConstantSet
-from verify.paper.parameters import THEOREM
+from verify.paper.parameters import HYPOTHESES, REPAIRED, THEOREM
 from verify.paper.theorem1 import theorem
 
 #: The step's name where it is cited, and its context of numbers.

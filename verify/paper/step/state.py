@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from verify.language.statement import Context, Variable
-from verify.language.terms import Claim, Term, symbol
-from verify.paper.dynamics.carried import Carried
+from verify.language.statement import Context
+from verify.language.terms import Claim, Term, as_term, symbol
+from verify.paper.dynamics.carried import Carried, start
 from verify.paper.dynamics.state import (
-    CONTEXT,
-    LETTERS,
     A,
     B,
     C,
-    after_the_collision,
     collision_map,
     d,
     eta_s,
@@ -84,25 +81,22 @@ def _conditions() -> dict[str, Claim]:
     }
 
 
-#: What is carried from state to state, and the next state.
-carried = Carried(_conditions(), after_the_collision() | {"g": C_eta * g, "clock": clock + tau})
-_LETTERS = LETTERS | {"g": ("C_ηⁿ|η_{c,0}|", r"C_\eta^n|\eta_{c,0}|"), "clock": ("t_n", "t_n")}
-
-
-def variables() -> tuple[Variable, ...]:
-    """The numbers of a state."""
-    return tuple(Variable(name, *letters) for name, letters in _LETTERS.items())
+#: What is carried from state to state, and what goes along.
+carried = Carried(
+    _conditions(),
+    {
+        "g": ("C_ηⁿ|η_{c,0}|", r"C_\eta^n|\eta_{c,0}|", start.y, C_eta * g),
+        "clock": ("t_n", "t_n", as_term(0), clock + tau),
+    },
+)
 
 
 def context(parent: str, point: Mapping[str, Term]) -> Context:
     """The states that satisfy the conditions of the recursion."""
-    standing = inequalities(frame, tau_of(frame), PAIRS)
-    return Context(
-        CONTEXT,
-        variables(),
-        tuple(carried.givens(standing)),
+    return carried.context(
+        inequalities(frame, tau_of(frame), PAIRS),
         point,
-        parent,
-        "a state just after a collision that satisfies the conditions of the recursion",
         collision_map(tau_of(frame)),
+        parent=parent,
+        says=" of the recursion",
     )

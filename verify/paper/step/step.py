@@ -9,7 +9,7 @@ from verify.language.argument import Argument, Chapter, Item, Opened, argue
 from verify.paper.assumptions import STEP_ASSUMPTIONS
 from verify.paper.dynamics import model
 from verify.paper.dynamics.state import CONTEXT
-from verify.paper.step import collision, flight, initial, numbers, recursion, state
+from verify.paper.step import collision, flight, initial, numbers, state
 
 TITLE = (
     "One step of the recursion, for every state that satisfies the conditions and all numbers that "
@@ -37,9 +37,10 @@ def chapters() -> Iterator[Chapter]:
     here = state.context(initial.CONTEXT, initial.state_point)
     yield Chapter(initial.CONTEXT, (Opened(here, initial.opening()),))
     yield Chapter(
-        CONTEXT, (*flight.lines(), *collision.lines(), *recursion.lines(), *recursion.conclusion())
+        CONTEXT,
+        (*flight.lines(), *collision.lines(), *collision.conditions(), *collision.conclusion()),
     )
     yield from flight.apart()
     premises = map(initial.premise, state.carried.conditions)
-    always = state.carried.always(initial.start, premises, STEP_ASSUMPTIONS)
+    always = state.carried.always(premises, STEP_ASSUMPTIONS)
     yield Chapter(initial.CONTEXT, (always,))

@@ -7,7 +7,6 @@ from functools import partial
 
 from verify.language.record import Record
 from verify.language.terms import Claim
-from verify.prover import boxes
 from verify.prover.clearing import TooLongError
 from verify.prover.goal import Goal
 from verify.prover.hint import Hint
@@ -17,6 +16,7 @@ from verify.prover.search.bernstein_boxes import by_bernstein, on_interval
 from verify.prover.search.cosine_parts import by_cosines
 from verify.prover.search.differences import by_differences, by_orders_of_variables
 from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_range, by_root
+from verify.prover.search.enclosures import by_cuts, by_interval
 from verify.prover.search.ends_of_variables import by_ends
 from verify.prover.search.equations import by_normal_form
 from verify.prover.search.even import by_even_powers
@@ -61,17 +61,9 @@ class Technique(Record):
     prove: Callable[[Question], Proof | None]
 
 
-def _interval(question: Question) -> Proof | None:
-    return boxes.interval(question.plain, question.known.enclosed)
-
-
 def _signs(question: Question) -> Proof | None:
     known, place = question.session.known, question.goal.context
     return signs(question.plain, lambda claim: known(claim, place))
-
-
-def _cuts(question: Question) -> Proof | None:
-    return boxes.cuts(question.plain, question.known.enclosed, question.budget)
 
 
 def _near_cosines(question: Question) -> Proof | None:
@@ -83,7 +75,7 @@ def _other_cosines(question: Question) -> Proof | None:
 
 
 #: For what needs no facts on divisors and radicands.
-FREE = (Technique("identity", by_identity), Technique("interval", _interval))
+FREE = (Technique("identity", by_identity), Technique("interval", by_interval))
 LAWS = Technique("laws", by_laws)
 #: For equations.
 EQUATIONS = (
@@ -101,7 +93,7 @@ SIMPLE = (
     Technique("extremum", by_extremum),
     Technique("signs", _signs),
     Technique("coefficients", lambda question: on_interval(question.plain)),
-    Technique("cuts", _cuts),
+    Technique("cuts", by_cuts),
     Technique("completed squares", by_completing_squares),
 )
 #: For what follows from all that is linked to a claim, by sums.

@@ -14,11 +14,10 @@ from math import prod
 from flint import fmpq, fmpq_mpoly
 
 from verify.language.record import Record
-from verify.language.terms import Claim, Term, names_of, symbol
+from verify.language.terms import Claim, Term, symbol
 from verify.prover.clearing import BITS, Clearing, TooLongError, expanded
 from verify.prover.goal import Bounds, Goal
 from verify.prover.numbers import fmpq_of, fraction_of
-from verify.prover.program import ExactArithmetic, Machine, Program
 from verify.prover.proof import Value
 
 #: Monomials, in scaled variables, of a polynomial that is looked at.
@@ -191,19 +190,6 @@ class Domain:
             polynomial = polynomial / size
             value = ("mul", str(1 / fraction_of(size)), name)
         return Factor(polynomial, value, fact.relation == "<", (plain,))
-
-
-def _exact(term: Term, values: Mapping[str, Fraction]) -> Fraction | None:
-    """The value of a term where it is rational all the way."""
-    if any(name not in values for name in names_of(term)):
-        return None
-    program = Program(values)
-    program.add(term)
-    try:
-        value = Machine(program, ExactArithmetic()).run(values.values())[term]
-    except ArithmeticError:
-        return None
-    return value if isinstance(value, Fraction) else None
 
 
 def multiplied(a: Factor, b: Factor) -> Factor:

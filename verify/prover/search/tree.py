@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import cached_property
 
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, symbol
@@ -18,7 +19,7 @@ from verify.prover.goal import Bounds
 from verify.prover.numbers import float_of
 from verify.prover.proof import Proof
 from verify.prover.rules import Cuts, Interval
-from verify.prover.search.compiled import range_function
+from verify.prover.search.compiled import Ranges, range_function
 from verify.prover.search.exact import ExactRanges
 from verify.prover.search.question import Question
 
@@ -35,6 +36,8 @@ TINY = 1e-15
 UNSURE = 1e-6
 
 Ends = tuple[Fraction, Fraction]
+#: The two parts of a box, each with its gap.
+Halves = list[tuple[tuple[Ends, ...], float]]
 
 
 def by_tree(question: Question, leaves: int) -> Proof | None:
@@ -67,7 +70,7 @@ class Tree:
         hypotheses: how many there are before the first cut.
     """
 
-    units = MAX_UNITS
+    bits, most_cuts, units = BITS, MAX_DEPTH, MAX_UNITS
 
     def __init__(
         self,
@@ -80,9 +83,9 @@ class Tree:
         self.claim, self.names, self.budget = claim, tuple(variables), budget
         self.hypotheses = hypotheses
         self.sides = claim.lhs, claim.rhs
-        self.ranges = range_function(self.names, self.sides, definitions)
-        self.exact = ExactRanges(self.names, definitions, BITS)
-        self.cost = cost_of(self.sides, definitions, BITS)
+        self.definitions = definitions
+        self.exact = ExactRanges(self.names, definitions, self.bits)
+        self.cost = cost_of(self.sides, definitions, self.bits)
         self.root = Piece(
             tuple(bounds.ends or (Fraction(0), Fraction(0)) for bounds in variables.values()),
             tuple((bounds.low_fact, bounds.high_fact) for bounds in variables.values()),
@@ -94,12 +97,17 @@ class Tree:
         self.guessed: list[tuple[Ends, ...]] = []
         self.decided: dict[tuple[Ends, ...], bool] = {}
 
+    @cached_property
+    def ranges(self) -> Ranges:
+        """The ends of both sides on a box, in floats."""
+        return range_function(self.names, self.sides, self.definitions)
+
     def prove(self, leaves: int) -> Proof | None:
         """A proof with at most so many leaves."""
         self.leaves, self.most = 0, min(leaves, self.units // self.cost)
         self.guessed = []
         proof = self._cover(self.root, self.gap(self.root.ends))
-        return proof if proof is not None and all(map(self._holds, self.guessed)) else None
+        return proof if proof is not None and all(map(self.holds, self.guessed)) else None
 
     def gap(self, ends: Sequence[Ends]) -> float:
         """A lower bound of rhs - lhs on a box; minus infinity where none is known."""
@@ -113,11 +121,11 @@ class Tree:
         if gap != gap:
             return -math.inf
         if -NEAR * size - TINY <= gap <= UNSURE * (size + UNSURE):
-            return 0.0 if self._holds(ends) else -NEAR * size - TINY
+            return 0.0 if self.holds(ends) else -NEAR * size - TINY
         del low, top
         return gap
 
-    def _holds(self, ends: Sequence[Ends]) -> bool:
+    def holds(self, ends: Sequence[Ends]) -> bool:
         """Whether the checker will see that the claim holds on a box."""
         box = tuple(ends)
         if box not in self.decided:
@@ -133,10 +141,10 @@ class Tree:
         if gap >= 0:
             self.leaves += 1
             return self.leaf(box)
-        if box.depth >= MAX_DEPTH or self.leaves >= self.most or not self._may_hold(box):
+        if box.depth >= self.most_cuts or self.leaves >= self.most or not self._may_hold(box):
             self.left = box
             return None
-        index, halves = self._best(box)
+        index, halves = self.best(box)
         hypothesis = f"@{self.hypotheses + box.depth + 1}"
         branches = []
         low_fact, high_fact = box.facts[index]
@@ -154,16 +162,12 @@ class Tree:
     def leaf(self, box: Piece) -> Proof:
         """The proof on a box on which the claim seems to hold."""
         self.guessed.append(box.ends)
-        return Interval(BITS, self.bounds(box))
+        return Interval(self.bits, self.bounds(box))
 
     def bounds(self, box: Piece) -> tuple[tuple[str, str, str], ...]:
         """Each variable with the names of the facts that bound it on a box."""
-        named = zip(self.names, self.facts(box), strict=True)
-        return tuple((name, low, high) for name, (low, high) in named)
-
-    def facts(self, box: Piece) -> tuple[tuple[str, str], ...]:
-        """The facts that bound each variable on a box."""
-        return box.facts
+        named = zip(self.names, box.facts, strict=True)
+        return tuple((name, *facts) for name, facts in named if any(facts))
 
     def _may_hold(self, box: Piece) -> bool:
         """Whether the claim is true at the centre, as far as floats tell."""
@@ -174,24 +178,27 @@ class Tree:
             return True
         return top - low >= -NEAR * (abs(top) + abs(low))
 
-    def _best(self, box: Piece) -> tuple[int, list[tuple[tuple[Ends, ...], float]]]:
+    def best(self, box: Piece) -> tuple[int, Halves]:
         """The variable whose bisection helps most, and its two halves with their gaps."""
         best: tuple[float, Fraction] | None = None
-        chosen: tuple[int, list[tuple[tuple[Ends, ...], float]]] = 0, []
+        chosen: tuple[int, Halves] = 0, []
         widest = max(high - low for low, high in box.ends)
         for index, (low, high) in enumerate(box.ends):
             if (high - low) * 4096 < widest and len(box.ends) > 1:
                 continue
-            middle = _middle(low, high)
-            halves = []
-            for pair in ((low, middle), (middle, high)):
-                ends = (*box.ends[:index], pair, *box.ends[index + 1 :])
-                halves.append((ends, self.gap(ends)))
+            halves = self.halves(box, index, _middle(low, high))
             gaps = [min(gap, 0.0) for _, gap in halves]
             score = (sum(gaps) if sum(gaps) > -math.inf else -math.inf, high - low)
             if best is None or score > best:
                 best, chosen = score, (index, halves)
         return chosen
+
+    def halves(self, box: Piece, index: int, middle: Fraction) -> Halves:
+        """The parts of a box below and above a number in one of its sides."""
+        low, high = box.ends[index]
+        both = ((low, middle), (middle, high))
+        parts = ((*box.ends[:index], side, *box.ends[index + 1 :]) for side in both)
+        return [(ends, self.gap(ends)) for ends in parts]
 
 
 def _middle(low: Fraction, high: Fraction) -> Fraction:

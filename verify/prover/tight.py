@@ -256,7 +256,7 @@ def by_half_turns(
     session, proof = tight.session, prove(simpler)
     if proof is None:
         return None
-    lemma = session.known(simpler, None) or session.lemma(simpler, proof)
+    lemma = session.ensure(simpler, proof)
     using = tuple(name for name, _ in equations.values())
     if claim.relation == "=":
         return Sum((), using, ((lemma, as_term(1)),))

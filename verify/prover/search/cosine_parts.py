@@ -14,11 +14,12 @@ from verify.language.record import Record
 from verify.language.terms import Claim, Term, symbol
 from verify.prover.bernstein import ANY, Side, Tensor
 from verify.prover.clearing import Polynomial
+from verify.prover.cosines import HALF
 from verify.prover.goal import Bounds
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value, product_of, sum_of
 from verify.prover.rules import Cuts, Interval, Sum
-from verify.prover.search.angles import HALF, Linear
+from verify.prover.search.angles import Linear
 from verify.prover.search.cosine_bounds import CosineBounds
 from verify.prover.search.exact import ExactRanges
 from verify.prover.search.levels import by_levels

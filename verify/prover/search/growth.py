@@ -345,9 +345,7 @@ class Growth:
         if proof is None:
             return None
         law = equal(log(exponential), inner)
-        name = self.known.session.known(law, self.context)
-        if name is None:
-            name = self.known.session.lemma(law, Law(), self.known.home(law, self.context))
+        name = self.known.session.ensure(law, Law(), self.known.home(law, self.context))
         premise = Sum(("goal", f"@{len(cuts) + 1}"), (name,))
         return Have(below, (proof, Monotony(premise, "log")))
 

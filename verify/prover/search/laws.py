@@ -117,8 +117,7 @@ class Laws:
 
     def lemma(self, claim: Claim, proof: Proof) -> str:
         """The name of a claim with this proof."""
-        place = self.known.home(claim, self.place)
-        return self.session.known(claim, place) or self.session.lemma(claim, proof, place)
+        return self.session.ensure(claim, proof, self.known.home(claim, self.place))
 
     def use(self, claim: Claim, proof: Proof) -> None:
         """An equation, which tells what its left side is."""

@@ -14,7 +14,7 @@ from math import lcm
 
 from verify.language.terms import Claim, Term, as_term, cos_pi, equal, names_of
 from verify.prover import balls
-from verify.prover.clearing import Clearing, Polynomial, atoms_of
+from verify.prover.clearing import Clearing, Polynomial, atoms_of, coefficients
 from verify.prover.cosines import HALF, Relations, chebyshev
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Antisymmetry, Sum
@@ -138,7 +138,7 @@ class Algebraic:
         used = [i for i, atom in enumerate(atoms) if atom.op == "sqrt" and degrees[i]]
         if not used:
             return None
-        parts = dict(self._clearing.coefficients(p, used[-1]))
+        parts = coefficients(p, used[-1])
         zero = self._clearing.context.constant(0)
         a, b = parts.get(0, zero), parts.get(1, zero)
         s = self._clearing.context.gens()[used[-1]]

@@ -31,7 +31,7 @@ from verify.language.terms import (
     substitute_claim,
     symbol,
 )
-from verify.prover.clearing import Clearing, Polynomial, has_value
+from verify.prover.clearing import Clearing, Polynomial, coefficients, has_value
 from verify.prover.constants import Constants
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value
@@ -149,7 +149,7 @@ class Tight:
         if degree < 1:
             return None
         bottom = clearing.context.constant(0)
-        for power, part in clearing.coefficients(goal, index):
+        for power, part in coefficients(goal, index).items():
             bottom += part * n**power * d ** (degree - power)
         quotient, rest = divmod(goal * d**degree - bottom, clearing.generators[m] * d - n)
         if rest.to_dict():

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import cache
-from itertools import combinations
+from itertools import combinations, product
 from math import lcm
 
 from flint import fmpq, fmpq_mat, fmpq_mpoly, nmod_mat
@@ -20,6 +20,9 @@ from verify.prover.search.domain import Domain
 from verify.prover.search.faces import Block
 
 Exponents = tuple[int, ...]
+#: The directions in the plane of two exponents.
+SLOPES = [(x, y) for x, y in product((-2, -1, 1, 2), repeat=2) if abs(x * y) < 4]
+SLOPES += [(3, -2), (-2, 3), (3, -1), (-1, 3)]
 
 
 def _exponents(n: int, used: Sequence[int], degree: int) -> Iterator[Exponents]:
@@ -95,24 +98,7 @@ def _directions(n: int, used: Sequence[int]) -> Iterator[list[int]]:
         yield [-int(j == i) for j in range(n)]
     yield [-1] * n
     for a, b in combinations(used, 2):
-        for x, y in (
-            (1, 1),
-            (1, -1),
-            (-1, 1),
-            (-1, -1),
-            (1, 2),
-            (2, 1),
-            (-1, 2),
-            (2, -1),
-            (1, -2),
-            (-2, 1),
-            (-1, -2),
-            (-2, -1),
-            (3, -2),
-            (-2, 3),
-            (3, -1),
-            (-1, 3),
-        ):
+        for x, y in SLOPES:
             yield [x * (j == a) + y * (j == b) for j in range(n)]
     for a, b, c in combinations(used, 3):
         for k in range(1, 8):

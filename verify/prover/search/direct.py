@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from verify.language.terms import Claim, Term, as_term, names_of, pi
 from verify.prover.clearing import ROOTS, Clearing
-from verify.prover.proof import Proof
+from verify.prover.proof import Proof, every
 from verify.prover.rules import Antisymmetry, Entry, InRange, Least, Root, Sum
 from verify.prover.search.question import Question
 from verify.prover.session import ZERO
@@ -50,13 +50,11 @@ def _definitions(question: Question) -> tuple[str, ...]:
 
 def by_orders(question: Question) -> Proof | None:
     """Each side of an equation is at most the other."""
-    goal, orders = question.plain, []
-    for sides in ((goal.claim.lhs, goal.claim.rhs), (goal.claim.rhs, goal.claim.lhs)):
-        order = question.known.prove(goal._replace(claim=Claim("<=", *sides)))
-        if order is None:
-            return None
-        orders.append(order)
-    return Antisymmetry((orders[0], orders[1]))
+    goal = question.plain
+    both = (goal.claim.lhs, goal.claim.rhs), (goal.claim.rhs, goal.claim.lhs)
+    claims = (Claim("<=", *sides) for sides in both)
+    orders = every(question.known.prove(goal._replace(claim=claim)) for claim in claims)
+    return None if orders is None else Antisymmetry((orders[0], orders[1]))
 
 
 def by_range(question: Question) -> Proof | None:
@@ -89,8 +87,7 @@ def by_extremum(question: Question) -> Proof | None:
             return Entry(side)
         if term.op in ("min", "max") and term.op != small:
             sides = ((e, other) if side == "lhs" else (other, e) for e in term.children)
-            claims = [Claim(relation, *pair) for pair in sides]
-            proofs = [known.prove(known.goal(claim, question.plain.context)) for claim in claims]
-            found = tuple(proof for proof in proofs if proof is not None)
-            return Least(side, found) if len(found) == len(proofs) else None
+            goals = [known.goal(Claim(relation, *s), question.plain.context) for s in sides]
+            found = every(map(known.prove, goals))
+            return None if found is None else Least(side, found)
     return None

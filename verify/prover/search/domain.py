@@ -15,7 +15,7 @@ from flint import fmpq, fmpq_mpoly
 
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, symbol
-from verify.prover.clearing import BITS, Clearing, TooLongError, expanded
+from verify.prover.clearing import BITS, Clearing, TooLongError, coefficients, expanded
 from verify.prover.goal import Bounds, Goal
 from verify.prover.numbers import fmpq_of, fraction_of
 from verify.prover.proof import Value
@@ -136,7 +136,7 @@ class Domain:
         for index, square in self.squares:
             if polynomial.degrees()[index] > 1:
                 total = self.number(0)
-                for power, part in self.clearing.coefficients(polynomial, index):
+                for power, part in coefficients(polynomial, index).items():
                     half, odd = divmod(power, 2)
                     total += part * self.gens[index] ** odd * square**half
                 polynomial = total

@@ -16,7 +16,7 @@ LEAVES = 1024
 def by_interval(question: Question) -> Proof | None:
     """The enclosures on the whole box."""
     tree = InTurn.of(question)
-    return tree.leaf(tree.root) if tree is not None and tree.holds(tree.root.ends) else None
+    return tree.leaf(tree.root) if tree is not None and tree.is_shown(tree.root.ends) else None
 
 
 def by_cuts(question: Question) -> Proof | None:

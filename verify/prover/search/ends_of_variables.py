@@ -18,7 +18,7 @@ from fractions import Fraction
 from flint import fmpq_mpoly
 
 from verify.language.terms import Claim, Term
-from verify.prover.clearing import expanded
+from verify.prover.clearing import coefficients, expanded
 from verify.prover.goal import Bounds
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Sum
@@ -130,7 +130,7 @@ class Polynomials:
         if degree > 2:
             return None
         low, high = bounds.ends or (Fraction(0), Fraction(0))
-        parts = dict(self.clearing.coefficients(self.p, index))
+        parts = coefficients(self.p, index)
         bend = -parts[2] if degree == 2 else self.number(Fraction(0))
         if not self.not_negative(bend):
             return None

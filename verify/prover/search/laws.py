@@ -9,7 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import reduce
 from math import gcd, lcm
+from operator import add, mul
 
 from flint import fmpz
 
@@ -236,7 +238,7 @@ class Laws:
                 raise StuckError
             self.use(equal(log(whole), log(product) + log(factor)), Law())
             product = whole
-        return _total([self._of_factor(factor) for factor in factors])
+        return reduce(add, [self._of_factor(factor) for factor in factors])
 
     def _of_factor(self, factor: Term) -> Term:
         """The logarithm of a factor, of an exponential, or of a root."""
@@ -255,17 +257,7 @@ class Laws:
 
 
 def _product(factors: Iterable[Term]) -> Term:
-    first, *others = factors
-    for factor in others:
-        first = first * factor
-    return first
-
-
-def _total(terms: Iterable[Term]) -> Term:
-    first, *others = terms
-    for term in others:
-        first = first + term
-    return first
+    return reduce(mul, factors)
 
 
 def step_of(part: Term, step: Fraction) -> Term:
@@ -277,7 +269,7 @@ def step_of(part: Term, step: Fraction) -> Term:
 
 def _sum(factors: Sequence[tuple[Term, int]]) -> Term:
     """What the product of exponentials is the exponential of."""
-    return _total(part if sign > 0 else -part for part, sign in factors)
+    return reduce(add, (part if sign > 0 else -part for part, sign in factors))
 
 
 def _linear(argument: Term) -> dict[Term, Fraction] | None:

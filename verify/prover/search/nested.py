@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from verify.language.fold import TERMS
 from verify.language.terms import Claim, Term, as_term, equal, symbol
-from verify.prover.clearing import Clearing, Polynomial, TooLongError, inner_first
+from verify.prover.clearing import Clearing, Polynomial, TooLongError, coefficients, inner_first
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof
 from verify.prover.rules import Monotony, Sum
@@ -113,7 +113,7 @@ def _nested(clearing: Clearing, polynomial: Polynomial) -> Term:
         clearing.constant(ZERO),
         clearing.constant(ZERO),
     )
-    for power, part in clearing.coefficients(polynomial, index):
+    for power, part in coefficients(polynomial, index).items():
         if power:
             inside += part * x ** (power - 1)
         else:

@@ -17,7 +17,8 @@ from verify.language.terms import Claim, Term, symbol
 from verify.prover.budget import WorkBudget
 from verify.prover.goal import Bounds
 from verify.prover.numbers import float_of
-from verify.prover.proof import Proof
+from verify.prover.proof import Proof, every
+from verify.prover.relations import holds
 from verify.prover.rules import Cuts, Interval
 from verify.prover.search.compiled import Ranges, range_function
 from verify.prover.search.exact import ExactRanges
@@ -130,12 +131,16 @@ class Tree:
         box = tuple(ends)
         if box not in self.decided:
             self.budget.spend(self.cost)
-            found = self.exact.of(box, *self.sides)
-            if found is None:
-                return False
-            (_, high), (low, _) = found
-            self.decided[box] = high < low if self.claim.relation == "<" else high <= low
+            self.decided[box] = self.is_shown(box)
         return self.decided[box]
+
+    def is_shown(self, ends: Sequence[Ends]) -> bool:
+        """The same, of a box that is looked at for the first time; this is not counted as work."""
+        found = self.exact.of(ends, *self.sides)
+        if found is None:
+            return False
+        (_, high), (low, _) = found
+        return holds(self.claim.relation, high, low)
 
     def _cover(self, box: Piece, gap: float) -> Proof | None:
         if gap >= 0:
@@ -146,18 +151,15 @@ class Tree:
             return None
         index, halves = self.best(box)
         hypothesis = f"@{self.hypotheses + box.depth + 1}"
-        branches = []
         low_fact, high_fact = box.facts[index]
-        for (ends, value), facts in zip(
-            halves, ((low_fact, hypothesis), (hypothesis, high_fact)), strict=True
-        ):
-            changed = (*box.facts[:index], facts, *box.facts[index + 1 :])
-            proof = self._cover(Piece(ends, changed, box.depth + 1), value)
-            if proof is None:
-                return None
-            branches.append(proof)
+        sides = zip(halves, ((low_fact, hypothesis), (hypothesis, high_fact)), strict=True)
+        parts = (
+            (Piece(ends, (*box.facts[:index], facts, *box.facts[index + 1 :]), box.depth + 1), part)
+            for (ends, part), facts in sides
+        )
+        branches = every(self._cover(*part) for part in parts)
         cut = halves[0][0][index][1]
-        return Cuts(symbol(self.names[index]), (cut,), tuple(branches))
+        return None if branches is None else Cuts(symbol(self.names[index]), (cut,), branches)
 
     def leaf(self, box: Piece) -> Proof:
         """The proof on a box on which the claim seems to hold."""

@@ -9,6 +9,8 @@ it is (a + b + c)^3 >= 27 a b c that squares show. With R >= 0 and c^k <= R^k,
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import reduce
+from operator import add
 
 from verify.language.terms import Claim, Term, as_term
 from verify.prover.clearing import atoms_of
@@ -64,10 +66,7 @@ def _powers(
         e, b = (equation.rhs, equation.lhs) if turned else (equation.lhs, equation.rhs)
         if b.op == "rational" and b.value > 0:
             unit = e / b if b.value != 1 else e
-            powers = [as_term(1), *(unit**i for i in range(1, degree))]
-            total = powers[0]
-            for one in powers[1:]:
-                total = total + one
+            total = reduce(add, (unit**i for i in range(1, degree)), as_term(1))
             yield k, unit**degree, ((name, -total / b if turned else total / b),)
         else:
             yield k, as_term(1), ()

@@ -7,7 +7,9 @@ centre of mass; they are polynomials in the inner products of a state.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import reduce
 from itertools import permutations
+from operator import add
 
 from verify.language.record import Record
 from verify.spheres.flow.law import EQUAL, Number, Sizes, State, inner, outer
@@ -61,11 +63,8 @@ def _turned(state: State, sizes: Sizes, shares: tuple[Number, Number, Number]) -
         return _of(xx, i, k) * _of(ww, j, m) - xw[i + m] * xw[k + j]
 
     blades = ((own, "s", "s"), (other, "c", "c"), (mixed, "s", "c"), (mixed, "c", "s"))
-    parts = [n * k * product(i, j, x, y) for n, i, j in blades for k, x, y in blades]
-    total = parts[0]
-    for part in parts[1:]:
-        total = total + part
-    return total
+    parts = (n * k * product(i, j, x, y) for n, i, j in blades for k, x, y in blades)
+    return reduce(add, parts)
 
 
 class Spread(Record):

@@ -16,6 +16,7 @@ from verify.language.terms import Claim, Term, as_term, cos_pi, equal, names_of
 from verify.prover import balls
 from verify.prover.clearing import Clearing, Polynomial, atoms_of, coefficients
 from verify.prover.cosines import HALF, Relations, chebyshev
+from verify.prover.goal import definitions_below
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Antisymmetry, Sum
 from verify.prover.session import ZERO
@@ -41,11 +42,13 @@ class Algebraic:
         """A proof, whose lemmas are written down; None if the sides are not seen to be equal."""
         if claim.relation == "<" or not self._may_be_equal(claim):
             return None
-        names = self._definitions(claim)
-        known = [self.ground.definitions[name] for name in names]
+        below = definitions_below(names_of(claim.lhs, claim.rhs), self.ground.definitions)
+        names = tuple(sorted(below))
         replaced = dict(self.session.replaced(names))
         atoms = atoms_of((claim.lhs, claim.rhs), replaced)
-        if not self._is_plain(atoms) or not self._tight.cleared(claim.lhs, claim.rhs, *known):
+        if not self._is_plain(atoms) or not self._tight.cleared(
+            claim.lhs, claim.rhs, *below.values()
+        ):
             return None
         self._cosines = Cosines(self, {atom for atom in atoms if atom.op == "cos_pi"})
         self._using = (*names, *self._cosines.equations)
@@ -73,17 +76,6 @@ class Algebraic:
     def _may_be_equal(self, claim: Claim) -> bool:
         ball = self.ground.ball(claim.lhs - claim.rhs, BITS)
         return ball is not None and not balls.strict_sign(ball)
-
-    def _definitions(self, claim: Claim) -> tuple[str, ...]:
-        """The names in a claim, and those in their definitions."""
-        found: dict[str, None] = {}
-        waiting = [*names_of(claim.lhs, claim.rhs)]
-        while waiting:
-            name = waiting.pop()
-            if name not in found:
-                found[name] = None
-                waiting += names_of(self.ground.definitions[name])
-        return tuple(sorted(found))
 
     def _is_plain(self, atoms: list[Term]) -> bool:
         """Whether there are roots or cosines that a proof could use, and not too many of them."""

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from verify.language.record import Record
 from verify.language.statement import Context, Given
-from verify.language.terms import Claim, Term
+from verify.language.terms import Claim, Term, names_of
 from verify.prover.program import Program
 
 
@@ -64,6 +64,15 @@ class Goal(Record):
         """The ends of all variables, if all are bounded."""
         box = {name: bounds.ends for name, bounds in self.variables.items()}
         return {name: ends for name, ends in box.items() if ends} if all(box.values()) else None
+
+
+def definitions_below(names: Iterable[str], definitions: dict[str, Term]) -> dict[str, Term]:
+    """The definitions of names, and of those in them, in the order in which they were made."""
+    wanted = {*names}
+    for name in reversed(definitions):
+        if name in wanted:
+            wanted.update(names_of(definitions[name]))
+    return {name: term for name, term in definitions.items() if name in wanted}
 
 
 def bounds_of(context: Context, others: Iterable[Given] = ()) -> dict[str, Bounds]:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from verify.language.terms import Claim, Term, as_term, names_of, pi
+from verify.language.terms import Claim, Term, as_term, pi
 from verify.prover.clearing import ROOTS, Clearing
+from verify.prover.goal import definitions_below
 from verify.prover.proof import Proof, every
 from verify.prover.rules import Antisymmetry, Entry, InRange, Least, Root, Sum
 from verify.prover.search.question import Question
@@ -24,7 +25,9 @@ def by_identity(question: Question) -> Proof | None:
     claim = goal.claim
     if claim.relation == "<":
         return None
-    for using in {(): None, _definitions(question): None}:
+    names = (*goal.constants, *goal.definitions)
+    every_name = tuple(sorted(definitions_below(names, session.definitions)))
+    for using in {(): None, every_name: None}:
         clearing = Clearing((claim.lhs, claim.rhs), session.replaced(using))
         difference = clearing.difference(claim.lhs, claim.rhs)
         if not clearing.reduce(difference).to_dict():
@@ -33,19 +36,6 @@ def by_identity(question: Question) -> Proof | None:
                 return None
             return Sum(() if claim.relation == "=" else ("goal",), using)
     return None
-
-
-def _definitions(question: Question) -> tuple[str, ...]:
-    """The names in a claim that have definitions, and those in their definitions."""
-    definitions = question.session.definitions
-    found: dict[str, None] = {}
-    waiting = [*question.plain.constants, *question.plain.definitions]
-    while waiting:
-        name = waiting.pop()
-        if name in definitions and name not in found:
-            found[name] = None
-            waiting += names_of(definitions[name])
-    return tuple(sorted(found))
 
 
 def by_orders(question: Question) -> Proof | None:

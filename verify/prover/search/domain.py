@@ -65,8 +65,12 @@ class Domain:
         self.atoms: Sequence[Term] = self.clearing.atoms
         self.context = self.clearing.context
         self.gens = self.context.gens()
-        self.scales = [self._scale(atom, goal.variables) for atom in self.atoms]
-        self.ends = [self._ends(atom, goal.variables) for atom in self.atoms]
+        scaled = [
+            _scaled(goal.variables.get(a.name) if a.op == "symbol" else None) for a in self.atoms
+        ]
+        self.scales = [scale for scale, _ in scaled]
+        #: Between which numbers each scaled variable is, if there are any.
+        self.ends = [ends for _, ends in scaled]
         self._inward = [
             self.number(s.m) + self.number(s.h) * u
             for s, u in zip(self.scales, self.gens, strict=True)
@@ -91,27 +95,6 @@ class Domain:
         for i, _ in roots:
             value: Value = ("root", self.atoms[i])
             self.facts[f"root {i}"] = Factor(self.gens[i], value, False, (self.gens[i],))
-
-    @staticmethod
-    def _scale(atom: Term, variables: Mapping[str, Bounds]) -> Affine:
-        bounds = variables.get(atom.name) if atom.op == "symbol" else None
-        low, high = (None, None) if bounds is None else (bounds.low, bounds.high)
-        if low is not None and high is not None and low < high:
-            return Affine((low + high) / 2, (high - low) / 2)
-        if low is not None:
-            return Affine(low, Fraction(1))
-        return Affine(Fraction(0), Fraction(1)) if high is None else Affine(high, Fraction(-1))
-
-    @staticmethod
-    def _ends(
-        atom: Term, variables: Mapping[str, Bounds]
-    ) -> tuple[Fraction | None, Fraction | None]:
-        """Between which numbers the scaled variable is, if there are any."""
-        bounds = variables.get(atom.name) if atom.op == "symbol" else None
-        low, high = (None, None) if bounds is None else (bounds.low, bounds.high)
-        if low is not None and high is not None and low < high:
-            return Fraction(-1), Fraction(1)
-        return (None, None) if low is None and high is None else (Fraction(0), None)
 
     def number(self, value: Fraction | int) -> fmpq_mpoly:
         """A number as a polynomial."""
@@ -190,6 +173,17 @@ class Domain:
             polynomial = polynomial / size
             value = ("mul", str(1 / fraction_of(size)), name)
         return Factor(polynomial, value, fact.relation == "<", (plain,))
+
+
+def _scaled(bounds: Bounds | None) -> tuple[Affine, tuple[Fraction | None, Fraction | None]]:
+    """How an atom with these bounds is scaled, and the ends of the scaled one."""
+    zero, one = Fraction(0), Fraction(1)
+    low, high = (None, None) if bounds is None else (bounds.low, bounds.high)
+    if low is not None and high is not None and low < high:
+        return Affine((low + high) / 2, (high - low) / 2), (-one, one)
+    if low is not None:
+        return Affine(low, one), (zero, None)
+    return (Affine(zero, one), (None, None)) if high is None else (Affine(high, -one), (zero, None))
 
 
 def multiplied(a: Factor, b: Factor) -> Factor:

@@ -11,8 +11,8 @@ from flint import fmpq, fmpq_mpoly
 
 from verify.language.statement import Given
 from verify.language.terms import Claim, Term, names_of, symbol
-from verify.prover.clearing import Clearing, atoms_of, inner_first
-from verify.prover.goal import Goal
+from verify.prover.clearing import Clearing, inner_first
+from verify.prover.goal import Goal, definitions_below
 from verify.prover.points import failure_test, refuting_point
 from verify.prover.proof import Value
 from verify.prover.rules import Entry
@@ -296,16 +296,7 @@ def _is_near_zero(found: tuple[float, tuple[float, ...]]) -> bool:
 
 def unfolded(goal: Goal, known: Universal) -> Goal:
     """The goal with constants as names that are defined."""
-    terms: dict[str, Term] = {}
-    if goal.constants:
-        wanted = set(goal.constants)
-        ground = known.ground.definitions
-        for name in reversed(ground):
-            if name in wanted:
-                wanted |= {
-                    atom.name for atom in atoms_of((ground[name],), {}) if atom.op == "symbol"
-                }
-        terms = {name: term for name, term in ground.items() if name in wanted}
+    terms = definitions_below(goal.constants, known.ground.definitions) if goal.constants else {}
     return goal._replace(constants=(), definitions={**terms, **goal.definitions})
 
 

@@ -17,7 +17,6 @@ from verify.prover.search.cosine_parts import by_cosines
 from verify.prover.search.differences import by_differences, by_orders_of_variables
 from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_range, by_root
 from verify.prover.search.enclosures import by_cuts, by_interval
-from verify.prover.search.ends_of_variables import by_ends
 from verify.prover.search.equations import by_normal_form
 from verify.prover.search.even import by_even_powers
 from verify.prover.search.extrema import by_cases, by_entries
@@ -28,16 +27,9 @@ from verify.prover.search.linear import by_linear_sum, by_products, find_ranges
 from verify.prover.search.mean_values import by_mean_values
 from verify.prover.search.multiple_angles import by_multiple_angles
 from verify.prover.search.on_equations import squares_on_equations
-from verify.prover.search.positive import (
-    few_squares,
-    many_squares,
-    plain_squares,
-    squares_with_roots,
-    wider_squares,
-)
+from verify.prover.search.positive import few_squares, plain_squares, squares
 from verify.prover.search.quadratic import by_completing_squares
 from verify.prover.search.question import Question
-from verify.prover.search.restricted import by_restriction
 from verify.prover.search.rising import by_monotony, by_powers, by_same_arguments
 from verify.prover.search.squaring import by_squaring
 from verify.prover.search.subterms import by_subterms
@@ -123,21 +115,17 @@ SEARCHES = (
     Technique("multiple angles", by_multiple_angles),
     Technique("coefficients on few parts", partial(by_bernstein, parts=FEW_PARTS)),
     Technique("coefficients in squares of variables", by_even_powers),
-    Technique("coefficients where a claim may fail", partial(by_restriction, parts=FEW_PARTS)),
     Technique("slopes", partial(by_mean_values, leaves=MANY_LEAVES)),
     Technique("arguments of functions", by_arguments),
-    Technique("ends of variables", by_ends),
     Technique("squaring", by_squaring),
     Technique("factors", by_factors),
     Technique("few squares", few_squares),
     Technique("entries", by_entries),
     Technique("cases", by_cases),
-    Technique("squares", many_squares),
-    Technique("squares with bounds of roots", squares_with_roots),
+    Technique("squares", squares),
     Technique("coefficients on many parts", partial(by_bernstein, parts=MANY_PARTS)),
     Technique("parts with variables of their own", by_subterms),
     Technique("a large tree", partial(by_tree, leaves=MANY_LEAVES)),
-    Technique("squares with more givens", wider_squares),
 )
 
 

@@ -88,11 +88,10 @@ class Part(Record):
     depth: int
 
 
-def by_bernstein(question: Question, parts: int, hypotheses: int = 0) -> Proof | None:
+def by_bernstein(question: Question, parts: int) -> Proof | None:
     """A proof for a polynomial, or a quotient, in variables between numbers.
 
-    So many ``parts`` are tried at most, below so many ``hypotheses``. On parts where a given fails
-    nothing else has to be shown.
+    So many ``parts`` are tried at most. On parts where a given fails nothing else has to be shown.
     """
     goal = question.goal
     system = System(question) if question.given else None
@@ -117,7 +116,7 @@ def by_bernstein(question: Question, parts: int, hypotheses: int = 0) -> Proof |
     points = [[zero.get(name, Fraction(0)) for name in names] for zero in question.simple_zeros]
     search = _Search(question, names, sorted(used), found, points)
     search.most = parts
-    return search.cover(Part(box, tuple(tensors), hypotheses))
+    return search.cover(Part(box, tuple(tensors), 0))
 
 
 def _alternatives(question: Question, clearing: Clearing, p: fmpq_mpoly) -> list[Alternative]:

@@ -17,7 +17,11 @@ from verify.prover.search.cosine_parts import by_cosines
 from verify.prover.search.differences import by_differences, by_orders_of_variables
 from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_range, by_root
 from verify.prover.search.enclosures import by_cuts, by_interval
-from verify.prover.search.equations import by_normal_form
+from verify.prover.search.equations import (
+    by_normal_form,
+    by_whole_powers,
+    squares_on_equations,
+)
 from verify.prover.search.even import by_even_powers
 from verify.prover.search.extrema import by_cases, by_entries
 from verify.prover.search.factors import by_factors
@@ -26,18 +30,16 @@ from verify.prover.search.laws import by_laws, by_products_of_logarithms
 from verify.prover.search.linear import by_linear_sum, by_products, find_ranges
 from verify.prover.search.mean_values import by_mean_values
 from verify.prover.search.multiple_angles import by_multiple_angles
-from verify.prover.search.on_equations import squares_on_equations
 from verify.prover.search.positive import few_squares, plain_squares, squares
 from verify.prover.search.quadratic import by_completing_squares
 from verify.prover.search.question import Question
 from verify.prover.search.rising import by_monotony, by_powers, by_same_arguments
+from verify.prover.search.signs import by_signs
 from verify.prover.search.squaring import by_squaring
 from verify.prover.search.subterms import by_subterms
 from verify.prover.search.tree import by_tree
-from verify.prover.search.whole_powers import by_whole_powers
 from verify.prover.search.witnesses import is_false
 from verify.prover.search.written_out import by_definitions
-from verify.prover.signs import signs
 from verify.prover.universal import Universal
 
 #: With more variables than these a goal is not tried again with those that givens link to its own.
@@ -53,17 +55,8 @@ class Technique(Record):
     prove: Callable[[Question], Proof | None]
 
 
-def _signs(question: Question) -> Proof | None:
-    known, place = question.session.known, question.goal.context
-    return signs(question.plain, lambda claim: known(claim, place))
-
-
-def _near_cosines(question: Question) -> Proof | None:
-    return by_cosines(question) if question.is_near else None
-
-
-def _other_cosines(question: Question) -> Proof | None:
-    return None if question.is_near else by_cosines(question)
+def _cosines(question: Question, *, near: bool) -> Proof | None:
+    return by_cosines(question) if question.is_near == near else None
 
 
 #: For what needs no facts on divisors and radicands.
@@ -83,7 +76,7 @@ SIMPLE = (
     Technique("equal arguments", by_same_arguments),
     Technique("plain squares", plain_squares),
     Technique("extremum", by_extremum),
-    Technique("signs", _signs),
+    Technique("signs", by_signs),
     Technique("coefficients", lambda question: on_interval(question.plain)),
     Technique("cuts", by_cuts),
     Technique("completed squares", by_completing_squares),
@@ -105,9 +98,9 @@ PRODUCTS = (
 TIDY = (SUMS, PRODUCTS, (NORMAL_FORM,))
 #: For claims that no estimate refutes.
 SEARCHES = (
-    Technique("cosines", _near_cosines),
+    Technique("cosines", partial(_cosines, near=True)),
     Technique("a small tree", partial(by_tree, leaves=FEW_LEAVES)),
-    Technique("cosines", _other_cosines),
+    Technique("cosines", partial(_cosines, near=False)),
     Technique("definitions written out", by_definitions),
     Technique("growth", by_growth),
     LAWS,

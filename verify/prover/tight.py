@@ -21,7 +21,6 @@ from verify.language.fold import replaced
 from verify.language.terms import (
     Claim,
     Term,
-    as_term,
     cos,
     cos_pi,
     equal,
@@ -35,7 +34,7 @@ from verify.prover.clearing import Clearing, Polynomial, coefficients, has_value
 from verify.prover.constants import Constants
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value
-from verify.prover.rules import Entry, Law, Sum
+from verify.prover.rules import Entry, Law, Sum, same
 
 #: How many names are replaced at most; the longest proof that the paper needs replaces four.
 MAX_STEPS = 8
@@ -257,10 +256,7 @@ def by_half_turns(
     if proof is None:
         return None
     lemma = session.ensure(simpler, proof)
-    using = tuple(name for name, _ in equations.values())
-    if claim.relation == "=":
-        return Sum((), using, ((lemma, as_term(1)),))
-    return Sum(("goal", lemma), using)
+    return same(claim, lemma, tuple(name for name, _ in equations.values()))
 
 
 def _equations(tight: Tight, part: Term, turns: Fraction) -> dict[Term, tuple[str, Term]]:

@@ -20,7 +20,7 @@ from verify.language.terms import Claim, Term, as_term, equal, exp, log, parts_o
 from verify.prover.clearing import Clearing, TooLongError, atoms_of
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, product_of
-from verify.prover.rules import Interval, Law, Monotony, Sum
+from verify.prover.rules import Interval, Law, Monotony, Sum, same
 from verify.prover.search.question import Question
 from verify.prover.session import ZERO
 
@@ -47,11 +47,7 @@ def by_laws(question: Question) -> Proof | None:
     if simpler == claim or not question.known.clears((simpler.lhs, simpler.rhs), laws.place):
         return None
     fact = laws.fact(simpler)
-    if fact is None:
-        return None
-    if claim.relation == "=":
-        return Sum((), (*laws.used,), ((fact, ONE),))
-    return Sum(("goal", fact), (*laws.used,))
+    return None if fact is None else same(claim, fact, (*laws.used,))
 
 
 def by_products_of_logarithms(question: Question) -> Proof | None:

@@ -17,7 +17,7 @@ from verify.prover.clearing import Clearing, atoms_of
 from verify.prover.cosines import Relations, chebyshev
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof
-from verify.prover.rules import Sum
+from verify.prover.rules import Sum, same
 from verify.prover.search.question import Question
 from verify.prover.session import ZERO
 
@@ -44,10 +44,7 @@ def by_multiple_angles(question: Question) -> Proof | None:
     fact = question.fact(Claim(claim.relation, *sides))
     if fact is None:
         return None
-    using = (*question.using, *equations.values())
-    if claim.relation == "=":
-        return Sum((), using, ((fact, as_term(1)),))
-    return Sum(("goal", fact), using)
+    return same(claim, fact, (*question.using, *equations.values()))
 
 
 def _families(question: Question, op: str) -> Iterator[tuple[Term, list[tuple[int, Term]]]]:

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator
 from functools import partial
 
 from verify.language.record import Record
-from verify.language.terms import Claim
 from verify.prover.clearing import TooLongError
 from verify.prover.goal import Goal
 from verify.prover.hint import Hint
@@ -174,8 +173,7 @@ def _stages(goal: Goal, known: Universal) -> Iterator[tuple[Question, tuple[Tech
     yield question, FREE
     if not _clears(question):
         return
-    turned = (known.turned(side, goal.context) for side in (goal.claim.lhs, goal.claim.rhs))
-    claim = Claim(goal.claim.relation, *turned)
+    claim = known.turned(goal.claim, goal.context)
     if claim != goal.claim:
         question = Question(goal._replace(claim=claim), known)
         if not _clears(question):

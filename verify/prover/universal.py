@@ -238,8 +238,8 @@ class Universal:
         self._clear.add((context, term))
         return True
 
-    def turned(self, term: Term, context: str | None) -> Term:
-        """The same number, with -a/-b for a/b where b is known to be negative.
+    def turned(self, claim: Claim, context: str | None) -> Claim:
+        """The same claim, with -a/-b for a/b where b is known to be negative.
 
         The checker clears both to the same quotient, so that a sum for one is one for the other;
         the quotients of the search are those of the latter. Atoms stay as they are.
@@ -257,7 +257,7 @@ class Universal:
                     known[part] = Term(part.op, *children, *part.args[len(children) :])
             return known[part]
 
-        return turn(term)
+        return Claim(claim.relation, turn(claim.lhs), turn(claim.rhs))
 
     def is_negative(self, term: Term, context: str | None) -> bool:
         """Whether this is how a divisor is cleared."""

@@ -17,7 +17,7 @@ from math import lcm
 from flint import fmpq, fmpq_mat, fmpq_mpoly, nmod_mat
 
 from verify.prover.search.domain import Domain
-from verify.prover.search.faces import Block
+from verify.prover.search.faces import Block, null_space
 
 Exponents = tuple[int, ...]
 #: The directions in the plane of two exponents.
@@ -124,8 +124,8 @@ class Gradings:
             twice = tuple(2 * (i == index) for i in range(len(self.target)))
             rows += [_minus(m, twice) for m in _support(square)]
         rows = sorted(set(rows)) or [(0,) * len(self.target)]
-        self.weights = _kernel(rows)
-        self.signs = _signs(rows)
+        self.weights = [*_kernel(rows)]
+        self.signs = [*_signs(rows)]
 
     def split(self, block: Block) -> Iterator[Block]:
         """What is left of a block of monomials, by the signs."""
@@ -161,30 +161,15 @@ def _minus(a: Exponents, b: Exponents) -> Exponents:
     return tuple(x - y for x, y in zip(a, b, strict=True))
 
 
-def _kernel(rows: Sequence[Exponents]) -> list[list[int]]:
+def _kernel(rows: Sequence[Exponents]) -> Iterator[list[int]]:
     """Integer vectors that span what all rows are orthogonal to."""
-    n = len(rows[0])
-    reduced, rank = fmpq_mat([[fmpq(v) for v in row] for row in rows]).rref()
-    pivots = [next(c for c in range(n) if reduced[r, c]) for r in range(rank)]
-    found = []
-    for free in (c for c in range(n) if c not in pivots):
-        vector = [fmpq(int(c == free)) for c in range(n)]
-        for r, pivot in enumerate(pivots):
-            vector[pivot] = -reduced[r, free]
-        scale = lcm(*(int(value.q) for value in vector))
-        found.append([int((value * scale).p) for value in vector])
-    return found
+    for vector in null_space(fmpq_mat([[fmpq(v) for v in row] for row in rows])):
+        numbers = [*map(fmpq, vector)]
+        scale = lcm(*(int(value.q) for value in numbers))
+        yield [int((value * scale).p) for value in numbers]
 
 
-def _signs(rows: Sequence[Exponents]) -> list[list[int]]:
+def _signs(rows: Sequence[Exponents]) -> Iterator[list[int]]:
     """Vectors of 0 and 1 that span what all rows are orthogonal to, modulo 2."""
-    n = len(rows[0])
-    reduced, rank = nmod_mat([[v % 2 for v in row] for row in rows], 2).rref()
-    pivots = [next(c for c in range(n) if int(reduced[r, c])) for r in range(rank)]
-    found = []
-    for free in (c for c in range(n) if c not in pivots):
-        vector = [int(c == free) for c in range(n)]
-        for r, pivot in enumerate(pivots):
-            vector[pivot] = int(reduced[r, free])
-        found.append(vector)
-    return found
+    for vector in null_space(nmod_mat([[v % 2 for v in row] for row in rows], 2)):
+        yield [*map(int, vector)]

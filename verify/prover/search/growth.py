@@ -205,11 +205,7 @@ class Growth:
 
     def _simple(self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...]) -> Proof | None:
         """A quotient of polynomials, or what the range of a function shows."""
-        claim = Claim(
-            claim.relation,
-            self.known.turned(claim.lhs, self.context),
-            self.known.turned(claim.rhs, self.context),
-        )
+        claim = self.known.turned(claim, self.context)
         try:
             found = on_interval(self.goal._replace(claim=claim, variables=self._variables(bounds)))
             if found is not None:

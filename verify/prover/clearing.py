@@ -53,6 +53,16 @@ def inner_first(terms: Iterable[Term], inside: Callable[[Term], Iterable[Term]])
     return [*found]
 
 
+def through(definitions: Mapping[str, Term]) -> Callable[[Term], Iterable[Term]]:
+    """What is inside a term, for `inner_first`: inside a name, its definition if it has one."""
+
+    def inside(term: Term) -> Iterable[Term]:
+        defined = term.op == "symbol" and term.name in definitions
+        return (definitions[term.name],) if defined else term.children
+
+    return inside
+
+
 def atoms_of(terms: Iterable[Term], replaced: Mapping[Term, Term]) -> list[Term]:
     """The atoms of terms after replacing, each after those inside it."""
 

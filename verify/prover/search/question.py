@@ -11,7 +11,7 @@ from flint import fmpq, fmpq_mpoly
 
 from verify.language.statement import Given
 from verify.language.terms import Claim, Term, names_of, symbol
-from verify.prover.clearing import Clearing, inner_first
+from verify.prover.clearing import Clearing, inner_first, through
 from verify.prover.goal import Goal, definitions_below
 from verify.prover.points import failure_test, refuting_point
 from verify.prover.proof import Value
@@ -190,14 +190,7 @@ class Question:
         return [term for term in self._extrema(*sides) if term not in self.extrema]
 
     def _extrema(self, *terms: Term) -> list[Term]:
-        definitions = self.goal.definitions
-
-        def inside(term: Term) -> Iterable[Term]:
-            if term.op == "symbol" and term.name in definitions:
-                return (definitions[term.name],)
-            return term.children
-
-        parts = inner_first(terms, inside)
+        parts = inner_first(terms, through(self.goal.definitions))
         return [part for part in parts if part.op in ("min", "max")]
 
     @cached_property

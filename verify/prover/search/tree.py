@@ -15,6 +15,7 @@ from functools import cached_property
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, symbol
 from verify.prover.budget import WorkBudget
+from verify.prover.clearing import inner_first, through
 from verify.prover.goal import Bounds
 from verify.prover.numbers import float_of
 from verify.prover.proof import Proof, every
@@ -222,25 +223,13 @@ def _binary_exponent(value: Fraction) -> int:
 
 def cost_of(terms: Sequence[Term], definitions: Mapping[str, Term], bits: int) -> int:
     """About the checker's units of work for one evaluation."""
-    seen: set[Term] = set()
-    waiting = list(terms)
-    total = 30
-    while waiting:
-        term = waiting.pop()
-        if term in seen:
-            continue
-        seen.add(term)
-        waiting += term.children
-        if term.op == "symbol":
-            total += 14
-            if term.name in definitions:
-                waiting.append(definitions[term.name])
-        elif term.op in ("cos", "cos_pi", "sin"):
-            total += 8 * (bits // 2 + 11)
-        elif term.op in ("exp", "log", "atan", "root"):
-            total += 16 * (bits // 2 + 18)
-        elif term.op == "pow":
-            total += 10 + 14 * term.exponent.bit_length()
-        elif term.op != "rational":
-            total += 13
-    return total
+    series = bits // 2
+    prices = {
+        "rational": 0,
+        "symbol": 14,
+        **dict.fromkeys(("cos", "cos_pi", "sin"), 8 * (series + 11)),
+        **dict.fromkeys(("exp", "log", "atan", "root"), 16 * (series + 18)),
+    }
+    parts = inner_first(terms, through(definitions))
+    powers = sum(14 * part.exponent.bit_length() - 3 for part in parts if part.op == "pow")
+    return 30 + powers + sum(prices.get(part.op, 13) for part in parts)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from verify.prover import balls
+from verify.prover.constants import DEFAULT_PRECISION
 from verify.prover.goal import Bounds
 from verify.prover.proof import Proof
 from verify.prover.search.question import Question
 from verify.prover.search.tree import Halves, Piece, Tree
 
-#: As many as claims without variables get at first, so that constants are enclosed once.
+#: As many as claims without variables get at first: the checker encloses constants once.
 BITS = 224
 LEAVES = 1024
 
@@ -40,10 +41,11 @@ class InTurn(Tree):
         if goal.box is None or goal.claim.relation == "=":
             return None
         for name in goal.constants:
-            ball = question.known.enclosed(name, BITS)
+            ball = question.known.enclosed(name, DEFAULT_PRECISION)
             if ball is None:
                 return None
-            constants[name] = Bounds(*balls.ends(ball))
+            with balls.precision(BITS):  # at which the ends of balls are rounded
+                constants[name] = Bounds(*balls.ends(ball))
         tree = cls(goal.claim, {**goal.variables, **constants}, goal.definitions, question.budget)
         tree.cut = len(goal.variables)
         return tree

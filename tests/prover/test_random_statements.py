@@ -32,9 +32,11 @@ from verify.language.statement import (
     Variable,
 )
 from verify.language.terms import Claim, Term, as_term, cos_pi, maximum, minimum, sqrt, symbol
+from verify.prover import techniques
 from verify.prover.budget import WorkBudget
 from verify.prover.outcome import Outcome
 from verify.prover.rules import Interval
+from verify.prover.techniques import Technique
 from verify.wire.questions import decide
 
 FIRST = int(os.environ.get("STATEMENT_FIRST", "0"))
@@ -298,6 +300,7 @@ def test_a_search_that_fails_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None
 
 
 def test_a_refused_proof_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("verify.prover.techniques.boxes.interval", lambda *_: Interval(64, ()))
+    refused = Technique("interval", lambda _: Interval(64, ()))
+    monkeypatch.setattr(techniques, "FREE", (*techniques.FREE[:1], refused))
     with pytest.raises(OwnError, match="does not accept"):
         list(map(wrong, range(20)))

@@ -281,16 +281,19 @@ def test_rounding_to_the_wrong_side_is_noticed(
 ) -> None:
     """At few bits points are then said to lie on the wrong side."""
     strip = curve(AT_3_100).strip(F(1, 10), 40)
-    name = {"upper": "_ends", "lower": "_never_ends"}[wrong]
-    source = dedent(inspect.getsource(getattr(Orbits, name)))
-    assert source.count(f".{right}()") == 2
+    source = dedent(inspect.getsource(Orbits._followed))
+    state = "(q.{0}(), u.{0}())"
+    assert source.count(state.format(right)) == 1
     names: dict[str, Any] = {"Point": limit_map.Point}
-    exec(source.replace(f".{right}()", f".{wrong}()"), names)
-    other = {"_ends": "_never_ends", "_never_ends": "_ends"}[name]
-    monkeypatch.setattr(Orbits, name, names[name])
-    monkeypatch.setattr(Orbits, other, lambda *_: False)
-    says = {"_ends": 1, "_never_ends": -1}[name]
-    inside = {"_ends": strip.low, "_never_ends": strip.high}[name]
+    exec(source.replace(state.format(right), state.format(wrong)), names)
+    is_up = right == "upper"
+    followed = names["_followed"]
+
+    def alone(self: Orbits, state: limit_map.Point, *, up: bool) -> int:
+        return followed(self, state, up=up) if up == is_up else 0
+
+    monkeypatch.setattr(Orbits, "_followed", alone)
+    says, inside = (-1, strip.high) if is_up else (1, strip.low)
     found = set()
     for bits in range(12, 40):
         for k in range(4, 14):

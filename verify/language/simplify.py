@@ -5,9 +5,12 @@ What is made has the same value wherever the term has one; it is shown, and prov
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from fractions import Fraction
+from functools import partial
 
-from verify.language.terms import LEAVES, Claim, Term, as_term, nth_root
+from verify.language.fold import TERMS, fold
+from verify.language.terms import Claim, Term, as_term
 
 ONE = Fraction(1)
 
@@ -19,44 +22,7 @@ def simplified_claim(claim: Claim) -> Claim:
 
 def simplified(term: Term) -> Term:
     """The term without factors 1, double signs, and products of numbers."""
-    known: dict[Term, Term] = {}
-    for part in _in_order(term):
-        if part.op in LEAVES:
-            known[part] = part
-        elif part.op == "root":
-            known[part] = nth_root(known[part.children[0]], part.exponent)
-        elif part.op == "pow":
-            base = known[part.children[0]]
-            known[part] = base if part.exponent == 1 else base**part.exponent
-        else:
-            known[part] = _rebuilt(part.op, [known[child] for child in part.children])
-    return known[term]
-
-
-def _in_order(term: Term) -> list[Term]:
-    """The parts of a term, each after its own parts."""
-    found: dict[Term, None] = {}
-    waiting = [(term, False)]
-    while waiting:
-        part, ready = waiting.pop()
-        if ready:
-            found[part] = None
-        elif part not in found:
-            waiting.append((part, True))
-            waiting += [(child, False) for child in part.children]
-    return list(found)
-
-
-def _rebuilt(op: str, parts: list[Term]) -> Term:
-    if op == "neg":
-        return _negated(parts[0])
-    if op in ("add", "sub"):
-        return _sum(op, *parts)
-    if op == "mul":
-        return _product(*parts)
-    if op == "div":
-        return _quotient(*parts)
-    return Term(op, *parts)
+    return fold(term, _ALGEBRA, {})
 
 
 def _negated(term: Term) -> Term:
@@ -111,3 +77,14 @@ def _quotient(left: Term, right: Term) -> Term:
         if y.value == ONE:
             return x
     return Term("div", x, y)
+
+
+_ALGEBRA: Mapping[str, Callable[..., Term]] = {
+    **TERMS,
+    "neg": _negated,
+    "add": partial(_sum, "add"),
+    "sub": partial(_sum, "sub"),
+    "mul": _product,
+    "div": _quotient,
+    "pow": lambda base, exponent: base if exponent == 1 else base**exponent,
+}

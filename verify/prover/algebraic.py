@@ -14,9 +14,11 @@ from math import lcm
 
 from verify.language.terms import Claim, Term, as_term, cos_pi, equal, names_of
 from verify.prover import balls
-from verify.prover.clearing import Clearing, Polynomial, atoms_of
+from verify.prover.clearing import Clearing, Polynomial, atoms_of, coefficients
+from verify.prover.cosines import HALF, Relations, chebyshev
+from verify.prover.goal import definitions_below
 from verify.prover.proof import Proof, Value
-from verify.prover.rules import Angles, Antisymmetry, Interval, Sum
+from verify.prover.rules import Antisymmetry, Sum
 from verify.prover.session import ZERO
 from verify.prover.tight import Tight
 
@@ -25,7 +27,6 @@ MAX_MULTIPLE = 60
 MAX_ROOTS = 8
 #: A conjugate that so many bits do not tell from 0 is taken for 0.
 BITS = 1024
-HALF = Fraction(1, 2)
 Equations = list[tuple[str, Polynomial]]
 
 
@@ -41,11 +42,13 @@ class Algebraic:
         """A proof, whose lemmas are written down; None if the sides are not seen to be equal."""
         if claim.relation == "<" or not self._may_be_equal(claim):
             return None
-        names = self._definitions(claim)
-        known = [self.ground.definitions[name] for name in names]
+        below = definitions_below(names_of(claim.lhs, claim.rhs), self.ground.definitions)
+        names = tuple(sorted(below))
         replaced = dict(self.session.replaced(names))
         atoms = atoms_of((claim.lhs, claim.rhs), replaced)
-        if not self._is_plain(atoms) or not self._tight.cleared(claim.lhs, claim.rhs, *known):
+        if not self._is_plain(atoms) or not self._tight.cleared(
+            claim.lhs, claim.rhs, *below.values()
+        ):
             return None
         self._cosines = Cosines(self, {atom for atom in atoms if atom.op == "cos_pi"})
         self._using = (*names, *self._cosines.equations)
@@ -73,17 +76,6 @@ class Algebraic:
     def _may_be_equal(self, claim: Claim) -> bool:
         ball = self.ground.ball(claim.lhs - claim.rhs, BITS)
         return ball is not None and not balls.strict_sign(ball)
-
-    def _definitions(self, claim: Claim) -> tuple[str, ...]:
-        """The names in a claim, and those in their definitions."""
-        found: dict[str, None] = {}
-        waiting = [*names_of(claim.lhs, claim.rhs)]
-        while waiting:
-            name = waiting.pop()
-            if name not in found:
-                found[name] = None
-                waiting += names_of(self.ground.definitions[name])
-        return tuple(sorted(found))
 
     def _is_plain(self, atoms: list[Term]) -> bool:
         """Whether there are roots or cosines that a proof could use, and not too many of them."""
@@ -138,7 +130,7 @@ class Algebraic:
         used = [i for i, atom in enumerate(atoms) if atom.op == "sqrt" and degrees[i]]
         if not used:
             return None
-        parts = dict(self._clearing.coefficients(p, used[-1]))
+        parts = coefficients(p, used[-1])
         zero = self._clearing.context.constant(0)
         a, b = parts.get(0, zero), parts.get(1, zero)
         s = self._clearing.context.gens()[used[-1]]
@@ -179,6 +171,7 @@ class Cosines:
 
     def __init__(self, algebraic: Algebraic, atoms: set[Term]) -> None:
         self.ground, self.session = algebraic.ground, algebraic.session
+        self.relations = Relations(self.session, None)
         self.equations: tuple[str, ...] = ()
         self.relation = ""
         self.generator = cos_pi(Fraction(1))
@@ -205,35 +198,15 @@ class Cosines:
     def _at(self, k: int) -> Term:
         return cos_pi(Fraction(k, self.n))
 
-    def _exact(self, angle: Fraction, value: int) -> str:
-        claim = equal(cos_pi(angle), as_term(value))
-        return self.session.known(claim, None) or self.session.lemma(claim, Interval(64))
-
-    def _product(self, u: Fraction, v: Fraction) -> str:
-        """2 cos u cos v = cos(u + v) + cos(u - v)."""
-        claim = equal(2 * (cos_pi(u) * cos_pi(v)), cos_pi(u + v) + cos_pi(u - v))
-        return self.session.known(claim, None) or self.session.lemma(claim, Angles())
-
-    def _polynomial(self, k: int) -> Term:
-        """The Chebyshev polynomial T_k of the generator."""
-        rows: list[dict[int, int]] = [{0: 1}, {1: 1}]
-        while len(rows) <= k:
-            new = {degree + 1: 2 * value for degree, value in rows[-1].items()}
-            for degree, value in rows[-2].items():
-                new[degree] = new.get(degree, 0) - value
-            rows.append(new)
-        context = Clearing((self.generator,), {})
-        x = context.generators[self.generator]
-        return context.term(sum((v * x**d for d, v in rows[k].items() if v), 0 * x))
-
     def _chebyshev(self, k: int) -> None:
         """cos(k pi/n) is a polynomial in the generator."""
-        claim = equal(self._at(k), self._polynomial(k))
+        claim = equal(self._at(k), chebyshev(self.generator, k))
         known = self.session.known(claim, None)
         if k == 0:
-            known = self._exact(Fraction(0), 1)
+            known = self.relations.exact(self._at(0), 1)
         elif k > 1 and known is None:
-            product = self._product(Fraction(k - 1, self.n), Fraction(1, self.n))
+            u, v = self._at(k - 1), self.generator
+            product = self.relations.product(u, v, self._at(k), self._at(k - 2))
             using = tuple(self._shown[i] for i in (k - 2, k - 1) if i != 1)
             known = self.session.lemma(claim, Sum((), using, ((product, as_term(-1)),)))
         if known is not None:
@@ -243,15 +216,10 @@ class Cosines:
         """The cosine of an angle that is written in another way, or is negative."""
         k = abs(int(value * self.n))
         cosine, same, zero = Term("cos_pi", angle), cos_pi(abs(value)), cos_pi(Fraction(0))
-        claim = equal(cosine, self._polynomial(k))
-        product = equal(2 * (same * zero), cosine + same)
-        if value < 0:
-            product = equal(2 * (zero * same), same + cosine)
-        using = (self._exact(Fraction(0), 1), *((self._shown[k],) if k > 1 else ()))
-        name = self.session.known(product, None) or self.session.lemma(product, Angles())
-        return self.session.known(claim, None) or self.session.lemma(
-            claim, Sum((), using, ((name, as_term(-1)),))
-        )
+        using = (self.relations.exact(zero, 1), *((self._shown[k],) if k > 1 else ()))
+        pair = (zero, same, same, cosine) if value < 0 else (same, zero, cosine, same)
+        proof = Sum((), using, ((self.relations.product(*pair), as_term(-1)),))
+        return self.session.ensure(equal(cosine, chebyshev(self.generator, k)), proof)
 
     def _minimal(self, middle: list[int]) -> str:
         """The irreducible polynomial of the generator is 0: it divides one that is."""
@@ -272,18 +240,19 @@ class Cosines:
 
     def _middle(self, middle: list[int]) -> str:
         """cos(pi/2) = 0, or cos(pi/2 - x) + cos(pi/2 + x) = 0, in terms of the generator."""
-        none = self._exact(HALF, 0)
-        total, using, equation = self._polynomial(middle[0]), [none], (none, as_term(1))
-        if len(middle) == 1:
+        none = self.relations.exact(cos_pi(HALF), 0)
+        total, *others = (chebyshev(self.generator, k) for k in middle)
+        using, equation = [none], (none, as_term(1))
+        if not others:
             using.clear()
         else:
-            total = total + self._polynomial(middle[1])
-            product = self._product(HALF, HALF - Fraction(middle[0], self.n))
+            total = total + others[0]
+            rest = HALF - Fraction(middle[0], self.n)
+            sums = cos_pi(HALF + rest), cos_pi(HALF - rest)
+            product = self.relations.product(cos_pi(HALF), cos_pi(rest), *sums)
             equation = product, as_term(-1)
         using += [self._shown[k] for k in middle if k > 1]
-        claim = equal(total, ZERO)
-        known = self.session.known(claim, None)
-        return known or self.session.lemma(claim, Sum((), tuple(using), (equation,)))
+        return self.session.ensure(equal(total, ZERO), Sum((), tuple(using), (equation,)))
 
     def _is_zero(self, term: Term) -> bool:
         ball = self.ground.ball(term, BITS)

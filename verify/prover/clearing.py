@@ -53,6 +53,16 @@ def inner_first(terms: Iterable[Term], inside: Callable[[Term], Iterable[Term]])
     return [*found]
 
 
+def through(definitions: Mapping[str, Term]) -> Callable[[Term], Iterable[Term]]:
+    """What is inside a term, for `inner_first`: inside a name, its definition if it has one."""
+
+    def inside(term: Term) -> Iterable[Term]:
+        defined = term.op == "symbol" and term.name in definitions
+        return (definitions[term.name],) if defined else term.children
+
+    return inside
+
+
 def atoms_of(terms: Iterable[Term], replaced: Mapping[Term, Term]) -> list[Term]:
     """The atoms of terms after replacing, each after those inside it."""
 
@@ -233,24 +243,25 @@ class Clearing(Quotients):
         x, root_index = self.context.gens()[index], index_of(self.atoms[index])
         top = int(polynomial.degrees()[index]) // root_index
         total = self.context.constant(0)
-        for power, part in self.coefficients(polynomial, index):
+        for power, part in coefficients(polynomial, index).items():
             times, odd = divmod(power, root_index)
             scale = self.times(self.power(n, times), self.power(d, top - times))
             total += self.times(part * x**odd, scale)
         return total
 
-    def coefficients(self, polynomial: Polynomial, index: int) -> Iterator[tuple[int, Polynomial]]:
-        """The coefficient of each power of one atom."""
-        parts: dict[int, dict[tuple[int, ...], fmpq]] = {}
-        for monomial, value in polynomial.to_dict().items():
-            rest = (*monomial[:index], 0, *monomial[index + 1 :])
-            parts.setdefault(int(monomial[index]), {})[rest] = value
-        for power, part in sorted(parts.items()):
-            yield power, self.context.from_dict(part)
-
     def term(self, polynomial: Polynomial) -> Term:
         """A polynomial as a term, expanded."""
         return expanded(polynomial, self.atoms)
+
+
+def coefficients(polynomial: Polynomial, index: int) -> dict[int, Polynomial]:
+    """The coefficient of each power of one variable, by the powers that occur, in order."""
+    parts: dict[int, dict[tuple[int, ...], fmpq]] = {}
+    for monomial, value in polynomial.to_dict().items():
+        rest = (*monomial[:index], 0, *monomial[index + 1 :])
+        parts.setdefault(int(monomial[index]), {})[rest] = value
+    context = polynomial.context()
+    return {power: context.from_dict(part) for power, part in sorted(parts.items())}
 
 
 def expanded(polynomial: Polynomial, atoms: Sequence[Term]) -> Term:

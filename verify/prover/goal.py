@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from verify.language.record import Record
 from verify.language.statement import Context, Given
-from verify.language.terms import Claim, Term
+from verify.language.terms import Claim, Term, names_of
 from verify.prover.program import Program
 
 
@@ -66,6 +66,15 @@ class Goal(Record):
         return {name: ends for name, ends in box.items() if ends} if all(box.values()) else None
 
 
+def definitions_below(names: Iterable[str], definitions: dict[str, Term]) -> dict[str, Term]:
+    """The definitions of names, and of those in them, in the order in which they were made."""
+    wanted = {*names}
+    for name in reversed(definitions):
+        if name in wanted:
+            wanted.update(names_of(definitions[name]))
+    return {name: term for name, term in definitions.items() if name in wanted}
+
+
 def bounds_of(context: Context, others: Iterable[Given] = ()) -> dict[str, Bounds]:
     """For each variable of a context the best bounds by numbers among its givens, and others."""
     found = {variable.name: Bounds() for variable in context.variables}
@@ -86,23 +95,19 @@ def narrowed(bounds: Bounds, name: str, given: Given) -> Bounds:
 
 def _bounds(given: Given) -> Iterator[tuple[str, Bounds]]:
     relation, lhs, rhs = given.claim.key
-    if lhs.op == "rational" and rhs.op == "symbol":
-        yield rhs.name, Bounds(low=lhs.value, low_fact=given.name, low_relation=relation)
-        if relation == "=":
-            yield rhs.name, Bounds(high=lhs.value, high_fact=given.name, high_relation=relation)
-    if lhs.op == "symbol" and rhs.op == "rational":
-        yield lhs.name, Bounds(high=rhs.value, high_fact=given.name, high_relation=relation)
-        if relation == "=":
-            yield lhs.name, Bounds(low=rhs.value, low_fact=given.name, low_relation=relation)
+    fact, is_equation = given.name, relation == "="
+    for number, variable, is_low in ((lhs, rhs, True), (rhs, lhs, False)):
+        if number.op == "rational" and variable.op == "symbol":
+            if is_low or is_equation:
+                yield variable.name, Bounds(low=number.value, low_fact=fact, low_relation=relation)
+            if is_equation or not is_low:
+                high = Bounds(high=number.value, high_fact=fact, high_relation=relation)
+                yield variable.name, high
 
 
 def _narrowed(old: Bounds, new: Bounds) -> Bounds:
     if new.low is not None and (old.low is None or old.low < new.low):
-        old = Bounds(
-            new.low, old.high, new.low_fact, old.high_fact, new.low_relation, old.high_relation
-        )
+        old = old._replace(low=new.low, low_fact=new.low_fact, low_relation=new.low_relation)
     if new.high is not None and (old.high is None or new.high < old.high):
-        old = Bounds(
-            old.low, new.high, old.low_fact, new.high_fact, old.low_relation, new.high_relation
-        )
+        old = old._replace(high=new.high, high_fact=new.high_fact, high_relation=new.high_relation)
     return old

@@ -21,6 +21,7 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from verify.language.record import Record
 from verify.prover.bernstein import Forms
+from verify.prover.clearing import coefficients
 from verify.prover.numbers import float_of, fmpq_of, fraction_of
 from verify.prover.proof import Value, power_of, product_of, sum_of
 
@@ -279,11 +280,8 @@ class Positivity:
         return Found(sum_of(*values), h.strict, factors, product)
 
     def _by_degree(self, f: Polynomial, index: int, degree: int) -> list[Polynomial]:
-        parts: list[dict[tuple[int, ...], fmpq]] = [{} for _ in range(degree + 1)]
-        for monomial, value in f.to_dict().items():
-            rest = (*monomial[:index], 0, *monomial[index + 1 :])
-            parts[int(monomial[index])][rest] = value
-        return [self.ring.from_dict(part) for part in parts]
+        parts = coefficients(f, index)
+        return [parts.get(power, self.constant(0)) for power in range(degree + 1)]
 
     def _reduce(self, f: Polynomial) -> tuple[Polynomial, tuple[Value, ...], Polynomial | None]:
         """F times factors, with squares replaced."""

@@ -6,7 +6,7 @@ of a field says what it holds: by it proofs are written, read and searched for t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 from functools import cache
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
@@ -34,6 +34,16 @@ def sum_of(*values: Value) -> Value:
 def power_of(value: Value, exponent: int) -> Value:
     """The power of a value."""
     return value if exponent == 1 else ("pow", value, exponent)
+
+
+def every(proofs: Iterable[Proof | None]) -> tuple[Proof, ...] | None:
+    """All proofs; None as soon as one is missing."""
+    found: list[Proof] = []
+    for proof in proofs:
+        if proof is None:
+            return None
+        found.append(proof)
+    return tuple(found)
 
 
 #: What the fields of proofs hold; the text is the name in the JSON schema.

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from verify.language.argument import Reason
-from verify.language.terms import Claim, Term, names_of, substitute_claim
+from verify.language.fold import replaced
+from verify.language.terms import Claim, Term, names_of, parts_of, substitute_claim
 from verify.prover import arguments
 from verify.prover.clearing import divisors
 from verify.prover.positivity import NotFoundError
@@ -37,11 +38,11 @@ class RowProofs:
         known = self.hints.get(name)
         if known is not None:
             return self._hinted(claim, known)
-        for side in (claim.lhs, claim.rhs):
-            for term in _extrema(side):
-                return self._cases(claim, term)
-        for term in _new_roots(claim, self.ring):
-            return self._root(claim, term)
+        for term in _parts(claim.lhs, claim.rhs, "min", "max"):
+            return self._cases(claim, term)
+        for term in _parts(claim.rhs, claim.lhs, "sqrt"):
+            if term not in self.ring.values and term not in self.ring.replaced:
+                return self._root(claim, term)
         try:
             return self.ring.prove(claim)
         except NotFoundError:
@@ -64,7 +65,11 @@ class RowProofs:
         """The reasons that the paper's room gives; several are one for each entry."""
         self.ring.ensure(claim.lhs, claim.rhs)
         proofs = tuple(map(arguments.proof_of, reasons))
-        return proofs[0] if len(proofs) == 1 else Cases(next(_extrema(claim.lhs)), proofs)
+        return (
+            proofs[0]
+            if len(proofs) == 1
+            else Cases(next(_parts(claim.lhs, claim.lhs, "min", "max")), proofs)
+        )
 
     def _cases(self, claim: Claim, term: Term) -> Proof:
         """A branch for each entry of a maximum."""
@@ -73,9 +78,8 @@ class RowProofs:
         return Cases(term, tuple(branches))
 
     def _branch(self, claim: Claim, term: Term, entry: Term) -> Sum:
-        there = Claim(
-            claim.relation, _replaced(claim.lhs, term, entry), _replaced(claim.rhs, term, entry)
-        )
+        sides = (replaced(side, {term: entry}) for side in (claim.lhs, claim.rhs))
+        there = Claim(claim.relation, *sides)
         found = self.ring.prove(there)
         return found._replace(using=(*found.using, "@1"))
 
@@ -98,29 +102,6 @@ class RowProofs:
         return Sum((goal, squares))
 
 
-def _extrema(term: Term) -> Iterator[Term]:
-    if term.op in ("min", "max"):
-        yield term
-    for child in term.children:
-        yield from _extrema(child)
-
-
-def _new_roots(claim: Claim, ring: Ring) -> Iterator[Term]:
-    """Roots that the ring does not have."""
-    for term in (claim.rhs, claim.lhs):
-        waiting = [term]
-        while waiting:
-            part = waiting.pop()
-            if part.op == "sqrt" and part not in ring.values and part not in ring.replaced:
-                yield part
-            waiting += part.children
-
-
-def _replaced(term: Term, old: Term, new: Term) -> Term:
-    if term is old:
-        return new
-    children = term.children
-    if not children:
-        return term
-    parts = [_replaced(child, old, new) for child in children]
-    return Term(term.op, *parts, *term.args[len(children) :])
+def _parts(first: Term, second: Term, *ops: str) -> Iterator[Term]:
+    """The parts of two terms by these operations, from the outside in."""
+    return (part for part in parts_of(first, second) if part.op in ops)

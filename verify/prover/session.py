@@ -106,6 +106,10 @@ class Session:
         self.steps.append(LemmaStep(name, context, claim, proof))
         return self.install(name, claim, context)
 
+    def ensure(self, claim: Claim, proof: Proof, context: str | None = None) -> str:
+        """The name of a fact that is usable in the context, or else is proved by this."""
+        return self.known(claim, context) or self.lemma(claim, proof, context)
+
     def prove_row(self, row: Obligation, proof: Proof, *, holds: bool = True) -> None:
         """Write down the proof of an obligation, or of its negation."""
         self.steps.append(ObligationStep(row.name, proof))

@@ -6,8 +6,6 @@ from collections.abc import Callable, Iterator
 from functools import partial
 
 from verify.language.record import Record
-from verify.language.terms import Claim
-from verify.prover import boxes
 from verify.prover.clearing import TooLongError
 from verify.prover.goal import Goal
 from verify.prover.hint import Hint
@@ -17,8 +15,12 @@ from verify.prover.search.bernstein_boxes import by_bernstein, on_interval
 from verify.prover.search.cosine_parts import by_cosines
 from verify.prover.search.differences import by_differences, by_orders_of_variables
 from verify.prover.search.direct import by_extremum, by_identity, by_orders, by_range, by_root
-from verify.prover.search.ends_of_variables import by_ends
-from verify.prover.search.equations import by_normal_form
+from verify.prover.search.enclosures import by_cuts, by_interval
+from verify.prover.search.equations import (
+    by_normal_form,
+    by_whole_powers,
+    squares_on_equations,
+)
 from verify.prover.search.even import by_even_powers
 from verify.prover.search.extrema import by_cases, by_entries
 from verify.prover.search.factors import by_factors
@@ -27,25 +29,16 @@ from verify.prover.search.laws import by_laws, by_products_of_logarithms
 from verify.prover.search.linear import by_linear_sum, by_products, find_ranges
 from verify.prover.search.mean_values import by_mean_values
 from verify.prover.search.multiple_angles import by_multiple_angles
-from verify.prover.search.on_equations import squares_on_equations
-from verify.prover.search.positive import (
-    few_squares,
-    many_squares,
-    plain_squares,
-    squares_with_roots,
-    wider_squares,
-)
+from verify.prover.search.positive import few_squares, plain_squares, squares
 from verify.prover.search.quadratic import by_completing_squares
 from verify.prover.search.question import Question
-from verify.prover.search.restricted import by_restriction
 from verify.prover.search.rising import by_monotony, by_powers, by_same_arguments
+from verify.prover.search.signs import by_signs
 from verify.prover.search.squaring import by_squaring
 from verify.prover.search.subterms import by_subterms
 from verify.prover.search.tree import by_tree
-from verify.prover.search.whole_powers import by_whole_powers
 from verify.prover.search.witnesses import is_false
 from verify.prover.search.written_out import by_definitions
-from verify.prover.signs import signs
 from verify.prover.universal import Universal
 
 #: With more variables than these a goal is not tried again with those that givens link to its own.
@@ -61,29 +54,12 @@ class Technique(Record):
     prove: Callable[[Question], Proof | None]
 
 
-def _interval(question: Question) -> Proof | None:
-    return boxes.interval(question.plain, question.known.enclosed)
-
-
-def _signs(question: Question) -> Proof | None:
-    known, place = question.session.known, question.goal.context
-    return signs(question.plain, lambda claim: known(claim, place))
-
-
-def _cuts(question: Question) -> Proof | None:
-    return boxes.cuts(question.plain, question.known.enclosed, question.budget)
-
-
-def _near_cosines(question: Question) -> Proof | None:
-    return by_cosines(question) if question.is_near else None
-
-
-def _other_cosines(question: Question) -> Proof | None:
-    return None if question.is_near else by_cosines(question)
+def _cosines(question: Question, *, near: bool) -> Proof | None:
+    return by_cosines(question) if question.is_near == near else None
 
 
 #: For what needs no facts on divisors and radicands.
-FREE = (Technique("identity", by_identity), Technique("interval", _interval))
+FREE = (Technique("identity", by_identity), Technique("interval", by_interval))
 LAWS = Technique("laws", by_laws)
 #: For equations.
 EQUATIONS = (
@@ -99,9 +75,9 @@ SIMPLE = (
     Technique("equal arguments", by_same_arguments),
     Technique("plain squares", plain_squares),
     Technique("extremum", by_extremum),
-    Technique("signs", _signs),
+    Technique("signs", by_signs),
     Technique("coefficients", lambda question: on_interval(question.plain)),
-    Technique("cuts", _cuts),
+    Technique("cuts", by_cuts),
     Technique("completed squares", by_completing_squares),
 )
 #: For what follows from all that is linked to a claim, by sums.
@@ -121,9 +97,9 @@ PRODUCTS = (
 TIDY = (SUMS, PRODUCTS, (NORMAL_FORM,))
 #: For claims that no estimate refutes.
 SEARCHES = (
-    Technique("cosines", _near_cosines),
+    Technique("cosines", partial(_cosines, near=True)),
     Technique("a small tree", partial(by_tree, leaves=FEW_LEAVES)),
-    Technique("cosines", _other_cosines),
+    Technique("cosines", partial(_cosines, near=False)),
     Technique("definitions written out", by_definitions),
     Technique("growth", by_growth),
     LAWS,
@@ -131,21 +107,17 @@ SEARCHES = (
     Technique("multiple angles", by_multiple_angles),
     Technique("coefficients on few parts", partial(by_bernstein, parts=FEW_PARTS)),
     Technique("coefficients in squares of variables", by_even_powers),
-    Technique("coefficients where a claim may fail", partial(by_restriction, parts=FEW_PARTS)),
     Technique("slopes", partial(by_mean_values, leaves=MANY_LEAVES)),
     Technique("arguments of functions", by_arguments),
-    Technique("ends of variables", by_ends),
     Technique("squaring", by_squaring),
     Technique("factors", by_factors),
     Technique("few squares", few_squares),
     Technique("entries", by_entries),
     Technique("cases", by_cases),
-    Technique("squares", many_squares),
-    Technique("squares with bounds of roots", squares_with_roots),
+    Technique("squares", squares),
     Technique("coefficients on many parts", partial(by_bernstein, parts=MANY_PARTS)),
     Technique("parts with variables of their own", by_subterms),
     Technique("a large tree", partial(by_tree, leaves=MANY_LEAVES)),
-    Technique("squares with more givens", wider_squares),
 )
 
 
@@ -201,8 +173,7 @@ def _stages(goal: Goal, known: Universal) -> Iterator[tuple[Question, tuple[Tech
     yield question, FREE
     if not _clears(question):
         return
-    turned = (known.turned(side, goal.context) for side in (goal.claim.lhs, goal.claim.rhs))
-    claim = Claim(goal.claim.relation, *turned)
+    claim = known.turned(goal.claim, goal.context)
     if claim != goal.claim:
         question = Question(goal._replace(claim=claim), known)
         if not _clears(question):

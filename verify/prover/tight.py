@@ -21,7 +21,6 @@ from verify.language.fold import replaced
 from verify.language.terms import (
     Claim,
     Term,
-    as_term,
     cos,
     cos_pi,
     equal,
@@ -31,11 +30,11 @@ from verify.language.terms import (
     substitute_claim,
     symbol,
 )
-from verify.prover.clearing import Clearing, Polynomial, has_value
+from verify.prover.clearing import Clearing, Polynomial, coefficients, has_value
 from verify.prover.constants import Constants
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value
-from verify.prover.rules import Entry, Law, Sum
+from verify.prover.rules import Entry, Law, Sum, same
 
 #: How many names are replaced at most; the longest proof that the paper needs replaces four.
 MAX_STEPS = 8
@@ -149,7 +148,7 @@ class Tight:
         if degree < 1:
             return None
         bottom = clearing.context.constant(0)
-        for power, part in clearing.coefficients(goal, index):
+        for power, part in coefficients(goal, index).items():
             bottom += part * n**power * d ** (degree - power)
         quotient, rest = divmod(goal * d**degree - bottom, clearing.generators[m] * d - n)
         if rest.to_dict():
@@ -256,11 +255,8 @@ def by_half_turns(
     session, proof = tight.session, prove(simpler)
     if proof is None:
         return None
-    lemma = session.known(simpler, None) or session.lemma(simpler, proof)
-    using = tuple(name for name, _ in equations.values())
-    if claim.relation == "=":
-        return Sum((), using, ((lemma, as_term(1)),))
-    return Sum(("goal", lemma), using)
+    lemma = session.ensure(simpler, proof)
+    return same(claim, lemma, tuple(name for name, _ in equations.values()))
 
 
 def _equations(tight: Tight, part: Term, turns: Fraction) -> dict[Term, tuple[str, Term]]:

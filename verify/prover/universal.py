@@ -25,7 +25,7 @@ from verify.language.terms import (
 )
 from verify.prover.budget import WorkBudget
 from verify.prover.clearing import divisors, has_value
-from verify.prover.goal import Bounds, Goal, bounds_of, narrowed
+from verify.prover.goal import Bounds, Goal, bounds_of, definitions_below, narrowed
 from verify.prover.ground import Ground
 from verify.prover.hint import Hint
 from verify.prover.proof import Proof
@@ -183,7 +183,7 @@ class Universal:
     def goal(self, claim: Claim, context: str | None, others: Iterable[str] = ()) -> Goal:
         """The claim with what is known of the names in it, and of others."""
         own = {*names_of(claim.lhs, claim.rhs), *others}
-        definitions = self._definitions_in(own)
+        definitions = definitions_below(own, self._local)
         names = sorted(own.union(names_of(*definitions.values())))
         variables = {name: self.bounds[name] for name in names if name in self.bounds}
         constants = (name for name in names if name not in variables and name not in definitions)
@@ -192,16 +192,8 @@ class Universal:
     def variables_in(self, names: Iterable[str]) -> set[str]:
         """The variables among names, and in the definitions of names."""
         found = set(names)
-        definitions = self._definitions_in(found)
+        definitions = definitions_below(found, self._local)
         return found.union(names_of(*definitions.values())) & self.bounds.keys()
-
-    def _definitions_in(self, names: set[str]) -> dict[str, Term]:
-        """The constants of contexts among names, in the order in which they were defined."""
-        found = {name for name in names if name in self._local}
-        for name in reversed(self._local):
-            if name in found:
-                found |= {other for other in names_of(self._local[name]) if other in self._local}
-        return {name: term for name, term in self._local.items() if name in found}
 
     @property
     def every_definition(self) -> Mapping[str, Term]:
@@ -246,8 +238,8 @@ class Universal:
         self._clear.add((context, term))
         return True
 
-    def turned(self, term: Term, context: str | None) -> Term:
-        """The same number, with -a/-b for a/b where b is known to be negative.
+    def turned(self, claim: Claim, context: str | None) -> Claim:
+        """The same claim, with -a/-b for a/b where b is known to be negative.
 
         The checker clears both to the same quotient, so that a sum for one is one for the other;
         the quotients of the search are those of the latter. Atoms stay as they are.
@@ -265,7 +257,7 @@ class Universal:
                     known[part] = Term(part.op, *children, *part.args[len(children) :])
             return known[part]
 
-        return turn(term)
+        return Claim(claim.relation, turn(claim.lhs), turn(claim.rhs))
 
     def is_negative(self, term: Term, context: str | None) -> bool:
         """Whether this is how a divisor is cleared."""

@@ -174,9 +174,9 @@ class Orbits:
         """-1 only if u <= f(q), 1 only if u >= f(q); 0 if neither is known."""
         with balls.precision(self.bits):
             start = balls.from_fraction(q), balls.from_fraction(u)
-            if self._never_ends((start[0].upper(), start[1].upper())):
+            if self._followed((start[0].upper(), start[1].upper()), up=True) < 0:
                 return -1
-            return 1 if self._ends((start[0].lower(), start[1].lower())) else 0
+            return max(0, self._followed((start[0].lower(), start[1].lower()), up=False))
 
     def image(self, ratio: Ball, state: Point) -> tuple[int, Point]:
         """1 and the next state if there is one for certain, -1 if there is none, 0 if unknown."""
@@ -192,33 +192,22 @@ class Orbits:
         after = self.r * rest / p, h / (1 + (1 - h).sqrt())
         return (1 if after[0].is_finite() and after[1].is_finite() else 0), after
 
-    def _never_ends(self, state: Point) -> bool:
-        """Whether the orbit of this state, or of one above it, comes into the trap."""
-        most, highest = self.trap
-        parity = 0
-        while self.budget.left > 0:
-            if state[0] <= most and state[1] <= highest[parity]:
-                return True
-            self.budget.left -= 1
-            known, (q, u) = self.image(self.ratios[parity], state)
-            if known <= 0:
-                return False
-            state, parity = (q.upper(), u.upper()), 1 - parity
-        return False
+    def _followed(self, state: Point, *, up: bool) -> int:
+        """-1 if the orbit, rounded to one side, comes into the trap, 1 if it ends; else 0.
 
-    def _ends(self, state: Point) -> bool:
-        """Whether the orbit of this state, or of one below it, comes to a last collision."""
+        An orbit that is rounded up is above the true one, and one that is rounded down below it.
+        """
         most, highest = self.trap
         parity = 0
         while self.budget.left > 0:
             if state[0] <= most and state[1] <= highest[parity]:
-                return False
+                return -1
             self.budget.left -= 1
             known, (q, u) = self.image(self.ratios[parity], state)
             if known <= 0:
-                return known < 0
-            state, parity = (q.lower(), u.lower()), 1 - parity
-        return False
+                return -known
+            state, parity = (q.upper(), u.upper()) if up else (q.lower(), u.lower()), 1 - parity
+        return 0
 
 
 # --- the curve ------------------------------------------------------------------------------------

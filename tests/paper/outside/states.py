@@ -14,8 +14,9 @@ from verify.language.terms import Claim, Term
 from verify.paper.outside.state import GIVENS
 from verify.paper.sandwich.comparison import floor, step
 from verify.prover import balls
+from verify.prover.choose import round_to_digits
 from verify.spheres.flow.collapse import Start
-from verify.spheres.flow.sandwich import above, below
+from verify.spheres.flow.sandwich import above
 
 #: No floor has more steps.
 STEPS = 60
@@ -31,6 +32,11 @@ class Ending(NamedTuple):
     particles: Particles
     values: Values
     points: tuple[Point, ...]
+
+
+def below(number: float) -> Fraction:
+    """A decimal with few digits that is no more than a positive number."""
+    return round_to_digits(Fraction(number), up=False, digits=7)
 
 
 def value(term: Term, at: Values) -> Any:

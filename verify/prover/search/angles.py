@@ -1,4 +1,4 @@
-"""Relations between cosines, from 2 cos u cos v = cos(u + v) + cos(u - v): lemmas by *angles*.
+"""A claim with cosines as one that is linear in them, by the relations between them.
 
 A claim that is polynomial in cosines becomes linear in them: products are replaced by sums, and
 each angle is written in one way, up to its sign.
@@ -9,66 +9,19 @@ from __future__ import annotations
 from fractions import Fraction
 from math import ceil
 
-from verify.language.terms import Claim, Term, as_term, equal, names_of, symbol
+from verify.language.terms import Term, as_term, names_of, symbol
 from verify.prover.clearing import Clearing, Polynomial
+from verify.prover.cosines import HALF, Relations
 from verify.prover.goal import Goal
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof
-from verify.prover.rules import Angles, Interval, Sum
+from verify.prover.rules import Sum
 from verify.prover.session import Session
 
 COSINES = ("cos", "cos_pi")
 #: Products of more cosines are left alone.
 MAX_FACTORS = 8
 MAX_PARTS = 200
-HALF = Fraction(1, 2)
-
-
-class Relations:
-    """Lemmas about cosines at one place."""
-
-    def __init__(self, session: Session, context: str | None) -> None:
-        self.session, self.context = session, context
-
-    def lemma(self, claim: Claim, proof: Proof, context: str | None = None) -> str:
-        """The name of a fact, written down if it is not known."""
-        known = self.session.known(claim, context)
-        return known or self.session.lemma(claim, proof, context)
-
-    def exact(self, cosine: Term, value: int) -> str:
-        """Cos 0 = 1, and what cos_pi is at multiples of 1/2."""
-        return self.lemma(equal(cosine, as_term(value)), Interval(64))
-
-    def product(self, u: Term, v: Term, total: Term, rest: Term) -> str:
-        """The fact 2 cos u cos v = cos(u + v) + cos(u - v), with cosines that are given."""
-        return self.lemma(equal(2 * (u * v), total + rest), Angles(), self.context)
-
-    def written(self, cosine: Term, other: Term, *, same: bool) -> str:
-        """Cosine = other, whose angle is the same, or the opposite one."""
-        zero = Term(cosine.op, as_term(0))
-        pair = (other, zero, cosine, other) if same else (zero, other, other, cosine)
-        product = self.product(*pair)
-        proof = Sum((), (self.exact(zero, 1),), ((product, as_term(-1)),))
-        return self.lemma(equal(cosine, other), proof, self.context)
-
-    def turned(self, angle: Term, other: Term, turns: int, *, same: bool) -> str:
-        """The fact cos_pi(angle) = (-1)^turns cos_pi(other).
-
-        The other angle is angle - turns (``same``), or its opposite.
-        """
-        cosine, found = Term("cos_pi", angle), Term("cos_pi", other)
-        if turns == 0:
-            return self.written(cosine, found, same=same)
-        if turns % 2 == 0:
-            middle = 1 - angle
-            first = self.turned(angle, middle, 1, same=False)
-            second = self.turned(middle, other, 1 - turns, same=not same)
-            return self.lemma(equal(cosine, found), Sum((), (first, second)), self.context)
-        half = as_term(Fraction(turns, 2))
-        u, v = Term("cos_pi", angle - half), Term("cos_pi", half)
-        product = self.product(*((u, v) if same else (v, u)), cosine, found)
-        proof = Sum((), (self.exact(v, 0),), ((product, as_term(-1)),))
-        return self.lemma(equal(cosine, -found), proof, self.context)
 
 
 class Linear:

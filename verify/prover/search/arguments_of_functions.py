@@ -12,7 +12,7 @@ from fractions import Fraction
 
 from verify.language.fold import replaced
 from verify.language.terms import Claim, Term, as_term, equal, names_of, parts_of, symbol
-from verify.prover.clearing import Clearing, Polynomial, atoms_of, expanded
+from verify.prover.clearing import Clearing, Polynomial, atoms_of, coefficients, expanded
 from verify.prover.goal import Bounds
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value, power_of, product_of
@@ -116,7 +116,7 @@ class Argument:
             return None
         atoms = [chosen.get(atom, atom) for atom in clearing.atoms]
         p = clearing.difference(claim.rhs, claim.lhs)
-        parts = dict(clearing.coefficients(p, clearing.atoms.index(x)))
+        parts = coefficients(p, clearing.atoms.index(x))
         term = ZERO
         for power, part in parts.items():
             less = max(parts) - power
@@ -135,9 +135,7 @@ class Argument:
         x = self.argument.children[1]
         positive = self.question.fact(Claim("<", ZERO, x))
         index = clearing.atoms.index(x)
-        least = [
-            min(power for power, _ in clearing.coefficients(p, index)) for p in (first, second)
-        ]
+        least = [min(coefficients(p, index)) for p in (first, second)]
         top, gen = max(least), clearing.context.gens()[index]
         first, second = (p * gen ** (top - k) for p, k in zip((first, second), least, strict=True))
         ratio = first.leading_coefficient() / second.leading_coefficient()

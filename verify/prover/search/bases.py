@@ -11,15 +11,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import cache
-from itertools import combinations
+from itertools import combinations, product
 from math import lcm
 
 from flint import fmpq, fmpq_mat, fmpq_mpoly, nmod_mat
 
 from verify.prover.search.domain import Domain
-from verify.prover.search.faces import Block
+from verify.prover.search.faces import Block, null_space
 
 Exponents = tuple[int, ...]
+#: The directions in the plane of two exponents.
+SLOPES = [(x, y) for x, y in product((-2, -1, 1, 2), repeat=2) if abs(x * y) < 4]
+SLOPES += [(3, -2), (-2, 3), (3, -1), (-1, 3)]
 
 
 def _exponents(n: int, used: Sequence[int], degree: int) -> Iterator[Exponents]:
@@ -95,24 +98,7 @@ def _directions(n: int, used: Sequence[int]) -> Iterator[list[int]]:
         yield [-int(j == i) for j in range(n)]
     yield [-1] * n
     for a, b in combinations(used, 2):
-        for x, y in (
-            (1, 1),
-            (1, -1),
-            (-1, 1),
-            (-1, -1),
-            (1, 2),
-            (2, 1),
-            (-1, 2),
-            (2, -1),
-            (1, -2),
-            (-2, 1),
-            (-1, -2),
-            (-2, -1),
-            (3, -2),
-            (-2, 3),
-            (3, -1),
-            (-1, 3),
-        ):
+        for x, y in SLOPES:
             yield [x * (j == a) + y * (j == b) for j in range(n)]
     for a, b, c in combinations(used, 3):
         for k in range(1, 8):
@@ -138,8 +124,8 @@ class Gradings:
             twice = tuple(2 * (i == index) for i in range(len(self.target)))
             rows += [_minus(m, twice) for m in _support(square)]
         rows = sorted(set(rows)) or [(0,) * len(self.target)]
-        self.weights = _kernel(rows)
-        self.signs = _signs(rows)
+        self.weights = [*_kernel(rows)]
+        self.signs = [*_signs(rows)]
 
     def split(self, block: Block) -> Iterator[Block]:
         """What is left of a block of monomials, by the signs."""
@@ -175,30 +161,15 @@ def _minus(a: Exponents, b: Exponents) -> Exponents:
     return tuple(x - y for x, y in zip(a, b, strict=True))
 
 
-def _kernel(rows: Sequence[Exponents]) -> list[list[int]]:
+def _kernel(rows: Sequence[Exponents]) -> Iterator[list[int]]:
     """Integer vectors that span what all rows are orthogonal to."""
-    n = len(rows[0])
-    reduced, rank = fmpq_mat([[fmpq(v) for v in row] for row in rows]).rref()
-    pivots = [next(c for c in range(n) if reduced[r, c]) for r in range(rank)]
-    found = []
-    for free in (c for c in range(n) if c not in pivots):
-        vector = [fmpq(int(c == free)) for c in range(n)]
-        for r, pivot in enumerate(pivots):
-            vector[pivot] = -reduced[r, free]
-        scale = lcm(*(int(value.q) for value in vector))
-        found.append([int((value * scale).p) for value in vector])
-    return found
+    for vector in null_space(fmpq_mat([[fmpq(v) for v in row] for row in rows])):
+        numbers = [*map(fmpq, vector)]
+        scale = lcm(*(int(value.q) for value in numbers))
+        yield [int((value * scale).p) for value in numbers]
 
 
-def _signs(rows: Sequence[Exponents]) -> list[list[int]]:
+def _signs(rows: Sequence[Exponents]) -> Iterator[list[int]]:
     """Vectors of 0 and 1 that span what all rows are orthogonal to, modulo 2."""
-    n = len(rows[0])
-    reduced, rank = nmod_mat([[v % 2 for v in row] for row in rows], 2).rref()
-    pivots = [next(c for c in range(n) if int(reduced[r, c])) for r in range(rank)]
-    found = []
-    for free in (c for c in range(n) if c not in pivots):
-        vector = [int(c == free) for c in range(n)]
-        for r, pivot in enumerate(pivots):
-            vector[pivot] = int(reduced[r, free])
-        found.append(vector)
-    return found
+    for vector in null_space(nmod_mat([[v % 2 for v in row] for row in rows], 2)):
+        yield [*map(int, vector)]

@@ -15,10 +15,10 @@ from flint import fmpq, fmpq_mpoly
 from verify.language.record import Record
 from verify.language.terms import Term, symbol
 from verify.prover.bernstein import ANY, Side, Tensor
-from verify.prover.clearing import Clearing
+from verify.prover.clearing import Clearing, coefficients
 from verify.prover.goal import Goal
 from verify.prover.numbers import fraction_of
-from verify.prover.proof import Proof, Value, product_of
+from verify.prover.proof import Proof, Value, every, product_of
 from verify.prover.rules import Cuts, Sum
 from verify.prover.search.question import Question
 from verify.prover.search.system import System
@@ -88,11 +88,10 @@ class Part(Record):
     depth: int
 
 
-def by_bernstein(question: Question, parts: int, hypotheses: int = 0) -> Proof | None:
+def by_bernstein(question: Question, parts: int) -> Proof | None:
     """A proof for a polynomial, or a quotient, in variables between numbers.
 
-    So many ``parts`` are tried at most, below so many ``hypotheses``. On parts where a given fails
-    nothing else has to be shown.
+    So many ``parts`` are tried at most. On parts where a given fails nothing else has to be shown.
     """
     goal = question.goal
     system = System(question) if question.given else None
@@ -117,7 +116,7 @@ def by_bernstein(question: Question, parts: int, hypotheses: int = 0) -> Proof |
     points = [[zero.get(name, Fraction(0)) for name in names] for zero in question.simple_zeros]
     search = _Search(question, names, sorted(used), found, points)
     search.most = parts
-    return search.cover(Part(box, tuple(tensors), hypotheses))
+    return search.cover(Part(box, tuple(tensors), 0))
 
 
 def _alternatives(question: Question, clearing: Clearing, p: fmpq_mpoly) -> list[Alternative]:
@@ -131,7 +130,7 @@ def _alternatives(question: Question, clearing: Clearing, p: fmpq_mpoly) -> list
     if not extrema:
         return [Alternative(p, ("goal",), strict)]
     index, term = extrema[-1]
-    parts = dict(clearing.coefficients(p, index))
+    parts = coefficients(p, index)
     factor = parts.get(1)
     if len(extrema) > 1 or max(parts) > 1 or factor is None or not factor.is_constant():
         return []
@@ -204,13 +203,8 @@ class _Search:
         if self._fails(part):
             return None
         index, cut, halves = self._best(part)
-        branches = []
-        for half in halves:
-            branch = self.cover(half)
-            if branch is None:
-                return None
-            branches.append(branch)
-        return Cuts(symbol(self.names[index]), (cut,), tuple(branches))
+        branches = every(map(self.cover, halves))
+        return None if branches is None else Cuts(symbol(self.names[index]), (cut,), branches)
 
     @staticmethod
     def _fails(part: Part) -> bool:

@@ -15,11 +15,12 @@ from math import floor
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, as_term
 from verify.prover.clearing import Polynomial
+from verify.prover.cosines import HALF
 from verify.prover.goal import Bounds
 from verify.prover.numbers import fmpq_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cosine, Sum
-from verify.prover.search.angles import HALF, Linear
+from verify.prover.search.angles import Linear
 from verify.prover.search.question import Question
 from verify.prover.session import ZERO
 
@@ -114,7 +115,7 @@ class CosineBounds:
         other = HALF - u if odd else u
         found = Term(cosine.op, as_term(HALF) - u if odd else other)
         sides = (found, side) if is_above else (side, found)
-        name = self.relations.lemma(Claim("<=", *sides), Cosine(), self.goal.context)
+        name = self.relations.session.ensure(Claim("<=", *sides), Cosine(), self.goal.context)
         if found == cosine:
             return name
         equation = self.relations.turned(
@@ -123,7 +124,7 @@ class CosineBounds:
         mine = -side if turns % 2 else side
         sides = (cosine, mine) if bound.is_above else (mine, cosine)
         proof = Sum(("goal", name), (equation,))
-        return self.relations.lemma(Claim("<=", *sides), proof, self.goal.context)
+        return self.relations.session.ensure(Claim("<=", *sides), proof, self.goal.context)
 
     def least(self, cosine: Term) -> str:
         """The name of the fact -1 <= cosine."""
@@ -136,7 +137,9 @@ class CosineBounds:
             (self.relations.exact(zero, 1),),
             ((product, as_term(-1)),),
         )
-        return self.relations.lemma(Claim("<=", as_term(-1), cosine), proof, self.goal.context)
+        return self.relations.session.ensure(
+            Claim("<=", as_term(-1), cosine), proof, self.goal.context
+        )
 
     # --- the whole domain -----------------------------------------------------------------------
 

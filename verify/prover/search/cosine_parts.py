@@ -14,11 +14,12 @@ from verify.language.record import Record
 from verify.language.terms import Claim, Term, symbol
 from verify.prover.bernstein import ANY, Side, Tensor
 from verify.prover.clearing import Polynomial
+from verify.prover.cosines import HALF
 from verify.prover.goal import Bounds
 from verify.prover.numbers import fraction_of
-from verify.prover.proof import Proof, Value, product_of, sum_of
+from verify.prover.proof import Proof, Value, every, product_of, sum_of
 from verify.prover.rules import Cuts, Interval, Sum
-from verify.prover.search.angles import HALF, Linear
+from verify.prover.search.angles import Linear
 from verify.prover.search.cosine_bounds import CosineBounds
 from verify.prover.search.exact import ExactRanges
 from verify.prover.search.levels import by_levels
@@ -88,13 +89,8 @@ class Parts:
         cut, hypothesis = self._cut(low, high), f"@{depth + 1}"
         below = bounds._replace(high=cut, high_fact=hypothesis, high_relation="<=")
         above = bounds._replace(low=cut, low_fact=hypothesis, low_relation="<=")
-        branches = []
-        for part in (below, above):
-            proof = self._cover(part, depth + 1)
-            if proof is None:
-                return None
-            branches.append(proof)
-        return Cuts(symbol(self.name), (cut,), tuple(branches))
+        branches = every(self._cover(part, depth + 1) for part in (below, above))
+        return None if branches is None else Cuts(symbol(self.name), (cut,), branches)
 
     def _cut(self, low: Fraction, high: Fraction) -> Fraction:
         """The place nearest to the middle where an angle is a multiple of 1/2, or the middle."""

@@ -15,7 +15,7 @@ from itertools import combinations, islice
 from flint import fmpq_mpoly
 
 from verify.prover.numbers import fraction_of
-from verify.prover.proof import Proof, Value, power_of, product_of
+from verify.prover.proof import Proof, Value, every, power_of, product_of
 from verify.prover.rules import Cuts, Sum
 from verify.prover.search.question import Question
 from verify.prover.search.system import Fact, System
@@ -64,13 +64,11 @@ class Differences:
         gens = self.system.context.gens()
         x, y = self.system.atoms[i], self.system.atoms[j]
         name = f"@{len(hypotheses) + 1}"
-        branches = []
-        for difference in (gens[j] - gens[i], gens[i] - gens[j]):
-            branch = self.cases((*hypotheses, Fact(difference, name, False)), others)
-            if branch is None:
-                return None
-            branches.append(branch)
-        return Cuts(x - y, (Fraction(0),), tuple(branches))
+        differences = (gens[j] - gens[i], gens[i] - gens[j])
+        branches = every(
+            self.cases((*hypotheses, Fact(d, name, False)), others) for d in differences
+        )
+        return None if branches is None else Cuts(x - y, (Fraction(0),), branches)
 
     def sum(self, hypotheses: tuple[Fact, ...]) -> Sum | None:
         """A sum of products of facts and hypotheses."""

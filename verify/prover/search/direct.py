@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from verify.language.terms import Claim, Term, as_term, names_of, pi
+from verify.language.terms import Claim, Term, as_term, pi
 from verify.prover.clearing import ROOTS, Clearing
-from verify.prover.proof import Proof
+from verify.prover.goal import definitions_below
+from verify.prover.proof import Proof, every
 from verify.prover.rules import Antisymmetry, Entry, InRange, Least, Root, Sum
 from verify.prover.search.question import Question
 from verify.prover.session import ZERO
@@ -24,7 +25,9 @@ def by_identity(question: Question) -> Proof | None:
     claim = goal.claim
     if claim.relation == "<":
         return None
-    for using in {(): None, _definitions(question): None}:
+    names = (*goal.constants, *goal.definitions)
+    every_name = tuple(sorted(definitions_below(names, session.definitions)))
+    for using in {(): None, every_name: None}:
         clearing = Clearing((claim.lhs, claim.rhs), session.replaced(using))
         difference = clearing.difference(claim.lhs, claim.rhs)
         if not clearing.reduce(difference).to_dict():
@@ -35,28 +38,13 @@ def by_identity(question: Question) -> Proof | None:
     return None
 
 
-def _definitions(question: Question) -> tuple[str, ...]:
-    """The names in a claim that have definitions, and those in their definitions."""
-    definitions = question.session.definitions
-    found: dict[str, None] = {}
-    waiting = [*question.plain.constants, *question.plain.definitions]
-    while waiting:
-        name = waiting.pop()
-        if name in definitions and name not in found:
-            found[name] = None
-            waiting += names_of(definitions[name])
-    return tuple(sorted(found))
-
-
 def by_orders(question: Question) -> Proof | None:
     """Each side of an equation is at most the other."""
-    goal, orders = question.plain, []
-    for sides in ((goal.claim.lhs, goal.claim.rhs), (goal.claim.rhs, goal.claim.lhs)):
-        order = question.known.prove(goal._replace(claim=Claim("<=", *sides)))
-        if order is None:
-            return None
-        orders.append(order)
-    return Antisymmetry((orders[0], orders[1]))
+    goal = question.plain
+    both = (goal.claim.lhs, goal.claim.rhs), (goal.claim.rhs, goal.claim.lhs)
+    claims = (Claim("<=", *sides) for sides in both)
+    orders = every(question.known.prove(goal._replace(claim=claim)) for claim in claims)
+    return None if orders is None else Antisymmetry((orders[0], orders[1]))
 
 
 def by_range(question: Question) -> Proof | None:
@@ -89,8 +77,7 @@ def by_extremum(question: Question) -> Proof | None:
             return Entry(side)
         if term.op in ("min", "max") and term.op != small:
             sides = ((e, other) if side == "lhs" else (other, e) for e in term.children)
-            claims = [Claim(relation, *pair) for pair in sides]
-            proofs = [known.prove(known.goal(claim, question.plain.context)) for claim in claims]
-            found = tuple(proof for proof in proofs if proof is not None)
-            return Least(side, found) if len(found) == len(proofs) else None
+            goals = [known.goal(Claim(relation, *s), question.plain.context) for s in sides]
+            found = every(map(known.prove, goals))
+            return None if found is None else Least(side, found)
     return None

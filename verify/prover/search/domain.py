@@ -14,11 +14,10 @@ from math import prod
 from flint import fmpq, fmpq_mpoly
 
 from verify.language.record import Record
-from verify.language.terms import Claim, Term, names_of, symbol
-from verify.prover.clearing import BITS, Clearing, TooLongError, expanded
+from verify.language.terms import Claim, Term, symbol
+from verify.prover.clearing import BITS, Clearing, TooLongError, coefficients, expanded
 from verify.prover.goal import Bounds, Goal
 from verify.prover.numbers import fmpq_of, fraction_of
-from verify.prover.program import ExactArithmetic, Machine, Program
 from verify.prover.proof import Value
 
 #: Monomials, in scaled variables, of a polynomial that is looked at.
@@ -66,8 +65,12 @@ class Domain:
         self.atoms: Sequence[Term] = self.clearing.atoms
         self.context = self.clearing.context
         self.gens = self.context.gens()
-        self.scales = [self._scale(atom, goal.variables) for atom in self.atoms]
-        self.ends = [self._ends(atom, goal.variables) for atom in self.atoms]
+        scaled = [
+            _scaled(goal.variables.get(a.name) if a.op == "symbol" else None) for a in self.atoms
+        ]
+        self.scales = [scale for scale, _ in scaled]
+        #: Between which numbers each scaled variable is, if there are any.
+        self.ends = [ends for _, ends in scaled]
         self._inward = [
             self.number(s.m) + self.number(s.h) * u
             for s, u in zip(self.scales, self.gens, strict=True)
@@ -93,27 +96,6 @@ class Domain:
             value: Value = ("root", self.atoms[i])
             self.facts[f"root {i}"] = Factor(self.gens[i], value, False, (self.gens[i],))
 
-    @staticmethod
-    def _scale(atom: Term, variables: Mapping[str, Bounds]) -> Affine:
-        bounds = variables.get(atom.name) if atom.op == "symbol" else None
-        low, high = (None, None) if bounds is None else (bounds.low, bounds.high)
-        if low is not None and high is not None and low < high:
-            return Affine((low + high) / 2, (high - low) / 2)
-        if low is not None:
-            return Affine(low, Fraction(1))
-        return Affine(Fraction(0), Fraction(1)) if high is None else Affine(high, Fraction(-1))
-
-    @staticmethod
-    def _ends(
-        atom: Term, variables: Mapping[str, Bounds]
-    ) -> tuple[Fraction | None, Fraction | None]:
-        """Between which numbers the scaled variable is, if there are any."""
-        bounds = variables.get(atom.name) if atom.op == "symbol" else None
-        low, high = (None, None) if bounds is None else (bounds.low, bounds.high)
-        if low is not None and high is not None and low < high:
-            return Fraction(-1), Fraction(1)
-        return (None, None) if low is None and high is None else (Fraction(0), None)
-
     def number(self, value: Fraction | int) -> fmpq_mpoly:
         """A number as a polynomial."""
         value = Fraction(value)
@@ -137,7 +119,7 @@ class Domain:
         for index, square in self.squares:
             if polynomial.degrees()[index] > 1:
                 total = self.number(0)
-                for power, part in self.clearing.coefficients(polynomial, index):
+                for power, part in coefficients(polynomial, index).items():
                     half, odd = divmod(power, 2)
                     total += part * self.gens[index] ** odd * square**half
                 polynomial = total
@@ -193,17 +175,15 @@ class Domain:
         return Factor(polynomial, value, fact.relation == "<", (plain,))
 
 
-def _exact(term: Term, values: Mapping[str, Fraction]) -> Fraction | None:
-    """The value of a term where it is rational all the way."""
-    if any(name not in values for name in names_of(term)):
-        return None
-    program = Program(values)
-    program.add(term)
-    try:
-        value = Machine(program, ExactArithmetic()).run(values.values())[term]
-    except ArithmeticError:
-        return None
-    return value if isinstance(value, Fraction) else None
+def _scaled(bounds: Bounds | None) -> tuple[Affine, tuple[Fraction | None, Fraction | None]]:
+    """How an atom with these bounds is scaled, and the ends of the scaled one."""
+    zero, one = Fraction(0), Fraction(1)
+    low, high = (None, None) if bounds is None else (bounds.low, bounds.high)
+    if low is not None and high is not None and low < high:
+        return Affine((low + high) / 2, (high - low) / 2), (-one, one)
+    if low is not None:
+        return Affine(low, one), (zero, None)
+    return (Affine(zero, one), (None, None)) if high is None else (Affine(high, -one), (zero, None))
 
 
 def multiplied(a: Factor, b: Factor) -> Factor:

@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property, partial
-from math import isqrt
 
 from verify.language.fold import fold
 from verify.language.terms import Term
@@ -44,7 +43,7 @@ class ExactRanges:
             "cos_pi": self._cos_pi,
             "sin": lambda x: self._cos_pi(self._outward(self._turned(x))),
             "pi": lambda: self._pi,
-            "root": self._any_root,
+            "root": self._root,
             **{op: partial(self._rising, op) for op in ("exp", "log", "atan")},
         }
         self._algebra = {name: self._rounded(function) for name, function in operations.items()}
@@ -103,18 +102,7 @@ class ExactRanges:
         square = _product(half, half)
         return _product(square, (end, end)) if exponent % 2 else square
 
-    def _root(self, x: Range) -> Range:
-        if x[0] < 0:
-            raise ZeroDivisionError("the root of an interval that reaches below 0")
-        (low, _), (_, high) = map(self._roots, x)
-        return low, high
-
-    def _roots(self, end: Fraction) -> Range:
-        square = end.numerator * end.denominator << 2 * self._bits
-        root, divisor = isqrt(square), end.denominator << self._bits
-        return Fraction(root, divisor), Fraction(root + (root * root < square), divisor)
-
-    def _any_root(self, x: Range, index: int) -> Range:
+    def _root(self, x: Range, index: int = 2) -> Range:
         if x[0] < 0:
             raise ZeroDivisionError("the root of an interval that reaches below 0")
         ends = []

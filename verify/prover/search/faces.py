@@ -8,9 +8,12 @@ reduction). Kernels come from zeros that are known, and from an estimate of the 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from functools import reduce
 from itertools import pairwise
+from operator import add
+from typing import Any
 
 from flint import fmpq_mat, fmpq_mpoly
 
@@ -129,21 +132,23 @@ def _simple(value: float) -> Fraction | None:
     return None
 
 
+def null_space(matrix: Any) -> Iterator[list[Any]]:
+    """Vectors that span what all rows of a matrix, over any field of FLINT, are orthogonal to."""
+    reduced, rank = matrix.rref()
+    columns = range(matrix.ncols())
+    pivots = [next(c for c in columns if reduced[r, c] != 0) for r in range(rank)]
+    for free in (c for c in columns if c not in pivots):
+        entries = {pivot: -reduced[r, free] for r, pivot in enumerate(pivots)}
+        yield [entries.get(c, int(c == free)) for c in columns]
+
+
 def _orthogonal(
     kernel: Sequence[Sequence[Fraction]], basis: Sequence[fmpq_mpoly]
 ) -> tuple[fmpq_mpoly, ...]:
     """A basis of the combinations c of the basis with k . c = 0 for all k of the kernel."""
-    n = len(basis)
-    reduced, rank = fmpq_mat([[fmpq_of(v) for v in row] for row in kernel]).rref()
-    pivots = [next(c for c in range(n) if reduced[r, c]) for r in range(rank)]
-    result = []
-    for free in (c for c in range(n) if c not in pivots):
-        element = basis[free]
-        for r, pivot in enumerate(pivots):
-            if reduced[r, free]:
-                element -= reduced[r, free] * basis[pivot]
-        result.append(element)
-    return tuple(result)
+    vectors = null_space(fmpq_mat([[fmpq_of(v) for v in row] for row in kernel]))
+    pairs = (zip(vector, basis, strict=True) for vector in vectors)
+    return tuple(reduce(add, (x * element for x, element in row if x != 0)) for row in pairs)
 
 
 def vanishing_near(block: Block, factor: fmpq_mpoly, points: Sequence[Sequence[float]]) -> Block:

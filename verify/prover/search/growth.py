@@ -28,7 +28,7 @@ from verify.language.terms import (
     substitute_claim,
     symbol,
 )
-from verify.prover.clearing import Clearing, TooLongError
+from verify.prover.clearing import Clearing, TooLongError, coefficients
 from verify.prover.goal import Bounds
 from verify.prover.numbers import float_of, fmpq_of, fraction_of
 from verify.prover.proof import Premise, Proof, Value, power_of, product_of
@@ -205,11 +205,7 @@ class Growth:
 
     def _simple(self, claim: Claim, bounds: Bounds, cuts: tuple[Claim, ...]) -> Proof | None:
         """A quotient of polynomials, or what the range of a function shows."""
-        claim = Claim(
-            claim.relation,
-            self.known.turned(claim.lhs, self.context),
-            self.known.turned(claim.rhs, self.context),
-        )
+        claim = self.known.turned(claim, self.context)
         try:
             found = on_interval(self.goal._replace(claim=claim, variables=self._variables(bounds)))
             if found is not None:
@@ -253,7 +249,7 @@ class Growth:
             return None
         index, atom = functions[0]
         parts = {
-            power: clearing.term(part) for power, part in clearing.coefficients(difference, index)
+            power: clearing.term(part) for power, part in coefficients(difference, index).items()
         }
         numbers = [parts.get(power, ZERO) for power in (0, 1)]
         if parts.keys() - {0, 1} or any(number.op != "rational" for number in numbers):
@@ -308,7 +304,7 @@ class Growth:
         if len(functions) != 1 or len(atoms) != 2 or functions[0][1] in (claim.lhs, claim.rhs):
             return None
         index, atom = functions[0]
-        parts = dict(clearing.coefficients(difference, index))
+        parts = coefficients(difference, index)
         if parts.keys() != {0, 1}:
             return None
         rest, factor = clearing.term(parts[0]), clearing.term(parts[1])
@@ -345,9 +341,7 @@ class Growth:
         if proof is None:
             return None
         law = equal(log(exponential), inner)
-        name = self.known.session.known(law, self.context)
-        if name is None:
-            name = self.known.session.lemma(law, Law(), self.known.home(law, self.context))
+        name = self.known.session.ensure(law, Law(), self.known.home(law, self.context))
         premise = Sum(("goal", f"@{len(cuts) + 1}"), (name,))
         return Have(below, (proof, Monotony(premise, "log")))
 
@@ -385,7 +379,7 @@ class Growth:
         """
         values: list[Value] = []
         for index, atom in enumerate(clearing.atoms):
-            power = min((power for power, _ in clearing.coefficients(polynomial, index)), default=0)
+            power = min(coefficients(polynomial, index), default=0)
             found = self._positive(atom, bounds, relation) if power else None
             if found is not None:
                 value, sign = found

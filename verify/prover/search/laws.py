@@ -9,7 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import reduce
 from math import gcd, lcm
+from operator import add, mul
 
 from flint import fmpz
 
@@ -18,7 +20,7 @@ from verify.language.terms import Claim, Term, as_term, equal, exp, log, parts_o
 from verify.prover.clearing import Clearing, TooLongError, atoms_of
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, product_of
-from verify.prover.rules import Interval, Law, Monotony, Sum
+from verify.prover.rules import Interval, Law, Monotony, Sum, same
 from verify.prover.search.question import Question
 from verify.prover.session import ZERO
 
@@ -45,11 +47,7 @@ def by_laws(question: Question) -> Proof | None:
     if simpler == claim or not question.known.clears((simpler.lhs, simpler.rhs), laws.place):
         return None
     fact = laws.fact(simpler)
-    if fact is None:
-        return None
-    if claim.relation == "=":
-        return Sum((), (*laws.used,), ((fact, ONE),))
-    return Sum(("goal", fact), (*laws.used,))
+    return None if fact is None else same(claim, fact, (*laws.used,))
 
 
 def by_products_of_logarithms(question: Question) -> Proof | None:
@@ -117,8 +115,7 @@ class Laws:
 
     def lemma(self, claim: Claim, proof: Proof) -> str:
         """The name of a claim with this proof."""
-        place = self.known.home(claim, self.place)
-        return self.session.known(claim, place) or self.session.lemma(claim, proof, place)
+        return self.session.ensure(claim, proof, self.known.home(claim, self.place))
 
     def use(self, claim: Claim, proof: Proof) -> None:
         """An equation, which tells what its left side is."""
@@ -237,7 +234,7 @@ class Laws:
                 raise StuckError
             self.use(equal(log(whole), log(product) + log(factor)), Law())
             product = whole
-        return _total([self._of_factor(factor) for factor in factors])
+        return reduce(add, [self._of_factor(factor) for factor in factors])
 
     def _of_factor(self, factor: Term) -> Term:
         """The logarithm of a factor, of an exponential, or of a root."""
@@ -256,17 +253,7 @@ class Laws:
 
 
 def _product(factors: Iterable[Term]) -> Term:
-    first, *others = factors
-    for factor in others:
-        first = first * factor
-    return first
-
-
-def _total(terms: Iterable[Term]) -> Term:
-    first, *others = terms
-    for term in others:
-        first = first + term
-    return first
+    return reduce(mul, factors)
 
 
 def step_of(part: Term, step: Fraction) -> Term:
@@ -278,7 +265,7 @@ def step_of(part: Term, step: Fraction) -> Term:
 
 def _sum(factors: Sequence[tuple[Term, int]]) -> Term:
     """What the product of exponentials is the exponential of."""
-    return _total(part if sign > 0 else -part for part, sign in factors)
+    return reduce(add, (part if sign > 0 else -part for part, sign in factors))
 
 
 def _linear(argument: Term) -> dict[Term, Fraction] | None:

@@ -70,7 +70,7 @@ def _angle(bounds: CosineBounds, level: Term) -> tuple[Fraction, str] | None:
     verdict, proof = ground.prove(claim)
     if verdict != PROVED or proof is None:
         return None
-    return a, bounds.relations.lemma(claim, proof)
+    return a, bounds.relations.session.ensure(claim, proof)
 
 
 def _signs(bounds: CosineBounds, factors: list[Term], wanted: int) -> list[str] | None:

@@ -14,15 +14,15 @@ from math import gcd
 from verify.language.fold import replaced
 from verify.language.terms import Claim, Term, as_term, equal
 from verify.prover.clearing import Clearing, atoms_of
+from verify.prover.cosines import Relations, chebyshev
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof
-from verify.prover.rules import Angles, Interval, Sum
+from verify.prover.rules import Sum, same
 from verify.prover.search.question import Question
 from verify.prover.session import ZERO
 
 #: Higher multiples are not used.
 MAX_MULTIPLE = 24
-BITS = 128
 COSINES = ("cos", "cos_pi")
 
 
@@ -33,21 +33,18 @@ def by_multiple_angles(question: Question) -> Proof | None:
     chosen: dict[Term, Term] = {}
     for op in COSINES:
         for base, multiples in _families(question, op):
-            chebyshev = Chebyshev(question, op, base)
+            family = Multiples(question, op, base)
             for k, atom in multiples:
-                if atom != chebyshev.cosine:
-                    equations[atom] = chebyshev.equation(k, atom.children[0])
-                    chosen[atom] = chebyshev.polynomial(k)
+                if atom != family.cosine:
+                    equations[atom] = family.equation(k, atom)
+                    chosen[atom] = chebyshev(family.cosine, k)
     if not chosen:
         return None
     sides = [replaced(side, chosen) for side in (claim.lhs, claim.rhs)]
     fact = question.fact(Claim(claim.relation, *sides))
     if fact is None:
         return None
-    using = (*question.using, *equations.values())
-    if claim.relation == "=":
-        return Sum((), using, ((fact, as_term(1)),))
-    return Sum(("goal", fact), using)
+    return same(claim, fact, (*question.using, *equations.values()))
 
 
 def _families(question: Question, op: str) -> Iterator[tuple[Term, list[tuple[int, Term]]]]:
@@ -90,57 +87,25 @@ def _ratio(a: Term, b: Term) -> Fraction | None:
     return fraction_of(ratio) if right == ratio * left else None
 
 
-class Chebyshev:
+class Multiples:
     """The cosines of the multiples of one angle."""
 
     def __init__(self, question: Question, op: str, base: Term) -> None:
-        self.question, self.op, self.base = question, op, base
-        self.session = question.session
-        self.context = question.goal.context
-        self.cosine = Term(op, base)
+        self.op, self.base, self.cosine = op, base, Term(op, base)
+        self.context, self.session = question.goal.context, question.session
+        self.relations = Relations(self.session, self.context)
 
-    def angle(self, k: int) -> Term:
-        """The term k u."""
-        if k == 0:
-            return ZERO
-        return self.base if k == 1 else as_term(k) * self.base
+    def at(self, k: int) -> Term:
+        """The cosine of k u."""
+        return Term(self.op, ZERO if k == 0 else self.base if k == 1 else as_term(k) * self.base)
 
-    def polynomial(self, k: int) -> Term:
-        """T_k(b) as a term."""
-        rows = [[1], [0, 1]]
-        for _ in range(k - 1):
-            twice = [0, *(2 * c for c in rows[-1])]
-            rows.append(
-                [c - (rows[-2][i] if i < len(rows[-2]) else 0) for i, c in enumerate(twice)]
-            )
-        powers = [
-            as_term(c) * self.cosine**e if e else as_term(c) for e, c in enumerate(rows[k]) if c
-        ]
-        return reduce(lambda a, b: a + b, powers)
-
-    def equation(self, k: int, angle: Term | None = None) -> str:
+    def equation(self, k: int, cosine: Term) -> str:
         """The name of the fact C(k u) = T_k(b), where k u may be written in another way."""
-        angle = self.angle(k) if angle is None else angle
-        claim = equal(Term(self.op, angle), self.polynomial(k))
-        known = self.session.known(claim, self.context)
-        if known is not None:
-            return known
         if k == 0:
-            return self.session.lemma(claim, Interval(BITS), self.context)
+            return self.relations.exact(cosine, 1)
         if k == 1:
-            return self._same(claim, angle)
-        product = 2 * (Term(self.op, self.angle(k - 1)) * self.cosine)
-        sums = Term(self.op, angle) + Term(self.op, self.angle(k - 2))
-        law = self.session.lemma(equal(product, sums), Angles(), self.context)
-        terms = [(law, as_term(-1)), (self.equation(k - 2), as_term(-1))]
-        if k > 2:
-            terms.append((self.equation(k - 1), 2 * self.cosine))
-        return self.session.lemma(claim, Sum((), (), tuple(terms)), self.context)
-
-    def _same(self, claim: Claim, angle: Term) -> str:
-        """C(v) = C(u) for two ways of writing an angle: 2 C(u) C(0) = C(v) + C(v)."""
-        cosine = Term(self.op, angle)
-        product = 2 * (self.cosine * Term(self.op, ZERO))
-        law = self.session.lemma(equal(product, cosine + cosine), Angles(), self.context)
-        terms = ((law, as_term(Fraction(-1, 2))), (self.equation(0), self.cosine))
-        return self.session.lemma(claim, Sum((), (), terms), self.context)
+            return self.relations.written(cosine, self.cosine, same=True)
+        product = self.relations.product(self.at(k - 1), self.cosine, cosine, self.at(k - 2))
+        using = [self.equation(i, self.at(i)) for i in (k - 2, k - 1) if i != 1]
+        proof = Sum((), tuple(using), ((product, as_term(-1)),))
+        return self.session.ensure(equal(cosine, chebyshev(self.cosine, k)), proof, self.context)

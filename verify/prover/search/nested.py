@@ -10,7 +10,14 @@ from fractions import Fraction
 
 from verify.language.fold import TERMS
 from verify.language.terms import Claim, Term, as_term, equal, symbol
-from verify.prover.clearing import Clearing, Polynomial, TooLongError, inner_first
+from verify.prover.clearing import (
+    Clearing,
+    Polynomial,
+    TooLongError,
+    coefficients,
+    inner_first,
+    through,
+)
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof
 from verify.prover.rules import Monotony, Sum
@@ -74,18 +81,13 @@ class Nested:
         """Facts that functions in the claim are those in its nested form; None if one fails."""
         found: dict[Term, str] = {}
         sides = self.question.goal.claim.lhs, self.question.goal.claim.rhs
-        for atom in inner_first(sides, self._inside):
+        for atom in inner_first(sides, through(self.definitions)):
             if atom.op in EQUATED and self.form(atom) is not atom:
                 name = self._equation(atom, [*found.values()])
                 if name is None:
                     return None
                 found[atom] = name
         return [*found.values()]
-
-    def _inside(self, term: Term) -> tuple[Term, ...]:
-        if term.op == "symbol" and term.name in self.definitions:
-            return (self.definitions[term.name],)
-        return term.children
 
     def _equation(self, atom: Term, inner: list[str]) -> str | None:
         known, session = self.question.known, self.question.session
@@ -113,7 +115,7 @@ def _nested(clearing: Clearing, polynomial: Polynomial) -> Term:
         clearing.constant(ZERO),
         clearing.constant(ZERO),
     )
-    for power, part in clearing.coefficients(polynomial, index):
+    for power, part in coefficients(polynomial, index).items():
         if power:
             inside += part * x ** (power - 1)
         else:

@@ -9,32 +9,25 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations, islice
-from math import comb, isqrt
+from math import comb
 
 from flint import fmpq_mpoly
 
 from verify.language.record import Record
-from verify.language.terms import Claim, Term, as_term, names_of
+from verify.language.terms import Term
 from verify.prover.budget import WorkBudget
-from verify.prover.clearing import atoms_of
-from verify.prover.goal import Goal
 from verify.prover.numbers import fraction_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Sum
 from verify.prover.search.bases import Gradings, all_monomials, pruned
 from verify.prover.search.domain import Domain, Factor, multiplied
-from verify.prover.search.exact import ExactRanges
 from verify.prover.search.faces import Block, vanishing, vanishing_near
 from verify.prover.search.forms import by_form
-from verify.prover.search.question import MAX_FACTS, Question
+from verify.prover.search.question import Question
 from verify.prover.search.squares import MAX_SIZE, Summand, decompose
 from verify.prover.search.zeros import zeros_in_floats
 
 FEW_ATTEMPTS, MANY_ATTEMPTS = 4, 100
-#: Bounds of roots are enclosed with so many bits.
-BITS = 64
-#: They have this many digits behind the point, unless they are exact.
-DIGITS = 3
 #: Programmes of more work than this are not tried.
 MAX_COST = 20_000_000
 #: Products of three facts are tried where there are not more facts than this.
@@ -66,48 +59,15 @@ def plain_squares(question: Question) -> Proof | None:
 
 def few_squares(question: Question) -> Proof | None:
     """A few attempts, for claims with minima or maxima."""
-    if not question.extrema:
-        return None
-    return _squares(question, question.goal, question.facts, FEW_ATTEMPTS)
+    return squares(question, FEW_ATTEMPTS) if question.extrema else None
 
 
-def many_squares(question: Question) -> Proof | None:
+def squares(question: Question, attempts: int = MANY_ATTEMPTS) -> Proof | None:
     """Squares times facts."""
-    return _squares(question, question.goal, question.facts)
-
-
-def squares_with_roots(question: Question) -> Proof | None:
-    """The same, with bounds of roots and cosines, which are proved at first."""
-    bounds = {}
-    for claim in root_bounds(question.goal):
-        known = question.known.fact(claim, question.goal.context)
-        if known is not None:
-            bounds[known] = claim
-    return _squares(question, question.goal, question.facts | bounds) if bounds else None
-
-
-def wider_squares(question: Question) -> Proof | None:
-    """Squares times facts, with givens that have other variables too."""
-    bounds, names = question.known.bounds, {*question.goal.variables}
-    wider = dict(question.facts)
-    for given in question.givens():
-        own = {*names_of(given.claim.lhs, given.claim.rhs)}
-        if own & names and own <= bounds.keys() and given.claim.relation != "=":
-            names |= own
-            wider[given.name] = given.claim
-    if len(wider) == len(question.facts) or len(wider) > MAX_FACTS:
-        return None
-    variables = {name: bounds[name] for name in sorted(names)}
-    return _squares(question, question.goal._replace(variables=variables), wider)
-
-
-def _squares(
-    question: Question, goal: Goal, facts: dict[str, Claim], attempts: int = MANY_ATTEMPTS
-) -> Proof | None:
-    domain = Domain(goal, facts, None, question.is_negative)
+    domain = Domain(question.goal, question.facts, None, question.is_negative)
     if not _is_short(domain):
         return None
-    zeros = question.zeros(domain) if goal is question.goal else []
+    zeros = question.zeros(domain)
     return by_squares(domain, zeros, question.budget, question.using, attempts)
 
 
@@ -301,46 +261,3 @@ def _connected(domain: Domain) -> list[int]:
     while more := [s for s in sets if s & used and not s <= used]:
         used.update(*more)
     return sorted(used)
-
-
-# --- bounds of roots and cosines ------------------------------------------------------------------
-
-
-def root_bounds(goal: Goal) -> Iterator[Claim]:
-    """Claims `low <= atom` and `atom <= high`, where all variables of the atom are bounded."""
-    box = {name: bounds.ends for name, bounds in goal.variables.items()}
-    ends = {name: pair for name, pair in box.items() if pair is not None}
-    terms = goal.claim.lhs, goal.claim.rhs, *goal.definitions.values()
-    ranges = ExactRanges([*ends], goal.definitions, BITS)
-    for atom in atoms_of(terms, {}):
-        names = set(names_of(atom))
-        if atom.op not in ("sqrt", "cos", "cos_pi") or not names <= ends.keys():
-            continue
-        found = ranges.of([*ends.values()], atom.children[0] if atom.op == "sqrt" else atom)
-        if found is not None:
-            yield from (_bounds if atom.op == "sqrt" else _outward)(atom, *found[0])
-
-
-def _outward(atom: Term, low: Fraction, high: Fraction) -> Iterator[Claim]:
-    scale = 10**DIGITS
-    yield Claim("<=", as_term(Fraction(low * scale // 1, scale)), atom)
-    yield Claim("<=", atom, as_term(-Fraction(-high * scale // 1, scale)))
-
-
-def _bounds(root: Term, low: Fraction, high: Fraction) -> Iterator[Claim]:
-    if high < 0:
-        return  # the root has no value
-    above = _floor(high)
-    if low > 0:
-        yield Claim("<=", as_term(_floor(low)), root)
-    step = 0 if above**2 == high else Fraction(1, 10**DIGITS)
-    yield Claim("<=", root, as_term(above + step))
-
-
-def _floor(square: Fraction) -> Fraction:
-    """The root, if it is rational; else a decimal below it."""
-    exact = Fraction(isqrt(square.numerator), isqrt(square.denominator))
-    if exact**2 == square:
-        return exact
-    scale = 10**DIGITS
-    return Fraction(isqrt(square.numerator * scale**2 // square.denominator), scale)

@@ -11,8 +11,8 @@ from flint import fmpq, fmpq_mpoly
 
 from verify.language.statement import Given
 from verify.language.terms import Claim, Term, names_of, symbol
-from verify.prover.clearing import Clearing, atoms_of, inner_first
-from verify.prover.goal import Goal
+from verify.prover.clearing import Clearing, inner_first, through
+from verify.prover.goal import Goal, definitions_below
 from verify.prover.points import failure_test, refuting_point
 from verify.prover.proof import Value
 from verify.prover.rules import Entry
@@ -190,14 +190,7 @@ class Question:
         return [term for term in self._extrema(*sides) if term not in self.extrema]
 
     def _extrema(self, *terms: Term) -> list[Term]:
-        definitions = self.goal.definitions
-
-        def inside(term: Term) -> Iterable[Term]:
-            if term.op == "symbol" and term.name in definitions:
-                return (definitions[term.name],)
-            return term.children
-
-        parts = inner_first(terms, inside)
+        parts = inner_first(terms, through(self.goal.definitions))
         return [part for part in parts if part.op in ("min", "max")]
 
     @cached_property
@@ -296,16 +289,7 @@ def _is_near_zero(found: tuple[float, tuple[float, ...]]) -> bool:
 
 def unfolded(goal: Goal, known: Universal) -> Goal:
     """The goal with constants as names that are defined."""
-    terms: dict[str, Term] = {}
-    if goal.constants:
-        wanted = set(goal.constants)
-        ground = known.ground.definitions
-        for name in reversed(ground):
-            if name in wanted:
-                wanted |= {
-                    atom.name for atom in atoms_of((ground[name],), {}) if atom.op == "symbol"
-                }
-        terms = {name: term for name, term in ground.items() if name in wanted}
+    terms = definitions_below(goal.constants, known.ground.definitions) if goal.constants else {}
     return goal._replace(constants=(), definitions={**terms, **goal.definitions})
 
 

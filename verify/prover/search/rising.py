@@ -18,7 +18,7 @@ from flint import fmpq_mpoly
 
 from verify.language.fold import replaced
 from verify.language.terms import Claim, Term, as_term, equal
-from verify.prover.clearing import ROOTS, Clearing, TooLongError, atoms_of, index_of
+from verify.prover.clearing import ROOTS, Clearing, TooLongError, atoms_of, coefficients, index_of
 from verify.prover.numbers import fmpq_of, fraction_of
 from verify.prover.proof import Proof, Value, power_of, product_of
 from verify.prover.rules import Monotony, Sum
@@ -116,7 +116,7 @@ class Powers:
         for index, atom in enumerate(clearing.atoms):
             if atom.op not in ROOTS or atom in inside or atom not in atoms:
                 continue
-            parts = dict(clearing.coefficients(p, index))
+            parts = coefficients(p, index)
             factor = parts.get(1)
             if parts.keys() <= {0, 1} and factor is not None and factor.is_constant():
                 rest = parts.get(0, clearing.one - clearing.one)

@@ -20,7 +20,7 @@ from flint import fmpq_mpoly
 
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, maximum
-from verify.prover.clearing import atoms_of
+from verify.prover.clearing import atoms_of, coefficients
 from verify.prover.numbers import float_of
 from verify.prover.proof import Proof, Value
 from verify.prover.rules import Cases, Sum
@@ -68,7 +68,7 @@ class Squaring:
         inside = {a for atom in atoms for child in atom.children for a in atoms_of((child,), {})}
         for index, atom in enumerate(self.clearing.atoms):
             if atom.op == "sqrt" and atom not in inside and p.degrees()[index] == 1:
-                parts = dict(self.clearing.coefficients(p, index))
+                parts = coefficients(p, index)
                 rest = parts.get(0, self.clearing.one - self.clearing.one)
                 yield Isolated(atom, rest, parts[1], *self.squares[atom])
 
@@ -92,9 +92,9 @@ class Squaring:
         if self.may_be(square):
             values = [self.lemma("<=", factor), self.lemma("<", d), self.lemma(relation, square)]
             return self.squared(isolated, values) if None not in values else None
-        term = maximum(self.term(rest), self.term(square))
+        term = maximum(self.clearing.term(rest), self.clearing.term(square))
         values = [self.lemma("<=", factor), self.lemma("<", d)]
-        fact = None if None in values else self.fact(Claim(relation, ZERO, term))
+        fact = None if None in values else self.question.fact(Claim(relation, ZERO, term))
         if fact is None:
             return None
         root: Value = ("root", isolated.root)
@@ -125,17 +125,9 @@ class Squaring:
         """The definitions, and equations that hold in a branch."""
         return (*self.question.using, *equations)
 
-    def term(self, polynomial: fmpq_mpoly) -> Term:
-        """A polynomial as a term."""
-        return self.clearing.term(polynomial)
-
     def lemma(self, relation: str, polynomial: fmpq_mpoly) -> Value | None:
         """The value of a fact 0 < p or 0 <= p."""
-        return self.question.lemma(relation, polynomial, self.term(polynomial))
-
-    def fact(self, claim: Claim) -> str | None:
-        """The name of a fact, which is proved now."""
-        return self.question.fact(claim)
+        return self.question.lemma(relation, polynomial, self.clearing.term(polynomial))
 
     def may_be(self, polynomial: fmpq_mpoly) -> bool:
         """Whether a polynomial is >= 0, as far as estimates tell."""
@@ -143,7 +135,7 @@ class Squaring:
             return False
         if polynomial.is_constant():
             return not polynomial.to_dict() or polynomial.leading_coefficient() >= 0
-        claim = Claim("<=", ZERO, self.term(polynomial))
+        claim = Claim("<=", ZERO, self.clearing.term(polynomial))
         size = float_of(max(abs(c) for c in polynomial.coeffs()))
         found = Minima(self.goal._replace(claim=claim), self.question.budget).found()
         return bool(found) and found[0][0] >= SLACK * size

@@ -10,15 +10,18 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import cached_property
 
 from verify.language.record import Record
 from verify.language.terms import Claim, Term, symbol
 from verify.prover.budget import WorkBudget
+from verify.prover.clearing import inner_first, through
 from verify.prover.goal import Bounds
 from verify.prover.numbers import float_of
-from verify.prover.proof import Proof
+from verify.prover.proof import Proof, every
+from verify.prover.relations import holds
 from verify.prover.rules import Cuts, Interval
-from verify.prover.search.compiled import range_function
+from verify.prover.search.compiled import Ranges, range_function
 from verify.prover.search.exact import ExactRanges
 from verify.prover.search.question import Question
 
@@ -35,6 +38,8 @@ TINY = 1e-15
 UNSURE = 1e-6
 
 Ends = tuple[Fraction, Fraction]
+#: The two parts of a box, each with its gap.
+Halves = list[tuple[tuple[Ends, ...], float]]
 
 
 def by_tree(question: Question, leaves: int) -> Proof | None:
@@ -67,7 +72,7 @@ class Tree:
         hypotheses: how many there are before the first cut.
     """
 
-    units = MAX_UNITS
+    bits, most_cuts, units = BITS, MAX_DEPTH, MAX_UNITS
 
     def __init__(
         self,
@@ -80,9 +85,9 @@ class Tree:
         self.claim, self.names, self.budget = claim, tuple(variables), budget
         self.hypotheses = hypotheses
         self.sides = claim.lhs, claim.rhs
-        self.ranges = range_function(self.names, self.sides, definitions)
-        self.exact = ExactRanges(self.names, definitions, BITS)
-        self.cost = cost_of(self.sides, definitions, BITS)
+        self.definitions = definitions
+        self.exact = ExactRanges(self.names, definitions, self.bits)
+        self.cost = cost_of(self.sides, definitions, self.bits)
         self.root = Piece(
             tuple(bounds.ends or (Fraction(0), Fraction(0)) for bounds in variables.values()),
             tuple((bounds.low_fact, bounds.high_fact) for bounds in variables.values()),
@@ -94,12 +99,17 @@ class Tree:
         self.guessed: list[tuple[Ends, ...]] = []
         self.decided: dict[tuple[Ends, ...], bool] = {}
 
+    @cached_property
+    def ranges(self) -> Ranges:
+        """The ends of both sides on a box, in floats."""
+        return range_function(self.names, self.sides, self.definitions)
+
     def prove(self, leaves: int) -> Proof | None:
         """A proof with at most so many leaves."""
         self.leaves, self.most = 0, min(leaves, self.units // self.cost)
         self.guessed = []
         proof = self._cover(self.root, self.gap(self.root.ends))
-        return proof if proof is not None and all(map(self._holds, self.guessed)) else None
+        return proof if proof is not None and all(map(self.holds, self.guessed)) else None
 
     def gap(self, ends: Sequence[Ends]) -> float:
         """A lower bound of rhs - lhs on a box; minus infinity where none is known."""
@@ -113,57 +123,54 @@ class Tree:
         if gap != gap:
             return -math.inf
         if -NEAR * size - TINY <= gap <= UNSURE * (size + UNSURE):
-            return 0.0 if self._holds(ends) else -NEAR * size - TINY
+            return 0.0 if self.holds(ends) else -NEAR * size - TINY
         del low, top
         return gap
 
-    def _holds(self, ends: Sequence[Ends]) -> bool:
+    def holds(self, ends: Sequence[Ends]) -> bool:
         """Whether the checker will see that the claim holds on a box."""
         box = tuple(ends)
         if box not in self.decided:
             self.budget.spend(self.cost)
-            found = self.exact.of(box, *self.sides)
-            if found is None:
-                return False
-            (_, high), (low, _) = found
-            self.decided[box] = high < low if self.claim.relation == "<" else high <= low
+            self.decided[box] = self.is_shown(box)
         return self.decided[box]
+
+    def is_shown(self, ends: Sequence[Ends]) -> bool:
+        """The same, of a box that is looked at for the first time; this is not counted as work."""
+        found = self.exact.of(ends, *self.sides)
+        if found is None:
+            return False
+        (_, high), (low, _) = found
+        return holds(self.claim.relation, high, low)
 
     def _cover(self, box: Piece, gap: float) -> Proof | None:
         if gap >= 0:
             self.leaves += 1
             return self.leaf(box)
-        if box.depth >= MAX_DEPTH or self.leaves >= self.most or not self._may_hold(box):
+        if box.depth >= self.most_cuts or self.leaves >= self.most or not self._may_hold(box):
             self.left = box
             return None
-        index, halves = self._best(box)
+        index, halves = self.best(box)
         hypothesis = f"@{self.hypotheses + box.depth + 1}"
-        branches = []
         low_fact, high_fact = box.facts[index]
-        for (ends, value), facts in zip(
-            halves, ((low_fact, hypothesis), (hypothesis, high_fact)), strict=True
-        ):
-            changed = (*box.facts[:index], facts, *box.facts[index + 1 :])
-            proof = self._cover(Piece(ends, changed, box.depth + 1), value)
-            if proof is None:
-                return None
-            branches.append(proof)
+        sides = zip(halves, ((low_fact, hypothesis), (hypothesis, high_fact)), strict=True)
+        parts = (
+            (Piece(ends, (*box.facts[:index], facts, *box.facts[index + 1 :]), box.depth + 1), part)
+            for (ends, part), facts in sides
+        )
+        branches = every(self._cover(*part) for part in parts)
         cut = halves[0][0][index][1]
-        return Cuts(symbol(self.names[index]), (cut,), tuple(branches))
+        return None if branches is None else Cuts(symbol(self.names[index]), (cut,), branches)
 
     def leaf(self, box: Piece) -> Proof:
         """The proof on a box on which the claim seems to hold."""
         self.guessed.append(box.ends)
-        return Interval(BITS, self.bounds(box))
+        return Interval(self.bits, self.bounds(box))
 
     def bounds(self, box: Piece) -> tuple[tuple[str, str, str], ...]:
         """Each variable with the names of the facts that bound it on a box."""
-        named = zip(self.names, self.facts(box), strict=True)
-        return tuple((name, low, high) for name, (low, high) in named)
-
-    def facts(self, box: Piece) -> tuple[tuple[str, str], ...]:
-        """The facts that bound each variable on a box."""
-        return box.facts
+        named = zip(self.names, box.facts, strict=True)
+        return tuple((name, *facts) for name, facts in named if any(facts))
 
     def _may_hold(self, box: Piece) -> bool:
         """Whether the claim is true at the centre, as far as floats tell."""
@@ -174,24 +181,27 @@ class Tree:
             return True
         return top - low >= -NEAR * (abs(top) + abs(low))
 
-    def _best(self, box: Piece) -> tuple[int, list[tuple[tuple[Ends, ...], float]]]:
+    def best(self, box: Piece) -> tuple[int, Halves]:
         """The variable whose bisection helps most, and its two halves with their gaps."""
         best: tuple[float, Fraction] | None = None
-        chosen: tuple[int, list[tuple[tuple[Ends, ...], float]]] = 0, []
+        chosen: tuple[int, Halves] = 0, []
         widest = max(high - low for low, high in box.ends)
         for index, (low, high) in enumerate(box.ends):
             if (high - low) * 4096 < widest and len(box.ends) > 1:
                 continue
-            middle = _middle(low, high)
-            halves = []
-            for pair in ((low, middle), (middle, high)):
-                ends = (*box.ends[:index], pair, *box.ends[index + 1 :])
-                halves.append((ends, self.gap(ends)))
+            halves = self.halves(box, index, _middle(low, high))
             gaps = [min(gap, 0.0) for _, gap in halves]
             score = (sum(gaps) if sum(gaps) > -math.inf else -math.inf, high - low)
             if best is None or score > best:
                 best, chosen = score, (index, halves)
         return chosen
+
+    def halves(self, box: Piece, index: int, middle: Fraction) -> Halves:
+        """The parts of a box below and above a number in one of its sides."""
+        low, high = box.ends[index]
+        both = ((low, middle), (middle, high))
+        parts = ((*box.ends[:index], side, *box.ends[index + 1 :]) for side in both)
+        return [(ends, self.gap(ends)) for ends in parts]
 
 
 def _middle(low: Fraction, high: Fraction) -> Fraction:
@@ -213,25 +223,13 @@ def _binary_exponent(value: Fraction) -> int:
 
 def cost_of(terms: Sequence[Term], definitions: Mapping[str, Term], bits: int) -> int:
     """About the checker's units of work for one evaluation."""
-    seen: set[Term] = set()
-    waiting = list(terms)
-    total = 30
-    while waiting:
-        term = waiting.pop()
-        if term in seen:
-            continue
-        seen.add(term)
-        waiting += term.children
-        if term.op == "symbol":
-            total += 14
-            if term.name in definitions:
-                waiting.append(definitions[term.name])
-        elif term.op in ("cos", "cos_pi", "sin"):
-            total += 8 * (bits // 2 + 11)
-        elif term.op in ("exp", "log", "atan", "root"):
-            total += 16 * (bits // 2 + 18)
-        elif term.op == "pow":
-            total += 10 + 14 * term.exponent.bit_length()
-        elif term.op != "rational":
-            total += 13
-    return total
+    series = bits // 2
+    prices = {
+        "rational": 0,
+        "symbol": 14,
+        **dict.fromkeys(("cos", "cos_pi", "sin"), 8 * (series + 11)),
+        **dict.fromkeys(("exp", "log", "atan", "root"), 16 * (series + 18)),
+    }
+    parts = inner_first(terms, through(definitions))
+    powers = sum(14 * part.exponent.bit_length() - 3 for part in parts if part.op == "pow")
+    return 30 + powers + sum(prices.get(part.op, 13) for part in parts)

@@ -16,7 +16,7 @@ from flint import fmpq_mpoly
 
 from verify.language.statement import Context
 from verify.language.terms import Claim, Term, as_term, names_of, parts_of, sqrt, substitute
-from verify.prover.clearing import expanded
+from verify.prover.clearing import coefficients, expanded
 from verify.prover.goal import Bounds, Goal
 from verify.prover.points import failure_test
 from verify.prover.search.compiled import estimates
@@ -110,7 +110,7 @@ def _solved_forms(system: System, equations: list[fmpq_mpoly]) -> Iterator[dict[
 
 def _solutions(system: System, equation: fmpq_mpoly, index: int) -> Iterator[Term]:
     """The terms that a variable may be."""
-    parts = dict(system.clearing.coefficients(equation, index))
+    parts = coefficients(equation, index)
     top = max(parts)
     if top == 2 and (1 in parts or not parts[2].is_constant()):
         return

@@ -83,40 +83,24 @@ class Collapse(Record):
         return C - theta, min(C + theta, Fraction(1))
 
 
-def start_of(state: State) -> Start:
-    """The state with ω_c = x_c/|x_c|, where s is in contact with o."""
-    gap = state.eps * state.v**2
-    reach = balls.any_root(1 + gap)
-    y, b = state.lam * state.v / reach, state.b / reach
-    return Start(
-        y,
-        state.rho * state.v,
-        state.C / reach,
-        state.a,
-        b,
-        state.A,
-        state.B,
-        state.w,
-        gap / (1 + reach),
-    )
+def start_of(state: State, sizes: Sizes = EQUAL) -> Start:
+    """The state with ω_c = x_c/|x_c|, where s is in contact with o.
 
-
-def start_with(state: State, sizes: Sizes) -> Start:
-    """The same for spheres of other sizes; d is in units of the contact distance of o and c."""
-    if sizes is EQUAL:
-        return start_of(state)
+    For spheres of other sizes ω_s is x_s/|x_s|, and d is in units of the contact distance of o, c.
+    """
     gap = state.eps * state.v**2
-    reach, touch, near = (balls.any_root(x) for x in (sizes.c + gap, sizes.c, sizes.s))
+    reach = balls.any_root(sizes.c + gap)
+    touch, near = (1 if sizes is EQUAL else balls.any_root(x) for x in (sizes.c, sizes.s))
     return Start(
-        state.lam * state.v / reach,
-        state.rho * state.v / near,
-        state.C / (reach * near),
-        state.a / near,
-        state.b / reach,
-        state.A,
-        state.B,
-        state.w,
-        gap / (touch * (touch + reach)),
+        y=state.lam * state.v / reach,
+        eta_s=state.rho * state.v / near,
+        C=state.C / (reach * near),
+        a=state.a / near,
+        b=state.b / reach,
+        A=state.A,
+        B=state.B,
+        w=state.w,
+        d=gap / (touch * (touch + reach)),
     )
 
 
@@ -140,7 +124,7 @@ def find_line_collapse(
     """Why spheres on a line collapse; None if balls do not show it. Their masses are equal."""
     if not (state.lam > 0 and state.C > 0):
         return None
-    start, half = start_with(state, sizes), (1 + r) / 2
+    start, half = start_of(state, sizes), (1 + r) / 2
     if not (start.y > 0 and start.eta_s > 0 and start.d > 0):
         return None
     least = _fixed_point(half, r)

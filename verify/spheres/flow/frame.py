@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import operator
+from functools import reduce
+
 from verify.language.terms import Term, as_term
 from verify.language.vectors import Combination, add, scale
 from verify.spheres.flow.law import Number, State
@@ -52,11 +55,8 @@ class Frame:
 
     def dot(self, x: Combination, z: Combination) -> Term:
         """The inner product of two combinations."""
-        parts = [x[i] * z[j] * self.gram(i, j) for i in BASIS for j in BASIS if i in x and j in z]
-        total: Term = parts[0]
-        for part in parts[1:]:
-            total += part
-        return total
+        pairs = ((i, j) for i in BASIS for j in BASIS if i in x and j in z)
+        return reduce(operator.add, (x[i] * z[j] * self.gram(i, j) for i, j in pairs))
 
     def square(self, x: Combination) -> Term:
         """The squared length of a combination."""

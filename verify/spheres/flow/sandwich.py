@@ -82,13 +82,6 @@ def above(value: float | Fraction) -> Fraction:
     return math.ceil(exact * power) / power
 
 
-def below(value: float) -> Fraction:
-    """A decimal with few digits that is no more than a positive number."""
-    exact = Fraction(value)
-    power = Fraction(10) ** (DIGITS - 1 - math.floor(math.log10(exact)))
-    return math.floor(exact * power) / power
-
-
 class Stair(Record):
     """Points Q_n, U_n; two steps lead from each of the last two but two to below it."""
 

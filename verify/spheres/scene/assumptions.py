@@ -4,62 +4,49 @@ from __future__ import annotations
 
 from verify.language.statement import Assumption
 
-ASSUMPTIONS = (
-    Assumption(
-        "scene",
-        "EQUATSS2.1_Loi_de_Newton_",
+#: The sentences between the rows and the motion, by their names.
+GLUE = {
+    "scene": (
         "1. The first state is the scene, seen from the particle o: x_s, x_c, W_s and W_c are the "
         "differences of the given centres and velocities. Each row begins with the state with "
         "which the one before it ends. So, by the rows collision.n, recentre.n and drift.n, which "
         "apply the flow, the collisions are those of the rows collision.n, at the times t_n, and "
-        "there are no others before the last one.",
-        "numbered glue",
+        "there are no others before the last one."
     ),
-    Assumption(
-        "scene-disperses",
-        "EQUATSS2.1_Loi_de_Newton_",
+    "scene-disperses": (
         "2. By the rows end.ij, which apply the flow to the pairs of the last state, each pair of "
-        "particles parts or passes by for ever: there is no further collision.",
-        "numbered glue",
+        "particles parts or passes by for ever: there is no further collision."
     ),
-    Assumption(
-        "scene-finite",
-        "EQUATSS2.1_Loi_de_Newton_",
+    "scene-finite": (
         "2. R² = Σ|x|², A = Σ x·v and L belong to the frame of the centre of mass. By the criteria "
         "for scenes of the classification, (ii) to (iv), the rows finite show that from the moment "
         "that they are about, or from the start, there is no collapse any more, and that only "
-        "finitely many collisions are possible, unless a triple or a grazing contact comes before.",
-        "numbered glue",
+        "finitely many collisions are possible, unless a triple or a grazing contact comes before."
     ),
-    Assumption(
-        "scene-collapses",
-        "EQUATSS2.1_Loi_de_Newton_",
+    "scene-collapses": (
         "2. After the last collision s and o are in contact, ω_s = x_s and ω_c = x_c/|x_c|; by the "
         "row unit, which applies the flow, the numbers in the row collapse are those of this state "
         "in the letters of the sharper theorem. So that applies to it: the time of the collapse "
-        "and its final angle are as it says, and as the rows time and angle enclose them.",
-        "numbered glue",
+        "and its final angle are as it says, and as the rows time and angle enclose them."
     ),
-    Assumption(
-        "scene-stair",
-        "EQUATSS2.1_Loi_de_Newton_",
+    "scene-stair": (
         "2. By the row unit, which applies the flow, the numbers in the row collapse are those of "
         "the state after the last collision, in the letters of the sandwich theorem. The rows "
         "stair.n are the steps n = 0 … N+1 of a stair that begins at the Q_0 and U_0 of that row, "
         "with its numbers; by the rows period it ends below itself. So comparison holds, by "
         "glue-stairs of that theorem, and it applies: the time of the collapse and its final angle "
-        "are as it says, and as the rows time and angle enclose them.",
-        "numbered glue",
+        "are as it says, and as the rows time and angle enclose them."
     ),
-    Assumption(
-        "scene-on-a-line",
-        "EQUATSS2.1_Loi_de_Newton_",
+    "scene-on-a-line": (
         "2. By the rows line.n all relative positions and velocities at the start are multiples of "
         "one vector, so that the particles stay on a line. After the last collision s and o are in "
         "contact, and o is between s and c, by the row between; by the row unit, which applies the "
         "flow, they part at η and o and c close at y, at the distance d from contact: 0 and c of "
         "the theorem on a line meet after d/y. So that applies to this state: the particles "
-        "collapse within the time that it says, as the rows time enclose it, and the angle is π.",
-        "numbered glue",
+        "collapse within the time that it says, as the rows time enclose it, and the angle is π."
     ),
+}
+ASSUMPTIONS = tuple(
+    Assumption(name, "EQUATSS2.1_Loi_de_Newton_", says, "numbered glue")
+    for name, says in GLUE.items()
 )

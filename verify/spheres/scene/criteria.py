@@ -1,5 +1,8 @@
 """Why only finitely many collisions are possible although they were not all followed.
 
+What the last moment does not show the start may. A criterion about the time of a collapse would add
+nothing: once that time has passed, R² >= 2 and A >= 0.
+
 R² = Σ|x_i|², A = Σ x_i·v_i and L², the square of the angular momentum, belong to the frame of the
 centre of mass; they are polynomials in the inner products of a state.
 """
@@ -7,11 +10,15 @@ centre of mass; they are polynomials in the inner products of a state.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import reduce
 from itertools import permutations
+from operator import add
 
 from verify.language.record import Record
+from verify.prover import balls
+from verify.spheres.flow.follow import Flow
 from verify.spheres.flow.law import EQUAL, Number, Sizes, State, inner, outer
-from verify.spheres.scene.scene import Bodies, Frame
+from verify.spheres.scene.scene import FIRST_FRAMES, Bodies, Frame
 
 INELASTIC, RECEDING, TURNING = "restitution", "receding", "turning"
 #: What each criterion says, in words; and for spheres of which some are not equal.
@@ -61,11 +68,8 @@ def _turned(state: State, sizes: Sizes, shares: tuple[Number, Number, Number]) -
         return _of(xx, i, k) * _of(ww, j, m) - xw[i + m] * xw[k + j]
 
     blades = ((own, "s", "s"), (other, "c", "c"), (mixed, "s", "c"), (mixed, "c", "s"))
-    parts = [n * k * product(i, j, x, y) for n, i, j in blades for k, x, y in blades]
-    total = parts[0]
-    for part in parts[1:]:
-        total = total + part
-    return total
+    parts = (n * k * product(i, j, x, y) for n, i, j in blades for k, x, y in blades)
+    return reduce(add, parts)
 
 
 class Spread(Record):
@@ -117,3 +121,39 @@ def turning(now: Whole | Spread) -> Number:
     """What is positive if the angular momentum keeps R² above 2, where R² >= 2 now."""
     most = now.touching if isinstance(now, Spread) else 2
     return (now.R2 - most) * now.L2 - now.A**2 * now.R2
+
+
+# --- decided in balls ----------------------------------------------------------------------------
+
+
+class Criterion(Record):
+    """A criterion that holds, of the last moment or already at the start."""
+
+    name: str
+    at_start: bool
+
+
+def finitely_many(flow: Flow) -> Criterion | None:
+    """A criterion that holds, if any."""
+    if flow.scene.has_one_mass and inelastic(flow.r) < 0:
+        return Criterion(INELASTIC, at_start=True)
+    name = _at(flow, FIRST_FRAMES[0], flow.start.state(FIRST_FRAMES[0], flow.keep))
+    if name is not None:
+        return Criterion(name, at_start=True)
+    name = None if flow.now is None else _at(flow, flow.now.frame, flow.now.state)
+    return None if name is None else Criterion(name, at_start=False)
+
+
+def _at(flow: Flow, frame: Frame, state: State) -> str | None:
+    bodies = flow.scene.bodies
+    if bodies is None:
+        now: Whole | Spread = whole(state)
+        most: Number = 2
+    else:
+        now = spread(state, frame, bodies, balls.exact)
+        most = now.touching
+    if not now.R2 >= most:
+        return None
+    if now.A >= 0:
+        return RECEDING
+    return TURNING if turning(now) > 0 else None

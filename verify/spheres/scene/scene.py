@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import reduce
+from operator import add
 from typing import Any
 
 from verify.language.record import Record
@@ -138,10 +140,7 @@ def difference(rows: Sequence[Vector], i: int, j: int) -> Vector:
 
 def inner_product(x: Vector, z: Vector) -> Number:
     """The inner product."""
-    total = x[0] * z[0]
-    for a, b in zip(x[1:], z[1:], strict=True):
-        total = total + a * b
-    return total
+    return reduce(add, (a * b for a, b in zip(x, z, strict=True)))
 
 
 def pair_name(i: int, j: int) -> str:

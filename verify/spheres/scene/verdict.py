@@ -8,7 +8,7 @@ from fractions import Fraction
 from verify.language.record import Record
 from verify.prover import balls
 from verify.prover.decimals import outward, short, told_number
-from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, Start, start_with
+from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, Start, start_of
 from verify.spheres.flow.follow import name_of
 from verify.spheres.flow.law import Number
 from verify.spheres.flow.theorem import NAME as FLOW
@@ -98,7 +98,7 @@ def steps(found: Fate) -> Iterator[Step]:
         speeds = normal_speeds(found)
         for move, speed in zip(found.flow.collisions, speeds, strict=True):
             o, _, c = move.before.frame
-            after = start_with(move.after.state, found.flow.sizes(move.after.frame))
+            after = start_of(move.after.state, found.flow.sizes(move.after.frame))
             yield Step(name_of(move.before.frame), (o, c), move.after.time, speed, after)
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from verify.language.terms import Claim, Term, parts_of
-from verify.prover.goal import Goal
 from verify.prover.proof import Value
 from verify.prover.rules import Sum
+from verify.prover.search.question import Question
 from verify.prover.session import ZERO
 
 #: The name of the fact that 0 < t, or 0 <= t, if there is one.
@@ -17,12 +17,12 @@ Known = Callable[[Claim], str | None]
 Sign = tuple[Value, bool]
 
 
-def signs(goal: Goal, known: Known) -> Sum | None:
+def by_signs(question: Question) -> Sum | None:
     """A proof of 0 < t or 0 <= t, where t is a sum of products of such numbers."""
-    claim = goal.claim
+    claim, place = question.plain.claim, question.goal.context
     if claim.relation not in ("<", "<=") or claim.lhs != ZERO or _has_denominator(claim.rhs):
         return None
-    found = _sign(claim.rhs, known)
+    found = _sign(claim.rhs, lambda wanted: question.session.known(wanted, place))
     if found is None or (claim.relation == "<" and not found[1]):
         return None
     return Sum(("goal", found[0]))

@@ -42,12 +42,26 @@ class Areas(Record):
     key: str = ""
 
 
+class Tiles(Record):
+    """Areas with any corners, each with a thin rim, in colours that do not follow the page."""
+
+    corners: Sequence[Sequence[Point]]
+    colour: str
+    rim: str
+
+
+class Dots(Record):
+    """A picture that fills the panel."""
+
+    png: bytes
+
+
 class Curve(Record):
-    """Measured points with a line through them; marks differ in shape."""
+    """Measured points with a line through them; marks differ in shape, or there are none."""
 
     points: Sequence[Point]
     colour: str
-    mark: int = 0
+    mark: int | None = 0
     name: str = ""
 
 
@@ -59,10 +73,14 @@ class Words(Record):
     anchor: str = "start"
 
 
-class Circle(Record):
-    """A circle around the origin of a panel with equal scales."""
+class Disc(Record):
+    """A circle in a panel with equal scales, empty or faintly filled."""
 
+    at: Point
     radius: float
+    colour: str
+    dashes: str = ""
+    filled: bool = False
 
 
 class Rule(Record):
@@ -93,11 +111,14 @@ class Trace(Record):
     name: str = ""
 
 
-Shape = Areas | Curve | Words | Circle | Rule | Frame | Straight | Trace
+Shape = Areas | Tiles | Dots | Curve | Words | Disc | Rule | Frame | Straight | Trace
 
 
 class Panel(Record):
-    """One pair of axes; its shapes are made when it is drawn. ``told`` says what is seen."""
+    """One pair of axes; its shapes are made when it is drawn. ``told`` says what is seen.
+
+    Without ``axes`` the two scales only say what is within.
+    """
 
     title: str
     x: Scale
@@ -106,6 +127,7 @@ class Panel(Record):
     told: str = ""
     width: int = 420
     height: int = 350
+    axes: bool = True
 
 
 class Figure(Record):
@@ -128,8 +150,13 @@ class Figure(Record):
 
 def powers(low: int, high: int, step: int = 1) -> list[tuple[float, str]]:
     """Marks at powers of ten."""
-    table = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-    return [(10.0**n, f"10{str(n).translate(table)}") for n in range(low, high + 1, step)]
+    return [(10.0**n, ten(n)) for n in range(low, high + 1, step)]
+
+
+def ten(exponent: int) -> str:
+    """A power of ten as people write it."""
+    digits = str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    return f"10{digits}"
 
 
 def marks(*texts: str) -> list[tuple[float, str]]:

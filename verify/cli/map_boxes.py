@@ -41,8 +41,7 @@ def write_tables(options: Options, progress: Progress) -> None:
     if options.csv is None and not options.middles:
         return
     from verify.spheres.map.middles import boxes, middles  # loaded only where they are used
-    from verify.views.map import axis_names
-    from verify.views.map_table import table_rows
+    from verify.views.map import axis_names, table_rows
     from verify.views.scene_table import csv_text
 
     found = list(boxes(progress))

@@ -21,6 +21,7 @@ from verify.views.words import (
     SHOWN_BITS,
     definitions_of,
     ends_of,
+    ends_told,
     group_verdict,
     sides_of,
 )
@@ -59,8 +60,7 @@ def _cosine(outcome: Outcome) -> str:
     c = outcome.statement.parameters["c"]
     if c.op == "rational" and c.value != 1:
         return ""
-    found = ends_of(outcome, "c")
-    value = "1" if c.op == "rational" else "undefined" if found is None else short(found)
+    value = "1" if c.op == "rational" else ends_told(ends_of(outcome, "c"))
     return f" (-cos θ₀ = {value})"
 
 
@@ -82,8 +82,7 @@ def threshold(outcome: Outcome, hypothesis: str) -> str:
             bound = 2 * root * (1 + root) / (1 + ball)
         else:
             return ""
-        found = ends_of(outcome, "c")
-        own = "undefined" if found is None else short(found)
+        own = ends_told(ends_of(outcome, "c"))
         return f"-cos θ₀ = {own}, the right side is {short(balls.ends(bound))}"
 
 
@@ -113,8 +112,7 @@ def theorem_in_numbers(outcome: Outcome) -> str:
     low = people(_safe(known["V_0"].value + third, up=True))
     high = people(_safe(value("V_1") - third, up=False))
     angle = people(_safe(value("Delta_theta") / 4, up=False))
-    phi = ends_of(outcome, "phi_minus")
-    root = "undefined" if phi is None else short(phi)
+    root = ends_told(ends_of(outcome, "phi_minus"))
     v_0, delta = (told_number(known[name].value) for name in ("V_0", "delta_theta"))
     return (
         f"Given the assumptions: let {place(outcome)}{_cosine(outcome)}. Three particles in "

@@ -40,6 +40,7 @@ from verify.views.screen import causes
 from verify.views.setting import TEMPLATES, in_html, in_markdown
 from verify.views.words import (
     CONDITIONALLY_PROVED,
+    LONG,
     begun,
     believed,
     constants_of,
@@ -306,7 +307,7 @@ def _content(material: Material) -> dict[str, Any]:
         "EVERYWHERE_IN_WORDS": everywhere.CLAIM,
         "SETTING": classification.SETTING,
         "THEOREMS": classification.THEOREMS,
-        "LONG": rows.LONG,
+        "LONG": LONG,
         "MANY": rows.MANY,
     }
 

@@ -45,14 +45,10 @@ def svg(
     """One SVG element with the panels side by side; ``name`` keeps its ids apart from others."""
     width, top = sum(panel.width for panel in panels), LINE * len(heading) + 8 * bool(heading)
     height = max(panel.height for panel in panels) + top
-    head = (
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" role="img" '
-        f'aria-label="{escape(description)}" font-family="system-ui, sans-serif" '
-        f'font-size="{SIZE}">'
-    )
+    patterns = "".join(pattern(f"{name}-{area}", area) for area in HATCHED)
     parts = [
-        head,
-        f"<defs>{''.join(_pattern(name, *pair) for pair in HATCHED.items())}</defs>",
+        begun(width, height, description),
+        f"<defs>{patterns}</defs>",
         *(_text((8, LINE * number), line) for number, line in enumerate(heading, 1)),
     ]
     across = 0
@@ -62,6 +58,15 @@ def svg(
         parts.append(place if across or top else body)
         across += panel.width
     return "\n".join([*parts, "</svg>"])
+
+
+def begun(width: float, height: float, description: str, more: str = 'role="img"') -> str:
+    """How a drawing begins that is a part of a page."""
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height:.0f}" {more} '
+        f'aria-label="{escape(description)}" font-family="system-ui, sans-serif" '
+        f'font-size="{SIZE}">'
+    )
 
 
 def standalone(drawing: str) -> str:
@@ -78,11 +83,12 @@ def standalone(drawing: str) -> str:
     return f"{head}{end}{style}{rest}\n"
 
 
-def _pattern(name: str, area: str, line: str) -> str:
+def pattern(key: str, area: str) -> str:
+    """The hatching of an area."""
     return (
-        f'<pattern id="{name}-{area}" width="7" height="7" patternUnits="userSpaceOnUse">'
+        f'<pattern id="{key}" width="7" height="7" patternUnits="userSpaceOnUse">'
         f'<rect width="7" height="7" fill="var(--{area})"/>'
-        f'<path d="M-1 1L1 -1M0 7L7 0M6 8L8 6" stroke="var(--{line})" stroke-width="1.3"/>'
+        f'<path d="M-1 1L1 -1M0 7L7 0M6 8L8 6" stroke="var(--{HATCHED[area]})" stroke-width="1.3"/>'
         "</pattern>"
     )
 

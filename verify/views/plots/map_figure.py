@@ -28,8 +28,6 @@ from verify.views.plots import shapes
 COLOURS = {COLLAPSES: "refuted-area", DISPERSES: "proved-area", UNDECIDED: "ink"}
 #: The side of what is shown closer by, as a share of the side of the map.
 CLOSER = Fraction(1, 16)
-#: How far marks are apart, in powers of ten.
-STEPS = (Fraction(2), Fraction(1), Fraction(1, 2), Fraction(1, 5))
 
 Cell = tuple[Fraction, Fraction, Fraction, Fraction]
 #: Boxes that were looked at, and the share of the area that was undecided then.
@@ -130,7 +128,7 @@ def _scales(progress: Progress, shown: Cell) -> tuple[shapes.Scale, shapes.Scale
     made = []
     for name, (low, high), at in zip(names(progress), ends, (shown[:2], shown[2:]), strict=True):
         first, last = (low + (high - low) * share for share in at)
-        made.append(shapes.Scale(name, float(first), float(last), round_marks(first, last)))
+        made.append(shapes.Scale(name, float(first), float(last), shapes.round_marks(first, last)))
     return made[0], made[1]
 
 
@@ -145,14 +143,6 @@ def names(progress: Progress) -> tuple[str, str]:
     if progress.document["name"] == "phi":
         return "φ₁", "φ₂"
     return axis_names(progress.document)
-
-
-def round_marks(low: Fraction, high: Fraction) -> list[tuple[float, str]]:
-    """Marks at multiples of 1, 2 or 5 times a power of ten, at least three steps apart."""
-    ten = Fraction(10) ** math.floor(math.log10(high - low))
-    step = next(ten * part for part in STEPS if ten * part * 3 <= high - low)
-    count = range(math.ceil(low / step), math.floor(high / step) + 1)
-    return [(float(k * step), f"{float(k * step):g}") for k in count]
 
 
 def _areas(progress: Progress, shown: Cell, named: dict[str, str]) -> Iterator[shapes.Shape]:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
-from math import log10
+from math import ceil, floor, log10
 
 from verify.language.record import Record
+from verify.prover.decimals import exact_number
 
 Corners = tuple[float, float, float, float]
 Point = tuple[float, float]
@@ -162,6 +163,18 @@ def ten(exponent: int) -> str:
 def marks(*texts: str) -> list[tuple[float, str]]:
     """Marks at these numbers."""
     return [(float(Fraction(text)), text.replace("-", "−")) for text in texts]
+
+
+#: How far round marks are apart, in powers of ten.
+STEPS = (Fraction(2), Fraction(1), Fraction(1, 2), Fraction(1, 5))
+
+
+def round_marks(low: Fraction, high: Fraction, steps: int = 3) -> list[tuple[float, str]]:
+    """Marks at multiples of 1, 2 or 5 times a power of ten, so that there are so many steps."""
+    unit = Fraction(10) ** floor(log10(high - low))
+    step = next(unit * part for part in STEPS if unit * part * steps <= high - low)
+    count = range(ceil(low / step), floor(high / step) + 1)
+    return [(float(k * step), exact_number(k * step)) for k in count]
 
 
 def corners(boxes: Iterable[tuple[tuple[Fraction, Fraction], ...]]) -> list[Corners]:

@@ -6,11 +6,7 @@ from verify.cli import claims
 from verify.cli.files import test_folder
 from verify.cli.options import Options, Usage
 from verify.paper.classification.meaning import MEANING
-from verify.paper.commands.classification import (
-    at_restitution,
-    decide_classification,
-    verdict_at,
-)
+from verify.paper.commands.classification import at_restitution, decide_classification, verdict_at
 from verify.paper.source import PAPER
 from verify.prover.outcome import EXIT_CODES
 from verify.views.classification import (
@@ -24,10 +20,7 @@ from verify.views.row_lists import screen
 from verify.wire.inputs import restitution
 
 USAGE = Usage(
-    {
-        "--r R": "what the theorems say at R in ]0,1[ (exact: 0.08, 2/25 or 8e-2)",
-        **claims.OPTIONS,
-    }
+    {"--r R": "what the theorems say at R in ]0,1[ (exact: 0.08, 2/25 or 8e-2)", **claims.OPTIONS}
 )
 
 

@@ -58,9 +58,7 @@ def write_tables(options: Options, progress: Progress) -> None:
         write_file("--csv", options.csv, csv_text(rows))
     if known is not None and options.out is not None:
         write_all(
-            "--out",
-            options.out,
-            _pictures(options, progress, list(zip(found, known, strict=True))),
+            "--out", options.out, _pictures(options, progress, list(zip(found, known, strict=True)))
         )
 
 

@@ -9,13 +9,7 @@ import sys
 from hashlib import sha256
 
 from verify import check
-from verify.cli.files import (
-    print_document,
-    read_bytes,
-    read_cited,
-    test_folder,
-    write_certificate,
-)
+from verify.cli.files import print_document, read_bytes, read_cited, test_folder, write_certificate
 from verify.cli.options import COLOR, JSON, Options, Usage
 from verify.cli.steps import Steps
 from verify.cli.terminal import show

@@ -29,10 +29,7 @@ from verify.views.point import (
     parameters_told,
 )
 
-TITLES = {
-    PRINTED: "The printed argument for it",
-    REPAIRED: "The theorem with repaired constants",
-}
+TITLES = {PRINTED: "The printed argument for it", REPAIRED: "The theorem with repaired constants"}
 
 
 def screen(

@@ -5,14 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator
 
-from verify.language.statement import (
-    HYPOTHESES,
-    PRINTED,
-    REFUTED,
-    REPAIRED,
-    Constant,
-    Publication,
-)
+from verify.language.statement import HYPOTHESES, PRINTED, REFUTED, REPAIRED, Constant, Publication
 from verify.language.typeset import Typesetter
 from verify.prover.outcome import Outcome
 from verify.views import words

@@ -134,11 +134,7 @@ def _statement(outcome: Outcome, writer: TermWriter) -> dict[str, Any]:
         "obligations": [_row(row, found.claimed, writer) for row, found in outcome.rows],
         "assumptions": [assumption._asdict() for assumption in statement.assumptions],
         "cites": [
-            {
-                "name": cite.name,
-                "theorem": cite.theorem,
-                "statement_sha256": digest(cite.content),
-            }
+            {"name": cite.name, "theorem": cite.theorem, "statement_sha256": digest(cite.content)}
             for cite in statement.cites
         ],
     }

@@ -73,8 +73,8 @@ PACKAGED_FILES = {
         "certificate.json": "01c491731d5f3d8abb9745a19378efcda818d40a83fddd47828cbe1719f0b07e",
     },
     AS_PRINTED: {
-        "statement.json": "5cf2c8ef4afddc018b73731a7d3c8ce04c95d1e98a4d7218ce0753bb9b4f7a8c",
-        "certificate.json": "c70457f82cc24e6898a1b45871ae6bb8e8e8a260d39671ed09c7d1f5afbecf4a",
+        "statement.json": "5c9a22d238e60320ab5e80a982eba34ca454f3ac39e3e63bc9f15dc32133b5d6",
+        "certificate.json": "6308896c4fa435cd7c67b77d1fc5c0f7d05d0c083735dbdf51168a85a10d677d",
     },
 }
 

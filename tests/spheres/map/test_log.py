@@ -27,7 +27,7 @@ DECIDING = (
 )
 #: Of these files, for each code. Where one of them has changed: the next code, or, if no verdict
 #: and no number can have changed, another digest for this code.
-DIGEST = "87b507fd699d466f751f5483ddad96f5a664cd769f103423033b5d61143f25ab"
+DIGEST = "4b3ccad7ca7a3e3b60db345e211bbd68953473fcd98d73da34319eb227ab35d2"
 DIGESTS = {2: DIGEST, 5: DIGEST}
 
 

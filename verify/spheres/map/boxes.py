@@ -21,7 +21,7 @@ from verify.spheres.map.branches import (
     together,
 )
 from verify.spheres.map.closing import collapsing, collapsing_on_a_line
-from verify.spheres.map.intervals import Array, Intervals, enclosed, exactly
+from verify.spheres.map.intervals import Array, Intervals, all_enclosed, enclosed, exactly
 from verify.spheres.map.models import Models, from_bounds, one_model, parameter
 from verify.spheres.map.planes import (
     FamilyPlane,
@@ -43,6 +43,9 @@ MAX_COLLISIONS, MAX_BRANCHES = 60, 24
 FAMILY_COLLISIONS = 400
 
 
+#: From the digits of a key to bits of its column, and of its row.
+COLUMN, ROW = str.maketrans("23", "01"), str.maketrans("123", "011")
+
 #: Instead of the interval of a parameter that does not occur.
 NOTHING = (Fraction(0), Fraction(0))
 
@@ -60,18 +63,21 @@ class Verdicts(Record):
 
 def corners(keys: Sequence[str]) -> tuple[list[int], list[int]]:
     """The columns and rows of boxes: a quadkey has one digit a level, x + 2y."""
-    columns = [int("".join("01"[int(d) & 1] for d in key) or "0", 2) for key in keys]
-    rows = [int("".join("01"[int(d) >> 1] for d in key) or "0", 2) for key in keys]
+    columns = [int(key.translate(COLUMN) or "0", 2) for key in keys]
+    rows = [int(key.translate(ROW) or "0", 2) for key in keys]
     return columns, rows
 
 
 def side(ends: tuple[Fraction, Fraction], places: Sequence[int], level: int) -> Intervals:
     """The part of a side at each place, 2^level parts in all; neighbours overlap."""
-    low, width = ends[0], (ends[1] - ends[0]) / 2**level
-    grid = {i: enclosed(low + width * i) for place in {*places} for i in (place, place + 1)}
-    return Intervals(
-        np.array([grid[i].low for i in places]), np.array([grid[i + 1].high for i in places])
+    (p, q), (m, n) = (end.as_integer_ratio() for end in ends)
+    first, step = p * n << level, m * q - p * n
+    grid, at = np.unique(places, return_inverse=True)
+    lows, highs = (
+        all_enclosed([first + step * (i + k) for i in grid.tolist()], q * n << level)
+        for k in (0, 1)
     )
+    return Intervals(lows.low[at], highs.high[at])
 
 
 def sides(plane: Plane, keys: Sequence[str]) -> tuple[Intervals, Intervals]:

@@ -14,7 +14,7 @@ import numpy as np
 
 from verify.language.record import Record
 from verify.spheres.flow.law import Flight, Pair, State, collided, flight, inner, outer, recentred
-from verify.spheres.map.intervals import Array, down
+from verify.spheres.map.intervals import Array, Intervals, down
 
 #: One number of many boxes of states: `Intervals`, `Models`, or `BallModels`.
 Boxes = Any
@@ -52,6 +52,8 @@ def some_of(r: Boxes, chosen: Array) -> Boxes:
 
 def take(state: State, chosen: Array) -> State:
     """Some of the states."""
+    if chosen.dtype == bool and chosen.all():
+        return state
     return State(*(x if isinstance(x, int) else x[chosen] for x in state))
 
 
@@ -95,26 +97,42 @@ def advance(r: Boxes, state: State) -> Step:
 
     The spectator s, which is in contact with o, does not approach: rho >= 0, B >= 0.
     """
-    pair = outer(state)
-    own, far = look(state.lam, state.A, state.eps), look(-pair.p, pair.m, pair.g)
+    own = look(state.lam, state.A, state.eps)
     met, way = meeting_part(state)
-    first = far.never | apart(pair, way.y * way.T)
-    meets = ~own.never & first
-    other = np.flatnonzero(~far.never & ~(first & own.always))
-    # In the order of `other`: the flight of s and c, and whether it is the first one.
-    here = take(state, other)
-    near, near_way = meeting_part(seen_from_s(here))
-    far_first = own.never[other] | apart(inner(here)[0], near_way.y * near_way.T)
-    known = first.copy()
-    known[other] |= far_first
-    meets[other] |= ~own.never[other] & far_first & ~far.always[other]
-    goes = far_first | first[other]
-    states = [(np.flatnonzero(meets), _after(r, met, way, meets))]
-    if goes.any():
-        states.append((other[goes], _after(some_of(r, other), near, near_way, goes)))
+    first = own.always & _is_first(state, way)
+    # Of the others more has to be known; `far` is the pair s, c.
+    rest = np.flatnonzero(~first)
+    far = Look(np.zeros_like(first), np.zeros_like(first))
+    if len(rest):
+        pair = outer(take(state, rest))
+        seen = look(-pair.p, pair.m, pair.g)
+        far.never[rest], far.always[rest] = seen.never, seen.always
+        first[rest] = seen.never | apart(pair, way.y[rest] * way.T[rest])
+    meets, known = ~own.never & first, first.copy()
+    other, states = np.flatnonzero(~far.never & ~(first & own.always)), []
+    if len(other):
+        # In the order of `other`: the flight of s and c, and whether it is the first one.
+        here = take(state, other)
+        near, near_way = meeting_part(seen_from_s(here))
+        far_first = own.never[other] | apart(inner(here)[0], near_way.y * near_way.T)
+        known[other] |= far_first
+        meets[other] |= ~own.never[other] & far_first & ~far.always[other]
+        goes = far_first | first[other]
+        if goes.any():
+            states.append((other[goes], _after(some_of(r, other), near, near_way, goes)))
+    states.insert(0, (np.flatnonzero(meets), _after(r, met, way, meets)))
     ends = ~own.always & ~far.always
     known |= own.never & far.never
     return Step(states, ends, ~known | _sticks(state) | ~(state.lam.low <= state.lam.high))
+
+
+def _is_first(state: State, way: Flight) -> Array:
+    """Whether bounds alone tell of models that o and c are the first to meet, if they do."""
+    if isinstance(state.lam, Intervals):
+        return np.zeros_like(state.lam.low, bool)
+    pair = outer(State(*(x if isinstance(x, int) else x.hull for x in state)))
+    time = way.y.hull * way.T.hull
+    return look(-pair.p, pair.m, pair.g).never | apart(pair, time)
 
 
 def _after(r: Boxes, state: State, way: Flight, chosen: Array) -> State:

@@ -80,7 +80,9 @@ def collapsing(r: Intervals, state: State) -> tuple[Array, Array]:
     places, box = places[worth], box.some(worth)
     here = some_of(r, places)
     numbers = search(_ends(here, len(places)), box)
-    shown = closes(here, box, numbers)
+    found = np.flatnonzero(~np.isnan(numbers[0]))
+    places, numbers = places[found], numbers[:, found]
+    shown = closes(some_of(here, found), box.some(found), numbers)
     return places[shown], numbers[:, shown]
 
 
@@ -210,10 +212,12 @@ def search(r: Ends, box: Approach) -> Array:
         guess.improve()
         size = guess.size()
         ends = guess.fine & (size - before <= GAIN * size)
-        found[:, places[ends]] = _rounded(guess, box.speed[places])[:, ends]
+        if ends.any():
+            found[:, places[ends]] = _rounded(_some(guess, ends), box.speed[places[ends]])
         goes = guess.fine & ~ends
-        places, before = places[goes], size[goes]
-        guess = _some(guess, goes)
+        before = size
+        if not goes.all():
+            places, before, guess = places[goes], size[goes], _some(guess, goes)
     return found
 
 

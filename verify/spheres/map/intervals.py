@@ -138,6 +138,14 @@ def enclosed(value: Fraction) -> Intervals:
     return Intervals(down(near), up(near))
 
 
+def all_enclosed(tops: Sequence[int], under: int) -> Intervals:
+    """Intervals around rational numbers with one positive denominator."""
+    near = [top / under for top in tops]
+    ratios = zip(tops, (x.as_integer_ratio() for x in near), strict=True)
+    exact, values = np.array([top * b == a * under for top, (a, b) in ratios]), np.array(near)
+    return Intervals(np.where(exact, values, down(values)), np.where(exact, values, up(values)))
+
+
 def exactly(values: Array) -> Intervals:
     """The doubles themselves."""
     return Intervals(values, values)

@@ -32,7 +32,7 @@ class Models:
     def __init__(self, c: Array, e: Array, bounds: Intervals) -> None:
         """The bounds are cut with the range of the polynomial; NaN there says nothing."""
         self.c, self.e = c, e
-        radius = (np.abs(c[1:]).sum(0) + e) * WIDER
+        radius = (np.add.reduce(np.abs(c[1:])) + e) * WIDER
         low, high = down(c[0] - radius), up(c[0] + radius)
         self.bounds = Intervals(np.fmax(bounds.low, low), np.fmin(bounds.high, high))
 
@@ -54,7 +54,7 @@ class Models:
     def __add__(self, other: Any) -> Models:
         if isinstance(other, Models):
             c = self.c + other.c
-            e = (self.e + other.e + np.abs(c).sum(0) * (2 * U)) * WIDER + TINY
+            e = (self.e + other.e + np.add.reduce(np.abs(c)) * (2 * U)) * WIDER + TINY
             return Models(c, e, self.bounds + other.bounds)
         if isinstance(other, int) and other == 0:
             return self
@@ -138,11 +138,17 @@ def _product(x: Models, y: Models) -> tuple[Array, Array]:
     c[3] += a[1] * b[1]
     c[4] += a[1] * b[2] + a[2] * b[1]
     c[5] += a[2] * b[2]
-    a1, b1 = (np.abs(p[1]) + np.abs(p[2]) for p in (a, b))
-    a2, b2 = (np.abs(p[3:]).sum(0) for p in (a, b))
-    all_a, all_b = np.abs(a[0]) + a1 + a2, np.abs(b[0]) + b1 + b2
+    a1, a2, all_a = _sizes(a)
+    b1, b2, all_b = _sizes(b) if a is not b else (a1, a2, all_a)
     e = a1 * b2 + a2 * b1 + a2 * b2 + all_a * y.e + all_b * x.e + x.e * y.e
     return c, (e + all_a * all_b * (8 * U)) * WIDER + TINY
+
+
+def _sizes(c: Array) -> tuple[Array, Array, Array]:
+    """How large a polynomial is: its terms of degree one, and of degree two, and all of them."""
+    sizes = np.abs(c)
+    first, second = sizes[1] + sizes[2], np.add.reduce(sizes[3:])
+    return first, second, sizes[0] + first + second
 
 
 def _inverse(x: Models) -> Models:
@@ -186,7 +192,7 @@ def _series(
 
 
 def _radius(x: Models) -> Array:
-    return (np.abs(x.c[1:]).sum(0) + x.e) * WIDER
+    return (np.add.reduce(np.abs(x.c[1:])) + x.e) * WIDER
 
 
 def _anything(like: Array) -> Intervals:

@@ -190,8 +190,8 @@ def test_refuted_rows_come_first_each_with_its_repair(made: Path, page: str) -> 
         assert re.sub("<[^>]*>", "", claim[1]).strip(), row
         assert "<dl>" in article or "false at" in article, row
     assert f"{len(refuted)} of its" in page
-    assert "True, but not by the printed argument: 2 sentences" in page
-    assert "9 false claims that the text does not make" in page
+    assert "True, but not by the printed argument: 3 sentences" in page
+    assert "10 false claims that the text does not make" in page
     assert "it counts these 26 rows alike, as refuted" in " ".join(page.split())
     assert '<article id="printed.alone-d-y-3">' not in page
 

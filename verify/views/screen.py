@@ -73,7 +73,7 @@ def printed_lines(verdicts: Mapping[str, str]) -> Iterator[str]:
 
 
 def counted(count: int, severity: str) -> str:
-    """So many rows of a severity: 6 slips of wording, 4 false, but harmless here, 9 remarks."""
+    """So many rows of a severity: 6 slips of wording, 2 false, but harmless here, 10 remarks."""
     if severity == OTHERWISE:
         return f"{count} true, but badly derived"
     several = severity.replace("slip", "slips").replace("remark", "remarks")

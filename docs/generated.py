@@ -22,7 +22,6 @@ from typing import Any
 
 from verify.check_map import GIVEN
 from verify.cli import _EXIT_CODES, COMMANDS
-from verify.cli.options import Parser
 from verify.language.statement import NEEDED, OTHERWISE
 from verify.paper.glossary import LETTERS
 from verify.paper.in_coq import IN_COQ
@@ -272,13 +271,12 @@ def exit_codes() -> str:
 
 
 def commands() -> str:
-    """Each command with its options, from its parser."""
+    """Each command with its options."""
     pages = []
     for name, summary in COMMANDS.items():
         module = import_module(f"verify.cli.{name}")
-        parser = Parser(f"verify {name}", module.__doc__ or "")
-        module.add_arguments(parser)
-        rows = ([f"`{option}`", escaped(text)] for option, text in parser._help)
+        usage = module.USAGE.meanings.items()
+        rows = ([f"`{option}`", escaped(text)] for option, text in usage)
         about = escaped((module.__doc__ or summary).strip())
         pages.append(f"## verify {name}\n\n{about}\n\n{table(('Option', 'Meaning'), rows)}")
     return "\n\n".join(pages)

@@ -18,7 +18,6 @@ ROOM = Path(__file__).parent.parent / "verify"
 
 #: Public names that several modules share: what each of them is there, and in which rooms.
 SHARED = {
-    "add_arguments": ("the options of a command", ("cli",)),
     "run": ("what a command does, or the program", ("cli", "__main__.py")),
     "screen": ("what a terminal shows of an outcome", ("views",)),
     "figure": ("the figure that a module of plots draws", ("views",)),

@@ -4,7 +4,7 @@ A name means one thing. A subject has the same name in every room: `cli/theorem1
 command, `paper/commands/theorem1.py` what it does, `paper/theorem1.py` what the paper says.
 Modules of the paper that stand side by side have one interface: `rows()` of a section, `lines()`
 and `context()` of a chapter, `chapters()` and `statement()` of a part; each command has
-`add_arguments()` and `run()`. `tests/test_names.py` has the list.
+`USAGE` and `run()`. `tests/test_names.py` has the list.
 """
 
 __version__ = "0.2.0"

@@ -146,9 +146,8 @@ def test_random_words(capsys: pytest.CaptureFixture[str]) -> None:
     names = [name for name in COMMANDS if name not in left_out]
     for _ in range(int(os.environ.get("RANDOM_WORDS", "60"))):
         name = chosen.choice(names)
-        parser = Parser(name, "")
-        import_module(f"verify.cli.{name}").add_arguments(parser)
-        options = parser.names() or ["--nonsense"]
+        parser = Parser(name, "", import_module(f"verify.cli.{name}").USAGE)
+        options = [*parser.valued] or ["--nonsense"]
         words = [name, chosen.choice(MORE)] if chosen.random() < 0.6 else [name]
         words += [f"{chosen.choice(options)}={chosen.choice(MORE)}" for _ in range(2)]
         code = main(words)

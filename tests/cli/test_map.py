@@ -120,8 +120,8 @@ def test_a_spent_budget(capsys: pytest.CaptureFixture[str]) -> None:
 
 def place_of(text: ElementTree.Element) -> tuple[tuple[float, float], tuple[float, float]]:
     """About where a text of the picture stands, from left to right and from top to bottom."""
-    x, y, length = float(text.attrib["x"]), float(text.attrib["y"]), 6.5 * len(text.text or "")
-    x -= {"start": 0.0, "middle": length / 2, "end": length}[text.attrib["text-anchor"]]
+    x, y, length = float(text.attrib["x"]), float(text.attrib["y"]), 7.5 * len(text.text or "")
+    x -= {"start": 0.0, "middle": length / 2, "end": length}[text.get("text-anchor", "start")]
     return (x - 2, x + length + 2), (y - 10, y + 3)
 
 
@@ -143,9 +143,12 @@ def test_the_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
         assert (tmp_path / "other" / name).read_bytes() == files[name]
     words = ["".join(item.itertext()) for item in image.iter() if item.tag.endswith("text")]
     assert {"0", "0.125", "0.5", "0.0625", "boxes looked at"} <= set(words)
-    assert "100 %" in words
-    for one, other in combinations(map(place_of, image.iterfind("{*}text")), 2):
-        assert any(b <= c or d <= a for (a, b), (c, d) in zip(one, other, strict=True))
+    assert "10²" in words
+    for part in (image, *image.iterfind("{*}g")):  # the words above, and the panels
+        texts = [text for text in part.iterfind("{*}text") if "x" in text.attrib]
+        assert len(texts) > 1
+        for one, other in combinations(map(place_of, texts), 2):
+            assert any(b <= c or d <= a for (a, b), (c, d) in zip(one, other, strict=True))
     capsys.readouterr()
     # Once more changes nothing, and a smaller share goes on.
     assert main(command) == 0

@@ -5,17 +5,18 @@ from __future__ import annotations
 import pytest
 
 from verify.cli import COMMANDS, main
-from verify.cli.options import Options, Parser
+from verify.cli.options import Options, Parser, Usage
 from verify.wire.inputs import InputError
 
 
 def parser() -> Parser:
-    made = Parser("verify x", "About x.")
-    made.option("--r", "a number")
-    made.option("--delta-theta", "a deviation", "D", default="1/10")
-    made.flag("-v", "--verbose", text="more")
-    made.place("folder", "a folder", required=False)
-    return made
+    meanings = {
+        "--r R": "a number",
+        "--delta-theta D": "a deviation",
+        "-v, --verbose": "more",
+        "[folder]": "a folder",
+    }
+    return Parser("verify x", "About x.", Usage(meanings, {"delta_theta": "1/10"}))
 
 
 DEFAULTS = {"r": None, "delta_theta": "1/10", "verbose": False, "folder": None}
@@ -63,9 +64,8 @@ def test_what_is_refused(words: list[str], named: str) -> None:
 
 
 def test_what_is_required() -> None:
-    made = Parser("verify x", "About x.")
-    made.places("path", "folders")
-    made.option("--out", "a file", "FILE", required=True)
+    meanings = {"path [path ...]": "folders", "--out FILE": "a file"}
+    made = Parser("verify x", "About x.", Usage(meanings, required=("--out",)))
     assert made.read(["a", "--out", "f", "b"]) == Options(path=["a", "b"], out="f")
     for words, named in ((["a"], "--out"), (["--out", "f"], "path"), ([], "path, --out")):
         with pytest.raises(InputError, match=named):

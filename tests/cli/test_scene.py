@@ -361,7 +361,7 @@ def test_the_drawing_is_whole(tmp_path: Path, capsys: pytest.CaptureFixture[str]
         code, _, _ = run(capsys, SCENES / f"{name}.toml", "--plot", tmp_path / "scene.svg")
         assert code == 0
         root = ElementTree.parse(tmp_path / "scene.svg").getroot()
-        circles = [item for item in root.iter() if item.tag.endswith("circle")]
+        circles = [item for item in root.iter() if item.tag.endswith("ellipse")]
         assert len(circles) >= 9
         text = (tmp_path / "scene.svg").read_text()
         assert "nan" not in text
@@ -533,9 +533,9 @@ def test_a_collapse_is_drawn_from_collision_to_collision(
     assert [word for word in words if word.startswith(("normal speed", "gap of", "time to"))]
     assert "from collision 3 on 01, 02, 01, … for ever;" in words[0]
     lines = [
-        [float(place.split(",")[1]) for place in item.attrib["points"].split()]
+        [float(place.split(" ")[1]) for place in item.attrib["d"][1:].split("L")]
         for item in root.iter()
-        if item.tag.endswith("polyline")
+        if item.tag.endswith("path") and item.attrib["d"].count("L") > 10
     ][-3:]
     assert [len(line) >= 15 for line in lines] == [True] * 3
     for line in lines:

@@ -26,7 +26,7 @@ from verify.views.graph import graph, levels
 from verify.views.material import CertifiedMap
 from verify.views.page.blueprint import direct, edges_between_labels, lowered
 from verify.views.plots import collapse, map_figure
-from verify.views.plots.shapes import merged
+from verify.views.plots.shapes import merged, round_marks
 from verify.views.setting import prose
 from verify.wire.judge import read_judged as read
 from verify.wire.write import write
@@ -111,7 +111,7 @@ def test_a_strip_is_shown_only_if_its_checker_accepts_it(tmp_path: Path) -> None
 
 def test_marks_are_short_and_lie_within() -> None:
     for low, high in (("0", "1/2"), ("1/8", "5/32"), ("-3/2", "0"), ("1/1000", "2/1000")):
-        marks = map_figure.round_marks(Fraction(low), Fraction(high))
+        marks = round_marks(Fraction(low), Fraction(high))
         assert 3 <= len(marks) <= 6
         assert all(float(Fraction(low)) <= at <= float(Fraction(high)) for at, _ in marks)
         assert all(len(text) <= 6 and float(text) == at for at, text in marks)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterable
 from fractions import Fraction
 from hashlib import sha256
 from pathlib import Path
@@ -34,8 +35,8 @@ from verify.language.terms import (
 from verify.wire.inputs import InputError
 from verify.wire.questions import decide, read_questions
 from verify.wire.text.infix import (
+    Names,
     claim_text,
-    known_names,
     read_claims,
     read_givens,
     read_term,
@@ -50,6 +51,11 @@ CERTIFICATES = Path(__file__).resolve().parents[2] / "certificates"
 STATEMENTS = sorted(CERTIFICATES.rglob("statement.json"))
 NAMES = ["x", "y", "delta_1", "printed.a", "a-b", "sqrt", "e"]
 X, Y = symbol("x"), symbol("y")
+
+
+def own_names(names: Iterable[str]) -> Names:
+    """Names that stand for themselves."""
+    return Names({name: name for name in names})
 
 
 def read(text: str) -> Statement:
@@ -85,7 +91,7 @@ def _branches(children: st.SearchStrategy[Term]) -> st.SearchStrategy[Term]:
 @settings(max_examples=500, deadline=None)
 @given(st.recursive(LEAVES, _branches, max_leaves=12))
 def test_a_formula_is_read_as_it_was_written(term: Term) -> None:
-    assert read_term("", term_text(term), known_names(NAMES)) is term
+    assert read_term("", term_text(term), own_names(NAMES)) is term
 
 
 @pytest.mark.parametrize(
@@ -102,7 +108,7 @@ def test_every_operation_is_written_and_read() -> None:
     two = dict.fromkeys(("add", "sub", "mul", "div", "min", "max"), (X, Y))
     for op in TERMS:
         term = Term(op, *(arguments | two).get(op, (X,)))
-        assert read_term("", term_text(term), known_names(NAMES)) is term
+        assert read_term("", term_text(term), own_names(NAMES)) is term
 
 
 # --- what formulas mean --------------------------------------------------------------------------
@@ -141,11 +147,11 @@ def test_every_operation_is_written_and_read() -> None:
     ],
 )
 def test_what_a_formula_means(text: str, term: Term) -> None:
-    assert read_term("", text, known_names({*NAMES} - {"e"})) is term
+    assert read_term("", text, own_names({*NAMES} - {"e"})) is term
 
 
 def test_a_chain_is_several_claims() -> None:
-    found = read_claims("", "1 ≥ x > y = 0", known_names(NAMES))
+    found = read_claims("", "1 ≥ x > y = 0", own_names(NAMES))
     assert found == (Claim("<=", X, as_term(1)), Claim("<", Y, X), Claim("=", Y, as_term(0)))
 
 
@@ -161,7 +167,7 @@ def test_a_chain_is_several_claims() -> None:
     ],
 )
 def test_what_is_no_inequality_is_read_as_one(text: str, claims: tuple[Claim, ...]) -> None:
-    assert read_claims("", text, known_names(NAMES)) == claims
+    assert read_claims("", text, own_names(NAMES)) == claims
 
 
 @pytest.mark.parametrize(
@@ -488,7 +494,7 @@ def test_cited_constants_are_known(tmp_path: Path) -> None:
 
 
 def test_a_bound_of_a_modulus_is_two_givens_where_it_is_written_as_one() -> None:
-    names = known_names(["x"])
+    names = own_names(["x"])
     assert [claim_text(c) for c in read_givens("f", "|x - 1| <= 1/2", names)] == [
         "-1/2 <= x - 1",
         "x - 1 <= 1/2",

@@ -105,8 +105,7 @@ def _dispatch(words: list[str]) -> int:
             raise InputError(f"{shown(name)} is not a command; write one before it: prove {name}")
         raise InputError(f"{shown(name)} is not a command; write one of: {known}")
     command = import_module(f"verify.cli.{name}")
-    parser = Parser(f"verify {name}", command.__doc__ or "")
-    command.add_arguments(parser)
+    parser = Parser(f"verify {name}", command.__doc__ or "", command.USAGE)
     options = parser.read(words[1:])
     if options is None:
         print(parser.help(width()))

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from verify.cli import columns
 from verify.cli.files import test_folder
-from verify.cli.options import Options, Parser
+from verify.cli.options import Options, Usage
 from verify.cli.steps import Steps
 
-
-def add_arguments(parser: Parser) -> None:
-    """The options."""
-    columns.add_arguments(parser, "bench")
-    parser.flag("--peers", text="only the table of Z3 and cvc5 on public sets")
+USAGE = Usage(
+    {
+        **columns.OPTIONS,
+        "--out DIR": "write bench.json there",
+        "--peers": "only the table of Z3 and cvc5 on public sets",
+    }
+)
 
 
 def run(options: Options) -> int:

@@ -6,18 +6,19 @@ import os
 from collections.abc import Mapping
 
 from verify.cli.files import MAX_BYTES, test_folder, write_folder
-from verify.cli.options import Options, Parser
+from verify.cli.options import Options, Usage
 from verify.cli.steps import Steps
 from verify.prover.outcome import Outcome
 from verify.wire.inputs import InputError, regular_file, shown
 from verify.wire.judge import accept
 
-
-def add_arguments(parser: Parser) -> None:
-    """The options."""
-    text = "where the folders are (default certificates)"
-    parser.option("--directory", text, "DIR", default="certificates")
-    parser.flag("--compare", text="write nothing; exit 1 if a file would change")
+USAGE = Usage(
+    {
+        "--directory DIR": "where the folders are (default certificates)",
+        "--compare": "write nothing; exit 1 if a file would change",
+    },
+    {"directory": "certificates"},
+)
 
 
 def run(options: Options) -> int:

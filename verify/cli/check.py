@@ -12,9 +12,9 @@ from typing import Any
 
 from verify import check
 from verify.cli.files import print_document
-from verify.cli.options import Options, Parser
+from verify.cli.options import COLOR, JSON, VERBOSE, Options, Usage
 from verify.cli.steps import watched
-from verify.cli.terminal import add_color, show
+from verify.cli.terminal import show
 from verify.language.record import Record
 from verify.wire.inputs import InputError, shown
 
@@ -33,21 +33,20 @@ NUMBER = re.compile(r"-?[0-9]+(/[0-9]+)?")
 LONGEST_PATH = 160  # in a message
 
 
-def add_arguments(parser: Parser) -> None:
-    """The options."""
-    text = "folders of certificates, folders of such folders, or one statement.json and its"
-    parser.places("path", f"{text} certificate.json")
-    text = "also make each statement anew from its parameters, and compare it byte for byte"
-    parser.flag("--statement", text=text)
-    parser.flag("-v", "--verbose", text="print every row, and every sentence taken on trust")
-    parser.flag("--json", text="one JSON document on stdout")
-    add_color(parser)
-    text = "print what is accepted as one LaTeX document instead of the verdicts"
-    parser.flag("--latex", text=text)
-    parser.flag(
-        "--full", text="in LaTeX also the rows that others are proved from, and all printed"
-    )
-    parser.flag("--markdown", text="print what is accepted as a report in Markdown")
+USAGE = Usage(
+    {
+        "path [path ...]": "folders of certificates, folders of such folders, or one "
+        "statement.json and its certificate.json",
+        "--statement": "also make each statement anew from its parameters, and compare it byte "
+        "for byte",
+        **VERBOSE,
+        **JSON,
+        **COLOR,
+        "--latex": "print what is accepted as one LaTeX document instead of the verdicts",
+        "--full": "in LaTeX also the rows that others are proved from, and all printed",
+        "--markdown": "print what is accepted as a report in Markdown",
+    }
+)
 
 
 class CheckedFolder(Record):

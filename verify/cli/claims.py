@@ -5,19 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from verify.cli.options import Options, Parser
-from verify.cli.terminal import add_color, show
+from verify.cli.options import CERTIFICATE, COLOR, JSON, ROWS, VERBOSE, Options
+from verify.cli.terminal import show
 from verify.prover.outcome import Outcome
 from verify.wire.inputs import InputError, shown
 
-
-def add_arguments(parser: Parser) -> None:
-    """The options."""
-    parser.flag("-v", "--verbose", text="print every row, and every sentence taken on trust")
-    parser.option("--rows", "print the rows of this name, label or (4.47) only", "NAME")
-    parser.flag("--json", text="one JSON document on stdout")
-    add_color(parser)
-    parser.option("--out", "write statement.json and certificate.json", "DIR")
+#: The options.
+OPTIONS = {**VERBOSE, **ROWS, **JSON, **COLOR, **CERTIFICATE}
 
 
 def answer(

@@ -4,13 +4,9 @@ from __future__ import annotations
 
 from verify.cli import claims
 from verify.cli.files import test_folder
-from verify.cli.options import Options, Parser
+from verify.cli.options import Options, Usage
 from verify.paper.classification.meaning import MEANING
-from verify.paper.commands.classification import (
-    at_restitution,
-    decide_classification,
-    verdict_at,
-)
+from verify.paper.commands.classification import at_restitution, decide_classification, verdict_at
 from verify.paper.source import PAPER
 from verify.prover.outcome import EXIT_CODES
 from verify.views.classification import (
@@ -23,11 +19,9 @@ from verify.views.classification import (
 from verify.views.row_lists import screen
 from verify.wire.inputs import restitution
 
-
-def add_arguments(parser: Parser) -> None:
-    """The options; r is kept as the text that was written."""
-    parser.option("--r", "what the theorems say at R in ]0,1[ (exact: 0.08, 2/25 or 8e-2)")
-    claims.add_arguments(parser)
+USAGE = Usage(
+    {"--r R": "what the theorems say at R in ]0,1[ (exact: 0.08, 2/25 or 8e-2)", **claims.OPTIONS}
+)
 
 
 def run(options: Options) -> int:

@@ -11,16 +11,11 @@ from textwrap import wrap
 from typing import Any
 
 from verify.cli.files import print_document, write_all
-from verify.cli.options import Options, Parser
+from verify.cli.options import JSON, Options
 from verify.cli.terminal import width
 
-
-def add_arguments(parser: Parser, name: str) -> None:
-    """The options of a command that measures."""
-    parser.flag("--quick", text="a short form, for CI")
-    parser.flag("-v", "--verbose", text="all columns of the tables")
-    parser.flag("--json", text="one JSON document on stdout")
-    parser.option("--out", f"write {name}.json there", "DIR")
+#: The options of a command that measures.
+OPTIONS = {"--quick": "a short form, for CI", "-v, --verbose": "all columns of the tables", **JSON}
 
 
 def publish(

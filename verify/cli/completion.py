@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import sys
-from argparse import ArgumentParser
+from argparse import Action, ArgumentParser
+from collections.abc import Iterator
 from importlib import import_module
 
-from verify.cli.options import Options, Parser
+from verify.cli.options import Options, Usage
 from verify.wire.inputs import InputError, shown
 
 SHELLS = ("bash", "zsh", "tcsh")
 
 
-def add_arguments(parser: Parser) -> None:
-    """The options."""
-    parser.place("shell", f"{', '.join(SHELLS[:-1])} or {SHELLS[-1]}")
+USAGE = Usage({"shell": f"{', '.join(SHELLS[:-1])} or {SHELLS[-1]}"})
 
 
 def run(options: Options) -> int:
@@ -38,9 +37,22 @@ def every_option() -> ArgumentParser:
     commands = whole.add_subparsers()
     for name, about in COMMANDS.items():
         command = import_module(f"verify.cli.{name}")
-        parser = Parser(f"verify {name}", about)
-        command.add_arguments(parser)
-        for action in parser.add_to(commands.add_parser(name, help=about, description=about)):
+        parser = commands.add_parser(name, help=about, description=about)
+        for action in _added(parser, command.USAGE):
             if not action.option_strings or action.metavar in ("FILE", "DIR"):
                 vars(action)["complete"] = shtab.FILE
     return whole
+
+
+def _added(parser: ArgumentParser, usage: Usage) -> Iterator[Action]:
+    """The options and words of a command, made known to a parser of the standard library."""
+    for written, text in usage.meanings.items():
+        option, _, value = written.partition(" ")
+        about = text.replace("%", "%%")
+        if not written.startswith("-"):
+            yield parser.add_argument(option.strip("[]"), nargs="*", help=about)
+        elif not value or ", " in written:
+            yield parser.add_argument(*written.split(", "), action="store_true", help=about)
+        else:
+            choices = usage.choices.get(option)
+            yield parser.add_argument(option, metavar=value, choices=choices, help=about)

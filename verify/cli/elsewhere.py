@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from verify.cli import claims
 from verify.cli.files import test_folder
-from verify.cli.options import Options, Parser
+from verify.cli.options import Options, Usage
 from verify.paper.commands.elsewhere import decide_elsewhere
 from verify.paper.source import PAPER
 
@@ -12,9 +12,7 @@ FORMAT = "verify-elsewhere/1"
 TITLE = "What the paper prints outside the proof of Theorem 1 and the spectrum"
 
 
-def add_arguments(parser: Parser) -> None:
-    """The options."""
-    claims.add_arguments(parser)
+USAGE = Usage(claims.OPTIONS)
 
 
 def run(options: Options) -> int:

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 
 from verify.cli.files import MAX_BYTES
-from verify.cli.options import Options, Parser, field
+from verify.cli.options import COLOR, Options, Usage, field
 from verify.cli.proofs import (
     MAIN,
     accepted_outcome,
@@ -19,7 +19,7 @@ from verify.cli.proofs import (
     outcome_of,
     with_something_proved,
 )
-from verify.cli.terminal import add_color, show
+from verify.cli.terminal import show
 from verify.language.record import TYPE_CHECKING
 from verify.wire.inputs import InputError, regular_file, shown
 from verify.wire.packaged import AS_PRINTED, PACKAGED_FILES
@@ -47,18 +47,17 @@ CONSTANT = re.compile(r"(printed\.|repaired\.)?[^-.\s]+")
 COMMITTED = "certificates"
 
 
-def add_arguments(parser: Parser) -> None:
-    """The options."""
-    parser.places(
-        "row",
-        "FOLDER ROW, or ROW: a row, a lemma or a constant, with or without its group; a label, or "
-        "(4.25). FOLDER has a certificate, or is one of step, flow, sharper, theorem1-all, …",
-    )
-    parser.flag("-v", "--verbose", text="claims as the statement has them, not simplified")
-    parser.option("--r", "the row at this point of Theorem 1, as verify theorem1 has it", "R")
-    for name in ANGLES:
-        parser.option(name, "the same: see verify theorem1 --help")
-    add_color(parser)
+USAGE = Usage(
+    {
+        "row [row ...]": "FOLDER ROW, or ROW: a row, a lemma or a constant, with or without its "
+        "group; a label, or (4.25). FOLDER has a certificate, or is one of step, flow, sharper, "
+        "theorem1-all, …",
+        "-v, --verbose": "claims as the statement has them, not simplified",
+        "--r R": "the row at this point of Theorem 1, as verify theorem1 has it",
+        **{f"{name} {name[2:].upper()}": "the same: see verify theorem1 --help" for name in ANGLES},
+        **COLOR,
+    }
+)
 
 
 def run(options: Options) -> int:

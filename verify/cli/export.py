@@ -7,19 +7,21 @@ from hashlib import sha256
 
 from verify.check import Folder
 from verify.cli.check import folders_at
-from verify.cli.options import Options, Parser
+from verify.cli.options import Options, Usage
 from verify.wire.inputs import InputError, shown
 
 SYSTEMS = ("coq", "text")
 
 
-def add_arguments(parser: Parser) -> None:
-    """The options."""
-    parser.place("system", "coq; or text, the page that verify prove reads")
-    parser.place("folder", "a folder with a statement and its certificate")
-    text = "also every constant as a definition, and every row as a lemma in ordinary notation"
-    parser.flag("--readable", text=text)
-    parser.flag("--balls", text="end with the theorem on three balls: theorem1, or a scene")
+USAGE = Usage(
+    {
+        "system": "coq; or text, the page that verify prove reads",
+        "folder": "a folder with a statement and its certificate",
+        "--readable": "also every constant as a definition, and every row as a lemma in ordinary "
+        "notation",
+        "--balls": "end with the theorem on three balls: theorem1, or a scene",
+    }
+)
 
 
 def run(options: Options) -> int:

@@ -363,12 +363,6 @@ def read_cited(option: str, folder: str) -> dict[str, bytes]:
     return found
 
 
-def progress(text: str) -> None:
-    """Say on stderr what is being done, if somebody watches."""
-    if sys.stderr is not None and sys.stderr.isatty():
-        print(f"{text} …", file=sys.stderr)
-
-
 def print_document(document: Mapping[str, Any]) -> None:
     """Print one JSON document on stdout."""
     import json  # loaded only where it is used

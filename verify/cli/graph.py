@@ -5,18 +5,20 @@ from __future__ import annotations
 import os
 
 from verify.cli.files import test_folder, write_all
-from verify.cli.options import Options, Parser
+from verify.cli.options import Options, Usage
 from verify.cli.proofs import MAIN, outcome_of
 from verify.wire.inputs import InputError, shown
 
 ENDINGS = (".svg", ".dot", ".json")
 
 
-def add_arguments(parser: Parser) -> None:
-    """The options."""
-    text = f"a folder with a certificate, or step, flow, sharper, … (default: {MAIN})"
-    parser.place("folder", text, required=False)
-    parser.option("--out", "FILE.svg, .dot or .json", "FILE", required=True)
+USAGE = Usage(
+    {
+        "[folder]": f"a folder with a certificate, or step, flow, sharper, … (default: {MAIN})",
+        "--out FILE": "FILE.svg, .dot or .json",
+    },
+    required=("--out",),
+)
 
 
 def run(options: Options) -> int:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from itertools import chain
 
 from verify.cli import claims
-from verify.cli.files import print_document, progress, test_folder, write_file
-from verify.cli.options import Options
-from verify.cli.terminal import show
+from verify.cli.files import print_document, test_folder, write_file
+from verify.cli.options import Options, leave_out
+from verify.cli.terminal import progress, show
 from verify.cli.theorem1_point import DEFAULTS, POINT_OPTIONS, read_parameters
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import REFUTED, UNDECIDED
@@ -19,7 +19,7 @@ from verify.paper.rows import INSTEAD
 from verify.paper.source import PAPER
 from verify.prover.decimals import exact_number
 from verify.prover.outcome import EXIT_CODES, conjunction
-from verify.wire.inputs import InputError, integer, neg_cos, positive, restitution, shown
+from verify.wire.inputs import InputError, integer, interval, neg_cos, positive, restitution
 
 if TYPE_CHECKING:
     from typing import Any
@@ -40,21 +40,10 @@ def run_many(options: Options) -> int:
     return _box(options) if options.steps is None else _scan(options)
 
 
-def _leave_out(options: Options, command: str, names: tuple[str, ...]) -> None:
-    """Refuse options that would not be used.
-
-    Raises:
-        InputError: naming the option.
-    """
-    for name in names:
-        if getattr(options, name) not in (False, DEFAULTS.get(name)):
-            raise InputError(f"--{name.replace('_', '-')}: leave it out with {command}")
-
-
 def _everywhere(options: Options) -> int:
     """Prove Theorem 1 for all parameters; print, write, return the exit code."""
     others = ("r", "neg_cos", "V0", "delta_theta", "steps", "csv", "jobs")
-    _leave_out(options, "--all", (*POINT_OPTIONS, *others))
+    leave_out(options, (*POINT_OPTIONS, *others), "leave it out with --all", DEFAULTS)
     test_folder("--out", options.out, "statement.json", "certificate.json")
     from verify.paper.commands import everywhere, thresholds  # loaded only where they are used
     from verify.paper.commands.printed_set import verdicts_as_printed
@@ -93,18 +82,18 @@ def _everywhere(options: Options) -> int:
 
 def _box(options: Options) -> int:
     """Prove Theorem 1 at all points of a box; print, write, return the exit code."""
-    _leave_out(options, "A..B", (*POINT_OPTIONS, "constants", "csv", "jobs"))
-    sides = _side("--r", options.r, restitution), _side("--neg-cos", options.neg_cos, neg_cos)
-    v_0, delta_theta = (
-        positive("--V0", options.V0),
-        positive("--delta-theta", options.delta_theta),
-    )
+    others = (*POINT_OPTIONS, "constants", "csv", "jobs")
+    leave_out(options, others, "leave it out with A..B", DEFAULTS)
+    r = interval("--r", options.r, restitution, points=True)
+    c = interval("--neg-cos", options.neg_cos or "1", neg_cos, points=True)
+    v_0 = positive("--V0", options.V0)
+    delta_theta = positive("--delta-theta", options.delta_theta)
     test_folder("--out", options.out, "statement.json", "certificate.json")
     from verify.paper.commands import box  # loaded only where they are used
     from verify.views import box as view
     from verify.views.material import ParameterBox
 
-    found = box.answer(ParameterBox(*sides), v_0, delta_theta)
+    found = box.answer(ParameterBox(r, c), v_0, delta_theta)
     if options.out is not None and found.verdict == UNDECIDED:
         print("verify: no certificate was written; ask for the certified part", file=sys.stderr)
         options.out = None
@@ -115,21 +104,6 @@ def _box(options: Options) -> int:
         lambda: view.screen(found, PAPER),
     )
     return EXIT_CODES[found.verdict]
-
-
-def _side(
-    option: str, text: str | None, read: Callable[[str], Fraction]
-) -> tuple[Fraction, Fraction]:
-    """The ends of a closed interval, or a number twice.
-
-    Raises:
-        InputError: if the first end is larger, or an end is outside its range.
-    """
-    parts = ("1" if text is None else text).split("..", 1)
-    low, high = read(parts[0]), read(parts[-1])
-    if low > high:
-        raise InputError(f"{option}: write the smaller end of {shown(text or '')} first")
-    return low, high
 
 
 def _noted(
@@ -151,15 +125,14 @@ def _scan(options: Options) -> int:
 
     if ".." not in options.r:
         raise InputError("--steps: needs an interval of r; write --r 0.02..0.04 --steps 9")
-    _leave_out(options, "--steps", (*POINT_OPTIONS, "out", "constants", "verbose", "rows"))
-    ends = [restitution(part) for part in options.r.split("..", 1)]
-    if ends[0] >= ends[1]:
-        raise InputError(f"--r: write the smaller end of {shown(options.r)} first")
+    others = (*POINT_OPTIONS, "out", "constants", "verbose", "rows")
+    leave_out(options, others, "leave it out with --steps", DEFAULTS)
+    ends = interval("--r", options.r, restitution)
     steps = integer("--steps", options.steps, 2, 10**7)
     options.r = options.r.split("..", 1)[0]
     jobs = integer("--jobs", options.jobs, 1, MAX_JOBS)
     values = {name: term.value for name, term in read_parameters(options).items()}
-    grid = Grid(ends[0], ends[1], steps, values)
+    grid = Grid(*ends, steps, values)
     parts = in_order(grid.part, grid.parts(1 if jobs == 1 else TOGETHER), jobs)
     rows: list[tuple[str, str, str]] = []
     points = watched(chain.from_iterable(parts), steps)

@@ -12,18 +12,28 @@ from io import BytesIO
 from verify import check_map
 from verify.cli.files import print_document, read_bytes, write_all
 from verify.cli.map_boxes import test_tables, write_tables
-from verify.cli.options import Options, Parser, field
+from verify.cli.options import JSON, Options, Usage, leave_out
 from verify.cli.scene_sample import point_in
 from verify.cli.steps import MAX_JOBS
+from verify.cli.terminal import is_watched
 from verify.language.errors import OwnError
 from verify.language.record import TYPE_CHECKING
 from verify.spheres.map.axes import axis_in, interval_in, plane_in
 from verify.spheres.map.planes import Phi, Plane
 from verify.spheres.map.strip import BorderStrip
-from verify.wire.inputs import InputError, integer, rational, shown
+from verify.wire.inputs import (
+    InputError,
+    integer,
+    neg_cos,
+    positive,
+    rational,
+    restitution,
+    share,
+    shown,
+)
 
 if TYPE_CHECKING:
-    from typing import BinaryIO
+    from typing import Any, BinaryIO
 
     from verify.spheres.map.grow import Sample, Target
     from verify.spheres.map.log import Progress
@@ -38,27 +48,30 @@ FINE, FINER = Fraction(1, 10**7), Fraction(1, 10**8)
 MAX_BOXES, MAX_LEVEL = 10**8, 26
 
 
-def add_arguments(parser: Parser) -> None:
-    """The options; every number is kept as the text that was written."""
-    parser.place("plane", "phi: of φ1 = eta_s/(-eta_c) and φ2 = d/eta_c²; or the file of a scene")
-    parser.option("--r", "phi: restitution coefficient in ]0,1[", "R")
-    parser.option("--neg-cos", "phi: -cos of the angle, in ]0, 1] (default 1)", "C")
-    parser.option("--speed", "phi: -eta_c (default 1/100)", "V")
-    parser.option("--tangential", "phi: tangential speeds (default 1,1)", "U_C,U_S")
-    parser.option("--x", "φ1 (default 0..1/2); for a scene NAME=A..B: r, a parameter", "A..B")
-    parser.option("--y", "φ2 (default 0..1/4), or another one: velocities[2][1]=-1..1", "A..B")
-    parser.option("--at", "the other parameters of the scene file: NAME=A,NAME=B", "POINT")
-    parser.option("--strip", "phi: decide all but |φ2 - f(φ1)| < DELTA for a curve f", "DELTA")
-    parser.option("--undecided", "stop at this share (default 1%)", "P%")
-    parser.option("--boxes", "stop after so many boxes (default 10^6)", "N", default="1000000")
-    parser.option("--level", f"halve sides at most so often (default {MAX_LEVEL})", "N")
-    parser.option("--jobs", "processes (default 1)", "N", default="1")
-    parser.option("--dask", "decide on a Dask cluster: tcp://HOST:PORT", "ADDRESS")
-    parser.option("--out", "write the log, or go on with it; areas and pictures", "DIR")
-    parser.option("--csv", "a table with a line for each box: verdict, and its sides", "FILE")
-    parser.flag("--middles", text="scene files: decide the middle of each box, for table, pictures")
-    parser.flag("--show-boxes", text="draw each box in the picture")
-    parser.flag("--json", text="one JSON document on stdout")
+USAGE = Usage(
+    {
+        "plane": "phi: of φ1 = eta_s/(-eta_c) and φ2 = d/eta_c²; or the file of a scene",
+        "--r R": "phi: restitution coefficient in ]0,1[",
+        "--neg-cos C": "phi: -cos of the angle, in ]0, 1] (default 1)",
+        "--speed V": "phi: -eta_c (default 1/100)",
+        "--tangential U_C,U_S": "phi: tangential speeds (default 1,1)",
+        "--x A..B": "φ1 (default 0..1/2); for a scene NAME=A..B: r, a parameter",
+        "--y A..B": "φ2 (default 0..1/4), or another one: velocities[2][1]=-1..1",
+        "--at POINT": "the other parameters of the scene file: NAME=A,NAME=B",
+        "--strip DELTA": "phi: decide all but |φ2 - f(φ1)| < DELTA for a curve f",
+        "--undecided P%": "stop at this share (default 1%)",
+        "--boxes N": "stop after so many boxes (default 10^6)",
+        "--level N": f"halve sides at most so often (default {MAX_LEVEL})",
+        "--jobs N": "processes (default 1)",
+        "--dask ADDRESS": "decide on a Dask cluster: tcp://HOST:PORT",
+        "--out DIR": "write the log, or go on with it; areas and pictures",
+        "--csv FILE": "a table with a line for each box: verdict, and its sides",
+        "--middles": "scene files: decide the middle of each box, for table, pictures",
+        "--show-boxes": "draw each box in the picture",
+        **JSON,
+    },
+    {"boxes": "1000000", "jobs": "1"},
+)
 
 
 def read_plane(options: Options) -> Plane:
@@ -75,16 +88,8 @@ def read_plane(options: Options) -> Plane:
         raise InputError("--at: is for the file of a scene; leave it out")
     if options.r is None:
         raise InputError("--r: is missing; write a number like 0.03")
-    r, neg_cos = rational("--r", options.r), rational("--neg-cos", options.neg_cos or "1")
-    speed = rational("--speed", options.speed or "1/100")
-    if not 0 < r < 1:
-        raise InputError(f"--r: {shown(options.r)} is not in ]0,1[; write a number like 0.03")
-    if not 0 < neg_cos <= 1:
-        raise InputError(
-            f"--neg-cos: {shown(options.neg_cos)} is not in ]0,1]; write such a number"
-        )
-    if speed <= 0:
-        raise InputError(f"--speed: {shown(options.speed)} is not positive; write 1/100")
+    r, c = restitution(options.r), neg_cos(options.neg_cos or "1")
+    speed = positive("--speed", options.speed or "1/100")
     words = (options.tangential or "1,1").split(",")
     if len(words) != 2:
         raise InputError(f"--tangential: {shown(options.tangential)} is no pair; write 1,1")
@@ -93,13 +98,12 @@ def read_plane(options: Options) -> Plane:
     x, y = interval_in("--x", options.x or width), interval_in("--y", options.y or "0..1/4")
     if min(x[0], y[0]) < 0:
         raise InputError("--x, --y: φ1 and φ2 are not negative; write intervals from 0 on")
-    return Phi(r, neg_cos, speed, (u_c, u_s), x, y)
+    return Phi(r, c, speed, (u_c, u_s), x, y)
 
 
 def _read_scenes(options: Options) -> Plane:
-    for option in ("--r", "--neg-cos", "--speed", "--tangential"):
-        if getattr(options, field(option)) is not None:
-            raise InputError(f"{option}: leave it out with the file of a scene")
+    of_phi = ("r", "neg_cos", "speed", "tangential")
+    leave_out(options, of_phi, "leave it out with the file of a scene")
     if options.x is None:
         raise InputError("--x: is missing; name what varies: --x r=0.01..0.08")
     written = {"--x": options.x} | ({} if options.y is None else {"--y": options.y})
@@ -108,33 +112,25 @@ def _read_scenes(options: Options) -> Plane:
     return plane_in(options.plane, read_bytes("plane", options.plane), axes, fixed)
 
 
-def _share(text: str) -> Fraction:
-    share = rational("--undecided", text.removesuffix("%")) / (100 if text.endswith("%") else 1)
-    if not 0 <= share <= 1:
-        raise InputError(f"--undecided: {shown(text)} is no share; write a share such as 0.1%")
-    return share
-
-
 def run(options: Options) -> int:
     """Grow the map, write what is asked for, print the areas, return the exit code."""
-    plane, share = read_plane(options), _share(options.undecided or "1%")
-    delta = _delta(options)
+    plane, delta = read_plane(options), _delta(options)
+    least = share("--undecided", options.undecided or "1%") if delta is None else Fraction(0)
     test_tables(options, plane)
     boxes = integer("--boxes", options.boxes, 1, MAX_BOXES)
     level = integer("--level", options.level or str(MAX_LEVEL), 1, MAX_LEVEL)
     jobs = integer("--jobs", options.jobs, 1, MAX_JOBS)
     from verify.spheres.map.grow import Target  # numpy is loaded only where it is used
     from verify.spheres.map.log import LogMismatchError, Progress, plane_document
-    from verify.views.map import area_shares, areas_of, map_document, map_lines, saddle_lines
+    from verify.views.map import area_shares, areas_of, map_lines, saddle_lines
 
     try:
         check_map.plane_of(plane_document(plane))
     except check_map.LogError as error:
         raise InputError(f"plane: the checker of maps cannot read it ({error})") from error
     progress = Progress(plane if delta is None else _strip(plane, delta))
-    share = share if delta is None else Fraction(0)
     try:
-        _grow(options, progress, Target(share, boxes, level), jobs)
+        _grow(options, progress, Target(least, boxes, level), jobs)
     except LogMismatchError as error:
         raise InputError(
             f"--out: {shown(os.path.join(options.out, LOG))} is no log of this map ({error}); "
@@ -142,20 +138,21 @@ def run(options: Options) -> int:
         ) from error
     write_tables(options, progress)
     if options.json:
-        print_document(map_document(progress, _cites(progress)))
+        print_document(_document(progress))
     else:
         lines = (*map_lines(progress, *_said(progress)), *saddle_lines(_saddle(progress.plane)))
         sys.stdout.write("".join(f"{line}\n" for line in lines))
     left, areas = area_shares(progress)["undecided"], areas_of(progress)
-    done = left <= share if delta is None else areas.is_strip
+    done = left <= least if delta is None else areas.is_strip
     return 0 if done else UNDECIDED_CODE
 
 
-def _cites(progress: Progress) -> tuple[str, ...]:
-    """The theorems that the checker has taken for granted."""
-    from verify.views.map import areas_of
+def _document(progress: Progress) -> dict[str, Any]:
+    """The map with the theorems that the checker has taken for granted."""
+    from verify.views.map import areas_of, map_document
 
-    return check_map.cites(check_map.plane_of(progress.document), areas_of(progress))
+    plane = check_map.plane_of(progress.document)
+    return map_document(progress, check_map.cites(plane, areas_of(progress)))
 
 
 def _said(progress: Progress) -> tuple[str, str]:
@@ -251,7 +248,7 @@ def _judge(progress: Progress, file: BinaryIO, resumed: str | None) -> None:
 
 
 def _watch(sample: Sample) -> None:
-    if sys.stderr is not None and sys.stderr.isatty():
+    if is_watched():
         share = float(100 * sample.undecided)
         print(f"\r{sample.boxes} boxes, {share:.4f} % undecided …", end="", file=sys.stderr)
 
@@ -270,11 +267,10 @@ def _read_times(folder: str, progress: Progress) -> list[Sample]:
 
 
 def _write(options: Options, progress: Progress, times: list[Sample]) -> None:
-    from verify.views.map import map_document
     from verify.views.plots.map_picture import png_map, svg_map
 
     rows = "".join(f"{s.boxes},{s.undecided},{s.seconds:.3f}\n" for s in times)
-    document = json.dumps(map_document(progress, _cites(progress)), ensure_ascii=False, indent=1)
+    document = json.dumps(_document(progress), ensure_ascii=False, indent=1)
     files = {
         DOCUMENT: f"{document}\n".encode(),
         PICTURE: svg_map(progress, boxes=options.show_boxes).encode(),

@@ -41,8 +41,7 @@ def write_tables(options: Options, progress: Progress) -> None:
     if options.csv is None and not options.middles:
         return
     from verify.spheres.map.middles import boxes, middles  # loaded only where they are used
-    from verify.views.map import axis_names
-    from verify.views.map_table import table_rows
+    from verify.views.map import axis_names, table_rows
     from verify.views.scene_table import csv_text
 
     found = list(boxes(progress))
@@ -59,9 +58,7 @@ def write_tables(options: Options, progress: Progress) -> None:
         write_file("--csv", options.csv, csv_text(rows))
     if known is not None and options.out is not None:
         write_all(
-            "--out",
-            options.out,
-            _pictures(options, progress, list(zip(found, known, strict=True))),
+            "--out", options.out, _pictures(options, progress, list(zip(found, known, strict=True)))
         )
 
 

@@ -7,14 +7,11 @@ the intervals of the main job.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from types import SimpleNamespace
 
-from verify.language.record import TYPE_CHECKING
+from verify.language.record import Record
 from verify.wire.inputs import InputError, shown
-
-if TYPE_CHECKING:
-    from argparse import Action, ArgumentParser
 
 #: What follows an option as its value although it starts with a minus sign.
 _NEGATIVE = r"-([0-9.]|pi|inf|nan)"
@@ -32,74 +29,74 @@ def field(name: str) -> str:
     return name.lstrip("-").replace("-", "_")
 
 
+def leave_out(
+    options: Options,
+    names: Iterable[str],
+    why: str,
+    defaults: Mapping[str, str | None] | None = None,
+) -> None:
+    """Refuse options that would not be used.
+
+    Raises:
+        InputError: for the first of these that has another value than by default: why not.
+    """
+    for name in names:
+        if getattr(options, field(name)) not in (None, False, (defaults or {}).get(field(name))):
+            raise InputError(f"--{name.lstrip('-').replace('_', '-')}: {why}")
+
+
+#: What several commands have.
+VERBOSE = {"-v, --verbose": "print every row, and every sentence taken on trust"}
+ROWS = {"--rows NAME": "print the rows of this name, label or (4.47) only"}
+JSON = {"--json": "one JSON document on stdout"}
+COLOR = {"--color WHEN": "auto (default), always or never"}
+CERTIFICATE = {"--out DIR": "write statement.json and certificate.json"}
+CHOICES = {"--color": ("auto", "always", "never")}
+
+
+class Usage(Record):
+    """What may be written after a command.
+
+    ``meanings`` has each option as the help shows it, and what it means: ``--name VALUE``, or
+    ``-n, --name`` without a value; and each word without an option, in order: ``name``, ``[name]``
+    if it may be left out, ``name [name ...]`` for one or more. Each of these has a field in
+    `Options`; ``defaults`` are the values there of options that are not written. An option with
+    ``choices`` has one of these values.
+    """
+
+    meanings: Mapping[str, str]
+    defaults: Mapping[str, str] = {}
+    choices: Mapping[str, Sequence[str]] = CHOICES
+    required: Sequence[str] = ()
+
+
 class Parser:
-    """The options and places of one command, and how they are read.
+    """How the words after a command are read.
 
     An option is written ``--name VALUE`` or ``--name=VALUE``, a flag ``--name``; what does not
     start with a minus sign goes to the places, in order. Each option is given at most once.
     """
 
-    def __init__(self, program: str, about: str) -> None:
-        self.program, self.about = program, about
-        self._defaults: dict[str, object] = {}
-        self._fields: dict[str, str] = {}
-        self._flags = {"-h", "--help"}
-        self._choices: dict[str, Sequence[str]] = {}
-        self._required: list[str] = []
+    def __init__(self, program: str, about: str, usage: Usage) -> None:
+        self.program, self.about, self.usage = program, about, usage
+        self.flags: dict[str, str] = {}
+        self.valued: dict[str, str] = {}
         self._places: list[str] = []
         self._many = ""
-        self._help: list[tuple[str, str]] = []
-
-    # --- what there is --------------------------------------------------------------------------
-
-    def option(
-        self,
-        name: str,
-        text: str,
-        value: str = "",
-        *,
-        default: str | None = None,
-        required: bool = False,
-        choices: Sequence[str] = (),
-    ) -> None:
-        """An option with a value, which the help calls ``value``; one of ``choices`` if given."""
-        self._add(name, name, default)
-        self._choices[name] = choices
-        self._help.append((f"{name} {value or name[2:].upper()}", text))
-        if required:
-            self._required.append(name)
-
-    def flag(self, *names: str, text: str) -> None:
-        """An option without a value, perhaps with a short name; its field has the last name."""
-        for name in names:
-            self._add(name, names[-1], False)
-            self._flags.add(name)
-        self._help.append((", ".join(names), text))
-
-    def place(self, name: str, text: str, *, required: bool = True) -> None:
-        """A word without an option."""
-        self._add(name, name, None)
-        self._places.append(name)
-        self._help.append((name if required else f"[{name}]", text))
-        if required:
-            self._required.append(name)
-
-    def places(self, name: str, text: str) -> None:
-        """All words without an option, at least one; the field has the list of them."""
-        self._add(name, name, ())
-        self._many = name
-        self._required.append(name)
-        self._help.append((f"{name} [{name} ...]", text))
-
-    def _add(self, name: str, last: str, default: object) -> None:
-        self._fields[name] = field(last)
-        self._defaults[self._fields[name]] = default
-
-    def names(self) -> list[str]:
-        """The options that have a value."""
-        return list(self._choices)
-
-    # --- what was written -----------------------------------------------------------------------
+        self._required: list[str] = []
+        for written in usage.meanings:
+            names = written.split(", ")
+            last, _, rest = names[-1].partition(" ")
+            if not last.startswith("-"):
+                name = last.strip("[]")
+                self._many = name if rest else self._many
+                self._places.append(name)
+                self._required += [] if last.startswith("[") else [name]
+            elif rest:
+                self.valued[last] = field(last)
+            else:
+                self.flags |= dict.fromkeys(names, field(last))
+        self._required += usage.required
 
     def read(self, words: Sequence[str]) -> Options | None:
         """What was chosen; None where help is asked for.
@@ -118,25 +115,29 @@ class Parser:
             name, equals, value = word.partition("=")
             if name in ("-h", "--help"):
                 return None
-            self._once(name, found)
-            if name in self._flags:
-                if equals:
-                    raise self._error(f"{name} takes no value, and {shown(value)} is given")
-                found[self._fields[name]] = True
+            key = self._once(name, found)
+            if name in self.valued:
+                found[key] = self._one_of(name, value if equals else self._value(name, waiting))
+            elif equals:
+                raise self._error(f"{name} takes no value, and {shown(value)} is given")
             else:
-                value = value if equals else self._value(name, waiting)
-                found[self._fields[name]] = self._one_of(name, value)
+                found[key] = True
         self._place(loose, found)
-        missing = [name for name in self._required if self._fields[name] not in found]
+        missing = [name for name in self._required if field(name) not in found]
         if missing:
             raise self._error(f"{', '.join(missing)}: is missing")
-        return Options(**(self._defaults | found))
+        blank = dict.fromkeys((*self._places, *self.valued.values()))
+        unset = {**blank, **dict.fromkeys(self.flags.values(), False), **self.usage.defaults}
+        return Options(**(unset | found))
 
-    def _once(self, name: str, found: dict[str, object]) -> None:
-        if not name.startswith("-") or name not in self._fields:
+    def _once(self, name: str, found: dict[str, object]) -> str:
+        """The field of an option."""
+        key = self.flags.get(name) or self.valued.get(name)
+        if key is None:
             raise self._error(f"{shown(name)} is no option")
-        if self._fields[name] in found:
+        if key in found:
             raise InputError(f"{shown(name)} is given more than once; write it once")
+        return key
 
     def _value(self, name: str, waiting: list[str]) -> str:
         if not waiting or (waiting[-1].startswith("-") and not re.match(_NEGATIVE, waiting[-1])):
@@ -145,7 +146,7 @@ class Parser:
 
     def _one_of(self, name: str, value: str) -> str:
         """The value, which has to be one of the choices if there are some."""
-        *most, last = self._choices[name] or [value]
+        *most, last = self.usage.choices.get(name) or [value]
         if value not in (*most, last):
             written = f"{', '.join(most)} or {last}"
             raise InputError(f"{name}: {shown(value)} is unknown; write {written}")
@@ -162,27 +163,12 @@ class Parser:
     def _error(self, message: str) -> InputError:
         return InputError(f"{message}; see {self.program} --help")
 
-    def add_to(self, other: ArgumentParser) -> Iterator[Action]:
-        """Make the same options and places known to a parser of the standard library."""
-        for name, text in self._help:
-            about = text.replace("%", "%%")
-            if not name.startswith("-"):
-                yield other.add_argument(name.strip("[]").split()[0], nargs="*", help=about)
-            elif name.split(", ")[0] in self._flags:
-                yield other.add_argument(*name.split(", "), action="store_true", help=about)
-            else:
-                option, _, value = name.partition(" ")
-                choices = self._choices[option] or None
-                yield other.add_argument(option, metavar=value, choices=choices, help=about)
-
-    # --- the help -------------------------------------------------------------------------------
-
     def help(self, columns: int) -> str:
         """What `--help` prints, in so many columns."""
-        places = [name for name, _ in self._help if not name.startswith("-")]
+        places = [written for written in self.usage.meanings if not written.startswith("-")]
         usage = " ".join([self.program, "[options]", *places])
         lines = [f"usage: {usage}", "", *beside("", self.about, 0, columns), ""]
-        for name, text in [*self._help, ("-h, --help", "show this help")]:
+        for name, text in {**self.usage.meanings, "-h, --help": "show this help"}.items():
             lines += beside(f"  {name}", text, _COLUMN, columns)
         return "\n".join(lines)
 

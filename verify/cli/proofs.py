@@ -8,7 +8,8 @@ from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from functools import cache
 
-from verify.cli.files import progress, read_bytes
+from verify.cli.files import read_bytes
+from verify.cli.terminal import progress
 from verify.paper.commands import index
 from verify.prover.outcome import Outcome
 from verify.wire.inputs import InputError, shown

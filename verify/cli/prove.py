@@ -9,16 +9,10 @@ import sys
 from hashlib import sha256
 
 from verify import check
-from verify.cli.files import (
-    print_document,
-    read_bytes,
-    read_cited,
-    test_folder,
-    write_certificate,
-)
-from verify.cli.options import Options, Parser
+from verify.cli.files import print_document, read_bytes, read_cited, test_folder, write_certificate
+from verify.cli.options import COLOR, JSON, Options, Usage
 from verify.cli.steps import Steps
-from verify.cli.terminal import add_color, show
+from verify.cli.terminal import show
 from verify.language.statement import NEEDED, PRINTED, UNDECIDED, Obligation, Statement
 from verify.language.terms import Claim
 from verify.paper.source import PAPER
@@ -32,16 +26,18 @@ from verify.wire.questions import all_cites, decide, read_page_of
 INTERRUPTED = 130
 
 
-def add_arguments(parser: Parser) -> None:
-    """The options."""
-    parser.place("STATEMENT", "a page of constants (.toml), or a statement.json of questions")
-    parser.option("--rows", "decide only these rows, and leave the others out", "NAME,NAME")
-    parser.option("--out", "write the decided statement and a certificate of it", "DIR")
-    parser.option("--work", f"units of work for each row (default {WORK})", "N")
-    parser.option("--time", "share S seconds among the rows; what they leave is undecided", "S")
-    parser.flag("-v", "--verbose", text="also the numbers of each row")
-    parser.flag("--json", text="one JSON document on stdout")
-    add_color(parser)
+USAGE = Usage(
+    {
+        "STATEMENT": "a page of constants (.toml), or a statement.json of questions",
+        "--rows NAME,NAME": "decide only these rows, and leave the others out",
+        "--out DIR": "write the decided statement and a certificate of it",
+        "--work N": f"units of work for each row (default {WORK})",
+        "--time S": "share S seconds among the rows; what they leave is undecided",
+        "-v, --verbose": "also the numbers of each row",
+        **JSON,
+        **COLOR,
+    }
+)
 
 
 def run(options: Options) -> int:

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Mapping
 
 from verify.cli.files import test_folder, write_all
-from verify.cli.options import Options, Parser
+from verify.cli.options import Options, Usage
 from verify.cli.steps import Steps
 from verify.language.record import TYPE_CHECKING
 from verify.paper.commands.report_files import MAX_BYTES
@@ -23,15 +23,14 @@ PAGES = ("index.html", "index.md", "constants.tex")
 FOLDER = "pages"
 
 
-def add_arguments(parser: Parser) -> None:
-    """The options."""
-    text = "where the certificates are and the report goes (default certificates)"
-    parser.option("--directory", text, "DIR", default="certificates")
-    text = (
-        "write nothing and draw nothing: exit 1 if anything but the "
-        "drawings themselves would change"
-    )
-    parser.flag("--compare", text=text)
+USAGE = Usage(
+    {
+        "--directory DIR": "where the certificates are and the report goes (default certificates)",
+        "--compare": "write nothing and draw nothing: exit 1 if anything but the drawings "
+        "themselves would change",
+    },
+    {"directory": "certificates"},
+)
 
 
 def run(options: Options) -> int:

@@ -6,9 +6,9 @@ import os
 import sys
 
 from verify.cli.files import print_document, read_bytes, test_folder, write_file
-from verify.cli.options import Options, Parser
+from verify.cli.options import CERTIFICATE, COLOR, JSON, Options, Usage
 from verify.cli.steps import MAX_JOBS
-from verify.cli.terminal import add_color, show
+from verify.cli.terminal import show
 from verify.spheres.scene.decide import MAX_DIGITS, Budget, Fate, decide_scene
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.scene_files import read_scene
@@ -16,28 +16,38 @@ from verify.spheres.scene.verdict import steps, told
 from verify.views.scene import collision_table, exit_code, given_line, judge_of, scene_document
 from verify.wire.inputs import InputError, integer, shown
 
+#: So many digits of the collapse time show how the end comes near.
+PLOT_DIGITS = 12
 
-def add_arguments(parser: Parser) -> None:
-    """The options."""
-    parser.place("scene", "a scene file, or a folder of them")
-    parser.option("--digits", "digits of the collapse time and of the final angle", "N")
-    parser.option("--collisions", "how many are followed (default 1000)", "N", default="1000")
-    parser.option("--precision", "bits to begin with (default 128)", "BITS", default="128")
-    parser.option("--max-precision", "last bits (default 4096)", "BITS", default="4096")
-    parser.option("--jobs", "for a folder: processes at a time (default 1)", "N", default="1")
-    parser.flag("-v", "--verbose", text="a table of the collisions")
-    parser.flag("--json", text="one JSON document on stdout")
-    add_color(parser)
-    parser.option("--at", "of a family of scenes this one: NAME=A,NAME=B", "POINT")
-    parser.option("--sample", "of a family of scenes decide so many random ones", "N")
-    parser.option("--seed", "of the random numbers (default 1)", "S", default="1")
-    parser.option("--confidence", "of the shares in a sample (default 95%)", "P%", default="95%")
-    parser.option("--out", "write statement.json and certificate.json", "DIR")
-    parser.option(
-        "--csv", "a table with a line for each scene: verdict, reason, enclosures", "FILE"
-    )
-    parser.option("--trajectory", "a table of centres and velocities after each collision", "FILE")
-    parser.option("--plot", "draw the scene: a file .svg, or .html with an animation", "FILE")
+USAGE = Usage(
+    {
+        "scene": "a scene file, or a folder of them",
+        "--digits N": "digits of the collapse time and of the final angle",
+        "--collisions N": "how many are followed (default 1000)",
+        "--precision BITS": "bits to begin with (default 128)",
+        "--max-precision BITS": "last bits (default 4096)",
+        "--jobs N": "for a folder: processes at a time (default 1)",
+        "-v, --verbose": "a table of the collisions",
+        **JSON,
+        **COLOR,
+        "--at POINT": "of a family of scenes this one: NAME=A,NAME=B",
+        "--sample N": "of a family of scenes decide so many random ones",
+        "--seed S": "of the random numbers (default 1)",
+        "--confidence P%": "of the shares in a sample (default 95%)",
+        **CERTIFICATE,
+        "--csv FILE": "a table with a line for each scene: verdict, reason, enclosures",
+        "--trajectory FILE": "a table of centres and velocities after each collision",
+        "--plot FILE": "draw the scene: a file .svg, or .html with an animation",
+    },
+    {
+        "collisions": "1000",
+        "precision": "128",
+        "max_precision": "4096",
+        "jobs": "1",
+        "seed": "1",
+        "confidence": "95%",
+    },
+)
 
 
 def budget(options: Options) -> Budget:
@@ -69,9 +79,7 @@ def run(options: Options) -> int:
     found = decide_scene(scene, limits)
     judge = judge_of(_has_certificate(options.out, found))
     if plot is not None:
-        from verify.cli.scene_plot import write_plot  # loaded only where it is used
-
-        write_plot("--plot", options.plot, plot, found, limits)
+        write_file("--plot", options.plot, _drawing(plot, found, limits))
     _write_tables(options, found, judge)
     if options.json:
         print_document(scene_document(told(found), judge))
@@ -95,6 +103,30 @@ def _plot_kind(path: str | None) -> str | None:
     if kind not in (".svg", ".html"):
         raise InputError(f"--plot: {shown(path)} ends in neither .svg nor .html; write one of them")
     return kind
+
+
+def _drawing(kind: str, found: Fate, limits: Budget) -> str:
+    """The drawing (.svg) or the animation (.html).
+
+    Raises:
+        InputError: if numbers are too large or small for a drawing.
+    """
+    from verify.views.plots.scene_drawing import scene_page, scene_svg  # loaded only here
+
+    try:
+        if kind == ".html":
+            return scene_page(told(found), steps(found))
+        more = found
+        if found.collapse is not None:
+            digits = max(PLOT_DIGITS, limits.digits or 0)
+            more = decide_scene(found.flow.scene, limits._replace(digits=digits))
+        if more.collapse is None:
+            more = found
+        return scene_svg(told(more)._replace(lines=told(found).lines), list(steps(more)))
+    except (OverflowError, ZeroDivisionError) as error:
+        raise InputError(
+            "--plot: numbers of this scene are too large or too small to draw; leave it out"
+        ) from error
 
 
 def _has_certificate(out: str | None, found: Fate) -> bool:

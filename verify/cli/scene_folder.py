@@ -10,7 +10,7 @@ from functools import partial
 from hashlib import sha256
 
 from verify.cli.files import print_document, read_bytes, write_file, write_folder
-from verify.cli.options import Options
+from verify.cli.options import Options, leave_out
 from verify.cli.scene_certificate import write_scene
 from verify.cli.steps import in_order, watched
 from verify.cli.terminal import show
@@ -32,9 +32,8 @@ RESULT = "scene.json"
 
 def run_folder(options: Options, limits: Budget, jobs: int) -> int:
     """Print one line for each scene; the exit code is that of the worst."""
-    for name in ("plot", "verbose", "trajectory", "sample", "at"):
-        if getattr(options, name):
-            raise InputError(f"--{name}: leave it out with a folder")
+    others = ("plot", "verbose", "trajectory", "sample", "at")
+    leave_out(options, others, "leave it out with a folder")
     names = sorted(name for name in os.listdir(options.scene) if name.endswith(".toml"))
     if not names:
         raise InputError(f"scene: {shown(options.scene)} has no file that ends in .toml")

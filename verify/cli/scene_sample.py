@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import partial
 
 from verify.cli.files import print_document, read_bytes, write_file
-from verify.cli.options import Options
+from verify.cli.options import Options, leave_out
 from verify.cli.steps import in_order, watched
 from verify.cli.terminal import show
 from verify.prover.ground import FLINT
@@ -18,7 +18,7 @@ from verify.spheres.scene.sampling import Drawn, draw, share_between
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.verdict import told
 from verify.views.scene_table import COLUMNS, Cells, cells, csv_text, sample_document, sample_lines
-from verify.wire.inputs import InputError, integer, rational, shown
+from verify.wire.inputs import InputError, integer, rational, share, shown
 
 MAX_SAMPLE, MAX_SEED = 10**6, 2**64
 
@@ -54,9 +54,8 @@ def point_in(option: str, text: str, each: str = "each parameter") -> dict[str, 
 
 def run_sample(options: Options, limits: Budget, jobs: int) -> int:
     """Decide random points of a family, and print how many there are of each kind."""
-    for name in ("plot", "verbose", "trajectory", "out", "at", "digits"):
-        if getattr(options, name):
-            raise InputError(f"--{name}: leave it out with --sample")
+    others = ("plot", "verbose", "trajectory", "out", "at", "digits")
+    leave_out(options, others, "leave it out with --sample")
     count = integer("--sample", options.sample, 1, MAX_SAMPLE)
     seed = integer("--seed", options.seed, 0, MAX_SEED)
     level = _confidence(options.confidence)
@@ -78,7 +77,7 @@ def run_sample(options: Options, limits: Budget, jobs: int) -> int:
 
 
 def _confidence(text: str) -> Fraction:
-    level = rational("--confidence", text.removesuffix("%")) / (100 if text.endswith("%") else 1)
+    level = share("--confidence", text)
     if not 0 < level < 1:
         raise InputError(f"--confidence: {shown(text)} is not in ]0,1[; write for example 99%")
     return level

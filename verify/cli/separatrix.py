@@ -13,7 +13,7 @@ from fractions import Fraction
 
 from verify.cli import claims
 from verify.cli.files import print_document, test_folder, write_certificate, write_file
-from verify.cli.options import Options, Parser, field
+from verify.cli.options import Options, Usage, leave_out
 from verify.cli.terminal import show
 from verify.language.errors import UnreadError
 from verify.spheres.limit_map import Parameters
@@ -26,7 +26,16 @@ from verify.views.separatrix import (
     theorem_document,
     theorem_screen,
 )
-from verify.wire.inputs import InputError, integer, neg_cos, positive, rational, restitution, shown
+from verify.wire.inputs import (
+    InputError,
+    integer,
+    interval,
+    neg_cos,
+    positive,
+    rational,
+    restitution,
+    shown,
+)
 
 MAX_DIGITS, MAX_BUDGET, MAX_STEPS = 1000, 10**8, 50
 #: At how many places each of several curves is decided for a picture.
@@ -38,31 +47,27 @@ DEFAULTS = {"neg_cos": "1", "ratio": "1", "digits": "12", "budget": "2000000", "
 CURVE_DIGITS = "8"
 
 
-def add_arguments(parser: Parser) -> None:
-    """The options; every number is kept as the text that was written."""
-    parser.flag("--all", text="prove the theorem on the limit map for all parameters")
-    texts = {
-        "--r": ("R", "restitution coefficient in ]0,1[ (exact: 0.03, 3/100 or 3e-2), or A..B"),
-        "--neg-cos": ("C", "-cos of the angle, in ]0, 1] (default 1)"),
-        "--ratio": ("RATIO", "|W|² of the pair that collided, over the next one's (default 1)"),
-        "--at": ("Q", "enclose f at this q only (default: a table)"),
-        "--digits": ("N", "how many digits of f (default 12)"),
-        "--budget": ("N", "follow at most so many collisions (default 2000000)"),
-        "--steps": ("N", "with --r A..B: that many values of r (default 5)"),
-        "--plot": ("FILE", "draw the certified strip, or with --r A..B the curves: a file .svg"),
+USAGE = Usage(
+    {
+        "--all": "prove the theorem on the limit map for all parameters",
+        "--r R": "restitution coefficient in ]0,1[ (exact: 0.03, 3/100 or 3e-2), or A..B",
+        "--neg-cos C": "-cos of the angle, in ]0, 1] (default 1)",
+        "--ratio RATIO": "|W|² of the pair that collided, over the next one's (default 1)",
+        "--at Q": "enclose f at this q only (default: a table)",
+        "--digits N": "how many digits of f (default 12)",
+        "--budget N": "follow at most so many collisions (default 2000000)",
+        "--steps N": "with --r A..B: that many values of r (default 5)",
+        "--plot FILE": "draw the certified strip, or with --r A..B the curves: a file .svg",
+        **claims.OPTIONS,
     }
-    for name, (value, text) in texts.items():
-        parser.option(name, text, value)
-    claims.add_arguments(parser)
+)
 
 
 def run(options: Options) -> int:
     """Print what is asked for, write the files, return the exit code."""
     if options.all:
         return _theorem(options)
-    for name in ("rows", "verbose"):
-        if getattr(options, name):
-            raise InputError(f"--{name}: has a meaning with --all only; leave it out")
+    leave_out(options, ("rows", "verbose"), "has a meaning with --all only; leave it out")
     if options.r is None:
         raise InputError("--r: is missing; write for example --r 0.03, or --all")
     _test_plot(options)
@@ -71,9 +76,7 @@ def run(options: Options) -> int:
 
 def _theorem(options: Options) -> int:
     """The theorem for all parameters."""
-    for name in WITH_R:
-        if getattr(options, field(name)) is not None:
-            raise InputError(f"{name}: leave it out with --all")
+    leave_out(options, WITH_R, "leave it out with --all")
     from verify.paper.commands.separatrix import decide_separatrix as decide  # loads the rows
     from verify.paper.source import PAPER
 
@@ -88,8 +91,7 @@ def _point(options: Options) -> int:
     """F at one q, or a table of it."""
     parameters = _parameters(options, restitution(options.r))
     at = _at(options)
-    if options.steps is not None:
-        raise InputError("--steps: has a meaning with --r A..B only; leave it out")
+    leave_out(options, ("steps",), "has a meaning with --r A..B only; leave it out")
     digits, budget = _digits(options), _budget(options)
     test_folder("--out", options.out, "statement.json", "certificate.json")
     found = decide_separatrix(parameters, at, digits, budget)
@@ -111,9 +113,7 @@ def _point(options: Options) -> int:
 
 def _curves(options: Options) -> int:
     """How f moves with r."""
-    if options.at is not None or options.out is not None:
-        name = "--at" if options.at is not None else "--out"
-        raise InputError(f"{name}: takes a single r; write for example --r 0.03")
+    leave_out(options, ("at", "out"), "takes a single r; write for example --r 0.03")
     count = integer("--steps", options.steps or DEFAULTS["steps"], 2, MAX_STEPS)
     digits, budget = _digits(options, CURVE_DIGITS), _budget(options)
     points = [_parameters(options, r) for r in _values(options.r, count)]
@@ -159,14 +159,7 @@ def _budget(options: Options) -> int:
 
 def _values(text: str, count: int) -> list[Fraction]:
     """So many values of r from one end of the interval to the other."""
-    words = text.split("..")
-    if len(words) != 2:
-        raise InputError(f"--r: {shown(text)} is no interval; write it as 0.01..0.05")
-    low, high = map(restitution, words)
-    if not low < high:
-        raise InputError(
-            f"--r: the interval {shown(text)} is not A < B; write the smaller end first"
-        )
+    low, high = interval("--r", text, restitution)
     return [low + (high - low) * Fraction(k, count - 1) for k in range(count)]
 
 

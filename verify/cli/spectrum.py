@@ -6,49 +6,29 @@ from fractions import Fraction
 
 from verify.cli import claims
 from verify.cli.files import test_folder
-from verify.cli.options import Options, Parser
+from verify.cli.options import Options, Usage
 from verify.paper.commands.spectrum import cite_spectrum
 from verify.paper.source import PAPER
 from verify.views.row_lists import screen
-from verify.views.spectrum import (
-    point_document,
-    point_lines,
-    spectrum_document,
-    verdict_line,
-)
-from verify.wire.inputs import InputError, integer, rational, shown
+from verify.views.spectrum import point_document, point_lines, spectrum_document, verdict_line
+from verify.wire.inputs import integer, interval, restitution
 
 MAX_PRECISION = 1 << 22
 
 
-def add_arguments(parser: Parser) -> None:
-    """The options; every number is kept as the text that was written."""
-    parser.option("--r", "enclose the spectrum at R in ]0,1[, or for all r in A..B")
-    parser.option("--precision", "bits of the enclosures (default 128)", "BITS", default="128")
-    claims.add_arguments(parser)
-
-
-def read_r(text: str) -> list[Fraction]:
-    """The one number, or the two ends of the interval.
-
-    Raises:
-        InputError: for a number outside ]0,1[, an empty or a reversed interval.
-    """
-    ends = [rational("--r", part) for part in text.split("..", 1)]
-    for end in ends:
-        if not 0 < end < 1:
-            raise InputError(f"--r: {shown(text)} is not in ]0,1[; write for example 0.03")
-    if len(ends) == 2 and ends[0] >= ends[1]:
-        kind = "empty" if ends[0] == ends[1] else "reversed"
-        raise InputError(
-            f"--r: the interval {shown(text)} is {kind}; write the smaller end first, as 0.02..0.04"
-        )
-    return ends
+USAGE = Usage(
+    {
+        "--r R": "enclose the spectrum at R in ]0,1[, or for all r in A..B",
+        "--precision BITS": "bits of the enclosures (default 128)",
+        **claims.OPTIONS,
+    },
+    {"precision": "128"},
+)
 
 
 def run(options: Options) -> int:
     """Print the rows or the document, write the files, return the exit code."""
-    r = None if options.r is None else read_r(options.r)
+    r = None if options.r is None else _ends(options.r)
     bits = integer("--precision", options.precision, 2, MAX_PRECISION)
     test_folder("--out", options.out, "statement.json", "certificate.json")
     outcome = cite_spectrum()
@@ -63,3 +43,8 @@ def run(options: Options) -> int:
     text += ["", verdict_line(outcome, PAPER)]
     claims.answer(outcome, options, lambda: document, lambda: text)
     return outcome.exit_code
+
+
+def _ends(text: str) -> list[Fraction]:
+    """The one number, or the two ends of the interval."""
+    return [*interval("--r", text, restitution)] if ".." in text else [restitution(text)]

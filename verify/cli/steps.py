@@ -7,6 +7,8 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from typing import TypeVar
 
+from verify.cli.terminal import is_watched
+
 Part = TypeVar("Part")
 Task = TypeVar("Task")
 
@@ -14,11 +16,6 @@ Task = TypeVar("Task")
 MAX_JOBS = 256
 #: The width of a bar, and how many seconds it stays as it is at least.
 WIDTH, PAUSE = 30, 0.1
-
-
-def is_watched() -> bool:
-    """Whether somebody sees what is written to stderr."""
-    return sys.stderr is not None and sys.stderr.isatty()
 
 
 class Clock:

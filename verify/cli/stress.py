@@ -6,7 +6,7 @@ from typing import Any
 
 from verify.cli import columns
 from verify.cli.files import test_folder
-from verify.cli.options import Options, Parser
+from verify.cli.options import Options, Usage
 from verify.cli.steps import Steps
 from verify.language.record import TYPE_CHECKING
 
@@ -14,9 +14,7 @@ if TYPE_CHECKING:
     from verify.measure.stress import Finding
 
 
-def add_arguments(parser: Parser) -> None:
-    """The options."""
-    columns.add_arguments(parser, "stress")
+USAGE = Usage({**columns.OPTIONS, "--out DIR": "write stress.json there"})
 
 
 def run(options: Options) -> int:

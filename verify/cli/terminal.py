@@ -7,7 +7,7 @@ import re
 import sys
 from collections.abc import Iterable, Iterator
 
-from verify.cli.options import Options, Parser
+from verify.cli.options import Options
 
 #: A space at which no line is broken.
 FIXED = "\u00a0"
@@ -37,19 +37,13 @@ _COMMAND = "verify "
 _RELATION = r"(?<=\S) ([=≤<]) (?=\S{1,24}(?:\s|$))"
 
 
-def add_color(parser: Parser) -> None:
-    """The option ``--color``."""
-    text, choices = "auto (default), always or never", ("auto", "always", "never")
-    parser.option("--color", text, "WHEN", default="auto", choices=choices)
-
-
 def show(lines: Iterable[str], options: Options, *, records: bool = False) -> None:
     """Print lines for people; ``records`` stay on a line each in a pipe, as other programs want.
 
     In a pipe they have neither colours nor symbols; at a terminal both, but no colours where
     ``NO_COLOR`` is set.
     """
-    when = options.color
+    when = options.color or "auto"
     terminal = sys.stdout.isatty()
     symbols = terminal or when == "always"
     colours = symbols and when != "never" and (when == "always" or not os.environ.get("NO_COLOR"))
@@ -60,6 +54,17 @@ def show(lines: Iterable[str], options: Options, *, records: bool = False) -> No
         lines = (re.sub(_SYMBOL, _coloured, line) for line in lines)
     sys.stdout.write("".join(f"{line}\n" for line in lines))
     sys.stdout.flush()
+
+
+def is_watched() -> bool:
+    """Whether somebody sees what is written to stderr."""
+    return sys.stderr is not None and sys.stderr.isatty()
+
+
+def progress(text: str) -> None:
+    """Say on stderr what is being done, if somebody watches."""
+    if is_watched():
+        print(f"{text} …", file=sys.stderr)
 
 
 def width() -> int:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from verify.cli.options import Options, Parser, field
-from verify.cli.terminal import add_color, show
+from verify.cli.options import CERTIFICATE, CHOICES, COLOR, JSON, ROWS, Options, Usage, leave_out
+from verify.cli.terminal import show
 from verify.cli.theorem1_point import DEFAULTS, read_parameters
 from verify.paper.commands.citing import as_printed
 from verify.paper.commands.theorem1 import decide_point
@@ -21,35 +21,30 @@ MAX_PRECISION = 1 << 16
 ENCLOSED_BITS = 128
 
 
-#: What may be written after an option, where not everything may.
-CHOICES = {"--constants": (*SELECTIONS,)}
-
-
-def add_arguments(parser: Parser) -> None:
-    """The options; every number is kept as the text that was written."""
-    number = "exact: 0.03, 3/100 or 3e-2"
-    texts = {
-        "--r": ("R", f"restitution coefficient in ]0,1[ ({number}), or an interval A..B"),
-        "--theta0": ("ANGLE", "5pi/6, 0.9*pi, 150deg or radians, in ]pi/2, pi]"),
-        "--neg-cos": ("C", "-cos of the angle, in ]0, 1] (default 1), or an interval A..B"),
-        "--delta-theta": ("D", "allowed deviation of the final -cos (default 1/10)"),
-        "--V0": ("V", "lower bound of the squared relative speeds (default 1)"),
-        "--constants": ("SET", "printed, repaired or all (default)"),
-        "--precision": ("BITS", f"starting bits (default {DEFAULTS['precision']})"),
-        "--max-precision": ("BITS", f"last bits (default {DEFAULTS['max_precision']})"),
-        "--steps": ("N", "with --r A..B: that many values of r, one verdict each"),
-        "--jobs": ("N", "with --steps: processes (default 1)"),
-        "--csv": ("FILE", "with --steps: a line for each point, with its refuted rows"),
-        "--rows": ("NAME", "print the rows of this name, label or (4.47) only"),
-        "--out": ("DIR", "write statement.json and certificate.json"),
-    }
-    parser.flag("--all", text="prove it for all parameters, without --r")
-    for name, (value, text) in texts.items():
-        choices = CHOICES.get(name, ())
-        parser.option(name, text, value, default=DEFAULTS.get(field(name)), choices=choices)
-    parser.flag("-v", "--verbose", text="print every row")
-    parser.flag("--json", text="one JSON document on stdout")
-    add_color(parser)
+USAGE = Usage(
+    {
+        "--all": "prove it for all parameters, without --r",
+        "--r R": "restitution coefficient in ]0,1[ (exact: 0.03, 3/100 or 3e-2), or an interval "
+        "A..B",
+        "--theta0 ANGLE": "5pi/6, 0.9*pi, 150deg or radians, in ]pi/2, pi]",
+        "--neg-cos C": "-cos of the angle, in ]0, 1] (default 1), or an interval A..B",
+        "--delta-theta D": "allowed deviation of the final -cos (default 1/10)",
+        "--V0 V": "lower bound of the squared relative speeds (default 1)",
+        "--constants SET": "printed, repaired or all (default)",
+        "--precision BITS": f"starting bits (default {DEFAULTS['precision']})",
+        "--max-precision BITS": f"last bits (default {DEFAULTS['max_precision']})",
+        "--steps N": "with --r A..B: that many values of r, one verdict each",
+        "--jobs N": "with --steps: processes (default 1)",
+        "--csv FILE": "with --steps: a line for each point, with its refuted rows",
+        **ROWS,
+        **CERTIFICATE,
+        "-v, --verbose": "print every row",
+        **JSON,
+        **COLOR,
+    },
+    DEFAULTS,
+    {**CHOICES, "--constants": (*SELECTIONS,)},
+)
 
 
 def run(options: Options) -> int:
@@ -65,9 +60,8 @@ def run(options: Options) -> int:
 
 def _point(options: Options) -> int:
     """Decide Theorem 1 at a point; print, write, return the exit code."""
-    for name in ("csv", "jobs"):
-        if getattr(options, name) != DEFAULTS.get(name):
-            raise InputError(f"--{name}: has a meaning with --r A..B --steps N only; leave it out")
+    why = "has a meaning with --r A..B --steps N only; leave it out"
+    leave_out(options, ("csv", "jobs"), why, DEFAULTS)
     parameters = read_parameters(options)
     bits, last = _precisions(options)
     if options.out is not None:

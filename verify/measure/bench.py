@@ -18,25 +18,19 @@ from functools import partial
 from pathlib import Path
 from statistics import median
 from tempfile import TemporaryDirectory
-from time import process_time
 from typing import Any
 
 from verify.language.statement import PROVED, REFUTED, UNDECIDED
 from verify.language.terms import Claim, Term, as_term
-from verify.measure.engines import (
-    ArbEngine,
-    CheckerEngine,
-    DoubleEngine,
-    MpmathEngine,
-    load,
-)
+from verify.measure import Table, table, timed
+from verify.measure.engines import ArbEngine, CheckerEngine, DoubleEngine, MpmathEngine, load
 from verify.measure.inequalities import inequality_table
 from verify.measure.maps import maps_table
 from verify.measure.scenes import scene_tables
 from verify.measure.separatrix import separatrix_table
-from verify.measure.slack import slack_table
 from verify.paper.commands import eigenvalues
 from verify.paper.commands.scan import Grid, Scan
+from verify.paper.commands.slack import SHARE, find_slack
 from verify.paper.commands.theorem1 import constants_enclosure, decide_point
 from verify.prover import balls
 from verify.prover.decimals import decimal_text, round_decimal
@@ -59,7 +53,6 @@ DOUBLE_POINTS = {
 MAIN_JOB = "verify theorem1 --r 0.03"
 WITHOUT_PYC = f"{MAIN_JOB}, without .pyc"
 
-Table = dict[str, Any]
 Progress = Callable[[str], None]
 
 
@@ -180,7 +173,7 @@ def precision_tables(
         rows.append(row)
     columns = ["bits"] + [f"{e.name}: {what}" for e in engines for what in ("ms", "width")]
     title = "Constants and rows of Theorem 1 at r = 3/100: time and largest relative width"
-    precision = {"title": title, "columns": columns, "rows": rows, "raw_seconds": raw}
+    precision = table(title, columns, rows, raw_seconds=raw)
     return precision, _equal_width_table(program, slots, measured, precisions, rounds)
 
 
@@ -189,10 +182,8 @@ def _timed_run(
 ) -> tuple[float, Fraction]:
     """The seconds of one run, and the largest relative width of its enclosures."""
     with engine.at(bits):
-        machine = load(program, engine)
-        start = process_time()
-        values = machine.run(()).values
-        seconds = process_time() - start
+        seconds, run = timed(partial(load(program, engine).run, ()))
+        values = run.values
         widths = [relative_width(engine.ends(values[s])) for s in slots if values[s] is not None]
     return seconds, max(widths)
 
@@ -221,11 +212,9 @@ def _equal_width_table(
         ]
         ours, theirs = map(min, zip(*pairs, strict=True))
         rows.append([bits, extra, scientific(width), scientific(found), f"{theirs / ours:.1f}"])
-    return {
-        "title": "At equal width: how many times faster Arb is than mpmath iv",
-        "columns": ["mpmath bits", "Arb bits", "mpmath width", "Arb width", "speed ratio"],
-        "rows": rows,
-    }
+    title = "At equal width: how many times faster Arb is than mpmath iv"
+    columns = ["mpmath bits", "Arb bits", "mpmath width", "Arb width", "speed ratio"]
+    return table(title, columns, rows)
 
 
 def spectrum_table(precisions: Sequence[int], rounds: int) -> Table:
@@ -233,17 +222,13 @@ def spectrum_table(precisions: Sequence[int], rounds: int) -> Table:
     rows: list[list[Any]] = []
     r = Fraction(3, 100)
     for bits in precisions:
-        seconds = min(_seconds(partial(eigenvalues.at, r, bits)) for _ in range(rounds))
-        found = eigenvalues.at(r, bits)
+        seconds, found = timed(partial(eigenvalues.at, r, bits), rounds)
         parts = (found.lambda_0, found.plus.re, found.plus.im, found.modulus, found.argument)
         with balls.precision(2 * bits):
             width = max(relative_width(balls.ends(ball)) for ball in parts)
         rows.append([bits, milliseconds(seconds), scientific(width)])
-    return {
-        "title": "Eigenvalues at r = 3/100: time and largest relative width",
-        "columns": ["bits", "ms", "width"],
-        "rows": rows,
-    }
+    title = "Eigenvalues at r = 3/100: time and largest relative width"
+    return table(title, ["bits", "ms", "width"], rows)
 
 
 def decided_table(outcome: Outcome, precisions: Sequence[int], rounds: int) -> Table:
@@ -252,15 +237,10 @@ def decided_table(outcome: Outcome, precisions: Sequence[int], rounds: int) -> T
     claims = [claim for _, claim in claims_of(outcome)]
     rows: list[list[Any]] = []
     for bits in precisions:
-        decided = _decided_at(program, claims, bits)
-        work = partial(_decided_at, program, claims, bits)
-        seconds = min(_seconds(work) for _ in range(rounds))
+        seconds, decided = timed(partial(_decided_at, program, claims, bits), rounds)
         rows.append([bits, f"{decided} of {len(claims)}", milliseconds(seconds)])
-    return {
-        "title": "Rows of Theorem 1 at r = 3/100 that enclosures at one precision decide",
-        "columns": ["bits", "decided", "ms"],
-        "rows": rows,
-    }
+    title = "Rows of Theorem 1 at r = 3/100 that enclosures at one precision decide"
+    return table(title, ["bits", "decided", "ms"], rows)
 
 
 def _decided_at(program: Program, claims: Iterable[Claim], bits: int) -> int:
@@ -296,13 +276,10 @@ def double_tables() -> tuple[Table, Table]:
         ]
         verdicts.append([point, len(claims), len(wrong), ", ".join(wrong[:8])])
     title = "Correct digits of the constants in plain doubles (16 at best)"
+    columns = ["point", "rows", "wrong", "which (at most eight)"]
     return (
-        {"title": title, "columns": ["point", "worst constants", "median"], "rows": digits},
-        {
-            "title": "Verdicts that plain doubles get wrong",
-            "columns": ["point", "rows", "wrong", "which (at most eight)"],
-            "rows": verdicts,
-        },
+        table(title, ["point", "worst constants", "median"], digits),
+        table("Verdicts that plain doubles get wrong", columns, verdicts),
     )
 
 
@@ -360,22 +337,17 @@ def throughput_table(count: int, rounds: int) -> Table:
     points = [str(Fraction(k, 20 * count)) for k in range(1, count + 1)]
     enclose = constants_enclosure(128)
     exact = [{name: t.value for name, t in parameters(r, "1").items()} for r in points]
-    constants = min(_seconds(lambda: [enclose(p) for p in exact]) for _ in range(rounds))
+    constants, _ = timed(lambda: [enclose(p) for p in exact], rounds)
     some = points[:: max(1, count // 20)]
-    single = min(
-        _seconds(lambda: [decide_point(parameters(r, "1")) for r in some]) for _ in range(rounds)
-    )
+    single, _ = timed(lambda: [decide_point(parameters(r, "1")) for r in some], rounds)
     grid = Grid(Fraction(1, 1000), Fraction(55, 1000), count, exact[0])
-    full = min(_seconds(lambda: _sweep(grid)) for _ in range(rounds))
-    return {
-        "title": "Throughput in one process at 128 bits",
-        "columns": ["work", "points per second"],
-        "rows": [
-            ["all constants of the printed proof", round(count / constants)],
-            ["all rows of both sets, on a grid (--steps)", round(count / full)],
-            ["the same with proofs and enclosures, point by point", round(len(some) / single)],
-        ],
-    }
+    full, _ = timed(lambda: _sweep(grid), rounds)
+    rows = [
+        ["all constants of the printed proof", round(count / constants)],
+        ["all rows of both sets, on a grid (--steps)", round(count / full)],
+        ["the same with proofs and enclosures, point by point", round(len(some) / single)],
+    ]
+    return table("Throughput in one process at 128 bits", ["work", "points per second"], rows)
 
 
 def process_table(rounds: int) -> Table:
@@ -400,12 +372,8 @@ def process_table(rounds: int) -> Table:
         [name, milliseconds(least), f"{least / empty:.2f}", f"{least / flint:.2f}"]
         for name, least in ((name, min(seconds)) for name, seconds in times.items())
     ]
-    return {
-        "title": "CPU time of whole processes",
-        "columns": ["command", "ms", "times an empty process", "times importing flint"],
-        "rows": rows,
-        "raw_seconds": times,
-    }
+    columns = ["command", "ms", "times an empty process", "times importing flint"]
+    return table("CPU time of whole processes", columns, rows, raw_seconds=times)
 
 
 def _commands(folder: str) -> dict[str, list[str]]:
@@ -444,10 +412,23 @@ def _cpu(words: Sequence[str], folder: str | None = None) -> float:
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-def _seconds(work: Callable[[], object]) -> float:
-    start = process_time()
-    work()
-    return process_time() - start
+#: The bounds with slack that the quick form looks at.
+SOME = ("repaired.y-ratio", "repaired.zeta-ratio", "repaired.zeta-main", "repaired.x-improved")
+
+
+def slack_table(quick: bool) -> Table:
+    """Bounds for all parameters that are proved with a tenth to spare, of how many looked at."""
+    found = find_slack(SOME if quick else None)
+    rows = [
+        [bound.row.name, bound.row.label, bound.row.says]
+        for bound in found.bounds
+        if bound.row.name in found.slack
+    ]
+    title = (
+        f"Bounds with slack: with {SHARE} of the larger side {len(found.accepted)} of "
+        f"{len(found.bounds)} are proved by the committed proofs, these {len(rows)} by others"
+    )
+    return table(title, ["bound", "label", "what it says"], rows)
 
 
 def milliseconds(seconds: float) -> str:

@@ -7,11 +7,10 @@ quotients, roots, cosines and minima, on boxes and on half-lines. Ranges are ope
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from pathlib import Path
 from statistics import median
-from time import process_time
 from typing import Any
 
 from verify import check
@@ -19,7 +18,6 @@ from verify.language.record import Record
 from verify.language.statement import (
     NEEDED,
     PROVED,
-    REFUTED,
     UNDECIDED,
     Context,
     Given,
@@ -28,6 +26,7 @@ from verify.language.statement import (
     Variable,
 )
 from verify.language.terms import Claim, Term, as_term, symbol
+from verify.measure import Table, table, timed
 from verify.prover.budget import WorkBudget
 from verify.prover.prove import prove
 from verify.wire.term_json import TermReader
@@ -90,37 +89,25 @@ def _between(low: Fraction | None, high: Fraction | None) -> Term:
 
 def judge(entry: dict[str, Any], seconds: float) -> Judged:
     """Decide an inequality, and check the certificate."""
-    start = process_time()
-    outcome = prove(question(entry), budget=WorkBudget(seconds=seconds))
-    searched = process_time()
-    verdict = outcome.claimed
+    search, outcome = timed(lambda: prove(question(entry), budget=WorkBudget(seconds=seconds)))
+    verdict, rule = outcome.claimed, outcome.decisions[ROW].method
     right = verdict == UNDECIDED or (verdict == PROVED) == entry["truth"]
-    rule = outcome.decisions[ROW].method
+    found = Judged(entry["name"], entry["category"], verdict, right, False, search, 0, 0, rule)
     if verdict == UNDECIDED:
-        return Judged(
-            entry["name"], entry["category"], verdict, right, False, searched - start, 0, 0, rule
-        )
+        return found
     files = write(outcome)
+    checked, why = timed(lambda: _complaint(files, verdict))
     size = len(files["certificate.json"])
-    start_check, why = process_time(), ""
+    return found._replace(accepted=not why, check=checked, size=size, why=why)
+
+
+def _complaint(files: Mapping[str, bytes], verdict: str) -> str:
+    """What the checker has against a certificate and its verdict; nothing if it accepts both."""
     try:
         report = check.check(files["statement.json"], files["certificate.json"], {})
-        accepted = report.verdict == {PROVED: "PROVED", REFUTED: "REFUTED"}[verdict]
-        why = "" if accepted else report.lines[0]
     except (check.Malformed, RecursionError) as error:
-        accepted, why = False, f"MALFORMED {error}"
-    return Judged(
-        entry["name"],
-        entry["category"],
-        verdict,
-        right,
-        accepted,
-        searched - start,
-        process_time() - start_check,
-        size,
-        rule,
-        why,
-    )
+        return f"MALFORMED {error}"
+    return "" if report.verdict == verdict.upper() else report.lines[0] or report.summary
 
 
 def measured(names: Iterable[str] = (), seconds: float = 60) -> Iterator[Judged]:
@@ -135,26 +122,17 @@ def measured(names: Iterable[str] = (), seconds: float = 60) -> Iterator[Judged]
 QUICK = ("ground", "poly-uni", "sqrt", "identity")
 
 
-def inequality_table(quick: bool, seconds: float = 60) -> dict[str, Any]:
+def inequality_table(quick: bool, seconds: float = 60) -> Table:
     """For each category how many are decided and accepted, how fast, and how long proofs are."""
     found = list(measured(QUICK if quick else (), seconds))
     groups = list(dict.fromkeys(one.category for one in found))
     rows = [_counted(group, [one for one in found if one.category == group]) for group in groups]
-    return {
-        "title": "Published inequalities: decided within 60 s each, with certificates",
-        "columns": [
-            "category",
-            "claims",
-            "decided",
-            "wrong",
-            "accepted",
-            "median s (with the check)",
-            "longest certificate (bytes)",
-            "longest check (s)",
-            "undecided",
-        ],
-        "rows": [*rows, _counted("all", found)],
-    }
+    columns = (
+        *("category", "claims", "decided", "wrong", "accepted", "median s (with the check)"),
+        *("longest certificate (bytes)", "longest check (s)", "undecided"),
+    )
+    title = "Published inequalities: decided within 60 s each, with certificates"
+    return table(title, columns, [*rows, _counted("all", found)])
 
 
 def _counted(group: str, found: list[Judged]) -> list[str | int | None]:

@@ -8,6 +8,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from verify.measure import Table, table
+
 #: How maps of one plane end: at an undecided share, or at a strip of this height.
 ENDS = ("--undecided 3%", "--undecided 1%", "--undecided 0.3%", "--undecided 0.1%", "--strip 1e-5")
 QUICK = 1
@@ -15,7 +17,7 @@ QUICK = 1
 CHECK = "import sys; from verify import check_map; sys.exit(check_map.main(sys.argv[1:]))"
 
 
-def maps_table(quick: bool, rounds: int, cpu: Callable[[list[str]], float]) -> dict[str, Any]:
+def maps_table(quick: bool, rounds: int, cpu: Callable[[list[str]], float]) -> Table:
     """For each end: boxes, CPU milliseconds of the map with its log and of the check, their ratio.
 
     ``cpu`` measures Python with some words after it.
@@ -34,6 +36,4 @@ def maps_table(quick: bool, rounds: int, cpu: Callable[[list[str]], float]) -> d
         times = [f"{1000 * seconds:.0f}" for seconds in (whole, check)]
         rows.append([end, boxes, *times, f"{check / whole:.2f}"])
     columns = ["end", "boxes", "ms", "check: ms", "check / map"]
-    return {"title": "Maps at r = 3/100: CPU time of whole processes", "columns": columns} | {
-        "rows": rows
-    }
+    return table("Maps at r = 3/100: CPU time of whole processes", columns, rows)

@@ -16,14 +16,14 @@ from functools import reduce
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from statistics import median
-from time import process_time
 from typing import Any
 
 from verify import check
 from verify.language.fold import fold
 from verify.language.record import Record
-from verify.language.statement import PROVED, REFUTED, UNDECIDED, Statement
+from verify.language.statement import PROVED, REFUTED, UNDECIDED, Constant, Statement
 from verify.language.terms import Claim, Term
+from verify.measure import Table, table, timed
 from verify.measure.inequalities import QUICK, ROW, entries, question
 from verify.prover.budget import WorkBudget
 from verify.wire.questions import decide, read_page_of
@@ -70,7 +70,7 @@ def problems(quick: bool) -> Iterator[Problem]:
             yield Problem(f"drawn, {path.stem}", row.name, alone, truth=True)
 
 
-def peers_table(quick: bool) -> dict[str, Any]:
+def peers_table(quick: bool) -> Table:
     """For each set and each tool what it decides, and how fast."""
     asked = [*problems(quick)]
     missing = [called for name, called in PEERS.items() if _version(name) is None]
@@ -82,11 +82,8 @@ def peers_table(quick: bool) -> dict[str, Any]:
     title = f"Public sets, {SECONDS} s for each claim"
     if missing:
         title += f"; not installed: {', '.join(missing)} (pip install 'verify-collapse[peers]')"
-    return {
-        "title": title,
-        "columns": ["set", "tool", "claims", "decided", "wrong", "median CPU s", "certificates"],
-        "rows": rows,
-    }
+    columns = ["set", "tool", "claims", "decided", "wrong", "median CPU s", "certificates"]
+    return table(title, columns, rows)
 
 
 def _solvers() -> dict[str, Solver]:
@@ -125,15 +122,19 @@ def _counted(
 
 def _ours(problem: Problem) -> Reply:
     """Decided, and the certificate checked; the time is that of both."""
-    start = process_time()
+    seconds, (found, accepted) = timed(lambda: _decided(problem))
+    return Reply(found, seconds, accepted)
+
+
+def _decided(problem: Problem) -> tuple[str, bool]:
+    """The verdict, and whether the checker accepts a certificate of it."""
     outcome = decide(problem.statement, WorkBudget(seconds=SECONDS))
     found = outcome.decisions[problem.name].claimed
     if found == UNDECIDED:
-        return Reply(UNDECIDED, process_time() - start)
+        return found, False
     files = write(outcome)
     report = check.check(files["statement.json"], files["certificate.json"], {})
-    accepted = report.verdict == {PROVED: "PROVED", REFUTED: "REFUTED"}[found]
-    return Reply(found, process_time() - start, accepted)
+    return found, report.verdict == found.upper()
 
 
 # --- peers ---------------------------------------------------------------------------------------
@@ -221,6 +222,12 @@ class _Writer:
         """The text of a claim."""
         return f"({claim.relation} {self.term(claim.lhs)} {self.term(claim.rhs)})"
 
+    def define(self, constants: Sequence[Constant]) -> None:
+        """Constants of the statement; a line for an unknown stands before its user's."""
+        for constant in constants:
+            text = self.term(constant.term)
+            self.lines.append(f"(define-fun |{constant.name}| () Real {text})")
+
     def _unknown(self) -> str:
         name = f"|unknown {len(self.lines)}|"
         self.lines.append(f"(declare-const {name} Real)")
@@ -249,17 +256,13 @@ def smt_of(statement: Statement, *, functions: bool) -> str | None:
     (row,) = statement.obligations
     if not isinstance(row.claim, Claim):
         return None
-    for constant in statement.constants:
-        text = writer.term(constant.term)
-        lines.append(f"(define-fun |{constant.name}| () Real {text})")
+    writer.define(statement.constants)
     for context in statement.contexts:
         lines += [f"(declare-const |{variable.name}| Real)" for variable in context.variables]
         for given in context.givens:
             text = writer.claim(given.claim)
             lines.append(f"(assert {text})")
-        for constant in context.constants:
-            text = writer.term(constant.term)
-            lines.append(f"(define-fun |{constant.name}| () Real {text})")
+        writer.define(context.constants)
     text = writer.claim(row.claim)
     lines.append(f"(assert (not {text}))")
     ops = {term.op for term in writer.known}
@@ -269,6 +272,5 @@ def smt_of(statement: Statement, *, functions: bool) -> str | None:
 
 
 if __name__ == "__main__":
-    begun = process_time()
-    found = _ASKED[sys.argv[1]](sys.stdin.read())
-    print(json.dumps({"answer": found, "seconds": process_time() - begun}))
+    taken, found = timed(lambda: _ASKED[sys.argv[1]](sys.stdin.read()))
+    print(json.dumps({"answer": found, "seconds": taken}))

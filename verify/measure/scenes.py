@@ -7,9 +7,9 @@ from fractions import Fraction
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from time import process_time
 from typing import Any
 
+from verify.measure import Table, table, timed
 from verify.measure.simulation import simulate
 from verify.spheres.scene.decide import COLLAPSES, Budget, decide_scene
 from verify.spheres.scene.scene import Scene
@@ -38,10 +38,10 @@ def precision_rows(precisions: Sequence[int], rounds: int) -> list[list[Any]]:
     for bits in precisions:
         digits = max(3, bits * 3 // 10 - LOST)
         budget = Budget(digits=digits, bits=bits, max_bits=bits)
-        times, found = timed(partial(decide_scene, scene, budget), rounds)
+        seconds, found = timed(partial(decide_scene, scene, budget), rounds + 1)
         low, high = time_ends(found) or (Fraction(0), Fraction(1))
         width = f"{float((high - low) / high):.1e}"
-        rows.append([bits, found.collisions, f"{1000 * min(times):.2f}", width])
+        rows.append([bits, found.collisions, f"{1000 * seconds:.2f}", width])
     return rows
 
 
@@ -55,22 +55,12 @@ def simulation_rows(rounds: int) -> list[list[Any]]:
         # Until nothing meets any more; a collapse would go on for ever.
         most = found.collisions + (found.verdict != COLLAPSES)
         turns: list[Callable[[], Any]] = [decide, partial(simulate, scene, most, DIGITS)]
-        pairs = [[timed(work, 1)[0][0] for work in turns] for _ in range(rounds)]
+        pairs = [[timed(work)[0] for work in turns] for _ in range(rounds + 1)]
         ours, plain = map(min, zip(*pairs, strict=True))
         name = f"r = {r}" + ("" if digits is None else f", {digits} digits")
         cells = [f"{1000 * seconds:.2f}" for seconds in (ours, plain)]
         rows.append([name, found.verdict, found.collisions, *cells, f"{ours / plain:.2f}"])
     return rows
-
-
-def timed(work: Callable[[], Any], rounds: int) -> tuple[list[float], Any]:
-    """The seconds of some runs after a first one, and what they found."""
-    found, seconds = work(), []
-    for _ in range(rounds):
-        start = process_time()
-        found = work()
-        seconds.append(process_time() - start)
-    return seconds, found
 
 
 def process_ratio(cpu: Callable[[list[str]], float], rounds: int) -> float:
@@ -88,21 +78,17 @@ def process_ratio(cpu: Callable[[list[str]], float], rounds: int) -> float:
 
 def scene_tables(
     precisions: Sequence[int], rounds: int, cpu: Callable[[list[str]], float]
-) -> dict[str, dict[str, Any]]:
+) -> dict[str, Table]:
     """Time and width against precision; time against a simulation; a whole process."""
     ratio = process_ratio(cpu, rounds)
+    precision = "A scene: time and relative width of the collapse time against precision"
+    simulation = (
+        f"Verdicts on scenes at {BITS} bits against a plain simulation with mpmath; a "
+        f"whole process is {ratio:.2f} times one that imports flint"
+    )
+    columns = ["scene", "verdict", "collisions", "ms", "simulation ms", "ratio"]
+    rows = precision_rows(precisions, rounds)
     return {
-        "scene_precision": {
-            "title": "A scene: time and relative width of the collapse time against precision",
-            "columns": ["bits", "collisions", "ms", "width"],
-            "rows": precision_rows(precisions, rounds),
-        },
-        "scene_simulation": {
-            "title": (
-                f"Verdicts on scenes at {BITS} bits against a plain simulation with mpmath; a "
-                f"whole process is {ratio:.2f} times one that imports flint"
-            ),
-            "columns": ["scene", "verdict", "collisions", "ms", "simulation ms", "ratio"],
-            "rows": simulation_rows(rounds),
-        },
+        "scene_precision": table(precision, ["bits", "collisions", "ms", "width"], rows),
+        "scene_simulation": table(simulation, columns, simulation_rows(rounds)),
     }

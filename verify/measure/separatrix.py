@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from fractions import Fraction
 from functools import partial
-from time import process_time
 from typing import Any
 
 from mpmath import mp, mpf
 
+from verify.measure import Table, table, timed
 from verify.spheres.limit_map import Allowance, Curve, CurveAt, Parameters
 
 #: Where f is enclosed, and the digits asked for.
@@ -22,33 +21,24 @@ STEPS = 10**8
 MORE = 10
 
 
-def separatrix_table(quick: bool, rounds: int) -> dict[str, Any]:
+def separatrix_table(quick: bool, rounds: int) -> Table:
     """Milliseconds and relative width for each number of digits; mpmath proves nothing."""
     rows: list[list[Any]] = []
     for r, c, ratio, q in PLACES[: 1 if quick else None]:
         parameters = Parameters(Fraction(r), Fraction(c), Fraction(ratio))
         for digits in DIGITS[: 2 if quick else None]:
             job = partial(enclosed, parameters, Fraction(q), digits)
-            time, (strip, steps) = _timed(job, rounds)
+            time, (strip, steps) = timed(job, rounds)
             width = (strip.high - strip.low) / strip.low
             row = [f"r = {r}, -cos θ = {c}, ratio {ratio}, q = {q}", digits, steps]
             row += [f"{1000 * time:.2f}", f"{float(width):.1e}", None, None]
             if digits <= PLAIN_DIGITS:
-                time, middle = _timed(partial(bisected, parameters, Fraction(q), digits), 1)
+                time, middle = timed(partial(bisected, parameters, Fraction(q), digits))
                 row[-2:] = [f"{1000 * time:.2f}", _apart(strip, middle)]
             rows.append(row)
     title = "The separatrix f(q): milliseconds against digits, and plain bisection with mpmath"
     columns = ["at", "digits", "collisions", "balls: ms", "balls: width", "mpmath: ms", "apart by"]
-    return {"title": title, "columns": columns, "rows": rows}
-
-
-def _timed(job: Callable[[], Any], rounds: int) -> tuple[float, Any]:
-    times = []
-    for _ in range(rounds):
-        start = process_time()
-        found = job()
-        times.append(process_time() - start)
-    return min(times), found
+    return table(title, columns, rows)
 
 
 def enclosed(parameters: Parameters, q: Fraction, digits: int) -> tuple[CurveAt, int]:

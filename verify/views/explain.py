@@ -28,7 +28,7 @@ from verify.prover.rules import RULES, Sum, Witness, rule_of
 from verify.prover.uses import Node, nodes
 from verify.views.point import parameters_told
 from verify.views.row_lists import plain_letters
-from verify.views.words import SIGNS, ends_of, fair, letters, short_name, sides_of
+from verify.views.words import ends_of, ends_told, fair, letters, short_name, sides_of, sides_told
 
 Row = tuple[Obligation, Decision]
 
@@ -245,9 +245,9 @@ def _false(outcome: Outcome, row: Obligation, found: Decision, title: str) -> It
 
 
 def _numbers(row: Obligation, found: Decision) -> Iterator[str]:
-    sides = sides_of(row, found)
-    if sides is not None and isinstance(row.claim, Claim):
-        yield f"    {short(sides[0])} {SIGNS[row.claim.relation]} {short(sides[1])}"
+    numbers = sides_told(row, found)
+    if numbers:
+        yield f"    {numbers}"
 
 
 def _named(title: str, rows: list[Obligation]) -> list[str]:
@@ -273,7 +273,7 @@ def about_constant(outcome: Outcome, word: str, paper: Publication) -> list[str]
     for constant in found:
         sign, bound = bounds.get(constant.name, ("=", constant))
         what = "repaired" if constant.name.startswith(f"{REPAIRED}.") else "as printed"
-        text.append(f"  {what}: {_told(outcome, constant)}")
+        text.append(f"  {what}: {constant.letter} = {ends_told(ends_of(outcome, constant.name))}")
         text.append(f"    {bound.letter} {sign} {letters(outcome).term(bound.term)}")
     text += _doubts(outcome, found)
     names = {constant.name for constant in found}
@@ -285,11 +285,6 @@ def about_constant(outcome: Outcome, word: str, paper: Publication) -> list[str]
             "certificates/printed-set"
         )
     return text
-
-
-def _told(outcome: Outcome, constant: Constant) -> str:
-    ends = ends_of(outcome, constant.name)
-    return f"{constant.letter} = {'undefined' if ends is None else short(ends)}"
 
 
 def _doubts(outcome: Outcome, constants: list[Constant]) -> list[str]:

@@ -7,17 +7,12 @@ from typing import Any
 
 from verify.language.statement import REPAIRED, Always, Applies, Obligation, Publication
 from verify.language.terms import Claim
-from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Outcome
 from verify.views import words
 from verify.views.enclosures import minimum_of
 from verify.views.point import in_numbers
 from verify.views.setting import apart, markdown_template
 from verify.views.words import fair as verdict_of
-
-#: A longer formula is left to the statement file; what the row says names it.
-LONGEST = 400
-LONG = "(long: see the statement file)"
 
 
 def report(outcome: Outcome, paper: Publication) -> str:
@@ -37,7 +32,7 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
     main = about and outcome.statement.theorem == paper.theorem
 
     def brief(text: str) -> str:
-        return text if len(text) <= LONGEST else LONG
+        return text if len(text) <= words.MAX_FORMULA else words.LONG
 
     def claim(one: Claim | Applies | Always) -> str:
         return brief(typesetter.claim(one))
@@ -49,9 +44,9 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
 
     def evidence(row: Obligation, decision: Decision) -> str:
         """The numbers that show a row, or the values at which it is false."""
-        sides = words.sides_of(row, decision)
-        if sides is not None and isinstance(row.claim, Claim):
-            return f"{short(sides[0])} {words.SIGNS[row.claim.relation]} {short(sides[1])}"
+        numbers = words.sides_told(row, decision)
+        if numbers:
+            return numbers
         return f"at {words.values_told(decision.witness, typesetter)}" if decision.witness else ""
 
     def constants() -> Iterator[tuple[str, ...]]:
@@ -62,9 +57,8 @@ def _content(outcome: Outcome, paper: Publication) -> dict[str, Any]:
             sign, bound = bounds.get(one.name, ("=", one))
             least = minimum_of(outcome, one).least if one.term.op == "min" else None
             told = "" if least is None else f" (entry {least} is the least)"
-            value = "undefined" if ends is None else short(ends)
             letter = one.letter + (f" ({group})" if group else "")
-            yield letter, value, f"{sign} {typesetter.term(bound.term)}{told}"
+            yield letter, words.ends_told(ends), f"{sign} {typesetter.term(bound.term)}{told}"
 
     return {
         "outcome": outcome,

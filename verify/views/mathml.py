@@ -191,10 +191,7 @@ def _row(tokens: list[str]) -> tuple[str, list[str]]:
 
 #: Commands that take no argument, and how those that take one begin and end.
 _SIGNS_OF_COMMANDS = {r"\cos": "<mi>cos</mi><mo>&#x2061;</mo>", r"\cdot": "<mo>⋅</mo>"}
-_AROUND = {
-    r"\overline": ("<mover>", "<mo>¯</mo></mover>"),
-    r"\sqrt": ("<msqrt>", "</msqrt>"),
-}
+_AROUND = {r"\overline": ("<mover>", "<mo>¯</mo></mover>"), r"\sqrt": ("<msqrt>", "</msqrt>")}
 
 
 def _one(tokens: list[str]) -> tuple[str, list[str]]:

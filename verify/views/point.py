@@ -17,13 +17,7 @@ from verify.language.terms import Term
 from verify.prover.decimals import decimal_text as decimal
 from verify.prover.decimals import people, round_decimal, short, told_number
 from verify.prover.outcome import Outcome
-from verify.views.words import (
-    SHOWN_BITS,
-    definitions_of,
-    ends_of,
-    group_verdict,
-    sides_of,
-)
+from verify.views import words
 
 #: Digits of a number that is rounded to the safe side.
 SAFE_DIGITS = 6
@@ -59,8 +53,7 @@ def _cosine(outcome: Outcome) -> str:
     c = outcome.statement.parameters["c"]
     if c.op == "rational" and c.value != 1:
         return ""
-    found = ends_of(outcome, "c")
-    value = "1" if c.op == "rational" else "undefined" if found is None else short(found)
+    value = "1" if c.op == "rational" else words.ends_told(words.ends_of(outcome, "c"))
     return f" (-cos θ₀ = {value})"
 
 
@@ -70,7 +63,7 @@ def threshold(outcome: Outcome, hypothesis: str) -> str:
 
     r = outcome.statement.parameters["r"].value
     name = hypothesis.removeprefix(f"{HYPOTHESES}.")
-    with balls.precision(SHOWN_BITS):
+    with balls.precision(words.SHOWN_BITS):
         ball = balls.from_fraction(r)
         if name == "r-below-stabi":
             stabi = short(balls.ends(9 - 4 * balls.root(balls.from_fraction(Fraction(5)))))
@@ -82,14 +75,13 @@ def threshold(outcome: Outcome, hypothesis: str) -> str:
             bound = 2 * root * (1 + root) / (1 + ball)
         else:
             return ""
-        found = ends_of(outcome, "c")
-        own = "undefined" if found is None else short(found)
+        own = words.ends_told(words.ends_of(outcome, "c"))
         return f"-cos θ₀ = {own}, the right side is {short(balls.ends(bound))}"
 
 
 def in_numbers(outcome: Outcome) -> str | None:
     """The theorem with its repaired constants, where these are numbers that serve; else None."""
-    if group_verdict(outcome, REPAIRED) != PROVED or outcome.verdict != PROVED:
+    if words.group_verdict(outcome, REPAIRED) != PROVED or outcome.verdict != PROVED:
         return None
     if not outcome.statement.parameters:  # it is about all parameters
         return None
@@ -101,7 +93,7 @@ def theorem_in_numbers(outcome: Outcome) -> str:
 
     What has no short decimal is rounded so that the set of the theorem only becomes smaller.
     """
-    known = definitions_of(outcome)
+    known = words.definitions_of(outcome)
 
     def value(name: str) -> Fraction:
         return known[f"{REPAIRED}.{name}"].value
@@ -113,8 +105,7 @@ def theorem_in_numbers(outcome: Outcome) -> str:
     low = people(_safe(known["V_0"].value + third, up=True))
     high = people(_safe(value("V_1") - third, up=False))
     angle = people(_safe(value("Delta_theta") / 4, up=False))
-    phi = ends_of(outcome, "phi_minus")
-    root = "undefined" if phi is None else short(phi)
+    root = words.ends_told(words.ends_of(outcome, "phi_minus"))
     v_0, delta = (told_number(known[name].value) for name in ("V_0", "delta_theta"))
     return (
         f"Given the assumptions: let {place(outcome)}{_cosine(outcome)}. Three particles in "
@@ -139,7 +130,7 @@ def failed_hypotheses(outcome: Outcome) -> list[tuple[Obligation, str]]:
     found = []
     for row, decision in outcome.of_group(HYPOTHESES):
         if row.role == NEEDED and decision.verdict == REFUTED:
-            sides = sides_of(row, decision)
+            sides = words.sides_of(row, decision)
             equal = sides is not None and sides[0] == sides[1] and sides[0][0] == sides[0][1]
             found.append((row, "both sides are equal" if equal else threshold(outcome, row.name)))
     return found
@@ -169,7 +160,9 @@ THRESHOLD_V_0 = (Fraction(1, 16), Fraction(10**6))
 
 def final_angle(outcome: Outcome) -> str:
     """For which δ_θ the printed bound of the angle exceeds δ_θ, here; nothing where for none."""
-    phi, h_4, x = (ends_of(outcome, name) for name in ("phi_plus", "h_4", f"{PRINTED}.delta_x"))
+    phi, h_4, x = (
+        words.ends_of(outcome, name) for name in ("phi_plus", "h_4", f"{PRINTED}.delta_x")
+    )
     v_0 = outcome.statement.parameters["V_0"].value
     if phi is None or h_4 is None or x is None or not _between(v_0, THRESHOLD_V_0):
         return ""

@@ -22,7 +22,7 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term
 from verify.language.typeset import Typesetter
-from verify.prover.decimals import exact_number, outward, people, short
+from verify.prover.decimals import exact_number, outward, people
 from verify.prover.outcome import Decision, Ends, Outcome
 from verify.views import words
 from verify.views.words import letters
@@ -134,8 +134,7 @@ def row_lines(
     claim, sides = typesetter.claim(row.claim), words.sides_of(row, decision)
     if sides is not None and isinstance(row.claim, Claim):
         yield f"            {claim}"
-        sign, margin = words.SIGNS[row.claim.relation], _margin(decision, sides)
-        yield f"            {short(sides[0])} {sign} {short(sides[1])}   {margin or by}"
+        yield f"            {words.sides_told(row, decision)}   {_margin(decision, sides) or by}"
     else:
         yield f"            {claim}   {by}"
     values = words.witness_of(row, decision)

@@ -19,8 +19,6 @@ from verify.language.statement import (
     Obligation,
     Publication,
 )
-from verify.language.terms import Claim
-from verify.prover.decimals import short
 from verify.prover.outcome import Outcome
 from verify.views import words
 from verify.views.point import (
@@ -31,10 +29,7 @@ from verify.views.point import (
     parameters_told,
 )
 
-TITLES = {
-    PRINTED: "The printed argument for it",
-    REPAIRED: "The theorem with repaired constants",
-}
+TITLES = {PRINTED: "The printed argument for it", REPAIRED: "The theorem with repaired constants"}
 
 
 def screen(
@@ -112,10 +107,8 @@ def _breaking(outcome: Outcome, paper: Publication) -> Iterator[str]:
     if rows:
         yield "  Refuted steps that break it (left and right side, formula):"
     for row, decision in rows:
-        sides = words.sides_of(row, decision)
-        if sides is not None and isinstance(row.claim, Claim):
-            sign = words.SIGNS[row.claim.relation]
-            numbers = f"{short(sides[0], 3)} {sign} {short(sides[1], 3)}"
+        numbers = words.sides_told(row, decision, 3)
+        if numbers:
             yield f"    {words.short_name(row):<18} {numbers:<26} {paper.number(row.label)}"
     yield from causes([row for row, _ in rows], paper)
 

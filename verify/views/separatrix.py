@@ -154,13 +154,11 @@ def _a(found: Separatrix) -> str:
 def _curve(found: Separatrix) -> Iterator[str]:
     if not found.strips:
         return
-    rows = [("q", "u = f(q)", "φ₂ for |W_c| = 1")]
+    rows: list[tuple[str, ...]] = [("q", "u = f(q)", "φ₂ for |W_c| = 1")]
     for strip in found.strips:
         u, phi = (short(ends, found.digits) for _, ends in _named((strip.low, strip.high)))
         rows.append((exact_number(strip.q), u, phi))
-    widths = [max(len(row[column]) for row in rows) for column in range(2)]
-    for row in rows:
-        yield f"  {row[0]:<{widths[0]}}  {row[1]:<{widths[1]}}  {row[2]}"
+    yield from _in_columns(rows)
     yield ""
     if found.fixed:
         minus, plus = (short(ends, found.digits) for ends in found.fixed)
@@ -200,14 +198,18 @@ def curves_screen(curves: Sequence[Separatrix]) -> Iterator[str]:
     yield ""
     rows: list[tuple[str, ...]] = [("r", "f(0)", "φ⁺, where f = 0", "saddle: q", "u")]
     rows += [_curve_row(found) for found in curves]
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    for row in rows:
-        cells = (f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True))
-        yield f"  {'  '.join(cells)}".rstrip()
+    yield from _in_columns(rows)
     yield ""
     judges = ", ".join(dict.fromkeys(by for found in curves for by in _judges(found)))
     known = sum(found.verdict == PROVED for found in curves)
     yield f"Verdict: {_all(curves)}: {known} of {len(curves)} values of r (judges: {judges})"
+
+
+def _in_columns(rows: Sequence[tuple[str, ...]]) -> Iterator[str]:
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for row in rows:
+        cells = (f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True))
+        yield f"  {'  '.join(cells)}".rstrip()
 
 
 def _curve_row(found: Separatrix) -> tuple[str, ...]:

@@ -5,17 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator
 
-from verify.language.statement import (
-    HYPOTHESES,
-    PRINTED,
-    REFUTED,
-    REPAIRED,
-    Constant,
-    Publication,
-)
+from verify.language.statement import HYPOTHESES, PRINTED, REFUTED, REPAIRED, Constant, Publication
 from verify.language.typeset import Typesetter
-from verify.prover.decimals import short
-from verify.prover.outcome import Ends, Outcome
+from verify.prover.outcome import Outcome
 from verify.views import words
 from verify.views.enclosures import minimum_of
 from verify.views.point import in_numbers, parameters_told
@@ -91,7 +83,7 @@ def _changes(paper: Publication) -> Iterator[str]:
 
 
 def _constant(outcome: Outcome, constant: Constant, typesetter: Typesetter) -> Iterator[str]:
-    value = _short(words.ends_of(outcome, constant.name))
+    value = words.ends_told(words.ends_of(outcome, constant.name))
     if constant.term.op == "rational":  # chosen; the rows have its bounds
         yield f"  {constant.letter:<6} {value}"
         return
@@ -100,11 +92,7 @@ def _constant(outcome: Outcome, constant: Constant, typesetter: Typesetter) -> I
         minimum = minimum_of(outcome, constant)
         for number, entry in enumerate(minimum.entries, 1):
             mark = "<- the minimum" if number == minimum.least else ""
-            yield f"           entry {number}: {_short(entry)} {mark}".rstrip()
-
-
-def _short(ends: Ends | None) -> str:
-    return "undefined" if ends is None else short(ends)
+            yield f"           entry {number}: {words.ends_told(entry)} {mark}".rstrip()
 
 
 def _first_screen(outcome: Outcome, paper: Publication, sets: list[str]) -> Iterator[str]:

@@ -26,6 +26,7 @@ from verify.language.statement import (
 )
 from verify.language.terms import Claim, Term, names_of, symbol
 from verify.language.typeset import Typesetter
+from verify.prover.decimals import short
 from verify.prover.outcome import Decision, Ends, Outcome, conjunction
 
 #: The headline while the verdict rests on more than what is granted, here or in what is cited.
@@ -67,6 +68,7 @@ SIGNS = {"<": "<", "<=": "≤", "=": "="}
 
 #: A longer formula is left to the statement file where a row is told in one line.
 MAX_FORMULA = 400
+LONG = "(long: see the statement file)"
 
 #: Bits of the thresholds and entries of minima that are only shown.
 SHOWN_BITS = 192
@@ -338,6 +340,15 @@ def sides_of(row: Obligation, decision: Decision) -> tuple[Ends, Ends] | None:
     return lhs, rhs
 
 
+def sides_told(row: Obligation, decision: Decision, digits: int = 8) -> str:
+    """Both sides with the sign between them; nothing where they are not known."""
+    sides = sides_of(row, decision)
+    if sides is None or not isinstance(row.claim, Claim):
+        return ""
+    left, right = (short(side, digits) for side in sides)
+    return f"{left} {SIGNS[row.claim.relation]} {right}"
+
+
 def parameters_of(outcome: Outcome) -> dict[str, Term]:
     """The parameters in the order of the paper, whatever order a file has them in."""
     found = outcome.statement.parameters
@@ -362,6 +373,11 @@ def ends_of(outcome: Outcome, name: str) -> Ends | None:
     """The enclosure of a parameter or a constant, if there is one."""
     found = outcome.enclosures.get(name)
     return None if found is None else found.ends[0]
+
+
+def ends_told(ends: Ends | None) -> str:
+    """An enclosure in short, where a number is defined."""
+    return "undefined" if ends is None else short(ends)
 
 
 def constants_of(outcome: Outcome, group: str) -> list[Constant]:

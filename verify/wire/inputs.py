@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 import stat
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 
 from verify.language.terms import Term, as_term, cos, cos_pi
@@ -135,6 +135,37 @@ def positive(option: str, text: str) -> Fraction:
     if value <= 0:
         raise InputError(f"{option}: {shown(text)} is not positive; write for example 1/10")
     return value
+
+
+def share(option: str, text: str) -> Fraction:
+    """Read a share between 0 and 1, which may be in percent.
+
+    Raises:
+        InputError: for any other text.
+    """
+    value = rational(option, text.removesuffix("%")) / (100 if text.endswith("%") else 1)
+    if not 0 <= value <= 1:
+        raise InputError(f"{option}: {shown(text)} is no share; write a share such as 0.1%")
+    return value
+
+
+def interval(
+    option: str, text: str, read: Callable[[str], Fraction], *, points: bool = False
+) -> tuple[Fraction, Fraction]:
+    """Read the ends of an interval ``A..B``; with ``points`` also a number, which is both ends.
+
+    Raises:
+        InputError: for any other text, or if the ends are not in order.
+    """
+    words = text.split("..") * (2 if points and ".." not in text else 1)
+    if len(words) != 2:
+        raise InputError(f"{option}: {shown(text)} is no interval; write it as 0.01..0.05")
+    low, high = map(read, words)
+    if not (low < high or (points and low == high)):
+        raise InputError(
+            f"{option}: the interval {shown(text)} is not A < B; write the smaller end first"
+        )
+    return low, high
 
 
 def angle(option: str, text: str) -> Term:

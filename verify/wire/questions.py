@@ -70,9 +70,7 @@ def read_page_of(path: str, content: bytes, cited: Mapping[str, bytes]) -> Page:
 
 
 def decide(
-    statement: Statement,
-    budget: WorkBudget | None = None,
-    hints: Mapping[str, Hint] = NO_HINTS,
+    statement: Statement, budget: WorkBudget | None = None, hints: Mapping[str, Hint] = NO_HINTS
 ) -> Outcome:
     """Every row of a statement, decided and judged; or undecided, with the reason.
 

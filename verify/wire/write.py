@@ -134,11 +134,7 @@ def _statement(outcome: Outcome, writer: TermWriter) -> dict[str, Any]:
         "obligations": [_row(row, found.claimed, writer) for row, found in outcome.rows],
         "assumptions": [assumption._asdict() for assumption in statement.assumptions],
         "cites": [
-            {
-                "name": cite.name,
-                "theorem": cite.theorem,
-                "statement_sha256": digest(cite.content),
-            }
+            {"name": cite.name, "theorem": cite.theorem, "statement_sha256": digest(cite.content)}
             for cite in statement.cites
         ],
     }
@@ -199,26 +195,18 @@ def decimals(ends: Ends) -> list[str]:
 
 
 def _step(step: Step, writer: TermWriter) -> dict[str, Any]:
+    if isinstance(step, OpenStep):
+        leaf = partial(writer.leaf, proof_document, "premise")
+        return {"open": step.name, "givens": [*map(leaf, step.givens)]}
+    proof = {"proof": proof_document(step.proof, writer)}
     if isinstance(step, ConstantStep):
-        return {"constant": step.name, "proof": proof_document(step.proof, writer)}
+        return {"constant": step.name} | proof
     if isinstance(step, ObligationStep):
-        return {"obligation": step.name, "proof": proof_document(step.proof, writer)}
+        return {"obligation": step.name} | proof
+    where = {"context": step.context} | proof
     if isinstance(step, LemmaStep):
-        return {
-            "lemma": step.name,
-            "context": step.context,
-            "claim": writer.claim(step.claim),
-            "proof": proof_document(step.proof, writer),
-        }
-    if isinstance(step, DefinitionStep):
-        return {
-            "define": step.name,
-            "context": step.context,
-            "term": writer.term(step.term),
-            "proof": proof_document(step.proof, writer),
-        }
-    leaf = partial(writer.leaf, proof_document, "premise")
-    return {"open": step.name, "givens": [*map(leaf, step.givens)]}
+        return {"lemma": step.name, "claim": writer.claim(step.claim)} | where
+    return {"define": step.name, "term": writer.term(step.term)} | where
 
 
 def proof_document(proof: Proof, writer: TermWriter) -> dict[str, Any]:

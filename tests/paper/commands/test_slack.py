@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from verify.language.terms import Claim, as_term, substitute, symbol
-from verify.measure.slack import SOME, slack_table
+from verify.measure.bench import SOME, slack_table
 from verify.paper.commands.everywhere import decide_everywhere
 from verify.paper.commands.slack import POINT, find_slack, stronger
 from verify.paper.everywhere.chart import CONTEXT

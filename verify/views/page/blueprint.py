@@ -9,6 +9,7 @@ from verify.language.record import Record
 from verify.language.statement import PRINTED, REFUTED, Publication
 from verify.prover.outcome import Outcome
 from verify.views.graph import Graph, graph, levels
+from verify.views.plots.drawing import begun, pattern
 from verify.views.words import fair, in_letters
 
 #: So many sentences are told of a formula when it is pointed at.
@@ -88,14 +89,10 @@ def proof_drawing(everywhere: Outcome, point: Outcome, paper: Publication) -> st
         f"{sum(bool(f.refuted) for f in formulas.values())} of them, hatched orange, have printed "
         "steps that are refuted."
     )
-    head = (
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height:.0f}" role="group" '
-        f'aria-label="{told}" font-family="system-ui, sans-serif" font-size="14">'
-    )
     return "\n".join(
         [
-            head,
-            _HATCH,
+            begun(WIDTH, height, told, 'role="group"'),
+            f"<defs>{pattern('proof-hatch', 'refuted-area')}</defs>",
             *_lines(direct(edges, level), place),
             *(_box(formulas[label], *place[label]) for label in edges),
             *_legend(height - 24),
@@ -176,11 +173,3 @@ def _legend(y: float) -> Iterable[str]:
             f'<rect x="{x}" y="{y - 12:.0f}" width="20" height="14" rx="3" fill="{fill}" '
             f'stroke="var(--{rim})"/><text x="{x + 27}" y="{y:.0f}" fill="var(--ink)">{text}</text>'
         )
-
-
-_HATCH = (
-    '<defs><pattern id="proof-hatch" width="7" height="7" patternUnits="userSpaceOnUse">'
-    '<rect width="7" height="7" fill="var(--refuted-area)"/>'
-    '<path d="M-1 1L1 -1M0 7L7 0M6 8L8 6" stroke="var(--refuted-line)" stroke-width="1.3"/>'
-    "</pattern></defs>"
-)

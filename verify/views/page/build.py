@@ -25,7 +25,7 @@ from verify.language.statement import (
 from verify.language.terms import Claim
 from verify.prover.decimals import outward
 from verify.prover.outcome import Outcome
-from verify.views import classification, everywhere
+from verify.views import classification, everywhere, words
 from verify.views.material import Material
 from verify.views.mathml import MathML
 from verify.views.page import rows
@@ -38,17 +38,6 @@ from verify.views.plots.shapes import Figure, Panel
 from verify.views.point import in_numbers, place
 from verify.views.screen import causes
 from verify.views.setting import TEMPLATES, in_html, in_markdown
-from verify.views.words import (
-    CONDITIONALLY_PROVED,
-    begun,
-    believed,
-    constants_of,
-    counts,
-    ends_of,
-    given_by,
-    headline,
-    in_letters,
-)
 
 TITLE = "Three particles collapse: what is proved"
 #: The style sheet of all pages, with their font.
@@ -125,7 +114,7 @@ def _parts(found: Mapping[str, Any]) -> Iterator[Part]:
     """The pages, in the order in which a referee asks."""
     material = found["material"]
     yield Part("index.html", TITLE, "What is proved", "first")
-    for name, words, says, of in (
+    for name, named, says, of in (
         ("theorem", "Theorem 1, whole", "whole", True),
         ("printed", "What is wrong in the printed proof", "defects", found["printed_rows"]),
         ("proof", "The proof as a graph", "proof", True),
@@ -140,10 +129,10 @@ def _parts(found: Mapping[str, Any]) -> Iterator[Part]:
         ("trust", "What has to be believed", "trust", True),
     ):
         if of:
-            yield Part(_file(name), words, words, says)
+            yield Part(_file(name), named, named, says)
     for figure in found["pictures"].plots[1:5]:
-        words = PLOTS[figure.name]
-        yield Part(_file(figure.name), words, words, "plot", (words, figure))
+        named = PLOTS[figure.name]
+        yield Part(_file(figure.name), named, named, "plot", (named, figure))
     for one in MEASURED:
         if one[0] in material.measurements:
             yield Part(_file(one[1]), one[2], one[2], "measured", (one,))
@@ -232,12 +221,12 @@ def readme_picture(figure: Figure) -> str:
 
 def title(outcome: Outcome) -> str:
     """The title of a theorem as the start of a sentence."""
-    return begun(in_letters(outcome.statement.title))
+    return words.begun(words.in_letters(outcome.statement.title))
 
 
 def constant(outcome: Outcome, name: str) -> rows.Number | None:
     """The value of a constant of the repaired set."""
-    return rows.number_of(ends_of(outcome, f"{REPAIRED}.{name}"))
+    return rows.number_of(words.ends_of(outcome, f"{REPAIRED}.{name}"))
 
 
 def of_severity(found: Iterable[rows.Row], severity: str | None) -> list[rows.Row]:
@@ -247,7 +236,16 @@ def of_severity(found: Iterable[rows.Row], severity: str | None) -> list[rows.Ro
 
 #: What the template asks of outcomes and rows.
 FILTERS = (
-    *(constant, constants_of, counts, headline, in_numbers, of_severity, place, title),
+    *(
+        constant,
+        words.constants_of,
+        words.counts,
+        words.headline,
+        in_numbers,
+        of_severity,
+        place,
+        title,
+    ),
     *(rows.of_role, rows.rows_as_printed, rows.with_verdict),
 )
 
@@ -282,8 +280,8 @@ def _content(material: Material) -> dict[str, Any]:
         "closing": sum(isinstance(row.claim, Claim) for row, _ in proved),
         "writer": rows.Writer(main, paper),
         "writer_of": lambda outcome: rows.Writer(outcome, paper),
-        "given": lambda outcome: given_by(outcome, paper),
-        "believed": lambda outcome: believed(outcome, paper),
+        "given": lambda outcome: words.given_by(outcome, paper),
+        "believed": lambda outcome: words.believed(outcome, paper),
         "printed": paper.printed,
         "coq": checked_in_coq(material),
         "latex": latex(main),
@@ -302,11 +300,11 @@ def _content(material: Material) -> dict[str, Any]:
         "CLASSES": CLASSES,
         "SETS": SETS,
         "MEASURED": MEASURED,
-        "CONDITIONALLY_PROVED": CONDITIONALLY_PROVED,
+        "CONDITIONALLY_PROVED": words.CONDITIONALLY_PROVED,
         "EVERYWHERE_IN_WORDS": everywhere.CLAIM,
         "SETTING": classification.SETTING,
         "THEOREMS": classification.THEOREMS,
-        "LONG": rows.LONG,
+        "LONG": words.LONG,
         "MANY": rows.MANY,
     }
 
@@ -360,10 +358,10 @@ def latex(outcome: Outcome) -> str:
         r"constant & as printed & repaired \\",
         r"\hline",
     ]
-    repaired = {c.short_name: c.name for c in constants_of(outcome, REPAIRED)}
-    first = [*constants_of(outcome, ""), *constants_of(outcome, PRINTED)]
+    repaired = {c.short_name: c.name for c in words.constants_of(outcome, REPAIRED)}
+    first = [*words.constants_of(outcome, ""), *words.constants_of(outcome, PRINTED)]
     known = {constant.short_name for constant in first}
-    only = [c for c in constants_of(outcome, REPAIRED) if c.short_name not in known]
+    only = [c for c in words.constants_of(outcome, REPAIRED) if c.short_name not in known]
     for constant in (*first, *only):
         printed = "" if constant in only else _tex_number(outcome, constant.name)
         other = _tex_number(outcome, repaired.get(constant.short_name, ""))
@@ -373,7 +371,7 @@ def latex(outcome: Outcome) -> str:
 
 def _tex_number(outcome: Outcome, name: str) -> str:
     """An exact decimal, or an interval of 8 digits that contains the enclosure."""
-    ends = ends_of(outcome, name)
+    ends = words.ends_of(outcome, name)
     if ends is None:
         return ""
     low, high = outward(ends, 8)

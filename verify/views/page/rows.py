@@ -23,10 +23,6 @@ from verify.views.mathml import MathML
 
 Row = tuple[Obligation, Decision]
 
-#: Formulas with more letters than this stay in the statement file.
-LONGEST = 400
-LONG = "(long: see the statement file)"
-
 #: A summand with more letters than this is too wide for a line.
 WIDEST = 90
 
@@ -88,8 +84,8 @@ class Writer:
         if isinstance(claim, Claim):
             claim = simplified_claim(claim)
         text = self.typesetter.claim(claim)
-        if len(text) > LONGEST or not isinstance(claim, Claim):
-            return Math("", text if len(text) <= LONGEST else LONG)
+        if len(text) > words.MAX_FORMULA or not isinstance(claim, Claim):
+            return Math("", text if len(text) <= words.MAX_FORMULA else words.LONG)
         widest = max(len(self.typesetter.term(part)) for part in summands(claim))
         return Math(self._mathml.claim(claim) if widest <= WIDEST else "", text)
 

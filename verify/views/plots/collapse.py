@@ -15,6 +15,7 @@ from html import escape
 from verify.language.record import Record
 from verify.prover.decimals import short
 from verify.views.material import Instant, Story
+from verify.views.plots.drawing import begun
 from verify.views.plots.scene_drawing import Leg, Vector, legs, places_at
 from verify.views.plots.shapes import Areas, Figure, Panel, Scale, Shape, powers
 
@@ -130,10 +131,7 @@ def animation(shown: Film, name: str) -> str:
         f"{len(shown.instants)} times here; the gaps between them shrink each time, and the scale "
         "grows with them. Below stands between what times the collapse is proved to lie."
     )
-    head = (
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" '
-        f'class="moving" aria-label="{told}" font-family="system-ui, sans-serif" font-size="14">'
-    )
+    head = begun(WIDTH, HEIGHT, told, 'role="img" class="moving"')
     return "\n".join([head, f"<style>{''.join(rules)}</style>", *body, "</svg>"])
 
 

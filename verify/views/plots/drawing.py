@@ -6,6 +6,7 @@ refuted, grey undecided.
 
 from __future__ import annotations
 
+from base64 import b64encode
 from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 from zlib import crc32
@@ -33,28 +34,39 @@ SCHEMES = {
 HATCHED = {"refuted-area": "refuted-line"}
 
 LEFT, RIGHT, TOP, BOTTOM, LEGEND = 66, 14, 34, 52, 22
-SIZE = 14
+SIZE, LINE = 14, 20
+#: Where an entry of a legend has more letters, there is one entry in a line.
+LONG = 30
 
 
-def svg(name: str, panels: Sequence[shapes.Panel], description: str) -> str:
+def svg(
+    name: str, panels: Sequence[shapes.Panel], description: str, heading: Sequence[str] = ()
+) -> str:
     """One SVG element with the panels side by side; ``name`` keeps its ids apart from others."""
-    width = sum(panel.width for panel in panels)
-    height = max(panel.height for panel in panels)
-    head = (
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" role="img" '
-        f'aria-label="{escape(description)}" font-family="system-ui, sans-serif" '
-        f'font-size="{SIZE}">'
-    )
+    width, top = sum(panel.width for panel in panels), LINE * len(heading) + 8 * bool(heading)
+    height = max(panel.height for panel in panels) + top
+    patterns = "".join(pattern(f"{name}-{area}", area) for area in HATCHED)
     parts = [
-        head,
-        f"<defs>{''.join(_pattern(name, *pair) for pair in HATCHED.items())}</defs>",
+        begun(width, height, description),
+        f"<defs>{patterns}</defs>",
+        *(_text((8, LINE * number), line) for number, line in enumerate(heading, 1)),
     ]
     across = 0
     for panel in panels:
         body = "\n".join(_panel(name, panel))
-        parts.append(f'<g transform="translate({across} 0)">\n{body}\n</g>' if across else body)
+        place = f'<g transform="translate({across} {top})">\n{body}\n</g>'
+        parts.append(place if across or top else body)
         across += panel.width
     return "\n".join([*parts, "</svg>"])
+
+
+def begun(width: float, height: float, description: str, more: str = 'role="img"') -> str:
+    """How a drawing begins that is a part of a page."""
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height:.0f}" {more} '
+        f'aria-label="{escape(description)}" font-family="system-ui, sans-serif" '
+        f'font-size="{SIZE}">'
+    )
 
 
 def standalone(drawing: str) -> str:
@@ -71,11 +83,12 @@ def standalone(drawing: str) -> str:
     return f"{head}{end}{style}{rest}\n"
 
 
-def _pattern(name: str, area: str, line: str) -> str:
+def pattern(key: str, area: str) -> str:
+    """The hatching of an area."""
     return (
-        f'<pattern id="{name}-{area}" width="7" height="7" patternUnits="userSpaceOnUse">'
+        f'<pattern id="{key}" width="7" height="7" patternUnits="userSpaceOnUse">'
         f'<rect width="7" height="7" fill="var(--{area})"/>'
-        f'<path d="M-1 1L1 -1M0 7L7 0M6 8L8 6" stroke="var(--{line})" stroke-width="1.3"/>'
+        f'<path d="M-1 1L1 -1M0 7L7 0M6 8L8 6" stroke="var(--{HATCHED[area]})" stroke-width="1.3"/>'
         "</pattern>"
     )
 
@@ -83,10 +96,14 @@ def _pattern(name: str, area: str, line: str) -> str:
 class _Place:
     """Where the values of a panel lie in its drawing."""
 
-    def __init__(self, panel: shapes.Panel, legend: int) -> None:
+    def __init__(self, panel: shapes.Panel, legend: Sequence[str]) -> None:
         self.panel = panel
+        self.columns = 1 if max(map(len, legend), default=0) > LONG else 2
         self.left, self.right = LEFT, panel.width - RIGHT
-        self.top, self.bottom = TOP, panel.height - BOTTOM - LEGEND * legend
+        self.top, self.bottom = (
+            TOP,
+            panel.height - BOTTOM - LEGEND * -(-len(legend) // self.columns),
+        )
 
     def x(self, value: float) -> float:
         return self.left + (self.right - self.left) * self.panel.x.share(value)
@@ -98,7 +115,7 @@ class _Place:
 def _panel(name: str, panel: shapes.Panel) -> Iterator[str]:
     drawn = list(panel.shapes())
     legend = [s for s in drawn if isinstance(s, shapes.Areas | shapes.Curve) and s.name]
-    place = _Place(panel, (len(legend) + 1) // 2)
+    place = _Place(panel, [shape.name for shape in legend])
     clip = f"{name}-clip-{_number_of(panel.title)}"
     size = f'width="{place.right - place.left}" height="{place.bottom - place.top}"'
     yield f'<clipPath id="{clip}"><rect x="{place.left}" y="{place.top}" {size}/></clipPath>'
@@ -107,7 +124,8 @@ def _panel(name: str, panel: shapes.Panel) -> Iterator[str]:
         if not isinstance(shape, shapes.Words):
             yield from _shape(name, shape, place)
     yield "</g>"
-    yield from _axes(place)
+    if panel.axes:
+        yield from _axes(place)
     yield _text((8, 20), panel.title, weight="600")
     for shape in drawn:
         if isinstance(shape, shapes.Words):
@@ -130,13 +148,6 @@ def _shape(name: str, shape: shapes.Shape, place: _Place) -> Iterator[str]:
             yield _boxes(name, shape, place)
         case shapes.Curve():
             yield from _curve(shape, place)
-        case shapes.Circle(radius=radius):
-            x, y = place.x(0), place.y(0)
-            across, down = place.x(radius) - x, y - place.y(radius)
-            yield (
-                f'<ellipse cx="{x:.1f}" cy="{y:.1f}" rx="{across:.1f}" ry="{down:.1f}" fill="none" '
-                'stroke="var(--faint)"/>'
-            )
         case shapes.Rule(at=at):
             y = place.y(at)
             yield f'<path d="M{place.left} {y:.1f}H{place.right}" stroke="var(--ink)"/>'
@@ -156,6 +167,37 @@ def _shape(name: str, shape: shapes.Shape, place: _Place) -> Iterator[str]:
                 f'<path d="M{x:.1f} {y:.1f}L{u:.1f} {v:.1f}" stroke="var(--{colour})" '
                 'stroke-dasharray="5 4" stroke-width="1.5"/>'
             )
+        case shapes.Disc():
+            yield _disc(shape, place)
+        case shapes.Tiles() | shapes.Dots():
+            yield _tiles(shape, place) if isinstance(shape, shapes.Tiles) else _dots(shape, place)
+
+
+def _tiles(shape: shapes.Tiles, place: _Place) -> str:
+    path = "z".join(
+        "M" + "L".join(f"{place.x(x):.3f} {place.y(y):.3f}" for x, y in corners)
+        for corners in shape.corners
+    )
+    return f'<path fill="{shape.colour}" stroke="{shape.rim}" stroke-width=".1" d="{path}z"/>'
+
+
+def _dots(shape: shapes.Dots, place: _Place) -> str:
+    href = f"data:image/png;base64,{b64encode(shape.png).decode()}"
+    size = f'width="{place.right - place.left}" height="{place.bottom - place.top}"'
+    style = 'preserveAspectRatio="none" image-rendering="pixelated"'
+    return f'<image x="{place.left}" y="{place.top}" {size} {style} href="{href}"/>'
+
+
+def _disc(shape: shapes.Disc, place: _Place) -> str:
+    (a, b), colour = shape.at, f"var(--{shape.colour})"
+    x, y = place.x(a), place.y(b)
+    across, down = place.x(a + shape.radius) - x, y - place.y(b + shape.radius)
+    more = ' fill-opacity="0.25"' if shape.filled else ""
+    more += f' stroke-dasharray="{shape.dashes}"' if shape.dashes else ""
+    return (
+        f'<ellipse cx="{x:.1f}" cy="{y:.1f}" rx="{across:.1f}" ry="{down:.1f}" '
+        f'fill="{colour if shape.filled else "none"}" stroke="{colour}"{more}/>'
+    )
 
 
 def _boxes(name: str, shape: shapes.Areas, place: _Place) -> str:
@@ -171,6 +213,8 @@ def _boxes(name: str, shape: shapes.Areas, place: _Place) -> str:
 
 
 def _fill(name: str, colour: str) -> str:
+    if colour.startswith("#"):
+        return colour
     return f"url(#{name}-{colour})" if colour in HATCHED else f"var(--{colour})"
 
 
@@ -182,11 +226,13 @@ def _curve(shape: shapes.Curve, place: _Place) -> Iterator[str]:
     points = [(place.x(x), place.y(y)) for x, y in shape.points]
     path = "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in points)
     yield f'<path d="{path}" fill="none" stroke="var(--{shape.colour})" stroke-width="1.4"/>'
-    for at in points:
-        yield _mark(at, shape)
+    if shape.mark is not None:
+        yield from (_mark(at, shape) for at in points)
 
 
 def _mark(at: shapes.Point, shape: shapes.Curve) -> str:
+    if shape.mark is None:
+        return f'<path d="M{at[0] - 9:.1f} {at[1]:.1f}h18" stroke="var(--{shape.colour})"/>'
     return (
         f'<path d="{MARKS[shape.mark % len(MARKS)]}" fill="var(--{shape.colour})" '
         f'transform="translate({at[0]:.1f} {at[1]:.1f})"/>'
@@ -237,11 +283,11 @@ def _shown(scale: shapes.Scale) -> Iterable[tuple[float, str]]:
 def _legend(
     name: str, entries: Sequence[shapes.Areas | shapes.Curve], place: _Place
 ) -> Iterator[str]:
-    """What each colour means, below the panel in two columns."""
+    """What each colour means, below the panel in one or two columns."""
     top = place.bottom + BOTTOM + 6
     for number, entry in enumerate(entries):
-        x = 14 + (number % 2) * (place.panel.width / 2 - 8)
-        y = top + LEGEND * (number // 2)
+        x = 14 + (number % place.columns) * (place.panel.width / 2 - 8)
+        y = top + LEGEND * (number // place.columns)
         if isinstance(entry, shapes.Areas):
             fill = _fill(name, entry.colour)
             yield f'<rect x="{x}" y="{y - 11}" width="18" height="13" fill="{fill}"/>'

@@ -11,7 +11,7 @@ from fractions import Fraction
 from html import escape
 
 from verify.prover.decimals import exact_number
-from verify.views.map_table import Box, Middle, middle_time
+from verify.views.map import Box, Middle, middle_time
 
 #: From dark to light.
 RAMP = ("#0b1f4b", "#32407a", "#6a5f86", "#a3807c", "#d6a767", "#f6d860")

@@ -28,8 +28,6 @@ from verify.views.plots import shapes
 COLOURS = {COLLAPSES: "refuted-area", DISPERSES: "proved-area", UNDECIDED: "ink"}
 #: The side of what is shown closer by, as a share of the side of the map.
 CLOSER = Fraction(1, 16)
-#: How far marks are apart, in powers of ten.
-STEPS = (Fraction(2), Fraction(1), Fraction(1, 2), Fraction(1, 5))
 
 Cell = tuple[Fraction, Fraction, Fraction, Fraction]
 #: Boxes that were looked at, and the share of the area that was undecided then.
@@ -53,7 +51,7 @@ def figure(found: CertifiedMap, strip: CertifiedStrip | None, name: str) -> shap
     if strip is not None:
         caption += _about(strip)
     line = [] if strip is None else [shapes.Trace(list(border(strip.plane)), "paper")]
-    panels = [_whole(progress, shares), _closer(progress, line), _law(law)]
+    panels = [_whole(progress, shares), _closer(progress, line), law_panel(law)]
     return shapes.Figure(name, "Which scenes collapse", caption, panels)
 
 
@@ -97,7 +95,7 @@ def _decided(progress: Progress, chunk: Any) -> Fraction:
     """The share of the area that a chunk decides; in a strip boxes of one level differ."""
     if not is_strip(progress.document):
         count = len(chunk.letters) - chunk.letters.count(UNDECIDED)
-        return Fraction(count, 4 ** len(chunk.keys[0]))
+        return Fraction(count, len(progress.digits) ** len(chunk.keys[0]))
     pairs = zip(chunk.keys, chunk.letters, strict=True)
     shares = (progress.plane.share(key) for key, letter in pairs if letter != UNDECIDED)
     return sum(shares, Fraction(0))
@@ -107,10 +105,14 @@ def squares(progress: Progress, letter: str) -> Iterator[Cell]:
     """The boxes with a verdict, as left, right, low and high shares of the sides of the map."""
     for key, found, _ in progress.decided():
         if found == letter:
-            size = Fraction(1, 1 << len(key))
-            column = int("".join("01"[int(digit) & 1] for digit in key), 2)
-            row = int("".join("01"[int(digit) >> 1] for digit in key), 2)
+            size, (column, row) = Fraction(1, 1 << len(key)), cell(key)
             yield column * size, (column + 1) * size, row * size, (row + 1) * size
+
+
+def cell(key: str) -> tuple[int, int]:
+    """The column and the row of a box, among those of its size."""
+    column, row = ("".join(str(int(digit) >> bit & 1) for digit in key) for bit in (0, 1))
+    return int(column, 2), int(row, 2)
 
 
 def window(progress: Progress) -> Cell:
@@ -126,7 +128,7 @@ def _scales(progress: Progress, shown: Cell) -> tuple[shapes.Scale, shapes.Scale
     made = []
     for name, (low, high), at in zip(names(progress), ends, (shown[:2], shown[2:]), strict=True):
         first, last = (low + (high - low) * share for share in at)
-        made.append(shapes.Scale(name, float(first), float(last), round_marks(first, last)))
+        made.append(shapes.Scale(name, float(first), float(last), shapes.round_marks(first, last)))
     return made[0], made[1]
 
 
@@ -141,14 +143,6 @@ def names(progress: Progress) -> tuple[str, str]:
     if progress.document["name"] == "phi":
         return "φ₁", "φ₂"
     return axis_names(progress.document)
-
-
-def round_marks(low: Fraction, high: Fraction) -> list[tuple[float, str]]:
-    """Marks at multiples of 1, 2 or 5 times a power of ten, at least three steps apart."""
-    ten = Fraction(10) ** math.floor(math.log10(high - low))
-    step = next(ten * part for part in STEPS if ten * part * 3 <= high - low)
-    count = range(math.ceil(low / step), math.floor(high / step) + 1)
-    return [(float(k * step), f"{float(k * step):g}") for k in count]
 
 
 def _areas(progress: Progress, shown: Cell, named: dict[str, str]) -> Iterator[shapes.Shape]:
@@ -215,18 +209,21 @@ def _closer(progress: Progress, line: Sequence[shapes.Shape]) -> shapes.Panel:
     )
 
 
-def _law(law: Law) -> shapes.Panel:
+def law_panel(law: Law) -> shapes.Panel:
+    """The undecided share against the boxes that were looked at; both axes are logarithmic."""
     points = [(float(boxes), 100 * float(share)) for boxes, share in law]
-    x = shapes.Scale("boxes looked at", 100, 10**5, shapes.powers(2, 5), logarithmic=True)
     boxes, share = points[-1]
-    least = math.floor(math.log10(share))
+    ends = min(2, math.floor(math.log10(points[0][0]))), max(5, math.ceil(math.log10(boxes)))
+    low, high = (10.0**end for end in ends)
+    x = shapes.Scale("boxes looked at", low, high, shapes.powers(*ends), logarithmic=True)
+    least = min(math.floor(math.log10(share)), 1)
     marks = shapes.powers(least, 2)
     y = shapes.Scale("undecided, in % of the area", 10.0**least, 100, marks, logarithmic=True)
 
     def drawn() -> Iterable[shapes.Shape]:
         yield shapes.Straight((boxes / 30, share * 30), (boxes * 4, share / 4), "faint")
         yield shapes.Curve(points, "series-1", 0, "this map, level by level")
-        yield shapes.Words((boxes / 12, share * 16), "slope −1")
+        yield shapes.Words((max(boxes / 12, 1.2 * low), share * 16), "slope −1")
 
     told = (
         f"The undecided share falls from {points[0][1]:.2g} % after {law[0][0]} boxes to "

@@ -5,10 +5,8 @@ from __future__ import annotations
 import math
 import struct
 import zlib
-from base64 import b64encode
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
-from html import escape
 
 from verify.prover.decimals import exact_number
 from verify.views.map import (
@@ -23,135 +21,70 @@ from verify.views.map import (
     plane_line,
     tile_corners,
 )
-from verify.views.plots.map_figure import work
+from verify.views.plots.drawing import standalone, svg
+from verify.views.plots.map_figure import cell, law_panel, work
+from verify.views.plots.shapes import Areas, Dots, Panel, Point, Scale, Shape, Tiles
 
 #: The colours of the areas, on light and on dark paper: they differ in grey, too.
 COLOURS = {"c": "#f7bb70", "d": "#2e6bb6", "u": "#111111", "f": "#8fb3dd"}
-#: The sides of the map and of the law beside it, in points.
-SIDE, LAW = 400, 260
-LEFT, TOP = 64, 40
-#: A vertical axis has its title so far above it, beside its last mark.
-TITLE = 10
+#: The size of the panel, whose inner side is a square.
+WIDTH, HEIGHT = 480, 530
+UNIT: list[Point] = [(0, 0), (1, 0), (1, 1), (0, 1)]
 #: A picture of dots has 2^FINEST of them on a side.
 FINEST = 10
-
-Law = Sequence[tuple[float, float]]
 
 
 def svg_map(progress: Progress, *, boxes: bool = False) -> str:
     """The areas, in dots or as boxes, their shares, and the undecided share against the boxes."""
-    width, height = LEFT + SIDE + 110 + LAW + 20, TOP + SIDE + 90
-    size = f'viewBox="0 0 {width} {height}" role="img"'
-    font = 'font-family="sans-serif" font-size="12" fill="#1c2128" style="background:#fff"'
-    parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" {size} {font}>',
-        f"<title>{escape(plane_line(progress.document))}</title>",
-        *_areas(progress, boxes=boxes),
-        *_legend(progress),
-        *_law([(float(n), float(u)) for n, u in work(progress)]),
-        "</svg>",
-    ]
-    return "\n".join(parts) + "\n"
+    law = [(count, share) for count, share in work(progress) if share]
+    panel, plane = _areas(progress, boxes=boxes), plane_line(progress.document)
+    heading = [part for part in (plane.partition("; ")[2], panel.title) if part]
+    panels = [panel._replace(title=""), *([law_panel(law)] if len(law) > 1 else [])]
+    return standalone(svg("map", panels, plane, heading))
 
 
-def _areas(progress: Progress, *, boxes: bool) -> Iterator[str]:
-    place = f'x="{LEFT}" y="{TOP}" width="{SIDE}" height="{SIDE}"'
-    if boxes:
-        yield f'<rect {place} fill="{COLOURS["u"]}"/>'
-        yield f'<g transform="translate({LEFT} {TOP + SIDE}) scale({SIDE} {-SIDE})">'
-        for letter in "cdf" if area_shares(progress).get("finite") else "cd":
-            keys = (key for key, found, _ in progress.decided() if found == letter)
-            path = "".join(_box(progress, key) for key in keys)
-            style = f'stroke="{COLOURS["u"]}" stroke-width=".0004"'
-            yield f'<path fill="{COLOURS[letter]}" {style} d="{path}"/>'
-        yield "</g>"
-    else:
-        data = b64encode(png_map(progress)).decode()
-        yield f'<image {place} image-rendering="pixelated" href="data:image/png;base64,{data}"/>'
+def _areas(progress: Progress, *, boxes: bool) -> Panel:
+    found, shown = area_shares(progress), areas_shown(progress)
+
+    def drawn() -> Iterator[Shape]:
+        if boxes:
+            yield Tiles([UNIT], COLOURS["u"], COLOURS["u"])
+            for letter in (one for one in shown if one != "u"):
+                keys = (key for key, one, _ in progress.decided() if one == letter)
+                tiles = [_corners(progress, key) for key in keys]
+                yield Tiles(tiles, COLOURS[letter], COLOURS["u"])
+        else:
+            yield Dots(png_map(progress))
+        for letter, (name, _) in shown.items():
+            yield Areas([], COLOURS[letter], name=f"{name} {percent(found[name])} %")
+
+    x, y = _scales(progress, boxes=boxes)
+    # Beside long marks there is no room for the label of the vertical axis.
+    title = f"vertical: {y.label}" if y.label else ""
+    return Panel(title, x, y._replace(label=""), drawn, "", WIDTH, HEIGHT)
+
+
+def _scales(progress: Progress, *, boxes: bool) -> tuple[Scale, Scale]:
+    """The axes, on which shares of the sides are marked with what they stand for."""
     (x_0, x_1), (y_0, y_1) = progress.plane.x, progress.plane.y or (Fraction(0), Fraction(1))
     x_name, y_name = axis_names(progress.document)
+    quarters = [Fraction(quarter, 4) for quarter in range(5)]
+    marked = [] if is_interval(progress.document) else quarters
     if boxes and is_strip(progress.document):
-        delta, y_0 = progress.plane.delta, -y_1
+        delta, y_0, marked = progress.plane.delta, -y_1, [Fraction(0), Fraction(1)]
         y_name = f"φ2 - f(φ1), logarithmic; in the middle all from -{delta} to {delta}"
-    low = TOP + SIDE
-    for quarter in range(5):
-        share = Fraction(quarter, 4)
-        across, up = LEFT + float(share) * SIDE, low - float(share) * SIDE
-        ticks = f"M{across:g} {low}v5"
-        yield _text(across, low + 18, exact_number(x_0 + share * (x_1 - x_0), 6), "middle")
-        if is_interval(progress.document):
-            pass
-        elif quarter in (0, 4) or not (boxes and is_strip(progress.document)):
-            ticks += f"M{LEFT} {up:g}h-5"
-            yield _text(LEFT - 8, up + 4, exact_number(y_0 + share * (y_1 - y_0), 6), "end")
-        yield f'<path d="{ticks}" stroke="#1c2128" fill="none"/>'
-    yield _text(LEFT + SIDE // 2, low + 36, x_name, "middle")
-    yield _text(LEFT, TOP - TITLE, y_name, "start")
+    across = [(float(s), exact_number(x_0 + s * (x_1 - x_0), 6)) for s in quarters]
+    up = [(float(s), exact_number(y_0 + s * (y_1 - y_0), 6)) for s in marked]
+    return Scale(x_name, 0, 1, across), Scale(y_name, 0, 1, up)
 
 
-def _box(progress: Progress, key: str) -> str:
-    """Tiles of a strip are drawn by their distance from the curve."""
-    if is_interval(progress.document):
-        size = 0.5 ** len(key)
-        return f"M{_short(int(key, 2) * size)} 0h{_short(size)}v1h-{_short(size)}"
-    if not is_strip(progress.document):
-        return _square(key)
-    corners = (f"{_short(x)} {_short(y)}" for x, y in tile_corners(progress.plane, key))
-    return f"M{'L'.join(corners)}z"
-
-
-def _square(key: str) -> str:
-    column = int("".join("01"[int(d) & 1] for d in key), 2)
-    row = int("".join("01"[int(d) >> 1] for d in key), 2)
-    size = 0.5 ** len(key)
-    x, y, edge = _short(column * size), _short(row * size), _short(size)
-    return f"M{x} {y}h{edge}v{edge}h-{edge}"
-
-
-def _short(value: float) -> str:
-    return f"{value:.6g}".removeprefix("0") or "0"
-
-
-def _text(x: float, y: float, text: str, anchor: str) -> str:
-    return f'<text x="{x:g}" y="{y:g}" text-anchor="{anchor}">{escape(text)}</text>'
-
-
-def _legend(progress: Progress) -> Iterator[str]:
-    found = area_shares(progress)
-    for place, (letter, (name, _)) in enumerate(areas_shown(progress).items()):
-        x, y = LEFT + 150 * place, TOP + SIDE + 54
-        yield f'<rect x="{x}" y="{y}" width="12" height="12" fill="{COLOURS[letter]}"/>'
-        yield _text(x + 17, y + 10, f"{name} {percent(found[name])} %", "start")
-    yield _text(LEFT, 16, plane_line(progress.document).partition("; ")[2], "start")
-
-
-def _law(law: Law) -> Iterator[str]:
-    """Both axes are logarithmic; the line has the slope -1."""
-    points = [(math.log10(s), math.log10(u)) for s, u in law if s > 0 and u > 0]
-    if len(points) < 2:
-        return
-    left, low = LEFT + SIDE + 110, TOP + LAW
-    x_0, x_1 = math.floor(min(x for x, _ in points)), math.ceil(max(x for x, _ in points))
-    y_0, y_1 = math.floor(min(y for _, y in points)), math.ceil(max(y for _, y in points))
-    scale = LAW / max(x_1 - x_0, y_1 - y_0)
-
-    def place(x: float, y: float) -> str:
-        return f"{left + (x - x_0) * scale:.1f},{low - (y - y_0) * scale:.1f}"
-
-    yield f'<rect x="{left}" y="{TOP}" width="{LAW}" height="{LAW}" fill="none" stroke="#8a929c"/>'
-    for power in range(x_0, x_1 + 1):
-        yield _text(left + (power - x_0) * scale, low + 18, f"{10.0**power:g}", "middle")
-    for power in range(y_0, y_1 + 1):
-        height = low - (power - y_0) * scale + 4
-        yield _text(left - 6, height, f"{10.0 ** (power + 2):g} %", "end")
-    x, y = points[-1]
-    back = min(x - x_0, y_1 - y)
-    yield f'<polyline points="{place(x, y)} {place(x - back, y + back)}" stroke="#8a929c" '
-    yield 'stroke-dasharray="4 3" fill="none"/>'
-    dots = " ".join(place(x, y) for x, y in points)
-    yield f'<polyline points="{dots}" stroke="{COLOURS["d"]}" stroke-width="1.5" fill="none"/>'
-    yield _text(left + LAW // 2, low + 36, "boxes looked at", "middle")
-    yield _text(left, TOP - TITLE, "undecided share; dashes: slope -1", "start")
+def _corners(progress: Progress, key: str) -> list[Point]:
+    """A box in the unit square; tiles of a strip are drawn by their distance from the curve."""
+    if is_strip(progress.document):
+        return tile_corners(progress.plane, key)
+    size, (column, row) = 0.5 ** len(key), cell(key)
+    height, bottom = (1.0, 0.0) if is_interval(progress.document) else (size, row * size)
+    return [(column * size + size * x, bottom + height * y) for x, y in UNIT]
 
 
 def png_map(progress: Progress) -> bytes:
@@ -174,8 +107,7 @@ def png_map(progress: Progress) -> bytes:
 
 def _fill(dots: list[bytearray], key: str, colour: int, *, is_bar: bool) -> None:
     size = 1 << FINEST - len(key)
-    column = int("".join("01"[int(d) & 1] for d in key), 2) * size
-    row = int("".join("01"[int(d) >> 1] for d in key), 2) * size
+    column, row = (place * size for place in cell(key))
     for line in dots if is_bar else dots[row : row + size]:
         line[column : column + size] = bytes([colour]) * size
 

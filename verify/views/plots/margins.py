@@ -151,10 +151,7 @@ def broken_steps(found: Margins) -> shapes.Figure:
 def _broken(broken: Sequence[Ratios], repaired: Sequence[Ratios]) -> Iterator[shapes.Shape]:
     yield shapes.Rule(1)
     yield shapes.Words((0.001, 1.3), "above this line a step fails")
-    for part, colour, name in (
-        (broken, "refuted", "as printed"),
-        (repaired, "proved", "repaired"),
-    ):
+    for part, colour, name in ((broken, "refuted", "as printed"), (repaired, "proved", "repaired")):
         for number, row in enumerate(part):
             yield shapes.Areas(shapes.corners(row.boxes), colour, 0.9, name if number == 0 else "")
         yield from _names(part)

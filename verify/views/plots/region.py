@@ -159,10 +159,7 @@ def least_entries(least: Mapping[str, Cells], region: Region) -> shapes.Figure:
         "On each coloured cell one entry of the min that defines or bounds η̄ is at most each other "
         f"one at every point of the cell ({'; '.join(captions)}). Grey: two entries cross there, "
         "or the cell is too wide to tell.",
-        (
-            _map("As printed", least[PRINTED], region),
-            _map("Repaired", least[REPAIRED], region),
-        ),
+        (_map("As printed", least[PRINTED], region), _map("Repaired", least[REPAIRED], region)),
     )
 
 

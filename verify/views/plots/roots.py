@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from verify.prover.outcome import Ends
 from verify.views.material import Roots
-from verify.views.plots.shapes import Areas, Circle, Figure, Panel, Scale, Shape, Words, marks
+from verify.views.plots.shapes import Areas, Disc, Figure, Panel, Scale, Shape, Words, marks
 
 
 def figure(cells: Sequence[Roots]) -> Figure:
@@ -31,7 +31,7 @@ def figure(cells: Sequence[Roots]) -> Figure:
 
 
 def _plane(cells: Sequence[Roots]) -> Iterator[Shape]:
-    yield Circle(1)
+    yield Disc((0, 0), 1, "faint")
     pair = [
         _box(cell.re, (sign * cell.im[0], sign * cell.im[1])) for cell in cells for sign in (1, -1)
     ]

@@ -9,48 +9,24 @@ from itertools import islice
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.views.plots.approach import approach, length_unit, several, svg_text
-from verify.views.plots.drawing import SCHEMES
+from verify.views.plots.approach import HIGH, SIDE, approach, length_unit, several
+from verify.views.plots.drawing import SCHEMES, standalone, svg
+from verify.views.plots.shapes import Disc, Panel, Point, Scale, Shape, Trace, Words
 from verify.views.scene import Step, Told
 
-SIZE, MARGIN, TOP = 420, 46, 92
 COLOURS = ("series-1", "series-2", "series-3")
 #: How far the drawing goes on after the last collision, as a share of the time before it.
 AFTER = 0.4
 
-Box = tuple[float, float, float, float]
-Place = Callable[[float, float], tuple[float, float]]
-
 
 def scene_svg(told: Told, steps: Sequence[Step]) -> str:
     """The file."""
-    path = legs(told, steps)
+    path, radii, unit = legs(told, steps), bodies_of(told).radii, length_unit(told)
     end = end_time(told, path)
-    across = 3 * SIZE + 4 * MARGIN
-    height = SIZE + TOP + MARGIN
-    size = f'viewBox="0 0 {across} {height}" font-family="sans-serif" font-size="13"'
-    parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" {size}>',
-        _style(),
-        f'<rect class="paper" width="{across}" height="{height}"/>',
-        *_heading(told),
-    ]
-    radii, unit = bodies_of(told).radii, length_unit(told)
-    zoom, width = _zoom(path, end, radii)
-    panels = (_trajectories(path, end, radii, unit), zoom, approach(told, steps))
-    pair = " and ".join(path[-1].pair or "01")
-    titles = (
-        "centre-of-mass frame, to scale",
-        f"contact of {pair}, {width:.2g} {several(unit)} wide",
-        "from collision to collision",
-    )
-    for k, (panel, title) in enumerate(zip(panels, titles, strict=True)):
-        left = MARGIN + k * (SIZE + MARGIN)
-        parts.append(f'<g transform="translate({left} {TOP})">')
-        parts.append(svg_text(0, -8, title))
-        parts.append(f'<svg width="{SIZE}" height="{SIZE}" overflow="hidden">')
-        parts += [*panel, "</svg></g>"]
-    return "\n".join([*parts, "</svg>", ""])
+    panels = [_trajectories(path, end, radii, unit), _zoom(path, end, radii, unit)]
+    panels.append(approach(told, steps))
+    titles = "; ".join(panel.title for panel in panels)
+    return standalone(svg("scene", panels, f"Three spheres: {titles}", told.lines))
 
 
 def end_time(told: Told, path: Sequence[Leg]) -> float:
@@ -60,67 +36,51 @@ def end_time(told: Told, path: Sequence[Leg]) -> float:
     return path[-1].time + (AFTER * path[-1].time or 1.0)
 
 
-def _style() -> str:
-    rules = []
-    for scheme, colours in SCHEMES.items():
-        found = [".paper{fill:%(paper)s}.ink{fill:%(ink)s}.axis{stroke:%(faint)s;fill:none}"]
-        found += [f".c{i}{{stroke:%({name})s;fill:none}}" for i, name in enumerate(COLOURS)]
-        found += [f".f{i}{{fill:%({name})s;fill-opacity:.25}}" for i, name in enumerate(COLOURS)]
-        text = "".join(found) % colours
-        dark = f"@media (prefers-color-scheme: dark){{{text}}}"
-        rules.append(text if scheme == "light" else dark)
-    return f"<style>{''.join(rules)}</style>"
+def _square(title: str, middle: Point, half: float, drawn: Callable[[], Iterator[Shape]]) -> Panel:
+    """A panel without axes, of so much of the plane to each side of a point."""
+    x, y = (Scale("", at - half, at + half, ()) for at in middle)
+    return Panel(title, x, y, drawn, "", SIDE, HIGH, axes=False)
 
 
-def _heading(told: Told) -> Iterator[str]:
-    for k, line in enumerate(told.lines):
-        yield svg_text(MARGIN, 28 + 20 * k, line)
-
-
-def _frame(points: Sequence[Sequence[float]], room: float) -> Box:
-    """A square around points: its centre, and half its side."""
-    low = [min(p[k] for p in points) for k in (0, 1)]
-    high = [max(p[k] for p in points) for k in (0, 1)]
-    half = max(high[0] - low[0], high[1] - low[1]) / 2 + room
-    return (low[0] + high[0]) / 2, (low[1] + high[1]) / 2, half, SIZE / (2 * half)
-
-
-def _point(p: Sequence[float], box: Box) -> tuple[float, float]:
-    x, y, half, scale = box
-    return (p[0] - x + half) * scale, (y + half - p[1]) * scale
-
-
-def _trajectories(
-    path: Sequence[Leg], end: float, radii: Sequence[float], unit: str
-) -> Iterator[str]:
+def _trajectories(path: Sequence[Leg], end: float, radii: Sequence[float], unit: str) -> Panel:
     """The paths of the centres, and the spheres at the start and at the end."""
     last = places_at(path, end)
     stops = [leg.places for leg in path] + [last]
-    box = _frame([p for places in stops for p in places], 1.2 * max(radii))
-    for i in range(3):
-        line = " ".join("{:.2f},{:.2f}".format(*_point(places[i], box)) for places in stops)
-        yield f'<polyline class="c{i}" points="{line}"/>'
-    yield from _spheres(path[0].places, box, "2 3", radii)
-    yield from _spheres(last, box, "", radii)
-    yield f'<path class="axis" d="M12 {SIZE - 24}v6M12 {SIZE - 21}h{box[3]:.2f}v-3v6"/>'
-    yield svg_text(12, SIZE - 6, f"1 {unit}")
+    sides = [sorted(p[k] for places in stops for p in places) for k in (0, 1)]
+    x, y = ((side[0] + side[-1]) / 2 for side in sides)
+    half = max(side[-1] - side[0] for side in sides) / 2 + 1.2 * max(radii)
+
+    def drawn() -> Iterator[Shape]:
+        for i, colour in enumerate(COLOURS):
+            yield Trace([_at(places[i]) for places in stops], colour)
+        yield from _spheres(path[0].places, "2 3", radii)
+        yield from _spheres(last, "", radii)
+        corner = x - half, y - 0.98 * half
+        yield Trace([corner, (corner[0] + 1, corner[1])], "ink")
+        yield Words((corner[0], corner[1] - half / 10), f"1 {unit}")
+
+    return _square("centre-of-mass frame, to scale", (x, y), half, drawn)
 
 
-def _zoom(path: Sequence[Leg], end: float, radii: Sequence[float]) -> tuple[Iterator[str], float]:
-    """The gap of the pair that collided last, at several moments; and the width of the drawing."""
+def _zoom(path: Sequence[Leg], end: float, radii: Sequence[float], unit: str) -> Panel:
+    """The gap of the pair that collided last, at several moments."""
     stops = [leg.places for leg in path[:6]] + [places_at(path, end)]
-    i, j = map(int, path[-1].pair or "01")
+    pair = path[-1].pair or "01"
+    i, j = map(int, pair)
     ends = radii[i], radii[j]
-    (x, y), _ = _contact(stops[-1][i], stops[-1][j], ends)
+    middle, _ = _contact(stops[-1][i], stops[-1][j], ends)
     gaps = [abs(_contact(places[i], places[j], ends)[1]) for places in stops]
     half = max(2 * max(gaps), 1e-6)
-    return _zoomed(stops, (x, y, half, SIZE / (2 * half)), radii), 2 * half
 
+    def drawn() -> Iterator[Shape]:
+        for places in stops[:-1]:
+            yield from _spheres(places, "2 6", radii)
+        for shape in _spheres(stops[-1], "", radii):
+            if not isinstance(shape, Words) or math.dist(shape.at, middle) < half:
+                yield shape
 
-def _zoomed(stops: Sequence[Sequence[Vector]], box: Box, radii: Sequence[float]) -> Iterator[str]:
-    for places in stops[:-1]:
-        yield from _spheres(places, box, "2 6", radii)
-    yield from _spheres(stops[-1], box, "", radii)
+    title = f"contact of {' and '.join(pair)}, {2 * half:.2g} {several(unit)} wide"
+    return _square(title, middle, half, drawn)
 
 
 def _contact(
@@ -133,17 +93,16 @@ def _contact(
 
 
 def _spheres(
-    places: Sequence[Sequence[float]], box: Box, dashes: str, radii: Sequence[float]
-) -> Iterator[str]:
-    for i, place in enumerate(places):
-        x, y = _point(place, box)
-        radius = box[3] * radii[i]
-        circle = f'cx="{x:.2f}" cy="{y:.2f}" r="{radius:.2f}"'
-        if dashes:
-            yield f'<circle class="c{i}" {circle} stroke-dasharray="{dashes}"/>'
-        else:
-            yield f'<circle class="f{i}" {circle}/><circle class="c{i}" {circle}/>'
-            yield svg_text(x, y, str(i), "middle")
+    places: Sequence[Sequence[float]], dashes: str, radii: Sequence[float]
+) -> Iterator[Shape]:
+    for i, (place, radius) in enumerate(zip(places, radii, strict=True)):
+        yield Disc(_at(place), radius, COLOURS[i], dashes, filled=not dashes)
+        if not dashes:
+            yield Words(_at(place), str(i), "middle")
+
+
+def _at(place: Sequence[float]) -> Point:
+    return place[0], place[1]
 
 
 # --- the animation -------------------------------------------------------------------------------

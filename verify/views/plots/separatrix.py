@@ -13,7 +13,18 @@ from typing import Any
 
 from verify.prover.decimals import exact_number, short
 from verify.views.plots.drawing import standalone, svg
-from verify.views.plots.shapes import Areas, Curve, Figure, Panel, Point, Scale, Shape, Trace, Words
+from verify.views.plots.shapes import (
+    Areas,
+    Curve,
+    Figure,
+    Panel,
+    Point,
+    Scale,
+    Shape,
+    Trace,
+    Words,
+    round_marks,
+)
 
 #: What the spheres know of a separatrix, and of its curve at a place.
 Separatrix = Any
@@ -21,9 +32,6 @@ CurveAt = Any
 
 COLLAPSES, ENDS, BETWEEN = "refuted-area", "proved-area", "ink"
 WIDTH, HEIGHT = 440, 360
-#: How far marks on an axis are apart, times a power of ten.
-STEPS = (Fraction(1), Fraction(1, 2), Fraction(1, 5))
-MARKS = 5
 #: Where the words of a curve stand: at this share of its decided values.
 AT = Fraction(1, 3)
 
@@ -124,12 +132,4 @@ def _middle(strip: CurveAt) -> Point:
 
 def _scale(label: str, end: Fraction) -> Scale:
     """An axis from 0 with some five round marks."""
-    step = Fraction(10) ** 40
-    while True:
-        for part in STEPS:
-            if MARKS * step * part <= end:
-                count = int(end / (step * part))
-                texts = [exact_number(k * step * part) for k in range(count + 1)]
-                values = [float(k * step * part) for k in range(count + 1)]
-                return Scale(label, 0.0, float(end), list(zip(values, texts, strict=True)))
-        step /= 10
+    return Scale(label, 0.0, float(end), round_marks(Fraction(0), end, 5))

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
-from math import log10
+from math import ceil, floor, log10
 
 from verify.language.record import Record
+from verify.prover.decimals import exact_number
 
 Corners = tuple[float, float, float, float]
 Point = tuple[float, float]
@@ -42,12 +43,26 @@ class Areas(Record):
     key: str = ""
 
 
+class Tiles(Record):
+    """Areas with any corners, each with a thin rim, in colours that do not follow the page."""
+
+    corners: Sequence[Sequence[Point]]
+    colour: str
+    rim: str
+
+
+class Dots(Record):
+    """A picture that fills the panel."""
+
+    png: bytes
+
+
 class Curve(Record):
-    """Measured points with a line through them; marks differ in shape."""
+    """Measured points with a line through them; marks differ in shape, or there are none."""
 
     points: Sequence[Point]
     colour: str
-    mark: int = 0
+    mark: int | None = 0
     name: str = ""
 
 
@@ -59,10 +74,14 @@ class Words(Record):
     anchor: str = "start"
 
 
-class Circle(Record):
-    """A circle around the origin of a panel with equal scales."""
+class Disc(Record):
+    """A circle in a panel with equal scales, empty or faintly filled."""
 
+    at: Point
     radius: float
+    colour: str
+    dashes: str = ""
+    filled: bool = False
 
 
 class Rule(Record):
@@ -93,11 +112,14 @@ class Trace(Record):
     name: str = ""
 
 
-Shape = Areas | Curve | Words | Circle | Rule | Frame | Straight | Trace
+Shape = Areas | Tiles | Dots | Curve | Words | Disc | Rule | Frame | Straight | Trace
 
 
 class Panel(Record):
-    """One pair of axes; its shapes are made when it is drawn. ``told`` says what is seen."""
+    """One pair of axes; its shapes are made when it is drawn. ``told`` says what is seen.
+
+    Without ``axes`` the two scales only say what is within.
+    """
 
     title: str
     x: Scale
@@ -106,6 +128,7 @@ class Panel(Record):
     told: str = ""
     width: int = 420
     height: int = 350
+    axes: bool = True
 
 
 class Figure(Record):
@@ -128,13 +151,30 @@ class Figure(Record):
 
 def powers(low: int, high: int, step: int = 1) -> list[tuple[float, str]]:
     """Marks at powers of ten."""
-    table = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-    return [(10.0**n, f"10{str(n).translate(table)}") for n in range(low, high + 1, step)]
+    return [(10.0**n, ten(n)) for n in range(low, high + 1, step)]
+
+
+def ten(exponent: int) -> str:
+    """A power of ten as people write it."""
+    digits = str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    return f"10{digits}"
 
 
 def marks(*texts: str) -> list[tuple[float, str]]:
     """Marks at these numbers."""
     return [(float(Fraction(text)), text.replace("-", "−")) for text in texts]
+
+
+#: How far round marks are apart, in powers of ten.
+STEPS = (Fraction(2), Fraction(1), Fraction(1, 2), Fraction(1, 5))
+
+
+def round_marks(low: Fraction, high: Fraction, steps: int = 3) -> list[tuple[float, str]]:
+    """Marks at multiples of 1, 2 or 5 times a power of ten, so that there are so many steps."""
+    unit = Fraction(10) ** floor(log10(high - low))
+    step = next(unit * part for part in STEPS if unit * part * steps <= high - low)
+    count = range(ceil(low / step), floor(high / step) + 1)
+    return [(float(k * step), exact_number(k * step)) for k in count]
 
 
 def corners(boxes: Iterable[tuple[tuple[Fraction, Fraction], ...]]) -> list[Corners]:

@@ -8,7 +8,7 @@ tightly than a product. Signs of print (``≤``, ``·``, ``√``, ``x²``, ``ψ`
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import reduce
 from itertools import accumulate
@@ -584,8 +584,3 @@ def term_text(term: Term) -> str:
 def claim_text(claim: Claim) -> str:
     """The text that `read_claims` reads as this claim alone."""
     return f"{term_text(claim.lhs)} {claim.relation} {term_text(claim.rhs)}"
-
-
-def known_names(names: Collection[str]) -> Names:
-    """Names that stand for themselves."""
-    return Names({name: name for name in names})

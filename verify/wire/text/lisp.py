@@ -10,17 +10,7 @@ from functools import reduce
 from itertools import pairwise
 
 from verify.language import terms
-from verify.language.terms import (
-    Claim,
-    Term,
-    as_term,
-    exp,
-    log,
-    maximum,
-    minimum,
-    pi,
-    sqrt,
-)
+from verify.language.terms import Claim, Term, as_term, exp, log, maximum, minimum, pi, sqrt
 from verify.wire.inputs import InputError, nearest, rational, shown
 from verify.wire.text.letters import FUNCTIONS
 

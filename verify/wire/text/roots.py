@@ -104,11 +104,7 @@ def _sign(term: Term, *, positive: bool) -> Claim:
 
 
 def _narrow(
-    name: str,
-    term: Term,
-    x: str,
-    between: tuple[Fraction, Fraction],
-    known: Mapping[str, float],
+    name: str, term: Term, x: str, between: tuple[Fraction, Fraction], known: Mapping[str, float]
 ) -> tuple[Fraction, Fraction, bool]:
     """Ends with few decimals around a change of sign, and whether the term rises there.
 

@@ -37,10 +37,7 @@ def _lines(statement: Statement) -> Iterator[str]:
     if statement.theorem != statement.title:
         yield f"theorem = {_text(statement.theorem)}"
     cites = {
-        cite.name: {
-            "theorem": cite.theorem,
-            "statement_sha256": sha256(cite.content).hexdigest(),
-        }
+        cite.name: {"theorem": cite.theorem, "statement_sha256": sha256(cite.content).hexdigest()}
         for cite in statement.cites
     }
     yield from _table("cites", cites)
@@ -194,11 +191,7 @@ def _row(row: Obligation, homes: Mapping[str, str], parents: Mapping[str, str | 
 
 
 def _always(claim: Always) -> dict[str, Any]:
-    return {
-        "always": claim.context,
-        "start": _values(claim.start),
-        "next": _values(claim.next),
-    }
+    return {"always": claim.context, "start": _values(claim.start), "next": _values(claim.next)}
 
 
 def _values(values: Mapping[str, Term]) -> dict[str, str]:

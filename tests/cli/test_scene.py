@@ -108,6 +108,16 @@ BAD = {
     "unknown-e": (GOOD.replace("r =", "e ="), "'e' is not known (do you mean r?)"),
     "unlike-any": (GOOD + "xyz = 2\n", "'xyz' is not known; a parameter"),
     "comma": (GOOD.replace("0.03", "0,05"), "; write r = 0.05, with a decimal point"),
+    "comma-in-a-list": (GOOD.replace("-1.006", "-1,006"), "; write -1.006, with a decimal point"),
+    "no-quotes": (GOOD + "time_unit = s\n", '; write time_unit = "s", in quotes'),
+    "family": (GOOD.replace("0.03", '"0.01..0.09"'), "is a family of scenes; add --sample N, or "),
+    "walls": (GOOD + "walls = 2\n", "'walls' is not part of the model: smooth spheres without"),
+    "gravity": (GOOD + "gravity = 9.81\n", "'gravity' is not part of the model"),
+    "rotation": (GOOD + "rotation = [0, 1, 0]\n", "'rotation' is not part of the model"),
+    "metres": (
+        GOOD.replace("501/500", "1/2"),
+        "has to be at least 1, in diameters; if your lengths are in metres, write diameter = 0.02",
+    ),
     "percent": (GOOD.replace("0.03", "5%"), "; write r = 0.05"),
     "percent-text": (
         GOOD.replace("0.03", '"2.5 %"'),
@@ -505,6 +515,13 @@ def test_a_sample_says_how_likely_a_collapse_is(
     ("words", "why"),
     [
         ((), "is a family of scenes; add --sample N, or --at"),
+        ((), "verify map draws it"),
+        (("--at", "0.04"), "--at: '0.04': write NAME=A for each of h, r, v"),
+        (
+            ("--at", "h=0,001,v=0,3"),
+            "'001': write NAME=A for each of h, r, v, with a decimal point",
+        ),
+        (("--at", "h=1,r=0.03,v=0"), "--at: h=1 is not in 0..0.1, its interval in "),
         (("--at", "h=1"), "--at: r is missing"),
         (("--at", "h=1,h=2"), "write NAME=A once for each of h, r, v"),
         (("--at", "q=1"), "write NAME=A once for each of h, r, v"),

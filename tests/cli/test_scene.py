@@ -454,7 +454,7 @@ def test_a_folder_becomes_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert 0 < float(rows[1]["time_low"]) < float(rows[1]["time_high"])
     assert (rows[2]["collisions"], rows[2]["energy_lost_high"]) == ("0", "0")
     assert rows[3]["event_time_low"] == rows[3]["event_time_high"] == "1"
-    assert out.split()[-2:] == ["scenes", "4"]
+    assert out.split()[-2:] == ["all", "4"]
     assert run(capsys, made, "--csv", tmp_path / "again.csv", "--jobs", 2)[:2] == (code, out)
     assert (tmp_path / "again.csv").read_bytes() == table.read_bytes()
 
@@ -490,7 +490,9 @@ def test_a_sample_says_how_likely_a_collapse_is(
     code, out, err = run(capsys, *words, "--csv", table)
     assert (code, err) == (0, "")
     sides = ["  h in [0, 0.1]", "  r in [0.01, 0.1]", "  v in [-0.1, 0.1]"]
-    assert out.splitlines()[:4] == ["60 random points, seed 5; uniform are", *sides]
+    assert out.splitlines()[:4] == ["60 random points, seed 5; uniform and independent are", *sides]
+    assert "verdict    reason                 scenes      share" in out
+    assert "where what is undecided counts as both:\n  infinitely many collisions: [" in out
     assert run(capsys, *words, "--jobs", 2)[1] == out
     code, text, _ = run(capsys, *words, "--json", "--confidence", "99%")
     document = json.loads(text, parse_float=lambda text: pytest.fail(f"a float: {text}"))

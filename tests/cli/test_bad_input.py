@@ -129,6 +129,8 @@ def test_numbers(option: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["stress", "--out", "empty"], "--out: "),
         (["bench", "--nonsense"], "'--nonsense' is no option; see verify bench --help"),
         (["theorem1", "--r"], "--r: its value is missing"),
+        ([PARTING], f"write one before it: scene {PARTING}"),
+        (["words.json"], "write one before it: prove words.json"),
         (["teorem1"], "is not a command; write one of"),
         ([], "no command; write one of"),
     ],

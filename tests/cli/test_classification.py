@@ -86,6 +86,22 @@ def test_at_one_r(capsys: pytest.CaptureFixture[str]) -> None:
     assert "not excluded, with a final -cos θ not below that bound" in out
 
 
+@pytest.mark.parametrize(
+    ("r", "last"),
+    [
+        ("0.05572809", "not below that bound"),  # 9-4√5 = 0.0557280900008…
+        ("0.0557280901", "tend to 0 in it, as on a line"),
+        ("0.0717", "tend to 0 in it, as on a line"),
+        ("0.08", "or a triple contact"),
+    ],
+)
+def test_what_is_said_of_one_r_stands_last(
+    capsys: pytest.CaptureFixture[str], r: str, last: str
+) -> None:
+    _, out, _ = run(capsys, "--r", r)
+    assert " ".join(out.split()).endswith(last)
+
+
 def test_too_much_work_is_undecided(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -108,6 +108,16 @@ BAD = {
     "unknown-e": (GOOD.replace("r =", "e ="), "'e' is not known (do you mean r?)"),
     "unlike-any": (GOOD + "xyz = 2\n", "'xyz' is not known; a parameter"),
     "comma": (GOOD.replace("0.03", "0,05"), "; write r = 0.05, with a decimal point"),
+    "comma-in-a-list": (GOOD.replace("-1.006", "-1,006"), "; write -1.006, with a decimal point"),
+    "no-quotes": (GOOD + "time_unit = s\n", '; write time_unit = "s", in quotes'),
+    "family": (GOOD.replace("0.03", '"0.01..0.09"'), "is a family of scenes; add --sample N, or "),
+    "walls": (GOOD + "walls = 2\n", "'walls' is not part of the model: smooth spheres without"),
+    "gravity": (GOOD + "gravity = 9.81\n", "'gravity' is not part of the model"),
+    "rotation": (GOOD + "rotation = [0, 1, 0]\n", "'rotation' is not part of the model"),
+    "metres": (
+        GOOD.replace("501/500", "1/2"),
+        "has to be at least 1, in diameters; if your lengths are in metres, write diameter = 0.02",
+    ),
     "percent": (GOOD.replace("0.03", "5%"), "; write r = 0.05"),
     "percent-text": (
         GOOD.replace("0.03", '"2.5 %"'),
@@ -472,7 +482,7 @@ def test_a_folder_becomes_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert 0 < float(rows[1]["time_low"]) < float(rows[1]["time_high"])
     assert (rows[2]["collisions"], rows[2]["energy_lost_high"]) == ("0", "0")
     assert rows[3]["event_time_low"] == rows[3]["event_time_high"] == "1"
-    assert out.split()[-2:] == ["scenes", "4"]
+    assert out.split()[-2:] == ["all", "4"]
     assert run(capsys, made, "--csv", tmp_path / "again.csv", "--jobs", 2)[:2] == (code, out)
     assert (tmp_path / "again.csv").read_bytes() == table.read_bytes()
 
@@ -508,7 +518,9 @@ def test_a_sample_says_how_likely_a_collapse_is(
     code, out, err = run(capsys, *words, "--csv", table)
     assert (code, err) == (0, "")
     sides = ["  h in [0, 0.1]", "  r in [0.01, 0.1]", "  v in [-0.1, 0.1]"]
-    assert out.splitlines()[:4] == ["60 random points, seed 5; uniform are", *sides]
+    assert out.splitlines()[:4] == ["60 random points, seed 5; uniform and independent are", *sides]
+    assert "verdict    reason                 scenes      share" in out
+    assert "where what is undecided counts as both:\n  infinitely many collisions: [" in out
     assert run(capsys, *words, "--jobs", 2)[1] == out
     code, text, _ = run(capsys, *words, "--json", "--confidence", "99%")
     document = json.loads(text, parse_float=lambda text: pytest.fail(f"a float: {text}"))
@@ -533,6 +545,13 @@ def test_a_sample_says_how_likely_a_collapse_is(
     ("words", "why"),
     [
         ((), "is a family of scenes; add --sample N, or --at"),
+        ((), "verify map draws it"),
+        (("--at", "0.04"), "--at: '0.04': write NAME=A for each of h, r, v"),
+        (
+            ("--at", "h=0,001,v=0,3"),
+            "'001': write NAME=A for each of h, r, v, with a decimal point",
+        ),
+        (("--at", "h=1,r=0.03,v=0"), "--at: h=1 is not in 0..0.1, its interval in "),
         (("--at", "h=1"), "--at: r is missing"),
         (("--at", "h=1,h=2"), "write NAME=A once for each of h, r, v"),
         (("--at", "q=1"), "write NAME=A once for each of h, r, v"),

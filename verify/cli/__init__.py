@@ -102,7 +102,10 @@ def _dispatch(words: list[str]) -> int:
         return 0
     if name not in COMMANDS:
         if name.endswith(INPUTS):
-            raise InputError(f"{shown(name)} is not a command; write one before it: prove {name}")
+            before = "scene" if _is_scene(name) else "prove"
+            raise InputError(
+                f"{shown(name)} is not a command; write one before it: {before} {name}"
+            )
         raise InputError(f"{shown(name)} is not a command; write one of: {known}")
     command = import_module(f"verify.cli.{name}")
     parser = Parser(f"verify {name}", command.__doc__ or "", command.USAGE)
@@ -111,6 +114,17 @@ def _dispatch(words: list[str]) -> int:
         print(parser.help(width()))
         return 0
     return int(command.run(options))
+
+
+def _is_scene(path: str) -> bool:
+    """Whether a file has positions of particles, as scenes have and statements do not."""
+    from verify.wire.inputs import regular_file  # loaded only where it is used
+
+    try:
+        content = regular_file(path, 1 << 20)
+    except (OSError, ValueError):
+        return False
+    return any(line.lstrip().startswith(b"positions") for line in content.splitlines())
 
 
 def _help() -> str:

@@ -34,10 +34,10 @@ def run(options: Options) -> int:
     document, text = classification_document(outcome), []
     if options.verbose:
         text += [*meaning_lines(MEANING, PAPER), ""]
+    text += theorem_lines(outcome, PAPER)
     if found is not None:
         document |= restitution_document(found)
-        text += [*restitution_lines(found), ""]
-    text += theorem_lines(outcome, PAPER)
+        text += ["", *restitution_lines(found)]
     if verdict != outcome.verdict:
         document |= {"verdict": verdict, "headline": verdict}
         text += [f"{verdict.capitalize()}: the longest run at this r"]

@@ -158,7 +158,7 @@ def _write_tables(options: Options, found: Fate, judge: str) -> None:
 
 def _text(found: Fate, judge: str, options: Options) -> list[str]:
     known = told(found)
-    lines = [*known.lines, *filter(None, [given_line(known, judge)])]
+    lines = [*known.lines, *filter(None, [known.degrees, given_line(known, judge)])]
     if not options.verbose:
         return lines
     return [*collision_table(steps(found), known.bits), "", *lines]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections import Counter
 from fractions import Fraction
 from functools import partial
@@ -11,6 +12,7 @@ from verify.cli.files import print_document, read_bytes, write_file
 from verify.cli.options import Options, leave_out
 from verify.cli.steps import in_order, watched
 from verify.cli.terminal import show
+from verify.prover.decimals import exact_number
 from verify.prover.ground import FLINT
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Budget, decide_scene
 from verify.spheres.scene.families import Family, read_family
@@ -34,6 +36,13 @@ def scene_at(options: Options) -> Scene:
     missing = sorted(family.sides.keys() - values.keys())
     if missing:
         raise InputError(f"--at: {missing[0]} is missing; write {missing[0]}=A too")
+    for name, (low, high) in family.sides.items():
+        if not low <= values[name] <= high:
+            ends = f"{exact_number(low)}..{exact_number(high)}"
+            raise InputError(
+                f"--at: {name}={exact_number(values[name])} is not in {ends}, its interval in "
+                f"{options.scene}; write a number in it"
+            )
     return family.at(values)
 
 
@@ -45,11 +54,18 @@ def point_in(option: str, text: str, each: str = "each parameter") -> dict[str, 
     """
     values: dict[str, Fraction] = {}
     for word in text.split(","):
-        name, _, number = word.partition("=")
+        name, sign, number = word.partition("=")
+        if not sign:
+            raise InputError(f"{option}: {shown(word)}: write NAME=A for {each}{_decimal(text)}")
         if name in values:
             raise InputError(f"{option}: {shown(word)}: write NAME=A once for {each}")
         values[name] = rational(option, number)
     return values
+
+
+def _decimal(text: str) -> str:
+    """A remark on a comma between digits, which was probably meant as a decimal point."""
+    return ", with a decimal point" if re.search(r"=-?[0-9]+,[0-9]", text) else ""
 
 
 def run_sample(options: Options, limits: Budget, jobs: int) -> int:

@@ -89,6 +89,11 @@ def restitution_lines(found: AtR) -> Iterator[str]:
         yield "  no collapse: finitely many collisions, or a triple contact"
     else:
         yield "  a collapse is not excluded, with a final -cos θ not below that bound"
+        if found.comes_to_rest:
+            yield (
+                "  as r > 9-4√5, both velocities relative to the middle ball tend to 0 in it, as "
+                "on a line"
+            )
 
 
 def classification_document(outcome: Outcome) -> dict[str, Any]:

@@ -66,6 +66,7 @@ class AtR(Record):
     ``excluded``: three equal balls have no collapse, and finitely many collisions. ``longest``: the
     largest number of collisions of a run in which one ball meets two others in turn; None if there
     is no largest one, or where ``undecided`` says that the work did not suffice to find it.
+    ``comes_to_rest``: in a collapse both velocities relative to the middle ball tend to 0.
     """
 
     r: Fraction
@@ -73,6 +74,7 @@ class AtR(Record):
     excluded: bool
     longest: int | None
     undecided: bool
+    comes_to_rest: bool
 
 
 class Complex(Record):

@@ -66,9 +66,10 @@ def counts_of(rows: Iterable[Cells]) -> list[str]:
 
 def _count_lines(counts: Mapping[tuple[str, str], int]) -> Iterator[str]:
     total = sum(counts.values())
+    yield f"{'verdict':<11}{'reason':<21}{'scenes':>8}  {'share':>9}"
     for (verdict, reason), count in _ordered(counts):
         yield f"{verdict:<11}{reason:<21}{count:>8}  {100 * count / total:7.3f} %"
-    yield f"{'scenes':<32}{total:>8}"
+    yield f"{'all':<32}{total:>8}"
 
 
 def _ordered(counts: Mapping[tuple[str, str], int]) -> list[tuple[tuple[str, str], int]]:
@@ -117,7 +118,8 @@ def sample_document(
 
 def sample_lines(document: Mapping[str, Any]) -> Iterator[str]:
     """A sample for a reader."""
-    yield f"{document['sample']} random points, seed {document['seed']}; uniform are"
+    drawn = f"{document['sample']} random points, seed {document['seed']}"
+    yield f"{drawn}; uniform and independent are"
     for name, ends in document["parameters"].items():
         low, high = (exact_number(Fraction(end)) for end in ends)
         yield f"  {name} in [{low}, {high}]"
@@ -126,6 +128,7 @@ def sample_lines(document: Mapping[str, Any]) -> Iterator[str]:
     counts = {(one["verdict"], one["reason"]): one["count"] for one in document["counts"]}
     yield from _count_lines(counts)
     level = exact_number(100 * Fraction(document["confidence"]))
-    yield f"with a confidence of at least {level} % (Clopper-Pearson):"
+    yield f"share of the family, with a confidence of at least {level} % (Clopper-Pearson),"
+    yield "where what is undecided counts as both:"
     for name, (low, high) in document["shares"].items():
-        yield f"  {name.replace('_', ' ')} collisions: a share in [{low}, {high}]"
+        yield f"  {name.replace('_', ' ')} collisions: [{low}, {high}]"

@@ -16,7 +16,7 @@ from verify.prover import balls
 from verify.spheres.flow.pairs import PARTING, PASSING
 from verify.spheres.scene.decide import COLLAPSES, DISPERSES, UNDECIDED, Budget, decide_scene
 from verify.spheres.scene.scene import PAIRS, Coordinates, Scene
-from verify.spheres.scene.verdict import scene_lines, time_ends
+from verify.spheres.scene.verdict import degrees, scene_lines, time_ends
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -190,3 +190,19 @@ def test_exact_events_against_a_simulation() -> None:
             assert all(abs(gaps[pair]) < small for pair in found.event.pairs)
             assert all(gap > -small for gap in gaps.values())
     assert set(names) == {"triple-contact", "grazing"}
+
+
+@pytest.mark.parametrize(
+    ("neg_cos", "says"),
+    [
+        ((Fraction(1), Fraction(1)), "final θ = 180°"),
+        ((Fraction(95115, 100000), Fraction(1)), "final θ between 162.01° and 180°"),
+        # arccos(-1/2) is 120° and arccos(0) is 90°, which no ball has exactly
+        ((Fraction(0), Fraction(1, 2)), "final θ between 89.99° and 120.1°"),
+        ((Fraction(4, 5), Fraction(4, 5)), "final θ between 143.13"),
+    ],
+)
+def test_the_angle_in_degrees_is_rounded_outward(
+    neg_cos: tuple[Fraction, Fraction], says: str
+) -> None:
+    assert degrees(neg_cos).startswith(says)

@@ -66,6 +66,13 @@ def test_what_is_no_family_is_said(old: str, new: str, why: str) -> None:
         family(TEXT.replace(old, new)).at(point)
 
 
+@pytest.mark.parametrize("top", ["", "r = 0.03\n"])
+def test_r_below_the_parameters_is_sent_to_the_top(top: str) -> None:
+    text = top + TEXT.partition("\n")[2] + 'r = "0.01..0.09"\n'
+    with pytest.raises(InputError, match=r"f: r: stands below \[parameters\]; write it at the top"):
+        family(text)
+
+
 def test_points_depend_on_the_seed_alone() -> None:
     first, again, other = (list(draw(family(), 5, seed)) for seed in (1, 1, 2))
     assert first == again

@@ -40,7 +40,11 @@ def claimed_classification() -> Outcome:
 
 
 def at_restitution(r: Fraction) -> AtR:
-    """What the theorems say for 0 < r < 1; all but the enclosure is exact."""
+    """What the theorems say for 0 < r < 1; all but the enclosure is exact.
+
+    With t^3 = r the bound of glue-second, 2t(1+t)/(1+r), exceeds 1 just if t^2 - 3t + 1 < 0: for
+    r > 9-4√5, which is a root of r^2 - 18r + 1.
+    """
     from verify.prover import balls  # flint is loaded only where it is used
 
     excluded = r**2 - 14 * r + 1 < 0
@@ -48,7 +52,8 @@ def at_restitution(r: Fraction) -> AtR:
         root = balls.root(balls.from_fraction(r))
         least = balls.ends(4 * root / balls.from_fraction(1 + r))
     longest = longest_run(r) if excluded else None
-    return AtR(r, least, excluded, longest, excluded and longest is None)
+    comes_to_rest = r**2 - 18 * r + 1 < 0
+    return AtR(r, least, excluded, longest, excluded and longest is None, comes_to_rest)
 
 
 def verdict_at(outcome: Outcome, found: AtR | None) -> str:

@@ -30,6 +30,7 @@ from verify.spheres.scene.scene_files import (
     LABELS,
     MASSES,
     OPTIONAL,
+    R_AT_THE_TOP,
     RADII,
     number_in,
     scene_from,
@@ -115,7 +116,7 @@ def read_family(where: str, content: bytes) -> Family:
     sides = {name: _side(where, name, text) for name, text in given.items()}
     if isinstance(table["r"], str) and ".." in table["r"]:
         if "r" in sides:
-            raise InputError(f"{where}: r: has an interval twice; write it once")
+            raise InputError(f"{where}: r: has an interval twice; write it once, at the top")
         sides["r"] = _side(where, "r", table["r"])
         table["r"] = "r"
     if len(sides) > MAX_PARAMETERS:
@@ -143,6 +144,8 @@ def _used(family: Family) -> None:
     texts = " ".join(str(family.table.get(key)) for key in (*KEYS, *OPTIONAL))
     names = {*re.findall(r"[A-Za-z]\w*", texts)}
     unused = sorted(family.sides.keys() - names)
+    if unused == ["r"]:
+        raise InputError(f"{family.where}: r: {R_AT_THE_TOP}")
     if unused:
         raise InputError(
             f"{family.where}: the parameter {unused[0]} does not occur in r, positions or "

@@ -35,10 +35,19 @@ OPTIONAL = (DIAMETER, MASSES, RADII)
 #: Texts that are told with a scene.
 LABELS = Labels._fields
 MAX_LABEL = 80
+#: What people ask for, and what these spheres do not have.
+NO_PHYSICS = frozenset(
+    ("box", "force", "forces", "friction", "gravity", "rotation", "spin", "spins", "wall", "walls")
+)
 #: A number with a unit of length, or of speed: ``2 cm``, ``0.5 m/s``.
 _QUANTITY = r"([+-]?[0-9]+(?:\.[0-9]+|/[0-9]+)?) ?((?!e[0-9]|pi|deg|rad)[a-zµμ]+)(?:/([a-z]+))?"
 MAX_DIMENSION = 20
 MAX_BYTES = 1 << 20
+
+
+R_AT_THE_TOP = (
+    'stands below [parameters]; write it at the top, also as an interval: r = "0.01..0.09"'
+)
 
 
 class OverlapError(InputError):
@@ -110,14 +119,24 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
         why = " ".join(str(error).split()) if is_text else "it is not UTF-8"
         meant = (_meant_line(content) if is_text else None) or ", ".join(KEYS)
         raise InputError(f"{where}: is no TOML file ({why}); write {meant}") from error
-    if "parameters" in table and not more:
+    is_family = "parameters" in table or ".." in str(table.get("r"))
+    if is_family and not more:
         raise InputError(
-            f"{where}: is a family of scenes; add --sample N, or --at for one of them: --at NAME=A"
+            f"{where}: is a family of scenes; add --sample N, or --at for one of them: --at "
+            "NAME=A; verify map draws it"
         )
     odd = sorted((table.keys() - {*more, *OPTIONAL, *LABELS}) ^ {*KEYS})
     if odd:
+        below = table.get("parameters")
+        if odd[0] == "r" and isinstance(below, dict) and "r" in below:
+            raise InputError(f"{where}: r: {R_AT_THE_TOP}")
         if odd[0] in KEYS:
             raise InputError(f"{where}: {shown(odd[0])} is missing; write {', '.join(KEYS)}")
+        if odd[0].lower() in NO_PHYSICS:
+            raise InputError(
+                f"{where}: {shown(odd[0])} is not part of the model: smooth spheres without spin, "
+                "walls or forces, and one r; leave it out"
+            )
         others = ", ".join([*OPTIONAL, *LABELS])
         raise InputError(
             f"{where}: {shown(odd[0])} is not known{_meant_key(odd[0], table)}; a parameter stands "
@@ -137,7 +156,7 @@ def _meant_key(odd: str, table: dict[str, Any]) -> str:
 
 
 def _meant_line(content: bytes) -> str | None:
-    """The first line of the form ``r = 0,05`` or ``r = 5%``, as it was meant; None without one."""
+    """What was meant by ``r = 0,05``, ``r = 5%``, ``time_unit = s`` or ``[0,05, 1]``; or None."""
     comma, percent = (
         re.search(rb"^[ \t]*(\w+)[ \t]*=[ \t]*" + number + rb"[ \t\r]*$", content, re.MULTILINE)
         for number in (rb"(-?\d+),(\d+)", rb"(\d{1,9}(?:\.\d{1,9})?)[ \t]*%")
@@ -148,6 +167,19 @@ def _meant_line(content: bytes) -> str | None:
     if percent is not None:
         name, number = (part.decode() for part in percent.groups())
         return f"{name} = {hundredth(number)}"
+    names = "|".join(LABELS).encode()
+    label = re.search(
+        rb"^[ \t]*(" + names + rb")[ \t]*=[ \t]*([A-Za-z][^\"'#\n]*?)[ \t\r]*$",
+        content,
+        re.MULTILINE,
+    )
+    if label is not None:
+        name, word = (part.decode() for part in label.groups())
+        return f'{name} = "{word}", in quotes'
+    among = re.search(rb"[\[,][ \t]*(-?\d+),(0\d+)[ \t]*[\],]", content)  # no number begins with 0
+    if among is not None:
+        whole, digits = (part.decode() for part in among.groups())
+        return f"{whole}.{digits}, with a decimal point"
     return None
 
 
@@ -270,7 +302,11 @@ def _same_dimension(where: str, vectors: Mapping[str, Sequence[Sequence[Fraction
 def _apart(where: str, scene: Scene, unit: Fraction) -> None:
     """Afterwards no two particles overlap."""
     length = scene.labels.length_unit or exact_number(unit)
-    diameters = f", in diameters of {length}" if unit != 1 else ""
+    diameters = ""
+    if unit != 1:
+        diameters = f", in diameters of {length}"
+    elif scene.bodies is None:
+        diameters = ", in diameters; if your lengths are in metres, write diameter = 0.02, say"
     given = coordinates(scene, Fraction)
     for i, j in PAIRS:
         gap, _, _ = given.pair(i, j)

@@ -18,6 +18,8 @@ from verify.spheres.scene.energy import energy_lost, normal_speeds
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.telling import CLASSIFICATION
 
+#: Bits of an angle in degrees, of which at most 60 digits are shown.
+ANGLE_BITS = 512
 #: How the theorems on collapses are called.
 WORDS = {
     LINE: "theorem on a line",
@@ -30,7 +32,8 @@ class Told(Record):
     """What is told of a scene; ``time`` and ``angle`` enclose those of a collapse.
 
     ``reason`` is a name, and ``says`` tells it; ``event`` encloses the time of what is known to
-    happen although it is no verdict; ``energy`` encloses what all collisions take.
+    happen although it is no verdict; ``energy`` encloses what all collisions take; ``degrees`` is
+    the angle of a collapse for a reader, empty without one.
     """
 
     scene: Scene
@@ -49,6 +52,7 @@ class Told(Record):
     energy: tuple[Fraction, Fraction]
     impacts: Sequence[Impact]
     lines: Sequence[str]
+    degrees: str
 
 
 class Impact(Record):
@@ -89,6 +93,7 @@ def told(found: Fate) -> Told:
         energy_lost(found),
         list(impacts(found)),
         list(scene_lines(found)),
+        "" if end is None else degrees(end.angle),
     )
 
 
@@ -197,6 +202,23 @@ def scene_lines(found: Fate) -> Iterator[str]:
         unit = labels.length_unit
         in_diameters = found.flow.scene.is_in_diameters
         yield f"lengths are in diameters, each {unit}" if in_diameters else f"lengths are in {unit}"
+
+
+def degrees(neg_cos: tuple[Fraction, Fraction]) -> str:
+    """The angle between two values of -cos; rounded outward."""
+    least, most = (_angle(min(end, Fraction(1))) for end in neg_cos)
+    low, high = shown_ends((least[0], min(most[1], Fraction(180))))
+    return f"final θ = {low}°" if low == high else f"final θ between {low}° and {high}°"
+
+
+def _angle(neg_cos: Fraction) -> tuple[Fraction, Fraction]:
+    """An enclosure of the angle in degrees; it rises with its -cos."""
+    if neg_cos == 1:
+        return Fraction(180), Fraction(180)
+    with balls.precision(ANGLE_BITS):
+        sine = balls.root(balls.from_fraction(1 - neg_cos**2))
+        angle = balls.argument(balls.from_fraction(-neg_cos), sine)
+        return balls.ends(180 * angle / balls.pi())
 
 
 def _event_time(ends: tuple[Fraction, Fraction]) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 import subprocess
 import sys
 from collections import Counter
@@ -365,6 +366,42 @@ def test_the_drawing_is_whole(tmp_path: Path, capsys: pytest.CaptureFixture[str]
         assert len(circles) >= 9
         text = (tmp_path / "scene.svg").read_text()
         assert "nan" not in text
+
+
+ON_A_LINE = """
+r = "0.04"
+diameter = "0.02"
+positions = [["0"], ["0.025"], ["-0.024"]]
+velocities = [["0"], ["-0.3"], ["0.2"]]
+"""
+
+
+@pytest.mark.parametrize("kind", ["svg", "html"])
+def test_a_scene_on_a_line_is_drawn(
+    kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "line.toml"
+    path.write_text(ON_A_LINE)
+    code, out, err = run(capsys, path, "--plot", tmp_path / f"line.{kind}")
+    assert (code, err) == (0, "")
+    assert "collapses" in out
+    assert "collapses" in (tmp_path / f"line.{kind}").read_text()
+
+
+def test_the_bar_of_lengths_fits_into_the_drawing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = ON_A_LINE.replace('diameter = "0.02"', 'radii = ["0.01", "0.01", "0.011"]')
+    path = tmp_path / "metres.toml"
+    path.write_text('length_unit = "m"\n' + text)
+    run(capsys, path, "--plot", tmp_path / "metres.svg")
+    drawing = (tmp_path / "metres.svg").read_text()
+    assert ">0.02 m</text>" in drawing
+    bar = re.search(
+        r'd="M([\d.]+) [\d.]+L([\d.]+) [\d.]+" fill="none" stroke="var\(--ink\)"', drawing
+    )
+    assert bar is not None
+    assert 100 < float(bar[2]) - float(bar[1]) < 200
 
 
 def test_the_animation_needs_nothing_from_outside(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import struct
 import zlib
+from collections import Counter
 from collections.abc import Iterator
 from fractions import Fraction
 
@@ -93,8 +94,8 @@ def png_map(progress: Progress) -> bytes:
     dots = [bytearray(side) for _ in range(side)]
     if is_strip(progress.document) and not progress.due:
         _fill_strip(dots, progress.plane)
-    for key, letter, _ in progress.decided():
-        if len(key) <= FINEST and not is_strip(progress.document):
+    elif not is_strip(progress.document):
+        for key, letter in _whole_dots(progress):
             _fill(dots, key, "ucdf".index(letter), is_bar=is_interval(progress.document))
     rows = b"".join(b"\0" + bytes(row) for row in reversed(dots))
     colours = "ucdf" if area_shares(progress).get("finite") else "ucd"
@@ -103,6 +104,18 @@ def png_map(progress: Progress) -> bytes:
     data = zlib.compress(rows, 9)
     blocks = ((b"IHDR", header), (b"PLTE", palette), (b"IDAT", data), (b"IEND", b""))
     return b"\x89PNG\r\n\x1a\n" + b"".join(_block(kind, data) for kind, data in blocks)
+
+
+def _whole_dots(progress: Progress) -> Iterator[tuple[str, str]]:
+    """The boxes that are not smaller than a dot; and dots that smaller ones of a kind fill."""
+    parts, deepest = len(progress.digits), progress.level
+    filled: Counter[tuple[str, str]] = Counter()
+    for key, letter, _ in progress.decided():
+        if len(key) <= FINEST:
+            yield key, letter
+        else:
+            filled[key[:FINEST], letter] += parts ** (deepest - len(key))
+    yield from (dot for dot, count in filled.items() if count == parts ** (deepest - FINEST))
 
 
 def _fill(dots: list[bytearray], key: str, colour: int, *, is_bar: bool) -> None:

@@ -210,6 +210,13 @@ def test_the_table_has_a_line_for_each_collision(capsys: pytest.CaptureFixture[s
     assert pairs == ["01", "02"] * (len(pairs) // 2) + ["01"] * (len(pairs) % 2)
 
 
+def test_the_columns_of_the_table_never_run_together(capsys: pytest.CaptureFixture[str]) -> None:
+    _, out, _ = run(capsys, SCENES / "nearly-aligned.toml", "--digits", "12", "-v")
+    lines = [line for line in out.splitlines() if line[:1].isdigit()]
+    assert len(lines) > 10
+    assert {len(line.split()) for line in lines} == {8}
+
+
 def test_a_certificate_is_accepted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     code, out, err = run(capsys, SCENES / "parting.toml", "--out", tmp_path / "out")
     assert (code, err) == (0, "")

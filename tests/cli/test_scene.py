@@ -9,6 +9,7 @@ import subprocess
 import sys
 from collections import Counter
 from collections.abc import Callable
+from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -514,6 +515,19 @@ velocities = [[0, 0], [-1.4, 0], ["7/10", "v - h"]]
 h = "0..0.1"
 v = "-0.1..0.1"
 """
+
+
+def test_a_sample_has_the_digits_that_are_asked_for(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, table = written(tmp_path, FAMILY), tmp_path / "sample.csv"
+    assert run(capsys, path, "--sample", 12, "--digits", 8, "--csv", table)[0] == 0
+    with table.open(newline="") as file:
+        rows = [row for row in csv.DictReader(file) if row["time_low"]]
+    assert rows
+    for row in rows:
+        low, high = (Fraction(row[f"time_{end}"]) for end in ("low", "high"))
+        assert high - low < low / 10**7
 
 
 def test_a_sample_says_how_likely_a_collapse_is(

@@ -54,7 +54,7 @@ def point_in(option: str, text: str, each: str = "each parameter") -> dict[str, 
 
 def run_sample(options: Options, limits: Budget, jobs: int) -> int:
     """Decide random points of a family, and print how many there are of each kind."""
-    others = ("plot", "verbose", "trajectory", "out", "at", "digits")
+    others = ("plot", "verbose", "trajectory", "out", "at")
     leave_out(options, others, "leave it out with --sample")
     count = integer("--sample", options.sample, 1, MAX_SAMPLE)
     seed = integer("--seed", options.seed, 0, MAX_SEED)

@@ -82,6 +82,16 @@ def test_the_middle_of_a_box_has_its_verdict(folder: Path) -> None:
     assert {one for one, _ in seen} >= {"undecided"}
 
 
+def test_times_of_middles_are_narrower_than_any_colour(folder: Path) -> None:
+    ends = [
+        (Fraction(row["time_low"]), Fraction(row["time_high"]))
+        for row in rows_of(folder / "map.csv")
+        if row["time_low"]
+    ]
+    assert len(ends) > 10
+    assert all(high - low < low / 10**5 for low, high in ends)
+
+
 def test_boxes_fill_the_plane_wherever_a_map_was_left() -> None:
     progress = Progress(Phi(Fraction(3, 100), Fraction(1)))
     with workers(1, None) as staff:

@@ -142,8 +142,8 @@ def test_the_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for name in ("map.jsonl", "map.json", "map.svg", "map.png"):
         assert (tmp_path / "other" / name).read_bytes() == files[name]
     words = ["".join(item.itertext()) for item in image.iter() if item.tag.endswith("text")]
-    assert {"0", "0.125", "0.5", "0.0625", "boxes looked at"} <= set(words)
-    assert "10²" in words
+    assert {"0", "0.1", "0.5", "0.05"} <= set(words)
+    assert "boxes looked at" not in words  # which is for those who look at boxes
     for part in (image, *image.iterfind("{*}g")):  # the words above, and the panels
         texts = [text for text in part.iterfind("{*}text") if "x" in text.attrib]
         assert len(texts) > 1
@@ -157,7 +157,10 @@ def test_the_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     command[command.index("4%")] = "3%"
     assert main([*command, "--show-boxes"]) == 0
     assert (tmp_path / "new/map.jsonl").read_bytes().startswith(files["map.jsonl"])
-    assert (tmp_path / "new/map.svg").read_text(encoding="utf-8").count("M") > 300
+    with_boxes = (tmp_path / "new/map.svg").read_text(encoding="utf-8")
+    assert with_boxes.count("M") > 300
+    assert "boxes looked at" in with_boxes
+    assert ">10²<" in with_boxes
     # Nor is the log of another map overwritten.
     assert main(["map", "phi", "--r", "0.04", "--out", str(tmp_path / "new")]) == 2
     assert "no log of this map" in capsys.readouterr().err

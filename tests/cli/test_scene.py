@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 import subprocess
 import sys
 from collections import Counter
 from collections.abc import Callable
+from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -219,6 +221,13 @@ def test_the_table_has_a_line_for_each_collision(capsys: pytest.CaptureFixture[s
     assert pairs == ["01", "02"] * (len(pairs) // 2) + ["01"] * (len(pairs) % 2)
 
 
+def test_the_columns_of_the_table_never_run_together(capsys: pytest.CaptureFixture[str]) -> None:
+    _, out, _ = run(capsys, SCENES / "nearly-aligned.toml", "--digits", "12", "-v")
+    lines = [line for line in out.splitlines() if line[:1].isdigit()]
+    assert len(lines) > 10
+    assert {len(line.split()) for line in lines} == {8}
+
+
 def test_a_certificate_is_accepted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     code, out, err = run(capsys, SCENES / "parting.toml", "--out", tmp_path / "out")
     assert (code, err) == (0, "")
@@ -405,6 +414,42 @@ def test_the_drawing_is_whole(tmp_path: Path, capsys: pytest.CaptureFixture[str]
         assert "nan" not in text
 
 
+ON_A_LINE = """
+r = "0.04"
+diameter = "0.02"
+positions = [["0"], ["0.025"], ["-0.024"]]
+velocities = [["0"], ["-0.3"], ["0.2"]]
+"""
+
+
+@pytest.mark.parametrize("kind", ["svg", "html"])
+def test_a_scene_on_a_line_is_drawn(
+    kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "line.toml"
+    path.write_text(ON_A_LINE)
+    code, out, err = run(capsys, path, "--plot", tmp_path / f"line.{kind}")
+    assert (code, err) == (0, "")
+    assert "collapses" in out
+    assert "collapses" in (tmp_path / f"line.{kind}").read_text()
+
+
+def test_the_bar_of_lengths_fits_into_the_drawing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = ON_A_LINE.replace('diameter = "0.02"', 'radii = ["0.01", "0.01", "0.011"]')
+    path = tmp_path / "metres.toml"
+    path.write_text('length_unit = "m"\n' + text)
+    run(capsys, path, "--plot", tmp_path / "metres.svg")
+    drawing = (tmp_path / "metres.svg").read_text()
+    assert ">0.02 m</text>" in drawing
+    bar = re.search(
+        r'd="M([\d.]+) [\d.]+L([\d.]+) [\d.]+" fill="none" stroke="var\(--ink\)"', drawing
+    )
+    assert bar is not None
+    assert 100 < float(bar[2]) - float(bar[1]) < 200
+
+
 def test_the_animation_needs_nothing_from_outside(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -508,6 +553,19 @@ velocities = [[0, 0], [-1.4, 0], ["7/10", "v - h"]]
 h = "0..0.1"
 v = "-0.1..0.1"
 """
+
+
+def test_a_sample_has_the_digits_that_are_asked_for(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, table = written(tmp_path, FAMILY), tmp_path / "sample.csv"
+    assert run(capsys, path, "--sample", 12, "--digits", 8, "--csv", table)[0] == 0
+    with table.open(newline="") as file:
+        rows = [row for row in csv.DictReader(file) if row["time_low"]]
+    assert rows
+    for row in rows:
+        low, high = (Fraction(row[f"time_{end}"]) for end in ("low", "high"))
+        assert high - low < low / 10**7
 
 
 def test_a_sample_says_how_likely_a_collapse_is(

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 from fractions import Fraction
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -148,6 +150,12 @@ def test_curves_for_several_r(capsys: pytest.CaptureFixture[str], tmp_path: Path
     assert "\n  0.09  no curve\n" in out
     assert "Verdict: proved: 3 of 3 values of r (judges: " in out
     assert "r = 0.03<" in (tmp_path / "curves.svg").read_text(encoding="utf-8")
+    run(capsys, f"--r 0.01..0.05 --plot {tmp_path}/five.svg")
+    text = (tmp_path / "five.svg").read_text(encoding="utf-8")
+    places = re.findall(r'x="([\d.]+)" y="([\d.]+)"[^>]*>r = 0.0\d<', text)
+    assert len(places) == 5
+    for (x, y), (u, v) in combinations([tuple(map(float, place)) for place in places], 2):
+        assert abs(x - u) > 80 or abs(y - v) > 15  # no name stands on another one
 
 
 @pytest.mark.parametrize(

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ET
+import zlib
 from fractions import Fraction
 from itertools import pairwise
+from types import SimpleNamespace
 
 import pytest
 
@@ -25,6 +27,7 @@ from verify.prover.program import ExactArithmetic, Machine, Program
 from verify.prover.relations import holds
 from verify.views.plots import figures, margins, region, speed
 from verify.views.plots.drawing import HATCHED, SCHEMES, standalone, svg
+from verify.views.plots.map_picture import png_map
 from verify.views.plots.shapes import Curve, Panel, Rule, Scale, Words, marks, merged, powers
 
 
@@ -209,3 +212,22 @@ def test_scales() -> None:
     assert [linear.share(x) for x in (1, 2, 3)] == [0, 0.5, 1]
     assert [logarithmic.share(x) for x in (1, 10, 100)] == [0, 0.5, 1]
     assert powers(-2, 0) == [(0.01, "10⁻²"), (0.1, "10⁻¹"), (1.0, "10⁰")]
+
+
+def test_a_dot_is_undecided_only_where_something_in_it_is() -> None:
+    """Boxes smaller than a dot count together: the first dot is filled, the second half filled."""
+    first, second, rest = "0" * 10, "0" * 9 + "1", ["0" * n + "1" for n in range(9)]
+    letters = {first + "0": "c", first + "10": "c", first + "11": "c", second + "0": "c"}
+    letters |= dict.fromkeys(rest, "d")
+    shares = {"collapses": Fraction(3, 2048), "disperses": Fraction(511, 512), "finite": 0}
+    progress = SimpleNamespace(
+        document={"name": "family", "axes": ["r"], "r": "x"},
+        digits="01",
+        level=12,
+        decided=lambda: ((key, letter, ()) for key, letter in letters.items()),
+        areas=SimpleNamespace(**shares, undecided=Fraction(1, 2048)),
+    )
+    png = png_map(progress)
+    start = png.index(b"IDAT") + 4
+    row = zlib.decompress(png[start : start + int.from_bytes(png[start - 8 : start - 4])])[-1024:]
+    assert row == b"\1\0" + b"\2" * 1022

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -11,6 +12,7 @@ from verify.cli.options import Options
 from verify.language.record import TYPE_CHECKING
 from verify.spheres.map.planes import FamilyPlane, Plane, Through
 from verify.spheres.scene.families import read_family
+from verify.spheres.scene.scene_files import LABELS
 from verify.wire.inputs import InputError
 
 if TYPE_CHECKING:
@@ -67,20 +69,32 @@ def _pictures(options: Options, progress: Progress, pairs: Sequence[Any]) -> dic
     from verify.views.plots.map_colours import COLOURINGS, coloured
 
     table = read_family(options.plane, read_bytes("plane", options.plane)).table
-    length, time = (str(table.get(name, "")) for name in ("length_unit", "time_unit"))
+    time = str(table.get("time_unit", ""))
     plane: Any = progress.plane
     sides = [side for side in (plane.x, plane.y) if side is not None]
     axes: list[tuple[str, Fraction, Fraction]] = [
-        (_with_unit(name, length, time), *side)
+        (with_unit(name, table), *side)
         for name, side in zip(axis_names(progress.document), sides, strict=False)
     ]
     return {f"map-{one.name}.svg": coloured(one, axes, pairs, time).encode() for one in COLOURINGS}
 
 
-def _with_unit(name: str, length: str, time: str) -> str:
-    """The name of an axis, with its unit if it is a place in the scene and the file has units."""
-    if name.startswith("positions") and length:
-        return f"{name} ({length})"
-    if name.startswith("velocities") and length and time:
-        return f"{name} ({length}/{time})"
-    return name
+def with_unit(name: str, table: Mapping[str, Any]) -> str:
+    """The name of an axis, with its unit where the file has units and it is clear which one it is.
+
+    That is a place in the scene, or a parameter that is added to places or to velocities alone.
+    """
+    length, time = (str(table.get(key, "")) for key in ("length_unit", "time_unit"))
+    units = {"positions": length, "velocities": f"{length}/{time}" if length and time else ""}
+    place = name.partition("[")[0]
+    found = [
+        (key, str(cell))
+        for key, given in table.items()
+        if key not in LABELS
+        for cell in re.findall(r"[^\[\],'\"]+", str(given))
+        if re.search(rf"\b{re.escape(name)}\b", cell)
+    ]
+    if place not in units and not any({*"*/("} & {*cell} for _, cell in found):
+        places = {key for key, _ in found}
+        place = places.pop() if len(places) == 1 else ""
+    return f"{name} ({units[place]})" if units.get(place) else name

@@ -70,7 +70,7 @@ def _decimal(text: str) -> str:
 
 def run_sample(options: Options, limits: Budget, jobs: int) -> int:
     """Decide random points of a family, and print how many there are of each kind."""
-    others = ("plot", "verbose", "trajectory", "out", "at", "digits")
+    others = ("plot", "verbose", "trajectory", "out", "at")
     leave_out(options, others, "leave it out with --sample")
     count = integer("--sample", options.sample, 1, MAX_SAMPLE)
     seed = integer("--seed", options.seed, 0, MAX_SEED)

@@ -119,7 +119,10 @@ def plane_line(plane: Plane) -> str:
     if plane["name"] == "family":
         sides = zip(plane["axes"], (plane[name] for name in "xy" if name in plane), strict=True)
         axes = ", ".join(f"{name} in [{low}, {high}]" for name, (low, high) in sides)
-        return f"{axes}; r = {plane['r']}" if isinstance(plane["r"], str) else axes
+        if not isinstance(plane["r"], str):
+            return axes
+        r = dict(zip("xy", plane["axes"], strict=False)).get(plane["r"], plane["r"])
+        return axes if r == "r" else f"{axes}; r = {r}"
     (x_0, x_1), (y_0, y_1) = plane["x"], plane["y"]
     if plane["name"] == "scene":
         x, y = axis_names(plane)

@@ -24,7 +24,7 @@ Step = Any
 UNKNOWN = "?"
 #: An enclosure with a smaller relative width may stand next to a short decimal.
 LESS = Fraction(1, 10**14)
-#: Of the columns of that table.
+#: Of the columns of that table, where no number is longer.
 WIDTHS = (5, 5, 12, 11, 13, 13, 13, 8)
 
 
@@ -76,15 +76,13 @@ def scene_document(told: Told, judge: str) -> dict[str, Any]:
 def collision_table(steps: Iterable[Step], bits: int) -> Iterator[str]:
     """The collisions, a line each: pair, time, normal speed before, and the state just after."""
     heads = ("n", "pair", "time", "speed", "η", "ζ", "q", "-cos θ")
-    yield _in_columns(heads)
     with balls.precision(bits):
-        for n, step in enumerate(steps, 1):
-            yield _in_columns((str(n), step.pair, *_cells(step)))
-
-
-def _in_columns(cells: Iterable[str]) -> str:
-    """A line of the table; 80 columns are enough for all."""
-    return "".join(f"{x:<{w}}" for x, w in zip(cells, WIDTHS, strict=True)).rstrip()
+        found = [(str(n), step.pair, *_cells(step)) for n, step in enumerate(steps, 1)]
+    rows = [heads, *found]
+    longest = (max(map(len, column)) for column in zip(*rows, strict=True))
+    widths = [max(one) for one in zip(WIDTHS, (width + 1 for width in longest), strict=True)]
+    for row in rows:
+        yield "".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True)).rstrip()
 
 
 def _cells(step: Step) -> Iterator[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 from collections import Counter
 from fractions import Fraction
 from itertools import pairwise
@@ -13,6 +14,7 @@ from xml.etree import ElementTree
 import pytest
 
 from verify.cli import main
+from verify.cli.map_boxes import with_unit
 from verify.spheres.map.grow import Target, grow
 from verify.spheres.map.log import Progress
 from verify.spheres.map.middles import boxes
@@ -82,6 +84,16 @@ def test_the_middle_of_a_box_has_its_verdict(folder: Path) -> None:
     assert {one for one, _ in seen} >= {"undecided"}
 
 
+def test_times_of_middles_are_narrower_than_any_colour(folder: Path) -> None:
+    ends = [
+        (Fraction(row["time_low"]), Fraction(row["time_high"]))
+        for row in rows_of(folder / "map.csv")
+        if row["time_low"]
+    ]
+    assert len(ends) > 10
+    assert all(high - low < low / 10**5 for low, high in ends)
+
+
 def test_boxes_fill_the_plane_wherever_a_map_was_left() -> None:
     progress = Progress(Phi(Fraction(3, 100), Fraction(1)))
     with workers(1, None) as staff:
@@ -113,6 +125,33 @@ def test_axes_that_are_places_have_the_units_of_the_file(tmp_path: Path) -> None
     text = (tmp_path / "out" / "map-time.svg").read_text(encoding="utf-8")
     assert "positions[2][1] (mm)</text>" in text
     assert "velocities[2][1] (mm/ms)</text>" in text
+
+
+def test_pictures_have_title_and_units_of_the_file_and_round_marks(tmp_path: Path) -> None:
+    """A parameter has a unit where it is added to places alone."""
+    scenes = tmp_path / "scenes.toml"
+    scenes.write_text(f'title = "Three beads, h varies"\n{SCENES}', encoding="utf-8")
+    command = ["map", str(scenes), "--x", "r=0.04..0.07", "--y", "h=0.013..0.3", "--boxes", "64"]
+    assert main([*command, "--middles", "--out", str(tmp_path / "out")]) in (0, 3)
+    for name in ("map.svg", "map-collisions.svg"):
+        text = (tmp_path / "out" / name).read_text(encoding="utf-8")
+        assert "h (mm)</text>" in text
+        assert ">0.05</text>" in text
+        assert "0.08475" not in text
+    assert "Three beads, h varies</text>" in (tmp_path / "out" / "map.svg").read_text("utf-8")
+    table = {"positions": [["h", "k/2"]], "velocities": [["v - 1", "k"]], "r": "r"}
+    table |= {"length_unit": "mm", "time_unit": "ms"}
+    names = [with_unit(name, table) for name in ("h", "k", "v", "r", "")]
+    assert names == ["h (mm)", "k", "v (mm/ms)", "r", ""]
+
+
+def test_numbers_of_collisions_are_whole_and_white_has_one_meaning(folder: Path) -> None:
+    text = (folder / "out" / "map-collisions.svg").read_text(encoding="utf-8")
+    bar = re.findall(r'x="518"[^>]*>([^<]+)</text>', text)
+    assert bar
+    assert all(number.isdigit() for number in bar)
+    assert ">infinitely many</text>" in text
+    assert ">finitely many, not counted</text>" in text
 
 
 def test_an_interval_of_scenes_is_a_table_too(tmp_path: Path) -> None:

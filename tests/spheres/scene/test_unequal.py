@@ -152,7 +152,8 @@ HALF = Fraction(1, 2)
 def test_equal_masses_and_radii_are_the_scene_without_them() -> None:
     plain = read_scene("a", FILE.encode())
     same = read_scene("a", f"{FILE}masses = [3, 3, 3]\nradii = ['1/2', 0.5, 0.50]\n".encode())
-    assert same == plain
+    assert same.mass == 3  # on which energies depend, and nothing else
+    assert same._replace(mass=Fraction(1)) == plain
     scaled = FILE.replace("[2,", "[4,").replace("[-3,", "[-6,").replace("0.1", "0.2")
     scaled = scaled.replace('[-6, "0.2"]', '[-6, "0.4"]')
     scaled = scaled.replace("[-1, 0], [1, 0]", "[-2, 0], [2, 0]")
@@ -204,6 +205,18 @@ def test_energy_and_trajectory_follow_the_masses() -> None:
         low, high = told(found).energy
         assert low - Fraction(1, 10**15) <= lost <= high + Fraction(1, 10**15)
         assert lost > 0 or not found.collisions
+
+
+def test_energies_are_in_the_unit_of_mass_whether_masses_differ_or_not() -> None:
+    """Of which masses there is one only, does not change the unit."""
+    lost = []
+    for masses in ('["2", "2", "2"]', '["2", "2", "2.0000000001"]'):
+        scene = read_scene("a", f"{FILE}masses = {masses}\n".encode())
+        lost.append(told(decide_scene(scene, Budget(collisions=20))).energy)
+    (low, high), (least, most) = lost
+    assert low > 0
+    assert abs(low - least) < low / 10**8
+    assert abs(high - most) < high / 10**8
 
 
 def speeds_at(particles: Any, dimension: int) -> list[list[Fraction]]:
@@ -338,7 +351,7 @@ def test_drawings_have_the_radii_and_the_units(tmp_path: Path) -> None:
     file.write_text(FILE + SIZES + units, encoding="utf-8")
     assert main(["scene", str(file), "--plot", str(svg)]) == 0
     text = svg.read_text(encoding="utf-8")
-    assert ">1 mm</text>" in text
+    assert ">2 mm</text>" in text
     assert "normal speed, mm per ms" in text
     assert main(["scene", str(file), "--plot", str(page)]) == 0
     assert '"radii": [0.5, 1.0, 0.25]' in page.read_text(encoding="utf-8")

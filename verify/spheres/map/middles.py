@@ -9,9 +9,12 @@ from verify.language.record import Record
 from verify.spheres.map.log import Progress
 from verify.spheres.map.planes import Phi, Plane, Scenes, Side, value_of
 from verify.spheres.map.strip import BorderStrip
-from verify.spheres.scene.decide import decide_scene
+from verify.spheres.scene.decide import Budget, decide_scene
 from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.verdict import central, time_ends
+
+#: Times of collapses have so many, so that no colour depends on how wide an enclosure is.
+DIGITS = 6
 
 
 class Middle(Record):
@@ -75,5 +78,5 @@ def middles(progress: Progress, found: Sequence[Box]) -> Iterator[Middle]:
     if isinstance(plane, Phi | BorderStrip):
         raise ValueError("this plane has states, and no scenes")
     for box in found:
-        fate = decide_scene(scene_in(plane, box))
+        fate = decide_scene(scene_in(plane, box), Budget(digits=DIGITS))
         yield Middle(fate.verdict, fate.name, central(fate), fate.collisions, time_ends(fate))

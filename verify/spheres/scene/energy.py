@@ -32,7 +32,7 @@ def normal_speeds(found: Fate) -> list[Number]:
 
 def masses_of(scene: Scene) -> tuple[Fraction, ...]:
     """The masses."""
-    return (Fraction(1),) * 3 if scene.bodies is None else scene.bodies.masses
+    return (scene.mass,) * 3 if scene.bodies is None else scene.bodies.masses
 
 
 def _share(found: Fate, move: Move) -> Number:

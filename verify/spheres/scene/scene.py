@@ -61,6 +61,8 @@ class Scene(Record):
     labels: Labels = Labels()
     #: None if all masses are equal and all diameters are 1.
     bodies: Bodies | None = None
+    #: Of each particle where there are no bodies; only energies depend on it.
+    mass: Fraction = Fraction(1)
 
     @property
     def dimension(self) -> int:

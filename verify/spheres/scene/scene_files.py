@@ -94,7 +94,8 @@ def scene_from(where: str, table: dict[str, Any]) -> Scene:
     positions, velocities = (_rows(where, key, table, unit) for key in KEYS[1:])
     labels = _labels(where, table, None if radii else unit)
     _same_dimension(where, {"position": positions, "velocity": velocities})
-    scene = Scene(r, positions, velocities, labels, _bodies(masses, radii))
+    mass = masses[0] if masses else Fraction(1)
+    scene = Scene(r, positions, velocities, labels, _bodies(masses, radii), mass)
     _apart(where, scene, unit)
     return scene
 

@@ -40,6 +40,12 @@ def several(unit: str) -> str:
     return unit.replace(DIAMETER, "diameters").replace("unit of", "units of")
 
 
+def counted(length: float, unit: str) -> str:
+    """So many units of length, to two digits."""
+    number = f"{length:.2g}"
+    return f"{number} {unit if number == '1' else several(unit)}"
+
+
 def _names(told: Told) -> tuple[str, str, str]:
     """The three series, with the units of the file."""
     time, length = told.scene.labels.time_unit, several(length_unit(told))
@@ -77,10 +83,10 @@ def approach(told: Told, steps: Iterable[Step]) -> Panel:
             yield Words((0.5, 0.5), "fewer than two collisions", "middle")
             return
         for k, (name, one) in enumerate(zip(names, series, strict=True)):
-            colour, mark = f"series-{k + 1}", 0 if len(one) <= MARKS else None
+            colour, mark = f"series-{k + 1}", k if len(one) <= MARKS else None
             if one:
                 yield Curve([(p.n, (p.low + p.high) / 2) for p in one], colour, mark, name)
-            for p in one if mark == 0 else ():
+            for p in one if mark is not None else ():
                 yield Trace([(p.n, p.low), (p.n, p.high)], colour)
 
     return Panel("from collision to collision", x, y, drawn, "", SIDE, HIGH, axes=last > 1)

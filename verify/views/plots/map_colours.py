@@ -10,15 +10,15 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from html import escape
 
-from verify.prover.decimals import exact_number
 from verify.views.map import Box, Middle, middle_time
+from verify.views.plots.shapes import shares_of
 
 #: From dark to light.
 RAMP = ("#0b1f4b", "#32407a", "#6a5f86", "#a3807c", "#d6a767", "#f6d860")
 #: The three balls.
 BALLS = (RAMP[0], RAMP[3], RAMP[5])
 SIDE, LEFT, TOP, BAR = 400, 64, 46, 18
-INK = "#1c2128"
+INK, GREY = "#1c2128", "#c9ced4"
 #: The pattern of what is undecided.
 OPEN = (
     '<defs><pattern id="open" width="6" height="6" patternUnits="userSpaceOnUse">'
@@ -55,7 +55,7 @@ def _time(middle: Middle) -> float | None:
 
 COLOURINGS = (
     Colouring("central", "central ball of the collapse", _central, "no collapse"),
-    Colouring("collisions", "number of collisions", _number, "infinitely many, or not known"),
+    Colouring("collisions", "number of collisions", _number, "infinitely many"),
     Colouring("time", "time of the collapse", _time, "no collapse"),
 )
 
@@ -67,7 +67,7 @@ def coloured(colouring: Colouring, axes: Axes, pairs: Pairs, unit: str) -> str:
     values = [colouring.value(middle) for _, middle in pairs]
     scale = Ramp([value for value in values if value is not None])
     title = f"{colouring.title}, at the middle of each box"
-    is_balls = colouring.name == "central"
+    is_balls, is_count = colouring.name == "central", colouring.name == "collisions"
     view = f'viewBox="0 0 {width} {height}"'
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" {view} role="img" {font}>',
@@ -80,14 +80,18 @@ def coloured(colouring: Colouring, axes: Axes, pairs: Pairs, unit: str) -> str:
         fill = "#fff" if value is None else scale.colour(value)
         if is_balls and value is not None:
             fill = BALLS[int(value)]
+        if is_count and middle.verdict == "finite":
+            fill = GREY
         if middle.verdict == "undecided":
             fill = "url(#open)"
         parts.append(_box(axes, box, fill))
     parts.append("</g>")
     parts += _axes(axes)
     named = unit if colouring.name == "time" else ""
-    parts += _balls() if is_balls else _bar(scale, named)
+    parts += _balls() if is_balls else _bar(scale, named, is_count=is_count)
     parts += _keys(colouring.white, 70 if is_balls else SIDE - 150)
+    if is_count:
+        parts += _key(SIDE - 106, GREY, "finitely many, not counted")
     return "\n".join([*parts, "</svg>", ""])
 
 
@@ -144,9 +148,8 @@ def _axes(axes: Axes) -> Iterator[str]:
     low = TOP + SIDE
     yield f'<rect x="{LEFT}" y="{TOP}" width="{SIDE}" height="{SIDE}" fill="none" stroke="{INK}"/>'
     for number, (name, first, last) in enumerate(axes):
-        for quarter in range(5):
-            share = Fraction(quarter, 4)
-            text, along = exact_number(first + share * (last - first), 6), float(share) * SIDE
+        for share, text in shares_of(first, last):
+            along = share * SIDE
             if number == 0:
                 yield f'<path d="M{LEFT + along:g} {low}v5" stroke="{INK}"/>'
                 yield _text(LEFT + along, low + 18, text, "middle")
@@ -159,8 +162,8 @@ def _axes(axes: Axes) -> Iterator[str]:
             yield _text(LEFT - 6, TOP - 8, name, "start")
 
 
-def _bar(scale: Ramp, unit: str) -> Iterator[str]:
-    """The colour bar, with five values."""
+def _bar(scale: Ramp, unit: str, *, is_count: bool) -> Iterator[str]:
+    """The colour bar, with five values; or with as many whole numbers, if so many are in it."""
     left, steps, height = LEFT + SIDE + 30, 64, SIDE - 180
     size = height / steps
     yield '<g shape-rendering="crispEdges">'
@@ -168,9 +171,11 @@ def _bar(scale: Ramp, unit: str) -> Iterator[str]:
         place = f'x="{left}" y="{TOP + height - (k + 1) * size:.6g}" width="{BAR}"'
         yield f'<rect {place} height="{size + 0.3:.6g}" fill="{between((k + 0.5) / steps)}"/>'
     yield "</g>"
-    for quarter in range(5):
-        value = scale.at(quarter / 4)
-        y = TOP + height * (1 - quarter / 4)
+    values = [scale.at(quarter / 4) for quarter in range(5)]
+    if is_count:
+        values = sorted({float(round(value)) for value in values})
+    for value in values:
+        y = TOP + height * (1 - scale.share(value))
         yield _text(left + BAR + 6, y + 4, f"{value:.4g} {unit}".rstrip(), "start")
 
 

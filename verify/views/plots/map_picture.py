@@ -1,11 +1,12 @@
-"""A map as a picture: its three areas, and how the undecided one shrinks with the work."""
+"""A map as a picture: its areas, and beside boxes how the undecided one shrinks with the work."""
 
 from __future__ import annotations
 
 import math
 import struct
 import zlib
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from verify.prover.decimals import exact_number
@@ -14,7 +15,6 @@ from verify.views.map import (
     Strip,
     area_shares,
     areas_shown,
-    axis_names,
     is_interval,
     is_strip,
     percent,
@@ -23,7 +23,7 @@ from verify.views.map import (
 )
 from verify.views.plots.drawing import standalone, svg
 from verify.views.plots.map_figure import cell, law_panel, work
-from verify.views.plots.shapes import Areas, Dots, Panel, Point, Scale, Shape, Tiles
+from verify.views.plots.shapes import Areas, Dots, Panel, Point, Scale, Shape, Tiles, shares_of
 
 #: The colours of the areas, on light and on dark paper: they differ in grey, too.
 COLOURS = {"c": "#f7bb70", "d": "#2e6bb6", "u": "#111111", "f": "#8fb3dd"}
@@ -34,16 +34,21 @@ UNIT: list[Point] = [(0, 0), (1, 0), (1, 1), (0, 1)]
 FINEST = 10
 
 
-def svg_map(progress: Progress, *, boxes: bool = False) -> str:
-    """The areas, in dots or as boxes, their shares, and the undecided share against the boxes."""
+def svg_map(
+    progress: Progress, names: Sequence[str], title: str = "", *, boxes: bool = False
+) -> str:
+    """The areas with their shares, in dots; or as boxes, with the undecided share against them.
+
+    ``names`` are those of the axes, with their units.
+    """
     law = [(count, share) for count, share in work(progress) if share]
-    panel, plane = _areas(progress, boxes=boxes), plane_line(progress.document)
-    heading = [part for part in (plane.partition("; ")[2], panel.title) if part]
-    panels = [panel._replace(title=""), *([law_panel(law)] if len(law) > 1 else [])]
+    panel, plane = _areas(progress, names, boxes=boxes), plane_line(progress.document)
+    heading = [part for part in (title, plane.partition("; ")[2], panel.title) if part]
+    panels = [panel._replace(title=""), *([law_panel(law)] if boxes and len(law) > 1 else [])]
     return standalone(svg("map", panels, plane, heading))
 
 
-def _areas(progress: Progress, *, boxes: bool) -> Panel:
+def _areas(progress: Progress, names: Sequence[str], *, boxes: bool) -> Panel:
     found, shown = area_shares(progress), areas_shown(progress)
 
     def drawn() -> Iterator[Shape]:
@@ -58,24 +63,22 @@ def _areas(progress: Progress, *, boxes: bool) -> Panel:
         for letter, (name, _) in shown.items():
             yield Areas([], COLOURS[letter], name=f"{name} {percent(found[name])} %")
 
-    x, y = _scales(progress, boxes=boxes)
+    x, y = _scales(progress, names, boxes=boxes)
     # Beside long marks there is no room for the label of the vertical axis.
     title = f"vertical: {y.label}" if y.label else ""
     return Panel(title, x, y._replace(label=""), drawn, "", WIDTH, HEIGHT)
 
 
-def _scales(progress: Progress, *, boxes: bool) -> tuple[Scale, Scale]:
+def _scales(progress: Progress, names: Sequence[str], *, boxes: bool) -> tuple[Scale, Scale]:
     """The axes, on which shares of the sides are marked with what they stand for."""
     (x_0, x_1), (y_0, y_1) = progress.plane.x, progress.plane.y or (Fraction(0), Fraction(1))
-    x_name, y_name = axis_names(progress.document)
-    quarters = [Fraction(quarter, 4) for quarter in range(5)]
-    marked = [] if is_interval(progress.document) else quarters
+    x_name, y_name = names
+    up = [] if is_interval(progress.document) else shares_of(y_0, y_1)
     if boxes and is_strip(progress.document):
-        delta, y_0, marked = progress.plane.delta, -y_1, [Fraction(0), Fraction(1)]
+        delta = progress.plane.delta
+        up = [(0.0, exact_number(-y_1, 6)), (1.0, exact_number(y_1, 6))]
         y_name = f"φ2 - f(φ1), logarithmic; in the middle all from -{delta} to {delta}"
-    across = [(float(s), exact_number(x_0 + s * (x_1 - x_0), 6)) for s in quarters]
-    up = [(float(s), exact_number(y_0 + s * (y_1 - y_0), 6)) for s in marked]
-    return Scale(x_name, 0, 1, across), Scale(y_name, 0, 1, up)
+    return Scale(x_name, 0, 1, shares_of(x_0, x_1)), Scale(y_name, 0, 1, up)
 
 
 def _corners(progress: Progress, key: str) -> list[Point]:
@@ -93,8 +96,8 @@ def png_map(progress: Progress) -> bytes:
     dots = [bytearray(side) for _ in range(side)]
     if is_strip(progress.document) and not progress.due:
         _fill_strip(dots, progress.plane)
-    for key, letter, _ in progress.decided():
-        if len(key) <= FINEST and not is_strip(progress.document):
+    elif not is_strip(progress.document):
+        for key, letter in _whole_dots(progress):
             _fill(dots, key, "ucdf".index(letter), is_bar=is_interval(progress.document))
     rows = b"".join(b"\0" + bytes(row) for row in reversed(dots))
     colours = "ucdf" if area_shares(progress).get("finite") else "ucd"
@@ -103,6 +106,18 @@ def png_map(progress: Progress) -> bytes:
     data = zlib.compress(rows, 9)
     blocks = ((b"IHDR", header), (b"PLTE", palette), (b"IDAT", data), (b"IEND", b""))
     return b"\x89PNG\r\n\x1a\n" + b"".join(_block(kind, data) for kind, data in blocks)
+
+
+def _whole_dots(progress: Progress) -> Iterator[tuple[str, str]]:
+    """The boxes that are not smaller than a dot; and dots that smaller ones of a kind fill."""
+    parts, deepest = len(progress.digits), progress.level
+    filled: Counter[tuple[str, str]] = Counter()
+    for key, letter, _ in progress.decided():
+        if len(key) <= FINEST:
+            yield key, letter
+        else:
+            filled[key[:FINEST], letter] += parts ** (deepest - len(key))
+    yield from (dot for dot, count in filled.items() if count == parts ** (deepest - FINEST))
 
 
 def _fill(dots: list[bytearray], key: str, colour: int, *, is_bar: bool) -> None:

@@ -9,9 +9,9 @@ from itertools import islice
 
 from verify.language.record import Record
 from verify.prover import balls
-from verify.views.plots.approach import HIGH, SIDE, approach, length_unit, several
+from verify.views.plots.approach import HIGH, SIDE, approach, counted, length_unit
 from verify.views.plots.drawing import SCHEMES, standalone, svg
-from verify.views.plots.shapes import Disc, Panel, Point, Scale, Shape, Trace, Words
+from verify.views.plots.shapes import Disc, Panel, Point, Scale, Shape, Trace, Words, round_below
 from verify.views.scene import Step, Told
 
 COLOURS = ("series-1", "series-2", "series-3")
@@ -55,9 +55,10 @@ def _trajectories(path: Sequence[Leg], end: float, radii: Sequence[float], unit:
             yield Trace([_at(places[i]) for places in stops], colour)
         yield from _spheres(path[0].places, "2 3", radii)
         yield from _spheres(last, "", radii)
-        corner = x - half, y - 0.98 * half
-        yield Trace([corner, (corner[0] + 1, corner[1])], "ink")
-        yield Words((corner[0], corner[1] - half / 10), f"1 {unit}")
+        corner, bar = (x - half, y - 0.98 * half), round_below(half)
+        yield Trace([corner, (corner[0] + bar, corner[1])], "ink")
+        yield Words((corner[0], corner[1] - half / 10), counted(bar, unit))
+        yield Words((x + half, corner[1] - half / 10), "dotted: start; filled: end", "end")
 
     return _square("centre-of-mass frame, to scale", (x, y), half, drawn)
 
@@ -79,7 +80,7 @@ def _zoom(path: Sequence[Leg], end: float, radii: Sequence[float], unit: str) ->
             if not isinstance(shape, Words) or math.dist(shape.at, middle) < half:
                 yield shape
 
-    title = f"contact of {' and '.join(pair)}, {2 * half:.2g} {several(unit)} wide"
+    title = f"contact of {' and '.join(pair)}, {counted(2 * half, unit)} wide"
     return _square(title, middle, half, drawn)
 
 
@@ -126,6 +127,7 @@ def scene_page(told: Told, steps: Iterable[Step]) -> str:
         "end": end_time(told, path),
         "colours": COLOURS,
         "radii": radii,
+        "unit": told.scene.labels.time_unit,
         "box": box,
     }
     schemes = {
@@ -227,10 +229,10 @@ def _in_plane(path: list[Leg]) -> list[Leg]:
 
 
 def _basis(x: list[Vector]) -> tuple[Vector, Vector]:
-    """Two orthonormal vectors; in the plane they are the usual ones."""
+    """Two orthonormal vectors; in the plane they are the usual ones, on a line the second is 0."""
     axes = [[float(i == k) for i in range(len(x[0]))] for k in range(len(x[0]))]
-    if len(axes) == 2:
-        return axes[0], axes[1]
+    if len(axes) <= 2:
+        return axes[0], [*axes, [0.0]][1]
     spans = [_moved(x[2], -1.0, x[1]), _moved(x[0], -1.0, x[1]), *axes]
     found: list[Vector] = []
     for span in spans:

@@ -12,7 +12,7 @@ from itertools import pairwise
 from typing import Any
 
 from verify.prover.decimals import exact_number, short
-from verify.views.plots.drawing import standalone, svg
+from verify.views.plots.drawing import LEGEND, standalone, svg
 from verify.views.plots.shapes import (
     Areas,
     Curve,
@@ -21,7 +21,6 @@ from verify.views.plots.shapes import (
     Point,
     Scale,
     Shape,
-    Trace,
     Words,
     round_marks,
 )
@@ -32,8 +31,6 @@ CurveAt = Any
 
 COLLAPSES, ENDS, BETWEEN = "refuted-area", "proved-area", "ink"
 WIDTH, HEIGHT = 440, 360
-#: Where the words of a curve stand: at this share of its decided values.
-AT = Fraction(1, 3)
 
 
 def phi_2(u: Fraction) -> float:
@@ -109,17 +106,17 @@ def curves_svg(curves: Sequence[tuple[Separatrix, Sequence[CurveAt]]]) -> str:
     title = f"r from {first} to {last}, -cos θ = {c}, ratio {ratio}"
     right = max((strip.q for _, strips in drawn for strip in strips), default=Fraction(1))
     high = max((phi_2(s.high) for _, strips in drawn for s in strips), default=1.0)
-    told = "the separatrix for several r, each labelled with its r"
+    told = "the separatrix for several r, the least r on top"
     x, y = _scale("φ₁", right), _scale("φ₂ |W_c|²", Fraction(high) * Fraction(11, 10))
-    panel = Panel(title, x, y, lambda: _curves(drawn), told, WIDTH, HEIGHT)
+    height = HEIGHT + LEGEND * -(-len(drawn) // 2)
+    panel = Panel(title, x, y, lambda: _curves(drawn), told, WIDTH, height)
     return standalone(svg("separatrices", [panel], f"{title}: {told}"))
 
 
 def _curves(drawn: Iterable[tuple[Separatrix, Sequence[CurveAt]]]) -> Iterator[Shape]:
     for number, (found, strips) in enumerate(drawn):
         points = [_middle(strip) for strip in strips]
-        yield Trace(points, f"series-{1 + number % 7}")
-        yield Words(points[int(len(points) * AT)], f"r = {_told(found.parameters.r)}", "middle")
+        yield Curve(points, f"series-{1 + number % 7}", None, f"r = {_told(found.parameters.r)}")
 
 
 def _told(value: Fraction) -> str:

@@ -177,6 +177,18 @@ def round_marks(low: Fraction, high: Fraction, steps: int = 3) -> list[tuple[flo
     return [(float(k * step), exact_number(k * step)) for k in count]
 
 
+def shares_of(low: Fraction, high: Fraction) -> list[tuple[float, str]]:
+    """Some four steps of round marks, each at its share of the way from low to high."""
+    size = float(high - low)
+    return [((value - float(low)) / size, text) for value, text in round_marks(low, high, 4)]
+
+
+def round_below(most: float) -> float:
+    """The largest length that is 1, 2 or 5 times a power of ten and at most this."""
+    unit = 10.0 ** floor(log10(most))
+    return float(f"{next(k for k in (5, 2, 1) if k == 1 or k * unit <= most) * unit:.1g}")
+
+
 def corners(boxes: Iterable[tuple[tuple[Fraction, Fraction], ...]]) -> list[Corners]:
     """Boxes that are given by their two sides."""
     return [(float(a), float(b), float(c), float(d)) for (a, b), (c, d) in boxes]

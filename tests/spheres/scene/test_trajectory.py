@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import permutations
 from random import Random
 
 import mpmath
@@ -13,8 +14,9 @@ from tests.spheres.scene.scenes import aligned, on_a_line
 from verify.measure.simulation import DIGITS, simulate
 from verify.spheres.scene.decide import DISPERSES, FINITE, Budget, decide_scene
 from verify.spheres.scene.energy import energy_at_start, energy_lost
+from verify.spheres.scene.scene import Scene
 from verify.spheres.scene.trajectory import Ends, trajectory
-from verify.spheres.scene.verdict import told
+from verify.spheres.scene.verdict import ball_ends, steps, told
 
 
 def test_centres_are_where_a_simulation_sees_them() -> None:
@@ -94,3 +96,25 @@ def test_the_speeds_are_those_of_a_simulation() -> None:
             )
             low, high = (mpmath.mpf(end.numerator) / end.denominator for end in step.speed)
             assert low - mpmath.mpf(10) ** -25 < speed < high + mpmath.mpf(10) ** -25
+
+
+def test_the_next_pair_is_seen_alike_however_the_particles_are_numbered() -> None:
+    """Also just after the first collision, where either of its particles may be central."""
+    places = (
+        (Fraction(103, 100), Fraction(3, 200), Fraction(1, 100)),
+        (Fraction(-51, 50), Fraction(1, 50), Fraction(-3, 200)),
+        (Fraction(0),) * 3,
+    )
+    speeds = (
+        (Fraction(-10), Fraction(1, 2), Fraction(0)),
+        (Fraction(5), Fraction(0), Fraction(1, 4)),
+        (Fraction(0),) * 3,
+    )
+    seen = []
+    for order in permutations(range(3)):
+        rows = (tuple(table[k] for k in order) for table in (places, speeds))
+        found = decide_scene(Scene(Fraction(1, 50), *rows), Budget(digits=4))
+        first = next(steps(found)).after
+        seen.append([ball_ends(x, found.flow.bits) for x in (first.y, first.d, first.C)])
+    for numbers in zip(*seen, strict=True):
+        assert max(low for low, _ in numbers) <= min(high for _, high in numbers)

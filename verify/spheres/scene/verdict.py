@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from itertools import pairwise
 
 from verify.language.record import Record
 from verify.prover import balls
 from verify.prover.decimals import outward, short, told_number
 from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER, Start, start_of
-from verify.spheres.flow.follow import name_of
+from verify.spheres.flow.follow import RECENTRE, name_of
 from verify.spheres.flow.law import Number
 from verify.spheres.flow.theorem import NAME as FLOW
 from verify.spheres.scene.criteria import SAYS, SAYS_OF_UNEQUAL
@@ -98,12 +99,15 @@ def told(found: Fate) -> Told:
 
 
 def steps(found: Fate) -> Iterator[Step]:
-    """The collisions that were followed."""
+    """The collisions that were followed, each seen from the particle that collides next, too."""
+    moves = found.flow.moves
+    seen = {id(a): b.after for a, b in pairwise(moves) if b.kind == RECENTRE}
     with balls.precision(found.flow.bits):
         speeds = normal_speeds(found)
         for move, speed in zip(found.flow.collisions, speeds, strict=True):
             o, _, c = move.before.frame
-            after = start_of(move.after.state, found.flow.sizes(move.after.frame))
+            now = seen.get(id(move), move.after)
+            after = start_of(now.state, found.flow.sizes(now.frame))
             yield Step(name_of(move.before.frame), (o, c), move.after.time, speed, after)
 
 

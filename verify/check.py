@@ -40,7 +40,7 @@ MAX_BITS = 1 << 16  # of precision
 MAX_SIZE = 1 << 19  # bits of a numerator with its denominator
 MAX_DEGREE = 1 << 20  # of a name or another atom in a polynomial
 MAX_SHOWN = 1 << 12  # bits before or after the point, in messages
-MAX_KEPT = 1 << 16  # terms of what is cited, from one folder to the next
+MAX_KEPT = 1 << 20  # work of reading what is kept from one folder to the next
 MAX_REFUSED = 1000  # of steps, enclosures, and needed rows that are undecided
 MAX_TOLD = 4  # monomials, and factors of one, in messages
 MAX_WORK = 6_000_000  # about the number of microseconds
@@ -2002,7 +2002,7 @@ class Reader:
             return [found for item in items for found in self.cite(item, prefix)]
         asked = tuple(tuple(sorted(item.items())) for item in items)
         if asked not in BEGINNINGS:
-            if sum(len(kept.nodes) for kept, _, _ in BEGINNINGS.values()) > MAX_KEPT:
+            if sum(work for _, work, _ in BEGINNINGS.values()) > MAX_KEPT:
                 BEGINNINGS.clear()
             other = Reader(Kernel(), self.available)
             found = [found for item in items for found in other.cite(item, "")]

@@ -318,9 +318,10 @@ def test_beginnings_are_read_once_and_only_so_many_are_kept(
         read += where == "cited statement"
         return honest(where, *rest)
 
+    check.BEGINNINGS.clear()
     last(citing(other), beside=(other,))
-    ((kernel, _, _),) = [*check.BEGINNINGS.values()][-1:]
-    monkeypatch.setattr(check, "MAX_KEPT", 3 * len(kernel.nodes))
+    ((_, work, _),) = check.BEGINNINGS.values()
+    monkeypatch.setattr(check, "MAX_KEPT", 7 * work // 2)
     monkeypatch.setattr(check, "parsed", counted)
     check.BEGINNINGS.clear()
     for i in range(12):
@@ -329,6 +330,19 @@ def test_beginnings_are_read_once_and_only_so_many_are_kept(
         for _ in range(2):
             assert last(pair, beside=(other,))[0] == 3
         assert (read, len(check.BEGINNINGS)) == (i + 1, i % 4 + 1)
+
+
+def test_what_has_no_term_is_not_kept_forever(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Contexts take memory, too: thirty thousand of them forty megabytes, for each new name."""
+    other = Pair("CONTEXTS")
+    for i in range(9):
+        other.context(f"c{i}", {}, {})
+    monkeypatch.setattr(check, "MAX_KEPT", 1)
+    check.BEGINNINGS.clear()
+    for i in range(3):
+        pair = Pair("MAIN").cite(f"c{i}", other).row("row", "0 <= 1", INTERVAL)
+        assert last(pair, beside=(other,))[0] == 3
+        assert len(check.BEGINNINGS) == 1
 
 
 # --- certificates that lie beside what is cited --------------------------------------------------

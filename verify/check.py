@@ -2005,8 +2005,9 @@ class Reader:
             if sum(work for _, work, _ in BEGINNINGS.values()) > MAX_KEPT:
                 BEGINNINGS.clear()
             other = Reader(Kernel(), self.available)
+            other.kernel.work = left = self.kernel.work
             found = [found for item in items for found in other.cite(item, "")]
-            BEGINNINGS[asked] = other.kernel, MAX_WORK - other.kernel.work, found
+            BEGINNINGS[asked] = other.kernel, left - other.kernel.work, found
         kernel, work, found = BEGINNINGS[asked]
         for cite in found:
             need(cite.digest in self.available, Malformed, NOT_AT_HAND, cite.digest)

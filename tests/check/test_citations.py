@@ -297,6 +297,20 @@ def test_what_was_read_before_counts_as_work_and_has_to_be_at_hand() -> None:
             check.BEGINNINGS.clear()
 
 
+def test_what_is_cited_is_read_with_the_work_that_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing is read after that is used up; and a higher limit than usual is one here, too."""
+    other = cited()
+    pair, available = citing(other), {digest(other): other.files()[0]}
+    limit = check.check(*pair.files(), available).work
+    monkeypatch.setattr(check, "MAX_WORK", limit // 2)
+    check.BEGINNINGS.clear()
+    assert check.check(*pair.files(), available, limit).verdict == "PROVED"
+    pair.cite("d", citing(cited()))  # which is not at hand
+    for work, words in ((limit // 2, "more work"), (limit, "not at hand")):
+        with pytest.raises(check.Malformed, match=words):
+            check.check(*pair.files(), available, work)
+
+
 def test_a_statement_under_another_digest_is_not_at_hand() -> None:
     other, changed = cited(), cited()
     changed.statement["title"] = "another"

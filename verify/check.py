@@ -1947,7 +1947,6 @@ class Statement(NamedTuple):
         return frozenset(used["printed"] - used["needed"])
 
 
-NOT_AT_HAND = "cites: found {}, whose statement is not at hand"
 #: What is cited, with the kernel into which it was read, the work, and all citations.
 BEGINNINGS: dict[Any, tuple[Kernel, int, list[Cite]]] = {}
 
@@ -2010,9 +2009,16 @@ class Reader:
             BEGINNINGS[asked] = other.kernel, left - other.kernel.work, found
         kernel, work, found = BEGINNINGS[asked]
         for cite in found:
-            need(cite.digest in self.available, Malformed, NOT_AT_HAND, cite.digest)
+            self.at_hand(cite.digest)
         self.kernel.begin(kernel, work)
         return found
+
+    def at_hand(self, digest: str) -> bytes:
+        """The statement that has this digest."""
+        data = self.available.get(digest, b"")
+        message = "cites: found {}, whose statement is not at hand"
+        need(sha256(data).hexdigest() == digest, Malformed, message, digest)
+        return data
 
     def cite(self, cite: dict[str, Any], prefix: str) -> list[Cite]:
         """Read a cited statement, whose names get its name and a colon before them.
@@ -2020,8 +2026,7 @@ class Reader:
         What is returned is the citation, and those in the cited statement.
         """
         digest, full = cite["statement_sha256"], prefix + cite["name"]
-        data = self.available.get(digest, b"")
-        need(sha256(data).hexdigest() == digest, Malformed, NOT_AT_HAND, digest)
+        data = self.at_hand(digest)
         self.kernel.introduce(full)
         self.kernel.spend(0, 100 + len(data) // 3)
         document = parsed("cited statement", data, STATEMENT)

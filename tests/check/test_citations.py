@@ -315,11 +315,11 @@ def test_a_statement_under_another_digest_is_not_at_hand() -> None:
     other, changed = cited(), cited()
     changed.statement["title"] = "another"
     check.BEGINNINGS.clear()
-    with pytest.raises(check.Malformed, match="not at hand"):
-        check.check(*citing(other).files(), {digest(other): changed.files()[0]})
-    assert (
-        check.check(*citing(other).files(), {digest(other): other.files()[0]}).verdict == "PROVED"
-    )
+    for _ in range(2):  # also after it was read
+        with pytest.raises(check.Malformed, match="not at hand"):
+            check.check(*citing(other).files(), {digest(other): changed.files()[0]})
+        report = check.check(*citing(other).files(), {digest(other): other.files()[0]})
+        assert report.verdict == "PROVED"
 
 
 def test_beginnings_are_read_once_and_only_so_many_are_kept(

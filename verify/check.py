@@ -40,7 +40,7 @@ MAX_BITS = 1 << 16  # of precision
 MAX_SIZE = 1 << 19  # bits of a numerator with its denominator
 MAX_DEGREE = 1 << 20  # of a name or another atom in a polynomial
 MAX_SHOWN = 1 << 12  # bits before or after the point, in messages
-MAX_KEPT = 1 << 16  # terms of what is cited, from one folder to the next
+MAX_KEPT = 1 << 20  # work of reading what is kept from one folder to the next
 MAX_REFUSED = 1000  # of steps, enclosures, and needed rows that are undecided
 MAX_TOLD = 4  # monomials, and factors of one, in messages
 MAX_WORK = 6_000_000  # about the number of microseconds
@@ -1947,7 +1947,6 @@ class Statement(NamedTuple):
         return frozenset(used["printed"] - used["needed"])
 
 
-NOT_AT_HAND = "cites: found {}, whose statement is not at hand"
 #: What is cited, with the kernel into which it was read, the work, and all citations.
 BEGINNINGS: dict[Any, tuple[Kernel, int, list[Cite]]] = {}
 
@@ -2002,16 +2001,24 @@ class Reader:
             return [found for item in items for found in self.cite(item, prefix)]
         asked = tuple(tuple(sorted(item.items())) for item in items)
         if asked not in BEGINNINGS:
-            if sum(len(kept.nodes) for kept, _, _ in BEGINNINGS.values()) > MAX_KEPT:
+            if sum(work for _, work, _ in BEGINNINGS.values()) > MAX_KEPT:
                 BEGINNINGS.clear()
             other = Reader(Kernel(), self.available)
+            other.kernel.work = left = self.kernel.work
             found = [found for item in items for found in other.cite(item, "")]
-            BEGINNINGS[asked] = other.kernel, MAX_WORK - other.kernel.work, found
+            BEGINNINGS[asked] = other.kernel, left - other.kernel.work, found
         kernel, work, found = BEGINNINGS[asked]
         for cite in found:
-            need(cite.digest in self.available, Malformed, NOT_AT_HAND, cite.digest)
+            self.at_hand(cite.digest)
         self.kernel.begin(kernel, work)
         return found
+
+    def at_hand(self, digest: str) -> bytes:
+        """The statement that has this digest."""
+        data = self.available.get(digest, b"")
+        message = "cites: found {}, whose statement is not at hand"
+        need(sha256(data).hexdigest() == digest, Malformed, message, digest)
+        return data
 
     def cite(self, cite: dict[str, Any], prefix: str) -> list[Cite]:
         """Read a cited statement, whose names get its name and a colon before them.
@@ -2019,8 +2026,7 @@ class Reader:
         What is returned is the citation, and those in the cited statement.
         """
         digest, full = cite["statement_sha256"], prefix + cite["name"]
-        data = self.available.get(digest, b"")
-        need(sha256(data).hexdigest() == digest, Malformed, NOT_AT_HAND, digest)
+        data = self.at_hand(digest)
         self.kernel.introduce(full)
         self.kernel.spend(0, 100 + len(data) // 3)
         document = parsed("cited statement", data, STATEMENT)

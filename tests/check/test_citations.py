@@ -297,15 +297,29 @@ def test_what_was_read_before_counts_as_work_and_has_to_be_at_hand() -> None:
             check.BEGINNINGS.clear()
 
 
+def test_what_is_cited_is_read_with_the_work_that_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing is read after that is used up; and a higher limit than usual is one here, too."""
+    other = cited()
+    pair, available = citing(other), {digest(other): other.files()[0]}
+    limit = check.check(*pair.files(), available).work
+    monkeypatch.setattr(check, "MAX_WORK", limit // 2)
+    check.BEGINNINGS.clear()
+    assert check.check(*pair.files(), available, limit).verdict == "PROVED"
+    pair.cite("d", citing(cited()))  # which is not at hand
+    for work, words in ((limit // 2, "more work"), (limit, "not at hand")):
+        with pytest.raises(check.Malformed, match=words):
+            check.check(*pair.files(), available, work)
+
+
 def test_a_statement_under_another_digest_is_not_at_hand() -> None:
     other, changed = cited(), cited()
     changed.statement["title"] = "another"
     check.BEGINNINGS.clear()
-    with pytest.raises(check.Malformed, match="not at hand"):
-        check.check(*citing(other).files(), {digest(other): changed.files()[0]})
-    assert (
-        check.check(*citing(other).files(), {digest(other): other.files()[0]}).verdict == "PROVED"
-    )
+    for _ in range(2):  # also after it was read
+        with pytest.raises(check.Malformed, match="not at hand"):
+            check.check(*citing(other).files(), {digest(other): changed.files()[0]})
+        report = check.check(*citing(other).files(), {digest(other): other.files()[0]})
+        assert report.verdict == "PROVED"
 
 
 def test_beginnings_are_read_once_and_only_so_many_are_kept(
@@ -318,9 +332,10 @@ def test_beginnings_are_read_once_and_only_so_many_are_kept(
         read += where == "cited statement"
         return honest(where, *rest)
 
+    check.BEGINNINGS.clear()
     last(citing(other), beside=(other,))
-    ((kernel, _, _),) = [*check.BEGINNINGS.values()][-1:]
-    monkeypatch.setattr(check, "MAX_KEPT", 3 * len(kernel.nodes))
+    ((_, work, _),) = check.BEGINNINGS.values()
+    monkeypatch.setattr(check, "MAX_KEPT", 7 * work // 2)
     monkeypatch.setattr(check, "parsed", counted)
     check.BEGINNINGS.clear()
     for i in range(12):
@@ -329,6 +344,19 @@ def test_beginnings_are_read_once_and_only_so_many_are_kept(
         for _ in range(2):
             assert last(pair, beside=(other,))[0] == 3
         assert (read, len(check.BEGINNINGS)) == (i + 1, i % 4 + 1)
+
+
+def test_what_has_no_term_is_not_kept_forever(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Contexts take memory, too: thirty thousand of them forty megabytes, for each new name."""
+    other = Pair("CONTEXTS")
+    for i in range(9):
+        other.context(f"c{i}", {}, {})
+    monkeypatch.setattr(check, "MAX_KEPT", 1)
+    check.BEGINNINGS.clear()
+    for i in range(3):
+        pair = Pair("MAIN").cite(f"c{i}", other).row("row", "0 <= 1", INTERVAL)
+        assert last(pair, beside=(other,))[0] == 3
+        assert len(check.BEGINNINGS) == 1
 
 
 # --- certificates that lie beside what is cited --------------------------------------------------

@@ -2011,7 +2011,7 @@ class Reader:
         for cite in found:
             self.at_hand(cite.digest)
         self.kernel.begin(kernel, work)
-        return found
+        return [*found]
 
     def at_hand(self, digest: str) -> bytes:
         """The statement that has this digest."""

@@ -44,7 +44,14 @@ def test_the_screen_ends_with_the_theorems(capsys: pytest.CaptureFixture[str]) -
     assert (code, err) == (0, "")
     lines = out.splitlines()
     assert lines[-1].startswith("Verdict: ")
-    assert [line.partition(".")[0] for line in lines[-7:-2]] == ["Lemma", "I", "II", "III", "IV"]
+    assert [line.partition(".")[0] for line in lines[-8:-2]] == [
+        "Lemma",
+        "I",
+        "II",
+        "II b",
+        "III",
+        "IV",
+    ]
     assert "At r" not in out
     assert "PROPOSS3.5OrdreTriagColla: " not in out
 

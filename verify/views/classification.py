@@ -40,6 +40,12 @@ THEOREMS = (
         "a line this is attained. For r ≤ 7-4√3 there is no such n, and runs have any length."
     ),
     (
+        "II b. Equal masses and one r, as in II. In a collapse in which the velocities of the two "
+        "others relative to the central ball do not both tend to 0, the limiting -cos θ is at "
+        "least 2r^(1/3)(1+r^(1/3))/(1+r). So for r > 9-4√5 = 0.0557… both tend to 0 in every "
+        "collapse."
+    ),
+    (
         "III. Total impulse. For N balls, in the frame of the centre of mass, with R² = Σ m|x|², "
         "e² = Σ m|v|², A = Σ m x·v: the sum of σJ over the collisions up to any time is at most "
         "R(0)e - A(0), with e at that time. So velocities converge and the normal components are "

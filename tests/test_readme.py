@@ -41,10 +41,10 @@ def counts() -> str:
 
     found = figures()
     return (
-        f"At r = 0.03, θ₀ = π, {found['refuted']} of its inequalities are refuted; they have "
-        f"{found['causes']} causes. {found['breaking']} of the {found['refuted']}, with "
+        f"{found['refuted']} of its claims are refuted at r = 0.03, θ₀ = π, or at another point "
+        f"that is named. {found['breaking']} of the {found['refuted']}, with "
         f"{found['breaking_causes']} causes, break the argument; {found['harmless']} are false but "
-        f"harmless there; {found['slips']} are slips of wording."
+        f"harmless; {found['slips']} are slips of wording."
     )
 
 

@@ -15,7 +15,6 @@ from verify.cli.theorem1_point import DEFAULTS, POINT_OPTIONS, read_parameters
 from verify.language.record import TYPE_CHECKING
 from verify.language.statement import REFUTED, UNDECIDED
 from verify.paper.parameters import PRINTED
-from verify.paper.rows import INSTEAD
 from verify.paper.source import PAPER
 from verify.prover.decimals import exact_number
 from verify.prover.outcome import EXIT_CODES, conjunction
@@ -67,7 +66,7 @@ def _everywhere(options: Options) -> int:
         if printed:
             where = thresholds.decide_thresholds()
             shares = thresholds.all_shares(where)
-            return view.printed_screen(outcome, where, shares, PAPER, verdicts, INSTEAD)
+            return view.printed_screen(outcome, where, shares, PAPER, verdicts)
         from verify.paper.commands.whole import whole
         from verify.views.everywhere import constants_and_set
         from verify.wire.judge import packaged

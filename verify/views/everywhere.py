@@ -8,7 +8,6 @@ from fractions import Fraction
 from verify.language.statement import (
     ACCUSATIONS,
     BREAKS,
-    HARMLESS,
     PROVED,
     REFUTED,
     UNDECIDED,
@@ -100,12 +99,11 @@ def printed_screen(
     shares: Shares,
     paper: Publication,
     as_printed: Mapping[str, str],
-    instead: Mapping[str, tuple[str, ...]],
 ) -> Iterator[str]:
     """Which rows of the printed set fail for all parameters, and which depend on them, and where.
 
     ``where`` is the statement about thresholds; ``shares`` follow from it. ``as_printed`` has the
-    verdicts on the printed theorem and set, ``instead`` the rows that do the work of others.
+    verdicts on the printed theorem and set.
     """
     yield "The printed set, for all parameters that satisfy the corrected hypothesis"
     yield ""
@@ -119,7 +117,7 @@ def printed_screen(
     for row, decision in found:
         if decision.witness:
             yield f"  {_dependence(outcome, row, decision)}   [{paper.cited(row.label)}]"
-            yield f"    {_how_bad(outcome, row, instead)}"
+            yield f"    where it fails: {row.severity}"
             yield from (
                 f"    {sentence}" for sentence in _sentences(where, shares, words.short_name(row))
             )
@@ -137,16 +135,6 @@ def printed_screen(
         f"{found_all}: the printed argument, for all parameters: {words.counts(outcome, 'printed')}"
     )
     yield f"Verdict: {argument}; {as_printed['set']}: the set as printed, with > for <"
-
-
-def _how_bad(outcome: Outcome, row: Obligation, instead: Mapping[str, tuple[str, ...]]) -> str:
-    """How bad it is where a row fails: harmless where the rows hold that do its work."""
-    names = instead.get(row.name, ())
-    if row.severity != BREAKS or not names:
-        return f"where it fails: {row.severity}"
-    left = (name for name in names if outcome.decisions[name].verdict != PROVED)
-    held = " and ".join(name.rpartition(".")[2] for name in left)
-    return f"where it fails: {HARMLESS} where {held} holds, and elsewhere it {BREAKS}"
 
 
 def _dependence(outcome: Outcome, row: Obligation, decision: Decision) -> str:

@@ -139,6 +139,37 @@ SPELLED = {
     ),
 }  # fmt: skip
 
+#: What the page of the printed set pins, in its definitions and in those that they use.
+PRINTED = {
+    "the-same": Definition("PrintedSet", "", ""),
+    "printed-constant": Definition("PrintedSet", "V_0 / (33 * sqrt V_1)", "V_0 / (28 * sqrt V_1)"),
+    "repaired-set": Definition(
+        "PrintedSet", "delta_4; delta_5].",
+        "delta_4; delta_5; V_0 / V_1 * (delta_2 ^ 2 * h_5 / 12)].",
+    ),
+    "angle-not-fixed": Definition(
+        "PrintedSet", "Prop := with_slack 0.",
+        "Prop := with_slack (Theta / 6).",
+    ),
+    "less-room": Definition("PrintedSet", "(Theta / 6)", "(Theta / 7)"),
+    "no-parameters": Definition("PrintedSet", "PI / 2 < theta_0", "PI < theta_0"),
+    "no-scene": Definition("PrintedSet", "(exists s, as_printed s)", "(exists s, roomy s)"),
+    "with-interior": Definition("PrintedSet", "~ has_interior d as", "has_interior d as"),
+    "only-as-printed": Definition(
+        "PrintedSet", "(forall s, roomy s ->",
+        "(forall s, as_printed s ->",
+    ),
+    "any-angle": Definition("PrintedSet", "delta_theta) c Theta)", "delta_theta) c 2)"),
+    "far-from-the-angle": Definition(
+        "PrintedSet", "Theta <= delta_theta.",
+        "Theta <= 2 * delta_theta.",
+    ),
+    "fewer-printed": Definition("FromNumbers", "0 < y <= eta_bar;", "0 < y < eta_bar;"),
+    "no-flight": Definition("FromNumbers", "/\\ s = later u s_0.", "/\\ s = later 0 s_0."),
+}  # fmt: skip
+PRINTED_STUB = "From Verify Require PrintedSet.\nAxioms lemma1 : PrintedSet.printed_set_theorem.\n"
+PRINTED_STUB += "Definition printed_set_theorem_holds := lemma1.\n"
+
 #: In the file of a scene that collapses, where each changed number and each other order is refused.
 SCENE = "Scene_nearly_aligned"
 SCENES = {
@@ -341,6 +372,22 @@ def spelled(name: str, directory: Path) -> bool:
     return other == "Sentences"
 
 
+def printed_set(name: str, directory: Path) -> bool:
+    """Whether the page of the printed set sees another definition, and is content with the same."""
+    way, page = PRINTED[name], "PinnedPrintedSet"
+    numbers, definitions, last = (
+        changed(way if way.file == file else Definition(file, "", ""))
+        for file in ("FromNumbers", "PrintedSet", page)
+    )
+    numbers = numbers.split("\nDefinition numbers_context")[0]
+    parts = {"FromNumbers": numbers, "PrintedSet": definitions}
+    parts |= {"PrintedProof": PRINTED_STUB, page: last}
+    failed = first_that_fails(directory, parts)
+    if failed not in ("", page):
+        raise ValueError(f"{failed} does not compile")
+    return bool(failed) == (name != "the-same")
+
+
 def unknown(output: str) -> list[str]:
     """What Coq says of assumptions that is not in the committed file."""
     known = {line.strip() for line in ASSUMED.read_text().splitlines()}
@@ -436,6 +483,7 @@ def ways() -> list[Way]:
     """Each with what says whether it is seen; and where there is nothing to see, that."""
     found: list[Way] = [(name, definition) for name in DEFINITIONS]
     found += [(name, spelled) for name in SPELLED]
+    found += [(name, printed_set) for name in PRINTED]
     found += [(name, assumption) for name in ASSUMPTIONS]
     found += [(name, nothing) for name in NOTHING]
     found += [(name, another_scene) for name in SCENES]

@@ -372,7 +372,7 @@ Definition the_renamed_scene := Runs.renamed {o} {s} {c} the_scene_{n}.
 Lemma the_state : AnyStep.has (SharperStep.numbers_of
   (after SharperStep.SS the_start SharperStep.start)) {d} the_renamed_scene Theorem1.B1 Theorem1.B2.
 Proof.
-  rewrite FlowCollapse.first_numbers. unfold the_start.
+  rewrite SharperCollapse.first_numbers. unfold the_start.
   rewrite {at_start}.
   eapply FlowCollapse.unit_state; [exact the_seen_{n} | exact the_unit].
 Qed.

@@ -170,8 +170,8 @@ PRINTED = {
 PRINTED_STUB = "From Verify Require PrintedSet.\nAxioms lemma1 : PrintedSet.printed_set_theorem.\n"
 PRINTED_STUB += "Definition printed_set_theorem_holds := lemma1.\n"
 
-#: In the file of a scene that collapses, where each changed number and each other order is refused.
-SCENE = "Scene_nearly_aligned"
+#: In the files of scenes that collapse, where each changed number and each other order is refused.
+SCENE, CUT = "Scene_nearly_aligned", "Scene_cut"
 SCENES = {
     "scene-velocity": ("- (7 / 5)", "- (8 / 5)"),
     "scene-order": (
@@ -185,6 +185,10 @@ SCENES = {
     "scene-latest": ("(8953 / 1250000) (9753 / 1250000)", "(8953 / 1250000) (9752 / 1250000)"),
     "scene-earliest": ("(8953 / 1250000) (9753 / 1250000)", "(8954 / 1250000) (9753 / 1250000)"),
     "scene-angle": ("(99483 / 100000) (249719 / 250000)", "(99484 / 100000) (249719 / 250000)"),
+    # Twice the time until the flight is cut: in what is said, and in the scene there.
+    "cut-time": ("the_time_1 : R := (", "the_time_1 : R := 2 * ("),
+    "cut-scene": ("scene_drift_0_1 : Theorem1.scene := Theorem1.later (",
+        "scene_drift_0_1 : Theorem1.scene := Theorem1.later (2 * "),
 }  # fmt: skip
 
 FALSE = "Theorem proved : False. Proof. exact wrong. Qed.\n"
@@ -468,12 +472,12 @@ def another_statement(name: str, directory: Path) -> bool:
 
 def another_scene(name: str, directory: Path) -> bool:
     """Whether a scene with another number, or another order of collisions, is refused."""
-    old, new = SCENES[name]
-    text = (directory / f"{SCENE}.v").read_text()
+    (old, new), file = SCENES[name], CUT if name.startswith("cut") else SCENE
+    text = (directory / f"{file}.v").read_text()
     if text.count(old) != 1:
-        raise ValueError(f"{old}: {text.count(old)} times in {SCENE}.v")
-    written(directory, SCENE, text.replace(old, new))
-    return "Error" in coqc(directory, SCENE).stdout
+        raise ValueError(f"{old}: {text.count(old)} times in {file}.v")
+    written(directory, file, text.replace(old, new))
+    return "Error" in coqc(directory, file).stdout
 
 
 Way = tuple[str, Callable[[str, Path], bool]]

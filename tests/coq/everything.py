@@ -1,6 +1,6 @@
 """What `.ci/coq` has compiled, asked of Coq at once.
 
-    python -m tests.coq.everything DIRECTORY --certificates    # a file each; prints it, its folder
+    python -m tests.coq.everything DIRECTORY --certificates    # a file each; prints the folders
     python -m tests.coq.everything DIRECTORY                   # writes Everything.v and Printed.v
 
 Everything.v has a definition for each committed certificate, whose type says that its statement is
@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from pathlib import Path
 
-from tests.coq.closing import ROOT, module, unread
+from tests.coq.closing import BALLS, BUILT, ROOT, module, unread
 from verify import check
 from verify.paper.in_coq import IN_COQ
 from verify.wire.coq.export import export
@@ -128,14 +128,15 @@ def folders() -> list[Path]:
     return [folder for folder in found if folder not in unread()]
 
 
-def exports(directory: Path) -> Iterator[tuple[str, str]]:
-    """The file of each folder, without suffix, and the folder; afterwards all these files exist."""
+def exports(directory: Path) -> Iterator[str]:
+    """The folders; each has a file afterwards, or `verify/coq/build` writes it."""
     for folder in folders():
-        file = directory / f"{module(folder)}.v"
-        if not file.exists():
+        name = str(folder.relative_to(ROOT))
+        if name not in BUILT:
             (read,) = check.read_folders([str(folder)])
-            file.write_text(export(read).rpartition("Print Assumptions")[0])
-        yield file.stem, f"certificates/{folder.relative_to(ROOT)}"
+            text = export(read, balls=name in BALLS).rpartition("Print Assumptions")[0]
+            (directory / f"{module(folder)}.v").write_text(text)
+        yield f"certificates/{name}"
 
 
 def everything(folders: list[Path]) -> str:
@@ -195,8 +196,8 @@ def printed(names: list[str]) -> str:
 if __name__ == "__main__":
     directory = Path(sys.argv[1])
     if sys.argv[2:] == ["--certificates"]:
-        for names in exports(directory):
-            print(*names)
+        for folder in exports(directory):
+            print(folder)
         sys.exit()
     (directory / "Everything.v").write_text(everything(folders()))
     (directory / "Printed.v").write_text(printed([*map(module, folders()), "Sharper"]))

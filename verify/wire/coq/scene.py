@@ -261,6 +261,17 @@ Proof.
   unfold after. now rewrite E.
 Qed."""
 
+    def read(self, n: str, at: dict[str, str]) -> str:
+        """The end of a proof: in A, the numbers of these names are what the row puts for them.
+
+        Where they are values of a variable, Coq need not compute to tell two of them apart; and
+        it types what takes their place quickly where that is written as it is defined.
+        """
+        equations = ",\n    ".join(f"(E {x} _ eq_refl : v {x} = {text})" for x, text in at.items())
+        return f"""pose proof the_numbers_{n} as E. revert A E.
+  generalize (after the_statement (fun _ => 0) the_at_{n}). intros v A E.
+  rewrite {equations} in A. exact A."""
+
     def certified(self, row: Applied, number: int, n: str) -> str:
         """The values satisfy what a context of the flow asks for."""
         return (
@@ -273,15 +284,12 @@ Qed."""
         o, s, c = (f"Theorem1.B{ball}" for ball in balls)
         here, label = self.at(row), f"recentre_{n}"
         numbers = (*STATE, *RECENTRED)
-        rewritten = ",\n    ".join(
-            f"(the_numbers_{label} Flow.number_of_recentre_{name} _ eq_refl)" for name in numbers
-        )
         state = " ".join(("1", *(here[name] for name in SEEN)))
         return f"""{self.substitution(label, row)}
 Lemma the_certified_{label} : FlowCollapse.recentred {" ".join(here[name] for name in numbers)}.
 Proof.
   pose proof (FlowCollapse.recentre_certified _ {self.certified(row, 4, label)}) as A.
-  rewrite {rewritten} in A. exact A.
+  {self.read(label, {f"Flow.number_of_recentre_{name}": here[name] for name in numbers})}
 Qed.
 Lemma the_seen_{label} : FlowStep.gram {self.dimension} the_scene_{n} {s} {o} {c} {state}.
 Proof. eapply FlowCollapse.seen_from_s; [exact the_seen_{n} | exact the_certified_{label}]. Qed.
@@ -294,15 +302,12 @@ Proof. eapply FlowCollapse.apart_seen; [exact the_seen_{label} | apply the_clear
         here, seen, scene = self.at(row), flight.seen[-1], flight.scene(n)
         label = f"drift_{n}_{len(flight.times) + 1}"
         numbers = (*STATE, *DRIFTED)
-        rewritten = ",\n    ".join(
-            f"(the_numbers_{label} Flow.number_of_drift_{name} _ eq_refl)" for name in numbers
-        )
         state = " ".join(here[name] for name in FLOWN)
         return f"""{self.substitution(label, row)}
 Lemma the_certified_{label} : FlowDrift.flow_drift {" ".join(here[name] for name in numbers)}.
 Proof.
   pose proof (FlowDrift.drift_certified _ {self.certified(row, 5, label)}) as A.
-  rewrite {rewritten} in A. exact A.
+  {self.read(label, {f"Flow.number_of_drift_{name}": here[name] for name in numbers})}
 Qed.
 Definition the_scene_{label} : Theorem1.scene := Theorem1.later {here["t"]} {scene}.
 Lemma the_seen_{label} : FlowStep.gram {self.dimension} the_scene_{label} {o} {s} {c} {state}.
@@ -315,11 +320,9 @@ Proof. eapply FlowDrift.drift_still_apart; exact the_certified_{label}. Qed."""
         o, s, c = (f"Theorem1.B{ball}" for ball in balls)
         here, d, before = self.at(row), self.dimension, n - 1
         seen, scene = flight.seen[-1], flight.scene(before)
-        values = " ".join(here[name] for name in ("r", *STATE, *STEP))
-        rewritten = ",\n    ".join(
-            f"(the_numbers_{n} Flow.number_of_{name} _ eq_refl)"
-            for name in ("r", "v_", *STATE[1:], *STEP)
-        )
+        numbers = ("r", *STATE, *STEP)
+        values = " ".join(here[name] for name in numbers)
+        names = (f"Flow.number_of_{'v_' if name == 'v' else name}" for name in numbers)
         rho = f"({here['r']} * {here['s']})"
         after = (here["y"], here["lam_next"], rho, here["eps_next"], "0")
         state = " ".join((*after, *(here[f"{name}_next"] for name in STATE[5:])))
@@ -345,7 +348,7 @@ Qed."""
 Lemma the_certified_{n} : FlowStep.flow_collision {values}.
 Proof.
   pose proof (FlowScene.collision_certified _ {self.certified(row, 1, str(n))}) as A.
-  rewrite {rewritten} in A. exact A.
+  {self.read(str(n), dict(zip(names, (here[x] for x in numbers), strict=True)))}
 Qed.
 Lemma the_later_{n} : 0 < {here["kap"]}.
 Proof. eapply FlowStep.kap_positive; [exact the_certified_{n} | exact the_apart_{seen}]. Qed.
@@ -402,17 +405,10 @@ Qed."""
         o, s, c = (f"Theorem1.B{ball}" for ball in balls)
         n, d, r = len(self.collisions), self.dimension, self.restitution()
         unit, start = map(self.at, self.ends)
-        at_unit, at_start = (
-            ", ".join(f"(the_numbers_{label} {module}{name} _ eq_refl)" for name in names)
-            for label, module, names in (
-                ("unit", "Flow.number_of_unit_", UNIT),
-                ("collapse", "Sharper.number_of_", START),
-            )
+        at_start = ", ".join(
+            f"(the_numbers_collapse Sharper.number_of_{name} _ eq_refl)" for name in START
         )
-        said = ", ".join(
-            f"(the_numbers_collapse Sharper.number_of_{name} _ eq_refl)"
-            for name in ("r", "p", "Y", "T", "eta_0", "C_0", "Theta")
-        )
+        said = ("r", "p", "Y", "T", "eta_0", "C_0", "Theta")
         limit = f"(Sharper.duration {start['p']} {start['Y']} {start['T']} * {start['eta_0']})"
         bounds = self.bounds()
         time_from, time_to, angle_from, angle_to = (
@@ -423,7 +419,7 @@ Qed."""
 Lemma the_unit : FlowCollapse.unit_numbers {" ".join(unit[name] for name in UNIT)}.
 Proof.
   pose proof (FlowCollapse.unit_certified _ {self.certified(self.ends[0], 8, "unit")}) as A.
-  rewrite {at_unit} in A. exact A.
+  {self.read("unit", {f"Flow.number_of_unit_{name}": unit[name] for name in UNIT})}
 Qed.{self.substitution("collapse", self.ends[1])}
 Definition the_start := after the_statement (fun _ => 0) the_at_collapse.
 Lemma the_start_is_good : scope SharperStep.SS SharperStep.start_context the_start.
@@ -444,7 +440,7 @@ Lemma the_collapse : Theorem1.collapse {d} {r} the_renamed_scene
 Proof.
   pose proof (SharperCollapse.sharper_collapse the_start the_start_is_good {d} _ the_state) as A.
   unfold SharperCollapse.latest, the_start in A.
-  rewrite {said} in A. exact A.
+  {self.read("collapse", {f"Sharper.number_of_{name}": start[name] for name in said})}
 Qed.
 
 (* {n} collisions, and then collisions without end. *)
@@ -540,12 +536,11 @@ Qed."""
             says = f"FlowScene.pair_ends {here['m']} {here['g']} {p}"
             intros, more, names = "", "", ["m", "g", "p"]
         good = self.certified(row, number, f"end_{i}")
-        numbers = (f"(the_numbers_end_{i} Flow.number_of_{kind}_{x} _ eq_refl)" for x in names)
         return f"""{self.substitution(f"end_{i}", row)}
 Lemma the_ends_{i} : {says}.
 Proof.
   {intros}pose proof (FlowScene.{kind}_certified _ {good}{more}) as A.
-  rewrite {", ".join(numbers)} in A. exact A.
+  {self.read(f"end_{i}", {f"Flow.number_of_{kind}_{x}": here[x] for x in names})}
 Qed."""
 
 

@@ -28,12 +28,11 @@ FOLDERS = sorted(path.parent for path in (ROOT / "certificates").rglob("certific
 def test_the_definitions_say_what_the_statement_says(folder: Path) -> None:
     """What Coq cannot read is known."""
     (found,) = check.read_folders([str(folder)])
-    try:
-        text = export(found)
-    except NotAcceptedError as error:
-        assert str(error) == unread().get(folder)
+    if folder in unread():
+        with pytest.raises(NotAcceptedError, match=f"^{re.escape(unread()[folder])}$"):
+            export(found)
         return
-    assert folder not in unread()
+    text = export(found)
     assert f"SHA-256 {sha256(found.statement).hexdigest()}, which Coq\n" in text
     intern = Interner()
     exported = Exported(text, intern)

@@ -25,6 +25,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import NamedTuple
 
@@ -198,12 +199,16 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as name:
         place = Path(name)
         environment = installed(place)
-        for number, page in enumerate(pages()):
+
+        def complaints(number: int, page: Path) -> list[str]:
             folder = place / f"page-{number}"
             folder.mkdir()
-            for found in followed(page, folder, environment):
-                wrong += 1
-                print(found, file=sys.stderr)
+            return list(followed(page, folder, environment))
+
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            for found in pool.map(complaints, *zip(*enumerate(pages()), strict=True)):
+                wrong += len(found)
+                print(*found, sep="\n", end="\n" * bool(found), file=sys.stderr)
     return 1 if wrong else 0
 
 

@@ -33,21 +33,13 @@ FOLDERS = sorted(path.parent for path in (ROOT / "certificates").rglob("certific
 
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
-def test_what_coq_cannot_read_is_known(folder: Path) -> None:
-    (found,) = check.read_folders([str(folder)])
-    try:
-        export(found)
-        said = None
-    except NotAcceptedError as error:
-        said = str(error)
-    assert said == unread().get(folder)
-
-
-@pytest.mark.parametrize(
-    "folder", [one for one in FOLDERS if one not in unread()], ids=lambda folder: folder.name
-)
 def test_the_definitions_say_what_the_statement_says(folder: Path) -> None:
+    """What Coq cannot read is known."""
     (found,) = check.read_folders([str(folder)])
+    if folder in unread():
+        with pytest.raises(NotAcceptedError, match=f"^{re.escape(unread()[folder])}$"):
+            export(found)
+        return
     text = export(found)
     assert f"SHA-256 {sha256(found.statement).hexdigest()}, which Coq\n" in text
     intern = Interner()

@@ -23,7 +23,7 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "certificates/examples"
 
 def run(reader: str, folder: Path, *arguments: str) -> tuple[int, str, str]:
     """The exit code, the report, and the complaint."""
-    done = subprocess.run([reader, *arguments], cwd=folder, capture_output=True, timeout=60)
+    done = subprocess.run([reader, *arguments], cwd=folder, capture_output=True, timeout=300)
     return done.returncode, done.stdout.decode(), done.stderr.decode()
 
 

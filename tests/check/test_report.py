@@ -238,7 +238,11 @@ def test_interrupted_while_it_checks() -> None:
     folders = [str(path.parent) for path in stored]
     command = [sys.executable, "-I", check.__file__, *folders]
     process = subprocess.Popen(command, stderr=subprocess.PIPE, encoding="utf-8")
-    time.sleep(0.5)
+    clock = Path(f"/proc/{process.pid}/stat")
+    ticks = 0
+    while ticks < 0.4 * os.sysconf("SC_CLK_TCK"):  # it has begun to check, however busy the machine
+        time.sleep(0.05)
+        ticks = int(clock.read_text(encoding="ascii").rpartition(")")[2].split()[11])
     process.send_signal(signal.SIGINT)
     _, errors = process.communicate(timeout=10)
     assert (process.returncode, errors) == (130, "check: interrupted\n")

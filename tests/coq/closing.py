@@ -1,6 +1,6 @@
 """Citations that Coq closes: what a statement cites is proved in other files of the same run.
 
-    python -m tests.coq.closing DIRECTORY        # writes Closed.v, and prints the files it needs
+    python -m tests.coq.closing DIRECTORY        # writes Closed.v, and the files it needs
 
 What is cited second is exported once more, as `verify.wire.coq.beside` does.
 """
@@ -21,12 +21,17 @@ ROOT = Path(__file__).resolve().parents[2] / "certificates"
 
 #: What `verify/coq/build` makes of some folders, for the theorems that use them.
 BUILT = {"step": "Step", "theorem1-all": "All", "flow": "Flow"}
+#: What ends in a theorem on three balls: two point runs, and four scenes.
+BALLS = {"theorem1-r-3-100": "Point", "theorem1-theta-5pi-6": "Angle"} | {
+    f"scenes/{name}": f"Scene_{name.replace('-', '_')}"
+    for name in ("passing", "parting", "nearly-aligned", "in-space")
+}
 
 
 def module(folder: Path) -> str:
     """The Coq file of a folder."""
     name = str(folder.relative_to(ROOT))
-    return BUILT.get(name) or "Checked_" + re.sub("[^A-Za-z0-9]", "_", name)
+    return (BUILT | BALLS).get(name) or "Checked_" + re.sub("[^A-Za-z0-9]", "_", name)
 
 
 def closed(name: str, own: str, others: list[str], proofs: list[str]) -> list[str]:
@@ -75,7 +80,6 @@ def main(directory: Path) -> None:
                 lines.append(f"From Verify Require {name}.")
                 lines += closed(f"closed_{name}", name, modules[:1], proofs[:1])
                 made.add(name)
-                print(name)
             modules.append(name)
             proofs.append(f"closed_{name}")
         lines += closed(f"closed_{own}", own, modules, proofs)

@@ -1,6 +1,6 @@
 """What `.ci/coq` has compiled, asked of Coq at once.
 
-    python -m tests.coq.everything DIRECTORY --certificates    # a file each; prints it, its folder
+    python -m tests.coq.everything DIRECTORY --certificates    # a file each; prints the folders
     python -m tests.coq.everything DIRECTORY                   # writes Everything.v and Printed.v
 
 Everything.v has a definition for each committed certificate, whose type says that its statement is
@@ -14,11 +14,14 @@ import json
 import sys
 import tomllib
 from collections.abc import Iterator
+from contextlib import redirect_stdout
 from fractions import Fraction
+from io import StringIO
 from pathlib import Path
 
-from tests.coq.closing import ROOT, module, unread
+from tests.coq.closing import BALLS, BUILT, ROOT, module, unread
 from verify import check
+from verify.cli import main
 from verify.paper.in_coq import IN_COQ
 from verify.wire.coq.export import export
 
@@ -51,13 +54,18 @@ FILES = (
     "  := AcceptsFiles.accepts_beside_sound.",
 )
 #: The scenes that disperse, with the balls that collide.
-DISPERSING = {"passing": "", "parting": "01 02 01 02"}
+DISPERSING = {"passing": "", "parting": "01 02 01 02", "cut-later": "01 12"}
 #: The scenes that collapse: the balls that collide, then the one in the middle, the one that it met
 #: last and the one that it meets next; between what the time and minus the cosine of the angle are.
 COLLAPSING = {
     "nearly-aligned": ("01 02", "021", "8953/1250000 9753/1250000 99483/100000 249719/250000"),
     "in-space": ("01 12", "120", "6277/20000 7933/25000 97079/100000 19831/20000"),
+    "cut": ("01", "012", "305233/10000000 153313/5000000 486003/500000 486521/500000"),
 }
+#: Those whose certificates are made here; the others' are committed.
+OWN_SCENES = Path(__file__).with_name("scenes")
+#: The files of statements that are exported once more, after the flow, as `verify/coq/build` does.
+AFTER_FLOW = {"Sharper": "sharper", "AsPrinted": "printed-set"}
 PARTS = ("the_nodes", "the_contexts", "the_rows", "the_citations", "the_statement")
 
 
@@ -79,7 +87,7 @@ def collapsing(name: str) -> str:
 
 
 def _about_scene(name: str, kind: str, collisions: str, more: list[str]) -> str:
-    scene = tomllib.loads((ROOT / f"scenes/{name}.toml").read_text(encoding="utf-8"))
+    scene = tomllib.loads(scene_file(name).read_text(encoding="utf-8"))
     places, velocities = (_coordinates(scene[key]) for key in ("positions", "velocities"))
     pairs = [(f"Theorem1.B{i}", f"Theorem1.B{j}") for i, j in collisions.split()]
     times = "".join(f"exists t_{n}, " for n, _ in enumerate(pairs))
@@ -92,6 +100,12 @@ def _about_scene(name: str, kind: str, collisions: str, more: list[str]) -> str:
     file = compiled(name)
     proof = f"{'eexists. ' * len(pairs)}exact Scene_{file}.three_balls."
     return f"Theorem {file} : {says}.\nProof. {proof} Qed."
+
+
+def scene_file(name: str) -> Path:
+    """The file of a scene."""
+    own = OWN_SCENES / f"{name}.toml"
+    return own if own.exists() else ROOT / f"scenes/{name}.toml"
 
 
 def compiled(name: str) -> str:
@@ -128,14 +142,27 @@ def folders() -> list[Path]:
     return [folder for folder in found if folder not in unread()]
 
 
-def exports(directory: Path) -> Iterator[tuple[str, str]]:
-    """The file of each folder, without suffix, and the folder; afterwards all these files exist."""
+def exports(directory: Path) -> Iterator[str]:
+    """The folders; each has a file afterwards, or `verify/coq/build` writes it.
+
+    So have the scenes of `.ci/coq` alone, whose certificates are made here.
+    """
     for folder in folders():
-        file = directory / f"{module(folder)}.v"
-        if not file.exists():
-            (read,) = check.read_folders([str(folder)])
-            file.write_text(export(read).rpartition("Print Assumptions")[0])
-        yield file.stem, f"certificates/{folder.relative_to(ROOT)}"
+        name = str(folder.relative_to(ROOT))
+        if name not in BUILT:
+            _export(folder, name in BALLS, directory / f"{module(folder)}.v")
+        yield f"certificates/{name}"
+    for scene in sorted(OWN_SCENES.glob("*.toml")):
+        made = directory / f"Scene_{compiled(scene.stem)}"
+        with redirect_stdout(StringIO()):
+            if code := main(["scene", str(scene), "--out", str(made)]):
+                raise SystemExit(f"{scene}: no certificate, exit code {code}")
+        _export(made, True, made.with_suffix(".v"))
+
+
+def _export(folder: Path, balls: bool, file: Path) -> None:
+    (read,) = check.read_folders([str(folder)])
+    file.write_text(export(read, balls=balls).rpartition("Print Assumptions")[0])
 
 
 def everything(folders: list[Path]) -> str:
@@ -159,6 +186,9 @@ def everything(folders: list[Path]) -> str:
         f"Definition theorem_1 : {conjunction('Pinned.')}",
         "  := Pinned.proved.",
         *FILES,
+        "From Verify Require PinnedPrintedSet.",
+        "Definition printed_set : PinnedPrintedSet.printed_set_theorem",
+        "  := PinnedPrintedSet.printed_set_proved.",
         "From Verify Require PinnedSeparatrix SeparatrixProof.",
         "Definition separatrix : PinnedSeparatrix.separatrix_theorem",
         "  := SeparatrixProof.separatrix.",
@@ -174,7 +204,7 @@ def everything(folders: list[Path]) -> str:
         lines.append(f"  := {proof}.")
     names = "".join(f", true_{name}" for name in own)
     main = f"soundness, files, theorem_1, point, angle, {', '.join(map(compiled, scenes))}"
-    main += ", Pinned.collapsing_scene, separatrix, discharged"
+    main += ", Pinned.collapsing_scene, printed_set, separatrix, discharged"
     lines.append(f"Definition everything := ({main}{names}).")
     return "\n".join([*lines, "Print Assumptions everything.", ""])
 
@@ -195,8 +225,8 @@ def printed(names: list[str]) -> str:
 if __name__ == "__main__":
     directory = Path(sys.argv[1])
     if sys.argv[2:] == ["--certificates"]:
-        for names in exports(directory):
-            print(*names)
+        for folder in exports(directory):
+            print(folder)
         sys.exit()
     (directory / "Everything.v").write_text(everything(folders()))
-    (directory / "Printed.v").write_text(printed([*map(module, folders()), "Sharper"]))
+    (directory / "Printed.v").write_text(printed([*map(module, folders()), *AFTER_FLOW]))

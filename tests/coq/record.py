@@ -19,7 +19,7 @@ from typing import Any
 
 from tests.coq.closing import ROOT as CERTIFICATES
 from tests.coq.closing import module
-from tests.coq.everything import folders
+from tests.coq.everything import AFTER_FLOW, folders
 from tests.coq.readback import Exported, Interner, Written, as_exported
 
 ROOT = CERTIFICATES.parent
@@ -31,23 +31,25 @@ class AnotherError(ValueError):
 
 
 def said_by_coq(
-    folder: Path, printed: str, available: dict[str, bytes], after: Path | None = None
+    folder: Path, printed: str, available: dict[str, bytes], after_flow: str = ""
 ) -> None:
-    """Nothing, if the statement that Coq prints is the one in the folder; or that, after another.
+    """Nothing, if the statement that Coq prints is the one in the folder; or that, after the flow.
+
+    ``after_flow`` is the name of the file that has it after the flow.
 
     Raises:
         AnotherError: if it is another one.
     """
     intern = Interner()
-    name = "Sharper" if after else module(folder)
+    name = after_flow or module(folder)
     text = as_exported(printed, name)
     if not text:
         raise AnotherError(f"{folder.name}: Coq has printed no statement")
     exported = Exported(text, intern)
     document = json.loads((folder / "statement.json").read_bytes())
-    if after:
-        digest = sha256((after / "statement.json").read_bytes()).hexdigest()
-        document["cites"] = [{"name": "beside", "statement_sha256": digest}]
+    if after_flow:
+        digest = sha256((CERTIFICATES / "flow/statement.json").read_bytes()).hexdigest()
+        document["cites"].insert(0, {"name": "beside", "statement_sha256": digest})
     written = Written(document, available, intern)
     if (exported.said, [*map(int, exported.own)]) != (written.said, written.own):
         raise AnotherError(f"{name}: Coq has proved another statement")
@@ -75,8 +77,9 @@ def found(directory: Path) -> dict[str, Any]:
             "folder": str(folder.relative_to(ROOT)), "statement_sha256": digest,
             "certificate_sha256": certificate,
         })  # fmt: skip
-    # The theorem on scenes uses the sharper one with the numbers that it has after the flow.
-    said_by_coq(CERTIFICATES / "sharper", printed, available, CERTIFICATES / "flow")
+    # The theorems on scenes and on the printed set use these with the numbers after the flow.
+    for name, folder_name in AFTER_FLOW.items():
+        said_by_coq(CERTIFICATES / folder_name, printed, available, name)
     counts = dict(line.split(": ") for line in (directory / "counts").read_text().splitlines())
     version = (directory / "version").read_text().strip()
     return {"format": 1, "coq": version, "counts": counts, "certificates": certificates}

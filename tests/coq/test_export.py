@@ -12,7 +12,15 @@ from pathlib import Path
 import pytest
 
 from tests.coq.closing import unread
-from tests.coq.everything import COLLAPSING, DISPERSING, POINTS, collapsing, dispersing
+from tests.coq.everything import (
+    COLLAPSING,
+    DISPERSING,
+    OWN_SCENES,
+    POINTS,
+    collapsing,
+    dispersing,
+    scene_file,
+)
 from tests.coq.readback import Exported, Interner, Written
 from tests.lies.lies import honest
 from verify import check
@@ -136,11 +144,21 @@ def test_other_statements_have_no_such_theorem(
     assert "Traceback" not in err
 
 
+def scene_folder(name: str, made: Path) -> str:
+    """The certificate of a scene: a committed one, or one that is made."""
+    if scene_file(name).parent != OWN_SCENES:
+        return str(ROOT / "certificates/scenes" / name)
+    assert main(["scene", str(scene_file(name)), "--out", str(made)]) == 0
+    return str(made)
+
+
 @pytest.mark.parametrize("name", DISPERSING)
 def test_a_scene_that_disperses_ends_in_its_theorem(
-    name: str, capsys: pytest.CaptureFixture[str]
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert main(["export", "coq", "--balls", str(ROOT / "certificates/scenes" / name)]) == 0
+    folder = scene_folder(name, tmp_path / "made")
+    capsys.readouterr()
+    assert main(["export", "coq", "--balls", folder]) == 0
     text = " ".join(capsys.readouterr().out.split())
     said = text.partition("Theorem three_balls : ")[2].partition(". Proof.")[0]
     assert re.findall(r"B(\d), Theorem1\.B(\d), ", said) == [
@@ -152,9 +170,11 @@ def test_a_scene_that_disperses_ends_in_its_theorem(
 
 @pytest.mark.parametrize("name", COLLAPSING)
 def test_a_scene_that_collapses_ends_in_its_theorem(
-    name: str, capsys: pytest.CaptureFixture[str]
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert main(["export", "coq", "--balls", str(ROOT / "certificates/scenes" / name)]) == 0
+    folder = scene_folder(name, tmp_path / "made")
+    capsys.readouterr()
+    assert main(["export", "coq", "--balls", folder]) == 0
     text = " ".join(capsys.readouterr().out.split())
     said = text.partition("Theorem three_balls : ")[2].partition(". Proof.")[0]
     collisions, _, after = said.partition("[")[2].partition("] ")

@@ -18,6 +18,7 @@ from tests.coq.tampering import (
     ASSUMPTIONS,
     DEFINITIONS,
     FALSE,
+    PRINTED,
     SENTENCES,
     SOURCES,
     SPELLED,
@@ -92,7 +93,7 @@ def test_in_a_proof_and_in_a_section_other_sentences_are_allowed() -> None:
     assert unexpected('Definition a := "x. Axiom y : False.')
 
 
-PLACES = [DEFINITIONS, SPELLED, PINNED, UNPROVED, VERDICTS]
+PLACES = [DEFINITIONS, SPELLED, PRINTED, PINNED, UNPROVED, VERDICTS]
 
 
 @pytest.mark.parametrize("way", [way for ways in PLACES for way in ways.values()])

@@ -11,6 +11,8 @@ from pathlib import Path
 
 from tests.coq.everything import SENTENCES, conjunction, discharging
 from verify.paper.in_coq import IN_COQ
+from verify.wire.coq.beside import beside
+from verify.wire.coq.export import export
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "verify/coq"
@@ -79,10 +81,54 @@ def test_the_page_that_pins_it_takes_no_notation_from_others() -> None:
     assert "Theorem admissible_parameters : admissible (3 / 100) 1 1 1.\nProof." in PINNED
 
 
+def test_the_printed_set_is_spelled_out_twice() -> None:
+    page, pinned = (
+        (SOURCES / f"{name}.v").read_text() for name in ("PrintedSet", "PinnedPrintedSet")
+    )
+    assert not re.search("^(Theorem|Lemma|Proof|Axiom|Parameter|Notation)\\b", page, re.MULTILINE)
+    found = constants(pinned.replace("minimum", "least"))
+    assert len(found) == 9
+    assert found == constants(page)
+    # What the paper prints is not what is repaired.
+    assert {name for name in found if found[name] == constants(PAGE).get(name)} == {
+        "x_0", "d_slope", "T_star",
+    }  # fmt: skip
+    (theorem,) = re.findall(
+        r"^Definition printed_set_theorem.*?\.$", pinned, re.DOTALL | re.MULTILINE
+    )
+    assert theorem.replace(" x v", " s") in page
+    for sentence in (
+        "0 < y <= eta_bar", "0 < d_0 <= Rmin d_const (d_slope * y ^ 2)", "minus_cosine d x = c",
+        "Rabs (minus_cosine d x - c) <= Theta / 6", "0 < w <= u -> i <> j -> 1 < distance d (",
+        "V_0 + (V_1 - V_0) / 3 <= dot d (from_to v B0 B2) (from_to v B0 B2) <= V_1",
+    ):  # fmt: skip
+        assert sentence in pinned
+    assert "Check (PrintedProof.printed_set_theorem_holds : PrintedSet." in pinned
+    assert pinned.endswith("Qed.\nPrint Assumptions printed_set_proved.\n")
+
+
+def test_a_statement_after_another_one_begins_as_what_it_cites_does() -> None:
+    """So that a theorem about the numbers of the one is about those of the other."""
+    cited, citing = (
+        export(beside(ROOT / f"certificates/{name}", ROOT / "certificates/flow"))
+        for name in ("sharper", "printed-set")
+    )
+    # The nodes of its terms, up to the last variable, and its contexts; comments have the names.
+    nodes, contexts = (
+        [re.findall(rf"^  ({kind}.*?);? *\(\*", text, re.MULTILINE) for text in (cited, citing)]
+        for kind in ("N[A-Z]", "Context")
+    )
+    last = max(i for i, node in enumerate(nodes[0]) if node.startswith("NVariable"))
+    assert last > 1000
+    assert nodes[0][: last + 1] == nodes[1][: last + 1]
+    assert len(contexts[0]) > 10
+    assert len(contexts[1]) == len(contexts[0]) + 2
+
+
 def test_everything_of_the_proof_is_compiled() -> None:
     project = (SOURCES / "_CoqProject").read_text()
     compiled = re.findall(r"^(\w+)\.v$", project, re.MULTILINE)
-    made = ["Step", "All", "Flow", "Sharper"]
+    made = ["Step", "All", "Flow", "Sharper", "AsPrinted"]
     assert sorted(compiled) == sorted([*made, *(path.stem for path in SOURCES.glob("*.v"))])
 
 

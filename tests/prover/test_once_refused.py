@@ -250,7 +250,7 @@ def test_ranges_that_lie_prove_nothing(monkeypatch: pytest.MonkeyPatch, relation
 def test_cosines_of_large_numbers(places: int) -> None:
     """The checker loses the bits of the reduction; where it has too few, the row is undecided."""
     large = Term("cos", as_term(10**places))
-    outcome = prove(lemma("title", [ask("row", 0 < large), ask("other", large < 0 * ONE)]))
+    rows = [ask("row", 0 < large), ask("other", large < 0 * ONE)]
+    outcome = prove(lemma("title", rows[: 1 if places > 400 else 2]))  # one is work enough
     found = {decision.verdict for decision in outcome.decisions.values()}
-    assert found in ({PROVED, REFUTED}, {UNDECIDED})
-    assert places > 400 or UNDECIDED not in found
+    assert found == ({UNDECIDED} if places > 400 else {PROVED, REFUTED})

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from verify import check_map
 from verify.cli.certify import folder_files
 from verify.cli.files import write_all
 from verify.paper.commands import report
 from verify.paper.commands.certificates import all_folders
-from verify.views.material import CertifiedOutcome
+from verify.prover.outcome import Outcome
+from verify.views.material import CertifiedOutcome, Plotted
 from verify.views.page.build import files
 
 Files = Mapping[str, bytes]
@@ -36,9 +38,14 @@ BENCH: dict[str, Any] = {"command": "bench", "tables": {"precision": TABLE}}
 
 @pytest.fixture(scope="session", autouse=True)
 def checked_once() -> Iterator[None]:
-    """A folder is checked and read once for the same bytes: the pages here are built many times."""
+    """A folder is checked and read once for the same bytes: the pages here are built many times.
+
+    So is a map; and what is drawn is computed once for the same outcome.
+    """
     known: dict[object, CertifiedOutcome] = {}
-    check = report._folder
+    maps: dict[object, tuple[Any, Any]] = {}
+    drawn: dict[tuple[int, int], tuple[Outcome, Plotted]] = {}
+    check, check_log, plotted = report._folder, check_map.check_log, report.plotted
 
     def folder(path: str, name: str, contents: Files, available: Files) -> CertifiedOutcome:
         key = (name, *sorted(contents.items()), *sorted(available.items()))
@@ -46,8 +53,22 @@ def checked_once() -> Iterator[None]:
             known[key] = check(path, name, contents, available)
         return known[key]
 
+    def read_log(lines: Iterable[bytes], most: int | None = check_map.MAX_WORK) -> tuple[Any, Any]:
+        key = (*lines, most)
+        if key not in maps:
+            maps[key] = check_log(iter(key[:-1]), most)
+        return maps[key]
+
+    def plot(everywhere: Outcome, depth: int) -> Plotted:
+        key = (id(everywhere), depth)
+        if key not in drawn:
+            drawn[key] = everywhere, plotted(everywhere, depth)
+        return drawn[key][1]
+
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(report, "_folder", folder)
+        patch.setattr(report, "plotted", plot)
+        patch.setattr(check_map, "check_log", read_log)
         yield
 
 

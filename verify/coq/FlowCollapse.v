@@ -107,13 +107,6 @@ Proof.
   intros P A. apply (scope_same SS S1 (size SS S1) P); [vm_compute; repeat constructor|].
   apply A. intros k [<-|[]]. apply Forall_nil.
 Qed.
-Lemma first_numbers v : numbers_of (after SS v start) = Numbers (v Sharper.number_of_y_start)
-  (v Sharper.number_of_eta_s_start) (v Sharper.number_of_C_start) (v Sharper.number_of_a_start)
-  (v Sharper.number_of_b_start) (v Sharper.number_of_A_start) (v Sharper.number_of_B_start)
-  (v Sharper.number_of_w_start) (v Sharper.number_of_d_start).
-Proof.
-  unfold numbers_of. f_equal; match goal with |- after _ _ _ ?x = _ => exact (started v x _ eq_refl) end.
-Qed.
 (* Which name a ball has. *)
 Definition name_of (o s c b : ball) : ball := if same b o then B0 else if same b s then B1 else B2.
 Lemma name_of_role o s c : s <> o /\ c <> o /\ s <> c ->

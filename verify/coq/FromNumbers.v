@@ -25,6 +25,32 @@ Record initial_with (phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c
   angle_with : Rabs (minus_cosine d s - c) <= Delta_theta / 4
 }.
 
+(* Its numbers: the inner products of the directions and the relative velocities of balls 1 and 2. *)
+Definition numbers_with (d : nat) (s : scene) (d_0 y : R) : AnyStep.numbers :=
+  let p := to s B0 B1 in let q := scaled (/ (1 + d_0)) (to s B0 B2) in
+  let w_s := relative s B0 B1 in let w_c := relative s B0 B2 in
+  AnyStep.Numbers y (rate d s B0 B1) (minus_cosine d s) (dot d p w_c) (dot d q w_s) (dot d w_c w_c)
+    (dot d w_s w_s) (dot d w_s w_c) d_0.
+Lemma numbers_of_initial phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c d s d_0 y :
+  initial_with phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c d s d_0 y ->
+  AnyStep.has (numbers_with d s d_0 y) d s B1 B2.
+Proof.
+  intros [G1 G2 G3 _ _ _ [G4 _] _ _ _]. unfold numbers_with. eexists.
+  split; [|split]; cbn [AnyStep.y AnyStep.eta_s AnyStep.C AnyStep.a AnyStep.b AnyStep.A AnyStep.B
+    AnyStep.w AnyStep.d]; try reflexivity.
+  - apply same_vector. intros k. unfold scaled. field. lra.
+  - change (square d s B0 B1 = 1). rewrite square_of_distance, G3. ring.
+  - rewrite dot_scaled, dot_scaled_right.
+    change (dot d (to s B0 B2) (to s B0 B2)) with (square d s B0 B2).
+    rewrite square_of_distance, G1. field. lra.
+  - unfold minus_cosine. rewrite dot_scaled_right, G1, G3. field. lra.
+  - rewrite dot_scaled. fold (rate d s B0 B2). rewrite G2. field. lra.
+Qed.
+(* Scenes into which those of a set fly while no two balls touch. *)
+Definition flown_from (d : nat) (set : scene -> R -> R -> Prop) (s : scene) : Prop :=
+  exists s_0 d_0 y u, set s_0 d_0 y /\ 0 <= u /\
+    (forall v i j, 0 < v <= u -> i <> j -> 1 < distance d (later v s_0) i j) /\ s = later u s_0.
+
 Definition numbers_context := Eval vm_compute in parent_of S0 start_context.
 
 Section FromNumbers.
@@ -56,20 +82,17 @@ Hypothesis good_scene : initial_with (numbers Step.number_of_phi_minus) (numbers
   (numbers Step.number_of_V_0) (numbers Step.number_of_V_1) (numbers Step.number_of_Delta_theta)
   (numbers Step.number_of_c) D s d_0 y.
 
-Notation p := (to s B0 B1).
-Notation q := (scaled (/ (1 + d_0)) (to s B0 B2)).
-Notation w_s := (relative s B0 B1).
-Notation w_c := (relative s B0 B2).
 Definition starting : valuation := fun x =>
-  if Pos.eqb x Step.number_of_y_start then y
-  else if Pos.eqb x Step.number_of_eta_s_start then rate D s B0 B1
-  else if Pos.eqb x Step.number_of_C_start then minus_cosine D s
-  else if Pos.eqb x Step.number_of_a_start then dot D p w_c
-  else if Pos.eqb x Step.number_of_b_start then dot D q w_s
-  else if Pos.eqb x Step.number_of_A_start then dot D w_c w_c
-  else if Pos.eqb x Step.number_of_B_start then dot D w_s w_s
-  else if Pos.eqb x Step.number_of_w_start then dot D w_s w_c
-  else d_0.
+  let m := numbers_with D s d_0 y in
+  if Pos.eqb x Step.number_of_y_start then AnyStep.y m
+  else if Pos.eqb x Step.number_of_eta_s_start then AnyStep.eta_s m
+  else if Pos.eqb x Step.number_of_C_start then AnyStep.C m
+  else if Pos.eqb x Step.number_of_a_start then AnyStep.a m
+  else if Pos.eqb x Step.number_of_b_start then AnyStep.b m
+  else if Pos.eqb x Step.number_of_A_start then AnyStep.A m
+  else if Pos.eqb x Step.number_of_B_start then AnyStep.B m
+  else if Pos.eqb x Step.number_of_w_start then AnyStep.w m
+  else AnyStep.d m.
 Definition start_keys := Eval vm_compute in
   match context_at S0 start_context with Some x => variables x | None => [] end.
 Definition at_start : valuation := extended numbers start_keys starting.
@@ -109,28 +132,12 @@ Proof.
   intros E. rewrite (read_right S0 Step.the_order Step.the_table Step.the_table_is _ _ Step.all_right).
   unfold after. now rewrite E.
 Qed.
-Ltac at_the_start x a :=
-  replace (after S0 at_start start x) with a by (symmetry; exact (started x _ eq_refl)).
 Lemma start_shown : shows (after S0 at_start start) D s B1 B2.
 Proof.
-  destruct good_scene as [G1 G2 G3 _ _ _ [G4 _] _ _ _]. exists q.
-  split; [|split]; unfold numbers_of; cbn [AnyStep.y AnyStep.eta_s AnyStep.C AnyStep.a AnyStep.b
-    AnyStep.A AnyStep.B AnyStep.w AnyStep.d].
-  - at_the_start Step.number_of_d d_0. apply same_vector. intros k. unfold scaled. field. lra.
-  - change (square D s B0 B1 = 1). rewrite square_of_distance, G3. ring.
-  - rewrite dot_scaled, dot_scaled_right.
-    change (dot D (to s B0 B2) (to s B0 B2)) with (square D s B0 B2).
-    rewrite square_of_distance, G1. field. lra.
-  - at_the_start Step.number_of_C (minus_cosine D s). unfold minus_cosine.
-    rewrite dot_scaled_right, G1, G3. field. lra.
-  - at_the_start Step.number_of_eta_s (rate D s B0 B1). reflexivity.
-  - at_the_start Step.number_of_y y. rewrite dot_scaled. fold (rate D s B0 B2). rewrite G2.
-    field. lra.
-  - at_the_start Step.number_of_a (dot D p w_c). reflexivity.
-  - at_the_start Step.number_of_b (dot D q w_s). reflexivity.
-  - at_the_start Step.number_of_B (dot D w_s w_s). reflexivity.
-  - at_the_start Step.number_of_A (dot D w_c w_c). reflexivity.
-  - at_the_start Step.number_of_w (dot D w_s w_c). reflexivity.
+  pose proof (numbers_of_initial _ _ _ _ _ _ _ _ _ _ _ _ _ good_scene) as A. unfold shows.
+  replace (numbers_of (after S0 at_start start)) with (numbers_with D s d_0 y); [exact A|].
+  unfold numbers_of, numbers_with.
+  f_equal; symmetry; match goal with |- after _ _ _ ?x = _ => exact (started x _ eq_refl) end.
 Qed.
 
 (* --- what follows ----------------------------------------------------------------------------- *)

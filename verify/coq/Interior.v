@@ -1,36 +1,38 @@
 (* The set has an interior. A scene of the initial set for which all inequalities are strict flies on
    for a while; each scene near the one into which it flies comes from another scene of the set. *)
 From Coq Require Import Reals List Lra Lia Ranalysis.
-From Verify Require Import Theorem1 Vectors Motion Determined Collapse OneScene Steady.
+From Verify Require Import Theorem1 Vectors Motion Determined FromNumbers Collapse OneScene Steady.
 Open Scope R_scope.
 
 Section Interior.
-Variables r c V_0 delta_theta : R.
-Hypothesis good : admissible r c V_0 delta_theta.
+Variables phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c : R.
 Variable d : nat.
+Notation initial :=
+  (initial_with phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c d).
+Hypothesis first_meeting : forall s d_0 y, initial s d_0 y -> exists t, first_to_meet d s B0 B2 t.
 
 (* --- the initial set by strict inequalities --------------------------------------------------- *)
 
 Definition gap (s : scene) : R := distance d s B0 B2 - 1.
 Definition approach_speed (s : scene) : R := - rate d s B0 B2 / distance d s B0 B2.
-Definition lowest : R := V_0 + (V_1 r c V_0 - V_0) / 3.
-Definition highest : R := V_1 r c V_0 - (V_1 r c V_0 - V_0) / 3.
+Definition lowest : R := V_0 + (V_1 - V_0) / 3.
+Definition highest : R := V_1 - (V_1 - V_0) / 3.
 Record inside (s : scene) : Prop := {
   gap_open : 0 < gap s;
-  gap_const : gap s < d_const r c V_0 delta_theta;
-  gap_slope : gap s < d_slope r c V_0 * (approach_speed s * approach_speed s);
+  gap_const : gap s < d_const;
+  gap_slope : gap s < d_slope * (approach_speed s * approach_speed s);
   recede_open : 0 < rate d s B0 B1;
   approach_open : 0 < approach_speed s;
-  slow_open : approach_speed s < eta_bar r c V_0 delta_theta;
-  ratio_open : Rabs (rate d s B0 B1 - phi_minus r c * approach_speed s) < x_0 r c V_0 * approach_speed s;
+  slow_open : approach_speed s < eta_bar;
+  ratio_open : Rabs (rate d s B0 B1 - phi_minus * approach_speed s) < x_0 * approach_speed s;
   low_1 : lowest < dot d (relative s B0 B1) (relative s B0 B1);
   high_1 : dot d (relative s B0 B1) (relative s B0 B1) < highest;
   low_2 : lowest < dot d (relative s B0 B2) (relative s B0 B2);
   high_2 : dot d (relative s B0 B2) (relative s B0 B2) < highest;
-  angle_open : Rabs (minus_cosine d s - c) < Delta_theta r c V_0 delta_theta / 4
+  angle_open : Rabs (minus_cosine d s - c) < Delta_theta / 4
 }.
 Lemma inside_initial s : inside s -> distance d s B0 B1 = 1 ->
-  initial r c V_0 delta_theta d s (gap s) (approach_speed s).
+  initial s (gap s) (approach_speed s).
 Proof.
   intros [G1 G2 G3 P A1 A2 Q L1 H1 L2 H2 C] T.
   replace (approach_speed s * approach_speed s) with (approach_speed s ^ 2) in G3 by ring.
@@ -140,18 +142,12 @@ Qed.
 
 (* --- a flight without a collision ------------------------------------------------------------- *)
 
-Lemma first_meeting s : inside s -> distance d s B0 B1 = 1 -> exists t, first_to_meet d s B0 B2 t.
-Proof.
-  intros I T. destruct (collides_without_end r c V_0 delta_theta good d s _ _ (inside_initial s I T))
-    as (scenes & time & <- & _ & C & _).
-  destruct (C O) as [F _]. exact (ex_intro _ _ F).
-Qed.
 (* Balls 0 and 2 still approach, and have not met: then nobody has. *)
 Lemma nobody_yet s u : inside s -> distance d s B0 B1 = 1 -> 0 < u ->
   1 < distance d (later u s) B0 B2 -> rate d (later u s) B0 B2 < 0 ->
   forall v i j, 0 < v <= u -> i <> j -> 1 < distance d (later v s) i j.
 Proof.
-  intros I T U A B. destruct (first_meeting s I T) as (t & [P F C _ _]).
+  intros I T U A B. destruct (first_meeting s _ _ (inside_initial s I T)) as (t & [P F C _ _]).
   assert (L : u < t); [|intros v i j V N; apply F; trivial; lra].
   apply Rnot_le_lt. intros N.
   assert (Q : later t s = later (t - u) (later u s)) by (rewrite later_later; f_equal; ring).
@@ -167,9 +163,9 @@ Proof.
     by (apply Rmult_le_pos; [apply Rle_0_sqr | apply dot_self]).
   lra.
 Qed.
-Theorem set_near : has_interior d (ZK r c V_0 delta_theta d).
+Theorem set_near : has_interior d (flown_from d initial).
 Proof.
-  destruct (first_meeting s_0 inside_0 touch_0) as (t & [P F C A _]).
+  destruct (first_meeting s_0 _ _ (inside_initial s_0 inside_0 touch_0)) as (t & [P F C A _]).
   (* half-way *)
   assert (D : 1 < distance d (later (t / 2) s_0) B0 B2) by (apply F; [lra | discriminate]).
   assert (B : rate d (later (t / 2) s_0) B0 B2 < 0).
@@ -194,25 +190,37 @@ Proof.
 Qed.
 End Interior.
 
-Theorem the_set_has_an_interior : interior.
+(* The scene of OneScene.v satisfies all inequalities strictly. *)
+Theorem room_is_interior phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c d :
+  room phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c -> (2 <= d)%nat ->
+  (forall s d_0 y, initial_with phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c d s d_0 y ->
+    exists t, first_to_meet d s B0 B2 t) ->
+  has_interior d (flown_from d
+    (initial_with phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c d)).
 Proof.
-  intros r c V_0 delta_theta A d L.
-  pose proof (numbers_of_point_are r c V_0 delta_theta A d L) as [G T D P Q S1 S2 C].
-  set (s := point r c V_0 delta_theta) in *. set (g := d_0 r c V_0 delta_theta) in *.
-  set (v := y r c V_0 delta_theta) in *.
-  apply (set_near r c V_0 delta_theta A d s); trivial.
+  intros K L M. pose proof (numbers_of_point_are _ _ _ _ _ _ _ _ _ d L K) as [G T D P Q S1 S2 C].
+  set (s := point _ _ _ _ _ _ _) in *. set (g := d_0 _ _ _) in *. set (v := y eta_bar) in *.
+  apply set_near with s; trivial. destruct K as [? K1 K2 K3 K4 K5 K6 K7 _ _].
   assert (E : gap d s = g) by (unfold gap; rewrite D; ring).
   assert (F : approach_speed d s = v) by (unfold approach_speed; rewrite D, Q; field; lra).
-  assert (V : 0 < v < eta_bar r c V_0 delta_theta).
-  { pose proof (eta_positive r c V_0 delta_theta A). unfold v, y. lra. }
-  pose proof (phi_positive r c V_0 delta_theta A). pose proof (x_0_positive r c V_0 delta_theta A).
-  pose proof (theta_positive r c V_0 delta_theta A). pose proof (speeds r c V_0 delta_theta A).
+  assert (V : 0 < v < eta_bar) by (unfold v, y; lra).
   destruct G as [G0 G]. pose proof (Rlt_le_trans _ _ _ G (Rmin_l _ _)) as G1.
   pose proof (Rlt_le_trans _ _ _ G (Rmin_r _ _)) as G2.
   replace (v ^ 2) with (v * v) in G2 by ring.
-  assert (0 < phi_minus r c * v) by (apply Rmult_lt_0_compat; lra).
-  assert (0 < x_0 r c V_0 * v) by (apply Rmult_lt_0_compat; lra).
+  assert (0 < phi_minus * v) by (apply Rmult_lt_0_compat; lra).
+  assert (0 < x_0 * v) by (apply Rmult_lt_0_compat; lra).
   split; rewrite ?E, ?F, ?P, ?S1, ?S2, ?C; trivial; try lra; unfold norm, eta_s, lowest, highest; fold v; try lra.
   - rewrite Rminus_diag_eq, Rabs_R0; trivial.
   - rewrite Rminus_diag_eq, Rabs_R0; trivial. lra.
+Qed.
+Theorem the_set_has_an_interior : interior.
+Proof.
+  intros r c V_0 delta_theta A d L.
+  destruct (room_is_interior _ _ _ _ _ _ _ _ _ d (constants_leave_room r c V_0 delta_theta A) L)
+    as (s & e & E & B).
+  - intros s g v I. apply scene_with_constants in I.
+    destruct (collides_without_end r c V_0 delta_theta A d s _ _ I) as (scenes & time & <- & _ & C & _).
+    destruct (C O) as [F _]. exact (ex_intro _ _ F).
+  - exists s, e. split; trivial. intros s' S. destruct (B s' S) as (s_0 & g & v & u & I & F).
+    exists s_0, g, v, u. split; trivial. now apply scene_with_constants.
 Qed.

@@ -1,6 +1,7 @@
-(* A scene for all parameters, in every dimension from 2 on, in the plane of the first two
-   coordinates, and its numbers; the certificate of the step proves bounds for them. The scene lies in
-   the initial set, and Interior.v shows what is near it. *)
+(* A scene in every dimension from 2 on, in the plane of the first two coordinates, and its numbers:
+   for an initial set that is described by any numbers that leave room for it. The certificate of the
+   step proves that those of Theorem1.v do. The scene lies in the initial set, and Interior.v shows what
+   is near it. *)
 From Coq Require Import Reals List Lra Lia.
 From Verify Require Import Theorem1 Vectors Motion Meaning Readable Gram OneStep Collapse.
 From Verify Require Step.
@@ -10,15 +11,14 @@ Open Scope R_scope.
 Opaque numbers.  (* nothing is to be computed from them *)
 
 Section Point.
-Variables r c V_0 delta_theta : R.
-Hypothesis good : admissible r c V_0 delta_theta.
+Variables phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c : R.
 Variable d : nat.
 Hypothesis enough : (2 <= d)%nat.
 
-Definition y : R := eta_bar r c V_0 delta_theta / 2.
-Definition eta_s : R := phi_minus r c * y.
-Definition d_0 : R := Rmin (d_const r c V_0 delta_theta) (d_slope r c V_0 * y ^ 2) / 2.
-Definition norm : R := (V_0 + V_1 r c V_0) / 2.
+Definition y : R := eta_bar / 2.
+Definition eta_s : R := phi_minus * y.
+Definition d_0 : R := Rmin d_const (d_slope * y ^ 2) / 2.
+Definition norm : R := (V_0 + V_1) / 2.
 Definition sine : R := sqrt (1 - c * c).
 Definition free_s : R := sqrt (norm - eta_s * eta_s).
 Definition free_c : R := sqrt (norm - y * y).
@@ -29,53 +29,18 @@ Definition point : scene := Scene
     | B0 => plane 0 0 | B1 => plane eta_s free_s
     | B2 => plane (y * c + free_c * sine) (- y * sine + free_c * c) end).
 
-Ltac row row_is :=
-  refine (row_in_scope S0 Step.the_order Step.the_table Step.the_table_is Step.the_rows_hold
-    Step.all_values _ _ _ (numbers r c V_0 delta_theta) Step.all_right row_is _);
-  exact (numbers_good r c V_0 delta_theta good).
-Ltac given g := refine (given_number r c V_0 delta_theta good g _); vm_compute; reflexivity.
 Ltac in_plane := apply same_vector; unfold to, relative; intros [|[|k]]; cbn; ring.
 
-Lemma eta_positive : 0 < eta_bar r c V_0 delta_theta.
-Proof. rewrite <- number_eta_bar. given (Less, Whole 0, Named Step.number_of_eta_bar). Qed.
-Lemma phi_positive : 0 < phi_minus r c.
-Proof.
-  rewrite <- (number_phi_minus r c V_0 delta_theta).
-  given (Less, Whole 0, Named Step.number_of_phi_minus).
-Qed.
-Lemma x_0_positive : 0 < x_0 r c V_0.
-Proof.
-  rewrite <- (number_x_0 r c V_0 delta_theta). given (Less, Whole 0, Named Step.number_of_x_0).
-Qed.
-Lemma theta_positive : 0 < Delta_theta r c V_0 delta_theta.
-Proof. rewrite <- number_Delta_theta. given (Less, Whole 0, Named Step.number_of_Delta_theta). Qed.
-Lemma const_positive : 0 < d_const r c V_0 delta_theta.
-Proof. rewrite <- number_d_const. given (Less, Whole 0, Named Step.number_of_d_const). Qed.
-Lemma slope_positive : 0 < d_slope r c V_0.
-Proof.
-  rewrite <- (number_d_slope r c V_0 delta_theta).
-  given (Less, Whole 0, Named Step.number_of_d_slope).
-Qed.
-Lemma speeds : V_0 < V_1 r c V_0.
-Proof.
-  rewrite <- (number_V_1 r c V_0 delta_theta). rewrite <- (number_V_0 r c V_0 delta_theta) at 1.
-  given (Less, Named Step.number_of_V_0, Named Step.number_of_V_1).
-Qed.
-Lemma room_c : y ^ 2 < norm.
-Proof.
-  unfold norm, y. rewrite <- number_eta_bar, <- (number_V_1 r c V_0 delta_theta).
-  rewrite <- (number_V_0 r c V_0 delta_theta) at 2. row Step.row_of_room_c_is.
-Qed.
-Lemma room_s : eta_s ^ 2 < norm.
-Proof.
-  unfold norm, eta_s, y.
-  rewrite <- number_eta_bar, <- (number_V_1 r c V_0 delta_theta).
-  rewrite <- (number_phi_minus r c V_0 delta_theta).
-  rewrite <- (number_V_0 r c V_0 delta_theta) at 3. row Step.row_of_room_s_is.
-Qed.
+Record room : Prop := {
+  room_angle : 0 < c <= 1; room_phi : 0 < phi_minus; room_x : 0 < x_0; room_eta : 0 < eta_bar;
+  room_const : 0 < d_const; room_slope : 0 < d_slope; room_theta : 0 < Delta_theta;
+  room_speeds : V_0 < V_1; room_c : y ^ 2 < norm; room_s : eta_s ^ 2 < norm
+}.
+Hypothesis roomy : room.
+
 (* Its numbers. *)
 Record numbers_of_point : Prop := {
-  bounds : 0 < d_0 < Rmin (d_const r c V_0 delta_theta) (d_slope r c V_0 * y ^ 2);
+  bounds : 0 < d_0 < Rmin d_const (d_slope * y ^ 2);
   point_touch : distance d point B0 B1 = 1;
   point_distance : distance d point B0 B2 = 1 + d_0;
   point_recede : rate d point B0 B1 = eta_s;
@@ -90,19 +55,17 @@ Proof.
   assert (Q : to point B0 B2 = plane ((1 + d_0) * - c) ((1 + d_0) * sine)) by in_plane.
   assert (S : relative point B0 B1 = plane eta_s free_s) by in_plane.
   assert (C : relative point B0 B2 = plane (y * c + free_c * sine) (- y * sine + free_c * c)) by in_plane.
-  pose proof eta_positive. pose proof phi_positive. pose proof x_0_positive. pose proof theta_positive.
-  pose proof const_positive. pose proof slope_positive. pose proof speeds.
-  pose proof good as [_ [c0 c1] _ _ _].
+  destruct roomy as [[c0 c1] K1 _ K2 K3 K4 _ K5 Room_c Room_s].
   assert (Y : 0 < y) by (unfold y; lra).
-  assert (N : 0 < Rmin (d_const r c V_0 delta_theta) (d_slope r c V_0 * y ^ 2)).
+  assert (N : 0 < Rmin d_const (d_slope * y ^ 2)).
   { apply Rmin_glb_lt; trivial. apply Rmult_lt_0_compat; trivial. now apply pow_lt. }
   assert (E : 0 < eta_s) by now apply Rmult_lt_0_compat.
   assert (Sine : sine * sine = 1 - c * c).
   { apply sqrt_sqrt. assert (c * c <= 1 * 1) by (apply Rmult_le_compat; lra). lra. }
   assert (Fs : free_s * free_s = norm - eta_s * eta_s).
-  { apply sqrt_sqrt. pose proof room_s as F. cbn in F. lra. }
+  { apply sqrt_sqrt. cbn in Room_s. lra. }
   assert (Fc : free_c * free_c = norm - y * y).
-  { apply sqrt_sqrt. pose proof room_c as F. cbn in F. lra. }
+  { apply sqrt_sqrt. cbn in Room_c. lra. }
   assert (D1 : distance d point B0 B1 = 1).
   { apply distance_one. unfold square. rewrite P, dot_plane by exact enough. ring. }
   assert (D2 : distance d point B0 B2 = 1 + d_0).
@@ -129,3 +92,60 @@ Proof.
   - unfold minus_cosine. rewrite D1, D2, P, Q, dot_plane by exact enough. field. lra.
 Qed.
 End Point.
+
+(* --- the constants of Theorem1.v leave room ---------------------------------------------------- *)
+
+Section RoomForAll.
+Variables r c V_0 delta_theta : R.
+Hypothesis good : admissible r c V_0 delta_theta.
+
+Ltac row row_is :=
+  refine (row_in_scope S0 Step.the_order Step.the_table Step.the_table_is Step.the_rows_hold
+    Step.all_values _ _ _ (numbers r c V_0 delta_theta) Step.all_right row_is _);
+  exact (numbers_good r c V_0 delta_theta good).
+Ltac given g := refine (given_number r c V_0 delta_theta good g _); vm_compute; reflexivity.
+Lemma eta_positive : 0 < eta_bar r c V_0 delta_theta.
+Proof. rewrite <- number_eta_bar. given (Less, Whole 0, Named Step.number_of_eta_bar). Qed.
+Lemma phi_positive : 0 < phi_minus r c.
+Proof.
+  rewrite <- (number_phi_minus r c V_0 delta_theta).
+  given (Less, Whole 0, Named Step.number_of_phi_minus).
+Qed.
+Lemma x_0_positive : 0 < x_0 r c V_0.
+Proof.
+  rewrite <- (number_x_0 r c V_0 delta_theta). given (Less, Whole 0, Named Step.number_of_x_0).
+Qed.
+Lemma theta_positive : 0 < Delta_theta r c V_0 delta_theta.
+Proof. rewrite <- number_Delta_theta. given (Less, Whole 0, Named Step.number_of_Delta_theta). Qed.
+Lemma const_positive : 0 < d_const r c V_0 delta_theta.
+Proof. rewrite <- number_d_const. given (Less, Whole 0, Named Step.number_of_d_const). Qed.
+Lemma slope_positive : 0 < d_slope r c V_0.
+Proof.
+  rewrite <- (number_d_slope r c V_0 delta_theta).
+  given (Less, Whole 0, Named Step.number_of_d_slope).
+Qed.
+Lemma speeds : V_0 < V_1 r c V_0.
+Proof.
+  rewrite <- (number_V_1 r c V_0 delta_theta). rewrite <- (number_V_0 r c V_0 delta_theta) at 1.
+  given (Less, Named Step.number_of_V_0, Named Step.number_of_V_1).
+Qed.
+Lemma room_for_c : y (eta_bar r c V_0 delta_theta) ^ 2 < norm V_0 (V_1 r c V_0).
+Proof.
+  unfold norm, y. rewrite <- number_eta_bar, <- (number_V_1 r c V_0 delta_theta).
+  rewrite <- (number_V_0 r c V_0 delta_theta) at 2. row Step.row_of_room_c_is.
+Qed.
+Lemma room_for_s : eta_s (phi_minus r c) (eta_bar r c V_0 delta_theta) ^ 2 < norm V_0 (V_1 r c V_0).
+Proof.
+  unfold norm, eta_s, y.
+  rewrite <- number_eta_bar, <- (number_V_1 r c V_0 delta_theta).
+  rewrite <- (number_phi_minus r c V_0 delta_theta).
+  rewrite <- (number_V_0 r c V_0 delta_theta) at 3. row Step.row_of_room_s_is.
+Qed.
+Theorem constants_leave_room : room (phi_minus r c) (x_0 r c V_0) (eta_bar r c V_0 delta_theta)
+  (d_const r c V_0 delta_theta) (d_slope r c V_0) V_0 (V_1 r c V_0) (Delta_theta r c V_0 delta_theta) c.
+Proof.
+  split; [exact (angle_obtuse _ _ _ _ good) | exact phi_positive | exact x_0_positive
+    | exact eta_positive | exact const_positive | exact slope_positive | exact theta_positive
+    | exact speeds | exact room_for_c | exact room_for_s].
+Qed.
+End RoomForAll.

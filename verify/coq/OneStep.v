@@ -122,12 +122,14 @@ Qed.
 Lemma before t : 0 <= t < flight -> scope S0 Step.context_before (at_time w Step.number_of_s t).
 Proof.
   intros T. eapply (at_a_time S0 well Step.the_table Step.the_table_is _ Step.all_right);
-    try (vm_compute; reflexivity); try apply T; [apply Nat.lt_0_succ | exact inside].
+    [apply Nat.lt_0_succ | exact inside | vm_compute; reflexivity | vm_compute; reflexivity
+    | apply T | apply T].
 Qed.
 Lemma meanwhile t : 0 <= t <= flight -> scope S0 Step.context_meanwhile (at_time w Step.number_of_t t).
 Proof.
   intros T. eapply (at_a_time S0 well Step.the_table Step.the_table_is _ Step.all_right);
-    try (vm_compute; reflexivity); try apply T; [apply Nat.lt_0_succ | exact inside].
+    [apply Nat.lt_0_succ | exact inside | vm_compute; reflexivity | vm_compute; reflexivity
+    | apply T | apply T].
 Qed.
 Lemma colliding_apart t : 0 <= t < flight ->
   1 < (1 + d) * (1 + d) + (1 + d) * t * - y + t * (1 + d) * - y + t * t * A.

@@ -55,6 +55,9 @@ Definition collapses_after (s : scene) (l : list meeting) (o i c : ball)
 
 (* --- the proof -------------------------------------------------------------------------------- *)
 
+Lemma run_on s i j t y rest z : i <> j -> first_to_meet d s i j t -> collided d r i j (later t s) = y ->
+  run y rest z -> run s ((i, j, t) :: rest) z.
+Proof. intros N M <- U. exact (conj N (conj M U)). Qed.
 Lemma free_for_ever s : (forall t, 0 < t -> nobody_collides d (later t s)) ->
   forall T, trajectory d r s T (fun t => later t s).
 Proof.

@@ -8,6 +8,7 @@ From Coq Require Import Reals List.
 Import ListNotations.
 From Verify Require Vectors Sequences Ending Steady OneStep Trajectory OneScene Interior InTurn Gram.
 From Verify Require Meaning Step Collapse FromNumbers Runs Sharper AnyStep SharperStep SharperCollapse.
+From Verify Require PrintedSet PrintedProof.
 Open Scope R_scope.
 Definition B1 : ball := Theorem1.B1.
 
@@ -115,30 +116,41 @@ Check (Ending.in_turn_collapses : forall d r restitutes scenes time T, time 0%na
     (Ending.ending d r restitutes scenes time T in_turn converges)).
 
 (* glue-interior: there is a scene that satisfies all inequalities strictly, and scenes near one into
-   which it flies are in the set. *)
-Definition strictly_inside r c V_0 delta_theta d s : Prop :=
-  let V_1 := V_1 r c V_0 in
+   which it flies are in the set; for any numbers that describe a set and leave room for the scene. *)
+Definition strictly_inside (phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c : R) d s : Prop :=
   let gap := distance d s B0 B2 - 1 in
   let y := - rate d s B0 B2 / distance d s B0 B2 in
-  0 < gap /\ gap < d_const r c V_0 delta_theta /\ gap < d_slope r c V_0 * (y * y) /\
-  0 < rate d s B0 B1 /\ 0 < y /\ y < eta_bar r c V_0 delta_theta /\
-  Rabs (rate d s B0 B1 - phi_minus r c * y) < x_0 r c V_0 * y /\
+  0 < gap /\ gap < d_const /\ gap < d_slope * (y * y) /\
+  0 < rate d s B0 B1 /\ 0 < y /\ y < eta_bar /\
+  Rabs (rate d s B0 B1 - phi_minus * y) < x_0 * y /\
   V_0 + (V_1 - V_0) / 3 < dot d (relative s B0 B1) (relative s B0 B1) /\
   dot d (relative s B0 B1) (relative s B0 B1) < V_1 - (V_1 - V_0) / 3 /\
   V_0 + (V_1 - V_0) / 3 < dot d (relative s B0 B2) (relative s B0 B2) /\
   dot d (relative s B0 B2) (relative s B0 B2) < V_1 - (V_1 - V_0) / 3 /\
-  Rabs (minus_cosine d s - c) < Delta_theta r c V_0 delta_theta / 4.
-Theorem same_inside r c V_0 delta_theta d s :
-  Interior.inside r c V_0 delta_theta d s <-> strictly_inside r c V_0 delta_theta d s.
+  Rabs (minus_cosine d s - c) < Delta_theta / 4.
+Theorem same_inside a b c e f g h i j d s :
+  Interior.inside a b c e f g h i j d s <-> strictly_inside a b c e f g h i j d s.
 Proof.
   split; [intros []; repeat (split; [assumption|]); assumption|].
   intros (? & ? & ? & ? & ? & ? & ? & ? & ? & ? & ? & ?). split; assumption.
 Qed.
-Check (OneScene.numbers_of_point_are : forall r c V_0 delta_theta, admissible r c V_0 delta_theta ->
-  forall d, (2 <= d)%nat -> OneScene.numbers_of_point r c V_0 delta_theta d).
-Check (Interior.set_near : forall r c V_0 delta_theta, admissible r c V_0 delta_theta ->
-  forall d s, Interior.inside r c V_0 delta_theta d s -> distance d s B0 B1 = 1 ->
+Check (OneScene.numbers_of_point_are : forall phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c
+  d, (2 <= d)%nat -> OneScene.room phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c ->
+  OneScene.numbers_of_point phi_minus eta_bar d_const d_slope V_0 V_1 c d).
+Check (Interior.set_near : forall phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c d,
+  let initial := FromNumbers.initial_with phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c d in
+  (forall s d_0 y, initial s d_0 y -> exists t, first_to_meet d s B0 B2 t) ->
+  forall s, Interior.inside phi_minus x_0 eta_bar d_const d_slope V_0 V_1 Delta_theta c d s ->
+  distance d s B0 B1 = 1 ->
+  has_interior d (fun s' => exists s_0 d_0 y u, initial s_0 d_0 y /\ 0 <= u /\
+    (forall v i j, 0 < v <= u -> i <> j -> 1 < distance d (later v s_0) i j) /\ s' = later u s_0)).
+Check (Interior.the_set_has_an_interior : forall r c V_0 delta_theta,
+  admissible r c V_0 delta_theta -> forall d, (2 <= d)%nat ->
   has_interior d (ZK r c V_0 delta_theta d)).
+(* The same of the printed set with room for the angle. *)
+Check (PrintedProof.room_has_an_interior : forall r c V_0 delta_theta,
+  admissible r c V_0 delta_theta -> forall d, (2 <= d)%nat ->
+  has_interior d (PrintedSet.with_room r c V_0 delta_theta d)).
 
 (* --- what is said of a point run, and of a scene that disperses --------------------------------- *)
 

@@ -78,21 +78,31 @@ Proof.
   specialize (KL x X2) as KX. specialize (KL y Y2) as KY.
   specialize (E x (conj X1 X2)) as EX. specialize (E y (conj Y1 Y2)) as EY.
   set (gx := u x / (1 - u x)) in *. set (gy := u y / (1 - u y)) in *.
-  assert (WX : 0 < a - k x) by nra.
-  assert (WL : a - k x <= a - k y) by nra.
+  assert (WX : 0 < a - k x) by (apply Rmult_lt_reg_l with qx; lra).
+  assert (WL : a - k x <= a - k y).
+  { apply Rnot_lt_le. intros N. apply (Rmult_lt_compat_l qy _ _ PQ) in N.
+    assert (qy * (a - k x) <= qx * (a - k x)) by (apply Rmult_le_compat_r; lra). lra. }
   assert (H2 : k x ^ 2 - l x ^ 2 <= k y ^ 2 - l y ^ 2).
   { rewrite <- HX', <- HY'. pose proof (h_range vx UX). apply Rmult_le_compat; try lra.
     - apply pow_le. lra.
-    - unfold h. nra.
+    - unfold h. assert (0 <= (vy - vx) * (2 - vx - vy)) by (apply Rmult_le_pos; lra). lra.
     - apply pow_incr. lra. }
   assert (RX : 0 < rho * gx) by now apply Rmult_lt_0_compat.
   assert (RY : 0 < rho * gy) by now apply Rmult_lt_0_compat.
-  assert (LL : l y <= l x) by (apply Rnot_lt_le; intros N; nra).
+  assert (LL : l y <= l x).
+  { apply Rnot_lt_le. intros N.
+    assert (0 < (l y - l x) * (l y + l x)) by (apply Rmult_lt_0_compat; lra).
+    assert (0 <= (k x - k y) * (k x + k y)) by (apply Rmult_le_pos; lra). lra. }
   assert (GG : gx <= gy).
-  { apply Rnot_lt_le. intros N. assert (rho * gy < rho * gx) by now apply Rmult_lt_compat_l. nra. }
+  { apply Rnot_lt_le. intros N. assert (rho * gy < rho * gx) by now apply Rmult_lt_compat_l.
+    assert ((k y - l y) * (k x + l x) < (k x - l x) * (k x + l x))
+      by (apply Rmult_lt_compat_r; lra).
+    assert ((k y - l y) * (k y + l y) <= (k y - l y) * (k x + l x))
+      by (apply Rmult_le_compat_l; lra).
+    lra. }
   unfold gx, gy in GG.
   assert (u x * (1 - u y) <= u y * (1 - u x)); [|lra].
-  apply Rmult_le_compat_r with (r := (1 - u x) * (1 - u y)) in GG; [|nra].
+  apply Rmult_le_compat_r with (r := (1 - u x) * (1 - u y)) in GG; [|apply Rmult_le_pos; lra].
   replace (u x / (1 - u x) * ((1 - u x) * (1 - u y))) with (u x * (1 - u y)) in GG by (field; lra).
   replace (u y / (1 - u y) * ((1 - u x) * (1 - u y))) with (u y * (1 - u x)) in GG by (field; lra).
   exact GG.

@@ -116,3 +116,10 @@ Proof.
     exact (limit_within _ _ _ _ (Theorem1.angle_converges _ _ _ _ _ _ _ _ P) angle_stays).
 Qed.
 End SharperCollapse.
+Lemma first_numbers v : numbers_of (after SS v start) = Numbers (v Sharper.number_of_y_start)
+  (v Sharper.number_of_eta_s_start) (v Sharper.number_of_C_start) (v Sharper.number_of_a_start)
+  (v Sharper.number_of_b_start) (v Sharper.number_of_A_start) (v Sharper.number_of_B_start)
+  (v Sharper.number_of_w_start) (v Sharper.number_of_d_start).
+Proof.
+  unfold numbers_of. f_equal; match goal with |- after _ _ _ ?x = _ => exact (started v x _ eq_refl) end.
+Qed.

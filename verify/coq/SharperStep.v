@@ -108,12 +108,14 @@ Qed.
 Lemma before t : 0 <= t < flight -> scope SS Sharper.context_before (at_time v Sharper.number_of_s t).
 Proof.
   intros T. eapply (at_a_time SS well Sharper.the_table Sharper.the_table_is _ Sharper.all_right);
-    try (vm_compute; reflexivity); try apply T; [apply Nat.lt_0_succ | exact inside].
+    [apply Nat.lt_0_succ | exact inside | vm_compute; reflexivity | vm_compute; reflexivity
+    | apply T | apply T].
 Qed.
 Lemma meanwhile t : 0 <= t <= flight -> scope SS Sharper.context_meanwhile (at_time v Sharper.number_of_t t).
 Proof.
   intros T. eapply (at_a_time SS well Sharper.the_table Sharper.the_table_is _ Sharper.all_right);
-    try (vm_compute; reflexivity); try apply T; [apply Nat.lt_0_succ | exact inside].
+    [apply Nat.lt_0_succ | exact inside | vm_compute; reflexivity | vm_compute; reflexivity
+    | apply T | apply T].
 Qed.
 
 Theorem sharper_step : step_certified (numbers_of v) flight.

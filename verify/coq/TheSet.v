@@ -47,6 +47,30 @@ Proof.
   rewrite <- E. apply M. lia.
 Qed.
 
+(* A scene into which one flies that collapses does, too. *)
+Theorem flown_collapses d r s u by_time c tolerance : 0 < r < 1 -> 0 <= u ->
+  (forall v i j, 0 < v <= u -> i <> j -> 1 < distance d (later v s) i j) ->
+  collapse d r s by_time c tolerance -> collapse d r (later u s) by_time c tolerance.
+Proof.
+  intros R U F (scenes & time & T & ? & at_T & P0 & B & M).
+  pose proof (first_scene _ _ _ _ _ _ _ _ P0) as S. subst s.
+  pose proof (first_time _ _ _ _ _ _ _ _ P0) as Z. pose proof (in_turn _ _ _ _ _ _ _ _ P0) as C.
+  pose proof (finite_time _ _ _ _ _ _ _ _ P0) as L.
+  assert (Q : 0 <= u < time 1%nat).
+  { split; trivial. apply Rnot_le_lt. intros N. destruct (C O) as [[P _ E _ _] _].
+    rewrite Z, Rminus_0_r in P, E. specialize (F _ B0 (collides_with 0) (conj P N)).
+    specialize (F ltac:(discriminate)). lra. }
+  pose proof (flown_in_turn d r scenes time Z C u Q) as C'.
+  pose proof (in_turn_collapses d r R (flown_scenes scenes u)
+    (flown_time time u) (T - u) eq_refl C' (flown_converges time T L u)) as P.
+  exists (flown_scenes scenes u), (flown_time time u), (T - u). do 2 eexists.
+  split; [exact P|]. split; [lra|].
+  pose proof (same_limit (fun n => minus_cosine d (scenes n))
+    (fun n => minus_cosine d (flown_scenes scenes u n)) _ (fun n => eq_refl)
+    (angle_converges _ _ _ _ _ _ _ _ P0)) as K.
+  rewrite <- (UL_sequence _ _ _ K (angle_converges _ _ _ _ _ _ _ _ P)). exact M.
+Qed.
+
 (* --- the theorem ------------------------------------------------------------------------------ *)
 
 Theorem theorem_1_holds : theorem_1.
@@ -54,16 +78,8 @@ Proof.
   intros r c V_0 delta_theta A d s (s_0 & d_0 & y & u & I & U & F & ->).
   destruct (collides_without_end r c V_0 delta_theta A d s_0 d_0 y I)
     as (scenes & time & <- & Z & C & (T & L & B) & (l & K & M)).
-  assert (Q : 0 <= u < time 1%nat).
-  { split; trivial. apply Rnot_le_lt. intros N. destruct (C O) as [[P _ E _ _] _].
-    rewrite Z, Rminus_0_r in P, E. specialize (F _ B0 (collides_with 0) (conj P N)).
-    specialize (F ltac:(discriminate)). lra. }
-  pose proof (flown_in_turn d r scenes time Z C u Q) as C'.
-  pose proof (in_turn_collapses d r (restitution _ _ _ _ A) (flown_scenes scenes u)
-    (flown_time time u) (T - u) eq_refl C' (flown_converges time T L u)) as P.
-  exists (flown_scenes scenes u), (flown_time time u), (T - u). do 2 eexists.
-  split; [exact P|]. split; [lra|].
-  pose proof (same_limit (fun n => minus_cosine d (scenes n))
-    (fun n => minus_cosine d (flown_scenes scenes u n)) l (fun n => eq_refl) K) as K'.
-  rewrite <- (UL_sequence _ _ _ K' (angle_converges _ _ _ _ _ _ _ _ P)). exact M.
+  apply flown_collapses; trivial; [exact (restitution _ _ _ _ A)|].
+  pose proof (in_turn_collapses d r (restitution _ _ _ _ A) scenes time T Z C L) as P.
+  exists scenes, time, T. do 2 eexists. split; [exact P|]. split; [exact B|].
+  rewrite <- (UL_sequence _ _ _ K (angle_converges _ _ _ _ _ _ _ _ P)). exact M.
 Qed.

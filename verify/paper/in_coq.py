@@ -21,6 +21,7 @@ _GENERAL = {
 _VECTORS = {"cauchy-schwarz": ("Vectors.cauchy_schwarz", "Vectors.vector_exists")}
 _LENGTH = {"finite-length": ("Ending.place_cauchy", "Ending.positions_converge_to_ending")}
 _OPEN = {"open-condition": ("Steady.steady_less", "Steady.nearby_both")}
+_NEAR = ("OneScene.numbers_of_point_are", "Interior.set_near")
 _CURVE = ("SeparatrixProof.separatrix",)
 
 #: For each theorem with such sentences their names, in its order.
@@ -32,7 +33,7 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
         "glue-next": ("OneStep.meets", "OneStep.shows_next"),
         "glue-collapse": ("Trajectory.scenes_collide_in_turn", "Trajectory.finite_time"),
         "glue-angle": ("Trajectory.angle_converges", "Ending.in_turn_collapses"),
-        "glue-interior": ("OneScene.numbers_of_point_are", "Interior.set_near"),
+        "glue-interior": (*_NEAR, "Interior.the_set_has_an_interior"),
     },
     "sharper": {
         **_GENERAL,
@@ -50,7 +51,11 @@ IN_COQ: Mapping[str, Mapping[str, tuple[str, ...]]] = {
     "outside": {name: _GENERAL[name] for name in ("hard-spheres", "cauchy-schwarz")},
     "flow": {"hard-spheres": _GENERAL["hard-spheres"]},
     "line": {"bounded-monotone": _GENERAL["bounded-monotone"]},
-    f"{THEOREM}, the set as printed": {**_VECTORS, **_OPEN},
+    f"{THEOREM}, the set as printed": {
+        **_VECTORS,
+        **_OPEN,
+        "glue-interior": (*_NEAR, "PrintedProof.room_has_an_interior"),
+    },
     "separatrix": {
         "limit-map": ("Separatrix.goes_on", "Separatrix.next"),
         "unending": ("Separatrix.unending",),

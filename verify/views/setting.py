@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import partial
+from functools import cache, partial
 from html import escape, unescape
 from typing import Any
 
@@ -100,16 +100,7 @@ Filters = Iterable[Callable[..., Any]]
 
 def in_html(name: str, content: Mapping[str, Any], filters: Filters = ()) -> str:
     """What a template says, in HTML, where everything is escaped."""
-    found = _environment(filters, _cells_in_html)
-    found.autoescape = True
-    found.filters |= {
-        "set": _line_in_html,
-        "is_narrow": is_narrow,
-        "headings": partial(re.findall, '<h2 id="([^"]*)">(.*?)</h2>'),
-        "prose": lambda text: Markup(prose(text)),  # noqa: S704  these three are escaped
-        "raised": lambda text: Markup(raised(text)),  # noqa: S704
-    }
-    return found.get_template(name).render(content, kind="html.j2").lstrip()
+    return _for_html(*filters).get_template(name).render(content, kind="html.j2").lstrip()
 
 
 def in_markdown(name: str, content: Mapping[str, Any], filters: Filters) -> str:
@@ -120,14 +111,33 @@ def in_markdown(name: str, content: Mapping[str, Any], filters: Filters) -> str:
 
 def markdown_template(name: str, filters: Filters = ()) -> Template:
     """A template in Markdown, which has no tags: nothing is escaped but bars in tables."""
-    found = _environment(filters, _cells_in_markdown)
-    found.filters["set"] = in_a_line
-    return found.get_template(name)
+    return _for_markdown(*filters).get_template(name)
 
 
 def apart(text: str) -> str:
     """A text that does not begin with an empty line, and has no two in a row."""
     return re.sub("\n{3,}", "\n\n", text).lstrip("\n")
+
+
+@cache  # so that each template is compiled once
+def _for_html(*filters: Callable[..., Any]) -> Environment:
+    found = _environment(filters, _cells_in_html)
+    found.autoescape = True
+    found.filters |= {
+        "set": _line_in_html,
+        "is_narrow": is_narrow,
+        "headings": partial(re.findall, '<h2 id="([^"]*)">(.*?)</h2>'),
+        "prose": lambda text: Markup(prose(text)),  # noqa: S704  these three are escaped
+        "raised": lambda text: Markup(raised(text)),  # noqa: S704
+    }
+    return found
+
+
+@cache
+def _for_markdown(*filters: Callable[..., Any]) -> Environment:
+    found = _environment(filters, _cells_in_markdown)
+    found.filters["set"] = in_a_line
+    return found
 
 
 def _environment(filters: Filters, cells: Callable[..., Any]) -> Environment:

@@ -47,9 +47,12 @@ def contradictions(found: Fate, digits: int = DIGITS) -> list[str]:
 def neg_cos(collision: Impact, central: int, digits: int) -> object:
     """-cos of the angle at the central particle, at a collision."""
     with mpmath.workdps(digits):
-        x = [mpmath.matrix(position) for position in collision.positions]
-        a, b = (x[k] - x[central] for k in range(3) if k != central)
-        return -mpmath.fdot(a, b) / mpmath.norm(a) / mpmath.norm(b)
+        a, b = (
+            [u - v for u, v in zip(place, collision.positions[central], strict=True)]
+            for k, place in enumerate(collision.positions)
+            if k != central
+        )
+        return -mpmath.fdot(a, b) / mpmath.sqrt(mpmath.fdot(a, a) * mpmath.fdot(b, b))
 
 
 def is_inside(value: object, ends: tuple[Fraction, Fraction], digits: int = DIGITS) -> bool:

@@ -196,24 +196,26 @@ class Solver:
         return length, error
 
     def hessian(self) -> Matrix:
-        """M with M_kl = A_k(S A_l S)."""
+        """M with M_kl = A_k(S A_l S), where sums are taken in the order of the entries."""
+        import numpy as np  # loaded only where it is used
+
         m = len(self.b)
-        found = [[0.0] * m for _ in range(m)]
+        found = np.zeros((m, m))
         for s, entries in zip(self.s, self.program.entries, strict=True):
-            for p, q, parts in entries:
-                column = [0.0] * m
-                sp, sq = s[p], s[q]
-                for i, j, others in entries:
-                    value = sp[i] * sq[j] + sq[i] * sp[j]
-                    for k, coefficient in others:
-                        column[k] += coefficient * value
-                for k, coefficient in parts:
-                    half = coefficient / 2  # of an entry off the diagonal at either place
-                    row = found[k]
-                    for other, value in enumerate(column):
-                        if value:
-                            row[other] += half * value
-        return found
+            matrix = np.array(s)
+            i, j = (np.array([entry[at] for entry in entries], int) for at in (0, 1))
+            parts = [(e, *part) for e, (_, _, parts) in enumerate(entries) for part in parts]
+            e, k = (np.array([part[at] for part in parts], int) for at in (0, 1))
+            coefficients = np.array([part[2] for part in parts])
+            for p, q, own in entries:
+                sp, sq = matrix[p], matrix[q]
+                values = sp[i] * sq[j] + sq[i] * sp[j]
+                column = np.bincount(k, coefficients * values[e], m)
+                for row, coefficient in own:
+                    # Half of an entry off the diagonal is at either place.
+                    found[row] += coefficient / 2 * column
+        rows: Matrix = found.tolist()
+        return rows
 
     def direction(self, nu: Sequence[float]) -> list[Matrix]:
         """S + S A*(nu) S for each block."""

@@ -2,9 +2,10 @@
 
 Each collision of the certificate applies the flow; `verify/coq/FlowStep.v` takes the inner products
 of the balls' places and velocities through it, and `verify/coq/Runs.v` makes a trajectory of them.
-A scene that disperses ends in three pairs that never meet again; one that collapses applies the
-sharper theorem to the state that the last collision leaves (`verify/coq/FlowCollapse.v`). Which
-ball is which is found by comparing the first numbers with the scene; Coq checks that.
+A flight to a collision may be cut into drifts (`verify/coq/FlowDrift.v`). A scene that disperses
+ends in three pairs that never meet again; one that collapses applies the sharper theorem to the
+state that the last collision leaves (`verify/coq/FlowCollapse.v`). Which ball is which is found by
+comparing the first numbers with the scene; Coq checks that.
 """
 
 from __future__ import annotations
@@ -26,6 +27,9 @@ STEP = (
     "w_next", "eps_next",
 )  # fmt: skip
 PAIRS = ("01", "02", "12")
+#: What follows the numbers of a state in ``flow_drift`` of FlowDrift.v, and the state after it.
+DRIFTED = (*(f"{x}_next" for x in ("lam", "rho", "eps", "sig", "C", "a", "b")), "t")
+FLOWN = ("v", *DRIFTED[:4], "A", "B", *DRIFTED[4:7], "w")
 #: What follows the numbers of a state in ``recentred`` of FlowCollapse.v, and the state after it.
 RECENTRED = tuple(f"{x}_next" for x in ("lam", "rho", "eps", "sig", "A", "C", "a", "b", "w"))
 SEEN = (*(f"{x}_next" for x in STATE[1:6]), "B", *(f"{x}_next" for x in STATE[7:]))
@@ -41,6 +45,8 @@ ENDS = {"flow:parting", "flow:passing"}
 COLLAPSE = ["flow:unit", "sharper:start"]
 #: Intervals of so many bits keep all numbers with a few hundred digits.
 BITS = 1 << 12
+#: What may come next on the way to a collision.
+FLIGHT = {"flow:collision", "flow:drift"}
 REASON = "it is no scene that disperses or collapses after collisions, each seen from one ball"
 
 HEAD = """
@@ -78,7 +84,8 @@ def about_scene(reading: Reading) -> list[str]:
         steps.pop()
     ordered = all(
         row.kind == "flow:collision"
-        or (row.kind == "flow:recentre" and before == after == "flow:collision")
+        or (row.kind == "flow:drift" and after in FLIGHT)
+        or (row.kind == "flow:recentre" and before == "flow:collision" and after in FLIGHT)
         for before, row, after in _neighbours(steps)
     )
     ended = collapses or (len(ends) == last and {row.kind for row in ends} <= ENDS)
@@ -99,6 +106,17 @@ class Applied(NamedTuple):
         return self.claim.context.name
 
 
+class Way(NamedTuple):
+    """What has been said of the flight to the next collision: states, and how long drifts take."""
+
+    seen: list[str]  # the labels of its states, the first one, and one after each drift
+    times: list[str]
+
+    def scene(self, n: int) -> str:
+        """The last scene that has a name, after collision n."""
+        return f"the_scene_{self.seen[-1] if self.times else n}"
+
+
 def _neighbours(rows: list[Applied]) -> Iterator[tuple[str, Applied, str]]:
     """Each row, between what the one before it and the one after it apply."""
     kinds = ["", *(row.kind for row in rows), ""]
@@ -114,6 +132,7 @@ class Scene:
         self.reading, self.steps, self.ends, self.collapses = reading, steps, ends, collapses
         self.collisions = [row for row in steps if row.kind == "flow:collision"]
         self.meetings: list[str] = []
+        self.cut: list[int] = []  # the collisions with a drift before them
         self.form = Readable(reading)
         self.places, self.velocities = self.coordinates("x"), self.coordinates("v")
         self.dimension = len(self.places[0])
@@ -185,15 +204,22 @@ class Scene:
         o, s, c = self.balls
         if self.collisions:
             yield self.first()
-        n = 0
+        n, flight = 0, Way(["0"], [])
         for row in self.steps:
             if row.kind == "flow:recentre":
                 yield self.recentre(n, row, (o, s, c))
+                flight = Way([f"recentre_{n}"], [])
                 o, s = s, o
+            elif row.kind == "flow:drift":
+                yield self.drift(n, row, (o, s, c), flight)
+                label = f"drift_{n}_{len(flight.times) + 1}"
+                flight = Way([*flight.seen, label], [*flight.times, self.at(row)["t"]])
             else:
                 n += 1
-                yield self.collision(n, row, (o, s, c))
+                yield self.collision(n, row, (o, s, c), flight)
                 self.meetings.append(f"(Theorem1.B{o}, Theorem1.B{c}, the_time_{n})")
+                self.cut += [n] * bool(flight.times)
+                flight = Way([f"{n}"], [])
                 s, c = c, s
         yield self.collapse((o, s, c)) if self.collapses else self.last((o, s, c))
 
@@ -201,7 +227,10 @@ class Scene:
         """What is cited, and that it is proved."""
         modules = ["Flow", "Sharper"] if self.collapses else ["Flow"]
         proofs = ["exact Flow.proved", "exact (Sharper.proved SharperStep.citations)"]
-        more = "FlowCollapse AnyStep Sharper SharperStep SharperCollapse" * self.collapses
+        kinds = {row.kind for row in self.steps}
+        more = "FlowDrift " * ("flow:drift" in kinds)
+        more += "FlowCollapse " * (self.collapses or "flow:recentre" in kinds)
+        more += "AnyStep Sharper SharperStep SharperCollapse" * self.collapses
         return (
             HEAD.replace(" MODULES", f" {more}".rstrip())
             .replace("CITED", ";\n     ".join(CITED.replace("MODULE", name) for name in modules))
@@ -218,7 +247,7 @@ Definition the_scene_0 : Theorem1.scene := Theorem1.Scene
     def first(self) -> str:
         """That the numbers of the scene are the first ones."""
         o, s, c = (f"Theorem1.B{ball}" for ball in self.balls)
-        start = self.at(self.collisions[0])
+        start = self.at(self.steps[0])
         unfolded = ", ".join((*(start[name] for name in STATE[1:]), *self.given()))
         return f"""
 Lemma the_seen_0 : FlowStep.gram {self.dimension} the_scene_0 {o} {s} {c}
@@ -243,6 +272,17 @@ Proof.
   unfold after. now rewrite E.
 Qed."""
 
+    def read(self, n: str, at: dict[str, str]) -> str:
+        """The end of a proof: in A, the numbers of these names are what the row puts for them.
+
+        Where they are values of a variable, Coq need not compute to tell two of them apart; and
+        it types what takes their place quickly where that is written as it is defined.
+        """
+        equations = ",\n    ".join(f"(E {x} _ eq_refl : v {x} = {text})" for x, text in at.items())
+        return f"""pose proof the_numbers_{n} as E. revert A E.
+  generalize (after the_statement (fun _ => 0) the_at_{n}). intros v A E.
+  rewrite {equations} in A. exact A."""
+
     def certified(self, row: Applied, number: int, n: str) -> str:
         """The values satisfy what a context of the flow asks for."""
         return (
@@ -255,49 +295,79 @@ Qed."""
         o, s, c = (f"Theorem1.B{ball}" for ball in balls)
         here, label = self.at(row), f"recentre_{n}"
         numbers = (*STATE, *RECENTRED)
-        rewritten = ",\n    ".join(
-            f"(the_numbers_{label} Flow.number_of_recentre_{name} _ eq_refl)" for name in numbers
-        )
         state = " ".join(("1", *(here[name] for name in SEEN)))
         return f"""{self.substitution(label, row)}
 Lemma the_certified_{label} : FlowCollapse.recentred {" ".join(here[name] for name in numbers)}.
 Proof.
   pose proof (FlowCollapse.recentre_certified _ {self.certified(row, 4, label)}) as A.
-  rewrite {rewritten} in A. exact A.
+  {self.read(label, {f"Flow.number_of_recentre_{name}": here[name] for name in numbers})}
 Qed.
 Lemma the_seen_{label} : FlowStep.gram {self.dimension} the_scene_{n} {s} {o} {c} {state}.
 Proof. eapply FlowCollapse.seen_from_s; [exact the_seen_{n} | exact the_certified_{label}]. Qed.
 Lemma the_apart_{label} : 0 < {here["eps_next"]}.
 Proof. eapply FlowCollapse.apart_seen; [exact the_seen_{label} | apply the_clear_{n}]. Qed."""
 
-    def collision(self, n: int, row: Applied, balls: tuple[int, int, int]) -> str:
+    def drift(self, n: int, row: Applied, balls: tuple[int, int, int], flight: Way) -> str:
+        """The state after a part of the flight that follows collision n."""
+        o, s, c = (f"Theorem1.B{ball}" for ball in balls)
+        here, seen, scene = self.at(row), flight.seen[-1], flight.scene(n)
+        label = f"drift_{n}_{len(flight.times) + 1}"
+        numbers = (*STATE, *DRIFTED)
+        state = " ".join(here[name] for name in FLOWN)
+        return f"""{self.substitution(label, row)}
+Lemma the_certified_{label} : FlowDrift.flow_drift {" ".join(here[name] for name in numbers)}.
+Proof.
+  pose proof (FlowDrift.drift_certified _ {self.certified(row, 5, label)}) as A.
+  {self.read(label, {f"Flow.number_of_drift_{name}": here[name] for name in numbers})}
+Qed.
+Definition the_scene_{label} : Theorem1.scene := Theorem1.later {here["t"]} {scene}.
+Lemma the_seen_{label} : FlowStep.gram {self.dimension} the_scene_{label} {o} {s} {c} {state}.
+Proof. eapply FlowDrift.drift_next; [exact the_certified_{label} | exact the_seen_{seen}]. Qed.
+Lemma the_apart_{label} : 0 < {here["eps_next"]}.
+Proof. eapply FlowDrift.drift_still_apart; exact the_certified_{label}. Qed."""
+
+    def collision(self, n: int, row: Applied, balls: tuple[int, int, int], flight: Way) -> str:
         """One collision: what the certificate says, the scene after it, and its numbers."""
         o, s, c = (f"Theorem1.B{ball}" for ball in balls)
         here, d, before = self.at(row), self.dimension, n - 1
-        seen = f"recentre_{before}" if self.recentred(row) else f"{before}"
-        values = " ".join(here[name] for name in ("r", *STATE, *STEP))
-        rewritten = ",\n    ".join(
-            f"(the_numbers_{n} Flow.number_of_{name} _ eq_refl)"
-            for name in ("r", "v_", *STATE[1:], *STEP)
-        )
+        seen, scene = flight.seen[-1], flight.scene(before)
+        numbers = ("r", *STATE, *STEP)
+        values = " ".join(here[name] for name in numbers)
+        names = (f"Flow.number_of_{'v_' if name == 'v' else name}" for name in numbers)
         rho = f"({here['r']} * {here['s']})"
         after = (here["y"], here["lam_next"], rho, here["eps_next"], "0")
         state = " ".join((*after, *(here[f"{name}_next"] for name in STATE[5:])))
         here_too = f"repeat split; discriminate | exact the_seen_{seen}"
         given = f"exact the_certified_{n} | exact the_later_{n} | {here_too}"
+        last = f"FlowStep.flight_time {here['y']} {here['T']}"
+        cuts = "".join(
+            f"eapply FlowDrift.drift_meets with (o := {o}) (i := {s}) (c := {c});\n  "
+            f"[exact the_certified_{label} | repeat split; discriminate |"
+            f" exact the_seen_{earlier} | ].\n  "
+            for earlier, label in zip(flight.seen, flight.seen[1:], strict=False)
+        )
+        drifts = "".join(f", the_scene_{label}" for label in flight.seen[:0:-1])
+        following = f"""
+Lemma the_next_{n} : Theorem1.collided {d} {here["r"]} {o} {c}
+  (Theorem1.later the_time_{n} the_scene_{before}) = the_scene_{n}.
+Proof.
+  unfold the_scene_{n}, the_time_{n}{drifts}. rewrite !Motion.later_later.
+  apply f_equal, (f_equal (fun t => Theorem1.later t _)). ring.
+Qed."""
+        following *= bool(drifts)
         return f"""{self.substitution(str(n), row)}
 Lemma the_certified_{n} : FlowStep.flow_collision {values}.
 Proof.
   pose proof (FlowScene.collision_certified _ {self.certified(row, 1, str(n))}) as A.
-  rewrite {rewritten} in A. exact A.
+  {self.read(str(n), dict(zip(names, (here[x] for x in numbers), strict=True)))}
 Qed.
 Lemma the_later_{n} : 0 < {here["kap"]}.
 Proof. eapply FlowStep.kap_positive; [exact the_certified_{n} | exact the_apart_{seen}]. Qed.
-Definition the_time_{n} : R := FlowStep.flight_time {here["y"]} {here["T"]}.
+Definition the_time_{n} : R := {" + (".join([*flight.times, last])}{")" * len(flight.times)}.
 Definition the_scene_{n} : Theorem1.scene :=
-  Theorem1.collided {d} {here["r"]} {o} {c} (Theorem1.later the_time_{n} the_scene_{before}).
+  Theorem1.collided {d} {here["r"]} {o} {c} (Theorem1.later ({last}) {scene}).
 Lemma the_meets_{n} : Theorem1.first_to_meet {d} the_scene_{before} {o} {c} the_time_{n}.
-Proof. eapply FlowStep.flow_meets with (i := {s}); [{given}]. Qed.
+Proof. {cuts}eapply FlowStep.flow_meets with (i := {s}); [{given}]. Qed.{following}
 Lemma the_seen_{n} : FlowStep.gram {d} the_scene_{n} {o} {c} {s} {state}.
 Proof. eapply FlowStep.flow_next; [exact the_certified_{n} | {here_too}]. Qed.
 Lemma the_clear_{n} : 1 <= Motion.square {d} the_scene_{n} {o} {c} /\\
@@ -334,33 +404,22 @@ Qed."""
 
     def run(self) -> str:
         """The proof that the collisions are those, one after the other."""
-        steps = (
-            f"split; [discriminate|]. split; [exact the_meets_{i}|]."
+        proofs = (
+            f"[discriminate | exact the_meets_{i} | "
+            f"{f'exact the_next_{i}' if i in self.cut else 'reflexivity'} | ]"
             for i in range(1, len(self.collisions) + 1)
         )
-        return f"cbn [Runs.run].\n  {' '.join(steps)} reflexivity."
-
-    def recentred(self, row: Applied) -> bool:
-        """Whether the collision of this row is seen from another ball than the one before it."""
-        at = self.steps.index(row)
-        return at > 0 and self.steps[at - 1].kind == "flow:recentre"
+        return "".join(f"eapply Runs.run_on; {proof}.\n  " for proof in proofs) + "reflexivity."
 
     def collapse(self, balls: tuple[int, int, int]) -> str:
         """The sharper theorem for the state after the last collision, and the theorem."""
         o, s, c = (f"Theorem1.B{ball}" for ball in balls)
         n, d, r = len(self.collisions), self.dimension, self.restitution()
         unit, start = map(self.at, self.ends)
-        at_unit, at_start = (
-            ", ".join(f"(the_numbers_{label} {module}{name} _ eq_refl)" for name in names)
-            for label, module, names in (
-                ("unit", "Flow.number_of_unit_", UNIT),
-                ("collapse", "Sharper.number_of_", START),
-            )
+        at_start = ", ".join(
+            f"(the_numbers_collapse Sharper.number_of_{name} _ eq_refl)" for name in START
         )
-        said = ", ".join(
-            f"(the_numbers_collapse Sharper.number_of_{name} _ eq_refl)"
-            for name in ("r", "p", "Y", "T", "eta_0", "C_0", "Theta")
-        )
+        said = ("r", "p", "Y", "T", "eta_0", "C_0", "Theta")
         limit = f"(Sharper.duration {start['p']} {start['Y']} {start['T']} * {start['eta_0']})"
         bounds = self.bounds()
         time_from, time_to, angle_from, angle_to = (
@@ -371,7 +430,7 @@ Qed."""
 Lemma the_unit : FlowCollapse.unit_numbers {" ".join(unit[name] for name in UNIT)}.
 Proof.
   pose proof (FlowCollapse.unit_certified _ {self.certified(self.ends[0], 8, "unit")}) as A.
-  rewrite {at_unit} in A. exact A.
+  {self.read("unit", {f"Flow.number_of_unit_{name}": unit[name] for name in UNIT})}
 Qed.{self.substitution("collapse", self.ends[1])}
 Definition the_start := after the_statement (fun _ => 0) the_at_collapse.
 Lemma the_start_is_good : scope SharperStep.SS SharperStep.start_context the_start.
@@ -383,7 +442,7 @@ Definition the_renamed_scene := Runs.renamed {o} {s} {c} the_scene_{n}.
 Lemma the_state : AnyStep.has (SharperStep.numbers_of
   (after SharperStep.SS the_start SharperStep.start)) {d} the_renamed_scene Theorem1.B1 Theorem1.B2.
 Proof.
-  rewrite FlowCollapse.first_numbers. unfold the_start.
+  rewrite SharperCollapse.first_numbers. unfold the_start.
   rewrite {at_start}.
   eapply FlowCollapse.unit_state; [exact the_seen_{n} | exact the_unit].
 Qed.
@@ -392,7 +451,7 @@ Lemma the_collapse : Theorem1.collapse {d} {r} the_renamed_scene
 Proof.
   pose proof (SharperCollapse.sharper_collapse the_start the_start_is_good {d} _ the_state) as A.
   unfold SharperCollapse.latest, the_start in A.
-  rewrite {said} in A. exact A.
+  {self.read("collapse", {f"Sharper.number_of_{name}": start[name] for name in said})}
 Qed.
 
 (* {n} collisions, and then collisions without end. *)
@@ -488,12 +547,11 @@ Qed."""
             says = f"FlowScene.pair_ends {here['m']} {here['g']} {p}"
             intros, more, names = "", "", ["m", "g", "p"]
         good = self.certified(row, number, f"end_{i}")
-        numbers = (f"(the_numbers_end_{i} Flow.number_of_{kind}_{x} _ eq_refl)" for x in names)
         return f"""{self.substitution(f"end_{i}", row)}
 Lemma the_ends_{i} : {says}.
 Proof.
   {intros}pose proof (FlowScene.{kind}_certified _ {good}{more}) as A.
-  rewrite {", ".join(numbers)} in A. exact A.
+  {self.read(f"end_{i}", {f"Flow.number_of_{kind}_{x}": here[x] for x in names})}
 Qed."""
 
 

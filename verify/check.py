@@ -284,10 +284,9 @@ class Kernel:
 
     def node(self, op: str, subterms: Sequence[int], *rest: int) -> int:
         """The number of the term of an operation and its arguments."""
-        node = Node(op, tuple(subterms), rest)
-        found = self.index.get(key(node))
+        found = self.index.get(key(op, subterms, rest))
         if found is None:
-            height = 1 + max((self.heights[term] for term in subterms), default=0)
+            height = 1 + max([self.heights[term] for term in subterms], default=0)
             message = "found a term of more than {} levels"
             need(height <= MAX_HEIGHT, Malformed, message, MAX_HEIGHT)
             home = self.outermost
@@ -296,13 +295,13 @@ class Kernel:
                 good = home.is_inside(other) or other.is_inside(home)
                 need(good, Malformed, "found names of {} and {} in a term", home.name, other.name)
                 home = other if other.depth > home.depth else home
-            return self.add(node, height, home)
+            return self.add(Node(op, tuple(subterms), rest), height, home)
         return found
 
     def add(self, node: Node, height: int, home: Context) -> int:
         """Store a new node."""
         self.spend(0, 4 + len(node.subterms))
-        self.index[key(node)] = len(self.nodes)
+        self.index[key(*node)] = len(self.nodes)
         self.nodes.append(node)
         self.heights.append(height)
         self.homes.append(home)
@@ -999,11 +998,11 @@ class Kernel:
         return {names[name]: self.read(where, text, place.context) for name, text in value.items()}
 
 
-def key(node: Node) -> tuple[Any, ...]:
+def key(op: str, subterms: Sequence[int], rest: Sequence[int]) -> tuple[Any, ...]:
     """What tells a node from others, with a hash that a file cannot foresee."""
-    if node.op == "rational":
-        return (*map(hex, node.rest),)
-    return node.op, *node.subterms, *node.rest
+    if op == "rational":
+        return (*map(hex, rest),)
+    return op, *subterms, *rest
 
 
 def negated(claim: Claim) -> Claim:
@@ -1107,7 +1106,7 @@ class Clearing:
         node = kernel.nodes[divisor]
         if node.op == "rational" and node.rest[0]:
             return kernel.times(n, {(): Fraction(node.rest[1], node.rest[0])}), d
-        opposite = kernel.index.get(key(Node("neg", (divisor,))), -1)
+        opposite = kernel.index.get(key("neg", (divisor,), ()), -1)
         sign = 1 if kernel.knows("<", divisor, self.place) else -1
         known = sign == 1 or kernel.knows("<", opposite, self.place)
         need(known, Refused, "found a division by a term that is not known to be > 0 or < 0")
@@ -1662,6 +1661,7 @@ OPERATIONS: dict[str, Callable[..., Interval]] = {
 
 Shape = Callable[[str, Any], None]
 
+BRACKETS = dict, list
 NAME = "[A-Za-z][A-Za-z0-9_.-]{0,99}"
 HYPOTHESIS = "@[1-9][0-9]{0,2}"
 RATIONAL = "-?(0|[1-9][0-9]{0,4299})(/[1-9][0-9]{0,4299})?"  # int() reads at most 4300 digits
@@ -1682,8 +1682,8 @@ def text(pattern: str, expected: str) -> Shape:
     """A text that matches a pattern."""
 
     def check_text(where: str, value: Any) -> None:
-        good = isinstance(value, str) and re.fullmatch(pattern, value)
-        need(good, Malformed, "{}: found {}, expected {}", where, value, expected)
+        if not (isinstance(value, str) and re.fullmatch(pattern, value)):
+            need(False, Malformed, "{}: found {}, expected {}", where, value, expected)
 
     return check_text
 
@@ -1899,8 +1899,8 @@ FAILING = {
 def rule_of(proof: Any, rules: Mapping[str, tuple[Callable[..., None], Shape]]) -> str:
     """The rule of a proof, which is one of these, and whose proof has its shape."""
     found = proof.get("rule") if isinstance(proof, dict) else proof
-    good = isinstance(found, str) and found in rules
-    need(good, Malformed, "rule: found {}, expected one of {}", found, [*rules])
+    if not (isinstance(found, str) and found in rules):
+        need(False, Malformed, "rule: found {}, expected one of {}", found, [*rules])
     rules[str(found)][1](str(found), proof)
     return str(found)
 
@@ -2139,7 +2139,8 @@ class Checking:
     def step(self, step: Any) -> None:
         """Afterwards the step has made its fact, or its refusal is in the report."""
         kinds = [kind for kind in STEPS if isinstance(step, dict) and kind in step]
-        need(len(kinds) == 1, Malformed, "steps: found {}, expected one of {}", step, [*STEPS])
+        if len(kinds) != 1:
+            need(False, Malformed, "steps: found {}, expected one of {}", step, [*STEPS])
         kind = kinds[0]
         STEPS[kind]("step", step)
         what = f"{kind} {step[kind]}"
@@ -2343,8 +2344,8 @@ def parsed(where: str, data: bytes, shape: Shape) -> Any:
 
     def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         found = dict(pairs)
-        good = len(found) == len(pairs)
-        need(good, Malformed, "{}: found a key twice in {}", where, [*found])
+        if len(found) != len(pairs):
+            need(False, Malformed, "{}: found a key twice in {}", where, [*found])
         return found
 
     def natural(text: str) -> int:
@@ -2358,13 +2359,13 @@ def parsed(where: str, data: bytes, shape: Shape) -> Any:
         value = json.loads(data.decode(), object_pairs_hook=unique, **hooks)
     except (ValueError, RecursionError) as error:
         raise Malformed(f"{where}: {error}") from error
-    level, depth = [value] if isinstance(value, dict | list) else [], 0
+    level, depth = [value] if isinstance(value, BRACKETS) else [], 0
     while level:
         depth += 1
         good = depth <= MAX_NESTING
         need(good, Malformed, "{}: found more than {} nested brackets", where, MAX_NESTING)
         lists = [item.values() if isinstance(item, dict) else item for item in level]
-        level = [item for inner in lists for item in inner if isinstance(item, dict | list)]
+        level = [item for inner in lists for item in inner if isinstance(item, BRACKETS)]
     shape(where, value)
     return value
 

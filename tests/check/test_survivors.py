@@ -489,4 +489,4 @@ def test_odd_powers_of_roots_leave_one_factor() -> None:
 def test_numbers_are_looked_up_by_texts() -> None:
     """A file can foresee the hashes of whole numbers, and so make all of them the same."""
     node = check.Node("rational", (), (2**61 - 1, 7))
-    assert check.key(node) == (hex(2**61 - 1), "0x7")
+    assert check.key(*node) == (hex(2**61 - 1), "0x7")

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.measure.benchmarks.ratios import committed, grown
+from tests.measure.benchmarks.ratios import CERTIFICATE, certificate_ratio, committed, grown
 from verify.cli import main, report
 from verify.measure import scenes
 from verify.measure.bench import (
@@ -80,6 +80,12 @@ def test_a_command_that_fails_is_not_measured() -> None:
 def test_the_process_of_a_scene_decides_it() -> None:
     """It fails where the command does, and it takes longer than the import alone."""
     assert scenes.process_ratio(_cpu, 1) > 1
+
+
+def test_a_certificate_is_compared_with_its_verdict() -> None:
+    """One scene of each kind; it fails where one of them does."""
+    assert CERTIFICATE in committed()
+    assert certificate_ratio(1, 1) > 1
 
 
 def test_a_command_that_takes_half_as_much_again_is_named() -> None:

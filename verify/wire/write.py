@@ -36,7 +36,7 @@ from verify.prover.proof import (
     leaves,
     mapped,
 )
-from verify.prover.rules import rule_of
+from verify.prover.rules import Interval, rule_of
 from verify.wire.term_json import TermWriter
 
 STATEMENT_FORMAT = "verify-statement/2"
@@ -220,7 +220,15 @@ def _step(step: Step, writer: TermWriter) -> dict[str, Any]:
 
 def proof_document(proof: Proof, writer: TermWriter) -> dict[str, Any]:
     """A proof as JSON: its rule and its fields."""
+    if type(proof) is Interval:
+        return _interval_document(proof)
     return {"rule": rule_of(proof)} | mapped(proof, partial(writer.leaf, proof_document))
+
+
+@lru_cache(maxsize=16)
+def _interval_document(proof: Interval) -> dict[str, Any]:
+    """The same where many are equal."""
+    return {"rule": rule_of(proof), "bits": proof.bits, "bounds": proof.bounds}
 
 
 def _step_terms(step: Step) -> Iterator[Term]:

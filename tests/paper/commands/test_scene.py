@@ -6,6 +6,7 @@ import copy
 import json
 import re
 from collections.abc import Iterator
+from fractions import Fraction
 from hashlib import sha256
 from pathlib import Path
 from random import Random
@@ -27,6 +28,8 @@ from verify.wire.write import write
 
 SCENES = Path(__file__).resolve().parents[3] / "certificates" / "scenes"
 NUMBER = re.compile(r"-?[0-9]+(\.[0-9]+)?(e-?[0-9]+)?(/[0-9]+)?")
+#: With more digits, squares of the numbers in `touching` over a common divisor are too long.
+SHORT = 6
 SLOW = ("below-9", "above", "thousand", "ray", "threshold-0.51", "doubles")
 
 
@@ -92,6 +95,30 @@ def test_random_scenes_with_every_kind_of_move() -> None:
         if new:
             assert report(write(scene_outcome(found, found.flow.bits))).verdict == "PROVED"
         kinds |= new
+
+
+def touching(digits: int) -> Scene:
+    """Two that touch in a direction with so many digits, and part; the third one is far away."""
+    t = Fraction(10**digits // 3, 10**digits)
+    way = ((1 - t**2) / (1 + t**2), 2 * t / (1 + t**2))
+    still = (Fraction(0), Fraction(0))
+    return Scene(Fraction(3, 100), (still, way, (Fraction(-9), t)), (still, way, still))
+
+
+@pytest.mark.parametrize("digits", range(1, 20))
+def test_what_follows_from_long_numbers_is_a_row_of_its_own(digits: int) -> None:
+    """An exact contact is seen by intervals as long as they keep the numbers."""
+    files = files_of(touching(digits))
+    assert report(files).verdict == "PROVED"
+    proofs = json.loads(files["certificate.json"])["steps"]
+    rows = {step["obligation"]: step["proof"]["rule"] for step in proofs if "obligation" in step}
+    others = {name: rule for name, rule in rows.items() if not name.startswith("end.")}
+    starts = {f"start.{pair}": "interval" for pair in ("01", "02", "12")}
+    if digits <= SHORT:
+        assert others == starts
+    else:
+        assert len(others) > len(starts)
+        assert {*others.values()} == {"sum"}
 
 
 def test_many_collisions_fit() -> None:

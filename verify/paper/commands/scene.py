@@ -154,7 +154,7 @@ def scene_outcome(found: Fate, bits: int) -> Outcome:
     run = _evaluated(telling, bits)
     with balls.precision(bits):
         enclosures = {
-            name: Enclosure(bits, (_ends(run, term, bits),))
+            name: Enclosure(bits, (_ends(run, telling.values.get(name, term), bits),))
             for name, term in (*telling.parameters.items(), *_definitions(telling).items())
         }
         decisions = {
@@ -203,6 +203,8 @@ def _proof(row: Obligation, telling: Telling, bits: int) -> Proof:
         return Applying(
             tuple(_premise(given.claim, row.claim.at, bits) for given in context.givens)
         )
+    if telling.is_short:
+        return Interval(bits)
     kind, _, name = row.name.partition(".")
     given = tuple(telling.parameters)
     if kind == "is":

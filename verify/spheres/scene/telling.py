@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from itertools import pairwise
+from itertools import chain, pairwise
+from math import lcm
 
 from verify.language.record import Record
 from verify.language.statement import NEEDED, Applies, Constant, Obligation
@@ -43,6 +44,8 @@ START, LINE_START = f"{SHARPER}:start", f"{LINE}:start"
 SANDWICH_START, STAIR = f"{SANDWICH}:start", f"{SANDWICH}:stair"
 #: The name of the constant for the time of a move.
 TIME = "time"
+#: Intervals of 128 bits keep fractions with so many bits above and below the bar together.
+SHORT = 256
 r = symbol("r")
 
 
@@ -59,16 +62,22 @@ class Numbers(Record):
 
 
 class Telling:
-    """The parameters, constants and rows so far, and the state that was reached."""
+    """The parameters, constants and rows so far, and the state that was reached.
+
+    ``values`` has the exact values of the constants that follow from what is given; ``is_short``
+    says that intervals of 128 bits keep them, and all on the way to them, as they are.
+    """
 
     def __init__(self, scene: Scene) -> None:
         self.parameters: dict[str, Term] = {"r": as_term(scene.r)}
         self.constants: list[Constant] = []
+        self.values: dict[str, Term] = {}
         self.rows: list[Obligation] = []
         self.given = Coordinates(
             self._coordinates("x", scene.positions), self._coordinates("v", scene.velocities)
         )
         self.exact = Coordinates(scene.positions, scene.velocities)
+        self.is_short = _is_short(scene)
         self.state: State | None = None
         self.frame: Frame = (0, 1, 2)
         self.moves = self.collisions = 0
@@ -98,9 +107,14 @@ class Telling:
         return symbol(full)
 
     def known(self, name: str, value: Fraction, term: Term) -> Term:
-        """A new constant with its exact value, and the row that says what it is."""
-        found = self.keep(name, value)
-        self.row(f"is.{found.name}", "what this number is", equal(found, term))
+        """A new constant that follows from what is given.
+
+        Where the given numbers are long, its definition is its value, and a row says what it is.
+        """
+        found = self.keep(name, term if self.is_short else value)
+        self.values[found.name] = as_term(value)
+        if not self.is_short:
+            self.row(f"is.{found.name}", "what this number is", equal(found, term))
         return found
 
     def row(self, name: str, says: str, claim: Claim | Applies, *uses: str) -> None:
@@ -117,7 +131,7 @@ class Telling:
     # --- what happens ---------------------------------------------------------------------------
 
     def begin(self, frame: Frame) -> None:
-        """The scene seen from a particle: exact numbers, each with what it is."""
+        """The scene seen from a particle."""
         self.frame = frame
         values: dict[str, Fraction] = {}
         self.exact.state(frame, lambda name, x: values.setdefault(name, x))
@@ -331,3 +345,16 @@ def _of(context: str, values: Mapping[str, Number]) -> dict[str, Number]:
 
 def _terms(state: State) -> State:
     return State(*map(as_term, state))
+
+
+def _is_short(scene: Scene) -> bool:
+    """Whether differences and inner products of given vectors are no longer than `SHORT`.
+
+    Over the square of a common denominator these are integers, and at most ``most``: sums of
+    products of two differences, one for each axis, less 1.
+    """
+    given = [scene.r, *(x for rows in (scene.positions, scene.velocities) for x in chain(*rows))]
+    divisor = lcm(*(number.denominator for number in given))
+    top = int(max(map(abs, given)) * divisor)
+    most = 4 * scene.dimension * top**2 + divisor**2
+    return most.bit_length() + (divisor**2).bit_length() <= SHORT

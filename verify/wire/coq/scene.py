@@ -43,6 +43,8 @@ START = tuple(f"{x}_start" for x in ("y", "eta_s", "C", "a", "b", "A", "B", "w",
 BOUNDS = ("time-from", "time-to", "angle-from", "angle-to")
 ENDS = {"flow:parting", "flow:passing"}
 COLLAPSE = ["flow:unit", "sharper:start"]
+#: Intervals of so many bits keep all numbers with a few hundred digits.
+BITS = 1 << 12
 #: What may come next on the way to a collision.
 FLIGHT = {"flow:collision", "flow:drift"}
 REASON = "it is no scene that disperses or collapses after collisions, each seen from one ball"
@@ -137,18 +139,27 @@ class Scene:
         self.balls = self.roles()
 
     def rational(self, name: str) -> Fraction:
-        """The number that a parameter is."""
+        """The number that a constant is."""
         kernel = self.reading.kernel
-        term = kernel.definitions.get(kernel.names.get(name, -1), -1)
-        if term < 0 or kernel.nodes[term].op != "rational":
+        if kernel.names.get(name) not in kernel.definitions:
             raise NotAcceptedError(REASON)
-        return Fraction(*kernel.nodes[term].rest)
+        low, high = check.Enclosing(kernel, BITS, None).enclose(kernel.names[name])
+        if low != high:
+            raise NotAcceptedError(REASON)
+        return low
 
     def coordinates(self, letter: str) -> list[list[Fraction]]:
         """The places or the velocities."""
         names = self.reading.kernel.names
         axes = [k for k in range(1, 100) if f"{letter}.0.{k}" in names]
         return [[self.rational(f"{letter}.{ball}.{k}") for k in axes] for ball in range(3)]
+
+    def given(self) -> list[str]:
+        """The coordinates, as they are called."""
+        names = self.reading.kernel.names
+        return [
+            self.form.notation.term(names[name], 4) for name in names if name[:2] in ("x.", "v.")
+        ]
 
     def roles(self) -> tuple[int, int, int]:
         """The balls o, s and c of the first collision."""
@@ -237,7 +248,7 @@ Definition the_scene_0 : Theorem1.scene := Theorem1.Scene
         """That the numbers of the scene are the first ones."""
         o, s, c = (f"Theorem1.B{ball}" for ball in self.balls)
         start = self.at(self.steps[0])
-        unfolded = ", ".join(start[name] for name in STATE[1:])
+        unfolded = ", ".join((*(start[name] for name in STATE[1:]), *self.given()))
         return f"""
 Lemma the_seen_0 : FlowStep.gram {self.dimension} the_scene_0 {o} {s} {c}
   {" ".join(start[name] for name in STATE)}.
@@ -246,7 +257,7 @@ Proof.
     cbn [Theorem1.dot Theorem1.position Theorem1.velocity]; field.
 Qed.
 Lemma the_apart_0 : 0 < {start["eps"]}.
-Proof. unfold {start["eps"]}. lra. Qed."""
+Proof. unfold {start["eps"]}, {", ".join(self.given())}. lra. Qed."""
 
     def substitution(self, n: str, row: Applied) -> str:
         """The numbers to which a row applies the flow."""
@@ -520,8 +531,8 @@ Qed."""
         m, g, p = (term(names[f"{letter}.{pair}.0"], 4) for letter in "mgp")
         return f"""
   - apply FlowScene.never_by_numbers with (m := {m}) (g := {g}) (p := {p});
-      [ | | | | apply the_ends_{i}]; unfold {m}, {g}, {p}, the_scene_0, Motion.square,
-      Theorem1.rate, Theorem1.to, Theorem1.relative;
+      [ | | | | apply the_ends_{i}]; unfold {m}, {g}, {p}, {", ".join(self.given())},
+      the_scene_0, Motion.square, Theorem1.rate, Theorem1.to, Theorem1.relative;
     cbn [Theorem1.dot Theorem1.position Theorem1.velocity]; lra."""
 
     def end(self, i: int, row: Applied) -> str:

@@ -216,7 +216,8 @@ def test_a_table_leaves_open_what_nobody_could_read(
 def test_the_table_has_a_line_for_each_collision(capsys: pytest.CaptureFixture[str]) -> None:
     _, out, _ = run(capsys, SCENES / "nearly-aligned.toml", "--digits", "3", "-v")
     lines = out.splitlines()
-    assert lines[0].split() == ["n", "pair", "time", "speed", "η", "ζ", "q", "-cos", "θ"]
+    heads = ["n", "pair", "time", "since", "speed", "η", "ζ", "q", "-cos", "θ"]
+    assert lines[0].split() == heads
     pairs = [line.split()[1] for line in lines[1:] if line[:1].isdigit()]
     assert pairs == ["01", "02"] * (len(pairs) // 2) + ["01"] * (len(pairs) % 2)
 
@@ -225,7 +226,19 @@ def test_the_columns_of_the_table_never_run_together(capsys: pytest.CaptureFixtu
     _, out, _ = run(capsys, SCENES / "nearly-aligned.toml", "--digits", "12", "-v")
     lines = [line for line in out.splitlines() if line[:1].isdigit()]
     assert len(lines) > 10
-    assert {len(line.split()) for line in lines} == {8}
+    assert {len(line.split()) for line in lines} == {9}
+
+
+def test_the_time_between_two_collisions_is_seen_near_a_collapse(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = (SCENES / "in-space.toml").read_text()
+    path = written(tmp_path, f'time_unit = "ms"\n{text}')
+    _, out, _ = run(capsys, path, "--digits", "12", "-v")
+    rows = [line.split() for line in out.splitlines() if line[:1].isdigit()]
+    assert out.startswith("n  pair time (ms) since ")
+    assert (rows[-1][2], rows[-2][2]) == ("0.3157…", "0.3157…")
+    assert (rows[0][3], rows[-1][3]) == (rows[0][2], "5.971…·10⁻¹³")
 
 
 def test_a_certificate_is_accepted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -525,7 +538,10 @@ def test_a_folder_becomes_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[
     ]
     assert rows[1]["central"] == "0"
     assert 0 < float(rows[1]["time_low"]) < float(rows[1]["time_high"])
-    assert (rows[2]["collisions"], rows[2]["energy_lost_high"]) == ("0", "0")
+    assert (rows[2]["collisions_certain"], rows[2]["energy_lost_high"]) == ("0", "0")
+    totals = {"collapses": "inf", "undecided": "", "unusable": ""}
+    for row in rows:
+        assert row["collisions_total"] == totals.get(row["verdict"], row["collisions_certain"])
     assert rows[3]["event_time_low"] == rows[3]["event_time_high"] == "1"
     assert out.split()[-2:] == ["all", "4"]
     assert run(capsys, made, "--csv", tmp_path / "again.csv", "--jobs", 2)[:2] == (code, out)
@@ -599,10 +615,67 @@ def test_a_sample_says_how_likely_a_collapse_is(
     assert (found["verdict"], found["reason"]) == (first["verdict"], first["reason"])
 
 
+def test_a_grid_is_a_table_of_evenly_spaced_points(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, table = written(tmp_path, FAMILY), tmp_path / "grid.csv"
+    words = (path, "--grid", "r=0.01..0.1:4,h=0..1/30:2", "--at", "v=1/20")
+    code, out, err = run(capsys, *words, "--csv", table)
+    assert (code, err) == (0, "")
+    assert out.splitlines()[-1].split() == ["all", "8"]
+    with table.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    found = [(row["r"], row["h"], row["v"]) for row in rows]
+    assert found == [
+        (f"{r}", h, "1/20") for r in ("1/100", "1/25", "7/100", "1/10") for h in ("0", "1/30")
+    ]
+    assert rows[1]["h_decimal"] == "0.033333333333333333"
+    lines = run(capsys, *words, "--jobs", 2)[1].splitlines()
+    assert [line.partition(":")[0] for line in lines][:2] == ["r=0.01,h=0", "r=0.01,h=1/30"]
+    for row, line in zip(rows, lines, strict=True):
+        assert line.partition(": ")[2].startswith(row["verdict"])
+        point, one = f"r={row['r']},h={row['h']},v={row['v']}", tmp_path / "one.csv"
+        assert run(capsys, path, "--at", point, "--csv", one)[0] == 0
+        with one.open(newline="") as file:
+            assert [*csv.DictReader(file)] == [row]
+
+
+def test_points_of_a_grid_where_particles_overlap_or_work_is_spent(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = written(tmp_path, FAMILY.replace('"501/500"', '"1 - h"'))
+    words = (path, "--grid", "h=0..0.1:2", "--at", "v=0,r=0.01", "--collisions", "0")
+    code, out, _ = run(capsys, *words)
+    assert code == 3
+    assert out.splitlines()[0].startswith("h=0: undecided: budget: ")
+    assert out.splitlines()[1] == "h=0.1: particles overlap"
+
+
+def test_a_sample_of_some_parameters(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path, table = written(tmp_path, FAMILY), tmp_path / "sample.csv"
+    code, out, _ = run(capsys, path, "--sample", 9, "--at", "h=1/20", "--csv", table)
+    assert code == 0
+    assert out.splitlines()[1:4] == ["  h = 0.05", "  r in [0.01, 0.1]", "  v in [-0.1, 0.1]"]
+    with table.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert {row["h"] for row in rows} == {"1/20"}
+    assert len({row["r"] for row in rows}) == 9
+
+
 @pytest.mark.parametrize(
     ("words", "why"),
     [
         ((), "is a family of scenes; add --sample N, or --at"),
+        (("--grid", "r=0.01..0.1:4", "--at", "h=0"), "--grid: v has no value; add --at v=A"),
+        (("--grid", "r=0.01..0.1"), "'r=0.01..0.1': write NAME=A..B:N once for some of h, r, v"),
+        (("--grid", "r=0.01..0.2:4"), "--grid: r=0.2 is not in 0.01..0.1"),
+        (("--grid", "q=0.01..0.2:4"), "write NAME=A..B:N once for some of h, r, v"),
+        (("--grid", "r=0.01..0.02:1"), "--grid: "),
+        (("--grid", "r=0.01..0.1:1000,h=0..0.1:1001"), "more than 1000000 points"),
+        (("--grid", "r=0.01..0.1:2", "--at", "r=0.02"), "for some of h, v"),
+        (("--grid", "r=0.01..0.1:2", "--out", "x"), "--out: leave it out with --grid"),
+        (("--sample", "3", "--grid", "r=0.01..0.1:2"), "--grid: leave it out with --sample"),
+        (("--sample", "3", "--at", "r=0.1,h=0,v=0"), "--at names all parameters"),
         ((), "verify map draws it"),
         (("--at", "0.04"), "--at: '0.04': write NAME=A for each of h, r, v"),
         (

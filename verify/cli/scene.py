@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Mapping
+from fractions import Fraction
 
 from verify.cli.files import print_document, read_bytes, test_folder, write_file
 from verify.cli.options import CERTIFICATE, COLOR, JSON, Options, Usage
@@ -30,7 +32,8 @@ USAGE = Usage(
         "-v, --verbose": "a table of the collisions",
         **JSON,
         **COLOR,
-        "--at POINT": "of a family of scenes this one: NAME=A,NAME=B",
+        "--at POINT": "of a family of scenes this one, or those with these: NAME=A,NAME=B",
+        "--grid AXES": "of a family of scenes decide evenly spaced ones: NAME=A..B:N,…",
         "--sample N": "of a family of scenes decide so many random ones",
         "--seed S": "of the random numbers (default 1)",
         "--confidence P%": "of the shares in a sample (default 95%)",
@@ -67,20 +70,21 @@ def run(options: Options) -> int:
         from verify.cli.scene_folder import run_folder  # loaded only where it is used
 
         return run_folder(options, limits, jobs)
-    if options.sample is not None:
-        from verify.cli.scene_sample import run_sample  # loaded only where it is used
+    if options.sample is not None or options.grid is not None:
+        from verify.cli import scene_sample  # loaded only where it is used
 
-        return run_sample(options, limits, jobs)
+        run_points = scene_sample.run_grid if options.sample is None else scene_sample.run_sample
+        return run_points(options, limits, jobs)
     if jobs > 1:
         raise InputError("--jobs: leave it out with one scene")
     test_folder("--out", options.out, "statement.json", "certificate.json")
     plot = _plot_kind(options.plot)
-    scene = _scene(options)
+    scene, values = _scene(options)
     found = decide_scene(scene, limits)
     judge = judge_of(_has_certificate(options.out, found))
     if plot is not None:
         write_file("--plot", options.plot, _drawing(plot, found, limits))
-    _write_tables(options, found, judge)
+    _write_tables(options, found, judge, values)
     if options.json:
         print_document(scene_document(told(found), judge))
     else:
@@ -88,9 +92,10 @@ def run(options: Options) -> int:
     return exit_code(told(found))
 
 
-def _scene(options: Options) -> Scene:
+def _scene(options: Options) -> tuple[Scene, Mapping[str, Fraction]]:
+    """The scene, and the parameters that it has in its family."""
     if options.at is None:
-        return read_scene(options.scene, read_bytes("scene", options.scene))
+        return read_scene(options.scene, read_bytes("scene", options.scene)), {}
     from verify.cli.scene_sample import scene_at  # loaded only where it is used
 
     return scene_at(options)
@@ -141,19 +146,23 @@ def _has_certificate(out: str | None, found: Fate) -> bool:
     return not missing
 
 
-def _write_tables(options: Options, found: Fate, judge: str) -> None:
+def _write_tables(
+    options: Options, found: Fate, judge: str, values: Mapping[str, Fraction]
+) -> None:
     """The tables that are asked for."""
     if options.csv is None and options.trajectory is None:
         return
     from verify.spheres.scene.trajectory import trajectory  # loaded only where it is used
-    from verify.views.scene_table import COLUMNS, cells, csv_text, trajectory_rows
+    from verify.views import scene_table as table
 
     if options.csv is not None:
-        row = cells(os.path.basename(options.scene), told(found), judge)
-        write_file("--csv", options.csv, csv_text([COLUMNS, row]))
+        heads = (*table.parameter_heads(values), *table.COLUMNS)
+        row = table.cells(os.path.basename(options.scene), told(found), judge)
+        rows = [heads, (*table.parameter_cells(values), *row)]
+        write_file("--csv", options.csv, table.csv_text(rows))
     if options.trajectory is not None:
-        rows = trajectory_rows(trajectory(found), found.flow.scene.dimension)
-        write_file("--trajectory", options.trajectory, csv_text(rows))
+        instants = table.trajectory_rows(trajectory(found), found.flow.scene.dimension)
+        write_file("--trajectory", options.trajectory, table.csv_text(instants))
 
 
 def _text(found: Fate, judge: str, options: Options) -> list[str]:
@@ -161,4 +170,5 @@ def _text(found: Fate, judge: str, options: Options) -> list[str]:
     lines = [*known.lines, *filter(None, [known.degrees, given_line(known, judge)])]
     if not options.verbose:
         return lines
-    return [*collision_table(steps(found), known.bits), "", *lines]
+    unit = known.scene.labels.time_unit
+    return [*collision_table(steps(found), known.bits, unit), "", *lines]

@@ -32,7 +32,7 @@ RESULT = "scene.json"
 
 def run_folder(options: Options, limits: Budget, jobs: int) -> int:
     """Print one line for each scene; the exit code is that of the worst."""
-    others = ("plot", "verbose", "trajectory", "sample", "at")
+    others = ("plot", "verbose", "trajectory", "sample", "grid", "at")
     leave_out(options, others, "leave it out with a folder")
     names = sorted(name for name in os.listdir(options.scene) if name.endswith(".toml"))
     if not names:

@@ -1,12 +1,15 @@
-"""How likely a verdict is in a family of scenes: random points, each decided exactly."""
+"""Points of a family of scenes, random or evenly spaced: each is decided exactly."""
 
 from __future__ import annotations
 
 import os
 import re
 from collections import Counter
+from collections.abc import Mapping
 from fractions import Fraction
 from functools import partial
+from itertools import product
+from math import prod
 
 from verify.cli.files import print_document, read_bytes, write_file
 from verify.cli.options import Options, leave_out
@@ -18,32 +21,64 @@ from verify.spheres.scene.decide import COLLAPSES, DISPERSES, FINITE, Budget, de
 from verify.spheres.scene.families import Family, read_family
 from verify.spheres.scene.sampling import Drawn, draw, share_between
 from verify.spheres.scene.scene import Scene
+from verify.spheres.scene.scene_files import OverlapError
 from verify.spheres.scene.verdict import told
-from verify.views.scene_table import COLUMNS, Cells, cells, csv_text, sample_document, sample_lines
-from verify.wire.inputs import InputError, integer, rational, share, shown
+from verify.views.scene import exit_code
+from verify.views.scene_table import (
+    COLUMNS,
+    Cells,
+    cells,
+    counts_of,
+    csv_text,
+    parameter_cells,
+    parameter_heads,
+    sample_document,
+    sample_lines,
+    unusable_cells,
+)
+from verify.wire.inputs import InputError, integer, interval, rational, share, shown
 
 MAX_SAMPLE, MAX_SEED = 10**6, 2**64
+#: The verdict where particles overlap.
+UNUSABLE = "unusable"
 
 
-def scene_at(options: Options) -> Scene:
-    """The scene of a family that --at names."""
+def scene_at(options: Options) -> tuple[Scene, Mapping[str, Fraction]]:
+    """The scene of a family that --at names, and its parameters."""
+    family = family_of(options, whole=True)
+    return family.at({}), family.fixed
+
+
+def family_of(options: Options, *, whole: bool = False) -> Family:
+    """The family in the file, in which the parameters that --at names have these values.
+
+    ``whole`` means that it has to name all of them.
+    """
     family = read_family(options.scene, read_bytes("scene", options.scene))
+    if options.at is None:
+        return family
     known = ", ".join(family.sides) or "none"
     values = point_in("--at", options.at, f"each of {known}")
     odd = sorted(values.keys() - family.sides.keys())
     if odd:
         raise InputError(f"--at: {shown(odd[0])}: write NAME=A once for each of {known}")
     missing = sorted(family.sides.keys() - values.keys())
-    if missing:
+    if whole and missing:
         raise InputError(f"--at: {missing[0]} is missing; write {missing[0]}=A too")
-    for name, (low, high) in family.sides.items():
-        if not low <= values[name] <= high:
-            ends = f"{exact_number(low)}..{exact_number(high)}"
-            raise InputError(
-                f"--at: {name}={exact_number(values[name])} is not in {ends}, its interval in "
-                f"{options.scene}; write a number in it"
-            )
-    return family.at(values)
+    for name, value in values.items():
+        _test_inside("--at", family, name, value)
+    sides = {name: side for name, side in family.sides.items() if name not in values}
+    return family._replace(sides=sides, fixed=dict(sorted(values.items())))
+
+
+def _test_inside(option: str, family: Family, name: str, value: Fraction) -> None:
+    low, high = family.sides[name]
+    if not low <= value <= high:
+        ends = f"{exact_number(low)}..{exact_number(high)}"
+        raise InputError(
+            f"{option}: {name}={exact_number(value)} is not in {ends}, its interval in "
+            f"{family.where}; write a number in it"
+        )
 
 
 def point_in(option: str, text: str, each: str = "each parameter") -> dict[str, Fraction]:
@@ -70,20 +105,21 @@ def _decimal(text: str) -> str:
 
 def run_sample(options: Options, limits: Budget, jobs: int) -> int:
     """Decide random points of a family, and print how many there are of each kind."""
-    others = ("plot", "verbose", "trajectory", "out", "at")
+    others = ("plot", "verbose", "trajectory", "out", "grid")
     leave_out(options, others, "leave it out with --sample")
     count = integer("--sample", options.sample, 1, MAX_SAMPLE)
     seed = integer("--seed", options.seed, 0, MAX_SEED)
     level = _confidence(options.confidence)
-    family = read_family(options.scene, read_bytes("scene", options.scene))
-    if not family.sides:
+    family = family_of(options)
+    if not family.sides and not family.fixed:
         raise InputError(f"scene: {shown(options.scene)} has no parameters; add [parameters]")
-    work = partial(_decide, options.scene, limits)
+    if not family.sides:
+        raise InputError("--sample: --at names all parameters; leave out one of the two")
+    work = partial(_decide, options.scene, family.fixed, limits)
     found = list(watched(in_order(work, draw(family, count, seed), jobs), count))
     left_out, rows = found[-1][0], [row for _, row in found]
     if options.csv is not None:
-        names = (*family.sides, *COLUMNS)
-        write_file("--csv", options.csv, csv_text([names, *rows]))
+        write_file("--csv", options.csv, csv_text([(*_heads(family), *COLUMNS), *rows]))
     document = _document(family, rows, seed, left_out, level)
     if options.json:
         print_document(document)
@@ -99,18 +135,25 @@ def _confidence(text: str) -> Fraction:
     return level
 
 
-def _decide(where: str, limits: Budget, drawn: Drawn) -> tuple[int, Cells]:
+def _decide(
+    where: str, fixed: Mapping[str, Fraction], limits: Budget, drawn: Drawn
+) -> tuple[int, Cells]:
     """What is left out up to here, and the line of a table."""
     found = told(decide_scene(drawn.scene, limits))
     row = cells(os.path.basename(where), found, FLINT)
-    return drawn.left_out, (*map(str, drawn.values.values()), *row)
+    return drawn.left_out, (*parameter_cells({**fixed, **drawn.values}), *row)
+
+
+def _heads(family: Family) -> Cells:
+    """The heads of the columns for parameters."""
+    return parameter_heads({**family.fixed, **family.sides})
 
 
 def _document(
     family: Family, rows: list[Cells], seed: int, left_out: int, level: Fraction
 ) -> dict[str, object]:
     """What is found; shares with their intervals."""
-    skip = len(family.sides)
+    skip = len(_heads(family))
     counts = Counter((row[skip + 1], row[skip + 2]) for row in rows)
     kinds = {
         verdict: sum(n for (v, _), n in counts.items() if v == verdict) for verdict, _ in counts
@@ -121,4 +164,66 @@ def _document(
         "infinitely_many": share_between(total, collapses, total - ends, alpha),
         "finitely_many": share_between(total, ends, total - collapses, alpha),
     }
-    return sample_document(family.sides, counts, seed, left_out, level, shares)
+    sides = {name: (value, value) for name, value in family.fixed.items()} | dict(family.sides)
+    return sample_document(dict(sorted(sides.items())), counts, seed, left_out, level, shares)
+
+
+# --- evenly spaced points ------------------------------------------------------------------------
+
+
+def run_grid(options: Options, limits: Budget, jobs: int) -> int:
+    """Decide evenly spaced points of a family; the exit code is that of the worst."""
+    others = ("plot", "verbose", "trajectory", "out", "json")
+    leave_out(options, others, "leave it out with --grid")
+    family = family_of(options)
+    axes = _axes(options.grid, family)
+    missing = sorted(family.sides.keys() - axes.keys())
+    if missing:
+        raise InputError(f"--grid: {missing[0]} has no value; add --at {missing[0]}=A")
+    points = (dict(zip(axes, values, strict=True)) for values in product(*axes.values()))
+    work = partial(_decide_point, family, limits)
+    count, rows, codes = prod(map(len, axes.values())), [], []
+    for code, lines, row in watched(in_order(work, points, jobs), count, apart=True):
+        codes.append(code)
+        rows.append(row)
+        if options.csv is None:
+            show([" ".join(lines)], options, records=True)
+    if options.csv is not None:
+        heads = parameter_heads({**family.fixed, **family.sides})
+        write_file("--csv", options.csv, csv_text([(*heads, *COLUMNS), *rows]))
+        show(counts_of([row[len(heads) :] for row in rows]), options)
+    return max(codes)
+
+
+def _axes(text: str, family: Family) -> dict[str, list[Fraction]]:
+    """The values of each parameter that is named: NAME=A..B:N is N of them, from A to B."""
+    axes: dict[str, list[Fraction]] = {}
+    known = ", ".join(family.sides) or "none"
+    for word in text.split(","):
+        name, _, rest = word.partition("=")
+        ends, sign, steps = rest.partition(":")
+        if not sign or name in axes or name not in family.sides:
+            raise InputError(f"--grid: {shown(word)}: write NAME=A..B:N once for some of {known}")
+        low, high = interval("--grid", ends, partial(rational, "--grid"))
+        for end in (low, high):
+            _test_inside("--grid", family, name, end)
+        count = integer("--grid", steps, 2, MAX_SAMPLE)
+        axes[name] = [low + (high - low) * Fraction(i, count - 1) for i in range(count)]
+    if prod(map(len, axes.values())) > MAX_SAMPLE:
+        raise InputError(f"--grid: these are more than {MAX_SAMPLE} points; write smaller numbers")
+    return axes
+
+
+def _decide_point(
+    family: Family, limits: Budget, point: Mapping[str, Fraction]
+) -> tuple[int, list[str], Cells]:
+    """The exit code of a point, the words about it, and the line of a table."""
+    values, name = {**family.fixed, **point}, os.path.basename(family.where)
+    here = ",".join(f"{key}={exact_number(value)}" for key, value in point.items())
+    try:
+        found = told(decide_scene(family.at(point), limits))
+    except OverlapError:
+        row = unusable_cells(name, UNUSABLE)
+        return 0, [f"{here}: particles overlap"], (*parameter_cells(values), *row)
+    row = cells(name, found, FLINT)
+    return exit_code(found), [f"{here}:", *found.lines], (*parameter_cells(values), *row)

@@ -14,6 +14,8 @@ from verify.prover.outcome import CHECKER
 FORMAT = "verify-scene/2"
 #: The exit code without a verdict.
 UNDECIDED, UNDECIDED_CODE = "undecided", 3
+#: The verdicts that say how many collisions there are.
+COLLAPSES, DISPERSES = "collapses", "disperses"
 #: What a verdict on spheres of different masses or radii rests on.
 LAW = "the law of collision for these masses and radii"
 
@@ -24,8 +26,6 @@ Step = Any
 UNKNOWN = "?"
 #: An enclosure with a smaller relative width may stand next to a short decimal.
 LESS = Fraction(1, 10**14)
-#: Of the columns of that table, where no number is longer.
-WIDTHS = (5, 5, 12, 11, 13, 13, 13, 8)
 
 
 def exit_code(told: Told) -> int:
@@ -73,23 +73,30 @@ def scene_document(told: Told, judge: str) -> dict[str, Any]:
     }
 
 
-def collision_table(steps: Iterable[Step], bits: int) -> Iterator[str]:
-    """The collisions, a line each: pair, time, normal speed before, and the state just after."""
-    heads = ("n", "pair", "time", "speed", "η", "ζ", "q", "-cos θ")
+def collision_table(steps: Iterable[Step], bits: int, unit: str) -> Iterator[str]:
+    """The collisions, a line each: pair, time, time since the last one, and the state just after.
+
+    ``unit`` is that of times, and empty if it has no name.
+    """
+    time, before = f"time ({unit})" if unit else "time", 0
+    heads = ("n", "pair", time, "since", "speed", "η", "ζ", "q", "-cos θ")
+    found = []
     with balls.precision(bits):
-        found = [(str(n), step.pair, *_cells(step)) for n, step in enumerate(steps, 1)]
+        for n, step in enumerate(steps, 1):
+            found.append((str(n), step.pair, *_cells(step, before)))
+            before = step.time
     rows = [heads, *found]
-    longest = (max(map(len, column)) for column in zip(*rows, strict=True))
-    widths = [max(one) for one in zip(WIDTHS, (width + 1 for width in longest), strict=True)]
+    widths = [1 + max(map(len, column)) for column in zip(*rows, strict=True)]
     for row in rows:
         yield "".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True)).rstrip()
 
 
-def _cells(step: Step) -> Iterator[str]:
-    """Time, normal speed, and η_c, ζ, q = η_s/|η_c| and -cos θ just after a collision."""
+def _cells(step: Step, before: Any) -> Iterator[str]:
+    """Times, normal speed, and η_c, ζ, q = η_s/|η_c| and -cos θ just after a collision."""
     start = step.after
     zeta = start.d * (2 + start.d) * start.A / ((1 + start.d) * start.y) ** 2
-    for value in (step.time, step.speed, -start.y, zeta, start.eta_s / start.y, start.C):
+    state = (-start.y, zeta, start.eta_s / start.y, start.C)
+    for value in (step.time, step.time - before, step.speed, *state):
         ball = balls.as_ball(value)
         yield _cell(balls.ends(ball)) if balls.is_within_reach(ball) else UNKNOWN
 

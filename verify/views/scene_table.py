@@ -7,14 +7,14 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from verify.prover.decimals import exact_number, outward
-from verify.views.scene import UNDECIDED, Told
+from verify.prover.decimals import decimal_text, exact_number, outward, round_decimal
+from verify.views.scene import COLLAPSES, DISPERSES, UNDECIDED, Told
 
 #: Digits of the enclosures.
 DIGITS = 17
 COLUMNS = (
-    "file", "verdict", "reason", "central", "collisions", "time_low", "time_high",
-    "neg_cos_low", "neg_cos_high", "energy_lost_low", "energy_lost_high",
+    "file", "verdict", "reason", "central", "collisions_certain", "collisions_total",
+    "time_low", "time_high", "neg_cos_low", "neg_cos_high", "energy_lost_low", "energy_lost_high",
     "event_time_low", "event_time_high", "judged_by", "title", "time_unit", "length_unit",
 )  # fmt: skip
 Cells = Sequence[str]
@@ -33,6 +33,7 @@ def cells(file: str, told: Told, judge: str) -> Cells:
         told.reason,
         "" if told.central is None else str(told.central),
         str(told.collisions),
+        {COLLAPSES: "inf", DISPERSES: str(told.collisions)}.get(told.verdict, ""),
         *(end for pair in ends for end in pair),
         "" if told.verdict == UNDECIDED else judge,
         *told.scene.labels,
@@ -42,6 +43,18 @@ def cells(file: str, told: Told, judge: str) -> Cells:
 def unusable_cells(file: str, verdict: str) -> Cells:
     """The line of a file that tells of no scene."""
     return (file, verdict, verdict, *("" for _ in COLUMNS[3:]))
+
+
+def parameter_heads(names: Iterable[str]) -> Cells:
+    """The heads of two columns for each parameter, in the order of their names."""
+    return [head for name in sorted(names) for head in (name, f"{name}_decimal")]
+
+
+def parameter_cells(values: Mapping[str, Fraction]) -> Cells:
+    """Each parameter exactly, and as a decimal that is rounded down."""
+    found = [values[name] for name in sorted(values)]
+    decimals = [decimal_text(*round_decimal(value, DIGITS, up=False)) for value in found]
+    return [cell for pair in zip(map(str, found), decimals, strict=True) for cell in pair]
 
 
 def _ends(pair: tuple[Any, Any] | None) -> Sequence[str]:
@@ -122,7 +135,7 @@ def sample_lines(document: Mapping[str, Any]) -> Iterator[str]:
     yield f"{drawn}; uniform and independent are"
     for name, ends in document["parameters"].items():
         low, high = (exact_number(Fraction(end)) for end in ends)
-        yield f"  {name} in [{low}, {high}]"
+        yield f"  {name} in [{low}, {high}]" if low != high else f"  {name} = {low}"
     if document["left_out"]:
         yield f"{document['left_out']} more were left out: particles overlap there"
     counts = {(one["verdict"], one["reason"]): one["count"] for one in document["counts"]}

@@ -140,7 +140,7 @@ def at_precision(scene: Scene, budget: Budget, bits: int) -> Fate:
 
 def spent(scene: Scene, budget: Budget) -> str:
     """Why there is no verdict after so many collisions."""
-    found = f"budget: {budget.collisions} collisions were followed"
+    found = f"budget: {budget.collisions} collisions were followed, as --collisions says"
     if scene.bodies is None:
         return found
     what = "radii" if scene.has_one_mass else "masses"

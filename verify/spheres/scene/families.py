@@ -60,11 +60,15 @@ class FamilyTerms(Record):
 
 
 class Family(Record):
-    """Parameters with their intervals, and what the numbers of a scene are in terms of them."""
+    """Parameters with their intervals, and what the numbers of a scene are in terms of them.
+
+    ``fixed`` has the values of other parameters.
+    """
 
     where: str
     sides: Mapping[str, Side]
     table: Mapping[str, Any]
+    fixed: Mapping[str, Fraction] = {}
 
     def terms(self, values: Mapping[str, Fraction | Term]) -> FamilyTerms:
         """The scenes in which some parameters are numbers and others stay as they are.
@@ -96,9 +100,9 @@ class Family(Record):
         Raises:
             InputError: if it is none: particles overlap, say, or a term divides by 0.
         """
-        if not self.sides:
+        if not self.sides and not self.fixed:
             return scene_from(self.where, dict(self.table))
-        found = _replaced(self.where, self.table, values)
+        found = _replaced(self.where, self.table, {**self.fixed, **values})
         labels = {name: self.table[name] for name in LABELS if name in self.table}
         return scene_from(self.where, {key: _texts(value) for key, value in found.items()} | labels)
 

@@ -124,7 +124,7 @@ def toml_table(where: str, content: bytes, more: tuple[str, ...] = ()) -> dict[s
     if is_family and not more:
         raise InputError(
             f"{where}: is a family of scenes; add --sample N, or --at for one of them: --at "
-            "NAME=A; verify map draws it"
+            "NAME=A, or --grid NAME=A..B:N; verify map draws it"
         )
     odd = sorted((table.keys() - {*more, *OPTIONAL, *LABELS}) ^ {*KEYS})
     if odd:

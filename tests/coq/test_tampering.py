@@ -8,9 +8,18 @@ from pathlib import Path
 
 import pytest
 
-from tests.coq.closing import module
+from tests.coq.closing import BALLS, module
 from tests.coq.decoding import PINNED, UNPROVED, VERDICTS
-from tests.coq.everything import everything, folders, printed
+from tests.coq.everything import (
+    COLLAPSING,
+    DISPERSING,
+    OWN_SCENES,
+    compiled,
+    everything,
+    folders,
+    printed,
+)
+from tests.coq.lies import is_right
 from tests.coq.record import AnotherError, found, said_by_coq
 from tests.coq.sources import NOTATIONS, complaints, sentences, unexpected
 from tests.coq.tampering import (
@@ -75,7 +84,8 @@ def test_a_notation_is_allowed_in_its_file_only() -> None:
         assert not unexpected(f"{sentence}.", name)
         for text, other in ((sentence, "Pinned"), (sentence, ""), (f"{sentence} -> True", name)):
             assert unexpected(f"Section S. {text}. End S.", other)
-    assert not {"Pinned", "Theorem1"} & {line.partition(":")[0] for line in NOTATIONS}
+    pages = {"Pinned", "Theorem1", "PinnedPrintedSet", "PrintedSet"}
+    assert not pages & {line.partition(":")[0] for line in NOTATIONS}
 
 
 @pytest.mark.parametrize("name", sorted({*ASSUMPTIONS} - {"type-in-type"}))
@@ -131,10 +141,19 @@ def test_every_committed_certificate_is_asked_for() -> None:
         name = module(folder)
         assert f" : Meaning.true_statement {name}.the_statement\n" in text
         assert text.count(f"true_{name},") + text.count(f"true_{name})") == 1
-    names = {re.sub("[^A-Za-z0-9]", "_", str(path)) for path in folders()}
-    assert len({*map(module, folders())}) == len(names) == len(folders())
+    paths = {re.sub("[^A-Za-z0-9]", "_", str(path)) for path in folders()}
+    assert len({*map(module, folders())}) == len(paths) == len(folders())
     for name in ("Pinned.theorem_1", "Accepted.accepts_sound", "AcceptsFiles.accepts_beside_sound"):
         assert name in text
+    asked = re.search(r"^Definition everything := \((.*?)\)\.$", text, re.MULTILINE)
+    assert asked
+    names = {*asked[1].split(", ")}
+    assert names >= {"soundness", "files", "theorem_1", "printed_set", "separatrix", "discharged"}
+    # What is compiled because it ends in a theorem on three balls, and no more, is asked for that.
+    balls = {file.lower().removeprefix("scene_") for file in BALLS.values()}
+    balls |= {compiled(path.stem) for path in OWN_SCENES.glob("*.toml")}
+    assert balls == {"point", "angle", *map(compiled, (*DISPERSING, *COLLAPSING))}
+    assert balls <= names
     assert text.endswith("Print Assumptions everything.\n")
 
 
@@ -163,6 +182,22 @@ def test_another_statement_than_that_of_the_file_is_seen() -> None:
         if other != text:
             with pytest.raises((AnotherError, AssertionError)):
                 said_by_coq(EXAMPLE, other, {})
+
+
+@pytest.mark.parametrize(
+    ("said", "code"),
+    [
+        ("PROVED: given law", 1),
+        ("PROVED: given another law", 1),  # once counted as refused in another way
+        ("PROVED: given nothing", 4),
+        ("PROVED: given nothing", 0),
+        ("REFUSED: step 1 is refused", 0),
+    ],
+)
+def test_a_lie_that_is_proved_is_seen_whatever_it_rests_on(said: str, code: int) -> None:
+    assert not is_right(said, code, "law")
+    assert is_right("PROVED: given law", 0, "law")
+    assert is_right("MALFORMED: no JSON", 1, "law")
 
 
 def test_a_certificate_that_was_not_checked_is_missed(tmp_path: Path) -> None:

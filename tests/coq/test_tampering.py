@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 from pathlib import Path
@@ -222,3 +223,62 @@ def test_without_coq_nothing_is_said_to_be_checked(tmp_path: Path) -> None:
     assert done.returncode == 77
     assert done.stdout == ""
     assert done.stderr.startswith("coq: NOTHING WAS CHECKED")
+
+
+#: Instead of what `.ci/coq` calls: it writes down who it is, and complains if that is asked for.
+FAKE = """#!/bin/bash
+me="$(basename "$0") $*"
+case "$me" in
+"coqc -where") echo "$LIB" && exit ;;
+*--certificates) echo certificates/a ;;
+*--compare) echo "controls: 1" ;;
+*lies*) echo "lies: 1" ;;
+"build "*) cp "$0" "$1/reader" ;;
+esac
+echo "$me" >>"$LIB/calls"
+if [[ "$me" =~ $BROKEN ]]; then echo "THIS IS BROKEN" | tee /dev/stderr; exit "$CODE"; fi
+"""
+CALLS = (
+    "everything .*--certificates", "closing", "build", "sources", "everything [^-]*$", "Everything",
+    "coqchk", "controls [^-]*$", "Controls", "--compare", "reader certificates", "lies", "fuzz",
+    "tampering", "decoding", "Printed", "record",
+)  # fmt: skip
+
+
+#: These also fail it by what they say: it is not what all theorems rest on.
+SAYING = ("Everything", "coqchk")
+
+
+@pytest.mark.parametrize(
+    ("broken", "code"),
+    [("nothing", 0), *((name, 3) for name in CALLS), *((name, 0) for name in SAYING)],
+)
+def test_whatever_fails_in_the_run_fails_it(broken: str, code: int, tmp_path: Path) -> None:
+    """The script itself, with other programs."""
+    for place in ("bin/coqc", "bin/coqchk", "bin/ocamlfind", "bin/make", "bin/python",
+                  "verify/coq/build"):  # fmt: skip
+        (tmp_path / place).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / place).write_text(FAKE)
+        (tmp_path / place).chmod(0o755)
+    for place in (".ci", "tests/coq", "user-contrib/Interval"):
+        (tmp_path / place).mkdir(parents=True, exist_ok=True)
+    script, calls = tmp_path / ".ci/coq", tmp_path / "calls"
+    script.write_text((ROOT / ".ci/coq").read_text())
+    (tmp_path / "tests/coq/unread.txt").write_text("a: b\n")
+    (tmp_path / "verify/coq/assumed.txt").write_text("")
+    done = subprocess.run(
+        ["/bin/bash", str(script)],
+        env={"PATH": f"{tmp_path}/bin:{os.environ['PATH']}", "PYTHON": f"{tmp_path}/bin/python",
+             "LIB": str(tmp_path), "BROKEN": broken, "CODE": str(code)},
+        capture_output=True, text=True, timeout=60,
+    )  # fmt: skip
+    found = calls.read_text()
+    if broken == "nothing":
+        assert done.returncode == 0, done.stderr
+        assert "proved in Coq" in done.stdout
+        assert all(re.search(call, found, re.MULTILINE) for call in CALLS)
+    else:
+        assert done.returncode not in (0, 77)
+        assert "proved in Coq" not in done.stdout
+        assert "THIS IS BROKEN" in done.stdout + done.stderr
+        assert re.search(broken, found, re.MULTILINE)

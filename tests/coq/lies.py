@@ -136,6 +136,11 @@ def of_functions(reader: str, root: Path) -> list[str]:
     ] + [f"{name}: nothing" for name in pairs.keys() - found.keys()]
 
 
+def is_right(said: str, code: int, rests_on: str) -> bool:
+    """Whether a pair is proved just where the checker proves it, given what it rests on."""
+    return said == f"PROVED: given {rests_on}" if code == 0 else not said.startswith("PROVED")
+
+
 def main(reader: str) -> int:
     """Give all of them to the program; 1 if a lie passes, or the honest pair does not."""
     with tempfile.TemporaryDirectory() as path:
@@ -157,7 +162,7 @@ def main(reader: str) -> int:
         code, _ = answer(pairs[name])
         wanted = {0: "PROVED", 1: "REFUSED", 4: "MALFORMED"}[code]
         rests_on = "nothing" if name.partition(":")[0] in SLOW else "law"
-        if (said == f"PROVED: given {rests_on}") != (code == 0):
+        if not is_right(said, code, rests_on):
             wrong.append(name)
         other += not said.startswith(wanted)
         if not said.startswith(wanted):

@@ -136,6 +136,25 @@ def test_other_statements_have_no_such_theorem(
     assert "Traceback" not in err
 
 
+def test_a_collision_at_the_start_has_no_such_theorem(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """In Coq a collision happens after a time; a file that does not compile was written once."""
+    scene, folder = tmp_path / "scene.toml", str(tmp_path / "made")
+    scene.write_text(
+        "r = 0.03\npositions = [[0, 0], [1, 0], [-3, 0]]\n"
+        "velocities = [[0.1, 0], [-0.1, 0], [-1, 0]]\n"
+    )
+    assert main(["scene", str(scene), "--out", folder]) == 0
+    assert "after 1 collision" in capsys.readouterr().out
+    assert main(["export", "coq", folder]) == 0
+    capsys.readouterr()
+    assert main(["export", "coq", "--balls", folder]) == 2
+    out, err = capsys.readouterr()
+    assert not out
+    assert "two balls touch and collide at once" in err
+
+
 def scene_folder(name: str, made: Path) -> str:
     """The certificate of a scene: a committed one, or one that is made."""
     if scene_file(name).parent != OWN_SCENES:

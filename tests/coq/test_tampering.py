@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 from pathlib import Path
 
 import pytest
 
-from tests.coq.closing import module
+from tests.coq.closing import BALLS, module
 from tests.coq.decoding import PINNED, UNPROVED, VERDICTS
-from tests.coq.everything import everything, folders, printed
+from tests.coq.everything import (
+    COLLAPSING,
+    DISPERSING,
+    OWN_SCENES,
+    compiled,
+    everything,
+    folders,
+    printed,
+)
+from tests.coq.lies import is_right
 from tests.coq.record import AnotherError, found, said_by_coq
 from tests.coq.sources import NOTATIONS, complaints, sentences, unexpected
 from tests.coq.tampering import (
@@ -75,7 +85,8 @@ def test_a_notation_is_allowed_in_its_file_only() -> None:
         assert not unexpected(f"{sentence}.", name)
         for text, other in ((sentence, "Pinned"), (sentence, ""), (f"{sentence} -> True", name)):
             assert unexpected(f"Section S. {text}. End S.", other)
-    assert not {"Pinned", "Theorem1"} & {line.partition(":")[0] for line in NOTATIONS}
+    pages = {"Pinned", "Theorem1", "PinnedPrintedSet", "PrintedSet"}
+    assert not pages & {line.partition(":")[0] for line in NOTATIONS}
 
 
 @pytest.mark.parametrize("name", sorted({*ASSUMPTIONS} - {"type-in-type"}))
@@ -131,10 +142,19 @@ def test_every_committed_certificate_is_asked_for() -> None:
         name = module(folder)
         assert f" : Meaning.true_statement {name}.the_statement\n" in text
         assert text.count(f"true_{name},") + text.count(f"true_{name})") == 1
-    names = {re.sub("[^A-Za-z0-9]", "_", str(path)) for path in folders()}
-    assert len({*map(module, folders())}) == len(names) == len(folders())
+    paths = {re.sub("[^A-Za-z0-9]", "_", str(path)) for path in folders()}
+    assert len({*map(module, folders())}) == len(paths) == len(folders())
     for name in ("Pinned.theorem_1", "Accepted.accepts_sound", "AcceptsFiles.accepts_beside_sound"):
         assert name in text
+    asked = re.search(r"^Definition everything := \((.*?)\)\.$", text, re.MULTILINE)
+    assert asked
+    names = {*asked[1].split(", ")}
+    assert names >= {"soundness", "files", "theorem_1", "printed_set", "separatrix", "discharged"}
+    # What is compiled because it ends in a theorem on three balls, and no more, is asked for that.
+    balls = {file.lower().removeprefix("scene_") for file in BALLS.values()}
+    balls |= {compiled(path.stem) for path in OWN_SCENES.glob("*.toml")}
+    assert balls == {"point", "angle", *map(compiled, (*DISPERSING, *COLLAPSING))}
+    assert balls <= names
     assert text.endswith("Print Assumptions everything.\n")
 
 
@@ -165,6 +185,22 @@ def test_another_statement_than_that_of_the_file_is_seen() -> None:
                 said_by_coq(EXAMPLE, other, {})
 
 
+@pytest.mark.parametrize(
+    ("said", "code"),
+    [
+        ("PROVED: given law", 1),
+        ("PROVED: given another law", 1),  # once counted as refused in another way
+        ("PROVED: given nothing", 4),
+        ("PROVED: given nothing", 0),
+        ("REFUSED: step 1 is refused", 0),
+    ],
+)
+def test_a_lie_that_is_proved_is_seen_whatever_it_rests_on(said: str, code: int) -> None:
+    assert not is_right(said, code, "law")
+    assert is_right("PROVED: given law", 0, "law")
+    assert is_right("MALFORMED: no JSON", 1, "law")
+
+
 def test_a_certificate_that_was_not_checked_is_missed(tmp_path: Path) -> None:
     lines = [f"{folder.relative_to(ROOT)}\n" for folder in folders()]
     for some in ([], lines[1:], lines[:-1], [*lines, lines[-1]]):
@@ -187,3 +223,62 @@ def test_without_coq_nothing_is_said_to_be_checked(tmp_path: Path) -> None:
     assert done.returncode == 77
     assert done.stdout == ""
     assert done.stderr.startswith("coq: NOTHING WAS CHECKED")
+
+
+#: Instead of what `.ci/coq` calls: it writes down who it is, and complains if that is asked for.
+FAKE = """#!/bin/bash
+me="$(basename "$0") $*"
+case "$me" in
+"coqc -where") echo "$LIB" && exit ;;
+*--certificates) echo certificates/a ;;
+*--compare) echo "controls: 1" ;;
+*lies*) echo "lies: 1" ;;
+"build "*) cp "$0" "$1/reader" ;;
+esac
+echo "$me" >>"$LIB/calls"
+if [[ "$me" =~ $BROKEN ]]; then echo "THIS IS BROKEN" | tee /dev/stderr; exit "$CODE"; fi
+"""
+CALLS = (
+    "everything .*--certificates", "closing", "build", "sources", "everything [^-]*$", "Everything",
+    "coqchk", "controls [^-]*$", "Controls", "--compare", "reader certificates", "lies", "fuzz",
+    "tampering", "decoding", "Printed", "record",
+)  # fmt: skip
+
+
+#: These also fail it by what they say: it is not what all theorems rest on.
+SAYING = ("Everything", "coqchk")
+
+
+@pytest.mark.parametrize(
+    ("broken", "code"),
+    [("nothing", 0), *((name, 3) for name in CALLS), *((name, 0) for name in SAYING)],
+)
+def test_whatever_fails_in_the_run_fails_it(broken: str, code: int, tmp_path: Path) -> None:
+    """The script itself, with other programs."""
+    for place in ("bin/coqc", "bin/coqchk", "bin/ocamlfind", "bin/make", "bin/python",
+                  "verify/coq/build"):  # fmt: skip
+        (tmp_path / place).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / place).write_text(FAKE)
+        (tmp_path / place).chmod(0o755)
+    for place in (".ci", "tests/coq", "user-contrib/Interval"):
+        (tmp_path / place).mkdir(parents=True, exist_ok=True)
+    script, calls = tmp_path / ".ci/coq", tmp_path / "calls"
+    script.write_text((ROOT / ".ci/coq").read_text())
+    (tmp_path / "tests/coq/unread.txt").write_text("a: b\n")
+    (tmp_path / "verify/coq/assumed.txt").write_text("")
+    done = subprocess.run(
+        ["/bin/bash", str(script)],
+        env={"PATH": f"{tmp_path}/bin:{os.environ['PATH']}", "PYTHON": f"{tmp_path}/bin/python",
+             "LIB": str(tmp_path), "BROKEN": broken, "CODE": str(code)},
+        capture_output=True, text=True, timeout=60,
+    )  # fmt: skip
+    found = calls.read_text()
+    if broken == "nothing":
+        assert done.returncode == 0, done.stderr
+        assert "proved in Coq" in done.stdout
+        assert all(re.search(call, found, re.MULTILINE) for call in CALLS)
+    else:
+        assert done.returncode not in (0, 77)
+        assert "proved in Coq" not in done.stdout
+        assert "THIS IS BROKEN" in done.stdout + done.stderr
+        assert re.search(broken, found, re.MULTILINE)

@@ -86,6 +86,12 @@ def test_the_printed_set_is_spelled_out_twice() -> None:
         (SOURCES / f"{name}.v").read_text() for name in ("PrintedSet", "PinnedPrintedSet")
     )
     assert not re.search("^(Theorem|Lemma|Proof|Axiom|Parameter|Notation)\\b", page, re.MULTILINE)
+    assert re.findall(r"^.*\b(?:Import|Require)\b.*$", pinned, re.MULTILINE) == [
+        "From Verify Require Import Pinned.",
+        "From Verify Require Theorem1 AllProved PrintedSet PrintedProof.",
+        "From Coq Require Import Reals List Arith Lra.",
+        "Import ListNotations.",
+    ]
     found = constants(pinned.replace("minimum", "least"))
     assert len(found) == 9
     assert found == constants(page)
@@ -99,8 +105,19 @@ def test_the_printed_set_is_spelled_out_twice() -> None:
     assert theorem.replace(" x v", " s") in page
     for sentence in (
         "0 < y <= eta_bar", "0 < d_0 <= Rmin d_const (d_slope * y ^ 2)", "minus_cosine d x = c",
+        "distance d x B0 B1 = 1", "Rabs (rate d x v B0 B1 - phi_minus * y) <= x_0 * y",
         "Rabs (minus_cosine d x - c) <= Theta / 6", "0 < w <= u -> i <> j -> 1 < distance d (",
         "V_0 + (V_1 - V_0) / 3 <= dot d (from_to v B0 B2) (from_to v B0 B2) <= V_1",
+        # The whole theorem: a weaker one would agree on both pages.
+        "forall r theta_0 V_0 delta_theta d, (2 <= d)%nat -> PI / 2 < theta_0 <= PI ->\n",
+        "printed_hypothesis r (- cos theta_0) -> 0 < V_0 -> 0 < delta_theta ->\n",
+        "let c := - cos theta_0 in\n", "let Theta := Theta r c V_0 delta_theta in\n",
+        "let as_printed := printed_set r c V_0 delta_theta d in\n",
+        "let roomy := with_room r c V_0 delta_theta d in\n",
+        "(exists x v, as_printed x v) /\\ ~ has_interior d as_printed /\\\n",
+        "(forall x v, as_printed x v -> roomy x v) /\\ has_interior d roomy /\\ contains_a_",
+        "(forall x v, roomy x v -> collapse d r x v (T_star r c V_0 delta_theta) c Theta) /\\\n",
+        "Theta <= delta_theta.\n",
     ):  # fmt: skip
         assert sentence in pinned
     assert "Check (PrintedProof.printed_set_theorem_holds : PrintedSet." in pinned

@@ -52,7 +52,7 @@ Definition Theta := 3 * zeta_bar * eta_bar / sqrt V_1.
 
 (* --- the set ------------------------------------------------------------------------------------ *)
 
-(* (4.43) but for the angle. That balls 0 and 1 part, and that a gap is left before 2, is added. *)
+(* (4.43) but for the angle; after a collision, 0 and 1 part. That a gap is left before 2 is added. *)
 Definition initial d x v : Prop :=
   exists d_0 y, distance d x B0 B2 = 1 + d_0 /\ rate d x v B0 B2 = - y * (1 + d_0) /\
   distance d x B0 B1 = 1 /\ 0 < rate d x v B0 B1 /\

@@ -48,6 +48,8 @@ BITS = 1 << 12
 #: What may come next on the way to a collision.
 FLIGHT = {"flow:collision", "flow:drift"}
 REASON = "it is no scene that disperses or collapses after collisions, each seen from one ball"
+#: The collisions of a theorem in Coq happen after a time.
+AT_ONCE = "two balls touch and collide at once, which no theorem in Coq allows for"
 
 HEAD = """
 (* --- three balls --- *)
@@ -166,6 +168,8 @@ class Scene:
         if not self.collisions:
             return 0, 1, 2
         found = {name: self.rational(f"{name}.0") for name in STATE[1:]}
+        if not found["eps"]:
+            raise NotAcceptedError(AT_ONCE)
         for o, s, c in permutations(range(3)):
             if self.inner(o, s, c) == found:
                 return o, s, c

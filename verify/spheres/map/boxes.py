@@ -307,6 +307,7 @@ def follow(
             boxes.unclear[owners[rest & _may_go_on(some_of(interval, owners), state)]] = True
         rest &= boxes.open()[owners]
         state, owners = take(state, rest), owners[rest]
-        state, owners = boxes.take_step(advance(some_of(number, owners), state), owners)
+        if len(owners):
+            state, owners = boxes.take_step(advance(some_of(number, owners), state), owners)
     boxes.unclear[owners] = True
     return boxes.verdicts()

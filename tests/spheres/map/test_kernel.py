@@ -114,6 +114,9 @@ def test_what_cannot_be_compiled_is_an_error() -> None:
     for function in (np.cos, np.sort):
         with pytest.raises(TypeError, match="cannot be compiled"):
             Elementwise(function)(PAIRS[0])
+    for array in (np.arange(9), np.ones(9, np.float32), PAIRS < 1):
+        with pytest.raises(TypeError, match="cannot be compiled"):
+            Elementwise(lambda x: x)(array)
 
 
 # --- the functions of maps -----------------------------------------------------------------------
@@ -212,12 +215,14 @@ def test_a_step_is_repeated_at_each_box_until_it_ends(most: int) -> None:
     repeated = Repeated(step, most)
     start = 2.0 ** np.arange(-2, 18)
     given = (np.full(20, 0.25), (start, np.zeros(20)))
-    last, ended = repeated(*given, chosen=np.arange(1, 20))
-    (x, count), expected = repeated._in_turn(chosen_of(given, np.arange(1, 20)), 19)
-    assert (ended == expected).all()
-    assert 0 < ended.sum() < 19
-    assert (last[0][ended] == x[ended]).all()
-    assert (last[1][ended] == count[ended]).all()
+    for chosen in (np.arange(1, 20), np.arange(4, 8)):
+        last, ended = repeated(*given, chosen=chosen)
+        (x, count), expected = repeated._in_turn(chosen_of(given, chosen), len(chosen))
+        assert (ended == expected).all()
+        assert ended.sum() < 19
+        assert ended.any() or len(chosen) < 19
+        assert (last[0][ended] == x[ended]).all()
+        assert (last[1][ended] == count[ended]).all()
 
 
 # --- maps ----------------------------------------------------------------------------------------

@@ -29,7 +29,7 @@ DECIDING = (
 )
 #: Of these files, for each code. Where one of them has changed: the next code, or, if no verdict
 #: and no number can have changed, another digest for this code.
-DIGEST = "9108039df4ee8722079f3767d7c0dd18e9a1a07d4d24bb11529541cfe638e7ae"
+DIGEST = "320184b7c0a95dea43c2f7a3eafd8c9485a88c002bd942e32f89f2de21b7eff3"
 DIGESTS = {2: DIGEST, 5: DIGEST}
 
 

@@ -24,10 +24,9 @@ from llvmlite import binding
 
 from verify.spheres.map.elementwise import Tree, leaves, mapped
 
-#: So many boxes are done at once; where registers are shorter, LLVM takes several.
-LANES = 8
-NUMBERS, TRUTHS, BITS, BYTES = (f"<{LANES} x {kind}>" for kind in ("double", "i1", "i64", "i8"))
-ADDRESSES = f"<{LANES} x ptr>"
+#: So many boxes are done at once; where registers are shorter, LLVM takes several. In a step that
+#: is repeated each operation waits for the one before: with more boxes more is done meanwhile.
+LANES, LANES_OF_STEP = 8, 16
 #: The operations of numpy, as LLVM calls them.
 ARITHMETIC = {"add": "fadd", "subtract": "fsub", "multiply": "fmul", "divide": "fdiv"}
 COMPARISONS = {"less": "olt", "less_equal": "ole", "greater": "ogt", "greater_equal": "oge"}
@@ -126,6 +125,8 @@ class Kernel:
 
         def symbol(x: Any) -> Symbol:
             nonlocal count
+            if x.dtype not in (np.float64, bool) or (x.dtype == bool and x.ndim != 1):
+                raise TypeError(f"arrays of {x.ndim} dimensions of {x.dtype} cannot be compiled")
             name = ("given truth" if x.dtype == bool else "given", x.ndim > 0)
             rows = len(x) if x.ndim == 2 else 1
             count += rows
@@ -150,15 +151,16 @@ class Kernel:
             first = at[is_truth]
             self._found.append((is_truth, slice(first, first + rows) if x.is_matrix else first))
             at[is_truth] += rows
-        self._run = compiled(text_of(trace, slots, loop))
+        self._lanes = LANES if loop is None else LANES_OF_STEP
+        self._run = compiled(text_of(trace, slots, loop, self._lanes))
 
     def __call__(self, arrays: Sequence[Any], chosen: Any) -> Tree:
         """The value at the chosen boxes, or at all of them."""
         boxes = max([x.shape[-1] for x in arrays if x.ndim])
         places = np.arange(boxes) if chosen is None else chosen
         size = len(places)
-        if size < LANES:
-            places = np.resize(places, LANES)
+        if size < self._lanes:
+            places = np.resize(places, self._lanes)
         kept: list[Any] = []
         table: list[int] = []
         for x in arrays:
@@ -194,35 +196,23 @@ class Loop:
         self.before, self.after, self.ends, self.goes, self.most = before, after, ends, goes, most
 
 
-def _all(kind: str, value: str) -> str:
-    return f"<{', '.join([f'{kind} {value}'] * LANES)}>"
-
-
-def _number(value: float) -> str:
-    """A double, with all its bits."""
-    return _all("double", f"0x{np.float64(value).view(np.uint64):016X}")
-
-
-YES = _all("i1", "true")
-
-
-def text_of(trace: Trace, found: Sequence[Slot], loop: Loop | None) -> str:
+def text_of(trace: Trace, found: Sequence[Slot], loop: Loop | None, lanes: int) -> str:
     """The function of the number of boxes, and the addresses of what is given, places and found.
 
-    It takes `LANES` boxes at once; the last ones begin early enough to end with the last box.
+    It takes so many boxes at once; the last ones begin early enough to end with the last box.
     """
-    w = Writer(trace)
+    w = Writer(trace, lanes)
     w.lines.append(
         "define void @kernel(i64 %n, ptr %given, ptr %places, ptr %numbers, ptr %truths) {\nentry:"
     )
-    last = w.set(f"sub i64 %n, {LANES}")
+    last = w.set(f"sub i64 %n, {lanes}")
     given = [slot for slot, operation in enumerate(trace.code) if operation[0].startswith("given")]
     arrays = [w.set(f"load ptr, ptr {w.at('%given', 'ptr', str(k))}") for k in range(len(given))]
     for slot, array in zip(given, arrays, strict=True):
         if not trace.code[slot][1]:
             w.names[slot] = w.one(array)
     w.lines.append("  br label %boxes\nboxes:\n  %i = phi i64 [ 0, %entry ], [ %next, %found ]")
-    places = w.set(f"load {BITS}, ptr {w.at('%places', 'i64', '%i')}, align 8")
+    places = w.set(f"load {w.bits}, ptr {w.at('%places', 'i64', '%i')}, align 8")
     for slot, array in zip(given, arrays, strict=True):
         if trace.code[slot][1]:
             w.names[slot] = w.some(array, places, trace.truths[slot])
@@ -236,25 +226,38 @@ def text_of(trace: Trace, found: Sequence[Slot], loop: Loop | None) -> str:
     for slot, value in zip(found, values, strict=True):
         w.store(value, trace.truths[slot], rows[trace.truths[slot]])
         rows[trace.truths[slot]] += 1
-    after = w.set(f"add i64 %i, {LANES}")
+    after = w.set(f"add i64 %i, {lanes}")
     beyond = w.set(f"icmp sgt i64 {after}, {last}")
     w.lines.append(f"  %next = select i1 {beyond}, i64 {last}, i64 {after}")
     done = w.set(f"icmp eq i64 %i, {last}")
     w.lines.append(f"  br i1 {done}, label %exit, label %boxes\nexit:\n  ret void\n}}")
     for name in FUNCTIONS.values():
-        w.lines.append(f"declare {NUMBERS} @llvm.{name}.v{LANES}f64({NUMBERS})")
-    for kind, many in (("f64", NUMBERS), ("i8", BYTES)):
-        types = f"{ADDRESSES}, i32, {TRUTHS}, {many}"
-        w.lines.append(f"declare {many} @llvm.masked.gather.v{LANES}{kind}.v{LANES}p0({types})")
+        w.lines.append(f"declare {w.numbers} @llvm.{name}.v{lanes}f64({w.numbers})")
+    for kind, many in (("f64", w.numbers), ("i8", w.bytes)):
+        types = f"{w.addresses}, i32, {w.truths}, {many}"
+        w.lines.append(f"declare {many} @llvm.masked.gather.v{lanes}{kind}.v{lanes}p0({types})")
     return "\n".join(w.lines)
 
 
 class Writer:
     """The lines of one function, and the names of the values of slots."""
 
-    def __init__(self, trace: Trace) -> None:
-        self.trace, self.lines = trace, list[str]()
+    def __init__(self, trace: Trace, lanes: int) -> None:
+        self.trace, self.lines, self.lanes = trace, list[str](), lanes
         self.names: dict[Slot, str] = {}
+        kinds = ("double", "i1", "i64", "i8", "ptr")
+        self.numbers, self.truths, self.bits, self.bytes, self.addresses = (
+            f"<{lanes} x {kind}>" for kind in kinds
+        )
+        self.yes = self.all("i1", "true")
+
+    def all(self, kind: str, value: str) -> str:
+        """The same value in each lane."""
+        return f"<{', '.join([f'{kind} {value}'] * self.lanes)}>"
+
+    def number(self, value: float) -> str:
+        """The same double in each lane, with all its bits."""
+        return self.all("double", f"0x{np.float64(value).view(np.uint64):016X}")
 
     def set(self, text: str) -> str:
         """The name of a new value."""
@@ -269,32 +272,34 @@ class Writer:
     def one(self, array: str) -> str:
         """The number that all boxes have."""
         value = self.set(f"load double, ptr {array}")
-        value = self.set(f"insertelement {NUMBERS} poison, double {value}, i64 0")
-        zeros = f"<{LANES} x i32> zeroinitializer"
-        return self.set(f"shufflevector {NUMBERS} {value}, {NUMBERS} poison, {zeros}")
+        value = self.set(f"insertelement {self.numbers} poison, double {value}, i64 0")
+        zeros = f"<{self.lanes} x i32> zeroinitializer"
+        return self.set(f"shufflevector {self.numbers} {value}, {self.numbers} poison, {zeros}")
 
     def some(self, array: str, places: str, is_truth: bool) -> str:
         """The numbers, or truth values, at some places."""
         kind, name, many, size = (
-            ("i8", "i8", BYTES, 1) if is_truth else ("double", "f64", NUMBERS, 8)
+            ("i8", "i8", self.bytes, 1) if is_truth else ("double", "f64", self.numbers, 8)
         )
-        at = self.set(f"getelementptr {kind}, ptr {array}, {BITS} {places}")
-        given = f"{ADDRESSES} {at}, i32 {size}, {TRUTHS} {YES}, {many} poison"
-        found = self.set(f"call {many} @llvm.masked.gather.v{LANES}{name}.v{LANES}p0({given})")
-        return self.set(f"icmp ne {BYTES} {found}, zeroinitializer") if is_truth else found
+        at = self.set(f"getelementptr {kind}, ptr {array}, {self.bits} {places}")
+        given = f"{self.addresses} {at}, i32 {size}, {self.truths} {self.yes}, {many} poison"
+        found = self.set(
+            f"call {many} @llvm.masked.gather.v{self.lanes}{name}.v{self.lanes}p0({given})"
+        )
+        return self.set(f"icmp ne {self.bytes} {found}, zeroinitializer") if is_truth else found
 
     def store(self, value: str, is_truth: bool, row: int) -> None:
         """Put numbers, or truth values, into a row of what is found."""
         first = self.set(f"mul i64 %n, {row}")
         place = self.set(f"add i64 {first}, %i")
         if is_truth:
-            value = self.set(f"zext {TRUTHS} {value} to {BYTES}")
+            value = self.set(f"zext {self.truths} {value} to {self.bytes}")
             self.lines.append(
-                f"  store {BYTES} {value}, ptr {self.at('%truths', 'i8', place)}, align 1"
+                f"  store {self.bytes} {value}, ptr {self.at('%truths', 'i8', place)}, align 1"
             )
         else:
             at = self.at("%numbers", "double", place)
-            self.lines.append(f"  store {NUMBERS} {value}, ptr {at}, align 8")
+            self.lines.append(f"  store {self.numbers} {value}, ptr {at}, align 8")
 
     def rounds(self, loop: Loop) -> list[str]:
         """Take the step until no box goes on; the last states, and where there is one."""
@@ -303,22 +308,22 @@ class Writer:
         for k, slot in enumerate(loop.before):
             states[slot] = f"[ {self.names[slot]}, %boxes ], [ %y{k}, %rounds ]"
             self.names[slot] = f"%x{k}"
-            self.lines.append(f"  %x{k} = phi {NUMBERS} {states[slot]}")
+            self.lines.append(f"  %x{k} = phi {self.numbers} {states[slot]}")
         self.lines.append(
-            f"  %goes = phi {TRUTHS} [ {YES}, %boxes ], [ %on, %rounds ]\n"
-            f"  %ended = phi {TRUTHS} [ zeroinitializer, %boxes ], [ %over, %rounds ]\n"
+            f"  %goes = phi {self.truths} [ {self.yes}, %boxes ], [ %on, %rounds ]\n"
+            f"  %ended = phi {self.truths} [ zeroinitializer, %boxes ], [ %over, %rounds ]\n"
             "  %round = phi i64 [ 1, %boxes ], [ %more, %rounds ]\n"
             "  %more = add i64 %round, 1"
         )
         self.body()
         for k, slot in enumerate(loop.after):
-            new = f"{NUMBERS} {self.names[slot]}, {NUMBERS} %x{k}"
-            self.lines.append(f"  %y{k} = select {TRUTHS} %goes, {new}")
-        ends = self.set(f"and {TRUTHS} %goes, {self.names[loop.ends]}")
-        self.lines.append(f"  %over = or {TRUTHS} %ended, {ends}")
-        self.lines.append(f"  %on = and {TRUTHS} %goes, {self.names[loop.goes]}")
-        lanes = self.set(f"bitcast {TRUTHS} %on to i{LANES}")
-        some = self.set(f"icmp ne i{LANES} {lanes}, 0")
+            new = f"{self.numbers} {self.names[slot]}, {self.numbers} %x{k}"
+            self.lines.append(f"  %y{k} = select {self.truths} %goes, {new}")
+        ends = self.set(f"and {self.truths} %goes, {self.names[loop.ends]}")
+        self.lines.append(f"  %over = or {self.truths} %ended, {ends}")
+        self.lines.append(f"  %on = and {self.truths} %goes, {self.names[loop.goes]}")
+        lanes = self.set(f"bitcast {self.truths} %on to i{self.lanes}")
+        some = self.set(f"icmp ne i{self.lanes} {lanes}, 0")
         few = self.set(f"icmp slt i64 %round, {loop.most}")
         again = self.set(f"and i1 {some}, {few}")
         self.lines.append(f"  br i1 {again}, label %rounds, label %found\nfound:")
@@ -332,29 +337,31 @@ class Writer:
 
     def _value(self, slot: Slot, name: str, of: Sequence[Any]) -> str:
         if name == "number":
-            return _number(float.fromhex(of[0]))
+            return self.number(float.fromhex(of[0]))
         if name == "truth":
-            return YES if of[0] else "zeroinitializer"
+            return self.yes if of[0] else "zeroinitializer"
         values = [self.names[x] for x in of]
         if name in ARITHMETIC:
-            return self.set(f"{ARITHMETIC[name]} {NUMBERS} {', '.join(values)}")
+            return self.set(f"{ARITHMETIC[name]} {self.numbers} {', '.join(values)}")
         if name in FUNCTIONS:
-            function = f"@llvm.{FUNCTIONS[name]}.v{LANES}f64"
-            return self.set(f"call {NUMBERS} {function}({NUMBERS} {values[0]})")
+            function = f"@llvm.{FUNCTIONS[name]}.v{self.lanes}f64"
+            return self.set(f"call {self.numbers} {function}({self.numbers} {values[0]})")
         if name in COMPARISONS:
             return self._compare(COMPARISONS[name], *values)
         if name in LOGIC:
-            return self.set(f"{LOGIC[name]} {TRUTHS} {', '.join(values)}")
+            return self.set(f"{LOGIC[name]} {self.truths} {', '.join(values)}")
         return self._others(slot, name, of, values)
 
     def _others(self, slot: Slot, name: str, of: Sequence[Any], values: Sequence[str]) -> str:
         if name == "where":
             which, one, two = values
-            return self._select(which, one, two, TRUTHS if self.trace.truths[slot] else NUMBERS)
+            return self._select(
+                which, one, two, self.truths if self.trace.truths[slot] else self.numbers
+            )
         if name == "invert":
-            return self.set(f"xor {TRUTHS} {values[0]}, {YES}")
+            return self.set(f"xor {self.truths} {values[0]}, {self.yes}")
         if name == "negative":
-            return self.set(f"fneg {NUMBERS} {values[0]}")
+            return self.set(f"fneg {self.numbers} {values[0]}")
         if name == "nextafter":
             return self._next(values[0], float.fromhex(self.trace.code[of[1]][1]))
         if name in ("minimum", "maximum", "fmin", "fmax"):
@@ -367,22 +374,25 @@ class Writer:
         raise TypeError(f"{name} cannot be compiled")
 
     def _compare(self, how: str, one: str, two: str) -> str:
-        return self.set(f"fcmp {how} {NUMBERS} {one}, {two}")
+        return self.set(f"fcmp {how} {self.numbers} {one}, {two}")
 
-    def _select(self, which: str, one: str, two: str, kind: str = NUMBERS) -> str:
-        return self.set(f"select {TRUTHS} {which}, {kind} {one}, {kind} {two}")
+    def _select(self, which: str, one: str, two: str, kind: str = "") -> str:
+        kind = kind or self.numbers
+        return self.set(f"select {self.truths} {which}, {kind} {one}, {kind} {two}")
 
     def _next(self, value: str, goal: float) -> str:
         """The next double towards an infinity: its bits, as a whole number, are the next ones."""
         up = goal > 0
-        bits = self.set(f"bitcast {NUMBERS} {value} to {BITS}")
-        sign = self.set(f"ashr {BITS} {bits}, {_all('i64', '63')}")
-        unit = self.set(f"or {BITS} {sign}, {_all('i64', '1')}")
-        moved = self.set(f"{'add' if up else 'sub'} {BITS} {bits}, {unit}")
+        bits = self.set(f"bitcast {self.numbers} {value} to {self.bits}")
+        sign = self.set(f"ashr {self.bits} {bits}, {self.all('i64', '63')}")
+        unit = self.set(f"or {self.bits} {sign}, {self.all('i64', '1')}")
+        moved = self.set(f"{'add' if up else 'sub'} {self.bits} {bits}, {unit}")
         is_zero = self._compare("oeq", value, "zeroinitializer")
-        moved = self._select(is_zero, _all("i64", str(1 if up else 1 - 2**63)), moved, BITS)
-        found = self.set(f"bitcast {BITS} {moved} to {NUMBERS}")
-        moves = self._compare("olt" if up else "ogt", value, _number(goal))
+        moved = self._select(
+            is_zero, self.all("i64", str(1 if up else 1 - 2**63)), moved, self.bits
+        )
+        found = self.set(f"bitcast {self.bits} {moved} to {self.numbers}")
+        moves = self._compare("olt" if up else "ogt", value, self.number(goal))
         return self._select(moves, found, value)
 
 

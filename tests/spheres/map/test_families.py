@@ -16,7 +16,7 @@ from verify import check_map
 from verify.cli import main
 from verify.spheres.map.axes import axis_in, plane_in
 from verify.spheres.map.boxes import verdicts
-from verify.spheres.map.grow import Target, decide_chunk, grow
+from verify.spheres.map.grow import Target, decide_chunks, grow
 from verify.spheres.map.log import Progress, plane_document
 from verify.spheres.map.planes import Scenes
 from verify.spheres.map.workers import workers
@@ -294,7 +294,7 @@ def test_what_the_checker_does_not_follow_is_undecided() -> None:
     """So many collisions are certain in doubles, and not in the numbers of the checker."""
     plane = plane_of(NEAR_A_LINE, "r")
     keys = ["10101011000", "11111111111"]
-    chunk, _ = decide_chunk(plane, keys)
+    ((chunk, _),) = decide_chunks(plane, [keys])
     assert chunk.letters == "ud"
     checked = check_map.plane_of(plane_document(plane))
     law = check_map.law_in(checked)

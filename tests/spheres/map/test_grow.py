@@ -15,10 +15,12 @@ from pathlib import Path
 
 import pytest
 
+from verify.spheres.map import grow as map_grow
 from verify.spheres.map import log as map_log
 from verify.spheres.map.grow import Target, grow, open_log, write_line
-from verify.spheres.map.log import LogMismatchError, Progress
-from verify.spheres.map.planes import Phi
+from verify.spheres.map.log import Chunk, LogMismatchError, Progress
+from verify.spheres.map.planes import Phi, Plane
+from verify.spheres.map.strip import BorderStrip
 from verify.spheres.map.workers import Workers, workers
 from verify.wire.inputs import InputError
 
@@ -29,7 +31,12 @@ TARGET = Target(Fraction(1, 25), 10**6, 20)
 
 @pytest.fixture(autouse=True)
 def small_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(map_log, "CHUNK", 96)
+    shorten(monkeypatch)
+
+
+def shorten(patch: pytest.MonkeyPatch) -> None:
+    patch.setattr(map_log, "CHUNK", 96)
+    patch.setattr(map_grow, "CHUNK", 96)
 
 
 def made(path: Path, staff: Workers, target: Target = TARGET, stop: int = 10**9) -> Progress:
@@ -46,7 +53,7 @@ def made(path: Path, staff: Workers, target: Target = TARGET, stop: int = 10**9)
 def whole(tmp_path_factory: pytest.TempPathFactory) -> bytes:
     path = tmp_path_factory.mktemp("map") / "log"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(map_log, "CHUNK", 96)
+        shorten(patch)
         progress = made(path, workers(1, None))
     assert progress.undecided <= TARGET.undecided
     return path.read_bytes()
@@ -55,6 +62,26 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> bytes:
 def test_two_processes_write_the_same_file(whole: bytes, tmp_path: Path) -> None:
     made(tmp_path / "log", workers(2, None))
     assert (tmp_path / "log").read_bytes() == whole
+
+
+def test_chunks_decided_one_by_one_write_the_same_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = TARGET._replace(undecided=Fraction(1, 100))
+    sizes, decide = [], map_grow.decide_chunks
+
+    def spy(plane: Plane | BorderStrip, chunks: list[list[str]]) -> list[tuple[Chunk, float]]:
+        sizes.append(len(chunks))
+        return decide(plane, chunks)
+
+    monkeypatch.setattr(map_grow, "decide_chunks", spy)
+    made(tmp_path / "several", workers(1, None), target)
+    assert max(sizes) > 1
+    monkeypatch.setattr(map_grow, "MOST_CHUNKS", 1)
+    sizes.clear()
+    made(tmp_path / "one", workers(1, None), target)
+    assert max(sizes) == 1
+    assert (tmp_path / "one").read_bytes() == (tmp_path / "several").read_bytes()
 
 
 @pytest.mark.parametrize("cut", [0, 1, 70])

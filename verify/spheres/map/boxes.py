@@ -15,7 +15,6 @@ from verify.spheres.map.branches import (
     Step,
     advance,
     begin,
-    is_empty,
     some_of,
     take,
     together,
@@ -43,9 +42,6 @@ MAX_COLLISIONS, MAX_BRANCHES = 60, 24
 FAMILY_COLLISIONS = 400
 
 
-#: From the digits of a key to bits of its column, and of its row.
-COLUMN, ROW = str.maketrans("23", "01"), str.maketrans("123", "011")
-
 #: Instead of the interval of a parameter that does not occur.
 NOTHING = (Fraction(0), Fraction(0))
 
@@ -61,11 +57,12 @@ class Verdicts(Record):
     late: Sequence[int] = ()
 
 
-def corners(keys: Sequence[str]) -> tuple[list[int], list[int]]:
-    """The columns and rows of boxes: a quadkey has one digit a level, x + 2y."""
-    columns = [int(key.translate(COLUMN) or "0", 2) for key in keys]
-    rows = [int(key.translate(ROW) or "0", 2) for key in keys]
-    return columns, rows
+def corners(keys: Sequence[str]) -> tuple[Array, Array]:
+    """The columns and rows of boxes of one level: a quadkey has one digit a level, x + 2y."""
+    level = len(keys[0])
+    digits = np.frombuffer("".join(keys).encode(), np.uint8).reshape(len(keys), level)
+    places = 1 << np.arange(level, dtype=np.int64)[::-1]
+    return (digits & 1) @ places, (digits >> 1 & 1) @ places
 
 
 def side(ends: tuple[Fraction, Fraction], places: Sequence[int], level: int) -> Intervals:
@@ -133,14 +130,16 @@ class _Boxes:
         """Whether a box may still get a verdict."""
         return ~self.unclear & ~(self.collapse & self.disperse)
 
-    def take_step(self, step: Step, owners: Array) -> tuple[State, Array]:
+    def take_step(self, step: Step, owners: Array) -> tuple[Any, Array]:
         """The branches after a collision that still matter, and whose they are."""
         self.disperse[owners[step.ends]] = True
         self.unclear[owners[step.unclear]] = True
-        parts = []
+        parts, goes = [], self.open()
         for places, after in step.states:
-            keep = self.open()[owners[places]] & ~is_empty(after)
+            keep = goes[owners[places]]
             parts.append((owners[places][keep], take(after, keep)))
+        if not parts:
+            return (), np.zeros(0, int)
         found = np.concatenate([own for own, _ in parts])
         self.branches += np.maximum(np.bincount(found, minlength=len(self.branches)) - 1, 0)
         self.unclear |= self.branches > MAX_BRANCHES
@@ -238,38 +237,33 @@ def tiles(kind: BoxNumbers, plane: BorderStrip, keys: Sequence[str]) -> tuple[An
     below = len(keys[0]) - plane.level
     parts, share = 2**plane.level, Fraction(1, 2**below)
     half = (plane.x[1] - plane.x[0]) / parts / 2
+
+    def ends(value: Callable[..., Fraction], *places: Array) -> Intervals:
+        """Intervals around a number that depends on these places."""
+        each, at = np.unique(np.stack(places), axis=1, return_inverse=True)
+        found = [enclosed(value(*column)) for column in each.T.tolist()]
+        low, high = (np.array([getattr(x, name) for x in found]) for name in ("low", "high"))
+        return Intervals(low[at], high[at])
+
+    def side(value: Callable[..., Fraction], *places: Array) -> Intervals:
+        """Its values from one place to the next, in the last of these places."""
+        *others, last = places
+        return Intervals(ends(value, *places).low, ends(value, *others, last + 1).high)
+
     bands = plane.bands
 
-    def each(values: Sequence[Fraction]) -> Any:
-        found = {value: enclosed(value) for value in {*values}}
-        ends = [found[value] for value in values]
-        low, high = (np.array([getattr(x, name) for x in ends]) for name in ("low", "high"))
-        return kind.flat(Intervals(low, high))
+    def lift(row: int, part: int) -> Fraction:
+        low, high = bands[row]
+        return low + (high - low) * part * share
 
-    def between(lows: Sequence[Fraction], highs: Sequence[Fraction]) -> Intervals:
-        return Intervals(each(lows).low, each(highs).high)
-
-    places = [column >> below for column in columns]
-    rest = [(column & (1 << below) - 1) * share for column in columns]
-    t = kind.parameter(
-        0,
-        between([half * (2 * x - 1) for x in rest], [half * (2 * (x + share) - 1) for x in rest]),
-    )
-    band = [bands[row >> below] for row in rows]
-    lift = [(row & (1 << below) - 1) * share for row in rows]
-    u = kind.parameter(
-        1,
-        between(
-            [a + (b - a) * x for (a, b), x in zip(band, lift, strict=True)],
-            [a + (b - a) * (x + share) for (a, b), x in zip(band, lift, strict=True)],
-        ),
-    )
-    f_0, f_1, f_2 = (each([plane.curve[i][k] for i in places]) for k in range(3))
-    up = [plane.is_above(row >> below) for row in rows]
-    delta = each([plane.delta if above else -plane.delta for above in up])
-    goal = each([plane.y[1] if above else Fraction(0) for above in up])
-    phi_1 = t + each([plane.x[0] + half * (2 * i + 1) for i in places])
-    return phi_1, height(f_0 + t * (f_1 + t * f_2), u, delta, goal)
+    column, row = columns >> below, rows >> below
+    t = kind.parameter(0, side(lambda i: half * (2 * i * share - 1), columns - (column << below)))
+    u = kind.parameter(1, side(lift, row, rows - (row << below)))
+    f_0, f_1, f_2 = (kind.flat(ends(lambda i, k=k: plane.curve[i][k], column)) for k in range(3))
+    delta = kind.flat(ends(lambda i: plane.delta if plane.is_above(i) else -plane.delta, row))
+    goal = kind.flat(ends(lambda i: plane.y[1] if plane.is_above(i) else Fraction(0), row))
+    middle = kind.flat(ends(lambda i: plane.x[0] + half * (2 * i + 1), column))
+    return t + middle, height(f_0 + t * (f_1 + t * f_2), u, delta, goal)
 
 
 def _may_go_on(r: Intervals, state: State) -> Array:
@@ -313,6 +307,7 @@ def follow(
             boxes.unclear[owners[rest & _may_go_on(some_of(interval, owners), state)]] = True
         rest &= boxes.open()[owners]
         state, owners = take(state, rest), owners[rest]
-        state, owners = boxes.take_step(advance(some_of(number, owners), state), owners)
+        if len(owners):
+            state, owners = boxes.take_step(advance(some_of(number, owners), state), owners)
     boxes.unclear[owners] = True
     return boxes.verdicts()

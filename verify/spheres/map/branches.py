@@ -8,16 +8,21 @@ graze is in both, so it gets the verdict that it has under either convention.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import reduce
+from operator import or_
 from typing import Any
 
 import numpy as np
 
 from verify.language.record import Record
 from verify.spheres.flow.law import Flight, Pair, State, collided, flight, inner, outer, recentred
+from verify.spheres.map.elementwise import Elementwise
 from verify.spheres.map.intervals import Array, Intervals, down
 
 #: One number of many boxes of states: `Intervals`, `Models`, or `BallModels`.
 Boxes = Any
+#: States, and the places of the boxes that they come from.
+Places = tuple[Array, State]
 
 
 class Look(Record):
@@ -34,7 +39,7 @@ class Step(Record):
     not known which collision is the next one.
     """
 
-    states: list[tuple[Array, State]]
+    states: list[Places]
     ends: Array
     unclear: Array
 
@@ -59,7 +64,7 @@ def take(state: State, chosen: Array) -> State:
 
 def is_empty(state: State) -> Array:
     """Whether no state is left: bounds that contradict each other."""
-    return sum(x.low > x.high for x in state if not isinstance(x, int)) > 0
+    return reduce(or_, (x.low > x.high for x in state if not isinstance(x, int)))
 
 
 def together(parts: Sequence[State]) -> State:
@@ -92,38 +97,76 @@ def seen_from_s(state: State) -> State:
     return other._replace(v=other.lam.like(1))
 
 
+@Elementwise
+def _own(state: State) -> tuple[Look, Boxes, Flight, Array, Array]:
+    """Whether o and c meet, left alone, and how.
+
+    There are the lam of the states that do, their flight, whether bounds alone tell that it is the
+    first one, and whether little is known of the state.
+    """
+    own = look(state.lam, state.A, state.eps)
+    met, way = meeting_part(state)
+    little = _sticks(state) | ~(state.lam.low <= state.lam.high)
+    return own, met.lam, way, own.always & _is_first(state, way), little
+
+
+@Elementwise
+def _far(state: State, y: Boxes, T: Boxes) -> tuple[Look, Array]:
+    """Whether s and c meet, left alone; and whether that is not before o and c do so."""
+    pair = outer(state)
+    seen = look(-pair.p, pair.m, pair.g)
+    return seen, seen.never | apart(pair, y * T)
+
+
+@Elementwise
+def _near(state: State, never: Array) -> tuple[State, Flight, Array]:
+    """States from which s and c meet, seen from s, and how; whether o and c do not meet before."""
+    met, way = meeting_part(seen_from_s(state))
+    return met, way, never | apart(inner(state)[0], way.y * way.T)
+
+
+@Elementwise
+def _after(r: Boxes, met: State, way: Flight) -> tuple[State, Array]:
+    """The states after o and c have met, where there are some."""
+    after = collided(r, met, way)
+    return after, ~is_empty(after)
+
+
+def _next(r: Boxes, met: State, way: Flight, chosen: Array, places: Array) -> list[Places]:
+    """The states after o and c have met at chosen places, if there are some, and where they are."""
+    if len(chosen) == 0:
+        return []
+    after, some = _after(r, met, way, chosen=chosen)
+    return [(places[chosen[some]], take(after, some))]
+
+
 def advance(r: Boxes, state: State) -> Step:
     """The next collision of each box, in each of its branches.
 
     The spectator s, which is in contact with o, does not approach: rho >= 0, B >= 0.
     """
-    own = look(state.lam, state.A, state.eps)
-    met, way = meeting_part(state)
-    first = own.always & _is_first(state, way)
+    own, lam, way, first, little = _own(state)
     # Of the others more has to be known; `far` is the pair s, c.
     rest = np.flatnonzero(~first)
     far = Look(np.zeros_like(first), np.zeros_like(first))
     if len(rest):
-        pair = outer(take(state, rest))
-        seen = look(-pair.p, pair.m, pair.g)
-        far.never[rest], far.always[rest] = seen.never, seen.always
-        first[rest] = seen.never | apart(pair, way.y[rest] * way.T[rest])
+        seen, first[rest] = _far(state, way.y, way.T, chosen=rest)
+        far.never[rest], far.always[rest] = seen
     meets, known = ~own.never & first, first.copy()
-    other, states = np.flatnonzero(~far.never & ~(first & own.always)), []
+    other = np.flatnonzero(~far.never & ~(first & own.always))
+    states: list[Places] = []
     if len(other):
-        # In the order of `other`: the flight of s and c, and whether it is the first one.
-        here = take(state, other)
-        near, near_way = meeting_part(seen_from_s(here))
-        far_first = own.never[other] | apart(inner(here)[0], near_way.y * near_way.T)
+        # In the order of `other`: how s and c meet, and whether they are the first to do so.
+        near, near_way, far_first = _near(state, own.never, chosen=other)
         known[other] |= far_first
         meets[other] |= ~own.never[other] & far_first & ~far.always[other]
-        goes = far_first | first[other]
-        if goes.any():
-            states.append((other[goes], _after(some_of(r, other), near, near_way, goes)))
-    states.insert(0, (np.flatnonzero(meets), _after(r, met, way, meets)))
+        goes = np.flatnonzero(far_first | first[other])
+        states = _next(some_of(r, other), near, near_way, goes, other)
+    met = state._replace(lam=lam)
+    states = _next(r, met, way, np.flatnonzero(meets), np.arange(len(first))) + states
     ends = ~own.always & ~far.always
     known |= own.never & far.never
-    return Step(states, ends, ~known | _sticks(state) | ~(state.lam.low <= state.lam.high))
+    return Step(states, ends, ~known | little)
 
 
 def _is_first(state: State, way: Flight) -> Array:
@@ -135,22 +178,18 @@ def _is_first(state: State, way: Flight) -> Array:
     return look(-pair.p, pair.m, pair.g).never | apart(pair, time)
 
 
-def _after(r: Boxes, state: State, way: Flight, chosen: Array) -> State:
-    part = Flight(*(x[chosen] for x in way))
-    return collided(some_of(r, chosen), take(state, chosen), part)
-
-
 def _sticks(state: State) -> Array:
     """Whether the spectator may stay in contact: a row of the flow says that it does not."""
     return ~((state.rho.low > 0) | (state.B.low > 0))
 
 
-def begin(r: Boxes, views: Sequence[State], pairs: Sequence[Pair]) -> Step:
-    """The first collision of scenes: their three pairs, each with the view of its own.
+@Elementwise
+def _first_of_three(
+    views: Sequence[State], pairs: Sequence[Pair]
+) -> tuple[tuple[tuple[Array, Boxes, Flight], ...], Array, Array]:
+    """Which pairs may meet first, with lam and flight of the states where they do.
 
-    Of two pairs that may both meet one has to be shown to be apart until the other has met. Then
-    a pair may be the first one unless another one, which always meets, comes before. One pair may
-    be in contact if it does not stay so.
+    Besides, as in a step, whether some states end, and what is unclear.
     """
     looks = [look(-pair.p, pair.m, pair.g) for pair in pairs]
     met = [meeting_part(view) for view in views]
@@ -162,15 +201,32 @@ def begin(r: Boxes, views: Sequence[State], pairs: Sequence[Pair]) -> Step:
     unclear = np.zeros_like(looks[0].never)
     for i, j in ((0, 1), (0, 2), (1, 2)):
         unclear |= ~(later[i][j] | later[j][i] | looks[i].never)
-    states = []
+    found = []
     for i, (view, way) in enumerate(met):
         may = ~looks[i].never
         for j in range(3):
-            may &= ~(later[j][i] & ~later[i][j] & looks[j].always & (i != j))
-        states.append((np.flatnonzero(may), _after(r, view, way, may)))
+            if i != j:
+                may &= ~(later[j][i] & ~later[i][j] & looks[j].always)
+        found.append((may, view.lam, way))
     ends = ~(looks[0].always | looks[1].always | looks[2].always)
-    touching = np.zeros_like(unclear, int)
-    for pair in pairs:
-        touching += ~(pair.g.low > 0)
-        unclear |= ~((pair.g.low > 0) | ((pair.g.low >= 0) & (pair.m.low > 0)))
-    return Step(states, ends, unclear | (touching > 1))
+    apart_now = [pair.g.low > 0 for pair in pairs]
+    for pair, is_apart in zip(pairs, apart_now, strict=True):
+        unclear |= ~(is_apart | ((pair.g.low >= 0) & (pair.m.low > 0)))
+    for i, j in ((0, 1), (0, 2), (1, 2)):
+        unclear |= ~(apart_now[i] | apart_now[j])
+    return tuple(found), ends, unclear
+
+
+def begin(r: Boxes, views: Sequence[State], pairs: Sequence[Pair]) -> Step:
+    """The first collision of scenes: their three pairs, each with the view of its own.
+
+    Of two pairs that may both meet one has to be shown to be apart until the other has met. Then
+    a pair may be the first one unless another one, which always meets, comes before. One pair may
+    be in contact if it does not stay so.
+    """
+    found, ends, unclear = _first_of_three(tuple(views), tuple(pairs))
+    states: list[Places] = []
+    for view, (may, lam, way) in zip(views, found, strict=True):
+        met = view._replace(lam=lam)
+        states += _next(r, met, way, np.flatnonzero(may), np.arange(len(ends)))
+    return Step(states, ends, unclear)

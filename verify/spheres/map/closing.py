@@ -15,7 +15,8 @@ from verify.language.terms import Claim, names_of
 from verify.prover.program import Machine, Program
 from verify.spheres.flow.collapse import SHARPER
 from verify.spheres.flow.law import State
-from verify.spheres.map.branches import some_of, take
+from verify.spheres.map.branches import some_of
+from verify.spheres.map.elementwise import Elementwise, Repeated, chosen_of
 from verify.spheres.map.intervals import (
     Array,
     Intervals,
@@ -56,10 +57,6 @@ class Approach(Record):
     C: Intervals
     speed: Array
 
-    def some(self, chosen: Array) -> Approach:
-        """Some of the boxes."""
-        return Approach(*(x[chosen] for x in self))
-
 
 def as_approach(state: State) -> Approach:
     """The states in the letters of the sharper theorem."""
@@ -74,41 +71,49 @@ def as_approach(state: State) -> Approach:
 
 def collapsing(r: Intervals, state: State) -> tuple[Array, Array]:
     """The boxes that are shown to collapse, and their numbers in units, a column each."""
+    nothing = np.zeros(0, int), np.zeros((len(NUMBERS), 0))
     places = np.flatnonzero((state.lam.low > 0) & (state.rho.low > 0) & (state.C.low > 0))
-    box = as_approach(take(state, places))
-    worth = (box.ratio.high < 1) & (box.slope.high * box.speed * box.speed < 0.25)
-    places, box = places[worth], box.some(worth)
-    here = some_of(r, places)
-    numbers = search(_ends(here, len(places)), box)
-    found = np.flatnonzero(~np.isnan(numbers[0]))
-    places, numbers = places[found], numbers[:, found]
-    shown = closes(some_of(here, found), box.some(found), numbers)
+    if len(places) == 0:
+        return nothing
+    box, known, guess, worth = _begun(_ends(r), state, chosen=places)
+    here = np.flatnonzero(worth)
+    if len(here) == 0:
+        return nothing
+    guess, found = _searched(known, guess, chosen=here)
+    here = here[found]
+    if len(here) == 0:
+        return nothing
+    places = places[here]
+    given = chosen_of(r, places), chosen_of(box, here), chosen_of(guess, found)
+    numbers, shown = _closed(*given)
     return places[shown], numbers[:, shown]
 
 
-def _ends(r: Intervals, size: int) -> Ends:
+def _ends(r: Intervals) -> Ends:
     """About between what r lies: one number, if it is the same everywhere."""
-    if np.ndim(r.high) == 0:
-        return float(r.high), float(r.high)
-    return np.broadcast_to(r.low, size), np.broadcast_to(r.high, size)
+    return (r.high, r.high) if np.ndim(r.high) == 0 else (r.low, r.high)
 
 
 def collapsing_on_a_line(r: Intervals, state: State, owners: Array) -> tuple[Array, Array]:
-    """The boxes of spheres on a line that are shown to collapse; they need no numbers.
+    """The boxes of spheres on a line that are shown to collapse; they need no numbers."""
+    places = np.flatnonzero(_shown_on_a_line(some_of(r, owners), state))
+    return places, np.zeros((0, len(places)))
+
+
+@Elementwise
+def _shown_on_a_line(r: Intervals, state: State) -> Array:
+    """Whether they collapse.
 
     The number Q of the theorem is the ratio of the two speeds, or just above the smaller root of
     Q((1+r)/2 - Q) = r.
     """
-    here = some_of(r, owners)
-    half = (1 + here) / 2
-    root = square_root(half * half - 4 * here).low
+    half = (1 + r) / 2
+    root = square_root(half * half - 4 * r).low
     least = up(up(half.high - root) / 2) * (1 + 2.0**-20)
     Q = exactly(np.maximum(as_approach(state).ratio.high, least))
     shown = (state.lam.low > 0) & (state.rho.low > 0) & (state.C.low > 0) & (state.eps.low > 0)
     shown &= (2 * Q).high < half.low
-    shown &= here.high <= (Q * (exactly(half.low) - Q)).low
-    places = np.flatnonzero(shown)
-    return places, np.zeros((0, len(places)))
+    return shown & (r.high <= (Q * (exactly(half.low) - Q)).low)
 
 
 # --- what is proved ------------------------------------------------------------------------------
@@ -161,78 +166,73 @@ def closes(r: Intervals, box: Approach, numbers: Array) -> Array:
 # --- the search ----------------------------------------------------------------------------------
 
 
-class Guess:
-    """Bounds in floats, with the larger speed as the unit; `fine` where they make sense."""
+class Known(Record):
+    """What a search begins with: r, (1+r)/2, -cos θ, -eta_c, and the ratio just after a collision.
 
-    def __init__(self, r: Ends, box: Approach) -> None:
-        self.r, self.h = r, ((1 + r[0]) / 2, (1 + r[1]) / 2)
-        self.C, self.eta = (box.C.low, box.C.high), box.eta / box.speed
-        self.q = (box.ratio.low, box.ratio.high)
-        self.k = box.slope.high * box.speed * box.speed * SLACK
-        alpha = self.h[1] * (self.C[0] + self.C[1]) / 2
-        p = (alpha + np.sqrt(alpha * alpha - 4 * r[1])) / 2
-        self.y, self.V, self.fine = (p, p), p, p * p * p > r[1] * r[1]
-        self.ratio = (np.minimum(self.q[0], r[0] / p), np.maximum(self.q[1], r[1] / p))
+    The larger speed is the unit.
+    """
 
-    def improve(self) -> None:
-        """One round: each bound from the others."""
-        e, (h_0, h), low, high = self.eta, self.h, *self.y
-        G = 1 + self.k * e * e
-        self.V = (1 + h * G * e / (1 - high)) * SLACK
-        root = np.sqrt(1 - 2 * self.k * self.V * self.V)
-        T, V = 2 * self.k / (1 + root) * SLACK, self.V
-        turn = 2 * T * V * e / (1 - high) + (self.k + T * T * V * V) * e * e / (1 - high * high)
-        turn = turn + T * V * self.k * e * e * e / (1 - high * high * high)
-        self.ratio = (
-            np.minimum(self.q[0], self.r[0] * root / high / SLACK),
-            np.maximum(self.q[1], self.r[1] * G / low * SLACK),
-        )
-        small, large = self.ratio
-        top = h * G * (self.C[1] + turn) - np.maximum(small, 0) / G
-        bottom = h_0 * root * (self.C[0] - turn) - large - T * V * V
-        # With a little impatience: bounds that grow are taken to grow further.
-        self.y = (np.minimum(low, bottom / SLACK), np.maximum(high, top * SLACK))
-        slope = (large * T + V * V * T * T / 2) / (self.y[0] * self.y[0]) * SLACK
-        self.k = np.maximum(self.k, slope)
-        self.fine &= (self.y[1] < 1) & (self.y[0] > 0) & (root > 0) & (self.k < 1)
-
-    def size(self) -> Array:
-        """What does not grow any more once the bounds are found."""
-        return self.y[1] - self.y[0] + self.k
+    r: Ends
+    h: Ends
+    C: Ends
+    eta: Array
+    q: Ends
 
 
-def search(r: Ends, box: Approach) -> Array:
-    """Numbers in units that probably satisfy what the theorem asks for; or NaN."""
-    found = np.full((len(NUMBERS), len(box.eta)), np.nan)
-    places, before = np.arange(len(box.eta)), np.full(len(box.eta), -1.0)
-    guess = Guess(r, box)
-    for _ in range(ROUNDS):
-        if len(places) == 0:
-            break
-        guess.improve()
-        size = guess.size()
-        ends = guess.fine & (size - before <= GAIN * size)
-        if ends.any():
-            found[:, places[ends]] = _rounded(_some(guess, ends), box.speed[places[ends]])
-        goes = guess.fine & ~ends
-        before = size
-        if not goes.all():
-            places, before, guess = places[goes], size[goes], _some(guess, goes)
-    return found
+class Guess(Record):
+    """Bounds in floats; `size` is what does not grow any more once they are found."""
+
+    y: Ends
+    ratio: Ends
+    k: Array
+    V: Array
+    size: Array
 
 
-def _some(guess: Guess, chosen: Array) -> Guess:
-    part: Guess = object.__new__(Guess)
-    for name, value in vars(guess).items():
-        if isinstance(value, tuple):
-            setattr(part, name, tuple(_some_of(x, chosen) for x in value))
-        else:
-            setattr(part, name, value[chosen])
-    return part
+@Elementwise
+def _begun(r: Ends, state: State) -> tuple[Approach, Known, Guess, Array]:
+    """The first guess, and whether it is worth while to improve it."""
+    box = as_approach(state)
+    C, q, h = (
+        (box.C.low, box.C.high),
+        (box.ratio.low, box.ratio.high),
+        ((1 + r[0]) / 2, (1 + r[1]) / 2),
+    )
+    known = Known(r, h, C, box.eta / box.speed, q)
+    steep = box.slope.high * box.speed * box.speed
+    alpha = h[1] * (C[0] + C[1]) / 2
+    p = (alpha + np.sqrt(alpha * alpha - 4 * r[1])) / 2
+    ratio = np.minimum(q[0], r[0] / p), np.maximum(q[1], r[1] / p)
+    guess = Guess((p, p), ratio, steep * SLACK, p, np.full_like(p, -1.0))
+    return box, known, guess, (q[1] < 1) & (steep < 0.25) & (p * p * p > r[1] * r[1])
 
 
-def _some_of(x: float | Array, chosen: Array) -> float | Array:
-    return x if isinstance(x, float) else x[chosen]
+def _improved(known: Known, guess: Guess) -> tuple[Guess, Array, Array]:
+    """One round: each bound from the others; whether it is the last one, and whether to go on."""
+    r, (h_0, h), C, e, q = known
+    (low, high), _, k, _, before = guess
+    G = 1 + k * e * e
+    V = (1 + h * G * e / (1 - high)) * SLACK
+    root = np.sqrt(1 - 2 * k * V * V)
+    T = 2 * k / (1 + root) * SLACK
+    turn = 2 * T * V * e / (1 - high) + (k + T * T * V * V) * e * e / (1 - high * high)
+    turn = turn + T * V * k * e * e * e / (1 - high * high * high)
+    small = np.minimum(q[0], r[0] * root / high / SLACK)
+    large = np.maximum(q[1], r[1] * G / low * SLACK)
+    top = h * G * (C[1] + turn) - np.maximum(small, 0) / G
+    bottom = h_0 * root * (C[0] - turn) - large - T * V * V
+    # With a little impatience: bounds that grow are taken to grow further.
+    low, high = np.minimum(low, bottom / SLACK), np.maximum(high, top * SLACK)
+    slope = (large * T + V * V * T * T / 2) / (low * low) * SLACK
+    k = np.maximum(k, slope)
+    fine = (high < 1) & (low > 0) & (root > 0) & (k < 1)
+    size = high - low + k
+    ends = fine & (size - before <= GAIN * size)
+    return Guess((low, high), (small, large), k, V, size), ends, fine & ~ends
+
+
+#: Bounds of numbers that probably satisfy what the theorem asks for.
+_searched = Repeated(_improved, ROUNDS)
 
 
 def _rounded(guess: Guess, speed: Array) -> Array:
@@ -243,4 +243,11 @@ def _rounded(guess: Guess, speed: Array) -> Array:
     Y = np.ceil(np.maximum(high - p * UNIT, p * UNIT - low) / UNIT * SLACK) + 1
     k = np.ceil(guess.k / (speed * speed) / UNIT) + 1
     V = np.ceil(guess.V * speed / UNIT) + 1
-    return np.array([np.maximum(m, X), p, X, Y, k, V])
+    return np.stack([np.maximum(m, X), p, X, Y, k, V])
+
+
+@Elementwise
+def _closed(r: Intervals, box: Approach, guess: Guess) -> tuple[Array, Array]:
+    """The numbers, and whether the theorem applies with them."""
+    numbers = _rounded(guess, box.speed)
+    return numbers, closes(r, box, numbers)

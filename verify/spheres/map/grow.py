@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
 from fractions import Fraction
 from functools import partial
@@ -12,10 +12,13 @@ from typing import BinaryIO
 from verify import check_map
 from verify.language.record import Record
 from verify.spheres.map.boxes import UNDECIDED, Verdicts, verdicts
-from verify.spheres.map.log import Chunk, Progress, plane_document
+from verify.spheres.map.log import CHUNK, Chunk, Progress, plane_document
 from verify.spheres.map.planes import Plane
 from verify.spheres.map.strip import BorderStrip
 from verify.spheres.map.workers import Workers
+
+#: So many chunks are decided at once at most.
+MOST_CHUNKS = 8
 
 
 class Target(Record):
@@ -34,16 +37,44 @@ class Sample(Record):
     seconds: float
 
 
-def decide_chunk(plane: Plane | BorderStrip, keys: list[str]) -> tuple[Chunk, float]:
-    """The verdicts on some boxes, and the CPU seconds that they took."""
+def decide_chunks(
+    plane: Plane | BorderStrip, chunks: Sequence[list[str]]
+) -> list[tuple[Chunk, float]]:
+    """The verdicts on the boxes of chunks of one level, and the CPU seconds that each took."""
     before = time.process_time()
+    keys = [key for chunk in chunks for key in chunk]
     found = _confirmed(plane, keys, verdicts(plane, keys))
-    numbers = [
-        [number for six in sixes for number in six]
-        for letter, sixes in zip(found.letters, found.numbers, strict=True)
-        if letter == "c"
-    ]
-    return Chunk(keys, found.letters, numbers), time.process_time() - before
+    decided, at = [], 0
+    for chunk in chunks:
+        end = at + len(chunk)
+        letters = found.letters[at:end]
+        sixes = zip(letters, found.numbers[at:end], strict=True)
+        numbers = [[x for six in parts for x in six] for letter, parts in sixes if letter == "c"]
+        decided.append(Chunk(chunk, letters, numbers))
+        at = end
+    share = (time.process_time() - before) / len(keys)
+    return [(chunk, share * len(chunk.keys)) for chunk in decided]
+
+
+def batches(progress: Progress, ahead: int) -> Iterator[list[list[str]] | None]:
+    """The chunks that are next, several of one level at once; None as in `Progress.chunks`.
+
+    Where a goal is reached, what is decided ahead is lost: that is an eighth of a map at most.
+    """
+    batch: list[list[str]] = []
+    for chunk in progress.chunks():
+        if batch and (chunk is None or len(chunk[0]) != len(batch[0][0])):
+            yield batch
+            batch = []
+        elif chunk is None:
+            yield None
+        if chunk is not None:
+            batch.append(chunk)
+        if len(batch) > min(progress.boxes // (8 * CHUNK * ahead), MOST_CHUNKS - 1):
+            yield batch
+            batch = []
+    if batch:
+        yield batch
 
 
 def _confirmed(plane: Plane | BorderStrip, keys: list[str], found: Verdicts) -> Verdicts:
@@ -82,13 +113,14 @@ def grow(
     seconds = 0.0
     if is_reached(goal, progress):
         return
-    work = partial(decide_chunk, progress.plane)
-    for chunk, spent in workers.in_order(work, progress.chunks()):
-        keep(progress.append(chunk))
-        seconds += spent
-        yield Sample(progress.boxes, progress.undecided, seconds)
-        if is_reached(goal, progress):
-            return
+    work = partial(decide_chunks, progress.plane)
+    for decided in workers.in_order(work, batches(progress, workers.ahead)):
+        for chunk, spent in decided:
+            keep(progress.append(chunk))
+            seconds += spent
+            yield Sample(progress.boxes, progress.undecided, seconds)
+            if is_reached(goal, progress):
+                return
 
 
 def open_log(path: str, progress: Progress) -> BinaryIO:

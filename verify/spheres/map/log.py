@@ -164,8 +164,7 @@ class Progress:
         for key, letter in zip(chunk.keys, chunk.letters, strict=True):
             if letter == UNDECIDED:
                 self.children += [key + digit for digit in self.digits]
-            else:
-                self._count(key, letter)
+        self._count(chunk)
         if self.at == len(self.due):
             self.level, self.due, self.children, self.at = self.level + 1, self.children, [], 0
         return line
@@ -188,11 +187,15 @@ class Progress:
         for key in (*whole, *(key for key in rest if key[:-1] not in whole)):
             yield key, UNDECIDED
 
-    def _count(self, key: str, letter: str) -> None:
+    def _count(self, chunk: Chunk) -> None:
         if isinstance(self.plane, BorderStrip):
-            self._shares[letter] += self.plane.share(key)
-        else:
-            self._parts[letter] += len(self.digits) ** (FINEST - len(key))
+            for letter in self._shares:
+                pairs = zip(chunk.keys, chunk.letters, strict=True)
+                self._shares[letter] += self.plane.share(*(key for key, x in pairs if x == letter))
+            return
+        size = len(self.digits) ** (FINEST - self.level)
+        for letter in self._parts:
+            self._parts[letter] += chunk.letters.count(letter) * size
 
     def share(self, letter: str) -> Fraction:
         """The share of the area with a verdict."""

@@ -101,7 +101,7 @@ class Models:
         return Models(c, e, self.bounds**exponent)
 
     def __getitem__(self, chosen: Array) -> Models:
-        return Models(self.c[:, chosen], self.e[chosen], self.bounds[chosen])
+        return _known(self.c[:, chosen], self.e[chosen], self.bounds[chosen])
 
     def root(self) -> Models:
         """The roots; NaN where a number may be negative."""
@@ -118,11 +118,18 @@ class Models:
     @staticmethod
     def joined(parts: Sequence[Models]) -> Models:
         """One array after the other."""
-        return Models(
+        return _known(
             np.concatenate([part.c for part in parts], axis=1),
             np.concatenate([part.e for part in parts]),
             Intervals.joined([part.bounds for part in parts]),
         )
+
+
+def _known(c: Array, e: Array, bounds: Intervals) -> Models:
+    """Models of which the bounds have been cut before."""
+    found = object.__new__(Models)
+    found.c, found.e, found.bounds = c, e, bounds
+    return found
 
 
 def _rescued(c: Array, e: Array, bounds: Intervals) -> Models:
@@ -179,8 +186,7 @@ def _series(
     """f0 + f1 t + f2 t² for t = x - c0, with an error `rest`; each f is off by 8 u at most."""
     t = x.c.copy()
     t[0] = 0.0
-    x_t = object.__new__(Models)
-    x_t.c, x_t.e = t, x.e
+    x_t = _known(t, x.e, x.bounds)
     c, e = _product(x_t, x_t)
     c, e = c * f[2], e * np.abs(f[2])
     linear = t * f[1]
@@ -201,17 +207,15 @@ def _anything(like: Array) -> Intervals:
 
 def from_bounds(x: Intervals) -> Models:
     """Numbers that do not depend on the parameters, or not in a known way."""
-    c = np.zeros((6, len(x.low)))
-    c[0] = x.low / 2 + x.high / 2
-    e = up(np.maximum(up(x.high - c[0]), up(c[0] - x.low)))
-    return Models(c, e, x)
+    middle, zero = x.low / 2 + x.high / 2, np.zeros_like(x.low)
+    e = up(np.maximum(up(x.high - middle), up(middle - x.low)))
+    return Models(np.stack([middle, zero, zero, zero, zero, zero]), e, x)
 
 
 def constant_model(value: Any, like: Models) -> Models:
     """A whole number, or one interval, for each model."""
     x = value if isinstance(value, Intervals) else exactly(np.float64(value))
-    size = like.e.shape
-    return from_bounds(Intervals(np.broadcast_to(x.low, size), np.broadcast_to(x.high, size)))
+    return from_bounds(Intervals(np.full_like(like.e, x.low), np.full_like(like.e, x.high)))
 
 
 def one_model(x: Intervals) -> Models:

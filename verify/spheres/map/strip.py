@@ -53,21 +53,31 @@ class BorderStrip(Record):
         low = [*zip(self.below, self.below[1:], strict=False)]
         return [*reversed(low), *zip(self.above, self.above[1:], strict=False)]
 
-    def share(self, key: str) -> Fraction:
-        """The share of the rectangle that a tile has: its key has a digit x + 2y for each level."""
-        column, row = (int("".join("01"[int(d) >> k & 1] for d in key), 2) for k in (0, 1))
-        depth = len(key) - self.level
-        place, band, size = column >> depth, row >> depth, Fraction(1, 1 << depth)
+    def share(self, *keys: str) -> Fraction:
+        """The share of the rectangle that tiles of one level have together.
+
+        Their keys have a digit x + 2y for each level. Tiles in one column, on one side of the
+        curve, have areas in proportion to their parts of u.
+        """
+        bands, depth = self.bands, len(keys[0]) - self.level if keys else 0
+        found: dict[tuple[int, bool], Fraction] = {}
+        for key in keys:
+            column, row = (int("".join("01"[int(d) >> k & 1] for d in key), 2) for k in (0, 1))
+            band = row >> depth
+            place, (first, last) = (column, self.is_above(band)), bands[band]
+            found[place] = found.get(place, 0) + last - first
+        whole = (self.x[1] - self.x[0]) * (self.y[1] - self.y[0]) * (1 << depth)
+        return sum((self._gap(depth, *p) * u for p, u in found.items()), Fraction(0)) / whole
+
+    def _gap(self, depth: int, column: int, is_above: bool) -> Fraction:
+        """The area between curve and goal over one of the columns of a level."""
+        place, size = column >> depth, Fraction(1, 1 << depth)
         half = (self.x[1] - self.x[0]) / len(self.curve) / 2
         low = half * (2 * (column - (place << depth)) * size - 1)
         high = low + 2 * half * size
         f = sum(c * (high**i - low**i) / i for i, c in enumerate(self.curve[place], 1))
-        width, (first, last) = high - low, self.bands[band]
-        gap = (
-            (self.y[1] - self.delta) * width - f if self.is_above(band) else f - self.delta * width
-        )
-        whole = (self.x[1] - self.x[0]) * (self.y[1] - self.y[0])
-        return gap * (last - first) * size / whole
+        width = high - low
+        return (self.y[1] - self.delta) * width - f if is_above else f - self.delta * width
 
     def corners(self, key: str) -> list[tuple[Fraction, Fraction]]:
         """The corners of a tile in turn: φ1, and φ2 - f(φ1)."""

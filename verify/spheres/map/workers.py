@@ -60,7 +60,7 @@ class Workers:
         unfit: tuple[type[BaseException], ...] = (),
     ) -> None:
         self._make, self._executor, self._unfit = make, make(), unfit
-        self._ahead, self._losses = ahead, 0
+        self.ahead, self._losses = ahead, 0
         self._lost: tuple[type[BaseException], ...] = (BrokenExecutor, CancelledError, *lost)
 
     def __enter__(self) -> Workers:
@@ -80,7 +80,7 @@ class Workers:
             for task in tasks:
                 if task is not None:
                     waiting.append((task, self._submit(work, task)))
-                if task is None or len(waiting) >= self._ahead:
+                if task is None or len(waiting) >= self.ahead:
                     yield self._first(work, waiting)
             while waiting:
                 yield self._first(work, waiting)

@@ -7,7 +7,7 @@ and `context()` of a chapter, `chapters()` and `statement()` of a part; each com
 `USAGE` and `run()`. `tests/test_names.py` has the list.
 """
 
-__version__ = "0.2.1"
+__version__ = "0.3.0"
 
 #: True for a type checker only: what is offered is loaded when it is used.
 TYPE_CHECKING = False

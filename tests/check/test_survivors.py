@@ -363,8 +363,10 @@ def test_each_undecided_row_is_named() -> None:
 
 
 def test_a_divisor_of_unknown_sign_has_no_opposite() -> None:
-    """Its negative is no term so far, and not the first term that was read, which is positive."""
-    pair = Pair().context("c", {"x": "1", "y": "1"}, {"p": "0 < x"})
+    """Its negative is no term so far, and none of the first terms, which are positive."""
+    names = [f"x{i}" for i in range(9)]
+    givens = {f"p{name}": f"0 < {name}" for name in names}
+    pair = Pair().context("c", dict.fromkeys([*names, "y"], "1"), givens)
     said = verdict(pair.row("row", "y/y = 1", IDENTITY, "c"))
     assert "found a division by a term" in said
 

@@ -40,7 +40,7 @@ def through(scene: str, *axes: str) -> Plane:
 
 #: Maps, and where they end: at an undecided share, or at so many boxes.
 MAPS: dict[str, tuple[Callable[[], Plane | BorderStrip], Fraction, int]] = {
-    "phi, r = 0.05, bent": (lambda: BENT, Fraction(0), 60000),
+    "phi, r = 0.05, bent": (lambda: BENT, Fraction(0), 30000),
     "phi, r = 0.03": (lambda: STRAIGHT, Fraction(3, 10000), 10**6),
     "strip 1e-7": (lambda: strip_along(STRAIGHT, Fraction(1, 10**7), 6, 16), Fraction(0), 10**6),
     "two velocities": (
@@ -53,7 +53,7 @@ MAPS: dict[str, tuple[Callable[[], Plane | BorderStrip], Fraction, int]] = {
     "r and a velocity": (
         lambda: through("nearly-aligned.toml", "r=0.01..0.08", "velocities[2][1]=-1..1"),
         Fraction(0),
-        9000,
+        2500,
     ),
     "r on a line": (
         lambda: through("on-a-line.toml", "r=0.05..0.08"),

@@ -117,6 +117,12 @@ def test_what_cannot_be_compiled_is_an_error() -> None:
     for array in (np.arange(9), np.ones(9, np.float32), PAIRS < 1):
         with pytest.raises(TypeError, match="cannot be compiled"):
             Elementwise(lambda x: x)(array)
+    for chosen in (PAIRS[0] < 1, np.arange(9, dtype=np.int32)):
+        with pytest.raises(TypeError, match="cannot be read"):
+            Elementwise(lambda x: x)(PAIRS[0], chosen=chosen)
+    for place in (-1, len(PAIRS[0])):
+        with pytest.raises(IndexError, match="beyond"):
+            Elementwise(lambda x: x)(PAIRS[0], chosen=np.array([0, place]))
 
 
 # --- the functions of maps -----------------------------------------------------------------------

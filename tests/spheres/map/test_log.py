@@ -29,7 +29,7 @@ DECIDING = (
 )
 #: Of these files, for each code. Where one of them has changed: the next code, or, if no verdict
 #: and no number can have changed, another digest for this code.
-DIGEST = "320184b7c0a95dea43c2f7a3eafd8c9485a88c002bd942e32f89f2de21b7eff3"
+DIGEST = "a0d7a0b52ea34f2cab71ecd30d21f71fe7865eecc2c3318ae3bb678f45f317fd"
 DIGESTS = {2: DIGEST, 5: DIGEST}
 
 

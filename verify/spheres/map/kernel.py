@@ -158,7 +158,11 @@ class Kernel:
         """The value at the chosen boxes, or at all of them."""
         boxes = max([x.shape[-1] for x in arrays if x.ndim])
         places = np.arange(boxes) if chosen is None else chosen
+        if places.dtype != np.int64:
+            raise TypeError(f"places of {places.dtype} cannot be read")
         size = len(places)
+        if size and not 0 <= places.min() <= places.max() < boxes:
+            raise IndexError(f"places beyond {boxes} boxes")
         if size < self._lanes:
             places = np.resize(places, self._lanes)
         kept: list[Any] = []

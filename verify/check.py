@@ -2268,7 +2268,7 @@ class Checking:
         }
         terms = {name: self.kernel.names[name] for name in self.statement.constants}
         for key, wanted in (("constants", terms), ("rows", rows)):
-            odd = sorted(enclosures[key].keys() ^ wanted.keys())
+            odd = sorted(enclosures[key].keys() - wanted.keys())
             message = "enclosures of {}: found too many or too few: {}"
             need(not odd, Malformed, message, key, odd)
         for name, found in enclosures["constants"].items():

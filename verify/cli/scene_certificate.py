@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from verify.cli.files import UncheckableError, write_certificate
 from verify.language.errors import OwnError, UnreadError
 from verify.paper.commands.scene import precisions, scene_outcome
-from verify.prover.program import UndefinedError
 from verify.spheres.scene.decide import DISPERSES, UNDECIDED, Fate
 
 #: The checker follows so many collisions; where it reads no further, something else is wrong.
@@ -34,8 +33,6 @@ def write_scene(
     for bits in precisions(found):
         try:
             write_certificate(option, directory, scene_outcome(found, bits), beside)
-        except UndefinedError:
-            continue
         except UnreadError:
             if found.collisions <= SURELY_FEW:
                 raise

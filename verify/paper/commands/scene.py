@@ -24,7 +24,6 @@ from verify.prover import balls
 from verify.prover.arguments import write_down
 from verify.prover.decimals import enclosing_decimals, round_decimal
 from verify.prover.outcome import Decision, Enclosure, Outcome
-from verify.prover.program import Machine, Program, Run, UndefinedError
 from verify.prover.proof import ConstantStep, ObligationStep, Premise, Proof, Step
 from verify.prover.rules import Applying, Interval, Sum
 from verify.spheres.flow.collapse import LINE, SANDWICH, SHARPER
@@ -51,6 +50,7 @@ from verify.spheres.scene.telling import (
     SANDWICH_START,
     STAIR,
     START,
+    TIME,
     Numbers,
     Telling,
 )
@@ -58,7 +58,7 @@ from verify.spheres.scene.verdict import scene_lines, theorems
 from verify.wire.judge import judged
 from verify.wire.write import write
 
-#: Digits of the enclosures in a certificate.
+#: Digits of the times in a certificate.
 DIGITS = 16
 #: How the names of the rows begin that show the verdict.
 DECISIVE = ("collapse", "end.", "finite.")
@@ -151,19 +151,11 @@ def scene_outcome(found: Fate, bits: int) -> Outcome:
         raise ValueError(f"no row shows that the scene {found.verdict}")
     statement = statement_of(telling, found)
     proofs = {row.name: _proof(row, telling, bits) for row in telling.rows}
-    run = _evaluated(telling, bits)
-    with balls.precision(bits):
-        enclosures = {
-            name: Enclosure(bits, (_ends(run, telling.values.get(name, term), bits),))
-            for name, term in (*telling.parameters.items(), *_definitions(telling).items())
-        }
-        decisions = {
-            row.name: Decision(PROVED, proofs[row.name], _sides(row, run, bits))
-            for row in telling.rows
-        }
-    steps: list[Step] = [ConstantStep(name, Interval(bits)) for name in enclosures]
+    decisions = {name: Decision(PROVED, proof) for name, proof in proofs.items()}
+    names = [*telling.parameters, *(constant.name for constant in telling.constants)]
+    steps: list[Step] = [ConstantStep(name, Interval(bits)) for name in names]
     steps += [ObligationStep(name, proof) for name, proof in proofs.items()]
-    return Outcome(statement, decisions, tuple(steps), enclosures)
+    return Outcome(statement, decisions, tuple(steps), dict(_times(found, telling, bits)))
 
 
 def statement_of(telling: Telling, found: Fate) -> Statement:
@@ -227,46 +219,15 @@ def _premise(given: Claim, at: Mapping[str, Term], bits: int) -> Premise:
     return Interval(bits)
 
 
-def _definitions(telling: Telling) -> dict[str, Term]:
-    return {constant.name: constant.term for constant in telling.constants}
-
-
-def _evaluated(telling: Telling, bits: int) -> Run:
-    """Balls around all constants and sides of rows."""
-    program = Program(())
-    for name, term in (*telling.parameters.items(), *_definitions(telling).items()):
-        program.define(name, term)
-    for row in telling.rows:
-        if isinstance(row.claim, Claim):
-            program.add(row.claim.lhs), program.add(row.claim.rhs)
-    with balls.precision(bits):
-        machine = Machine(program, balls.BallArithmetic())
-        machine.load()
-        return machine.run(())
-
-
-def _ends(run: Run, term: Term, bits: int) -> tuple[Fraction, Fraction]:
-    """Decimals around all that the checker may find for a term."""
-    if term.op == "rational" and is_short(term.value, bits):
-        top, divisor = term.value.as_integer_ratio()
-        return enclosing_decimals(top, top, divisor, DIGITS)
-    ball = run[term]
-    if ball is None:
-        raise UndefinedError(f"{bits} bits do not suffice to evaluate a number of the scene")
-    low, high, divisor = balls.widened_ends(balls.loosened(ball), 4 * DIGITS)
-    return enclosing_decimals(low, high, divisor, DIGITS)
-
-
-def is_short(value: Fraction, bits: int) -> bool:
-    """Whether the checker keeps a rational number as it is."""
-    top, divisor = value.as_integer_ratio()
-    return top.bit_length() + divisor.bit_length() < 2 * bits
-
-
-def _sides(row: Obligation, run: Run, bits: int) -> Enclosure | None:
-    if not isinstance(row.claim, Claim):
-        return None
-    return Enclosure(bits, (_ends(run, row.claim.lhs, bits), _ends(run, row.claim.rhs, bits)))
+def _times(found: Fate, telling: Telling, bits: int) -> Iterator[tuple[str, Enclosure]]:
+    """The times of the collisions, and of what comes between them."""
+    told = {constant.name for constant in telling.constants}
+    with balls.precision(found.flow.bits):
+        for number, move in enumerate(found.flow.moves, 1):
+            if (name := f"{TIME}.{number}") in told:
+                ball = balls.loosened(balls.as_ball(move.after.time))
+                ends = enclosing_decimals(*balls.widened_ends(ball, 4 * DIGITS), DIGITS)
+                yield name, Enclosure(bits, (ends,))
 
 
 # --- all statements of a scene, from its parameters alone -----------------------------------------
@@ -304,7 +265,7 @@ def statements_of(scene: Scene, collisions: int) -> Iterator[Outcome]:
         found = decide_scene(scene, limits)
         told = 0 if is_settled_at_start(found) else len(found.flow.collisions)
         if found.verdict != UNDECIDED and told == collisions:
-            yield _evaluable(found)
+            yield scene_outcome(found, found.flow.bits)
 
 
 def _budgets(collisions: int) -> Iterator[Budget]:
@@ -317,14 +278,3 @@ def _budgets(collisions: int) -> Iterator[Budget]:
     yield Budget(collisions)
     yield Budget(collisions, FEW_DIGITS)
     yield Budget(collisions, MAX_DIGITS)
-
-
-def _evaluable(found: Fate) -> Outcome:
-    """The outcome with the fewest bits that suffice to evaluate its numbers."""
-    *few, last = precisions(found)
-    for bits in few:
-        try:
-            return scene_outcome(found, bits)
-        except UndefinedError:
-            continue
-    return scene_outcome(found, last)

@@ -71,7 +71,6 @@ class Telling:
     def __init__(self, scene: Scene) -> None:
         self.parameters: dict[str, Term] = {"r": as_term(scene.r)}
         self.constants: list[Constant] = []
-        self.values: dict[str, Term] = {}
         self.rows: list[Obligation] = []
         self.given = Coordinates(
             self._coordinates("x", scene.positions), self._coordinates("v", scene.velocities)
@@ -112,7 +111,6 @@ class Telling:
         Where the given numbers are long, its definition is its value, and a row says what it is.
         """
         found = self.keep(name, term if self.is_short else value)
-        self.values[found.name] = as_term(value)
         if not self.is_short:
             self.row(f"is.{found.name}", "what this number is", equal(found, term))
         return found

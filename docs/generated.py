@@ -383,6 +383,7 @@ def rule_shapes() -> dict[str, Any]:
             "additionalProperties": False,
         }
     anywhere = [reference(rule.name) for rule in RULES.values() if rule.stands == "proof"]
+    anywhere.append(reference("bits"))
     return found | {"proof": {"description": "a proof of a claim", "oneOf": anywhere}}
 
 

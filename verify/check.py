@@ -410,7 +410,7 @@ class Kernel:
         values in scope: those that the bounding facts show, and those of definitions. So both
         sides are defined, and their values lie in the two intervals.
         """
-        scope = self.enclosing(place, proof)
+        scope = self.enclosing(place, *precision(proof))
         x, y = scope.enclose(claim.lhs), scope.enclose(claim.rhs)
         message = "found {} and {}, expected {} between them"
         need(HOLDS[claim.relation](x, y), Refused, message, x, y, claim.relation)
@@ -652,7 +652,7 @@ class Kernel:
         """
         relation, lhs, rhs = claim
         need(relation in ("<", "<="), Refused, "found {}, expected < or <=", relation)
-        box = self.enclosing(place, proof)
+        box = self.enclosing(place, *precision(proof))
         centre = Enclosing(self, proof["bits"], self.grounds[proof["bits"]])
         for name, _, _ in proof["bounds"]:
             variable = self.names[name]
@@ -847,7 +847,7 @@ class Kernel:
         if rule_of(proof, DEFINING) == "define":
             Clearing(self, place, ()).clear(term)
         else:
-            self.enclosing(place, proof).enclose(term)
+            self.enclosing(place, *precision(proof)).enclose(term)
 
     def open(self, outside: Place, context: Context, premises: list[Any]) -> None:
         """Afterwards the givens are facts of the context: it has a point, so it is not empty.
@@ -864,15 +864,14 @@ class Kernel:
             self.install(given.name, given.claim, context)
         self.opened.add(context)
 
-    def enclosing(self, place: Place, proof: Proof) -> Enclosing:
-        """Enclosures at the precision of a proof, with bounds on names from usable facts."""
-        bits = proof["bits"]
+    def enclosing(self, place: Place, bits: int, bounds: Sequence[Any] = ()) -> Enclosing:
+        """Enclosures at a precision, with bounds on names from usable facts."""
         if bits not in self.grounds:
             self.grounds[bits] = Enclosing(self, bits, None)
-        if not proof["bounds"]:
+        if not bounds:
             return self.grounds[bits]
         scope = Enclosing(self, bits, self.grounds[bits])
-        for name, lower, upper in proof["bounds"]:
+        for name, lower, upper in bounds:
             need(name in self.names, Malformed, "bounds: found {}, which is no name", name)
             term, found = self.names[name], []
             good = term not in scope.known and not self.is_ground(term)
@@ -958,7 +957,7 @@ class Kernel:
             return self.parse_leaf(where, value)
         op, *args = value if isinstance(value, list) and value else [""]
         if op in INDEXED:
-            tuple_of(anything, exponent if op == "pow" else index)(where, args)
+            fits(where, tuple_of(anything, exponent if op == "pow" else index), args)
             return self.node(op, [self.parse(where, args[0])], int(args[1]))
         known = isinstance(op, str) and op in ARITY_OR_MORE
         need(known, Malformed, "{}: found {}, expected a term", where, value)
@@ -976,7 +975,7 @@ class Kernel:
             self.abbreviations[name] = self.parse(name, self.shared.pop(name))
         if name in self.abbreviations:
             return self.abbreviations[name]
-        good = re.fullmatch(RATIONAL, value)
+        good = is_rational(value)
         need(good, Malformed, "{}: found {}, which is no name so far and no number", where, value)
         number = rational(value)
         self.spend(size(number))
@@ -1126,14 +1125,14 @@ class Clearing:
         need(good, Malformed, "found {}, expected a value that is >= 0", item)
         kind = item[0]
         if kind in ("square", "root"):
-            tuple_of(anything, anything)(kind, item)
+            fits(kind, tuple_of(anything, anything), item)
             term = self.kernel.read(kind, item[1], self.place.context)
             root = self.kernel.nodes[term].op in ROOTS or kind == "square"
             need(root, Refused, "root: found another term")
             n, _ = self.clear(term)
             return (self.kernel.times(n, n) if kind == "square" else n), False
         if kind == "pow":
-            tuple_of(anything, anything, exponent)("pow", item)
+            fits("pow", tuple_of(anything, anything, exponent), item)
             p, strict = self.value(item[1])
             return self.kernel.power(p, int(item[2])), strict
         parts = [self.value(part) for part in item[1:]]
@@ -1145,7 +1144,7 @@ class Clearing:
 
     def known(self, name: str) -> tuple[Polynomial, bool]:
         """A number >= 0, or the difference of the sides of a usable inequality."""
-        if re.fullmatch(RATIONAL, name):
+        if is_rational(name):
             number = rational(name)
             need(number >= 0, Refused, "found {}, expected a number >= 0", name)
             return {(): number} if number else {}, number > 0
@@ -1659,31 +1658,42 @@ OPERATIONS: dict[str, Callable[..., Interval]] = {
 
 # --- shapes of JSON values -----------------------------------------------------------------------
 
-Shape = Callable[[str, Any], None]
+Shape = Callable[[Any], None]  # it complains of a value, with the way to the part that is wrong
 
 BRACKETS = dict, list
 NAME = "[A-Za-z][A-Za-z0-9_.-]{0,99}"
 HYPOTHESIS = "@[1-9][0-9]{0,2}"
 RATIONAL = "-?(0|[1-9][0-9]{0,4299})(/[1-9][0-9]{0,4299})?"  # int() reads at most 4300 digits
 DECIMAL = r"-?(0|[1-9][0-9]{0,99})(\.[0-9]{1,99})?(e-?[0-9]{1,5})?"
+is_rational = re.compile(RATIONAL).fullmatch
 rational = cache(Fraction)  # the value of a text
 
 
-def anything(_: str, __: Any) -> None:
+def fits(where: str, shape: Shape, value: Any) -> None:
+    """Afterwards a value, which is found there, has the shape."""
+    try:
+        shape(value)
+    except Malformed as error:
+        raise Malformed(f"{where}{error}") from None
+
+
+def anything(_: Any) -> None:
     """Any value, which is looked at later."""
 
 
-def any_text(where: str, value: Any) -> None:
+def any_text(value: Any) -> None:
     """A text."""
-    need(isinstance(value, str), Malformed, "{}: found {}, expected a text", where, value)
+    if not isinstance(value, str):
+        need(False, Malformed, ": found {}, expected a text", value)
 
 
 def text(pattern: str, expected: str) -> Shape:
     """A text that matches a pattern."""
+    matches = re.compile(pattern).fullmatch
 
-    def check_text(where: str, value: Any) -> None:
-        if not (isinstance(value, str) and re.fullmatch(pattern, value)):
-            need(False, Malformed, "{}: found {}, expected {}", where, value, expected)
+    def check_text(value: Any) -> None:
+        if not (isinstance(value, str) and matches(value)):
+            need(False, Malformed, ": found {}, expected {}", value, expected)
 
     return check_text
 
@@ -1691,9 +1701,9 @@ def text(pattern: str, expected: str) -> Shape:
 def integer(low: int, high: int) -> Shape:
     """A whole number between two others."""
 
-    def check_integer(where: str, value: Any) -> None:
+    def check_integer(value: Any) -> None:
         good = type(value) is int and low <= value <= high
-        need(good, Malformed, "{}: found {}, expected {} to {}", where, value, low, high)
+        need(good, Malformed, ": found {}, expected {} to {}", value, low, high)
 
     return check_integer
 
@@ -1701,9 +1711,9 @@ def integer(low: int, high: int) -> Shape:
 def optional(shape: Shape) -> Shape:
     """Null, or a value of this shape."""
 
-    def check_optional(where: str, value: Any) -> None:
+    def check_optional(value: Any) -> None:
         if value is not None:
-            shape(where, value)
+            shape(value)
 
     return check_optional
 
@@ -1711,10 +1721,13 @@ def optional(shape: Shape) -> Shape:
 def array(shape: Shape) -> Shape:
     """A list of any length."""
 
-    def check_array(where: str, value: Any) -> None:
-        need(isinstance(value, list), Malformed, "{}: found {}, expected a list", where, value)
+    def check_array(value: Any) -> None:
+        need(isinstance(value, list), Malformed, ": found {}, expected a list", value)
         for i, item in enumerate(value, 1):
-            shape(f"{where} {i}", item)
+            try:
+                shape(item)
+            except Malformed as error:
+                raise Malformed(f" {i}{error}") from None
 
     return check_array
 
@@ -1722,11 +1735,11 @@ def array(shape: Shape) -> Shape:
 def tuple_of(*shapes: Shape) -> Shape:
     """A list with one entry for each shape."""
 
-    def check_tuple(where: str, value: Any) -> None:
+    def check_tuple(value: Any) -> None:
         good = isinstance(value, list) and len(value) == len(shapes)
-        need(good, Malformed, "{}: found {}, expected {} entries", where, value, len(shapes))
+        need(good, Malformed, ": found {}, expected {} entries", value, len(shapes))
         for i, (item, shape) in enumerate(zip(value, shapes, strict=True), 1):
-            shape(f"{where} {i}", item)
+            fits(f" {i}", shape, item)
 
     return check_tuple
 
@@ -1734,11 +1747,11 @@ def tuple_of(*shapes: Shape) -> Shape:
 def table(shape: Shape) -> Shape:
     """An object with any names as keys."""
 
-    def check_table(where: str, value: Any) -> None:
-        need(isinstance(value, dict), Malformed, "{}: found {}, expected an object", where, value)
+    def check_table(value: Any) -> None:
+        need(isinstance(value, dict), Malformed, ": found {}, expected an object", value)
         for key, item in value.items():
-            name(where, key)
-            shape(f"{where}.{key}", item)
+            name(key)
+            fits(f".{key}", shape, item)
 
     return check_table
 
@@ -1746,13 +1759,16 @@ def table(shape: Shape) -> Shape:
 def record(**shapes: Shape) -> Shape:
     """An object with just these keys."""
 
-    def check_record(where: str, value: Any) -> None:
-        need(isinstance(value, dict), Malformed, "{}: found {}, expected an object", where, value)
+    def check_record(value: Any) -> None:
+        need(isinstance(value, dict), Malformed, ": found {}, expected an object", value)
         if value.keys() != shapes.keys():
             odd = sorted(value.keys() ^ shapes.keys())
-            need(False, Malformed, "{}: found too many or too few keys: {}", where, odd)
+            need(False, Malformed, ": found too many or too few keys: {}", odd)
         for key, shape in shapes.items():
-            shape(f"{where}.{key}", value[key])
+            try:
+                shape(value[key])
+            except Malformed as error:
+                raise Malformed(f".{key}{error}") from None
 
     return check_record
 
@@ -1898,11 +1914,19 @@ FAILING = {
 
 def rule_of(proof: Any, rules: Mapping[str, tuple[Callable[..., None], Shape]]) -> str:
     """The rule of a proof, which is one of these, and whose proof has its shape."""
+    if type(proof) is int and "interval" in rules:
+        fits("interval", bits, proof)
+        return "interval"
     found = proof.get("rule") if isinstance(proof, dict) else proof
     if not (isinstance(found, str) and found in rules):
         need(False, Malformed, "rule: found {}, expected one of {}", found, [*rules])
-    rules[str(found)][1](str(found), proof)
+    fits(str(found), rules[str(found)][1], proof)
     return str(found)
+
+
+def precision(proof: Any) -> tuple[int, Sequence[Any]]:
+    """The bits of enclosures, and the bounds; bits alone are a proof by `interval`, without any."""
+    return (proof, ()) if type(proof) is int else (proof["bits"], proof["bounds"])
 
 
 # --- statements, certificates, and the report ----------------------------------------------------
@@ -2103,12 +2127,12 @@ class Reader:
         kernel, place = self.kernel, Place(context)
         kind = value[0] if isinstance(value, list) and value else value
         if kind == "applies":
-            tuple_of(anything, context_name, table(anything))(where, value)
+            fits(where, tuple_of(anything, context_name, table(anything)), value)
             other = self.find(value[1], prefix)
             at = kernel.values(where, value[2], other, place)
             return Applies(other, at), f"the theorems of {other.name} apply"
         if kind == "always":
-            tuple_of(anything, context_name, table(anything), table(anything))(where, value)
+            fits(where, tuple_of(anything, context_name, *2 * [table(anything)]), value)
             other = self.find(value[1], prefix)
             start = kernel.values(where, value[2], other, place)
             following = kernel.values(where, value[3], other, Place(other))
@@ -2142,7 +2166,7 @@ class Checking:
         if len(kinds) != 1:
             need(False, Malformed, "steps: found {}, expected one of {}", step, [*STEPS])
         kind = kinds[0]
-        STEPS[kind]("step", step)
+        fits("step", STEPS[kind], step)
         what = f"{kind} {step[kind]}"
         try:
             STEP[kind](self, step)
@@ -2269,8 +2293,7 @@ class Checking:
         terms = {name: self.kernel.names[name] for name in self.statement.constants}
         for key, wanted in (("constants", terms), ("rows", rows)):
             odd = sorted(enclosures[key].keys() - wanted.keys())
-            message = "enclosures of {}: found too many or too few: {}"
-            need(not odd, Malformed, message, key, odd)
+            need(not odd, Malformed, "enclosures of {}: found unknown names: {}", key, odd)
         for name, found in enclosures["constants"].items():
             self.enclosed(name, terms[name], found["ends"], found["bits"])
         for name, found in enclosures["rows"].items():
@@ -2289,8 +2312,7 @@ class Checking:
         given = Interval(*map(rational, found))
         need(given.low <= given.high, Malformed, "{}: found ends in no order: {}", name, given)
         try:
-            x = self.kernel.enclosing(Place(self.kernel.outermost), {"bits": bits, "bounds": []})
-            inner = x.enclose(term)
+            inner = self.kernel.enclosing(Place(self.kernel.outermost), bits).enclose(term)
             good = given.low <= inner.low and inner.high <= given.high
             need(good, Refused, "found the enclosure {}, expected one around {}", given, inner)
         except Refused as error:
@@ -2366,7 +2388,7 @@ def parsed(where: str, data: bytes, shape: Shape) -> Any:
         need(good, Malformed, "{}: found more than {} nested brackets", where, MAX_NESTING)
         lists = [item.values() if isinstance(item, dict) else item for item in level]
         level = [item for inner in lists for item in inner if isinstance(item, BRACKETS)]
-    shape(where, value)
+    fits(where, shape, value)
     return value
 
 

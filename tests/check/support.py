@@ -17,7 +17,6 @@ from verify import check
 
 Json = Any
 Document = dict[str, Any]
-WIDE = ["-1e999", "1e999"]
 BINARY = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div"}
 COMPARE = {ast.Lt: "<", ast.LtE: "<=", ast.Eq: "="}
 
@@ -135,7 +134,6 @@ class Pair:
         self.steps: list[Json] = []
         self.terms: Document = {}
         self.enclosures: Document = {"constants": {}, "rows": {}}
-        self.others: Document | None = None  # wide enclosures, if they are not to be made anew
 
     def parameter(self, name: str, value: Json, proof: Json = DEFINE) -> Pair:
         """A parameter and its step."""
@@ -239,22 +237,14 @@ class Pair:
         self.steps.append(deepcopy(fields))
         return self
 
-    def freeze(self) -> Pair:
-        """Keep the wide enclosures as they are now, whatever becomes of the statement."""
-        self.others = wide(self.statement)
-        return self
-
     def certificate(self) -> Document:
-        """The certificate, with wide enclosures where none are given."""
-        enclosures = deepcopy(self.others) if self.others else wide(self.statement)
-        for key, given in self.enclosures.items():
-            enclosures[key] |= given
+        """The certificate."""
         return {
             "format": "verify-certificate/2",
             "statement_sha256": sha256(pack(self.statement)).hexdigest(),
             "terms": self.terms,
             "steps": self.steps,
-            "enclosures": enclosures,
+            "enclosures": self.enclosures,
         }
 
     def files(self) -> tuple[bytes, bytes]:
@@ -265,34 +255,6 @@ class Pair:
 def pack(document: Json) -> bytes:
     """The bytes of a document."""
     return json.dumps(document, sort_keys=True).encode()
-
-
-def wide(statement: Document) -> Document:
-    """Enclosures of the constants, and of the rows without variables, that are never wrong."""
-    constants = [*statement["parameters"], *(item["name"] for item in statement["constants"])]
-    variables = {
-        item["name"]
-        for context in statement["contexts"]
-        for item in [*context["variables"], *context["constants"]]
-    }
-    terms = statement["terms"]
-
-    def is_ground(value: Json) -> bool:
-        if isinstance(value, list):
-            return all(map(is_ground, value))
-        return value not in variables and (value not in terms or is_ground(terms[value]))
-
-    rows = [
-        row["name"]
-        for row in statement["obligations"]
-        if row["verdict"] != "undecided"
-        and row["claim"][0] in ("<", "<=", "=")
-        and is_ground(row["claim"])
-    ]
-    return {
-        "constants": {name: {"bits": 64, "ends": WIDE} for name in constants},
-        "rows": {name: {"bits": 64, "lhs": WIDE, "rhs": WIDE} for name in rows},
-    }
 
 
 # --- answers -------------------------------------------------------------------------------------

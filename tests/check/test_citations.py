@@ -453,7 +453,7 @@ def test_certificates_that_are_cited_share_one_budget(monkeypatch: pytest.Monkey
     assert with_proofs(pair, *others)[0] == 0
     monkeypatch.setattr(check, "MAX_WORK", sum(works) - 1)
     code, lines = with_proofs(pair, *others)
-    says = f"cited certificate of {digest(others[-1])}: found more work than the limit"
+    says = f"cited certificate of {digest(others[-1])}: obligation row: found more work than the"
     assert (code, says in lines[-1]) == (4, True)
     folders = [check.Folder(str(i), *other.files(), []) for i, other in enumerate(others)]
     files = [other.files() for other in others]

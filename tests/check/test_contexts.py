@@ -276,6 +276,6 @@ def test_terms_have_an_operation_and_its_numbers_of_terms(value: Any) -> None:
      ["applies", None, {"x": "1"}], ["always", "box", {"x": "1"}, []], ["always", "box"]],
 )  # fmt: skip
 def test_claims_have_a_relation_and_two_sides(claim: Any) -> None:
-    pair = box(("0", "1")).row("row", "0 <= 1", INTERVAL).freeze()
+    pair = box(("0", "1")).row("row", "0 <= 1", INTERVAL)
     pair.statement["obligations"][0]["claim"] = claim
     assert verdict(pair).startswith("MALFORMED: ")

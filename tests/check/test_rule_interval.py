@@ -151,6 +151,23 @@ def test_precision_decides() -> None:
     assert ground(claim, interval(bits=128)) == "proved"
 
 
+def test_bits_alone_are_a_proof_without_bounds() -> None:
+    claim = f"sqrt(2)*sqrt(2) <= 2 + 1/{10**30}"
+    assert "REFUSED" in ground(claim, 64)
+    assert ground(claim, 128) == "proved"
+    assert "found a variable without bounds" in in_box("x <= 1", 64, ("0", "1"))
+
+
+@pytest.mark.parametrize("bits", [0, 1, 65537, 99999999])
+def test_bits_alone_have_bounds(bits: int) -> None:
+    assert f"interval: found {bits}, expected 2 to 65536" in ground("1 < 2", bits)
+
+
+@pytest.mark.parametrize("proof", [True, None, [], "64"])
+def test_bits_alone_are_a_number(proof: object) -> None:
+    assert "rule: found" in ground("1 < 2", proof)
+
+
 @pytest.mark.parametrize("bits", [0, 1, 65537, 99999999, True, "64", None, []])
 def test_bits_have_bounds(bits: object) -> None:
     assert f"interval.bits: found {bits}, expected 2 to 65536" in ground(

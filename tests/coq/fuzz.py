@@ -62,7 +62,7 @@ PIECES = [
 ]  # fmt: skip
 
 
-def anything(_: str, value: Any) -> None:
+def anything(value: Any) -> None:
     """Each shape is good."""
 
 

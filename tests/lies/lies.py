@@ -297,7 +297,7 @@ for spot_name, put in SPOTS.items():
     for odd_name, odd in ODD.items():
 
         def odd_files(put: Callable[[Pair, Json], object] = put, odd: Json = odd) -> Files:
-            pair = honest().freeze()
+            pair = honest()
             put(pair, copy.deepcopy(odd))
             return pair.files()
 
@@ -658,13 +658,13 @@ ENDS: dict[str, tuple[int, tuple[str, str]]] = {
 for ends_name, (ends_code, ends) in ENDS.items():
     register(f"a-constant-{ends_name}", ends_code, "", enclosing("constants", "m", *ends))
     register(f"a-side-{ends_name}", ends_code, "", enclosing("rows", "m-less", *ends))
-register("an-enclosure-of-a-name-that-is-none", MALFORMED, "too many or too few: ['nobody']",
+register("an-enclosure-of-a-name-that-is-none", MALFORMED, "unknown names: ['nobody']",
          enclosing("constants", "nobody", "0", "1"))  # fmt: skip
-register("an-enclosure-of-a-row-with-variables", MALFORMED, "too many or too few: ['root']",
+register("an-enclosure-of-a-row-with-variables", MALFORMED, "unknown names: ['root']",
          enclosing("rows", "root", "0", "1"))  # fmt: skip
-register("an-enclosure-of-an-undecided-row", MALFORMED, "too many or too few: ['open-question']",
+register("an-enclosure-of-an-undecided-row", MALFORMED, "unknown names: ['open-question']",
          enclosing("rows", "open-question", "0", "1"))  # fmt: skip
-register("an-enclosure-of-a-constant-of-a-context", MALFORMED, "too many or too few: ['d']",
+register("an-enclosure-of-a-constant-of-a-context", MALFORMED, "unknown names: ['d']",
          enclosing("constants", "d", "0", "1"))  # fmt: skip
 
 

@@ -72,11 +72,24 @@ Definition rule_of (x : json) : M (list byte) :=
   match x with
   | JObj l =>
       match find_key (list_byte_of_string "rule") l with Some (JStr s) => ret s | _ => bad "rule" end
+  | JInt _ => ret (list_byte_of_string "interval")
   | _ => bad "rule"
   end.
 (* The values of a proof with these keys besides the rule. *)
 Definition parts_of (keys : list string) (x : json) : M (list json) :=
   let! l := record ("rule"%string :: keys) x in ret (tl l).
+
+(* Bits alone are a proof by enclosures without bounds. *)
+Definition precision (x : json) : M (positive * list bound) :=
+  match x with
+  | JInt _ => let! b := bits_in x in ret (b, [])
+  | _ =>
+      let! l := parts_of ["bits"; "bounds"]%string x in
+      match l with
+      | [b; l] => let! b := bits_in b in let! l := bounds_in l in ret (b, l)
+      | _ => no_record
+      end
+  end.
 
 Section ReadRules.
 Variable c : spot.
@@ -86,12 +99,7 @@ Variable sides_of : list positive.
 Variable branches_in : json -> M (list proof).
 Variable premise_in : list positive -> json -> M proof.
 
-Definition interval (x : json) : M proof :=
-  let! l := parts_of ["bits"; "bounds"]%string x in
-  match l with
-  | [b; l] => let! b := bits_in b in let! l := bounds_in l in ret (Interval b l)
-  | _ => no_record
-  end.
+Definition interval (x : json) : M proof := let! p := precision x in ret (Interval (fst p) (snd p)).
 Definition cuts (x : json) : M proof :=
   let! l := parts_of ["term"; "at"; "branches"]%string x in
   match l with

@@ -62,11 +62,7 @@ Definition defining_in (x : json) : M defining :=
   let! rule := rule_of x in
   if is "define" rule then let! _ := parts_of [] x in ret ByClearing
   else if is "interval" rule then
-    let! l := parts_of ["bits"; "bounds"]%string x in
-    match l with
-    | [b; l] => let! b := bits_in b in let! l := bounds_in l in ret (ByInterval b l)
-    | _ => no_record
-    end
+    let! p := precision x in ret (ByInterval (fst p) (snd p))
   else bad "another rule is needed".
 
 (* --- steps -------------------------------------------------------------------------------------- *)

@@ -22,59 +22,59 @@ AS_PRINTED = "printed"
 PACKAGED_FILES = {
     "step": {
         "statement.json": "920523cdfa1f9afd807f321e05b78cadd7ee760b1a5764d4e1f36c9a7e786716",
-        "certificate.json": "e4e3e744a3142e236b59757410c5fe701264a16adff1ba3fabf43296df9f548d",
+        "certificate.json": "ce909c3ef9d00dc3325569b78dd887f0dd2983924fd064b402bf35eb9ea346a6",
     },
     "step-printed": {
         "statement.json": "1aa67de5dabc18e6bcb076c0e7974e19b4363aa9f9b1935d8ef599e125b1a25b",
-        "certificate.json": "110f629fda69ecbf7743e02d761091b238c0bc41f303678c41271f0320e7e3f2",
+        "certificate.json": "947372616aa1f1b98820d80b41ad0fc428ebd8be0bb6535a9e0120cc0835f0a1",
     },
     ALL: {
         "statement.json": "8732bbdf352eef2623fb3cb50fd30b6ab0b4e6fb49f2b4592ba61278b9a95619",
-        "certificate.json": "5f527050284e5b954d8c976fbdc9656f3e4aa41f93df710007b31a2ecdaaaa4e",
+        "certificate.json": "01d8c92a970102f6abb35f5f4407ba814e28859019459b8dc435765baec83de4",
     },
     PRINTED_SET: {
         "statement.json": "0cc7a4cc9fbe85282249c5391d26d9d73b5a7a88e07f9294c400f171538a48b1",
-        "certificate.json": "037733b107fc28348a289c512da9ecc538d539b8222511dbcfd3c01c32c07baf",
+        "certificate.json": "8d457135e23212e19080676f61793aa27cea5868f29b3863ba4660320ff544da",
     },
     PRINTED_SIGN: {
         "statement.json": "463af7a92b5e55614165a6db3576bbdc71f2369147ab8e69e1116bd12ed9cd30",
-        "certificate.json": "6b0089b72d47f818129de9aabe2bebf1f3560d69bfb08a0f7704064d01a43783",
+        "certificate.json": "3a1f3e7c5341b22747862e00a1527df8e29937f90e479165a21644b4e46bb4ac",
     },
     "thresholds": {
         "statement.json": "cd4602cefb1bfc76902297d936571f3de8ddb6e51fe4789ca75bdc3f263bc9c5",
-        "certificate.json": "d68006b185a1ff0d6fa98beb6f19dc49455995db3e1d2bfad950a528e7192659",
+        "certificate.json": "6fcf72e3c0e44dba8f65cb348a5bfb9a1f052f0aa0b970d6b212778a01efd096",
     },
     "spectrum": {
         "statement.json": "cb88e35f0984c1c4533cbdb35be8510235da71449440e01f380931109a05b129",
-        "certificate.json": "9f781f3d28e8fa570f4e0cbca191582b9fc5500969df7fdead9c151fbe1b6f03",
+        "certificate.json": "d09ec73c9589806e5f2c827c5a4ed00ade745afa283f0d2de681288f61125aac",
     },
     "classification": {
         "statement.json": "569536f6f737b332a6639a14e1b17d8a66ed12a481014b00afc956fabfa560ab",
-        "certificate.json": "77e14ada4e990b1de451b3281f197e7a160c07d7bbf045696399507e362c65cf",
+        "certificate.json": "3f83f75a226dc1cc94a0d4e3c2d6754cf37dd0a563e8763d48d8772571bef629",
     },
     "elsewhere": {
         "statement.json": "181792ad7ec7f2175bb89072eab89add2312e806111684bdafdf88cb98b09151",
-        "certificate.json": "5f052fcffe1ab50e2ecc9b5c9c81b579108920f1c9be235ba192734622daf698",
+        "certificate.json": "8984fc582f9ae85128dcd1cf09542c4b626def2d282ccca8973d149704087b09",
     },
     "sharper": {
         "statement.json": "52d5abca77e65dd9c6c064ef529d4774214a42f6914bb076b725552dd0940776",
-        "certificate.json": "a49535e50d393bee1f52c0109a8c150900385155560a6e59bacb466ce2aa646b",
+        "certificate.json": "e4919ddc3a8a743f6a23e7fa8871a3c52e5338693f869daf2abea4131c4cce69",
     },
     "sandwich": {
         "statement.json": "c4a6b29d0fb22d2b4c1b93aef03e7f3b1df83d4922468a59103e03abd25083b9",
-        "certificate.json": "dcb54182b3a7bd03e43f2ce67135bcea39e93f2ff71878de722da2070fabadbf",
+        "certificate.json": "7e9a37062e3ebadf434d8e07374ee0e066b843bbc0bfc376759276c7e9ba771c",
     },
     "flow": {
         "statement.json": "63e41a57a263ab3bc26da25168946bcc4dbcc0661e77b674833aa1c073e32efd",
-        "certificate.json": "e77585726a1125ad1a12969b6e4bf3eda959260a29cb2b5ed0293b7e1ac1d6fb",
+        "certificate.json": "a8a89c0d654ee10d935093008c06f9dc368db237fa56c46816deb8f0a043a38f",
     },
     "line": {
         "statement.json": "09664db03596164c5321ce9bcc389c1d0589751d06d8b3c71a47c971b80a81d4",
-        "certificate.json": "01c491731d5f3d8abb9745a19378efcda818d40a83fddd47828cbe1719f0b07e",
+        "certificate.json": "5e78db425726347a163cc0c110ad87742095f92f97f8fada0ba3f0e3ddea5868",
     },
     AS_PRINTED: {
         "statement.json": "5c9a22d238e60320ab5e80a982eba34ca454f3ac39e3e63bc9f15dc32133b5d6",
-        "certificate.json": "6308896c4fa435cd7c67b77d1fc5c0f7d05d0c083735dbdf51168a85a10d677d",
+        "certificate.json": "ee35f1c3fdaaa103f3ff4a8acb393b41e09011b63521182207ee3b3af16ad926",
     },
 }
 

@@ -32,7 +32,7 @@ from verify.prover.proof import (
     made_of,
     shapes,
 )
-from verify.prover.rules import RULES
+from verify.prover.rules import RULES, Interval
 from verify.wire.packaged import packaged_certificate
 from verify.wire.term_json import TermReader, WireError
 from verify.wire.write import CERTIFICATE_FORMAT, STATEMENT_FORMAT
@@ -185,6 +185,8 @@ def _step(item: Any, reader: TermReader) -> Step:
 
 
 def _proof(item: Any, reader: TermReader) -> Any:
+    if isinstance(item, int):
+        return Interval(item)
     fields = item.keys() - {"rule"}
     for proofs, rule in RULES.items():
         if rule.name == item["rule"] and shapes(proofs).keys() == fields:

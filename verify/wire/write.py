@@ -218,17 +218,11 @@ def _step(step: Step, writer: TermWriter) -> dict[str, Any]:
     return {"define": step.name, "term": writer.term(step.term)} | where
 
 
-def proof_document(proof: Proof, writer: TermWriter) -> dict[str, Any]:
-    """A proof as JSON: its rule and its fields."""
-    if type(proof) is Interval:
-        return _interval_document(proof)
+def proof_document(proof: Proof, writer: TermWriter) -> dict[str, Any] | int:
+    """A proof as JSON: its rule and its fields, or just the bits of enclosures without bounds."""
+    if type(proof) is Interval and not proof.bounds:
+        return proof.bits
     return {"rule": rule_of(proof)} | mapped(proof, partial(writer.leaf, proof_document))
-
-
-@lru_cache(maxsize=16)
-def _interval_document(proof: Interval) -> dict[str, Any]:
-    """The same where many are equal."""
-    return {"rule": rule_of(proof), "bits": proof.bits, "bounds": proof.bounds}
 
 
 def _step_terms(step: Step) -> Iterator[Term]:

@@ -270,7 +270,7 @@ def test_identities_hold_at_a_transcendental_point(documents: Files) -> None:
         reading = Reading(statement, point, number)
         for row, proof in with_proofs(documents):
             relation, *sides = row["claim"]
-            if relation == "=" and proof["rule"] == "sum":
+            if relation == "=" and isinstance(proof, dict) and proof["rule"] == "sum":
                 a, b = map(reading.term, sides)
                 assert abs(a - b) < mpmath.mpf(2) ** (60 - BITS) * (1 + abs(a)), row["name"]
                 count += 1
@@ -304,7 +304,8 @@ def test_sums_are_zero_by_sympy(documents: Files) -> None:
     for row, proof in with_proofs(documents):
         relation, lhs, rhs = row["claim"]
         cleared = row["name"] == "existence-below"  # of divisors, which the checker does
-        if relation in ("<", "<=") and proof["rule"] == "sum" and not cleared:
+        is_sum = isinstance(proof, dict) and proof["rule"] == "sum"
+        if relation in ("<", "<=") and is_sum and not cleared:
             goal = reading.term(lhs) - reading.term(rhs)
             total = sum(value(addend, goal) for addend in proof["addends"])
             assert sympy.expand(total) == 0, row["name"]

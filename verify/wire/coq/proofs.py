@@ -58,7 +58,7 @@ class Proofs(Numbers):
         """A proof, or a premise that is a fact."""
         if isinstance(proof, str):
             return f"Given_ {self.reference(proof)}"
-        rule = proof["rule"]
+        rule = check.rule_of(proof, check.RULES)
         if rule == "interval":
             return f"Interval {self.precision(proof)}"
         if rule == "instance":
@@ -100,11 +100,12 @@ class Proofs(Numbers):
 
     def precision(self, proof: Json) -> str:
         """The bits and the bounds of an enclosure."""
+        bits, found = check.precision(proof)
         bounds = (
             f"Bound {self.term(self.kernel.names[name])} {self.reference(low)} {self.reference(up)}"
-            for name, low, up in proof["bounds"]
+            for name, low, up in found
         )
-        return f"{proof['bits']} {listed(bounds)}"
+        return f"{bits} {listed(bounds)}"
 
     def addend(self, item: Json, context: check.Context) -> str:
         """What is >= 0."""
@@ -146,7 +147,8 @@ class Proofs(Numbers):
             row = self.reading.statement.rows[step["obligation"]]
             return f"Obligation {self.rows[row.name]} ({self.row_proof(row, step['proof'])})"
         name, proof = step["constant" if "constant" in step else "define"], step["proof"]
-        by = "ByClearing" if proof["rule"] == "define" else f"(ByInterval {self.precision(proof)})"
+        is_clear = check.rule_of(proof, check.DEFINING) == "define"
+        by = "ByClearing" if is_clear else f"(ByInterval {self.precision(proof)})"
         return f"Constant_ {self.name(name)} {self.term(self.kernel.names[name])} {by}"
 
     def row_proof(self, row: check.Row, proof: Json) -> str:
@@ -157,7 +159,7 @@ class Proofs(Numbers):
         if isinstance(claim, check.Always):
             start = self.proofs(proof["start"], here)
             return f"ByInduction {start} {self.proofs(proof['next'], claim.context)}"
-        if proof["rule"] != "witness":
+        if not (isinstance(proof, dict) and proof["rule"] == "witness"):
             return f"ByProof ({self.proof(proof, here)})"
         outside = here.parent or here
         at = self.values(proof["at"], here, outside)

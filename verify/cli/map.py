@@ -138,7 +138,7 @@ def run(options: Options) -> int:
             f"--out: {shown(os.path.join(options.out, LOG))} is no log of this map ({error}); "
             "name another folder"
         ) from error
-    write_tables(options, progress)
+    write_tables(options, progress, jobs)
     if options.json:
         print_document(_document(progress))
     else:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from verify.cli.files import read_bytes, write_all, write_file
 from verify.cli.options import Options
+from verify.cli.steps import in_order, watched
 from verify.language.record import TYPE_CHECKING
 from verify.spheres.map.planes import FamilyPlane, Plane, Through
 from verify.spheres.scene.families import read_family
@@ -38,11 +40,11 @@ def test_tables(options: Options, plane: Plane) -> None:
         raise InputError("--middles: add --csv FILE for a table, or --out DIR for pictures")
 
 
-def write_tables(options: Options, progress: Progress) -> None:
+def write_tables(options: Options, progress: Progress, jobs: int) -> None:
     """Write the table and the pictures that are asked for."""
     if options.csv is None and not options.middles:
         return
-    from verify.spheres.map.middles import boxes, middles  # loaded only where they are used
+    from verify.spheres.map.middles import boxes, middle  # loaded only where they are used
     from verify.views.map import axis_names, table_rows
     from verify.views.scene_table import csv_text
 
@@ -54,7 +56,8 @@ def write_tables(options: Options, progress: Progress) -> None:
                 f"--middles: the map has {len(found)} boxes that were not divided; ask for at most "
                 f"{MAX_MIDDLES}: --boxes {MAX_MIDDLES}"
             )
-        known = list(middles(progress, found))
+        plane: Any = progress.plane  # of scenes, as was tested
+        known = list(watched(in_order(partial(middle, plane), found, jobs), len(found)))
     if options.csv is not None:
         rows = table_rows(axis_names(progress.document), found, known)
         write_file("--csv", options.csv, csv_text(rows))

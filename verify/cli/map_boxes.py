@@ -10,6 +10,7 @@ from typing import Any
 
 from verify.cli.files import read_bytes, write_all, write_file
 from verify.cli.options import Options
+from verify.cli.scene_sample import point_in
 from verify.cli.steps import in_order, watched
 from verify.language.record import TYPE_CHECKING
 from verify.spheres.map.planes import FamilyPlane, Plane, Through
@@ -68,18 +69,41 @@ def write_tables(options: Options, progress: Progress, jobs: int) -> None:
 
 
 def _pictures(options: Options, progress: Progress, pairs: Sequence[Any]) -> dict[str, bytes]:
-    from verify.views.map import axis_names
     from verify.views.plots.map_colours import COLOURINGS, coloured
 
-    table = read_family(options.plane, read_bytes("plane", options.plane)).table
-    time = str(table.get("time_unit", ""))
-    plane: Any = progress.plane
+    table, plane = table_of(options), progress.plane
+    time, lines = str(table.get("time_unit", "")), heading(options, progress, table)
     sides = [side for side in (plane.x, plane.y) if side is not None]
     axes: list[tuple[str, Fraction, Fraction]] = [
-        (with_unit(name, table), *side)
-        for name, side in zip(axis_names(progress.document), sides, strict=False)
+        (name, *side) for name, side in zip(names_of(progress, table), sides, strict=False)
     ]
-    return {f"map-{one.name}.svg": coloured(one, axes, pairs, time).encode() for one in COLOURINGS}
+    return {
+        f"map-{one.name}.svg": coloured(one, axes, pairs, lines, time).encode()
+        for one in COLOURINGS
+    }
+
+
+def table_of(options: Options) -> Mapping[str, Any]:
+    """The scene file of a map; nothing without one."""
+    if not options.plane.endswith(".toml"):
+        return {}
+    return read_family(options.plane, read_bytes("plane", options.plane)).table
+
+
+def heading(options: Options, progress: Progress, table: Mapping[str, Any]) -> list[str]:
+    """What stands above a picture: the title of the file, and what is the same in all of it."""
+    from verify.views.map import plane_parts
+
+    fixed = {} if options.at is None else point_in("--at", options.at)
+    lines = str(table.get("title", "")), plane_parts(progress.document, fixed)[1]
+    return [line for line in lines if line]
+
+
+def names_of(progress: Progress, table: Mapping[str, Any]) -> list[str]:
+    """What the axes are, with the units of the file."""
+    from verify.views.map import axis_names
+
+    return [with_unit(name, table) for name in axis_names(progress.document)]
 
 
 def with_unit(name: str, table: Mapping[str, Any]) -> str:

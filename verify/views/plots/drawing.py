@@ -9,6 +9,7 @@ from __future__ import annotations
 from base64 import b64encode
 from collections.abc import Iterable, Iterator, Sequence
 from html import escape
+from textwrap import wrap
 from zlib import crc32
 
 from verify.views.plots import shapes
@@ -35,6 +36,8 @@ HATCHED = {"refuted-area": "refuted-line"}
 
 LEFT, RIGHT, TOP, BOTTOM, LEGEND = 66, 14, 34, 52, 22
 SIZE, LINE = 14, 20
+#: No letter of a text is wider than this, on average.
+LETTER = 8
 #: Where an entry of a legend has more letters, there is one entry in a line.
 LONG = 30
 
@@ -43,7 +46,9 @@ def svg(
     name: str, panels: Sequence[shapes.Panel], description: str, heading: Sequence[str] = ()
 ) -> str:
     """One SVG element with the panels side by side; ``name`` keeps its ids apart from others."""
-    width, top = sum(panel.width for panel in panels), LINE * len(heading) + 8 * bool(heading)
+    width = sum(panel.width for panel in panels)
+    heading = [line for given in heading for line in wrap(given, width // LETTER)]
+    top = LINE * len(heading) + 8 * bool(heading)
     height = max(panel.height for panel in panels) + top
     patterns = "".join(pattern(f"{name}-{area}", area) for area in HATCHED)
     parts = [

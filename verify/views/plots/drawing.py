@@ -6,6 +6,7 @@ refuted, grey undecided.
 
 from __future__ import annotations
 
+import re
 from base64 import b64encode
 from collections.abc import Iterable, Iterator, Sequence
 from html import escape
@@ -131,7 +132,7 @@ def _panel(name: str, panel: shapes.Panel) -> Iterator[str]:
     yield "</g>"
     if panel.axes:
         yield from _axes(place)
-    yield _text((8, 20), panel.title, weight="600")
+    yield SUBSCRIPT.sub(LOWER, _text((8, 20), panel.title, weight="600"))
     for shape in drawn:
         if isinstance(shape, shapes.Words):
             at = place.x(shape.at[0]), place.y(shape.at[1])
@@ -253,6 +254,9 @@ def _text(at: shapes.Point, text: str, anchor: str = "start", weight: str = "") 
     return f'<text x="{at[0]:.1f}" y="{at[1]:.1f}" fill="var(--ink)"{more}>{escape(text)}</text>'
 
 
+#: W_c and what follows, and how its c is written below the line.
+SUBSCRIPT = re.compile(r"\b([A-Z])_([a-z])(\W)")
+LOWER = r'\1<tspan dy="4" font-size="10">\2</tspan><tspan dy="-4">\3</tspan>'
 _RIM = 'paint-order="stroke" stroke="var(--paper)" stroke-width="4" stroke-linejoin="round"'
 
 

@@ -224,7 +224,8 @@ def _fill(name: str, colour: str) -> str:
     return f"url(#{name}-{colour})" if colour in HATCHED else f"var(--{colour})"
 
 
-#: The marks of measured points, around the origin.
+#: The marks of measured points, around the origin; of more points than this some have none.
+MOST = 60
 MARKS = ("M-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z", "M-4-4h8v8h-8z", "M0-5l5 9h-10z", "M0 5l5-9h-10z")
 
 
@@ -233,7 +234,7 @@ def _curve(shape: shapes.Curve, place: _Place) -> Iterator[str]:
     path = "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in points)
     yield f'<path d="{path}" fill="none" stroke="var(--{shape.colour})" stroke-width="1.4"/>'
     if shape.mark is not None:
-        yield from (_mark(at, shape) for at in points)
+        yield from (_mark(at, shape) for at in points[:: 1 + (len(points) - 1) // MOST])
 
 
 def _mark(at: shapes.Point, shape: shapes.Curve) -> str:

@@ -123,10 +123,10 @@ def plane_parts(plane: Plane, at: Mapping[str, Fraction]) -> tuple[str, str]:
     """What varies in a plane, and what does not; there parameters have values."""
     if plane["name"] not in ("scene", "family"):
         (x_0, x_1), (y_0, y_1), (u_c, u_s) = plane["x"], plane["y"], plane["tangential"]
-        fixed = f"r = {plane['r']}, -cos θ = {plane['neg_cos']}, -eta_c = {plane['speed']}"
+        r, c, speed = (exact_number(Fraction(plane[key])) for key in ("r", "neg_cos", "speed"))
         return (
-            f"φ1 = eta_s/(-eta_c) in [{x_0}, {x_1}], φ2 = d/eta_c² in [{y_0}, {y_1}]",
-            f"{fixed}, tangential speeds {u_c} and {u_s}",
+            f"φ₁ = η_s/(-η_c) in [{x_0}, {x_1}], φ₂ = d/η_c² in [{y_0}, {y_1}]",
+            f"r = {r}, -cos θ = {c}, -η_c = {speed}, tangential speeds {u_c} and {u_s}",
         )
     sides = [(axis, plane[key]) for axis, key in zip(axis_names(plane), "xy", strict=True) if axis]
     axes, r = {key: axis for (axis, _), key in zip(sides, "xy", strict=False)}, plane["r"]

@@ -166,7 +166,7 @@ def test_pictures_say_what_is_the_same_in_all_of_them(tmp_path: Path) -> None:
     for picture in (tmp_path / "out").glob("*.svg"):
         root = ElementTree.parse(picture).getroot()
         width = float(root.attrib["viewBox"].split()[2])
-        texts = root.iterfind("{*}text")
+        texts = root.iterfind(".//{*}text")
         lines = [text.text or "" for text in texts if float(text.get("x", 0)) == 8]
         assert "r = 0.05" in lines
         assert " ".join(lines).startswith(title)

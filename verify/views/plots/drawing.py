@@ -132,7 +132,7 @@ def _panel(name: str, panel: shapes.Panel) -> Iterator[str]:
     yield "</g>"
     if panel.axes:
         yield from _axes(place)
-    yield SUBSCRIPT.sub(LOWER, _text((8, 20), panel.title, weight="600"))
+    yield _text((8, 20), panel.title, weight="600")
     for shape in drawn:
         if isinstance(shape, shapes.Words):
             at = place.x(shape.at[0]), place.y(shape.at[1])
@@ -252,11 +252,12 @@ def _mark(at: shapes.Point, shape: shapes.Curve) -> str:
 def _text(at: shapes.Point, text: str, anchor: str = "start", weight: str = "") -> str:
     more = f' text-anchor="{anchor}"' if anchor != "start" else ""
     more += f' font-weight="{weight}"' if weight else ""
-    return f'<text x="{at[0]:.1f}" y="{at[1]:.1f}" fill="var(--ink)"{more}>{escape(text)}</text>'
+    text = LETTERS.sub(LOWER, escape(text))
+    return f'<text x="{at[0]:.1f}" y="{at[1]:.1f}" fill="var(--ink)"{more}>{text}</text>'
 
 
-#: W_c and what follows, and how its c is written below the line.
-SUBSCRIPT = re.compile(r"\b([A-Z])_([a-z])(\W)")
+#: W_c or η_c and the letter that follows, and how the c is written below the line.
+LETTERS = re.compile(r"\b([Wη])_([cs])(?![A-Za-z0-9_])(.?)")
 LOWER = r'\1<tspan dy="4" font-size="10">\2</tspan><tspan dy="-4">\3</tspan>'
 _RIM = 'paint-order="stroke" stroke="var(--paper)" stroke-width="4" stroke-linejoin="round"'
 

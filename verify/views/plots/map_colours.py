@@ -9,6 +9,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from html import escape
+from textwrap import wrap
 
 from verify.prover.decimals import decimal_text, people, round_decimal
 from verify.prover.outcome import Ends
@@ -19,8 +20,10 @@ from verify.views.plots.shapes import axis_of, logarithmic_marks, round_marks
 RAMP = ("#0b1f4b", "#32407a", "#6a5f86", "#a3807c", "#d6a767", "#f6d860")
 #: The three balls.
 BALLS = (RAMP[0], RAMP[3], RAMP[5])
-SIDE, LEFT, TOP, LINE, BAR, STEPS = 400, 64, 80, 18, 18, 64
+SIDE, LEFT, TOP, LINE, BAR, STEPS = 400, 64, 34, 18, 18, 64
 INK = "#1c2128"
+#: No letter of a text is wider than this, on average.
+LETTER = 7
 #: The patterns of what is undecided, and of collisions that are finitely many, but not counted.
 PATTERNS = (
     '<defs><pattern id="open" width="4" height="4" patternUnits="userSpaceOnUse">'
@@ -69,18 +72,20 @@ def coloured(
 ) -> str:
     """The picture, with these lines above it; times are in this unit."""
     width, height = LEFT + SIDE + 230, TOP + SIDE + 90
+    title = f"{colouring.title}, at the middle of each box"
+    lines = [line for given in (*heading, title) for line in wrap(given, width // LETTER)]
     font = f'font-family="sans-serif" font-size="12" fill="{INK}" style="background:#fff"'
     values = [colouring.value(middle) for _, middle in pairs]
     known = [value for value in values if value is not None]
     scale = Ramp(known)
-    title = f"{colouring.title}, at the middle of each box"
     is_balls, is_count = colouring.name == "central", colouring.name == "collisions"
-    view = f'viewBox="0 0 {width} {height}"'
+    view = f'viewBox="0 0 {width} {height + LINE * len(lines)}"'
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" {view} role="img" {font}>',
         f"<title>{escape(title)}</title>",
         PATTERNS,
-        *(_text(8, LINE * k, line, "start") for k, line in enumerate((*heading, title), 1)),
+        *(_text(8, LINE * k, line, "start") for k, line in enumerate(lines, 1)),
+        f'<g transform="translate(0 {LINE * len(lines)})">',
     ]
     parts.append('<g shape-rendering="crispEdges">')
     for (box, middle), value in zip(pairs, values, strict=True):
@@ -104,9 +109,9 @@ def coloured(
         parts += _key(SIDE - 106, "url(#some)", "finitely many, not counted")
     if colouring.name == "time":
         times = [middle.time for _, middle in pairs if middle.time is not None]
-        lines = widths_lines(scale, times, unit)
-        parts += [_text(8, height - 26 + LINE * k, line, "start") for k, line in enumerate(lines)]
-    return "\n".join([*parts, "</svg>", ""])
+        for k, line in enumerate(widths_lines(scale, times, unit)):
+            parts.append(_text(8, height - 26 + LINE * k, line, "start"))
+    return "\n".join([*parts, "</g></svg>", ""])
 
 
 def widths_lines(scale: Ramp, times: Sequence[Ends], unit: str) -> Sequence[str]:

@@ -42,6 +42,9 @@ def svg_map(
     ``names`` are those of the axes, with their units; the lines of the heading stand above.
     """
     law = [(count, share) for count, share in work(progress) if share]
+    if boxes and is_strip(progress.document):
+        delta = exact_number(progress.plane.delta)
+        heading = [*heading, f"vertical: logarithmic; in the middle all from -{delta} to {delta}"]
     panels = [_areas(progress, names, boxes=boxes)]
     panels += [law_panel(law)] if boxes and len(law) > 1 else []
     return standalone(svg("map", panels, plane_line(progress.document), heading))
@@ -73,9 +76,8 @@ def _scales(progress: Progress, names: Sequence[str], *, boxes: bool) -> tuple[S
     x_name, across = axis_of(names[0], x_0, x_1)
     y_name, up = ("", []) if is_interval(progress.document) else axis_of(names[1], y_0, y_1)
     if boxes and is_strip(progress.document):
-        delta = progress.plane.delta
         up = [(0.0, exact_number(-y_1, 6)), (1.0, exact_number(y_1, 6))]
-        y_name = f"φ2 - f(φ1), logarithmic; in the middle all from -{delta} to {delta}"
+        y_name = "φ₂ - f(φ₁)"
     return Scale(x_name, 0, 1, across), Scale(y_name, 0, 1, up)
 
 

@@ -33,7 +33,7 @@ COLLAPSES, ENDS, BETWEEN = "refuted-area", "proved-area", "ink"
 WIDTH, HEIGHT = 440, 360
 #: The vertical axis; this stands above it, since there is no room beside its marks.
 UP = "φ₂ |W_c|²"
-#: Beside a mark on the axis, and left of it if it is not in this share of the axis.
+#: How far from a mark on the axis its name stands, and the room that it needs to the left of φ⁻.
 BESIDE, ROOM = 0.02, 0.1
 
 
@@ -46,7 +46,7 @@ def strip_panel(found: Separatrix, strips: Sequence[CurveAt]) -> Panel:
     """The certified areas below and above the curve, the strip between them, and its points."""
     high = max(phi_2(strip.high) for strip in strips)
     right = max(strip.q for strip in strips)
-    told = "below the curve the collisions go on for ever, above it they end"
+    told = f"Below the curve at {_title(found)} the collisions go on for ever, above it they end."
     x, y = _scale("φ₁", right), _scale("", Fraction(high) * Fraction(6, 5))
     return Panel(UP, x, y, lambda: _strip(found, strips, y.high), told, WIDTH, HEIGHT)
 
@@ -58,9 +58,8 @@ def _title(found: Separatrix) -> str:
 
 def strip_svg(found: Separatrix, strips: Sequence[CurveAt]) -> str:
     """The same as a file."""
-    panel, title = strip_panel(found, strips), _title(found)
-    told = f"The separatrix at {title}: {panel.told}"
-    return standalone(svg("separatrix", [panel], told, [title]))
+    panel = strip_panel(found, strips)
+    return standalone(svg("separatrix", [panel], panel.told, [_title(found)]))
 
 
 def figure(found: Separatrix, strips: Sequence[CurveAt]) -> Figure:

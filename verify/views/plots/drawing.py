@@ -258,7 +258,7 @@ def _text(at: shapes.Point, text: str, anchor: str = "start", weight: str = "") 
 
 #: W_c or η_c and the letter that follows, and how the c is written below the line.
 LETTERS = re.compile(r"\b([Wη])_([cs])(?![A-Za-z0-9_])(.?)")
-LOWER = r'\1<tspan dy="4" font-size="10">\2</tspan><tspan dy="-4">\3</tspan>'
+LOWER = r'\1<tspan dy="4" font-size="11">\2</tspan><tspan dy="-4">\3</tspan>'
 _RIM = 'paint-order="stroke" stroke="var(--paper)" stroke-width="4" stroke-linejoin="round"'
 
 

@@ -255,7 +255,7 @@ def test_a_picture_says_how_wide_the_enclosures_of_its_times_are(folder: Path) -
     power = told[2].translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
     widest = Fraction(told[1]) * Fraction(10) ** int(power)
     assert max(high - low for low, high in ends) / 2 < widest < ends[0][0] / 10**5
-    assert f">0 of the {len(ends)} enclosures are wider than a step" in text
+    assert f">0 of the {len(ends)} enclosures are wider than 1/64 of the bar" in text
     ramp, half = Ramp([1.0, 2.0]), Fraction(1, 130)
     wide = [(1 - half, 1 + half), (2 - half, 2 + 2 * half)]
     lines = widths_lines(ramp, wide, "")

@@ -124,7 +124,7 @@ def widths_lines(scale: Ramp, times: Sequence[Ends], unit: str) -> Sequence[str]
     wide = sum(STEPS * step > 1 for step in steps)
     return (
         f"Each colour shows the middle of an enclosure of the time, which is {most} wide;",
-        f"{wide} of the {len(times)} enclosures are wider than a step of the colours (1/{STEPS}).",
+        f"{wide} of the {len(times)} enclosures are wider than 1/{STEPS} of the bar of colours.",
     )
 
 

@@ -217,8 +217,7 @@ def law_panel(law: Law) -> shapes.Panel:
     def drawn() -> Iterable[shapes.Shape]:
         yield shapes.Straight((boxes / 30, share * 30), (boxes * 4, share / 4), "faint")
         yield shapes.Curve(points, "series-1", 0, "this map, level by level")
-        at = max(boxes / 12, 1.2 * low)
-        yield shapes.Words((at, 1.3 * share * boxes / at), "slope −1")
+        yield shapes.Words((0.7 * boxes, share), "slope −1", "end")
 
     told = (
         f"The undecided share falls from {points[0][1]:.2g} % after {law[0][0]} boxes to "
